@@ -1,0 +1,158 @@
+//! The two pieces of a tool profile: straight segment and circular arc.
+
+use super::{Point, turned};
+
+/// A straight piece from `from` to `to` [mm].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Segment {
+    pub from: Point,
+    pub to: Point,
+    direction: Point,
+    length: f64,
+}
+
+/// A circular arc about `center` [mm]; `sweep` [rad] is positive counter-clockwise in the r-z plane.
+///
+/// Swept counter-clockwise the sheet (on the left) is inside the circle; clockwise, outside: a clockwise arc
+/// is a convex tool corner.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Arc {
+    pub center: Point,
+    pub radius: f64,
+    /// Angle of the first point, from +r towards +z [rad].
+    pub start: f64,
+    pub sweep: f64,
+    middle: Point,
+    cos_half_sweep: f64,
+}
+
+/// One piece of a tool profile.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Piece {
+    Segment(Segment),
+    Arc(Arc),
+}
+
+/// Closest point of one piece.
+pub(super) enum Foot {
+    /// Inside the piece: signed distance [mm], outward normal, curvature of the distance field [1/mm].
+    Interior { distance: f64, normal: Point, curvature: f64 },
+    /// The first or the last point of the piece is closest.
+    End { first: bool, point: Point },
+}
+
+impl Segment {
+    /// Segment between two different points.
+    pub fn new(from: Point, to: Point) -> Self {
+        let length = (to - from).norm();
+        Self { from, to, direction: (to - from) / length, length }
+    }
+
+    fn foot(&self, x: Point) -> Foot {
+        let along = (x - self.from).dot(&self.direction);
+        if along <= 0.0 {
+            Foot::End { first: true, point: self.from }
+        } else if along >= self.length {
+            Foot::End { first: false, point: self.to }
+        } else {
+            let normal = turned(self.direction);
+            Foot::Interior { distance: (x - self.from).dot(&normal), normal, curvature: 0.0 }
+        }
+    }
+}
+
+impl Arc {
+    /// Arc about `center` [mm] starting at angle `start` [rad] and turning by `sweep` [rad].
+    pub fn new(center: Point, radius: f64, start: f64, sweep: f64) -> Self {
+        let mid = start + 0.5 * sweep;
+        Self {
+            center,
+            radius,
+            start,
+            sweep,
+            middle: Point::new(mid.cos(), mid.sin()),
+            cos_half_sweep: (0.5 * sweep).abs().min(std::f64::consts::PI).cos(),
+        }
+    }
+
+    /// Point at the fraction `f` (0..1) of the sweep.
+    pub fn at(&self, f: f64) -> Point {
+        let angle = self.start + f * self.sweep;
+        self.center + self.radius * Point::new(angle.cos(), angle.sin())
+    }
+
+    fn foot(&self, x: Point) -> Foot {
+        let from_center = x - self.center;
+        let distance = from_center.norm();
+        if distance > 1e-12 && from_center.dot(&self.middle) >= distance * self.cos_half_sweep {
+            let radial = from_center / distance;
+            let convex = if self.sweep < 0.0 { 1.0 } else { -1.0 };
+            Foot::Interior {
+                distance: convex * (distance - self.radius),
+                normal: convex * radial,
+                curvature: convex / distance,
+            }
+        } else {
+            let (a, b) = (self.at(0.0), self.at(1.0));
+            let first = (x - a).norm_squared() <= (x - b).norm_squared();
+            Foot::End { first, point: if first { a } else { b } }
+        }
+    }
+}
+
+impl Piece {
+    /// First point [mm].
+    pub fn first(&self) -> Point {
+        match self {
+            Piece::Segment(s) => s.from,
+            Piece::Arc(a) => a.at(0.0),
+        }
+    }
+
+    /// Last point [mm].
+    pub fn last(&self) -> Point {
+        match self {
+            Piece::Segment(s) => s.to,
+            Piece::Arc(a) => a.at(1.0),
+        }
+    }
+
+    /// Length along the piece [mm].
+    pub fn length(&self) -> f64 {
+        match self {
+            Piece::Segment(s) => s.length,
+            Piece::Arc(a) => a.radius * a.sweep.abs(),
+        }
+    }
+
+    /// Unit tangent at the first (`false`) or last (`true`) point.
+    pub fn tangent(&self, last: bool) -> Point {
+        match self {
+            Piece::Segment(s) => s.direction,
+            Piece::Arc(a) => {
+                let angle = a.start + if last { a.sweep } else { 0.0 };
+                a.sweep.signum() * turned(Point::new(angle.cos(), angle.sin()))
+            }
+        }
+    }
+
+    /// Points along the piece for drawing and sampling, `n` ≥ 1 intervals, both ends included.
+    pub fn sample(&self, n: usize) -> Vec<Point> {
+        (0..=n)
+            .map(|i| {
+                let f = i as f64 / n as f64;
+                match self {
+                    Piece::Segment(s) => s.from + f * (s.to - s.from),
+                    Piece::Arc(a) => a.at(f),
+                }
+            })
+            .collect()
+    }
+
+    pub(super) fn foot(&self, x: Point) -> Foot {
+        match self {
+            Piece::Segment(s) => s.foot(x),
+            Piece::Arc(a) => a.foot(x),
+        }
+    }
+}

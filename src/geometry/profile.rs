@@ -1,0 +1,151 @@
+//! A tool's section: a chain of pieces with signed distance, normal and curvature.
+
+use super::piece::Foot;
+use super::{Arc, Piece, Point, Segment, turned};
+
+/// A connected chain of pieces, the sheet on its left. See the [module](crate::geometry) for frame and sign.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Profile {
+    pieces: Vec<Piece>,
+    /// Outward normals averaged at the vertices, one more than pieces; they decide the sign at a corner.
+    vertex_normals: Vec<Point>,
+}
+
+/// The closest point of a profile as seen from a point in space.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Closest {
+    /// Signed distance [mm]: positive on the sheet's side.
+    pub distance: f64,
+    /// Gradient of the distance, a unit vector pointing from the tool to the sheet.
+    pub normal: Point,
+    /// ∇²d = curvature · ττᵀ [1/mm]; positive over a convex corner.
+    pub curvature: f64,
+    /// Index of the piece.
+    pub piece: usize,
+}
+
+/// Why a chain of pieces is not a profile.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum ProfileError {
+    #[error("a profile needs at least one piece")]
+    Empty,
+    #[error("piece {index} has no length (it starts and ends at r = {r:.4} mm, z = {z:.4} mm)")]
+    NoLength { index: usize, r: f64, z: f64 },
+    #[error(
+        "piece {index} starts {gap:.3e} mm away from the end of the piece before it (r = {r:.4} mm, z = {z:.4} mm)"
+    )]
+    Gap { index: usize, gap: f64, r: f64, z: f64 },
+}
+
+impl Profile {
+    /// Joins pieces into a profile.
+    ///
+    /// # Errors
+    /// When there is no piece, a piece has no length, or consecutive pieces are more than 1e-6 mm apart.
+    pub fn new(pieces: Vec<Piece>) -> Result<Self, ProfileError> {
+        if pieces.is_empty() {
+            return Err(ProfileError::Empty);
+        }
+        for (index, piece) in pieces.iter().enumerate() {
+            let first = piece.first();
+            if !(piece.length() > 1e-9) {
+                return Err(ProfileError::NoLength { index, r: first.x, z: first.y });
+            }
+            if index > 0 {
+                let gap = (first - pieces[index - 1].last()).norm();
+                if gap > 1e-6 {
+                    return Err(ProfileError::Gap { index, gap, r: first.x, z: first.y });
+                }
+            }
+        }
+        let normal = |i: usize, last: bool| turned(pieces[i].tangent(last));
+        let n = pieces.len();
+        let vertex_normals = (0..=n)
+            .map(|v| {
+                let sum = match v {
+                    0 => normal(0, false),
+                    v if v == n => normal(n - 1, true),
+                    v => normal(v - 1, true) + normal(v, false),
+                };
+                sum.normalize()
+            })
+            .collect();
+        Ok(Self { pieces, vertex_normals })
+    }
+
+    /// The pieces in order.
+    pub fn pieces(&self) -> &[Piece] {
+        &self.pieces
+    }
+
+    /// Signed distance, normal and curvature at `x` [mm]; exact for segments, arcs and corners.
+    pub fn closest(&self, x: Point) -> Closest {
+        let mut best = Closest { distance: f64::INFINITY, normal: Point::new(0.0, 1.0), curvature: 0.0, piece: 0 };
+        for (index, piece) in self.pieces.iter().enumerate() {
+            match piece.foot(x) {
+                Foot::Interior { distance, normal, curvature } => {
+                    if distance.abs() < best.distance.abs() {
+                        best = Closest { distance, normal, curvature, piece: index };
+                    }
+                }
+                Foot::End { first, point } => {
+                    let away = x - point;
+                    let distance = away.norm();
+                    if distance < best.distance.abs() {
+                        let outward = self.vertex_normals[if first { index } else { index + 1 }];
+                        best = if distance < 1e-12 {
+                            Closest { distance: 0.0, normal: outward, curvature: 0.0, piece: index }
+                        } else {
+                            let side = if away.dot(&outward) >= 0.0 { 1.0 } else { -1.0 };
+                            Closest {
+                                distance: side * distance,
+                                normal: side * away / distance,
+                                curvature: side / distance,
+                                piece: index,
+                            }
+                        };
+                    }
+                }
+            }
+        }
+        best
+    }
+
+    /// The same profile with every arc replaced by `per_quarter` chords per 90° (at least one per arc).
+    pub fn faceted(&self, per_quarter: usize) -> Self {
+        let mut pieces = Vec::new();
+        for piece in &self.pieces {
+            match piece {
+                Piece::Segment(_) => pieces.push(*piece),
+                Piece::Arc(arc) => {
+                    let quarters = arc.sweep.abs() / std::f64::consts::FRAC_PI_2;
+                    let n = (quarters * per_quarter as f64).ceil().max(1.0) as usize;
+                    let points = piece.sample(n);
+                    pieces.extend(points.windows(2).map(|w| Piece::Segment(Segment::new(w[0], w[1]))));
+                }
+            }
+        }
+        Self::new(pieces).expect("chords of a connected chain are connected")
+    }
+
+    /// Convex arcs (the corners that bend the sheet), in order.
+    pub fn corners(&self) -> impl Iterator<Item = &Arc> {
+        self.pieces.iter().filter_map(|p| match p {
+            Piece::Arc(a) if a.sweep < 0.0 => Some(a),
+            _ => None,
+        })
+    }
+
+    /// Polyline for drawing: arcs sampled every `step` radians or finer.
+    pub fn polyline(&self, step: f64) -> Vec<Point> {
+        let mut points = vec![self.pieces[0].first()];
+        for piece in &self.pieces {
+            let n = match piece {
+                Piece::Segment(_) => 1,
+                Piece::Arc(a) => (a.sweep.abs() / step).ceil().max(1.0) as usize,
+            };
+            points.extend(piece.sample(n).into_iter().skip(1));
+        }
+        points
+    }
+}

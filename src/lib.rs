@@ -1,0 +1,5 @@
+pub mod compare;
+pub mod geometry;
+pub mod material;
+pub mod model;
+pub mod record;

@@ -1,0 +1,156 @@
+//! Hardening laws: the yield stress σ_y(ε̄) of uniaxial tension over the equivalent plastic strain ε̄ ≥ 0.
+//!
+//! One law, one file. A new law is a file here and a line in [`Hardening`]; the compiler then names every other
+//! place, and the property tests below run over [`Hardening::examples`].
+
+mod hollomon;
+mod ludwik;
+mod piecewise_power;
+mod swift;
+mod table;
+mod voce;
+
+pub use hollomon::Hollomon;
+pub use ludwik::Ludwik;
+pub use piecewise_power::{Branch, PiecewisePower};
+pub use swift::Swift;
+pub use table::{Extrapolation, Table};
+pub use voce::Voce;
+
+/// Why a set of parameters is not a hardening law.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[error("{0}")]
+pub struct LawError(pub String);
+
+/// Yield stress and its slope at one strain.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct FlowStress {
+    /// σ_y [MPa].
+    pub stress: f64,
+    /// dσ_y/dε̄ [MPa].
+    pub slope: f64,
+}
+
+/// A hardening law, parameters in MPa.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Hardening {
+    PiecewisePower(PiecewisePower),
+    Hollomon(Hollomon),
+    Swift(Swift),
+    Ludwik(Ludwik),
+    Voce(Voce),
+    Table(Table),
+}
+
+impl Hardening {
+    /// σ_y and dσ_y/dε̄ at the equivalent plastic strain `strain` ≥ 0 [–].
+    #[inline]
+    pub fn at(&self, strain: f64) -> FlowStress {
+        match self {
+            Self::PiecewisePower(law) => law.at(strain),
+            Self::Hollomon(law) => law.at(strain),
+            Self::Swift(law) => law.at(strain),
+            Self::Ludwik(law) => law.at(strain),
+            Self::Voce(law) => law.at(strain),
+            Self::Table(law) => law.at(strain),
+        }
+    }
+
+    /// The formula with its numbers, in MPa, for summaries and plots.
+    pub fn describe(&self) -> String {
+        match self {
+            Self::PiecewisePower(law) => law.describe(),
+            Self::Hollomon(law) => law.describe(),
+            Self::Swift(law) => law.describe(),
+            Self::Ludwik(law) => law.describe(),
+            Self::Voce(law) => law.describe(),
+            Self::Table(law) => law.describe(),
+        }
+    }
+
+    /// Largest strain the law was given for, where it says so (tables).
+    pub fn valid_up_to(&self) -> Option<f64> {
+        match self {
+            Self::Table(law) => Some(law.last_strain()),
+            _ => None,
+        }
+    }
+
+    /// One example of every law, for tests and benchmarks that must hold for the whole list.
+    pub fn examples() -> Vec<(&'static str, Hardening)> {
+        vec![
+            ("piecewise_power", Self::PiecewisePower(PiecewisePower::woo())),
+            ("hollomon", Self::Hollomon(Hollomon::from_elastic_line(547.0, 0.18, 210_000.0).expect("valid"))),
+            ("swift", Self::Swift(Swift::new(589.0, 0.216, 1e-4).expect("valid"))),
+            ("ludwik", Self::Ludwik(Ludwik::new(150.0, 400.0, 0.5).expect("valid"))),
+            ("voce", Self::Voce(Voce::new(180.0, 400.0, 9.0, 1.0).expect("valid"))),
+            ("voce with exponent", Self::Voce(Voce::new(125.0, 320.0, 7.5, 0.97).expect("valid"))),
+            (
+                "table",
+                Self::Table(
+                    Table::new(
+                        vec![0.0, 0.02, 0.1, 0.3, 0.8],
+                        vec![150.0, 210.0, 290.0, 360.0, 420.0],
+                        Extrapolation::Slope,
+                    )
+                    .expect("valid"),
+                ),
+            ),
+        ]
+    }
+}
+
+/// Strain below which ε^n is replaced by its chord from the origin.
+///
+/// With n < 1 the power has an infinite slope at ε = 0, which no iteration matrix can carry. The stress changes by
+/// less than K (1e-6)^n on the first 1e-6 of strain and not at all beyond.
+const CHORD_UP_TO: f64 = 1e-6;
+
+/// ε^n and its derivative, finite at ε = 0 (see [`CHORD_UP_TO`]).
+#[inline]
+fn power(strain: f64, n: f64) -> (f64, f64) {
+    if strain > CHORD_UP_TO {
+        let value = strain.powf(n);
+        (value, n * value / strain)
+    } else {
+        let slope = CHORD_UP_TO.powf(n - 1.0);
+        (slope * strain, slope)
+    }
+}
+
+fn require(ok: bool, message: impl FnOnce() -> String) -> Result<(), LawError> {
+    if ok { Ok(()) } else { Err(LawError(message())) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use approx::assert_relative_eq;
+
+    /// Trust: central differences, h = 1e-6 ε: truncation below 1e-9 of the slope.
+    #[test]
+    fn slope_is_the_derivative_of_the_stress_for_every_law() {
+        for (name, law) in Hardening::examples() {
+            for strain in [1e-7, 3e-5, 1e-3, 0.013, 0.09, 0.21, 0.37, 0.75, 1.4] {
+                let h = 1e-6 * strain;
+                let difference = (law.at(strain + h).stress - law.at(strain - h).stress) / (2.0 * h);
+                assert_relative_eq!(law.at(strain).slope, difference, max_relative = 1e-5, epsilon = 1e-4);
+                assert!(law.at(strain).stress.is_finite(), "{name}");
+            }
+        }
+    }
+
+    #[test]
+    fn every_law_is_positive_continuous_and_never_softens() {
+        for (name, law) in Hardening::examples() {
+            let mut last = law.at(0.0).stress;
+            assert!(last >= 0.0, "{name}");
+            for i in 1..40_000 {
+                let now = law.at(i as f64 * 5e-5);
+                assert!(now.stress >= last - 1e-9 && now.slope >= -1e-9, "{name} softens at {}", i as f64 * 5e-5);
+                assert!(i < 20 || now.stress - last < 0.05 * now.stress, "{name} jumps at {}", i as f64 * 5e-5);
+                last = now.stress;
+            }
+        }
+    }
+}

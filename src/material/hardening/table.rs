@@ -1,0 +1,105 @@
+//! Measured stress-strain points, interpolated without overshoot.
+
+use super::{FlowStress, LawError, require};
+
+/// What the law does beyond the last point: a declared choice.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Extrapolation {
+    /// Keeps the last stress.
+    Hold,
+    /// Goes on along the chord of the last two points.
+    Slope,
+}
+
+/// Monotone cubic interpolation of (ε̄, σ_y) points; it never rises or falls where the points do not.
+///
+/// # References
+/// F. N. Fritsch, R. E. Carlson, Monotone piecewise cubic interpolation, SIAM J. Numer. Anal. 17 (1980) 238–246;
+/// slopes by the harmonic mean of F. N. Fritsch, J. Butland, SIAM J. Sci. Stat. Comput. 5 (1984) 300–304.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Table {
+    strain: Vec<f64>,
+    stress: Vec<f64>,
+    slope: Vec<f64>,
+    beyond: Extrapolation,
+}
+
+impl Table {
+    /// Points with rising strain from 0 and stress > 0 that does not fall.
+    ///
+    /// # Errors
+    /// When there are fewer than two points or they are not of that kind.
+    pub fn new(strain: Vec<f64>, stress: Vec<f64>, beyond: Extrapolation) -> Result<Self, LawError> {
+        require(strain.len() == stress.len() && strain.len() >= 2, || {
+            format!(
+                "needs at least two points, each with a strain and a stress; found {} strains and {} stresses",
+                strain.len(),
+                stress.len()
+            )
+        })?;
+        require(strain[0] == 0.0, || format!("the first strain must be 0, found {}", strain[0]))?;
+        for i in 0..strain.len() {
+            require(stress[i] > 0.0 && stress[i].is_finite(), || {
+                format!("point {}: the stress must be positive, found {} MPa", i + 1, stress[i])
+            })?;
+            require(i == 0 || strain[i] > strain[i - 1], || {
+                format!("point {}: the strain {} does not rise above {}", i + 1, strain[i], strain[i - 1])
+            })?;
+            require(i == 0 || stress[i] >= stress[i - 1], || {
+                format!("point {}: the stress falls from {} to {} MPa", i + 1, stress[i - 1], stress[i])
+            })?;
+        }
+        let n = strain.len();
+        let chord: Vec<f64> = (0..n - 1).map(|i| (stress[i + 1] - stress[i]) / (strain[i + 1] - strain[i])).collect();
+        let slope = (0..n)
+            .map(|i| match i {
+                0 => chord[0],
+                i if i == n - 1 => match beyond {
+                    Extrapolation::Hold => 0.0,
+                    Extrapolation::Slope => chord[n - 2],
+                },
+                i if chord[i - 1] * chord[i] <= 0.0 => 0.0,
+                i => 2.0 * chord[i - 1] * chord[i] / (chord[i - 1] + chord[i]),
+            })
+            .collect();
+        Ok(Self { strain, stress, slope, beyond })
+    }
+
+    pub(super) fn last_strain(&self) -> f64 {
+        self.strain[self.strain.len() - 1]
+    }
+
+    pub(super) fn at(&self, strain: f64) -> FlowStress {
+        let n = self.strain.len();
+        let i = self.strain.partition_point(|&s| s <= strain);
+        if i == n {
+            let slope = self.slope[n - 1];
+            return FlowStress { stress: self.stress[n - 1] + slope * (strain - self.strain[n - 1]), slope };
+        }
+        let (a, b) = (i.max(1) - 1, i.max(1));
+        let h = self.strain[b] - self.strain[a];
+        let x = (strain - self.strain[a]) / h;
+        let rise = self.stress[b] - self.stress[a];
+        let (sa, sb) = (h * self.slope[a], h * self.slope[b]);
+        // Hermite cubic y = y_a + s_a x + c x² + d x³ on the unit interval.
+        let (c, d) = (3.0 * rise - 2.0 * sa - sb, sa + sb - 2.0 * rise);
+        FlowStress {
+            stress: self.stress[a] + x * (sa + x * (c + x * d)),
+            slope: (sa + x * (2.0 * c + 3.0 * d * x)) / h,
+        }
+    }
+
+    pub(super) fn describe(&self) -> String {
+        let n = self.strain.len();
+        let beyond = match self.beyond {
+            Extrapolation::Hold => "the last stress held",
+            Extrapolation::Slope => "the last slope kept",
+        };
+        format!(
+            "table of {n} points, {:.1} MPa at ε = 0 to {:.1} MPa at ε = {}, beyond it {beyond}",
+            self.stress[0],
+            self.stress[n - 1],
+            self.last_strain()
+        )
+    }
+}
