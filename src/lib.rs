@@ -3,3 +3,4 @@ pub mod geometry;
 pub mod material;
 pub mod model;
 pub mod record;
+pub mod solver;

@@ -147,3 +147,20 @@ pub struct Run {
     /// Things a user should know before trusting the result.
     pub warnings: Vec<String>,
 }
+
+/// One iteration of the corrector, accepted step or not.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct IterationRecord {
+    pub step: usize,
+    /// Punch travel at the end of the step that is tried [mm].
+    pub travel: f64,
+    pub iteration: usize,
+    /// Relative velocity increment [–].
+    pub velocity_norm: f64,
+    /// Relative residual before the increment [–].
+    pub residual_norm: f64,
+    /// Share of the computed increment that was taken [–]; below 1 when a move was capped.
+    pub cut: f64,
+    /// Node-tool pairs under contact pressure.
+    pub active_contacts: usize,
+}
