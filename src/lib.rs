@@ -1,6 +1,10 @@
 pub mod compare;
+pub mod contact;
+pub mod element;
 pub mod geometry;
 pub mod material;
+pub mod mesh;
 pub mod model;
 pub mod record;
 pub mod solver;
+pub mod state;

@@ -3,23 +3,8 @@
 use crate::geometry::Profile;
 use crate::material::Material;
 
-/// Which section of the die is solved.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Geometry {
-    /// Body of revolution about r = 0; forces are totals over the whole ring.
-    Axisymmetric,
-    /// Unit depth, symmetric about r = 0; forces are per mm of depth of the half that is modelled.
-    PlaneStrain,
-}
-
-/// Shell theory of the sheet.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Theory {
-    /// Mindlin shell: membrane, bending and transverse shear.
-    Bending,
-    /// Membrane only.
-    Membrane,
-}
+pub use crate::element::{Geometry, Theory};
+pub use crate::material::flow::Iteration;
 
 /// How the blank's outer edge is held.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -84,17 +69,6 @@ pub struct Tool {
     /// Coulomb's coefficient of friction [–].
     pub friction: f64,
     pub motion: Motion,
-}
-
-/// Which matrix H the corrector iterates with (Sosnowski 1994, equation 9).
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Iteration {
-    /// Primal-dual Newton: Newton's matrix with an independently carried stress.
-    PrimalDual,
-    /// Newton's consistent tangent.
-    Newton,
-    /// Secant (Picard): the viscosity frozen.
-    Secant,
 }
 
 /// What must be small for a step to be accepted.
@@ -189,16 +163,6 @@ impl Role {
             Role::Punch => "punch",
             Role::Die => "die",
             Role::Holder => "holder",
-        }
-    }
-}
-
-impl Geometry {
-    /// Unit of a force: whole ring, or per mm of depth.
-    pub fn force_unit(self) -> &'static str {
-        match self {
-            Geometry::Axisymmetric => "N",
-            Geometry::PlaneStrain => "N/mm",
         }
     }
 }

@@ -63,6 +63,16 @@ pub struct Energy {
 }
 
 impl Energy {
+    /// Adds the work of a step of `dt` [s] whose powers went from `from` to `to`.
+    pub fn add_trapezoid(&mut self, from: &Energy, to: &Energy, dt: f64) {
+        let half = 0.5 * dt;
+        self.external += half * (from.external + to.external);
+        self.plastic += half * (from.plastic + to.plastic);
+        self.friction += half * (from.friction + to.friction);
+        self.contact += half * (from.contact + to.contact);
+        self.cutoff += half * (from.cutoff + to.cutoff);
+    }
+
     /// What the balance misses, over the external work [–].
     pub fn imbalance(&self) -> f64 {
         let missing = self.external - self.plastic - self.friction - self.contact;

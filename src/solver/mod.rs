@@ -1,7 +1,17 @@
-//! The flow approach: explicit predictor, implicit corrector.
+//! The flow approach: explicit predictor, implicit corrector, from the flat blank to the full travel.
 
-use crate::model::Model;
-use crate::record::{IterationRecord, Run, StepRecord};
+mod assembly;
+pub mod block_tridiagonal;
+mod corrector;
+mod stepping;
+
+use crate::mesh;
+use crate::model::{Edge, Model, Motion, Role};
+use crate::record::{Energy, IterationRecord, Run, StepRecord, Stop};
+use crate::state::{LayerPoint, State};
+use assembly::Workspace;
+use corrector::{Outcome, correct};
+use stepping::StepControl;
 
 /// Sees a run as it goes; the solver itself never prints.
 pub trait Observer {
@@ -14,7 +24,207 @@ pub trait Observer {
 /// An observer that looks away.
 impl Observer for () {}
 
+/// A point's plastic power counts as cut off when its strain increment is below this many cut-offs.
+const CUT_OFF_ZONE: f64 = 10.0;
+
 /// Solves a model from the flat blank to its full travel, or as far as equilibrium is found.
-pub fn run(_model: &Model, _observer: &mut dyn Observer) -> Run {
-    todo!("lands with the solver")
+pub fn run(model: &Model, observer: &mut dyn Observer) -> Run {
+    run_from(model, State::flat(model, mesh::nodes(model)), observer).0
+}
+
+/// As [`run`], from a given state; also returns the last state.
+pub fn run_from(model: &Model, mut state: State, observer: &mut dyn Observer) -> (Run, State) {
+    let mut work = Workspace::new(model, &state);
+    let mut control = StepControl::new(model);
+    let mut run = Run { history: Vec::new(), frames: Vec::new(), stop: Stop::FullTravel, warnings: Vec::new() };
+    let mut last = StepRecord { thinnest: model.blank.thickness, ..StepRecord::default() };
+    let mut rejected = 0;
+
+    while let Some(dt) = control.next(&state) {
+        work.begin(model, &state);
+        let step = last.step + 1;
+        let mut outcome = attempt(&mut work, model, &state, dt, step, false, observer);
+        if !outcome.converged && step > 1 {
+            rejected += 1;
+            outcome = attempt(&mut work, model, &state, dt, step, true, observer);
+        }
+        if !outcome.converged {
+            rejected += 1;
+            if control.reject(dt) {
+                continue;
+            }
+            run.stop = Stop::NoEquilibrium {
+                travel: state.travel,
+                step: dt * model.speed,
+                velocity_norm: outcome.velocity_norm,
+                residual_norm: outcome.residual_norm,
+                worst_s0: state.s0[work.worst_node],
+            };
+            break;
+        }
+        control.accept(dt, outcome.iterations);
+        let record = accept(&work, model, &mut state, dt, &outcome, &last, rejected);
+        rejected = 0;
+        observer.step(&record);
+        run.history.push(record);
+        last = record;
+        if control.at_frame(&state) {
+            run.frames.push(state.frame(model));
+        }
+    }
+    if !run.stop.is_complete() && last.step > 0 && run.frames.last().is_none_or(|f| f.travel < state.travel) {
+        run.frames.push(state.frame(model));
+    }
+    run.warnings = warnings(model, &state, &run);
+    (run, state)
+}
+
+/// One try of a step, from the predictor or from rest.
+fn attempt(
+    work: &mut Workspace,
+    model: &Model,
+    state: &State,
+    dt: f64,
+    step: usize,
+    from_rest: bool,
+    observer: &mut dyn Observer,
+) -> Outcome {
+    work.predict(model, state, dt, from_rest);
+    correct(work, model, state, dt, step, observer)
+}
+
+/// Moves the state to the end of a converged step and writes down what happened.
+fn accept(
+    work: &Workspace,
+    model: &Model,
+    state: &mut State,
+    dt: f64,
+    outcome: &Outcome,
+    last: &StepRecord,
+    rejected: usize,
+) -> StepRecord {
+    let settings = &model.settings;
+    let longest = settings.max_step * model.travel / model.speed;
+    let cutoff = settings.cutoff_strain * (dt / longest).min(1.0);
+
+    let (mut plastic, mut cut_off) = (0.0, 0.0);
+    let n_layers = work.layers.len();
+    for (i, response) in work.responses.iter().enumerate() {
+        let (e, layer) = (i / n_layers, work.layers[i % n_layers]);
+        // σ:Δε = σ_y Δε̄²/Δε̄_reg = |σ| Δε̄
+        let stress = crate::material::flow::equivalent_stress(response.stress);
+        let work_done = state.volume[e] * layer.share * stress * response.increment;
+        plastic += work_done;
+        if response.increment < CUT_OFF_ZONE * cutoff {
+            cut_off += work_done;
+        }
+        let point = &mut state.layers[i];
+        *point = LayerPoint {
+            strain: point.strain + response.increment,
+            stress: response.stress,
+            carried: work.iterates[i].carried,
+        };
+    }
+    for (i, x) in work.nodes.iter().enumerate() {
+        for d in 0..3 {
+            state.velocity[i][d] = (x[d] - state.nodes[i][d]) / dt;
+        }
+    }
+    let mut external = 0.0;
+    for (j, force) in work.tool_force.iter().enumerate() {
+        let moved = work.tool_position[j] - state.tools[j];
+        external += force.axial * moved;
+        state.tool_velocity[j] = moved / dt;
+    }
+    let edge = model.blank.edge;
+    if let Edge::Pulled { speed } = edge {
+        external += work.edge_reaction.x * speed * model.speed * dt;
+    }
+    state.tools.copy_from_slice(&work.tool_position);
+    state.nodes.copy_from_slice(&work.nodes);
+    state.thickness.copy_from_slice(&work.thickness);
+    for (total, increment) in state.membrane.iter_mut().zip(&work.membrane_increment) {
+        total[0] += increment[0];
+        total[1] += increment[1];
+    }
+    state.time += dt;
+    state.travel += dt * model.speed;
+
+    let power = Energy {
+        external: external / dt,
+        plastic: plastic / dt,
+        friction: work.friction_work / dt,
+        contact: work.contact_work / dt,
+        cutoff: cut_off / dt,
+    };
+    let mut total = last.work;
+    total.add_trapezoid(&last.power, &power, dt);
+    let force_of =
+        |role: Role| model.tools.iter().position(|t| t.role == role).map_or(0.0, |j| work.tool_force[j].axial);
+    let thinnest = (0..state.thickness.len()).min_by(|&a, &b| state.thickness[a].total_cmp(&state.thickness[b]));
+    let thinnest = thinnest.expect("a blank has elements");
+    let edge_node = state.nodes.len() - 1;
+    StepRecord {
+        step: last.step + 1,
+        time: state.time,
+        travel: state.travel,
+        punch_force: force_of(Role::Punch),
+        holder_force: force_of(Role::Holder),
+        edge_force: if edge == Edge::Free { 0.0 } else { work.edge_reaction.x },
+        draw_in: model.blank.length - state.nodes[edge_node][0],
+        thinnest: state.thickness[thinnest],
+        thinnest_s0: 0.5 * (state.s0[thinnest] + state.s0[thinnest + 1]),
+        penetration: work.penetration,
+        iterations: outcome.iterations,
+        rejected,
+        velocity_norm: outcome.velocity_norm,
+        residual_norm: outcome.residual_norm,
+        power,
+        work: total,
+    }
+}
+
+/// Power balance that a user should be able to rely on [–].
+const LARGEST_IMBALANCE: f64 = 0.01;
+/// Penetration that would show in the result, over the thickness [–].
+const LARGEST_PENETRATION: f64 = 0.05;
+/// Plastic power in cut-off zones that puts stresses in doubt [–].
+const LARGEST_CUT_OFF: f64 = 0.05;
+
+/// What a user should know before trusting the result.
+fn warnings(model: &Model, state: &State, run: &Run) -> Vec<String> {
+    let mut warnings = Vec::new();
+    let Some(last) = run.history.last() else { return warnings };
+    let imbalance = last.work.imbalance();
+    if imbalance.abs() > LARGEST_IMBALANCE {
+        warnings.push(format!(
+            "the power balance misses {:.2} % of the external work: take smaller steps (solver.max_step)",
+            100.0 * imbalance
+        ));
+    }
+    let deepest = run.history.iter().map(|r| r.penetration).fold(0.0, f64::max);
+    if deepest > LARGEST_PENETRATION {
+        warnings.push(format!(
+            "a tool penetrates the sheet by {:.1} % of its thickness: raise solver.contact_stiffness",
+            100.0 * deepest
+        ));
+    }
+    if last.work.cutoff > LARGEST_CUT_OFF * last.work.plastic {
+        warnings.push(format!(
+            "{:.1} % of the plastic work is done where the strain rate is cut off: stresses there are not the true ones",
+            100.0 * last.work.cutoff / last.work.plastic
+        ));
+    }
+    let strain = state.layers.iter().map(|p| p.strain).fold(0.0, f64::max);
+    if let Some(end) = model.material.hardening.valid_up_to().filter(|&end| strain > end) {
+        warnings.push(format!(
+            "the hardening table ends at a strain of {end:.3}; the run reaches {strain:.3} on its extrapolation"
+        ));
+    }
+    for (tool, &moved) in model.tools.iter().zip(&state.tools) {
+        if matches!(tool.motion, Motion::Force(_)) && moved > 0.45 * model.blank.thickness {
+            warnings.push("the holder has lost the sheet and rests on its distance blocks".to_string());
+        }
+    }
+    warnings
 }

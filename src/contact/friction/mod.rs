@@ -1,0 +1,5 @@
+//! Friction laws: one law, one file.
+
+mod coulomb;
+
+pub use coulomb::Coulomb;

@@ -1,0 +1,258 @@
+//! Strain increments of a finite step and their first and second derivatives.
+//!
+//! With one meridional point there is neither locking nor a hourglass mode: the axisymmetric element has five
+//! strains for six freedoms less one rigid motion, the plane-strain element three for six less three.
+//!
+//! ```text
+//! Δε_s = ln(l₁/l₀)          Δκ_s = Δ(θ₂ − θ₁)/l₀
+//! Δε_θ = ln(r₁/r₀)          Δκ_θ = Δ sin θ_m / r₀        (r at the middle; both 0 in plane strain)
+//! Δγ   = Δ(φ − θ_m)                                     φ: slope of the meridian
+//! ```
+//!
+//! A layer sits at ζ from the mid-surface along −n, n = (−sin φ, cos φ): then ε(ζ) = ε + ζ κ in both directions.
+//!
+//! # References
+//! Oñate, Agelet de Saracibar, Int. J. Num. Meth. Engng. 30 (1990) 1577–1593; Zienkiewicz, Taylor,
+//! The Finite Element Method (1989).
+
+use super::{Geometry, Matrix6, Node, Theory, Vector6};
+
+/// Generalised strains or stress resultants: meridional and hoop membrane, meridional and hoop bending, shear.
+pub type Generalised = [f64; 5];
+
+/// Order of [`Generalised`].
+pub const EPS_S: usize = 0;
+pub const EPS_T: usize = 1;
+pub const KAPPA_S: usize = 2;
+pub const KAPPA_T: usize = 3;
+pub const GAMMA: usize = 4;
+
+/// An element at the start of a step.
+#[derive(Clone, Copy, Debug)]
+pub struct Start {
+    hoop: bool,
+    bending: bool,
+    dr: f64,
+    dz: f64,
+    turn: f64,
+    mean_rotation: f64,
+    /// Length of the meridian [mm].
+    pub length: f64,
+    /// Radius of the middle [mm].
+    pub radius: f64,
+}
+
+/// An element at the end of a step.
+#[derive(Clone, Copy, Debug)]
+pub struct End {
+    start: Start,
+    cos: f64,
+    sin: f64,
+    length: f64,
+    radius: f64,
+    mean_rotation: f64,
+    /// Strain increments of the step.
+    pub strain: Generalised,
+}
+
+impl Start {
+    /// The element between `a` (nearer the axis) and `b`.
+    pub fn new(geometry: Geometry, theory: Theory, a: Node, b: Node) -> Self {
+        let (dr, dz) = (b[0] - a[0], b[1] - a[1]);
+        Self {
+            hoop: geometry == Geometry::Axisymmetric,
+            bending: theory == Theory::Bending,
+            dr,
+            dz,
+            turn: b[2] - a[2],
+            mean_rotation: 0.5 * (a[2] + b[2]),
+            length: dr.hypot(dz),
+            radius: 0.5 * (a[0] + b[0]),
+        }
+    }
+
+    /// Mid-surface area [mm², or mm per mm of depth].
+    pub fn area(&self) -> f64 {
+        if self.hoop { std::f64::consts::TAU * self.radius * self.length } else { self.length }
+    }
+
+    /// Shares of the area that belong to the two nodes (linear shape functions); they sum to the area.
+    pub fn tributary(&self) -> [f64; 2] {
+        let skew = if self.hoop { self.dr / (12.0 * self.radius) } else { 0.0 };
+        [self.area() * (0.5 - skew), self.area() * (0.5 + skew)]
+    }
+
+    /// The same element at the end of the step; `None` when it has collapsed or crossed the axis.
+    #[inline]
+    pub fn end(&self, a: Node, b: Node) -> Option<End> {
+        let (dr, dz) = (b[0] - a[0], b[1] - a[1]);
+        let length = dr.hypot(dz);
+        let radius = 0.5 * (a[0] + b[0]);
+        // The comparison is also false for NaN.
+        let sound = length > 1e-6 * self.length && (!self.hoop || radius > 1e-6 * self.radius);
+        if !sound {
+            return None;
+        }
+        let mean_rotation = 0.5 * (a[2] + b[2]);
+        let mut strain = [0.0; 5];
+        strain[EPS_S] = (length / self.length).ln();
+        if self.hoop {
+            strain[EPS_T] = (radius / self.radius).ln();
+        }
+        if self.bending {
+            strain[KAPPA_S] = (b[2] - a[2] - self.turn) / self.length;
+            if self.hoop {
+                strain[KAPPA_T] = (mean_rotation.sin() - self.mean_rotation.sin()) / self.radius;
+            }
+            let slope_change = (self.dr * dz - self.dz * dr).atan2(self.dr * dr + self.dz * dz);
+            strain[GAMMA] = slope_change - (mean_rotation - self.mean_rotation);
+        }
+        Some(End { start: *self, cos: dr / length, sin: dz / length, length, radius, mean_rotation, strain })
+    }
+}
+
+impl End {
+    /// Rows ∂strain/∂x of the strain-displacement matrix B.
+    #[inline]
+    pub fn rows(&self) -> [[f64; 6]; 5] {
+        let (c, s, l) = (self.cos / self.length, self.sin / self.length, &self.start);
+        let mut rows = [[0.0; 6]; 5];
+        rows[EPS_S] = [-c, -s, 0.0, c, s, 0.0];
+        if l.hoop {
+            let half = 0.5 / self.radius;
+            rows[EPS_T] = [half, 0.0, 0.0, half, 0.0, 0.0];
+        }
+        if l.bending {
+            rows[KAPPA_S] = [0.0, 0.0, -1.0 / l.length, 0.0, 0.0, 1.0 / l.length];
+            if l.hoop {
+                let half = 0.5 * self.mean_rotation.cos() / l.radius;
+                rows[KAPPA_T] = [0.0, 0.0, half, 0.0, 0.0, half];
+            }
+            rows[GAMMA] = [s, -c, -0.5, -s, c, -0.5];
+        }
+        rows
+    }
+
+    /// Adds the geometric stiffness Σ S ∂²strain/∂x² of the resultants `s` to `k`.
+    #[inline]
+    pub fn add_geometric(&self, s: &Generalised, k: &mut Matrix6) {
+        let (c, n) = (self.cos, self.sin);
+        let inverse = 1.0 / (self.length * self.length);
+        // ∂² ln l = (I − 2 ttᵀ)/l²;  ∂²φ = −(ntᵀ + tnᵀ)/l², with t = (c, n), normal (−n, c).
+        let mut rr = s[EPS_S] * (1.0 - 2.0 * c * c) * inverse;
+        let mut rz = s[EPS_S] * (-2.0 * c * n) * inverse;
+        let mut zz = s[EPS_S] * (1.0 - 2.0 * n * n) * inverse;
+        if self.start.bending {
+            let shear = s[GAMMA] * inverse;
+            rr += shear * 2.0 * c * n;
+            rz += shear * (n * n - c * c);
+            zz -= shear * 2.0 * c * n;
+        }
+        for (i, j, sign) in [(0, 0, 1.0), (0, 3, -1.0), (3, 0, -1.0), (3, 3, 1.0)] {
+            k[(i, j)] += sign * rr;
+            k[(i, j + 1)] += sign * rz;
+            k[(i + 1, j)] += sign * rz;
+            k[(i + 1, j + 1)] += sign * zz;
+        }
+        if self.start.hoop {
+            let hoop = -0.25 * s[EPS_T] / (self.radius * self.radius);
+            let bending = if self.start.bending { s[KAPPA_T] } else { 0.0 };
+            let turn = -0.25 * bending * self.mean_rotation.sin() / self.start.radius;
+            for (i, j) in [(0, 0), (0, 3), (3, 0), (3, 3)] {
+                k[(i, j)] += hoop;
+                k[(i + 2, j + 2)] += turn;
+            }
+        }
+    }
+
+    /// Unit normal times 1/l on the differences of the nodes: the transverse direction of the element.
+    pub(super) fn transverse(&self) -> Vector6 {
+        let (c, s) = (self.cos / self.length, self.sin / self.length);
+        Vector6::new(s, -c, 0.0, -s, c, 0.0)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use approx::assert_relative_eq;
+
+    const A: Node = [11.0, 2.0, 0.2];
+    const B: Node = [12.1, 2.7, 0.5];
+
+    fn kinds() -> Vec<Start> {
+        let mut kinds = Vec::new();
+        for geometry in [Geometry::Axisymmetric, Geometry::PlaneStrain] {
+            for theory in [Theory::Bending, Theory::Membrane] {
+                kinds.push(Start::new(geometry, theory, A, B));
+            }
+        }
+        kinds
+    }
+
+    fn moved(delta: &[f64; 6]) -> (Node, Node) {
+        ([A[0] + delta[0], A[1] + delta[1], A[2] + delta[2]], [B[0] + delta[3], B[1] + delta[4], B[2] + delta[5]])
+    }
+
+    const STEP: [f64; 6] = [0.05, 0.11, 0.03, -0.02, 0.31, -0.05];
+
+    /// Trust: central differences, h = 1e-5: truncation near 1e-10.
+    #[test]
+    fn rows_and_geometric_stiffness_are_derivatives() {
+        let h = 1e-5;
+        for start in kinds() {
+            let at = |delta: &[f64; 6]| {
+                let (a, b) = moved(delta);
+                start.end(a, b).expect("sound")
+            };
+            let rows = at(&STEP).rows();
+            let s = [3.0, -2.0, 0.7, 1.3, -0.9];
+            let mut k = Matrix6::zeros();
+            at(&STEP).add_geometric(&s, &mut k);
+            for j in 0..6 {
+                let (mut plus, mut minus) = (STEP, STEP);
+                plus[j] += h;
+                minus[j] -= h;
+                let (plus, minus) = (at(&plus), at(&minus));
+                for i in 0..5 {
+                    assert_relative_eq!(rows[i][j], (plus.strain[i] - minus.strain[i]) / (2.0 * h), epsilon = 1e-8);
+                }
+                let (p, m) = (plus.rows(), minus.rows());
+                for i in 0..6 {
+                    let second: f64 = (0..5).map(|a| s[a] * (p[a][i] - m[a][i]) / (2.0 * h)).sum();
+                    assert_relative_eq!(k[(i, j)], second, epsilon = 1e-7);
+                }
+            }
+        }
+    }
+
+    /// Trust: a rigid motion strains nothing, to round-off, however large: along the axis for a body of
+    /// revolution, any turn and shift in plane strain.
+    #[test]
+    fn rigid_motions_strain_nothing() {
+        for theory in [Theory::Bending, Theory::Membrane] {
+            let lifted = |n: Node| [n[0], n[1] + 37.0, n[2]];
+            let strain =
+                Start::new(Geometry::Axisymmetric, theory, A, B).end(lifted(A), lifted(B)).expect("sound").strain;
+            assert!(strain.iter().all(|e| e.abs() < 1e-13));
+            for angle in [0.3, 1.9, -2.5] {
+                let (s, c) = f64::sin_cos(angle);
+                let turned = |n: Node| [c * n[0] - s * n[1] + 3.0, s * n[0] + c * n[1] - 8.0, n[2] + angle];
+                let strain =
+                    Start::new(Geometry::PlaneStrain, theory, A, B).end(turned(A), turned(B)).expect("sound").strain;
+                assert!(strain.iter().all(|e| e.abs() < 1e-13), "{strain:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn tributary_areas_sum_to_the_area() {
+        for start in kinds() {
+            let [a, b] = start.tributary();
+            assert_relative_eq!(a + b, start.area(), max_relative = 1e-14);
+        }
+        // Axis element of a disc of radius 1: 2π∫(1−r) r dr = π/3 for the node on the axis.
+        let start = Start::new(Geometry::Axisymmetric, Theory::Bending, [0.0; 3], [1.0, 0.0, 0.0]);
+        assert_relative_eq!(start.tributary()[0], std::f64::consts::PI / 3.0, max_relative = 1e-14);
+    }
+}

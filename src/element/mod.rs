@@ -1,0 +1,41 @@
+//! The two-node shell element: pure functions of its nodes and of its layer points.
+
+pub mod kinematics;
+pub mod lobatto;
+pub mod section;
+
+/// Which section of the die is solved.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Geometry {
+    /// Body of revolution about r = 0; forces are totals over the whole ring.
+    Axisymmetric,
+    /// Unit depth, symmetric about r = 0; forces are per mm of depth of the half that is modelled.
+    PlaneStrain,
+}
+
+/// Shell theory of the sheet.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Theory {
+    /// Mindlin shell: membrane, bending and transverse shear.
+    Bending,
+    /// Membrane only.
+    Membrane,
+}
+
+impl Geometry {
+    /// Unit of a force: whole ring, or per mm of depth.
+    pub fn force_unit(self) -> &'static str {
+        match self {
+            Geometry::Axisymmetric => "N",
+            Geometry::PlaneStrain => "N/mm",
+        }
+    }
+}
+
+/// A node's position and fibre rotation `[r, z, θ]` [mm, mm, rad], or an increment of them.
+pub type Node = [f64; 3];
+
+/// The element's freedoms in order: r₁, z₁, θ₁, r₂, z₂, θ₂.
+pub type Vector6 = nalgebra::SVector<f64, 6>;
+/// The element's block of the iteration matrix.
+pub type Matrix6 = nalgebra::SMatrix<f64, 6, 6>;

@@ -1,0 +1,110 @@
+//! Where the nodes start: along the flat blank from the axis outward.
+
+use crate::geometry::Piece;
+use crate::model::{Edge, Grading, Model, Role};
+use std::f64::consts::FRAC_PI_2;
+
+/// Elements per 90° of a tool's corner that the graded mesh aims at: fewer, and the load ticks as nodes pass the lip.
+pub const PER_QUARTER: f64 = 12.0;
+
+/// A coarse element is at most this many times a fine one.
+const LARGEST_RATIO: f64 = 3.0;
+
+/// A part of the blank that meets a corner, and the element size wanted there [mm].
+struct Zone {
+    from: f64,
+    to: f64,
+    size: f64,
+}
+
+/// Initial distances of the nodes from the axis [mm], rising from 0 to the blank's length.
+pub fn nodes(model: &Model) -> Vec<f64> {
+    let (length, n) = (model.blank.length, model.blank.elements);
+    let uniform = |i: usize| length * i as f64 / n as f64;
+    let zones = match model.blank.grading {
+        Grading::Uniform => Vec::new(),
+        Grading::Radii => zones(model),
+    };
+    let finest = zones.iter().map(|z| z.size).fold(f64::INFINITY, f64::min);
+    if finest >= length / n as f64 {
+        return (0..=n).map(uniform).collect();
+    }
+    // Density = 1/size: the zones' own, a floor elsewhere, blended linearly over a few elements; the floor is
+    // raised or everything scaled until the density integrates to n.
+    const SAMPLES: usize = 4000;
+    let place = |k: usize| length * (k as f64 + 0.5) / SAMPLES as f64;
+    let density_at = |s: f64, coarse: f64| {
+        zones.iter().fold(1.0 / coarse, |density: f64, z| {
+            let away = (z.from - s).max(s - z.to).max(0.0);
+            density.max((1.0 - away / (6.0 * z.size)) / z.size)
+        })
+    };
+    let count = |coarse: f64| (0..SAMPLES).map(|k| density_at(place(k), coarse)).sum::<f64>() * length / SAMPLES as f64;
+    let (mut low, mut high) = (finest, LARGEST_RATIO * finest);
+    for _ in 0..60 {
+        let middle = 0.5 * (low + high);
+        if count(middle) > n as f64 { low = middle } else { high = middle }
+    }
+    let coarse = 0.5 * (low + high);
+    let scale = n as f64 / count(coarse);
+
+    let mut nodes = vec![0.0];
+    let mut passed = 0.0;
+    for k in 0..SAMPLES {
+        let step = scale * density_at(place(k), coarse) * length / SAMPLES as f64;
+        while nodes.len() < n && passed + step >= nodes.len() as f64 {
+            let share = (nodes.len() as f64 - passed) / step;
+            nodes.push(length * (k as f64 + share) / SAMPLES as f64);
+        }
+        passed += step;
+    }
+    nodes.push(length);
+    nodes
+}
+
+/// The parts of the blank that go over the punch's corner and over the die's shoulder.
+fn zones(model: &Model) -> Vec<Zone> {
+    let length = model.blank.length;
+    let mut zones = Vec::new();
+    for tool in &model.tools {
+        for corner in tool.profile.corners() {
+            let sweep = corner.sweep.abs();
+            // A corner much larger than its sweep's arc is a face, not a corner; so is a hemisphere.
+            let size = corner.radius * FRAC_PI_2 / PER_QUARTER;
+            let ends = [corner.at(0.0).x, corner.at(1.0).x];
+            let (inner, outer) = (ends[0].min(ends[1]), ends[0].max(ends[1]));
+            let arc = corner.radius * sweep;
+            let zone = match tool.role {
+                Role::Punch => Zone { from: inner - 0.5 * arc, to: inner + 1.5 * arc, size },
+                // A free blank flows over the shoulder: everything from the shoulder outward will pass it.
+                Role::Die if model.blank.edge == Edge::Free => {
+                    Zone { from: inner, to: length.min(outer + 0.6 * model.travel), size }
+                }
+                Role::Die => Zone { from: inner - arc, to: outer + arc, size },
+                Role::Holder => continue,
+            };
+            if zone.from < length {
+                zones.push(zone);
+            }
+        }
+    }
+    zones
+}
+
+/// Mean element size on the blank under the smallest corner, with that corner's tool and radius: `(role, radius, size)`.
+pub fn at_smallest_corner(model: &Model) -> Option<(Role, f64, f64)> {
+    let nodes = nodes(model);
+    let mut smallest: Option<(Role, f64, f64)> = None;
+    for tool in &model.tools {
+        for piece in tool.profile.pieces() {
+            let Piece::Arc(arc) = piece else { continue };
+            if arc.sweep > 0.0 || smallest.is_some_and(|s| s.1 <= arc.radius) {
+                continue;
+            }
+            let middle = arc.at(0.5).x;
+            let at = nodes.partition_point(|&s| s < middle).clamp(1, nodes.len() - 1);
+            smallest = Some((tool.role, arc.radius, nodes[at] - nodes[at - 1]));
+        }
+    }
+    smallest
+}

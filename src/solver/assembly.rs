@@ -1,0 +1,323 @@
+//! Equilibrium at the end of a step: the residual r = p − f and its matrix H (Sosnowski 1994, equations 7 to 9).
+
+use super::block_tridiagonal::System;
+use crate::contact::friction::Coulomb;
+use crate::contact::penalty::Penalty;
+use crate::contact::{Visitor, touch};
+use crate::element::kinematics::Start;
+use crate::element::lobatto::{self, Layer};
+use crate::element::section::Law;
+use crate::element::{Geometry, Node};
+use crate::geometry::{Point, Profile};
+use crate::material::flow::{Iterate, Response};
+use crate::model::{Edge, Iteration, Model, Motion, Theory};
+use crate::state::State;
+use nalgebra::{Matrix3, Vector3};
+
+/// A holder that has lost the sheet comes to rest on blocks of this height over the sheet thickness [–].
+const DISTANCE_BLOCK: f64 = 0.5;
+
+/// A tool as the solver uses it.
+#[derive(Clone, Debug)]
+pub(super) struct ActiveTool {
+    profile: Profile,
+    friction: f64,
+    motion: Motion,
+    /// Index among the shared unknowns, for a tool whose position is one.
+    pub shared: Option<usize>,
+}
+
+/// What a tool does to the sheet in the step under trial.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct ToolForce {
+    /// Along z on the sheet [N, or N/mm].
+    pub axial: f64,
+}
+
+/// Everything an iteration works on, allocated once for a run.
+pub(super) struct Workspace {
+    pub tools: Vec<ActiveTool>,
+    pub layers: Vec<Layer>,
+    /// Trial positions of nodes and tools at the end of the step.
+    pub nodes: Vec<Node>,
+    pub tool_position: Vec<f64>,
+    pub iterates: Vec<Iterate>,
+    pub responses: Vec<Response>,
+    pub thickness: Vec<f64>,
+    pub membrane_increment: Vec<[f64; 2]>,
+    pub system: System,
+    pub tool_force: Vec<ToolForce>,
+    /// Residual of the equilibrium before boundary conditions: the reaction where a freedom is held.
+    pub edge_reaction: Vector3<f64>,
+    pub friction_work: f64,
+    pub contact_work: f64,
+    pub penetration: f64,
+    pub active_contacts: usize,
+    /// Largest nodal residual over the largest nodal internal force, and the node where it sits.
+    pub residual_norm: f64,
+    pub worst_node: usize,
+    starts: Vec<Start>,
+    thickness_rows: Vec<[f64; 6]>,
+    areas: Vec<f64>,
+    before: Vec<f64>,
+    penalty: Penalty,
+    block_area: f64,
+}
+
+impl Workspace {
+    pub fn new(model: &Model, state: &State) -> Self {
+        let mut shared = 0;
+        let tools: Vec<ActiveTool> = model
+            .tools
+            .iter()
+            .map(|tool| {
+                let unknown = matches!(tool.motion, Motion::Force(force) if force > 0.0);
+                let index = unknown.then_some(shared);
+                shared += usize::from(unknown);
+                ActiveTool {
+                    profile: match model.settings.facets {
+                        Some(n) => tool.profile.faceted(n),
+                        None => tool.profile.clone(),
+                    },
+                    friction: tool.friction,
+                    motion: tool.motion,
+                    shared: index,
+                }
+            })
+            .collect();
+        let (n, elements) = (state.nodes.len(), state.thickness.len());
+        let t = model.blank.thickness;
+        let points = state.layers.len();
+        let blank = Response { stress: [0.0; 3], tangent: [0.0; 6], increment: 0.0 };
+        Self {
+            tool_position: state.tools.clone(),
+            tool_force: vec![ToolForce::default(); tools.len()],
+            tools,
+            layers: lobatto::rule(model.blank.layers),
+            nodes: state.nodes.clone(),
+            iterates: vec![Iterate::default(); points],
+            responses: vec![blank; points],
+            thickness: state.thickness.clone(),
+            membrane_increment: vec![[0.0; 2]; elements],
+            system: System::new(n, shared),
+            edge_reaction: Vector3::zeros(),
+            friction_work: 0.0,
+            contact_work: 0.0,
+            penetration: 0.0,
+            active_contacts: 0,
+            residual_norm: 0.0,
+            worst_node: 0,
+            starts: Vec::with_capacity(elements),
+            thickness_rows: vec![[0.0; 6]; elements],
+            areas: vec![0.0; n],
+            before: vec![0.0; points],
+            penalty: Penalty {
+                stiffness: model.settings.contact_stiffness / t,
+                smoothing: model.settings.contact_smoothing * t,
+            },
+            block_area: match model.geometry {
+                Geometry::Axisymmetric => std::f64::consts::PI * model.blank.length * model.blank.length,
+                Geometry::PlaneStrain => model.blank.length,
+            },
+        }
+    }
+
+    /// Takes the start of a step: reference lengths, areas, hardening.
+    pub fn begin(&mut self, model: &Model, state: &State) {
+        self.starts.clear();
+        self.areas.fill(0.0);
+        for (e, pair) in state.nodes.windows(2).enumerate() {
+            let start = Start::new(model.geometry, model.blank.theory, pair[0], pair[1]);
+            let [a, b] = start.tributary();
+            self.areas[e] += a;
+            self.areas[e + 1] += b;
+            self.starts.push(start);
+        }
+        for (before, point) in self.before.iter_mut().zip(&state.layers) {
+            *before = point.strain;
+        }
+    }
+
+    /// Takes a predictor: trial positions after `dt` [s] at `velocity`, prescribed motions imposed, layers rewound.
+    pub fn predict(&mut self, model: &Model, state: &State, dt: f64, from_rest: bool) {
+        let share = if from_rest { 0.0 } else { dt };
+        for (i, x) in self.nodes.iter_mut().enumerate() {
+            for d in 0..3 {
+                x[d] = state.nodes[i][d] + share * state.velocity[i][d];
+            }
+        }
+        let last = self.nodes.len() - 1;
+        match model.blank.edge {
+            Edge::Free => {}
+            Edge::Clamped => self.nodes[last] = state.nodes[last],
+            Edge::Pulled { speed } => {
+                self.nodes[last] = state.nodes[last];
+                self.nodes[last][0] += speed * model.speed * dt;
+            }
+        }
+        self.nodes[0][0] = 0.0;
+        for (j, tool) in self.tools.iter().enumerate() {
+            self.tool_position[j] = state.tools[j]
+                + match tool.motion {
+                    Motion::Fixed => 0.0,
+                    Motion::Travel => dt * model.speed,
+                    Motion::Force(_) => share * state.tool_velocity[j],
+                };
+        }
+        for (iterate, point) in self.iterates.iter_mut().zip(&state.layers) {
+            *iterate = Iterate::start(point.carried);
+        }
+    }
+
+    /// Residual and matrix at the trial positions; `false` when an element has collapsed.
+    ///
+    /// The system's right-hand side is −r, ready for δx = −H⁻¹ r.
+    #[must_use]
+    pub fn assemble(&mut self, model: &Model, state: &State, dt: f64, matrix: Iteration) -> bool {
+        let settings = &model.settings;
+        let longest = settings.max_step * model.travel / model.speed;
+        let law = Law {
+            hardening: &model.material.hardening,
+            matrix,
+            theory: model.blank.theory,
+            layers: &self.layers,
+            cutoff: settings.cutoff_strain * (dt / longest).min(1.0),
+        };
+        let system = &mut self.system;
+        system.clear();
+
+        // Internal forces p and their matrix.
+        let n_layers = self.layers.len();
+        for (e, start) in self.starts.iter().enumerate() {
+            let Some(end) = start.end(self.nodes[e], self.nodes[e + 1]) else { return false };
+            let points = e * n_layers..(e + 1) * n_layers;
+            let internal = law.internal(
+                &end,
+                state.volume[e],
+                state.thickness[e],
+                &self.before[points.clone()],
+                &mut self.iterates[points.clone()],
+                &mut self.responses[points],
+            );
+            system.diagonal[e] += internal.matrix.fixed_view::<3, 3>(0, 0);
+            system.upper[e] += internal.matrix.fixed_view::<3, 3>(0, 3);
+            system.lower[e + 1] += internal.matrix.fixed_view::<3, 3>(3, 0);
+            system.diagonal[e + 1] += internal.matrix.fixed_view::<3, 3>(3, 3);
+            system.rhs[e] -= internal.force.fixed_rows::<3>(0);
+            system.rhs[e + 1] -= internal.force.fixed_rows::<3>(3);
+            self.thickness[e] = internal.thickness;
+            self.thickness_rows[e] = internal.thickness_row;
+            self.membrane_increment[e] = [end.strain[0], end.strain[1]];
+        }
+        let largest_force = system.rhs.iter().map(|f| f.x.hypot(f.y)).fold(0.0, f64::max);
+
+        self.contact(model, state, dt);
+
+        // Shared unknowns: a tool pressed by a force.
+        for (j, tool) in self.tools.iter().enumerate() {
+            let (Some(k), Motion::Force(force)) = (tool.shared, tool.motion) else { continue };
+            let gap = (1.0 - DISTANCE_BLOCK) * model.blank.thickness - self.tool_position[j];
+            if let Some(block) = self.penalty.at(gap) {
+                self.system.corner_rhs[k] -= self.block_area * block.value;
+                self.system.corner[(k, k)] -= self.block_area * block.slope;
+            }
+            self.system.corner_rhs[k] -= self.tool_force[j].axial - force;
+        }
+
+        self.constrain(model);
+        let (worst, residual) = self
+            .system
+            .rhs
+            .iter()
+            .map(|f| f.x.hypot(f.y))
+            .enumerate()
+            .fold((0, 0.0), |worst, now| if now.1 > worst.1 { now } else { worst });
+        self.worst_node = worst;
+        self.residual_norm = if largest_force > 0.0 { residual / largest_force } else { f64::INFINITY };
+        true
+    }
+
+    /// Contact and friction of every tool with every node it reaches.
+    fn contact(&mut self, model: &Model, state: &State, dt: f64) {
+        self.friction_work = 0.0;
+        self.contact_work = 0.0;
+        self.penetration = 0.0;
+        self.active_contacts = 0;
+        let last = self.nodes.len() - 1;
+        let system = &mut self.system;
+        for (j, tool) in self.tools.iter().enumerate() {
+            self.tool_force[j] = ToolForce::default();
+            if matches!(tool.motion, Motion::Force(_)) && tool.shared.is_none() {
+                continue;
+            }
+            let friction = Coulomb { coefficient: tool.friction, slip: model.settings.slip_speed * model.speed * dt };
+            let moved = self.tool_position[j] - state.tools[j];
+            for i in 0..=last {
+                let (before, after) = (i.max(1) - 1, i.min(last - 1));
+                let thickness = 0.5 * (self.thickness[before] + self.thickness[after]);
+                let x = &self.nodes[i];
+                let node = Visitor {
+                    position: Point::new(x[0], x[1] - self.tool_position[j]),
+                    relative: Point::new(x[0] - state.nodes[i][0], x[1] - state.nodes[i][1] - moved),
+                    thickness,
+                    area: self.areas[i],
+                };
+                let Some(touch) = touch(&tool.profile, &self.penalty, &friction, &node) else { continue };
+
+                system.rhs[i].x += touch.force.x;
+                system.rhs[i].y += touch.force.y;
+                let mut own = Matrix3::zeros();
+                own.fixed_view_mut::<2, 2>(0, 0).copy_from(&touch.by_position);
+                system.diagonal[i] -= own;
+                if let Some(k) = tool.shared {
+                    let by_tool = touch.by_position.column(1);
+                    system.columns[i][k] += Vector3::new(by_tool.x, by_tool.y, 0.0);
+                    system.rows[i][k] += own.row(1).transpose();
+                    system.corner[(k, k)] -= by_tool.y;
+                }
+                // The sheet thins as its elements stretch: ∂F/∂t ∂t/∂x reaches both neighbours.
+                let by_thickness = Vector3::new(touch.by_thickness.x, touch.by_thickness.y, 0.0) * 0.5;
+                for e in [before, after] {
+                    let row = &self.thickness_rows[e];
+                    let first = Vector3::new(row[0], row[1], row[2]);
+                    let second = Vector3::new(row[3], row[4], row[5]);
+                    let (first_block, second_block) = if e == i {
+                        (&mut system.diagonal[i], &mut system.upper[i])
+                    } else {
+                        (&mut system.lower[i], &mut system.diagonal[i])
+                    };
+                    *first_block -= by_thickness * first.transpose();
+                    *second_block -= by_thickness * second.transpose();
+                    if let Some(k) = tool.shared {
+                        system.rows[e][k] += first * by_thickness.y;
+                        system.rows[e + 1][k] += second * by_thickness.y;
+                    }
+                }
+
+                self.tool_force[j].axial += touch.force.y;
+                self.friction_work += touch.friction_work;
+                self.contact_work += touch.contact_work;
+                self.penetration = self.penetration.max(-touch.gap / thickness);
+                self.active_contacts += usize::from(touch.gap < 0.0);
+            }
+        }
+    }
+
+    /// Symmetry on the axis, the held edge, and no rotations in a membrane.
+    fn constrain(&mut self, model: &Model) {
+        let last = self.nodes.len() - 1;
+        self.edge_reaction = -self.system.rhs[last];
+        self.system.fix(0, 0);
+        self.system.fix(0, 2);
+        if model.blank.theory == Theory::Membrane {
+            for i in 0..=last {
+                self.system.fix(i, 2);
+            }
+        }
+        if model.blank.edge != Edge::Free {
+            for freedom in 0..3 {
+                self.system.fix(last, freedom);
+            }
+        }
+    }
+}

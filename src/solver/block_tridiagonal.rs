@@ -1,0 +1,189 @@
+//! The linear system of an iteration: block-tridiagonal, bordered by the shared unknowns, solved exactly in O(n).
+
+use nalgebra::{Matrix3, SMatrix, SVector, Vector3};
+
+/// Most shared unknowns (holder positions, pressures) a model can have.
+pub const MAX_SHARED: usize = 3;
+
+type Corner = SMatrix<f64, MAX_SHARED, MAX_SHARED>;
+type Shared = SVector<f64, MAX_SHARED>;
+
+/// ```text
+/// [ H  C ] [ x ]   [ f ]      H: one 3×3 block a node on three diagonals, not symmetric
+/// [ R  D ] [ y ] = [ g ]      C, R, D: columns, rows and corner of the shared unknowns y
+/// ```
+#[derive(Clone, Debug)]
+pub struct System {
+    pub lower: Vec<Matrix3<f64>>,
+    pub diagonal: Vec<Matrix3<f64>>,
+    pub upper: Vec<Matrix3<f64>>,
+    pub rhs: Vec<Vector3<f64>>,
+    pub columns: Vec<[Vector3<f64>; MAX_SHARED]>,
+    pub rows: Vec<[Vector3<f64>; MAX_SHARED]>,
+    pub corner: Corner,
+    pub corner_rhs: Shared,
+    shared: usize,
+}
+
+impl System {
+    /// A system of `nodes` blocks and `shared` ≤ [`MAX_SHARED`] shared unknowns.
+    pub fn new(nodes: usize, shared: usize) -> Self {
+        assert!(shared <= MAX_SHARED, "at most {MAX_SHARED} shared unknowns");
+        Self {
+            lower: vec![Matrix3::zeros(); nodes],
+            diagonal: vec![Matrix3::zeros(); nodes],
+            upper: vec![Matrix3::zeros(); nodes],
+            rhs: vec![Vector3::zeros(); nodes],
+            columns: vec![[Vector3::zeros(); MAX_SHARED]; nodes],
+            rows: vec![[Vector3::zeros(); MAX_SHARED]; nodes],
+            corner: Corner::identity(),
+            corner_rhs: Shared::zeros(),
+            shared,
+        }
+    }
+
+    /// Zeroes everything; unused shared unknowns keep a one on their diagonal.
+    pub fn clear(&mut self) {
+        for i in 0..self.rhs.len() {
+            self.lower[i] = Matrix3::zeros();
+            self.diagonal[i] = Matrix3::zeros();
+            self.upper[i] = Matrix3::zeros();
+            self.rhs[i] = Vector3::zeros();
+            self.columns[i] = [Vector3::zeros(); MAX_SHARED];
+            self.rows[i] = [Vector3::zeros(); MAX_SHARED];
+        }
+        self.corner = Corner::zeros();
+        for k in self.shared..MAX_SHARED {
+            self.corner[(k, k)] = 1.0;
+        }
+        self.corner_rhs = Shared::zeros();
+    }
+
+    /// Fixes one freedom of a node: its equation becomes x = 0.
+    pub fn fix(&mut self, node: usize, freedom: usize) {
+        for block in [&mut self.lower[node], &mut self.diagonal[node], &mut self.upper[node]] {
+            block.row_mut(freedom).fill(0.0);
+        }
+        self.diagonal[node][(freedom, freedom)] = 1.0;
+        self.rhs[node][freedom] = 0.0;
+        for column in &mut self.columns[node] {
+            column[freedom] = 0.0;
+        }
+    }
+
+    /// Solves in place by block elimination and a Schur complement: x in `rhs`, y in `corner_rhs`. The matrix is lost.
+    ///
+    /// Returns `false` when a pivot block is singular or a number is not finite.
+    #[must_use]
+    pub fn solve(&mut self) -> bool {
+        let n = self.rhs.len();
+        for i in 0..n {
+            if i > 0 {
+                let l = self.lower[i];
+                self.diagonal[i] -= l * self.upper[i - 1];
+                let above = self.rhs[i - 1];
+                self.rhs[i] -= l * above;
+                for k in 0..self.shared {
+                    let above = self.columns[i - 1][k];
+                    self.columns[i][k] -= l * above;
+                }
+            }
+            let Some(inverse) = self.diagonal[i].try_inverse() else { return false };
+            self.upper[i] = inverse * self.upper[i];
+            self.rhs[i] = inverse * self.rhs[i];
+            for k in 0..self.shared {
+                self.columns[i][k] = inverse * self.columns[i][k];
+            }
+        }
+        for i in (0..n - 1).rev() {
+            let u = self.upper[i];
+            let below = self.rhs[i + 1];
+            self.rhs[i] -= u * below;
+            for k in 0..self.shared {
+                let below = self.columns[i + 1][k];
+                self.columns[i][k] -= u * below;
+            }
+        }
+        if self.shared > 0 {
+            for i in 0..n {
+                for k in 0..self.shared {
+                    let row = self.rows[i][k];
+                    self.corner_rhs[k] -= row.dot(&self.rhs[i]);
+                    for j in 0..self.shared {
+                        self.corner[(k, j)] -= row.dot(&self.columns[i][j]);
+                    }
+                }
+            }
+            let Some(inverse) = self.corner.try_inverse() else { return false };
+            self.corner_rhs = inverse * self.corner_rhs;
+            for i in 0..n {
+                for k in 0..self.shared {
+                    let y = self.corner_rhs[k];
+                    self.rhs[i] -= self.columns[i][k] * y;
+                }
+            }
+        }
+        self.rhs.iter().all(|x| x.iter().all(|v| v.is_finite())) && self.corner_rhs.iter().all(|v| v.is_finite())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use nalgebra::{DMatrix, DVector};
+
+    /// Trust: nalgebra's dense LU with pivoting on the same numbers, to round-off.
+    #[test]
+    fn agrees_with_a_dense_solve() {
+        let mut seed = 7u64;
+        let mut random = || {
+            seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            (seed >> 33) as f64 / 2f64.powi(30) - 1.0
+        };
+        for shared in 0..=MAX_SHARED {
+            let n = 7;
+            let mut s = System::new(n, shared);
+            s.clear();
+            let size = 3 * n + shared;
+            let (mut dense, mut right) = (DMatrix::zeros(size, size), DVector::zeros(size));
+            for i in 0..n {
+                s.lower[i] = if i > 0 { Matrix3::from_fn(|_, _| random()) } else { Matrix3::zeros() };
+                s.upper[i] = if i + 1 < n { Matrix3::from_fn(|_, _| random()) } else { Matrix3::zeros() };
+                s.diagonal[i] = Matrix3::from_fn(|a, b| random() + if a == b { 8.0 } else { 0.0 });
+                s.rhs[i] = Vector3::from_fn(|_, _| random());
+                if i > 0 {
+                    dense.view_mut((3 * i, 3 * i - 3), (3, 3)).copy_from(&s.lower[i]);
+                }
+                if i + 1 < n {
+                    dense.view_mut((3 * i, 3 * i + 3), (3, 3)).copy_from(&s.upper[i]);
+                }
+                dense.view_mut((3 * i, 3 * i), (3, 3)).copy_from(&s.diagonal[i]);
+                right.rows_mut(3 * i, 3).copy_from(&s.rhs[i]);
+                for k in 0..shared {
+                    s.columns[i][k] = Vector3::from_fn(|_, _| random());
+                    s.rows[i][k] = Vector3::from_fn(|_, _| random());
+                    dense.view_mut((3 * i, 3 * n + k), (3, 1)).copy_from(&s.columns[i][k]);
+                    dense.view_mut((3 * n + k, 3 * i), (1, 3)).copy_from(&s.rows[i][k].transpose());
+                }
+            }
+            for k in 0..shared {
+                for j in 0..shared {
+                    s.corner[(k, j)] = random() + if k == j { 5.0 } else { 0.0 };
+                    dense[(3 * n + k, 3 * n + j)] = s.corner[(k, j)];
+                }
+                s.corner_rhs[k] = random();
+                right[3 * n + k] = s.corner_rhs[k];
+            }
+            assert!(s.solve());
+            let exact = dense.lu().solve(&right).expect("regular");
+            for i in 0..n {
+                for d in 0..3 {
+                    assert!((s.rhs[i][d] - exact[3 * i + d]).abs() < 1e-12);
+                }
+            }
+            for k in 0..shared {
+                assert!((s.corner_rhs[k] - exact[3 * n + k]).abs() < 1e-12);
+            }
+        }
+    }
+}

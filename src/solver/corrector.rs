@@ -1,0 +1,94 @@
+//! The implicit corrector: iterates with H until the step is in equilibrium (Sosnowski 1994, equation 9).
+
+use super::Observer;
+use super::assembly::Workspace;
+use crate::model::{Iteration, Model, Norm};
+use crate::record::IterationRecord;
+use crate::state::State;
+
+/// Largest move of a node in one iteration, over the sheet thickness [–].
+const LARGEST_MOVE: f64 = 0.5;
+/// Largest turn of a fibre in one iteration [rad].
+const LARGEST_TURN: f64 = 0.3;
+/// The secant matrix converges linearly and gets this many times the iterations.
+const SECANT_PATIENCE: usize = 10;
+
+/// How a try of a step went.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Outcome {
+    pub converged: bool,
+    pub iterations: usize,
+    pub velocity_norm: f64,
+    pub residual_norm: f64,
+}
+
+/// Corrects the prediction in `work` to equilibrium at the end of a step of `dt` [s].
+pub(super) fn correct(
+    work: &mut Workspace,
+    model: &Model,
+    state: &State,
+    dt: f64,
+    step: usize,
+    observer: &mut dyn Observer,
+) -> Outcome {
+    let settings = &model.settings;
+    let t = model.blank.thickness;
+    let matrix = settings.iteration;
+    let most = settings.max_iterations * if matrix == Iteration::Secant { SECANT_PATIENCE } else { 1 };
+    let mut outcome =
+        Outcome { converged: false, iterations: 0, velocity_norm: f64::INFINITY, residual_norm: f64::INFINITY };
+    loop {
+        if !work.assemble(model, state, dt, matrix) {
+            return outcome;
+        }
+        outcome.residual_norm = work.residual_norm;
+        let small = |norm: f64| norm <= settings.tolerance;
+        outcome.converged = match settings.norm {
+            Norm::Velocity => small(outcome.velocity_norm),
+            Norm::Residual => small(outcome.residual_norm),
+            Norm::Both => small(outcome.velocity_norm) && small(outcome.residual_norm),
+        };
+        if outcome.converged || outcome.iterations == most || !work.system.solve() {
+            return outcome;
+        }
+        outcome.iterations += 1;
+
+        let increments = &work.system.rhs;
+        let shared = &work.system.corner_rhs;
+        let mut cut: f64 = 1.0;
+        for d in increments {
+            cut = cut.min(LARGEST_MOVE * t / d.x.hypot(d.y)).min(LARGEST_TURN / d.z.abs());
+        }
+        for d in shared.iter() {
+            cut = cut.min(LARGEST_MOVE * t / d.abs());
+        }
+        let (mut change, mut total) = (0.0, 0.0);
+        for (i, d) in increments.iter().enumerate() {
+            let x = &mut work.nodes[i];
+            let weight = [1.0, 1.0, t]; // a turn counts by what it moves a thickness away
+            for k in 0..3 {
+                let increment = cut * d[k];
+                x[k] += increment;
+                let velocity = x[k] - state.nodes[i][k];
+                change += (weight[k] * increment).powi(2);
+                total += (weight[k] * velocity).powi(2);
+            }
+        }
+        for (j, tool) in work.tools.iter().enumerate() {
+            if let Some(k) = tool.shared {
+                work.tool_position[j] += cut * shared[k];
+            }
+        }
+        // A capped increment says nothing of how far the answer still is.
+        outcome.velocity_norm = if cut < 1.0 { f64::INFINITY } else { (change / total.max(f64::MIN_POSITIVE)).sqrt() };
+        observer.iteration(&IterationRecord {
+            step,
+            travel: state.travel + dt * model.speed,
+            iteration: outcome.iterations,
+            velocity_norm: (change / total.max(f64::MIN_POSITIVE)).sqrt(),
+            residual_norm: outcome.residual_norm,
+            cut,
+            active_contacts: work.active_contacts,
+        });
+    }
+}

@@ -1,0 +1,112 @@
+//! One instant of the sheet and its tools.
+
+use crate::contact::penalty::Penalty;
+use crate::element::kinematics::Start;
+use crate::element::{Node, lobatto};
+use crate::material::flow::Triple;
+use crate::model::{Model, Motion, Role};
+use crate::record::{ElementRecord, Frame, NodeRecord};
+
+/// One layer point of an element.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct LayerPoint {
+    /// Equivalent plastic strain ε̄ [–].
+    pub strain: f64,
+    /// Stress at the end of the last step [MPa].
+    pub stress: Triple,
+    /// Carried stress w of the primal-dual matrix [MPa].
+    pub carried: Triple,
+}
+
+/// The sheet and its tools at one instant.
+#[derive(Clone, Debug, PartialEq)]
+pub struct State {
+    /// Time [s] and punch travel [mm].
+    pub time: f64,
+    pub travel: f64,
+    /// Nodes from the axis outward, and their velocities [mm/s, rad/s].
+    pub nodes: Vec<Node>,
+    pub velocity: Vec<Node>,
+    /// Thickness of each element [mm], and its volume, which never changes [mm³, or mm² in plane strain].
+    pub thickness: Vec<f64>,
+    pub volume: Vec<f64>,
+    /// Logarithmic mid-surface strains of each element: meridional, hoop [–].
+    pub membrane: Vec<[f64; 2]>,
+    /// Layer points, element by element.
+    pub layers: Vec<LayerPoint>,
+    /// Axial displacement of each tool from where it is drawn [mm], and its velocity [mm/s].
+    pub tools: Vec<f64>,
+    pub tool_velocity: Vec<f64>,
+    /// Initial distances of the nodes from the axis [mm].
+    pub s0: Vec<f64>,
+}
+
+impl State {
+    /// The flat blank; tools wait a few smoothing lengths away from it, so that nothing presses yet.
+    pub fn flat(model: &Model, s0: Vec<f64>) -> Self {
+        let nodes: Vec<Node> = s0.iter().map(|&r| [r, 0.0, 0.0]).collect();
+        let t = model.blank.thickness;
+        let elements = nodes.len() - 1;
+        let volume = nodes.windows(2).map(|w| t * Start::new(model.geometry, model.blank.theory, w[0], w[1]).area());
+        let waiting = Penalty::WAITING * model.settings.contact_smoothing * t;
+        let tools = model.tools.iter().map(|tool| match tool.role {
+            Role::Punch | Role::Holder => -waiting,
+            Role::Die => waiting,
+        });
+        Self {
+            time: 0.0,
+            travel: 0.0,
+            velocity: vec![[0.0; 3]; nodes.len()],
+            thickness: vec![t; elements],
+            volume: volume.collect(),
+            membrane: vec![[0.0; 2]; elements],
+            layers: vec![LayerPoint::default(); elements * model.blank.layers],
+            tools: tools.collect(),
+            tool_velocity: model
+                .tools
+                .iter()
+                .map(|t| if t.motion == Motion::Travel { model.speed } else { 0.0 })
+                .collect(),
+            nodes,
+            s0,
+        }
+    }
+
+    /// Thickness that contact sees at node `i` [mm]: the mean of its elements'.
+    pub fn thickness_at(&self, i: usize) -> f64 {
+        let last = self.thickness.len() - 1;
+        0.5 * (self.thickness[i.max(1) - 1] + self.thickness[i.min(last)])
+    }
+
+    /// What is kept of this instant.
+    pub fn frame(&self, model: &Model) -> Frame {
+        let layers = lobatto::rule(model.blank.layers);
+        let elements = (0..self.thickness.len())
+            .map(|e| {
+                let points = &self.layers[e * layers.len()..(e + 1) * layers.len()];
+                let mean = |of: fn(&LayerPoint) -> f64| points.iter().zip(&layers).map(|(p, l)| l.share * of(p)).sum();
+                let (a, b) = (self.nodes[e], self.nodes[e + 1]);
+                ElementRecord {
+                    s0: 0.5 * (self.s0[e] + self.s0[e + 1]),
+                    r: 0.5 * (a[0] + b[0]),
+                    z: 0.5 * (a[1] + b[1]),
+                    thickness: self.thickness[e],
+                    strain_meridional: self.membrane[e][0],
+                    strain_hoop: self.membrane[e][1],
+                    strain_thickness: -self.membrane[e][0] - self.membrane[e][1],
+                    strain_equivalent: mean(|p| p.strain),
+                    strain_equivalent_max: points.iter().map(|p| p.strain).fold(0.0, f64::max),
+                    stress_meridional: mean(|p| p.stress[0]),
+                    stress_hoop: mean(|p| p.stress[1]),
+                }
+            })
+            .collect();
+        let nodes = (0..self.nodes.len())
+            .map(|i| {
+                let [r, z, theta] = self.nodes[i];
+                NodeRecord { r, z, theta, thickness: self.thickness_at(i) }
+            })
+            .collect();
+        Frame { travel: self.travel, elements, nodes, tool_displacement: self.tools.clone() }
+    }
+}
