@@ -48,7 +48,7 @@ pub struct Frame {
     pub tool_displacement: Vec<f64>,
 }
 
-/// Powers at the end of a step, or the work they have done [mW or mJ per ring or per mm of depth].
+/// Mean powers of a step, or the work done since the start [mW or mJ, per ring or per mm of depth].
 ///
 /// external = plastic + friction + contact, where `contact` is what the penalty springs store.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -63,14 +63,26 @@ pub struct Energy {
 }
 
 impl Energy {
-    /// Adds the work of a step of `dt` [s] whose powers went from `from` to `to`.
-    pub fn add_trapezoid(&mut self, from: &Energy, to: &Energy, dt: f64) {
-        let half = 0.5 * dt;
-        self.external += half * (from.external + to.external);
-        self.plastic += half * (from.plastic + to.plastic);
-        self.friction += half * (from.friction + to.friction);
-        self.contact += half * (from.contact + to.contact);
-        self.cutoff += half * (from.cutoff + to.cutoff);
+    /// Every entry times `factor`: power from work, work from power.
+    pub fn scaled(self, factor: f64) -> Self {
+        Self {
+            external: self.external * factor,
+            plastic: self.plastic * factor,
+            friction: self.friction * factor,
+            contact: self.contact * factor,
+            cutoff: self.cutoff * factor,
+        }
+    }
+
+    /// The sum, entry by entry.
+    pub fn plus(self, other: Self) -> Self {
+        Self {
+            external: self.external + other.external,
+            plastic: self.plastic + other.plastic,
+            friction: self.friction + other.friction,
+            contact: self.contact + other.contact,
+            cutoff: self.cutoff + other.cutoff,
+        }
     }
 
     /// What the balance misses, over the external work [–].
@@ -107,7 +119,7 @@ pub struct StepRecord {
     /// Relative velocity increment and relative residual at acceptance [–].
     pub velocity_norm: f64,
     pub residual_norm: f64,
-    /// Powers at the end of the step, and work since the start.
+    /// Mean powers of the step, and work since the start.
     pub power: Energy,
     pub work: Energy,
 }

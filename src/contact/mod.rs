@@ -10,7 +10,7 @@
 pub mod friction;
 pub mod penalty;
 
-use crate::geometry::{Point, Profile, turned};
+use crate::geometry::{Closest, Point, turned};
 use friction::Coulomb;
 use nalgebra::Matrix2;
 use penalty::Penalty;
@@ -41,16 +41,16 @@ pub struct Touch {
     pub gap: f64,
     /// Pressure [MPa].
     pub pressure: f64,
-    /// Work that friction takes in the step [mJ], not negative.
-    pub friction_work: f64,
-    /// Work stored by the penalty in the step [mJ].
-    pub contact_work: f64,
+    /// Normal force N ≥ 0 and friction T along the normal turned by +90° [N, or N/mm].
+    pub normal: f64,
+    pub tangential: f64,
+    /// Slip s of the step, along the same direction [mm].
+    pub slip: f64,
 }
 
-/// The force of one tool on one node; `None` when it is out of reach.
+/// The force of one tool on one node whose closest point of the tool is `closest`; `None` when it is out of reach.
 #[inline]
-pub fn touch(profile: &Profile, penalty: &Penalty, friction: &Coulomb, node: &Visitor) -> Option<Touch> {
-    let closest = profile.closest(node.position);
+pub fn touch(closest: &Closest, penalty: &Penalty, friction: &Coulomb, node: &Visitor) -> Option<Touch> {
     let gap = closest.distance - 0.5 * node.thickness;
     let pressure = penalty.at(gap)?;
     let n = closest.normal;
@@ -77,14 +77,16 @@ pub fn touch(profile: &Profile, penalty: &Penalty, friction: &Coulomb, node: &Vi
         by_thickness,
         gap,
         pressure: pressure.value,
-        friction_work: -tangential * slip,
-        contact_work: -normal * n.dot(&node.relative),
+        normal,
+        tangential,
+        slip,
     })
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::geometry::Profile;
     use approx::assert_relative_eq;
 
     /// Trust: central differences, h = 1e-7 mm on forces that change over 2e-3 mm: truncation near 1e-8 of the entries.
@@ -107,7 +109,7 @@ mod tests {
                     let x = position + contact.normal * (gap + 0.5 * t - contact.distance);
                     let at = |x: Point, moved: Point, thickness: f64| {
                         let node = Visitor { position: x, relative: moved, thickness, area: 3.0 };
-                        touch(&profile, &penalty, &friction, &node).expect("within reach")
+                        touch(&profile.closest(x), &penalty, &friction, &node).expect("within reach")
                     };
                     let step = turned(contact.normal) * slip + contact.normal * 0.01;
                     let base = at(x, step, t);

@@ -84,6 +84,11 @@ impl Iterate {
         Self { carried, ..Self::default() }
     }
 
+    /// Strain increment of the last evaluation [–].
+    pub fn strain(&self) -> Triple {
+        self.strain
+    }
+
     /// Evaluates the law at the strain increment `e` and moves on to it.
     ///
     /// `before` is ε̄ at the start of the step, `cutoff` Δε₀ > 0. The matrices are

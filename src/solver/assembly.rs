@@ -27,11 +27,14 @@ pub(super) struct ActiveTool {
     pub shared: Option<usize>,
 }
 
-/// What a tool does to the sheet in the step under trial.
-#[derive(Clone, Copy, Debug, Default)]
-pub(super) struct ToolForce {
-    /// Along z on the sheet [N, or N/mm].
-    pub axial: f64,
+/// One node against one tool at the end of the step under trial; forces are zero when it is out of reach.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(super) struct Contact {
+    /// Distance of the mid-surface from the tool [mm].
+    pub distance: f64,
+    pub normal: f64,
+    pub tangential: f64,
+    pub slip: f64,
 }
 
 /// Everything an iteration works on, allocated once for a run.
@@ -46,13 +49,16 @@ pub(super) struct Workspace {
     pub thickness: Vec<f64>,
     pub membrane_increment: Vec<[f64; 2]>,
     pub system: System,
-    pub tool_force: Vec<ToolForce>,
+    /// Force of each tool on the sheet along z [N, or N/mm].
+    pub tool_force: Vec<f64>,
     /// Residual of the equilibrium before boundary conditions: the reaction where a freedom is held.
     pub edge_reaction: Vector3<f64>,
-    pub friction_work: f64,
-    pub contact_work: f64,
+    /// Every tool's contact with every node, tool by tool.
+    pub contacts: Vec<Contact>,
     pub penetration: f64,
     pub active_contacts: usize,
+    /// Δε₀ of the step [–].
+    pub cutoff: f64,
     /// Largest nodal residual over the largest nodal internal force, and the node where it sits.
     pub residual_norm: f64,
     pub worst_node: usize,
@@ -88,10 +94,20 @@ impl Workspace {
         let (n, elements) = (state.nodes.len(), state.thickness.len());
         let t = model.blank.thickness;
         let points = state.layers.len();
+        let contacts = tools
+            .iter()
+            .zip(&state.tools)
+            .flat_map(|(tool, moved)| {
+                state.nodes.iter().map(move |x| {
+                    let distance = tool.profile.closest(Point::new(x[0], x[1] - moved)).distance;
+                    Contact { distance, ..Contact::default() }
+                })
+            })
+            .collect();
         let blank = Response { stress: [0.0; 3], tangent: [0.0; 6], increment: 0.0 };
         Self {
             tool_position: state.tools.clone(),
-            tool_force: vec![ToolForce::default(); tools.len()],
+            tool_force: vec![0.0; tools.len()],
             tools,
             layers: lobatto::rule(model.blank.layers),
             nodes: state.nodes.clone(),
@@ -101,10 +117,10 @@ impl Workspace {
             membrane_increment: vec![[0.0; 2]; elements],
             system: System::new(n, shared),
             edge_reaction: Vector3::zeros(),
-            friction_work: 0.0,
-            contact_work: 0.0,
+            contacts,
             penetration: 0.0,
             active_contacts: 0,
+            cutoff: 0.0,
             residual_norm: 0.0,
             worst_node: 0,
             starts: Vec::with_capacity(elements),
@@ -176,12 +192,13 @@ impl Workspace {
     pub fn assemble(&mut self, model: &Model, state: &State, dt: f64, matrix: Iteration) -> bool {
         let settings = &model.settings;
         let longest = settings.max_step * model.travel / model.speed;
+        self.cutoff = settings.cutoff_strain * (dt / longest).min(1.0);
         let law = Law {
             hardening: &model.material.hardening,
             matrix,
             theory: model.blank.theory,
             layers: &self.layers,
-            cutoff: settings.cutoff_strain * (dt / longest).min(1.0),
+            cutoff: self.cutoff,
         };
         let system = &mut self.system;
         system.clear();
@@ -221,7 +238,7 @@ impl Workspace {
                 self.system.corner_rhs[k] -= self.block_area * block.value;
                 self.system.corner[(k, k)] -= self.block_area * block.slope;
             }
-            self.system.corner_rhs[k] -= self.tool_force[j].axial - force;
+            self.system.corner_rhs[k] -= self.tool_force[j] - force;
         }
 
         self.constrain(model);
@@ -239,14 +256,12 @@ impl Workspace {
 
     /// Contact and friction of every tool with every node it reaches.
     fn contact(&mut self, model: &Model, state: &State, dt: f64) {
-        self.friction_work = 0.0;
-        self.contact_work = 0.0;
         self.penetration = 0.0;
         self.active_contacts = 0;
         let last = self.nodes.len() - 1;
         let system = &mut self.system;
         for (j, tool) in self.tools.iter().enumerate() {
-            self.tool_force[j] = ToolForce::default();
+            self.tool_force[j] = 0.0;
             if matches!(tool.motion, Motion::Force(_)) && tool.shared.is_none() {
                 continue;
             }
@@ -262,7 +277,13 @@ impl Workspace {
                     thickness,
                     area: self.areas[i],
                 };
-                let Some(touch) = touch(&tool.profile, &self.penalty, &friction, &node) else { continue };
+                let closest = tool.profile.closest(node.position);
+                let contact = &mut self.contacts[j * (last + 1) + i];
+                *contact = Contact { distance: closest.distance, ..Contact::default() };
+                let Some(touch) = touch(&closest, &self.penalty, &friction, &node) else { continue };
+                contact.normal = touch.normal;
+                contact.tangential = touch.tangential;
+                contact.slip = touch.slip;
 
                 system.rhs[i].x += touch.force.x;
                 system.rhs[i].y += touch.force.y;
@@ -294,9 +315,7 @@ impl Workspace {
                     }
                 }
 
-                self.tool_force[j].axial += touch.force.y;
-                self.friction_work += touch.friction_work;
-                self.contact_work += touch.contact_work;
+                self.tool_force[j] += touch.force.y;
                 self.penetration = self.penetration.max(-touch.gap / thickness);
                 self.active_contacts += usize::from(touch.gap < 0.0);
             }

@@ -1,15 +1,17 @@
 //! The flow approach: explicit predictor, implicit corrector, from the flat blank to the full travel.
 
 mod assembly;
+mod balance;
 pub mod block_tridiagonal;
 mod corrector;
 mod stepping;
 
 use crate::mesh;
 use crate::model::{Edge, Model, Motion, Role};
-use crate::record::{Energy, IterationRecord, Run, StepRecord, Stop};
+use crate::record::{IterationRecord, Run, StepRecord, Stop};
 use crate::state::{LayerPoint, State};
 use assembly::Workspace;
+use balance::Balance;
 use corrector::{Outcome, correct};
 use stepping::StepControl;
 
@@ -24,9 +26,6 @@ pub trait Observer {
 /// An observer that looks away.
 impl Observer for () {}
 
-/// A point's plastic power counts as cut off when its strain increment is below this many cut-offs.
-const CUT_OFF_ZONE: f64 = 10.0;
-
 /// Solves a model from the flat blank to its full travel, or as far as equilibrium is found.
 pub fn run(model: &Model, observer: &mut dyn Observer) -> Run {
     run_from(model, State::flat(model, mesh::nodes(model)), observer).0
@@ -35,6 +34,7 @@ pub fn run(model: &Model, observer: &mut dyn Observer) -> Run {
 /// As [`run`], from a given state; also returns the last state.
 pub fn run_from(model: &Model, mut state: State, observer: &mut dyn Observer) -> (Run, State) {
     let mut work = Workspace::new(model, &state);
+    let mut balance = Balance::new(&work);
     let mut control = StepControl::new(model);
     let mut run = Run { history: Vec::new(), frames: Vec::new(), stop: Stop::FullTravel, warnings: Vec::new() };
     let mut last = StepRecord { thinnest: model.blank.thickness, ..StepRecord::default() };
@@ -63,7 +63,7 @@ pub fn run_from(model: &Model, mut state: State, observer: &mut dyn Observer) ->
             break;
         }
         control.accept(dt, outcome.iterations);
-        let record = accept(&work, model, &mut state, dt, &outcome, &last, rejected);
+        let record = accept(&work, &mut balance, model, &mut state, dt, &outcome, &last, rejected);
         rejected = 0;
         observer.step(&record);
         run.history.push(record);
@@ -96,6 +96,7 @@ fn attempt(
 /// Moves the state to the end of a converged step and writes down what happened.
 fn accept(
     work: &Workspace,
+    balance: &mut Balance,
     model: &Model,
     state: &mut State,
     dt: f64,
@@ -103,21 +104,8 @@ fn accept(
     last: &StepRecord,
     rejected: usize,
 ) -> StepRecord {
-    let settings = &model.settings;
-    let longest = settings.max_step * model.travel / model.speed;
-    let cutoff = settings.cutoff_strain * (dt / longest).min(1.0);
-
-    let (mut plastic, mut cut_off) = (0.0, 0.0);
-    let n_layers = work.layers.len();
+    let done = balance.work_of_step(work, model, state, dt);
     for (i, response) in work.responses.iter().enumerate() {
-        let (e, layer) = (i / n_layers, work.layers[i % n_layers]);
-        // σ:Δε = σ_y Δε̄²/Δε̄_reg = |σ| Δε̄
-        let stress = crate::material::flow::equivalent_stress(response.stress);
-        let work_done = state.volume[e] * layer.share * stress * response.increment;
-        plastic += work_done;
-        if response.increment < CUT_OFF_ZONE * cutoff {
-            cut_off += work_done;
-        }
         let point = &mut state.layers[i];
         *point = LayerPoint {
             strain: point.strain + response.increment,
@@ -130,15 +118,8 @@ fn accept(
             state.velocity[i][d] = (x[d] - state.nodes[i][d]) / dt;
         }
     }
-    let mut external = 0.0;
-    for (j, force) in work.tool_force.iter().enumerate() {
-        let moved = work.tool_position[j] - state.tools[j];
-        external += force.axial * moved;
-        state.tool_velocity[j] = moved / dt;
-    }
-    let edge = model.blank.edge;
-    if let Edge::Pulled { speed } = edge {
-        external += work.edge_reaction.x * speed * model.speed * dt;
+    for (j, position) in work.tool_position.iter().enumerate() {
+        state.tool_velocity[j] = (position - state.tools[j]) / dt;
     }
     state.tools.copy_from_slice(&work.tool_position);
     state.nodes.copy_from_slice(&work.nodes);
@@ -150,17 +131,7 @@ fn accept(
     state.time += dt;
     state.travel += dt * model.speed;
 
-    let power = Energy {
-        external: external / dt,
-        plastic: plastic / dt,
-        friction: work.friction_work / dt,
-        contact: work.contact_work / dt,
-        cutoff: cut_off / dt,
-    };
-    let mut total = last.work;
-    total.add_trapezoid(&last.power, &power, dt);
-    let force_of =
-        |role: Role| model.tools.iter().position(|t| t.role == role).map_or(0.0, |j| work.tool_force[j].axial);
+    let force_of = |role: Role| model.tools.iter().position(|t| t.role == role).map_or(0.0, |j| work.tool_force[j]);
     let thinnest = (0..state.thickness.len()).min_by(|&a, &b| state.thickness[a].total_cmp(&state.thickness[b]));
     let thinnest = thinnest.expect("a blank has elements");
     let edge_node = state.nodes.len() - 1;
@@ -170,7 +141,7 @@ fn accept(
         travel: state.travel,
         punch_force: force_of(Role::Punch),
         holder_force: force_of(Role::Holder),
-        edge_force: if edge == Edge::Free { 0.0 } else { work.edge_reaction.x },
+        edge_force: if model.blank.edge == Edge::Free { 0.0 } else { work.edge_reaction.x },
         draw_in: model.blank.length - state.nodes[edge_node][0],
         thinnest: state.thickness[thinnest],
         thinnest_s0: 0.5 * (state.s0[thinnest] + state.s0[thinnest + 1]),
@@ -179,8 +150,8 @@ fn accept(
         rejected,
         velocity_norm: outcome.velocity_norm,
         residual_norm: outcome.residual_norm,
-        power,
-        work: total,
+        power: done.scaled(1.0 / dt),
+        work: last.work.plus(done),
     }
 }
 
