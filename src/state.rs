@@ -37,6 +37,8 @@ pub struct State {
     /// Axial displacement of each tool from where it is drawn [mm], and its velocity [mm/s].
     pub tools: Vec<f64>,
     pub tool_velocity: Vec<f64>,
+    /// Contact pressure of every tool on every node, tool by tool [MPa].
+    pub pressure: Vec<f64>,
     /// Initial distances of the nodes from the axis [mm].
     pub s0: Vec<f64>,
 }
@@ -67,6 +69,7 @@ impl State {
                 .iter()
                 .map(|t| if t.motion == Motion::Travel { model.speed } else { 0.0 })
                 .collect(),
+            pressure: vec![0.0; nodes.len() * model.tools.len()],
             nodes,
             s0,
         }

@@ -13,7 +13,7 @@ pub mod penalty;
 use crate::geometry::{Closest, Point, turned};
 use friction::Coulomb;
 use nalgebra::Matrix2;
-use penalty::Penalty;
+use penalty::{Penalty, Smooth};
 
 /// A node as a tool sees it.
 #[derive(Clone, Copy, Debug)]
@@ -26,6 +26,8 @@ pub struct Visitor {
     pub thickness: f64,
     /// Tributary area [mm², or mm per mm of depth].
     pub area: f64,
+    /// Pressure carried from the last iteration [MPa]; zero gives the consistent tangent.
+    pub carried: f64,
 }
 
 /// Force of a tool on a node, and its derivatives.
@@ -39,8 +41,8 @@ pub struct Touch {
     pub by_thickness: Point,
     /// Gap between tool and sheet face [mm]; negative when the sheet penetrates.
     pub gap: f64,
-    /// Pressure [MPa].
-    pub pressure: f64,
+    /// Pressure [MPa] and the slope dp/dg of the matrix [N/mm³].
+    pub pressure: Smooth,
     /// Normal force N ≥ 0 and friction T along the normal turned by +90° [N, or N/mm].
     pub normal: f64,
     pub tangential: f64,
@@ -52,7 +54,7 @@ pub struct Touch {
 #[inline]
 pub fn touch(closest: &Closest, penalty: &Penalty, friction: &Coulomb, node: &Visitor) -> Option<Touch> {
     let gap = closest.distance - 0.5 * node.thickness;
-    let pressure = penalty.at(gap)?;
+    let pressure = penalty.towards(gap, node.carried)?;
     let n = closest.normal;
     let tau = turned(n);
 
@@ -76,7 +78,7 @@ pub fn touch(closest: &Closest, penalty: &Penalty, friction: &Coulomb, node: &Vi
         by_position,
         by_thickness,
         gap,
-        pressure: pressure.value,
+        pressure,
         normal,
         tangential,
         slip,
@@ -108,7 +110,7 @@ mod tests {
                 for slip in [-0.2, 1e-3, 0.05] {
                     let x = position + contact.normal * (gap + 0.5 * t - contact.distance);
                     let at = |x: Point, moved: Point, thickness: f64| {
-                        let node = Visitor { position: x, relative: moved, thickness, area: 3.0 };
+                        let node = Visitor { position: x, relative: moved, thickness, area: 3.0, carried: 0.0 };
                         touch(&profile.closest(x), &penalty, &friction, &node).expect("within reach")
                     };
                     let step = turned(contact.normal) * slip + contact.normal * 0.01;

@@ -12,7 +12,7 @@ pub struct Penalty {
 }
 
 /// A value and its derivative.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Smooth {
     pub value: f64,
     pub slope: f64,
@@ -39,5 +39,26 @@ impl Penalty {
             (e.ln_1p(), e / (1.0 + e))
         };
         Some(Smooth { value: self.stiffness * self.smoothing * value, slope: -self.stiffness * share })
+    }
+
+    /// As [`Self::at`], with the slope replaced by the chord to the point where the law gives the pressure `carried` [MPa].
+    ///
+    /// Newton's method creeps along the exponential foot of the law, one δ an iteration. The chord to a pressure that
+    /// is carried from iteration to iteration, as the primal-dual flow law carries its stress, goes there at once; the
+    /// pressure itself, and so the answer, is the law's.
+    #[inline]
+    pub fn towards(&self, gap: f64, carried: f64) -> Option<Smooth> {
+        let scale = self.stiffness * self.smoothing;
+        if carried < 1e-9 * scale {
+            return self.at(gap);
+        }
+        let here = self.at(gap).unwrap_or(Smooth { value: 0.0, slope: 0.0 });
+        let there =
+            -self.smoothing * if carried > 30.0 * scale { carried / scale } else { (carried / scale).exp_m1().ln() };
+        let apart = gap - there;
+        if apart.abs() < 1e-3 * self.smoothing {
+            return Some(here);
+        }
+        Some(Smooth { value: here.value, slope: (here.value - carried) / apart })
     }
 }

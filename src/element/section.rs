@@ -32,7 +32,7 @@ pub struct Internal {
 
 /// Share of the yield force that stabilises a slack membrane, in the matrix only (the residual is untouched): a flat
 /// membrane has no transverse stiffness before its first stretch.
-const SLACK: f64 = 1e-3;
+const SLACK: f64 = 0.3;
 
 impl Law<'_> {
     /// Forces and matrix of an element of `volume` [mm³] whose thickness was `thickness` [mm] at the start of the step.

@@ -2,7 +2,7 @@
 
 use super::block_tridiagonal::System;
 use crate::contact::friction::Coulomb;
-use crate::contact::penalty::Penalty;
+use crate::contact::penalty::{Penalty, Smooth};
 use crate::contact::{Visitor, touch};
 use crate::element::kinematics::Start;
 use crate::element::lobatto::{self, Layer};
@@ -35,6 +35,9 @@ pub(super) struct Contact {
     pub normal: f64,
     pub tangential: f64,
     pub slip: f64,
+    /// Gap, pressure and slope of the last iteration, from which the carried pressure follows.
+    gap: f64,
+    pressure: Smooth,
 }
 
 /// Everything an iteration works on, allocated once for a run.
@@ -55,6 +58,10 @@ pub(super) struct Workspace {
     pub edge_reaction: Vector3<f64>,
     /// Every tool's contact with every node, tool by tool.
     pub contacts: Vec<Contact>,
+    /// Their pressures carried from iteration to iteration [MPa].
+    carried: Vec<f64>,
+    /// Whether the next assembly is the first of a try.
+    first: bool,
     pub penetration: f64,
     pub active_contacts: usize,
     /// Δε₀ of the step [–].
@@ -117,6 +124,8 @@ impl Workspace {
             membrane_increment: vec![[0.0; 2]; elements],
             system: System::new(n, shared),
             edge_reaction: Vector3::zeros(),
+            carried: vec![0.0; n * model.tools.len()],
+            first: true,
             contacts,
             penetration: 0.0,
             active_contacts: 0,
@@ -154,8 +163,15 @@ impl Workspace {
         }
     }
 
+    /// Pressure of every tool on every node at the end of the step [MPa].
+    pub fn pressures(&self) -> impl Iterator<Item = f64> {
+        self.contacts.iter().map(|c| c.pressure.value)
+    }
+
     /// Takes a predictor: trial positions after `dt` [s] at `velocity`, prescribed motions imposed, layers rewound.
     pub fn predict(&mut self, model: &Model, state: &State, dt: f64, from_rest: bool) {
+        self.first = true;
+        self.carried.copy_from_slice(&state.pressure);
         let share = if from_rest { 0.0 } else { dt };
         for (i, x) in self.nodes.iter_mut().enumerate() {
             for d in 0..3 {
@@ -228,7 +244,8 @@ impl Workspace {
         }
         let largest_force = system.rhs.iter().map(|f| f.x.hypot(f.y)).fold(0.0, f64::max);
 
-        self.contact(model, state, dt);
+        self.contact(model, state, dt, matrix);
+        self.first = false;
 
         // Shared unknowns: a tool pressed by a force.
         for (j, tool) in self.tools.iter().enumerate() {
@@ -255,7 +272,7 @@ impl Workspace {
     }
 
     /// Contact and friction of every tool with every node it reaches.
-    fn contact(&mut self, model: &Model, state: &State, dt: f64) {
+    fn contact(&mut self, model: &Model, state: &State, dt: f64, matrix: Iteration) {
         self.penetration = 0.0;
         self.active_contacts = 0;
         let last = self.nodes.len() - 1;
@@ -271,19 +288,28 @@ impl Workspace {
                 let (before, after) = (i.max(1) - 1, i.min(last - 1));
                 let thickness = 0.5 * (self.thickness[before] + self.thickness[after]);
                 let x = &self.nodes[i];
+                let closest = tool.profile.closest(Point::new(x[0], x[1] - self.tool_position[j]));
+                let contact = &mut self.contacts[j * (last + 1) + i];
+                let carried = &mut self.carried[j * (last + 1) + i];
+                let gap = closest.distance - 0.5 * thickness;
+                if matrix != Iteration::PrimalDual {
+                    *carried = 0.0;
+                } else if !self.first {
+                    *carried = (contact.pressure.value + contact.pressure.slope * (gap - contact.gap)).max(0.0);
+                }
                 let node = Visitor {
+                    carried: *carried,
                     position: Point::new(x[0], x[1] - self.tool_position[j]),
                     relative: Point::new(x[0] - state.nodes[i][0], x[1] - state.nodes[i][1] - moved),
                     thickness,
                     area: self.areas[i],
                 };
-                let closest = tool.profile.closest(node.position);
-                let contact = &mut self.contacts[j * (last + 1) + i];
-                *contact = Contact { distance: closest.distance, ..Contact::default() };
+                *contact = Contact { distance: closest.distance, gap, ..Contact::default() };
                 let Some(touch) = touch(&closest, &self.penalty, &friction, &node) else { continue };
                 contact.normal = touch.normal;
                 contact.tangential = touch.tangential;
                 contact.slip = touch.slip;
+                contact.pressure = touch.pressure;
 
                 system.rhs[i].x += touch.force.x;
                 system.rhs[i].y += touch.force.y;

@@ -21,11 +21,7 @@ pub(super) struct Balance {
 impl Balance {
     /// At the start of a run: the tools' distances, nothing pressing yet.
     pub fn new(work: &Workspace) -> Self {
-        Self {
-            contacts: work.contacts.clone(),
-            tool_force: vec![0.0; work.tool_force.len()],
-            edge_force: 0.0,
-        }
+        Self { contacts: work.contacts.clone(), tool_force: vec![0.0; work.tool_force.len()], edge_force: 0.0 }
     }
 
     /// Work of the converged step in `work` that starts at `state` and lasts `dt` [s]; moves on to its end.

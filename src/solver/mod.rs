@@ -121,6 +121,9 @@ fn accept(
     for (j, position) in work.tool_position.iter().enumerate() {
         state.tool_velocity[j] = (position - state.tools[j]) / dt;
     }
+    for (pressure, now) in state.pressure.iter_mut().zip(work.pressures()) {
+        *pressure = now;
+    }
     state.tools.copy_from_slice(&work.tool_position);
     state.nodes.copy_from_slice(&work.nodes);
     state.thickness.copy_from_slice(&work.thickness);
