@@ -15,6 +15,9 @@ pub struct Law<'a> {
     pub layers: &'a [Layer],
     /// Δε₀ of the step [–].
     pub cutoff: f64,
+    /// Least tension of a membrane over its yield force [–], in the matrix only (the residual is untouched): a flat
+    /// membrane has no transverse stiffness before its first stretch.
+    pub slack_tension: f64,
 }
 
 /// An element's internal forces and matrix.
@@ -29,10 +32,6 @@ pub struct Internal {
     /// Current thickness, by constant volume [mm].
     pub thickness: f64,
 }
-
-/// Share of the yield force that stabilises a slack membrane, in the matrix only (the residual is untouched): a flat
-/// membrane has no transverse stiffness before its first stretch.
-const SLACK: f64 = 0.3;
 
 impl Law<'_> {
     /// Forces and matrix of an element of `volume` [mm³] whose thickness was `thickness` [mm] at the start of the step.
@@ -100,7 +99,7 @@ impl Law<'_> {
         }
         end.add_geometric(&s, &mut matrix);
         if self.theory == Theory::Membrane {
-            let tension = SLACK * volume * self.hardening.at(before[0]).stress;
+            let tension = self.slack_tension * volume * self.hardening.at(before[0]).stress;
             if s[EPS_S] < tension {
                 let n = end.transverse();
                 matrix += (tension - s[EPS_S]) * n * n.transpose();

@@ -14,6 +14,10 @@ use crate::model::{Edge, Iteration, Model, Motion, Theory};
 use crate::state::State;
 use nalgebra::{Matrix3, Vector3};
 
+/// Least tension of a membrane in its matrix, over its yield force [–]; it fades once the velocity norm is below [`SLACK_NORM`].
+const SLACK_TENSION: f64 = 0.5;
+const SLACK_NORM: f64 = 0.05;
+
 /// A holder that has lost the sheet comes to rest on blocks of this height over the sheet thickness [–].
 const DISTANCE_BLOCK: f64 = 0.5;
 
@@ -60,8 +64,6 @@ pub(super) struct Workspace {
     pub contacts: Vec<Contact>,
     /// Their pressures carried from iteration to iteration [MPa].
     carried: Vec<f64>,
-    /// Whether the next assembly is the first of a try.
-    first: bool,
     pub penetration: f64,
     pub active_contacts: usize,
     /// Δε₀ of the step [–].
@@ -125,7 +127,6 @@ impl Workspace {
             system: System::new(n, shared),
             edge_reaction: Vector3::zeros(),
             carried: vec![0.0; n * model.tools.len()],
-            first: true,
             contacts,
             penetration: 0.0,
             active_contacts: 0,
@@ -170,7 +171,6 @@ impl Workspace {
 
     /// Takes a predictor: trial positions after `dt` [s] at `velocity`, prescribed motions imposed, layers rewound.
     pub fn predict(&mut self, model: &Model, state: &State, dt: f64, from_rest: bool) {
-        self.first = true;
         self.carried.copy_from_slice(&state.pressure);
         let share = if from_rest { 0.0 } else { dt };
         for (i, x) in self.nodes.iter_mut().enumerate() {
@@ -203,10 +203,11 @@ impl Workspace {
 
     /// Residual and matrix at the trial positions; `false` when an element has collapsed.
     ///
-    /// The system's right-hand side is −r, ready for δx = −H⁻¹ r.
+    /// `iteration` counts from 0, `velocity_norm` is the last one's. The system's right-hand side is −r, ready for δx = −H⁻¹ r.
     #[must_use]
-    pub fn assemble(&mut self, model: &Model, state: &State, dt: f64, matrix: Iteration) -> bool {
+    pub fn assemble(&mut self, model: &Model, state: &State, dt: f64, iteration: usize, velocity_norm: f64) -> bool {
         let settings = &model.settings;
+        let matrix = settings.iteration;
         let longest = settings.max_step * model.travel / model.speed;
         self.cutoff = settings.cutoff_strain * (dt / longest).min(1.0);
         let law = Law {
@@ -215,6 +216,7 @@ impl Workspace {
             theory: model.blank.theory,
             layers: &self.layers,
             cutoff: self.cutoff,
+            slack_tension: SLACK_TENSION * (velocity_norm / SLACK_NORM).min(1.0),
         };
         let system = &mut self.system;
         system.clear();
@@ -244,8 +246,7 @@ impl Workspace {
         }
         let largest_force = system.rhs.iter().map(|f| f.x.hypot(f.y)).fold(0.0, f64::max);
 
-        self.contact(model, state, dt, matrix);
-        self.first = false;
+        self.contact(model, state, dt, iteration);
 
         // Shared unknowns: a tool pressed by a force.
         for (j, tool) in self.tools.iter().enumerate() {
@@ -272,7 +273,7 @@ impl Workspace {
     }
 
     /// Contact and friction of every tool with every node it reaches.
-    fn contact(&mut self, model: &Model, state: &State, dt: f64, matrix: Iteration) {
+    fn contact(&mut self, model: &Model, state: &State, dt: f64, iteration: usize) {
         self.penetration = 0.0;
         self.active_contacts = 0;
         let last = self.nodes.len() - 1;
@@ -292,9 +293,9 @@ impl Workspace {
                 let contact = &mut self.contacts[j * (last + 1) + i];
                 let carried = &mut self.carried[j * (last + 1) + i];
                 let gap = closest.distance - 0.5 * thickness;
-                if matrix != Iteration::PrimalDual {
+                if model.settings.iteration != Iteration::PrimalDual {
                     *carried = 0.0;
-                } else if !self.first {
+                } else if iteration > 0 {
                     *carried = (contact.pressure.value + contact.pressure.slope * (gap - contact.gap)).max(0.0);
                 }
                 let node = Visitor {

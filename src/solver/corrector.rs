@@ -33,12 +33,11 @@ pub(super) fn correct(
 ) -> Outcome {
     let settings = &model.settings;
     let t = model.blank.thickness;
-    let matrix = settings.iteration;
-    let most = settings.max_iterations * if matrix == Iteration::Secant { SECANT_PATIENCE } else { 1 };
+    let most = settings.max_iterations * if settings.iteration == Iteration::Secant { SECANT_PATIENCE } else { 1 };
     let mut outcome =
         Outcome { converged: false, iterations: 0, velocity_norm: f64::INFINITY, residual_norm: f64::INFINITY };
     loop {
-        if !work.assemble(model, state, dt, matrix) {
+        if !work.assemble(model, state, dt, outcome.iterations, outcome.velocity_norm) {
             return outcome;
         }
         outcome.residual_norm = work.residual_norm;
