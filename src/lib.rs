@@ -8,3 +8,4 @@ pub mod model;
 pub mod record;
 pub mod solver;
 pub mod state;
+pub mod table;
