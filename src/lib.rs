@@ -5,6 +5,7 @@ pub mod geometry;
 pub mod material;
 pub mod mesh;
 pub mod model;
+pub mod output;
 pub mod record;
 pub mod solver;
 pub mod state;

@@ -1,0 +1,53 @@
+//! Tables as comma-separated text.
+
+use crate::table::Table;
+
+/// One header row (`punch_force_N`), then one row per value, nine significant digits.
+pub fn csv(table: &Table) -> Vec<u8> {
+    let mut writer = csv::Writer::from_writer(Vec::new());
+    let never = "memory does not refuse a row";
+    writer.write_record(table.columns.iter().map(|c| c.header())).expect(never);
+    for row in 0..table.rows() {
+        writer.write_record(table.columns.iter().map(|c| number(c.values[row]))).expect(never);
+    }
+    writer.into_inner().expect(never)
+}
+
+/// Nine significant digits: more than the solver's tolerance, and no binary noise at the end.
+pub(super) fn rounded(value: f64) -> f64 {
+    format!("{value:.8e}").parse::<f64>().map_or(value, |v| v + 0.0) // −0 becomes 0
+}
+
+fn number(value: f64) -> String {
+    let value = rounded(value);
+    if value == 0.0 || (1e-4..1e9).contains(&value.abs()) { format!("{value}") } else { format!("{value:e}") }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::table::{Column, Unit};
+
+    #[test]
+    fn numbers_are_short_and_read_back_to_nine_digits() {
+        for (value, text) in [
+            (0.1 + 0.2, "0.3"),
+            (-0.0, "0"),
+            (1.0, "1"),
+            (44_444.444_444_44, "44444.4444"),
+            (1.234_567_891_23e-7, "1.23456789e-7"),
+            (f64::NAN, "NaN"),
+        ] {
+            assert_eq!(number(value), text);
+        }
+    }
+
+    #[test]
+    fn a_table_becomes_a_header_and_rows() {
+        let table = Table::new(vec![
+            Column::new("travel", "Punch travel", Unit::Mm, vec![0.5, 1.0]),
+            Column::new("punch_force", "Punch force", Unit::NPerMm, vec![10.0, 20.25]),
+        ]);
+        assert_eq!(String::from_utf8(csv(&table)).unwrap(), "travel_mm,punch_force_N_per_mm\n0.5,10\n1,20.25\n");
+    }
+}

@@ -1,0 +1,80 @@
+//! Files that appear complete or not at all.
+
+use std::fs::{self, File};
+use std::io::{self, Write};
+use std::path::{Path, PathBuf};
+
+/// A file that could not be written; what stood there before is untouched.
+#[derive(Debug, thiserror::Error)]
+#[error("cannot write {}: {source}", path.display())]
+pub struct WriteError {
+    pub path: PathBuf,
+    pub source: io::Error,
+}
+
+/// Writes `bytes` to `path` by way of a temporary neighbour that is renamed; missing folders are created.
+///
+/// # Errors
+/// When a folder or the file cannot be written. A file that was there before then keeps its content.
+pub fn write(path: &Path, bytes: &[u8]) -> Result<(), WriteError> {
+    replace(path, bytes).map_err(|source| WriteError { path: path.to_owned(), source })
+}
+
+fn replace(path: &Path, bytes: &[u8]) -> io::Result<()> {
+    let name = path.file_name().ok_or_else(|| io::Error::new(io::ErrorKind::InvalidInput, "not a file name"))?;
+    let dir = path.parent().unwrap_or(Path::new(""));
+    if !dir.as_os_str().is_empty() {
+        fs::create_dir_all(dir)?;
+    }
+    let temporary = dir.join(format!(".{}.{}.part", name.to_string_lossy(), std::process::id()));
+    let mut file = File::create(&temporary)?;
+    file.write_all(bytes).and_then(|()| fs::rename(&temporary, path)).inspect_err(|_| {
+        let _ = fs::remove_file(&temporary);
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn names(dir: &Path) -> Vec<String> {
+        let mut names: Vec<_> =
+            fs::read_dir(dir).unwrap().map(|e| e.unwrap().file_name().into_string().unwrap()).collect();
+        names.sort();
+        names
+    }
+
+    #[test]
+    fn a_file_is_replaced_and_its_neighbours_are_left_alone() {
+        let dir = tempfile::tempdir().unwrap();
+        let path = dir.path().join("deep/er/a.csv");
+        write(&path, b"old").unwrap();
+        fs::write(path.with_file_name("mine.txt"), "mine").unwrap();
+        write(&path, b"new").unwrap();
+        assert_eq!(fs::read(&path).unwrap(), b"new");
+        assert_eq!(names(path.parent().unwrap()), ["a.csv", "mine.txt"]);
+    }
+
+    /// Trust: the rename is made to fail (a folder stands where the file should go) after the bytes were written.
+    #[test]
+    fn a_failure_leaves_neither_half_a_file_nor_a_changed_one() {
+        let dir = tempfile::tempdir().unwrap();
+        let taken = dir.path().join("a.csv");
+        fs::create_dir(&taken).unwrap();
+        fs::write(taken.join("inside"), "old").unwrap();
+        let error = write(&taken, b"new").unwrap_err();
+        assert!(error.to_string().contains("a.csv"), "{error}");
+        assert_eq!(fs::read(taken.join("inside")).unwrap(), b"old");
+        assert_eq!(names(dir.path()), ["a.csv"]);
+    }
+
+    #[test]
+    fn a_temporary_file_that_cannot_be_made_leaves_the_old_file_intact() {
+        let dir = tempfile::tempdir().unwrap();
+        let path = dir.path().join("a.csv");
+        write(&path, b"old").unwrap();
+        fs::create_dir(dir.path().join(format!(".a.csv.{}.part", std::process::id()))).unwrap();
+        write(&path, b"new").unwrap_err();
+        assert_eq!(fs::read(&path).unwrap(), b"old");
+    }
+}

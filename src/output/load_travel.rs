@@ -1,0 +1,40 @@
+//! The history of every accepted step over the punch travel.
+
+use super::{Subject, force, work};
+use crate::model::Model;
+use crate::record::{Run, StepRecord};
+use crate::table::{Column, Table, Unit};
+
+/// One row per accepted step.
+pub fn table(model: &Model, run: &Run) -> Table {
+    let force = force(model.geometry);
+    let work = work(model.geometry);
+    let column = |key, label, unit, value: fn(&StepRecord) -> f64| {
+        Column::new(key, label, unit, run.history.iter().map(value).collect())
+    };
+    Table::new(vec![
+        column("travel", "Punch travel", Unit::Mm, |s| s.travel),
+        column("punch_force", "Punch force", force, |s| s.punch_force),
+        column("holder_force", "Holder force", force, |s| s.holder_force),
+        column("edge_force", "Edge force", force, |s| s.edge_force),
+        column("draw_in", "Draw-in of the edge", Unit::Mm, |s| s.draw_in),
+        column("thinnest", "Least thickness", Unit::Mm, |s| s.thinnest),
+        column("thinnest_s0", "Initial distance of the thinnest place from the axis", Unit::Mm, |s| s.thinnest_s0),
+        column("work_external", "External work", work, |s| s.work.external),
+        column("work_plastic", "Plastic work", work, |s| s.work.plastic),
+        column("work_friction", "Friction work", work, |s| s.work.friction),
+        column("work_contact", "Contact work", work, |s| s.work.contact),
+        column("work_cutoff", "Work in cut-off points", work, |s| s.work.cutoff),
+        column("penetration", "Penetration over thickness", Unit::None, |s| s.penetration),
+        column("step", "Step", Unit::None, |s| s.step as f64),
+        column("time", "Time", Unit::Second, |s| s.time),
+        column("iterations", "Iterations", Unit::None, |s| s.iterations as f64),
+        column("rejected", "Rejected tries", Unit::None, |s| s.rejected as f64),
+        column("velocity_norm", "Relative velocity increment", Unit::None, |s| s.velocity_norm),
+        column("residual_norm", "Relative residual", Unit::None, |s| s.residual_norm),
+    ])
+}
+
+pub(super) fn of(subject: &Subject) -> Table {
+    table(subject.model, subject.run)
+}

@@ -1,0 +1,203 @@
+//! What a run comes to, in some twenty lines: printed and as JSON from the same list.
+
+use super::csv::rounded;
+use super::{Subject, force, work};
+use crate::model::Geometry;
+use crate::record::StepRecord;
+use crate::table::Unit;
+use serde::ser::{Serialize, SerializeMap, Serializer};
+use sha2::{Digest, Sha256};
+use std::fmt;
+
+/// One line of the summary.
+#[derive(Clone, Debug, PartialEq)]
+struct Entry {
+    key: &'static str,
+    label: &'static str,
+    unit: Unit,
+    value: Value,
+}
+
+#[derive(Clone, Debug, PartialEq)]
+enum Value {
+    Number(f64),
+    Count(usize),
+    Flag(bool),
+    Text(String),
+    List(Vec<String>),
+}
+
+/// The lines of the summary, in the order of printing; displays as aligned text, serialises with units in the keys.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Summary {
+    entries: Vec<Entry>,
+}
+
+impl Summary {
+    /// Sums up a run.
+    pub fn of(subject: &Subject) -> Self {
+        let Subject { name, case_text, overrides, model, run, wall } = *subject;
+        let (force, work) = (force(model.geometry), work(model.geometry));
+        let last = run.history.last().copied().unwrap_or_default();
+        let peak = run.history.iter().copied().max_by(|a, b| a.punch_force.total_cmp(&b.punch_force));
+        let peak = peak.unwrap_or_default();
+        let largest = |value: fn(&StepRecord) -> f64| run.history.iter().map(value).fold(0.0, f64::max);
+        let percent = |part: f64, whole: f64| if whole == 0.0 { 0.0 } else { 100.0 * part / whole };
+        let t0 = model.blank.thickness;
+
+        let mut summary = Self { entries: Vec::new() };
+        summary.text("case", "Case", name);
+        summary.text("title", "Title", &model.title);
+        summary.text(
+            "section",
+            "Section",
+            match model.geometry {
+                Geometry::Axisymmetric => "axisymmetric; forces of the whole ring",
+                Geometry::PlaneStrain => "plane strain; forces per mm of depth, of the half that is modelled",
+            },
+        );
+        summary.text("hardening", "Hardening", &model.material.hardening.describe());
+        summary.text("stop", "Ended", &run.stop.to_string());
+        summary.push("complete", "Complete", Unit::None, Value::Flag(run.stop.is_complete()));
+        summary.number("travel", "Punch travel reached", Unit::Mm, last.travel);
+        summary.number("peak_punch_force", "Peak punch force", force, peak.punch_force);
+        summary.number("peak_travel", "  at a travel of", Unit::Mm, peak.travel);
+        summary.number("thinnest", "Thinnest place", Unit::Mm, last.thinnest);
+        summary.number(
+            "thinnest_over_initial",
+            "  over the initial thickness",
+            Unit::Percent,
+            percent(last.thinnest, t0),
+        );
+        summary.number("thinnest_s0", "  at s0, initially from the axis", Unit::Mm, last.thinnest_s0);
+        summary.number("draw_in", "Draw-in of the edge", Unit::Mm, last.draw_in);
+        summary.number("work_external", "External work", work, last.work.external);
+        summary.number("work_plastic", "  plastic", work, last.work.plastic);
+        summary.number("work_friction", "  friction", work, last.work.friction);
+        summary.number("work_contact", "  stored in contact", work, last.work.contact);
+        summary.number("imbalance", "  missing in the balance", Unit::Percent, 100.0 * last.work.imbalance());
+        summary.number(
+            "cutoff_share",
+            "  of the plastic work in cut-off",
+            Unit::Percent,
+            percent(last.work.cutoff, last.work.plastic),
+        );
+        summary.number(
+            "penetration",
+            "Largest penetration over thickness",
+            Unit::Percent,
+            100.0 * largest(|s| s.penetration),
+        );
+        summary.count("steps", "Steps", run.history.len());
+        summary.count("iterations", "Iterations", run.history.iter().map(|s| s.iterations).sum());
+        summary.count("rejected", "Rejected tries", run.history.iter().map(|s| s.rejected).sum());
+        summary.number("wall_time", "Wall time", Unit::Second, wall.as_secs_f64());
+        summary.text("program", "Program", concat!(env!("CARGO_PKG_NAME"), " ", env!("CARGO_PKG_VERSION")));
+        summary.text("case_sha256", "SHA-256 of the case", &sha256(case_text));
+        summary.list("overrides", "Set on the command line", overrides);
+        summary.list("warnings", "Warnings", &run.warnings);
+        summary.list("notes", "Declared assumptions", &model.notes);
+        summary
+    }
+
+    fn push(&mut self, key: &'static str, label: &'static str, unit: Unit, value: Value) {
+        self.entries.push(Entry { key, label, unit, value });
+    }
+
+    fn number(&mut self, key: &'static str, label: &'static str, unit: Unit, value: f64) {
+        self.push(key, label, unit, Value::Number(value));
+    }
+
+    fn count(&mut self, key: &'static str, label: &'static str, value: usize) {
+        self.push(key, label, Unit::None, Value::Count(value));
+    }
+
+    fn text(&mut self, key: &'static str, label: &'static str, value: &str) {
+        self.push(key, label, Unit::None, Value::Text(value.to_owned()));
+    }
+
+    fn list(&mut self, key: &'static str, label: &'static str, values: &[String]) {
+        self.push(key, label, Unit::None, Value::List(values.to_vec()));
+    }
+}
+
+/// `summary.json`.
+pub(super) fn json(subject: &Subject) -> String {
+    let mut text = serde_json::to_string_pretty(&Summary::of(subject)).expect("keys are strings");
+    text.push('\n');
+    text
+}
+
+impl Serialize for Summary {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let mut map = serializer.serialize_map(Some(self.entries.len()))?;
+        for Entry { key, unit, value, .. } in &self.entries {
+            let key = unit.keyed(key);
+            match value {
+                Value::Number(v) => map.serialize_entry(&key, &rounded(*v))?,
+                Value::Count(v) => map.serialize_entry(&key, v)?,
+                Value::Flag(v) => map.serialize_entry(&key, v)?,
+                Value::Text(v) => map.serialize_entry(&key, v)?,
+                Value::List(v) => map.serialize_entry(&key, v)?,
+            }
+        }
+        map.end()
+    }
+}
+
+impl fmt::Display for Summary {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let width = self.entries.iter().map(|e| e.label.len()).max().unwrap_or(0);
+        for Entry { label, unit, value, .. } in &self.entries {
+            match value {
+                Value::Number(v) => writeln!(f, "{label:<width$}  {} {}", short(*v), unit.symbol())?,
+                Value::Count(v) => writeln!(f, "{label:<width$}  {v}")?,
+                Value::Flag(v) => writeln!(f, "{label:<width$}  {}", if *v { "yes" } else { "no" })?,
+                Value::Text(v) => writeln!(f, "{label:<width$}  {v}")?,
+                Value::List(lines) => {
+                    for (i, line) in lines.iter().enumerate() {
+                        writeln!(f, "{:<width$}  - {line}", if i == 0 { label } else { "" })?;
+                    }
+                }
+            }
+        }
+        Ok(())
+    }
+}
+
+/// Four significant digits, all digits of larger numbers.
+fn short(value: f64) -> String {
+    let magnitude = value.abs();
+    if magnitude == 0.0 {
+        "0".to_owned()
+    } else if magnitude < 1e-3 {
+        format!("{value:.2e}")
+    } else {
+        let decimals = (3 - magnitude.log10().floor() as i32).clamp(0, 4) as usize;
+        format!("{value:.decimals$}")
+    }
+}
+
+fn sha256(text: &str) -> String {
+    Sha256::digest(text).iter().map(|byte| format!("{byte:02x}")).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_are_printed_with_four_digits() {
+        for (value, text) in
+            [(0.0, "0"), (43_210.6, "43211"), (44.123_4, "44.12"), (0.612_34, "0.6123"), (-0.000_012, "-1.20e-5")]
+        {
+            assert_eq!(short(value), text);
+        }
+    }
+
+    /// Trust: the digest of the empty text as given in FIPS 180.
+    #[test]
+    fn the_checksum_is_sha256_in_hexadecimal() {
+        assert_eq!(sha256(""), "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855");
+    }
+}

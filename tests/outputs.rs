@@ -1,0 +1,109 @@
+//! What is made from a run: tables, files and plots, over the whole list of outputs.
+
+mod common;
+
+use stampflow::model::Geometry;
+use stampflow::output::{Make, OUTPUTS, Summary, load_travel, profile, write_all};
+use stampflow::table::Table;
+
+fn headers(table: &Table) -> String {
+    table.columns.iter().map(|c| c.header()).collect::<Vec<_>>().join(",")
+}
+
+#[test]
+fn load_travel_begins_with_travel_and_forces() {
+    for (geometry, begins) in [
+        (Geometry::Axisymmetric, "travel_mm,punch_force_N,holder_force_N,edge_force_N,draw_in_mm,thinnest_mm"),
+        (Geometry::PlaneStrain, "travel_mm,punch_force_N_per_mm,holder_force_N_per_mm,edge_force_N_per_mm"),
+    ] {
+        let model = common::model(geometry);
+        let run = common::run(&model);
+        let table = load_travel::table(&model, &run);
+        assert!(headers(&table).starts_with(begins), "{}", headers(&table));
+        assert_eq!(table.rows(), run.history.len());
+        assert_eq!(table.column("punch_force").values[41], run.history[41].punch_force);
+    }
+}
+
+#[test]
+fn profile_has_one_row_per_frame_and_element_from_the_axis_outward() {
+    let model = common::model(Geometry::Axisymmetric);
+    let run = common::run(&model);
+    let table = profile::table(&run.frames);
+    assert!(headers(&table).starts_with(
+        "travel_mm,s0_mm,r_mm,z_mm,thickness_mm,strain_meridional,strain_hoop,strain_thickness,strain_equivalent,\
+         stress_meridional_MPa,stress_hoop_MPa"
+    ));
+    let n = model.blank.elements;
+    assert_eq!(table.rows(), run.frames.len() * n);
+    let element = run.frames[2].elements[3];
+    assert_eq!(table.column("travel").values[2 * n + 3], run.frames[2].travel);
+    assert_eq!(table.column("thickness").values[2 * n + 3], element.thickness);
+    assert_eq!(profile::last(&run.frames).column("travel").values, vec![50.0; n]);
+    assert_eq!(profile::last(&[]).rows(), 0);
+}
+
+/// Trust: over the whole list. Both texts end in a unit, and it must be the same one.
+#[test]
+fn every_table_names_its_units_alike_in_header_and_axis() {
+    for geometry in [Geometry::Axisymmetric, Geometry::PlaneStrain] {
+        let model = common::model(geometry);
+        let run = common::run(&model);
+        for output in OUTPUTS {
+            let Make::Table(make) = output.make else { continue };
+            for column in &make(&common::subject(&model, &run)).columns {
+                let axis = column.axis();
+                let symbol = axis.text().rsplit_once(" [").unwrap().1.trim_end_matches(']');
+                assert_eq!(axis.text(), format!("{} [{symbol}]", column.label));
+                let spelled = symbol.replace('/', "_per_");
+                let header = if symbol == "–" { column.key.to_owned() } else { format!("{}_{spelled}", column.key) };
+                assert_eq!(column.header(), header, "{}", output.file);
+            }
+        }
+    }
+}
+
+#[test]
+fn all_files_are_written_and_nothing_else() {
+    let model = common::model(Geometry::Axisymmetric);
+    let run = common::run(&model);
+    let dir = tempfile::tempdir().unwrap();
+    let written = write_all(&common::subject(&model, &run), &dir.path().join("cup")).unwrap();
+    let mut found: Vec<_> = std::fs::read_dir(dir.path().join("cup")).unwrap().map(|e| e.unwrap().path()).collect();
+    found.sort();
+    let mut written = written;
+    written.sort();
+    assert_eq!(found, written);
+    assert_eq!(found.len(), OUTPUTS.len());
+}
+
+#[test]
+fn the_summary_says_the_same_in_print_and_in_json() {
+    let model = common::model(Geometry::Axisymmetric);
+    let run = common::run(&model);
+    let summary = Summary::of(&common::subject(&model, &run));
+    let printed = summary.to_string();
+    let json = serde_json::to_value(&summary).unwrap();
+    let peak = run.history.iter().map(|s| s.punch_force).fold(0.0, f64::max);
+    assert!((json["peak_punch_force_N"].as_f64().unwrap() - peak).abs() < 1e-6 * peak);
+    assert!(printed.contains(&format!("{peak:.0} N")), "{printed}");
+    assert_eq!(json["complete"], true);
+    assert_eq!(json["steps"], 100);
+    assert_eq!(json["case_sha256"].as_str().unwrap().len(), 64);
+    for line in model.notes.iter().chain(&run.warnings) {
+        assert!(printed.contains(line));
+        assert!(json["notes"].to_string().contains(&line[..20]) || json["warnings"].to_string().contains(&line[..20]));
+    }
+}
+
+/// An early end may leave nothing at all; every file is still made.
+#[test]
+fn a_run_without_a_step_makes_every_file() {
+    let model = common::model(Geometry::PlaneStrain);
+    let mut run = common::run(&model);
+    run.history.clear();
+    run.frames.clear();
+    for output in OUTPUTS {
+        assert!(!output.bytes(&common::subject(&model, &run)).is_empty(), "{}", output.file);
+    }
+}
