@@ -107,3 +107,12 @@ fn a_run_without_a_step_makes_every_file() {
         assert!(!output.bytes(&common::subject(&model, &run)).is_empty(), "{}", output.file);
     }
 }
+
+/// For looking: `cargo test --test outputs -- --ignored` writes every file to target/sample.
+#[test]
+#[ignore = "writes target/sample"]
+fn sample_for_looking() {
+    let model = common::model(Geometry::Axisymmetric);
+    let run = common::run(&model);
+    write_all(&common::subject(&model, &run), "target/sample".as_ref()).unwrap();
+}

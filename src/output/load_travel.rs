@@ -1,9 +1,10 @@
 //! The history of every accepted step over the punch travel.
 
+use super::chart::{Chart, Look, Panel, Scale, Series};
 use super::{Subject, force, work};
 use crate::model::Model;
 use crate::record::{Run, StepRecord};
-use crate::table::{Column, Table, Unit};
+use crate::table::{Axis, Column, Table, Unit};
 
 /// One row per accepted step.
 pub fn table(model: &Model, run: &Run) -> Table {
@@ -37,4 +38,28 @@ pub fn table(model: &Model, run: &Run) -> Table {
 
 pub(super) fn of(subject: &Subject) -> Table {
     table(subject.model, subject.run)
+}
+
+/// Punch and holder force over the travel; the held edge's force where there is one.
+pub(super) fn plot(subject: &Subject) -> Chart {
+    let table = of(subject);
+    let acts = |key: &str| key == "punch_force" || table.column(key).values.iter().any(|v| *v != 0.0);
+    let keys: Vec<&str> = ["punch_force", "holder_force", "edge_force"].into_iter().filter(|k| acts(k)).collect();
+    let columns: Vec<&Column> = keys.iter().map(|key| table.column(key)).collect();
+    let series = columns
+        .iter()
+        .enumerate()
+        .map(|(i, column)| Series::new(column.label, table.pairs("travel", column.key), Look::curve(i)))
+        .collect();
+    Chart {
+        title: format!("{}: forces", subject.model.title),
+        legend: "",
+        panels: vec![Panel {
+            x: table.column("travel").axis(),
+            y: Axis::shared(&columns),
+            series,
+            scale: Scale::Fit { height: 350.0 },
+        }],
+        notes: subject.notes(),
+    }
 }

@@ -1,18 +1,29 @@
 //! What a run leaves on disk: one file of this folder per table or plot, and one list, [`OUTPUTS`].
 
+pub mod chart;
 mod csv;
+mod draw;
 mod file;
+mod font;
 pub mod load_travel;
+mod outline;
+mod png;
 pub mod profile;
+mod shapes;
+mod strains;
 mod summary;
+mod thickness;
 pub mod trace;
 
+pub use chart::Chart;
 pub use csv::csv;
+pub use draw::svg;
 pub use file::{WriteError, write};
+pub use png::png;
 pub use summary::Summary;
 
 use crate::model::{Geometry, Model};
-use crate::record::Run;
+use crate::record::{Frame, Run};
 use crate::table::{Table, Unit};
 use std::path::{Path, PathBuf};
 use std::time::Duration;
@@ -37,6 +48,7 @@ pub struct Subject<'a> {
 pub enum Make {
     Table(fn(&Subject) -> Table),
     Text(fn(&Subject) -> String),
+    Plot(fn(&Subject) -> Chart),
 }
 
 /// A file that every run writes.
@@ -65,6 +77,18 @@ pub const OUTPUTS: &[Output] = &[
         about: "shape, thickness, strains and stresses of every kept frame",
         make: Make::Table(profile::of),
     },
+    Output { file: "load_travel.png", about: "forces over the punch travel", make: Make::Plot(load_travel::plot) },
+    Output {
+        file: "thickness.png",
+        about: "thickness over the blank at every kept frame",
+        make: Make::Plot(thickness::plot),
+    },
+    Output { file: "strains.png", about: "strains over the blank at the last frame", make: Make::Plot(strains::plot) },
+    Output {
+        file: "shapes.png",
+        about: "the sheet's section at every kept frame, and the tools",
+        make: Make::Plot(shapes::plot),
+    },
 ];
 
 impl Output {
@@ -73,6 +97,7 @@ impl Output {
         match self.make {
             Make::Table(make) => csv(&make(subject)),
             Make::Text(make) => make(subject).into_bytes(),
+            Make::Plot(make) => png(&svg(&make(subject))),
         }
     }
 }
@@ -92,6 +117,26 @@ pub fn write_all(subject: &Subject, dir: &Path) -> Result<Vec<PathBuf>, WriteErr
             Ok(path)
         })
         .collect()
+}
+
+impl Subject<'_> {
+    /// Small print of every plot: what was assumed, and why an incomplete run ended.
+    fn notes(&self) -> Vec<String> {
+        let ended = (!self.run.stop.is_complete()).then(|| format!("Stopped early: {}.", self.run.stop));
+        ended.into_iter().chain(self.model.notes.iter().cloned()).collect()
+    }
+}
+
+/// The frames that plots show: all of them, or eight spread evenly up to the last.
+fn shown(frames: &[Frame]) -> impl Iterator<Item = &Frame> {
+    let most = frames.len().min(8);
+    (1..=most).map(move |i| &frames[i * frames.len() / most - 1])
+}
+
+/// How plots name a frame: its travel with as many decimals as it needs, at most two.
+fn travel(frame: &Frame) -> String {
+    let text = format!("{:.2}", frame.travel);
+    format!("{} mm", text.trim_end_matches('0').trim_end_matches('.'))
 }
 
 /// Unit of forces: of the whole ring, or per mm of depth.

@@ -1,0 +1,171 @@
+//! What a plot shows, apart from how it is drawn: panels of series with labelled axes, a title and notes.
+
+use crate::table::Axis;
+
+/// A picture: panels below each other, one legend above them, notes below.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Chart {
+    pub title: String,
+    /// What the legend's entries have in common; may be empty.
+    pub legend: &'static str,
+    pub panels: Vec<Panel>,
+    /// Small print: assumptions and sources; long lines are wrapped.
+    pub notes: Vec<String>,
+}
+
+/// One pair of axes.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Panel {
+    pub x: Axis,
+    pub y: Axis,
+    pub series: Vec<Series>,
+    pub scale: Scale,
+}
+
+/// How the axes are scaled.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Scale {
+    /// Everything fits into this height [px of a picture 800 wide]; zero is shown where it is near.
+    Fit { height: f64 },
+    /// Both axes alike and y pointing down the page; at least this window is shown, areas are cut at its border.
+    Section { x: (f64, f64), y: (f64, f64) },
+}
+
+/// One curve, set of points or filled outline.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Series {
+    /// What the legend says; a series without a label is not in it.
+    pub label: Option<String>,
+    pub points: Vec<(f64, f64)>,
+    pub look: Look,
+}
+
+/// How a series is drawn.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Look {
+    /// `dash` is a pattern of drawn and left-out lengths, solid when empty; lengths in px of a picture 800 wide.
+    Line {
+        color: Color,
+        width: f64,
+        dash: &'static [f64],
+    },
+    Circles {
+        color: Color,
+    },
+    Area {
+        fill: Color,
+        edge: Option<Color>,
+    },
+}
+
+/// Red, green, blue.
+pub type Color = (u8, u8, u8);
+
+pub const BLACK: Color = (0, 0, 0);
+pub const GREY: Color = (120, 120, 120);
+/// Tool bodies.
+pub const PALE: Color = (222, 222, 222);
+
+/// Colours that stay apart for colour-blind readers.
+///
+/// # References
+/// M. Okabe, K. Ito, Color Universal Design (2008); yellow is left out, it is lost on white.
+const PALETTE: [Color; 7] =
+    [(0, 114, 178), (213, 94, 0), (0, 158, 115), (204, 121, 167), (230, 159, 0), (86, 180, 233), BLACK];
+
+/// Patterns that keep curves apart in black and white.
+const DASHES: [&[f64]; 5] = [&[], &[9.0, 4.0], &[2.5, 3.0], &[12.0, 3.5, 2.5, 3.5], &[18.0, 5.0]];
+
+/// Colour of the `i`-th thing of a picture.
+pub fn color(i: usize) -> Color {
+    PALETTE[i % PALETTE.len()]
+}
+
+impl Look {
+    /// Line of the `i`-th curve: colour and pattern differ from those of its neighbours.
+    pub fn curve(i: usize) -> Self {
+        Self::Line { color: color(i), width: 2.4, dash: DASHES[i % DASHES.len()] }
+    }
+
+    /// The same line thin and pale, for the background.
+    pub fn faint(self) -> Self {
+        match self {
+            Self::Line { color, dash, .. } => {
+                let pale = |c: u8| 255 - (255 - c) / 3;
+                Self::Line { color: (pale(color.0), pale(color.1), pale(color.2)), width: 1.2, dash }
+            }
+            other => other,
+        }
+    }
+}
+
+impl Series {
+    /// A series in the legend.
+    pub fn new(label: impl Into<String>, points: Vec<(f64, f64)>, look: Look) -> Self {
+        Self { label: Some(label.into()), points, look }
+    }
+
+    /// A series that the legend leaves out.
+    pub fn silent(points: Vec<(f64, f64)>, look: Look) -> Self {
+        Self { label: None, points, look }
+    }
+}
+
+impl Panel {
+    /// Ranges of x and y that hold every point of the series, or the window of a section.
+    pub fn ranges(&self) -> [(f64, f64); 2] {
+        match self.scale {
+            Scale::Section { x, y } => [x, y],
+            Scale::Fit { .. } => {
+                let points = || self.series.iter().flat_map(|s| &s.points);
+                [fitted(points().map(|p| p.0), 0.02), fitted(points().map(|p| p.1), 0.05)]
+            }
+        }
+    }
+}
+
+/// Least range of the values with a margin, zero included where leaving it out would save less than half.
+fn fitted(values: impl Iterator<Item = f64>, margin: f64) -> (f64, f64) {
+    let (mut low, mut high) = values
+        .filter(|v| v.is_finite())
+        .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), v| (low.min(v), high.max(v)));
+    if low > high {
+        return (0.0, 1.0);
+    }
+    if low > 0.0 && low < 0.5 * high {
+        low = 0.0;
+    }
+    if high < 0.0 && high > 0.5 * low {
+        high = 0.0;
+    }
+    let span = if high - low > 1e-9 * high.abs().max(low.abs()) { high - low } else { high.abs().max(1e-6) };
+    let pad = if high - low < span { 0.5 * span } else { margin * span };
+    (if low == 0.0 { 0.0 } else { low - pad }, if high == 0.0 && low < 0.0 { 0.0 } else { high + pad })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn ranges_hold_all_values_and_zero_where_it_is_near() {
+        let range = |values: &[f64]| fitted(values.iter().copied(), 0.0);
+        assert_eq!(range(&[1.0, 10.0]), (0.0, 10.0));
+        assert_eq!(range(&[8.0, 10.0]), (8.0, 10.0));
+        assert_eq!(range(&[-3.0, -1.0]), (-3.0, 0.0));
+        assert_eq!(range(&[]), (0.0, 1.0));
+        for values in [[2.0, 2.0], [0.0, 0.0], [-1.0, -1.0], [f64::NAN, 4.0]] {
+            let (low, high) = range(&values);
+            assert!(low < high && values.iter().all(|v| v.is_nan() || (low..=high).contains(v)), "{values:?}");
+        }
+    }
+
+    #[test]
+    fn the_first_curves_differ_in_colour_and_pattern() {
+        for i in 0..DASHES.len() * PALETTE.len() {
+            for j in 0..i {
+                assert_ne!(Look::curve(i), Look::curve(j));
+            }
+        }
+    }
+}

@@ -1,0 +1,91 @@
+//! Outlines in the plane: polygons cut at a window, lines cut into dashes.
+
+type Points = Vec<(f64, f64)>;
+
+/// The part of a polygon inside the window; parts that are apart stay joined along the window's border.
+///
+/// # References
+/// I. E. Sutherland, G. W. Hodgman, Reentrant polygon clipping, Comm. ACM 17 (1974) 32–42.
+pub fn clipped(polygon: &[(f64, f64)], x: (f64, f64), y: (f64, f64)) -> Points {
+    type Inside = fn((f64, f64), f64) -> f64;
+    let sides: [(Inside, f64); 4] =
+        [(|p, b| p.0 - b, x.0), (|p, b| b - p.0, x.1), (|p, b| p.1 - b, y.0), (|p, b| b - p.1, y.1)];
+    let mut points = polygon.to_vec();
+    for (inside, border) in sides {
+        let mut kept = Vec::with_capacity(points.len() + 4);
+        for (i, &to) in points.iter().enumerate() {
+            let from = points[(i + points.len() - 1) % points.len()];
+            let (a, b) = (inside(from, border), inside(to, border));
+            if (a >= 0.0) != (b >= 0.0) {
+                let f = a / (a - b);
+                kept.push((from.0 + f * (to.0 - from.0), from.1 + f * (to.1 - from.1)));
+            }
+            if b >= 0.0 {
+                kept.push(to);
+            }
+        }
+        points = kept;
+    }
+    points
+}
+
+/// A line cut by a pattern of drawn and left-out lengths; an empty pattern keeps it whole.
+pub fn dashed(line: &[(f64, f64)], pattern: &[f64]) -> Vec<Points> {
+    if pattern.is_empty() || line.len() < 2 {
+        return vec![line.to_vec()];
+    }
+    let mut dashes = Vec::new();
+    let (mut part, mut left) = (0, pattern[0]);
+    let mut dash = vec![line[0]];
+    for pair in line.windows(2) {
+        let (from, to) = (pair[0], pair[1]);
+        let length = (to.0 - from.0).hypot(to.1 - from.1);
+        let mut done = 0.0;
+        while length - done > left {
+            done += left;
+            let f = done / length;
+            let at = (from.0 + f * (to.0 - from.0), from.1 + f * (to.1 - from.1));
+            if part % 2 == 0 {
+                dash.push(at);
+                dashes.push(std::mem::take(&mut dash));
+            } else {
+                dash = vec![at];
+            }
+            part = (part + 1) % pattern.len();
+            left = pattern[part];
+        }
+        left -= length - done;
+        if part % 2 == 0 {
+            dash.push(to);
+        }
+    }
+    if dash.len() > 1 {
+        dashes.push(dash);
+    }
+    dashes
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn area(polygon: &[(f64, f64)]) -> f64 {
+        let next = polygon.iter().cycle().skip(1);
+        0.5 * polygon.iter().zip(next).map(|(a, b)| a.0 * b.1 - b.0 * a.1).sum::<f64>()
+    }
+
+    #[test]
+    fn clipping_keeps_the_area_inside_the_window() {
+        let square = [(0.0, 0.0), (4.0, 0.0), (4.0, 4.0), (0.0, 4.0)];
+        assert_eq!(area(&clipped(&square, (1.0, 9.0), (-5.0, 2.0))), 6.0);
+        assert_eq!(area(&clipped(&square, (-1.0, 9.0), (-5.0, 9.0))), 16.0);
+        assert!(clipped(&square, (5.0, 9.0), (0.0, 1.0)).is_empty());
+    }
+
+    #[test]
+    fn dashes_have_the_lengths_of_the_pattern_around_corners() {
+        let dashes = dashed(&[(0.0, 0.0), (3.0, 0.0), (3.0, 7.0)], &[2.0, 2.0]);
+        assert_eq!(dashes, [vec![(0.0, 0.0), (2.0, 0.0)], vec![(3.0, 1.0), (3.0, 3.0)], vec![(3.0, 5.0), (3.0, 7.0)],]);
+        assert_eq!(dashed(&[(0.0, 0.0), (3.0, 0.0)], &[]).len(), 1);
+    }
+}

@@ -1,0 +1,84 @@
+//! The section of the sheet, true to thickness, at the kept frames, and the tools where the run ended.
+
+use super::chart::{Chart, GREY, Look, PALE, Panel, Scale, Series, color};
+use super::{Subject, profile, shown, travel};
+use crate::geometry::Point;
+use crate::model::{Role, Tool};
+use crate::record::{Frame, NodeRecord};
+
+/// Arcs are drawn with chords of this many radians.
+const CHORD: f64 = 0.03;
+/// What is shown around the sheet, over the section's width.
+const AROUND: f64 = 0.06;
+
+pub(super) fn plot(subject: &Subject) -> Chart {
+    let Subject { model, run, .. } = subject;
+    let table = profile::last(&run.frames);
+    let nodes = || run.frames.iter().flat_map(|f| &f.nodes);
+    let width = nodes().map(|n| n.r).fold(model.blank.length, f64::max);
+    let (top, bottom) = nodes().fold((0.0_f64, 0.0_f64), |(top, bottom), n| (top.min(n.z), bottom.max(n.z)));
+    let around = AROUND * width;
+
+    let last = run.frames.last();
+    let tools = model.tools.iter().enumerate().map(|(i, tool)| {
+        let displacement = last.and_then(|f| f.tool_displacement.get(i)).copied().unwrap_or(0.0);
+        Series::silent(body(tool, displacement), Look::Area { fill: PALE, edge: Some(GREY) })
+    });
+    let sheets = shown(&run.frames)
+        .enumerate()
+        .map(|(i, frame)| Series::new(travel(frame), sheet(frame), Look::Area { fill: color(i), edge: None }));
+    Chart {
+        title: format!("{}: sections", model.title),
+        legend: "Punch travel",
+        panels: vec![Panel {
+            x: table.column("r").axis(),
+            y: table.column("z").axis(),
+            series: tools.chain(sheets).collect(),
+            scale: Scale::Section { x: (0.0, width + around), y: (top - 2.0 * around, bottom + around) },
+        }],
+        notes: std::iter::once("The sheet is true to thickness. Grey: the tools at the end.".to_owned())
+            .chain(subject.notes())
+            .collect(),
+    }
+}
+
+/// The tool's profile closed through its body, which goes on away from the sheet.
+fn body(tool: &Tool, displacement: f64) -> Vec<(f64, f64)> {
+    let mut outline: Vec<(f64, f64)> = tool.profile.polyline(CHORD).iter().map(|p| (p.x, p.y + displacement)).collect();
+    let (first, last) = (outline[0], outline[outline.len() - 1]);
+    let ends = outline.iter().map(|p| p.1);
+    let far = match tool.role {
+        Role::Punch | Role::Holder => ends.fold(f64::INFINITY, f64::min) - 1e3,
+        Role::Die => ends.fold(f64::NEG_INFINITY, f64::max) + 1e3,
+    };
+    outline.extend([(last.0, far), (first.0, far)]);
+    outline
+}
+
+/// Both surfaces of the sheet: half a thickness from the mid-surface along its normal.
+fn sheet(frame: &Frame) -> Vec<(f64, f64)> {
+    let nodes = &frame.nodes;
+    let at = |n: &NodeRecord| Point::new(n.r, n.z);
+    let surface = |i: usize, side: f64| {
+        let before = at(&nodes[i.saturating_sub(1)]);
+        let after = at(&nodes[(i + 1).min(nodes.len() - 1)]);
+        let along = (after - before).try_normalize(0.0).unwrap_or(Point::new(1.0, 0.0));
+        let half = 0.5 * side * nodes[i].thickness;
+        let p = at(&nodes[i]) + half * Point::new(-along.y, along.x);
+        (p.x, p.y)
+    };
+    (0..nodes.len()).map(|i| surface(i, 1.0)).chain((0..nodes.len()).rev().map(|i| surface(i, -1.0))).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_flat_sheet_is_a_rectangle_of_its_thickness() {
+        let node = |r| NodeRecord { r, z: 3.0, theta: 0.0, thickness: 0.8 };
+        let frame =
+            Frame { travel: 0.0, elements: vec![], nodes: vec![node(0.0), node(5.0)], tool_displacement: vec![] };
+        assert_eq!(sheet(&frame), [(0.0, 3.4), (5.0, 3.4), (5.0, 2.6), (0.0, 2.6)]);
+    }
+}
