@@ -2,9 +2,14 @@
 
 mod common;
 
-use stampflow::model::Geometry;
-use stampflow::output::{Make, OUTPUTS, Summary, load_travel, profile, write_all};
+use resvg::tiny_skia::Pixmap;
+use stampflow::compare::{Comparison, Computed, Quantity, Spec, Verdict, compare};
+use stampflow::model::{Geometry, Model};
+use stampflow::output::{Make, OUTPUTS, Summary, load_travel, png, profile, svg, write_all, write_comparison};
+use stampflow::record::Run;
 use stampflow::table::Table;
+use std::fs;
+use std::path::Path;
 
 fn headers(table: &Table) -> String {
     table.columns.iter().map(|c| c.header()).collect::<Vec<_>>().join(",")
@@ -108,11 +113,69 @@ fn a_run_without_a_step_makes_every_file() {
     }
 }
 
+/// A drawn reference beside the sample run, written to `dir`.
+fn comparison(dir: &Path, model: &Model, run: &Run) -> Comparison {
+    let rows: String = (1..=9).map(|i| format!("{},{}\n", 5 * i, 9.8 * f64::from(i).powf(0.98))).collect();
+    fs::write(dir.join("cup.csv"), format!("travel_mm,punch_force_kN\n{rows}")).unwrap();
+    let source =
+        "citation = \"A. Uthor, Drawing of cups, J. Tests 1 (1990) 1\"\nkind = \"experiment\"\ngrade = \"B\"\n";
+    fs::write(dir.join("sources.toml"), format!("[\"cup.csv\"]\n{source}")).unwrap();
+    let spec = Spec {
+        reference: dir.join("cup.csv"),
+        x: "travel_mm".to_owned(),
+        y: "punch_force_kN".to_owned(),
+        quantity: Quantity::PunchForce,
+        range: None,
+        tolerance: 0.05,
+        reason: "reading error of the graph, 3 %, and friction known to one digit".to_owned(),
+        optional: false,
+    };
+    let (history, profile) = (load_travel::table(model, run), profile::last(&run.frames));
+    compare(&spec, &Computed { history: &history, profile: &profile, complete: true }).unwrap()
+}
+
+#[test]
+fn a_comparison_is_written_as_a_plot_and_its_numbers() {
+    let model = common::model(Geometry::Axisymmetric);
+    let run = common::run(&model);
+    let dir = tempfile::tempdir().unwrap();
+    let mut comparison = comparison(dir.path(), &model, &run);
+    let subject = common::subject(&model, &run);
+    let out = dir.path().join("out");
+    let written = write_comparison(&subject, 1, &comparison, &out).unwrap();
+    assert_eq!(written, [out.join("compare_1_punch_force.csv"), out.join("compare_1_punch_force.png")]);
+    assert!(
+        fs::read_to_string(&written[0]).unwrap().starts_with("travel_mm,reference_N,computed_N,difference_percent")
+    );
+    comparison.verdict = Verdict::NoData;
+    assert!(write_comparison(&subject, 2, &comparison, &out).unwrap().is_empty());
+}
+
+/// Trust: no system font is loaded by the renderer; title, ticks and legend lie in parts of the picture where
+/// nothing else is drawn, and more than text of one letter must be dark there.
+#[test]
+fn every_plot_has_a_title_and_curves_without_system_fonts() {
+    let model = common::model(Geometry::Axisymmetric);
+    let run = common::run(&model);
+    for output in OUTPUTS {
+        let Make::Plot(make) = output.make else { continue };
+        let pixels = Pixmap::decode_png(&png(&svg(&make(&common::subject(&model, &run))))).unwrap();
+        assert_eq!(pixels.width(), 1600);
+        let row = |y: usize| &pixels.pixels()[y * 1600..(y + 1) * 1600];
+        let title = (20..75).flat_map(row).filter(|p| p.red() < 100).count();
+        assert!(title > 1000, "{}: {title} dark pixels in the title", output.file);
+        let vivid = pixels.pixels().iter().filter(|p| p.blue() > 150 && p.red() < 20).count();
+        assert!(vivid > 1000, "{}: {vivid} pixels in the first curve's blue", output.file);
+    }
+}
+
 /// For looking: `cargo test --test outputs -- --ignored` writes every file to target/sample.
 #[test]
 #[ignore = "writes target/sample"]
 fn sample_for_looking() {
     let model = common::model(Geometry::Axisymmetric);
     let run = common::run(&model);
-    write_all(&common::subject(&model, &run), "target/sample".as_ref()).unwrap();
+    let dir = Path::new("target/sample");
+    write_all(&common::subject(&model, &run), dir).unwrap();
+    write_comparison(&common::subject(&model, &run), 1, &comparison(dir, &model, &run), dir).unwrap();
 }

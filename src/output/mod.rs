@@ -7,6 +7,7 @@ mod file;
 mod font;
 pub mod load_travel;
 mod outline;
+mod overlay;
 mod png;
 pub mod profile;
 mod shapes;
@@ -19,6 +20,7 @@ pub use chart::Chart;
 pub use csv::csv;
 pub use draw::svg;
 pub use file::{WriteError, write};
+pub use overlay::write_comparison;
 pub use png::png;
 pub use summary::Summary;
 

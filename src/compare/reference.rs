@@ -1,0 +1,64 @@
+//! Reference curves from CSV: `#` comments, a header row with units at the end of each key, rows of numbers.
+
+use super::{CompareError, Spec};
+use crate::table::{Column, Unit};
+use std::fs::File;
+
+/// The curve of a spec in solver units, the rows inside its range that have both values.
+pub(super) fn read(spec: &Spec, x: &Column, y: &Column) -> Result<Vec<(f64, f64)>, CompareError> {
+    let path = &spec.reference;
+    let file = File::open(path).map_err(|source| CompareError::Read { path: path.clone(), source })?;
+    let in_file = |source| CompareError::Csv { path: path.clone(), source };
+    let mut reader = csv::ReaderBuilder::new().comment(Some(b'#')).trim(csv::Trim::All).from_reader(file);
+    let headers = reader.headers().map_err(in_file)?.clone();
+    let find = |name: &str| {
+        headers.iter().position(|h| h == name).ok_or_else(|| CompareError::Column {
+            path: path.clone(),
+            column: name.to_owned(),
+            found: headers.iter().collect::<Vec<_>>().join(", "),
+        })
+    };
+    let (x_column, y_column) = (find(&spec.x)?, find(&spec.y)?);
+    let (x_factor, y_factor) = (factor(spec, &spec.x, x)?, factor(spec, &spec.y, y)?);
+    let (low, high) = spec.range.unwrap_or((f64::NEG_INFINITY, f64::INFINITY));
+
+    let mut points = Vec::new();
+    for (i, row) in reader.records().enumerate() {
+        let row = row.map_err(in_file)?;
+        let value = |column: usize| -> Result<Option<f64>, CompareError> {
+            match row.get(column).unwrap_or("") {
+                "" => Ok(None),
+                text => text.parse().map(Some).map_err(|_| CompareError::Number {
+                    path: path.clone(),
+                    row: i + 1,
+                    column: headers[column].to_owned(),
+                    text: text.to_owned(),
+                }),
+            }
+        };
+        if let (Some(x), Some(y)) = (value(x_column)?, value(y_column)?) {
+            if (low..=high).contains(&x) {
+                points.push((x * x_factor, y * y_factor));
+            }
+        }
+    }
+    if points.is_empty() {
+        return Err(CompareError::Empty { path: path.clone(), x: spec.x.clone(), y: spec.y.clone() });
+    }
+    Ok(points)
+}
+
+/// What converts a column of the file to the unit of the computed column.
+fn factor(spec: &Spec, header: &str, computed: &Column) -> Result<f64, CompareError> {
+    let path = || spec.reference.clone();
+    let (unit, factor) = Unit::of_header(header).map_err(|source| CompareError::Unit { path: path(), source })?;
+    if unit == computed.unit {
+        Ok(factor)
+    } else {
+        Err(CompareError::Dimension {
+            path: path(),
+            column: header.to_owned(),
+            with: computed.axis().text().to_owned(),
+        })
+    }
+}
