@@ -91,16 +91,16 @@ pub struct Comparison {
 /// Why a comparison cannot be made.
 #[derive(Debug, thiserror::Error)]
 pub enum CompareError {
-    #[error("cannot read {}: {source}", path.display())]
+    #[error("cannot read {}", path.display())]
     Read { path: PathBuf, source: std::io::Error },
-    #[error("{}: {source}", path.display())]
+    #[error("cannot read {} as CSV", path.display())]
     Csv { path: PathBuf, source: csv::Error },
-    #[error("{}: {source}", path.display())]
+    #[error("cannot read {}: one table per reference file with citation, kind, grade and, if known, scatter", path.display())]
     Sources { path: PathBuf, source: toml::de::Error },
     #[error("{} has no column `{column}`; it has {found}", path.display())]
     Column { path: PathBuf, column: String, found: String },
-    #[error("{}: {source}", path.display())]
-    Unit { path: PathBuf, source: UnitError },
+    #[error("{}: {error}", path.display())]
+    Unit { path: PathBuf, error: UnitError },
     #[error("{}: column `{column}` cannot be compared with the computed {with}", path.display())]
     Dimension { path: PathBuf, column: String, with: String },
     #[error("{}, data row {row}: `{text}` in column `{column}` is not a number", path.display())]
@@ -170,6 +170,12 @@ impl Comparison {
     pub fn worst(&self) -> Option<&Point> {
         let size = |p: &Point| p.difference().map_or(-1.0, f64::abs);
         self.points.iter().max_by(|a, b| size(a).total_cmp(&size(b))).filter(|p| p.computed.is_some())
+    }
+
+    /// Where a point is, in words: `punch travel = 12.5 mm`.
+    pub fn place(&self, point: &Point) -> String {
+        let x = (1e3 * point.x).round() / 1e3;
+        format!("{} = {x} {}", self.x.label.to_lowercase(), self.x.unit.symbol())
     }
 
     /// Axes of the compared quantities.

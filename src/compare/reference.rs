@@ -51,7 +51,7 @@ pub(super) fn read(spec: &Spec, x: &Column, y: &Column) -> Result<Vec<(f64, f64)
 /// What converts a column of the file to the unit of the computed column.
 fn factor(spec: &Spec, header: &str, computed: &Column) -> Result<f64, CompareError> {
     let path = || spec.reference.clone();
-    let (unit, factor) = Unit::of_header(header).map_err(|source| CompareError::Unit { path: path(), source })?;
+    let (unit, factor) = Unit::of_header(header).map_err(|error| CompareError::Unit { path: path(), error })?;
     if unit == computed.unit {
         Ok(factor)
     } else {

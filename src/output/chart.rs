@@ -66,6 +66,9 @@ pub const GREY: Color = (120, 120, 120);
 /// Tool bodies.
 pub const PALE: Color = (222, 222, 222);
 
+/// How many things of a picture have a colour of their own.
+pub const COLORS: usize = PALETTE.len();
+
 /// Colours that stay apart for colour-blind readers.
 ///
 /// # References

@@ -27,6 +27,8 @@ const NOTE: f64 = 13.5;
 const SPACING: f64 = 1.3;
 /// Width of a line sample in the legend.
 const SAMPLE: f64 = 38.0;
+/// Below every panel.
+const GAP: f64 = 10.0;
 const TICK_MARK: f64 = 6.0;
 
 type Canvas<'a> = DrawingArea<SVGBackend<'a>, Shift>;
@@ -88,8 +90,8 @@ impl<'a> Page<'a> {
             chart.notes.iter().flat_map(|note| wrapped(note, NOTE, WIDTH - 2.0 * MARGIN)).collect();
         let height = 2.0 * MARGIN
             + SPACING * (TITLE * title.len() as f64 + TICK * legend.len() as f64 + NOTE * notes.len() as f64)
-            + frames.iter().map(|f| f.height + x_labels_height()).sum::<f64>()
-            + 1.7 * MARGIN;
+            + frames.iter().map(|f| f.height + x_labels_height() + GAP).sum::<f64>()
+            + MARGIN;
         Self { title, legend, left, frames, notes, height: height.ceil() }
     }
 
@@ -113,9 +115,8 @@ impl<'a> Page<'a> {
             let height = frame.height + x_labels_height();
             let area = canvas.clone().shrink((units(MARGIN), units(y)), (units(WIDTH - 2.0 * MARGIN), units(height)));
             draw_panel(canvas, &area, panel, frame, self.left);
-            y += height;
+            y += height + GAP;
         }
-        y += 0.7 * MARGIN;
         for line in &self.notes {
             text(canvas, line, NOTE, GREY, (MARGIN, y));
             y += SPACING * NOTE;
@@ -129,7 +130,7 @@ impl Frame {
         let height = match panel.scale {
             Scale::Fit { height } => height,
             Scale::Section { .. } => {
-                let height = (width * (y.1 - y.0) / (x.1 - x.0)).clamp(240.0, 560.0);
+                let height = (width * (y.1 - y.0) / (x.1 - x.0)).clamp(290.0, 560.0);
                 // Whichever direction has room to spare shows more of its surroundings.
                 x.1 = x.1.max(x.0 + (y.1 - y.0) * width / height);
                 let more = 0.5 * ((x.1 - x.0) * height / width - (y.1 - y.0)).max(0.0);
@@ -266,7 +267,7 @@ fn y_labels_width(range: &(f64, f64), panel: &Panel) -> f64 {
 }
 
 fn tick_count(height: f64) -> usize {
-    ((height / 45.0) as usize).clamp(3, 8)
+    ((height / 45.0) as usize).clamp(4, 8)
 }
 
 /// The values that plotters will label.

@@ -129,9 +129,9 @@ impl Subject<'_> {
     }
 }
 
-/// The frames that plots show: all of them, or eight spread evenly up to the last.
+/// The frames that plots show: all of them, or as many as there are colours, spread evenly up to the last.
 fn shown(frames: &[Frame]) -> impl Iterator<Item = &Frame> {
-    let most = frames.len().min(8);
+    let most = frames.len().min(chart::COLORS);
     (1..=most).map(move |i| &frames[i * frames.len() / most - 1])
 }
 

@@ -74,7 +74,7 @@ fn notes(comparison: &Comparison) -> Vec<String> {
         format!("Tolerance {} %: {}.", 100.0 * spec.tolerance, spec.reason.trim_end_matches('.')),
     ];
     if let Some((point, difference)) = comparison.worst().and_then(|p| Some((p, p.difference()?))) {
-        notes.push(format!("Largest difference {:+.1} % at {:.4}.", 100.0 * difference, point.x));
+        notes.push(format!("Largest difference {:+.1} % at {}.", 100.0 * difference, comparison.place(point)));
     }
     let missed = points.iter().filter(|p| p.computed.is_none()).count();
     if missed > 0 {

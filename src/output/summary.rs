@@ -13,6 +13,7 @@ use std::fmt;
 #[derive(Clone, Debug, PartialEq)]
 struct Entry {
     key: &'static str,
+    /// Empty for what only a program wants to know.
     label: &'static str,
     unit: Unit,
     value: Value,
@@ -58,7 +59,7 @@ impl Summary {
         );
         summary.text("hardening", "Hardening", &model.material.hardening.describe());
         summary.text("stop", "Ended", &run.stop.to_string());
-        summary.push("complete", "Complete", Unit::None, Value::Flag(run.stop.is_complete()));
+        summary.push("complete", "", Unit::None, Value::Flag(run.stop.is_complete()));
         summary.number("travel", "Punch travel reached", Unit::Mm, last.travel);
         summary.number("peak_punch_force", "Peak punch force", force, peak.punch_force);
         summary.number("peak_travel", "  at a travel of", Unit::Mm, peak.travel);
@@ -92,8 +93,8 @@ impl Summary {
         summary.count("iterations", "Iterations", run.history.iter().map(|s| s.iterations).sum());
         summary.count("rejected", "Rejected tries", run.history.iter().map(|s| s.rejected).sum());
         summary.number("wall_time", "Wall time", Unit::Second, wall.as_secs_f64());
-        summary.text("program", "Program", concat!(env!("CARGO_PKG_NAME"), " ", env!("CARGO_PKG_VERSION")));
-        summary.text("case_sha256", "SHA-256 of the case", &sha256(case_text));
+        summary.text("program", "", concat!(env!("CARGO_PKG_NAME"), " ", env!("CARGO_PKG_VERSION")));
+        summary.text("case_sha256", "", &sha256(case_text));
         summary.list("overrides", "Set on the command line", overrides);
         summary.list("warnings", "Warnings", &run.warnings);
         summary.list("notes", "Declared assumptions", &model.notes);
@@ -148,7 +149,7 @@ impl Serialize for Summary {
 impl fmt::Display for Summary {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let width = self.entries.iter().map(|e| e.label.len()).max().unwrap_or(0);
-        for Entry { label, unit, value, .. } in &self.entries {
+        for Entry { label, unit, value, .. } in self.entries.iter().filter(|e| !e.label.is_empty()) {
             match value {
                 Value::Number(v) => writeln!(f, "{label:<width$}  {} {}", short(*v), unit.symbol())?,
                 Value::Count(v) => writeln!(f, "{label:<width$}  {v}")?,
