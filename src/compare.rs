@@ -178,6 +178,16 @@ impl Comparison {
         format!("{} = {x} {}", self.x.label.to_lowercase(), self.x.unit.symbol())
     }
 
+    /// The outcome in a sentence: `punch_force against osu.csv: in, worst +2.1 % at punch travel = 20 mm`.
+    pub fn sentence(&self) -> String {
+        let Self { spec, verdict, .. } = self;
+        let file = spec.reference.file_name().unwrap_or_default().to_string_lossy();
+        let worst = self.worst().and_then(|p| Some((p, p.difference()?))).map_or(String::new(), |(point, d)| {
+            format!(", worst {:+.1} % at {} (tolerance {} %)", 100.0 * d, self.place(point), 100.0 * spec.tolerance)
+        });
+        format!("{} against {file}: {}{worst}", spec.quantity.name(), verdict.name())
+    }
+
     /// Axes of the compared quantities.
     pub fn axes(&self) -> (Axis, Axis) {
         (self.x.axis(), self.y.axis())

@@ -1,15 +1,15 @@
 //! The history of every accepted step over the punch travel.
 
 use super::chart::{Chart, Look, Panel, Scale, Series};
-use super::{Subject, force, work};
+use super::{Subject, force_unit, work_unit};
 use crate::model::Model;
 use crate::record::{Run, StepRecord};
 use crate::table::{Axis, Column, Table, Unit};
 
 /// One row per accepted step.
 pub fn table(model: &Model, run: &Run) -> Table {
-    let force = force(model.geometry);
-    let work = work(model.geometry);
+    let force = force_unit(model.geometry);
+    let work = work_unit(model.geometry);
     let column = |key, label, unit, value: fn(&StepRecord) -> f64| {
         Column::new(key, label, unit, run.history.iter().map(value).collect())
     };

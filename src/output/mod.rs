@@ -39,6 +39,8 @@ pub struct Subject<'a> {
     pub case_text: &'a str,
     /// `key=value` settings that replaced what the case file says.
     pub overrides: &'a [String],
+    /// What was assumed or changed while the case was read.
+    pub derived: &'a [String],
     pub model: &'a Model,
     pub run: &'a Run,
     /// Time that the solution took.
@@ -142,7 +144,7 @@ fn travel(frame: &Frame) -> String {
 }
 
 /// Unit of forces: of the whole ring, or per mm of depth.
-fn force(geometry: Geometry) -> Unit {
+pub fn force_unit(geometry: Geometry) -> Unit {
     match geometry {
         Geometry::Axisymmetric => Unit::N,
         Geometry::PlaneStrain => Unit::NPerMm,
@@ -150,7 +152,7 @@ fn force(geometry: Geometry) -> Unit {
 }
 
 /// Unit of work: of the whole ring, or per mm of depth.
-fn work(geometry: Geometry) -> Unit {
+fn work_unit(geometry: Geometry) -> Unit {
     match geometry {
         Geometry::Axisymmetric => Unit::Millijoule,
         Geometry::PlaneStrain => Unit::MillijoulePerMm,

@@ -1,15 +1,21 @@
 //! SVG to PNG, antialiased, with the built-in font only.
 
 use super::font;
-use resvg::tiny_skia::{Pixmap, Transform};
+use resvg::tiny_skia::{Color, Pixmap, Transform};
 use resvg::usvg::fontdb::Source;
 use resvg::usvg::{Options, Tree};
+use std::io::Write;
 use std::sync::Arc;
 
 /// Pixels per px of the picture: 1600 pixels wide.
 const DENSITY: f32 = 2.0;
 
-/// Renders an SVG that this program drew.
+/// Rows that are in memory at a time.
+const BAND: u32 = 128;
+
+/// Renders an SVG that this program drew: opaque RGB, band by band so that little memory is needed.
+///
+/// Flat drawings compress best unfiltered and deflated (a fifth of the encoder's own settings).
 ///
 /// # Panics
 /// When the text is no SVG: a mistake of the caller.
@@ -18,22 +24,27 @@ pub fn png(svg: &str) -> Vec<u8> {
     options.fontdb_mut().load_font_source(Source::Binary(Arc::new(font::DATA)));
     let tree = Tree::from_str(svg, &options).expect("the SVG is of our own making");
     let size = tree.size();
-    let mut pixels = Pixmap::new((DENSITY * size.width()).ceil() as u32, (DENSITY * size.height()).ceil() as u32)
-        .expect("the picture has a size");
-    resvg::render(&tree, Transform::from_scale(DENSITY, DENSITY), &mut pixels.as_mut());
-    encoded(&pixels)
-}
+    let (width, height) = ((DENSITY * size.width()).ceil() as u32, (DENSITY * size.height()).ceil() as u32);
 
-/// Opaque RGB; flat drawings compress best unfiltered and deflated (a fifth of the encoder's own settings).
-fn encoded(pixels: &Pixmap) -> Vec<u8> {
     let mut bytes = Vec::new();
-    let mut encoder = png::Encoder::new(&mut bytes, pixels.width(), pixels.height());
+    let mut encoder = png::Encoder::new(&mut bytes, width, height);
     encoder.set_color(png::ColorType::Rgb);
     encoder.set_filter(png::FilterType::NoFilter);
     encoder.set_compression(png::Compression::Default);
-    let rgb: Vec<u8> = pixels.pixels().iter().flat_map(|p| [p.red(), p.green(), p.blue()]).collect();
     let never = "encoding into memory";
-    encoder.write_header().expect(never).write_image_data(&rgb).expect(never);
+    let mut writer = encoder.write_header().expect(never);
+    let mut rows = writer.stream_writer().expect(never);
+    let mut band = Pixmap::new(width, BAND.min(height)).expect("the picture has a size");
+    for top in (0..height).step_by(BAND as usize) {
+        band.fill(Color::WHITE);
+        let shifted = Transform::from_scale(DENSITY, DENSITY).post_translate(0.0, -(top as f32));
+        resvg::render(&tree, shifted, &mut band.as_mut());
+        let pixels = &band.pixels()[..(width * BAND.min(height - top)) as usize];
+        let rgb: Vec<u8> = pixels.iter().flat_map(|p| [p.red(), p.green(), p.blue()]).collect();
+        rows.write_all(&rgb).expect(never);
+    }
+    rows.finish().expect(never);
+    writer.finish().expect(never);
     bytes
 }
 

@@ -1,7 +1,7 @@
 //! What a run comes to, in some twenty lines: printed and as JSON from the same list.
 
 use super::csv::rounded;
-use super::{Subject, force, work};
+use super::{Subject, force_unit, work_unit};
 use crate::model::Geometry;
 use crate::record::StepRecord;
 use crate::table::Unit;
@@ -37,8 +37,8 @@ pub struct Summary {
 impl Summary {
     /// Sums up a run.
     pub fn of(subject: &Subject) -> Self {
-        let Subject { name, case_text, overrides, model, run, wall } = *subject;
-        let (force, work) = (force(model.geometry), work(model.geometry));
+        let Subject { name, case_text, overrides, derived, model, run, wall } = *subject;
+        let (force, work) = (force_unit(model.geometry), work_unit(model.geometry));
         let last = run.history.last().copied().unwrap_or_default();
         let peak = run.history.iter().copied().max_by(|a, b| a.punch_force.total_cmp(&b.punch_force));
         let peak = peak.unwrap_or_default();
@@ -96,6 +96,7 @@ impl Summary {
         summary.text("program", "", concat!(env!("CARGO_PKG_NAME"), " ", env!("CARGO_PKG_VERSION")));
         summary.text("case_sha256", "", &sha256(case_text));
         summary.list("overrides", "Set on the command line", overrides);
+        summary.list("derived", "Assumed while reading", derived);
         summary.list("warnings", "Warnings", &run.warnings);
         summary.list("notes", "Declared assumptions", &model.notes);
         summary

@@ -93,6 +93,7 @@ pub fn subject<'a>(model: &'a Model, run: &'a Run) -> Subject<'a> {
         name: "cup",
         case_text: "title = \"cup\"\n",
         overrides: &[],
+        derived: &[],
         model,
         run,
         wall: Duration::from_millis(312),
