@@ -1,0 +1,51 @@
+//! Ticks: how many, where, and their labels.
+
+use plotters::coord::ranged1d::{BoldPoints, Ranged};
+use plotters::coord::types::RangedCoordf64;
+
+pub(super) fn tick_count(height: f64) -> usize {
+    ((height / 45.0) as usize).clamp(4, 8)
+}
+
+/// The values that plotters will label.
+pub(super) fn ticks(range: (f64, f64), most: usize) -> Vec<f64> {
+    RangedCoordf64::from(range.0..range.1).key_points(BoldPoints(most))
+}
+
+/// A tick's label: as many decimals as the ticks beside it need, digits in groups of three from 10 000 on.
+pub(super) fn tick(value: f64, all: &[f64]) -> String {
+    let decimals = |v: &f64| {
+        let text = format!("{v:.6}");
+        let tail = text.rsplit_once('.').map_or("", |(_, tail)| tail.trim_end_matches('0'));
+        tail.len()
+    };
+    let text = format!("{:.*}", all.iter().map(decimals).max().unwrap_or(0), value + 0.0);
+    let text = if text.trim_start_matches(['-', '0', '.']).is_empty() { text.replace('-', "") } else { text };
+    let (whole, tail) = text.split_once('.').map_or((text.as_str(), ""), |(whole, tail)| (whole, tail));
+    let digits = whole.trim_start_matches('-');
+    let mut grouped = String::new();
+    for (i, digit) in digits.chars().enumerate() {
+        if i > 0 && digits.len() > 4 && (digits.len() - i) % 3 == 0 {
+            grouped.push('\u{2009}');
+        }
+        grouped.push(digit);
+    }
+    let minus = if whole.starts_with('-') { "−" } else { "" };
+    let point = if tail.is_empty() { "" } else { "." };
+    format!("{minus}{grouped}{point}{tail}")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn ticks_share_their_decimals_and_group_thousands() {
+        let all = [0.0, 0.05, 0.1];
+        assert_eq!(all.map(|v| tick(v, &all)), ["0.00", "0.05", "0.10"]);
+        assert_eq!(tick(-20_000.0, &[0.0, 10_000.0]), "−20\u{2009}000");
+        assert_eq!(tick(5000.0, &[5000.0]), "5000");
+        assert_eq!(tick(0.1 + 0.2, &[0.1 + 0.2]), "0.3");
+        assert_eq!(tick(-0.0, &[0.0]), "0");
+    }
+}
