@@ -1,1 +1,16 @@
-fn main() {}
+//! The command line: exit code and error chain, no more.
+
+mod cli;
+
+use clap::Parser;
+use std::process::ExitCode;
+
+fn main() -> ExitCode {
+    match cli::main(cli::Args::parse()) {
+        Ok(code) => code.into(),
+        Err(error) => {
+            eprint!("{}", cli::message(&error));
+            cli::Code::of(&error).into()
+        }
+    }
+}

@@ -1,0 +1,60 @@
+//! Exit codes and error messages.
+
+use stampflow::case::CaseError;
+use stampflow::compare::CompareError;
+use std::io::{self, IsTerminal};
+use std::process::ExitCode;
+
+/// Shown below the help of the whole program.
+pub const HELP: &str = "\
+Examples:
+  stampflow check cases/quickstart.toml
+  stampflow run cases/quickstart.toml
+  stampflow run cases/*.toml --out results
+  stampflow validate
+
+Exit codes:
+  0  done
+  1  any other failure; validate: a comparison is out of its tolerance
+  2  bad input, nothing was written
+  3  a run stopped before its full travel, its results are kept";
+
+/// What the program's end means to a script.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Code {
+    Done = 0,
+    Failed = 1,
+    BadInput = 2,
+    StoppedEarly = 3,
+}
+
+/// What was asked for makes no sense, whatever the files say.
+#[derive(Debug, thiserror::Error)]
+#[error("{0}")]
+pub struct BadRequest(pub String);
+
+impl Code {
+    /// The code that an error ends the program with.
+    pub fn of(error: &anyhow::Error) -> Self {
+        if error.is::<CaseError>() || error.is::<CompareError>() || error.is::<BadRequest>() {
+            Self::BadInput
+        } else {
+            Self::Failed
+        }
+    }
+}
+
+impl From<Code> for ExitCode {
+    fn from(code: Code) -> Self {
+        Self::from(code as u8)
+    }
+}
+
+/// The error with what caused it; a case's error with its line and a caret.
+pub fn message(error: &anyhow::Error) -> String {
+    if let Some(case) = error.downcast_ref::<CaseError>() {
+        let colours = io::stderr().is_terminal() && std::env::var_os("NO_COLOR").is_none_or(|v| v.is_empty());
+        return case.render(colours);
+    }
+    format!("error: {error:#}\n")
+}

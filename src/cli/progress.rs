@@ -1,0 +1,102 @@
+//! How far runs have come: bars on a terminal, a line for every tenth of the travel elsewhere, or nothing.
+
+use indicatif::{MultiProgress, ProgressBar, ProgressStyle};
+use stampflow::model::Model;
+use stampflow::record::{IterationRecord, Run, StepRecord};
+use stampflow::solver::Observer;
+use std::io::{self, IsTerminal};
+
+/// Ticks of a bar for the whole travel.
+const FULL: u64 = 1000;
+
+/// Where progress is shown; always on the error stream, so that results can be piped.
+pub enum Progress {
+    Bars(MultiProgress),
+    Lines,
+    Silent,
+}
+
+/// Watches one run.
+pub struct Watch {
+    name: String,
+    travel: f64,
+    force_unit: &'static str,
+    shown: Shown,
+    trace: Option<Vec<IterationRecord>>,
+}
+
+enum Shown {
+    Bar(ProgressBar),
+    /// Tenths of the travel that were announced.
+    Lines(u64),
+    Nothing,
+}
+
+impl Progress {
+    /// Bars where a human looks on, lines where a file does, nothing when `quiet`.
+    pub fn new(quiet: bool) -> Self {
+        match quiet {
+            true => Self::Silent,
+            false if io::stderr().is_terminal() => Self::Bars(MultiProgress::new()),
+            false => Self::Lines,
+        }
+    }
+
+    /// A watch over the run of a case; it keeps every iteration when `trace` is set.
+    pub fn watch(&self, name: &str, model: &Model, trace: bool) -> Watch {
+        let shown = match self {
+            Self::Bars(all) => {
+                let bar = ProgressBar::new(FULL).with_style(style()).with_prefix(name.to_owned());
+                Shown::Bar(all.add(bar))
+            }
+            Self::Lines => Shown::Lines(0),
+            Self::Silent => Shown::Nothing,
+        };
+        let force_unit = stampflow::output::force_unit(model.geometry).symbol();
+        Watch { name: name.to_owned(), travel: model.travel, force_unit, shown, trace: trace.then(Vec::new) }
+    }
+}
+
+impl Watch {
+    /// Takes the display down and returns the iterations that were kept.
+    pub fn finish(self, run: &Run) -> Vec<IterationRecord> {
+        if let Shown::Bar(bar) = self.shown {
+            if run.stop.is_complete() { bar.finish() } else { bar.abandon() }
+        }
+        self.trace.unwrap_or_default()
+    }
+}
+
+impl Observer for Watch {
+    fn step(&mut self, record: &StepRecord) {
+        let done = record.travel / self.travel;
+        let state = format!(
+            "travel {:.2} mm, force {:.0} {}, step {}",
+            record.travel, record.punch_force, self.force_unit, record.step
+        );
+        match &mut self.shown {
+            Shown::Bar(bar) => {
+                bar.set_message(state);
+                bar.set_position((done * FULL as f64) as u64);
+            }
+            Shown::Lines(tenths) => {
+                let now = (10.0 * done + 1e-9) as u64;
+                if now > *tenths {
+                    *tenths = now;
+                    eprintln!("{}: {} %, {state}", self.name, 10 * now);
+                }
+            }
+            Shown::Nothing => {}
+        }
+    }
+
+    fn iteration(&mut self, record: &IterationRecord) {
+        if let Some(trace) = &mut self.trace {
+            trace.push(*record);
+        }
+    }
+}
+
+fn style() -> ProgressStyle {
+    ProgressStyle::with_template("{prefix:>16} {bar:24.cyan} {percent:>3} % {msg}").expect("the template is valid")
+}

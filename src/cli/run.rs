@@ -1,0 +1,109 @@
+//! `stampflow run`: from case files to folders of results.
+
+use super::code::BadRequest;
+use super::job::{Job, Solved, solve_all};
+use super::progress::Progress;
+use super::{Code, Overrides, say};
+use stampflow::output::{OUTPUTS, Summary, csv, trace, write};
+use std::fmt::Write;
+use std::path::{Path, PathBuf};
+
+#[derive(Debug, clap::Args)]
+pub struct Args {
+    /// Case files; several run side by side
+    #[arg(required = true, value_name = "CASE.toml")]
+    cases: Vec<PathBuf>,
+    /// Folder for the results [default: out/<case>]; with several cases DIR/<case>
+    #[arg(long, value_name = "DIR")]
+    out: Option<PathBuf>,
+    #[command(flatten)]
+    overrides: Overrides,
+    /// Show no progress
+    #[arg(long, short)]
+    quiet: bool,
+    /// Also write every iteration of the solver to this file (one case only)
+    #[arg(long, value_name = "FILE.csv")]
+    trace: Option<PathBuf>,
+}
+
+/// What is written, from the list that writes it.
+pub fn help() -> String {
+    let mut help = String::from("Written, each file complete or not at all:\n");
+    for output in OUTPUTS {
+        let _ = writeln!(help, "  {:<18} {}", output.file, output.about);
+    }
+    help + "  compare_*.png, csv overlay and differences for every curve the case is compared with\n\n\
+            Examples:\n  \
+            stampflow run cases/quickstart.toml\n  \
+            stampflow run cases/quickstart.toml --set tools.punch.friction=0.1 --out out/friction-0.1\n  \
+            stampflow run cases/*.toml --out results --quiet\n\n\
+            Exit codes: 0 done, 2 bad input (nothing is written), 3 stopped early (results are kept), 1 anything else"
+}
+
+pub fn run(args: &Args) -> anyhow::Result<Code> {
+    if args.trace.is_some() && args.cases.len() > 1 {
+        return Err(BadRequest("--trace writes the iterations of one case: give one case".to_owned()).into());
+    }
+    let jobs = load(args)?;
+    let several = jobs.len() > 1;
+    let progress = Progress::new(args.quiet);
+    let reports = solve_all(
+        jobs,
+        |case| progress.watch(&case.name, &case.model, args.trace.is_some()),
+        |solved| {
+            let dir = folder(args, several, solved.name());
+            let files = solved.write(&dir)?;
+            if let Some(path) = &args.trace {
+                write(path, &csv(&trace::table(&solved.iterations)))?;
+            }
+            Ok((report(&solved, &dir, files.len()), solved.subject().run.stop.is_complete()))
+        },
+    );
+    let mut code = Code::Done;
+    let mut failure = None;
+    for report in reports {
+        match report {
+            Ok((text, complete)) => {
+                say(&if several { text + "\n" } else { text })?;
+                code = if complete { code } else { Code::StoppedEarly };
+            }
+            Err(error) => failure = failure.or(Some(error)),
+        }
+    }
+    failure.map_or(Ok(code), Err)
+}
+
+/// All cases, or the first thing that is wrong with one of them.
+fn load(args: &Args) -> anyhow::Result<Vec<Job>> {
+    let mut jobs: Vec<Job> = Vec::new();
+    for path in &args.cases {
+        let job = Job::load(path, &args.overrides.set)?;
+        if let Some(other) = jobs.iter().find(|other| other.case.name == job.case.name) {
+            return Err(BadRequest(format!(
+                "{} and {} would write into one folder: run them one by one with --out",
+                other.case.path.display(),
+                path.display()
+            ))
+            .into());
+        }
+        jobs.push(job);
+    }
+    Ok(jobs)
+}
+
+fn folder(args: &Args, several: bool, name: &str) -> PathBuf {
+    match &args.out {
+        Some(dir) if several => dir.join(name),
+        Some(dir) => dir.clone(),
+        None => Path::new("out").join(name),
+    }
+}
+
+fn report(solved: &Solved, dir: &Path, files: usize) -> String {
+    let mut text = Summary::of(&solved.subject()).to_string();
+    for comparison in &solved.comparisons {
+        let _ = writeln!(text, "{}", comparison.sentence());
+    }
+    let _ = writeln!(text, "{files} files in {}", dir.display());
+    text
+}

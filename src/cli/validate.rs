@@ -1,0 +1,120 @@
+//! `stampflow validate`: every case against its published curves.
+
+use super::code::BadRequest;
+use super::job::{Job, solve_all};
+use super::progress::Progress;
+use super::{Code, say};
+use anyhow::Context;
+use stampflow::compare::Comparison;
+use std::path::{Path, PathBuf};
+
+pub const HELP: &str = "\
+Every case of the folder that has [[compare]] tables is solved. Overlay plots and their numbers go to DIR/<case>; one
+table is printed. A curve that is optional and missing counts as \"no data\", not as a failure.
+
+Examples:
+  stampflow validate
+  stampflow validate --cases my/cases --out /tmp/validate
+
+Exit codes: 0 every comparison is in its tolerance, 1 one is not or was not reached, 2 bad input";
+
+#[derive(Debug, clap::Args)]
+pub struct Args {
+    /// Folder of case files
+    #[arg(long, value_name = "DIR", default_value = "cases")]
+    cases: PathBuf,
+    /// Folder for the overlay plots
+    #[arg(long, value_name = "DIR", default_value = "out/validate")]
+    out: PathBuf,
+    /// Show no progress
+    #[arg(long, short)]
+    quiet: bool,
+}
+
+const HEADERS: [&str; 8] = ["case", "quantity", "reference", "kind, grade", "worst", "tolerance", "verdict", "reason"];
+
+pub fn validate(args: &Args) -> anyhow::Result<Code> {
+    let mut jobs = Vec::new();
+    for path in case_files(&args.cases)? {
+        let job = Job::load(&path, &[])?;
+        if !job.case.compare.is_empty() {
+            jobs.push(job);
+        }
+    }
+    if jobs.is_empty() {
+        return Err(BadRequest(format!("no case in {} has a [[compare]] table", args.cases.display())).into());
+    }
+    let progress = Progress::new(args.quiet);
+    let outcomes = solve_all(
+        jobs,
+        |case| progress.watch(&case.name, &case.model, false),
+        |solved| {
+            solved.write_comparisons(&args.out.join(solved.name()))?;
+            let rows: Vec<_> = solved.comparisons.iter().map(|c| row(solved.name(), c)).collect();
+            Ok((rows, solved.comparisons.iter().any(|c| c.verdict.is_failure())))
+        },
+    );
+    let outcomes = outcomes.into_iter().collect::<anyhow::Result<Vec<_>>>()?;
+    let failed = outcomes.iter().any(|(_, failed)| *failed);
+    let rows: Vec<_> = outcomes.into_iter().flat_map(|(rows, _)| rows).collect();
+    say(&aligned(&rows))?;
+    Ok(if failed { Code::Failed } else { Code::Done })
+}
+
+/// The case files of a folder in alphabetical order.
+fn case_files(dir: &Path) -> anyhow::Result<Vec<PathBuf>> {
+    let entries = std::fs::read_dir(dir).map_err(|e| BadRequest(format!("cannot read {}: {e}", dir.display())))?;
+    let mut files = Vec::new();
+    for entry in entries {
+        let path = entry.with_context(|| format!("cannot read {}", dir.display()))?.path();
+        if path.extension().is_some_and(|e| e == "toml") {
+            files.push(path);
+        }
+    }
+    files.sort();
+    Ok(files)
+}
+
+fn row(case: &str, comparison: &Comparison) -> [String; 8] {
+    let Comparison { spec, source, verdict, .. } = comparison;
+    let file = spec.reference.file_name().unwrap_or_default().to_string_lossy();
+    let worst = comparison.worst().and_then(|p| p.difference());
+    [
+        case.to_owned(),
+        spec.quantity.name().to_owned(),
+        file.into_owned(),
+        source.as_ref().map_or("not stated".to_owned(), |s| format!("{}, {}", s.kind, s.grade)),
+        worst.map_or("–".to_owned(), |d| format!("{:+.1} %", 100.0 * d)),
+        format!("{} %", 100.0 * spec.tolerance),
+        verdict.name().to_owned(),
+        spec.reason.clone(),
+    ]
+}
+
+/// Columns in line, two spaces apart, under their headers.
+fn aligned(rows: &[[String; 8]]) -> String {
+    let headers = HEADERS.map(str::to_owned);
+    let all = || std::iter::once(&headers).chain(rows);
+    let widths: Vec<usize> =
+        (0..HEADERS.len()).map(|i| all().map(|r| r[i].chars().count()).max().unwrap_or(0)).collect();
+    let line = |row: &[String; 8]| {
+        let cells: Vec<String> = row.iter().zip(&widths).map(|(cell, width)| format!("{cell:<width$}")).collect();
+        cells.join("  ").trim_end().to_owned()
+    };
+    all().map(line).collect::<Vec<_>>().join("\n")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn columns_stand_in_line_whatever_their_letters() {
+        let row = ["cup", "travel", "ł.csv", "experiment, A", "–", "5 %", "no data", "scatter"].map(str::to_owned);
+        let text = aligned(&[row]);
+        let lines: Vec<&str> = text.lines().collect();
+        let at = |line: &str, word: &str| line[..line.find(word).unwrap()].chars().count();
+        assert_eq!(at(lines[0], "verdict"), at(lines[1], "no data"));
+        assert_eq!(at(lines[0], "reason"), at(lines[1], "scatter"));
+    }
+}
