@@ -103,6 +103,7 @@ fn main() {
             "facets" => m.settings.facets = Some(f() as usize),
             "newton" => m.settings.iteration = Iteration::Newton,
             "secant" => m.settings.iteration = Iteration::Secant,
+            "raw" => m.settings.round_facets = false,
             "uniform" => m.blank.grading = Grading::Uniform,
             "tol" => m.settings.tolerance = f(),
             "cut" => m.settings.cutoff_strain = f(),

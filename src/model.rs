@@ -106,6 +106,8 @@ pub struct Settings {
     pub slip_speed: f64,
     /// Chords per 90° that replace the tools' arcs; `None` keeps them exact.
     pub facets: Option<usize>,
+    /// Rounds chords off by arcs with common tangents, so that the load does not tick at their vertices.
+    pub round_facets: bool,
 }
 
 impl Default for Settings {
@@ -123,6 +125,7 @@ impl Default for Settings {
             contact_smoothing: 2e-3,
             slip_speed: 0.01,
             facets: None,
+            round_facets: true,
         }
     }
 }

@@ -7,6 +7,7 @@
 
 mod piece;
 mod profile;
+mod rounding;
 mod shapes;
 
 pub use piece::{Arc, Piece, Segment};

@@ -91,6 +91,7 @@ impl Workspace {
                 shared += usize::from(unknown);
                 ActiveTool {
                     profile: match model.settings.facets {
+                        Some(n) if model.settings.round_facets => tool.profile.faceted(n).rounded(),
                         Some(n) => tool.profile.faceted(n),
                         None => tool.profile.clone(),
                     },

@@ -1,0 +1,134 @@
+//! Chains of chords rounded off: what a drawing made of points meant.
+//!
+//! A node that slides over bare chords feels every vertex: the load ticks by the chord error over the element's own
+//! sag. Each chord is replaced by one or two arcs through its ends that share their tangents with the neighbours.
+//!
+//! # References
+//! The idea of interpolating vertex normals for tool contact: D. M. Neto, M. C. Oliveira, L. F. Menezes, J. L. Alves,
+//! Applying Nagata patches to smooth discretized surfaces used in 3D frictional contact problems, Comput. Methods Appl.
+//! Mech. Engrg. 271 (2014) 296–320; biarcs: K. M. Bolton, Computer-Aided Design 7 (1975) 89–92.
+
+use super::{Arc, Piece, Point, Profile, Segment, turned};
+use std::f64::consts::PI;
+
+/// A chain that turns by more than this at a vertex has a corner there [rad].
+const CORNER: f64 = 25.0 * PI / 180.0;
+
+/// A piece this many times longer than its neighbour is a straight wall [–].
+const WALL: f64 = 4.0;
+
+impl Profile {
+    /// The profile with its chords rounded off; arcs, corners and long straight pieces stay.
+    pub fn rounded(&self) -> Self {
+        let pieces = self.pieces();
+        let n = pieces.len();
+        // Tangent shared at the vertex before each piece, where the chain is smooth there: the mean of the pieces',
+        // but where one is much longer it is a straight wall that runs into an arc, and has the say alone.
+        let shared: Vec<Option<Point>> = (0..=n)
+            .map(|v| {
+                if v == 0 || v == n {
+                    return None;
+                }
+                let (before, after) = (&pieces[v - 1], &pieces[v]);
+                let (a, b) = (before.tangent(true), after.tangent(false));
+                let turn = a.perp(&b).atan2(a.dot(&b)).abs();
+                let (la, lb) = (before.length(), after.length());
+                let tangent = match la / lb {
+                    ratio if ratio > WALL => a,
+                    ratio if ratio < 1.0 / WALL => b,
+                    // The arc through three points has its tangent nearer to the shorter chord's.
+                    _ => (a * lb + b * la).normalize(),
+                };
+                (turn > 1e-9 && turn < CORNER).then_some(tangent)
+            })
+            .collect();
+        let mut rounded = Vec::new();
+        for (i, piece) in pieces.iter().enumerate() {
+            match piece {
+                Piece::Segment(s) => {
+                    let own = piece.tangent(false);
+                    let (start, end) = (shared[i].unwrap_or(own), shared[i + 1].unwrap_or(own));
+                    if start == own && end == own {
+                        rounded.push(*piece);
+                    } else {
+                        rounded.extend(biarc(s.from, start, s.to, end));
+                    }
+                }
+                Piece::Arc(_) => rounded.push(*piece),
+            }
+        }
+        Self::new(rounded).expect("rounding keeps the vertices")
+    }
+}
+
+/// Two arcs from `a` along `ta` to `b` along `tb` (unit tangents), joined with a common tangent; one where one does.
+fn biarc(a: Point, ta: Point, b: Point, tb: Point) -> Vec<Piece> {
+    let v = b - a;
+    let t = ta + tb;
+    // Equal tangent lengths d: 2d²(1 − ta·tb) + 2d v·t − v² = 0.
+    let (p, q, r) = (2.0 * (1.0 - ta.dot(&tb)), 2.0 * v.dot(&t), v.norm_squared());
+    let d = 2.0 * r / (q + (q * q + 4.0 * p * r).sqrt());
+    let joint = 0.5 * ((a + d * ta) + (b - d * tb));
+    match (tangent_arc(a, ta, joint), tangent_arc(b, -tb, joint)) {
+        (Some(first), Some(second)) => {
+            let second = Arc::new(second.center, second.radius, second.start + second.sweep, -second.sweep);
+            if (first.center - second.center).norm() < 1e-9 * first.radius {
+                return vec![Piece::Arc(Arc::new(first.center, first.radius, first.start, first.sweep + second.sweep))];
+            }
+            vec![Piece::Arc(first), Piece::Arc(second)]
+        }
+        // Straight to within round-off.
+        _ => vec![Piece::Segment(Segment::new(a, b))],
+    }
+}
+
+/// The arc from `a` along the unit tangent `t` to `b`; `None` when it is straight.
+fn tangent_arc(a: Point, t: Point, b: Point) -> Option<Arc> {
+    let chord = b - a;
+    let normal = turned(t);
+    let offset = normal.dot(&chord);
+    if offset.abs() < 1e-9 * chord.norm() {
+        return None;
+    }
+    let signed_radius = chord.norm_squared() / (2.0 * offset);
+    let center = a + signed_radius * normal;
+    let (from, to) = (a - center, b - center);
+    let sweep = from.perp(&to).atan2(from.dot(&to));
+    Some(Arc::new(center, signed_radius.abs(), from.y.atan2(from.x), sweep))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Trust: chords of a circle, rounded, lie on the circle again, also next to straight walls: to round-off
+    /// while the wall is longer than four chords.
+    #[test]
+    fn chords_of_an_arc_give_the_arc_back() {
+        for exact in [
+            Profile::flat_punch(50.0, 9.0, 1.0),
+            Profile::die(51.25, 7.0, 1.0),
+            Profile::hemispherical_punch(25.4, 0.9),
+        ] {
+            for n in [8, 20, 45, 90] {
+                let rounded = exact.faceted(n).rounded();
+                for i in 0..400 {
+                    let x = Point::new(30.0 + (i as f64) * 0.08, if i % 2 == 0 { -4.0 } else { 3.0 });
+                    let (a, b) = (exact.closest(x), rounded.closest(x));
+                    if a.distance.abs() < 2.0 {
+                        assert!((a.distance - b.distance).abs() < 1e-9, "{n} {x:?} {} {}", a.distance, b.distance);
+                        assert!((a.normal - b.normal).norm() < 1e-9, "{n} {x:?}");
+                    }
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn corners_and_arcs_stay() {
+        let die = Profile::die(51.25, 7.0, 1.0);
+        assert_eq!(die.rounded(), die);
+        let holder = Profile::holder(60.0, 1.0);
+        assert_eq!(holder.rounded(), holder);
+    }
+}
