@@ -10,6 +10,8 @@ use crate::state::State;
 const LARGEST_MOVE: f64 = 0.5;
 /// Largest turn of a fibre in one iteration [rad].
 const LARGEST_TURN: f64 = 0.3;
+/// The velocity norm alone can accept a wrong force; it also asks for a residual below this share of the largest force [–].
+const LOOSE_RESIDUAL: f64 = 0.01;
 /// The secant matrix converges linearly and gets this many times the iterations.
 const SECANT_PATIENCE: usize = 10;
 
@@ -43,7 +45,7 @@ pub(super) fn correct(
         outcome.residual_norm = work.residual_norm;
         let small = |norm: f64| norm <= settings.tolerance;
         outcome.converged = match settings.norm {
-            Norm::Velocity => small(outcome.velocity_norm),
+            Norm::Velocity => small(outcome.velocity_norm) && outcome.residual_norm <= LOOSE_RESIDUAL,
             Norm::Residual => small(outcome.residual_norm),
             Norm::Both => small(outcome.velocity_norm) && small(outcome.residual_norm),
         };
