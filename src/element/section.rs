@@ -98,7 +98,7 @@ impl Law<'_> {
             }
         }
         end.add_geometric(&s, &mut matrix);
-        if self.theory == Theory::Membrane {
+        if self.theory == Theory::Membrane && self.slack_tension > 0.0 {
             let tension = self.slack_tension * volume * self.hardening.at(before[0]).stress;
             if s[EPS_S] < tension {
                 let n = end.transverse();

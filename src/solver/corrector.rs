@@ -15,6 +15,11 @@ const LOOSE_RESIDUAL: f64 = 0.01;
 /// The secant matrix converges linearly and gets this many times the iterations.
 const SECANT_PATIENCE: usize = 10;
 
+/// How many times the usual iterations a matrix may take.
+pub(super) fn patience(matrix: Iteration) -> usize {
+    if matrix == Iteration::Secant { SECANT_PATIENCE } else { 1 }
+}
+
 /// How a try of a step went.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Outcome {
@@ -35,7 +40,7 @@ pub(super) fn correct(
 ) -> Outcome {
     let settings = &model.settings;
     let t = model.blank.thickness;
-    let most = settings.max_iterations * if settings.iteration == Iteration::Secant { SECANT_PATIENCE } else { 1 };
+    let most = settings.max_iterations * patience(settings.iteration);
     let mut outcome =
         Outcome { converged: false, iterations: 0, velocity_norm: f64::INFINITY, residual_norm: f64::INFINITY };
     loop {

@@ -1,5 +1,6 @@
 //! How long the next step is.
 
+use super::corrector::patience;
 use crate::model::Model;
 use crate::state::State;
 
@@ -43,9 +44,10 @@ impl<'a> StepControl<'a> {
 
     /// After an accepted step.
     pub fn accept(&mut self, dt: f64, iterations: usize) {
-        if iterations <= EASY {
+        let patience = patience(self.model.settings.iteration);
+        if iterations <= EASY * patience {
             self.wanted = (self.wanted * GROWTH).min(self.largest);
-        } else if iterations > HARD {
+        } else if iterations > HARD * patience {
             self.wanted = (dt * SHRINK).max(self.smallest);
         }
     }
