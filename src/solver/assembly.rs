@@ -66,9 +66,10 @@ pub(super) struct Workspace {
     carried: Vec<f64>,
     pub penetration: f64,
     pub active_contacts: usize,
-    /// Δε₀ of the step [–].
+    /// Δε₀ of the step [–], raised by the factor `softening` ≥ 1 while a hard step looks for a start.
     pub cutoff: f64,
-    /// Largest nodal residual over the largest nodal internal force, and the node where it sits.
+    pub softening: f64,
+    /// Largest nodal residual over the largest internal or contact force of a node, and the node where it sits.
     pub residual_norm: f64,
     pub worst_node: usize,
     starts: Vec<Start>,
@@ -132,6 +133,7 @@ impl Workspace {
             penetration: 0.0,
             active_contacts: 0,
             cutoff: 0.0,
+            softening: 1.0,
             residual_norm: 0.0,
             worst_node: 0,
             starts: Vec::with_capacity(elements),
@@ -210,7 +212,7 @@ impl Workspace {
         let settings = &model.settings;
         let matrix = settings.iteration;
         let longest = settings.max_step * model.travel / model.speed;
-        self.cutoff = settings.cutoff_strain * (dt / longest).min(1.0);
+        self.cutoff = self.softening * settings.cutoff_strain * (dt / longest).min(1.0);
         let law = Law {
             hardening: &model.material.hardening,
             matrix,
@@ -247,7 +249,7 @@ impl Workspace {
         }
         let largest_force = system.rhs.iter().map(|f| f.x.hypot(f.y)).fold(0.0, f64::max);
 
-        self.contact(model, state, dt, iteration);
+        let largest_force = largest_force.max(self.contact(model, state, dt, iteration));
 
         // Shared unknowns: a tool pressed by a force.
         for (j, tool) in self.tools.iter().enumerate() {
@@ -273,8 +275,9 @@ impl Workspace {
         true
     }
 
-    /// Contact and friction of every tool with every node it reaches.
-    fn contact(&mut self, model: &Model, state: &State, dt: f64, iteration: usize) {
+    /// Contact and friction of every tool with every node it reaches; returns the largest force of one on one.
+    fn contact(&mut self, model: &Model, state: &State, dt: f64, iteration: usize) -> f64 {
+        let mut largest: f64 = 0.0;
         self.penetration = 0.0;
         self.active_contacts = 0;
         let last = self.nodes.len() - 1;
@@ -343,11 +346,13 @@ impl Workspace {
                     }
                 }
 
+                largest = largest.max(touch.normal.hypot(touch.tangential));
                 self.tool_force[j] += touch.force.y;
                 self.penetration = self.penetration.max(-touch.gap / thickness);
                 self.active_contacts += usize::from(touch.gap < 0.0);
             }
         }
+        largest
     }
 
     /// Symmetry on the axis, the held edge, and no rotations in a membrane.

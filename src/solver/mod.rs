@@ -43,13 +43,17 @@ pub fn run_from(model: &Model, mut state: State, observer: &mut dyn Observer) ->
     while let Some(dt) = control.next(&state) {
         work.begin(model, &state);
         let step = last.step + 1;
-        let mut outcome = attempt(&mut work, model, &state, dt, step, false, observer);
-        if !outcome.converged && step > 1 {
+        let mut outcome = None;
+        for rung in LADDER.into_iter().skip(usize::from(step == 1)) {
+            let tried = attempt(&mut work, model, &state, dt, step, rung, observer);
+            outcome = Some(tried);
+            if tried.converged {
+                break;
+            }
             rejected += 1;
-            outcome = attempt(&mut work, model, &state, dt, step, true, observer);
         }
+        let outcome = outcome.expect("the ladder has rungs");
         if !outcome.converged {
-            rejected += 1;
             if control.reject(dt) {
                 continue;
             }
@@ -79,18 +83,45 @@ pub fn run_from(model: &Model, mut state: State, observer: &mut dyn Observer) ->
     (run, state)
 }
 
-/// One try of a step, from the predictor or from rest.
+/// Where the corrector starts from; what fails on one rung is tried on the next before the step is cut.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Rung {
+    /// The velocities of the last step.
+    Predictor,
+    /// No motion but the tools'.
+    Rest,
+    /// The answer with a cut-off that is [`SOFTENING`] times as large, itself started from rest.
+    Softened,
+}
+
+const LADDER: [Rung; 3] = [Rung::Predictor, Rung::Rest, Rung::Softened];
+
+/// Factor on the cut-off for a softened start.
+const SOFTENING: f64 = 30.0;
+
+/// One try of a step.
 fn attempt(
     work: &mut Workspace,
     model: &Model,
     state: &State,
     dt: f64,
     step: usize,
-    from_rest: bool,
+    rung: Rung,
     observer: &mut dyn Observer,
 ) -> Outcome {
-    work.predict(model, state, dt, from_rest);
-    correct(work, model, state, dt, step, observer)
+    work.predict(model, state, dt, rung != Rung::Predictor);
+    let mut spent = 0;
+    if rung == Rung::Softened {
+        work.softening = SOFTENING;
+        let soft = correct(work, model, state, dt, step, observer);
+        work.softening = 1.0;
+        if !soft.converged {
+            return soft;
+        }
+        spent = soft.iterations;
+    }
+    let outcome = correct(work, model, state, dt, step, observer);
+    Outcome { iterations: outcome.iterations + spent, ..outcome }
 }
 
 /// Moves the state to the end of a converged step and writes down what happened.

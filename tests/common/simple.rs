@@ -1,0 +1,70 @@
+//! Small models built in code, for tests against closed forms.
+
+use stampflow::geometry::Profile;
+use stampflow::material::hardening::{Ludwik, Swift};
+use stampflow::material::{Hardening, Material};
+use stampflow::model::{Blank, Edge, Geometry, Grading, Model, Motion, Role, Settings, Theory, Tool};
+
+/// A sheet of 1 mm with no tools, pulled outward by `travel` [mm].
+pub fn pulled(geometry: Geometry, theory: Theory, travel: f64) -> Model {
+    Model {
+        title: "pulled sheet".into(),
+        notes: vec![],
+        geometry,
+        blank: Blank {
+            length: 40.0,
+            thickness: 1.0,
+            elements: 8,
+            grading: Grading::Uniform,
+            theory,
+            layers: if theory == Theory::Membrane { 1 } else { 5 },
+            edge: Edge::Pulled { speed: 1.0 },
+        },
+        material: Material {
+            hardening: Hardening::Swift(Swift::new(520.0, 0.22, 1e-3).expect("valid")),
+            elastic: None,
+        },
+        tools: vec![],
+        travel,
+        speed: 1.0,
+        frames: vec![travel],
+        settings: Settings::default(),
+    }
+}
+
+/// A strip too strong to yield, drawn by a flat punch over a die shoulder of 10 mm with friction `mu` there:
+/// a rope over a bollard. The holder's own friction holds it back with `2 · 0.1 · holder` [N/mm].
+pub fn capstan(mu: f64, holder: f64, per_quarter: usize) -> Model {
+    let t = 1.0;
+    let shoulder = 10.0;
+    let size = std::f64::consts::FRAC_PI_2 * (shoulder + 0.5 * t) / per_quarter as f64;
+    let length = 120.0;
+    let tool = |role, profile, friction, motion| Tool { role, profile, friction, motion };
+    Model {
+        title: "capstan".into(),
+        notes: vec![],
+        geometry: Geometry::PlaneStrain,
+        blank: Blank {
+            length,
+            thickness: t,
+            elements: (length / size).round() as usize,
+            grading: Grading::Uniform,
+            theory: Theory::Membrane,
+            layers: 1,
+            edge: Edge::Free,
+        },
+        material: Material {
+            hardening: Hardening::Ludwik(Ludwik::new(150.0, 0.0, 1.0).expect("valid")),
+            elastic: None,
+        },
+        tools: vec![
+            tool(Role::Punch, Profile::flat_punch(30.0, 10.0, t), 0.3, Motion::Travel),
+            tool(Role::Die, Profile::die(31.3, shoulder, t), mu, Motion::Fixed),
+            tool(Role::Holder, Profile::holder(41.3, t), 0.2 - mu, Motion::Force(holder)),
+        ],
+        travel: 50.0,
+        speed: 1.0,
+        frames: vec![50.0],
+        settings: Settings::default(),
+    }
+}

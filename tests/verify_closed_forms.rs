@@ -1,0 +1,125 @@
+//! Verification: the program against solutions that can be written down.
+
+#[path = "common/simple.rs"]
+mod simple;
+
+use stampflow::model::{Geometry, Settings, Theory};
+use stampflow::record::Run;
+use stampflow::solver;
+
+fn solve(model: &stampflow::model::Model) -> Run {
+    let run = solver::run(model, &mut ());
+    assert!(run.stop.is_complete(), "{}", run.stop);
+    run
+}
+
+/// Trust: plane-strain tension, T = t (2/√3) σ_y(2/√3 ε). The strain is homogeneous, so neither mesh nor step
+/// enters; what is left is the cut-off, (Δε₀/Δε̄)²/2 below 1e-6, and the corrector's tolerance 1e-5.
+#[test]
+fn plane_strain_tension_is_exact() {
+    for theory in [Theory::Bending, Theory::Membrane] {
+        let model = simple::pulled(Geometry::PlaneStrain, theory, 12.0);
+        let run = solve(&model);
+        let factor = 2.0 / 3f64.sqrt();
+        for record in run.history.iter().skip(5) {
+            let strain = ((40.0 + record.travel) / 40.0f64).ln();
+            let tension = (-strain).exp() * factor * model.material.hardening.at(factor * strain).stress;
+            let error = record.edge_force / tension - 1.0;
+            assert!(error.abs() < 2e-5, "{theory:?} at {} mm: {error:e}", record.travel);
+        }
+    }
+}
+
+/// Trust: equi-biaxial stretching of a disc, F = 2πr t σ_y(2ε); homogeneous, as above.
+#[test]
+fn equi_biaxial_stretch_is_exact() {
+    for theory in [Theory::Bending, Theory::Membrane] {
+        let model = simple::pulled(Geometry::Axisymmetric, theory, 8.0);
+        let run = solve(&model);
+        for record in run.history.iter().skip(5) {
+            let radius = 40.0 + record.travel;
+            let strain = (radius / 40.0).ln();
+            let force = std::f64::consts::TAU
+                * radius
+                * (-2.0 * strain).exp()
+                * model.material.hardening.at(2.0 * strain).stress;
+            let error = record.edge_force / force - 1.0;
+            assert!(error.abs() < 2e-5, "{theory:?} at {} mm: {error:e}", record.travel);
+        }
+        let last = run.frames.last().expect("the last frame is kept");
+        for element in &last.elements {
+            assert!((element.strain_meridional - element.strain_hoop).abs() < 1e-6);
+        }
+    }
+}
+
+/// Trust: capstan, T₂ = T₁ exp(μπ/2). Nodes on the arc stand for a rope of chords: the error falls with the square
+/// of the spacing; 20 elements a quarter leave less than 0.5 %.
+#[test]
+fn capstan_converges_to_the_exponential() {
+    let holder = 300.0;
+    let error = |mu: f64, per_quarter: usize| {
+        let run = solve(&simple::capstan(mu, holder, per_quarter));
+        // The wall leans: wrap angle α from the common tangent of the two circles that the mid-surface follows,
+        // Δr sin α − Δz cos α = 2 (R + t/2). Mean over the last 10 mm: single values tick as nodes pass the lip.
+        let ratios = run.history.iter().filter(|r| r.travel > 40.0).map(|record| {
+            let (dr, dz) = (41.3 - 20.0, record.travel - 21.0);
+            let wrap = (21.0 / f64::hypot(dr, dz)).asin() + dz.atan2(dr);
+            record.punch_force / (0.2 * holder * (mu * wrap).exp() * wrap.sin())
+        });
+        let (sum, count) = ratios.fold((0.0, 0.0), |(sum, count), ratio| (sum + ratio, count + 1.0));
+        sum / count - 1.0
+    };
+    for mu in [0.05, 0.15] {
+        let errors: Vec<f64> = [5, 10, 20].iter().map(|&n| error(mu, n)).collect();
+        println!("capstan, mu {mu}: errors {errors:?} at 5, 10, 20 elements per 90 degrees");
+        assert!(errors[2].abs() < 5e-3, "{errors:?}");
+    }
+}
+
+/// Trust: moment of a fully plastic plane-strain section, M = S t²/4 with S = (2/√3) Y. The Lobatto rule integrates
+/// a jump of the stress with an error of the order 1/n².
+#[test]
+fn plastic_moment_converges_with_the_layers() {
+    use stampflow::element::kinematics::Start;
+    use stampflow::element::{lobatto, section::Law};
+    use stampflow::material::flow::{Iterate, Iteration, Response};
+    use stampflow::material::hardening::{Hardening, Ludwik};
+
+    let (yield_stress, t, length) = (200.0, 1.3, 0.8);
+    let hardening = Hardening::Ludwik(Ludwik::new(yield_stress, 0.0, 1.0).expect("valid"));
+    let start = Start::new(Geometry::PlaneStrain, Theory::Bending, [3.0, 0.0, 0.0], [3.0 + length, 0.0, 0.0]);
+    let turn = 0.02;
+    let end = start.end([3.0, 0.0, -0.5 * turn], [3.0 + length, 0.0, 0.5 * turn]).expect("sound");
+    let exact = 2.0 / 3f64.sqrt() * yield_stress * t * t / 4.0;
+    let error = |n: usize| {
+        let layers = lobatto::rule(n);
+        let law = Law {
+            hardening: &hardening,
+            matrix: Iteration::Newton,
+            theory: Theory::Bending,
+            layers: &layers,
+            cutoff: 1e-7,
+            slack_tension: 0.0,
+        };
+        let mut iterates = vec![Iterate::default(); n];
+        let mut responses = vec![Response { stress: [0.0; 3], tangent: [0.0; 6], increment: 0.0 }; n];
+        let internal = law.internal(&end, start.area() * t, t, &vec![0.0; n], &mut iterates, &mut responses);
+        (internal.force[5] / exact - 1.0).abs()
+    };
+    let errors: Vec<f64> = [5, 7, 11, 21, 51].iter().map(|&n| error(n)).collect();
+    println!("plastic moment: errors {errors:?} with 5, 7, 11, 21, 51 layers");
+    assert!(errors.windows(2).all(|w| w[1] < w[0]), "{errors:?}");
+    assert!(errors[4] < 1e-3, "{errors:?}");
+}
+
+/// Trust: with no physical length in the problem, the flow form must not feel the step (logarithmic increments).
+#[test]
+fn homogeneous_stretch_does_not_depend_on_the_step() {
+    let mut coarse = simple::pulled(Geometry::Axisymmetric, Theory::Bending, 8.0);
+    coarse.settings = Settings { max_step: 0.25, first_step: 0.25, ..Settings::default() };
+    let fine = simple::pulled(Geometry::Axisymmetric, Theory::Bending, 8.0);
+    let last = |model| solve(model).history.last().expect("steps").edge_force;
+    let (a, b) = (last(&coarse), last(&fine));
+    assert!((a / b - 1.0).abs() < 1e-5, "{a} {b}");
+}
