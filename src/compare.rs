@@ -33,7 +33,7 @@ pub struct Spec {
     pub quantity: Quantity,
     /// Part of the curve to use, in the unit of the x column.
     pub range: Option<(f64, f64)>,
-    /// Largest difference over the reference value [–].
+    /// Largest difference over the reference value \[–\].
     pub tolerance: f64,
     /// Why the tolerance is what it is.
     pub reason: String,
@@ -159,7 +159,7 @@ impl Verdict {
 }
 
 impl Point {
-    /// Computed minus reference, over the reference [–].
+    /// Computed minus reference, over the reference \[–\].
     pub fn difference(&self) -> Option<f64> {
         self.computed.map(|computed| (computed - self.reference) / self.reference.abs())
     }
@@ -209,7 +209,7 @@ impl Comparison {
 ///
 /// The computed curve is interpolated linearly at the reference's abscissae. Where it turns back (force after its
 /// peak, radius along a bulging wall), each abscissa counts where it is reached first; so travel at equal force is
-/// taken on the rise to the peak. Either end is held for half an interval.
+/// taken on the rise to the peak. Either end is held for one interval.
 ///
 /// # Errors
 /// When the reference cannot be read or does not fit the quantity; a missing file that is optional is no error.
@@ -259,13 +259,13 @@ fn rising(curve: &[(f64, f64)]) -> Vec<(f64, f64)> {
     rising
 }
 
-/// Linear between the points, held for half an interval beyond the ends, `None` farther out.
+/// Linear between the points, held for one interval beyond the ends, `None` farther out.
 fn interpolated(rising: &[(f64, f64)], x: f64) -> Option<f64> {
     let [first, .., last] = rising else { return None };
     let after = rising.partition_point(|p| p.0 < x);
     match after {
-        0 => (first.0 - x <= 0.5 * (rising[1].0 - first.0)).then_some(first.1),
-        n if n == rising.len() => (x - last.0 <= 0.5 * (last.0 - rising[n - 2].0)).then_some(last.1),
+        0 => (first.0 - x <= rising[1].0 - first.0).then_some(first.1),
+        n if n == rising.len() => (x - last.0 <= last.0 - rising[n - 2].0).then_some(last.1),
         n => {
             let (a, b) = (rising[n - 1], rising[n]);
             Some(a.1 + (b.1 - a.1) * (x - a.0) / (b.0 - a.0))

@@ -1,3 +1,42 @@
+//! # stampflow
+//!
+//! Sections of stamping dies by the **flow approach**: axisymmetric and plane-strain sheet forming with two-node
+//! Mindlin shell elements, rigid tools with frictional penalty contact, an explicit predictor and an implicit corrector.
+//!
+//! ```text
+//! case file (TOML, quantities with units)
+//!    │ case::load                 CaseFile → Model     mm, N, s; validated, immutable
+//!    │ mesh, State::flat          State                one instant: positions, velocities, layers, tools
+//!    │ solver::run                predictor → corrector → accepted step, or a shorter one
+//!    │ Observer                   sees each StepRecord and IterationRecord
+//!    │ Run { history, frames, stop, warnings }
+//!    └ Table                      CSV, plots and comparisons all read the same tables
+//! ```
+//!
+//! # Notation
+//!
+//! | symbol | meaning | unit | where |
+//! |---|---|---|---|
+//! | r, z | distance from the axis (or the symmetry plane); along the punch travel | mm | [`state::State`] |
+//! | θ, φ | rotation of the fibre; slope of the meridian, both counter-clockwise | rad | [`element::kinematics`] |
+//! | ȧ | nodal velocities, the unknowns | mm/s, rad/s | [`solver`] |
+//! | ε_s, ε_θ, κ_s, κ_θ, γ | meridional and hoop strain, their curvatures, transverse shear | –, 1/mm | [`element::kinematics`] |
+//! | ε̄, ε̄̇ | equivalent plastic strain and its rate | –, 1/s | [`material::flow`] |
+//! | σ_y, μ | yield stress; flow viscosity σ_y/(3 ε̄̇) | MPa, MPa s | [`material`] |
+//! | D(μ), A | σ = D ε̇ = μ·3A ε̇ | | [`material::flow`] |
+//! | H, r | iteration matrix, residual: δȧ = −H⁻¹ r | N/mm, N | [`solver`] |
+//! | w | carried stress of the primal-dual matrix | MPa | [`material::flow::Iterate`] |
+//! | g, p, N, T | gap, contact pressure, normal force, friction | mm, MPa, N | [`contact`] |
+//!
+//! Axisymmetric forces are totals over the whole ring; plane-strain forces are per mm of depth of the half that is
+//! modelled.
+//!
+//! # References
+//! W. Sosnowski, Flow approach — finite element model for stamping processes versus experiment, Comp. Assist. Mech.
+//! Eng. Sci. (1994); E. Oñate, O. C. Zienkiewicz, Int. J. Mech. Sci. 25 (1983) 305–335; E. Oñate, C. Agelet de
+//! Saracibar, Int. J. Num. Meth. Engng. 30 (1990) 1577–1593.
+
+pub mod case;
 pub mod compare;
 pub mod contact;
 pub mod element;
@@ -6,7 +45,15 @@ pub mod material;
 pub mod mesh;
 pub mod model;
 pub mod output;
+pub mod quantity;
 pub mod record;
 pub mod solver;
 pub mod state;
 pub mod table;
+
+pub use case::Case;
+pub use model::Model;
+pub use record::{Frame, Run, StepRecord, Stop};
+pub use solver::{Observer, run};
+pub use state::State;
+pub use table::Table;

@@ -10,14 +10,14 @@ pub const PER_QUARTER: f64 = 12.0;
 /// A coarse element is at most this many times a fine one.
 const LARGEST_RATIO: f64 = 3.0;
 
-/// A part of the blank that meets a corner, and the element size wanted there [mm].
+/// A part of the blank that meets a corner, and the element size wanted there \[mm\].
 struct Zone {
     from: f64,
     to: f64,
     size: f64,
 }
 
-/// Initial distances of the nodes from the axis [mm], rising from 0 to the blank's length.
+/// Initial distances of the nodes from the axis \[mm\], rising from 0 to the blank's length.
 pub fn nodes(model: &Model) -> Vec<f64> {
     let (length, n) = (model.blank.length, model.blank.elements);
     let uniform = |i: usize| length * i as f64 / n as f64;

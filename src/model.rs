@@ -12,7 +12,7 @@ pub enum Edge {
     Free,
     /// All velocities of the edge are zero.
     Clamped,
-    /// The edge moves outward in its plane at `speed` times the punch speed [–] and keeps its slope: for tension tests.
+    /// The edge moves outward in its plane at `speed` times the punch speed \[–\] and keeps its slope: for tension tests.
     Pulled {
         speed: f64,
     },
@@ -30,9 +30,9 @@ pub enum Grading {
 /// The sheet before forming.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Blank {
-    /// Radius, or half-length in plane strain [mm].
+    /// Radius, or half-length in plane strain \[mm\].
     pub length: f64,
-    /// Initial thickness [mm].
+    /// Initial thickness \[mm\].
     pub thickness: f64,
     /// Number of elements from the axis to the edge.
     pub elements: usize,
@@ -57,7 +57,7 @@ pub enum Motion {
     Fixed,
     /// Moves with the punch travel.
     Travel,
-    /// Pressed towards the die with this force [N, or N/mm in plane strain]; its position is an unknown.
+    /// Pressed towards the die with this force \[N, or N/mm in plane strain\]; its position is an unknown.
     Force(f64),
 }
 
@@ -66,7 +66,7 @@ pub enum Motion {
 pub struct Tool {
     pub role: Role,
     pub profile: Profile,
-    /// Coulomb's coefficient of friction [–].
+    /// Coulomb's coefficient of friction \[–\].
     pub friction: f64,
     pub motion: Motion,
 }
@@ -86,23 +86,23 @@ pub enum Norm {
 pub struct Settings {
     pub iteration: Iteration,
     pub norm: Norm,
-    /// Accepted value of the norm [–].
+    /// Accepted value of the norm \[–\].
     pub tolerance: f64,
     /// Most iterations of one step (the secant matrix gets ten times as many).
     pub max_iterations: usize,
-    /// Largest step as a fraction of the travel [–].
+    /// Largest step as a fraction of the travel \[–\].
     pub max_step: f64,
-    /// First step as a fraction of the travel [–].
+    /// First step as a fraction of the travel \[–\].
     pub first_step: f64,
-    /// Smallest step as a fraction of the travel [–]; below it the run stops.
+    /// Smallest step as a fraction of the travel \[–\]; below it the run stops.
     pub min_step: f64,
-    /// Cut-off Δε₀ of the equivalent strain of one step of `max_step` [–]; shorter steps cut off in proportion.
+    /// Cut-off Δε₀ of the equivalent strain of one step of `max_step` \[–\]; shorter steps cut off in proportion.
     pub cutoff_strain: f64,
-    /// Contact stiffness k times the sheet thickness [MPa].
+    /// Contact stiffness k times the sheet thickness \[MPa\].
     pub contact_stiffness: f64,
-    /// Length δ over which contact sets in, over the sheet thickness [–].
+    /// Length δ over which contact sets in, over the sheet thickness \[–\].
     pub contact_smoothing: f64,
-    /// Sliding speed at which friction has reached 71 % of μN, over the punch speed [–].
+    /// Sliding speed at which friction has reached 71 % of μN, over the punch speed \[–\].
     pub slip_speed: f64,
     /// Chords per 90° that replace the tools' arcs; `None` keeps them exact.
     pub facets: Option<usize>,
@@ -141,11 +141,11 @@ pub struct Model {
     pub material: Material,
     /// At most one tool of each role.
     pub tools: Vec<Tool>,
-    /// Punch travel of the whole run [mm].
+    /// Punch travel of the whole run \[mm\].
     pub travel: f64,
-    /// Punch speed [mm/s]; rate-free materials do not feel it.
+    /// Punch speed \[mm/s\]; rate-free materials do not feel it.
     pub speed: f64,
-    /// Travels at which the state is kept [mm], rising, the last one equal to `travel`.
+    /// Travels at which the state is kept \[mm\], rising, the last one equal to `travel`.
     pub frames: Vec<f64>,
     pub settings: Settings,
 }

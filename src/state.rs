@@ -10,36 +10,36 @@ use crate::record::{ElementRecord, Frame, NodeRecord};
 /// One layer point of an element.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct LayerPoint {
-    /// Equivalent plastic strain ε̄ [–].
+    /// Equivalent plastic strain ε̄ \[–\].
     pub strain: f64,
-    /// Stress at the end of the last step [MPa].
+    /// Stress at the end of the last step \[MPa\].
     pub stress: Triple,
-    /// Carried stress w of the primal-dual matrix [MPa].
+    /// Carried stress w of the primal-dual matrix \[MPa\].
     pub carried: Triple,
 }
 
 /// The sheet and its tools at one instant.
 #[derive(Clone, Debug, PartialEq)]
 pub struct State {
-    /// Time [s] and punch travel [mm].
+    /// Time \[s\] and punch travel \[mm\].
     pub time: f64,
     pub travel: f64,
-    /// Nodes from the axis outward, and their velocities [mm/s, rad/s].
+    /// Nodes from the axis outward, and their velocities \[mm/s, rad/s\].
     pub nodes: Vec<Node>,
     pub velocity: Vec<Node>,
-    /// Thickness of each element [mm], and its volume, which never changes [mm³, or mm² in plane strain].
+    /// Thickness of each element \[mm\], and its volume, which never changes \[mm³, or mm² in plane strain\].
     pub thickness: Vec<f64>,
     pub volume: Vec<f64>,
-    /// Logarithmic mid-surface strains of each element: meridional, hoop [–].
+    /// Logarithmic mid-surface strains of each element: meridional, hoop \[–\].
     pub membrane: Vec<[f64; 2]>,
     /// Layer points, element by element.
     pub layers: Vec<LayerPoint>,
-    /// Axial displacement of each tool from where it is drawn [mm], and its velocity [mm/s].
+    /// Axial displacement of each tool from where it is drawn \[mm\], and its velocity \[mm/s\].
     pub tools: Vec<f64>,
     pub tool_velocity: Vec<f64>,
-    /// Contact pressure of every tool on every node, tool by tool [MPa].
+    /// Contact pressure of every tool on every node, tool by tool \[MPa\].
     pub pressure: Vec<f64>,
-    /// Initial distances of the nodes from the axis [mm].
+    /// Initial distances of the nodes from the axis \[mm\].
     pub s0: Vec<f64>,
 }
 
@@ -75,7 +75,7 @@ impl State {
         }
     }
 
-    /// Thickness that contact sees at node `i` [mm]: the mean of its elements'.
+    /// Thickness that contact sees at node `i` \[mm\]: the mean of its elements'.
     pub fn thickness_at(&self, i: usize) -> f64 {
         let last = self.thickness.len() - 1;
         0.5 * (self.thickness[i.max(1) - 1] + self.thickness[i.min(last)])

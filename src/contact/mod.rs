@@ -18,35 +18,35 @@ use penalty::{Penalty, Smooth};
 /// A node as a tool sees it.
 #[derive(Clone, Copy, Debug)]
 pub struct Visitor {
-    /// Position in the tool's own frame: the node's less the tool's displacement [mm].
+    /// Position in the tool's own frame: the node's less the tool's displacement \[mm\].
     pub position: Point,
-    /// Displacement in the step, relative to the tool [mm].
+    /// Displacement in the step, relative to the tool \[mm\].
     pub relative: Point,
-    /// Current thickness at the node [mm].
+    /// Current thickness at the node \[mm\].
     pub thickness: f64,
-    /// Tributary area [mm², or mm per mm of depth].
+    /// Tributary area \[mm², or mm per mm of depth\].
     pub area: f64,
-    /// Pressure carried from the last iteration [MPa]; zero gives the consistent tangent.
+    /// Pressure carried from the last iteration \[MPa\]; zero gives the consistent tangent.
     pub carried: f64,
 }
 
 /// Force of a tool on a node, and its derivatives.
 #[derive(Clone, Copy, Debug)]
 pub struct Touch {
-    /// Force on the sheet [N, or N/mm].
+    /// Force on the sheet \[N, or N/mm\].
     pub force: Point,
     /// ∂F/∂x with x the node's position; ∂F/∂(tool displacement) is its negative times e_z. Not symmetric.
     pub by_position: Matrix2<f64>,
-    /// ∂F/∂t [N/mm].
+    /// ∂F/∂t \[N/mm\].
     pub by_thickness: Point,
-    /// Gap between tool and sheet face [mm]; negative when the sheet penetrates.
+    /// Gap between tool and sheet face \[mm\]; negative when the sheet penetrates.
     pub gap: f64,
-    /// Pressure [MPa] and the slope dp/dg of the matrix [N/mm³].
+    /// Pressure \[MPa\] and the slope dp/dg of the matrix \[N/mm³\].
     pub pressure: Smooth,
-    /// Normal force N ≥ 0 and friction T along the normal turned by +90° [N, or N/mm].
+    /// Normal force N ≥ 0 and friction T along the normal turned by +90° \[N, or N/mm\].
     pub normal: f64,
     pub tangential: f64,
-    /// Slip s of the step, along the same direction [mm].
+    /// Slip s of the step, along the same direction \[mm\].
     pub slip: f64,
 }
 

@@ -5,9 +5,9 @@
 /// The smooth law halves the iterations of the bare ramp, whose kink Newton's method keeps stepping over.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Penalty {
-    /// k [N/mm³].
+    /// k \[N/mm³\].
     pub stiffness: f64,
-    /// δ [mm].
+    /// δ \[mm\].
     pub smoothing: f64,
 }
 
@@ -25,7 +25,7 @@ impl Penalty {
     /// Gap, in δ, at which tools wait before the first step: p is then k δ/150.
     pub const WAITING: f64 = 5.0;
 
-    /// Pressure [MPa] and dp/dg [N/mm³] at the gap `gap` [mm]; `None` out of reach.
+    /// Pressure \[MPa\] and dp/dg \[N/mm³\] at the gap `gap` \[mm\]; `None` out of reach.
     #[inline]
     pub fn at(&self, gap: f64) -> Option<Smooth> {
         let u = -gap / self.smoothing;
@@ -41,7 +41,7 @@ impl Penalty {
         Some(Smooth { value: self.stiffness * self.smoothing * value, slope: -self.stiffness * share })
     }
 
-    /// As [`Self::at`], with the slope replaced by the chord to the point where the law gives the pressure `carried` [MPa].
+    /// As [`Self::at`], with the slope replaced by the chord to the point where the law gives the pressure `carried` \[MPa\].
     ///
     /// Newton's method creeps along the exponential foot of the law, one δ an iteration. The chord to a pressure that
     /// is carried from iteration to iteration, as the primal-dual flow law carries its stress, goes there at once; the

@@ -36,9 +36,9 @@ pub struct Start {
     dz: f64,
     turn: f64,
     mean_rotation: f64,
-    /// Length of the meridian [mm].
+    /// Length of the meridian \[mm\].
     pub length: f64,
-    /// Radius of the middle [mm].
+    /// Radius of the middle \[mm\].
     pub radius: f64,
 }
 
@@ -71,7 +71,7 @@ impl Start {
         }
     }
 
-    /// Mid-surface area [mm², or mm per mm of depth].
+    /// Mid-surface area \[mm², or mm per mm of depth\].
     pub fn area(&self) -> f64 {
         if self.hoop { std::f64::consts::TAU * self.radius * self.length } else { self.length }
     }
@@ -86,7 +86,7 @@ impl Start {
     #[inline]
     pub fn end(&self, a: Node, b: Node) -> Option<End> {
         let (dr, dz) = (b[0] - a[0], b[1] - a[1]);
-        let length = dr.hypot(dz);
+        let length = (dr * dr + dz * dz).sqrt();
         let radius = 0.5 * (a[0] + b[0]);
         // The comparison is also false for NaN.
         let sound = length > 1e-6 * self.length && (!self.hoop || radius > 1e-6 * self.radius);

@@ -32,7 +32,7 @@ impl Geometry {
     }
 }
 
-/// A node's position and fibre rotation `[r, z, θ]` [mm, mm, rad], or an increment of them.
+/// A node's position and fibre rotation `[r, z, θ]` \[mm, mm, rad\], or an increment of them.
 pub type Node = [f64; 3];
 
 /// The element's freedoms in order: r₁, z₁, θ₁, r₂, z₂, θ₂.

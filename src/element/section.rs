@@ -13,9 +13,9 @@ pub struct Law<'a> {
     pub matrix: Iteration,
     pub theory: Theory,
     pub layers: &'a [Layer],
-    /// Δε₀ of the step [–].
+    /// Δε₀ of the step \[–\].
     pub cutoff: f64,
-    /// Least tension of a membrane over its yield force [–], in the matrix only (the residual is untouched): a flat
+    /// Least tension of a membrane over its yield force \[–\], in the matrix only (the residual is untouched): a flat
     /// membrane has no transverse stiffness before its first stretch.
     pub slack_tension: f64,
 }
@@ -23,18 +23,18 @@ pub struct Law<'a> {
 /// An element's internal forces and matrix.
 #[derive(Clone, Copy, Debug)]
 pub struct Internal {
-    /// Bᵀ S [N, N mm].
+    /// Bᵀ S \[N, N mm\].
     pub force: Vector6,
     /// Bᵀ C B + geometric stiffness.
     pub matrix: Matrix6,
-    /// ∂t/∂x of the current thickness [–].
+    /// ∂t/∂x of the current thickness \[–\].
     pub thickness_row: [f64; 6],
-    /// Current thickness, by constant volume [mm].
+    /// Current thickness, by constant volume \[mm\].
     pub thickness: f64,
 }
 
 impl Law<'_> {
-    /// Forces and matrix of an element of `volume` [mm³] whose thickness was `thickness` [mm] at the start of the step.
+    /// Forces and matrix of an element of `volume` \[mm³\] whose thickness was `thickness` \[mm\] at the start of the step.
     ///
     /// `before` is ε̄ at the start of the step, `iterates` the layers' iterates (moved on), `responses` the layers'
     /// results (written).

@@ -2,7 +2,7 @@
 
 use super::{Point, turned};
 
-/// A straight piece from `from` to `to` [mm].
+/// A straight piece from `from` to `to` \[mm\].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Segment {
     pub from: Point,
@@ -11,7 +11,7 @@ pub struct Segment {
     length: f64,
 }
 
-/// A circular arc about `center` [mm]; `sweep` [rad] is positive counter-clockwise in the r-z plane.
+/// A circular arc about `center` \[mm\]; `sweep` \[rad\] is positive counter-clockwise in the r-z plane.
 ///
 /// Swept counter-clockwise the sheet (on the left) is inside the circle; clockwise, outside: a clockwise arc
 /// is a convex tool corner.
@@ -19,11 +19,12 @@ pub struct Segment {
 pub struct Arc {
     pub center: Point,
     pub radius: f64,
-    /// Angle of the first point, from +r towards +z [rad].
+    /// Angle of the first point, from +r towards +z \[rad\].
     pub start: f64,
     pub sweep: f64,
     middle: Point,
     cos_half_sweep: f64,
+    ends: [Point; 2],
 }
 
 /// One piece of a tool profile.
@@ -35,7 +36,7 @@ pub enum Piece {
 
 /// Closest point of one piece.
 pub(super) enum Foot {
-    /// Inside the piece: signed distance [mm], outward normal, curvature of the distance field [1/mm].
+    /// Inside the piece: signed distance \[mm\], outward normal, curvature of the distance field \[1/mm\].
     Interior { distance: f64, normal: Point, curvature: f64 },
     /// The first or the last point of the piece is closest.
     End { first: bool, point: Point },
@@ -62,15 +63,16 @@ impl Segment {
 }
 
 impl Arc {
-    /// Arc about `center` [mm] starting at angle `start` [rad] and turning by `sweep` [rad].
+    /// Arc about `center` \[mm\] starting at angle `start` \[rad\] and turning by `sweep` \[rad\].
     pub fn new(center: Point, radius: f64, start: f64, sweep: f64) -> Self {
-        let mid = start + 0.5 * sweep;
+        let direction = |angle: f64| Point::new(angle.cos(), angle.sin());
         Self {
             center,
             radius,
             start,
             sweep,
-            middle: Point::new(mid.cos(), mid.sin()),
+            middle: direction(start + 0.5 * sweep),
+            ends: [center + radius * direction(start), center + radius * direction(start + sweep)],
             cos_half_sweep: (0.5 * sweep).abs().min(std::f64::consts::PI).cos(),
         }
     }
@@ -93,7 +95,7 @@ impl Arc {
                 curvature: convex / distance,
             }
         } else {
-            let (a, b) = (self.at(0.0), self.at(1.0));
+            let [a, b] = self.ends;
             let first = (x - a).norm_squared() <= (x - b).norm_squared();
             Foot::End { first, point: if first { a } else { b } }
         }
@@ -101,23 +103,23 @@ impl Arc {
 }
 
 impl Piece {
-    /// First point [mm].
+    /// First point \[mm\].
     pub fn first(&self) -> Point {
         match self {
             Piece::Segment(s) => s.from,
-            Piece::Arc(a) => a.at(0.0),
+            Piece::Arc(a) => a.ends[0],
         }
     }
 
-    /// Last point [mm].
+    /// Last point \[mm\].
     pub fn last(&self) -> Point {
         match self {
             Piece::Segment(s) => s.to,
-            Piece::Arc(a) => a.at(1.0),
+            Piece::Arc(a) => a.ends[1],
         }
     }
 
-    /// Length along the piece [mm].
+    /// Length along the piece \[mm\].
     pub fn length(&self) -> f64 {
         match self {
             Piece::Segment(s) => s.length,

@@ -14,11 +14,11 @@ pub struct Profile {
 /// The closest point of a profile as seen from a point in space.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Closest {
-    /// Signed distance [mm]: positive on the sheet's side.
+    /// Signed distance \[mm\]: positive on the sheet's side.
     pub distance: f64,
     /// Gradient of the distance, a unit vector pointing from the tool to the sheet.
     pub normal: Point,
-    /// ∇²d = curvature · ττᵀ [1/mm]; positive over a convex corner.
+    /// ∇²d = curvature · ττᵀ \[1/mm\]; positive over a convex corner.
     pub curvature: f64,
     /// Index of the piece.
     pub piece: usize,
@@ -48,7 +48,7 @@ impl Profile {
         }
         for (index, piece) in pieces.iter().enumerate() {
             let first = piece.first();
-            if !(piece.length() > 1e-9) {
+            if piece.length().is_nan() || piece.length() <= 1e-9 {
                 return Err(ProfileError::NoLength { index, r: first.x, z: first.y });
             }
             if index > 0 {
@@ -78,7 +78,7 @@ impl Profile {
         &self.pieces
     }
 
-    /// Signed distance, normal and curvature at `x` [mm]; exact for segments, arcs and corners.
+    /// Signed distance, normal and curvature at `x` \[mm\]; exact for segments, arcs and corners.
     pub fn closest(&self, x: Point) -> Closest {
         let mut best = Closest { distance: f64::INFINITY, normal: Point::new(0.0, 1.0), curvature: 0.0, piece: 0 };
         for (index, piece) in self.pieces.iter().enumerate() {

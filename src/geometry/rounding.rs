@@ -11,10 +11,10 @@
 use super::{Arc, Piece, Point, Profile, Segment, turned};
 use std::f64::consts::PI;
 
-/// A chain that turns by more than this at a vertex has a corner there [rad].
+/// A chain that turns by more than this at a vertex has a corner there \[rad\].
 const CORNER: f64 = 25.0 * PI / 180.0;
 
-/// A piece this many times longer than its neighbour is a straight wall [–].
+/// A piece this many times longer than its neighbour is a straight wall \[–\].
 const WALL: f64 = 4.0;
 
 impl Profile {

@@ -20,7 +20,7 @@ fn chain(pieces: Vec<Piece>) -> Profile {
 }
 
 impl Profile {
-    /// Punch with a spherical (plane strain: cylindrical) nose of `radius` [mm] and a straight wall.
+    /// Punch with a spherical (plane strain: cylindrical) nose of `radius` \[mm\] and a straight wall.
     pub fn hemispherical_punch(radius: f64, sheet_thickness: f64) -> Self {
         let top = -0.5 * sheet_thickness;
         chain(vec![
@@ -29,7 +29,7 @@ impl Profile {
         ])
     }
 
-    /// Flat punch of `radius` (plane strain: half-width) with a corner of `nose` radius [mm].
+    /// Flat punch of `radius` (plane strain: half-width) with a corner of `nose` radius \[mm\].
     pub fn flat_punch(radius: f64, nose: f64, sheet_thickness: f64) -> Self {
         let top = -0.5 * sheet_thickness;
         let flat = radius - nose;
@@ -43,7 +43,7 @@ impl Profile {
     }
 
     /// Crowned punch: a face of large `face` radius blended by a corner of `nose` radius into a straight wall
-    /// at `radius` [mm] (plane strain: half-width).
+    /// at `radius` \[mm\] (plane strain: half-width).
     pub fn crowned_punch(radius: f64, face: f64, nose: f64, sheet_thickness: f64) -> Self {
         let top = -0.5 * sheet_thickness;
         // The corner circle touches the wall and, from inside, the face circle.
@@ -58,7 +58,7 @@ impl Profile {
         ])
     }
 
-    /// Die with a throat of `throat` radius (plane strain: half-width) and a `shoulder` radius [mm].
+    /// Die with a throat of `throat` radius (plane strain: half-width) and a `shoulder` radius \[mm\].
     pub fn die(throat: f64, shoulder: f64, sheet_thickness: f64) -> Self {
         let face = 0.5 * sheet_thickness;
         let end = throat + shoulder;
@@ -69,7 +69,7 @@ impl Profile {
         ])
     }
 
-    /// Flat blank holder from `inner` radius [mm] outward.
+    /// Flat blank holder from `inner` radius \[mm\] outward.
     pub fn holder(inner: f64, sheet_thickness: f64) -> Self {
         let face = -0.5 * sheet_thickness;
         chain(vec![

@@ -24,7 +24,7 @@ pub enum Iteration {
     Secant,
 }
 
-/// Shear correction factor of the Mindlin shell [–].
+/// Shear correction factor of the Mindlin shell \[–\].
 pub const SHEAR_FACTOR: f64 = 5.0 / 6.0;
 
 /// Strain increment or stress at a layer: meridional, hoop, transverse shear.
@@ -44,13 +44,13 @@ fn metric(e: Triple) -> Triple {
     [(4.0 * e[0] + 2.0 * e[1]) / 3.0, (2.0 * e[0] + 4.0 * e[1]) / 3.0, SHEAR_FACTOR / 3.0 * e[2]]
 }
 
-/// Equivalent strain increment √(Δεᵀ A Δε) [–].
+/// Equivalent strain increment √(Δεᵀ A Δε) \[–\].
 #[inline]
 pub fn equivalent_increment(e: Triple) -> f64 {
     dot(e, metric(e)).sqrt()
 }
 
-/// Equivalent stress √(σᵀ A⁻¹ σ) [MPa].
+/// Equivalent stress √(σᵀ A⁻¹ σ) \[MPa\].
 #[inline]
 pub fn equivalent_stress(s: Triple) -> f64 {
     (s[0] * s[0] - s[0] * s[1] + s[1] * s[1] + 3.0 / SHEAR_FACTOR * s[2] * s[2]).sqrt()
@@ -59,18 +59,18 @@ pub fn equivalent_stress(s: Triple) -> f64 {
 /// Stress, its derivative and the hardening increment that go with a strain increment.
 #[derive(Clone, Copy, Debug)]
 pub struct Response {
-    /// σ [MPa].
+    /// σ \[MPa\].
     pub stress: Triple,
-    /// C = the block of the iteration matrix H, dσ/dΔε or its replacement [MPa].
+    /// C = the block of the iteration matrix H, dσ/dΔε or its replacement \[MPa\].
     pub tangent: Symmetric,
-    /// Δε̄ [–].
+    /// Δε̄ \[–\].
     pub increment: f64,
 }
 
 /// What one layer point remembers from one iteration to the next.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Iterate {
-    /// The carried stress w of the primal-dual matrix [MPa].
+    /// The carried stress w of the primal-dual matrix \[MPa\].
     pub carried: Triple,
     strain: Triple,
     fluidity: f64,
@@ -84,7 +84,7 @@ impl Iterate {
         Self { carried, ..Self::default() }
     }
 
-    /// Strain increment of the last evaluation [–].
+    /// Strain increment of the last evaluation \[–\].
     pub fn strain(&self) -> Triple {
         self.strain
     }

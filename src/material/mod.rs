@@ -8,9 +8,9 @@ pub use hardening::{FlowStress, Hardening};
 /// Isotropic elastic constants; the flow law has no elasticity, they serve laws that start at the elastic line.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Elastic {
-    /// Young's modulus [MPa].
+    /// Young's modulus \[MPa\].
     pub young: f64,
-    /// Poisson's ratio [–].
+    /// Poisson's ratio \[–\].
     pub poisson: f64,
 }
 

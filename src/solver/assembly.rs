@@ -14,11 +14,11 @@ use crate::model::{Edge, Iteration, Model, Motion, Theory};
 use crate::state::State;
 use nalgebra::{Matrix3, Vector3};
 
-/// Least tension of a membrane in its matrix, over its yield force [–]; it fades once the velocity norm is below [`SLACK_NORM`].
+/// Least tension of a membrane in its matrix, over its yield force \[–\]; it fades once the velocity norm is below [`SLACK_NORM`].
 const SLACK_TENSION: f64 = 0.5;
 const SLACK_NORM: f64 = 0.05;
 
-/// A holder that has lost the sheet comes to rest on blocks of this height over the sheet thickness [–].
+/// A holder that has lost the sheet comes to rest on blocks of this height over the sheet thickness \[–\].
 const DISTANCE_BLOCK: f64 = 0.5;
 
 /// A tool as the solver uses it.
@@ -34,7 +34,7 @@ pub(super) struct ActiveTool {
 /// One node against one tool at the end of the step under trial; forces are zero when it is out of reach.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct Contact {
-    /// Distance of the mid-surface from the tool [mm].
+    /// Distance of the mid-surface from the tool \[mm\].
     pub distance: f64,
     pub normal: f64,
     pub tangential: f64,
@@ -56,17 +56,17 @@ pub(super) struct Workspace {
     pub thickness: Vec<f64>,
     pub membrane_increment: Vec<[f64; 2]>,
     pub system: System,
-    /// Force of each tool on the sheet along z [N, or N/mm].
+    /// Force of each tool on the sheet along z \[N, or N/mm\].
     pub tool_force: Vec<f64>,
     /// Residual of the equilibrium before boundary conditions: the reaction where a freedom is held.
     pub edge_reaction: Vector3<f64>,
     /// Every tool's contact with every node, tool by tool.
     pub contacts: Vec<Contact>,
-    /// Their pressures carried from iteration to iteration [MPa].
+    /// Their pressures carried from iteration to iteration \[MPa\].
     carried: Vec<f64>,
     pub penetration: f64,
     pub active_contacts: usize,
-    /// Δε₀ of the step [–], raised by the factor `softening` ≥ 1 while a hard step looks for a start.
+    /// Δε₀ of the step \[–\], raised by the factor `softening` ≥ 1 while a hard step looks for a start.
     pub cutoff: f64,
     pub softening: f64,
     /// Largest nodal residual over the largest internal or contact force of a node, and the node where it sits.
@@ -167,12 +167,12 @@ impl Workspace {
         }
     }
 
-    /// Pressure of every tool on every node at the end of the step [MPa].
+    /// Pressure of every tool on every node at the end of the step \[MPa\].
     pub fn pressures(&self) -> impl Iterator<Item = f64> {
         self.contacts.iter().map(|c| c.pressure.value)
     }
 
-    /// Takes a predictor: trial positions after `dt` [s] at `velocity`, prescribed motions imposed, layers rewound.
+    /// Takes a predictor: trial positions after `dt` \[s\] at `velocity`, prescribed motions imposed, layers rewound.
     pub fn predict(&mut self, model: &Model, state: &State, dt: f64, from_rest: bool) {
         self.carried.copy_from_slice(&state.pressure);
         let share = if from_rest { 0.0 } else { dt };
@@ -247,7 +247,7 @@ impl Workspace {
             self.thickness_rows[e] = internal.thickness_row;
             self.membrane_increment[e] = [end.strain[0], end.strain[1]];
         }
-        let largest_force = system.rhs.iter().map(|f| f.x.hypot(f.y)).fold(0.0, f64::max);
+        let largest_force = system.rhs.iter().map(|f| f.xy().norm()).fold(0.0, f64::max);
 
         let largest_force = largest_force.max(self.contact(model, state, dt, iteration));
 
@@ -267,7 +267,7 @@ impl Workspace {
             .system
             .rhs
             .iter()
-            .map(|f| f.x.hypot(f.y))
+            .map(|f| f.xy().norm())
             .enumerate()
             .fold((0, 0.0), |worst, now| if now.1 > worst.1 { now } else { worst });
         self.worst_node = worst;
@@ -346,7 +346,7 @@ impl Workspace {
                     }
                 }
 
-                largest = largest.max(touch.normal.hypot(touch.tangential));
+                largest = largest.max(touch.force.norm());
                 self.tool_force[j] += touch.force.y;
                 self.penetration = self.penetration.max(-touch.gap / thickness);
                 self.active_contacts += usize::from(touch.gap < 0.0);

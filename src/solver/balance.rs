@@ -24,7 +24,7 @@ impl Balance {
         Self { contacts: work.contacts.clone(), tool_force: vec![0.0; work.tool_force.len()], edge_force: 0.0 }
     }
 
-    /// Work of the converged step in `work` that starts at `state` and lasts `dt` [s]; moves on to its end.
+    /// Work of the converged step in `work` that starts at `state` and lasts `dt` \[s\]; moves on to its end.
     pub fn work_of_step(&mut self, work: &Workspace, model: &Model, state: &State, dt: f64) -> Energy {
         let mut done = Energy::default();
         for (j, &force) in work.tool_force.iter().enumerate() {

@@ -6,11 +6,11 @@ use crate::model::{Iteration, Model, Norm};
 use crate::record::IterationRecord;
 use crate::state::State;
 
-/// Largest move of a node in one iteration, over the sheet thickness [–].
+/// Largest move of a node in one iteration, over the sheet thickness \[–\].
 const LARGEST_MOVE: f64 = 0.5;
-/// Largest turn of a fibre in one iteration [rad].
+/// Largest turn of a fibre in one iteration \[rad\].
 const LARGEST_TURN: f64 = 0.3;
-/// The velocity norm alone can accept a wrong force; it also asks for a residual below this share of the largest force [–].
+/// The velocity norm alone can accept a wrong force; it also asks for a residual below this share of the largest force \[–\].
 const LOOSE_RESIDUAL: f64 = 0.01;
 /// The secant matrix converges linearly and gets this many times the iterations.
 const SECANT_PATIENCE: usize = 10;
@@ -29,7 +29,7 @@ pub(super) struct Outcome {
     pub residual_norm: f64,
 }
 
-/// Corrects the prediction in `work` to equilibrium at the end of a step of `dt` [s].
+/// Corrects the prediction in `work` to equilibrium at the end of a step of `dt` \[s\].
 pub(super) fn correct(
     work: &mut Workspace,
     model: &Model,
@@ -63,7 +63,7 @@ pub(super) fn correct(
         let shared = &work.system.corner_rhs;
         let mut cut: f64 = 1.0;
         for d in increments {
-            cut = cut.min(LARGEST_MOVE * t / d.x.hypot(d.y)).min(LARGEST_TURN / d.z.abs());
+            cut = cut.min(LARGEST_MOVE * t / d.xy().norm()).min(LARGEST_TURN / d.z.abs());
         }
         for d in shared.iter() {
             cut = cut.min(LARGEST_MOVE * t / d.abs());

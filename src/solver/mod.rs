@@ -67,7 +67,7 @@ pub fn run_from(model: &Model, mut state: State, observer: &mut dyn Observer) ->
             break;
         }
         control.accept(dt, outcome.iterations);
-        let record = accept(&work, &mut balance, model, &mut state, dt, &outcome, &last, rejected);
+        let record = StepRecord { rejected, ..accept(&work, &mut balance, model, &mut state, dt, &outcome, &last) };
         rejected = 0;
         observer.step(&record);
         run.history.push(record);
@@ -133,7 +133,6 @@ fn accept(
     dt: f64,
     outcome: &Outcome,
     last: &StepRecord,
-    rejected: usize,
 ) -> StepRecord {
     let done = balance.work_of_step(work, model, state, dt);
     for (i, response) in work.responses.iter().enumerate() {
@@ -181,7 +180,7 @@ fn accept(
         thinnest_s0: 0.5 * (state.s0[thinnest] + state.s0[thinnest + 1]),
         penetration: work.penetration,
         iterations: outcome.iterations,
-        rejected,
+        rejected: 0,
         velocity_norm: outcome.velocity_norm,
         residual_norm: outcome.residual_norm,
         power: done.scaled(1.0 / dt),
@@ -189,11 +188,11 @@ fn accept(
     }
 }
 
-/// Power balance that a user should be able to rely on [–].
+/// Power balance that a user should be able to rely on \[–\].
 const LARGEST_IMBALANCE: f64 = 0.01;
-/// Penetration that would show in the result, over the thickness [–].
+/// Penetration that would show in the result, over the thickness \[–\].
 const LARGEST_PENETRATION: f64 = 0.05;
-/// Plastic power in cut-off zones that puts stresses in doubt [–].
+/// Plastic power in cut-off zones that puts stresses in doubt \[–\].
 const LARGEST_CUT_OFF: f64 = 0.05;
 
 /// What a user should know before trusting the result.

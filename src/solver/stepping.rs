@@ -14,7 +14,7 @@ const SHRINK: f64 = 0.7;
 /// Chooses steps between the first, smallest and largest of the settings, and lands on every frame.
 pub(super) struct StepControl<'a> {
     model: &'a Model,
-    /// Wanted step [s].
+    /// Wanted step \[s\].
     wanted: f64,
     largest: f64,
     smallest: f64,
@@ -34,7 +34,7 @@ impl<'a> StepControl<'a> {
         }
     }
 
-    /// Length of the next step [s]; `None` at the end of the travel.
+    /// Length of the next step \[s\]; `None` at the end of the travel.
     pub fn next(&self, state: &State) -> Option<f64> {
         let target = self.model.frames.get(self.next_frame)?;
         let rest = (target - state.travel) / self.model.speed;

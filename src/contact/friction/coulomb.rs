@@ -12,17 +12,17 @@ use crate::contact::penalty::Smooth;
 /// based on the penalty method (1991).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Coulomb {
-    /// μ [–].
+    /// μ \[–\].
     pub coefficient: f64,
-    /// s₀ [mm].
+    /// s₀ \[mm\].
     pub slip: f64,
 }
 
 impl Coulomb {
-    /// −T/N and its derivative by the slip [1/mm] at the slip `s` [mm].
+    /// −T/N and its derivative by the slip \[1/mm\] at the slip `s` \[mm\].
     #[inline]
     pub fn at(&self, s: f64) -> Smooth {
-        let root = s.hypot(self.slip);
+        let root = (s * s + self.slip * self.slip).sqrt();
         let value = self.coefficient * s / root;
         Smooth { value, slope: self.coefficient * self.slip * self.slip / (root * root * root) }
     }

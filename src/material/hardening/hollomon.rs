@@ -16,7 +16,7 @@ pub struct Hollomon {
 }
 
 impl Hollomon {
-    /// Law with a declared offset strain ε₀ > 0. `k` [MPa].
+    /// Law with a declared offset strain ε₀ > 0. `k` \[MPa\].
     ///
     /// # Errors
     /// When a parameter is out of range.
@@ -24,7 +24,7 @@ impl Hollomon {
         Ok(Self { law: Swift::new(k, n, offset)?, from_elastic_line: false })
     }
 
-    /// Law whose offset is its intersection with the elastic line of modulus `young` [MPa].
+    /// Law whose offset is its intersection with the elastic line of modulus `young` \[MPa\].
     ///
     /// # Errors
     /// When a parameter is out of range, or the intersection lies at a strain above 0.05 (then K or E has a wrong unit).

@@ -14,7 +14,7 @@ pub struct Ludwik {
 }
 
 impl Ludwik {
-    /// `initial` yield stress σ₀ > 0 [MPa], `k` ≥ 0 [MPa], 0 < n ≤ 1.
+    /// `initial` yield stress σ₀ > 0 \[MPa\], `k` ≥ 0 \[MPa\], 0 < n ≤ 1.
     ///
     /// # Errors
     /// When a parameter is out of range.

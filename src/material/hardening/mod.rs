@@ -25,9 +25,9 @@ pub struct LawError(pub String);
 /// Yield stress and its slope at one strain.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FlowStress {
-    /// σ_y [MPa].
+    /// σ_y \[MPa\].
     pub stress: f64,
-    /// dσ_y/dε̄ [MPa].
+    /// dσ_y/dε̄ \[MPa\].
     pub slope: f64,
 }
 
@@ -43,7 +43,7 @@ pub enum Hardening {
 }
 
 impl Hardening {
-    /// σ_y and dσ_y/dε̄ at the equivalent plastic strain `strain` ≥ 0 [–].
+    /// σ_y and dσ_y/dε̄ at the equivalent plastic strain `strain` ≥ 0 \[–\].
     #[inline]
     pub fn at(&self, strain: f64) -> FlowStress {
         match self {

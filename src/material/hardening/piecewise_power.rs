@@ -7,9 +7,9 @@ use super::{FlowStress, LawError, power, require};
 pub struct Branch {
     /// The branch ends here; infinite for the last one.
     pub up_to: f64,
-    /// σ₀ [MPa].
+    /// σ₀ \[MPa\].
     pub initial: f64,
-    /// K [MPa].
+    /// K \[MPa\].
     pub k: f64,
     pub n: f64,
 }

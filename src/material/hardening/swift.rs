@@ -14,7 +14,7 @@ pub struct Swift {
 }
 
 impl Swift {
-    /// `k` [MPa], exponent `n` (0 ≤ n ≤ 1), offset strain `offset` > 0.
+    /// `k` \[MPa\], exponent `n` (0 ≤ n ≤ 1), offset strain `offset` > 0.
     ///
     /// # Errors
     /// When a parameter is out of range.

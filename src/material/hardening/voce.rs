@@ -18,7 +18,7 @@ pub struct Voce {
 }
 
 impl Voce {
-    /// `initial` σ₀ > 0 and `saturation` σ_s ≥ σ₀ [MPa], `rate` b ≥ 0 [–], `exponent` m (0 < m ≤ 1).
+    /// `initial` σ₀ > 0 and `saturation` σ_s ≥ σ₀ \[MPa\], `rate` b ≥ 0 \[–\], `exponent` m (0 < m ≤ 1).
     ///
     /// # Errors
     /// When a parameter is out of range.

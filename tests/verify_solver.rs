@@ -1,0 +1,217 @@
+//! Verification of the solver on whole runs: invariants, refinement, and agreement between its own options.
+
+use stampflow::model::{Geometry, Iteration, Model, Norm, Role, Settings};
+use stampflow::record::{Run, StepRecord};
+use stampflow::{State, case, mesh, solver};
+
+fn shipped(name: &str) -> Model {
+    let path = format!("{}/cases/{name}.toml", env!("CARGO_MANIFEST_DIR"));
+    case::load(&path, &[]).unwrap_or_else(|e| panic!("{e}")).model
+}
+
+const ALL: [&str; 7] = [
+    "quickstart",
+    "woo_hemispherical",
+    "chalmers_cup",
+    "osu_stretch",
+    "osu_stretch_friction",
+    "stretch_thin",
+    "strip_draw",
+];
+
+fn solve(model: &Model) -> Run {
+    let run = solver::run(model, &mut ());
+    assert!(run.stop.is_complete(), "{}: {}", model.title, run.stop);
+    run
+}
+
+fn peak(run: &Run) -> f64 {
+    run.history.iter().map(|r| r.punch_force).fold(0.0, f64::max)
+}
+
+fn last(run: &Run) -> &StepRecord {
+    run.history.last().expect("steps")
+}
+
+/// Largest departure of the load from a smooth curve, over its maximum: each point against the cubic through its
+/// neighbours two and four steps away on either side.
+fn largest_tick(run: &Run) -> f64 {
+    let h = &run.history;
+    let mut worst: f64 = 0.0;
+    for i in 4..h.len().saturating_sub(4) {
+        let at = [i - 4, i - 2, i + 2, i + 4];
+        // Lagrange's interpolation at the travel of i.
+        let smooth: f64 = at
+            .iter()
+            .map(|&a| {
+                let weight: f64 = at
+                    .iter()
+                    .filter(|&&b| b != a)
+                    .map(|&b| (h[i].travel - h[b].travel) / (h[a].travel - h[b].travel))
+                    .product();
+                weight * h[a].punch_force
+            })
+            .sum();
+        worst = worst.max((h[i].punch_force - smooth).abs());
+    }
+    worst / peak(run)
+}
+
+#[test]
+fn every_shipped_case_runs_smoothly_to_its_full_travel() {
+    for name in ALL {
+        let model = shipped(name);
+        let run = solve(&model);
+        let rejected: usize = run.history.iter().map(|r| r.rejected).sum();
+        let tick = largest_tick(&run);
+        println!(
+            "{name}: {} steps, {rejected} rejected, largest tick {:.2} % of the peak",
+            run.history.len(),
+            100.0 * tick
+        );
+        assert!(rejected <= 3, "{name}: {rejected} rejected steps");
+        assert!(tick < 0.01, "{name}: the load ticks by {:.2} %", 100.0 * tick);
+        // Trust: the trapezoidal rule along the path errs with the square of the step; 1 % is the promise.
+        let balance = last(&run).work.imbalance();
+        assert!(balance.abs() < 0.01, "{name}: the balance misses {balance:e}");
+        assert!(last(&run).penetration < 0.05, "{name}: penetration {}", last(&run).penetration);
+    }
+}
+
+/// Trust: the thickness follows from the volume, so only round-off of a few hundred steps can add up.
+#[test]
+fn volume_is_constant() {
+    for name in ["woo_hemispherical", "chalmers_cup", "strip_draw"] {
+        let model = shipped(name);
+        let flat = State::flat(&model, mesh::nodes(&model));
+        let before: f64 = flat.volume.iter().sum();
+        let (_, state) = solver::run_from(&model, flat, &mut ());
+        let after: f64 = (0..state.thickness.len())
+            .map(|e| {
+                let (a, b) = (state.nodes[e], state.nodes[e + 1]);
+                let length = (b[0] - a[0]).hypot(b[1] - a[1]);
+                let around = match model.geometry {
+                    Geometry::Axisymmetric => std::f64::consts::PI * (a[0] + b[0]),
+                    Geometry::PlaneStrain => 1.0,
+                };
+                around * length * state.thickness[e]
+            })
+            .sum();
+        assert!((after / before - 1.0).abs() < 1e-12, "{name}: {:e}", after / before - 1.0);
+    }
+}
+
+/// Trust: the residual is the same whatever H is, so its zero is. From one state in mid-draw, one step each, corrected
+/// until both norms are far below the 1e-6 that is compared.
+#[test]
+fn all_iteration_matrices_find_the_same_state() {
+    for name in ["woo_hemispherical", "osu_stretch_friction"] {
+        let mut model = shipped(name);
+        model.travel = 15.0;
+        model.frames = vec![15.0];
+        let (_, start) = solver::run_from(&model, State::flat(&model, mesh::nodes(&model)), &mut ());
+        let step = 0.05;
+        model.travel = 15.0 + step;
+        model.frames = vec![model.travel];
+        let after = |iteration: Iteration| {
+            let mut model = model.clone();
+            model.settings = Settings {
+                iteration,
+                tolerance: 1e-9,
+                norm: Norm::Both,
+                max_iterations: 400,
+                first_step: 0.01,
+                ..model.settings
+            };
+            let (run, state) = solver::run_from(&model, start.clone(), &mut ());
+            assert!(run.stop.is_complete() && run.history.len() == 1, "{name} {iteration:?}: {}", run.stop);
+            println!("{name} {iteration:?}: {} iterations", run.history[0].iterations);
+            (run, state)
+        };
+        let (reference, state) = after(Iteration::PrimalDual);
+        for iteration in [Iteration::Newton, Iteration::Secant] {
+            let (run, other) = after(iteration);
+            for (a, b) in state.nodes.iter().zip(&other.nodes) {
+                for d in 0..2 {
+                    assert!((a[d] - b[d]).abs() < 1e-6 * step, "{name} {iteration:?}: {} {}", a[d], b[d]);
+                }
+            }
+            let force = run.history[0].punch_force / reference.history[0].punch_force - 1.0;
+            assert!(force.abs() < 1e-6, "{name} {iteration:?}: force differs by {force:e}");
+        }
+    }
+}
+
+/// Trust: refinement. The shipped meshes and default steps are converged to what a designer can use.
+#[test]
+fn doubling_elements_or_halving_steps_changes_little() {
+    for name in ["woo_hemispherical", "chalmers_cup"] {
+        let model = shipped(name);
+        let base = solve(&model);
+        let mut finer = model.clone();
+        finer.blank.elements *= 2;
+        let mut shorter = model.clone();
+        shorter.settings.max_step *= 0.5;
+        shorter.settings.first_step *= 0.5;
+        for (what, model) in [("elements doubled", finer), ("steps halved", shorter)] {
+            let run = solve(&model);
+            let force = peak(&run) / peak(&base) - 1.0;
+            let thin = last(&run).thinnest / last(&base).thinnest - 1.0;
+            println!("{name}, {what}: peak {:+.2} %, thinnest {:+.2} %", 100.0 * force, 100.0 * thin);
+            assert!(force.abs() < 0.007, "{name}, {what}: peak moves by {force:e}");
+            assert!(thin.abs() < 0.01, "{name}, {what}: thinnest place moves by {thin:e}");
+        }
+    }
+}
+
+#[test]
+fn facets_agree_with_exact_arcs() {
+    for name in ALL {
+        let model = shipped(name);
+        let exact = peak(&solve(&model));
+        let mut faceted = model.clone();
+        faceted.settings.facets = Some(45);
+        let change = peak(&solve(&faceted)) / exact - 1.0;
+        println!("{name}: facets = 45 changes the peak load by {:+.3} %", 100.0 * change);
+        assert!(change.abs() < 0.003, "{name}: {change:e}");
+    }
+}
+
+/// Bare chords tick by their sag over an element's own; they must still run, and stay near.
+#[test]
+fn bare_facets_run_and_stay_near_exact_arcs() {
+    for name in ["woo_hemispherical", "chalmers_cup"] {
+        let model = shipped(name);
+        let exact = peak(&solve(&model));
+        let mut faceted = model.clone();
+        faceted.settings.facets = Some(45);
+        faceted.settings.round_facets = false;
+        let change = peak(&solve(&faceted)) / exact - 1.0;
+        println!("{name}: bare facets change the peak load by {:+.2} %", 100.0 * change);
+        assert!(change.abs() < 0.02, "{name}: {change:e}");
+    }
+}
+
+/// The holder's position is an unknown of its own: the force on it must be what was asked for, in every step.
+#[test]
+fn holder_force_is_held() {
+    let model = shipped("woo_hemispherical");
+    let Some(stampflow::model::Motion::Force(wanted)) = model.tool(Role::Holder).map(|t| t.motion) else {
+        panic!("Woo's case has a holder by force")
+    };
+    for record in &solve(&model).history {
+        // Trust: the corrector's residual, 1 % of the largest nodal force at worst.
+        assert!((record.holder_force / wanted - 1.0).abs() < 1e-2, "{record:?}");
+    }
+}
+
+/// A frame is kept at every travel asked for, to round-off.
+#[test]
+fn steps_land_on_the_frames() {
+    let model = shipped("quickstart");
+    let run = solve(&model);
+    assert_eq!(run.frames.len(), model.frames.len());
+    for (frame, wanted) in run.frames.iter().zip(&model.frames) {
+        assert!((frame.travel - wanted).abs() < 1e-9 * wanted);
+    }
+}
