@@ -1,3 +1,4 @@
+pub mod case;
 pub mod compare;
 pub mod geometry;
 pub mod material;

@@ -19,6 +19,7 @@ mod unit;
 
 pub use bounds::{Fraction, NonNegative, Positive};
 pub use error::QuantityError;
+pub(crate) use error::closest;
 pub use parse::{Parsed, parse};
 pub use unit::Dimension;
 

@@ -10,7 +10,7 @@ pub enum QuantityError {
     NoNumber { found: String },
     #[error("decimal comma in {found:?}\nwrite a point: \"{point}\"")]
     DecimalComma { found: String, point: String },
-    #[error("{found} needs a unit\nwrite \"{found} {}\"; {} may also be written {}", .kind.unit, .kind.name, .kind.written())]
+    #[error("{found} needs a unit\nwrite \"{}\"; {} may also be written {}", .kind.with_unit(.found), .kind.name, .kind.written())]
     MissingUnit { found: String, kind: &'static Kind },
     #[error("unknown unit `{unit}` in {found:?}\n{}", known(.closest))]
     UnknownUnit { found: String, unit: String, closest: Vec<&'static str> },
@@ -24,13 +24,21 @@ pub enum QuantityError {
     TooLarge { found: String, kind: &'static Kind },
     #[error("must be positive, found {found}\nwrite for example {}", .kind.written())]
     NotPositive { found: String, kind: &'static Kind },
-    #[error("must not be negative, found {found}\nwrite zero or for example {}", .kind.written())]
+    #[error("must not be negative, found {found}\nwrite for example {}", .kind.written())]
     Negative { found: String, kind: &'static Kind },
     #[error("must lie between 0 and 1, found {found}\nit is a fraction, such as 0.1")]
     NotFraction { found: String },
 }
 
 impl Kind {
+    /// What a bare number most likely means: the solver's unit, or a share that is to be a percentage.
+    fn with_unit(&self, found: &str) -> String {
+        match found.parse::<f64>() {
+            Ok(share) if self.unit == "%" && share < 1.0 => format!("{} %", (1e6 * share).round() / 1e4),
+            _ => format!("{found} {}", self.unit),
+        }
+    }
+
     /// The examples, quoted where the case file wants quotes.
     pub(super) fn written(&self) -> String {
         let quoted = |text: &&str| if self.unit.is_empty() { (*text).into() } else { format!("{text:?}") };

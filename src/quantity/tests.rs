@@ -26,7 +26,7 @@ fn units_convert_to_solver_units() {
     assert_eq!(value::<Force>("1e3 N"), 1000.0);
     assert_eq!(value::<LineForce>("1300 N/mm"), 1300.0);
     assert_relative_eq!(value::<LineForce>("1300 kN/m"), 1300.0);
-    assert_relative_eq!(value::<Stress>("5.4 tonf_uk/in^2"), 5.4 * 9964.016_418 / 645.16, max_relative = 1e-9);
+    assert_relative_eq!(value::<Stress>("5.4 tonf_uk/in^2"), 5.4 * 9_964.016_418 / 645.16, max_relative = 1e-9);
     assert_relative_eq!(value::<Stress>("1 tonf_uk/in²"), 15.4443, max_relative = 1e-5);
     assert_relative_eq!(value::<Stress>("30 ksi"), 206.843, max_relative = 1e-5);
     assert_relative_eq!(value::<Stress>("60 kp/cm^2"), 5.884, max_relative = 1e-4);
