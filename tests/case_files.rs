@@ -47,6 +47,8 @@ fn every_shipped_case_loads_and_names_what_it_assumes() {
     for path in cases {
         let case = load(&path, &[]);
         assert!(!case.model.notes.is_empty(), "{}: no notes", case.name);
+        let report = case::check::report(&case).to_string();
+        assert!(case.model.notes.iter().all(|note| report.contains(note)), "{report}");
         assert_eq!(case.model.frames.last(), Some(&case.model.travel), "{}", case.name);
         for spec in case.compare.iter().filter(|spec| !spec.optional) {
             assert!(spec.reference.is_file(), "{}", spec.reference.display());
@@ -62,7 +64,7 @@ fn every_reference_curve_has_its_source_and_the_columns_that_cases_ask_for() {
     for path in &curves {
         let name = path.file_stem().unwrap().to_str().unwrap();
         let source = sources.get(name).unwrap_or_else(|| panic!("{name} is not in sources.toml"));
-        for key in ["citation", "kind", "grade", "uncertainty"] {
+        for key in ["citation", "kind", "grade", "scatter"] {
             assert!(
                 source.get(key).and_then(toml::Value::as_str).is_some_and(|text| !text.is_empty()),
                 "{name}: {key}"

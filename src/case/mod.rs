@@ -23,10 +23,12 @@
 //! # Ok::<(), stampflow::case::CaseError>(())
 //! ```
 
+pub mod check;
 mod convert;
 mod error;
 mod explain;
 pub mod file;
+mod measure;
 mod overrides;
 mod schema;
 mod source;

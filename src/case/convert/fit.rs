@@ -1,28 +1,18 @@
 //! Whether blank and tools fit together.
 
+use crate::case::measure::{extent, shoulder_end};
 use crate::case::{CaseError, explain::missing, source::Source};
-use crate::model::{Edge, Model, Role, Tool};
+use crate::model::{Edge, Model, Role};
 
 /// Rounded sums of decimals may miss by this share [–].
 const ROUNDED: f64 = 1e-6;
 /// No part is deeper than this many blank radii [–].
 const DEEPEST: f64 = 3.0;
 
-/// Smallest and largest r of a tool [mm].
-fn extent(tool: &Tool) -> (f64, f64) {
-    let points = tool.profile.polyline(0.01);
-    points.iter().fold((f64::INFINITY, 0.0), |(low, high), p| (p.x.min(low), p.x.max(high)))
-}
-
-/// Largest r where a die's corners end and its flat begins [mm].
-fn shoulder_end(die: &Tool) -> f64 {
-    die.profile.corners().map(|a| a.at(0.0).x.max(a.at(1.0).x)).fold(0.0, f64::max)
-}
-
 pub(super) fn check(model: &Model, source: &Source) -> Result<(), CaseError> {
     let (t, length) = (model.blank.thickness, model.blank.length);
     let key = |tool: &str, key: &str| {
-        let drawn = model_has_profile(source, tool);
+        let drawn = source.has(&format!("tools.{tool}.profile"));
         format!("tools.{tool}.{}", if drawn { "profile" } else { key })
     };
     if model.travel > DEEPEST * length {
@@ -69,8 +59,4 @@ pub(super) fn check(model: &Model, source: &Source) -> Result<(), CaseError> {
         }
     }
     Ok(())
-}
-
-fn model_has_profile(source: &Source, tool: &str) -> bool {
-    source.has(&format!("tools.{tool}.profile"))
 }
