@@ -1,6 +1,5 @@
 //! Where the nodes start: along the flat blank from the axis outward.
 
-use crate::geometry::Piece;
 use crate::model::{Edge, Grading, Model, Role};
 use std::f64::consts::FRAC_PI_2;
 
@@ -89,22 +88,4 @@ fn zones(model: &Model) -> Vec<Zone> {
         }
     }
     zones
-}
-
-/// Mean element size on the blank under the smallest corner, with that corner's tool and radius: `(role, radius, size)`.
-pub fn at_smallest_corner(model: &Model) -> Option<(Role, f64, f64)> {
-    let nodes = nodes(model);
-    let mut smallest: Option<(Role, f64, f64)> = None;
-    for tool in &model.tools {
-        for piece in tool.profile.pieces() {
-            let Piece::Arc(arc) = piece else { continue };
-            if arc.sweep > 0.0 || smallest.is_some_and(|s| s.1 <= arc.radius) {
-                continue;
-            }
-            let middle = arc.at(0.5).x;
-            let at = nodes.partition_point(|&s| s < middle).clamp(1, nodes.len() - 1);
-            smallest = Some((tool.role, arc.radius, nodes[at] - nodes[at - 1]));
-        }
-    }
-    smallest
 }

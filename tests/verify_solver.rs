@@ -1,6 +1,6 @@
 //! Verification of the solver on whole runs: invariants, refinement, and agreement between its own options.
 
-use stampflow::model::{Geometry, Iteration, Model, Norm, Role, Settings};
+use stampflow::model::{Geometry, Iteration, Model, Role, Settings};
 use stampflow::record::{Run, StepRecord};
 use stampflow::{State, case, mesh, solver};
 
@@ -102,10 +102,10 @@ fn volume_is_constant() {
 }
 
 /// Trust: the residual is the same whatever H is, so its zero is. From one state in mid-draw, one step each, corrected
-/// until both norms are far below the 1e-6 that is compared.
+/// until the velocity norm is far below the 1e-6 that is compared; the cut-off is larger than the default, where Newton stands.
 #[test]
 fn all_iteration_matrices_find_the_same_state() {
-    for name in ["woo_hemispherical", "osu_stretch_friction"] {
+    for name in ["woo_hemispherical", "stretch_thin", "osu_stretch_friction"] {
         let mut model = shipped(name);
         model.travel = 15.0;
         model.frames = vec![15.0];
@@ -117,10 +117,10 @@ fn all_iteration_matrices_find_the_same_state() {
             let mut model = model.clone();
             model.settings = Settings {
                 iteration,
-                tolerance: 1e-9,
-                norm: Norm::Both,
+                tolerance: 1e-10,
                 max_iterations: 400,
                 first_step: 0.01,
+                cutoff_strain: 2e-4,
                 ..model.settings
             };
             let (run, state) = solver::run_from(&model, start.clone(), &mut ());
@@ -145,7 +145,7 @@ fn all_iteration_matrices_find_the_same_state() {
 /// Trust: refinement. The shipped meshes and default steps are converged to what a designer can use.
 #[test]
 fn doubling_elements_or_halving_steps_changes_little() {
-    for name in ["woo_hemispherical", "chalmers_cup"] {
+    for name in ["woo_hemispherical", "stretch_thin", "osu_stretch_friction"] {
         let model = shipped(name);
         let base = solve(&model);
         let mut finer = model.clone();
@@ -180,7 +180,7 @@ fn facets_agree_with_exact_arcs() {
 /// Bare chords tick by their sag over an element's own; they must still run, and stay near.
 #[test]
 fn bare_facets_run_and_stay_near_exact_arcs() {
-    for name in ["woo_hemispherical", "chalmers_cup"] {
+    for name in ["woo_hemispherical", "stretch_thin", "osu_stretch_friction"] {
         let model = shipped(name);
         let exact = peak(&solve(&model));
         let mut faceted = model.clone();

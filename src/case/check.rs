@@ -1,0 +1,153 @@
+//! What can be said of a case before it is solved: its numbers in solver units, rules of thumb, and warnings.
+
+mod estimate;
+mod warn;
+
+use super::Case;
+use super::measure::extent;
+use crate::model::{Geometry, Model, Motion, Role, Theory};
+use std::fmt;
+
+/// One line of the report.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Line {
+    pub label: String,
+    /// The number or word itself.
+    pub value: String,
+    /// Unit, and what it means or where it comes from.
+    pub meaning: String,
+}
+
+/// A case looked over before it is solved.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Check {
+    pub title: String,
+    pub lines: Vec<Line>,
+    /// What should be known before the result is trusted; the case can be solved all the same.
+    pub warnings: Vec<String>,
+    /// Declared assumptions, and what was assumed while reading.
+    pub notes: Vec<String>,
+}
+
+/// Looks a case over without solving it.
+pub fn report(case: &Case) -> Check {
+    let model = &case.model;
+    let mut lines = Vec::new();
+    blank(model, &mut lines);
+    lines.push(line("material", model.material.hardening.describe(), ""));
+    let strength = estimate::tensile_strength(&model.material.hardening);
+    lines.push(line("tensile strength", format!("{strength:.0}"), "MPa, from the law at Considère's load maximum"));
+    tools(model, &mut lines);
+    holder(model, strength, &mut lines);
+    mesh(model, &mut lines);
+    let compare = case.compare.iter().map(|spec| {
+        let there = if spec.reference.is_file() { "" } else { " (not there: drop the CSV in to see the overlay)" };
+        line("compare", spec.reference.display().to_string(), format!("within {:.1} %{there}", 100.0 * spec.tolerance))
+    });
+    lines.extend(compare);
+    let notes = model.notes.iter().chain(&case.derived).cloned().collect();
+    Check { title: model.title.clone(), lines, warnings: warn::all(model), notes }
+}
+
+fn line(label: impl Into<String>, value: impl Into<String>, meaning: impl Into<String>) -> Line {
+    Line { label: label.into(), value: value.into(), meaning: meaning.into() }
+}
+
+/// A length without digits that mean nothing.
+fn mm(length: f64) -> String {
+    let text = format!("{length:.3}");
+    text.trim_end_matches('0').trim_end_matches('.').to_owned()
+}
+
+fn blank(model: &Model, lines: &mut Vec<Line>) {
+    let blank = &model.blank;
+    let (geometry, size) = match model.geometry {
+        Geometry::Axisymmetric => ("axisymmetric", "mm radius"),
+        Geometry::PlaneStrain => ("plane strain, one half per mm of depth", "mm half length"),
+    };
+    lines.push(line("geometry", geometry, ""));
+    lines.push(line("blank", mm(blank.length), size));
+    lines.push(line("thickness", mm(blank.thickness), "mm"));
+    let (volume, unit) = match model.geometry {
+        Geometry::Axisymmetric => (estimate::area(model, blank.length) * blank.thickness, "mm³"),
+        Geometry::PlaneStrain => (blank.length * blank.thickness, "mm³ per mm of depth"),
+    };
+    lines.push(line("volume", format!("{volume:.0}"), unit));
+    let theory = match blank.theory {
+        Theory::Bending => format!("bending, {} points through the thickness", blank.layers),
+        Theory::Membrane => "membrane".into(),
+    };
+    lines.push(line("theory", theory, ""));
+}
+
+fn tools(model: &Model, lines: &mut Vec<Line>) {
+    for tool in &model.tools {
+        let (low, high) = extent(tool);
+        let size = match tool.role {
+            Role::Punch => mm(high),
+            Role::Die | Role::Holder => mm(low),
+        };
+        let corners: Vec<String> = tool.profile.corners().map(|arc| format!("R {}", mm(arc.radius))).collect();
+        let corners = if corners.is_empty() { String::new() } else { format!(", {}", corners.join(", ")) };
+        let what = match tool.role {
+            Role::Punch => "mm to the wall",
+            Role::Die => "mm throat",
+            Role::Holder => "mm inner edge",
+        };
+        lines.push(line(tool.role.name(), size, format!("{what}{corners}, friction {}", tool.friction)));
+    }
+    lines.push(line("travel", mm(model.travel), format!("mm at {} mm/s", model.speed)));
+    if let Some(clearance) = estimate::clearance(model) {
+        let over_t = clearance / model.blank.thickness;
+        lines.push(line("clearance", mm(clearance), format!("mm, {over_t:.2} thicknesses")));
+    }
+    if let Some(ratio) = estimate::draw_ratio(model) {
+        lines.push(line("draw ratio", format!("{ratio:.3}"), "blank over punch; about 2.2 is the limit of one draw"));
+    }
+}
+
+fn holder(model: &Model, strength: f64, lines: &mut Vec<Line>) {
+    let Some(Motion::Force(force)) = model.tool(Role::Holder).map(|holder| holder.motion) else { return };
+    lines.push(line("holder force", format!("{force:.0}"), model.geometry.force_unit()));
+    let Some(area) = estimate::held_area(model) else { return };
+    let pressure = format!("{:.3}", force / area);
+    lines.push(line("holder pressure", pressure, "MPa on the initial area between holder and die's flat"));
+    if let Some(siebel) = estimate::siebel_pressure(model, strength) {
+        let meaning = "MPa by Siebel, 0.0025 [(β − 1)² + 0.5 d/(100 t)] R_m (Siebel and Beisswänger, Tiefziehen, 1955)";
+        lines.push(line("advised pressure", format!("{siebel:.3}"), format!("{meaning}: {:.0} N", siebel * area)));
+    }
+}
+
+fn mesh(model: &Model, lines: &mut Vec<Line>) {
+    lines.push(line("elements", model.blank.elements.to_string(), ""));
+    if let Some(fit) = estimate::coarsest_corner(model) {
+        let meaning = format!(
+            "mm at the {}'s radius of {} mm: {:.1} elements per 90°",
+            fit.role.name(),
+            mm(fit.radius),
+            fit.per_quarter
+        );
+        lines.push(line("element size", mm(fit.size), meaning));
+    }
+}
+
+impl fmt::Display for Check {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        writeln!(f, "{}\n", self.title)?;
+        for Line { label, value, meaning } in &self.lines {
+            writeln!(f, "  {label:<18}{}", format!("{value} {meaning}").trim_end())?;
+        }
+        for (heading, entries) in [("notes", &self.notes), ("warnings", &self.warnings)] {
+            if !entries.is_empty() {
+                writeln!(f, "\n{heading}")?;
+            }
+            for entry in entries {
+                writeln!(f, "  - {entry}")?;
+            }
+        }
+        Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests;

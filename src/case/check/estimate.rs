@@ -1,0 +1,94 @@
+//! Estimates from a model alone.
+
+use crate::case::measure::{extent, shoulder_end};
+use crate::geometry::Point;
+use crate::material::Hardening;
+use crate::mesh;
+use crate::model::{Edge, Geometry, Model, Role};
+use std::f64::consts::{FRAC_PI_2, PI};
+
+/// Area of the flat blank inside r [mm²], or per depth [mm].
+pub(super) fn area(model: &Model, r: f64) -> f64 {
+    match model.geometry {
+        Geometry::Axisymmetric => PI * r * r,
+        Geometry::PlaneStrain => r,
+    }
+}
+
+/// Tensile strength [MPa]: largest nominal stress σ exp(−ε), reached where dσ/dε = σ (A. Considère, 1885).
+pub(super) fn tensile_strength(law: &Hardening) -> f64 {
+    let strains = (0..=2000).map(|i| f64::from(i) * 5e-4);
+    strains.map(|strain| law.at(strain).stress * (-strain).exp()).fold(0.0, f64::max)
+}
+
+/// Throat less punch [mm].
+pub(super) fn clearance(model: &Model) -> Option<f64> {
+    Some(extent(model.tool(Role::Die)?).0 - extent(model.tool(Role::Punch)?).1)
+}
+
+/// Blank over punch, where a blank is drawn in.
+pub(super) fn draw_ratio(model: &Model) -> Option<f64> {
+    let drawn = model.geometry == Geometry::Axisymmetric && model.blank.edge == Edge::Free;
+    drawn.then_some(model.blank.length / extent(model.tool(Role::Punch)?).1)
+}
+
+/// Initial area between holder and the die's flat [mm², or mm² per mm of depth].
+pub(super) fn held_area(model: &Model) -> Option<f64> {
+    let inner = extent(model.tool(Role::Holder)?).0.max(shoulder_end(model.tool(Role::Die)?));
+    let held = area(model, model.blank.length) - area(model, inner);
+    (held > 0.0).then_some(held)
+}
+
+/// Siebel's pressure that keeps a flange from wrinkling [MPa], with the punch diameter d and the draw ratio β:
+/// p = 0.0025 [(β − 1)² + 0.5 d/(100 t)] R_m.
+///
+/// # References
+/// E. Siebel, H. Beisswänger, Tiefziehen, Hanser, München (1955).
+pub(super) fn siebel_pressure(model: &Model, strength: f64) -> Option<f64> {
+    let beta = draw_ratio(model)?;
+    let diameter = 2.0 * extent(model.tool(Role::Punch)?).1;
+    Some(0.0025 * ((beta - 1.0).powi(2) + 0.5 * diameter / (100.0 * model.blank.thickness)) * strength)
+}
+
+/// Area of the sheet once it lies on the punch to its depth `travel` and spans to the end of the shoulder, over the
+/// blank's area [–]; above 1 the blank has been drawn through the die. Thickness taken as constant.
+pub(super) fn drawn_share(model: &Model) -> Option<f64> {
+    let (punch, die) = (model.tool(Role::Punch)?, model.tool(Role::Die)?);
+    let points = punch.profile.polyline(0.02);
+    let top = points.iter().map(|p| p.y).fold(f64::NEG_INFINITY, f64::max);
+    let bottom = top - model.travel;
+    let mut used = 0.0;
+    let mut reached = 0.0;
+    for (a, b) in points.iter().zip(&points[1..]).filter(|(a, _)| a.y > bottom) {
+        let share = if b.y < bottom { (a.y - bottom) / (a.y - b.y) } else { 1.0 };
+        let end: Point = a + share * (b - a);
+        let width = match model.geometry {
+            Geometry::Axisymmetric => PI * (a.x + end.x),
+            Geometry::PlaneStrain => 1.0,
+        };
+        used += width * (end - a).norm();
+        reached = end.x;
+    }
+    let rest = area(model, shoulder_end(die)) - area(model, reached);
+    Some((used + rest) / area(model, model.blank.length))
+}
+
+/// The corner with the fewest elements per 90°.
+pub(super) struct CornerFit {
+    pub role: Role,
+    pub radius: f64,
+    /// Initial element size there [mm].
+    pub size: f64,
+    pub per_quarter: f64,
+}
+
+pub(super) fn coarsest_corner(model: &Model) -> Option<CornerFit> {
+    let nodes = mesh::nodes(model);
+    let corners = model.tools.iter().flat_map(|tool| tool.profile.corners().map(move |arc| (tool.role, arc)));
+    let fits = corners.map(|(role, arc)| {
+        let after = nodes.partition_point(|&r| r < arc.center.x).clamp(1, nodes.len() - 1);
+        let size = nodes[after] - nodes[after - 1];
+        CornerFit { role, radius: arc.radius, size, per_quarter: FRAC_PI_2 * arc.radius / size }
+    });
+    fits.min_by(|a, b| a.per_quarter.total_cmp(&b.per_quarter))
+}

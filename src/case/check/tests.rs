@@ -1,0 +1,62 @@
+use super::*;
+use crate::case;
+use approx::assert_relative_eq;
+
+fn quickstart(overrides: &[&str]) -> Case {
+    let overrides: Vec<String> = overrides.iter().map(|o| (*o).to_owned()).collect();
+    case::parse(include_str!("../../../cases/quickstart.toml"), "quickstart.toml", &overrides).expect("valid")
+}
+
+fn value(check: &Check, label: &str) -> f64 {
+    let line = check.lines.iter().find(|line| line.label == label).unwrap_or_else(|| panic!("no {label}"));
+    line.value.parse().expect("a number")
+}
+
+/// Trust: hand calculation. R_m = k n^n exp(offset − n) for Swift; flange π(55² − 37.25²) mm²; β = 55/30.
+#[test]
+fn numbers_of_the_quickstart_are_those_of_a_hand_calculation() {
+    let check = report(&quickstart(&[]));
+    let strength = 520.0 * 0.22_f64.powf(0.22) * (0.005_f64 - 0.22).exp();
+    assert_relative_eq!(value(&check, "tensile strength"), strength, epsilon = 0.5);
+    let area = std::f64::consts::PI * (55.0 * 55.0 - 37.25 * 37.25);
+    assert_relative_eq!(value(&check, "holder pressure"), 10_000.0 / area, epsilon = 5e-4);
+    let beta: f64 = 55.0 / 30.0;
+    let siebel = 0.0025 * ((beta - 1.0).powi(2) + 0.3) * strength;
+    assert_relative_eq!(value(&check, "advised pressure"), siebel, epsilon = 5e-4);
+    assert_relative_eq!(value(&check, "clearance"), 1.25);
+    assert!(check.warnings.is_empty(), "{:?}", check.warnings);
+}
+
+/// Trust: with sharp enough corners the part is a cylinder of known area, drawn through where its area is the blank's.
+#[test]
+fn drawn_share_is_the_area_of_a_sharp_cup() {
+    let sharp = ["tools.punch.flat.nose=0.01 mm", "tools.die.shoulder=0.01 mm"];
+    let model = quickstart(&sharp).model;
+    let cup = 30.0 * 30.0 + 2.0 * 30.0 * 25.0 + 31.26 * 31.26 - 30.0 * 30.0;
+    assert_relative_eq!(estimate::drawn_share(&model).unwrap(), cup / (55.0 * 55.0), epsilon = 1e-3);
+}
+
+#[test]
+fn every_doubt_has_its_warning() {
+    let doubts: [(&[&str], &str); 6] = [
+        (&["tools.die.shoulder=4 mm"], "beyond thin-shell theory"),
+        (&["tools.die.friction=0.4"], "above that of dry steel"),
+        (&["blank.elements=20"], "elements per 90°"),
+        (&["blank.radius=70 mm"], "draw ratio of 2.33"),
+        (&["tools.punch.travel=40 mm"], "drawn through the die"),
+        (&["blank.theory=membrane", "tools.die.shoulder=4 mm"], "membrane theory leaves out"),
+    ];
+    for (overrides, wanted) in doubts {
+        let check = report(&quickstart(overrides));
+        assert!(check.warnings.iter().any(|w| w.contains(wanted)), "{overrides:?}: {:?}", check.warnings);
+    }
+}
+
+#[test]
+fn report_reads_as_text_with_notes() {
+    let text = report(&quickstart(&[])).to_string();
+    for wanted in ["Steel cup", "  blank             55 mm radius", "notes\n  - declared: ", "Swift, σ = 520", "Siebel"]
+    {
+        assert!(text.contains(wanted), "{wanted} not in\n{text}");
+    }
+}

@@ -1,0 +1,59 @@
+//! What should be known before a result is trusted.
+
+use super::{estimate, mm};
+use crate::model::{Edge, Model, Theory};
+
+/// Radius over thickness below which shells are no longer thin [–].
+const THIN: f64 = 5.0;
+/// Elements per 90° below which the load ticks as nodes pass a corner.
+const FINE: f64 = 8.0;
+/// Draw ratio that one draw of good steel reaches [–].
+const LIMITING_RATIO: f64 = 2.2;
+/// Friction above that of dry steel on steel, or a slip of the decimal point [–].
+const DRY: f64 = 0.3;
+
+pub(super) fn all(model: &Model) -> Vec<String> {
+    let mut warnings = Vec::new();
+    let t = model.blank.thickness;
+    for tool in &model.tools {
+        let name = tool.role.name();
+        for arc in tool.profile.corners().filter(|arc| arc.radius < THIN * t) {
+            let what = match model.blank.theory {
+                Theory::Bending => "beyond thin-shell theory",
+                Theory::Membrane => "bending, which membrane theory leaves out, matters there",
+            };
+            warnings.push(format!(
+                "the {name}'s radius of {} mm is {:.1} thicknesses (below {THIN}): {what}",
+                mm(arc.radius),
+                arc.radius / t
+            ));
+        }
+        if tool.friction > DRY {
+            warnings.push(format!("the {name}'s friction of {} is above that of dry steel, {DRY}", tool.friction));
+        }
+    }
+    if let Some(fit) = estimate::coarsest_corner(model).filter(|fit| fit.per_quarter < FINE) {
+        let needed = (model.blank.elements as f64 * 10.0 / fit.per_quarter).ceil();
+        warnings.push(format!(
+            "{:.1} elements per 90° at the {}'s radius of {} mm (below {FINE}): the load will tick as nodes pass it; \
+             about {needed:.0} elements give 10",
+            fit.per_quarter,
+            fit.role.name(),
+            mm(fit.radius)
+        ));
+    }
+    if let Some(ratio) = estimate::draw_ratio(model).filter(|ratio| *ratio > LIMITING_RATIO) {
+        warnings.push(format!("the draw ratio of {ratio:.2} is above {LIMITING_RATIO}: one draw will hardly reach it"));
+    }
+    let free = model.blank.edge == Edge::Free;
+    if let Some(share) = estimate::drawn_share(model).filter(|share| free && *share >= 1.0) {
+        warnings.push(format!(
+            "at the full travel the part needs {:.0} % of the blank's area: the blank will be drawn through the die",
+            100.0 * share
+        ));
+    }
+    if let Some(strain) = model.material.hardening.valid_up_to().filter(|strain| *strain < 0.5) {
+        warnings.push(format!("the hardening table ends at a strain of {strain}; beyond it the law is extrapolated"));
+    }
+    warnings
+}

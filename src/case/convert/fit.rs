@@ -1,0 +1,62 @@
+//! Whether blank and tools fit together.
+
+use crate::case::measure::{extent, shoulder_end};
+use crate::case::{CaseError, explain::missing, source::Source};
+use crate::model::{Edge, Model, Role};
+
+/// Rounded sums of decimals may miss by this share [–].
+const ROUNDED: f64 = 1e-6;
+/// No part is deeper than this many blank radii [–].
+const DEEPEST: f64 = 3.0;
+
+pub(super) fn check(model: &Model, source: &Source) -> Result<(), CaseError> {
+    let (t, length) = (model.blank.thickness, model.blank.length);
+    let key = |tool: &str, key: &str| {
+        let drawn = source.has(&format!("tools.{tool}.profile"));
+        format!("tools.{tool}.{}", if drawn { "profile" } else { key })
+    };
+    if model.travel > DEEPEST * length {
+        let what = format!("a travel of {} mm is more than {DEEPEST} times the blank's {length} mm", model.travel);
+        return Err(source.error("tools.punch.travel", what, "check the unit"));
+    }
+    let Some(die) = model.tool(Role::Die) else {
+        return match model.blank.edge {
+            Edge::Free => Err(missing(source, "tools", "die")),
+            _ => Ok(()),
+        };
+    };
+    let throat = extent(die).0;
+    if let Some(punch) = model.tool(Role::Punch) {
+        let wall = extent(punch).1;
+        let clearance = throat - wall;
+        if clearance < t * (1.0 - ROUNDED) {
+            let what = format!(
+                "the sheet does not fit between punch and die: punch {wall:.3} mm, throat {throat:.3} mm, clearance \
+                 {clearance:.3} mm below the thickness of {t} mm"
+            );
+            return Err(source.error(&key("die", "throat"), what, format!("at least {:.3} mm", wall + t)));
+        }
+    }
+    let end = shoulder_end(die);
+    if end > length * (1.0 + ROUNDED) {
+        let what = format!("the die's shoulder ends at {end:.3} mm, beyond the blank's edge at {length} mm");
+        let help = "the blank must reach past throat + shoulder to rest on the die";
+        return Err(source.error(&key("die", "shoulder"), what, help));
+    }
+    if let Some(holder) = model.tool(Role::Holder) {
+        let inner = extent(holder).0;
+        let inner_key =
+            if model.geometry == crate::model::Geometry::Axisymmetric { "inner_radius" } else { "inner_half_width" };
+        if inner < throat * (1.0 - ROUNDED) {
+            let what =
+                format!("the holder reaches into the die's throat: inner edge {inner:.3} mm, throat {throat:.3} mm");
+            let help = format!("at least {throat:.3} mm");
+            return Err(source.error(&key("holder", inner_key), what, help));
+        }
+        if inner >= length {
+            let what = format!("the holder begins at {inner:.3} mm, beyond the blank's edge at {length} mm");
+            return Err(source.error(&key("holder", inner_key), what, "make it smaller, or drop it"));
+        }
+    }
+    Ok(())
+}

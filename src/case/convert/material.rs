@@ -1,0 +1,131 @@
+//! `[material]`: elastic constants and exactly one hardening law.
+
+use crate::case::file::{self, Beyond};
+use crate::case::{CaseError, explain::missing, source::Source};
+use crate::material::hardening::{
+    Branch, Extrapolation, Hollomon, LawError, Ludwik, PiecewisePower, Swift, Table, Voce,
+};
+use crate::material::{Elastic, Hardening, Material};
+use crate::quantity::Quantity;
+
+const HARDENING: &str = "material.hardening";
+
+pub(super) fn convert(file: &file::Material, source: &Source) -> Result<Material, CaseError> {
+    let elastic = match (file.young, file.poisson) {
+        (None, None) => None,
+        (Some(young), Some(poisson)) => Some(Elastic { young: young.value(), poisson: poisson.value() }),
+        (Some(_), None) => return Err(missing(source, "material", "poisson")),
+        (None, Some(_)) => return Err(missing(source, "material", "young")),
+    };
+    if let Some(Elastic { poisson, .. }) = elastic.filter(|e| e.poisson >= 0.5) {
+        let what = format!("`poisson` must be below 0.5, found {poisson}");
+        return Err(source.error("material.poisson", what, "0.3 for steel, 0.33 for aluminium"));
+    }
+    Ok(Material { hardening: hardening(&file.hardening, elastic, source)?, elastic })
+}
+
+fn hardening(file: &file::Hardening, elastic: Option<Elastic>, source: &Source) -> Result<Hardening, CaseError> {
+    type Law<'a> = Box<dyn Fn() -> Result<Hardening, CaseError> + 'a>;
+    let law = |name: &'static str| {
+        move |error: LawError| {
+            source.error(
+                &format!("{HARDENING}.{name}"),
+                format!("{name}: {error}"),
+                "check the constants and their units",
+            )
+        }
+    };
+    let laws: [(&str, Option<Law>); 6] = [
+        ("swift", file.swift.as_ref().map(|l| -> Law { Box::new(|| swift(l).map_err(law("swift"))) })),
+        (
+            "hollomon",
+            file.hollomon
+                .as_ref()
+                .map(|l| -> Law { Box::new(|| hollomon(l, elastic, source)?.map_err(law("hollomon"))) }),
+        ),
+        ("ludwik", file.ludwik.as_ref().map(|l| -> Law { Box::new(|| ludwik(l).map_err(law("ludwik"))) })),
+        ("voce", file.voce.as_ref().map(|l| -> Law { Box::new(|| voce(l).map_err(law("voce"))) })),
+        ("table", file.table.as_ref().map(|l| -> Law { Box::new(|| table(l, source)?.map_err(law("table"))) })),
+        (
+            "piecewise_power",
+            file.piecewise_power.as_ref().map(|l| -> Law { Box::new(|| branches(l).map_err(law("piecewise_power"))) }),
+        ),
+    ];
+    let given: Vec<&(&str, Option<Law>)> = laws.iter().filter(|(_, law)| law.is_some()).collect();
+    match given[..] {
+        [(_, Some(law))] => law(),
+        [] => {
+            let all: Vec<&str> = laws.iter().map(|(name, _)| *name).collect();
+            let help = format!("write one of [{HARDENING}.…]: {}", all.join(", "));
+            Err(source.error(HARDENING, "the material has no hardening law", help))
+        }
+        [..] => {
+            let names: Vec<String> = given.iter().map(|(name, _)| format!("`{name}`")).collect();
+            let what = format!("the material has {} hardening laws: {}", given.len(), names.join(" and "));
+            Err(source.error(&format!("{HARDENING}.{}", given[1].0), what, "keep one of them"))
+        }
+    }
+}
+
+fn swift(l: &file::Swift) -> Result<Hardening, LawError> {
+    Swift::new(l.k.value(), l.n.value(), l.offset.value()).map(Hardening::Swift)
+}
+
+fn hollomon(
+    l: &file::Hollomon,
+    elastic: Option<Elastic>,
+    source: &Source,
+) -> Result<Result<Hardening, LawError>, CaseError> {
+    let (k, n) = (l.k.value(), l.n.value());
+    let law = match (l.offset, elastic) {
+        (Some(offset), _) => Hollomon::with_offset(k, n, offset.value()),
+        (None, Some(elastic)) => Hollomon::from_elastic_line(k, n, elastic.young),
+        (None, None) => {
+            let what = "hollomon: k ε^n has no stress at ε = 0; it needs an `offset`, or `young` to start from";
+            let help = "add offset = 0.001 to the law, or young = \"210 GPa\" and poisson = 0.3 to [material]";
+            return Err(source.error("material.hardening.hollomon", what, help));
+        }
+    };
+    Ok(law.map(Hardening::Hollomon))
+}
+
+fn ludwik(l: &file::Ludwik) -> Result<Hardening, LawError> {
+    Ludwik::new(l.initial.value(), l.k.value(), l.n.value()).map(Hardening::Ludwik)
+}
+
+fn voce(l: &file::Voce) -> Result<Hardening, LawError> {
+    let exponent = l.exponent.map_or(1.0, Quantity::value);
+    Voce::new(l.initial.value(), l.saturation.value(), l.rate.value(), exponent).map(Hardening::Voce)
+}
+
+fn table(l: &file::Table, source: &Source) -> Result<Result<Hardening, LawError>, CaseError> {
+    let (strain, stress) = match (&l.points, &l.strain, &l.stress) {
+        (Some(points), None, None) => points.iter().map(|(strain, stress)| (strain.value(), stress.value())).unzip(),
+        (None, Some(strain), Some(stress)) => {
+            (strain.iter().map(|s| s.value()).collect(), stress.iter().map(|s| s.value()).collect())
+        }
+        _ => {
+            let help = "write points = [[0, \"150 MPa\"], [0.1, \"290 MPa\"]], or both strain = [..] and stress = [..]";
+            return Err(source.error(
+                "material.hardening.table",
+                "table: needs `points`, or `strain` and `stress`",
+                help,
+            ));
+        }
+    };
+    let beyond = match l.extrapolation {
+        Beyond::Hold => Extrapolation::Hold,
+        Beyond::Slope => Extrapolation::Slope,
+    };
+    Ok(Table::new(strain, stress, beyond).map(Hardening::Table))
+}
+
+fn branches(l: &file::PiecewisePower) -> Result<Hardening, LawError> {
+    let branch = |b: &file::Branch| Branch {
+        up_to: b.up_to.map_or(f64::INFINITY, Quantity::value),
+        initial: b.initial.value(),
+        k: b.k.value(),
+        n: b.n.value(),
+    };
+    PiecewisePower::new(l.branches.iter().map(branch).collect()).map(Hardening::PiecewisePower)
+}

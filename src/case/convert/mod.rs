@@ -1,0 +1,80 @@
+//! [`CaseFile`] → [`Model`]: what the keys mean together, checked against each other.
+
+mod blank;
+mod compare;
+mod fit;
+mod material;
+mod profile;
+mod settings;
+mod tools;
+
+pub(super) use compare::compare;
+
+use super::explain::missing;
+use super::file::{self, CaseFile};
+use super::{CaseError, source::Source};
+use crate::model::{Geometry, Model};
+use crate::quantity::{Length, Positive, Quantity};
+
+/// The model, and what was assumed on the way.
+pub(super) fn model(file: &CaseFile, source: &Source) -> Result<(Model, Vec<String>), CaseError> {
+    let mut derived = Vec::new();
+    let geometry = match file.geometry {
+        file::Geometry::Axisymmetric => Geometry::Axisymmetric,
+        file::Geometry::PlaneStrain => Geometry::PlaneStrain,
+    };
+    let blank = blank::convert(&file.blank, geometry, source, &mut derived)?;
+    let material = material::convert(&file.material, source)?;
+    let sheet = tools::Sheet { geometry, length: blank.length, thickness: blank.thickness };
+    let tools = tools::convert(&file.tools, &sheet, source, &mut derived)?;
+    let punch = file.tools.punch.as_ref().ok_or_else(|| missing(source, "tools", "punch"))?;
+    let travel = punch.travel.value();
+    let model = Model {
+        title: file.title.clone(),
+        notes: file.notes.clone(),
+        geometry,
+        blank,
+        material,
+        tools,
+        travel,
+        speed: punch.speed.map_or(1.0, Quantity::value),
+        frames: settings::frames(&file.output, travel, source)?,
+        settings: settings::convert(&file.solver, source)?,
+    };
+    fit::check(&model, source)?;
+    Ok((model, derived))
+}
+
+/// A length whose key depends on the geometry; the other geometry's key is an error that says so.
+fn by_geometry(
+    source: &Source,
+    table: &str,
+    geometry: Geometry,
+    axisymmetric: (&str, Option<Positive<Length>>),
+    plane_strain: (&str, Option<Positive<Length>>),
+) -> Result<f64, CaseError> {
+    let (name, (key, value), (other_name, (other, wrong))) = match geometry {
+        Geometry::Axisymmetric => ("axisymmetric", axisymmetric, ("plane strain", plane_strain)),
+        Geometry::PlaneStrain => ("plane strain", plane_strain, ("axisymmetric", axisymmetric)),
+    };
+    match (value, wrong) {
+        (_, Some(wrong)) => Err(source.error(
+            &format!("{table}.{other}"),
+            format!("`{other}` belongs to {other_name} cases, this one is {name}"),
+            format!("write {key} = \"{wrong}\", or change `geometry`"),
+        )),
+        (Some(value), None) => Ok(value.value()),
+        (None, None) => Err(missing(source, table, key)),
+    }
+}
+
+/// A whole number within limits.
+fn count(source: &Source, path: &str, value: i64, range: std::ops::RangeInclusive<i64>) -> Result<usize, CaseError> {
+    if range.contains(&value) {
+        return Ok(value as usize);
+    }
+    let key = path.rsplit('.').next().unwrap_or(path);
+    let what = format!("`{key}` must lie between {} and {}, found {value}", range.start(), range.end());
+    let help = if value < *range.start() { range.start() } else { range.end() };
+    Err(source.error(path, what, format!("the nearest that can be solved: {key} = {help}")))
+}

@@ -1,0 +1,85 @@
+//! `[solver]` and `[output]`.
+
+use super::count;
+use crate::case::file::{self, Iteration, Norm};
+use crate::case::{CaseError, source::Source};
+use crate::model::{self, Settings};
+use crate::quantity::Quantity;
+
+pub(super) fn convert(file: &file::Solver, source: &Source) -> Result<Settings, CaseError> {
+    let default = Settings::default();
+    let or = |value: Option<f64>, default: f64| value.unwrap_or(default);
+    let settings = Settings {
+        iteration: file.iteration.map_or(default.iteration, |i| match i {
+            Iteration::PrimalDual => model::Iteration::PrimalDual,
+            Iteration::Newton => model::Iteration::Newton,
+            Iteration::Secant => model::Iteration::Secant,
+        }),
+        norm: file.norm.map_or(default.norm, |n| match n {
+            Norm::Velocity => model::Norm::Velocity,
+            Norm::Residual => model::Norm::Residual,
+            Norm::Both => model::Norm::Both,
+        }),
+        tolerance: or(file.tolerance.map(Quantity::value), default.tolerance),
+        max_iterations: match file.max_iterations {
+            Some(n) => count(source, "solver.max_iterations", n, 1..=10_000)?,
+            None => default.max_iterations,
+        },
+        max_step: or(file.max_step.map(Quantity::value), default.max_step),
+        first_step: or(file.first_step.map(Quantity::value), default.first_step),
+        min_step: or(file.min_step.map(Quantity::value), default.min_step),
+        cutoff_strain: or(file.cutoff_strain.map(Quantity::value), default.cutoff_strain),
+        contact_stiffness: or(file.contact_stiffness.map(Quantity::value), default.contact_stiffness),
+        contact_smoothing: or(file.contact_smoothing.map(Quantity::value), default.contact_smoothing),
+        slip_speed: or(file.slip_speed.map(Quantity::value), default.slip_speed),
+        facets: file.facets.map(|n| count(source, "solver.facets", n, 1..=1000)).transpose()?,
+        round_facets: file.round_facets.unwrap_or(default.round_facets),
+    };
+    let ranges = [
+        ("tolerance", settings.tolerance, 1e-12, 0.1),
+        ("min_step", settings.min_step, 1e-12, 0.1),
+        ("max_step", settings.max_step, 1e-6, 0.5),
+        ("cutoff_strain", settings.cutoff_strain, 1e-10, 1e-2),
+        ("contact_stiffness", settings.contact_stiffness, 1.0, 1e7),
+        ("contact_smoothing", settings.contact_smoothing, 1e-6, 0.1),
+        ("slip_speed", settings.slip_speed, 1e-6, 1.0),
+    ];
+    for (key, value, low, high) in ranges {
+        if !(low..=high).contains(&value) {
+            let what = format!("`{key}` must lie between {low:?} and {high:?}, found {value:?}");
+            return Err(source.error(&format!("solver.{key}"), what, "leave it out: the default serves every case"));
+        }
+    }
+    let Settings { min_step, first_step, max_step, .. } = settings;
+    if !(min_step <= first_step && first_step <= max_step) {
+        let what = format!(
+            "steps must satisfy min_step <= first_step <= max_step, found {min_step}, {first_step}, {max_step}"
+        );
+        let key =
+            ["first_step", "max_step", "min_step"].into_iter().zip([file.first_step, file.max_step, file.min_step]);
+        let key = key.into_iter().find(|(_, given)| given.is_some()).map_or("first_step", |(key, _)| key);
+        return Err(source.error(&format!("solver.{key}"), what, "they are fractions of the travel"));
+    }
+    Ok(settings)
+}
+
+/// Travels at which the state is kept [mm], rising, the last one the full travel.
+pub(super) fn frames(file: &file::Output, travel: f64, source: &Source) -> Result<Vec<f64>, CaseError> {
+    let Some(list) = &file.frames else {
+        let n = count(source, "output.count", file.count.unwrap_or(4), 1..=1000)?;
+        return Ok((1..n).map(|i| travel * i as f64 / n as f64).chain([travel]).collect());
+    };
+    if file.count.is_some() {
+        return Err(source.error("output.count", "both `frames` and `count` are given", "keep one of them"));
+    }
+    let mut frames: Vec<f64> = list.iter().map(|f| f.value()).collect();
+    if let Some(i) = frames.iter().position(|&f| f > travel * (1.0 + 1e-9)) {
+        let what = format!("a frame at {} mm lies beyond the travel of {travel} mm", frames[i]);
+        return Err(source.error(&format!("output.frames.{i}"), what, "drop it, or lengthen tools.punch.travel"));
+    }
+    frames.retain(|&f| f < travel * (1.0 - 1e-9));
+    frames.push(travel);
+    frames.sort_by(f64::total_cmp);
+    frames.dedup();
+    Ok(frames)
+}

@@ -1,0 +1,132 @@
+//! `[material]` and one table per hardening law.
+
+use crate::quantity::{Fraction, NonNegative, Number, Positive, Stress};
+use schemars::JsonSchema;
+use serde::Deserialize;
+
+/// The sheet's material, isotropic.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Material {
+    /// Young's modulus; given together with `poisson`.
+    #[schemars(example = "210 GPa")]
+    pub young: Option<Positive<Stress>>,
+    /// Poisson's ratio, below 0.5.
+    #[schemars(example = 0.3)]
+    pub poisson: Option<Fraction>,
+    /// Exactly one law, such as `[material.hardening.swift]`.
+    #[serde(default)]
+    pub hardening: Hardening,
+}
+
+/// Yield stress σ over equivalent plastic strain ε of uniaxial tension: exactly one law.
+#[derive(Clone, Debug, Default, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Hardening {
+    pub swift: Option<Swift>,
+    pub hollomon: Option<Hollomon>,
+    pub ludwik: Option<Ludwik>,
+    pub voce: Option<Voce>,
+    pub table: Option<Table>,
+    pub piecewise_power: Option<PiecewisePower>,
+}
+
+/// σ = k (offset + ε)^n.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Swift {
+    #[schemars(example = "520 MPa")]
+    pub k: Positive<Stress>,
+    #[schemars(example = 0.22)]
+    pub n: Fraction,
+    /// Offset strain, 1e-6 to 1.
+    #[schemars(example = 0.005)]
+    pub offset: Positive<Number>,
+}
+
+/// σ = k ε^n, started at the elastic line or at a declared offset strain.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Hollomon {
+    #[schemars(example = "547 MPa")]
+    pub k: Positive<Stress>,
+    #[schemars(example = 0.18)]
+    pub n: Fraction,
+    /// Offset strain; without it `young` must be given, and the law starts where it meets the elastic line.
+    #[schemars(example = 0.001)]
+    pub offset: Option<Positive<Number>>,
+}
+
+/// σ = initial + k ε^n.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Ludwik {
+    #[schemars(example = "150 MPa")]
+    pub initial: Positive<Stress>,
+    #[schemars(example = "400 MPa")]
+    pub k: NonNegative<Stress>,
+    #[schemars(example = 0.5)]
+    pub n: Fraction,
+}
+
+/// σ = saturation − (saturation − initial) exp(−rate ε^exponent).
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Voce {
+    #[schemars(example = "125 MPa")]
+    pub initial: Positive<Stress>,
+    #[schemars(example = "320 MPa")]
+    pub saturation: Positive<Stress>,
+    #[schemars(example = 7.5)]
+    pub rate: NonNegative<Number>,
+    /// Power of the strain; 1 when not given.
+    #[schemars(example = 1.0)]
+    pub exponent: Option<Fraction>,
+}
+
+/// Measured points, interpolated smoothly: `points`, or `strain` and `stress`.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Table {
+    /// Pairs of strain and stress, the first at strain 0: `[[0, "150 MPa"], [0.1, "290 MPa"]]`.
+    pub points: Option<Vec<(NonNegative<Number>, Positive<Stress>)>>,
+    /// Strains, when not given as `points`.
+    pub strain: Option<Vec<NonNegative<Number>>>,
+    /// Stresses, when not given as `points`.
+    pub stress: Option<Vec<Positive<Stress>>>,
+    /// What the law does beyond the last point: a choice that has to be made.
+    #[schemars(example = &"slope")]
+    pub extrapolation: Beyond,
+}
+
+/// Beyond the last point of a table.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum Beyond {
+    /// Keeps the last stress.
+    Hold,
+    /// Goes on along the last two points.
+    Slope,
+}
+
+/// σ = initial + k ε^n with other constants on each range of strain.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct PiecewisePower {
+    pub branches: Vec<Branch>,
+}
+
+/// One branch; it must meet the next one.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Branch {
+    /// Strain where the branch ends; left out in the last one.
+    #[schemars(example = 0.36)]
+    pub up_to: Option<Positive<Number>>,
+    #[schemars(example = "5.4 tonf_uk/in^2")]
+    pub initial: Positive<Stress>,
+    #[schemars(example = "27.8 tonf_uk/in^2")]
+    pub k: NonNegative<Stress>,
+    #[schemars(example = 0.504)]
+    pub n: Fraction,
+}

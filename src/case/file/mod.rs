@@ -1,0 +1,127 @@
+//! What a case file says, key by key; nothing here has a meaning yet beyond its own units and ranges.
+//!
+//! The documentation of the fields is what an editor shows through the JSON schema, the examples are what error
+//! messages propose.
+
+mod compare;
+mod material;
+mod solver;
+mod tools;
+
+pub use compare::{Compare, ComparedQuantity};
+pub use material::{Beyond, Branch, Hardening, Hollomon, Ludwik, Material, PiecewisePower, Swift, Table, Voce};
+pub use solver::{Iteration, Norm, Output, Solver};
+pub use tools::{Crowned, Die, Flat, Hemispherical, Holder, HolderForce, ProfileStep, Punch, Tools, Turn};
+
+use crate::quantity::{Length, Positive};
+use schemars::JsonSchema;
+use serde::Deserialize;
+
+/// A forming case: blank, material, tools.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct CaseFile {
+    /// Shown above plots and reports.
+    #[schemars(example = "Steel cup, 60 mm punch")]
+    pub title: String,
+    #[schemars(example = &"axisymmetric")]
+    pub geometry: Geometry,
+    /// Shown wherever results are shown; an assumption begins with "declared: ".
+    #[serde(default)]
+    pub notes: Vec<String>,
+    pub blank: Blank,
+    pub material: Material,
+    pub tools: Tools,
+    #[serde(default)]
+    pub solver: Solver,
+    #[serde(default)]
+    pub output: Output,
+    /// Published curves to hold the result against.
+    #[serde(default)]
+    pub compare: Vec<Compare>,
+}
+
+/// Which section is solved.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum Geometry {
+    /// Body of revolution; forces are those of the whole ring.
+    Axisymmetric,
+    /// Unit depth, one half of a symmetric section; forces are per length of depth of that half.
+    PlaneStrain,
+}
+
+/// The flat sheet before forming.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Blank {
+    /// Radius of the blank (axisymmetric).
+    #[schemars(example = "55 mm")]
+    pub radius: Option<Positive<Length>>,
+    /// Length from the symmetry plane to the edge (plane strain).
+    #[schemars(example = "420 mm")]
+    pub half_length: Option<Positive<Length>>,
+    /// Initial thickness, 0.001 to 50 mm.
+    #[schemars(example = "0.9 mm")]
+    pub thickness: Positive<Length>,
+    /// Number of elements from the axis to the edge, 2 to 2000.
+    #[serde(default = "default::elements")]
+    #[schemars(range(min = 2, max = 2000), example = 100)]
+    pub elements: i64,
+    /// How element sizes are spread.
+    #[serde(default)]
+    pub grading: Grading,
+    /// Shell theory of the sheet.
+    #[serde(default)]
+    pub theory: Theory,
+    /// Integration points through the thickness with bending theory, 3 to 101.
+    #[serde(default = "default::layers")]
+    #[schemars(range(min = 3, max = 101), example = 5)]
+    pub layers: i64,
+    /// How the outer edge is held.
+    #[serde(default)]
+    pub edge: Edge,
+}
+
+/// How element sizes are spread over the blank.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum Grading {
+    /// Equal elements.
+    Uniform,
+    /// Smaller elements where the sheet meets the tools' radii.
+    #[default]
+    Radii,
+}
+
+/// Shell theory.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum Theory {
+    /// Membrane, bending and transverse shear.
+    #[default]
+    Bending,
+    /// Membrane only.
+    Membrane,
+}
+
+/// The blank's outer edge.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum Edge {
+    /// Draws in under the holder.
+    #[default]
+    Free,
+    /// Does not move: a locking bead.
+    Clamped,
+}
+
+mod default {
+    pub fn elements() -> i64 {
+        100
+    }
+
+    pub fn layers() -> i64 {
+        5
+    }
+}

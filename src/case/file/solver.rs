@@ -1,0 +1,84 @@
+//! `[solver]` and `[output]`: all optional.
+
+use crate::quantity::{Fraction, Length, Number, Positive, Stress};
+use schemars::JsonSchema;
+use serde::Deserialize;
+
+/// Numerical parameters; one default serves every case, so most files have no `[solver]`.
+#[derive(Clone, Debug, Default, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Solver {
+    /// Matrix of the corrector; "primal_dual" when not given.
+    #[schemars(example = &"primal_dual")]
+    pub iteration: Option<Iteration>,
+    /// What must be small for a step to be accepted; "velocity" when not given.
+    #[schemars(example = &"velocity")]
+    pub norm: Option<Norm>,
+    /// Accepted value of the norm; 1e-5 when not given.
+    #[schemars(example = 1e-5)]
+    pub tolerance: Option<Positive<Number>>,
+    /// Most iterations of one step; 40 when not given.
+    #[schemars(range(min = 1, max = 10_000), example = 40)]
+    pub max_iterations: Option<i64>,
+    /// Largest step as a fraction of the travel; 0.01 when not given.
+    #[schemars(example = 0.01)]
+    pub max_step: Option<Fraction>,
+    /// First step as a fraction of the travel; 0.002 when not given.
+    #[schemars(example = 0.002)]
+    pub first_step: Option<Fraction>,
+    /// Smallest step as a fraction of the travel; 1e-6 when not given.
+    #[schemars(example = 1e-6)]
+    pub min_step: Option<Fraction>,
+    /// Equivalent strain of one largest step below which the sheet counts as rigid; 5e-6 when not given.
+    #[schemars(example = 5e-6)]
+    pub cutoff_strain: Option<Positive<Number>>,
+    /// Contact stiffness times the sheet thickness; "10 GPa" when not given.
+    #[schemars(example = "10 GPa")]
+    pub contact_stiffness: Option<Positive<Stress>>,
+    /// Gap over which contact sets in, over the sheet thickness; 0.002 when not given.
+    #[schemars(example = 0.002)]
+    pub contact_smoothing: Option<Positive<Number>>,
+    /// Sliding speed at which friction is nearly full, over the punch speed; 0.01 when not given.
+    #[schemars(example = 0.01)]
+    pub slip_speed: Option<Positive<Number>>,
+    /// Chords per 90° that replace the tools' arcs, 1 to 1000; exact arcs when not given.
+    #[schemars(range(min = 1, max = 1000), example = 20)]
+    pub facets: Option<i64>,
+    /// Rounds chords off by arcs with common tangents, so that the load does not tick at their vertices; true by default.
+    pub round_facets: Option<bool>,
+}
+
+/// Matrix of the corrector.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum Iteration {
+    /// Newton's matrix with an independently carried stress.
+    PrimalDual,
+    /// Newton's consistent tangent.
+    Newton,
+    /// Secant (Picard): slow, hardly ever fails.
+    Secant,
+}
+
+/// Norm of acceptance.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum Norm {
+    /// Relative increment of the velocities.
+    Velocity,
+    /// Residual force over the largest internal force.
+    Residual,
+    /// Both of them.
+    Both,
+}
+
+/// Which instants are kept: `frames` or `count`; the end of the travel always is.
+#[derive(Clone, Debug, Default, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Output {
+    /// Punch travels at which the state is kept.
+    pub frames: Option<Vec<Positive<Length>>>,
+    /// Number of equally spaced instants, 1 to 1000; 4 when neither is given.
+    #[schemars(range(min = 1, max = 1000), example = 4)]
+    pub count: Option<i64>,
+}

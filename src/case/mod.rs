@@ -1,0 +1,86 @@
+//! Case files: TOML → [`CaseFile`] (what was written) → [`Model`] (what it means).
+//!
+//! This is the only place that knows TOML. The smallest case that means something is twelve lines:
+//!
+//! ```
+//! let case = stampflow::case::parse(
+//!     r#"title = "Cup"
+//!        geometry = "axisymmetric"
+//!        [blank]
+//!        radius = "55 mm"
+//!        thickness = "1 mm"
+//!        [material.hardening]
+//!        swift = { k = "520 MPa", n = 0.22, offset = 0.005 }
+//!        [tools]
+//!        punch = { flat = { radius = "30 mm", nose = "6 mm" }, friction = 0.08, travel = "25 mm" }
+//!        die = { throat = "31.25 mm", shoulder = "6 mm", friction = 0.08 }
+//!        holder = { inner_radius = "32 mm", force = "10 kN" }
+//!     "#,
+//!     "cup.toml",
+//!     &[],
+//! )?;
+//! assert_eq!(case.model.blank.thickness, 1.0);
+//! # Ok::<(), stampflow::case::CaseError>(())
+//! ```
+
+pub mod check;
+mod convert;
+mod error;
+mod explain;
+pub mod file;
+mod measure;
+mod overrides;
+mod schema;
+mod source;
+
+pub use error::CaseError;
+pub use file::CaseFile;
+pub use schema::schema;
+
+use crate::compare::Spec;
+use crate::model::Model;
+use source::Source;
+use std::path::{Path, PathBuf};
+
+/// A case: the problem to solve, what to compare it with, and the text it came from.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Case {
+    /// Stem of the file's name.
+    pub name: String,
+    pub path: PathBuf,
+    /// The text that was read, overrides applied: enough to repeat the run.
+    pub text: String,
+    pub model: Model,
+    pub compare: Vec<Spec>,
+    /// What was assumed or changed while reading: defaults that matter, profiles that were shifted.
+    pub derived: Vec<String>,
+}
+
+/// Reads a case file and applies overrides such as `tools.punch.friction=0.1` or `blank.thickness=0.9 mm`.
+///
+/// # Errors
+/// When the file cannot be read, or as [`parse`].
+pub fn load(path: impl AsRef<Path>, overrides: &[String]) -> Result<Case, CaseError> {
+    let path = path.as_ref();
+    let text = std::fs::read_to_string(path).map_err(|error| CaseError::unreadable(path, &error))?;
+    parse(&text, &path.to_string_lossy(), overrides)
+}
+
+/// Reads a case from text; `name` is the path that messages show and that reference curves are looked up from.
+///
+/// An override is `KEY=VALUE`: a dotted path of keys (array entries by index, from 0) and a TOML value; what is not a
+/// TOML value is taken as text. The tables `solver` and `output` are made when they are missing, no others.
+///
+/// # Errors
+/// When the text is not TOML, a key is unknown or missing, or a value makes no sense; the error points to its line.
+pub fn parse(text: &str, name: &str, overrides: &[String]) -> Result<Case, CaseError> {
+    let text = overrides::apply(text, overrides)?;
+    let shown = if overrides.is_empty() { name.to_owned() } else { format!("{name} (with overrides)") };
+    let source = Source::parse(&shown, &text)?;
+    let file = source.read()?;
+    let path = PathBuf::from(name);
+    let (model, derived) = convert::model(&file, &source)?;
+    let compare = convert::compare(&file, &source, &path)?;
+    let name = path.file_stem().map_or_else(|| "case".into(), |stem| stem.to_string_lossy().into_owned());
+    Ok(Case { name, path, text: text.clone(), model, compare, derived })
+}

@@ -1,0 +1,75 @@
+//! `KEY=VALUE` from the command line, written into the text before it is read.
+
+use super::CaseError;
+use crate::quantity::closest;
+use toml_edit::{DocumentMut, Item, Table, Value};
+
+/// The text with every override applied in order; text that is not TOML is returned as it is, to be reported later.
+pub(super) fn apply(text: &str, overrides: &[String]) -> Result<String, CaseError> {
+    if overrides.is_empty() {
+        return Ok(text.to_owned());
+    }
+    let Ok(mut document) = text.parse::<DocumentMut>() else { return Ok(text.to_owned()) };
+    for written in overrides {
+        let fail = |what: String, help: String| CaseError::bare(format!("override `{written}`: {what}"), help);
+        let usage = "write KEY=VALUE, such as tools.punch.friction=0.1 or blank.thickness=\"0.9 mm\"";
+        let (path, value) =
+            written.split_once('=').ok_or_else(|| fail("there is no `=` in it".into(), usage.into()))?;
+        let segments: Vec<&str> = path.split('.').map(str::trim).collect();
+        let Some((key, tables)) = segments.split_last().filter(|_| segments.iter().all(|s| !s.is_empty())) else {
+            return Err(fail("it names no key".into(), usage.into()));
+        };
+        for optional in ["solver", "output"] {
+            if tables == [optional] && !document.contains_key(optional) {
+                document.insert(optional, Item::Table(Table::new()));
+            }
+        }
+        let mut here = document.as_item_mut();
+        for (depth, segment) in tables.iter().enumerate() {
+            let known = keys(here);
+            here = child(here, segment).ok_or_else(|| {
+                let near = closest(segment, known.iter().map(String::as_str));
+                let near = near.first().map_or(String::new(), |near| format!("did you mean `{near}`? "));
+                let all = if known.is_empty() { "nothing".into() } else { known.join(", ") };
+                fail(format!("there is no table [{}]", tables[..=depth].join(".")), format!("{near}it holds {all}"))
+            })?;
+        }
+        let value = value.trim().parse::<Value>().unwrap_or_else(|_| Value::from(value.trim()));
+        set(here, key, value).ok_or_else(|| fail(format!("[{}] holds no `{key}`", tables.join(".")), usage.into()))?;
+    }
+    Ok(document.to_string())
+}
+
+fn keys(item: &Item) -> Vec<String> {
+    match item.as_table_like() {
+        Some(table) => table.iter().map(|(key, _)| key.to_owned()).collect(),
+        None => {
+            let len = item.as_array().map(toml_edit::Array::len).or(item.as_array_of_tables().map(|a| a.len()));
+            (0..len.unwrap_or(0)).map(|i| i.to_string()).collect()
+        }
+    }
+}
+
+/// The table or array entry of that name inside a table or array.
+fn child<'a>(item: &'a mut Item, segment: &str) -> Option<&'a mut Item> {
+    let found = match segment.parse::<usize>() {
+        Ok(index) if !item.is_table_like() => item.get_mut(index),
+        _ if item.get(segment).is_some() => item.get_mut(segment),
+        _ => None,
+    };
+    found.filter(|item| item.is_table_like() || item.is_array() || item.is_array_of_tables())
+}
+
+/// Sets a key of a table (new or not) or an entry of an array (that exists); comments around it stay.
+fn set(item: &mut Item, key: &str, mut value: Value) -> Option<()> {
+    if let (Ok(index), false) = (key.parse::<usize>(), item.is_table_like()) {
+        *item.get_mut(index)? = Item::Value(value);
+        return Some(());
+    }
+    let table = item.as_table_like_mut()?;
+    if let Some(old) = table.get(key).and_then(Item::as_value) {
+        *value.decor_mut() = old.decor().clone();
+    }
+    table.insert(key, Item::Value(value));
+    Some(())
+}

@@ -1,0 +1,35 @@
+//! The JSON schema of case files, for editors and for the examples in messages.
+
+use super::CaseFile;
+use serde_json::Value;
+use std::sync::LazyLock;
+
+static SCHEMA: LazyLock<Value> = LazyLock::new(|| schemars::schema_for!(CaseFile).to_value());
+
+/// The JSON schema of a case file, indented.
+pub fn schema() -> String {
+    serde_json::to_string_pretty(&*SCHEMA).expect("a JSON value can be written")
+}
+
+/// The line that would set the key at a dotted path, taken from the schema's first example: `thickness = "0.9 mm"`.
+pub(super) fn example_line(path: &str) -> Option<String> {
+    let key = path.rsplit('.').next()?;
+    let found = path.split('.').try_fold(&*SCHEMA, |node, segment| property(node, segment))?;
+    let example = found.get("examples")?.get(0)?;
+    Some(format!("{key} = {example}"))
+}
+
+/// The schema of a key of a table, or of an entry of an array.
+fn property<'a>(node: &'a Value, segment: &str) -> Option<&'a Value> {
+    let node = resolve(node);
+    if segment.parse::<usize>().is_ok() { node.get("items") } else { node.get("properties")?.get(segment) }
+}
+
+/// Follows a reference; of a choice (an optional value) the first alternative.
+fn resolve(node: &Value) -> &Value {
+    if let Some(first) = node.get("anyOf").and_then(|choices| choices.get(0)) {
+        return resolve(first);
+    }
+    let name = node.get("$ref").and_then(Value::as_str).and_then(|text| text.rsplit('/').next());
+    name.and_then(|name| SCHEMA.get("$defs")?.get(name)).unwrap_or(node)
+}

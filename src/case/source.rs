@@ -1,0 +1,98 @@
+//! The text of a case and where each key stands in it.
+
+use super::{CaseError, CaseFile, explain};
+use miette::NamedSource;
+use std::ops::Range;
+use std::sync::Arc;
+use toml::Spanned;
+use toml::de::{DeTable, DeValue};
+
+/// A case's text, parsed as TOML; knows the place of every key path.
+pub(super) struct Source<'t> {
+    shown: Arc<NamedSource<String>>,
+    text: &'t str,
+    tree: Spanned<DeTable<'t>>,
+}
+
+impl<'t> Source<'t> {
+    /// Parses the text as TOML.
+    pub fn parse(name: &str, text: &'t str) -> Result<Self, CaseError> {
+        let shown = Arc::new(NamedSource::new(name, text.to_owned()));
+        match DeTable::parse(text) {
+            Ok(tree) => Ok(Self { shown, text, tree }),
+            Err(error) => Err(explain::syntax(&error, text, shown)),
+        }
+    }
+
+    /// Reads the keys.
+    pub fn read(&self) -> Result<CaseFile, CaseError> {
+        toml::from_str(self.text).map_err(|error| explain::content(&error, self))
+    }
+
+    /// An error at a dotted key path (entries of arrays by index); what is missing is shown at its table.
+    pub fn error(&self, path: &str, what: impl Into<String>, help: impl Into<String>) -> CaseError {
+        let (span, _) = self.locate(path);
+        let label = if path.is_empty() { "here".into() } else { path.to_owned() };
+        CaseError::at(self.shown.clone(), span, what.into(), label, help.into())
+    }
+
+    /// Whether a key was written.
+    pub fn has(&self, path: &str) -> bool {
+        self.locate(path).1
+    }
+
+    /// The deepest place on the path that was written, and whether that is all of the path.
+    fn locate(&self, path: &str) -> (Range<usize>, bool) {
+        let mut here = 0..0;
+        let mut table = Some(self.tree.get_ref());
+        let mut array: Option<&[Spanned<DeValue>]> = None;
+        for segment in path.split('.') {
+            let found = match (table, array) {
+                (Some(table), _) => table.get_key_value(segment).map(|(key, value)| (key.span(), value)),
+                (_, Some(array)) => {
+                    segment.parse::<usize>().ok().and_then(|i| array.get(i)).map(|value| (value.span(), value))
+                }
+                _ => None,
+            };
+            let Some((key, value)) = found else { return (here, false) };
+            // A table or a long array is shown by its key, so that the message stays short.
+            let one_line = !self.text[value.span()].contains('\n');
+            here = if one_line && !value.span().is_empty() { value.span() } else { key };
+            table = value.get_ref().as_table();
+            array = value.get_ref().as_array().map(|array| &array[..]);
+        }
+        (here, true)
+    }
+
+    /// The key path whose key or value stands exactly at `span`; "" for the whole file.
+    pub fn path_at(&self, span: &Range<usize>) -> Option<String> {
+        search(self.tree.get_ref(), span)
+    }
+
+    /// The word or value at `span` of an error, made into one.
+    pub fn error_at(&self, span: Range<usize>, what: String, label: String, help: String) -> CaseError {
+        CaseError::at(self.shown.clone(), span, what, label, help)
+    }
+}
+
+fn search(table: &DeTable, span: &Range<usize>) -> Option<String> {
+    table.iter().find_map(|(key, value)| {
+        let key_text = key.get_ref();
+        if key.span() == *span || value.span() == *span {
+            return Some(key_text.to_string());
+        }
+        search_value(value.get_ref(), span).map(|rest| format!("{key_text}.{rest}"))
+    })
+}
+
+fn search_value(value: &DeValue, span: &Range<usize>) -> Option<String> {
+    if let Some(table) = value.as_table() {
+        return search(table, span);
+    }
+    value.as_array()?.iter().enumerate().find_map(|(i, value)| {
+        if value.span() == *span {
+            return Some(i.to_string());
+        }
+        search_value(value.get_ref(), span).map(|rest| format!("{i}.{rest}"))
+    })
+}

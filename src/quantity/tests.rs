@@ -1,0 +1,87 @@
+use super::unit::UNITS;
+use super::*;
+use approx::assert_relative_eq;
+use proptest::prelude::*;
+
+fn value<Q: Quantity + std::str::FromStr<Err = QuantityError>>(text: &str) -> f64 {
+    text.parse::<Q>().unwrap_or_else(|e| panic!("{text}: {e}")).value()
+}
+
+fn message<Q: Quantity + std::str::FromStr<Err = QuantityError>>(text: &str) -> String {
+    match text.parse::<Q>() {
+        Ok(q) => panic!("{text} was read as {}", q.value()),
+        Err(e) => e.to_string(),
+    }
+}
+
+/// Trust: hand conversions with the exact definitions of inch and pound-force.
+#[test]
+fn units_convert_to_solver_units() {
+    assert_relative_eq!(value::<Length>("0.035 in"), 0.889);
+    assert_eq!(value::<Length>("60mm"), 60.0);
+    assert_eq!(value::<Length>("-3 mm"), -3.0);
+    assert_eq!(value::<Length>("−3 mm"), -3.0);
+    assert_eq!(value::<Length>("2 m^2/m"), 2000.0);
+    assert_eq!(value::<Force>("80 kN"), 80_000.0);
+    assert_eq!(value::<Force>("1e3 N"), 1000.0);
+    assert_eq!(value::<LineForce>("1300 N/mm"), 1300.0);
+    assert_relative_eq!(value::<LineForce>("1300 kN/m"), 1300.0);
+    assert_relative_eq!(value::<Stress>("5.4 tonf_uk/in^2"), 5.4 * 9_964.016_418 / 645.16, max_relative = 1e-9);
+    assert_relative_eq!(value::<Stress>("1 tonf_uk/in²"), 15.4443, max_relative = 1e-5);
+    assert_relative_eq!(value::<Stress>("30 ksi"), 206.843, max_relative = 1e-5);
+    assert_relative_eq!(value::<Stress>("60 kp/cm^2"), 5.884, max_relative = 1e-4);
+    assert_relative_eq!(value::<Stress>("1 N·mm^-2"), 1.0);
+    assert_relative_eq!(value::<Angle>("180 deg"), std::f64::consts::PI);
+    assert_relative_eq!(value::<Speed>("6 m/min"), 100.0);
+    assert_eq!(value::<Time>("30 ms"), 0.03);
+    assert_relative_eq!(value::<Ratio>("5 %"), 0.05);
+}
+
+#[test]
+fn messages_name_the_value_and_the_remedy() {
+    assert_eq!(
+        message::<Length>("0.9"),
+        "0.9 needs a unit\nwrite \"0.9 mm\"; a length may also be written \"0.9 mm\" or \"0.035 in\""
+    );
+    assert_eq!(message::<Length>("0,9 mm"), "decimal comma in \"0,9 mm\"\nwrite a point: \"0.9 mm\"");
+    assert_eq!(
+        message::<Force>("5 MPa"),
+        "\"5 MPa\" is a stress, wanted a force\nwrite for example \"80 kN\" or \"5000 N\""
+    );
+    assert_eq!(message::<Stress>("210 Gpa"), "unknown unit `Gpa` in \"210 Gpa\"\ndid you mean `GPa`?");
+    assert!(message::<Length>("3 furlong").contains("known units: mm, cm"));
+    assert!(message::<Positive<Length>>("0 mm").starts_with("must be positive, found 0 mm"));
+    assert!(message::<NonNegative<Force>>("-1 N").starts_with("must not be negative"));
+    assert!(message::<Length>("1e9 m").contains("at most 100000 mm"));
+    assert!(message::<Length>("1e999 mm").contains("out of range"));
+    assert!(message::<Length>("nan mm").contains("no number"));
+    assert!(message::<Length>("5 mm//s").contains("cannot be read from"));
+    assert!(message::<Length>("5 mm^99999999999").contains("cannot be read from"));
+}
+
+proptest! {
+    #[test]
+    fn parser_never_panics(text in "\\PC*") {
+        let _ = parse(&text);
+    }
+
+    #[test]
+    fn parser_never_panics_near_the_grammar(text in "[-+−]?[0-9.,e]{0,6} ?([a-zA-Z%²^*/· ]|mm|kN|in){0,8}") {
+        let _ = text.parse::<Positive<Stress>>();
+    }
+
+    /// Trust: Rust prints the shortest decimal that reads back as the same number.
+    #[test]
+    fn what_is_printed_reads_back_the_same(x in -1e5..1e5f64) {
+        let length = Length::checked(x, "x").unwrap();
+        prop_assert_eq!(length.to_string().parse::<Length>().unwrap(), length);
+    }
+
+    #[test]
+    fn every_unit_scales_by_its_factor(x in -1e3..1e3f64, i in 0..UNITS.len()) {
+        let unit = &UNITS[i];
+        let parsed = parse(&format!("{x} {}", unit.0)).unwrap();
+        prop_assert_eq!(parsed.value, x * unit.1);
+        prop_assert_eq!(parsed.dimension, unit.2);
+    }
+}

@@ -1,0 +1,98 @@
+//! Units and their dimensions.
+
+/// Exponents of length, force, time, angle and temperature. An angle is a dimension of its own here, so that degrees
+/// are not taken for a plain number.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Dimension([i32; 5]);
+
+pub(super) const NONE: Dimension = Dimension([0; 5]);
+pub(super) const LENGTH: Dimension = Dimension([1, 0, 0, 0, 0]);
+pub(super) const FORCE: Dimension = Dimension([0, 1, 0, 0, 0]);
+pub(super) const TIME: Dimension = Dimension([0, 0, 1, 0, 0]);
+pub(super) const ANGLE: Dimension = Dimension([0, 0, 0, 1, 0]);
+pub(super) const TEMPERATURE: Dimension = Dimension([0, 0, 0, 0, 1]);
+pub(super) const STRESS: Dimension = FORCE.over(LENGTH).over(LENGTH);
+
+impl Dimension {
+    /// Dimension of a quotient.
+    pub(super) const fn over(self, by: Self) -> Self {
+        self.times(by, -1)
+    }
+
+    /// Dimension of `self` times `other` to a power; saturates far beyond anything physical.
+    pub(super) const fn times(self, other: Self, power: i32) -> Self {
+        let mut sum = self.0;
+        let mut i = 0;
+        while i < sum.len() {
+            sum[i] = sum[i].saturating_add(other.0[i].saturating_mul(power));
+            i += 1;
+        }
+        Self(sum)
+    }
+
+    /// In words where there is one: "a length", "a force per length", otherwise the exponents.
+    pub fn describe(self) -> String {
+        const NAMED: [(Dimension, &str); 11] = [
+            (NONE, "a plain number"),
+            (LENGTH, "a length"),
+            (FORCE, "a force"),
+            (TIME, "a time"),
+            (ANGLE, "an angle"),
+            (TEMPERATURE, "a temperature"),
+            (STRESS, "a stress"),
+            (FORCE.over(LENGTH), "a force per length"),
+            (LENGTH.over(TIME), "a speed"),
+            (LENGTH.times(LENGTH, 1), "an area"),
+            (FORCE.times(LENGTH, 1), "a moment"),
+        ];
+        if let Some((_, name)) = NAMED.iter().find(|(dimension, _)| *dimension == self) {
+            return (*name).into();
+        }
+        let powers = ["length", "force", "time", "angle", "temperature"].iter().zip(self.0).filter(|(_, n)| *n != 0);
+        let powers: Vec<String> =
+            powers.map(|(name, n)| if n == 1 { (*name).into() } else { format!("{name}^{n}") }).collect();
+        format!("of dimension {}", powers.join(" "))
+    }
+}
+
+/// A unit: name, factor to solver units, dimension.
+pub(super) struct Unit(pub &'static str, pub f64, pub Dimension);
+
+/// Pound-force [N]: 0.453 592 37 kg × 9.806 65 m/s².
+const LBF: f64 = 4.448_221_615_260_5;
+const INCH: f64 = 25.4;
+
+/// Every unit that may be written.
+pub(super) const UNITS: [Unit; 26] = [
+    Unit("mm", 1.0, LENGTH),
+    Unit("cm", 10.0, LENGTH),
+    Unit("m", 1000.0, LENGTH),
+    Unit("um", 1e-3, LENGTH),
+    Unit("in", INCH, LENGTH),
+    Unit("N", 1.0, FORCE),
+    Unit("kN", 1e3, FORCE),
+    Unit("MN", 1e6, FORCE),
+    Unit("lbf", LBF, FORCE),
+    Unit("kgf", 9.806_65, FORCE),
+    Unit("kp", 9.806_65, FORCE),
+    Unit("tonf_uk", 2240.0 * LBF, FORCE),
+    Unit("Pa", 1e-6, STRESS),
+    Unit("kPa", 1e-3, STRESS),
+    Unit("MPa", 1.0, STRESS),
+    Unit("GPa", 1e3, STRESS),
+    Unit("psi", LBF / (INCH * INCH), STRESS),
+    Unit("ksi", 1e3 * LBF / (INCH * INCH), STRESS),
+    Unit("s", 1.0, TIME),
+    Unit("ms", 1e-3, TIME),
+    Unit("min", 60.0, TIME),
+    Unit("h", 3600.0, TIME),
+    Unit("rad", 1.0, ANGLE),
+    Unit("deg", std::f64::consts::PI / 180.0, ANGLE),
+    Unit("K", 1.0, TEMPERATURE),
+    Unit("%", 0.01, NONE),
+];
+
+/// The unit of that name.
+pub(super) fn find(name: &str) -> Option<&'static Unit> {
+    UNITS.iter().find(|unit| unit.0 == name)
+}

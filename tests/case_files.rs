@@ -1,0 +1,251 @@
+//! Case files: the shipped ones load, broken ones say what is wrong, and no text can make the reader panic.
+
+use proptest::prelude::*;
+use stampflow::case::{self, Case};
+use stampflow::model::{Geometry, Grading, Motion, Role, Theory};
+use std::path::{Path, PathBuf};
+
+fn files(folder: &str, extension: &str) -> Vec<PathBuf> {
+    let folder = std::fs::read_dir(folder).expect("the folder exists");
+    let mut files: Vec<PathBuf> = folder.map(|entry| entry.expect("readable").path()).collect();
+    files.retain(|path| path.extension().is_some_and(|e| e == extension));
+    files.sort();
+    files
+}
+
+fn load(path: impl AsRef<Path>, overrides: &[&str]) -> Case {
+    let overrides: Vec<String> = overrides.iter().map(|o| (*o).to_owned()).collect();
+    case::load(path, &overrides).unwrap_or_else(|error| panic!("{}", error.render(false)))
+}
+
+/// The rendered error of a case in `text`; panics when there is none.
+fn message(text: &str, overrides: &[&str]) -> String {
+    let overrides: Vec<String> = overrides.iter().map(|o| (*o).to_owned()).collect();
+    case::parse(text, "case.toml", &overrides).expect_err("the case is broken").render(false)
+}
+
+const QUICKSTART: &str = include_str!("../cases/quickstart.toml");
+
+/// The case of the module's documentation: no key of it can be left out.
+const MINIMAL: &str = r#"title = "Cup"
+geometry = "axisymmetric"
+[blank]
+radius = "55 mm"
+thickness = "1 mm"
+[material.hardening]
+swift = { k = "520 MPa", n = 0.22, offset = 0.005 }
+[tools]
+punch = { flat = { radius = "30 mm", nose = "6 mm" }, friction = 0.08, travel = "25 mm" }
+die = { throat = "31.25 mm", shoulder = "6 mm", friction = 0.08 }
+holder = { inner_radius = "32 mm", force = "10 kN" }
+"#;
+
+#[test]
+fn every_shipped_case_loads_and_names_what_it_assumes() {
+    let cases = files("cases", "toml");
+    assert!(cases.len() >= 7, "{cases:?}");
+    for path in cases {
+        let case = load(&path, &[]);
+        assert!(!case.model.notes.is_empty(), "{}: no notes", case.name);
+        let report = case::check::report(&case).to_string();
+        assert!(case.model.notes.iter().all(|note| report.contains(note)), "{report}");
+        assert_eq!(case.model.frames.last(), Some(&case.model.travel), "{}", case.name);
+        for spec in case.compare.iter().filter(|spec| !spec.optional) {
+            assert!(spec.reference.is_file(), "{}", spec.reference.display());
+        }
+    }
+}
+
+/// Trust: every CSV is walked; its columns are those of the cases that compare with it.
+#[test]
+fn every_reference_curve_has_its_source_and_the_columns_that_cases_ask_for() {
+    let sources: toml::Table = std::fs::read_to_string("reference_data/sources.toml").unwrap().parse().unwrap();
+    let curves = files("reference_data", "csv");
+    for path in &curves {
+        let name = path.file_name().unwrap().to_str().unwrap();
+        let source = sources.get(name).unwrap_or_else(|| panic!("{name} is not in sources.toml"));
+        for key in ["citation", "kind", "grade", "scatter"] {
+            assert!(
+                source.get(key).and_then(toml::Value::as_str).is_some_and(|text| !text.is_empty()),
+                "{name}: {key}"
+            );
+        }
+    }
+    assert_eq!(sources.len(), curves.len(), "a source without its curve");
+    for path in files("cases", "toml") {
+        for spec in load(&path, &[]).compare.iter().filter(|spec| spec.reference.is_file()) {
+            let text = std::fs::read_to_string(&spec.reference).unwrap();
+            let header: Vec<&str> =
+                text.lines().find(|line| !line.starts_with('#')).expect("a header").split(',').collect();
+            assert!(header.contains(&spec.x.as_str()) && header.contains(&spec.y.as_str()), "{}", path.display());
+        }
+    }
+}
+
+#[test]
+fn a_twelve_line_case_is_enough_and_its_defaults_are_the_documented_ones() {
+    assert!(MINIMAL.lines().count() <= 12);
+    let case = case::parse(MINIMAL, "cup.toml", &[]).unwrap_or_else(|e| panic!("{}", e.render(false)));
+    let model = &case.model;
+    assert_eq!(case.name, "cup");
+    assert_eq!((model.blank.elements, model.blank.layers), (100, 5));
+    assert_eq!((model.blank.grading, model.blank.theory), (Grading::Radii, Theory::Bending));
+    assert_eq!(model.settings, stampflow::model::Settings::default());
+    assert_eq!(model.frames, [6.25, 12.5, 18.75, 25.0]);
+    assert_eq!(model.speed, 1.0);
+    let holder = model.tool(Role::Holder).unwrap();
+    assert_eq!((holder.friction, holder.motion), (0.08, Motion::Force(10_000.0)));
+}
+
+/// Trust: hand conversion, 1 UK ton-force/in² = 2240 × 4.44822 N / 645.16 mm² = 15.4443 MPa.
+#[test]
+fn inches_and_tons_of_the_paper_become_millimetres_and_megapascals() {
+    let case = load("cases/woo_hemispherical.toml", &[]);
+    assert!((case.model.blank.length - 56.388).abs() < 1e-9);
+    assert!((case.model.blank.thickness - 0.889).abs() < 1e-9);
+    let start = case.model.material.hardening.at(0.0).stress;
+    assert!((start - 5.4 * 15.444_256).abs() < 1e-3, "{start}");
+}
+
+#[test]
+fn plane_strain_takes_the_holder_force_per_depth_and_membrane_theory_one_layer() {
+    let model = load("cases/strip_draw.toml", &[]).model;
+    assert_eq!(model.geometry, Geometry::PlaneStrain);
+    assert_eq!(model.tool(Role::Holder).unwrap().motion, Motion::Force(1300.0));
+    assert_eq!((model.blank.theory, model.blank.layers), (Theory::Membrane, 1));
+}
+
+#[test]
+fn overrides_take_toml_values_and_bare_text() {
+    let overrides = [
+        "tools.punch.friction=0.1",
+        "blank.thickness=0.9 mm",
+        "blank.radius=\"52 mm\"",
+        "solver.iteration=newton",
+        "output.count = 2",
+        "title=Another cup",
+    ];
+    let case = load("cases/quickstart.toml", &overrides);
+    let model = &case.model;
+    assert_eq!(model.tool(Role::Punch).unwrap().friction, 0.1);
+    assert_eq!((model.blank.thickness, model.blank.length), (0.9, 52.0));
+    assert_eq!(model.settings.iteration, stampflow::model::Iteration::Newton);
+    assert_eq!(model.frames.len(), 2);
+    assert_eq!(model.title, "Another cup");
+    assert_eq!(
+        case::parse(&case.text, "cases/quickstart.toml", &[]).unwrap().model,
+        case.model,
+        "the text repeats the run"
+    );
+    let woo = load("cases/woo_hemispherical.toml", &["material.hardening.piecewise_power.branches.0.n=0.5045"]);
+    assert_ne!(woo.model.material, load("cases/woo_hemispherical.toml", &[]).model.material);
+}
+
+#[test]
+fn broken_overrides_say_what_to_write() {
+    let cases = [
+        ("tools.punh.friction=0.1", "there is no table [tools.punh]"),
+        ("tools.punh.friction=0.1", "did you mean `punch`?"),
+        ("friction", "there is no `=`"),
+        ("=3", "names no key"),
+        ("tools.punch.friction.x=3", "there is no table [tools.punch.friction]"),
+        ("blank.thicknes=1 mm", "unknown key `thicknes` in [blank]"),
+        ("blank.thickness=0.9", "0.9 needs a unit"),
+        ("blank.thickness=0.9", "case.toml (with overrides):13:13"),
+        ("tools.punch.friction=nan", "must lie between 0 and 1, found NaN"),
+        ("blank=3", "found number `3`, wanted a table of keys"),
+        ("output.count=0", "`count` must lie between 1 and 1000"),
+    ];
+    for (written, wanted) in cases {
+        let message = message(QUICKSTART, &[written]);
+        assert!(message.contains(wanted), "{written}\n{message}");
+    }
+}
+
+#[test]
+fn a_missing_file_is_named() {
+    let error = case::load("cases/nothing.toml", &[]).unwrap_err();
+    assert!(error.render(false).contains("there is no file cases/nothing.toml"));
+}
+
+/// A profile drawn anywhere along z is the standard shape, moved to where it touches the sheet.
+#[test]
+fn a_drawn_punch_equals_the_standard_one() {
+    let drawn = r#"profile = [
+        { from = ["0 mm", "100 mm"] }, { to = ["24 mm", "100 mm"] },
+        { arc_to = ["30 mm", "94 mm"], center = ["24 mm", "94 mm"], turn = "right" }, { to = ["30 mm", "-506 mm"] },
+    ]"#;
+    let text = QUICKSTART.replace(r#"flat = { radius = "30 mm", nose = "6 mm" }"#, drawn);
+    let case = case::parse(&text, "drawn.toml", &[]).unwrap_or_else(|e| panic!("{}", e.render(false)));
+    let standard = load("cases/quickstart.toml", &[]);
+    let (a, b) = (case.model.tool(Role::Punch).unwrap(), standard.model.tool(Role::Punch).unwrap());
+    for i in 0..200 {
+        let x = stampflow::geometry::Point::new(0.2 * f64::from(i), 3.0 - 0.07 * f64::from(i));
+        assert!((a.profile.closest(x).distance - b.profile.closest(x).distance).abs() < 1e-9);
+    }
+    assert!(case.derived.iter().any(|line| line.contains("moved by -100.5")), "{:?}", case.derived);
+}
+
+#[test]
+fn schema_documents_every_table_and_gives_examples() {
+    let schema: serde_json::Value = serde_json::from_str(&case::schema()).unwrap();
+    for table in ["title", "geometry", "blank", "material", "tools", "solver", "output", "compare"] {
+        assert!(schema["properties"][table].is_object(), "{table}");
+    }
+    assert_eq!(schema["$defs"]["Blank"]["properties"]["thickness"]["examples"][0], "0.9 mm");
+    assert_eq!(schema["$defs"]["Blank"]["additionalProperties"], false);
+}
+
+/// Every `tests/bad_cases/NAME.toml` has the message it must give in `NAME.txt`; `UPDATE=1` writes them anew.
+#[test]
+fn broken_cases_give_the_expected_messages() {
+    let bad = files("tests/bad_cases", "toml");
+    assert!(bad.len() >= 25, "only {} broken cases", bad.len());
+    let update = std::env::var_os("UPDATE").is_some();
+    let mut wrong = Vec::new();
+    for path in &bad {
+        let found = match case::load(path, &[]) {
+            Ok(_) => "this case is accepted\n".to_owned(),
+            Err(error) => error.render(false),
+        };
+        let expectation = path.with_extension("txt");
+        if update {
+            std::fs::write(&expectation, &found).unwrap();
+        }
+        let expected = std::fs::read_to_string(&expectation).unwrap_or_else(|_| "(no expectation)\n".into());
+        if found != expected || found.contains("this case is accepted") {
+            wrong.push(format!("{}\nfound:\n{found}expected:\n{expected}", path.display()));
+        }
+    }
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+    assert_eq!(files("tests/bad_cases", "txt").len(), bad.len(), "an expectation without its case");
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(400))]
+
+    /// Text of a case with a stretch of it replaced by something else.
+    #[test]
+    fn mutated_case_text_never_panics(
+        start in 0usize..1200, len in 0usize..30, insert in prop_oneof![
+            "\\PC{0,12}",
+            "[-0-9e. ]{1,8}(mm|N|MPa|%)?",
+            prop::sample::select(vec!["", "\"", "\n", "[", "]", "=", "nan", "-1", "\"0 mm\"", "\"1e300 mm\"", "inf", "[[tools]]"]).prop_map(str::to_owned),
+        ],
+    ) {
+        let chars: Vec<char> = MINIMAL.chars().collect();
+        let start = start % chars.len();
+        let end = (start + len).min(chars.len());
+        let text: String = chars[..start].iter().copied().chain(insert.chars()).chain(chars[end..].iter().copied()).collect();
+        if let Err(error) = case::parse(&text, "mutated.toml", &[]) {
+            let _ = error.render(false);
+        }
+    }
+
+    #[test]
+    fn overrides_never_panic(key in "[a-z.]{0,12}|tools.punch.[a-z]{0,8}", value in "\\PC{0,12}") {
+        if let Err(error) = case::parse(QUICKSTART, "case.toml", &[format!("{key}={value}")]) {
+            let _ = error.render(false);
+        }
+    }
+}
