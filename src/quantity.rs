@@ -83,30 +83,30 @@ macro_rules! quantities {
 }
 
 quantities! {
-    /// Signed length [mm].
+    /// Signed length \[mm\].
     Length = Kind { name: "a length", dimension: LENGTH, unit: "mm", examples: &["0.9 mm", "0.035 in"], largest: 1e5 };
-    /// Stress [MPa].
+    /// Stress \[MPa\].
     Stress = Kind {
         name: "a stress", dimension: STRESS, unit: "MPa", examples: &["210 GPa", "5.4 tonf_uk/in^2"], largest: 1e7,
     };
-    /// Force [N].
+    /// Force \[N\].
     Force = Kind { name: "a force", dimension: FORCE, unit: "N", examples: &["80 kN", "5000 N"], largest: 1e9 };
-    /// Force per length of depth [N/mm].
+    /// Force per length of depth \[N/mm\].
     LineForce = Kind {
         name: "a force per length", dimension: FORCE.over(LENGTH), unit: "N/mm",
         examples: &["1300 N/mm", "1300 kN/m"], largest: 1e7,
     };
-    /// Angle [rad].
+    /// Angle \[rad\].
     Angle = Kind { name: "an angle", dimension: ANGLE, unit: "rad", examples: &["90 deg", "1.57 rad"], largest: 100.0 };
-    /// Time [s].
+    /// Time \[s\].
     Time = Kind { name: "a time", dimension: TIME, unit: "s", examples: &["2 s", "30 ms"], largest: 1e9 };
-    /// Speed [mm/s].
+    /// Speed \[mm/s\].
     Speed = Kind {
         name: "a speed", dimension: LENGTH.over(TIME), unit: "mm/s", examples: &["1 mm/s", "0.2 m/s"], largest: 1e6,
     };
-    /// Relative number, written in percent [–].
+    /// Relative number, written in percent \[–\].
     Ratio = Kind { name: "a percentage", dimension: NONE, unit: "%", examples: &["5 %", "2.5 %"], largest: 1e3 };
-    /// Plain number [–], written without quotes.
+    /// Plain number \[–\], written without quotes.
     Number = Kind { name: "a plain number", dimension: NONE, unit: "", examples: &["0.1"], largest: 1e12 };
 }
 
