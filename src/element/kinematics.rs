@@ -15,7 +15,7 @@
 //! Oñate, Agelet de Saracibar, Int. J. Num. Meth. Engng. 30 (1990) 1577–1593; Zienkiewicz, Taylor,
 //! The Finite Element Method (1989).
 
-use super::{Geometry, Matrix6, Node, Theory, Vector6};
+use super::{Geometry, Node, Theory};
 
 /// Generalised strains or stress resultants: meridional and hoop membrane, meridional and hoop bending, shear.
 pub type Generalised = [f64; 5];
@@ -111,70 +111,87 @@ impl Start {
     }
 }
 
+/// First derivatives of the strains by the element's own five motions: the differences r₂−r₁, z₂−z₁, θ₂−θ₁ and the
+/// sums r₁+r₂, θ₁+θ₂ of its nodes. Every strain depends on one or two of them: B with its zeros left out.
+#[derive(Clone, Copy, Debug)]
+pub struct Gradient {
+    /// ∂ε_s/∂(r₂−r₁, z₂−z₁) = t/l.
+    pub along: [f64; 2],
+    /// ∂γ/∂(r₂−r₁, z₂−z₁) = n/l.
+    pub across: [f64; 2],
+    /// ∂ε_θ/∂(r₁+r₂).
+    pub hoop: f64,
+    /// ∂κ_s/∂(θ₂−θ₁).
+    pub bend: f64,
+    /// ∂κ_θ/∂(θ₁+θ₂).
+    pub turn: f64,
+    /// ∂γ/∂(θ₁+θ₂).
+    pub shear: f64,
+}
+
+/// Σ S ∂²strain of some resultants S by the same motions: the geometric stiffness.
+#[derive(Clone, Copy, Debug)]
+pub struct Curvature {
+    /// By the differences r₂−r₁, z₂−z₁: rr, rz, zz.
+    pub difference: [f64; 3],
+    /// By r₁+r₂ twice.
+    pub hoop: f64,
+    /// By θ₁+θ₂ twice.
+    pub turn: f64,
+}
+
 impl End {
-    /// Rows ∂strain/∂x of the strain-displacement matrix B.
+    /// B, without its zeros.
     #[inline]
-    pub fn rows(&self) -> [[f64; 6]; 5] {
-        let (c, s, l) = (self.cos / self.length, self.sin / self.length, &self.start);
-        let mut rows = [[0.0; 6]; 5];
-        rows[EPS_S] = [-c, -s, 0.0, c, s, 0.0];
-        if l.hoop {
-            let half = 0.5 / self.radius;
-            rows[EPS_T] = [half, 0.0, 0.0, half, 0.0, 0.0];
+    pub fn gradient(&self) -> Gradient {
+        let (c, s, start) = (self.cos / self.length, self.sin / self.length, &self.start);
+        let bending = if start.bending { 1.0 } else { 0.0 };
+        let hoop = if start.hoop { 1.0 } else { 0.0 };
+        Gradient {
+            along: [c, s],
+            across: [-s * bending, c * bending],
+            hoop: hoop * 0.5 / self.radius,
+            bend: bending / start.length,
+            turn: bending * hoop * 0.5 * self.mean_rotation.cos() / start.radius,
+            shear: -0.5 * bending,
         }
-        if l.bending {
-            rows[KAPPA_S] = [0.0, 0.0, -1.0 / l.length, 0.0, 0.0, 1.0 / l.length];
-            if l.hoop {
-                let half = 0.5 * self.mean_rotation.cos() / l.radius;
-                rows[KAPPA_T] = [0.0, 0.0, half, 0.0, 0.0, half];
-            }
-            rows[GAMMA] = [s, -c, -0.5, -s, c, -0.5];
-        }
-        rows
     }
 
-    /// Adds the geometric stiffness Σ S ∂²strain/∂x² of the resultants `s` to `k`.
+    /// Geometric stiffness of the resultants `s`.
     #[inline]
-    pub fn add_geometric(&self, s: &Generalised, k: &mut Matrix6) {
+    pub fn curvature(&self, s: &Generalised) -> Curvature {
         let (c, n) = (self.cos, self.sin);
         let inverse = 1.0 / (self.length * self.length);
+        let along = s[EPS_S] * inverse;
         // ∂² ln l = (I − 2 ttᵀ)/l²;  ∂²φ = −(ntᵀ + tnᵀ)/l², with t = (c, n), normal (−n, c).
-        let mut rr = s[EPS_S] * (1.0 - 2.0 * c * c) * inverse;
-        let mut rz = s[EPS_S] * (-2.0 * c * n) * inverse;
-        let mut zz = s[EPS_S] * (1.0 - 2.0 * n * n) * inverse;
+        let mut difference = [along * (1.0 - 2.0 * c * c), -2.0 * along * c * n, along * (1.0 - 2.0 * n * n)];
+        let mut curvature = Curvature { difference, hoop: 0.0, turn: 0.0 };
         if self.start.bending {
             let shear = s[GAMMA] * inverse;
-            rr += shear * 2.0 * c * n;
-            rz += shear * (n * n - c * c);
-            zz -= shear * 2.0 * c * n;
-        }
-        for (i, j, sign) in [(0, 0, 1.0), (0, 3, -1.0), (3, 0, -1.0), (3, 3, 1.0)] {
-            k[(i, j)] += sign * rr;
-            k[(i, j + 1)] += sign * rz;
-            k[(i + 1, j)] += sign * rz;
-            k[(i + 1, j + 1)] += sign * zz;
+            difference[0] += 2.0 * shear * c * n;
+            difference[1] += shear * (n * n - c * c);
+            difference[2] -= 2.0 * shear * c * n;
+            curvature.difference = difference;
         }
         if self.start.hoop {
-            let hoop = -0.25 * s[EPS_T] / (self.radius * self.radius);
-            let bending = if self.start.bending { s[KAPPA_T] } else { 0.0 };
-            let turn = -0.25 * bending * self.mean_rotation.sin() / self.start.radius;
-            for (i, j) in [(0, 0), (0, 3), (3, 0), (3, 3)] {
-                k[(i, j)] += hoop;
-                k[(i + 2, j + 2)] += turn;
+            curvature.hoop = -0.25 * s[EPS_T] / (self.radius * self.radius);
+            if self.start.bending {
+                curvature.turn = -0.25 * s[KAPPA_T] * self.mean_rotation.sin() / self.start.radius;
             }
         }
+        curvature
     }
 
-    /// Unit normal times 1/l on the differences of the nodes: the transverse direction of the element.
-    pub(super) fn transverse(&self) -> Vector6 {
-        let (c, s) = (self.cos / self.length, self.sin / self.length);
-        Vector6::new(s, -c, 0.0, -s, c, 0.0)
+    /// Unit normal over the length: the transverse direction of the element.
+    pub(super) fn transverse(&self) -> [f64; 2] {
+        [-self.sin / self.length, self.cos / self.length]
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::element::Matrix6;
     use approx::assert_relative_eq;
 
     const A: Node = [11.0, 2.0, 0.2];
@@ -194,6 +211,33 @@ mod tests {
         ([A[0] + delta[0], A[1] + delta[1], A[2] + delta[2]], [B[0] + delta[3], B[1] + delta[4], B[2] + delta[5]])
     }
 
+    /// B in full: rows of the strains by r₁, z₁, θ₁, r₂, z₂, θ₂.
+    fn rows_of(end: &End) -> [[f64; 6]; 5] {
+        let g = end.gradient();
+        let [c, s] = g.along;
+        let [x, y] = g.across;
+        [
+            [-c, -s, 0.0, c, s, 0.0],
+            [g.hoop, 0.0, 0.0, g.hoop, 0.0, 0.0],
+            [0.0, 0.0, -g.bend, 0.0, 0.0, g.bend],
+            [0.0, 0.0, g.turn, 0.0, 0.0, g.turn],
+            [-x, -y, g.shear, x, y, g.shear],
+        ]
+    }
+
+    fn geometric(end: &End, s: &Generalised) -> Matrix6 {
+        let c = end.curvature(s);
+        let [rr, rz, zz] = c.difference;
+        let block = |sign: f64| {
+            nalgebra::Matrix3::new(sign * rr + c.hoop, sign * rz, 0.0, sign * rz, sign * zz, 0.0, 0.0, 0.0, c.turn)
+        };
+        let mut k = Matrix6::zeros();
+        for (i, j, sign) in [(0, 0, 1.0), (0, 3, -1.0), (3, 0, -1.0), (3, 3, 1.0)] {
+            k.fixed_view_mut::<3, 3>(i, j).copy_from(&block(sign));
+        }
+        k
+    }
+
     const STEP: [f64; 6] = [0.05, 0.11, 0.03, -0.02, 0.31, -0.05];
 
     /// Trust: central differences, h = 1e-5: truncation near 1e-10.
@@ -205,10 +249,9 @@ mod tests {
                 let (a, b) = moved(delta);
                 start.end(a, b).expect("sound")
             };
-            let rows = at(&STEP).rows();
+            let rows = rows_of(&at(&STEP));
             let s = [3.0, -2.0, 0.7, 1.3, -0.9];
-            let mut k = Matrix6::zeros();
-            at(&STEP).add_geometric(&s, &mut k);
+            let k = geometric(&at(&STEP), &s);
             for j in 0..6 {
                 let (mut plus, mut minus) = (STEP, STEP);
                 plus[j] += h;
@@ -217,7 +260,7 @@ mod tests {
                 for i in 0..5 {
                     assert_relative_eq!(rows[i][j], (plus.strain[i] - minus.strain[i]) / (2.0 * h), epsilon = 1e-8);
                 }
-                let (p, m) = (plus.rows(), minus.rows());
+                let (p, m) = (rows_of(&plus), rows_of(&minus));
                 for i in 0..6 {
                     let second: f64 = (0..5).map(|a| s[a] * (p[a][i] - m[a][i]) / (2.0 * h)).sum();
                     assert_relative_eq!(k[(i, j)], second, epsilon = 1e-7);

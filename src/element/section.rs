@@ -2,9 +2,10 @@
 
 use super::kinematics::{EPS_S, EPS_T, End, GAMMA, Generalised, KAPPA_S, KAPPA_T};
 use super::lobatto::Layer;
-use super::{Matrix6, Theory, Vector6};
+use super::{Theory, Vector6};
 use crate::material::Hardening;
 use crate::material::flow::{Iterate, Iteration, Response, Symmetric};
+use nalgebra::Matrix3;
 
 /// What is the same for every layer point of a step.
 #[derive(Clone, Copy, Debug)]
@@ -25,8 +26,8 @@ pub struct Law<'a> {
 pub struct Internal {
     /// Bᵀ S \[N, N mm\].
     pub force: Vector6,
-    /// Bᵀ C B + geometric stiffness.
-    pub matrix: Matrix6,
+    /// Bᵀ C B + geometric stiffness: blocks of the first and second node.
+    pub matrix: [[Matrix3<f64>; 2]; 2],
     /// ∂t/∂x of the current thickness \[–\].
     pub thickness_row: [f64; 6],
     /// Current thickness, by constant volume \[mm\].
@@ -71,42 +72,62 @@ impl Law<'_> {
             }
             responses[i] = response;
         }
-        let c: [[f64; 5]; 5] = [
-            [c0[0], c0[1], c1[0], c1[1], c0[3]],
-            [c0[1], c0[2], c1[1], c1[2], c0[4]],
-            [c1[0], c1[1], c2[0], c2[1], c1[3]],
-            [c1[1], c1[2], c2[1], c2[2], c1[4]],
-            [c0[3], c0[4], c1[3], c1[4], c0[5]],
-        ];
-
-        let rows = end.rows();
-        let mut force = Vector6::zeros();
-        let mut matrix = Matrix6::zeros();
-        let used = if self.theory == Theory::Membrane { 2 } else { 5 };
-        for a in 0..used {
-            let mut cb = [0.0; 6];
-            for b in 0..used {
-                for j in 0..6 {
-                    cb[j] += c[a][b] * rows[b][j];
-                }
-            }
-            for i in 0..6 {
-                force[i] += rows[a][i] * s[a];
-                for j in 0..6 {
-                    matrix[(i, j)] += rows[a][i] * cb[j];
-                }
-            }
-        }
-        end.add_geometric(&s, &mut matrix);
+        // Forces and matrix of the element's five motions: differences d = (r, z), sum of r, difference and sum of θ.
+        let g = end.gradient();
+        let mut k = end.curvature(&s);
         if self.theory == Theory::Membrane && self.slack_tension > 0.0 {
             let tension = self.slack_tension * volume * self.hardening.at(before[0]).stress;
             if s[EPS_S] < tension {
-                let n = end.transverse();
-                matrix += (tension - s[EPS_S]) * n * n.transpose();
+                let [x, y] = end.transverse();
+                let missing = tension - s[EPS_S];
+                k.difference[0] += missing * x * x;
+                k.difference[1] += missing * x * y;
+                k.difference[2] += missing * y * y;
             }
         }
+        let (e0, e1) = (g.along, g.across);
+        let both = |p: f64, q: f64| [p * e0[0] + q * e1[0], p * e0[1] + q * e1[1]];
+        let [rr, rz, zz] = k.difference;
+        let [fr, fz] = both(s[EPS_S], s[GAMMA]);
+        let (f_sum, f_bend) = (g.hoop * s[EPS_T], g.bend * s[KAPPA_S]);
+        let f_turn = g.turn * s[KAPPA_T] + g.shear * s[GAMMA];
+
+        let (from_s, from_g) = (both(c0[0], c0[3]), both(c0[3], c0[5]));
+        let rr = rr + e0[0] * from_s[0] + e1[0] * from_g[0];
+        let rz = rz + e0[0] * from_s[1] + e1[0] * from_g[1];
+        let zz = zz + e0[1] * from_s[1] + e1[1] * from_g[1];
+        let hoop = both(c0[1], c0[4]).map(|v| g.hoop * v);
+        let bend = both(c1[0], c1[3]).map(|v| g.bend * v);
+        let turn_s = both(c1[1], c1[4]);
+        let turn = [g.turn * turn_s[0] + g.shear * from_g[0], g.turn * turn_s[1] + g.shear * from_g[1]];
+        let hoop_hoop = g.hoop * g.hoop * c0[2] + k.hoop;
+        let hoop_bend = g.hoop * g.bend * c1[1];
+        let hoop_turn = g.hoop * (g.turn * c1[2] + g.shear * c0[4]);
+        let bend_bend = g.bend * g.bend * c2[0];
+        let bend_turn = g.bend * (g.turn * c2[1] + g.shear * c1[3]);
+        let turn_turn = g.turn * (g.turn * c2[2] + 2.0 * g.shear * c1[4]) + g.shear * g.shear * c0[5] + k.turn;
+
+        // Back to the nodes: differences count −1 at the first and +1 at the second, sums +1 at both.
+        let force = Vector6::new(f_sum - fr, -fz, f_turn - f_bend, f_sum + fr, fz, f_turn + f_bend);
+        let block = |i: f64, j: f64| {
+            let ij = i * j;
+            Matrix3::new(
+                ij * rr + (i + j) * hoop[0] + hoop_hoop,
+                ij * rz + j * hoop[1],
+                ij * bend[0] + i * turn[0] + j * hoop_bend + hoop_turn,
+                ij * rz + i * hoop[1],
+                ij * zz,
+                ij * bend[1] + i * turn[1],
+                ij * bend[0] + j * turn[0] + i * hoop_bend + hoop_turn,
+                ij * bend[1] + j * turn[1],
+                ij * bend_bend + (i + j) * bend_turn + turn_turn,
+            )
+        };
+        let matrix = [[block(-1.0, -1.0), block(-1.0, 1.0)], [block(1.0, -1.0), block(1.0, 1.0)]];
         let thickness = thickness * (-e[EPS_S] - e[EPS_T]).exp();
-        let thickness_row = std::array::from_fn(|j| -thickness * (rows[EPS_S][j] + rows[EPS_T][j]));
+        let [along_r, along_z] = e0.map(|v| thickness * v);
+        let around = thickness * g.hoop;
+        let thickness_row = [along_r - around, along_z, 0.0, -along_r - around, -along_z, 0.0];
         Internal { force, matrix, thickness_row, thickness }
     }
 }

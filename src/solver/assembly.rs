@@ -237,10 +237,10 @@ impl Workspace {
                 &mut self.iterates[points.clone()],
                 &mut self.responses[points],
             );
-            system.diagonal[e] += internal.matrix.fixed_view::<3, 3>(0, 0);
-            system.upper[e] += internal.matrix.fixed_view::<3, 3>(0, 3);
-            system.lower[e + 1] += internal.matrix.fixed_view::<3, 3>(3, 0);
-            system.diagonal[e + 1] += internal.matrix.fixed_view::<3, 3>(3, 3);
+            system.diagonal[e] += internal.matrix[0][0];
+            system.upper[e] += internal.matrix[0][1];
+            system.lower[e + 1] += internal.matrix[1][0];
+            system.diagonal[e + 1] += internal.matrix[1][1];
             system.rhs[e] -= internal.force.fixed_rows::<3>(0);
             system.rhs[e + 1] -= internal.force.fixed_rows::<3>(3);
             self.thickness[e] = internal.thickness;
