@@ -103,7 +103,8 @@ fn plastic_moment_converges_with_the_layers() {
             slack_tension: 0.0,
         };
         let mut iterates = vec![Iterate::default(); n];
-        let mut responses = vec![Response { stress: [0.0; 3], tangent: [0.0; 6], increment: 0.0 }; n];
+        let mut responses =
+            vec![Response { stress: [0.0; 3], tangent: [0.0; 6], increment: 0.0, yield_stress: 0.0 }; n];
         let internal = law.internal(&end, start.area() * t, t, &vec![0.0; n], &mut iterates, &mut responses);
         (internal.force[5] / exact - 1.0).abs()
     };

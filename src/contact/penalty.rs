@@ -25,6 +25,12 @@ impl Penalty {
     /// Gap, in δ, at which tools wait before the first step: p is then k δ/150.
     pub const WAITING: f64 = 5.0;
 
+    /// Gap beyond which the pressure is nothing \[mm\].
+    #[inline]
+    pub fn reach(&self) -> f64 {
+        Self::REACH * self.smoothing
+    }
+
     /// Pressure \[MPa\] and dp/dg \[N/mm³\] at the gap `gap` \[mm\]; `None` out of reach.
     #[inline]
     pub fn at(&self, gap: f64) -> Option<Smooth> {

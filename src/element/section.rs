@@ -76,7 +76,7 @@ impl Law<'_> {
         let g = end.gradient();
         let mut k = end.curvature(&s);
         if self.theory == Theory::Membrane && self.slack_tension > 0.0 {
-            let tension = self.slack_tension * volume * self.hardening.at(before[0]).stress;
+            let tension = self.slack_tension * volume * responses[0].yield_stress;
             if s[EPS_S] < tension {
                 let [x, y] = end.transverse();
                 let missing = tension - s[EPS_S];

@@ -65,6 +65,8 @@ pub struct Response {
     pub tangent: Symmetric,
     /// Δε̄ \[–\].
     pub increment: f64,
+    /// σ_y \[MPa\].
+    pub yield_stress: f64,
 }
 
 /// What one layer point remembers from one iteration to the next.
@@ -137,7 +139,7 @@ impl Iterate {
             SHEAR_FACTOR / 3.0 * f + a[2] * b[2],
         ];
         *self = Self { carried: self.carried, strain: e, fluidity: f, hardening: h, inverse_square };
-        Response { stress, tangent, increment }
+        Response { stress, tangent, increment, yield_stress: yielding.stress }
     }
 
     /// w ← σ + C δ(Δε) with the matrix of the last iterate, scaled back onto the yield surface.

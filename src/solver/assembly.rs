@@ -34,7 +34,7 @@ pub(super) struct ActiveTool {
 /// One node against one tool at the end of the step under trial; forces are zero when it is out of reach.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct Contact {
-    /// Distance of the mid-surface from the tool \[mm\].
+    /// Distance of the mid-surface from the tool \[mm\]; infinite until measured when far away.
     pub distance: f64,
     pub normal: f64,
     pub tangential: f64,
@@ -42,6 +42,13 @@ pub(super) struct Contact {
     /// Gap, pressure and slope of the last iteration, from which the carried pressure follows.
     gap: f64,
     pressure: Smooth,
+}
+
+/// Where a node was last measured against a tool, in the tool's frame, and how far away it was [mm].
+#[derive(Clone, Copy, Debug)]
+struct Far {
+    position: Point,
+    distance: f64,
 }
 
 /// Everything an iteration works on, allocated once for a run.
@@ -62,6 +69,8 @@ pub(super) struct Workspace {
     pub edge_reaction: Vector3<f64>,
     /// Every tool's contact with every node, tool by tool.
     pub contacts: Vec<Contact>,
+    /// Where each pair was last measured.
+    far: Vec<Far>,
     /// Their pressures carried from iteration to iteration \[MPa\].
     carried: Vec<f64>,
     pub penetration: f64,
@@ -115,7 +124,7 @@ impl Workspace {
                 })
             })
             .collect();
-        let blank = Response { stress: [0.0; 3], tangent: [0.0; 6], increment: 0.0 };
+        let blank = Response { stress: [0.0; 3], tangent: [0.0; 6], increment: 0.0, yield_stress: 0.0 };
         Self {
             tool_position: state.tools.clone(),
             tool_force: vec![0.0; tools.len()],
@@ -128,6 +137,7 @@ impl Workspace {
             membrane_increment: vec![[0.0; 2]; elements],
             system: System::new(n, shared),
             edge_reaction: Vector3::zeros(),
+            far: vec![Far { position: Point::zeros(), distance: f64::NEG_INFINITY }; n * model.tools.len()],
             carried: vec![0.0; n * model.tools.len()],
             contacts,
             penetration: 0.0,
@@ -164,6 +174,17 @@ impl Workspace {
         }
         for (before, point) in self.before.iter_mut().zip(&state.layers) {
             *before = point.strain;
+        }
+    }
+
+    /// Measures the distances that the iterations did not need; the balance of work does.
+    pub fn measure_far(&mut self) {
+        let n = self.nodes.len();
+        for (pair, contact) in self.contacts.iter_mut().enumerate().filter(|(_, c)| c.distance.is_infinite()) {
+            let (tool, x) = (pair / n, self.nodes[pair % n]);
+            let position = Point::new(x[0], x[1] - self.tool_position[tool]);
+            contact.distance = self.tools[tool].profile.closest(position).distance;
+            self.far[pair] = Far { position, distance: contact.distance };
         }
     }
 
@@ -293,9 +314,19 @@ impl Workspace {
                 let (before, after) = (i.max(1) - 1, i.min(last - 1));
                 let thickness = 0.5 * (self.thickness[before] + self.thickness[after]);
                 let x = &self.nodes[i];
-                let closest = tool.profile.closest(Point::new(x[0], x[1] - self.tool_position[j]));
-                let contact = &mut self.contacts[j * (last + 1) + i];
-                let carried = &mut self.carried[j * (last + 1) + i];
+                let position = Point::new(x[0], x[1] - self.tool_position[j]);
+                let pair = j * (last + 1) + i;
+                let contact = &mut self.contacts[pair];
+                let carried = &mut self.carried[pair];
+                // A distance changes no faster than the node moves: far away it need not be measured again.
+                let far = &mut self.far[pair];
+                let free = *carried == 0.0 && contact.pressure.slope == 0.0 && state.pressure[pair] == 0.0;
+                if free && far.distance - (position - far.position).norm() > 0.5 * thickness + self.penalty.reach() {
+                    *contact = Contact { distance: f64::INFINITY, ..Contact::default() };
+                    continue;
+                }
+                let closest = tool.profile.closest(position);
+                *far = Far { position, distance: closest.distance };
                 let gap = closest.distance - 0.5 * thickness;
                 if model.settings.iteration != Iteration::PrimalDual {
                     *carried = 0.0;
@@ -304,7 +335,7 @@ impl Workspace {
                 }
                 let node = Visitor {
                     carried: *carried,
-                    position: Point::new(x[0], x[1] - self.tool_position[j]),
+                    position,
                     relative: Point::new(x[0] - state.nodes[i][0], x[1] - state.nodes[i][1] - moved),
                     thickness,
                     area: self.areas[i],

@@ -67,6 +67,7 @@ pub fn run_from(model: &Model, mut state: State, observer: &mut dyn Observer) ->
             break;
         }
         control.accept(dt, outcome.iterations);
+        work.measure_far();
         let record = StepRecord { rejected, ..accept(&work, &mut balance, model, &mut state, dt, &outcome, &last) };
         rejected = 0;
         observer.step(&record);
