@@ -59,6 +59,8 @@ pub struct Point {
     pub reference: f64,
     /// `None` where the run did not get.
     pub computed: Option<f64>,
+    /// Whether the point lies in the range that is judged; the others are shown only.
+    pub judged: bool,
 }
 
 /// Whether a run agrees with a reference.
@@ -166,10 +168,15 @@ impl Point {
 }
 
 impl Comparison {
-    /// The point with the largest relative difference.
+    /// The judged point with the largest relative difference.
     pub fn worst(&self) -> Option<&Point> {
         let size = |p: &Point| p.difference().map_or(-1.0, f64::abs);
-        self.points.iter().max_by(|a, b| size(a).total_cmp(&size(b))).filter(|p| p.computed.is_some())
+        self.judged().max_by(|a, b| size(a).total_cmp(&size(b))).filter(|p| p.computed.is_some())
+    }
+
+    /// The points inside the range that is judged.
+    pub fn judged(&self) -> impl Iterator<Item = &Point> {
+        self.points.iter().filter(|p| p.judged)
     }
 
     /// Where a point is, in words: `punch travel = 12.5 mm`.
@@ -229,18 +236,18 @@ pub fn compare(spec: &Spec, computed: &Computed) -> Result<Comparison, CompareEr
     }
     comparison.source = source::of(&spec.reference)?;
     let rising = rising(&comparison.curve);
-    for (at, reference) in reference::read(spec, x, y)? {
-        if reference == 0.0 {
-            return Err(CompareError::Zero { path: spec.reference.clone(), x: at });
+    for reference::Row { x, y, judged } in reference::read(spec, x, y)? {
+        if y == 0.0 && judged {
+            return Err(CompareError::Zero { path: spec.reference.clone(), x });
         }
-        comparison.points.push(Point { x: at, reference, computed: interpolated(&rising, at) });
+        comparison.points.push(Point { x, reference: y, computed: interpolated(&rising, x), judged });
     }
     let out = |p: &Point| p.difference().is_some_and(|d| d.abs() > spec.tolerance || d.is_nan());
     comparison.verdict = if !computed.complete && spec.quantity.is_of_last_frame() {
         Verdict::NotReached
-    } else if comparison.points.iter().any(out) {
+    } else if comparison.judged().any(out) {
         Verdict::Out
-    } else if comparison.points.iter().any(|p| p.computed.is_none()) {
+    } else if comparison.judged().any(|p| p.computed.is_none()) {
         Verdict::NotReached
     } else {
         Verdict::In

@@ -4,8 +4,16 @@ use super::{CompareError, Spec};
 use crate::table::{Column, Unit};
 use std::fs::File;
 
-/// The curve of a spec in solver units, the rows inside its range that have both values.
-pub(super) fn read(spec: &Spec, x: &Column, y: &Column) -> Result<Vec<(f64, f64)>, CompareError> {
+/// A row of the reference curve in solver units.
+pub(super) struct Row {
+    pub x: f64,
+    pub y: f64,
+    /// Whether it lies inside the spec's range.
+    pub judged: bool,
+}
+
+/// The curve of a spec, the rows that have both values.
+pub(super) fn read(spec: &Spec, x: &Column, y: &Column) -> Result<Vec<Row>, CompareError> {
     let path = &spec.reference;
     let file = File::open(path).map_err(|source| CompareError::Read { path: path.clone(), source })?;
     let in_file = |source| CompareError::Csv { path: path.clone(), source };
@@ -37,12 +45,10 @@ pub(super) fn read(spec: &Spec, x: &Column, y: &Column) -> Result<Vec<(f64, f64)
             }
         };
         if let (Some(x), Some(y)) = (value(x_column)?, value(y_column)?) {
-            if (low..=high).contains(&x) {
-                points.push((x * x_factor, y * y_factor));
-            }
+            points.push(Row { x: x * x_factor, y: y * y_factor, judged: (low..=high).contains(&x) });
         }
     }
-    if points.is_empty() {
+    if !points.iter().any(|row| row.judged) {
         return Err(CompareError::Empty { path: path.clone(), x: spec.x.clone(), y: spec.y.clone() });
     }
     Ok(points)

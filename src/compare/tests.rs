@@ -70,7 +70,7 @@ fn travel_at_equal_force_is_taken_on_the_rise_to_the_peak() {
     assert_eq!(c.points.iter().map(|p| p.computed).collect::<Vec<_>>(), [Some(2.5), Some(9.5), None]);
     assert_eq!(c.verdict, Verdict::NotReached);
     let c = compared(csv, |d| Spec { range: Some((0.0, 20_000.0)), ..of(d) }, true).unwrap();
-    assert_eq!((c.points.len(), c.verdict), (2, Verdict::In));
+    assert_eq!((c.points.len(), c.judged().count(), c.verdict), (3, 2, Verdict::In));
 }
 
 #[test]

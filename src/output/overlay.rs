@@ -66,7 +66,7 @@ pub fn plot(subject: &Subject, comparison: &Comparison) -> Chart {
 }
 
 fn notes(comparison: &Comparison) -> Vec<String> {
-    let Comparison { spec, source, points, .. } = comparison;
+    let Comparison { spec, source, .. } = comparison;
     let file = spec.reference.file_name().unwrap_or_default().to_string_lossy();
     let from = source.as_ref().map_or_else(|| "source not stated".to_owned(), ToString::to_string);
     let mut notes = vec![
@@ -76,9 +76,13 @@ fn notes(comparison: &Comparison) -> Vec<String> {
     if let Some((point, difference)) = comparison.worst().and_then(|p| Some((p, p.difference()?))) {
         notes.push(format!("Largest difference {:+.1} % at {}.", 100.0 * difference, comparison.place(point)));
     }
-    let missed = points.iter().filter(|p| p.computed.is_none()).count();
+    let judged = comparison.judged().count();
+    let missed = comparison.judged().filter(|p| p.computed.is_none()).count();
     if missed > 0 {
-        notes.push(format!("{missed} of {} reference points were not reached.", points.len()));
+        notes.push(format!("{missed} of {judged} reference points were not reached."));
+    }
+    if let Some((low, high)) = spec.range {
+        notes.push(format!("Judged from {low} to {high} in {}; the other points are shown only.", spec.x));
     }
     if spec.quantity == Quantity::Travel {
         notes.push("The travel is the first at which the force is reached, before its peak.".to_owned());

@@ -2,7 +2,7 @@
 
 use super::csv::rounded;
 use super::{Subject, force_unit, work_unit};
-use crate::model::Geometry;
+use crate::model::{Geometry, Grading, Iteration, Model, Norm, Theory};
 use crate::record::StepRecord;
 use crate::table::Unit;
 use serde::ser::{Serialize, SerializeMap, Serializer};
@@ -89,8 +89,12 @@ impl Summary {
             Unit::Percent,
             100.0 * largest(|s| s.penetration),
         );
+        summary.text("mesh", "Mesh", &mesh(model));
+        summary.text("corrector", "Corrector", &corrector(model));
         summary.count("steps", "Steps", run.history.len());
         summary.count("iterations", "Iterations", run.history.iter().map(|s| s.iterations).sum());
+        summary.number("velocity_norm", "Largest accepted velocity norm", Unit::None, largest(|s| s.velocity_norm));
+        summary.number("residual_norm", "Largest accepted residual norm", Unit::None, largest(|s| s.residual_norm));
         summary.count("rejected", "Rejected tries", run.history.iter().map(|s| s.rejected).sum());
         summary.number("wall_time", "Wall time", Unit::Second, wall.as_secs_f64());
         summary.text("program", "", concat!(env!("CARGO_PKG_NAME"), " ", env!("CARGO_PKG_VERSION")));
@@ -121,6 +125,34 @@ impl Summary {
     fn list(&mut self, key: &'static str, label: &'static str, values: &[String]) {
         self.push(key, label, Unit::None, Value::List(values.to_vec()));
     }
+}
+
+fn mesh(model: &Model) -> String {
+    let blank = &model.blank;
+    let theory = match blank.theory {
+        Theory::Bending => format!("bending elements, {} layers", blank.layers),
+        Theory::Membrane => "membrane elements".to_owned(),
+    };
+    let grading = match blank.grading {
+        Grading::Uniform => "uniform",
+        Grading::Radii => "graded to the tools' radii",
+    };
+    format!("{} {theory}, {grading}", blank.elements)
+}
+
+fn corrector(model: &Model) -> String {
+    let settings = &model.settings;
+    let matrix = match settings.iteration {
+        Iteration::PrimalDual => "primal-dual Newton",
+        Iteration::Newton => "Newton",
+        Iteration::Secant => "secant",
+    };
+    let norm = match settings.norm {
+        Norm::Velocity => "velocity norm",
+        Norm::Residual => "residual norm",
+        Norm::Both => "velocity and residual norm",
+    };
+    format!("{matrix} matrix, {norm} below {:e}", settings.tolerance)
 }
 
 /// `summary.json`.
