@@ -87,7 +87,8 @@ fn tools(model: &Model, lines: &mut Vec<Line>) {
             Role::Punch => mm(high),
             Role::Die | Role::Holder => mm(low),
         };
-        let corners: Vec<String> = tool.profile.corners().map(|arc| format!("R {}", mm(arc.radius))).collect();
+        let thicknesses = |radius: f64| format!("R {} ({:.1} t)", mm(radius), radius / model.blank.thickness);
+        let corners: Vec<String> = tool.profile.corners().map(|arc| thicknesses(arc.radius)).collect();
         let corners = if corners.is_empty() { String::new() } else { format!(", {}", corners.join(", ")) };
         let what = match tool.role {
             Role::Punch => "mm to the wall",

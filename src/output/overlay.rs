@@ -2,7 +2,7 @@
 
 use super::chart::{BLACK, Chart, GREY, Look, Panel, Scale, Series, color};
 use super::{Subject, WriteError, csv, png, svg, write};
-use crate::compare::{Comparison, Quantity, Verdict};
+use crate::compare::{Comparison, Point, Quantity, Verdict};
 use std::path::{Path, PathBuf};
 
 /// Writes `compare_<n>_<quantity>.png` and `.csv` into `dir`; nothing when there are no data.
@@ -29,6 +29,9 @@ pub fn write_comparison(
     Ok(files.map(|(path, _)| path).to_vec())
 }
 
+/// The difference is drawn up to this many tolerances; what lies beyond is counted in the caption.
+const SCALE: f64 = 6.0;
+
 /// Reference as circles, computed as a line; the relative difference within its tolerance below.
 pub fn plot(subject: &Subject, comparison: &Comparison) -> Chart {
     let Comparison { spec, points, curve, .. } = comparison;
@@ -43,7 +46,11 @@ pub fn plot(subject: &Subject, comparison: &Comparison) -> Chart {
         look: Look::Line { color: GREY, width: 1.6, dash: &[6.0, 4.0] },
     };
     let references = points.iter().map(|p| (p.x, p.reference)).collect();
-    let differences: Vec<_> = points.iter().filter_map(|p| Some((p.x, 100.0 * p.difference()?))).collect();
+    let differences: Vec<_> = points
+        .iter()
+        .filter_map(|p| Some((p.x, 100.0 * p.difference()?)))
+        .filter(|d| d.1.abs() <= SCALE * tolerance)
+        .collect();
     let above = vec![
         Series::new("Computed", curve.clone(), Look::curve(0)),
         Series::new("Reference", references, Look::Circles { color: color(1) }),
@@ -83,6 +90,12 @@ fn notes(comparison: &Comparison) -> Vec<String> {
     }
     if let Some((low, high)) = spec.range {
         notes.push(format!("Judged from {low} to {high} in {}; the other points are shown only.", spec.x));
+    }
+    let off = |p: &&Point| p.difference().is_some_and(|d| d.abs() > SCALE * spec.tolerance);
+    let beyond: Vec<_> = comparison.points.iter().filter(off).collect();
+    if let Some(difference) = beyond.iter().filter_map(|p| p.difference()).max_by(|a, b| a.abs().total_cmp(&b.abs())) {
+        let (count, most) = (beyond.len(), 100.0 * difference);
+        notes.push(format!("{count} points lie beyond the scale of the difference, up to {most:+.0} %."));
     }
     if spec.quantity == Quantity::Travel {
         notes.push("The travel is the first at which the force is reached, before its peak.".to_owned());

@@ -26,7 +26,7 @@ pub(super) struct Page<'a> {
 impl<'a> Page<'a> {
     pub(super) fn of(chart: &'a Chart) -> Self {
         let left = chart.panels.iter().map(|p| y_labels_width(&p.ranges()[1], p)).fold(0.0, f64::max);
-        let frames: Vec<Frame> = chart.panels.iter().map(|p| Frame::of(p, WIDTH - left - 2.0 * MARGIN)).collect();
+        let frames: Vec<Frame> = chart.panels.iter().map(|p| Frame::of(p, WIDTH - left - 3.0 * MARGIN)).collect();
         let title = wrapped(&chart.title, TITLE, WIDTH - 2.0 * MARGIN);
         let legend = legend(chart);
         let notes: Vec<String> =
