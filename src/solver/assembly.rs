@@ -55,8 +55,10 @@ struct Far {
 pub(super) struct Workspace {
     pub tools: Vec<ActiveTool>,
     pub layers: Vec<Layer>,
-    /// Trial positions of nodes and tools at the end of the step.
+    /// Trial moves of the nodes in the step, the velocities times its duration, and where they lead.
+    pub moves: Vec<Node>,
     pub nodes: Vec<Node>,
+    /// Trial positions of the tools at the end of the step.
     pub tool_position: Vec<f64>,
     pub iterates: Vec<Iterate>,
     pub responses: Vec<Response>,
@@ -130,6 +132,7 @@ impl Workspace {
             tool_force: vec![0.0; tools.len()],
             tools,
             layers: lobatto::rule(model.blank.layers),
+            moves: vec![[0.0; 3]; n],
             nodes: state.nodes.clone(),
             iterates: vec![Iterate::default(); points],
             responses: vec![blank; points],
@@ -197,21 +200,18 @@ impl Workspace {
     pub fn predict(&mut self, model: &Model, state: &State, dt: f64, from_rest: bool) {
         self.carried.copy_from_slice(&state.pressure);
         let share = if from_rest { 0.0 } else { dt };
-        for (i, x) in self.nodes.iter_mut().enumerate() {
+        for (i, x) in self.moves.iter_mut().enumerate() {
             for d in 0..3 {
-                x[d] = state.nodes[i][d] + share * state.velocity[i][d];
+                x[d] = share * state.velocity[i][d];
             }
         }
-        let last = self.nodes.len() - 1;
+        let last = self.moves.len() - 1;
         match model.blank.edge {
             Edge::Free => {}
-            Edge::Clamped => self.nodes[last] = state.nodes[last],
-            Edge::Pulled { speed } => {
-                self.nodes[last] = state.nodes[last];
-                self.nodes[last][0] += speed * model.speed * dt;
-            }
+            Edge::Clamped => self.moves[last] = [0.0; 3],
+            Edge::Pulled { speed } => self.moves[last] = [speed * model.speed * dt, 0.0, 0.0],
         }
-        self.nodes[0][0] = 0.0;
+        self.moves[0][0] = 0.0;
         for (j, tool) in self.tools.iter().enumerate() {
             self.tool_position[j] = state.tools[j]
                 + match tool.motion {
@@ -242,13 +242,18 @@ impl Workspace {
             cutoff: self.cutoff,
             slack_tension: SLACK_TENSION * (velocity_norm / SLACK_NORM).min(1.0),
         };
+        for (x, (start, u)) in self.nodes.iter_mut().zip(state.nodes.iter().zip(&self.moves)) {
+            for d in 0..3 {
+                x[d] = start[d] + u[d];
+            }
+        }
         let system = &mut self.system;
         system.clear();
 
         // Internal forces p and their matrix.
         let n_layers = self.layers.len();
         for (e, start) in self.starts.iter().enumerate() {
-            let Some(end) = start.end(self.nodes[e], self.nodes[e + 1]) else { return false };
+            let Some(end) = start.end(self.moves[e], self.moves[e + 1]) else { return false };
             let points = e * n_layers..(e + 1) * n_layers;
             let internal = law.internal(
                 &end,
@@ -336,7 +341,7 @@ impl Workspace {
                 let node = Visitor {
                     carried: *carried,
                     position,
-                    relative: Point::new(x[0] - state.nodes[i][0], x[1] - state.nodes[i][1] - moved),
+                    relative: Point::new(self.moves[i][0], self.moves[i][1] - moved),
                     thickness,
                     area: self.areas[i],
                 };
@@ -466,7 +471,7 @@ mod tests {
         let mut work = Workspace::new(model, state);
         work.begin(model, state);
         work.predict(model, state, dt, false);
-        for (i, x) in work.nodes.iter_mut().enumerate() {
+        for (i, x) in work.moves.iter_mut().enumerate() {
             let wave = (i as f64 * 1.7).sin();
             x[0] += if i == 0 { 0.0 } else { 2e-4 * wave };
             x[1] += 2e-4 * (i as f64 * 2.3).cos();
@@ -489,12 +494,12 @@ mod tests {
                 if held {
                     continue;
                 }
-                let x = work.nodes[j][d];
-                work.nodes[j][d] = x + h;
+                let x = work.moves[j][d];
+                work.moves[j][d] = x + h;
                 let (plus, plus_border) = at(&mut work);
-                work.nodes[j][d] = x - h;
+                work.moves[j][d] = x - h;
                 let (minus, minus_border) = at(&mut work);
-                work.nodes[j][d] = x;
+                work.moves[j][d] = x;
                 for i in 0..n {
                     let difference = -(plus[i] - minus[i]) / (2.0 * h);
                     let column = match i as isize - j as isize {

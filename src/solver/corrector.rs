@@ -70,14 +70,13 @@ pub(super) fn correct(
         }
         let (mut change, mut total) = (0.0, 0.0);
         for (i, d) in increments.iter().enumerate() {
-            let x = &mut work.nodes[i];
+            let u = &mut work.moves[i];
             let weight = [1.0, 1.0, t]; // a turn counts by what it moves a thickness away
             for k in 0..3 {
                 let increment = cut * d[k];
-                x[k] += increment;
-                let velocity = x[k] - state.nodes[i][k];
+                u[k] += increment;
                 change += (weight[k] * increment).powi(2);
-                total += (weight[k] * velocity).powi(2);
+                total += (weight[k] * u[k]).powi(2);
             }
         }
         for (j, tool) in work.tools.iter().enumerate() {

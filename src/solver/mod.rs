@@ -144,10 +144,8 @@ fn accept(
             carried: work.iterates[i].carried,
         };
     }
-    for (i, x) in work.nodes.iter().enumerate() {
-        for d in 0..3 {
-            state.velocity[i][d] = (x[d] - state.nodes[i][d]) / dt;
-        }
+    for (velocity, u) in state.velocity.iter_mut().zip(&work.moves) {
+        *velocity = u.map(|u| u / dt);
     }
     for (j, position) in work.tool_position.iter().enumerate() {
         state.tool_velocity[j] = (position - state.tools[j]) / dt;
