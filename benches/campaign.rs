@@ -34,8 +34,9 @@ fn main() {
     let mut kinds: BTreeMap<(&str, Process), usize> = BTreeMap::new();
     for o in &outcomes {
         *kinds.entry((o.kind, o.process)).or_default() += 1;
-        if o.kind != "full travel" {
-            println!("  {}: {}", o.kind, o.line);
+        if o.kind != "full travel" || o.figures[3] > 0.02 || o.figures[1] > 10.0 {
+            let [_, rejected, _, imbalance, _] = o.figures;
+            println!("  {}, {rejected} rejected, imbalance {:.1} %: {}", o.kind, 100.0 * imbalance, o.line);
         }
     }
     for kind in ["full travel", "no equilibrium", "panic"] {

@@ -215,3 +215,14 @@ fn steps_land_on_the_frames() {
         assert!((frame.travel - wanted).abs() < 1e-9 * wanted);
     }
 }
+
+/// A strip whose edge runs out from under the holder: the run goes on, the holder's force ends, and the user is told.
+#[test]
+fn sheet_that_leaves_the_holder_is_reported_and_the_run_goes_on() {
+    let mut model = shipped("quickstart");
+    model.travel = 45.0;
+    model.frames = vec![45.0];
+    let run = solve(&model);
+    assert_eq!(last(&run).holder_force, 0.0);
+    assert!(run.warnings.iter().any(|w| w.contains("left the holder")), "{:?}", run.warnings);
+}

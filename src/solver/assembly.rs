@@ -29,6 +29,15 @@ pub(super) struct ActiveTool {
     motion: Motion,
     /// Index among the shared unknowns, for a tool whose position is one.
     pub shared: Option<usize>,
+    /// Travel at which the sheet left this tool's reach for good \[mm\]; it takes no part from then on.
+    pub released: Option<f64>,
+}
+
+impl ActiveTool {
+    /// Whether the tool takes part at all: a holder without force does not.
+    fn is_absent(&self) -> bool {
+        self.released.is_some() || (matches!(self.motion, Motion::Force(_)) && self.shared.is_none())
+    }
 }
 
 /// One node against one tool at the end of the step under trial; forces are zero when it is out of reach.
@@ -110,6 +119,7 @@ impl Workspace {
                     friction: tool.friction,
                     motion: tool.motion,
                     shared: index,
+                    released: None,
                 }
             })
             .collect();
@@ -178,6 +188,21 @@ impl Workspace {
         for (before, point) in self.before.iter_mut().zip(&state.layers) {
             *before = point.strain;
         }
+    }
+
+    /// Lifts a pressed tool off once the blank's edge has run out from under it: what is left to press on is a corner,
+    /// from which the sheet would snap. Returns the contacts that end.
+    pub fn release(&mut self, state: &State) -> Option<std::ops::Range<usize>> {
+        let edge = state.nodes[state.nodes.len() - 1][0];
+        let n = state.nodes.len();
+        let lost = self.tools.iter_mut().enumerate().find(|(_, tool)| {
+            let inner = tool.profile.pieces().iter().map(|p| p.first().x.min(p.last().x)).fold(f64::INFINITY, f64::min);
+            !tool.is_absent() && tool.shared.is_some() && edge < inner
+        });
+        lost.map(|(j, tool)| {
+            tool.released = Some(state.travel);
+            j * n..(j + 1) * n
+        })
     }
 
     /// Measures the distances that the iterations did not need; the balance of work does.
@@ -280,6 +305,10 @@ impl Workspace {
         // Shared unknowns: a tool pressed by a force.
         for (j, tool) in self.tools.iter().enumerate() {
             let (Some(k), Motion::Force(force)) = (tool.shared, tool.motion) else { continue };
+            if tool.released.is_some() {
+                self.system.corner[(k, k)] = 1.0;
+                continue;
+            }
             let gap = (1.0 - DISTANCE_BLOCK) * model.blank.thickness - self.tool_position[j];
             if let Some(block) = self.penalty.at(gap) {
                 self.system.corner_rhs[k] -= self.block_area * block.value;
@@ -310,7 +339,10 @@ impl Workspace {
         let system = &mut self.system;
         for (j, tool) in self.tools.iter().enumerate() {
             self.tool_force[j] = 0.0;
-            if matches!(tool.motion, Motion::Force(_)) && tool.shared.is_none() {
+            if tool.is_absent() {
+                for i in 0..=last {
+                    self.contacts[j * (last + 1) + i] = Contact { distance: f64::INFINITY, ..Contact::default() };
+                }
                 continue;
             }
             let friction = Coulomb { coefficient: tool.friction, slip: model.settings.slip_speed * model.speed * dt };

@@ -24,6 +24,13 @@ impl Balance {
         Self { contacts: work.contacts.clone(), tool_force: vec![0.0; work.tool_force.len()], edge_force: 0.0 }
     }
 
+    /// Forgets contacts that have been released: what their springs stored is lost.
+    pub fn forget(&mut self, contacts: std::ops::Range<usize>) {
+        for contact in &mut self.contacts[contacts] {
+            (contact.normal, contact.tangential) = (0.0, 0.0);
+        }
+    }
+
     /// Work of the converged step in `work` that starts at `state` and lasts `dt` \[s\]; moves on to its end.
     pub fn work_of_step(&mut self, work: &Workspace, model: &Model, state: &State, dt: f64) -> Energy {
         let mut done = Energy::default();

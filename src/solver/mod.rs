@@ -7,7 +7,7 @@ mod corrector;
 mod stepping;
 
 use crate::mesh;
-use crate::model::{Edge, Model, Motion, Role};
+use crate::model::{Edge, Model, Role};
 use crate::record::{IterationRecord, Run, StepRecord, Stop};
 use crate::state::{LayerPoint, State};
 use assembly::Workspace;
@@ -73,6 +73,10 @@ pub fn run_from(model: &Model, mut state: State, observer: &mut dyn Observer) ->
         observer.step(&record);
         run.history.push(record);
         last = record;
+        if let Some(contacts) = work.release(&state) {
+            state.pressure[contacts.clone()].fill(0.0);
+            balance.forget(contacts);
+        }
         if control.at_frame(&state) {
             run.frames.push(state.frame(model));
         }
@@ -80,7 +84,7 @@ pub fn run_from(model: &Model, mut state: State, observer: &mut dyn Observer) ->
     if !run.stop.is_complete() && last.step > 0 && run.frames.last().is_none_or(|f| f.travel < state.travel) {
         run.frames.push(state.frame(model));
     }
-    run.warnings = warnings(model, &state, &run);
+    run.warnings = warnings(model, &work, &state, &run);
     (run, state)
 }
 
@@ -195,7 +199,7 @@ const LARGEST_PENETRATION: f64 = 0.05;
 const LARGEST_CUT_OFF: f64 = 0.05;
 
 /// What a user should know before trusting the result.
-fn warnings(model: &Model, state: &State, run: &Run) -> Vec<String> {
+fn warnings(model: &Model, work: &Workspace, state: &State, run: &Run) -> Vec<String> {
     let mut warnings = Vec::new();
     let Some(last) = run.history.last() else { return warnings };
     let imbalance = last.work.imbalance();
@@ -224,9 +228,12 @@ fn warnings(model: &Model, state: &State, run: &Run) -> Vec<String> {
             "the hardening table ends at a strain of {end:.3}; the run reaches {strain:.3} on its extrapolation"
         ));
     }
-    for (tool, &moved) in model.tools.iter().zip(&state.tools) {
-        if matches!(tool.motion, Motion::Force(_)) && moved > 0.45 * model.blank.thickness {
-            warnings.push("the holder has lost the sheet and rests on its distance blocks".to_string());
+    for (tool, active) in model.tools.iter().zip(&work.tools) {
+        if let Some(travel) = active.released {
+            warnings.push(format!(
+                "the sheet left the {} at {travel:.2} mm of travel; it is lifted off from there on",
+                tool.role.name()
+            ));
         }
     }
     warnings
