@@ -1,18 +1,17 @@
 //! Equilibrium at the end of a step: the residual r = p − f and its matrix H (Sosnowski 1994, equations 7 to 9).
 
 use super::block_tridiagonal::System;
-use crate::contact::friction::Coulomb;
-use crate::contact::penalty::{Penalty, Smooth};
-use crate::contact::{Visitor, touch};
+use super::contacts::{ActiveTool, Contact, Far};
+use crate::contact::penalty::Penalty;
 use crate::element::kinematics::Start;
 use crate::element::lobatto::{self, Layer};
 use crate::element::section::Law;
 use crate::element::{Geometry, Node};
-use crate::geometry::{Point, Profile};
+use crate::geometry::Point;
 use crate::material::flow::{Iterate, Response};
-use crate::model::{Edge, Iteration, Model, Motion, Theory};
+use crate::model::{Edge, Model, Motion, Theory};
 use crate::state::State;
-use nalgebra::{Matrix3, Vector3};
+use nalgebra::Vector3;
 
 /// Least tension of a membrane in its matrix, over its yield force \[–\]; it fades once the velocity norm is below [`SLACK_NORM`].
 const SLACK_TENSION: f64 = 0.5;
@@ -20,45 +19,6 @@ const SLACK_NORM: f64 = 0.05;
 
 /// A holder that has lost the sheet comes to rest on blocks of this height over the sheet thickness \[–\].
 const DISTANCE_BLOCK: f64 = 0.5;
-
-/// A tool as the solver uses it.
-#[derive(Clone, Debug)]
-pub(super) struct ActiveTool {
-    profile: Profile,
-    friction: f64,
-    motion: Motion,
-    /// Index among the shared unknowns, for a tool whose position is one.
-    pub shared: Option<usize>,
-    /// Travel at which the sheet left this tool's reach for good \[mm\]; it takes no part from then on.
-    pub released: Option<f64>,
-}
-
-impl ActiveTool {
-    /// Whether the tool takes part at all: a holder without force does not.
-    fn is_absent(&self) -> bool {
-        self.released.is_some() || (matches!(self.motion, Motion::Force(_)) && self.shared.is_none())
-    }
-}
-
-/// One node against one tool at the end of the step under trial; forces are zero when it is out of reach.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub(super) struct Contact {
-    /// Distance of the mid-surface from the tool \[mm\]; infinite until measured when far away.
-    pub distance: f64,
-    pub normal: f64,
-    pub tangential: f64,
-    pub slip: f64,
-    /// Gap, pressure and slope of the last iteration, from which the carried pressure follows.
-    gap: f64,
-    pressure: Smooth,
-}
-
-/// Where a node was last measured against a tool, in the tool's frame, and how far away it was [mm].
-#[derive(Clone, Copy, Debug)]
-struct Far {
-    position: Point,
-    distance: f64,
-}
 
 /// Everything an iteration works on, allocated once for a run.
 pub(super) struct Workspace {
@@ -81,9 +41,9 @@ pub(super) struct Workspace {
     /// Every tool's contact with every node, tool by tool.
     pub contacts: Vec<Contact>,
     /// Where each pair was last measured.
-    far: Vec<Far>,
+    pub(super) far: Vec<Far>,
     /// Their pressures carried from iteration to iteration \[MPa\].
-    carried: Vec<f64>,
+    pub(super) carried: Vec<f64>,
     pub penetration: f64,
     pub active_contacts: usize,
     /// Δε₀ of the step \[–\], raised by the factor `softening` ≥ 1 while a hard step looks for a start.
@@ -93,10 +53,10 @@ pub(super) struct Workspace {
     pub residual_norm: f64,
     pub worst_node: usize,
     starts: Vec<Start>,
-    thickness_rows: Vec<[f64; 6]>,
-    areas: Vec<f64>,
+    pub(super) thickness_rows: Vec<[f64; 6]>,
+    pub(super) areas: Vec<f64>,
     before: Vec<f64>,
-    penalty: Penalty,
+    pub(super) penalty: Penalty,
     block_area: f64,
 }
 
@@ -132,7 +92,7 @@ impl Workspace {
             .flat_map(|(tool, moved)| {
                 state.nodes.iter().map(move |x| {
                     let distance = tool.profile.closest(Point::new(x[0], x[1] - moved)).distance;
-                    Contact { distance, ..Contact::default() }
+                    Contact::free(distance)
                 })
             })
             .collect();
@@ -188,37 +148,6 @@ impl Workspace {
         for (before, point) in self.before.iter_mut().zip(&state.layers) {
             *before = point.strain;
         }
-    }
-
-    /// Lifts a pressed tool off once the blank's edge has run out from under it: what is left to press on is a corner,
-    /// from which the sheet would snap. Returns the contacts that end.
-    pub fn release(&mut self, state: &State) -> Option<std::ops::Range<usize>> {
-        let edge = state.nodes[state.nodes.len() - 1][0];
-        let n = state.nodes.len();
-        let lost = self.tools.iter_mut().enumerate().find(|(_, tool)| {
-            let inner = tool.profile.pieces().iter().map(|p| p.first().x.min(p.last().x)).fold(f64::INFINITY, f64::min);
-            !tool.is_absent() && tool.shared.is_some() && edge < inner
-        });
-        lost.map(|(j, tool)| {
-            tool.released = Some(state.travel);
-            j * n..(j + 1) * n
-        })
-    }
-
-    /// Measures the distances that the iterations did not need; the balance of work does.
-    pub fn measure_far(&mut self) {
-        let n = self.nodes.len();
-        for (pair, contact) in self.contacts.iter_mut().enumerate().filter(|(_, c)| c.distance.is_infinite()) {
-            let (tool, x) = (pair / n, self.nodes[pair % n]);
-            let position = Point::new(x[0], x[1] - self.tool_position[tool]);
-            contact.distance = self.tools[tool].profile.closest(position).distance;
-            self.far[pair] = Far { position, distance: contact.distance };
-        }
-    }
-
-    /// Pressure of every tool on every node at the end of the step \[MPa\].
-    pub fn pressures(&self) -> impl Iterator<Item = f64> {
-        self.contacts.iter().map(|c| c.pressure.value)
     }
 
     /// Takes a predictor: trial positions after `dt` \[s\] at `velocity`, prescribed motions imposed, layers rewound.
@@ -330,99 +259,6 @@ impl Workspace {
         true
     }
 
-    /// Contact and friction of every tool with every node it reaches; returns the largest force of one on one.
-    fn contact(&mut self, model: &Model, state: &State, dt: f64, iteration: usize) -> f64 {
-        let mut largest: f64 = 0.0;
-        self.penetration = 0.0;
-        self.active_contacts = 0;
-        let last = self.nodes.len() - 1;
-        let system = &mut self.system;
-        for (j, tool) in self.tools.iter().enumerate() {
-            self.tool_force[j] = 0.0;
-            if tool.is_absent() {
-                for i in 0..=last {
-                    self.contacts[j * (last + 1) + i] = Contact { distance: f64::INFINITY, ..Contact::default() };
-                }
-                continue;
-            }
-            let friction = Coulomb { coefficient: tool.friction, slip: model.settings.slip_speed * model.speed * dt };
-            let moved = self.tool_position[j] - state.tools[j];
-            for i in 0..=last {
-                let (before, after) = (i.max(1) - 1, i.min(last - 1));
-                let thickness = 0.5 * (self.thickness[before] + self.thickness[after]);
-                let x = &self.nodes[i];
-                let position = Point::new(x[0], x[1] - self.tool_position[j]);
-                let pair = j * (last + 1) + i;
-                let contact = &mut self.contacts[pair];
-                let carried = &mut self.carried[pair];
-                // A distance changes no faster than the node moves: far away it need not be measured again.
-                let far = &mut self.far[pair];
-                let free = *carried == 0.0 && contact.pressure.slope == 0.0 && state.pressure[pair] == 0.0;
-                if free && far.distance - (position - far.position).norm() > 0.5 * thickness + self.penalty.reach() {
-                    *contact = Contact { distance: f64::INFINITY, ..Contact::default() };
-                    continue;
-                }
-                let closest = tool.profile.closest(position);
-                *far = Far { position, distance: closest.distance };
-                let gap = closest.distance - 0.5 * thickness;
-                if model.settings.iteration != Iteration::PrimalDual {
-                    *carried = 0.0;
-                } else if iteration > 0 {
-                    *carried = (contact.pressure.value + contact.pressure.slope * (gap - contact.gap)).max(0.0);
-                }
-                let node = Visitor {
-                    carried: *carried,
-                    position,
-                    relative: Point::new(self.moves[i][0], self.moves[i][1] - moved),
-                    thickness,
-                    area: self.areas[i],
-                };
-                *contact = Contact { distance: closest.distance, gap, ..Contact::default() };
-                let Some(touch) = touch(&closest, &self.penalty, &friction, &node) else { continue };
-                contact.normal = touch.normal;
-                contact.tangential = touch.tangential;
-                contact.slip = touch.slip;
-                contact.pressure = touch.pressure;
-
-                system.rhs[i].x += touch.force.x;
-                system.rhs[i].y += touch.force.y;
-                let mut own = Matrix3::zeros();
-                own.fixed_view_mut::<2, 2>(0, 0).copy_from(&touch.by_position);
-                system.diagonal[i] -= own;
-                if let Some(k) = tool.shared {
-                    let by_tool = touch.by_position.column(1);
-                    system.columns[i][k] += Vector3::new(by_tool.x, by_tool.y, 0.0);
-                    system.rows[i][k] += own.row(1).transpose();
-                    system.corner[(k, k)] -= by_tool.y;
-                }
-                // The sheet thins as its elements stretch: ∂F/∂t ∂t/∂x reaches both neighbours.
-                let by_thickness = Vector3::new(touch.by_thickness.x, touch.by_thickness.y, 0.0) * 0.5;
-                for e in [before, after] {
-                    let row = &self.thickness_rows[e];
-                    let first = Vector3::new(row[0], row[1], row[2]);
-                    let second = Vector3::new(row[3], row[4], row[5]);
-                    let (first_block, second_block) = if e == i {
-                        (&mut system.diagonal[i], &mut system.upper[i])
-                    } else {
-                        (&mut system.lower[i], &mut system.diagonal[i])
-                    };
-                    *first_block -= by_thickness * first.transpose();
-                    *second_block -= by_thickness * second.transpose();
-                    if let Some(k) = tool.shared {
-                        system.rows[e][k] += first * by_thickness.y;
-                        system.rows[e + 1][k] += second * by_thickness.y;
-                    }
-                }
-
-                largest = largest.max(touch.force.norm());
-                self.tool_force[j] += touch.force.y;
-                self.penetration = self.penetration.max(-touch.gap / thickness);
-                self.active_contacts += usize::from(touch.gap < 0.0);
-            }
-        }
-        largest
-    }
-
     /// Symmetry on the axis, the held edge, and no rotations in a membrane.
     fn constrain(&mut self, model: &Model) {
         let last = self.nodes.len() - 1;
@@ -443,127 +279,4 @@ impl Workspace {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::material::hardening::Swift;
-    use crate::material::{Hardening, Material};
-    use crate::model::{Blank, Grading, Role, Settings, Tool};
-
-    fn model(geometry: Geometry, theory: Theory) -> Model {
-        let t = 1.0;
-        let tool = |role, profile, motion| Tool { role, profile, friction: 0.12, motion };
-        let holder = if geometry == Geometry::Axisymmetric { 9e3 } else { 60.0 };
-        Model {
-            title: "small cup".into(),
-            notes: vec![],
-            geometry,
-            blank: Blank {
-                length: 24.0,
-                thickness: t,
-                elements: 12,
-                grading: Grading::Uniform,
-                theory,
-                layers: if theory == Theory::Membrane { 1 } else { 5 },
-                edge: Edge::Free,
-            },
-            material: Material {
-                hardening: Hardening::Swift(Swift::new(500.0, 0.2, 1e-3).expect("valid")),
-                elastic: None,
-            },
-            tools: vec![
-                tool(Role::Punch, Profile::flat_punch(12.0, 4.0, t), Motion::Travel),
-                tool(Role::Die, Profile::die(13.3, 4.0, t), Motion::Fixed),
-                tool(Role::Holder, Profile::holder(17.3, t), Motion::Force(holder)),
-            ],
-            travel: 6.0,
-            speed: 1.0,
-            frames: vec![6.0],
-            settings: Settings { iteration: Iteration::Newton, ..Settings::default() },
-        }
-    }
-
-    /// Trust: central differences of the whole residual, at a state in the middle of a draw that is disturbed off
-    /// equilibrium: elements, contact, friction, thinning under contact and the holder's border all in one.
-    #[test]
-    fn matrix_is_the_derivative_of_the_residual() {
-        for geometry in [Geometry::Axisymmetric, Geometry::PlaneStrain] {
-            for theory in [Theory::Bending, Theory::Membrane] {
-                let mut formed = model(geometry, theory);
-                formed.settings.iteration = Iteration::PrimalDual;
-                let flat = State::flat(&formed, crate::mesh::nodes(&formed));
-                let (run, state) = crate::solver::run_from(&formed, flat, &mut ());
-                assert!(run.stop.is_complete(), "{}", run.stop);
-                check(&model(geometry, theory), &state);
-            }
-        }
-    }
-
-    fn check(model: &Model, state: &State) {
-        let dt = 0.05;
-        let mut work = Workspace::new(model, state);
-        work.begin(model, state);
-        work.predict(model, state, dt, false);
-        for (i, x) in work.moves.iter_mut().enumerate() {
-            let wave = (i as f64 * 1.7).sin();
-            x[0] += if i == 0 { 0.0 } else { 2e-4 * wave };
-            x[1] += 2e-4 * (i as f64 * 2.3).cos();
-            x[2] += if i == 0 || model.blank.theory == Theory::Membrane { 0.0 } else { 3e-4 * wave };
-        }
-        // A residual norm below SLACK_NORM's start would not matter here: Newton's H is the derivative only without
-        // the membrane's floor, which fades with the velocity norm.
-        let at = |work: &mut Workspace| {
-            assert!(work.assemble(model, state, dt, 0, 0.0));
-            (work.system.rhs.clone(), work.system.corner_rhs)
-        };
-        at(&mut work);
-        let exact = work.system.clone();
-        let n = work.nodes.len();
-        let scale = |i: usize| exact.diagonal[i].norm();
-        let h = 1e-8;
-        for j in 0..n {
-            for d in 0..3 {
-                let held = (j == 0 && d != 1) || (d == 2 && model.blank.theory == Theory::Membrane);
-                if held {
-                    continue;
-                }
-                let x = work.moves[j][d];
-                work.moves[j][d] = x + h;
-                let (plus, plus_border) = at(&mut work);
-                work.moves[j][d] = x - h;
-                let (minus, minus_border) = at(&mut work);
-                work.moves[j][d] = x;
-                for i in 0..n {
-                    let difference = -(plus[i] - minus[i]) / (2.0 * h);
-                    let column = match i as isize - j as isize {
-                        0 => exact.diagonal[i].column(d).into_owned(),
-                        1 => exact.lower[i].column(d).into_owned(),
-                        -1 => exact.upper[i].column(d).into_owned(),
-                        _ => Vector3::zeros(),
-                    };
-                    for k in 0..3 {
-                        if i == 0 && k != 1 {
-                            continue;
-                        }
-                        let error = (difference[k] - column[k]).abs();
-                        assert!(error < 2e-5 * scale(i), "node {i}.{k} by {j}.{d}: {} {}", difference[k], column[k]);
-                    }
-                }
-                let border = -(plus_border[0] - minus_border[0]) / (2.0 * h);
-                let row = exact.rows[j][0][d];
-                assert!((border - row).abs() < 2e-5 * scale(n - 1), "holder by {j}.{d}: {border} {row}");
-            }
-        }
-        let tool = 2;
-        let z = work.tool_position[tool];
-        work.tool_position[tool] = z + h;
-        let (plus, plus_border) = at(&mut work);
-        work.tool_position[tool] = z - h;
-        let (minus, minus_border) = at(&mut work);
-        for i in 1..n {
-            let difference = -(plus[i] - minus[i]) / (2.0 * h);
-            assert!((difference - exact.columns[i][0]).norm() < 2e-5 * scale(i), "node {i} by the holder");
-        }
-        let corner = -(plus_border[0] - minus_border[0]) / (2.0 * h);
-        assert!((corner - exact.corner[(0, 0)]).abs() < 2e-5 * corner.abs().max(1.0), "{corner}");
-    }
-}
+mod tests;

@@ -3,7 +3,8 @@
 //! Each term is integrated over the step by the trapezoidal rule from forces and stresses at both ends, along the
 //! path that was really taken. The corrector never uses these sums, so what they miss measures the steps.
 
-use super::assembly::{Contact, Workspace};
+use super::assembly::Workspace;
+use super::contacts::Contact;
 use crate::model::{Edge, Model};
 use crate::record::Energy;
 use crate::state::State;

@@ -3,6 +3,7 @@
 mod assembly;
 mod balance;
 pub mod block_tridiagonal;
+mod contacts;
 mod corrector;
 mod stepping;
 

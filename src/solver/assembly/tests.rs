@@ -1,0 +1,122 @@
+//! The whole matrix against differences.
+
+use super::*;
+use crate::geometry::Profile;
+use crate::material::hardening::Swift;
+use crate::material::{Hardening, Material};
+use crate::model::{Blank, Grading, Iteration, Role, Settings, Tool};
+
+fn model(geometry: Geometry, theory: Theory) -> Model {
+    let t = 1.0;
+    let tool = |role, profile, motion| Tool { role, profile, friction: 0.12, motion };
+    let holder = if geometry == Geometry::Axisymmetric { 9e3 } else { 60.0 };
+    Model {
+        title: "small cup".into(),
+        notes: vec![],
+        geometry,
+        blank: Blank {
+            length: 24.0,
+            thickness: t,
+            elements: 12,
+            grading: Grading::Uniform,
+            theory,
+            layers: if theory == Theory::Membrane { 1 } else { 5 },
+            edge: Edge::Free,
+        },
+        material: Material { hardening: Hardening::Swift(Swift::new(500.0, 0.2, 1e-3).expect("valid")), elastic: None },
+        tools: vec![
+            tool(Role::Punch, Profile::flat_punch(12.0, 4.0, t), Motion::Travel),
+            tool(Role::Die, Profile::die(13.3, 4.0, t), Motion::Fixed),
+            tool(Role::Holder, Profile::holder(17.3, t), Motion::Force(holder)),
+        ],
+        travel: 6.0,
+        speed: 1.0,
+        frames: vec![6.0],
+        settings: Settings { iteration: Iteration::Newton, ..Settings::default() },
+    }
+}
+
+/// Trust: central differences of the whole residual, at a state in the middle of a draw that is disturbed off
+/// equilibrium: elements, contact, friction, thinning under contact and the holder's border all in one.
+#[test]
+fn matrix_is_the_derivative_of_the_residual() {
+    for geometry in [Geometry::Axisymmetric, Geometry::PlaneStrain] {
+        for theory in [Theory::Bending, Theory::Membrane] {
+            let mut formed = model(geometry, theory);
+            formed.settings.iteration = Iteration::PrimalDual;
+            let flat = State::flat(&formed, crate::mesh::nodes(&formed));
+            let (run, state) = crate::solver::run_from(&formed, flat, &mut ());
+            assert!(run.stop.is_complete(), "{}", run.stop);
+            check(&model(geometry, theory), &state);
+        }
+    }
+}
+
+fn check(model: &Model, state: &State) {
+    let dt = 0.05;
+    let mut work = Workspace::new(model, state);
+    work.begin(model, state);
+    work.predict(model, state, dt, false);
+    for (i, x) in work.moves.iter_mut().enumerate() {
+        let wave = (i as f64 * 1.7).sin();
+        x[0] += if i == 0 { 0.0 } else { 2e-4 * wave };
+        x[1] += 2e-4 * (i as f64 * 2.3).cos();
+        x[2] += if i == 0 || model.blank.theory == Theory::Membrane { 0.0 } else { 3e-4 * wave };
+    }
+    // A residual norm below SLACK_NORM's start would not matter here: Newton's H is the derivative only without
+    // the membrane's floor, which fades with the velocity norm.
+    let at = |work: &mut Workspace| {
+        assert!(work.assemble(model, state, dt, 0, 0.0));
+        (work.system.rhs.clone(), work.system.corner_rhs)
+    };
+    at(&mut work);
+    let exact = work.system.clone();
+    let n = work.nodes.len();
+    let scale = |i: usize| exact.diagonal[i].norm();
+    let h = 1e-8;
+    for j in 0..n {
+        for d in 0..3 {
+            let held = (j == 0 && d != 1) || (d == 2 && model.blank.theory == Theory::Membrane);
+            if held {
+                continue;
+            }
+            let x = work.moves[j][d];
+            work.moves[j][d] = x + h;
+            let (plus, plus_border) = at(&mut work);
+            work.moves[j][d] = x - h;
+            let (minus, minus_border) = at(&mut work);
+            work.moves[j][d] = x;
+            for i in 0..n {
+                let difference = -(plus[i] - minus[i]) / (2.0 * h);
+                let column = match i as isize - j as isize {
+                    0 => exact.diagonal[i].column(d).into_owned(),
+                    1 => exact.lower[i].column(d).into_owned(),
+                    -1 => exact.upper[i].column(d).into_owned(),
+                    _ => Vector3::zeros(),
+                };
+                for k in 0..3 {
+                    if i == 0 && k != 1 {
+                        continue;
+                    }
+                    let error = (difference[k] - column[k]).abs();
+                    assert!(error < 2e-5 * scale(i), "node {i}.{k} by {j}.{d}: {} {}", difference[k], column[k]);
+                }
+            }
+            let border = -(plus_border[0] - minus_border[0]) / (2.0 * h);
+            let row = exact.rows[j][0][d];
+            assert!((border - row).abs() < 2e-5 * scale(n - 1), "holder by {j}.{d}: {border} {row}");
+        }
+    }
+    let tool = 2;
+    let z = work.tool_position[tool];
+    work.tool_position[tool] = z + h;
+    let (plus, plus_border) = at(&mut work);
+    work.tool_position[tool] = z - h;
+    let (minus, minus_border) = at(&mut work);
+    for i in 1..n {
+        let difference = -(plus[i] - minus[i]) / (2.0 * h);
+        assert!((difference - exact.columns[i][0]).norm() < 2e-5 * scale(i), "node {i} by the holder");
+    }
+    let corner = -(plus_border[0] - minus_border[0]) / (2.0 * h);
+    assert!((corner - exact.corner[(0, 0)]).abs() < 2e-5 * corner.abs().max(1.0), "{corner}");
+}
