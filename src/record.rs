@@ -154,7 +154,7 @@ impl std::fmt::Display for Stop {
                 f,
                 "no equilibrium found at {travel:.3} mm of travel with steps down to {step:.2e} mm \
                  (velocity norm {velocity_norm:.1e}, residual norm {residual_norm:.1e}, worst at s0 = {worst_s0:.2} mm); \
-                 try more elements at the smallest radius, or iteration = \"secant\""
+                 try more elements at the smallest radius, or a smaller first_step"
             ),
         }
     }
@@ -166,6 +166,8 @@ pub struct Run {
     pub history: Vec<StepRecord>,
     pub frames: Vec<Frame>,
     pub stop: Stop,
+    /// Tries of the step that the run stopped at.
+    pub abandoned: usize,
     /// Things a user should know before trusting the result.
     pub warnings: Vec<String>,
 }

@@ -29,7 +29,7 @@ impl Job {
     /// Reads a case and the curves that it will be compared with, so that bad input is found before solving.
     pub fn load(path: &Path, overrides: &[String]) -> anyhow::Result<Self> {
         let case = case::load(path, overrides)?;
-        let unsolved = Run { history: vec![], frames: vec![], stop: Stop::FullTravel, warnings: vec![] };
+        let unsolved = Run { history: vec![], frames: vec![], stop: Stop::FullTravel, warnings: vec![], abandoned: 0 };
         compared(&case, &unsolved)?;
         Ok(Self { case, overrides: overrides.to_vec() })
     }
@@ -37,9 +37,10 @@ impl Job {
     /// Runs the case under a watch.
     fn solve(self, mut watch: Watch) -> anyhow::Result<Solved> {
         let start = Instant::now();
-        let run = solver::run(&self.case.model, &mut watch);
+        let mut run = solver::run(&self.case.model, &mut watch);
         let wall = start.elapsed();
         let iterations = watch.finish(&run);
+        run.warnings.extend(case::check::report(&self.case).warnings);
         let comparisons = compared(&self.case, &run)?;
         Ok(Solved { job: self, run, wall, comparisons, iterations })
     }

@@ -127,7 +127,10 @@ impl Subject<'_> {
     /// Small print of every plot: what was assumed, and why an incomplete run ended.
     fn notes(&self) -> Vec<String> {
         let ended = (!self.run.stop.is_complete()).then(|| format!("Stopped early: {}.", self.run.stop));
-        ended.into_iter().chain(self.model.notes.iter().cloned()).collect()
+        let set =
+            (!self.overrides.is_empty()).then(|| format!("Set on the command line: {}.", self.overrides.join(", ")));
+        let warnings = self.run.warnings.iter().map(|w| format!("Warning: {w}."));
+        ended.into_iter().chain(set).chain(warnings).chain(self.model.notes.iter().cloned()).collect()
     }
 }
 

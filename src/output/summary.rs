@@ -39,7 +39,8 @@ impl Summary {
     pub fn of(subject: &Subject) -> Self {
         let Subject { name, case_text, overrides, derived, model, run, wall } = *subject;
         let (force, work) = (force_unit(model.geometry), work_unit(model.geometry));
-        let last = run.history.last().copied().unwrap_or_default();
+        let unmoved = StepRecord { thinnest: model.blank.thickness, ..StepRecord::default() };
+        let last = run.history.last().copied().unwrap_or(unmoved);
         let peak = run.history.iter().copied().max_by(|a, b| a.punch_force.total_cmp(&b.punch_force));
         let peak = peak.unwrap_or_default();
         let largest = |value: fn(&StepRecord) -> f64| run.history.iter().map(value).fold(0.0, f64::max);
@@ -95,7 +96,11 @@ impl Summary {
         summary.count("iterations", "Iterations", run.history.iter().map(|s| s.iterations).sum());
         summary.number("velocity_norm", "Largest accepted velocity norm", Unit::None, largest(|s| s.velocity_norm));
         summary.number("residual_norm", "Largest accepted residual norm", Unit::None, largest(|s| s.residual_norm));
-        summary.count("rejected", "Rejected tries", run.history.iter().map(|s| s.rejected).sum());
+        summary.count(
+            "rejected",
+            "Rejected tries",
+            run.history.iter().map(|s| s.rejected).sum::<usize>() + run.abandoned,
+        );
         summary.number("wall_time", "Wall time", Unit::Second, wall.as_secs_f64());
         summary.text("program", "", concat!(env!("CARGO_PKG_NAME"), " ", env!("CARGO_PKG_VERSION")));
         summary.text("case_sha256", "", &sha256(case_text));
@@ -135,7 +140,7 @@ fn mesh(model: &Model) -> String {
     };
     let grading = match blank.grading {
         Grading::Uniform => "uniform",
-        Grading::Radii => "graded to the tools' radii",
+        Grading::Radii => "graded where the tools' radii ask for it",
     };
     format!("{} {theory}, {grading}", blank.elements)
 }

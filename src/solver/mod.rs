@@ -37,7 +37,8 @@ pub fn run_from(model: &Model, mut state: State, observer: &mut dyn Observer) ->
     let mut work = Workspace::new(model, &state);
     let mut balance = Balance::new(&work);
     let mut control = StepControl::new(model);
-    let mut run = Run { history: Vec::new(), frames: Vec::new(), stop: Stop::FullTravel, warnings: Vec::new() };
+    let mut run =
+        Run { history: Vec::new(), frames: Vec::new(), stop: Stop::FullTravel, abandoned: 0, warnings: Vec::new() };
     let mut last = StepRecord { thinnest: model.blank.thickness, ..StepRecord::default() };
     let mut rejected = 0;
 
@@ -85,6 +86,7 @@ pub fn run_from(model: &Model, mut state: State, observer: &mut dyn Observer) ->
     if !run.stop.is_complete() && last.step > 0 && run.frames.last().is_none_or(|f| f.travel < state.travel) {
         run.frames.push(state.frame(model));
     }
+    run.abandoned = rejected;
     run.warnings = warnings(model, &work, &state, &run);
     (run, state)
 }
@@ -199,10 +201,47 @@ const LARGEST_PENETRATION: f64 = 0.05;
 /// Plastic power in cut-off zones that puts stresses in doubt \[–\].
 const LARGEST_CUT_OFF: f64 = 0.05;
 
+/// Thickness over the initial one that no sheet metal is drawn to in one piece \[–\].
+const TORN: f64 = 0.5;
+/// Thickness strain of the thinnest element over that of its surroundings from which thinning counts as localised \[–\].
+const LOCALISED: f64 = 1.6;
+/// Surroundings: this many thicknesses away, on either side.
+const NEAR: f64 = 3.0;
+const AWAY: f64 = 8.0;
+
+/// Whether the thinnest place is a neck: much thinner than the sheet a few thicknesses away.
+fn localised(model: &Model, state: &State) -> Option<String> {
+    let t0 = model.blank.thickness;
+    let strain = |e: usize| (state.thickness[e] / t0).ln();
+    let middle = |e: usize| 0.5 * (state.s0[e] + state.s0[e + 1]);
+    let elements = 0..state.thickness.len();
+    let neck = elements.clone().min_by(|&a, &b| strain(a).total_cmp(&strain(b)))?;
+    let around = elements.filter(|&e| (NEAR * t0..AWAY * t0).contains(&(middle(e) - middle(neck)).abs()));
+    let (sum, count) = around.fold((0.0, 0), |(sum, count), e| (sum + strain(e), count + 1));
+    let share = state.thickness[neck] / t0;
+    let neck_like = count > 0 && share < 0.8 && strain(neck) < LOCALISED * (sum / f64::from(count)).min(0.0);
+    let place = middle(neck);
+    if neck_like {
+        Some(format!(
+            "thinning has localised at s0 = {place:.1} mm, down to {:.0} % of the thickness: the sheet tears there, and what \
+             is computed after that depends on the mesh",
+            100.0 * share
+        ))
+    } else {
+        (share < TORN).then(|| {
+            format!(
+                "the sheet is down to {:.0} % of its thickness at s0 = {place:.1} mm: it has torn before",
+                100.0 * share
+            )
+        })
+    }
+}
+
 /// What a user should know before trusting the result.
 fn warnings(model: &Model, work: &Workspace, state: &State, run: &Run) -> Vec<String> {
     let mut warnings = Vec::new();
     let Some(last) = run.history.last() else { return warnings };
+    warnings.extend(localised(model, state));
     let imbalance = last.work.imbalance();
     if imbalance.abs() > LARGEST_IMBALANCE {
         warnings.push(format!(

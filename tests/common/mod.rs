@@ -84,7 +84,7 @@ pub fn run(model: &Model) -> Run {
         });
     }
     let warnings = vec!["the blank's edge came within 5 mm of the die shoulder".to_owned()];
-    Run { history, frames, stop: Stop::FullTravel, warnings }
+    Run { history, frames, stop: Stop::FullTravel, abandoned: 0, warnings }
 }
 
 /// The subject of all outputs.

@@ -1,7 +1,7 @@
 //! What should be known before a result is trusted.
 
 use super::{estimate, mm};
-use crate::model::{Edge, Model, Theory};
+use crate::model::{Edge, Model, Motion, Theory};
 
 /// Radius over thickness below which shells are no longer thin [–].
 const THIN: f64 = 5.0;
@@ -12,8 +12,21 @@ const LIMITING_RATIO: f64 = 2.2;
 /// Friction above that of dry steel on steel, or a slip of the decimal point [–].
 const DRY: f64 = 0.3;
 
+/// Tensile strength above that of any cold-formed sheet, or a wrong unit \[MPa\].
+const STRONGEST: f64 = 3000.0;
+
 pub(super) fn all(model: &Model) -> Vec<String> {
     let mut warnings = Vec::new();
+    let strength = estimate::tensile_strength(&model.material.hardening);
+    if strength > STRONGEST {
+        warnings
+            .push(format!("a tensile strength of {strength:.0} MPa is that of no sheet metal: check the law's units"));
+    }
+    if model.tools.iter().any(|tool| tool.motion == Motion::Force(0.0)) {
+        warnings.push(
+            "the holder has no force and takes no part: the flange may swing up through where it is drawn".into(),
+        );
+    }
     let t = model.blank.thickness;
     for tool in &model.tools {
         let name = tool.role.name();

@@ -54,6 +54,13 @@ pub(super) fn convert(
             }
             match (step.center, step.turn) {
                 (Some(center), Some(turn)) => match arc(start, end, point(center), turn) {
+                    Some(arc) if arc.sweep.abs() > HALF_TURN => {
+                        return fail(
+                            i,
+                            &format!("an arc turns by {:.0}°, more than half a circle", arc.sweep.abs().to_degrees()),
+                            "check `turn`: it is seen with z upward, as plots, which draw z downward, do not show it",
+                        );
+                    }
                     Some(arc) => pieces.push(Piece::Arc(arc)),
                     None => return fail(i, "the ends of an arc are not equally far from its center", "check `center`"),
                 },
@@ -65,6 +72,9 @@ pub(super) fn convert(
     let drawn = Profile::new(pieces).map_err(|error| source.error(&path, format!("profile: {error}"), "add steps"))?;
     place(drawn, role, sheet, &path, source, derived)
 }
+
+/// The most that one arc of a tool turns \[rad\]: half a circle, and round-off.
+const HALF_TURN: f64 = std::f64::consts::PI + 1e-6;
 
 fn point([r, z]: [Length; 2]) -> Point {
     Point::new(r.value(), z.value())
