@@ -124,7 +124,15 @@ pub fn write_all(subject: &Subject, dir: &Path) -> Result<Vec<PathBuf>, WriteErr
 }
 
 impl Subject<'_> {
-    /// Small print of every plot: what was assumed, and why an incomplete run ended.
+    /// As [`Self::notes`], after a word on frames that a plot leaves out.
+    fn notes_of_frames(&self) -> Vec<String> {
+        let kept = self.run.frames.len();
+        let some = (kept > chart::COLORS)
+            .then(|| format!("{} of {kept} kept frames are shown; profile.csv has them all.", chart::COLORS));
+        some.into_iter().chain(self.notes()).collect()
+    }
+
+    /// Small print of every plot: why an incomplete run ended, what was set and warned of, what was assumed.
     fn notes(&self) -> Vec<String> {
         let ended = (!self.run.stop.is_complete()).then(|| format!("Stopped early: {}.", self.run.stop));
         let set =

@@ -37,7 +37,7 @@ pub(super) fn plot(subject: &Subject) -> Chart {
             scale: Scale::Section { x: (0.0, width + around), y: (top - 2.0 * around, bottom + around) },
         }],
         notes: std::iter::once("The sheet is true to thickness. Grey: the tools at the end.".to_owned())
-            .chain(subject.notes())
+            .chain(subject.notes_of_frames())
             .collect(),
     }
 }

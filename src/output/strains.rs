@@ -28,7 +28,7 @@ pub(super) fn plot(subject: &Subject) -> Chart {
             scale: Scale::Fit { height: 350.0 },
         }],
         notes: std::iter::once("Thin: the earlier frames. Logarithmic strains of the mid-surface.".to_owned())
-            .chain(subject.notes())
+            .chain(subject.notes_of_frames())
             .collect(),
     }
 }

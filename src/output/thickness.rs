@@ -21,6 +21,6 @@ pub(super) fn plot(subject: &Subject) -> Chart {
             series,
             scale: Scale::Fit { height: 350.0 },
         }],
-        notes: subject.notes(),
+        notes: subject.notes_of_frames(),
     }
 }
