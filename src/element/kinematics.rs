@@ -198,8 +198,9 @@ impl End {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::element::Matrix6;
     use approx::assert_relative_eq;
+
+    type Matrix6 = nalgebra::SMatrix<f64, 6, 6>;
 
     const A: Node = [11.0, 2.0, 0.2];
     const B: Node = [12.1, 2.7, 0.5];

@@ -37,5 +37,3 @@ pub type Node = [f64; 3];
 
 /// The element's freedoms in order: r₁, z₁, θ₁, r₂, z₂, θ₂.
 pub type Vector6 = nalgebra::SVector<f64, 6>;
-/// A matrix over them.
-pub type Matrix6 = nalgebra::SMatrix<f64, 6, 6>;

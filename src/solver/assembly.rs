@@ -7,7 +7,6 @@ use crate::element::kinematics::Start;
 use crate::element::lobatto::{self, Layer};
 use crate::element::section::Law;
 use crate::element::{Geometry, Node};
-use crate::geometry::Point;
 use crate::material::flow::{Iterate, Response};
 use crate::model::{Edge, Model, Motion, Theory};
 use crate::state::State;
@@ -86,18 +85,9 @@ impl Workspace {
         let (n, elements) = (state.nodes.len(), state.thickness.len());
         let t = model.blank.thickness;
         let points = state.layers.len();
-        let contacts = tools
-            .iter()
-            .zip(&state.tools)
-            .flat_map(|(tool, moved)| {
-                state.nodes.iter().map(move |x| {
-                    let distance = tool.profile.closest(Point::new(x[0], x[1] - moved)).distance;
-                    Contact::free(distance)
-                })
-            })
-            .collect();
         let blank = Response { stress: [0.0; 3], tangent: [0.0; 6], increment: 0.0, yield_stress: 0.0 };
-        Self {
+        let pairs = n * tools.len();
+        let mut work = Self {
             tool_position: state.tools.clone(),
             tool_force: vec![0.0; tools.len()],
             tools,
@@ -110,9 +100,9 @@ impl Workspace {
             membrane_increment: vec![[0.0; 2]; elements],
             system: System::new(n, shared),
             edge_reaction: Vector3::zeros(),
-            far: vec![Far { position: Point::zeros(), distance: f64::NEG_INFINITY }; n * model.tools.len()],
-            carried: vec![0.0; n * model.tools.len()],
-            contacts,
+            far: vec![Far::default(); pairs],
+            carried: vec![0.0; pairs],
+            contacts: vec![Contact::free(f64::INFINITY); pairs],
             penetration: 0.0,
             active_contacts: 0,
             cutoff: 0.0,
@@ -131,7 +121,9 @@ impl Workspace {
                 Geometry::Axisymmetric => std::f64::consts::PI * model.blank.length * model.blank.length,
                 Geometry::PlaneStrain => model.blank.length,
             },
-        }
+        };
+        work.measure_far();
+        work
     }
 
     /// Takes the start of a step: reference lengths, areas, hardening.

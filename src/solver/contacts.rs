@@ -49,7 +49,7 @@ impl Contact {
 }
 
 /// Where a node was last measured against a tool, in the tool's frame, and how far away it was [mm].
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Far {
     pub position: Point,
     pub distance: f64,
@@ -67,7 +67,9 @@ impl Workspace {
         });
         lost.map(|(j, tool)| {
             tool.released = Some(state.travel);
-            j * n..(j + 1) * n
+            let pairs = j * n..(j + 1) * n;
+            self.contacts[pairs.clone()].fill(Contact::free(f64::INFINITY));
+            pairs
         })
     }
 
@@ -97,9 +99,6 @@ impl Workspace {
         for (j, tool) in self.tools.iter().enumerate() {
             self.tool_force[j] = 0.0;
             if tool.is_absent() {
-                for i in 0..=last {
-                    self.contacts[j * (last + 1) + i] = Contact::free(f64::INFINITY);
-                }
                 continue;
             }
             let friction = Coulomb { coefficient: tool.friction, slip: model.settings.slip_speed * model.speed * dt };

@@ -84,13 +84,14 @@ pub(super) fn correct(
                 work.tool_position[j] += cut * shared[k];
             }
         }
+        let velocity_norm = (change / total.max(f64::MIN_POSITIVE)).sqrt();
         // A capped increment says nothing of how far the answer still is.
-        outcome.velocity_norm = if cut < 1.0 { f64::INFINITY } else { (change / total.max(f64::MIN_POSITIVE)).sqrt() };
+        outcome.velocity_norm = if cut < 1.0 { f64::INFINITY } else { velocity_norm };
         observer.iteration(&IterationRecord {
             step,
             travel: state.travel + dt * model.speed,
             iteration: outcome.iterations,
-            velocity_norm: (change / total.max(f64::MIN_POSITIVE)).sqrt(),
+            velocity_norm,
             residual_norm: outcome.residual_norm,
             cut,
             active_contacts: work.active_contacts,
