@@ -7,7 +7,7 @@ mod random_die;
 
 use random_die::{Process, random_die};
 use rayon::prelude::*;
-use stampflow::{Stop, solver};
+use stampflow::solver;
 use std::collections::BTreeMap;
 use std::panic::catch_unwind;
 use std::time::Instant;
@@ -39,7 +39,7 @@ fn main() {
             println!("  {}, {rejected} rejected, imbalance {:.1} %: {}", o.kind, 100.0 * imbalance, o.line);
         }
     }
-    for kind in ["full travel", "no equilibrium", "panic"] {
+    for kind in ["full travel", "localised", "drawn through", "tools closed", "no equilibrium", "panic"] {
         let total: usize = kinds.iter().filter(|(k, _)| k.0 == kind).map(|(_, n)| n).sum();
         println!("{kind:<16} {total:>6}  {:.1} %", 100.0 * total as f64 / count as f64);
         for ((k, process), n) in &kinds {
@@ -65,7 +65,7 @@ fn one(seed: u64) -> Outcome {
     let Ok(run) = catch_unwind(move || solver::run(&die.model, &mut ())) else {
         return Outcome { process, kind: "panic", line: format!("seed {seed}: {text}"), figures: [0.0; 5] };
     };
-    let kind = if run.stop == Stop::FullTravel { "full travel" } else { "no equilibrium" };
+    let kind = run.stop.kind();
     let steps = run.history.len().max(1) as f64;
     let last = run.history.last().copied().unwrap_or_default();
     let largest = |f: fn(&stampflow::StepRecord) -> f64| run.history.iter().map(f).fold(0.0, f64::max);

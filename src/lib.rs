@@ -41,6 +41,7 @@ pub mod compare;
 pub mod contact;
 pub mod element;
 pub mod geometry;
+pub mod history;
 pub mod material;
 pub mod mesh;
 pub mod model;

@@ -1,8 +1,10 @@
 //! What a case means: every quantity in mm, N, s, MPa; validated and immutable.
 
 use crate::geometry::Profile;
+use crate::history::History;
 use crate::material::Material;
 
+pub use crate::contact::friction::Friction;
 pub use crate::element::{Geometry, Theory};
 pub use crate::material::flow::Iteration;
 
@@ -52,13 +54,36 @@ pub enum Role {
 }
 
 /// What moves a tool. All tools move along z only.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub enum Motion {
     Fixed,
     /// Moves with the punch travel.
     Travel,
-    /// Pressed towards the die with this force \[N, or N/mm in plane strain\]; its position is an unknown.
-    Force(f64),
+    /// Stands still at this distance between its face and the die's \[mm\]: a holder on distance blocks.
+    Gap(f64),
+    /// Pressed towards the die; its position is an unknown.
+    Pressed(Press),
+}
+
+/// How a holder is pressed: F = F₀(travel) − c w, with w its move towards the die.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Press {
+    /// F₀ over the punch travel \[N, or N/mm in plane strain, over mm\].
+    pub force: History,
+    /// Stiffness c of the springs or the cushion \[N/mm, or N/mm²\]; 0 for a force that does not feel the position.
+    pub stiffness: f64,
+}
+
+impl Press {
+    /// A force that stays.
+    pub fn constant(force: f64) -> Self {
+        Self { force: force.into(), stiffness: 0.0 }
+    }
+
+    /// Whether nothing ever presses.
+    pub fn is_idle(&self) -> bool {
+        self.force.largest() <= 0.0 && self.stiffness == 0.0
+    }
 }
 
 /// A rigid tool, drawn where it touches the flat blank (whose mid-surface is z = 0).
@@ -66,9 +91,75 @@ pub enum Motion {
 pub struct Tool {
     pub role: Role,
     pub profile: Profile,
-    /// Coulomb's coefficient of friction \[–\].
-    pub friction: f64,
+    pub friction: Friction,
     pub motion: Motion,
+}
+
+/// A draw bead as a line restraint on the flange.
+///
+/// It pulls the sheet back with a force per length of its line while the sheet passes it, and the force that closes it
+/// is taken from the holder's.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Bead {
+    /// Distance of its line from the axis or the symmetry plane \[mm\].
+    pub at: f64,
+    /// Restraining force per length of the line \[N/mm\].
+    pub restraining: f64,
+    /// Closing force per length of the line \[N/mm\].
+    pub closing: f64,
+}
+
+impl Bead {
+    /// Length of the line \[mm\], or 1 per mm of depth.
+    pub fn line(&self, geometry: Geometry) -> f64 {
+        match geometry {
+            Geometry::Axisymmetric => std::f64::consts::TAU * self.at,
+            Geometry::PlaneStrain => 1.0,
+        }
+    }
+}
+
+/// Which face of the sheet.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Face {
+    /// The punch's side: pressure pushes along the punch travel.
+    Lower,
+    /// The die's side: pressure pushes against the punch travel.
+    Upper,
+}
+
+/// Gas or oil pressure on a face of the sheet; it stays normal to the sheet and acts on its current area.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Gas {
+    pub face: Face,
+    /// Pressure over time \[MPa over s\].
+    pub pressure: History,
+    /// It acts on what lies closer to the axis or symmetry plane than this seal \[mm\].
+    pub within: f64,
+}
+
+/// What makes contact hold.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ContactMethod {
+    /// A penalty: tools penetrate by what their pressure asks for.
+    Penalty,
+    /// The penalty shifted until nothing penetrates by more than [`Settings::PENETRATION`] thicknesses.
+    AugmentedLagrangian,
+}
+
+/// When a run ends before its full travel; what can be checked at each accepted step.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct StopRules {
+    /// Ends where one place of the sheet takes over and its surroundings stop stretching.
+    pub localised: bool,
+    /// Ends when the load has fallen by this share of its maximum \[–\].
+    pub load_drop: Option<f64>,
+}
+
+impl Default for StopRules {
+    fn default() -> Self {
+        Self { localised: true, load_drop: None }
+    }
 }
 
 /// What must be small for a step to be accepted.
@@ -108,6 +199,15 @@ pub struct Settings {
     pub facets: Option<usize>,
     /// Rounds chords off by arcs with common tangents, so that the load does not tick at their vertices.
     pub round_facets: bool,
+    pub contact: ContactMethod,
+    /// Equivalent strain that one step may add anywhere \[–\]: the next step is chosen by it, and one that goes beyond
+    /// twice as much is repeated shorter.
+    pub strain_step: f64,
+}
+
+impl Settings {
+    /// Penetration over thickness that the augmented Lagrangian comes down to \[–\].
+    pub const PENETRATION: f64 = 1e-4;
 }
 
 impl Default for Settings {
@@ -121,11 +221,13 @@ impl Default for Settings {
             first_step: 0.002,
             min_step: 1e-6,
             cutoff_strain: 5e-6,
-            contact_stiffness: 1e4,
-            contact_smoothing: 2e-3,
+            contact_stiffness: 3e4,
+            contact_smoothing: 3e-3,
             slip_speed: 0.01,
             facets: None,
             round_facets: true,
+            contact: ContactMethod::Penalty,
+            strain_step: 0.1,
         }
     }
 }
@@ -141,12 +243,18 @@ pub struct Model {
     pub material: Material,
     /// At most one tool of each role.
     pub tools: Vec<Tool>,
-    /// Punch travel of the whole run \[mm\].
+    pub beads: Vec<Bead>,
+    /// At most one on each face.
+    pub gas: Vec<Gas>,
+    /// Punch travel of the whole run \[mm\]; 0 without a punch.
     pub travel: f64,
-    /// Punch speed \[mm/s\]; rate-free materials do not feel it.
+    /// Punch speed, or, without a punch, the speed that counts as that of the process \[mm/s\].
     pub speed: f64,
-    /// Travels at which the state is kept \[mm\], rising, the last one equal to `travel`.
+    /// Time that the run takes \[s\].
+    pub duration: f64,
+    /// Times at which the state is kept \[s\], rising, the last one equal to `duration`.
     pub frames: Vec<f64>,
+    pub stop: StopRules,
     pub settings: Settings,
 }
 
@@ -154,6 +262,18 @@ impl Model {
     /// The tool of a role, where there is one.
     pub fn tool(&self, role: Role) -> Option<&Tool> {
         self.tools.iter().find(|t| t.role == role)
+    }
+
+    /// Sets another punch travel \[mm\] at the same speed; the state is kept at its end only.
+    pub fn drive_to(&mut self, travel: f64) {
+        self.travel = travel;
+        self.duration = travel / self.speed;
+        self.frames = vec![self.duration];
+    }
+
+    /// Punch travel after a time \[s\].
+    pub fn travel_at(&self, time: f64) -> f64 {
+        self.travel * (time / self.duration)
     }
 }
 

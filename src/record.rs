@@ -39,7 +39,8 @@ pub struct NodeRecord {
 /// What is kept of an instant.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Frame {
-    /// Punch travel \[mm\].
+    /// Time \[s\] and punch travel \[mm\].
+    pub time: f64,
     pub travel: f64,
     /// From the axis outward.
     pub elements: Vec<ElementRecord>,
@@ -111,8 +112,26 @@ pub struct StepRecord {
     /// Thinnest element: its thickness \[mm\] and initial distance from the axis \[mm\].
     pub thinnest: f64,
     pub thinnest_s0: f64,
-    /// Largest penetration of a tool over the sheet's thickness \[–\].
+    /// Height of the sheet's middle above the flat blank, along the punch travel \[mm\].
+    pub pole_height: f64,
+    /// Gas pressure on the lower face less that on the upper \[MPa\].
+    pub pressure: f64,
+    /// How far the holder has moved towards the die from where it touched the flat sheet \[mm\]; negative when lifted.
+    pub holder_move: f64,
+    /// Largest penetration of a tool over the sheet's thickness, where the sheet is not squeezed \[–\].
     pub penetration: f64,
+    /// Largest share of the thickness by which the sheet is too thick for the gap between two tools \[–\]: ironing.
+    pub squeeze: f64,
+    /// Share of the holder's force on the rim, the outermost [`StepRecord::RIM`] thicknesses of the blank \[–\].
+    pub rim_share: f64,
+    /// Share of the nodes in contact that stick: they slide slower than the regularisation speed \[–\].
+    pub sticking: f64,
+    /// Pairs of node and tool that came into contact or left it in the step.
+    pub flips: usize,
+    /// Largest equivalent strain that the step added at a layer point \[–\].
+    pub strain_increment: f64,
+    /// Smallest bending radius of the mid-surface over the thickness \[–\]; infinite while the sheet is flat.
+    pub bend_radius: f64,
     pub iterations: usize,
     /// Tries that were rejected before this step was accepted.
     pub rejected: usize,
@@ -124,18 +143,72 @@ pub struct StepRecord {
     pub work: Energy,
 }
 
+impl StepRecord {
+    /// Width of the rim over the initial thickness \[–\].
+    pub const RIM: f64 = 3.0;
+}
+
+/// How the steps of a run came to equilibrium: counts of steps by the rung that did it, and of steps cut short.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Ladder {
+    /// From the velocities of the last step.
+    pub predictor: usize,
+    /// From rest and a few iterations with the secant matrix.
+    pub secant: usize,
+    /// From the answer with a larger cut-off.
+    pub softened: usize,
+    /// Steps that no rung solved and that were halved.
+    pub halved: usize,
+    /// Steps in equilibrium that strained the sheet too much and were repeated shorter.
+    pub overstrained: usize,
+}
+
 /// Why a run ended.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Stop {
     FullTravel,
+    /// The load has fallen from its maximum by the share that the case asks for.
+    LoadMaximum {
+        travel: f64,
+        peak: f64,
+        drop: f64,
+    },
+    /// The gas pressure has come to the largest that the sheet can bear at the height of its middle \[MPa, mm\].
+    PressureMaximum {
+        pressure: f64,
+        height: f64,
+    },
+    /// One place takes all the stretching while its surroundings stop.
+    Localised {
+        travel: f64,
+        /// Where, initially from the axis \[mm\].
+        s0: f64,
+        /// Thickness there over the initial one \[–\].
+        share: f64,
+        /// Where it is and why, in words.
+        why: String,
+    },
+    /// The blank's edge has passed the die's throat.
+    DrawnThrough {
+        travel: f64,
+    },
+    /// Punch and die come closer than the sheet can be squeezed \[mm\].
+    ToolsClosed {
+        travel: f64,
+        r: f64,
+        z: f64,
+    },
     /// No equilibrium was found down to the smallest step.
     NoEquilibrium {
         travel: f64,
+        time: f64,
         step: f64,
         velocity_norm: f64,
         residual_norm: f64,
         /// Initial distance from the axis of the node with the largest residual \[mm\].
         worst_s0: f64,
+        /// What the sheet was doing there, and what to try.
+        diagnosis: String,
     },
 }
 
@@ -144,17 +217,59 @@ impl Stop {
     pub fn is_complete(&self) -> bool {
         matches!(self, Stop::FullTravel)
     }
+
+    /// Whether the sheet or the tools ended the run, not the numerics.
+    pub fn is_physical(&self) -> bool {
+        !matches!(self, Stop::FullTravel | Stop::NoEquilibrium { .. })
+    }
+
+    /// The kind in a few words.
+    pub fn kind(&self) -> &'static str {
+        match self {
+            Stop::FullTravel => "full travel",
+            Stop::LoadMaximum { .. } => "load maximum passed",
+            Stop::PressureMaximum { .. } => "pressure maximum reached",
+            Stop::Localised { .. } => "localised",
+            Stop::DrawnThrough { .. } => "drawn through",
+            Stop::ToolsClosed { .. } => "tools closed",
+            Stop::NoEquilibrium { .. } => "no equilibrium",
+        }
+    }
 }
 
 impl std::fmt::Display for Stop {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         match self {
             Stop::FullTravel => write!(f, "full travel reached"),
-            Stop::NoEquilibrium { travel, step, velocity_norm, residual_norm, worst_s0 } => write!(
+            Stop::LoadMaximum { travel, peak, drop } => write!(
                 f,
-                "no equilibrium found at {travel:.3} mm of travel with steps down to {step:.2e} mm \
+                "load maximum passed: at {travel:.2} mm of travel the load is {:.1} % below its peak of {peak:.0}",
+                100.0 * drop
+            ),
+            Stop::PressureMaximum { pressure, height } => write!(
+                f,
+                "pressure maximum reached: no equilibrium beyond {pressure:.4} MPa, at a dome height of {height:.2} mm; \
+                 the sheet would run away and burst"
+            ),
+            Stop::Localised { travel, s0, share, why } => write!(
+                f,
+                "localised at {travel:.2} mm of travel: the sheet tears at s0 = {s0:.1} mm, where {:.0} % of its thickness \
+                 is left; {why}",
+                100.0 * share
+            ),
+            Stop::DrawnThrough { travel } => {
+                write!(f, "drawn through: the blank's edge has passed the die's throat at {travel:.2} mm of travel")
+            }
+            Stop::ToolsClosed { travel, r, z } => write!(
+                f,
+                "travel limit by geometry: at {travel:.2} mm of travel punch and die come closer than half the sheet's \
+                 thickness, near r = {r:.2} mm, z = {z:.2} mm"
+            ),
+            Stop::NoEquilibrium { travel, time, step, velocity_norm, residual_norm, worst_s0, diagnosis } => write!(
+                f,
+                "no equilibrium found at {travel:.3} mm of travel (time {time:.4} s) with steps down to {step:.2e} s \
                  (velocity norm {velocity_norm:.1e}, residual norm {residual_norm:.1e}, worst at s0 = {worst_s0:.2} mm); \
-                 try more elements at the smallest radius, or a smaller first_step"
+                 {diagnosis}"
             ),
         }
     }
@@ -168,8 +283,23 @@ pub struct Run {
     pub stop: Stop,
     /// Tries of the step that the run stopped at.
     pub abandoned: usize,
+    pub ladder: Ladder,
     /// Things a user should know before trusting the result.
     pub warnings: Vec<String>,
+}
+
+impl Run {
+    /// A run that has not begun.
+    pub fn unsolved() -> Self {
+        Self {
+            history: Vec::new(),
+            frames: Vec::new(),
+            stop: Stop::FullTravel,
+            abandoned: 0,
+            ladder: Ladder::default(),
+            warnings: Vec::new(),
+        }
+    }
 }
 
 /// One iteration of the corrector, accepted step or not.

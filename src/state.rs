@@ -39,6 +39,8 @@ pub struct State {
     pub tool_velocity: Vec<f64>,
     /// Contact pressure of every tool on every node, tool by tool \[MPa\].
     pub pressure: Vec<f64>,
+    /// The augmented Lagrangian's shift λ ≤ 0 of the same pairs \[mm\]; zero with a penalty.
+    pub shift: Vec<f64>,
     /// Initial distances of the nodes from the axis \[mm\].
     pub s0: Vec<f64>,
 }
@@ -51,9 +53,10 @@ impl State {
         let elements = nodes.len() - 1;
         let volume = nodes.windows(2).map(|w| t * Start::new(model.geometry, model.blank.theory, w[0], w[1]).area());
         let waiting = Penalty::WAITING * model.settings.contact_smoothing * t;
-        let tools = model.tools.iter().map(|tool| match tool.role {
-            Role::Punch | Role::Holder => -waiting,
-            Role::Die => waiting,
+        let tools = model.tools.iter().map(|tool| match (tool.role, &tool.motion) {
+            (_, Motion::Gap(gap)) => t - gap + waiting, // exactly this far from the die
+            (Role::Punch | Role::Holder, _) => -waiting,
+            (Role::Die, _) => waiting,
         });
         Self {
             time: 0.0,
@@ -70,6 +73,7 @@ impl State {
                 .map(|t| if t.motion == Motion::Travel { model.speed } else { 0.0 })
                 .collect(),
             pressure: vec![0.0; nodes.len() * model.tools.len()],
+            shift: vec![0.0; nodes.len() * model.tools.len()],
             nodes,
             s0,
         }
@@ -110,6 +114,6 @@ impl State {
                 NodeRecord { r, z, theta, thickness: self.thickness_at(i) }
             })
             .collect();
-        Frame { travel: self.travel, elements, nodes, tool_displacement: self.tools.clone() }
+        Frame { time: self.time, travel: self.travel, elements, nodes, tool_displacement: self.tools.clone() }
     }
 }

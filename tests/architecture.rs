@@ -12,7 +12,7 @@ const FLOORS: &[&[&str]] = &[
     &["model"],
     &["element", "contact"],
     &["material", "geometry"],
-    &["quantity"],
+    &["quantity", "history"],
 ];
 
 /// Sideways uses that the picture allows.

@@ -2,7 +2,7 @@
 
 use proptest::prelude::*;
 use stampflow::case::{self, Case};
-use stampflow::model::{Geometry, Grading, Motion, Role, Theory};
+use stampflow::model::{Geometry, Grading, Motion, Press, Role, Theory};
 use std::path::{Path, PathBuf};
 
 fn files(folder: &str, extension: &str) -> Vec<PathBuf> {
@@ -49,7 +49,7 @@ fn every_shipped_case_loads_and_names_what_it_assumes() {
         assert!(!case.model.notes.is_empty(), "{}: no notes", case.name);
         let report = case::check::report(&case).to_string();
         assert!(case.model.notes.iter().all(|note| report.contains(note)), "{report}");
-        assert_eq!(case.model.frames.last(), Some(&case.model.travel), "{}", case.name);
+        assert_eq!(case.model.frames.last(), Some(&case.model.duration), "{}", case.name);
         for spec in case.compare.iter().filter(|spec| !spec.optional) {
             assert!(spec.reference.is_file(), "{}", spec.reference.display());
         }
@@ -94,7 +94,7 @@ fn a_twelve_line_case_is_enough_and_its_defaults_are_the_documented_ones() {
     assert_eq!(model.frames, [6.25, 12.5, 18.75, 25.0]);
     assert_eq!(model.speed, 1.0);
     let holder = model.tool(Role::Holder).unwrap();
-    assert_eq!((holder.friction, holder.motion), (0.08, Motion::Force(10_000.0)));
+    assert_eq!((holder.friction, &holder.motion), (0.08.into(), &Motion::Pressed(Press::constant(10_000.0))));
 }
 
 /// Trust: hand conversion, 1 UK ton-force/in² = 2240 × 4.44822 N / 645.16 mm² = 15.4443 MPa.
@@ -111,7 +111,7 @@ fn inches_and_tons_of_the_paper_become_millimetres_and_megapascals() {
 fn plane_strain_takes_the_holder_force_per_depth_and_membrane_theory_one_layer() {
     let model = load("cases/strip_draw.toml", &[]).model;
     assert_eq!(model.geometry, Geometry::PlaneStrain);
-    assert_eq!(model.tool(Role::Holder).unwrap().motion, Motion::Force(1300.0));
+    assert_eq!(model.tool(Role::Holder).unwrap().motion, Motion::Pressed(Press::constant(1300.0)));
     assert_eq!((model.blank.theory, model.blank.layers), (Theory::Membrane, 1));
 }
 
@@ -127,7 +127,7 @@ fn overrides_take_toml_values_and_bare_text() {
     ];
     let case = load("cases/quickstart.toml", &overrides);
     let model = &case.model;
-    assert_eq!(model.tool(Role::Punch).unwrap().friction, 0.1);
+    assert_eq!(model.tool(Role::Punch).unwrap().friction, 0.1.into());
     assert_eq!((model.blank.thickness, model.blank.length), (0.9, 52.0));
     assert_eq!(model.settings.iteration, stampflow::model::Iteration::Newton);
     assert_eq!(model.frames.len(), 2);

@@ -1,7 +1,7 @@
 //! Verification of the solver on whole runs: invariants, refinement, and agreement between its own options.
 
-use stampflow::model::{Geometry, Iteration, Model, Role, Settings};
-use stampflow::record::{Run, StepRecord};
+use stampflow::model::{Geometry, Iteration, Model, Motion, Role, Settings};
+use stampflow::record::{Run, StepRecord, Stop};
 use stampflow::{State, case, mesh, solver};
 
 fn shipped(name: &str) -> Model {
@@ -107,12 +107,10 @@ fn volume_is_constant() {
 fn all_iteration_matrices_find_the_same_state() {
     for name in ["woo_hemispherical", "stretch_thin", "osu_stretch_friction"] {
         let mut model = shipped(name);
-        model.travel = 15.0;
-        model.frames = vec![15.0];
+        model.drive_to(15.0);
         let (_, start) = solver::run_from(&model, State::flat(&model, mesh::nodes(&model)), &mut ());
         let step = 0.05;
-        model.travel = 15.0 + step;
-        model.frames = vec![model.travel];
+        model.drive_to(15.0 + step);
         let after = |iteration: Iteration| {
             let mut model = model.clone();
             model.settings = Settings {
@@ -196,9 +194,10 @@ fn bare_facets_run_and_stay_near_exact_arcs() {
 #[test]
 fn holder_force_is_held() {
     let model = shipped("woo_hemispherical");
-    let Some(stampflow::model::Motion::Force(wanted)) = model.tool(Role::Holder).map(|t| t.motion) else {
+    let Some(Motion::Pressed(press)) = model.tool(Role::Holder).map(|t| &t.motion) else {
         panic!("Woo's case has a holder by force")
     };
+    let wanted = press.force.at(0.0);
     for record in &solve(&model).history {
         // Trust: the corrector's residual, 1 % of the largest nodal force at worst.
         assert!((record.holder_force / wanted - 1.0).abs() < 1e-2, "{record:?}");
@@ -216,13 +215,16 @@ fn steps_land_on_the_frames() {
     }
 }
 
-/// A strip whose edge runs out from under the holder: the run goes on, the holder's force ends, and the user is told.
+/// A blank whose edge runs out from under the holder: the run goes on until the edge has passed the throat, the holder's
+/// force ends, and the user is told of both.
 #[test]
 fn sheet_that_leaves_the_holder_is_reported_and_the_run_goes_on() {
     let mut model = shipped("quickstart");
-    model.travel = 45.0;
-    model.frames = vec![45.0];
-    let run = solve(&model);
+    model.drive_to(45.0);
+    let run = stampflow::run(&model, &mut ());
+    assert!(matches!(run.stop, Stop::DrawnThrough { .. }), "{}", run.stop);
     assert_eq!(last(&run).holder_force, 0.0);
+    // Trust: the throat is at 31.25 mm; the last step moves the edge by less than a millimetre.
+    assert!((model.blank.length - last(&run).draw_in - 31.25).abs() < 1.0, "{:?}", last(&run));
     assert!(run.warnings.iter().any(|w| w.contains("left the holder")), "{:?}", run.warnings);
 }

@@ -5,7 +5,7 @@ mod warn;
 
 use super::Case;
 use super::measure::extent;
-use crate::model::{Geometry, Model, Motion, Role, Theory};
+use crate::model::{Face, Geometry, Model, Motion, Role, Theory};
 use std::fmt;
 
 /// One line of the report.
@@ -97,7 +97,18 @@ fn tools(model: &Model, lines: &mut Vec<Line>) {
         };
         lines.push(line(tool.role.name(), size, format!("{what}{corners}, friction {}", tool.friction)));
     }
-    lines.push(line("travel", mm(model.travel), format!("mm at {} mm/s", model.speed)));
+    if model.travel > 0.0 {
+        lines.push(line("travel", mm(model.travel), format!("mm at {} mm/s", model.speed)));
+    }
+    for bead in &model.beads {
+        let meaning = format!("mm from the axis, restraining {} N/mm, closing {} N/mm", bead.restraining, bead.closing);
+        lines.push(line("bead", mm(bead.at), meaning));
+    }
+    for gas in &model.gas {
+        let face = if gas.face == Face::Lower { "lower" } else { "upper" };
+        let meaning = format!("MPa at most on the {face} face within {} mm, for {} s", mm(gas.within), model.duration);
+        lines.push(line("gas pressure", format!("{}", gas.pressure.largest()), meaning));
+    }
     if let Some(clearance) = estimate::clearance(model) {
         let over_t = clearance / model.blank.thickness;
         lines.push(line("clearance", mm(clearance), format!("mm, {over_t:.2} thicknesses")));
@@ -108,8 +119,25 @@ fn tools(model: &Model, lines: &mut Vec<Line>) {
 }
 
 fn holder(model: &Model, strength: f64, lines: &mut Vec<Line>) {
-    let Some(Motion::Force(force)) = model.tool(Role::Holder).map(|holder| holder.motion) else { return };
-    lines.push(line("holder force", format!("{force:.0}"), model.geometry.force_unit()));
+    let unit = model.geometry.force_unit();
+    let force = match model.tool(Role::Holder).map(|holder| &holder.motion) {
+        Some(Motion::Gap(gap)) => {
+            let meaning = format!("mm to the die, {:.3} thicknesses: fixed", gap / model.blank.thickness);
+            lines.push(line("holder gap", mm(*gap), meaning));
+            return;
+        }
+        Some(Motion::Pressed(press)) => press,
+        _ => return,
+    };
+    let (least, most) = (force.force.smallest(), force.force.largest());
+    let text = if least == most { format!("{most:.0}") } else { format!("{least:.0} to {most:.0}") };
+    let meaning = match force.stiffness {
+        0.0 if least == most => unit.to_owned(),
+        0.0 => format!("{unit} over the travel"),
+        c => format!("{unit} on the flat sheet, and {c:.0} {unit} more per mm that it is lifted"),
+    };
+    lines.push(line("holder force", text, meaning));
+    let force = most;
     let Some(area) = estimate::held_area(model) else { return };
     let pressure = format!("{:.3}", force / area);
     lines.push(line("holder pressure", pressure, "MPa on the initial area between holder and die's flat"));

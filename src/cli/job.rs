@@ -5,7 +5,7 @@ use rayon::prelude::*;
 use stampflow::case::{self, Case};
 use stampflow::compare::{CompareError, Comparison, Computed, compare};
 use stampflow::output::{Subject, load_travel, profile, write_all, write_comparison};
-use stampflow::record::{IterationRecord, Run, Stop};
+use stampflow::record::{IterationRecord, Run};
 use stampflow::solver;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
@@ -29,8 +29,7 @@ impl Job {
     /// Reads a case and the curves that it will be compared with, so that bad input is found before solving.
     pub fn load(path: &Path, overrides: &[String]) -> anyhow::Result<Self> {
         let case = case::load(path, overrides)?;
-        let unsolved = Run { history: vec![], frames: vec![], stop: Stop::FullTravel, warnings: vec![], abandoned: 0 };
-        compared(&case, &unsolved)?;
+        compared(&case, &Run::unsolved())?;
         Ok(Self { case, overrides: overrides.to_vec() })
     }
 

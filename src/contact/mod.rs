@@ -3,15 +3,18 @@
 //! ```text
 //! g = d(x) − t/2               gap between the tool and the sheet's face (current thickness)
 //! N = a p(g)                   normal force of the tributary area a, smoothed penalty p
-//! T = −μ N φ(s)                friction against the slip s relative to the tool
+//! T = −a τ(p, s)               friction against the slip s relative to the tool
 //! F = N n + T τ                on the sheet; n points from the tool to the sheet
 //! ```
+//!
+//! An augmented Lagrangian shifts the gap that the penalty sees by λ ≤ 0, step by step of its own iteration, until the
+//! pressure stands at a gap of nothing: N = a p(g + λ).
 
 pub mod friction;
 pub mod penalty;
 
 use crate::geometry::{Closest, Point, turned};
-use friction::Coulomb;
+use friction::{Friction, Sliding};
 use nalgebra::Matrix2;
 use penalty::{Penalty, Smooth};
 
@@ -28,6 +31,12 @@ pub struct Visitor {
     pub area: f64,
     /// Pressure carried from the last iteration \[MPa\]; zero gives the consistent tangent.
     pub carried: f64,
+    /// λ ≤ 0 of the augmented Lagrangian \[mm\].
+    pub shift: f64,
+    /// Regularisation s₀ of the slip \[mm\], duration of the step \[s\], shear yield stress of the sheet \[MPa\].
+    pub slip_scale: f64,
+    pub duration: f64,
+    pub shear_yield: f64,
 }
 
 /// Force of a tool on a node, and its derivatives.
@@ -52,26 +61,32 @@ pub struct Touch {
 
 /// The force of one tool on one node whose closest point of the tool is `closest`; `None` when it is out of reach.
 #[inline]
-pub fn touch(closest: &Closest, penalty: &Penalty, friction: &Coulomb, node: &Visitor) -> Option<Touch> {
+pub fn touch(closest: &Closest, penalty: &Penalty, friction: &Friction, node: &Visitor) -> Option<Touch> {
     let gap = closest.distance - 0.5 * node.thickness;
-    let pressure = penalty.towards(gap, node.carried)?;
+    let pressure = penalty.towards(gap + node.shift, node.carried)?;
     let n = closest.normal;
     let tau = turned(n);
 
     let normal = node.area * pressure.value;
     let stiffness = node.area * pressure.slope; // dN/dg, negative
     let slip = tau.dot(&node.relative);
-    let sliding = friction.at(slip);
-    let tangential = -normal * sliding.value;
+    let drag = friction.at(&Sliding {
+        pressure: pressure.value,
+        slip,
+        scale: node.slip_scale,
+        duration: node.duration,
+        shear_yield: node.shear_yield,
+    });
+    let tangential = -node.area * drag.value;
 
     // dn = c τ (τ·dx), dτ = −c n (τ·dx): the frame turns along a curved tool.
     let c = closest.curvature;
     let slip_row = tau * (1.0 - c * n.dot(&node.relative));
-    let force_row = n * (-sliding.value * stiffness) - slip_row * (normal * sliding.slope);
+    let force_row = n * (-drag.by_pressure * stiffness) - slip_row * (node.area * drag.by_slip);
     let by_position =
         n * n.transpose() * stiffness + tau * tau.transpose() * (normal * c) + tau * force_row.transpose()
             - n * tau.transpose() * (tangential * c);
-    let by_thickness = (n - tau * sliding.value) * (-0.5 * stiffness);
+    let by_thickness = (n - tau * drag.by_pressure) * (-0.5 * stiffness);
 
     Some(Touch {
         force: n * normal + tau * tangential,
@@ -96,21 +111,30 @@ mod tests {
     fn tangent_is_the_derivative_on_every_shape_and_thickness() {
         let t = 1.0;
         let penalty = Penalty { stiffness: 1e4, smoothing: 2e-3 };
-        let friction = Coulomb { coefficient: 0.15, slip: 3e-3 };
         let h = 1e-7;
-        for (profile, position) in [
+        for ((_, friction), (profile, position)) in Friction::examples().into_iter().cycle().zip([
             (Profile::hemispherical_punch(25.0, t), Point::new(10.0, -2.086)),
             (Profile::die(51.25, 7.0, t), Point::new(53.04, 1.7)),
             (Profile::die(51.25, 7.0, t).faceted(4), Point::new(53.04, 1.4)),
             (Profile::holder(60.0, t), Point::new(70.0, 0.001)),
-        ] {
+        ]) {
             let contact = profile.closest(position);
             // Put the node at three gaps around touching, with a step that slides both ways.
             for gap in [-4e-3, 0.0, 3e-3] {
                 for slip in [-0.2, 1e-3, 0.05] {
                     let x = position + contact.normal * (gap + 0.5 * t - contact.distance);
                     let at = |x: Point, moved: Point, thickness: f64| {
-                        let node = Visitor { position: x, relative: moved, thickness, area: 3.0, carried: 0.0 };
+                        let node = Visitor {
+                            position: x,
+                            relative: moved,
+                            thickness,
+                            area: 3.0,
+                            carried: 0.0,
+                            shift: -1e-3,
+                            slip_scale: 3e-3,
+                            duration: 0.1,
+                            shear_yield: 150.0,
+                        };
                         touch(&profile.closest(x), &penalty, &friction, &node).expect("within reach")
                     };
                     let step = turned(contact.normal) * slip + contact.normal * 0.01;

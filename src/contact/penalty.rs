@@ -31,6 +31,12 @@ impl Penalty {
         Self::REACH * self.smoothing
     }
 
+    /// Pressure where tool and sheet just touch \[MPa\]: k δ ln 2.
+    #[inline]
+    pub fn at_touch(&self) -> f64 {
+        self.stiffness * self.smoothing * std::f64::consts::LN_2
+    }
+
     /// Pressure \[MPa\] and dp/dg \[N/mm³\] at the gap `gap` \[mm\]; `None` out of reach.
     #[inline]
     pub fn at(&self, gap: f64) -> Option<Smooth> {

@@ -136,6 +136,20 @@ impl Profile {
         })
     }
 
+    /// Smallest r of the chain \[mm\].
+    pub fn least_r(&self) -> f64 {
+        self.polyline(0.01).iter().map(|p| p.x).fold(f64::INFINITY, f64::min)
+    }
+
+    /// Smallest distance between this profile, moved by `shift` \[mm\], and another: negative when they overlap; and
+    /// where it is. Measured at points of both, no more than 0.02 rad of arc apart.
+    pub fn distance_to(&self, other: &Self, shift: Point) -> (f64, Point) {
+        let step = 0.02;
+        let mine = self.polyline(step).into_iter().map(|p| p + shift).map(|p| (other.closest(p).distance, p));
+        let others = other.polyline(step).into_iter().map(|p| (self.closest(p - shift).distance, p));
+        mine.chain(others).min_by(|a, b| a.0.total_cmp(&b.0)).expect("profiles have points")
+    }
+
     /// Polyline for drawing: arcs sampled every `step` radians or finer.
     pub fn polyline(&self, step: f64) -> Vec<Point> {
         let mut points = vec![self.pieces[0].first()];

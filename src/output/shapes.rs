@@ -77,8 +77,13 @@ mod tests {
     #[test]
     fn a_flat_sheet_is_a_rectangle_of_its_thickness() {
         let node = |r| NodeRecord { r, z: 3.0, theta: 0.0, thickness: 0.8 };
-        let frame =
-            Frame { travel: 0.0, elements: vec![], nodes: vec![node(0.0), node(5.0)], tool_displacement: vec![] };
+        let frame = Frame {
+            time: 0.0,
+            travel: 0.0,
+            elements: vec![],
+            nodes: vec![node(0.0), node(5.0)],
+            tool_displacement: vec![],
+        };
         assert_eq!(sheet(&frame), [(0.0, 3.4), (5.0, 3.4), (5.0, 2.6), (0.0, 2.6)]);
     }
 }

@@ -1,14 +1,17 @@
 //! Equilibrium at the end of a step: the residual r = p − f and its matrix H (Sosnowski 1994, equations 7 to 9).
 
+use super::attempt::Step;
 use super::block_tridiagonal::System;
 use super::contacts::{ActiveTool, Contact, Far};
+use super::loads::BeadPlace;
 use crate::contact::penalty::Penalty;
 use crate::element::kinematics::Start;
 use crate::element::lobatto::{self, Layer};
 use crate::element::section::Law;
 use crate::element::{Geometry, Node};
+use crate::geometry::Point;
 use crate::material::flow::{Iterate, Response};
-use crate::model::{Edge, Model, Motion, Theory};
+use crate::model::{Edge, Iteration, Model, Motion, Role, Theory};
 use crate::state::State;
 use nalgebra::Vector3;
 
@@ -18,6 +21,20 @@ const SLACK_NORM: f64 = 0.05;
 
 /// A holder that has lost the sheet comes to rest on blocks of this height over the sheet thickness \[–\].
 const DISTANCE_BLOCK: f64 = 0.5;
+
+/// A holder that neither sheet nor block holds is kept in place by this share of a block's stiffness \[–\]: a force of
+/// millionths of those that form the sheet.
+const ANCHOR: f64 = 1e-7;
+
+/// Where the corrector stands when it asks for residual and matrix.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Trial {
+    pub matrix: Iteration,
+    /// Counts from 0.
+    pub iteration: usize,
+    /// Of the last iteration \[–\].
+    pub velocity_norm: f64,
+}
 
 /// Everything an iteration works on, allocated once for a run.
 pub(super) struct Workspace {
@@ -43,8 +60,15 @@ pub(super) struct Workspace {
     pub(super) far: Vec<Far>,
     /// Their pressures carried from iteration to iteration \[MPa\].
     pub(super) carried: Vec<f64>,
-    pub penetration: f64,
+    /// The augmented Lagrangian's shift λ ≤ 0 of every pair \[mm\].
+    pub shift: Vec<f64>,
+    /// Their gaps in the last round \[mm\].
+    pub(super) last_gap: Vec<f64>,
     pub active_contacts: usize,
+    /// Where the model's beads hold the sheet in this step.
+    pub(super) beads: Vec<Option<BeadPlace>>,
+    /// Force of the gas on every node \[N, or N/mm\].
+    pub gas_force: Vec<Point>,
     /// Δε₀ of the step \[–\], raised by the factor `softening` ≥ 1 while a hard step looks for a start.
     pub cutoff: f64,
     pub softening: f64,
@@ -54,6 +78,8 @@ pub(super) struct Workspace {
     starts: Vec<Start>,
     pub(super) thickness_rows: Vec<[f64; 6]>,
     pub(super) areas: Vec<f64>,
+    /// Shear yield stress at the nodes at the start of the step \[MPa\]; zero when no friction law asks for it.
+    pub(super) shear_yield: Vec<f64>,
     before: Vec<f64>,
     pub(super) penalty: Penalty,
     block_area: f64,
@@ -66,7 +92,7 @@ impl Workspace {
             .tools
             .iter()
             .map(|tool| {
-                let unknown = matches!(tool.motion, Motion::Force(force) if force > 0.0);
+                let unknown = matches!(&tool.motion, Motion::Pressed(press) if !press.is_idle());
                 let index = unknown.then_some(shared);
                 shared += usize::from(unknown);
                 ActiveTool {
@@ -76,7 +102,8 @@ impl Workspace {
                         None => tool.profile.clone(),
                     },
                     friction: tool.friction,
-                    motion: tool.motion,
+                    motion: tool.motion.clone(),
+                    role: tool.role,
                     shared: index,
                     released: None,
                 }
@@ -103,8 +130,11 @@ impl Workspace {
             far: vec![Far::default(); pairs],
             carried: vec![0.0; pairs],
             contacts: vec![Contact::free(f64::INFINITY); pairs],
-            penetration: 0.0,
+            shift: vec![0.0; pairs],
+            last_gap: vec![0.0; pairs],
             active_contacts: 0,
+            beads: vec![None; model.beads.len()],
+            gas_force: vec![Point::zeros(); n],
             cutoff: 0.0,
             softening: 1.0,
             residual_norm: 0.0,
@@ -112,6 +142,7 @@ impl Workspace {
             starts: Vec::with_capacity(elements),
             thickness_rows: vec![[0.0; 6]; elements],
             areas: vec![0.0; n],
+            shear_yield: vec![0.0; n],
             before: vec![0.0; points],
             penalty: Penalty {
                 stiffness: model.settings.contact_stiffness / t,
@@ -140,11 +171,30 @@ impl Workspace {
         for (before, point) in self.before.iter_mut().zip(&state.layers) {
             *before = point.strain;
         }
+        self.place_beads(model, state);
+        if self.tools.iter().any(|tool| tool.friction.needs_shear_yield()) {
+            self.find_shear_yield(model, state);
+        }
     }
 
-    /// Takes a predictor: trial positions after `dt` \[s\] at `velocity`, prescribed motions imposed, layers rewound.
-    pub fn predict(&mut self, model: &Model, state: &State, dt: f64, from_rest: bool) {
+    /// k = σ_y/√3 at the mean strain through the thickness of the elements around each node.
+    fn find_shear_yield(&mut self, model: &Model, state: &State) {
+        self.shear_yield.fill(0.0);
+        let (layers, last) = (self.layers.len(), self.thickness.len() - 1);
+        for e in 0..=last {
+            let points = &state.layers[e * layers..(e + 1) * layers];
+            let strain: f64 = points.iter().zip(&self.layers).map(|(p, l)| l.share * p.strain).sum();
+            let k = model.material.hardening.at(strain).stress / 3f64.sqrt();
+            self.shear_yield[e] += if e == 0 { k } else { 0.5 * k };
+            self.shear_yield[e + 1] += if e == last { k } else { 0.5 * k };
+        }
+    }
+
+    /// Takes a predictor: trial positions at the last velocities, prescribed motions imposed, layers rewound.
+    pub fn predict(&mut self, step: &Step, from_rest: bool) {
+        let Step { model, state, dt, .. } = *step;
         self.carried.copy_from_slice(&state.pressure);
+        self.shift.copy_from_slice(&state.shift);
         let share = if from_rest { 0.0 } else { dt };
         for (i, x) in self.moves.iter_mut().enumerate() {
             for d in 0..3 {
@@ -161,9 +211,9 @@ impl Workspace {
         for (j, tool) in self.tools.iter().enumerate() {
             self.tool_position[j] = state.tools[j]
                 + match tool.motion {
-                    Motion::Fixed => 0.0,
-                    Motion::Travel => dt * model.speed,
-                    Motion::Force(_) => share * state.tool_velocity[j],
+                    Motion::Fixed | Motion::Gap(_) => 0.0,
+                    Motion::Travel => model.travel_at(dt),
+                    Motion::Pressed(_) => share * state.tool_velocity[j],
                 };
         }
         for (iterate, point) in self.iterates.iter_mut().zip(&state.layers) {
@@ -173,12 +223,13 @@ impl Workspace {
 
     /// Residual and matrix at the trial positions; `false` when an element has collapsed.
     ///
-    /// `iteration` counts from 0, `velocity_norm` is the last one's. The system's right-hand side is −r, ready for δx = −H⁻¹ r.
+    /// The system's right-hand side is −r, ready for δx = −H⁻¹ r.
     #[must_use]
-    pub fn assemble(&mut self, model: &Model, state: &State, dt: f64, iteration: usize, velocity_norm: f64) -> bool {
+    pub fn assemble(&mut self, step: &Step, trial: &Trial) -> bool {
+        let Step { model, state, dt, .. } = *step;
+        let Trial { matrix, velocity_norm, .. } = *trial;
         let settings = &model.settings;
-        let matrix = settings.iteration;
-        let longest = settings.max_step * model.travel / model.speed;
+        let longest = settings.max_step * model.duration;
         self.cutoff = self.softening * settings.cutoff_strain * (dt / longest).min(1.0);
         let law = Law {
             hardening: &model.material.hardening,
@@ -219,25 +270,15 @@ impl Workspace {
             self.thickness_rows[e] = internal.thickness_row;
             self.membrane_increment[e] = [end.strain[0], end.strain[1]];
         }
-        let largest_force = system.rhs.iter().map(|f| f.xy().norm()).fold(0.0, f64::max);
+        let largest = |forces: &[Vector3<f64>]| forces.iter().map(|f| f.xy().norm()).fold(0.0, f64::max);
+        let internal = largest(&self.system.rhs);
+        let contact = self.contact(step, trial);
+        self.restrain(model, dt);
+        self.inflate(model, state, state.time + dt);
+        let gas = self.gas_force.iter().map(|f| f.norm()).fold(0.0, f64::max);
+        let largest_force = internal.max(contact).max(gas);
 
-        let largest_force = largest_force.max(self.contact(model, state, dt, iteration));
-
-        // Shared unknowns: a tool pressed by a force.
-        for (j, tool) in self.tools.iter().enumerate() {
-            let (Some(k), Motion::Force(force)) = (tool.shared, tool.motion) else { continue };
-            if tool.released.is_some() {
-                self.system.corner[(k, k)] = 1.0;
-                continue;
-            }
-            let gap = (1.0 - DISTANCE_BLOCK) * model.blank.thickness - self.tool_position[j];
-            if let Some(block) = self.penalty.at(gap) {
-                self.system.corner_rhs[k] -= self.block_area * block.value;
-                self.system.corner[(k, k)] -= self.block_area * block.slope;
-            }
-            self.system.corner_rhs[k] -= self.tool_force[j] - force;
-        }
-
+        self.press(model, state, dt);
         self.constrain(model);
         let (worst, residual) = self
             .system
@@ -249,6 +290,33 @@ impl Workspace {
         self.worst_node = worst;
         self.residual_norm = if largest_force > 0.0 { residual / largest_force } else { f64::INFINITY };
         true
+    }
+
+    /// Shared unknowns: tools pressed by a force.
+    fn press(&mut self, model: &Model, state: &State, dt: f64) {
+        let closing = self.closing_force(model);
+        for (j, tool) in self.tools.iter().enumerate() {
+            let (Some(k), Motion::Pressed(press)) = (tool.shared, &tool.motion) else { continue };
+            if tool.released.is_some() {
+                self.system.corner[(k, k)] = 1.0;
+                continue;
+            }
+            let moved = self.tool_position[j];
+            let mut force = press.force.at(state.travel + model.travel_at(dt)) - press.stiffness * moved;
+            if tool.role == Role::Holder {
+                force -= closing;
+            }
+            self.system.corner[(k, k)] += press.stiffness;
+            let gap = (1.0 - DISTANCE_BLOCK) * model.blank.thickness - moved;
+            if let Some(block) = self.penalty.at(gap) {
+                self.system.corner_rhs[k] -= self.block_area * block.value;
+                self.system.corner[(k, k)] -= self.block_area * block.slope;
+            }
+            let anchor = ANCHOR * self.block_area * self.penalty.stiffness;
+            self.system.corner_rhs[k] -= anchor * (moved - state.tools[j]);
+            self.system.corner[(k, k)] += anchor;
+            self.system.corner_rhs[k] -= self.tool_force[j] - force;
+        }
     }
 
     /// Symmetry on the axis, the held edge, and no rotations in a membrane.

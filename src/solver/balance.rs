@@ -4,25 +4,55 @@
 //! path that was really taken. The corrector never uses these sums, so what they miss measures the steps.
 
 use super::assembly::Workspace;
+use super::attempt::Step;
 use super::contacts::Contact;
-use crate::model::{Edge, Model};
+use crate::geometry::Point;
+use crate::model::Edge;
 use crate::record::Energy;
-use crate::state::State;
 
 /// A point's plastic power counts as cut off when its strain increment is below this many cut-offs.
 const CUT_OFF_ZONE: f64 = 10.0;
+
+/// Predicted penetration over the thickness that a step is kept from \[–\]: what one iteration may move a node by.
+const TOO_FAR: f64 = 0.5;
 
 /// Forces at the end of the last accepted step.
 pub(super) struct Balance {
     contacts: Vec<Contact>,
     tool_force: Vec<f64>,
     edge_force: f64,
+    gas_force: Vec<Point>,
+    bead_force: Vec<f64>,
 }
 
 impl Balance {
     /// At the start of a run: the tools' distances, nothing pressing yet.
     pub fn new(work: &Workspace) -> Self {
-        Self { contacts: work.contacts.clone(), tool_force: vec![0.0; work.tool_force.len()], edge_force: 0.0 }
+        Self {
+            contacts: work.contacts.clone(),
+            tool_force: vec![0.0; work.tool_force.len()],
+            edge_force: 0.0,
+            gas_force: work.gas_force.clone(),
+            bead_force: vec![0.0; work.beads.len()],
+        }
+    }
+
+    /// Contacts at the end of the last accepted step.
+    pub fn contacts(&self) -> &[Contact] {
+        &self.contacts
+    }
+
+    /// Time after which, at the speed of this step, a free node would stand [`TOO_FAR`] thicknesses inside a tool \[s\].
+    pub fn approach(&self, work: &Workspace, dt: f64) -> f64 {
+        let n = work.nodes.len();
+        let pairs = self.contacts.iter().zip(&work.contacts).enumerate();
+        let times = pairs.filter(|(_, (_, now))| now.normal == 0.0).map(|(pair, (before, now))| {
+            let closing = (before.distance - now.distance) / dt;
+            let thickness = work.thickness_at(pair % n);
+            let room = now.distance - 0.5 * thickness + TOO_FAR * thickness;
+            if closing > 0.0 { room / closing } else { f64::INFINITY }
+        });
+        times.fold(f64::INFINITY, f64::min)
     }
 
     /// Forgets contacts that have been released: what their springs stored is lost.
@@ -32,14 +62,18 @@ impl Balance {
         }
     }
 
-    /// Work of the converged step in `work` that starts at `state` and lasts `dt` \[s\]; moves on to its end.
-    pub fn work_of_step(&mut self, work: &Workspace, model: &Model, state: &State, dt: f64) -> Energy {
+    /// Work of the converged step in `work`; moves on to its end.
+    pub fn work_of_step(&mut self, work: &Workspace, step: &Step) -> Energy {
+        let Step { model, state, dt, .. } = *step;
         let mut done = Energy::default();
         for (j, &force) in work.tool_force.iter().enumerate() {
             done.external += 0.5 * (self.tool_force[j] + force) * (work.tool_position[j] - state.tools[j]);
         }
         if let Edge::Pulled { speed } = model.blank.edge {
             done.external += 0.5 * (self.edge_force + work.edge_reaction.x) * speed * model.speed * dt;
+        }
+        for (i, (before, now)) in self.gas_force.iter().zip(&work.gas_force).enumerate() {
+            done.external += 0.5 * (before + now).dot(&Point::new(work.moves[i][0], work.moves[i][1]));
         }
         let layers = work.layers.len();
         for (i, (iterate, response)) in work.iterates.iter().zip(&work.responses).enumerate() {
@@ -58,6 +92,12 @@ impl Balance {
                 done.contact -= 0.5 * (before.normal + now.normal) * (now.distance - before.distance);
             }
         }
+        for (before, place) in self.bead_force.iter_mut().zip(&work.beads) {
+            let (force, slip) = place.map_or((0.0, 0.0), |p| (p.force, p.slip));
+            done.friction -= 0.5 * (*before + force) * slip;
+            *before = force;
+        }
+        self.gas_force.copy_from_slice(&work.gas_force);
         self.contacts.copy_from_slice(&work.contacts);
         self.tool_force.copy_from_slice(&work.tool_force);
         self.edge_force = work.edge_reaction.x;

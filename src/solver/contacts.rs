@@ -1,19 +1,27 @@
 //! Contact within the assembly: which node touches which tool, with what pressure, and what that adds to the system.
 
-use super::assembly::Workspace;
-use crate::contact::friction::Coulomb;
-use crate::contact::penalty::Smooth;
+use super::assembly::{Trial, Workspace};
+use super::attempt::Step;
+use crate::contact::friction::Friction;
+use crate::contact::penalty::{Penalty, Smooth};
 use crate::contact::{Visitor, touch};
 use crate::geometry::{Point, Profile};
-use crate::model::{Iteration, Model, Motion};
+use crate::model::{Iteration, Motion, Role, Settings};
 use crate::state::State;
 use nalgebra::{Matrix3, Vector3};
+
+/// Most rounds that one shift of the augmented Lagrangian stands for.
+const LONGEST_SERIES: f64 = 20.0;
+
+/// Cosine between the normals of two tools below which they press on opposite faces \[–\].
+const OPPOSED: f64 = -0.5;
 
 /// A tool as the solver uses it.
 #[derive(Clone, Debug)]
 pub(super) struct ActiveTool {
+    pub role: Role,
     pub profile: Profile,
-    pub friction: f64,
+    pub friction: Friction,
     pub motion: Motion,
     /// Index among the shared unknowns, for a tool whose position is one.
     pub shared: Option<usize>,
@@ -24,7 +32,7 @@ pub(super) struct ActiveTool {
 impl ActiveTool {
     /// Whether the tool takes part at all: a holder without force does not.
     fn is_absent(&self) -> bool {
-        self.released.is_some() || (matches!(self.motion, Motion::Force(_)) && self.shared.is_none())
+        self.released.is_some() || (matches!(self.motion, Motion::Pressed(_)) && self.shared.is_none())
     }
 }
 
@@ -33,18 +41,26 @@ impl ActiveTool {
 pub(super) struct Contact {
     /// Distance of the mid-surface from the tool \[mm\]; infinite until measured when far away.
     pub distance: f64,
+    /// Gap between the tool and the sheet's face \[mm\]; infinite when far away.
+    pub gap: f64,
     pub normal: f64,
     pub tangential: f64,
     pub slip: f64,
-    /// Gap, pressure and slope of the last iteration, from which the carried pressure follows.
-    gap: f64,
-    pressure: Smooth,
+    /// Pressure and slope of the last iteration, from which the carried pressure follows.
+    pub pressure: Smooth,
+    /// Normal from the tool to the sheet.
+    pub facing: Point,
 }
 
 impl Contact {
     /// A node that nothing presses, `distance` \[mm\] away.
     pub fn free(distance: f64) -> Self {
-        Self { distance, ..Self::default() }
+        Self { distance, gap: f64::INFINITY, ..Self::default() }
+    }
+
+    /// Whether the tool presses: the sheet's face is in it, or held at it.
+    pub fn is_pressed(&self, penalty: &Penalty) -> bool {
+        self.pressure.value > penalty.at_touch()
     }
 }
 
@@ -89,19 +105,84 @@ impl Workspace {
         self.contacts.iter().map(|c| c.pressure.value)
     }
 
+    /// By how much the sheet at node `i` is too thick for the gap between two tools that do not give way and press it from
+    /// both faces \[mm\]; `None` where there are no such two.
+    pub fn squeeze(&self, i: usize) -> Option<f64> {
+        let n = self.nodes.len();
+        let held = |j: usize| {
+            let contact = &self.contacts[j * n + i];
+            (self.tools[j].shared.is_none() && contact.is_pressed(&self.penalty)).then_some(contact)
+        };
+        let pairs = (0..self.tools.len()).flat_map(|j| (0..j).map(move |k| (j, k)));
+        let squeezes = pairs.filter_map(|(j, k)| {
+            let (a, b) = (held(j)?, held(k)?);
+            (a.facing.dot(&b.facing) < OPPOSED).then_some(-(a.gap + b.gap))
+        });
+        squeezes.max_by(f64::total_cmp)
+    }
+
+    /// Largest penetration over the thickness where the sheet is not squeezed \[–\]: what the contact method lets through.
+    pub fn penetration(&self) -> f64 {
+        let n = self.nodes.len();
+        let deep = self.contacts.iter().enumerate().filter(|(pair, c)| c.gap < 0.0 && self.squeeze(pair % n).is_none());
+        deep.map(|(pair, c)| -c.gap / self.thickness_at(pair % n)).fold(0.0, f64::max)
+    }
+
+    /// One round of the augmented Lagrangian: shifts every gap by what is left of it, λ ← min(0, λ + g). Returns `false`
+    /// when nothing penetrates, or is pressed from afar, by more than [`Settings::PENETRATION`].
+    ///
+    /// Where the sheet hardly gives way, as a rigid zone does until it yields, g falls slowly from round to round; then the
+    /// shift is what the series of its rounds adds up to, by the ratio of the last two (A. C. Aitken, 1926).
+    ///
+    /// Between two tools that do not give way there is no gap to find; there the penalty stays.
+    ///
+    /// # References
+    /// M. R. Hestenes, Multiplier and gradient methods, J. Optim. Theory Appl. 4 (1969) 303–320; contact: J. C. Simo,
+    /// T. A. Laursen, Computers & Structures 42 (1992) 97–116.
+    pub fn augment(&mut self, round: usize) -> bool {
+        let n = self.nodes.len();
+        let mut worst: f64 = 0.0;
+        for pair in 0..self.contacts.len() {
+            let gap = self.contacts[pair].gap;
+            if (gap < 0.0 || self.shift[pair] < 0.0) && gap.is_finite() && self.squeeze(pair % n).is_none() {
+                worst = worst.max(gap.abs() / self.thickness_at(pair % n));
+            }
+        }
+        if worst <= Settings::PENETRATION {
+            return false;
+        }
+        for pair in 0..self.contacts.len() {
+            let gap = self.contacts[pair].gap;
+            if gap.is_finite() && self.squeeze(pair % n).is_none() {
+                let ratio = if round > 0 { gap / self.last_gap[pair] } else { 0.0 };
+                let series = if (0.0..1.0).contains(&ratio) { (1.0 / (1.0 - ratio)).min(LONGEST_SERIES) } else { 1.0 };
+                self.last_gap[pair] = gap;
+                self.shift[pair] = (self.shift[pair] + series * gap).min(0.0);
+                self.carried[pair] = self.contacts[pair].pressure.value;
+            }
+        }
+        true
+    }
+
+    /// Thickness that contact sees at node `i` \[mm\].
+    pub fn thickness_at(&self, i: usize) -> f64 {
+        let last = self.thickness.len() - 1;
+        0.5 * (self.thickness[i.max(1) - 1] + self.thickness[i.min(last)])
+    }
+
     /// Contact and friction of every tool with every node it reaches; returns the largest force of one on one.
-    pub(super) fn contact(&mut self, model: &Model, state: &State, dt: f64, iteration: usize) -> f64 {
+    pub(super) fn contact(&mut self, step: &Step, trial: &Trial) -> f64 {
+        let Step { model, state, dt, .. } = *step;
         let mut largest: f64 = 0.0;
-        self.penetration = 0.0;
         self.active_contacts = 0;
         let last = self.nodes.len() - 1;
+        let slip_scale = model.settings.slip_speed * model.speed * dt;
         let system = &mut self.system;
         for (j, tool) in self.tools.iter().enumerate() {
             self.tool_force[j] = 0.0;
             if tool.is_absent() {
                 continue;
             }
-            let friction = Coulomb { coefficient: tool.friction, slip: model.settings.slip_speed * model.speed * dt };
             let moved = self.tool_position[j] - state.tools[j];
             for i in 0..=last {
                 let (before, after) = (i.max(1) - 1, i.min(last - 1));
@@ -114,16 +195,18 @@ impl Workspace {
                 // A distance changes no faster than the node moves: far away it need not be measured again.
                 let far = &mut self.far[pair];
                 let free = *carried == 0.0 && contact.pressure.slope == 0.0 && state.pressure[pair] == 0.0;
-                if free && far.distance - (position - far.position).norm() > 0.5 * thickness + self.penalty.reach() {
+                let shift = self.shift[pair];
+                let reach = 0.5 * thickness + self.penalty.reach() - shift;
+                if free && far.distance - (position - far.position).norm() > reach {
                     *contact = Contact::free(f64::INFINITY);
                     continue;
                 }
                 let closest = tool.profile.closest(position);
                 *far = Far { position, distance: closest.distance };
                 let gap = closest.distance - 0.5 * thickness;
-                if model.settings.iteration != Iteration::PrimalDual {
+                if trial.matrix != Iteration::PrimalDual {
                     *carried = 0.0;
-                } else if iteration > 0 {
+                } else if trial.iteration > 0 {
                     *carried = (contact.pressure.value + contact.pressure.slope * (gap - contact.gap)).max(0.0);
                 }
                 let node = Visitor {
@@ -132,9 +215,13 @@ impl Workspace {
                     relative: Point::new(self.moves[i][0], self.moves[i][1] - moved),
                     thickness,
                     area: self.areas[i],
+                    shift,
+                    slip_scale,
+                    duration: dt,
+                    shear_yield: self.shear_yield[i],
                 };
-                *contact = Contact { distance: closest.distance, gap, ..Contact::default() };
-                let Some(touch) = touch(&closest, &self.penalty, &friction, &node) else { continue };
+                *contact = Contact { distance: closest.distance, gap, facing: closest.normal, ..Contact::default() };
+                let Some(touch) = touch(&closest, &self.penalty, &tool.friction, &node) else { continue };
                 contact.normal = touch.normal;
                 contact.tangential = touch.tangential;
                 contact.slip = touch.slip;
@@ -172,7 +259,6 @@ impl Workspace {
 
                 largest = largest.max(touch.force.norm());
                 self.tool_force[j] += touch.force.y;
-                self.penetration = self.penetration.max(-touch.gap / thickness);
                 self.active_contacts += usize::from(touch.gap < 0.0);
             }
         }

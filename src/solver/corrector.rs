@@ -1,10 +1,10 @@
 //! The implicit corrector: iterates with H until the step is in equilibrium (Sosnowski 1994, equation 9).
 
 use super::Observer;
-use super::assembly::Workspace;
-use crate::model::{Iteration, Model, Norm};
+use super::assembly::{Trial, Workspace};
+use super::attempt::Step;
+use crate::model::{Iteration, Norm};
 use crate::record::IterationRecord;
-use crate::state::State;
 
 /// Largest move of a node in one iteration, over the sheet thickness \[–\].
 const LARGEST_MOVE: f64 = 0.5;
@@ -29,22 +29,22 @@ pub(super) struct Outcome {
     pub residual_norm: f64,
 }
 
-/// Corrects the prediction in `work` to equilibrium at the end of a step of `dt` \[s\].
+/// Corrects the prediction in `work` to equilibrium at the end of a step with one matrix and at most so many iterations.
 pub(super) fn correct(
     work: &mut Workspace,
-    model: &Model,
-    state: &State,
-    dt: f64,
-    step: usize,
+    step: &Step,
+    matrix: Iteration,
+    most: usize,
     observer: &mut dyn Observer,
 ) -> Outcome {
+    let Step { model, state, dt, number } = *step;
     let settings = &model.settings;
     let t = model.blank.thickness;
-    let most = settings.max_iterations * patience(settings.iteration);
     let mut outcome =
         Outcome { converged: false, iterations: 0, velocity_norm: f64::INFINITY, residual_norm: f64::INFINITY };
     loop {
-        if !work.assemble(model, state, dt, outcome.iterations, outcome.velocity_norm) {
+        let trial = Trial { matrix, iteration: outcome.iterations, velocity_norm: outcome.velocity_norm };
+        if !work.assemble(step, &trial) {
             return outcome;
         }
         outcome.residual_norm = work.residual_norm;
@@ -88,8 +88,8 @@ pub(super) fn correct(
         // A capped increment says nothing of how far the answer still is.
         outcome.velocity_norm = if cut < 1.0 { f64::INFINITY } else { velocity_norm };
         observer.iteration(&IterationRecord {
-            step,
-            travel: state.travel + dt * model.speed,
+            step: number,
+            travel: state.travel + model.travel_at(dt),
             iteration: outcome.iterations,
             velocity_norm,
             residual_norm: outcome.residual_norm,

@@ -1,7 +1,16 @@
-//! How long the next step is.
+//! How long the next step is: what is known of the last one decides.
+//!
+//! | known | what it does |
+//! |---|---|
+//! | iterations | an easy step lets the next grow, a hard one shortens it |
+//! | contact changes | no growth while many nodes come into contact or leave it |
+//! | strain increment | the next step aims at the limit; one beyond twice the limit is repeated |
+//! | gaps and closing speeds | no step carries a free node deep into a tool |
+//! | frames, closing of the tools | steps land on them |
 
 use super::corrector::patience;
 use crate::model::Model;
+use crate::record::StepRecord;
 use crate::state::State;
 
 /// A step that needed at most this many iterations was easy: the next may be longer.
@@ -10,6 +19,12 @@ const EASY: usize = 8;
 const HARD: usize = 15;
 const GROWTH: f64 = 1.5;
 const SHRINK: f64 = 0.7;
+/// Changes of contact over the number of nodes above which steps do not grow \[–\].
+const MANY_FLIPS: f64 = 0.2;
+/// A step that strains the sheet by this many times the limit is repeated.
+const OVERSTRAINED: f64 = 2.0;
+/// Shortest step that the prediction of contact asks for, over the largest \[–\]: further down the corrector copes.
+const LEAST_APPROACH: f64 = 0.1;
 
 /// Chooses steps between the first, smallest and largest of the settings, and lands on every frame.
 pub(super) struct StepControl<'a> {
@@ -19,37 +34,51 @@ pub(super) struct StepControl<'a> {
     largest: f64,
     smallest: f64,
     next_frame: usize,
+    /// Time at which the run ends before its last frame \[s\].
+    end: f64,
 }
 
 impl<'a> StepControl<'a> {
-    pub fn new(model: &'a Model) -> Self {
-        let duration = model.travel / model.speed;
+    /// `end` is the time at which the tools close \[s\], where they do.
+    pub fn new(model: &'a Model, end: Option<f64>) -> Self {
         let settings = &model.settings;
         Self {
             model,
-            wanted: settings.first_step * duration,
-            largest: settings.max_step * duration,
-            smallest: settings.min_step * duration,
+            wanted: settings.first_step * model.duration,
+            largest: settings.max_step * model.duration,
+            smallest: settings.min_step * model.duration,
             next_frame: 0,
+            end: end.unwrap_or(f64::INFINITY),
         }
     }
 
-    /// Length of the next step \[s\]; `None` at the end of the travel.
+    /// Length of the next step \[s\]; `None` at the end of the run.
     pub fn next(&self, state: &State) -> Option<f64> {
         let target = self.model.frames.get(self.next_frame)?;
-        let rest = (target - state.travel) / self.model.speed;
+        let rest = target.min(self.end) - state.time;
         // Equal steps up to the frame, so that none is tiny.
         Some(rest / (rest / self.wanted - 1e-9).ceil().max(1.0))
     }
 
-    /// After an accepted step.
-    pub fn accept(&mut self, dt: f64, iterations: usize) {
+    /// After an accepted step; `approach` is the time in which a free node would go too deep into a tool \[s\].
+    pub fn accept(&mut self, dt: f64, iterations: usize, record: &StepRecord, approach: f64) {
         let patience = patience(self.model.settings.iteration);
-        if iterations <= EASY * patience {
-            self.wanted = (self.wanted * GROWTH).min(self.largest);
-        } else if iterations > HARD * patience {
+        let many_flips = record.flips as f64 > MANY_FLIPS * self.model.blank.elements as f64;
+        if iterations > HARD * patience {
             self.wanted = (dt * SHRINK).max(self.smallest);
+        } else if iterations <= EASY * patience && !many_flips {
+            self.wanted = (self.wanted * GROWTH).min(self.largest);
         }
+        if record.strain_increment > 0.0 {
+            let aimed = dt * self.model.settings.strain_step / record.strain_increment;
+            self.wanted = self.wanted.min(aimed.max(self.smallest));
+        }
+        self.wanted = self.wanted.min(approach.max(LEAST_APPROACH * self.largest));
+    }
+
+    /// Whether a step in equilibrium strained the sheet too much.
+    pub fn is_overstrained(&self, increment: f64) -> bool {
+        increment > OVERSTRAINED * self.model.settings.strain_step
     }
 
     /// After a rejected step of `dt`; `false` when there is none shorter to try.
@@ -58,10 +87,10 @@ impl<'a> StepControl<'a> {
         self.wanted >= self.smallest
     }
 
-    /// Whether the state is at a travel to keep; moves on to the next one.
+    /// Whether the state is at a time to keep; moves on to the next one.
     pub fn at_frame(&mut self, state: &State) -> bool {
         let Some(target) = self.model.frames.get(self.next_frame) else { return false };
-        let reached = state.travel >= target * (1.0 - 1e-12);
+        let reached = state.time >= target * (1.0 - 1e-12);
         self.next_frame += usize::from(reached);
         reached
     }

@@ -4,9 +4,9 @@
 use stampflow::geometry::{Point, Profile};
 use stampflow::material::hardening::Swift;
 use stampflow::material::{Hardening, Material};
-use stampflow::model::{Blank, Edge, Geometry, Grading, Model, Motion, Role, Settings, Theory, Tool};
+use stampflow::model::{Blank, Edge, Geometry, Grading, Model, Motion, Press, Role, Settings, StopRules, Theory, Tool};
 use stampflow::output::Subject;
-use stampflow::record::{ElementRecord, Energy, Frame, NodeRecord, Run, StepRecord, Stop};
+use stampflow::record::{ElementRecord, Energy, Frame, NodeRecord, Run, StepRecord};
 use std::f64::consts::FRAC_PI_2;
 use std::time::Duration;
 
@@ -15,7 +15,7 @@ const TRAVEL: f64 = 50.0;
 
 /// The cup: blank radius 100 mm, punch 50 mm with a nose of 9 mm, die 51.25 mm with a shoulder of 7 mm.
 pub fn model(geometry: Geometry) -> Model {
-    let tool = |role, profile, motion| Tool { role, profile, friction: 0.05, motion };
+    let tool = |role, profile, motion| Tool { role, profile, friction: 0.05.into(), motion };
     Model {
         title: "Cup with a flat punch, drawn for tests".to_owned(),
         notes: vec![
@@ -38,10 +38,14 @@ pub fn model(geometry: Geometry) -> Model {
         tools: vec![
             tool(Role::Punch, Profile::flat_punch(50.0, 9.0, T0), Motion::Travel),
             tool(Role::Die, Profile::die(51.25, 7.0, T0), Motion::Fixed),
-            tool(Role::Holder, Profile::holder(58.25, T0), Motion::Force(80_000.0)),
+            tool(Role::Holder, Profile::holder(58.25, T0), Motion::Pressed(Press::constant(80_000.0))),
         ],
+        beads: vec![],
+        gas: vec![],
         travel: TRAVEL,
         speed: 1.0,
+        duration: TRAVEL,
+        stop: StopRules::default(),
         frames: (1..=5).map(|i| 0.2 * TRAVEL * i as f64).collect(),
         settings: Settings::default(),
     }
@@ -81,10 +85,11 @@ pub fn run(model: &Model) -> Run {
             residual_norm: 2e-5,
             power: Energy::default(),
             work,
+            ..StepRecord::default()
         });
     }
     let warnings = vec!["the blank's edge came within 5 mm of the die shoulder".to_owned()];
-    Run { history, frames, stop: Stop::FullTravel, abandoned: 0, warnings }
+    Run { history, frames, warnings, ..Run::unsolved() }
 }
 
 /// The subject of all outputs.
@@ -147,7 +152,7 @@ fn frame(model: &Model, travel: f64) -> Frame {
             }
         })
         .collect();
-    Frame { travel, elements, nodes, tool_displacement: vec![travel, 0.0, -0.12 * depth] }
+    Frame { time: travel, travel, elements, nodes, tool_displacement: vec![travel, 0.0, -0.12 * depth] }
 }
 
 fn node(travel: f64, s: f64, thickness: f64) -> NodeRecord {

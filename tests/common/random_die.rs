@@ -4,7 +4,9 @@ use fastrand::Rng;
 use stampflow::geometry::{Arc, Piece, Point, Profile, Segment};
 use stampflow::material::hardening::{Hollomon, Ludwik, Swift, Voce};
 use stampflow::material::{Hardening, Material};
-use stampflow::model::{Blank, Edge, Geometry, Grading, Model, Motion, Norm, Role, Settings, Theory, Tool};
+use stampflow::model::{
+    Blank, Edge, Geometry, Grading, Model, Motion, Norm, Press, Role, Settings, StopRules, Theory, Tool,
+};
 use std::f64::consts::FRAC_PI_2;
 
 /// The kinds of section.
@@ -104,13 +106,13 @@ pub fn random_die(seed: u64) -> RandomDie {
     let siebel = 0.0025 * ((beta - 1.0).powi(2) + radius / (100.0 * t)) * strength;
     let held = if plane { length - flange } else { std::f64::consts::PI * (length * length - flange * flange) };
     let force = siebels * siebel * held;
-    let tool = |role, profile, motion| Tool { role, profile, friction, motion };
+    let tool = |role, profile, motion| Tool { role, profile, friction: friction.into(), motion };
     let mut tools = vec![
         tool(Role::Punch, punch, Motion::Travel),
         tool(Role::Die, Profile::die(throat, shoulder, t), Motion::Fixed),
     ];
     if !stretch && siebels > 0.05 {
-        tools.push(tool(Role::Holder, Profile::holder(flange, t), Motion::Force(force)));
+        tools.push(tool(Role::Holder, Profile::holder(flange, t), Motion::Pressed(Press::constant(force))));
     }
     let elements = rng.usize(30..=200);
     let norm = if rng.bool() { Norm::Velocity } else { Norm::Both };
@@ -136,8 +138,12 @@ pub fn random_die(seed: u64) -> RandomDie {
         },
         material: Material { hardening: law, elastic: None },
         tools,
+        beads: vec![],
+        gas: vec![],
         travel,
         speed: 1.0,
+        duration: travel,
+        stop: StopRules::default(),
         frames: vec![travel],
         settings: Settings { norm, ..Settings::default() },
     };

@@ -3,7 +3,9 @@
 use stampflow::geometry::Profile;
 use stampflow::material::hardening::{Ludwik, Swift};
 use stampflow::material::{Hardening, Material};
-use stampflow::model::{Blank, Edge, Geometry, Grading, Model, Motion, Role, Settings, Theory, Tool};
+use stampflow::model::{
+    Blank, Edge, Friction, Geometry, Grading, Model, Motion, Press, Role, Settings, StopRules, Theory, Tool,
+};
 
 /// A sheet of 1 mm with no tools, pulled outward by `travel` [mm].
 pub fn pulled(geometry: Geometry, theory: Theory, travel: f64) -> Model {
@@ -25,8 +27,12 @@ pub fn pulled(geometry: Geometry, theory: Theory, travel: f64) -> Model {
             elastic: None,
         },
         tools: vec![],
+        beads: vec![],
+        gas: vec![],
         travel,
         speed: 1.0,
+        duration: travel,
+        stop: StopRules::default(),
         frames: vec![travel],
         settings: Settings::default(),
     }
@@ -39,7 +45,7 @@ pub fn capstan(mu: f64, holder: f64, per_quarter: usize) -> Model {
     let shoulder = 10.0;
     let size = std::f64::consts::FRAC_PI_2 * (shoulder + 0.5 * t) / per_quarter as f64;
     let length = 120.0;
-    let tool = |role, profile, friction, motion| Tool { role, profile, friction, motion };
+    let tool = |role, profile, friction, motion| Tool { role, profile, friction: Friction::from(friction), motion };
     Model {
         title: "capstan".into(),
         notes: vec![],
@@ -60,10 +66,14 @@ pub fn capstan(mu: f64, holder: f64, per_quarter: usize) -> Model {
         tools: vec![
             tool(Role::Punch, Profile::flat_punch(30.0, 10.0, t), 0.3, Motion::Travel),
             tool(Role::Die, Profile::die(31.3, shoulder, t), mu, Motion::Fixed),
-            tool(Role::Holder, Profile::holder(41.3, t), 0.2 - mu, Motion::Force(holder)),
+            tool(Role::Holder, Profile::holder(41.3, t), 0.2 - mu, Motion::Pressed(Press::constant(holder))),
         ],
+        beads: vec![],
+        gas: vec![],
         travel: 50.0,
         speed: 1.0,
+        duration: 50.0,
+        stop: StopRules::default(),
         frames: vec![50.0],
         settings: Settings::default(),
     }

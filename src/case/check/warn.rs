@@ -22,7 +22,7 @@ pub(super) fn all(model: &Model) -> Vec<String> {
         warnings
             .push(format!("a tensile strength of {strength:.0} MPa is that of no sheet metal: check the law's units"));
     }
-    if model.tools.iter().any(|tool| tool.motion == Motion::Force(0.0)) {
+    if model.tools.iter().any(|tool| matches!(&tool.motion, Motion::Pressed(press) if press.is_idle())) {
         warnings.push(
             "the holder has no force and takes no part: the flange may swing up through where it is drawn".into(),
         );
@@ -41,8 +41,9 @@ pub(super) fn all(model: &Model) -> Vec<String> {
                 arc.radius / t
             ));
         }
-        if tool.friction > DRY {
-            warnings.push(format!("the {name}'s friction of {} is above that of dry steel, {DRY}", tool.friction));
+        let friction = tool.friction.largest_coefficient();
+        if friction > DRY && !tool.friction.needs_shear_yield() {
+            warnings.push(format!("the {name}'s friction of {friction} is above that of dry steel, {DRY}"));
         }
     }
     if let Some(fit) = estimate::coarsest_corner(model).filter(|fit| fit.per_quarter < FINE) {

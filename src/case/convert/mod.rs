@@ -3,6 +3,8 @@
 mod blank;
 mod compare;
 mod fit;
+mod friction;
+mod loads;
 mod material;
 mod profile;
 mod settings;
@@ -26,23 +28,56 @@ pub(super) fn model(file: &CaseFile, source: &Source) -> Result<(Model, Vec<Stri
     let blank = blank::convert(&file.blank, geometry, source, &mut derived)?;
     let material = material::convert(&file.material, source)?;
     let sheet = tools::Sheet { geometry, length: blank.length, thickness: blank.thickness };
-    let tools = tools::convert(&file.tools, &sheet, source, &mut derived)?;
-    let punch = file.tools.punch.as_ref().ok_or_else(|| missing(source, "tools", "punch"))?;
-    let travel = punch.travel.value();
+    let tools = tools::convert(file, &sheet, source, &mut derived)?;
+    let gas = match &file.gas {
+        Some(gas) => loads::gas(gas, &tools, &sheet, source, &mut derived)?,
+        None => Vec::new(),
+    };
+    let drive = drive(file, blank.length, source)?;
     let model = Model {
         title: file.title.clone(),
         notes: file.notes.clone(),
         geometry,
-        blank,
         material,
+        beads: loads::beads(&file.tools.beads, &tools, &sheet, source)?,
         tools,
-        travel,
-        speed: punch.speed.map_or(1.0, Quantity::value),
-        frames: settings::frames(&file.output, travel, source)?,
+        gas,
+        travel: drive.travel,
+        speed: drive.speed,
+        duration: drive.duration,
+        frames: settings::frames(&file.output, &drive, source)?,
+        stop: settings::stop(&file.stop),
         settings: settings::convert(&file.solver, source)?,
+        blank,
     };
     fit::check(&model, source)?;
     Ok((model, derived))
+}
+
+/// What drives the run and for how long.
+struct Drive {
+    /// Travel \[mm\], speed \[mm/s\] and duration \[s\] as in [`Model`].
+    travel: f64,
+    speed: f64,
+    duration: f64,
+}
+
+/// The punch's travel at its speed, or the gas for its duration.
+fn drive(file: &CaseFile, length: f64, source: &Source) -> Result<Drive, CaseError> {
+    let duration = file.gas.as_ref().and_then(|gas| gas.duration).map(Quantity::value);
+    match (&file.tools.punch, &file.gas, duration) {
+        (Some(_), _, Some(_)) => {
+            let help = "drop it: the punch's travel and speed say how long the run takes";
+            Err(source.error("gas.duration", "both a punch and a duration are given", help))
+        }
+        (Some(punch), _, None) => {
+            let (travel, speed) = (punch.travel.value(), punch.speed.map_or(1.0, Quantity::value));
+            Ok(Drive { travel, speed, duration: travel / speed })
+        }
+        (None, Some(_), Some(duration)) => Ok(Drive { travel: 0.0, speed: length / duration, duration }),
+        (None, Some(_), None) => Err(missing(source, "gas", "duration")),
+        (None, None, _) => Err(missing(source, "tools", "punch")),
+    }
 }
 
 /// A length whose key depends on the geometry; the other geometry's key is an error that says so.

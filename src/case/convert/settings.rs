@@ -1,9 +1,9 @@
-//! `[solver]` and `[output]`.
+//! `[solver]`, `[stop]` and `[output]`.
 
-use super::count;
-use crate::case::file::{self, Iteration, Norm};
+use super::{Drive, count};
+use crate::case::file::{self, ContactMethod, Iteration, Norm};
 use crate::case::{CaseError, source::Source};
-use crate::model::{self, Settings};
+use crate::model::{self, Settings, StopRules};
 use crate::quantity::Quantity;
 
 pub(super) fn convert(file: &file::Solver, source: &Source) -> Result<Settings, CaseError> {
@@ -34,6 +34,11 @@ pub(super) fn convert(file: &file::Solver, source: &Source) -> Result<Settings, 
         slip_speed: or(file.slip_speed.map(Quantity::value), default.slip_speed),
         facets: file.facets.map(|n| count(source, "solver.facets", n, 1..=1000)).transpose()?,
         round_facets: file.round_facets.unwrap_or(default.round_facets),
+        contact: file.contact.map_or(default.contact, |c| match c {
+            ContactMethod::Penalty => model::ContactMethod::Penalty,
+            ContactMethod::AugmentedLagrangian => model::ContactMethod::AugmentedLagrangian,
+        }),
+        strain_step: or(file.strain_step.map(Quantity::value), default.strain_step),
     };
     let ranges = [
         ("tolerance", settings.tolerance, 1e-12, 0.1),
@@ -43,6 +48,7 @@ pub(super) fn convert(file: &file::Solver, source: &Source) -> Result<Settings, 
         ("contact_stiffness", settings.contact_stiffness, 1.0, 1e7),
         ("contact_smoothing", settings.contact_smoothing, 1e-6, 0.1),
         ("slip_speed", settings.slip_speed, 1e-6, 1.0),
+        ("strain_step", settings.strain_step, 1e-3, 1.0),
     ];
     for (key, value, low, high) in ranges {
         if !(low..=high).contains(&value) {
@@ -63,14 +69,25 @@ pub(super) fn convert(file: &file::Solver, source: &Source) -> Result<Settings, 
     Ok(settings)
 }
 
-/// Travels at which the state is kept [mm], rising, the last one the full travel.
-pub(super) fn frames(file: &file::Output, travel: f64, source: &Source) -> Result<Vec<f64>, CaseError> {
+/// When a run ends before its full travel.
+pub(super) fn stop(file: &file::Stop) -> StopRules {
+    let default = StopRules::default();
+    StopRules { localised: file.localised.unwrap_or(default.localised), load_drop: file.load_drop.map(Quantity::value) }
+}
+
+/// Times at which the state is kept [s], rising, the last one the end of the run.
+pub(super) fn frames(file: &file::Output, drive: &Drive, source: &Source) -> Result<Vec<f64>, CaseError> {
+    let Drive { travel, speed, duration } = *drive;
     let Some(list) = &file.frames else {
         let n = count(source, "output.count", file.count.unwrap_or(4), 1..=1000)?;
-        return Ok((1..n).map(|i| travel * i as f64 / n as f64).chain([travel]).collect());
+        return Ok((1..n).map(|i| duration * i as f64 / n as f64).chain([duration]).collect());
     };
     if file.count.is_some() {
         return Err(source.error("output.count", "both `frames` and `count` are given", "keep one of them"));
+    }
+    if travel == 0.0 {
+        let what = "`frames` are punch travels, and there is no punch";
+        return Err(source.error("output.frames", what, "write count = 8 for as many instants, equally spaced"));
     }
     let mut frames: Vec<f64> = list.iter().map(|f| f.value()).collect();
     if let Some(i) = frames.iter().position(|&f| f > travel * (1.0 + 1e-9)) {
@@ -78,8 +95,7 @@ pub(super) fn frames(file: &file::Output, travel: f64, source: &Source) -> Resul
         return Err(source.error(&format!("output.frames.{i}"), what, "drop it, or lengthen tools.punch.travel"));
     }
     frames.retain(|&f| f < travel * (1.0 - 1e-9));
-    frames.push(travel);
     frames.sort_by(f64::total_cmp);
     frames.dedup();
-    Ok(frames)
+    Ok(frames.into_iter().map(|f| f / speed).chain([duration]).collect())
 }

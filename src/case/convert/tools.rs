@@ -1,7 +1,7 @@
 //! `[tools]`: shapes placed where they touch the flat sheet.
 
-use super::{by_geometry, profile};
-use crate::case::file::{self, HolderForce};
+use super::{by_geometry, friction, loads, profile};
+use crate::case::file;
 use crate::case::{CaseError, explain::missing, source::Source};
 use crate::geometry::Profile;
 use crate::model::{Geometry, Motion, Role, Tool};
@@ -17,40 +17,38 @@ pub(super) struct Sheet {
 }
 
 pub(super) fn convert(
-    file: &file::Tools,
+    case: &file::CaseFile,
     sheet: &Sheet,
     source: &Source,
     derived: &mut Vec<String>,
 ) -> Result<Vec<Tool>, CaseError> {
-    let punch = file.punch.as_ref().ok_or_else(|| missing(source, "tools", "punch"))?;
-    let mut tools = vec![Tool {
-        role: Role::Punch,
-        profile: punch_profile(punch, sheet, source, derived)?,
-        friction: punch.friction.value(),
-        motion: Motion::Travel,
-    }];
+    let file = &case.tools;
+    let mut tools = Vec::new();
+    if let Some(punch) = &file.punch {
+        tools.push(Tool {
+            role: Role::Punch,
+            profile: punch_profile(punch, sheet, source, derived)?,
+            friction: friction::of(Role::Punch, case, source, derived)?,
+            motion: Motion::Travel,
+        });
+    }
     if let Some(die) = &file.die {
         tools.push(Tool {
             role: Role::Die,
             profile: die_profile(die, sheet, source, derived)?,
-            friction: die.friction.value(),
+            friction: friction::of(Role::Die, case, source, derived)?,
             motion: Motion::Fixed,
         });
     }
     if let Some(holder) = &file.holder {
-        let Some(die) = &file.die else {
+        let Some(die) = tools.iter().find(|tool| tool.role == Role::Die) else {
             let what = "a holder needs a die to press against";
             return Err(source.error("tools.holder", what, "add [tools.die], or drop the holder and clamp the edge"));
         };
-        if holder.friction.is_none() {
-            derived.push(format!("the holder's friction is the die's, {}", die.friction));
-        }
-        tools.push(Tool {
-            role: Role::Holder,
-            profile: holder_profile(holder, sheet, source, derived)?,
-            friction: holder.friction.unwrap_or(die.friction).value(),
-            motion: Motion::Force(holder_force(holder.force, sheet.geometry, source)?),
-        });
+        let profile = holder_profile(holder, sheet, source, derived)?;
+        let motion = loads::holder(holder, &profile, die, sheet, source, derived)?;
+        let friction = friction::of(Role::Holder, case, source, derived)?;
+        tools.push(Tool { role: Role::Holder, profile, friction, motion });
     }
     Ok(tools)
 }
@@ -161,19 +159,4 @@ fn holder_profile(
         return Err(source.error("tools.holder.profile", what, "keep one of them"));
     }
     profile::convert(steps, Role::Holder, sheet, source, derived)
-}
-
-fn holder_force(force: HolderForce, geometry: Geometry, source: &Source) -> Result<f64, CaseError> {
-    let (what, help) = match (geometry, force) {
-        (Geometry::Axisymmetric, HolderForce::Ring(force)) => return Ok(force.value()),
-        (Geometry::PlaneStrain, HolderForce::PerDepth(force)) => return Ok(force.value()),
-        (Geometry::Axisymmetric, HolderForce::PerDepth(_)) => {
-            ("in an axisymmetric case `force` is that of the whole ring", "write a force, such as force = \"80 kN\"")
-        }
-        (Geometry::PlaneStrain, HolderForce::Ring(_)) => (
-            "in plane strain `force` is per depth of the modelled half",
-            "write a force per length, such as force = \"1300 N/mm\"",
-        ),
-    };
-    Err(source.error("tools.holder.force", what, help))
 }

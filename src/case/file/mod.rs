@@ -4,14 +4,22 @@
 //! messages propose.
 
 mod compare;
+mod friction;
+mod gas;
+mod history;
 mod material;
 mod solver;
 mod tools;
 
 pub use compare::{Compare, ComparedQuantity};
+pub use friction::{Friction, FrictionLaw, PressureDependent, Sides, Stribeck, Tresca};
+pub use gas::{Gas, GasFace};
+pub use history::Given;
 pub use material::{Beyond, Branch, Hardening, Hollomon, Ludwik, Material, PiecewisePower, Swift, Table, Voce};
-pub use solver::{Iteration, Norm, Output, Solver};
-pub use tools::{Crowned, Die, Flat, Hemispherical, Holder, HolderForce, ProfileStep, Punch, Tools, Turn};
+pub use solver::{ContactMethod, Iteration, Norm, Output, Solver, Stop};
+pub use tools::{
+    Bead, Crowned, Die, Flat, Hemispherical, Holder, HolderForce, ProfileStep, Punch, Spring, Stiffness, Tools, Turn,
+};
 
 use crate::quantity::{Length, Positive};
 use schemars::JsonSchema;
@@ -32,8 +40,14 @@ pub struct CaseFile {
     pub blank: Blank,
     pub material: Material,
     pub tools: Tools,
+    /// Friction by the face of the sheet, for tools that do not name their own.
+    #[serde(default)]
+    pub friction: Sides,
+    pub gas: Option<Gas>,
     #[serde(default)]
     pub solver: Solver,
+    #[serde(default)]
+    pub stop: Stop,
     #[serde(default)]
     pub output: Output,
     /// Published curves to hold the result against.

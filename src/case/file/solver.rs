@@ -1,6 +1,6 @@
-//! `[solver]` and `[output]`: all optional.
+//! `[solver]`, `[stop]` and `[output]`: all optional.
 
-use crate::quantity::{Fraction, Length, Number, Positive, Stress};
+use crate::quantity::{Fraction, Length, Number, Positive, Ratio, Stress};
 use schemars::JsonSchema;
 use serde::Deserialize;
 
@@ -32,11 +32,11 @@ pub struct Solver {
     /// Equivalent strain of one largest step below which the sheet counts as rigid; 5e-6 when not given.
     #[schemars(example = 5e-6)]
     pub cutoff_strain: Option<Positive<Number>>,
-    /// Contact stiffness times the sheet thickness; "10 GPa" when not given.
-    #[schemars(example = "10 GPa")]
+    /// Contact stiffness times the sheet thickness; "30 GPa" when not given.
+    #[schemars(example = "30 GPa")]
     pub contact_stiffness: Option<Positive<Stress>>,
-    /// Gap over which contact sets in, over the sheet thickness; 0.002 when not given.
-    #[schemars(example = 0.002)]
+    /// Gap over which contact sets in, over the sheet thickness; 0.003 when not given.
+    #[schemars(example = 0.003)]
     pub contact_smoothing: Option<Positive<Number>>,
     /// Sliding speed at which friction is nearly full, over the punch speed; 0.01 when not given.
     #[schemars(example = 0.01)]
@@ -46,6 +46,34 @@ pub struct Solver {
     pub facets: Option<i64>,
     /// Rounds chords off by arcs with common tangents, so that the load does not tick at their vertices; true by default.
     pub round_facets: Option<bool>,
+    /// What keeps tools out of the sheet; "penalty" when not given.
+    #[schemars(example = &"penalty")]
+    pub contact: Option<ContactMethod>,
+    /// Equivalent strain that one step may add anywhere; 0.1 when not given.
+    #[schemars(example = 0.1)]
+    pub strain_step: Option<Positive<Number>>,
+}
+
+/// What keeps tools out of the sheet.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum ContactMethod {
+    /// Stiff springs: tools penetrate by thousandths of the thickness.
+    Penalty,
+    /// The springs shifted until nothing penetrates by more than a ten-thousandth of the thickness.
+    AugmentedLagrangian,
+}
+
+/// When a run ends before its full travel.
+#[derive(Clone, Copy, Debug, Default, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Stop {
+    /// Ends where one place of the sheet takes all the stretching; true when not given.
+    #[schemars(example = true)]
+    pub localised: Option<bool>,
+    /// Ends when the punch force has fallen by this much from its maximum; never when not given.
+    #[schemars(example = "20 %")]
+    pub load_drop: Option<Positive<Ratio>>,
 }
 
 /// Matrix of the corrector.

@@ -1,6 +1,7 @@
-//! `[tools.punch]`, `[tools.die]`, `[tools.holder]`.
+//! `[tools.punch]`, `[tools.die]`, `[tools.holder]`, `[[tools.beads]]`.
 
-use crate::quantity::{Force, Fraction, Length, LineForce, NonNegative, Positive, Quantity, Speed};
+use super::{Friction, Given};
+use crate::quantity::{Force, Length, LineForce, NonNegative, Positive, Quantity, Speed, Stress};
 use schemars::JsonSchema;
 use serde::Deserialize;
 
@@ -11,6 +12,24 @@ pub struct Tools {
     pub punch: Option<Punch>,
     pub die: Option<Die>,
     pub holder: Option<Holder>,
+    /// Draw beads across the flange, as line restraints.
+    #[serde(default)]
+    pub beads: Vec<Bead>,
+}
+
+/// A draw bead as a line restraint: it holds the sheet back while the sheet passes it.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Bead {
+    /// Distance of its line from the axis or symmetry plane.
+    #[schemars(example = "70 mm")]
+    pub at: Positive<Length>,
+    /// Restraining force per length of the line.
+    #[schemars(example = "100 N/mm")]
+    pub restraining: NonNegative<LineForce>,
+    /// Closing force per length of the line, taken from the holder's force; none when not given.
+    #[schemars(example = "150 N/mm")]
+    pub closing: Option<NonNegative<LineForce>>,
 }
 
 /// The punch moves towards +z; exactly one of the shapes is given.
@@ -22,9 +41,9 @@ pub struct Punch {
     pub crowned: Option<Crowned>,
     /// A drawn section, the sheet on the left as one goes along it.
     pub profile: Option<Vec<ProfileStep>>,
-    /// Coulomb's coefficient of friction, 0 to 1.
+    /// Coulomb's coefficient of friction, 0 to 1, or another law; that of its side of the sheet when not given.
     #[schemars(example = 0.08)]
-    pub friction: Fraction,
+    pub friction: Option<Friction>,
     /// How far the punch goes from where it touches the flat sheet.
     #[schemars(example = "25 mm")]
     pub travel: Positive<Length>,
@@ -113,9 +132,9 @@ pub struct Die {
     pub shoulder: Option<Positive<Length>>,
     /// A drawn section, the sheet on the left as one goes along it (from outside inward).
     pub profile: Option<Vec<ProfileStep>>,
-    /// Coulomb's coefficient of friction, 0 to 1.
+    /// Coulomb's coefficient of friction, 0 to 1, or another law; that of its side of the sheet when not given.
     #[schemars(example = 0.08)]
-    pub friction: Fraction,
+    pub friction: Option<Friction>,
 }
 
 /// The blank holder presses the sheet against the die: a flat ring from its inner radius outward, or a `profile`.
@@ -130,12 +149,40 @@ pub struct Holder {
     pub inner_half_width: Option<Positive<Length>>,
     /// A drawn section, the sheet on the left as one goes along it (from inside outward).
     pub profile: Option<Vec<ProfileStep>>,
-    /// Force of the whole ring ("80 kN"), or per depth of the modelled half in plane strain ("1300 N/mm").
+    /// Force of the whole ring ("80 kN"), or per depth of the modelled half in plane strain ("1300 N/mm"); or its history
+    /// over the punch travel: [["0 mm", "40 kN"], ["20 mm", "80 kN"]]. The holder's position follows.
     #[schemars(example = "10 kN")]
-    pub force: HolderForce,
-    /// Coulomb's coefficient of friction, 0 to 1; the die's when not given.
+    pub force: Option<Given<NonNegative<Length>, HolderForce>>,
+    /// Pressure times the initial area between holder and the die's flat: a force that stays.
+    #[schemars(example = "2.5 MPa")]
+    pub pressure: Option<NonNegative<Stress>>,
+    /// Fixed distance between the faces of holder and die: distance blocks.
+    #[schemars(example = "1.1 mm")]
+    pub gap: Option<Positive<Length>>,
+    /// Springs or a cushion: the force grows as the holder is pushed away from the die.
+    pub spring: Option<Spring>,
+    /// Coulomb's coefficient of friction, 0 to 1, or another law; that of the punch's side or of the die when not given.
     #[schemars(example = 0.08)]
-    pub friction: Option<Fraction>,
+    pub friction: Option<Friction>,
+}
+
+/// A soft holder.
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Spring {
+    /// Force where the holder touches the flat sheet.
+    #[schemars(example = "10 kN")]
+    pub preload: HolderForce,
+    /// Force per move of the holder, "5 kN/mm"; in plane strain per depth as well, "50 N/mm^2".
+    #[schemars(example = "5 kN/mm")]
+    pub stiffness: Stiffness,
+}
+
+/// A stiffness: force per length, or force per length and depth.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Stiffness {
+    Ring(NonNegative<LineForce>),
+    PerDepth(NonNegative<Stress>),
 }
 
 /// A force, or a force per length of depth.
@@ -145,49 +192,70 @@ pub enum HolderForce {
     PerDepth(NonNegative<LineForce>),
 }
 
-impl<'de> Deserialize<'de> for HolderForce {
-    fn deserialize<D: serde::Deserializer<'de>>(from: D) -> Result<Self, D::Error> {
-        /// The text, after what is no text has been refused with the words of a force.
-        struct Written;
-        impl serde::de::Visitor<'_> for Written {
-            type Value = HolderForce;
+/// Reads and describes an enum of one quantity for the ring and another per depth.
+macro_rules! ring_or_per_depth {
+    ($type:ident, $per_depth:ty, $expected:literal, $name:literal, $examples:expr) => {
+        impl<'de> Deserialize<'de> for $type {
+            fn deserialize<D: serde::Deserializer<'de>>(from: D) -> Result<Self, D::Error> {
+                /// The text, after what is no text has been refused with the words of the quantity.
+                struct Written;
+                impl serde::de::Visitor<'_> for Written {
+                    type Value = $type;
 
-            fn expecting(&self, f: &mut std::fmt::Formatter) -> std::fmt::Result {
-                write!(f, "a force with its unit, such as \"80 kN\" (axisymmetric) or \"1300 N/mm\" (plane strain)")
-            }
+                    fn expecting(&self, f: &mut std::fmt::Formatter) -> std::fmt::Result {
+                        write!(f, $expected)
+                    }
 
-            fn visit_str<E: serde::de::Error>(self, text: &str) -> Result<HolderForce, E> {
-                let per_depth = crate::quantity::parse(text).is_ok_and(|p| p.dimension == LineForce::KIND.dimension);
-                let force = if per_depth {
-                    text.parse().map(HolderForce::PerDepth)
-                } else {
-                    text.parse().map(HolderForce::Ring)
-                };
-                force.map_err(E::custom)
-            }
+                    fn visit_str<E: serde::de::Error>(self, text: &str) -> Result<$type, E> {
+                        let per_depth = crate::quantity::parse(text)
+                            .is_ok_and(|p| p.dimension == <$per_depth as Quantity>::KIND.dimension);
+                        let read = if per_depth {
+                            text.parse().map($type::PerDepth)
+                        } else {
+                            text.parse().map($type::Ring)
+                        };
+                        read.map_err(E::custom)
+                    }
 
-            fn visit_i64<E: serde::de::Error>(self, value: i64) -> Result<HolderForce, E> {
-                self.visit_str(&value.to_string())
-            }
+                    fn visit_i64<E: serde::de::Error>(self, value: i64) -> Result<$type, E> {
+                        self.visit_str(&value.to_string())
+                    }
 
-            fn visit_f64<E: serde::de::Error>(self, value: f64) -> Result<HolderForce, E> {
-                self.visit_str(&value.to_string())
+                    fn visit_f64<E: serde::de::Error>(self, value: f64) -> Result<$type, E> {
+                        self.visit_str(&value.to_string())
+                    }
+                }
+                from.deserialize_any(Written)
             }
         }
-        from.deserialize_any(Written)
-    }
+
+        impl JsonSchema for $type {
+            fn inline_schema() -> bool {
+                true
+            }
+
+            fn schema_name() -> std::borrow::Cow<'static, str> {
+                $name.into()
+            }
+
+            fn json_schema(_: &mut schemars::SchemaGenerator) -> schemars::Schema {
+                schemars::json_schema!({ "type": "string", "examples": $examples })
+            }
+        }
+    };
 }
 
-impl JsonSchema for HolderForce {
-    fn inline_schema() -> bool {
-        true
-    }
-
-    fn schema_name() -> std::borrow::Cow<'static, str> {
-        "HolderForce".into()
-    }
-
-    fn json_schema(_: &mut schemars::SchemaGenerator) -> schemars::Schema {
-        schemars::json_schema!({ "type": "string", "examples": ["80 kN", "1300 N/mm"] })
-    }
-}
+ring_or_per_depth!(
+    HolderForce,
+    NonNegative<LineForce>,
+    "a force with its unit, such as \"80 kN\" (axisymmetric) or \"1300 N/mm\" (plane strain)",
+    "HolderForce",
+    ["80 kN", "1300 N/mm"]
+);
+ring_or_per_depth!(
+    Stiffness,
+    NonNegative<Stress>,
+    "a stiffness with its unit, such as \"5 kN/mm\" (axisymmetric) or \"50 N/mm^2\" (plane strain)",
+    "Stiffness",
+    ["5 kN/mm", "50 N/mm^2"]
+);

@@ -1,29 +1,20 @@
-//! Coulomb's friction, regularised on the slip of the step.
+//! Coulomb's friction: the stress is a fixed share of the pressure.
 
-use crate::contact::penalty::Smooth;
+use super::{Drag, Sliding, direction};
 
-/// T = −μ N s/√(s² + s₀²), with s the slip of the step relative to the tool.
-///
-/// s₀ is a sliding speed times the step's duration, so that the law does not depend on the step. A node that should
-/// stick creeps instead, slower than that speed.
-///
-/// # References
-/// The plasticity analogy and its tangent: Perić, Owen, Computational model for 3D contact problems with friction
-/// based on the penalty method (1991).
+/// τ = μ p φ(s).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Coulomb {
     /// μ \[–\].
     pub coefficient: f64,
-    /// s₀ \[mm\].
-    pub slip: f64,
 }
 
 impl Coulomb {
-    /// −T/N and its derivative by the slip \[1/mm\] at the slip `s` \[mm\].
+    /// The friction stress and its derivatives.
     #[inline]
-    pub fn at(&self, s: f64) -> Smooth {
-        let root = (s * s + self.slip * self.slip).sqrt();
-        let value = self.coefficient * s / root;
-        Smooth { value, slope: self.coefficient * self.slip * self.slip / (root * root * root) }
+    pub fn at(&self, at: &Sliding) -> Drag {
+        let phi = direction(at.slip, at.scale);
+        let full = self.coefficient * at.pressure;
+        Drag { value: full * phi.value, by_pressure: self.coefficient * phi.value, by_slip: full * phi.slope }
     }
 }

@@ -4,11 +4,11 @@ use super::*;
 use crate::geometry::Profile;
 use crate::material::hardening::Swift;
 use crate::material::{Hardening, Material};
-use crate::model::{Blank, Grading, Iteration, Role, Settings, Tool};
+use crate::model::{Bead, Blank, Face, Gas, Grading, Iteration, Press, Role, Settings, Tool};
 
 fn model(geometry: Geometry, theory: Theory) -> Model {
     let t = 1.0;
-    let tool = |role, profile, motion| Tool { role, profile, friction: 0.12, motion };
+    let tool = |role, profile, motion| Tool { role, profile, friction: 0.12.into(), motion };
     let holder = if geometry == Geometry::Axisymmetric { 9e3 } else { 60.0 };
     Model {
         title: "small cup".into(),
@@ -27,10 +27,18 @@ fn model(geometry: Geometry, theory: Theory) -> Model {
         tools: vec![
             tool(Role::Punch, Profile::flat_punch(12.0, 4.0, t), Motion::Travel),
             tool(Role::Die, Profile::die(13.3, 4.0, t), Motion::Fixed),
-            tool(Role::Holder, Profile::holder(17.3, t), Motion::Force(holder)),
+            tool(
+                Role::Holder,
+                Profile::holder(17.3, t),
+                Motion::Pressed(Press { force: holder.into(), stiffness: 30.0 }),
+            ),
         ],
+        beads: vec![Bead { at: 21.0, restraining: 20.0, closing: 5.0 }],
+        gas: vec![Gas { face: Face::Upper, pressure: 3.0.into(), within: 15.0 }],
         travel: 6.0,
         speed: 1.0,
+        duration: 6.0,
+        stop: Default::default(),
         frames: vec![6.0],
         settings: Settings { iteration: Iteration::Newton, ..Settings::default() },
     }
@@ -56,7 +64,8 @@ fn check(model: &Model, state: &State) {
     let dt = 0.05;
     let mut work = Workspace::new(model, state);
     work.begin(model, state);
-    work.predict(model, state, dt, false);
+    let step = Step { model, state, dt, number: 2 };
+    work.predict(&step, false);
     for (i, x) in work.moves.iter_mut().enumerate() {
         let wave = (i as f64 * 1.7).sin();
         x[0] += if i == 0 { 0.0 } else { 2e-4 * wave };
@@ -66,7 +75,7 @@ fn check(model: &Model, state: &State) {
     // A residual norm below SLACK_NORM's start would not matter here: Newton's H is the derivative only without
     // the membrane's floor, which fades with the velocity norm.
     let at = |work: &mut Workspace| {
-        assert!(work.assemble(model, state, dt, 0, 0.0));
+        assert!(work.assemble(&step, &Trial { matrix: Iteration::Newton, iteration: 0, velocity_norm: 0.0 }));
         (work.system.rhs.clone(), work.system.corner_rhs)
     };
     at(&mut work);

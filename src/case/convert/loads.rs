@@ -1,0 +1,188 @@
+//! What presses the sheet other than the punch: the holder's force, gas, and beads that hold it back.
+
+use super::tools::Sheet;
+use crate::case::file::{self, Given, HolderForce, Stiffness};
+use crate::case::measure::{extent, shoulder_end};
+use crate::case::{CaseError, source::Source};
+use crate::history::History;
+use crate::model::{Bead, Face, Gas, Geometry, Motion, Press, Role, Tool};
+use crate::quantity::Quantity;
+use std::f64::consts::PI;
+
+/// How the holder is pressed or held: exactly one of the four ways.
+pub(super) fn holder(
+    holder: &file::Holder,
+    profile: &crate::geometry::Profile,
+    die: &Tool,
+    sheet: &Sheet,
+    source: &Source,
+    derived: &mut Vec<String>,
+) -> Result<Motion, CaseError> {
+    let given = [
+        ("force", holder.force.is_some()),
+        ("pressure", holder.pressure.is_some()),
+        ("gap", holder.gap.is_some()),
+        ("spring", holder.spring.is_some()),
+    ];
+    let given: Vec<&str> = given.iter().filter(|(_, given)| *given).map(|(name, _)| *name).collect();
+    if given.len() > 1 {
+        let what = format!("the holder is held in {} ways: {}", given.len(), given.join(" and "));
+        return Err(source.error(&format!("tools.holder.{}", given[1]), what, "keep one of them"));
+    }
+    if let Some(gap) = holder.gap {
+        let (gap, t) = (gap.value(), sheet.thickness);
+        if gap < t {
+            let what = format!("the holder's gap of {gap} mm is less than the sheet's thickness of {t} mm");
+            return Err(source.error("tools.holder.gap", what, format!("at least {t} mm; 1.02 to 1.1 times is usual")));
+        }
+        return Ok(Motion::Gap(gap));
+    }
+    if let Some(pressure) = holder.pressure {
+        let inner = profile.least_r().max(shoulder_end(die));
+        let area = match sheet.geometry {
+            Geometry::Axisymmetric => PI * (sheet.length.powi(2) - inner.powi(2)),
+            Geometry::PlaneStrain => sheet.length - inner,
+        };
+        let force = pressure.value() * area.max(0.0);
+        derived.push(format!(
+            "the holder's force is its pressure on the initial area, {pressure} x {area:.1} mm² = {force:.0} {}",
+            sheet.geometry.force_unit()
+        ));
+        return Ok(Motion::Pressed(Press::constant(force)));
+    }
+    if let Some(spring) = holder.spring {
+        let stiffness = match (sheet.geometry, spring.stiffness) {
+            (Geometry::Axisymmetric, Stiffness::Ring(c)) => c.value(),
+            (Geometry::PlaneStrain, Stiffness::PerDepth(c)) => c.value(),
+            (Geometry::Axisymmetric, _) => {
+                let what = "in an axisymmetric case `stiffness` is that of the whole ring";
+                return Err(source.error("tools.holder.spring.stiffness", what, "such as stiffness = \"5 kN/mm\""));
+            }
+            (Geometry::PlaneStrain, _) => {
+                let what = "in plane strain `stiffness` is per depth of the modelled half";
+                return Err(source.error("tools.holder.spring.stiffness", what, "such as stiffness = \"50 N/mm^2\""));
+            }
+        };
+        let preload = force(spring.preload, "tools.holder.spring.preload", "preload", sheet.geometry, source)?;
+        return Ok(Motion::Pressed(Press { force: preload.into(), stiffness }));
+    }
+    let Some(given) = &holder.force else {
+        return Err(crate::case::explain::missing(source, "tools.holder", "force"));
+    };
+    let path = "tools.holder.force";
+    let points: Vec<(f64, f64)> = given
+        .points()
+        .into_iter()
+        .enumerate()
+        .map(|(i, (x, value))| {
+            let path = if matches!(given, Given::Points(_)) { format!("{path}.{i}") } else { path.to_owned() };
+            Ok((x, force(value, &path, "force", sheet.geometry, source)?))
+        })
+        .collect::<Result<_, CaseError>>()?;
+    Ok(Motion::Pressed(Press { force: history(points, path, "travels", source)?, stiffness: 0.0 }))
+}
+
+fn history(points: Vec<(f64, f64)>, path: &str, what: &str, source: &Source) -> Result<History, CaseError> {
+    if points.is_empty() {
+        return Err(source.error(path, "the list of points is empty", "write [x, value] pairs, or one value"));
+    }
+    if let Some(i) = points.windows(2).position(|w| w[1].0 <= w[0].0) {
+        let text = format!("the {what} of the points must rise, found {} after {}", points[i + 1].0, points[i].0);
+        return Err(source.error(&format!("{path}.{}", i + 1), text, "sort the points, each place once"));
+    }
+    Ok(History::new(points).expect("checked above"))
+}
+
+fn force(force: HolderForce, path: &str, key: &str, geometry: Geometry, source: &Source) -> Result<f64, CaseError> {
+    let (what, help) = match (geometry, force) {
+        (Geometry::Axisymmetric, HolderForce::Ring(force)) => return Ok(force.value()),
+        (Geometry::PlaneStrain, HolderForce::PerDepth(force)) => return Ok(force.value()),
+        (Geometry::Axisymmetric, HolderForce::PerDepth(_)) => (
+            format!("in an axisymmetric case `{key}` is that of the whole ring"),
+            format!("write a force, such as {key} = \"80 kN\""),
+        ),
+        (Geometry::PlaneStrain, HolderForce::Ring(_)) => (
+            format!("in plane strain `{key}` is per depth of the modelled half"),
+            format!("write a force per length, such as {key} = \"1300 N/mm\""),
+        ),
+    };
+    Err(source.error(path, what, help))
+}
+
+/// The gas on each face that has one.
+pub(super) fn gas(
+    file: &file::Gas,
+    tools: &[Tool],
+    sheet: &Sheet,
+    source: &Source,
+    derived: &mut Vec<String>,
+) -> Result<Vec<Gas>, CaseError> {
+    let tool = |role: Role| tools.iter().find(|t| t.role == role);
+    let mut gas = Vec::new();
+    for (face, key, given) in [(Face::Lower, "lower", &file.lower), (Face::Upper, "upper", &file.upper)] {
+        let Some(given) = given else { continue };
+        let path = format!("gas.{key}.pressure");
+        let points = given.pressure.points().into_iter().map(|(t, p)| (t, p.value())).collect();
+        let pressure = history(points, &path, "times", source)?;
+        let seal = match face {
+            Face::Lower => tool(Role::Holder).map(|holder| ("the holder's inner edge", extent(holder).0)),
+            Face::Upper => tool(Role::Die).map(|die| ("the end of the die's shoulder", shoulder_end(die))),
+        };
+        let within = match (given.within, seal) {
+            (Some(within), _) => within.value(),
+            (None, Some((what, r))) => {
+                derived.push(format!("gas on the {key} face acts up to {what}, {r:.3} mm"));
+                r
+            }
+            (None, None) => sheet.length,
+        };
+        gas.push(Gas { face, pressure, within });
+    }
+    if gas.is_empty() {
+        return Err(source.error("gas", "[gas] has no pressure", "add lower = { pressure = \"5 MPa\" } or upper"));
+    }
+    Ok(gas)
+}
+
+/// The draw beads, on the flat of the die.
+pub(super) fn beads(
+    file: &[file::Bead],
+    tools: &[Tool],
+    sheet: &Sheet,
+    source: &Source,
+) -> Result<Vec<Bead>, CaseError> {
+    let tool = |role: Role| tools.iter().find(|t| t.role == role);
+    let mut beads = Vec::new();
+    for (i, bead) in file.iter().enumerate() {
+        let path = format!("tools.beads.{i}");
+        let bead = Bead {
+            at: bead.at.value(),
+            restraining: bead.restraining.value(),
+            closing: bead.closing.map_or(0.0, Quantity::value),
+        };
+        let Some(die) = tool(Role::Die) else {
+            return Err(source.error(&path, "a bead needs a die to sit on", "add [tools.die], or drop the bead"));
+        };
+        let flat = shoulder_end(die);
+        if bead.at < flat || bead.at >= sheet.length {
+            let what = format!(
+                "a bead at {} mm is not on the flange, from the end of the die's shoulder at {flat:.3} mm to the blank's \
+                 edge at {} mm",
+                bead.at, sheet.length
+            );
+            return Err(source.error(&format!("{path}.at"), what, "check the unit and the blank"));
+        }
+        beads.push(bead);
+    }
+    let closing: f64 = beads.iter().map(|bead| bead.closing * bead.line(sheet.geometry)).sum();
+    let Some(Motion::Pressed(press)) = tool(Role::Holder).map(|holder| &holder.motion) else { return Ok(beads) };
+    if closing > 0.0 && closing >= press.force.smallest() {
+        let unit = sheet.geometry.force_unit();
+        let what = format!(
+            "closing the beads takes {closing:.0} {unit}, the holder has only {:.0} {unit}",
+            press.force.smallest()
+        );
+        return Err(source.error("tools.beads.0", what, "raise the holder's force, or lower the closing force"));
+    }
+    Ok(beads)
+}

@@ -1,0 +1,32 @@
+//! `[gas]`: pressure on the faces of the sheet.
+
+use super::Given;
+use crate::quantity::{Length, NonNegative, Positive, Stress, Time};
+use schemars::JsonSchema;
+use serde::Deserialize;
+
+/// Gas or oil pressure; alone it bulges the blank, against a punch it forms the sheet over it.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Gas {
+    /// On the punch's side: pushes along the punch travel.
+    pub lower: Option<GasFace>,
+    /// On the die's side: pushes against the punch travel.
+    pub upper: Option<GasFace>,
+    /// How long the run takes when there is no punch.
+    #[schemars(example = "10 s")]
+    pub duration: Option<Positive<Time>>,
+}
+
+/// Pressure on one face.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct GasFace {
+    /// The pressure, or its history over time: [["0 s", "0 MPa"], ["10 s", "5 MPa"]].
+    #[schemars(example = "5 MPa")]
+    pub pressure: Given<NonNegative<Time>, NonNegative<Stress>>,
+    /// Distance of the seal from the axis or symmetry plane; when not given, the holder's inner edge (lower face) or the
+    /// end of the die's shoulder (upper face), or else the whole blank.
+    #[schemars(example = "50 mm")]
+    pub within: Option<Positive<Length>>,
+}

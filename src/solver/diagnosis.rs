@@ -1,0 +1,73 @@
+//! What a converged step says of the run's health: shares, flips, the sharpest bend, what the tools do to the sheet.
+
+use super::assembly::Workspace;
+use super::attempt::Step;
+use super::contacts::Contact;
+use crate::model::{Face, Role};
+use crate::record::StepRecord;
+
+/// Pressure over that of touching above which a node counts as in contact \[–\].
+const LIGHT: f64 = 0.01;
+
+impl Workspace {
+    fn in_contact(&self, contact: &Contact) -> bool {
+        contact.pressure.value > LIGHT * self.penalty.at_touch()
+    }
+
+    /// The figures of a step that has come to equilibrium; `before` holds its contacts at the start.
+    pub(super) fn diagnosis(&self, step: &Step, before: &[Contact]) -> StepRecord {
+        let model = step.model;
+        let n = self.nodes.len();
+        let t0 = model.blank.thickness;
+        let slow = model.settings.slip_speed * model.speed * step.dt;
+        let rim = model.blank.length - StepRecord::RIM * t0;
+
+        let (mut touching, mut sticking, mut flips) = (0_usize, 0_usize, 0_usize);
+        let (mut held, mut on_rim) = (0.0, 0.0);
+        for (pair, (now, then)) in self.contacts.iter().zip(before).enumerate() {
+            let active = self.in_contact(now);
+            flips += usize::from(active != self.in_contact(then));
+            touching += usize::from(active);
+            sticking += usize::from(active && now.slip.abs() < slow);
+            if self.tools[pair / n].role == Role::Holder {
+                held += now.normal;
+                on_rim += if step.state.s0[pair % n] >= rim { now.normal } else { 0.0 };
+            }
+        }
+        let share = |part: f64, whole: f64| if whole > 0.0 { part / whole } else { 0.0 };
+        let pressure = model.gas.iter().map(|gas| {
+            let p = gas.pressure.at(step.state.time + step.dt);
+            if gas.face == Face::Lower { p } else { -p }
+        });
+        let holder = self.tools.iter().position(|tool| tool.role == Role::Holder && tool.released.is_none());
+        StepRecord {
+            pole_height: self.nodes[0][1],
+            pressure: pressure.sum(),
+            holder_move: holder.map_or(0.0, |j| self.tool_position[j]),
+            penetration: self.penetration(),
+            squeeze: (0..n).filter_map(|i| Some(self.squeeze(i)? / self.thickness_at(i))).fold(0.0, f64::max),
+            rim_share: share(on_rim, held),
+            sticking: share(sticking as f64, touching as f64),
+            flips,
+            strain_increment: self.strain_increment(),
+            bend_radius: self.bend_radius(),
+            ..StepRecord::default()
+        }
+    }
+
+    /// Largest equivalent strain that the step adds at a layer point \[–\].
+    pub(super) fn strain_increment(&self) -> f64 {
+        self.responses.iter().map(|r| r.increment).fold(0.0, f64::max)
+    }
+
+    /// Smallest radius of the mid-surface over the thickness, from the angle between neighbouring elements \[–\].
+    fn bend_radius(&self) -> f64 {
+        let curvature = self.nodes.windows(3).enumerate().map(|(e, w)| {
+            let (a, b) = ([w[1][0] - w[0][0], w[1][1] - w[0][1]], [w[2][0] - w[1][0], w[2][1] - w[1][1]]);
+            let (la, lb) = (a[0].hypot(a[1]), b[0].hypot(b[1]));
+            let sine = ((a[0] * b[1] - a[1] * b[0]) / (la * lb)).clamp(-1.0, 1.0);
+            sine.abs().asin() / (0.5 * (la + lb)) * self.thickness[e]
+        });
+        1.0 / curvature.fold(0.0, f64::max)
+    }
+}

@@ -1,0 +1,189 @@
+//! Why a run ends before its full travel, other than for want of equilibrium: what the sheet or the tools say.
+
+use super::assembly::Workspace;
+use crate::geometry::Point;
+use crate::model::{Edge, Model, Role};
+use crate::record::{Run, StepRecord, Stop};
+use crate::state::State;
+
+/// Thickness strain of a neck over the mean of its surroundings \[–\].
+const NECK: f64 = 1.6;
+/// Rate at which the surroundings still thin, over the neck's, once the neck has taken over \[–\].
+const STOPPED: f64 = 0.1;
+/// Thickness left over the initial one above which no neck is looked for \[–\].
+const THINNED: f64 = 0.8;
+/// Thickness left at which the sheet has gone, whatever its surroundings do \[–\].
+const GONE: f64 = 0.2;
+/// Surroundings of a neck: this many thicknesses away, on either side.
+const NEAR: f64 = 3.0;
+const AWAY: f64 = 8.0;
+/// Share of the run over which a neck must have kept its lead \[–\].
+const LASTING: f64 = 0.01;
+/// Distance of two rigid tools over the initial thickness at which the run ends \[–\].
+const CLOSED: f64 = 0.5;
+/// Rise of the dome per pressure over its mean so far that tells a pressure maximum from a failure to converge \[–\].
+const RUNAWAY: f64 = 5.0;
+
+/// A place of the sheet that is thinner than its surroundings.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Neck {
+    /// Initial distance from the axis \[mm\].
+    pub s0: f64,
+    /// Thickness over the initial one \[–\].
+    pub share: f64,
+    /// Whether it is a neck, and whether its surroundings have stopped thinning.
+    pub stands_out: bool,
+    pub took_over: bool,
+}
+
+/// Looks at every accepted step.
+pub(super) struct StopWatch {
+    /// Time since which one place has taken over \[s\].
+    necking_since: Option<f64>,
+    peak: f64,
+    throat: Option<f64>,
+    /// Travel at which punch and die are closed, and where \[mm\].
+    closed: Option<(f64, Point)>,
+}
+
+impl StopWatch {
+    pub fn new(model: &Model) -> Self {
+        let drawn_in = model.blank.edge == Edge::Free;
+        let throat = model.tool(Role::Die).filter(|_| drawn_in).map(|die| die.profile.least_r());
+        Self { necking_since: None, peak: 0.0, throat, closed: closed(model) }
+    }
+
+    /// Time at which punch and die are closed \[s\], where they ever are.
+    pub fn closes_at(&self, model: &Model) -> Option<f64> {
+        self.closed.map(|(travel, _)| travel / model.speed)
+    }
+
+    /// Whether the run ends after the step that led to `state`; `thickness` is each element's before that step \[mm\].
+    pub fn look(&mut self, model: &Model, state: &State, record: &StepRecord, thickness: &[f64]) -> Option<Stop> {
+        let travel = state.travel;
+        if let Some((limit, at)) = self.closed.filter(|(limit, _)| travel >= limit * (1.0 - 1e-12)) {
+            return Some(Stop::ToolsClosed { travel: limit, r: at.x, z: at.y });
+        }
+        if self.throat.is_some_and(|throat| state.nodes[state.nodes.len() - 1][0] <= throat) {
+            return Some(Stop::DrawnThrough { travel });
+        }
+        self.peak = self.peak.max(record.punch_force);
+        let drop = 1.0 - record.punch_force / self.peak;
+        if self.peak > 0.0 && model.stop.load_drop.is_some_and(|limit| drop >= limit) {
+            return Some(Stop::LoadMaximum { travel, peak: self.peak, drop });
+        }
+        let neck = neck(model, state, Some(thickness));
+        self.necking_since = if neck.took_over { self.necking_since.or(Some(state.time)) } else { None };
+        let lasted = self.necking_since.is_some_and(|since| state.time - since >= LASTING * model.duration);
+        (model.stop.localised && (lasted || neck.share < GONE)).then(|| Stop::Localised {
+            travel,
+            s0: neck.s0,
+            share: neck.share,
+            why: why(model, state, &neck),
+        })
+    }
+}
+
+/// The thinnest place and what its surroundings do; `before` is each element's thickness one step ago \[mm\].
+pub(super) fn neck(model: &Model, state: &State, before: Option<&[f64]>) -> Neck {
+    let t0 = model.blank.thickness;
+    let strain = |e: usize| (state.thickness[e] / t0).ln();
+    let rate = |e: usize| before.map_or(0.0, |before| (before[e] / state.thickness[e]).ln());
+    let middle = |e: usize| 0.5 * (state.s0[e] + state.s0[e + 1]);
+    let n = state.thickness.len();
+    let thinnest = (0..n).min_by(|&a, &b| state.thickness[a].total_cmp(&state.thickness[b]));
+    let e = thinnest.expect("a blank has elements");
+    let mut neck = Neck { s0: middle(e), share: state.thickness[e] / t0, stands_out: false, took_over: false };
+    if neck.share > THINNED {
+        return neck;
+    }
+    let (mut strains, mut rates, mut count) = (0.0, 0.0, 0.0);
+    for other in 0..n {
+        let away = (middle(other) - neck.s0).abs();
+        // On a coarse mesh the next but one stands for the surroundings.
+        let near = (NEAR * t0..AWAY * t0).contains(&away) || (other.abs_diff(e) == 2 && away >= AWAY * t0);
+        if near {
+            strains += strain(other);
+            rates += rate(other).abs();
+            count += 1.0;
+        }
+    }
+    neck.stands_out = count > 0.0 && strain(e) < NECK * (strains / count).min(0.0);
+    neck.took_over = neck.stands_out && before.is_some() && rates / count < STOPPED * rate(e);
+    neck
+}
+
+/// Where a neck sits, and what made it.
+fn why(model: &Model, state: &State, neck: &Neck) -> String {
+    let i = state.s0.partition_point(|&s| s < neck.s0).min(state.nodes.len() - 1);
+    let x = state.nodes[i];
+    let closest = model.tools.iter().zip(&state.tools).map(|(tool, moved)| {
+        let distance = tool.profile.closest(Point::new(x[0], x[1] - moved)).distance - 0.5 * state.thickness_at(i);
+        (tool.role, distance)
+    });
+    let place = match closest.min_by(|a, b| a.1.total_cmp(&b.1)) {
+        Some((role, distance)) if distance < 0.5 * model.blank.thickness => format!("on the {}", role.name()),
+        _ => "where no tool supports it".into(),
+    };
+    format!(
+        "{place}, one place takes all the stretching while the sheet {NEAR} to {AWAY} thicknesses away has stopped: hardening \
+         no longer makes up for thinning. Less holder force or friction, or a larger radius there, lets it go deeper"
+    )
+}
+
+/// Whether a run under gas pressure alone has come to the largest pressure: the dome rises without bound as it ends.
+pub(super) fn pressure_maximum(model: &Model, run: &Run) -> Option<Stop> {
+    let [.., before, last] = run.history.as_slice() else { return None };
+    let pushed = model.tools.iter().all(|tool| tool.role != Role::Punch) && last.pressure > before.pressure;
+    let rise = (last.pole_height - before.pole_height) / (last.pressure - before.pressure);
+    let mean = last.pole_height / last.pressure;
+    (pushed && rise > RUNAWAY * mean)
+        .then_some(Stop::PressureMaximum { pressure: last.pressure, height: last.pole_height })
+}
+
+/// The travel at which punch and die come to [`CLOSED`] thicknesses, and where.
+fn closed(model: &Model) -> Option<(f64, Point)> {
+    let (punch, die) = (model.tool(Role::Punch)?, model.tool(Role::Die)?);
+    let limit = CLOSED * model.blank.thickness;
+    let apart = |travel: f64| punch.profile.distance_to(&die.profile, Point::new(0.0, travel));
+    // Looked at in a few places first: most punches never come close.
+    const LOOKS: usize = 8;
+    let travel_of = |k: usize| model.travel * k as f64 / LOOKS as f64;
+    let hit = (1..=LOOKS).find(|&k| apart(travel_of(k)).0 < limit)?;
+    let (mut low, mut high) = (travel_of(hit - 1), travel_of(hit));
+    for _ in 0..40 {
+        let middle = 0.5 * (low + high);
+        if apart(middle).0 < limit { high = middle } else { low = middle }
+    }
+    (high < model.travel).then(|| (high, apart(high).1))
+}
+
+/// What the sheet was doing where no equilibrium was found, and what to try.
+pub(super) fn diagnosis(model: &Model, work: &Workspace, state: &State, last: &StepRecord) -> String {
+    let mut seen = Vec::new();
+    let i = work.worst_node;
+    let neck = neck(model, state, None);
+    if last.step == 0 {
+        seen.push(
+            "the first step did not converge: the tools may not meet the sheet as drawn (see `stampflow check`)".into(),
+        );
+    }
+    if neck.stands_out {
+        seen.push(format!("the sheet has necked at s0 = {:.1} mm ({:.0} % left)", neck.s0, 100.0 * neck.share));
+    }
+    if last.squeeze > 0.02 {
+        seen.push(format!("two tools squeeze the sheet by {:.0} % of its thickness", 100.0 * last.squeeze));
+    }
+    if 8 * last.flips > work.nodes.len() {
+        seen.push(format!("{} contacts came or went in the last step", last.flips));
+    }
+    if i + 2 >= work.nodes.len() && model.blank.edge == Edge::Free {
+        seen.push("the worst place is the blank's edge".into());
+    }
+    let tool = work.tools.iter().zip(work.contacts.chunks(work.nodes.len())).find(|(_, c)| c[i].normal > 0.0);
+    if let Some((tool, _)) = tool {
+        seen.push(format!("the {} touches the sheet at the worst place", tool.role.name()));
+    }
+    let advice = "try more elements, a smaller solver.first_step, or solver.norm = \"velocity\"";
+    if seen.is_empty() { advice.into() } else { format!("{}; {advice}", seen.join(", ")) }
+}

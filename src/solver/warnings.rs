@@ -1,0 +1,102 @@
+//! What a user should know before trusting a result.
+
+use super::assembly::Workspace;
+use super::stops::neck;
+use crate::model::{ContactMethod, Model};
+use crate::record::{Run, Stop};
+use crate::state::State;
+
+/// Power balance that a user should be able to rely on \[–\].
+const LARGEST_IMBALANCE: f64 = 0.01;
+/// Penetration that would show in the result, over the thickness \[–\].
+const LARGEST_PENETRATION: f64 = 0.05;
+/// Plastic power in cut-off zones that puts stresses in doubt \[–\].
+const LARGEST_CUT_OFF: f64 = 0.05;
+
+/// Thickness over the initial one that no sheet metal is drawn to in one piece \[–\].
+const TORN: f64 = 0.5;
+/// Squeeze between two tools from which the sheet is ironed \[–\].
+const IRONED: f64 = 0.01;
+/// Lift of the holder over the thickness that is worth a word \[–\].
+const LIFTED: f64 = 0.3;
+
+/// What a user should know before trusting the result.
+pub(super) fn warnings(model: &Model, work: &Workspace, state: &State, run: &Run) -> Vec<String> {
+    let mut warnings = Vec::new();
+    let Some(last) = run.history.last() else { return warnings };
+    warnings.extend(thinned(model, state, run));
+    let largest = |value: fn(&crate::record::StepRecord) -> f64| run.history.iter().map(value).fold(0.0, f64::max);
+    let imbalance = last.work.imbalance();
+    if imbalance.abs() > LARGEST_IMBALANCE {
+        warnings.push(format!(
+            "the power balance misses {:.2} % of the external work: take smaller steps (solver.max_step)",
+            100.0 * imbalance
+        ));
+    }
+    let deepest = largest(|r| r.penetration);
+    if deepest > LARGEST_PENETRATION {
+        warnings.push(format!(
+            "a tool penetrates the sheet by {:.1} % of its thickness: raise solver.contact_stiffness",
+            100.0 * deepest
+        ));
+    }
+    if last.work.cutoff > LARGEST_CUT_OFF * last.work.plastic {
+        warnings.push(format!(
+            "{:.1} % of the plastic work is done where the strain rate is cut off: stresses there are not the true ones",
+            100.0 * last.work.cutoff / last.work.plastic
+        ));
+    }
+    let strain = state.layers.iter().map(|p| p.strain).fold(0.0, f64::max);
+    if let Some(end) = model.material.hardening.valid_up_to().filter(|&end| strain > end) {
+        warnings.push(format!(
+            "the hardening table ends at a strain of {end:.3}; the run reaches {strain:.3} on its extrapolation"
+        ));
+    }
+    if let Some(first) = run.history.iter().find(|r| r.squeeze > IRONED) {
+        warnings.push(format!(
+            "ironing from {:.2} mm of travel: the sheet is up to {:.1} % thicker than the gap between two tools; it is \
+             pressed with a stiffness of {:.0} MPa over half its thickness on either face and not thinned by it, so forces \
+             there are an indication only",
+            first.travel,
+            100.0 * largest(|r| r.squeeze),
+            model.settings.contact_stiffness
+        ));
+    }
+    let lifted = largest(|r| -r.holder_move) / model.blank.thickness;
+    if lifted > LIFTED {
+        warnings.push(format!(
+            "the holder was lifted by up to {lifted:.2} thicknesses as the flange thickened or rose under it"
+        ));
+    }
+    if model.settings.contact == ContactMethod::AugmentedLagrangian
+        && deepest > 1.01 * crate::model::Settings::PENETRATION
+    {
+        warnings.push(format!("the augmented Lagrangian left a penetration of {deepest:.1e} thicknesses"));
+    }
+    for (tool, active) in model.tools.iter().zip(&work.tools) {
+        if let Some(travel) = active.released {
+            warnings.push(format!(
+                "the sheet left the {} at {travel:.2} mm of travel; it is lifted off from there on",
+                tool.role.name()
+            ));
+        }
+    }
+    warnings
+}
+
+/// A neck, or a sheet that is too thin to be whole; a run that ended by it has said so.
+fn thinned(model: &Model, state: &State, run: &Run) -> Option<String> {
+    if matches!(run.stop, Stop::Localised { .. }) {
+        return None;
+    }
+    let neck = neck(model, state, None);
+    let (place, left) = (neck.s0, 100.0 * neck.share);
+    if neck.stands_out {
+        return Some(format!(
+            "thinning has localised at s0 = {place:.1} mm, down to {left:.0} % of the thickness: the sheet tears there, and \
+             what is computed after that depends on the mesh"
+        ));
+    }
+    (neck.share < TORN)
+        .then(|| format!("the sheet is down to {left:.0} % of its thickness at s0 = {place:.1} mm: it has torn before"))
+}
