@@ -42,7 +42,7 @@ pub fn report(case: &Case) -> Check {
     mesh(model, &mut lines);
     let compare = case.compare.iter().map(|spec| {
         let there = if spec.reference.is_file() { "" } else { " (not there: drop the CSV in to see the overlay)" };
-        line("compare", spec.reference.display().to_string(), format!("within {:.1} %{there}", 100.0 * spec.tolerance))
+        line("compare", spec.reference.display().to_string(), format!("{}{there}", spec.against))
     });
     lines.extend(compare);
     let notes = model.notes.iter().chain(&case.derived).cloned().collect();

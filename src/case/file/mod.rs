@@ -36,7 +36,7 @@ pub struct CaseFile {
     pub solver: Solver,
     #[serde(default)]
     pub output: Output,
-    /// Published curves to hold the result against.
+    /// Published curves and values to hold the result against.
     #[serde(default)]
     pub compare: Vec<Compare>,
 }
