@@ -114,7 +114,8 @@ fn holder(model: &Model, strength: f64, lines: &mut Vec<Line>) {
     let pressure = format!("{:.3}", force / area);
     lines.push(line("holder pressure", pressure, "MPa on the initial area between holder and die's flat"));
     if let Some(siebel) = estimate::siebel_pressure(model, strength) {
-        let meaning = "MPa by Siebel, 0.0025 [(β − 1)² + 0.5 d/(100 t)] R_m (Siebel and Beisswänger, Tiefziehen, 1955)";
+        let meaning =
+            "MPa by Siebel's rule, 0.0025 [(β − 1)² + 0.5 d/(100 t)] R_m, as Kugler, Umformtechnik (2009), has it";
         lines.push(line("advised pressure", format!("{siebel:.3}"), format!("{meaning}: {:.0} N", siebel * area)));
     }
 }
