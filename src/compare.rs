@@ -1,50 +1,45 @@
-//! Computed tables against reference curves.
+//! Computed tables against references: curves point by point, and bands that values without places span.
 
+mod band;
+mod curve;
+mod error;
 mod reference;
 mod source;
 
+pub use band::{Band, BandQuantity, BandSpec, Interval};
+pub use curve::{CurveSpec, Point, Points, Quantity};
+pub use error::CompareError;
 pub use source::Source;
 
-use crate::table::{Axis, Column, Table, Unit, UnitError};
+use crate::table::{Axis, Column, Table};
+use std::fmt;
 use std::path::PathBuf;
-
-/// What is compared.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Quantity {
-    /// Punch force at equal travel.
-    PunchForce,
-    /// Punch travel at equal force.
-    Travel,
-    /// Thickness over the initial distance from the axis, at the last frame.
-    ThicknessAtS0,
-    /// Thickness over the present radius, at the last frame.
-    ThicknessAtRadius,
-}
 
 /// A comparison that a case asks for.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Spec {
-    /// CSV file of the reference curve, units at the end of its headers.
+    /// CSV file of the reference, units at the end of its headers.
     pub reference: PathBuf,
-    /// Header of the column to compare at.
-    pub x: String,
-    /// Header of the column to compare with.
-    pub y: String,
-    pub quantity: Quantity,
-    /// Part of the curve to use, in the unit of the x column.
-    pub range: Option<(f64, f64)>,
-    /// Largest difference over the reference value \[–\].
-    pub tolerance: f64,
-    /// Why the tolerance is what it is.
+    pub against: Against,
+    /// Why the tolerance or the band is what it is, or what a difference comes from.
     pub reason: String,
     /// Whether the reference file may be missing.
     pub optional: bool,
+    /// Whether the difference is shown without being held against the program: the input is not that of the reference.
+    pub demonstration: bool,
+}
+
+/// The kind of reference.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Against {
+    Curve(CurveSpec),
+    Band(BandSpec),
 }
 
 /// What a run offers for comparison.
 #[derive(Clone, Copy, Debug)]
 pub struct Computed<'a> {
-    /// One row per step: `travel`, `punch_force`.
+    /// One row per step: `travel`, `punch_force`, `edge_diameter`, `draw_in`, `thinnest`.
     pub history: &'a Table,
     /// The last frame from the axis outward: `s0`, `r`, `thickness`.
     pub profile: &'a Table,
@@ -52,28 +47,25 @@ pub struct Computed<'a> {
     pub complete: bool,
 }
 
-/// One reference value and its computed counterpart, in solver units.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Point {
-    pub x: f64,
-    pub reference: f64,
-    /// `None` where the run did not get.
-    pub computed: Option<f64>,
-    /// Whether the point lies in the range that is judged; the others are shown only.
-    pub judged: bool,
-}
-
 /// Whether a run agrees with a reference.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Verdict {
-    /// Every point lies within the tolerance.
+    /// Everything lies within the tolerance or the band.
     In,
-    /// A point lies outside the tolerance.
+    /// Something lies outside.
     Out,
-    /// The run ended before the last point; the points it reached lie within the tolerance.
+    /// The run ended too early; what it reached lies within the tolerance.
     NotReached,
     /// The reference file is optional and not there.
     NoData,
+}
+
+/// What was found beside the reference.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Found {
+    NoData,
+    Points(Points),
+    Band(Band),
 }
 
 /// The outcome of a comparison.
@@ -82,101 +74,63 @@ pub struct Comparison {
     pub spec: Spec,
     /// Where the reference comes from, if its folder says so.
     pub source: Option<Source>,
-    pub points: Vec<Point>,
-    /// The computed curve that the points were interpolated on.
+    pub found: Found,
+    /// The computed curve that the compared values were taken from.
     pub curve: Vec<(f64, f64)>,
     pub verdict: Verdict,
     x: Column,
     y: Column,
 }
 
-/// Why a comparison cannot be made.
-#[derive(Debug, thiserror::Error)]
-pub enum CompareError {
-    #[error("cannot read {}", path.display())]
-    Read { path: PathBuf, source: std::io::Error },
-    #[error("cannot read {} as CSV", path.display())]
-    Csv { path: PathBuf, source: csv::Error },
-    #[error("cannot read {}: one table per reference file with citation, kind, grade and, if known, scatter", path.display())]
-    Sources { path: PathBuf, source: toml::de::Error },
-    #[error("{} has no column `{column}`; it has {found}", path.display())]
-    Column { path: PathBuf, column: String, found: String },
-    #[error("{}: {error}", path.display())]
-    Unit { path: PathBuf, error: UnitError },
-    #[error("{}: column `{column}` cannot be compared with the computed {with}", path.display())]
-    Dimension { path: PathBuf, column: String, with: String },
-    #[error("{}, data row {row}: `{text}` in column `{column}` is not a number", path.display())]
-    Number { path: PathBuf, row: usize, column: String, text: String },
-    #[error("{} has no rows in columns `{x}` and `{y}` within the range asked for", path.display())]
-    Empty { path: PathBuf, x: String, y: String },
-    #[error("{}: the reference value is 0 at {x}, which no relative difference can be taken from; narrow `range`", path.display())]
-    Zero { path: PathBuf, x: f64 },
-}
-
-impl Quantity {
-    /// Every quantity.
-    pub const ALL: [Self; 4] = [Self::PunchForce, Self::Travel, Self::ThicknessAtS0, Self::ThicknessAtRadius];
-
-    /// The word used in case files, tables and file names.
-    pub fn name(self) -> &'static str {
+impl Against {
+    /// The word for the compared quantity in case files, tables and file names.
+    pub fn name(&self) -> &'static str {
         match self {
-            Self::PunchForce => "punch_force",
-            Self::Travel => "travel",
-            Self::ThicknessAtS0 => "thickness_at_s0",
-            Self::ThicknessAtRadius => "thickness_at_radius",
+            Self::Curve(curve) => curve.quantity.name(),
+            Self::Band(band) => band.quantity.name(),
         }
     }
 
-    /// The computed columns that are compared: abscissa and ordinate.
-    fn columns<'a>(self, computed: &Computed<'a>) -> (&'a Column, &'a Column) {
-        let Computed { history, profile, .. } = computed;
+    /// Headers of the reference file that are read.
+    pub fn headers(&self) -> Vec<&str> {
         match self {
-            Self::PunchForce => (history.column("travel"), history.column("punch_force")),
-            Self::Travel => (history.column("punch_force"), history.column("travel")),
-            Self::ThicknessAtS0 => (profile.column("s0"), profile.column("thickness")),
-            Self::ThicknessAtRadius => (profile.column("r"), profile.column("thickness")),
+            Self::Curve(curve) => vec![&curve.x, &curve.y],
+            Self::Band(band) => band.columns.iter().chain(&band.error).map(String::as_str).collect(),
         }
     }
 
-    fn is_of_last_frame(self) -> bool {
-        matches!(self, Self::ThicknessAtS0 | Self::ThicknessAtRadius)
-    }
-}
-
-impl Verdict {
-    /// The word used in tables.
-    pub fn name(self) -> &'static str {
+    fn columns<'a>(&self, computed: &Computed<'a>) -> (&'a Column, &'a Column) {
         match self {
-            Self::In => "in",
-            Self::Out => "OUT",
-            Self::NotReached => "not reached",
-            Self::NoData => "no data",
+            Self::Curve(curve) => curve.quantity.columns(computed),
+            Self::Band(band) => band.quantity.columns(computed),
         }
     }
-
-    /// Whether a validation must fail.
-    pub fn is_failure(self) -> bool {
-        matches!(self, Self::Out | Self::NotReached)
-    }
 }
 
-impl Point {
-    /// Computed minus reference, over the reference \[–\].
-    pub fn difference(&self) -> Option<f64> {
-        self.computed.map(|computed| (computed - self.reference) / self.reference.abs())
+impl fmt::Display for Against {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Curve(curve) => write!(f, "{} within {} %", self.name(), 100.0 * curve.tolerance),
+            Self::Band(_) => write!(f, "{} within the band of the values", self.name()),
+        }
     }
 }
 
 impl Comparison {
-    /// The judged point with the largest relative difference.
-    pub fn worst(&self) -> Option<&Point> {
-        let size = |p: &Point| p.difference().map_or(-1.0, f64::abs);
-        self.judged().max_by(|a, b| size(a).total_cmp(&size(b))).filter(|p| p.computed.is_some())
+    /// Whether a validation must fail: a demonstration never lets it.
+    pub fn is_failure(&self) -> bool {
+        matches!(self.verdict, Verdict::Out | Verdict::NotReached) && !self.spec.demonstration
     }
 
-    /// The points inside the range that is judged.
-    pub fn judged(&self) -> impl Iterator<Item = &Point> {
-        self.points.iter().filter(|p| p.judged)
+    /// The verdict in words: `in`, `OUT`, `OUT, demonstration`.
+    pub fn outcome(&self) -> String {
+        let word = match self.verdict {
+            Verdict::In => "in",
+            Verdict::Out => "OUT",
+            Verdict::NotReached => "not reached",
+            Verdict::NoData => "no data",
+        };
+        if self.spec.demonstration { format!("{word}, demonstration") } else { word.to_owned() }
     }
 
     /// Where a point is, in words: `punch travel = 12.5 mm`.
@@ -185,14 +139,38 @@ impl Comparison {
         format!("{} = {x} {}", self.x.label.to_lowercase(), self.x.unit.symbol())
     }
 
+    /// The largest difference, in short: `+2.1 %`, `3.4 mm above (+0.7 %)`.
+    pub fn worst(&self) -> Option<String> {
+        match &self.found {
+            Found::NoData => None,
+            Found::Points(points) => points.worst()?.difference().map(|d| format!("{:+.1} %", 100.0 * d)),
+            Found::Band(band) => band.text(self.y.unit),
+        }
+    }
+
+    /// What is accepted: `5 %` of a curve, `467.3 to 468.5 mm`.
+    pub fn accepted(&self) -> String {
+        match (&self.spec.against, &self.found) {
+            (Against::Curve(curve), _) => format!("{} %", 100.0 * curve.tolerance),
+            (Against::Band(_), Found::Band(band)) => band.accepted.text(self.y.unit),
+            (Against::Band(_), _) => "–".to_owned(),
+        }
+    }
+
     /// The outcome in a sentence: `punch_force against osu.csv: in, worst +2.1 % at punch travel = 20 mm`.
     pub fn sentence(&self) -> String {
-        let Self { spec, verdict, .. } = self;
-        let file = spec.reference.file_name().unwrap_or_default().to_string_lossy();
-        let worst = self.worst().and_then(|p| Some((p, p.difference()?))).map_or(String::new(), |(point, d)| {
-            format!(", worst {:+.1} % at {} (tolerance {} %)", 100.0 * d, self.place(point), 100.0 * spec.tolerance)
-        });
-        format!("{} against {file}: {}{worst}", spec.quantity.name(), verdict.name())
+        let file = self.spec.reference.file_name().unwrap_or_default().to_string_lossy();
+        let worst = match (&self.found, self.worst()) {
+            (Found::Points(points), Some(worst)) => {
+                let place = points.worst().map_or(String::new(), |point| self.place(point));
+                format!(", worst {worst} at {place} (tolerance {})", self.accepted())
+            }
+            (Found::Band(Band { computed: Some(computed), .. }), Some(worst)) => {
+                format!(", {}, {worst} of {}", computed.text(self.y.unit), self.accepted())
+            }
+            _ => String::new(),
+        };
+        format!("{} against {file}: {}{worst}", self.spec.against.name(), self.outcome())
     }
 
     /// Axes of the compared quantities.
@@ -200,84 +178,58 @@ impl Comparison {
         (self.x.axis(), self.y.axis())
     }
 
-    /// One row per reference value; NaN where the run did not get.
+    /// An interval of the compared quantity in words, with its unit.
+    pub fn text(&self, interval: Interval) -> String {
+        interval.text(self.y.unit)
+    }
+
+    /// What was found, in numbers; no rows without data.
     pub fn table(&self) -> Table {
-        let of = |value: fn(&Point) -> f64| self.points.iter().map(value).collect();
-        Table::new(vec![
-            Column::new(self.x.key, self.x.label, self.x.unit, of(|p| p.x)),
-            Column::new("reference", "Reference", self.y.unit, of(|p| p.reference)),
-            Column::new("computed", "Computed", self.y.unit, of(|p| p.computed.unwrap_or(f64::NAN))),
-            Column::new("difference", "Difference", Unit::Percent, of(|p| 100.0 * p.difference().unwrap_or(f64::NAN))),
-        ])
+        match &self.found {
+            Found::NoData => Table::new(vec![]),
+            Found::Points(points) => points.table(&self.x, &self.y),
+            Found::Band(band) => band.table(&self.y),
+        }
     }
 }
 
-/// Compares a run with a reference curve.
+/// Compares a run with a reference.
 ///
-/// The computed curve is interpolated linearly at the reference's abscissae. Where it turns back (force after its
-/// peak, radius along a bulging wall), each abscissa counts where it is reached first; so travel at equal force is
-/// taken on the rise to the peak. Either end is held for one interval.
+/// Along a curve, the computed one is interpolated linearly at the reference's abscissae. Where it turns back (force
+/// after its peak, radius along a bulging wall), each abscissa counts where it is reached first; so travel at equal
+/// force is taken on the rise to the peak. Either end is held for one interval. A band is that of all the values that
+/// were measured, each with its error; the computed values lie inside or outside by so much.
 ///
 /// # Errors
 /// When the reference cannot be read or does not fit the quantity; a missing file that is optional is no error.
 pub fn compare(spec: &Spec, computed: &Computed) -> Result<Comparison, CompareError> {
-    let (x, y) = spec.quantity.columns(computed);
-    let mut comparison = Comparison {
+    let (x, y) = spec.against.columns(computed);
+    let curve: Vec<_> = x.values.iter().copied().zip(y.values.iter().copied()).collect();
+    let path = &spec.reference;
+    let (found, verdict) = if spec.optional && !path.exists() {
+        (Found::NoData, Verdict::NoData)
+    } else {
+        match &spec.against {
+            Against::Curve(against) => {
+                let points = curve::compare(against, path, (x, y), &curve)?;
+                let verdict = points.verdict(against, computed.complete);
+                (Found::Points(points), verdict)
+            }
+            Against::Band(against) => {
+                let band = band::compare(against, path, y, computed.complete)?;
+                (Found::Band(band), band.verdict())
+            }
+        }
+    };
+    Ok(Comparison {
         spec: spec.clone(),
-        source: None,
-        points: Vec::new(),
-        curve: x.values.iter().copied().zip(y.values.iter().copied()).collect(),
-        verdict: Verdict::NoData,
+        source: if verdict == Verdict::NoData { None } else { source::of(path)? },
+        found,
+        curve,
+        verdict,
         x: Column { values: Vec::new(), ..x.clone() },
         y: Column { values: Vec::new(), ..y.clone() },
-    };
-    if spec.optional && !spec.reference.exists() {
-        return Ok(comparison);
-    }
-    comparison.source = source::of(&spec.reference)?;
-    let rising = rising(&comparison.curve);
-    for reference::Row { x, y, judged } in reference::read(spec, x, y)? {
-        if y == 0.0 && judged {
-            return Err(CompareError::Zero { path: spec.reference.clone(), x });
-        }
-        comparison.points.push(Point { x, reference: y, computed: interpolated(&rising, x), judged });
-    }
-    let out = |p: &Point| p.difference().is_some_and(|d| d.abs() > spec.tolerance || d.is_nan());
-    comparison.verdict = if !computed.complete && spec.quantity.is_of_last_frame() {
-        Verdict::NotReached
-    } else if comparison.judged().any(out) {
-        Verdict::Out
-    } else if comparison.judged().any(|p| p.computed.is_none()) {
-        Verdict::NotReached
-    } else {
-        Verdict::In
-    };
-    Ok(comparison)
-}
-
-/// The points whose abscissa is larger than all before them.
-fn rising(curve: &[(f64, f64)]) -> Vec<(f64, f64)> {
-    let mut rising: Vec<(f64, f64)> = Vec::with_capacity(curve.len());
-    for &point in curve {
-        if rising.last().is_none_or(|last| point.0 > last.0) {
-            rising.push(point);
-        }
-    }
-    rising
-}
-
-/// Linear between the points, held for one interval beyond the ends, `None` farther out.
-fn interpolated(rising: &[(f64, f64)], x: f64) -> Option<f64> {
-    let [first, .., last] = rising else { return None };
-    let after = rising.partition_point(|p| p.0 < x);
-    match after {
-        0 => (first.0 - x <= rising[1].0 - first.0).then_some(first.1),
-        n if n == rising.len() => (x - last.0 <= last.0 - rising[n - 2].0).then_some(last.1),
-        n => {
-            let (a, b) = (rising[n - 1], rising[n]);
-            Some(a.1 + (b.1 - a.1) * (x - a.0) / (b.0 - a.0))
-        }
-    }
+    })
 }
 
 #[cfg(test)]

@@ -3,13 +3,15 @@
 mod common;
 
 use resvg::tiny_skia::Pixmap;
-use stampflow::compare::{Comparison, Computed, Quantity, Spec, Verdict, compare};
+use stampflow::compare::{
+    Against, BandQuantity, BandSpec, Comparison, Computed, CurveSpec, Found, Quantity, Spec, compare,
+};
 use stampflow::model::{Geometry, Model};
 use stampflow::output::{Make, OUTPUTS, Summary, load_travel, png, profile, svg, write_all, write_comparison};
 use stampflow::record::Run;
 use stampflow::table::Table;
 use std::fs;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 fn headers(table: &Table) -> String {
     table.columns.iter().map(|c| c.header()).collect::<Vec<_>>().join(",")
@@ -120,16 +122,30 @@ fn comparison(dir: &Path, model: &Model, run: &Run) -> Comparison {
     let source =
         "citation = \"A. Uthor, Drawing of cups, J. Tests 1 (1990) 1\"\nkind = \"experiment\"\ngrade = \"B\"\n";
     fs::write(dir.join("sources.toml"), format!("[\"cup.csv\"]\n{source}")).unwrap();
-    let spec = Spec {
-        reference: dir.join("cup.csv"),
+    let curve = CurveSpec {
+        quantity: Quantity::PunchForce,
         x: "travel_mm".to_owned(),
         y: "punch_force_kN".to_owned(),
-        quantity: Quantity::PunchForce,
         range: None,
         tolerance: 0.05,
-        reason: "reading error of the graph, 3 %, and friction known to one digit".to_owned(),
-        optional: false,
     };
+    let reason = "reading error of the graph, 3 %, and friction known to one digit";
+    compared(dir.join("cup.csv"), Against::Curve(curve), reason, model, run)
+}
+
+/// Measured thicknesses without places beside the sample run.
+fn band(dir: &Path, model: &Model, run: &Run) -> Comparison {
+    fs::write(dir.join("cup_thickness.csv"), "thickness_mm,error_mm\n0.84,0.01\n1.0,0.01\n1.12,0.01\n").unwrap();
+    let spec = BandSpec {
+        quantity: BandQuantity::Thickness,
+        columns: vec!["thickness_mm".to_owned()],
+        error: Some("error_mm".to_owned()),
+    };
+    compared(dir.join("cup_thickness.csv"), Against::Band(spec), "the edge was not measured", model, run)
+}
+
+fn compared(reference: PathBuf, against: Against, reason: &str, model: &Model, run: &Run) -> Comparison {
+    let spec = Spec { reference, against, reason: reason.to_owned(), optional: false, demonstration: false };
     let (history, profile) = (load_travel::table(model, run), profile::last(&run.frames));
     compare(&spec, &Computed { history: &history, profile: &profile, complete: true }).unwrap()
 }
@@ -147,8 +163,33 @@ fn a_comparison_is_written_as_a_plot_and_its_numbers() {
     assert!(
         fs::read_to_string(&written[0]).unwrap().starts_with("travel_mm,reference_N,computed_N,difference_percent")
     );
-    comparison.verdict = Verdict::NoData;
+    comparison.found = Found::NoData;
     assert!(write_comparison(&subject, 2, &comparison, &out).unwrap().is_empty());
+}
+
+/// Trust: the sample's flange thickens beyond the 1.12 mm that were measured, so the plot has to show it outside; the
+/// two tints of the band cover more than a text's worth of pixels.
+#[test]
+fn a_band_is_drawn_with_its_error_and_written_in_numbers() {
+    let model = common::model(Geometry::Axisymmetric);
+    let run = common::run(&model);
+    let dir = tempfile::tempdir().unwrap();
+    let band = band(dir.path(), &model, &run);
+    let written = write_comparison(&common::subject(&model, &run), 2, &band, dir.path()).unwrap();
+    assert_eq!(written[1], dir.path().join("compare_2_thickness.png"));
+    let numbers = fs::read_to_string(&written[0]).unwrap();
+    let (header, row) = numbers.trim().split_once('\n').unwrap();
+    assert_eq!(
+        header,
+        "measured_low_mm,measured_high_mm,accepted_low_mm,accepted_high_mm,computed_low_mm,computed_high_mm,outside_mm,\
+         difference_percent"
+    );
+    let largest = run.frames.last().unwrap().elements.iter().map(|e| e.thickness).fold(0.0, f64::max);
+    let outside: f64 = row.split(',').nth(6).unwrap().parse().unwrap();
+    assert!(outside > 0.0 && (outside - (largest - 1.13)).abs() < 1e-8, "{numbers}");
+    let pixels = Pixmap::decode_png(&fs::read(&written[1]).unwrap()).unwrap();
+    let of = |(r, g, b)| pixels.pixels().iter().filter(|p| (p.red(), p.green(), p.blue()) == (r, g, b)).count();
+    assert!(of((238, 174, 132)) > 50_000 && of((249, 224, 206)) > 5_000);
 }
 
 /// Trust: no system font is loaded by the renderer; title, ticks and legend lie in parts of the picture where
@@ -178,4 +219,5 @@ fn sample_for_looking() {
     let dir = Path::new("target/sample");
     write_all(&common::subject(&model, &run), dir).unwrap();
     write_comparison(&common::subject(&model, &run), 1, &comparison(dir, &model, &run), dir).unwrap();
+    write_comparison(&common::subject(&model, &run), 2, &band(dir, &model, &run), dir).unwrap();
 }

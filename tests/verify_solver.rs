@@ -9,7 +9,7 @@ fn shipped(name: &str) -> Model {
     case::load(&path, &[]).unwrap_or_else(|e| panic!("{e}")).model
 }
 
-const ALL: [&str; 7] = [
+const ALL: [&str; 8] = [
     "quickstart",
     "woo_hemispherical",
     "chalmers_cup",
@@ -17,6 +17,7 @@ const ALL: [&str; 7] = [
     "osu_stretch_friction",
     "stretch_thin",
     "strip_draw",
+    "brite_cylindrical",
 ];
 
 fn solve(model: &Model) -> Run {

@@ -42,7 +42,7 @@ pub fn report(case: &Case) -> Check {
     mesh(model, &mut lines);
     let compare = case.compare.iter().map(|spec| {
         let there = if spec.reference.is_file() { "" } else { " (not there: drop the CSV in to see the overlay)" };
-        line("compare", spec.reference.display().to_string(), format!("within {:.1} %{there}", 100.0 * spec.tolerance))
+        line("compare", spec.reference.display().to_string(), format!("{}{there}", spec.against))
     });
     lines.extend(compare);
     let notes = model.notes.iter().chain(&case.derived).cloned().collect();
@@ -142,7 +142,8 @@ fn holder(model: &Model, strength: f64, lines: &mut Vec<Line>) {
     let pressure = format!("{:.3}", force / area);
     lines.push(line("holder pressure", pressure, "MPa on the initial area between holder and die's flat"));
     if let Some(siebel) = estimate::siebel_pressure(model, strength) {
-        let meaning = "MPa by Siebel, 0.0025 [(β − 1)² + 0.5 d/(100 t)] R_m (Siebel and Beisswänger, Tiefziehen, 1955)";
+        let meaning =
+            "MPa by Siebel's rule, 0.0025 [(β − 1)² + 0.5 d/(100 t)] R_m, as Kugler, Umformtechnik (2009), has it";
         lines.push(line("advised pressure", format!("{siebel:.3}"), format!("{meaning}: {:.0} N", siebel * area)));
     }
 }

@@ -32,7 +32,7 @@ pub fn help() -> String {
     for output in OUTPUTS {
         let _ = writeln!(help, "  {:<18} {}", output.file, output.about);
     }
-    help + "  compare_*.png, csv overlay and differences for every curve the case is compared with\n\n\
+    help + "  compare_*.png, csv overlay and differences for every reference the case is compared with\n\n\
             Examples:\n  \
             stampflow run cases/quickstart.toml\n  \
             stampflow run cases/quickstart.toml --set tools.punch.friction=0.1 --out out/friction-0.1\n  \

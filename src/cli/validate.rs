@@ -10,7 +10,8 @@ use std::path::{Path, PathBuf};
 
 pub const HELP: &str = "\
 Every case of the folder that has [[compare]] tables is solved. Overlay plots and their numbers go to DIR/<case>; one
-table is printed. A curve that is optional and missing counts as \"no data\", not as a failure.
+table is printed. A curve that is optional and missing counts as \"no data\", not as a failure; the difference of a
+demonstration is shown and is none either.
 
 Examples:
   stampflow validate
@@ -31,7 +32,7 @@ pub struct Args {
     quiet: bool,
 }
 
-const HEADERS: [&str; 8] = ["case", "quantity", "reference", "kind, grade", "worst", "tolerance", "verdict", "reason"];
+const HEADERS: [&str; 8] = ["case", "quantity", "reference", "kind, grade", "worst", "accepted", "verdict", "reason"];
 
 pub fn validate(args: &Args) -> anyhow::Result<Code> {
     let mut jobs = Vec::new();
@@ -51,7 +52,7 @@ pub fn validate(args: &Args) -> anyhow::Result<Code> {
         |solved| {
             solved.write_comparisons(&args.out.join(solved.name()))?;
             let rows: Vec<_> = solved.comparisons.iter().map(|c| row(solved.name(), c)).collect();
-            Ok((rows, solved.comparisons.iter().any(|c| c.verdict.is_failure())))
+            Ok((rows, solved.comparisons.iter().any(Comparison::is_failure)))
         },
     );
     let outcomes = outcomes.into_iter().collect::<anyhow::Result<Vec<_>>>()?;
@@ -76,17 +77,16 @@ fn case_files(dir: &Path) -> anyhow::Result<Vec<PathBuf>> {
 }
 
 fn row(case: &str, comparison: &Comparison) -> [String; 8] {
-    let Comparison { spec, source, verdict, .. } = comparison;
+    let Comparison { spec, source, .. } = comparison;
     let file = spec.reference.file_name().unwrap_or_default().to_string_lossy();
-    let worst = comparison.worst().and_then(|p| p.difference());
     [
         case.to_owned(),
-        spec.quantity.name().to_owned(),
+        spec.against.name().to_owned(),
         file.into_owned(),
         source.as_ref().map_or("not stated".to_owned(), |s| format!("{}, {}", s.kind, s.grade)),
-        worst.map_or("–".to_owned(), |d| format!("{:+.1} %", 100.0 * d)),
-        format!("{} %", 100.0 * spec.tolerance),
-        verdict.name().to_owned(),
+        comparison.worst().unwrap_or_else(|| "–".to_owned()),
+        comparison.accepted(),
+        comparison.outcome(),
         spec.reason.clone(),
     ]
 }

@@ -1,70 +1,58 @@
-//! Reference curves from CSV: `#` comments, a header row with units at the end of each key, rows of numbers.
+//! Reference values from CSV: `#` comments, a header row with units at the end of each key, rows of numbers.
 
-use super::{CompareError, Spec};
+use super::CompareError;
 use crate::table::{Column, Unit};
+use csv::StringRecord;
 use std::fs::File;
+use std::path::Path;
 
-/// A row of the reference curve in solver units.
-pub(super) struct Row {
-    pub x: f64,
-    pub y: f64,
-    /// Whether it lies inside the spec's range.
-    pub judged: bool,
+/// A reference file: its headers and rows as text.
+pub(super) struct Reference<'p> {
+    path: &'p Path,
+    headers: StringRecord,
+    rows: Vec<StringRecord>,
 }
 
-/// The curve of a spec, the rows that have both values.
-pub(super) fn read(spec: &Spec, x: &Column, y: &Column) -> Result<Vec<Row>, CompareError> {
-    let path = &spec.reference;
-    let file = File::open(path).map_err(|source| CompareError::Read { path: path.clone(), source })?;
-    let in_file = |source| CompareError::Csv { path: path.clone(), source };
-    let mut reader = csv::ReaderBuilder::new().comment(Some(b'#')).trim(csv::Trim::All).from_reader(file);
-    let headers = reader.headers().map_err(in_file)?.clone();
-    let find = |name: &str| {
-        headers.iter().position(|h| h == name).ok_or_else(|| CompareError::Column {
-            path: path.clone(),
-            column: name.to_owned(),
-            found: headers.iter().collect::<Vec<_>>().join(", "),
-        })
-    };
-    let (x_column, y_column) = (find(&spec.x)?, find(&spec.y)?);
-    let (x_factor, y_factor) = (factor(spec, &spec.x, x)?, factor(spec, &spec.y, y)?);
-    let (low, high) = spec.range.unwrap_or((f64::NEG_INFINITY, f64::INFINITY));
-
-    let mut points = Vec::new();
-    for (i, row) in reader.records().enumerate() {
-        let row = row.map_err(in_file)?;
-        let value = |column: usize| -> Result<Option<f64>, CompareError> {
-            match row.get(column).unwrap_or("") {
-                "" => Ok(None),
-                text => text.parse().map(Some).map_err(|_| CompareError::Number {
-                    path: path.clone(),
-                    row: i + 1,
-                    column: headers[column].to_owned(),
-                    text: text.to_owned(),
-                }),
-            }
-        };
-        if let (Some(x), Some(y)) = (value(x_column)?, value(y_column)?) {
-            points.push(Row { x: x * x_factor, y: y * y_factor, judged: (low..=high).contains(&x) });
-        }
-    }
-    if !points.iter().any(|row| row.judged) {
-        return Err(CompareError::Empty { path: path.clone(), x: spec.x.clone(), y: spec.y.clone() });
-    }
-    Ok(points)
+/// A column of a reference file in solver units; `None` where a row has no value.
+pub(super) struct Values {
+    pub values: Vec<Option<f64>>,
+    /// What converts the file's unit to the solver's.
+    pub factor: f64,
 }
 
-/// What converts a column of the file to the unit of the computed column.
-fn factor(spec: &Spec, header: &str, computed: &Column) -> Result<f64, CompareError> {
-    let path = || spec.reference.clone();
-    let (unit, factor) = Unit::of_header(header).map_err(|error| CompareError::Unit { path: path(), error })?;
-    if unit == computed.unit {
-        Ok(factor)
-    } else {
-        Err(CompareError::Dimension {
+impl<'p> Reference<'p> {
+    /// Reads the file whole.
+    pub fn read(path: &'p Path) -> Result<Self, CompareError> {
+        let file = File::open(path).map_err(|source| CompareError::Read { path: path.to_owned(), source })?;
+        let in_file = |source| CompareError::Csv { path: path.to_owned(), source };
+        let mut reader = csv::ReaderBuilder::new().comment(Some(b'#')).trim(csv::Trim::All).from_reader(file);
+        let headers = reader.headers().map_err(in_file)?.clone();
+        let rows = reader.records().collect::<Result<_, _>>().map_err(in_file)?;
+        Ok(Self { path, headers, rows })
+    }
+
+    /// The column of a header, in the unit of the computed column that it is compared with.
+    pub fn column(&self, header: &str, computed: &Column) -> Result<Values, CompareError> {
+        let path = || self.path.to_owned();
+        let at = self.headers.iter().position(|h| h == header).ok_or_else(|| CompareError::Column {
             path: path(),
             column: header.to_owned(),
-            with: computed.axis().text().to_owned(),
-        })
+            found: self.headers.iter().collect::<Vec<_>>().join(", "),
+        })?;
+        let (unit, factor) = Unit::of_header(header).map_err(|error| CompareError::Unit { path: path(), error })?;
+        if unit != computed.unit {
+            let (column, with) = (header.to_owned(), computed.axis().text().to_owned());
+            return Err(CompareError::Dimension { path: path(), column, with });
+        }
+        let value = |(i, row): (usize, &StringRecord)| match row.get(at).unwrap_or("") {
+            "" => Ok(None),
+            text => text.parse::<f64>().map(|v| Some(v * factor)).map_err(|_| CompareError::Number {
+                path: path(),
+                row: i + 1,
+                column: header.to_owned(),
+                text: text.to_owned(),
+            }),
+        };
+        Ok(Values { values: self.rows.iter().enumerate().map(value).collect::<Result<_, _>>()?, factor })
     }
 }

@@ -1,19 +1,25 @@
 //! Comparisons of synthetic curves whose answer is known.
 
 use super::*;
+use crate::table::Unit;
 use std::fs;
 use std::path::Path;
 
 const SOURCES: &str = "[\"curve.csv\"]\ncitation = \"A. Uthor, A title, 1990.\"\nkind = \"experiment\"\ngrade = \"A\"\n\
                        scatter = \"5 %\"\n";
 
-/// Force 2 t up to t = 10, then falling; thickness 1 + s0/100 on elements of 2 mm.
+/// Force 2 t up to t = 10, then falling; edge diameter 90, draw-in 5 and thinnest 0.8 mm at the end; thickness 1 + s0/100 on elements of 2 mm.
 fn history() -> Table {
     let travel: Vec<f64> = (1..=16).map(f64::from).collect();
     let force = travel.iter().map(|t| if *t <= 10.0 { 2000.0 * t } else { 40_000.0 - 2000.0 * t }).collect();
+    let rows = travel.len();
+    let falling = |from: f64, to: f64| (1..=rows).map(|i| from + (to - from) * i as f64 / rows as f64).collect();
     Table::new(vec![
         Column::new("travel", "Punch travel", Unit::Mm, travel),
         Column::new("punch_force", "Punch force", Unit::N, force),
+        Column::new("edge_diameter", "Diameter at the edge", Unit::Mm, falling(100.0, 90.0)),
+        Column::new("draw_in", "Draw-in of the edge", Unit::Mm, falling(0.0, 5.0)),
+        Column::new("thinnest", "Least thickness", Unit::Mm, falling(1.0, 0.8)),
     ])
 }
 
@@ -26,36 +32,42 @@ fn profile() -> Table {
     ])
 }
 
-fn spec(dir: &Path, x: &str, y: &str, quantity: Quantity) -> Spec {
-    Spec {
-        reference: dir.join("curve.csv"),
-        x: x.to_owned(),
-        y: y.to_owned(),
-        quantity,
-        range: None,
-        tolerance: 0.05,
-        reason: "for the test".to_owned(),
-        optional: false,
-    }
+fn spec(dir: &Path, against: Against) -> Spec {
+    let reference = dir.join("curve.csv");
+    Spec { reference, against, reason: "for the test".to_owned(), optional: false, demonstration: false }
 }
 
-fn compared(csv: &str, spec: impl Fn(&Path) -> Spec, complete: bool) -> Result<Comparison, CompareError> {
+fn curve(x: &str, y: &str, quantity: Quantity) -> CurveSpec {
+    CurveSpec { quantity, x: x.to_owned(), y: y.to_owned(), range: None, tolerance: 0.05 }
+}
+
+fn points(comparison: &Comparison) -> &Points {
+    let Found::Points(points) = &comparison.found else { panic!("{:?}", comparison.found) };
+    points
+}
+
+fn compared(csv: &str, against: Against, complete: bool) -> Result<Comparison, CompareError> {
     let dir = tempfile::tempdir().unwrap();
     fs::write(dir.path().join("curve.csv"), csv).unwrap();
     fs::write(dir.path().join("sources.toml"), SOURCES).unwrap();
-    compare(&spec(dir.path()), &Computed { history: &history(), profile: &profile(), complete })
+    compare(&spec(dir.path(), against), &Computed { history: &history(), profile: &profile(), complete })
+}
+
+fn along(csv: &str, spec: CurveSpec, complete: bool) -> Result<Comparison, CompareError> {
+    compared(csv, Against::Curve(spec), complete)
 }
 
 #[test]
 fn forces_at_equal_travel_are_interpolated_and_converted() {
     let csv = "# comment\ntravel_mm, punch_force_kN\n1.5, 3\n4, 8.16\n# between\n12,16\n";
-    let c = compared(csv, |d| spec(d, "travel_mm", "punch_force_kN", Quantity::PunchForce), true).unwrap();
-    let values: Vec<_> = c.points.iter().map(|p| (p.x, p.reference, p.computed.unwrap())).collect();
+    let c = along(csv, curve("travel_mm", "punch_force_kN", Quantity::PunchForce), true).unwrap();
+    let values: Vec<_> = points(&c).0.iter().map(|p| (p.x, p.reference, p.computed.unwrap())).collect();
     assert_eq!(values, [(1.5, 3000.0, 3000.0), (4.0, 8160.0, 8000.0), (12.0, 16000.0, 16000.0)]);
     assert_eq!(c.verdict, Verdict::In);
-    let worst = c.worst().unwrap();
+    let worst = points(&c).worst().unwrap();
     assert_eq!(worst.x, 4.0);
     assert!((worst.difference().unwrap() + 160.0 / 8160.0).abs() < 1e-12);
+    assert_eq!(c.sentence(), "punch_force against curve.csv: in, worst -2.0 % at punch travel = 4 mm (tolerance 5 %)");
     let source = c.source.as_ref().unwrap();
     assert_eq!(source.to_string(), "A. Uthor, A title, 1990 (experiment, grade A, scatter 5 %)");
     let headers: Vec<_> = c.table().columns.iter().map(Column::header).collect();
@@ -65,53 +77,61 @@ fn forces_at_equal_travel_are_interpolated_and_converted() {
 #[test]
 fn travel_at_equal_force_is_taken_on_the_rise_to_the_peak() {
     let csv = "punch_force_N,other,travel_paper_cm\n5000,x,0.25\n19000,,0.95\n30000,,1.6\n";
-    let of = |d: &Path| spec(d, "punch_force_N", "travel_paper_cm", Quantity::Travel);
-    let c = compared(csv, of, true).unwrap();
-    assert_eq!(c.points.iter().map(|p| p.computed).collect::<Vec<_>>(), [Some(2.5), Some(9.5), None]);
+    let of = || curve("punch_force_N", "travel_paper_cm", Quantity::Travel);
+    let c = along(csv, of(), true).unwrap();
+    assert_eq!(points(&c).0.iter().map(|p| p.computed).collect::<Vec<_>>(), [Some(2.5), Some(9.5), None]);
     assert_eq!(c.verdict, Verdict::NotReached);
-    let c = compared(csv, |d| Spec { range: Some((0.0, 20_000.0)), ..of(d) }, true).unwrap();
-    assert_eq!((c.points.len(), c.judged().count(), c.verdict), (3, 2, Verdict::In));
+    let c = along(csv, CurveSpec { range: Some((0.0, 20_000.0)), ..of() }, true).unwrap();
+    assert_eq!((points(&c).0.len(), points(&c).judged().count(), c.verdict), (3, 2, Verdict::In));
 }
 
 #[test]
 fn thickness_needs_the_whole_run_and_is_held_at_the_ends() {
-    let of = |d: &Path| spec(d, "s0_mm", "thickness_mm", Quantity::ThicknessAtS0);
+    let of = || curve("s0_mm", "thickness_mm", Quantity::ThicknessAtS0);
     let csv = "s0_mm,thickness_mm\n0,1.01\n10,1.1\n20,1.19\n";
-    assert_eq!(compared(csv, of, true).unwrap().verdict, Verdict::In);
-    assert_eq!(compared(csv, of, false).unwrap().verdict, Verdict::NotReached);
-    let of = |d: &Path| spec(d, "r_mm", "thickness_mm", Quantity::ThicknessAtRadius);
-    let c = compared("r_mm,thickness_mm\n9,1.2\n", of, true).unwrap();
+    assert_eq!(along(csv, of(), true).unwrap().verdict, Verdict::In);
+    assert_eq!(along(csv, of(), false).unwrap().verdict, Verdict::NotReached);
+    let of = curve("r_mm", "thickness_mm", Quantity::ThicknessAtRadius);
+    let c = along("r_mm,thickness_mm\n9,1.2\n", of, true).unwrap();
     assert_eq!(c.verdict, Verdict::Out);
-    assert!((c.points[0].computed.unwrap() - 1.1).abs() < 1e-12);
+    assert!((points(&c).0[0].computed.unwrap() - 1.1).abs() < 1e-12);
 }
 
 #[test]
 fn a_missing_file_is_an_error_unless_it_is_optional() {
     let dir = Path::new("/nowhere");
-    let strict = spec(dir, "travel_mm", "punch_force_N", Quantity::PunchForce);
+    let strict = spec(dir, Against::Curve(curve("travel_mm", "punch_force_N", Quantity::PunchForce)));
     let computed = Computed { history: &history(), profile: &profile(), complete: true };
     assert!(compare(&strict, &computed).unwrap_err().to_string().contains("/nowhere/curve.csv"));
     let c = compare(&Spec { optional: true, ..strict }, &computed).unwrap();
-    assert_eq!((c.verdict, c.points.len(), c.worst()), (Verdict::NoData, 0, None));
-    assert!(!c.verdict.is_failure());
+    assert_eq!((c.verdict, &c.found, c.worst()), (Verdict::NoData, &Found::NoData, None));
+    assert!(!c.is_failure());
 }
 
 #[test]
 fn mistakes_in_the_file_are_named() {
-    let force = |d: &Path| spec(d, "travel_mm", "punch_force_N", Quantity::PunchForce);
+    let force = || curve("travel_mm", "punch_force_N", Quantity::PunchForce);
     for (csv, says) in [
         ("travel_mm,force_N\n1,2\n", "no column `punch_force_N`; it has travel_mm, force_N"),
         ("travel_mm,punch_force_N\n1,2\n\n2,two\n", "data row 2: `two`"),
         ("travel_mm,punch_force_N\n1,0\n", "is 0 at 1"),
         ("travel_mm,punch_force_N\n", "no rows"),
     ] {
-        let message = compared(csv, force, true).unwrap_err().to_string();
+        let message = along(csv, force(), true).unwrap_err().to_string();
         assert!(message.contains(says), "{message}");
     }
-    let kp = compared("travel_mm,force_kp\n1,2\n", |d| spec(d, "travel_mm", "force_kp", Quantity::PunchForce), true);
+    let kp = along("travel_mm,force_kp\n1,2\n", curve("travel_mm", "force_kp", Quantity::PunchForce), true);
     assert!(kp.unwrap_err().to_string().contains("known units"));
-    let mm = compared("travel_mm,force_mm\n1,2\n", |d| spec(d, "travel_mm", "force_mm", Quantity::PunchForce), true);
+    let mm = along("travel_mm,force_mm\n1,2\n", curve("travel_mm", "force_mm", Quantity::PunchForce), true);
     assert!(mm.unwrap_err().to_string().contains("Punch force [N]"));
+    for (csv, says) in [
+        ("a_mm,b_mm,error_mm\n,,0.01\n", "no values in a_mm, b_mm"),
+        ("a_mm,b_mm,error_mm\n1,1,-0.01\n", "data row 1: the error of measurement in column `error_mm` is negative"),
+        ("a_mm,b_mm\n1,1\n", "no column `error_mm`"),
+    ] {
+        let message = compared(csv, band(BandQuantity::Thickness, &["a_mm", "b_mm"]), true).unwrap_err().to_string();
+        assert!(message.contains(says), "{message}");
+    }
 }
 
 /// Trust: the curve itself is the reference, so every difference is rounding.
@@ -119,10 +139,60 @@ fn mistakes_in_the_file_are_named() {
 fn a_curve_agrees_with_itself() {
     let (x, y) = (history().column("travel").values.clone(), history().column("punch_force").values.clone());
     let rows: String = x.iter().zip(&y).map(|(x, y)| format!("{x},{y}\n")).collect();
-    let c = compared(
-        &format!("travel_mm,punch_force_N\n{rows}"),
-        |d| spec(d, "travel_mm", "punch_force_N", Quantity::PunchForce),
-        true,
+    let csv = format!("travel_mm,punch_force_N\n{rows}");
+    let c = along(&csv, curve("travel_mm", "punch_force_N", Quantity::PunchForce), true).unwrap();
+    assert!(points(&c).0.iter().all(|p| p.difference().unwrap().abs() < 1e-14));
+}
+
+fn band(quantity: BandQuantity, columns: &[&str]) -> Against {
+    let columns = columns.iter().map(|&c| c.to_owned()).collect();
+    Against::Band(BandSpec { quantity, columns, error: Some("error_mm".to_owned()) })
+}
+
+/// Trust: ends chosen by hand around thickness 1.01 to 1.19, edge 90, draw-in 5, thinnest 0.8.
+#[test]
+fn a_band_spans_all_values_with_their_errors_and_says_by_how_much_it_is_left() {
+    let columns = ["a_mm", "b_cm"];
+    for (quantity, csv, outside, verdict) in [
+        (BandQuantity::Thickness, "1.02,,0.02\n,0.118,0.01", 0.0, Verdict::In),
+        (BandQuantity::Thickness, "1.05,,0.02\n,0.118,0.02", -0.02, Verdict::Out),
+        (BandQuantity::Thickness, "1.02,,0.02\n,0.11,0.01", 0.08, Verdict::Out),
+        (BandQuantity::Thickness, "1.05,,\n,0.11,", 0.09, Verdict::Out),
+        (BandQuantity::EdgeDiameter, "89,9.05,0", 0.0, Verdict::In),
+        (BandQuantity::EdgeDiameter, "91,9.2,0.5", -0.5, Verdict::Out),
+        (BandQuantity::DrawIn, "4,0.45,0.25", 0.25, Verdict::Out),
+        (BandQuantity::Thinnest, "0.79,0.081,0", 0.0, Verdict::In),
+    ] {
+        let c = compared(&format!("a_mm,b_cm,error_mm\n{csv}\n"), band(quantity, &columns), true).unwrap();
+        let Found::Band(found) = c.found else { panic!("{:?}", c.found) };
+        assert!((found.outside().unwrap() - outside).abs() < 1e-12, "{csv}: {found:?}");
+        assert_eq!(c.verdict, verdict, "{csv}");
+        assert_eq!(c.is_failure(), verdict == Verdict::Out);
+    }
+}
+
+#[test]
+fn a_peak_is_compared_wherever_it_is_and_a_band_needs_the_whole_run() {
+    let band = |complete| {
+        let against = BandSpec { quantity: BandQuantity::PeakForce, columns: vec!["f_kN".to_owned()], error: None };
+        compared("f_kN\n21\n24\n", Against::Band(against), complete).unwrap()
+    };
+    assert_eq!(
+        band(true).sentence(),
+        "peak_force against curve.csv: OUT, 20000 N, 1000 N below (-4.8 %) of 21000 to 24000 N"
     );
-    assert!(c.unwrap().points.iter().all(|p| p.difference().unwrap().abs() < 1e-14));
+    assert_eq!((band(false).verdict, band(false).worst()), (Verdict::NotReached, None));
+    assert_eq!(band(false).sentence(), "peak_force against curve.csv: not reached");
+}
+
+#[test]
+fn a_demonstration_shows_its_difference_and_does_not_fail() {
+    let dir = tempfile::tempdir().unwrap();
+    fs::write(dir.path().join("curve.csv"), "d_mm\n95\n96\n").unwrap();
+    let against = BandSpec { quantity: BandQuantity::EdgeDiameter, columns: vec!["d_mm".to_owned()], error: None };
+    let spec = Spec { demonstration: true, ..spec(dir.path(), Against::Band(against)) };
+    let c = compare(&spec, &Computed { history: &history(), profile: &profile(), complete: true }).unwrap();
+    assert_eq!((c.verdict, c.is_failure()), (Verdict::Out, false));
+    assert_eq!(c.outcome(), "OUT, demonstration");
+    assert_eq!((c.worst().unwrap(), c.accepted()), ("5.00 mm below (-5.3 %)".to_owned(), "95 to 96 mm".to_owned()));
 }

@@ -2,7 +2,7 @@
 
 use super::chart::{Chart, Look, Panel, Scale, Series};
 use super::{Subject, force_unit, work_unit};
-use crate::model::Model;
+use crate::model::{Geometry, Model};
 use crate::record::{Run, StepRecord};
 use crate::table::{Axis, Column, Table, Unit};
 
@@ -13,6 +13,11 @@ pub fn table(model: &Model, run: &Run) -> Table {
     let column = |key, label, unit, value: fn(&StepRecord) -> f64| {
         Column::new(key, label, unit, run.history.iter().map(value).collect())
     };
+    let edge = match model.geometry {
+        Geometry::Axisymmetric => "Diameter at the edge",
+        Geometry::PlaneStrain => "Width between the edges",
+    };
+    let diameters = run.history.iter().map(|s| 2.0 * (model.blank.length - s.draw_in)).collect();
     Table::new(vec![
         column("travel", "Punch travel", Unit::Mm, |s| s.travel),
         column("punch_force", "Punch force", force, |s| s.punch_force),
@@ -21,6 +26,7 @@ pub fn table(model: &Model, run: &Run) -> Table {
         column("draw_in", "Draw-in of the edge", Unit::Mm, |s| s.draw_in),
         column("thinnest", "Least thickness", Unit::Mm, |s| s.thinnest),
         column("thinnest_s0", "Initial distance of the thinnest place from the axis", Unit::Mm, |s| s.thinnest_s0),
+        Column::new("edge_diameter", edge, Unit::Mm, diameters),
         column("work_external", "External work", work, |s| s.work.external),
         column("work_plastic", "Plastic work", work, |s| s.work.plastic),
         column("work_friction", "Friction work", work, |s| s.work.friction),

@@ -1,8 +1,8 @@
-//! A computed curve over a reference, and their difference below it.
+//! A computed curve over a reference: points with their difference below, or a band.
 
-use super::chart::{BLACK, Chart, GREY, Look, Panel, Scale, Series, color};
+use super::chart::{BLACK, Chart, Color, GREY, Look, Panel, Scale, Series, color};
 use super::{Subject, WriteError, csv, png, svg, write};
-use crate::compare::{Comparison, Point, Quantity, Verdict};
+use crate::compare::{Against, Band, BandSpec, Comparison, CurveSpec, Found, Interval, Points, Quantity};
 use std::path::{Path, PathBuf};
 
 /// Writes `compare_<n>_<quantity>.png` and `.csv` into `dir`; nothing when there are no data.
@@ -15,13 +15,11 @@ pub fn write_comparison(
     comparison: &Comparison,
     dir: &Path,
 ) -> Result<Vec<PathBuf>, WriteError> {
-    if comparison.verdict == Verdict::NoData {
-        return Ok(Vec::new());
-    }
-    let stem = format!("compare_{n}_{}", comparison.spec.quantity.name());
+    let Some(chart) = plot(subject, comparison) else { return Ok(Vec::new()) };
+    let stem = format!("compare_{n}_{}", comparison.spec.against.name());
     let files = [
         (dir.join(format!("{stem}.csv")), csv(&comparison.table())),
-        (dir.join(format!("{stem}.png")), png(&svg(&plot(subject, comparison)))),
+        (dir.join(format!("{stem}.png")), png(&svg(&chart))),
     ];
     for (path, bytes) in &files {
         write(path, bytes)?;
@@ -29,20 +27,37 @@ pub fn write_comparison(
     Ok(files.map(|(path, _)| path).to_vec())
 }
 
+/// The picture of a comparison; `None` without data.
+pub fn plot(subject: &Subject, comparison: &Comparison) -> Option<Chart> {
+    let (panels, notes) = match (&comparison.spec.against, &comparison.found) {
+        (Against::Curve(spec), Found::Points(points)) => {
+            (over_points(comparison, spec, points), notes_on_points(comparison, spec, points))
+        }
+        (Against::Band(spec), Found::Band(band)) => {
+            (vec![over_band(comparison, spec, band)], notes_on_band(comparison, spec, band))
+        }
+        _ => return None,
+    };
+    Some(Chart {
+        title: format!("{}: computed and reference", subject.model.title),
+        legend: "",
+        panels,
+        notes: notes.into_iter().chain(subject.notes()).collect(),
+    })
+}
+
 /// The difference is drawn up to this many tolerances; what lies beyond is counted in the caption.
 const SCALE: f64 = 6.0;
 
 /// Reference as circles, computed as a line; the relative difference within its tolerance below.
-pub fn plot(subject: &Subject, comparison: &Comparison) -> Chart {
-    let Comparison { spec, points, curve, .. } = comparison;
-    let table = comparison.table();
+fn over_points(comparison: &Comparison, spec: &CurveSpec, Points(points): &Points) -> Vec<Panel> {
+    let curve = &comparison.curve;
     let (x, y) = comparison.axes();
     let tolerance = 100.0 * spec.tolerance;
-    let xs = || points.iter().map(|p| p.x).chain(curve.iter().map(|p| p.0));
-    let ends = (xs().fold(f64::INFINITY, f64::min), xs().fold(f64::NEG_INFINITY, f64::max));
+    let ends = ends(points.iter().map(|p| p.x).chain(curve.iter().map(|p| p.0)));
     let level = |label: Option<String>, value: f64| Series {
         label,
-        points: vec![(ends.0, value), (ends.1, value)],
+        points: vec![(ends.low, value), (ends.high, value)],
         look: Look::Line { color: GREY, width: 1.6, dash: &[6.0, 4.0] },
     };
     let references = points.iter().map(|p| (p.x, p.reference)).collect();
@@ -61,44 +76,97 @@ pub fn plot(subject: &Subject, comparison: &Comparison) -> Chart {
         Series::silent(differences.clone(), Look::Line { color: BLACK, width: 1.6, dash: &[] }),
         Series::silent(differences, Look::Circles { color: BLACK }),
     ];
-    Chart {
-        title: format!("{}: computed and reference", subject.model.title),
-        legend: "",
-        panels: vec![
-            Panel { x: x.clone(), y, series: above, scale: Scale::Fit { height: 270.0 } },
-            Panel { x, y: table.column("difference").axis(), series: below, scale: Scale::Fit { height: 150.0 } },
-        ],
-        notes: notes(comparison).into_iter().chain(subject.notes()).collect(),
-    }
+    let difference = comparison.table().column("difference").axis();
+    vec![
+        Panel { x: x.clone(), y, series: above, scale: Scale::Fit { height: 270.0 } },
+        Panel { x, y: difference, series: below, scale: Scale::Fit { height: 150.0 } },
+    ]
 }
 
-fn notes(comparison: &Comparison) -> Vec<String> {
+/// What was measured, and paler its error: tints of the reference's colour.
+const MEASURED: Color = (238, 174, 132);
+const ERROR: Color = (249, 224, 206);
+
+/// The band over the whole width, the computed curve on it, and circles where computed values are compared.
+fn over_band(comparison: &Comparison, spec: &BandSpec, band: &Band) -> Panel {
+    let curve = &comparison.curve;
+    let (x, y) = comparison.axes();
+    let ends = ends(curve.iter().map(|p| p.0));
+    let area = |label: String, Interval { low, high }: Interval, fill| {
+        let corners = vec![(ends.low, low), (ends.high, low), (ends.high, high), (ends.low, high)];
+        Series::new(label, corners, Look::Area { fill, edge: Some(color(1)) })
+    };
+    let which = spec.quantity.which();
+    let mut series = Vec::new();
+    if band.accepted != band.measured {
+        let label = format!("Reference with its error, {}", comparison.text(band.accepted));
+        series.push(area(label, band.accepted, ERROR));
+    }
+    series.push(area(format!("Reference {which}, {}", comparison.text(band.measured)), band.measured, MEASURED));
+    series.push(Series::new("Computed", curve.clone(), Look::curve(0)));
+    if let Some(computed) = band.computed {
+        let is_compared = |p: &(f64, f64)| p.1 == computed.low || p.1 == computed.high;
+        let compared = match computed.low == computed.high {
+            true => curve.iter().copied().rfind(is_compared).into_iter().collect(),
+            false => curve.iter().copied().filter(is_compared).collect(),
+        };
+        let label = format!("Computed {which}, {}", comparison.text(computed));
+        series.push(Series::new(label, compared, Look::Circles { color: BLACK }));
+    }
+    Panel { x, y, series, scale: Scale::Fit { height: 350.0 } }
+}
+
+fn ends(values: impl Iterator<Item = f64>) -> Interval {
+    Interval::of(values).unwrap_or(Interval { low: 0.0, high: 1.0 })
+}
+
+/// Where the reference comes from, and that a demonstration is one.
+fn origin(comparison: &Comparison, columns: &str) -> Vec<String> {
     let Comparison { spec, source, .. } = comparison;
     let file = spec.reference.file_name().unwrap_or_default().to_string_lossy();
     let from = source.as_ref().map_or_else(|| "source not stated".to_owned(), ToString::to_string);
-    let mut notes = vec![
-        format!("Reference: {file}, column {}: {from}.", spec.y),
-        format!("Tolerance {} %: {}.", 100.0 * spec.tolerance, spec.reason.trim_end_matches('.')),
-    ];
-    if let Some((point, difference)) = comparison.worst().and_then(|p| Some((p, p.difference()?))) {
-        notes.push(format!("Largest difference {:+.1} % at {}.", 100.0 * difference, comparison.place(point)));
+    let demonstration = spec.demonstration.then(|| "A demonstration, not a validation.".to_owned());
+    demonstration.into_iter().chain([format!("Reference: {file}, {columns}: {from}.")]).collect()
+}
+
+fn notes_on_points(comparison: &Comparison, spec: &CurveSpec, points: &Points) -> Vec<String> {
+    let reason = comparison.spec.reason.trim_end_matches('.');
+    let mut notes = origin(comparison, &format!("column {}", spec.y));
+    notes.push(format!("Tolerance {}: {reason}.", comparison.accepted()));
+    if let (Some(point), Some(worst)) = (points.worst(), comparison.worst()) {
+        notes.push(format!("Largest difference {worst} at {}.", comparison.place(point)));
     }
-    let judged = comparison.judged().count();
-    let missed = comparison.judged().filter(|p| p.computed.is_none()).count();
+    let judged = points.judged().count();
+    let missed = points.judged().filter(|p| p.computed.is_none()).count();
     if missed > 0 {
         notes.push(format!("{missed} of {judged} reference points were not reached."));
     }
     if let Some((low, high)) = spec.range {
         notes.push(format!("Judged from {low} to {high} in {}; the other points are shown only.", spec.x));
     }
-    let off = |p: &&Point| p.difference().is_some_and(|d| d.abs() > SCALE * spec.tolerance);
-    let beyond: Vec<_> = comparison.points.iter().filter(off).collect();
-    if let Some(difference) = beyond.iter().filter_map(|p| p.difference()).max_by(|a, b| a.abs().total_cmp(&b.abs())) {
-        let (count, most) = (beyond.len(), 100.0 * difference);
+    let differences = points.0.iter().filter_map(|p| p.difference());
+    let beyond: Vec<f64> = differences.filter(|d| d.abs() > SCALE * spec.tolerance).collect();
+    if let Some(most) = beyond.iter().max_by(|a, b| a.abs().total_cmp(&b.abs())) {
+        let (count, most) = (beyond.len(), 100.0 * most);
         notes.push(format!("{count} points lie beyond the scale of the difference, up to {most:+.0} %."));
     }
     if spec.quantity == Quantity::Travel {
         notes.push("The travel is the first at which the force is reached, before its peak.".to_owned());
     }
+    notes
+}
+
+fn notes_on_band(comparison: &Comparison, spec: &BandSpec, band: &Band) -> Vec<String> {
+    let columns = if spec.columns.len() == 1 { "column" } else { "columns" };
+    let mut notes = origin(comparison, &format!("{columns} {}", spec.columns.join(", ")));
+    notes.push(match (band.computed, comparison.worst()) {
+        (Some(computed), Some(worst)) => {
+            let widened = if band.accepted == band.measured { "" } else { ", errors of measurement included" };
+            let (computed, accepted) = (comparison.text(computed), comparison.accepted());
+            format!("Computed {computed}: {worst}; the reference is {accepted}{widened}.")
+        }
+        _ => "The run ended before the value that is compared.".to_owned(),
+    });
+    notes.push(format!("Remark: {}.", comparison.spec.reason.trim_end_matches('.')));
     notes
 }

@@ -2,7 +2,7 @@
 
 use fastrand::Rng;
 use stampflow::geometry::{Arc, Piece, Point, Profile, Segment};
-use stampflow::material::hardening::{Hollomon, Ludwik, Swift, Voce};
+use stampflow::material::hardening::{Branch, Extrapolation, Hollomon, Ludwik, PiecewisePower, Swift, Table, Voce};
 use stampflow::material::{Hardening, Material};
 use stampflow::model::{
     Blank, Edge, Geometry, Grading, Model, Motion, Norm, Press, Role, Settings, StopRules, Theory, Tool,
@@ -35,14 +35,38 @@ fn between(rng: &mut Rng, low: f64, high: f64) -> f64 {
 fn hardening(rng: &mut Rng) -> (Hardening, String) {
     let k = between(rng, 150.0, 1200.0);
     let n = between(rng, 0.02, 0.5);
-    let law = match rng.usize(0..4) {
+    let law = match rng.usize(0..6) {
         0 => Hardening::Swift(Swift::new(k, n, between(rng, 1e-4, 2e-2)).expect("in range")),
         1 => Hardening::Hollomon(Hollomon::with_offset(k, n, 2e-3).expect("in range")),
         2 => Hardening::Ludwik(Ludwik::new(0.4 * k, 0.8 * k, n.max(0.1)).expect("in range")),
-        _ => Hardening::Voce(Voce::new(0.4 * k, k, between(rng, 2.0, 12.0), 1.0).expect("in range")),
+        3 => Hardening::Voce(Voce::new(0.4 * k, k, between(rng, 2.0, 12.0), 1.0).expect("in range")),
+        4 => Hardening::PiecewisePower(branches(rng, k, n)),
+        _ => Hardening::Table(measured(rng, k, n)),
     };
     let text = law.describe();
     (law, text)
+}
+
+/// Two branches σ₀ + K ε^n that meet, the second with the exponent 0.5 to 1 of the first.
+fn branches(rng: &mut Rng, k: f64, n: f64) -> PiecewisePower {
+    let (initial, up_to) = (0.3 * k, between(rng, 0.05, 0.4));
+    let flatter = n * between(rng, 0.5, 1.0);
+    let first = Branch { up_to, initial, k: 0.7 * k, n };
+    let second = Branch { up_to: f64::INFINITY, initial, k: 0.7 * k * up_to.powf(n - flatter), n: flatter };
+    PiecewisePower::new(vec![first, second]).expect("the branches meet")
+}
+
+/// Points of a Swift law with 2 % of scatter that never falls, as from a tensile test, then held or continued.
+fn measured(rng: &mut Rng, k: f64, n: f64) -> Table {
+    let strain: Vec<f64> = [0.0, 0.002, 0.01, 0.03, 0.08, 0.15, 0.25, 0.5].to_vec();
+    let mut last: f64 = 0.0;
+    let stress = strain.iter().map(|e| {
+        last = last.max(k * (e + 2e-3).powf(n) * between(rng, 0.98, 1.02));
+        last
+    });
+    let stress = stress.collect();
+    let beyond = if rng.bool() { Extrapolation::Hold } else { Extrapolation::Slope };
+    Table::new(strain, stress, beyond).expect("rising")
 }
 
 /// A cone: flat face, corner of `nose`, wall that leans by `angle` from upright up to `radius`.

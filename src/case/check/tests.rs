@@ -27,6 +27,20 @@ fn numbers_of_the_quickstart_are_those_of_a_hand_calculation() {
     assert!(check.warnings.is_empty(), "{:?}", check.warnings);
 }
 
+/// Trust: the example of the handbook that the rule was read in: β 2, d 100 mm, s 1 mm, R_m 310 MPa give 1.16 MPa.
+#[test]
+fn the_advised_pressure_is_that_of_the_handbooks_example() {
+    let overrides = [
+        "blank.radius=100 mm",
+        "tools.punch.flat.radius=50 mm",
+        "tools.die.throat=51.25 mm",
+        "tools.holder.inner_radius=57.25 mm",
+    ];
+    let pressure = estimate::siebel_pressure(&quickstart(&overrides).model, 310.0).unwrap();
+    assert_relative_eq!(pressure, 1.1625, epsilon = 1e-9);
+    assert_relative_eq!(pressure, 1.16, epsilon = 5e-3);
+}
+
 /// Trust: with sharp enough corners the part is a cylinder of known area, drawn through where its area is the blank's.
 #[test]
 fn drawn_share_is_the_area_of_a_sharp_cup() {

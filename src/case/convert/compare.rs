@@ -1,14 +1,14 @@
 //! `[[compare]]`.
 
-use crate::case::file::{CaseFile, ComparedQuantity};
+use crate::case::file::{CaseFile, Compare, ComparedQuantity};
 use crate::case::{CaseError, source::Source};
-use crate::compare::{Quantity, Spec};
+use crate::compare::{Against, BandQuantity, BandSpec, CurveSpec, Quantity, Spec};
 use crate::quantity::Quantity as _;
 use std::path::Path;
 
 pub(in crate::case) fn compare(file: &CaseFile, source: &Source, case: &Path) -> Result<Vec<Spec>, CaseError> {
     let folder = case.parent().unwrap_or(Path::new(""));
-    let convert = |(i, c): (usize, &crate::case::file::Compare)| {
+    let convert = |(i, c): (usize, &Compare)| {
         let candidates = [folder.join("../reference_data").join(&c.reference), folder.join(&c.reference)];
         let found = candidates.iter().find(|path| path.is_file());
         if found.is_none() && !c.optional {
@@ -17,30 +17,88 @@ pub(in crate::case) fn compare(file: &CaseFile, source: &Source, case: &Path) ->
             let help = format!("put it at {first} or {second}, or set optional = true");
             return Err(source.error(&format!("compare.{i}.reference"), what, help));
         }
-        let range = c.range.map(|[from, to]| (from.value(), to.value()));
-        if let Some((from, to)) = range.filter(|(from, to)| from >= to) {
-            let what = format!("`range` must rise, found {from} to {to}");
-            return Err(source.error(&format!("compare.{i}.range"), what, format!("write range = [{to}, {from}]")));
-        }
         if c.reason.trim().is_empty() {
-            let what = "a tolerance needs its reason";
+            let what = "a comparison needs its reason";
             return Err(source.error(&format!("compare.{i}.reason"), what, "say what the difference may come from"));
         }
+        let entry = Entry { source, i, c };
         Ok(Spec {
             reference: found.unwrap_or(&candidates[0]).clone(),
-            x: c.x.clone(),
-            y: c.y.clone(),
-            quantity: match c.quantity {
-                ComparedQuantity::PunchForce => Quantity::PunchForce,
-                ComparedQuantity::Travel => Quantity::Travel,
-                ComparedQuantity::ThicknessAtS0 => Quantity::ThicknessAtS0,
-                ComparedQuantity::ThicknessAtRadius => Quantity::ThicknessAtRadius,
+            against: match c.quantity {
+                ComparedQuantity::PunchForce => entry.curve(Quantity::PunchForce)?,
+                ComparedQuantity::Travel => entry.curve(Quantity::Travel)?,
+                ComparedQuantity::ThicknessAtS0 => entry.curve(Quantity::ThicknessAtS0)?,
+                ComparedQuantity::ThicknessAtRadius => entry.curve(Quantity::ThicknessAtRadius)?,
+                ComparedQuantity::EdgeDiameter => entry.band(BandQuantity::EdgeDiameter)?,
+                ComparedQuantity::DrawIn => entry.band(BandQuantity::DrawIn)?,
+                ComparedQuantity::Thinnest => entry.band(BandQuantity::Thinnest)?,
+                ComparedQuantity::Thickness => entry.band(BandQuantity::Thickness)?,
+                ComparedQuantity::PeakForce => entry.band(BandQuantity::PeakForce)?,
             },
-            range,
-            tolerance: c.tolerance.value(),
             reason: c.reason.clone(),
             optional: c.optional,
+            demonstration: c.demonstration,
         })
     };
     file.compare.iter().enumerate().map(convert).collect()
+}
+
+/// One `[[compare]]` and where it stands.
+struct Entry<'a> {
+    source: &'a Source<'a>,
+    i: usize,
+    c: &'a Compare,
+}
+
+impl Entry<'_> {
+    fn curve(&self, quantity: Quantity) -> Result<Against, CaseError> {
+        let c = self.c;
+        let help = format!("`{}` is compared along a curve: give x, y and tolerance", quantity.name());
+        self.refused("band", c.band.is_some(), &help)?;
+        self.refused("error", c.error.is_some(), &help)?;
+        let (Some(x), Some(y), Some(tolerance)) = (&c.x, &c.y, c.tolerance) else {
+            let missing = [("x", c.x.is_none()), ("y", c.y.is_none()), ("tolerance", c.tolerance.is_none())];
+            let missing: Vec<_> = missing.iter().filter(|m| m.1).map(|m| format!("`{}`", m.0)).collect();
+            let what = format!("{} missing in [[compare]] number {}", missing.join(" and "), self.i + 1);
+            return Err(self.source.error(&format!("compare.{}", self.i), what, help));
+        };
+        let range = c.range.map(|[from, to]| (from.value(), to.value()));
+        if let Some((from, to)) = range.filter(|(from, to)| from >= to) {
+            let what = format!("`range` must rise, found {from} to {to}");
+            let path = format!("compare.{}.range", self.i);
+            return Err(self.source.error(&path, what, format!("write range = [{to}, {from}]")));
+        }
+        let (x, y, tolerance) = (x.clone(), y.clone(), tolerance.value());
+        Ok(Against::Curve(CurveSpec { quantity, x, y, range, tolerance }))
+    }
+
+    fn band(&self, quantity: BandQuantity) -> Result<Against, CaseError> {
+        let c = self.c;
+        let help = format!(
+            "`{}` is compared with the band that values span: give `band` the columns that hold them, as in band = [\"low_mm\", \"high_mm\"]",
+            quantity.name()
+        );
+        self.refused("x", c.x.is_some(), &help)?;
+        self.refused("y", c.y.is_some(), &help)?;
+        self.refused("range", c.range.is_some(), &help)?;
+        self.refused("tolerance", c.tolerance.is_some(), &help)?;
+        match &c.band {
+            Some(columns) if !columns.is_empty() => {
+                Ok(Against::Band(BandSpec { quantity, columns: columns.clone(), error: c.error.clone() }))
+            }
+            Some(_) => Err(self.source.error(&format!("compare.{}.band", self.i), "`band` names no column", help)),
+            None => {
+                let what = format!("`band` is missing in [[compare]] number {}", self.i + 1);
+                Err(self.source.error(&format!("compare.{}", self.i), what, help))
+            }
+        }
+    }
+
+    /// A key that the quantity has no use for.
+    fn refused(&self, key: &str, given: bool, help: &str) -> Result<(), CaseError> {
+        if !given {
+            return Ok(());
+        }
+        Err(self.source.error(&format!("compare.{}.{key}", self.i), format!("`{key}` does not apply here"), help))
+    }
 }

@@ -50,7 +50,7 @@ pub struct CaseFile {
     pub stop: Stop,
     #[serde(default)]
     pub output: Output,
-    /// Published curves to hold the result against.
+    /// Published curves and values to hold the result against.
     #[serde(default)]
     pub compare: Vec<Compare>,
 }

@@ -93,8 +93,8 @@ impl PiecewisePower {
             .branches
             .iter()
             .map(|b| {
-                let end = if b.up_to.is_finite() { format!(" (ε < {})", b.up_to) } else { String::new() };
-                format!("{:.2} + {:.2} ε^{}{end}", b.initial, b.k, b.n)
+                let end = if b.up_to.is_finite() { format!(" (ε < {:.4})", b.up_to) } else { String::new() };
+                format!("{:.2} + {:.2} ε^{:.4}{end}", b.initial, b.k, b.n)
             })
             .collect();
         format!("power law in branches, σ = {} MPa", branches.join("; "))

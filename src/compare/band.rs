@@ -1,0 +1,209 @@
+//! A reference that is an interval: values of one quantity without places, such as the diameters of a drawn part
+//! along two lines, or thicknesses measured at points whose positions are not known.
+
+use super::reference::Reference;
+use super::{CompareError, Computed, Verdict};
+use crate::table::{Column, Table, Unit, four_digits};
+use std::path::Path;
+
+/// What is compared with a band.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum BandQuantity {
+    /// Diameter at the blank's edge at the end; in plane strain the width between both edges.
+    EdgeDiameter,
+    /// How far the edge has moved inward at the end.
+    DrawIn,
+    /// Smallest thickness at the end.
+    Thinnest,
+    /// Thickness of the whole section at the end.
+    Thickness,
+    /// Largest punch force of the run.
+    PeakForce,
+}
+
+/// A comparison with the interval that measured values span.
+#[derive(Clone, Debug, PartialEq)]
+pub struct BandSpec {
+    pub quantity: BandQuantity,
+    /// Headers of the columns whose values, all rows of them, span the band.
+    pub columns: Vec<String>,
+    /// Header of the column with each row's error of measurement, by which the band is widened on either side.
+    pub error: Option<String>,
+}
+
+/// From the least to the largest of some values.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Interval {
+    pub low: f64,
+    pub high: f64,
+}
+
+/// Measured and computed intervals, in solver units.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Band {
+    /// What the reference's values span.
+    pub measured: Interval,
+    /// The same, each value with its error: where computed values must lie.
+    pub accepted: Interval,
+    /// What the computed values span; one value for a quantity that has no more. `None` without a whole run.
+    pub computed: Option<Interval>,
+}
+
+/// Which of the computed values are compared.
+enum Of {
+    All,
+    Last,
+    Largest,
+}
+
+impl BandQuantity {
+    /// Every quantity that is compared with a band.
+    pub const ALL: [Self; 5] = [Self::EdgeDiameter, Self::DrawIn, Self::Thinnest, Self::Thickness, Self::PeakForce];
+
+    /// The word used in case files, tables and file names.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::EdgeDiameter => "edge_diameter",
+            Self::DrawIn => "draw_in",
+            Self::Thinnest => "thinnest",
+            Self::Thickness => "thickness",
+            Self::PeakForce => "peak_force",
+        }
+    }
+
+    /// The computed columns that the values are taken from: abscissa and ordinate.
+    pub(super) fn columns<'a>(self, computed: &Computed<'a>) -> (&'a Column, &'a Column) {
+        let Computed { history, profile, .. } = computed;
+        match self {
+            Self::EdgeDiameter => (history.column("travel"), history.column("edge_diameter")),
+            Self::DrawIn => (history.column("travel"), history.column("draw_in")),
+            Self::Thinnest => (history.column("travel"), history.column("thinnest")),
+            Self::Thickness => (profile.column("r"), profile.column("thickness")),
+            Self::PeakForce => (history.column("travel"), history.column("punch_force")),
+        }
+    }
+
+    /// Which values are compared, in words that follow "reference" or "computed".
+    pub fn which(self) -> &'static str {
+        match self.of() {
+            Of::All => "least and largest",
+            Of::Last => "at the end",
+            Of::Largest => "at its peak",
+        }
+    }
+
+    fn of(self) -> Of {
+        match self {
+            Self::EdgeDiameter | Self::DrawIn | Self::Thinnest => Of::Last,
+            Self::Thickness => Of::All,
+            Self::PeakForce => Of::Largest,
+        }
+    }
+}
+
+impl Interval {
+    /// The least interval that holds all values; `None` without values.
+    pub fn of(values: impl IntoIterator<Item = f64>) -> Option<Self> {
+        values.into_iter().fold(None, |all: Option<Self>, v| {
+            Some(all.map_or(Self { low: v, high: v }, |i| Self { low: i.low.min(v), high: i.high.max(v) }))
+        })
+    }
+
+    /// `467.3 to 468.5 mm`, or one value where both ends are the same.
+    pub fn text(self, unit: Unit) -> String {
+        let (low, high, unit) = (short(self.low), short(self.high), unit.symbol());
+        if low == high { format!("{low} {unit}") } else { format!("{low} to {high} {unit}") }
+    }
+}
+
+/// Four digits without zeros at the end of the decimals.
+fn short(value: f64) -> String {
+    let text = four_digits(value);
+    if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.').to_owned() } else { text }
+}
+
+impl Band {
+    /// How far the computed values leave the accepted band: above it positive, below it negative, 0 inside; the
+    /// larger of the two where they leave it on both sides.
+    pub fn outside(&self) -> Option<f64> {
+        let Interval { low, high } = self.computed?;
+        let (below, above) = ((self.accepted.low - low).max(0.0), (high - self.accepted.high).max(0.0));
+        Some(if above >= below { above } else { -below })
+    }
+
+    /// [`Self::outside`] over the end of the band that is left \[–\].
+    pub fn difference(&self) -> Option<f64> {
+        let outside = self.outside()?;
+        Some(if outside == 0.0 { 0.0 } else { outside / self.end_left(outside).abs() })
+    }
+
+    fn end_left(&self, outside: f64) -> f64 {
+        if outside < 0.0 { self.accepted.low } else { self.accepted.high }
+    }
+
+    /// `3.4 mm above (+0.7 %)`, as many decimals as the band's end has; `inside`.
+    pub(super) fn text(&self, unit: Unit) -> Option<String> {
+        let outside = self.outside()?;
+        if outside == 0.0 {
+            return Some("inside".to_owned());
+        }
+        let decimals = four_digits(self.end_left(outside)).split_once('.').map_or(0, |(_, decimals)| decimals.len());
+        let side = if outside < 0.0 { "below" } else { "above" };
+        let percent = 100.0 * self.difference()?;
+        Some(format!("{:.decimals$} {} {side} ({percent:+.1} %)", outside.abs(), unit.symbol()))
+    }
+
+    /// One row: what was measured, what is accepted and what was computed.
+    pub(super) fn table(&self, y: &Column) -> Table {
+        let computed = self.computed.unwrap_or(Interval { low: f64::NAN, high: f64::NAN });
+        let column = |key, label, value| Column::new(key, label, y.unit, vec![value]);
+        Table::new(vec![
+            column("measured_low", "Least measured", self.measured.low),
+            column("measured_high", "Largest measured", self.measured.high),
+            column("accepted_low", "Least accepted", self.accepted.low),
+            column("accepted_high", "Largest accepted", self.accepted.high),
+            column("computed_low", "Least computed", computed.low),
+            column("computed_high", "Largest computed", computed.high),
+            column("outside", "Outside the band", self.outside().unwrap_or(f64::NAN)),
+            Column::new("difference", "Difference", Unit::Percent, vec![100.0 * self.difference().unwrap_or(f64::NAN)]),
+        ])
+    }
+
+    pub(super) fn verdict(&self) -> Verdict {
+        match self.outside() {
+            None => Verdict::NotReached,
+            Some(0.0) => Verdict::In,
+            Some(_) => Verdict::Out,
+        }
+    }
+}
+
+/// The band of the reference with what was computed; an unfinished run has no value at the end.
+pub(super) fn compare(spec: &BandSpec, path: &Path, computed: &Column, complete: bool) -> Result<Band, CompareError> {
+    let reference = Reference::read(path)?;
+    let errors = spec.error.as_ref().map(|header| reference.column(header, computed)).transpose()?;
+    let errors = errors.map(|column| column.values).unwrap_or_default();
+    let negative = errors.iter().position(|e| e.is_some_and(|e| e < 0.0));
+    if let (Some(row), Some(column)) = (negative, &spec.error) {
+        return Err(CompareError::NegativeError { path: path.to_owned(), row: row + 1, column: column.clone() });
+    }
+    let mut values = Vec::new();
+    for header in &spec.columns {
+        for (row, value) in reference.column(header, computed)?.values.into_iter().enumerate() {
+            let error = errors.get(row).copied().flatten().unwrap_or(0.0);
+            values.extend(value.map(|value| (value, error)));
+        }
+    }
+    let measured = Interval::of(values.iter().map(|v| v.0));
+    let accepted = Interval::of(values.iter().flat_map(|(value, error)| [value - error, value + error]));
+    let (Some(measured), Some(accepted)) = (measured, accepted) else {
+        return Err(CompareError::NoBand { path: path.to_owned(), columns: spec.columns.join(", ") });
+    };
+    let all = || computed.values.iter().copied();
+    let compared = match spec.quantity.of() {
+        Of::All => Interval::of(all()),
+        Of::Last => Interval::of(all().next_back()),
+        Of::Largest => Interval::of(all().reduce(f64::max)),
+    };
+    Ok(Band { measured, accepted, computed: compared.filter(|_| complete) })
+}
