@@ -6,6 +6,7 @@ mod warn;
 use super::Case;
 use super::measure::extent;
 use crate::model::{Geometry, Model, Motion, Role, Theory};
+use crate::quantity::rounded;
 use std::fmt;
 
 /// One line of the report.
@@ -97,7 +98,7 @@ fn tools(model: &Model, lines: &mut Vec<Line>) {
         };
         lines.push(line(tool.role.name(), size, format!("{what}{corners}, friction {}", tool.friction)));
     }
-    lines.push(line("travel", mm(model.travel), format!("mm at {} mm/s", model.speed)));
+    lines.push(line("travel", mm(model.travel), format!("mm at {} mm/s", rounded(model.speed))));
     if let Some(clearance) = estimate::clearance(model) {
         let over_t = clearance / model.blank.thickness;
         lines.push(line("clearance", mm(clearance), format!("mm, {over_t:.2} thicknesses")));

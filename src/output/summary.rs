@@ -1,8 +1,8 @@
 //! What a run comes to, in some twenty lines: printed and as JSON from the same list.
 
-use super::csv::rounded;
 use super::{Subject, force_unit, work_unit};
 use crate::model::{Geometry, Grading, Iteration, Model, Norm, Theory};
+use crate::quantity::rounded;
 use crate::record::StepRecord;
 use crate::table::Unit;
 use serde::ser::{Serialize, SerializeMap, Serializer};

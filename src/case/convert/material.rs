@@ -28,8 +28,14 @@ fn hardening(file: &file::Hardening, elastic: Option<Elastic>, source: &Source) 
     type Law<'a> = Box<dyn Fn() -> Result<Hardening, CaseError> + 'a>;
     let law = |name: &'static str| {
         move |error: LawError| {
+            let key = match error.key.split_once('.') {
+                // Points are pairs of strain and stress.
+                Some(("strain", i)) if source.has(&format!("{HARDENING}.{name}.points")) => format!("points.{i}.0"),
+                Some(("stress", i)) if source.has(&format!("{HARDENING}.{name}.points")) => format!("points.{i}.1"),
+                _ => error.key.clone(),
+            };
             source.error(
-                &format!("{HARDENING}.{name}"),
+                format!("{HARDENING}.{name}.{key}").trim_end_matches('.'),
                 format!("{name}: {error}"),
                 "check the constants and their units",
             )

@@ -14,7 +14,7 @@ use super::explain::missing;
 use super::file::{self, CaseFile};
 use super::{CaseError, source::Source};
 use crate::model::{Geometry, Model};
-use crate::quantity::{Length, Positive, Quantity};
+use crate::quantity::{Length, Positive, Quantity, rounded};
 
 /// The model, and what was assumed on the way.
 pub(super) fn model(file: &CaseFile, source: &Source) -> Result<(Model, Vec<String>), CaseError> {
@@ -61,7 +61,7 @@ fn by_geometry(
         (_, Some(wrong)) => Err(source.error(
             &format!("{table}.{other}"),
             format!("`{other}` belongs to {other_name} cases, this one is {name}"),
-            format!("write {key} = \"{wrong}\", or change `geometry`"),
+            format!("write {key} = \"{} mm\", or change `geometry`", rounded(wrong.value())),
         )),
         (Some(value), None) => Ok(value.value()),
         (None, None) => Err(missing(source, table, key)),

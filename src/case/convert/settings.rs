@@ -4,7 +4,7 @@ use super::count;
 use crate::case::file::{self, Iteration, Norm};
 use crate::case::{CaseError, source::Source};
 use crate::model::{self, Settings};
-use crate::quantity::Quantity;
+use crate::quantity::{Quantity, rounded};
 
 pub(super) fn convert(file: &file::Solver, source: &Source) -> Result<Settings, CaseError> {
     let default = Settings::default();
@@ -74,7 +74,7 @@ pub(super) fn frames(file: &file::Output, travel: f64, source: &Source) -> Resul
     }
     let mut frames: Vec<f64> = list.iter().map(|f| f.value()).collect();
     if let Some(i) = frames.iter().position(|&f| f > travel * (1.0 + 1e-9)) {
-        let what = format!("a frame at {} mm lies beyond the travel of {travel} mm", frames[i]);
+        let what = format!("a frame at {} mm lies beyond the travel of {} mm", rounded(frames[i]), rounded(travel));
         return Err(source.error(&format!("output.frames.{i}"), what, "drop it, or lengthen tools.punch.travel"));
     }
     frames.retain(|&f| f < travel * (1.0 - 1e-9));

@@ -5,7 +5,7 @@ use crate::case::file::{self, HolderForce};
 use crate::case::{CaseError, explain::missing, source::Source};
 use crate::geometry::Profile;
 use crate::model::{Geometry, Motion, Role, Tool};
-use crate::quantity::{Length, Positive, Quantity};
+use crate::quantity::{Length, Positive, Quantity, rounded};
 
 /// What tools are placed against.
 pub(super) struct Sheet {
@@ -92,8 +92,12 @@ fn punch_profile(
         let nose = nose_within(source, "crowned", shape.nose.value(), radius)?;
         let face = shape.face.value();
         if face <= radius || nose >= radius {
-            let what =
-                format!("a crowned face of radius {face} mm does not fit a punch of {radius} mm, nose {nose} mm");
+            let what = format!(
+                "a crowned face of radius {} mm does not fit a punch of {} mm, nose {} mm",
+                rounded(face),
+                rounded(radius),
+                rounded(nose)
+            );
             let help = "the face must be larger than the punch and the nose smaller; else use flat or hemispherical";
             return Err(source.error("tools.punch.crowned.face", what, help));
         }
@@ -118,11 +122,11 @@ fn nose_within(source: &Source, shape: &str, nose: f64, radius: f64) -> Result<f
     if nose <= radius {
         return Ok(nose);
     }
-    let what = format!("a nose of {nose} mm is larger than the punch of {radius} mm");
+    let what = format!("a nose of {} mm is larger than the punch of {} mm", rounded(nose), rounded(radius));
     Err(source.error(
         &format!("tools.punch.{shape}.nose"),
         what,
-        format!("at most {radius} mm: then it is hemispherical"),
+        format!("at most {} mm: then it is hemispherical", rounded(radius)),
     ))
 }
 
