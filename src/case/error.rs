@@ -9,7 +9,7 @@ use std::sync::Arc;
 const LONGEST: usize = 300;
 
 /// A line of the file longer than this is not shown \[bytes\].
-const LONGEST_LINE: usize = 400;
+const LONGEST_LINE: usize = 250;
 
 /// A case that cannot be solved as it is written.
 #[derive(Clone, Debug, thiserror::Error, Diagnostic)]

@@ -3,6 +3,7 @@
 mod blank;
 mod compare;
 mod fit;
+mod limits;
 mod material;
 mod profile;
 mod settings;
@@ -18,6 +19,7 @@ use crate::quantity::{Length, Positive, Quantity, rounded};
 
 /// The model, and what was assumed on the way.
 pub(super) fn model(file: &CaseFile, source: &Source) -> Result<(Model, Vec<String>), CaseError> {
+    limits::of_file(file, source)?;
     let mut derived = Vec::new();
     let geometry = match file.geometry {
         file::Geometry::Axisymmetric => Geometry::Axisymmetric,
@@ -42,6 +44,7 @@ pub(super) fn model(file: &CaseFile, source: &Source) -> Result<(Model, Vec<Stri
         settings: settings::convert(&file.solver, source)?,
     };
     fit::check(&model, source)?;
+    limits::of_model(&model, source)?;
     Ok((model, derived))
 }
 

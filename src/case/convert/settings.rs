@@ -38,7 +38,7 @@ pub(super) fn convert(file: &file::Solver, source: &Source) -> Result<Settings, 
     let ranges = [
         ("tolerance", settings.tolerance, 1e-12, 0.1),
         ("min_step", settings.min_step, 1e-12, 0.1),
-        ("max_step", settings.max_step, 1e-6, 0.5),
+        ("max_step", settings.max_step, 1e-5, 0.5),
         ("cutoff_strain", settings.cutoff_strain, 1e-10, 1e-2),
         ("contact_stiffness", settings.contact_stiffness, 1.0, 1e7),
         ("contact_smoothing", settings.contact_smoothing, 1e-6, 0.1),

@@ -40,7 +40,7 @@ pub enum ComparedQuantity {
     PunchForce,
     /// Punch travel at equal force.
     Travel,
-    /// Thickness over the initial distance from the axis, at the end.
+    /// Thickness over the initial distance from the axis or symmetry plane, at the end.
     ThicknessAtS0,
     /// Thickness over the present radius, at the end.
     ThicknessAtRadius,
