@@ -5,6 +5,7 @@ mod source;
 
 pub use source::Source;
 
+use crate::quantity::rounded;
 use crate::table::{Axis, Column, Table, Unit, UnitError};
 use std::path::PathBuf;
 
@@ -101,6 +102,8 @@ pub enum CompareError {
     Sources { path: PathBuf, source: toml::de::Error },
     #[error("{} has no column `{column}`; it has {found}", path.display())]
     Column { path: PathBuf, column: String, found: String },
+    #[error("{} separates its columns by {found:?}: write commas between columns, and points in numbers", path.display())]
+    Separator { path: PathBuf, found: char },
     #[error("{}: {error}", path.display())]
     Unit { path: PathBuf, error: UnitError },
     #[error("{}: column `{column}` cannot be compared with the computed {with}", path.display())]
@@ -190,7 +193,12 @@ impl Comparison {
         let Self { spec, verdict, .. } = self;
         let file = spec.reference.file_name().unwrap_or_default().to_string_lossy();
         let worst = self.worst().and_then(|p| Some((p, p.difference()?))).map_or(String::new(), |(point, d)| {
-            format!(", worst {:+.1} % at {} (tolerance {} %)", 100.0 * d, self.place(point), 100.0 * spec.tolerance)
+            format!(
+                ", worst {:+.1} % at {} (tolerance {} %)",
+                100.0 * d,
+                self.place(point),
+                rounded(100.0 * spec.tolerance)
+            )
         });
         format!("{} against {file}: {}{worst}", spec.quantity.name(), verdict.name())
     }

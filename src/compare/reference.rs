@@ -19,6 +19,9 @@ pub(super) fn read(spec: &Spec, x: &Column, y: &Column) -> Result<Vec<Row>, Comp
     let in_file = |source| CompareError::Csv { path: path.clone(), source };
     let mut reader = csv::ReaderBuilder::new().comment(Some(b'#')).trim(csv::Trim::All).from_reader(file);
     let headers = reader.headers().map_err(in_file)?.clone();
+    if let (1, Some(found)) = (headers.len(), headers[0].chars().find(|c| matches!(c, ';' | '\t'))) {
+        return Err(CompareError::Separator { path: path.clone(), found });
+    }
     let find = |name: &str| {
         headers.iter().position(|h| h == name).ok_or_else(|| CompareError::Column {
             path: path.clone(),

@@ -104,6 +104,8 @@ fn mistakes_in_the_file_are_named() {
         ("travel_mm,punch_force_N\n1,2\n\n2,two\n", "data row 2: `two`"),
         ("travel_mm,punch_force_N\n1,0\n", "is 0 at 1"),
         ("travel_mm,punch_force_N\n", "no rows"),
+        ("travel_mm;punch_force_N\n1,5;2\n", "separates its columns by ';': write commas"),
+        ("travel_mm\tpunch_force_N\n1\t2\n", "separates its columns by '\\t'"),
     ] {
         let message = compared(csv, force, true).unwrap_err().to_string();
         assert!(message.contains(says), "{message}");
