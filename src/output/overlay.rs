@@ -3,6 +3,7 @@
 use super::chart::{BLACK, Chart, GREY, Look, Panel, Scale, Series, color};
 use super::{Subject, WriteError, csv, png, svg, write};
 use crate::compare::{Comparison, Point, Quantity, Verdict};
+use crate::quantity::rounded;
 use std::path::{Path, PathBuf};
 
 /// Writes `compare_<n>_<quantity>.png` and `.csv` into `dir`; nothing when there are no data.
@@ -29,6 +30,13 @@ pub fn write_comparison(
     Ok(files.map(|(path, _)| path).to_vec())
 }
 
+/// Whether a file's name is one that [`write_comparison`] gives.
+pub(super) fn is_comparison(name: &str) -> bool {
+    let stem = name.strip_suffix(".csv").or(name.strip_suffix(".png"));
+    let parts = stem.and_then(|stem| stem.strip_prefix("compare_")).and_then(|rest| rest.split_once('_'));
+    parts.is_some_and(|(n, quantity)| n.parse::<usize>().is_ok() && Quantity::ALL.iter().any(|q| q.name() == quantity))
+}
+
 /// The difference is drawn up to this many tolerances; what lies beyond is counted in the caption.
 const SCALE: f64 = 6.0;
 
@@ -37,7 +45,7 @@ pub fn plot(subject: &Subject, comparison: &Comparison) -> Chart {
     let Comparison { spec, points, curve, .. } = comparison;
     let table = comparison.table();
     let (x, y) = comparison.axes();
-    let tolerance = 100.0 * spec.tolerance;
+    let tolerance = rounded(100.0 * spec.tolerance);
     let xs = || points.iter().map(|p| p.x).chain(curve.iter().map(|p| p.0));
     let ends = (xs().fold(f64::INFINITY, f64::min), xs().fold(f64::NEG_INFINITY, f64::max));
     let level = |label: Option<String>, value: f64| Series {
@@ -65,8 +73,13 @@ pub fn plot(subject: &Subject, comparison: &Comparison) -> Chart {
         title: format!("{}: computed and reference", subject.model.title),
         legend: "",
         panels: vec![
-            Panel { x: x.clone(), y, series: above, scale: Scale::Fit { height: 270.0 } },
-            Panel { x, y: table.column("difference").axis(), series: below, scale: Scale::Fit { height: 150.0 } },
+            Panel { x: x.clone(), y, series: above, scale: Scale::Fit { height: 270.0, least: 0.0 } },
+            Panel {
+                x,
+                y: table.column("difference").axis(),
+                series: below,
+                scale: Scale::Fit { height: 150.0, least: 0.0 },
+            },
         ],
         notes: notes(comparison).into_iter().chain(subject.notes()).collect(),
     }
@@ -78,7 +91,7 @@ fn notes(comparison: &Comparison) -> Vec<String> {
     let from = source.as_ref().map_or_else(|| "source not stated".to_owned(), ToString::to_string);
     let mut notes = vec![
         format!("Reference: {file}, column {}: {from}.", spec.y),
-        format!("Tolerance {} %: {}.", 100.0 * spec.tolerance, spec.reason.trim_end_matches('.')),
+        format!("Tolerance {} %: {}.", rounded(100.0 * spec.tolerance), spec.reason.trim_end_matches('.')),
     ];
     if let Some((point, difference)) = comparison.worst().and_then(|p| Some((p, p.difference()?))) {
         notes.push(format!("Largest difference {:+.1} % at {}.", 100.0 * difference, comparison.place(point)));
