@@ -111,9 +111,9 @@ fn tools(model: &Model, lines: &mut Vec<Line>) {
 fn holder(model: &Model, strength: f64, lines: &mut Vec<Line>) {
     let Some(Motion::Force(force)) = model.tool(Role::Holder).map(|holder| holder.motion) else { return };
     lines.push(line("holder force", format!("{force:.0}"), model.geometry.force_unit()));
-    let Some(area) = estimate::held_area(model) else { return };
-    let pressure = format!("{:.3}", force / area);
-    lines.push(line("holder pressure", pressure, "MPa on the initial area between holder and die's flat"));
+    let (Some(area), Some(pressure)) = (estimate::held_area(model), estimate::holder_pressure(model)) else { return };
+    let meaning = "MPa on the initial area between holder and die's flat";
+    lines.push(line("holder pressure", format!("{pressure:.3}"), meaning));
     if let Some(siebel) = estimate::siebel_pressure(model, strength) {
         let meaning = "MPa by Siebel, 0.0025 [(β − 1)² + 0.5 d/(100 t)] R_m (Siebel and Beisswänger, Tiefziehen, 1955)";
         lines.push(line("advised pressure", format!("{siebel:.3}"), format!("{meaning}: {:.0} N", siebel * area)));

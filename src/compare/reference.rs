@@ -3,6 +3,10 @@
 use super::{CompareError, Spec};
 use crate::table::{Column, Unit};
 use std::fs::File;
+use std::io;
+
+/// The largest curve \[bytes\]: a hundred thousand points.
+const LARGEST: u64 = 10_000_000;
 
 /// A row of the reference curve in solver units.
 pub(super) struct Row {
@@ -16,6 +20,11 @@ pub(super) struct Row {
 pub(super) fn read(spec: &Spec, x: &Column, y: &Column) -> Result<Vec<Row>, CompareError> {
     let path = &spec.reference;
     let file = File::open(path).map_err(|source| CompareError::Read { path: path.clone(), source })?;
+    if file.metadata().is_ok_and(|about| about.len() > LARGEST) {
+        let source =
+            io::Error::new(io::ErrorKind::FileTooLarge, format!("it is larger than {} MB", LARGEST / 1_000_000));
+        return Err(CompareError::Read { path: path.clone(), source });
+    }
     let in_file = |source| CompareError::Csv { path: path.clone(), source };
     let mut reader = csv::ReaderBuilder::new().comment(Some(b'#')).trim(csv::Trim::All).from_reader(file);
     let headers = reader.headers().map_err(in_file)?.clone();

@@ -110,6 +110,9 @@ fn mistakes_in_the_file_are_named() {
         let message = compared(csv, force, true).unwrap_err().to_string();
         assert!(message.contains(says), "{message}");
     }
+    let endless = format!("travel_mm,punch_force_N\n{}", "1,2\n".repeat(2_600_000));
+    let error = std::error::Error::source(&compared(&endless, force, true).unwrap_err()).unwrap().to_string();
+    assert_eq!(error, "it is larger than 10 MB");
     let kp = compared("travel_mm,force_kp\n1,2\n", |d| spec(d, "travel_mm", "force_kp", Quantity::PunchForce), true);
     assert!(kp.unwrap_err().to_string().contains("known units"));
     let mm = compared("travel_mm,force_mm\n1,2\n", |d| spec(d, "travel_mm", "force_mm", Quantity::PunchForce), true);

@@ -9,6 +9,8 @@ use crate::quantity::rounded;
 const ROUNDED: f64 = 1e-6;
 /// No part is deeper than this many blank radii [–].
 const DEEPEST: f64 = 3.0;
+/// A travel below this many thicknesses forms nothing [–].
+const SHALLOWEST: f64 = 1e-3;
 
 pub(super) fn check(model: &Model, source: &Source) -> Result<(), CaseError> {
     let (t, length) = (rounded(model.blank.thickness), rounded(model.blank.length));
@@ -19,6 +21,10 @@ pub(super) fn check(model: &Model, source: &Source) -> Result<(), CaseError> {
     if model.travel > DEEPEST * length {
         let what =
             format!("a travel of {} mm is more than {DEEPEST} times the blank's {length} mm", rounded(model.travel));
+        return Err(source.error("tools.punch.travel", what, "check the unit"));
+    }
+    if model.travel < SHALLOWEST * t {
+        let what = format!("a travel of {} mm is next to nothing for a sheet of {t} mm", rounded(model.travel));
         return Err(source.error("tools.punch.travel", what, "check the unit"));
     }
     let Some(die) = model.tool(Role::Die) else {

@@ -63,6 +63,10 @@ pub(super) fn convert(file: &file::Solver, source: &Source) -> Result<Settings, 
     Ok(settings)
 }
 
+/// Frames closer than this share of the travel are one, and nearer than that no step is worth taking [–].
+const SAME: f64 = 1e-9;
+const CLOSEST: f64 = 1e-6;
+
 /// Travels at which the state is kept [mm], rising, the last one the full travel.
 pub(super) fn frames(file: &file::Output, travel: f64, source: &Source) -> Result<Vec<f64>, CaseError> {
     let Some(list) = &file.frames else {
@@ -80,6 +84,18 @@ pub(super) fn frames(file: &file::Output, travel: f64, source: &Source) -> Resul
     frames.retain(|&f| f < travel * (1.0 - 1e-9));
     frames.push(travel);
     frames.sort_by(f64::total_cmp);
-    frames.dedup();
+    frames.dedup_by(|later, earlier| *later - *earlier < SAME * travel);
+    let mut before = 0.0;
+    for &frame in &frames {
+        if frame - before < CLOSEST * travel {
+            let what = format!(
+                "frames at {} and {} mm are closer than a millionth of the travel",
+                rounded(before),
+                rounded(frame)
+            );
+            return Err(source.error("output.frames", what, "keep one of them; the flat sheet at 0 mm is none"));
+        }
+        before = frame;
+    }
     Ok(frames)
 }

@@ -189,10 +189,18 @@ fn holder_profile(
     profile::convert(steps, Role::Holder, sheet, source, derived)
 }
 
+/// Whether a force in N or N/mm can be told from round-off; none at all is a case of its own.
+fn presses(force: f64) -> bool {
+    force == 0.0 || force >= 1e-6
+}
+
 fn holder_force(force: HolderForce, geometry: Geometry, source: &Source) -> Result<f64, CaseError> {
     let (what, help) = match (geometry, force) {
-        (Geometry::Axisymmetric, HolderForce::Ring(force)) => return Ok(force.value()),
-        (Geometry::PlaneStrain, HolderForce::PerDepth(force)) => return Ok(force.value()),
+        (Geometry::Axisymmetric, HolderForce::Ring(force)) if presses(force.value()) => return Ok(force.value()),
+        (Geometry::PlaneStrain, HolderForce::PerDepth(force)) if presses(force.value()) => return Ok(force.value()),
+        (Geometry::Axisymmetric, HolderForce::Ring(_)) | (Geometry::PlaneStrain, HolderForce::PerDepth(_)) => {
+            ("this `force` is next to nothing", "write 0 if the holder has no force, or check the unit")
+        }
         (Geometry::Axisymmetric, HolderForce::PerDepth(_)) => {
             ("in an axisymmetric case `force` is that of the whole ring", "write a force, such as force = \"80 kN\"")
         }
