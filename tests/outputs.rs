@@ -217,6 +217,17 @@ fn every_plot_has_a_title_and_curves_without_system_fonts() {
     }
 }
 
+/// XML cannot hold control characters, and a title can: they are left out of pictures, the rest is drawn.
+#[test]
+fn a_title_may_hold_any_character() {
+    let mut model = common::model(Geometry::Axisymmetric);
+    model.title = "Cup \u{0}\u{7}\u{1b}[1m\u{fffe} <&\"> \u{202e}".to_owned();
+    let run = common::run(&model);
+    for output in OUTPUTS {
+        assert!(output.bytes(&common::subject(&model, &run)).is_some(), "{}", output.file);
+    }
+}
+
 /// For looking: `cargo test --test outputs -- --ignored` writes every file to target/sample.
 #[test]
 #[ignore = "writes target/sample"]
