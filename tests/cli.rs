@@ -148,7 +148,7 @@ fn a_place_that_cannot_be_written_to_is_2_before_anything_is_solved() {
     assert_eq!(fs::read_to_string(dir.path().join("taken")).unwrap(), "mine");
 }
 
-/// Trust: the law is so stiff against the contact that no first step is found in one iteration.
+/// Trust: one iteration does not find a first step, and steps may not be made smaller.
 #[test]
 fn a_run_that_never_starts_leaves_tables_and_where_it_would_have_started() {
     let dir = folder(CUP);

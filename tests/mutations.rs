@@ -488,7 +488,7 @@ fn check(text: &str) {
     }
 }
 
-/// No text of these takes longer; the slowest reduced model takes about a second on an idle machine.
+/// The slowest reduced model takes about a tenth of a second; a busy machine gets six hundred times as long.
 const LONGEST: Duration = Duration::from_secs(60);
 
 /// As [`check`], under a watch.
