@@ -4,6 +4,10 @@
 //!
 //! `cargo bench --bench cases`
 
+#[path = "../tests/common/files.rs"]
+mod files;
+
+use files::files;
 use stampflow::record::IterationRecord;
 use stampflow::{Model, Observer, case, solver};
 use std::hint::black_box;
@@ -45,17 +49,11 @@ fn bare(model: &Model) -> f64 {
 }
 
 fn main() {
-    let mut paths: Vec<_> = std::fs::read_dir("cases")
-        .expect("run from the project's folder")
-        .map(|entry| entry.expect("readable").path())
-        .filter(|path| path.extension().is_some_and(|e| e == "toml"))
-        .collect();
-    paths.sort();
     println!(
         "{:<24} {:>9} {:>6} {:>6} {:>9} {:>14} {:>12} {:>7}",
         "case", "wall ms", "steps", "iter.", "rejected", "ns/layer point", "ns bare law", "ratio"
     );
-    for path in paths {
+    for path in files("cases", "toml") {
         let case = case::load(&path, &[]).unwrap_or_else(|e| panic!("{e}"));
         let model = &case.model;
         let mut count = Count::default();

@@ -11,6 +11,7 @@ pub use curve::{CurveSpec, Point, Points, Quantity};
 pub use error::CompareError;
 pub use source::Source;
 
+use crate::quantity::rounded;
 use crate::table::{Axis, Column, Table};
 use std::fmt;
 use std::path::PathBuf;
@@ -151,7 +152,7 @@ impl Comparison {
     /// What is accepted: `5 %` of a curve, `467.3 to 468.5 mm`.
     pub fn accepted(&self) -> String {
         match (&self.spec.against, &self.found) {
-            (Against::Curve(curve), _) => format!("{} %", 100.0 * curve.tolerance),
+            (Against::Curve(curve), _) => format!("{} %", rounded(100.0 * curve.tolerance)),
             (Against::Band(_), Found::Band(band)) => band.accepted.text(self.y.unit),
             (Against::Band(_), _) => "–".to_owned(),
         }

@@ -110,5 +110,11 @@ quantities! {
     Number = Kind { name: "a plain number", dimension: NONE, unit: "", examples: &["0.1"], largest: 1e12 };
 }
 
+/// Nine significant digits: more than anyone measures, and no binary noise at the end (31.4 mm, not
+/// 31.400000000000002 mm).
+pub fn rounded(value: f64) -> f64 {
+    format!("{value:.8e}").parse::<f64>().map_or(value, |v| v + 0.0) // −0 becomes 0
+}
+
 #[cfg(test)]
 mod tests;

@@ -130,8 +130,8 @@ pub struct StepRecord {
     pub flips: usize,
     /// Largest equivalent strain that the step added at a layer point \[–\].
     pub strain_increment: f64,
-    /// Smallest bending radius of the mid-surface over the thickness \[–\]; infinite while the sheet is flat.
-    pub bend_radius: f64,
+    /// Thickness over the smallest bending radius of the mid-surface \[–\]; 0 while the sheet is flat.
+    pub sharpest_bend: f64,
     pub iterations: usize,
     /// Tries that were rejected before this step was accepted.
     pub rejected: usize,

@@ -1,5 +1,9 @@
 //! The command line as a user meets it: files, exit codes, and what is left behind.
 
+#[path = "common/files.rs"]
+mod files;
+
+use files::files;
 use std::fs;
 use std::path::Path;
 use std::process::{Command, Output};
@@ -104,7 +108,7 @@ fn bad_input_ends_with_2_and_writes_nothing() {
         let done = stampflow(dir.path(), args);
         assert_eq!(done.status.code(), Some(2), "{args:?}: {}", text(&done.stderr));
         assert!(!done.stderr.is_empty() && done.stdout.is_empty(), "{args:?}");
-        assert_eq!(fs::read_dir(dir.path()).unwrap().count(), 1, "{args:?} left something behind");
+        assert_eq!(files(dir.path(), "").len(), 1, "{args:?} left something behind");
     }
 }
 
@@ -120,14 +124,65 @@ fn an_early_end_is_3_and_keeps_its_results() {
     assert!(json.contains("\"complete\": false"));
 }
 
+/// Found before solving: the progress, which the run would show, is not there.
 #[test]
-fn a_folder_that_cannot_be_made_is_1() {
-    let dir = folder(CUP);
+fn a_place_that_cannot_be_written_to_is_2_before_anything_is_solved() {
+    let dir = folder(&format!("{CUP}{COMPARE}optional = true\n"));
     fs::write(dir.path().join("taken"), "mine").unwrap();
-    let done = stampflow(dir.path(), &["run", "cases/cup.toml", "-q", "--out", "taken"]);
-    assert_eq!(done.status.code(), Some(1));
-    assert!(text(&done.stderr).contains("cannot write taken"), "{}", text(&done.stderr));
+    fs::create_dir(dir.path().join("folder")).unwrap();
+    fs::create_dir_all(dir.path().join("half/summary.json")).unwrap();
+    for (args, says) in [
+        (&["run", "cases/cup.toml", "--out", "taken"][..], "cannot write taken/summary.json"),
+        (&["run", "cases/cup.toml", "--out", "taken/deeper"], "--out"),
+        (&["run", "cases/cup.toml", "--out", "half"], "cannot write half/summary.json: is a directory"),
+        (&["run", "cases/cup.toml", "--trace", "folder"], "another place with --trace"),
+        (&["run", "cases/cup.toml", "--trace", "taken/t.csv"], "cannot write taken/t.csv"),
+        (&["validate", "--out", "taken"], "--out"),
+    ] {
+        let done = stampflow(dir.path(), args);
+        assert_eq!(done.status.code(), Some(2), "{args:?}: {}", text(&done.stderr));
+        assert!(text(&done.stderr).contains(says), "{args:?}: {}", text(&done.stderr));
+        assert!(!text(&done.stderr).contains("10 %"), "{args:?} was solved first");
+        assert_eq!(files(dir.path(), "").len(), 4, "{args:?} left something behind");
+    }
     assert_eq!(fs::read_to_string(dir.path().join("taken")).unwrap(), "mine");
+}
+
+/// Trust: one iteration does not find a first step, and steps may not be made smaller.
+#[test]
+fn a_run_that_never_starts_leaves_tables_and_where_it_would_have_started() {
+    let dir = folder(CUP);
+    stampflow(dir.path(), &["run", "cases/cup.toml", "-q"]);
+    let out = dir.path().join("out/cup");
+    fs::write(out.join("compare_1_punch_force.png"), "of an earlier case").unwrap();
+    fs::write(out.join("mine.txt"), "mine").unwrap();
+    let set = ["--set", "solver.max_iterations=1", "--set", "solver.min_step=0.002"];
+    let done = stampflow(dir.path(), &[&["run", "cases/cup.toml", "-q"], &set[..]].concat());
+    assert_eq!(done.status.code(), Some(3), "{}{}", text(&done.stdout), text(&done.stderr));
+    let names: Vec<_> =
+        files(&out, "").iter().map(|path| path.file_name().unwrap().to_str().unwrap().to_owned()).collect();
+    assert_eq!(names, ["load_travel.csv", "mine.txt", "profile.csv", "shapes.png", "summary.json"]);
+    assert!(text(&done.stdout).contains("4 files"), "{}", text(&done.stdout));
+}
+
+#[test]
+fn options_are_offered_where_they_have_a_use() {
+    let dir = folder(CUP);
+    for (verb, threads) in [("run", true), ("validate", true), ("check", false), ("schema", false)] {
+        let help = stampflow(dir.path(), &[verb, "--help"]);
+        assert_eq!(text(&help.stdout).contains("--threads"), threads, "{verb}");
+    }
+    assert_eq!(stampflow(dir.path(), &["run", "cases/cup.toml", "-q", "--threads", "1"]).status.code(), Some(0));
+}
+
+#[test]
+fn validation_away_from_the_project_asks_for_its_cases() {
+    let dir = tempfile::tempdir().unwrap();
+    let done = stampflow(dir.path(), &["validate"]);
+    assert_eq!(done.status.code(), Some(2));
+    assert!(
+        text(&done.stderr).contains("there is no folder cases: give the folder of the case files with --cases DIR")
+    );
 }
 
 /// The computed curve is made the reference, once as it is and once 10 % off.
@@ -169,5 +224,5 @@ fn schema_and_check_only_print() {
     let check = stampflow(dir.path(), &["check", "cases/cup.toml"]);
     assert_eq!(check.status.code(), Some(0), "{}", text(&check.stderr));
     assert!(!check.stdout.is_empty());
-    assert_eq!(fs::read_dir(dir.path()).unwrap().count(), 1);
+    assert_eq!(files(dir.path(), "").len(), 1);
 }

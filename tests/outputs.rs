@@ -7,7 +7,9 @@ use stampflow::compare::{
     Against, BandQuantity, BandSpec, Comparison, Computed, CurveSpec, Found, Quantity, Spec, compare,
 };
 use stampflow::model::{Geometry, Model};
-use stampflow::output::{Make, OUTPUTS, Summary, load_travel, png, profile, svg, write_all, write_comparison};
+use stampflow::output::{
+    Make, OUTPUTS, Summary, load_travel, png, profile, remove_stale, svg, write_all, write_comparison,
+};
 use stampflow::record::Run;
 use stampflow::table::Table;
 use std::fs;
@@ -36,7 +38,7 @@ fn load_travel_begins_with_travel_and_forces() {
 fn profile_has_one_row_per_frame_and_element_from_the_axis_outward() {
     let model = common::model(Geometry::Axisymmetric);
     let run = common::run(&model);
-    let table = profile::table(&run.frames);
+    let table = profile::table(model.geometry, &run.frames);
     assert!(headers(&table).starts_with(
         "travel_mm,s0_mm,r_mm,z_mm,thickness_mm,strain_meridional,strain_hoop,strain_thickness,strain_equivalent,\
          stress_meridional_MPa,stress_hoop_MPa"
@@ -46,8 +48,8 @@ fn profile_has_one_row_per_frame_and_element_from_the_axis_outward() {
     let element = run.frames[2].elements[3];
     assert_eq!(table.column("travel").values[2 * n + 3], run.frames[2].travel);
     assert_eq!(table.column("thickness").values[2 * n + 3], element.thickness);
-    assert_eq!(profile::last(&run.frames).column("travel").values, vec![50.0; n]);
-    assert_eq!(profile::last(&[]).rows(), 0);
+    assert_eq!(profile::last(model.geometry, &run.frames).column("travel").values, vec![50.0; n]);
+    assert_eq!(profile::last(model.geometry, &[]).rows(), 0);
 }
 
 /// Trust: over the whole list. Both texts end in a unit, and it must be the same one.
@@ -103,15 +105,61 @@ fn the_summary_says_the_same_in_print_and_in_json() {
     }
 }
 
-/// An early end may leave nothing at all; every file is still made.
+/// What never started has tables, a summary, and one plot: tools and sheet where they would have begun.
 #[test]
-fn a_run_without_a_step_makes_every_file() {
+fn a_run_without_a_step_draws_no_empty_axes() {
     let model = common::model(Geometry::PlaneStrain);
     let mut run = common::run(&model);
     run.history.clear();
     run.frames.clear();
+    let subject = common::subject(&model, &run);
     for output in OUTPUTS {
-        assert!(!output.bytes(&common::subject(&model, &run)).is_empty(), "{}", output.file);
+        let plotted = matches!(output.make, Make::Plot(_));
+        let made = output.bytes(&subject);
+        assert_eq!(made.is_some(), !plotted || output.file == "shapes.png", "{}", output.file);
+        assert!(made.is_none_or(|bytes| !bytes.is_empty()), "{}", output.file);
+    }
+}
+
+#[test]
+fn stale_files_of_ours_go_and_a_users_stay() {
+    let dir = tempfile::tempdir().unwrap();
+    let names = ["compare_2_punch_force.png", "compare_1_travel.csv", "strains.png", "summary.json"];
+    let mine = ["compare_mine.png", "compare_1_force.csv", "notes.txt", "load_travel.csv.bak"];
+    for name in names.iter().chain(&mine) {
+        fs::write(dir.path().join(name), "old").unwrap();
+    }
+    remove_stale(dir.path(), &[dir.path().join("summary.json")]).unwrap();
+    let mut left: Vec<_> =
+        fs::read_dir(dir.path()).unwrap().map(|e| e.unwrap().file_name().into_string().unwrap()).collect();
+    left.sort();
+    let mut expected = [&["summary.json"], &mine[..]].concat();
+    expected.sort_unstable();
+    assert_eq!(left, expected);
+}
+
+/// Trust: over every text of every table, plot and the summary.
+#[test]
+fn plane_strain_has_no_axis_hoops_or_rings() {
+    let model = common::model(Geometry::PlaneStrain);
+    let run = common::run(&model);
+    let subject = common::subject(&model, &run);
+    let mut texts = vec![Summary::of(&subject).to_string()];
+    for output in OUTPUTS {
+        match output.make {
+            Make::Table(make) => texts.extend(make(&subject).columns.iter().map(|c| c.label.to_owned())),
+            Make::Plot(make) => {
+                let chart = make(&subject).expect("a plot");
+                texts.extend(chart.panels.iter().flat_map(|p| [p.x.text().to_owned(), p.y.text().to_owned()]));
+                texts.extend(chart.panels.iter().flat_map(|p| &p.series).filter_map(|s| s.label.clone()));
+                texts.extend(chart.notes);
+            }
+            Make::Text(_) => {}
+        }
+    }
+    for text in texts.iter().flat_map(|text| text.lines()) {
+        let words: Vec<String> = text.split(|c: char| !c.is_alphabetic()).map(str::to_lowercase).collect();
+        assert!(!["axis", "hoop", "ring", "meridional"].iter().any(|w| words.iter().any(|word| word == w)), "{text}");
     }
 }
 
@@ -146,7 +194,7 @@ fn band(dir: &Path, model: &Model, run: &Run) -> Comparison {
 
 fn compared(reference: PathBuf, against: Against, reason: &str, model: &Model, run: &Run) -> Comparison {
     let spec = Spec { reference, against, reason: reason.to_owned(), optional: false, demonstration: false };
-    let (history, profile) = (load_travel::table(model, run), profile::last(&run.frames));
+    let (history, profile) = (load_travel::table(model, run), profile::last(model.geometry, &run.frames));
     compare(&spec, &Computed { history: &history, profile: &profile, complete: true }).unwrap()
 }
 
@@ -200,13 +248,24 @@ fn every_plot_has_a_title_and_curves_without_system_fonts() {
     let run = common::run(&model);
     for output in OUTPUTS {
         let Make::Plot(make) = output.make else { continue };
-        let pixels = Pixmap::decode_png(&png(&svg(&make(&common::subject(&model, &run))))).unwrap();
+        let pixels = Pixmap::decode_png(&png(&svg(&make(&common::subject(&model, &run)).expect("a plot")))).unwrap();
         assert_eq!(pixels.width(), 1600);
         let row = |y: usize| &pixels.pixels()[y * 1600..(y + 1) * 1600];
         let title = (20..75).flat_map(row).filter(|p| p.red() < 100).count();
         assert!(title > 1000, "{}: {title} dark pixels in the title", output.file);
         let vivid = pixels.pixels().iter().filter(|p| p.blue() > 150 && p.red() < 20).count();
         assert!(vivid > 1000, "{}: {vivid} pixels in the first curve's blue", output.file);
+    }
+}
+
+/// XML cannot hold control characters, and a title can: they are left out of pictures, the rest is drawn.
+#[test]
+fn a_title_may_hold_any_character() {
+    let mut model = common::model(Geometry::Axisymmetric);
+    model.title = "Cup \u{0}\u{7}\u{1b}[1m\u{fffe} <&\"> \u{202e}".to_owned();
+    let run = common::run(&model);
+    for output in OUTPUTS {
+        assert!(output.bytes(&common::subject(&model, &run)).is_some(), "{}", output.file);
     }
 }
 

@@ -6,6 +6,7 @@ mod warn;
 use super::Case;
 use super::measure::extent;
 use crate::model::{Face, Geometry, Model, Motion, Role, Theory};
+use crate::quantity::rounded;
 use std::fmt;
 
 /// One line of the report.
@@ -98,7 +99,7 @@ fn tools(model: &Model, lines: &mut Vec<Line>) {
         lines.push(line(tool.role.name(), size, format!("{what}{corners}, friction {}", tool.friction)));
     }
     if model.travel > 0.0 {
-        lines.push(line("travel", mm(model.travel), format!("mm at {} mm/s", model.speed)));
+        lines.push(line("travel", mm(model.travel), format!("mm at {} mm/s", rounded(model.speed))));
     }
     for bead in &model.beads {
         let meaning = format!("mm from the axis, restraining {} N/mm, closing {} N/mm", bead.restraining, bead.closing);
@@ -137,10 +138,9 @@ fn holder(model: &Model, strength: f64, lines: &mut Vec<Line>) {
         c => format!("{unit} on the flat sheet, and {c:.0} {unit} more per mm that it is lifted"),
     };
     lines.push(line("holder force", text, meaning));
-    let force = most;
-    let Some(area) = estimate::held_area(model) else { return };
-    let pressure = format!("{:.3}", force / area);
-    lines.push(line("holder pressure", pressure, "MPa on the initial area between holder and die's flat"));
+    let (Some(area), Some(pressure)) = (estimate::held_area(model), estimate::holder_pressure(model)) else { return };
+    let meaning = "MPa on the initial area between holder and die's flat";
+    lines.push(line("holder pressure", format!("{pressure:.3}"), meaning));
     if let Some(siebel) = estimate::siebel_pressure(model, strength) {
         let meaning =
             "MPa by Siebel's rule, 0.0025 [(β − 1)² + 0.5 d/(100 t)] R_m, as Kugler, Umformtechnik (2009), has it";

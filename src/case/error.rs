@@ -5,6 +5,12 @@ use std::ops::Range;
 use std::path::Path;
 use std::sync::Arc;
 
+/// What a message quotes at most, in characters: a slip of the keyboard, not the whole of a long text.
+const LONGEST: usize = 300;
+
+/// A line of the file longer than this is not shown \[bytes\].
+const LONGEST_LINE: usize = 250;
+
 /// A case that cannot be solved as it is written.
 #[derive(Clone, Debug, thiserror::Error, Diagnostic)]
 #[error("{what}")]
@@ -27,8 +33,11 @@ impl CaseError {
         label: String,
         help: String,
     ) -> Self {
-        let help = (!help.is_empty()).then_some(help);
-        Self { what, label, help, source_code: source, span: Some(span.into()) }
+        // A place that spans lines is shown by its first.
+        let first_line = source.inner().get(span.clone()).and_then(|text| text.find('\n'));
+        let span = span.start..first_line.map_or(span.end, |length| span.start + length);
+        let help = (!help.is_empty()).then(|| shortened(&help));
+        Self { what: shortened(&what), label: shortened(&label), help, source_code: source, span: Some(span.into()) }
     }
 
     /// An error outside of any file's text.
@@ -41,6 +50,7 @@ impl CaseError {
         let what = match error.kind() {
             std::io::ErrorKind::NotFound => format!("there is no file {}", path.display()),
             std::io::ErrorKind::InvalidData => format!("{} is not UTF-8 text", path.display()),
+            std::io::ErrorKind::IsADirectory => format!("{} is a folder", path.display()),
             _ => format!("{} cannot be read: {error}", path.display()),
         };
         Self::bare(what, "give the path of a case file, such as cases/quickstart.toml".into())
@@ -60,10 +70,30 @@ impl CaseError {
 
     /// The whole message with the line and a caret, 100 columns wide; without colours the same everywhere.
     pub fn render(&self, colours: bool) -> String {
+        if let Some((line, column)) = self.position().filter(|(line, _)| self.is_long_around(*line)) {
+            let what = format!("{}: {} (line {line}, column {column})", self.source_code.name(), self.what);
+            return Self { what, span: None, ..self.clone() }.render(colours);
+        }
         let theme = if colours { GraphicalTheme::unicode() } else { GraphicalTheme::unicode_nocolor() };
         let mut text = String::new();
         let handler = GraphicalReportHandler::new_themed(theme).with_width(100).with_links(false);
         handler.render_report(&mut text, self).expect("writing to a string does not fail");
         text.lines().map(|line| line.trim_end().to_owned() + "\n").collect()
     }
+
+    /// Whether the line or its neighbours, which are shown with it, are too long to be read.
+    fn is_long_around(&self, line: usize) -> bool {
+        self.source_code.inner().lines().skip(line.saturating_sub(2)).take(3).any(|text| text.len() > LONGEST_LINE)
+    }
+}
+
+/// The text, its middle left out when it is long.
+fn shortened(text: &str) -> String {
+    let length = text.chars().count();
+    if length <= 2 * LONGEST {
+        return text.to_owned();
+    }
+    let start: String = text.chars().take(LONGEST).collect();
+    let end: String = text.chars().skip(length - LONGEST / 3).collect();
+    format!("{start} … {end}")
 }

@@ -40,7 +40,12 @@ pub use schema::schema;
 use crate::compare::Spec;
 use crate::model::Model;
 use source::Source;
+use std::fs::File;
+use std::io::Read;
 use std::path::{Path, PathBuf};
+
+/// The largest case file \[bytes\]; a thousand times the size of a long one.
+const LARGEST: usize = 2_000_000;
 
 /// A case: the problem to solve, what to compare it with, and the text it came from.
 #[derive(Clone, Debug, PartialEq)]
@@ -62,7 +67,10 @@ pub struct Case {
 /// When the file cannot be read, or as [`parse`].
 pub fn load(path: impl AsRef<Path>, overrides: &[String]) -> Result<Case, CaseError> {
     let path = path.as_ref();
-    let text = std::fs::read_to_string(path).map_err(|error| CaseError::unreadable(path, &error))?;
+    let unreadable = |error| CaseError::unreadable(path, &error);
+    let mut text = String::new();
+    // No more than is needed to see that it is too much: a path may lead to a device that never ends.
+    File::open(path).map_err(unreadable)?.take(LARGEST as u64 + 1).read_to_string(&mut text).map_err(unreadable)?;
     parse(&text, &path.to_string_lossy(), overrides)
 }
 
@@ -74,6 +82,10 @@ pub fn load(path: impl AsRef<Path>, overrides: &[String]) -> Result<Case, CaseEr
 /// # Errors
 /// When the text is not TOML, a key is unknown or missing, or a value makes no sense; the error points to its line.
 pub fn parse(text: &str, name: &str, overrides: &[String]) -> Result<Case, CaseError> {
+    if text.len() > LARGEST {
+        let what = format!("{name} is no case file: it is larger than {} MB", LARGEST / 1_000_000);
+        return Err(CaseError::bare(what, "give the path of a case file, such as cases/quickstart.toml".into()));
+    }
     let text = overrides::apply(text, overrides)?;
     let shown = if overrides.is_empty() { name.to_owned() } else { format!("{name} (with overrides)") };
     let source = Source::parse(&shown, &text)?;

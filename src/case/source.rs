@@ -26,6 +26,12 @@ impl<'t> Source<'t> {
 
     /// Reads the keys.
     pub fn read(&self) -> Result<CaseFile, CaseError> {
+        if self.tree.get_ref().is_empty() {
+            let what = if self.text.trim().is_empty() { "the file is empty" } else { "the file holds comments only" };
+            let help = "a case needs title, geometry, [blank], a law such as [material.hardening.swift], [tools.punch] and \
+                        mostly [tools.die] and [tools.holder]; begin with a copy of cases/quickstart.toml";
+            return Err(self.error_at(0..0, what.into(), "here".into(), help.into()));
+        }
         toml::from_str(self.text).map_err(|error| explain::content(&error, self))
     }
 

@@ -2,6 +2,8 @@
 
 use stampflow::case::CaseError;
 use stampflow::compare::CompareError;
+use stampflow::output::WriteError;
+use std::error::Error;
 use std::io::{self, IsTerminal};
 use std::process::ExitCode;
 
@@ -32,6 +34,14 @@ pub enum Code {
 #[derive(Debug, thiserror::Error)]
 #[error("{0}")]
 pub struct BadRequest(pub String);
+
+/// A place for results that cannot be written to, found before anything is solved.
+pub fn unusable(option: &str) -> impl Fn(WriteError) -> BadRequest {
+    move |error| {
+        let cause = error.source().map_or(String::new(), |cause| format!(": {cause}"));
+        BadRequest(format!("{error}{cause}; choose another place with {option}"))
+    }
+}
 
 impl Code {
     /// The code that an error ends the program with.

@@ -4,7 +4,7 @@ use super::progress::Watch;
 use rayon::prelude::*;
 use stampflow::case::{self, Case};
 use stampflow::compare::{CompareError, Comparison, Computed, compare};
-use stampflow::output::{Subject, load_travel, profile, write_all, write_comparison};
+use stampflow::output::{Subject, load_travel, profile, remove_stale, write_all, write_comparison};
 use stampflow::record::{IterationRecord, Run};
 use stampflow::solver;
 use std::path::{Path, PathBuf};
@@ -69,6 +69,7 @@ impl Solved {
     pub fn write(&self, dir: &Path) -> anyhow::Result<Vec<PathBuf>> {
         let mut written = write_all(&self.subject(), dir)?;
         written.extend(self.write_comparisons(dir)?);
+        remove_stale(dir, &written)?;
         Ok(written)
     }
 
@@ -98,7 +99,7 @@ pub fn solve_all<T: Send>(
 
 fn compared(case: &Case, run: &Run) -> Result<Vec<Comparison>, CompareError> {
     let history = load_travel::table(&case.model, run);
-    let profile = profile::last(&run.frames);
+    let profile = profile::last(case.model.geometry, &run.frames);
     let computed = Computed { history: &history, profile: &profile, complete: run.stop.is_complete() };
     case.compare.iter().map(|spec| compare(spec, &computed)).collect()
 }

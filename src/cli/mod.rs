@@ -19,9 +19,6 @@ use std::path::PathBuf;
 pub struct Args {
     #[command(subcommand)]
     verb: Verb,
-    /// Threads for cases that run side by side [default: one per core]
-    #[arg(long, global = true, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
-    threads: Option<u16>,
 }
 
 #[derive(Debug, Subcommand)]
@@ -55,11 +52,25 @@ struct Overrides {
     set: Vec<String>,
 }
 
+#[derive(Debug, clap::Args)]
+struct Threads {
+    /// Threads for cases that run side by side [default: one per core]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
+    threads: Option<u16>,
+}
+
+impl Threads {
+    /// Makes it so, once and before anything runs.
+    fn apply(&self) -> anyhow::Result<()> {
+        if let Some(threads) = self.threads {
+            rayon::ThreadPoolBuilder::new().num_threads(threads.into()).build_global()?;
+        }
+        Ok(())
+    }
+}
+
 /// Does what was asked for.
 pub fn main(args: Args) -> anyhow::Result<Code> {
-    if let Some(threads) = args.threads {
-        rayon::ThreadPoolBuilder::new().num_threads(threads.into()).build_global()?;
-    }
     match args.verb {
         Verb::Run(args) => run::run(&args),
         Verb::Validate(args) => validate::validate(&args),

@@ -1,10 +1,10 @@
 //! `stampflow run`: from case files to folders of results.
 
-use super::code::BadRequest;
+use super::code::{BadRequest, unusable};
 use super::job::{Job, Solved, solve_all};
 use super::progress::Progress;
-use super::{Code, Overrides, say};
-use stampflow::output::{OUTPUTS, Summary, csv, trace, write};
+use super::{Code, Overrides, Threads, say};
+use stampflow::output::{OUTPUTS, Summary, can_write, can_write_all, csv, trace, write};
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 
@@ -24,11 +24,15 @@ pub struct Args {
     /// Also write every iteration of the solver to this file (one case only)
     #[arg(long, value_name = "FILE.csv")]
     trace: Option<PathBuf>,
+    #[command(flatten)]
+    threads: Threads,
 }
 
 /// What is written, from the list that writes it.
 pub fn help() -> String {
-    let mut help = String::from("Written, each file complete or not at all:\n");
+    let mut help = String::from(
+        "Written, each file complete or not at all; what an earlier run left in the folder is replaced:\n",
+    );
     for output in OUTPUTS {
         let _ = writeln!(help, "  {:<18} {}", output.file, output.about);
     }
@@ -46,6 +50,13 @@ pub fn run(args: &Args) -> anyhow::Result<Code> {
     }
     let jobs = load(args)?;
     let several = jobs.len() > 1;
+    for job in &jobs {
+        can_write_all(&folder(args, several, &job.case.name)).map_err(unusable("--out"))?;
+    }
+    if let Some(path) = &args.trace {
+        can_write(path).map_err(unusable("--trace"))?;
+    }
+    args.threads.apply()?;
     let progress = Progress::new(args.quiet);
     let reports = solve_all(
         jobs,

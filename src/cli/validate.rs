@@ -1,11 +1,13 @@
 //! `stampflow validate`: every case against its published curves.
 
-use super::code::BadRequest;
+use super::code::{BadRequest, unusable};
 use super::job::{Job, solve_all};
 use super::progress::Progress;
-use super::{Code, say};
+use super::{Code, Threads, say};
 use anyhow::Context;
 use stampflow::compare::Comparison;
+use stampflow::output::can_write_all;
+use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 
 pub const HELP: &str = "\
@@ -30,6 +32,8 @@ pub struct Args {
     /// Show no progress
     #[arg(long, short)]
     quiet: bool,
+    #[command(flatten)]
+    threads: Threads,
 }
 
 const HEADERS: [&str; 8] = ["case", "quantity", "reference", "kind, grade", "worst", "accepted", "verdict", "reason"];
@@ -45,6 +49,10 @@ pub fn validate(args: &Args) -> anyhow::Result<Code> {
     if jobs.is_empty() {
         return Err(BadRequest(format!("no case in {} has a [[compare]] table", args.cases.display())).into());
     }
+    for job in &jobs {
+        can_write_all(&args.out.join(&job.case.name)).map_err(unusable("--out"))?;
+    }
+    args.threads.apply()?;
     let progress = Progress::new(args.quiet);
     let outcomes = solve_all(
         jobs,
@@ -64,7 +72,17 @@ pub fn validate(args: &Args) -> anyhow::Result<Code> {
 
 /// The case files of a folder in alphabetical order.
 fn case_files(dir: &Path) -> anyhow::Result<Vec<PathBuf>> {
-    let entries = std::fs::read_dir(dir).map_err(|e| BadRequest(format!("cannot read {}: {e}", dir.display())))?;
+    let entries = std::fs::read_dir(dir).map_err(|error| {
+        let why = if dir.is_file() { "is a file, not a folder of case files" } else { "cannot be read" };
+        BadRequest(match error.kind() {
+            ErrorKind::NotFound => format!(
+                "there is no folder {}: give the folder of the case files with --cases DIR (the project's own are in its \
+                 folder `cases`)",
+                dir.display()
+            ),
+            _ => format!("{} {why}: {error}; give a folder with --cases DIR", dir.display()),
+        })
+    })?;
     let mut files = Vec::new();
     for entry in entries {
         let path = entry.with_context(|| format!("cannot read {}", dir.display()))?.path();

@@ -14,6 +14,8 @@ pub enum CompareError {
     Sources { path: PathBuf, source: toml::de::Error },
     #[error("{} has no column `{column}`; it has {found}", path.display())]
     Column { path: PathBuf, column: String, found: String },
+    #[error("{} separates its columns by {found:?}: write commas between columns, and points in numbers", path.display())]
+    Separator { path: PathBuf, found: char },
     #[error("{}: {error}", path.display())]
     Unit { path: PathBuf, error: UnitError },
     #[error("{}: column `{column}` cannot be compared with the computed {with}", path.display())]

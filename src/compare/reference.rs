@@ -4,7 +4,11 @@ use super::CompareError;
 use crate::table::{Column, Unit};
 use csv::StringRecord;
 use std::fs::File;
+use std::io;
 use std::path::Path;
+
+/// The largest file \[bytes\]: a hundred thousand points.
+const LARGEST: u64 = 10_000_000;
 
 /// A reference file: its headers and rows as text.
 pub(super) struct Reference<'p> {
@@ -24,9 +28,17 @@ impl<'p> Reference<'p> {
     /// Reads the file whole.
     pub fn read(path: &'p Path) -> Result<Self, CompareError> {
         let file = File::open(path).map_err(|source| CompareError::Read { path: path.to_owned(), source })?;
+        if file.metadata().is_ok_and(|about| about.len() > LARGEST) {
+            let text = format!("it is larger than {} MB", LARGEST / 1_000_000);
+            let source = io::Error::new(io::ErrorKind::FileTooLarge, text);
+            return Err(CompareError::Read { path: path.to_owned(), source });
+        }
         let in_file = |source| CompareError::Csv { path: path.to_owned(), source };
         let mut reader = csv::ReaderBuilder::new().comment(Some(b'#')).trim(csv::Trim::All).from_reader(file);
         let headers = reader.headers().map_err(in_file)?.clone();
+        if let (1, Some(found)) = (headers.len(), headers[0].chars().find(|c| matches!(c, ';' | '\t'))) {
+            return Err(CompareError::Separator { path: path.to_owned(), found });
+        }
         let rows = reader.records().collect::<Result<_, _>>().map_err(in_file)?;
         Ok(Self { path, headers, rows })
     }

@@ -116,10 +116,15 @@ fn mistakes_in_the_file_are_named() {
         ("travel_mm,punch_force_N\n1,2\n\n2,two\n", "data row 2: `two`"),
         ("travel_mm,punch_force_N\n1,0\n", "is 0 at 1"),
         ("travel_mm,punch_force_N\n", "no rows"),
+        ("travel_mm;punch_force_N\n1,5;2\n", "separates its columns by ';': write commas"),
+        ("travel_mm\tpunch_force_N\n1\t2\n", "separates its columns by '\\t'"),
     ] {
         let message = along(csv, force(), true).unwrap_err().to_string();
         assert!(message.contains(says), "{message}");
     }
+    let endless = format!("travel_mm,punch_force_N\n{}", "1,2\n".repeat(2_600_000));
+    let error = std::error::Error::source(&along(&endless, force(), true).unwrap_err()).unwrap().to_string();
+    assert_eq!(error, "it is larger than 10 MB");
     let kp = along("travel_mm,force_kp\n1,2\n", curve("travel_mm", "force_kp", Quantity::PunchForce), true);
     assert!(kp.unwrap_err().to_string().contains("known units"));
     let mm = along("travel_mm,force_mm\n1,2\n", curve("travel_mm", "force_mm", Quantity::PunchForce), true);

@@ -25,8 +25,9 @@ pub struct Panel {
 /// How the axes are scaled.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Scale {
-    /// Everything fits into this height [px of a picture 800 wide]; zero is shown where it is near.
-    Fit { height: f64 },
+    /// Everything fits into this height [px of a picture 800 wide]; zero is shown where it is near. The y axis spans
+    /// `least` or more, so that it does not zoom in on noise.
+    Fit { height: f64, least: f64 },
     /// Both axes alike and y pointing down the page; at least this window is shown, areas are cut at its border.
     Section { x: (f64, f64), y: (f64, f64) },
 }
@@ -119,9 +120,10 @@ impl Panel {
     pub fn ranges(&self) -> [(f64, f64); 2] {
         match self.scale {
             Scale::Section { x, y } => [x, y],
-            Scale::Fit { .. } => {
+            Scale::Fit { least, .. } => {
                 let points = || self.series.iter().flat_map(|s| &s.points);
-                [fitted(points().map(|p| p.0), 0.02), fitted(points().map(|p| p.1), 0.05)]
+                let [x, y] = [fitted(points().map(|p| p.0), 0.02), fitted(points().map(|p| p.1), 0.05)];
+                [x, widened(y, least)]
             }
         }
     }
@@ -146,6 +148,12 @@ fn fitted(values: impl Iterator<Item = f64>, margin: f64) -> (f64, f64) {
     (if low == 0.0 { 0.0 } else { low - pad }, if high == 0.0 && low < 0.0 { 0.0 } else { high + pad })
 }
 
+/// The range about the same middle, `least` wide or more.
+fn widened((low, high): (f64, f64), least: f64) -> (f64, f64) {
+    let more = 0.5 * (least - (high - low)).max(0.0);
+    (low - more, high + more)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -161,6 +169,21 @@ mod tests {
             let (low, high) = range(&values);
             assert!(low < high && values.iter().all(|v| v.is_nan() || (low..=high).contains(v)), "{values:?}");
         }
+    }
+
+    /// Trust: a thickness that is constant to round-off, and one that is not.
+    #[test]
+    fn an_axis_does_not_zoom_in_on_noise() {
+        let range = |thickness: &[f64]| {
+            let points = thickness.iter().enumerate().map(|(i, t)| (i as f64, *t)).collect();
+            let axis = crate::table::Column::new("x", "X", crate::table::Unit::Mm, vec![]).axis();
+            let scale = Scale::Fit { height: 350.0, least: 0.02 };
+            Panel { x: axis.clone(), y: axis, series: vec![Series::silent(points, Look::curve(0))], scale }.ranges()[1]
+        };
+        let (low, high) = range(&[1.0, 1.000_001]);
+        assert!((low - 0.99).abs() < 1e-5 && (high - 1.01).abs() < 1e-5, "{low} {high}");
+        let (low, high) = range(&[0.8, 1.0]);
+        assert!((low - 0.79).abs() < 1e-9 && (high - 1.01).abs() < 1e-9, "{low} {high}");
     }
 
     #[test]

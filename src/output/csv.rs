@@ -1,5 +1,6 @@
 //! Tables as comma-separated text.
 
+use crate::quantity::rounded;
 use crate::table::Table;
 
 /// One header row (`punch_force_N`), then one row per value, nine significant digits.
@@ -11,11 +12,6 @@ pub fn csv(table: &Table) -> Vec<u8> {
         writer.write_record(table.columns.iter().map(|c| number(c.values[row]))).expect(never);
     }
     writer.into_inner().expect(never)
-}
-
-/// Nine significant digits: more than the solver's tolerance, and no binary noise at the end.
-pub(super) fn rounded(value: f64) -> f64 {
-    format!("{value:.8e}").parse::<f64>().map_or(value, |v| v + 0.0) // −0 becomes 0
 }
 
 fn number(value: f64) -> String {

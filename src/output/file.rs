@@ -21,16 +21,49 @@ pub fn write(path: &Path, bytes: &[u8]) -> Result<(), WriteError> {
 }
 
 fn replace(path: &Path, bytes: &[u8]) -> io::Result<()> {
-    let name = path.file_name().ok_or_else(|| io::Error::new(io::ErrorKind::InvalidInput, "not a file name"))?;
-    let dir = path.parent().unwrap_or(Path::new(""));
-    if !dir.as_os_str().is_empty() {
-        fs::create_dir_all(dir)?;
-    }
-    let temporary = dir.join(format!(".{}.{}.part", name.to_string_lossy(), std::process::id()));
+    let name = name(path)?;
+    let dir = or_here(path.parent().unwrap_or(Path::new("")));
+    fs::create_dir_all(dir)?;
+    let temporary = temporary(dir, &name);
     let mut file = File::create(&temporary)?;
     file.write_all(bytes).and_then(|()| fs::rename(&temporary, path)).inspect_err(|_| {
         let _ = fs::remove_file(&temporary);
     })
+}
+
+/// Whether a file could be written to `path`: found out without leaving anything behind.
+///
+/// # Errors
+/// When a folder stands there, a part of the way to it is no folder, or nothing may be made there.
+pub fn can_write(path: &Path) -> Result<(), WriteError> {
+    probe(path).map_err(|source| WriteError { path: path.to_owned(), source })
+}
+
+fn probe(path: &Path) -> io::Result<()> {
+    if path.is_dir() {
+        return Err(io::Error::from(io::ErrorKind::IsADirectory));
+    }
+    name(path)?;
+    // What is missing of the way can be made where the nearest folder that is there may be written to.
+    let there = path.ancestors().skip(1).map(or_here).find(|dir| dir.symlink_metadata().is_ok());
+    let probe = temporary(there.unwrap_or(Path::new(".")), "probe");
+    File::create_new(&probe)?;
+    fs::remove_file(&probe)
+}
+
+/// A neighbour's name that no one else uses.
+fn temporary(dir: &Path, name: &str) -> PathBuf {
+    dir.join(format!(".{name}.{}.part", std::process::id()))
+}
+
+fn name(path: &Path) -> io::Result<String> {
+    let name = path.file_name().ok_or_else(|| io::Error::new(io::ErrorKind::InvalidInput, "not a file name"))?;
+    Ok(name.to_string_lossy().into_owned())
+}
+
+/// The folder of a bare file name is the present one.
+fn or_here(dir: &Path) -> &Path {
+    if dir.as_os_str().is_empty() { Path::new(".") } else { dir }
 }
 
 #[cfg(test)]
@@ -66,6 +99,18 @@ mod tests {
         assert!(error.to_string().contains("a.csv"), "{error}");
         assert_eq!(fs::read(taken.join("inside")).unwrap(), b"old");
         assert_eq!(names(dir.path()), ["a.csv"]);
+    }
+
+    #[test]
+    fn what_cannot_be_written_is_known_before() {
+        let dir = tempfile::tempdir().unwrap();
+        fs::write(dir.path().join("file"), "mine").unwrap();
+        for (path, can) in
+            [("a.csv", true), ("deep/er/a.csv", true), ("file", true), ("file/a.csv", false), ("", false)]
+        {
+            assert_eq!(can_write(&dir.path().join(path)).is_ok(), can, "{path}");
+            assert_eq!(names(dir.path()), ["file"], "{path} left something behind");
+        }
     }
 
     #[test]

@@ -1,7 +1,7 @@
 //! The history of every accepted step over the punch travel.
 
 use super::chart::{Chart, Look, Panel, Scale, Series};
-use super::{Subject, force_unit, work_unit};
+use super::{Subject, force_unit, worded, work_unit};
 use crate::model::{Geometry, Model};
 use crate::record::{Run, StepRecord};
 use crate::table::{Axis, Column, Table, Unit};
@@ -18,6 +18,11 @@ pub fn table(model: &Model, run: &Run) -> Table {
         Geometry::PlaneStrain => "Width between the edges",
     };
     let diameters = run.history.iter().map(|s| 2.0 * (model.blank.length - s.draw_in)).collect();
+    let thinnest_s0 = worded(
+        model.geometry,
+        "Initial distance of the thinnest place from the axis",
+        "Initial distance of the thinnest place from the symmetry plane",
+    );
     Table::new(vec![
         column("travel", "Punch travel", Unit::Mm, |s| s.travel),
         column("punch_force", "Punch force", force, |s| s.punch_force),
@@ -25,7 +30,7 @@ pub fn table(model: &Model, run: &Run) -> Table {
         column("edge_force", "Edge force", force, |s| s.edge_force),
         column("draw_in", "Draw-in of the edge", Unit::Mm, |s| s.draw_in),
         column("thinnest", "Least thickness", Unit::Mm, |s| s.thinnest),
-        column("thinnest_s0", "Initial distance of the thinnest place from the axis", Unit::Mm, |s| s.thinnest_s0),
+        column("thinnest_s0", thinnest_s0, Unit::Mm, |s| s.thinnest_s0),
         Column::new("edge_diameter", edge, Unit::Mm, diameters),
         column("work_external", "External work", work, |s| s.work.external),
         column("work_plastic", "Plastic work", work, |s| s.work.plastic),
@@ -47,7 +52,8 @@ pub(super) fn of(subject: &Subject) -> Table {
 }
 
 /// Punch and holder force over the travel; the held edge's force where there is one.
-pub(super) fn plot(subject: &Subject) -> Chart {
+pub(super) fn plot(subject: &Subject) -> Option<Chart> {
+    subject.run.history.first()?;
     let table = of(subject);
     let acts = |key: &str| key == "punch_force" || table.column(key).values.iter().any(|v| *v != 0.0);
     let keys: Vec<&str> = ["punch_force", "holder_force", "edge_force"].into_iter().filter(|k| acts(k)).collect();
@@ -57,15 +63,15 @@ pub(super) fn plot(subject: &Subject) -> Chart {
         .enumerate()
         .map(|(i, column)| Series::new(column.label, table.pairs("travel", column.key), Look::curve(i)))
         .collect();
-    Chart {
+    Some(Chart {
         title: format!("{}: forces", subject.model.title),
         legend: "",
         panels: vec![Panel {
             x: table.column("travel").axis(),
             y: Axis::shared(&columns),
             series,
-            scale: Scale::Fit { height: 350.0 },
+            scale: Scale::Fit { height: 350.0, least: 0.0 },
         }],
         notes: subject.notes(),
-    }
+    })
 }

@@ -19,7 +19,7 @@ pub mod trace;
 pub use chart::Chart;
 pub use csv::csv;
 pub use draw::svg;
-pub use file::{WriteError, write};
+pub use file::{WriteError, can_write, write};
 pub use overlay::write_comparison;
 pub use png::png;
 pub use summary::Summary;
@@ -52,7 +52,8 @@ pub struct Subject<'a> {
 pub enum Make {
     Table(fn(&Subject) -> Table),
     Text(fn(&Subject) -> String),
-    Plot(fn(&Subject) -> Chart),
+    /// Nothing where there is nothing to draw.
+    Plot(fn(&Subject) -> Option<Chart>),
 }
 
 /// A file that every run writes.
@@ -96,12 +97,12 @@ pub const OUTPUTS: &[Output] = &[
 ];
 
 impl Output {
-    /// The file's content.
-    pub fn bytes(&self, subject: &Subject) -> Vec<u8> {
+    /// The file's content; none for a plot of nothing.
+    pub fn bytes(&self, subject: &Subject) -> Option<Vec<u8>> {
         match self.make {
-            Make::Table(make) => csv(&make(subject)),
-            Make::Text(make) => make(subject).into_bytes(),
-            Make::Plot(make) => png(&svg(&make(subject))),
+            Make::Table(make) => Some(csv(&make(subject))),
+            Make::Text(make) => Some(make(subject).into_bytes()),
+            Make::Plot(make) => make(subject).map(|chart| png(&svg(&chart))),
         }
     }
 }
@@ -113,14 +114,39 @@ impl Output {
 /// # Errors
 /// When the directory or a file cannot be written.
 pub fn write_all(subject: &Subject, dir: &Path) -> Result<Vec<PathBuf>, WriteError> {
-    OUTPUTS
-        .iter()
-        .map(|output| {
+    let mut written = Vec::new();
+    for output in OUTPUTS {
+        if let Some(bytes) = output.bytes(subject) {
             let path = dir.join(output.file);
-            write(&path, &output.bytes(subject))?;
-            Ok(path)
-        })
-        .collect()
+            write(&path, &bytes)?;
+            written.push(path);
+        }
+    }
+    Ok(written)
+}
+
+/// Whether the files of a run could be written into `dir`; nothing is left behind.
+///
+/// # Errors
+/// As [`can_write`].
+pub fn can_write_all(dir: &Path) -> Result<(), WriteError> {
+    OUTPUTS.iter().try_for_each(|output| can_write(&dir.join(output.file)))
+}
+
+/// Removes what an earlier run wrote into `dir` and this one did not, so that no plot of another run stands beside
+/// `written`; files of names that this program does not give are left alone.
+///
+/// # Errors
+/// When a file cannot be removed.
+pub fn remove_stale(dir: &Path, written: &[PathBuf]) -> Result<(), WriteError> {
+    let Ok(entries) = std::fs::read_dir(dir) else { return Ok(()) };
+    for path in entries.flatten().map(|entry| entry.path()).filter(|path| path.is_file() && !written.contains(path)) {
+        let ours = |name: &str| OUTPUTS.iter().any(|output| output.file == name) || overlay::is_comparison(name);
+        if path.file_name().and_then(|name| name.to_str()).is_some_and(ours) {
+            std::fs::remove_file(&path).map_err(|source| WriteError { path, source })?;
+        }
+    }
+    Ok(())
 }
 
 impl Subject<'_> {
@@ -148,10 +174,19 @@ fn shown(frames: &[Frame]) -> impl Iterator<Item = &Frame> {
     (1..=most).map(move |i| &frames[i * frames.len() / most - 1])
 }
 
-/// How plots name a frame: its travel with as many decimals as it needs, at most two.
+/// How plots name a frame: its travel with as many decimals as it needs, at most two, more below 1 mm.
 fn travel(frame: &Frame) -> String {
-    let text = format!("{:.2}", frame.travel);
+    let decimals = (2.0 - frame.travel.log10().floor().clamp(-12.0, 0.0)) as usize;
+    let text = format!("{:.decimals$}", frame.travel);
     format!("{} mm", text.trim_end_matches('0').trim_end_matches('.'))
+}
+
+/// The word for a geometry: a body of revolution has an axis and hoops, a plane section a symmetry plane and a width.
+fn worded(geometry: Geometry, axisymmetric: &'static str, plane_strain: &'static str) -> &'static str {
+    match geometry {
+        Geometry::Axisymmetric => axisymmetric,
+        Geometry::PlaneStrain => plane_strain,
+    }
 }
 
 /// Unit of forces: of the whole ring, or per mm of depth.
@@ -167,5 +202,19 @@ fn work_unit(geometry: Geometry) -> Unit {
     match geometry {
         Geometry::Axisymmetric => Unit::Millijoule,
         Geometry::PlaneStrain => Unit::MillijoulePerMm,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn frames_are_named_by_as_many_digits_as_tell_them_apart() {
+        for (value, text) in [(25.0, "25 mm"), (16.75, "16.75 mm"), (6.333_333, "6.33 mm"), (0.000_25, "0.00025 mm")] {
+            let frame =
+                Frame { time: value, travel: value, elements: vec![], nodes: vec![], tool_displacement: vec![] };
+            assert_eq!(travel(&frame), text);
+        }
     }
 }

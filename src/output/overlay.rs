@@ -2,7 +2,8 @@
 
 use super::chart::{BLACK, Chart, Color, GREY, Look, Panel, Scale, Series, color};
 use super::{Subject, WriteError, csv, png, svg, write};
-use crate::compare::{Against, Band, BandSpec, Comparison, CurveSpec, Found, Interval, Points, Quantity};
+use crate::compare::{Against, Band, BandQuantity, BandSpec, Comparison, CurveSpec, Found, Interval, Points, Quantity};
+use crate::quantity::rounded;
 use std::path::{Path, PathBuf};
 
 /// Writes `compare_<n>_<quantity>.png` and `.csv` into `dir`; nothing when there are no data.
@@ -25,6 +26,17 @@ pub fn write_comparison(
         write(path, bytes)?;
     }
     Ok(files.map(|(path, _)| path).to_vec())
+}
+
+/// Whether a file's name is one that [`write_comparison`] gives.
+pub(super) fn is_comparison(name: &str) -> bool {
+    let stem = name.strip_suffix(".csv").or(name.strip_suffix(".png"));
+    let parts = stem.and_then(|stem| stem.strip_prefix("compare_")).and_then(|rest| rest.split_once('_'));
+    parts.is_some_and(|(n, quantity)| n.parse::<usize>().is_ok() && is_quantity(quantity))
+}
+
+fn is_quantity(name: &str) -> bool {
+    Quantity::ALL.iter().any(|q| q.name() == name) || BandQuantity::ALL.iter().any(|q| q.name() == name)
 }
 
 /// The picture of a comparison; `None` without data.
@@ -53,7 +65,7 @@ const SCALE: f64 = 6.0;
 fn over_points(comparison: &Comparison, spec: &CurveSpec, Points(points): &Points) -> Vec<Panel> {
     let curve = &comparison.curve;
     let (x, y) = comparison.axes();
-    let tolerance = 100.0 * spec.tolerance;
+    let tolerance = rounded(100.0 * spec.tolerance);
     let ends = ends(points.iter().map(|p| p.x).chain(curve.iter().map(|p| p.0)));
     let level = |label: Option<String>, value: f64| Series {
         label,
@@ -78,8 +90,8 @@ fn over_points(comparison: &Comparison, spec: &CurveSpec, Points(points): &Point
     ];
     let difference = comparison.table().column("difference").axis();
     vec![
-        Panel { x: x.clone(), y, series: above, scale: Scale::Fit { height: 270.0 } },
-        Panel { x, y: difference, series: below, scale: Scale::Fit { height: 150.0 } },
+        Panel { x: x.clone(), y, series: above, scale: Scale::Fit { height: 270.0, least: 0.0 } },
+        Panel { x, y: difference, series: below, scale: Scale::Fit { height: 150.0, least: 0.0 } },
     ]
 }
 
@@ -113,7 +125,7 @@ fn over_band(comparison: &Comparison, spec: &BandSpec, band: &Band) -> Panel {
         let label = format!("Computed {which}, {}", comparison.text(computed));
         series.push(Series::new(label, compared, Look::Circles { color: BLACK }));
     }
-    Panel { x, y, series, scale: Scale::Fit { height: 350.0 } }
+    Panel { x, y, series, scale: Scale::Fit { height: 350.0, least: 0.0 } }
 }
 
 fn ends(values: impl Iterator<Item = f64>) -> Interval {

@@ -2,18 +2,19 @@
 
 use super::chart::{Chart, GREY, Look, PALE, Panel, Scale, Series, color};
 use super::{Subject, profile, shown, travel};
-use crate::geometry::Point;
-use crate::model::{Role, Tool};
+use crate::geometry::{Piece, Point};
+use crate::model::{Model, Role, Tool};
 use crate::record::{Frame, NodeRecord};
 
-/// Arcs are drawn with chords of this many radians.
+/// Arcs are drawn with chords of at most this many radians, and that leave the arc by at most this share of the width.
 const CHORD: f64 = 0.03;
+const SAGITTA: f64 = 1e-4;
 /// What is shown around the sheet, over the section's width.
 const AROUND: f64 = 0.06;
 
-pub(super) fn plot(subject: &Subject) -> Chart {
+pub(super) fn plot(subject: &Subject) -> Option<Chart> {
     let Subject { model, run, .. } = subject;
-    let table = profile::last(&run.frames);
+    let table = profile::last(model.geometry, &run.frames);
     let nodes = || run.frames.iter().flat_map(|f| &f.nodes);
     let width = nodes().map(|n| n.r).fold(model.blank.length, f64::max);
     let (top, bottom) = nodes().fold((0.0_f64, 0.0_f64), |(top, bottom), n| (top.min(n.z), bottom.max(n.z)));
@@ -22,29 +23,33 @@ pub(super) fn plot(subject: &Subject) -> Chart {
     let last = run.frames.last();
     let tools = model.tools.iter().enumerate().map(|(i, tool)| {
         let displacement = last.and_then(|f| f.tool_displacement.get(i)).copied().unwrap_or(0.0);
-        Series::silent(body(tool, displacement), Look::Area { fill: PALE, edge: Some(GREY) })
+        Series::silent(body(tool, displacement, SAGITTA * width), Look::Area { fill: PALE, edge: Some(GREY) })
     });
     let sheets = shown(&run.frames)
         .enumerate()
         .map(|(i, frame)| Series::new(travel(frame), sheet(frame), Look::Area { fill: color(i), edge: None }));
-    Chart {
+    // A run that never started shows where it would have.
+    let flat = last.is_none().then(|| Series::new("0 mm", flat(model), Look::Area { fill: color(0), edge: None }));
+    let tools_at = if last.is_some() { "the end" } else { "the start" };
+    Some(Chart {
         title: format!("{}: sections", model.title),
         legend: "Punch travel",
         panels: vec![Panel {
             x: table.column("r").axis(),
             y: table.column("z").axis(),
-            series: tools.chain(sheets).collect(),
+            series: tools.chain(sheets).chain(flat).collect(),
             scale: Scale::Section { x: (0.0, width + around), y: (top - 2.0 * around, bottom + around) },
         }],
-        notes: std::iter::once("The sheet is true to thickness. Grey: the tools at the end.".to_owned())
+        notes: std::iter::once(format!("The sheet is true to thickness. Grey: the tools at {tools_at}."))
             .chain(subject.notes_of_frames())
             .collect(),
-    }
+    })
 }
 
 /// The tool's profile closed through its body, which goes on away from the sheet.
-fn body(tool: &Tool, displacement: f64) -> Vec<(f64, f64)> {
-    let mut outline: Vec<(f64, f64)> = tool.profile.polyline(CHORD).iter().map(|p| (p.x, p.y + displacement)).collect();
+fn body(tool: &Tool, displacement: f64, sagitta: f64) -> Vec<(f64, f64)> {
+    let points = tool.profile.pieces().iter().flat_map(|piece| piece.sample(chords(piece, sagitta)));
+    let mut outline: Vec<(f64, f64)> = points.map(|p| (p.x, p.y + displacement)).collect();
     let (first, last) = (outline[0], outline[outline.len() - 1]);
     let ends = outline.iter().map(|p| p.1);
     let far = match tool.role {
@@ -53,6 +58,19 @@ fn body(tool: &Tool, displacement: f64) -> Vec<(f64, f64)> {
     };
     outline.extend([(last.0, far), (first.0, far)]);
     outline
+}
+
+/// Into how many chords a piece is cut: a chord over the angle φ leaves its arc by R φ²/8.
+fn chords(piece: &Piece, sagitta: f64) -> usize {
+    let Piece::Arc(arc) = piece else { return 1 };
+    let chord = CHORD.min((8.0 * sagitta / arc.radius).sqrt());
+    (arc.sweep.abs() / chord).ceil().max(1.0) as usize
+}
+
+/// The sheet before forming.
+fn flat(model: &Model) -> Vec<(f64, f64)> {
+    let (length, half) = (model.blank.length, 0.5 * model.blank.thickness);
+    vec![(0.0, half), (length, half), (length, -half), (0.0, -half)]
 }
 
 /// Both surfaces of the sheet: half a thickness from the mid-surface along its normal.
@@ -73,6 +91,19 @@ fn sheet(frame: &Frame) -> Vec<(f64, f64)> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    /// Trust: a crown of R 2800 mm over 330 mm, its points compared with the circle half-way between them.
+    #[test]
+    fn large_radii_are_drawn_smoothly() {
+        let crown = crate::geometry::Profile::crowned_punch(330.0, 2800.0, 10.0, 0.8);
+        let tool =
+            Tool { role: Role::Punch, profile: crown, friction: 0.1.into(), motion: crate::model::Motion::Travel };
+        let outline = body(&tool, 0.0, 0.042);
+        for pair in outline.windows(2).filter(|pair| pair[1].0 < 300.0 && pair[1].1 > -100.0) {
+            let middle = Point::new(0.5 * (pair[0].0 + pair[1].0), 0.5 * (pair[0].1 + pair[1].1));
+            assert!(tool.profile.closest(middle).distance.abs() < 0.0421, "{middle}");
+        }
+    }
 
     #[test]
     fn a_flat_sheet_is_a_rectangle_of_its_thickness() {

@@ -1,8 +1,8 @@
 //! What a run comes to, in some twenty lines: printed and as JSON from the same list.
 
-use super::csv::rounded;
-use super::{Subject, force_unit, work_unit};
+use super::{Subject, force_unit, worded, work_unit};
 use crate::model::{Geometry, Grading, Iteration, Model, Norm, Theory};
+use crate::quantity::rounded;
 use crate::record::StepRecord;
 use crate::table::{Unit, four_digits};
 use serde::ser::{Serialize, SerializeMap, Serializer};
@@ -71,7 +71,9 @@ impl Summary {
             Unit::Percent,
             percent(last.thinnest, t0),
         );
-        summary.number("thinnest_s0", "  at s0, initially from the axis", Unit::Mm, last.thinnest_s0);
+        let from =
+            worded(model.geometry, "  at s0, initially from the axis", "  at s0, initially from the symmetry plane");
+        summary.number("thinnest_s0", from, Unit::Mm, last.thinnest_s0);
         summary.number("draw_in", "Draw-in of the edge", Unit::Mm, last.draw_in);
         summary.number("work_external", "External work", work, last.work.external);
         summary.number("work_plastic", "  plastic", work, last.work.plastic);

@@ -1,6 +1,6 @@
 //! Why a text is not the quantity that is wanted.
 
-use super::unit::UNITS;
+use super::unit::{UNITS, meant};
 use super::{Dimension, Kind};
 
 /// Why a text is not a quantity. The message's first line says what is wrong, the second what to write.
@@ -48,7 +48,10 @@ impl Kind {
 
 impl QuantityError {
     pub(super) fn unknown_unit(found: &str, unit: &str) -> Self {
-        let closest = closest(unit, UNITS.iter().map(|known| known.0));
+        let closest = match meant(unit) {
+            Some(name) => vec![name],
+            None => closest(unit, UNITS.iter().map(|known| known.0)),
+        };
         Self::UnknownUnit { found: found.into(), unit: unit.into(), closest }
     }
 }

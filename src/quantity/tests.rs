@@ -49,6 +49,10 @@ fn messages_name_the_value_and_the_remedy() {
         "\"5 MPa\" is a stress, wanted a force\nwrite for example \"80 kN\" or \"5000 N\""
     );
     assert_eq!(message::<Stress>("210 Gpa"), "unknown unit `Gpa` in \"210 Gpa\"\ndid you mean `GPa`?");
+    for (word, unit) in [("inch", "in"), ("Inches", "in"), ("µm", "um"), ("millimeters", "mm"), ("meter", "m")] {
+        let message = message::<Length>(&format!("0.04 {word}"));
+        assert!(message.ends_with(&format!("did you mean `{unit}`?")), "{message}");
+    }
     assert!(message::<Length>("3 furlong").contains("known units: mm, cm"));
     assert!(message::<Positive<Length>>("0 mm").starts_with("must be positive, found 0 mm"));
     assert!(message::<NonNegative<Force>>("-1 N").starts_with("must not be negative"));

@@ -102,7 +102,7 @@ macro_rules! implement {
                 let (value, unit) = ($crate::quantity::Quantity::value(*self), <Self as $crate::quantity::Quantity>::KIND.unit);
                 match unit {
                     "" => write!(f, "{value}"),
-                    "%" => write!(f, "{} %", 100.0 * value),
+                    "%" => write!(f, "{} %", $crate::quantity::rounded(100.0 * value)),
                     unit => write!(f, "{value} {unit}"),
                 }
             }

@@ -92,6 +92,41 @@ pub(super) const UNITS: [Unit; 26] = [
     Unit("%", 0.01, NONE),
 ];
 
+/// What units are also called, in lower case, and how they are written here.
+const CALLED: [(&str, &str); 24] = [
+    ("inch", "in"),
+    ("inches", "in"),
+    ("ins", "in"),
+    ("millimetre", "mm"),
+    ("millimeter", "mm"),
+    ("mms", "mm"),
+    ("centimetre", "cm"),
+    ("centimeter", "cm"),
+    ("metre", "m"),
+    ("meter", "m"),
+    ("micron", "um"),
+    ("µm", "um"),
+    ("μm", "um"),
+    ("newton", "N"),
+    ("kilonewton", "kN"),
+    ("lb", "lbf"),
+    ("lbs", "lbf"),
+    ("tonf", "tonf_uk"),
+    ("ton", "tonf_uk"),
+    ("pascal", "Pa"),
+    ("sec", "s"),
+    ("second", "s"),
+    ("degree", "deg"),
+    ("°", "deg"),
+];
+
+/// The unit that a word, or its plural, stands for.
+pub(super) fn meant(word: &str) -> Option<&'static str> {
+    let word = word.to_lowercase();
+    let one = word.strip_suffix('s').unwrap_or(&word);
+    CALLED.iter().find(|(called, _)| *called == word || *called == one).map(|(_, name)| *name)
+}
+
 /// The unit of that name.
 pub(super) fn find(name: &str) -> Option<&'static Unit> {
     UNITS.iter().find(|unit| unit.0 == name)

@@ -50,7 +50,7 @@ impl Workspace {
             sticking: share(sticking as f64, touching as f64),
             flips,
             strain_increment: self.strain_increment(),
-            bend_radius: self.bend_radius(),
+            sharpest_bend: self.sharpest_bend(),
             ..StepRecord::default()
         }
     }
@@ -60,14 +60,14 @@ impl Workspace {
         self.responses.iter().map(|r| r.increment).fold(0.0, f64::max)
     }
 
-    /// Smallest radius of the mid-surface over the thickness, from the angle between neighbouring elements \[–\].
-    fn bend_radius(&self) -> f64 {
-        let curvature = self.nodes.windows(3).enumerate().map(|(e, w)| {
+    /// Thickness over the smallest radius of the mid-surface, from the angle between neighbouring elements \[–\].
+    fn sharpest_bend(&self) -> f64 {
+        let bends = self.nodes.windows(3).enumerate().map(|(e, w)| {
             let (a, b) = ([w[1][0] - w[0][0], w[1][1] - w[0][1]], [w[2][0] - w[1][0], w[2][1] - w[1][1]]);
             let (la, lb) = (a[0].hypot(a[1]), b[0].hypot(b[1]));
             let sine = ((a[0] * b[1] - a[1] * b[0]) / (la * lb)).clamp(-1.0, 1.0);
             sine.abs().asin() / (0.5 * (la + lb)) * self.thickness[e]
         });
-        1.0 / curvature.fold(0.0, f64::max)
+        bends.fold(0.0, f64::max)
     }
 }

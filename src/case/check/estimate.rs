@@ -4,7 +4,7 @@ use crate::case::measure::{extent, shoulder_end};
 use crate::geometry::Point;
 use crate::material::Hardening;
 use crate::mesh;
-use crate::model::{Edge, Geometry, Model, Role};
+use crate::model::{Edge, Geometry, Model, Motion, Role};
 use std::f64::consts::{FRAC_PI_2, PI};
 
 /// Area of the flat blank inside r [mm²], or per depth [mm].
@@ -37,6 +37,14 @@ pub(super) fn held_area(model: &Model) -> Option<f64> {
     let inner = extent(model.tool(Role::Holder)?).0.max(shoulder_end(model.tool(Role::Die)?));
     let held = area(model, model.blank.length) - area(model, inner);
     (held > 0.0).then_some(held)
+}
+
+/// The holder's largest force over the area that it presses on at the start [MPa].
+pub(super) fn holder_pressure(model: &Model) -> Option<f64> {
+    match &model.tool(Role::Holder)?.motion {
+        Motion::Pressed(press) => Some(press.force.largest() / held_area(model)?),
+        _ => None,
+    }
 }
 
 /// The pressure that keeps a flange from wrinkling [MPa], usually named after Siebel, with the punch diameter d and the

@@ -52,7 +52,8 @@ fn drawn_share_is_the_area_of_a_sharp_cup() {
 
 #[test]
 fn every_doubt_has_its_warning() {
-    let doubts: [(&[&str], &str); 6] = [
+    let doubts: [(&[&str], &str); 7] = [
+        (&["tools.holder.force=10 MN"], "more than the sheet's tensile strength"),
         (&["tools.die.shoulder=4 mm"], "beyond thin-shell theory"),
         (&["tools.die.friction=0.4"], "above that of dry steel"),
         (&["blank.elements=20"], "elements per 90°"),

@@ -27,6 +27,12 @@ pub(super) fn all(model: &Model) -> Vec<String> {
             "the holder has no force and takes no part: the flange may swing up through where it is drawn".into(),
         );
     }
+    if let Some(pressure) = estimate::holder_pressure(model).filter(|pressure| *pressure > strength) {
+        warnings.push(format!(
+            "the holder presses with {pressure:.0} MPa, more than the sheet's tensile strength of {strength:.0} MPa: check \
+             its force"
+        ));
+    }
     let t = model.blank.thickness;
     for tool in &model.tools {
         let name = tool.role.name();

@@ -4,7 +4,7 @@ use super::{by_geometry, count};
 use crate::case::file::{self, Edge, Grading, Theory};
 use crate::case::{CaseError, source::Source};
 use crate::model::{self, Blank, Geometry};
-use crate::quantity::Quantity;
+use crate::quantity::{Quantity, rounded};
 use std::ops::RangeInclusive;
 
 /// Thicknesses of sheet, foil to plate [mm].
@@ -21,11 +21,12 @@ pub(super) fn convert(
     let length = by_geometry(source, "blank", geometry, ("radius", file.radius), ("half_length", file.half_length))?;
     let thickness = file.thickness.value();
     if !THICKNESS.contains(&thickness) {
-        let what = format!("`thickness` must lie between 0.001 and 50 mm, found {thickness} mm");
+        let what = format!("`thickness` must lie between 0.001 and 50 mm, found {} mm", rounded(thickness));
         return Err(source.error("blank.thickness", what, "check the unit: sheet is 0.1 to 10 mm thick"));
     }
     if length < SLENDER * thickness {
-        let what = format!("a blank of {length} mm is too small for a thickness of {thickness} mm");
+        let what =
+            format!("a blank of {} mm is too small for a thickness of {} mm", rounded(length), rounded(thickness));
         return Err(source.error(
             "blank.thickness",
             what,

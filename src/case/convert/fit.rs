@@ -3,20 +3,28 @@
 use crate::case::measure::{extent, shoulder_end};
 use crate::case::{CaseError, explain::missing, source::Source};
 use crate::model::{Edge, Model, Role};
+use crate::quantity::rounded;
 
 /// Rounded sums of decimals may miss by this share [–].
 const ROUNDED: f64 = 1e-6;
 /// No part is deeper than this many blank radii [–].
 const DEEPEST: f64 = 3.0;
+/// A travel below this many thicknesses forms nothing [–].
+const SHALLOWEST: f64 = 1e-3;
 
 pub(super) fn check(model: &Model, source: &Source) -> Result<(), CaseError> {
-    let (t, length) = (model.blank.thickness, model.blank.length);
+    let (t, length) = (rounded(model.blank.thickness), rounded(model.blank.length));
     let key = |tool: &str, key: &str| {
         let drawn = source.has(&format!("tools.{tool}.profile"));
         format!("tools.{tool}.{}", if drawn { "profile" } else { key })
     };
     if model.travel > DEEPEST * length {
-        let what = format!("a travel of {} mm is more than {DEEPEST} times the blank's {length} mm", model.travel);
+        let what =
+            format!("a travel of {} mm is more than {DEEPEST} times the blank's {length} mm", rounded(model.travel));
+        return Err(source.error("tools.punch.travel", what, "check the unit"));
+    }
+    if model.travel < SHALLOWEST * t {
+        let what = format!("a travel of {} mm is next to nothing for a sheet of {t} mm", rounded(model.travel));
         return Err(source.error("tools.punch.travel", what, "check the unit"));
     }
     let Some(die) = model.tool(Role::Die) else {

@@ -93,10 +93,19 @@ fn history(points: Vec<(f64, f64)>, path: &str, what: &str, source: &Source) -> 
     Ok(History::new(points).expect("checked above"))
 }
 
+/// Whether a force in N or N/mm can be told from round-off; none at all is a case of its own.
+fn presses(force: f64) -> bool {
+    force == 0.0 || force >= 1e-6
+}
+
 fn force(force: HolderForce, path: &str, key: &str, geometry: Geometry, source: &Source) -> Result<f64, CaseError> {
     let (what, help) = match (geometry, force) {
-        (Geometry::Axisymmetric, HolderForce::Ring(force)) => return Ok(force.value()),
-        (Geometry::PlaneStrain, HolderForce::PerDepth(force)) => return Ok(force.value()),
+        (Geometry::Axisymmetric, HolderForce::Ring(force)) if presses(force.value()) => return Ok(force.value()),
+        (Geometry::PlaneStrain, HolderForce::PerDepth(force)) if presses(force.value()) => return Ok(force.value()),
+        (Geometry::Axisymmetric, HolderForce::Ring(_)) | (Geometry::PlaneStrain, HolderForce::PerDepth(_)) => (
+            format!("this `{key}` is next to nothing"),
+            "write 0 if the holder has no force, or check the unit".to_owned(),
+        ),
         (Geometry::Axisymmetric, HolderForce::PerDepth(_)) => (
             format!("in an axisymmetric case `{key}` is that of the whole ring"),
             format!("write a force, such as {key} = \"80 kN\""),

@@ -7,8 +7,12 @@ use crate::material::hardening::{
 };
 use crate::material::{Elastic, Hardening, Material};
 use crate::quantity::Quantity;
+use std::ops::RangeInclusive;
 
 const HARDENING: &str = "material.hardening";
+
+/// Yield stress at 10 % strain, from hot superplastic alloys far below to piano wire far above \[MPa\].
+const YIELD: RangeInclusive<f64> = 0.1..=1e5;
 
 pub(super) fn convert(file: &file::Material, source: &Source) -> Result<Material, CaseError> {
     let elastic = match (file.young, file.poisson) {
@@ -21,15 +25,28 @@ pub(super) fn convert(file: &file::Material, source: &Source) -> Result<Material
         let what = format!("`poisson` must be below 0.5, found {poisson}");
         return Err(source.error("material.poisson", what, "0.3 for steel, 0.33 for aluminium"));
     }
-    Ok(Material { hardening: hardening(&file.hardening, elastic, source)?, elastic })
+    let hardening = hardening(&file.hardening, elastic, source)?;
+    let stress = hardening.at(0.1).stress;
+    if !YIELD.contains(&stress) {
+        let what = format!("the law has a yield stress of {stress:.3e} MPa at a strain of 0.1: no metal has");
+        let help = format!("between {} and {} MPa; check the units of the constants", YIELD.start(), YIELD.end());
+        return Err(source.error(HARDENING, what, help));
+    }
+    Ok(Material { hardening, elastic })
 }
 
 fn hardening(file: &file::Hardening, elastic: Option<Elastic>, source: &Source) -> Result<Hardening, CaseError> {
     type Law<'a> = Box<dyn Fn() -> Result<Hardening, CaseError> + 'a>;
     let law = |name: &'static str| {
         move |error: LawError| {
+            let key = match error.key.split_once('.') {
+                // Points are pairs of strain and stress.
+                Some(("strain", i)) if source.has(&format!("{HARDENING}.{name}.points")) => format!("points.{i}.0"),
+                Some(("stress", i)) if source.has(&format!("{HARDENING}.{name}.points")) => format!("points.{i}.1"),
+                _ => error.key.clone(),
+            };
             source.error(
-                &format!("{HARDENING}.{name}"),
+                format!("{HARDENING}.{name}.{key}").trim_end_matches('.'),
                 format!("{name}: {error}"),
                 "check the constants and their units",
             )

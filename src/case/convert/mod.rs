@@ -4,6 +4,7 @@ mod blank;
 mod compare;
 mod fit;
 mod friction;
+mod limits;
 mod loads;
 mod material;
 mod profile;
@@ -16,10 +17,11 @@ use super::explain::missing;
 use super::file::{self, CaseFile};
 use super::{CaseError, source::Source};
 use crate::model::{Geometry, Model};
-use crate::quantity::{Length, Positive, Quantity};
+use crate::quantity::{Length, Positive, Quantity, rounded};
 
 /// The model, and what was assumed on the way.
 pub(super) fn model(file: &CaseFile, source: &Source) -> Result<(Model, Vec<String>), CaseError> {
+    limits::of_file(file, source)?;
     let mut derived = Vec::new();
     let geometry = match file.geometry {
         file::Geometry::Axisymmetric => Geometry::Axisymmetric,
@@ -51,6 +53,7 @@ pub(super) fn model(file: &CaseFile, source: &Source) -> Result<(Model, Vec<Stri
         blank,
     };
     fit::check(&model, source)?;
+    limits::of_model(&model, source)?;
     Ok((model, derived))
 }
 
@@ -96,7 +99,7 @@ fn by_geometry(
         (_, Some(wrong)) => Err(source.error(
             &format!("{table}.{other}"),
             format!("`{other}` belongs to {other_name} cases, this one is {name}"),
-            format!("write {key} = \"{wrong}\", or change `geometry`"),
+            format!("write {key} = \"{} mm\", or change `geometry`", rounded(wrong.value())),
         )),
         (Some(value), None) => Ok(value.value()),
         (None, None) => Err(missing(source, table, key)),

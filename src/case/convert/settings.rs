@@ -4,7 +4,7 @@ use super::{Drive, count};
 use crate::case::file::{self, ContactMethod, Iteration, Norm};
 use crate::case::{CaseError, source::Source};
 use crate::model::{self, Settings, StopRules};
-use crate::quantity::Quantity;
+use crate::quantity::{Quantity, rounded};
 
 pub(super) fn convert(file: &file::Solver, source: &Source) -> Result<Settings, CaseError> {
     let default = Settings::default();
@@ -43,7 +43,7 @@ pub(super) fn convert(file: &file::Solver, source: &Source) -> Result<Settings, 
     let ranges = [
         ("tolerance", settings.tolerance, 1e-12, 0.1),
         ("min_step", settings.min_step, 1e-12, 0.1),
-        ("max_step", settings.max_step, 1e-6, 0.5),
+        ("max_step", settings.max_step, 1e-5, 0.5),
         ("cutoff_strain", settings.cutoff_strain, 1e-10, 1e-2),
         ("contact_stiffness", settings.contact_stiffness, 1.0, 1e7),
         ("contact_smoothing", settings.contact_smoothing, 1e-6, 0.1),
@@ -75,6 +75,10 @@ pub(super) fn stop(file: &file::Stop) -> StopRules {
     StopRules { localised: file.localised.unwrap_or(default.localised), load_drop: file.load_drop.map(Quantity::value) }
 }
 
+/// Frames closer than this share of the travel are one, and nearer than that no step is worth taking [–].
+const SAME: f64 = 1e-9;
+const CLOSEST: f64 = 1e-6;
+
 /// Times at which the state is kept [s], rising, the last one the end of the run.
 pub(super) fn frames(file: &file::Output, drive: &Drive, source: &Source) -> Result<Vec<f64>, CaseError> {
     let Drive { travel, speed, duration } = *drive;
@@ -91,11 +95,23 @@ pub(super) fn frames(file: &file::Output, drive: &Drive, source: &Source) -> Res
     }
     let mut frames: Vec<f64> = list.iter().map(|f| f.value()).collect();
     if let Some(i) = frames.iter().position(|&f| f > travel * (1.0 + 1e-9)) {
-        let what = format!("a frame at {} mm lies beyond the travel of {travel} mm", frames[i]);
+        let what = format!("a frame at {} mm lies beyond the travel of {} mm", rounded(frames[i]), rounded(travel));
         return Err(source.error(&format!("output.frames.{i}"), what, "drop it, or lengthen tools.punch.travel"));
     }
     frames.retain(|&f| f < travel * (1.0 - 1e-9));
     frames.sort_by(f64::total_cmp);
-    frames.dedup();
+    frames.dedup_by(|later, earlier| *later - *earlier < SAME * travel);
+    let mut before = 0.0;
+    for &frame in &frames {
+        if frame - before < CLOSEST * travel {
+            let what = format!(
+                "frames at {} and {} mm are closer than a millionth of the travel",
+                rounded(before),
+                rounded(frame)
+            );
+            return Err(source.error("output.frames", what, "keep one of them; the flat sheet at 0 mm is none"));
+        }
+        before = frame;
+    }
     Ok(frames.into_iter().map(|f| f / speed).chain([duration]).collect())
 }

@@ -5,7 +5,10 @@ use crate::case::file;
 use crate::case::{CaseError, explain::missing, source::Source};
 use crate::geometry::Profile;
 use crate::model::{Geometry, Motion, Role, Tool};
-use crate::quantity::{Length, Positive, Quantity};
+use crate::quantity::{Length, Positive, Quantity, rounded};
+
+/// No tool is sharper and no opening smaller than a micrometre [mm].
+const SMALLEST: f64 = 1e-3;
 
 /// What tools are placed against.
 pub(super) struct Sheet {
@@ -78,7 +81,8 @@ fn punch_profile(
         return Err(source.error(&path, what, help));
     };
     if let Some(shape) = &punch.hemispherical {
-        return Ok(Profile::hemispherical_punch(shape.radius.value(), t));
+        let radius = size(source, "tools.punch.hemispherical.radius", shape.radius.value())?;
+        return Ok(Profile::hemispherical_punch(radius, t));
     }
     if let Some(shape) = &punch.flat {
         let radius = punch_radius(source, "flat", sheet, shape.radius, shape.half_width)?;
@@ -89,9 +93,13 @@ fn punch_profile(
         let radius = punch_radius(source, "crowned", sheet, shape.radius, shape.half_width)?;
         let nose = nose_within(source, "crowned", shape.nose.value(), radius)?;
         let face = shape.face.value();
-        if face <= radius || nose >= radius {
-            let what =
-                format!("a crowned face of radius {face} mm does not fit a punch of {radius} mm, nose {nose} mm");
+        if face < radius + SMALLEST || nose > radius - SMALLEST {
+            let what = format!(
+                "a crowned face of radius {} mm does not fit a punch of {} mm, nose {} mm",
+                rounded(face),
+                rounded(radius),
+                rounded(nose)
+            );
             let help = "the face must be larger than the punch and the nose smaller; else use flat or hemispherical";
             return Err(source.error("tools.punch.crowned.face", what, help));
         }
@@ -109,18 +117,31 @@ fn punch_radius(
     half_width: Option<Positive<Length>>,
 ) -> Result<f64, CaseError> {
     let table = format!("tools.punch.{shape}");
-    by_geometry(source, &table, sheet.geometry, ("radius", radius), ("half_width", half_width))
+    let found = by_geometry(source, &table, sheet.geometry, ("radius", radius), ("half_width", half_width))?;
+    size(source, &format!("{table}.{}", if radius.is_some() { "radius" } else { "half_width" }), found)
+}
+
+/// A radius or width that can be drawn.
+fn size(source: &Source, path: &str, value: f64) -> Result<f64, CaseError> {
+    if value >= SMALLEST {
+        return Ok(value);
+    }
+    let key = path.rsplit('.').next().unwrap_or(path);
+    let what = format!("`{key}` must be at least {SMALLEST} mm, found {value:e} mm");
+    Err(source.error(path, what, "check the unit; thin-shell theory wants radii above five thicknesses"))
 }
 
 fn nose_within(source: &Source, shape: &str, nose: f64, radius: f64) -> Result<f64, CaseError> {
+    let nose = size(source, &format!("tools.punch.{shape}.nose"), nose)?;
     if nose <= radius {
-        return Ok(nose);
+        // What is left of the flat beside a nose that is all but the whole radius is round-off.
+        return Ok(if radius - nose < 1e-3 * SMALLEST { radius } else { nose });
     }
-    let what = format!("a nose of {nose} mm is larger than the punch of {radius} mm");
+    let what = format!("a nose of {} mm is larger than the punch of {} mm", rounded(nose), rounded(radius));
     Err(source.error(
         &format!("tools.punch.{shape}.nose"),
         what,
-        format!("at most {radius} mm: then it is hemispherical"),
+        format!("at most {} mm: then it is hemispherical", rounded(radius)),
     ))
 }
 
@@ -132,7 +153,11 @@ fn die_profile(
 ) -> Result<Profile, CaseError> {
     match (&die.profile, die.throat, die.shoulder) {
         (Some(steps), None, None) => profile::convert(steps, Role::Die, sheet, source, derived),
-        (None, Some(throat), Some(shoulder)) => Ok(Profile::die(throat.value(), shoulder.value(), sheet.thickness)),
+        (None, Some(throat), Some(shoulder)) => Ok(Profile::die(
+            size(source, "tools.die.throat", throat.value())?,
+            size(source, "tools.die.shoulder", shoulder.value())?,
+            sheet.thickness,
+        )),
         (Some(_), ..) => {
             let what = "the die has both a profile and a throat or shoulder";
             Err(source.error("tools.die.profile", what, "keep the profile, or throat and shoulder"))
@@ -152,7 +177,8 @@ fn holder_profile(
         let radius = ("inner_radius", holder.inner_radius);
         let half_width = ("inner_half_width", holder.inner_half_width);
         let inner = by_geometry(source, "tools.holder", sheet.geometry, radius, half_width)?;
-        return Ok(Profile::holder(inner, sheet.thickness));
+        let key = if holder.inner_radius.is_some() { "inner_radius" } else { "inner_half_width" };
+        return Ok(Profile::holder(size(source, &format!("tools.holder.{key}"), inner)?, sheet.thickness));
     };
     if holder.inner_radius.or(holder.inner_half_width).is_some() {
         let what = "the holder has both a profile and an inner edge";

@@ -49,7 +49,7 @@ pub enum ComparedQuantity {
     PunchForce,
     /// Punch travel at equal force, a curve.
     Travel,
-    /// Thickness over the initial distance from the axis at the end, a curve.
+    /// Thickness over the initial distance from the axis or symmetry plane at the end, a curve.
     ThicknessAtS0,
     /// Thickness over the present radius at the end, a curve.
     ThicknessAtRadius,

@@ -78,7 +78,7 @@ pub struct Blank {
     /// Initial thickness, 0.001 to 50 mm.
     #[schemars(example = "0.9 mm")]
     pub thickness: Positive<Length>,
-    /// Number of elements from the axis to the edge, 2 to 2000.
+    /// Number of elements from the axis or symmetry plane to the edge, 2 to 2000.
     #[serde(default = "default::elements")]
     #[schemars(range(min = 2, max = 2000), example = 100)]
     pub elements: i64,

@@ -1,6 +1,7 @@
 //! Hollomon's power law, started at the elastic line.
 
 use super::{FlowStress, LawError, Swift, require};
+use crate::quantity::rounded;
 
 /// σ_y = K (ε₀ + ε̄)^n.
 ///
@@ -29,13 +30,15 @@ impl Hollomon {
     /// # Errors
     /// When a parameter is out of range, or the intersection lies at a strain above 0.05 (then K or E has a wrong unit).
     pub fn from_elastic_line(k: f64, n: f64, young: f64) -> Result<Self, LawError> {
-        require(young > 0.0 && (0.0..1.0).contains(&n), || {
+        require("", young > 0.0 && (0.0..1.0).contains(&n), || {
             format!("hollomon: needs young > 0 and 0 <= n < 1, found young = {young} MPa, n = {n}")
         })?;
         let offset = (k / young).powf(1.0 / (1.0 - n));
-        require(offset < 0.05, || {
+        require("k", offset < 0.05, || {
             format!(
-                "hollomon: K = {k} MPa meets the elastic line of E = {young} MPa at a strain of {offset:.3}; check their units"
+                "hollomon: K = {} MPa meets the elastic line of E = {} MPa at a strain of {offset:.3}; check their units",
+                rounded(k),
+                rounded(young)
             )
         })?;
         Ok(Self { law: Swift::new(k, n, offset)?, from_elastic_line: true })

@@ -19,11 +19,11 @@ impl Ludwik {
     /// # Errors
     /// When a parameter is out of range.
     pub fn new(initial: f64, k: f64, n: f64) -> Result<Self, LawError> {
-        require(initial > 0.0 && initial.is_finite(), || {
+        require("initial", initial > 0.0 && initial.is_finite(), || {
             format!("the initial yield stress must be positive, found {initial} MPa")
         })?;
-        require(k >= 0.0 && k.is_finite(), || format!("k must not be negative, found {k} MPa"))?;
-        require(n > 0.0 && n <= 1.0, || format!("n must lie above 0 and up to 1, found {n}"))?;
+        require("k", k >= 0.0 && k.is_finite(), || format!("k must not be negative, found {k} MPa"))?;
+        require("n", n > 0.0 && n <= 1.0, || format!("n must lie above 0 and up to 1, found {n}"))?;
         Ok(Self { initial, k, n })
     }
 

@@ -19,8 +19,12 @@ pub use voce::Voce;
 
 /// Why a set of parameters is not a hardening law.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
-#[error("{0}")]
-pub struct LawError(pub String);
+#[error("{message}")]
+pub struct LawError {
+    pub message: String,
+    /// The key that is wrong, as a path inside the law's table, entries by index from 0; empty for the whole law.
+    pub key: String,
+}
 
 /// Yield stress and its slope at one strain.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -118,8 +122,8 @@ fn power(strain: f64, n: f64) -> (f64, f64) {
     }
 }
 
-fn require(ok: bool, message: impl FnOnce() -> String) -> Result<(), LawError> {
-    if ok { Ok(()) } else { Err(LawError(message())) }
+fn require(key: &str, ok: bool, message: impl FnOnce() -> String) -> Result<(), LawError> {
+    if ok { Ok(()) } else { Err(LawError { message: message(), key: key.to_owned() }) }
 }
 
 #[cfg(test)]

@@ -1,6 +1,7 @@
 //! Offset power law in branches, as Woo (1968) gives it.
 
 use super::{FlowStress, LawError, power, require};
+use crate::quantity::rounded;
 
 /// One branch σ = σ₀ + K ε̄^n, valid up to a strain.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -36,21 +37,26 @@ impl PiecewisePower {
     /// # Errors
     /// When a parameter is out of range, the ends do not rise, or two branches do not meet.
     pub fn new(mut branches: Vec<Branch>) -> Result<Self, LawError> {
-        require(!branches.is_empty(), || "needs at least one branch".into())?;
+        require("branches", !branches.is_empty(), || "needs at least one branch".into())?;
         let last = branches.len() - 1;
         let mut start = 0.0;
         for (i, b) in branches.iter().enumerate() {
-            require(b.initial > 0.0 && b.k >= 0.0 && b.n > 0.0 && b.n <= 1.0, || {
+            let key = format!("branches.{i}");
+            require(&key, b.initial > 0.0 && b.k >= 0.0 && b.n > 0.0 && b.n <= 1.0, || {
                 format!(
                     "branch {}: needs initial > 0, k >= 0 and 0 < n <= 1, found {} MPa, {} MPa, {}",
                     i + 1,
-                    b.initial,
-                    b.k,
+                    rounded(b.initial),
+                    rounded(b.k),
                     b.n
                 )
             })?;
-            require(b.up_to > start, || format!("branch {}: its end {} must lie above {start}", i + 1, b.up_to))?;
-            require(i < last || b.up_to.is_infinite(), || "the last branch must have no end (no `up_to`)".into())?;
+            require(&format!("{key}.up_to"), b.up_to > start, || {
+                format!("branch {}: its end {} must lie above {start}", i + 1, b.up_to)
+            })?;
+            require(&format!("{key}.up_to"), i < last || b.up_to.is_infinite(), || {
+                "the last branch must have no end (no `up_to`)".into()
+            })?;
             start = b.up_to;
         }
         for i in 0..last {
@@ -58,7 +64,7 @@ impl PiecewisePower {
             let stress = |b: &Branch| b.initial + b.k * strain.powf(b.n);
             let (before, after) = (stress(&branches[i]), stress(&branches[i + 1]));
             let jump = after / before - 1.0;
-            require(jump.abs() <= Self::LARGEST_JUMP, || {
+            require(&format!("branches.{}", i + 1), jump.abs() <= Self::LARGEST_JUMP, || {
                 format!(
                     "branches {} and {} do not meet at a strain of {strain}: {before:.2} and {after:.2} MPa, a jump of {:+.1} %; \
                      check the exponents (more than {:.1} % is not rounding)",

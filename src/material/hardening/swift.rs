@@ -19,9 +19,9 @@ impl Swift {
     /// # Errors
     /// When a parameter is out of range.
     pub fn new(k: f64, n: f64, offset: f64) -> Result<Self, LawError> {
-        require(k > 0.0 && k.is_finite(), || format!("k must be positive, found {k} MPa"))?;
-        require((0.0..=1.0).contains(&n), || format!("n must lie between 0 and 1, found {n}"))?;
-        require((1e-6..=1.0).contains(&offset), || {
+        require("k", k > 0.0 && k.is_finite(), || format!("k must be positive, found {k} MPa"))?;
+        require("n", (0.0..=1.0).contains(&n), || format!("n must lie between 0 and 1, found {n}"))?;
+        require("offset", (1e-6..=1.0).contains(&offset), || {
             format!("the offset strain must lie between 1e-6 and 1, found {offset:e}; 1e-4 to 1e-2 is usual")
         })?;
         Ok(Self { k, n, offset })

@@ -1,6 +1,7 @@
 //! Measured stress-strain points, interpolated without overshoot.
 
 use super::{FlowStress, LawError, require};
+use crate::quantity::rounded;
 
 /// What the law does beyond the last point: a declared choice.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -30,23 +31,29 @@ impl Table {
     /// # Errors
     /// When there are fewer than two points or they are not of that kind.
     pub fn new(strain: Vec<f64>, stress: Vec<f64>, beyond: Extrapolation) -> Result<Self, LawError> {
-        require(strain.len() == stress.len() && strain.len() >= 2, || {
+        require("", strain.len() == stress.len() && strain.len() >= 2, || {
             format!(
                 "needs at least two points, each with a strain and a stress; found {} strains and {} stresses",
                 strain.len(),
                 stress.len()
             )
         })?;
-        require(strain[0] == 0.0, || format!("the first strain must be 0, found {}", strain[0]))?;
+        require("strain.0", strain[0] == 0.0, || format!("the first strain must be 0, found {}", strain[0]))?;
         for i in 0..strain.len() {
-            require(stress[i] > 0.0 && stress[i].is_finite(), || {
+            let (strain_key, stress_key) = (format!("strain.{i}"), format!("stress.{i}"));
+            require(&stress_key, stress[i] > 0.0 && stress[i].is_finite(), || {
                 format!("point {}: the stress must be positive, found {} MPa", i + 1, stress[i])
             })?;
-            require(i == 0 || strain[i] > strain[i - 1], || {
+            require(&strain_key, i == 0 || strain[i] > strain[i - 1], || {
                 format!("point {}: the strain {} does not rise above {}", i + 1, strain[i], strain[i - 1])
             })?;
-            require(i == 0 || stress[i] >= stress[i - 1], || {
-                format!("point {}: the stress falls from {} to {} MPa", i + 1, stress[i - 1], stress[i])
+            require(&stress_key, i == 0 || stress[i] >= stress[i - 1], || {
+                format!(
+                    "point {}: the stress falls from {} to {} MPa",
+                    i + 1,
+                    rounded(stress[i - 1]),
+                    rounded(stress[i])
+                )
             })?;
         }
         let n = strain.len();

@@ -1,6 +1,7 @@
 //! Voce's saturating law, with an optional exponent on the strain.
 
 use super::{FlowStress, LawError, power, require};
+use crate::quantity::rounded;
 
 /// σ_y = σ_s − (σ_s − σ₀) exp(−b ε̄^m); m = 1 is Voce's law.
 ///
@@ -23,11 +24,11 @@ impl Voce {
     /// # Errors
     /// When a parameter is out of range.
     pub fn new(initial: f64, saturation: f64, rate: f64, exponent: f64) -> Result<Self, LawError> {
-        require(initial > 0.0 && saturation >= initial && saturation.is_finite(), || {
-            format!("needs 0 < initial <= saturation, found {initial} and {saturation} MPa")
+        require("saturation", initial > 0.0 && saturation >= initial && saturation.is_finite(), || {
+            format!("needs 0 < initial <= saturation, found {} and {} MPa", rounded(initial), rounded(saturation))
         })?;
-        require(rate >= 0.0 && rate.is_finite(), || format!("rate must not be negative, found {rate}"))?;
-        require(exponent > 0.0 && exponent <= 1.0, || {
+        require("rate", rate >= 0.0 && rate.is_finite(), || format!("rate must not be negative, found {rate}"))?;
+        require("exponent", exponent > 0.0 && exponent <= 1.0, || {
             format!("exponent must lie above 0 and up to 1, found {exponent}")
         })?;
         Ok(Self { initial, saturation, rate, exponent })

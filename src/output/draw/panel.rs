@@ -21,7 +21,7 @@ impl Frame {
     pub(super) fn of(panel: &Panel, width: f64) -> Self {
         let [mut x, mut y] = panel.ranges();
         let height = match panel.scale {
-            Scale::Fit { height } => height,
+            Scale::Fit { height, .. } => height,
             Scale::Section { .. } => {
                 let height = (width * (y.1 - y.0) / (x.1 - x.0)).clamp(290.0, 560.0);
                 // Whichever direction has room to spare shows more of its surroundings.
@@ -92,7 +92,7 @@ pub(super) fn x_labels_height() -> f64 {
 }
 
 pub(super) fn y_labels_width(range: &(f64, f64), panel: &Panel) -> f64 {
-    let height = if let Scale::Fit { height } = panel.scale { height } else { 400.0 };
+    let height = if let Scale::Fit { height, .. } = panel.scale { height } else { 400.0 };
     let values = ticks(*range, tick_count(height));
     let widest = values.iter().map(|v| text_width(&tick(*v, &values), TICK)).fold(0.0, f64::max);
     SPACING * LABEL + widest + TICK_MARK + 14.0

@@ -28,10 +28,10 @@ pub(super) fn register() {
     });
 }
 
-/// Lines no wider than `width`, broken between words.
+/// Lines no wider than `width`, broken between words, and within a word that is wider than a line.
 pub(super) fn wrapped(paragraph: &str, size: f64, width: f64) -> Vec<String> {
     let mut lines = vec![String::new()];
-    for word in paragraph.split_whitespace() {
+    for word in paragraph.split_whitespace().flat_map(|word| pieces(word, size, width)) {
         let line = lines.last_mut().expect("there is a line");
         let longer = if line.is_empty() { word.to_owned() } else { format!("{line} {word}") };
         if line.is_empty() || text_width(&longer, size) <= width {
@@ -43,12 +43,28 @@ pub(super) fn wrapped(paragraph: &str, size: f64, width: f64) -> Vec<String> {
     lines
 }
 
+/// A word in pieces no wider than `width`.
+fn pieces(word: &str, size: f64, width: f64) -> Vec<String> {
+    let mut pieces = vec![String::new()];
+    for letter in word.chars() {
+        let piece = pieces.last_mut().expect("there is a piece");
+        piece.push(letter);
+        if piece.chars().count() > 1 && text_width(piece, size) > width {
+            piece.pop();
+            pieces.push(letter.to_string());
+        }
+    }
+    pieces
+}
+
 pub(super) fn text_width(text: &str, size: f64) -> f64 {
     let (width, _) = style(size, BLACK).font.box_size(text).expect(NEVER);
     f64::from(width) / FINE
 }
 
 pub(super) fn text(canvas: &Canvas, text: &str, size: f64, color: Color, at: (f64, f64)) {
+    // What XML cannot hold, escape sequences for example, is left out.
+    let text = text.replace(|c: char| c.is_control() || matches!(c, '\u{fffe}' | '\u{ffff}'), "");
     let style = style(size, color).pos(Pos::new(HPos::Left, VPos::Top));
     canvas.draw(&Text::new(text, (units(at.0), units(at.1)), style)).expect(NEVER);
 }
@@ -69,5 +85,14 @@ mod tests {
         let lines = wrapped(&note, NOTE, 300.0);
         assert!(lines.len() > 3 && lines.iter().all(|line| text_width(line, NOTE) <= 300.0));
         assert_eq!(lines.join(" "), note.trim());
+    }
+
+    #[test]
+    fn a_word_wider_than_a_line_is_broken() {
+        register();
+        let path = format!("see {}", "/a/long/path".repeat(20));
+        let lines = wrapped(&path, NOTE, 300.0);
+        assert!(lines.len() > 3 && lines.iter().all(|line| text_width(line, NOTE) <= 300.0), "{lines:?}");
+        assert_eq!(lines.concat().replace(' ', ""), path.replace(' ', ""));
     }
 }

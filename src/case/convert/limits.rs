@@ -1,0 +1,83 @@
+//! How much a case may hold: more is a slip, and would fill the memory or a plot before anyone sees it.
+
+use crate::case::file::CaseFile;
+use crate::case::{CaseError, source::Source};
+use crate::geometry::Piece;
+use crate::model::Model;
+use std::f64::consts::FRAC_PI_2;
+
+/// Characters of a title and of other texts, which every plot repeats.
+const TITLE: usize = 200;
+const TEXT: usize = 1000;
+/// Rows of `profile.csv`: kept frames times elements.
+const ROWS: usize = 500_000;
+/// Chords that replace the arcs of one tool.
+const CHORDS: f64 = 20_000.0;
+
+/// Lists and texts of what was written.
+pub(super) fn of_file(file: &CaseFile, source: &Source) -> Result<(), CaseError> {
+    let hardening = &file.material.hardening;
+    let table = hardening.table.as_ref();
+    let tools = &file.tools;
+    let lengths = [
+        ("notes", Some(file.notes.len()), 50),
+        ("compare", Some(file.compare.len()), 50),
+        ("output.frames", file.output.frames.as_ref().map(Vec::len), 1000),
+        ("material.hardening.table.points", table.and_then(|t| t.points.as_ref()).map(Vec::len), 1000),
+        ("material.hardening.table.strain", table.and_then(|t| t.strain.as_ref()).map(Vec::len), 1000),
+        ("material.hardening.table.stress", table.and_then(|t| t.stress.as_ref()).map(Vec::len), 1000),
+        (
+            "material.hardening.piecewise_power.branches",
+            hardening.piecewise_power.as_ref().map(|law| law.branches.len()),
+            100,
+        ),
+        ("tools.punch.profile", tools.punch.as_ref().and_then(|t| t.profile.as_ref()).map(Vec::len), 2000),
+        ("tools.die.profile", tools.die.as_ref().and_then(|t| t.profile.as_ref()).map(Vec::len), 2000),
+        ("tools.holder.profile", tools.holder.as_ref().and_then(|t| t.profile.as_ref()).map(Vec::len), 2000),
+    ];
+    for (path, length, most) in lengths {
+        if let Some(length) = length.filter(|length| *length > most) {
+            let key = path.rsplit('.').next().unwrap_or(path);
+            let what = format!("`{key}` has {length} entries, more than {most}");
+            return Err(source.error(&format!("{path}.{most}"), what, "leave out what is not needed"));
+        }
+    }
+    let notes = file.notes.iter().enumerate().map(|(i, note)| (format!("notes.{i}"), note, TEXT));
+    let reasons = file.compare.iter().enumerate().map(|(i, c)| (format!("compare.{i}.reason"), &c.reason, TEXT));
+    for (path, text, most) in std::iter::once(("title".to_owned(), &file.title, TITLE)).chain(notes).chain(reasons) {
+        let length = text.chars().count();
+        if length > most {
+            let what = format!("`{path}` has {length} characters, more than {most}");
+            return Err(source.error(&path, what, "every plot repeats it: keep it short"));
+        }
+    }
+    Ok(())
+}
+
+/// What follows from the numbers together.
+pub(super) fn of_model(model: &Model, source: &Source) -> Result<(), CaseError> {
+    let (frames, elements) = (model.frames.len(), model.blank.elements);
+    if frames * elements > ROWS {
+        let what = format!("{frames} frames of {elements} elements are {} rows, more than {ROWS}", frames * elements);
+        let path = if source.has("output.frames") { "output.frames" } else { "output.count" };
+        return Err(source.error(path, what, format!("keep at most {} frames", ROWS / elements)));
+    }
+    let Some(facets) = model.settings.facets else { return Ok(()) };
+    for tool in &model.tools {
+        let sweeps = tool.profile.pieces().iter().map(|piece| match piece {
+            Piece::Arc(arc) => arc.sweep.abs(),
+            Piece::Segment(_) => 0.0,
+        });
+        let quarters = sweeps.sum::<f64>() / FRAC_PI_2;
+        if quarters * facets as f64 > CHORDS {
+            let chords = quarters * facets as f64;
+            let what = format!("the {}'s arcs make {chords:.0} chords, more than {CHORDS}", tool.role.name());
+            return Err(source.error(
+                "solver.facets",
+                what,
+                format!("at most facets = {:.0}", CHORDS / quarters - 0.5),
+            ));
+        }
+    }
+    Ok(())
+}
