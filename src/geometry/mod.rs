@@ -5,13 +5,20 @@
 //! sheet lies on the left**: the outward normal is the tangent turned by +90°, and the signed distance is
 //! positive on the sheet's side, negative inside the tool.
 
+mod crossing;
+mod fillet;
+mod moves;
+mod offset;
 mod piece;
 mod profile;
 mod rounding;
 mod shapes;
 
+pub use crossing::Fold;
+pub use fillet::{FilletTooLarge, fillet};
+pub use offset::OffsetError;
 pub use piece::{Arc, Piece, Segment};
-pub use profile::{Closest, Profile, ProfileError};
+pub use profile::{Closest, Profile, ProfileError, Vertex};
 
 /// A point or vector `[r, z]` in mm.
 pub type Point = nalgebra::Vector2<f64>;
@@ -19,4 +26,9 @@ pub type Point = nalgebra::Vector2<f64>;
 /// The vector turned by +90° in the r-z plane.
 pub(crate) fn turned(v: Point) -> Point {
     Point::new(-v.y, v.x)
+}
+
+/// The angle from one direction to another \[rad\], positive counter-clockwise, within ±π.
+pub(crate) fn turn(from: Point, to: Point) -> f64 {
+    from.perp(&to).atan2(from.dot(&to))
 }

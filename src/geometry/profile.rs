@@ -1,7 +1,13 @@
 //! A tool's section: a chain of pieces with signed distance, normal and curvature.
 
 use super::piece::Foot;
-use super::{Arc, Piece, Point, Segment, turned};
+use super::{Arc, Piece, Point, Segment, turn, turned};
+
+/// A piece that is not longer has no direction \[mm\].
+pub(super) const SHORTEST: f64 = 1e-9;
+
+/// How far apart consecutive pieces may be \[mm\].
+pub(super) const GAP: f64 = 1e-6;
 
 /// A connected chain of pieces, the sheet on its left. See the [module](crate::geometry) for frame and sign.
 #[derive(Clone, Debug, PartialEq)]
@@ -22,6 +28,16 @@ pub struct Closest {
     pub curvature: f64,
     /// Index of the piece.
     pub piece: usize,
+}
+
+/// Where one piece of a profile ends and the next begins.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Vertex {
+    pub point: Point,
+    /// Index of the piece before.
+    pub after: usize,
+    /// How far the chain turns \[rad\]: positive to the left, into a hollow; negative around a convex corner.
+    pub turn: f64,
 }
 
 /// Why a chain of pieces is not a profile.
@@ -48,12 +64,12 @@ impl Profile {
         }
         for (index, piece) in pieces.iter().enumerate() {
             let first = piece.first();
-            if piece.length().is_nan() || piece.length() <= 1e-9 {
+            if piece.length().is_nan() || piece.length() <= SHORTEST {
                 return Err(ProfileError::NoLength { index, r: first.x, z: first.y });
             }
             if index > 0 {
                 let gap = (first - pieces[index - 1].last()).norm();
-                if gap > 1e-6 {
+                if gap > GAP {
                     return Err(ProfileError::Gap { index, gap, r: first.x, z: first.y });
                 }
             }
@@ -134,6 +150,25 @@ impl Profile {
             Piece::Arc(a) if a.sweep < 0.0 => Some(a),
             _ => None,
         })
+    }
+
+    /// The inner vertices in order, smooth ones too.
+    pub fn vertices(&self) -> impl Iterator<Item = Vertex> {
+        self.pieces.windows(2).enumerate().map(|(after, pair)| Vertex {
+            point: pair[0].last(),
+            after,
+            turn: turn(pair[0].tangent(true), pair[1].tangent(false)),
+        })
+    }
+
+    /// First point of the chain \[mm\].
+    pub fn first(&self) -> Point {
+        self.pieces[0].first()
+    }
+
+    /// Last point of the chain \[mm\].
+    pub fn last(&self) -> Point {
+        self.pieces[self.pieces.len() - 1].last()
     }
 
     /// Polyline for drawing: arcs sampled every `step` radians or finer.

@@ -8,11 +8,11 @@
 //! Applying Nagata patches to smooth discretized surfaces used in 3D frictional contact problems, Comput. Methods Appl.
 //! Mech. Engrg. 271 (2014) 296–320; biarcs: K. M. Bolton, Computer-Aided Design 7 (1975) 89–92.
 
-use super::{Arc, Piece, Point, Profile, Segment, turned};
+use super::{Arc, Piece, Point, Profile, Segment, turn, turned};
 use std::f64::consts::PI;
 
 /// A chain that turns by more than this at a vertex has a corner there \[rad\].
-const CORNER: f64 = 25.0 * PI / 180.0;
+pub(super) const CORNER: f64 = 25.0 * PI / 180.0;
 
 /// A piece this many times longer than its neighbour is a straight wall \[–\].
 const WALL: f64 = 4.0;
@@ -31,7 +31,7 @@ impl Profile {
                 }
                 let (before, after) = (&pieces[v - 1], &pieces[v]);
                 let (a, b) = (before.tangent(true), after.tangent(false));
-                let turn = a.perp(&b).atan2(a.dot(&b)).abs();
+                let turn = turn(a, b).abs();
                 let (la, lb) = (before.length(), after.length());
                 let tangent = match la / lb {
                     ratio if ratio > WALL => a,
@@ -93,8 +93,7 @@ fn tangent_arc(a: Point, t: Point, b: Point) -> Option<Arc> {
     let signed_radius = chord.norm_squared() / (2.0 * offset);
     let center = a + signed_radius * normal;
     let (from, to) = (a - center, b - center);
-    let sweep = from.perp(&to).atan2(from.dot(&to));
-    Some(Arc::new(center, signed_radius.abs(), from.y.atan2(from.x), sweep))
+    Some(Arc::new(center, signed_radius.abs(), from.y.atan2(from.x), turn(from, to)))
 }
 
 #[cfg(test)]
