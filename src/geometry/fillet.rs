@@ -71,19 +71,24 @@ pub fn fillet(points: &[Point], radii: &[f64]) -> Result<Vec<Piece>, FilletTooLa
     Ok(pieces)
 }
 
-/// The arc of `radius` \[mm\] that leads from one piece into the next; `None` where there is no corner, no radius or no
-/// room. Its centre lies at the distance `radius` from both.
-pub(super) fn tangent_arc(before: &Piece, after: &Piece, radius: f64) -> Option<Arc> {
+/// The arc of `radius` \[mm\] that rounds the corner between two pieces; `None` where there is no corner, no radius or
+/// no room.
+fn tangent_arc(before: &Piece, after: &Piece, radius: f64) -> Option<Arc> {
     let turn_at_vertex = turn(before.tangent(true), after.tangent(false));
     if radius <= 0.0 || turn_at_vertex.abs() < STRAIGHT {
         return None;
     }
-    let side = radius * turn_at_vertex.signum();
+    arc_beside(before, after, radius * turn_at_vertex.signum())
+}
+
+/// The arc that leads from one piece into another, its centre at the distance `side` \[mm\] on the left of both
+/// (negative: on the right).
+pub(super) fn arc_beside(before: &Piece, after: &Piece, side: f64) -> Option<Arc> {
     let centers = common(&before.beside(side)?, &after.beside(side)?);
     let distance = |p: &Point| (p - before.last()).norm_squared();
     let center = centers.into_iter().min_by(|a, b| distance(a).total_cmp(&distance(b)))?;
     let (from, to) = (before.closest_point(center) - center, after.closest_point(center) - center);
-    Some(Arc::new(center, radius, from.y.atan2(from.x), turn(from, to)))
+    Some(Arc::new(center, side.abs(), from.y.atan2(from.x), turn(from, to)))
 }
 
 #[cfg(test)]

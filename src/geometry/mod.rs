@@ -5,7 +5,9 @@
 //! sheet lies on the left**: the outward normal is the tangent turned by +90°, and the signed distance is
 //! positive on the sheet's side, negative inside the tool.
 
+mod cavity;
 mod crossing;
+mod extreme;
 mod fillet;
 mod moves;
 mod offset;
@@ -14,6 +16,7 @@ mod profile;
 mod rounding;
 mod shapes;
 
+pub use cavity::CavityError;
 pub use crossing::Fold;
 pub use fillet::{FilletTooLarge, fillet};
 pub use offset::OffsetError;

@@ -14,6 +14,9 @@ use std::f64::consts::PI;
 /// A chain that turns by more than this at a vertex has a corner there \[rad\].
 pub(super) const CORNER: f64 = 25.0 * PI / 180.0;
 
+/// A chain that turns by less is straight \[rad\]: arcs of larger radii would lose their ends to round-off.
+const STRAIGHT: f64 = 1e-6;
+
 /// A piece this many times longer than its neighbour is a straight wall \[–\].
 const WALL: f64 = 4.0;
 
@@ -39,7 +42,7 @@ impl Profile {
                     // The arc through three points has its tangent nearer to the shorter chord's.
                     _ => (a * lb + b * la).normalize(),
                 };
-                (turn > 1e-9 && turn < CORNER).then_some(tangent)
+                (turn > STRAIGHT && turn < CORNER).then_some(tangent)
             })
             .collect();
         let mut rounded = Vec::new();
@@ -87,7 +90,7 @@ fn tangent_arc(a: Point, t: Point, b: Point) -> Option<Arc> {
     let chord = b - a;
     let normal = turned(t);
     let offset = normal.dot(&chord);
-    if offset.abs() < 1e-9 * chord.norm() {
+    if offset.abs() < 0.1 * STRAIGHT * chord.norm() {
         return None;
     }
     let signed_radius = chord.norm_squared() / (2.0 * offset);
