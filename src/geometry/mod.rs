@@ -35,3 +35,15 @@ pub(crate) fn turned(v: Point) -> Point {
 pub(crate) fn turn(from: Point, to: Point) -> f64 {
     from.perp(&to).atan2(from.dot(&to))
 }
+
+/// Whether a point lies on the axis r = 0, where every profile meets its mirror image.
+pub(crate) fn on_axis(point: &Point) -> bool {
+    point.x.abs() < 1e-9
+}
+
+/// How far a chain and its mirror image beyond the axis turn where they meet \[rad\].
+pub(crate) fn turn_on_axis(tangent: Point) -> f64 {
+    let image = Point::new(tangent.x, -tangent.y);
+    // Towards the axis the image comes after, from the axis before.
+    if tangent.x < 0.0 { turn(tangent, image) } else { turn(image, tangent) }
+}

@@ -1,14 +1,11 @@
 //! The line at a fixed distance from a profile, on the sheet's side: what a counter-tool follows.
 
 use super::crossing::common;
-use super::{Arc, Fold, Piece, Point, Profile, turn, turned};
+use super::{Arc, Fold, Piece, Point, Profile, on_axis, turn, turn_on_axis, turned};
 use std::f64::consts::PI;
 
 /// A hollow that turns by less is the rounding of a drawing; the pieces beside it are cut where they meet \[rad\].
 const KINK: f64 = 5.0 * PI / 180.0;
-
-/// A point this close to r = 0 lies on the axis \[mm\].
-const AXIS: f64 = 1e-9;
 
 /// Why a profile has no offset.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
@@ -73,9 +70,9 @@ impl Profile {
 
     fn tightest_vertex(&self) -> Result<(), OffsetError> {
         let ends = [(self.first(), self.pieces()[0].tangent(false)), (self.last(), self.end_tangent())];
-        let on_axis = ends.into_iter().filter(|(p, _)| p.x.abs() < AXIS).map(|(p, t)| (p, turn_on_axis(t)));
+        let tips = ends.into_iter().filter(|(p, _)| on_axis(p)).map(|(p, t)| (p, turn_on_axis(t)));
         let inner = self.vertices().map(|v| (v.point, v.turn));
-        match inner.chain(on_axis).find(|(_, turn)| *turn > KINK) {
+        match inner.chain(tips).find(|(_, turn)| *turn > KINK) {
             Some((at, _)) => Err(OffsetError::TooTight { radius: 0.0, at }),
             None => Ok(()),
         }
@@ -92,7 +89,7 @@ impl Profile {
             false => (self.last(), self.end_tangent()),
         };
         let turn = turn_on_axis(tangent);
-        if tip.x.abs() >= AXIS || -turn * by < super::profile::GAP {
+        if !on_axis(&tip) || -turn * by < super::profile::GAP {
             return None;
         }
         let normal = turned(tangent);
@@ -100,13 +97,6 @@ impl Profile {
         let start = if at_first { at_tangent - 0.5 * turn } else { at_tangent };
         Some(Piece::Arc(Arc::new(tip, by, start, 0.5 * turn)))
     }
-}
-
-/// How far a chain and its mirror image beyond the axis turn where they meet \[rad\].
-fn turn_on_axis(tangent: Point) -> f64 {
-    let image = Point::new(tangent.x, -tangent.y);
-    // Towards the axis the image comes after, from the axis before.
-    if tangent.x < 0.0 { turn(tangent, image) } else { turn(image, tangent) }
 }
 
 /// Adds a piece to a line: with an arc about the vertex where they have come apart, cut where they overlap.

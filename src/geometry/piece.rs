@@ -78,6 +78,14 @@ impl Arc {
         }
     }
 
+    /// The arc from the first point of this one to the last point of the next, turning as much as both.
+    pub(super) fn joined(&self, next: &Arc) -> Self {
+        let sweep = self.sweep + next.sweep;
+        let radius = 0.5 * (next.ends[1] - self.ends[0]).norm() / (0.5 * sweep).abs().sin();
+        let radial = Point::new(self.start.cos(), self.start.sin());
+        Self::new(self.ends[0] - radius * radial, radius, self.start, sweep)
+    }
+
     /// Point at the fraction `f` (0..1) of the sweep.
     pub fn at(&self, f: f64) -> Point {
         let angle = self.start + f * self.sweep;

@@ -9,6 +9,12 @@ pub(super) const SHORTEST: f64 = 1e-9;
 /// How far apart consecutive pieces may be \[mm\].
 pub(super) const GAP: f64 = 1e-6;
 
+/// Two arcs with a smaller turn between them are parts of one corner \[rad\].
+const SMOOTH: f64 = 0.02;
+
+/// Radii of the arcs that make up one corner differ by less than this factor: points are rounded \[–\].
+const ALIKE: f64 = 1.5;
+
 /// A connected chain of pieces, the sheet on its left. See the [module](crate::geometry) for frame and sign.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Profile {
@@ -144,12 +150,26 @@ impl Profile {
         Self::new(pieces).expect("chords of a connected chain are connected")
     }
 
-    /// Convex arcs (the corners that bend the sheet), in order.
-    pub fn corners(&self) -> impl Iterator<Item = &Arc> {
-        self.pieces.iter().filter_map(|p| match p {
-            Piece::Arc(a) if a.sweep < 0.0 => Some(a),
-            _ => None,
-        })
+    /// Convex corners (they bend the sheet), in order. Arcs of about one radius that follow each other smoothly are one
+    /// corner: they round off the chords of one.
+    pub fn corners(&self) -> impl Iterator<Item = Arc> {
+        let mut corners: Vec<(usize, Arc)> = Vec::new();
+        for (i, piece) in self.pieces.iter().enumerate() {
+            let Piece::Arc(arc) = piece else { continue };
+            if arc.sweep >= 0.0 {
+                continue;
+            }
+            let goes_on = |(last, corner): &(usize, Arc)| {
+                let turn = turn(self.pieces[*last].tangent(true), piece.tangent(false)).abs();
+                let ratio = corner.radius / arc.radius;
+                last + 1 == i && turn < SMOOTH && ratio < ALIKE && ratio > 1.0 / ALIKE
+            };
+            match corners.last_mut().filter(|last| goes_on(last)) {
+                Some(last) => *last = (i, last.1.joined(arc)),
+                None => corners.push((i, *arc)),
+            }
+        }
+        corners.into_iter().map(|(_, corner)| corner)
     }
 
     /// The inner vertices in order, smooth ones too.

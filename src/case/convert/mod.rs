@@ -1,10 +1,15 @@
 //! [`CaseFile`] → [`Model`]: what the keys mean together, checked against each other.
 
 mod blank;
+mod collide;
 mod compare;
+mod counter;
 mod fit;
 mod material;
+mod place;
+mod points;
 mod profile;
+mod section;
 mod settings;
 mod tools;
 
@@ -15,9 +20,10 @@ use super::file::{self, CaseFile};
 use super::{CaseError, source::Source};
 use crate::model::{Geometry, Model};
 use crate::quantity::{Length, Positive, Quantity};
+use std::path::Path;
 
-/// The model, and what was assumed on the way.
-pub(super) fn model(file: &CaseFile, source: &Source) -> Result<(Model, Vec<String>), CaseError> {
+/// The model, and what was assumed on the way; `case` is the path that files are looked up from.
+pub(super) fn model(file: &CaseFile, source: &Source, case: &Path) -> Result<(Model, Vec<String>), CaseError> {
     let mut derived = Vec::new();
     let geometry = match file.geometry {
         file::Geometry::Axisymmetric => Geometry::Axisymmetric,
@@ -26,9 +32,10 @@ pub(super) fn model(file: &CaseFile, source: &Source) -> Result<(Model, Vec<Stri
     let blank = blank::convert(&file.blank, geometry, source, &mut derived)?;
     let material = material::convert(&file.material, source)?;
     let sheet = tools::Sheet { geometry, length: blank.length, thickness: blank.thickness };
-    let tools = tools::convert(&file.tools, &sheet, source, &mut derived)?;
     let punch = file.tools.punch.as_ref().ok_or_else(|| missing(source, "tools", "punch"))?;
     let travel = punch.travel.value();
+    let folder = case.parent().unwrap_or(Path::new(""));
+    let tools = tools::convert(&tools::Shop { tools: &file.tools, sheet, travel, source, folder }, &mut derived)?;
     let model = Model {
         title: file.title.clone(),
         notes: file.notes.clone(),
@@ -42,6 +49,7 @@ pub(super) fn model(file: &CaseFile, source: &Source) -> Result<(Model, Vec<Stri
         settings: settings::convert(&file.solver, source)?,
     };
     fit::check(&model, source)?;
+    collide::check(&model, source)?;
     Ok((model, derived))
 }
 

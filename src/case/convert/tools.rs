@@ -1,11 +1,12 @@
 //! `[tools]`: shapes placed where they touch the flat sheet.
 
-use super::{by_geometry, profile};
-use crate::case::file::{self, HolderForce};
+use super::{by_geometry, section};
+use crate::case::file::{self, HolderForce, Section};
 use crate::case::{CaseError, explain::missing, source::Source};
 use crate::geometry::Profile;
 use crate::model::{Geometry, Motion, Role, Tool};
 use crate::quantity::{Length, Positive, Quantity};
+use std::path::Path;
 
 /// What tools are placed against.
 pub(super) struct Sheet {
@@ -16,23 +17,30 @@ pub(super) struct Sheet {
     pub thickness: f64,
 }
 
-pub(super) fn convert(
-    file: &file::Tools,
-    sheet: &Sheet,
-    source: &Source,
-    derived: &mut Vec<String>,
-) -> Result<Vec<Tool>, CaseError> {
+/// What tools are made from.
+pub(super) struct Shop<'a> {
+    pub tools: &'a file::Tools,
+    pub sheet: Sheet,
+    /// Punch travel of the whole run [mm].
+    pub travel: f64,
+    pub source: &'a Source<'a>,
+    /// Where profile files are looked up.
+    pub folder: &'a Path,
+}
+
+pub(super) fn convert(shop: &Shop, derived: &mut Vec<String>) -> Result<Vec<Tool>, CaseError> {
+    let Shop { tools: file, sheet, source, .. } = shop;
     let punch = file.punch.as_ref().ok_or_else(|| missing(source, "tools", "punch"))?;
     let mut tools = vec![Tool {
         role: Role::Punch,
-        profile: punch_profile(punch, sheet, source, derived)?,
+        profile: punch_profile(punch, shop, derived)?,
         friction: punch.friction.value(),
         motion: Motion::Travel,
     }];
     if let Some(die) = &file.die {
         tools.push(Tool {
             role: Role::Die,
-            profile: die_profile(die, sheet, source, derived)?,
+            profile: die_profile(die, shop, derived)?,
             friction: die.friction.value(),
             motion: Motion::Fixed,
         });
@@ -47,7 +55,7 @@ pub(super) fn convert(
         }
         tools.push(Tool {
             role: Role::Holder,
-            profile: holder_profile(holder, sheet, source, derived)?,
+            profile: holder_profile(holder, shop, derived)?,
             friction: holder.friction.unwrap_or(die.friction).value(),
             motion: Motion::Force(holder_force(holder.force, sheet.geometry, source)?),
         });
@@ -55,12 +63,30 @@ pub(super) fn convert(
     Ok(tools)
 }
 
-fn punch_profile(
-    punch: &file::Punch,
-    sheet: &Sheet,
-    source: &Source,
-    derived: &mut Vec<String>,
-) -> Result<Profile, CaseError> {
+impl Shop<'_> {
+    /// The placed section of a tool; `None` when there is no such tool.
+    pub fn profile(&self, role: Role) -> Result<Option<Profile>, CaseError> {
+        let derived = &mut Vec::new(); // said where the tool itself is made
+        match role {
+            Role::Punch => self.tools.punch.as_ref().map(|punch| punch_profile(punch, self, derived)),
+            Role::Die => self.tools.die.as_ref().map(|die| die_profile(die, self, derived)),
+            Role::Holder => self.tools.holder.as_ref().map(|holder| holder_profile(holder, self, derived)),
+        }
+        .transpose()
+    }
+
+    /// The section that is written for a tool.
+    pub fn section(&self, role: Role) -> Option<&Section> {
+        match role {
+            Role::Punch => self.tools.punch.as_ref()?.profile.as_ref(),
+            Role::Die => self.tools.die.as_ref()?.profile.as_ref(),
+            Role::Holder => self.tools.holder.as_ref()?.profile.as_ref(),
+        }
+    }
+}
+
+fn punch_profile(punch: &file::Punch, shop: &Shop, derived: &mut Vec<String>) -> Result<Profile, CaseError> {
+    let Shop { sheet, source, .. } = shop;
     let t = sheet.thickness;
     let given = [
         ("hemispherical", punch.hemispherical.is_some()),
@@ -75,7 +101,7 @@ fn punch_profile(
             _ => format!("the punch has {} shapes: {}", given.len(), given.join(" and ")),
         };
         let help = "give one of hemispherical = { radius }, flat = { radius, nose }, crowned = { radius, face, nose }, \
-                    profile = [..]";
+                    profile = [..] or \"punch.csv\"";
         let path = given.get(1).map_or("tools.punch".to_owned(), |shape| format!("tools.punch.{shape}"));
         return Err(source.error(&path, what, help));
     };
@@ -99,8 +125,8 @@ fn punch_profile(
         }
         return Ok(Profile::crowned_punch(radius, face, nose, t));
     }
-    let steps = punch.profile.as_deref().unwrap_or_default();
-    profile::convert(steps, Role::Punch, sheet, source, derived)
+    let section = punch.profile.as_ref().expect("exactly one shape is given, and it is none of the above");
+    section::convert(section, Role::Punch, shop, derived)
 }
 
 fn punch_radius(
@@ -126,14 +152,10 @@ fn nose_within(source: &Source, shape: &str, nose: f64, radius: f64) -> Result<f
     ))
 }
 
-fn die_profile(
-    die: &file::Die,
-    sheet: &Sheet,
-    source: &Source,
-    derived: &mut Vec<String>,
-) -> Result<Profile, CaseError> {
+fn die_profile(die: &file::Die, shop: &Shop, derived: &mut Vec<String>) -> Result<Profile, CaseError> {
+    let Shop { sheet, source, .. } = shop;
     match (&die.profile, die.throat, die.shoulder) {
-        (Some(steps), None, None) => profile::convert(steps, Role::Die, sheet, source, derived),
+        (Some(section), None, None) => section::convert(section, Role::Die, shop, derived),
         (None, Some(throat), Some(shoulder)) => Ok(Profile::die(throat.value(), shoulder.value(), sheet.thickness)),
         (Some(_), ..) => {
             let what = "the die has both a profile and a throat or shoulder";
@@ -144,13 +166,9 @@ fn die_profile(
     }
 }
 
-fn holder_profile(
-    holder: &file::Holder,
-    sheet: &Sheet,
-    source: &Source,
-    derived: &mut Vec<String>,
-) -> Result<Profile, CaseError> {
-    let Some(steps) = &holder.profile else {
+fn holder_profile(holder: &file::Holder, shop: &Shop, derived: &mut Vec<String>) -> Result<Profile, CaseError> {
+    let Shop { sheet, source, .. } = shop;
+    let Some(section) = &holder.profile else {
         let radius = ("inner_radius", holder.inner_radius);
         let half_width = ("inner_half_width", holder.inner_half_width);
         let inner = by_geometry(source, "tools.holder", sheet.geometry, radius, half_width)?;
@@ -160,7 +178,7 @@ fn holder_profile(
         let what = "the holder has both a profile and an inner edge";
         return Err(source.error("tools.holder.profile", what, "keep one of them"));
     }
-    profile::convert(steps, Role::Holder, sheet, source, derived)
+    section::convert(section, Role::Holder, shop, derived)
 }
 
 fn holder_force(force: HolderForce, geometry: Geometry, source: &Source) -> Result<f64, CaseError> {

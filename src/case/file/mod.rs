@@ -5,13 +5,15 @@
 
 mod compare;
 mod material;
+mod section;
 mod solver;
 mod tools;
 
 pub use compare::{Compare, ComparedQuantity};
 pub use material::{Beyond, Branch, Hardening, Hollomon, Ludwik, Material, PiecewisePower, Swift, Table, Voce};
+pub use section::{ProfileStep, Section, SectionTable, ToolName, Turn};
 pub use solver::{Iteration, Norm, Output, Solver};
-pub use tools::{Crowned, Die, Flat, Hemispherical, Holder, HolderForce, ProfileStep, Punch, Tools, Turn};
+pub use tools::{Crowned, Die, Flat, Hemispherical, Holder, HolderForce, Punch, Tools};
 
 use crate::quantity::{Length, Positive};
 use schemars::JsonSchema;
