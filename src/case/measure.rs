@@ -33,9 +33,8 @@ pub(super) fn gap(a: &Tool, b: &Tool, travel: f64) -> Gap {
         let gaps = points.filter_map(|at| {
             let closest = to.closest(at);
             let foot = at - closest.distance * closest.normal;
-            let beyond_end = [to.first(), to.last()].iter().any(|end| (end - foot).norm() < 1e-9);
             // Beyond the ends of a line no side is drawn.
-            (closest.distance >= 0.0 || !beyond_end).then_some(Gap { distance: closest.distance, at })
+            (closest.distance >= 0.0 || !to.ends_at(foot)).then_some(Gap { distance: closest.distance, at })
         });
         gaps.min_by(|a, b| a.distance.total_cmp(&b.distance))
     };

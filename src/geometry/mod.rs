@@ -22,6 +22,7 @@ pub use fillet::{FilletTooLarge, fillet};
 pub use offset::OffsetError;
 pub use piece::{Arc, Piece, Segment};
 pub use profile::{Closest, Profile, ProfileError, Vertex};
+pub use rounding::CORNER;
 
 /// A point or vector `[r, z]` in mm.
 pub type Point = nalgebra::Vector2<f64>;

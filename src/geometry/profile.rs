@@ -181,6 +181,11 @@ impl Profile {
         })
     }
 
+    /// Whether the foot of a closest point is an end of the chain, beyond which no side is drawn.
+    pub fn ends_at(&self, foot: Point) -> bool {
+        [self.first(), self.last()].iter().any(|end| (end - foot).norm() < SHORTEST)
+    }
+
     /// First point of the chain \[mm\].
     pub fn first(&self) -> Point {
         self.pieces[0].first()

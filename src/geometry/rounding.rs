@@ -12,7 +12,7 @@ use super::{Arc, Piece, Point, Profile, Segment, on_axis, turn, turn_on_axis, tu
 use std::f64::consts::PI;
 
 /// A chain that turns by more than this at a vertex has a corner there \[rad\].
-pub(super) const CORNER: f64 = 25.0 * PI / 180.0;
+pub const CORNER: f64 = 25.0 * PI / 180.0;
 
 /// A chain that turns by less is straight \[rad\]: arcs of larger radii would lose their ends to round-off.
 const STRAIGHT: f64 = 1e-6;

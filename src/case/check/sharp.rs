@@ -2,10 +2,8 @@
 
 use super::mm;
 use crate::case::measure::extent;
+use crate::geometry::{CORNER, Point};
 use crate::model::{Model, Role, Tool};
-
-/// A corner that turns by less is a chord of a curve \[rad\].
-const CORNER: f64 = 25.0 * std::f64::consts::PI / 180.0;
 
 /// A warning for each tool with a sharp corner in the sheet's reach.
 pub(super) fn warnings(model: &Model) -> Vec<String> {
@@ -31,7 +29,7 @@ fn warning(model: &Model, tool: &Tool) -> Option<String> {
 }
 
 /// Whether the sheet can come to a point of a tool.
-fn meets(model: &Model, tool: &Tool, at: crate::geometry::Point) -> bool {
+fn meets(model: &Model, tool: &Tool, at: Point) -> bool {
     let within_blank = at.x < model.blank.length;
     match tool.role {
         // What lies deeper than the travel stays below the sheet.

@@ -53,13 +53,8 @@ fn sheet_inside(profile: &Profile, length: f64) -> Option<f64> {
         let x = Point::new(*r, 0.0);
         let closest = profile.closest(x);
         // Beyond the ends of the line no side is drawn.
-        closest.distance < 0.0 && !at_end(profile, x - closest.distance * closest.normal)
+        closest.distance < 0.0 && !profile.ends_at(x - closest.distance * closest.normal)
     })
-}
-
-/// Whether a point is an end of the line, off the axis, where the outline goes on undrawn.
-pub(super) fn at_end(profile: &Profile, point: Point) -> bool {
-    [profile.first(), profile.last()].iter().any(|end| (end - point).norm() < 1e-9)
 }
 
 /// An end of the line below the blank (for a die: above) that runs steeply towards it.
