@@ -1,11 +1,12 @@
 //! What can be said of a case before it is solved: its numbers in solver units, rules of thumb, and warnings.
 
 mod estimate;
+mod sharp;
 mod warn;
 
 use super::Case;
-use super::measure::extent;
-use crate::model::{Face, Geometry, Model, Motion, Role, Theory};
+use super::measure::{extent, throat};
+use crate::model::{Face, Geometry, Model, Motion, Role, Theory, Tool};
 use crate::quantity::rounded;
 use std::fmt;
 
@@ -56,7 +57,8 @@ fn line(label: impl Into<String>, value: impl Into<String>, meaning: impl Into<S
 
 /// A length without digits that mean nothing.
 fn mm(length: f64) -> String {
-    let text = format!("{length:.3}");
+    // Adding 0 takes the sign from a rounded −0.
+    let text = format!("{:.3}", (length * 1e3).round() / 1e3 + 0.0);
     text.trim_end_matches('0').trim_end_matches('.').to_owned()
 }
 
@@ -84,15 +86,16 @@ fn blank(model: &Model, lines: &mut Vec<Line>) {
 fn tools(model: &Model, lines: &mut Vec<Line>) {
     for tool in &model.tools {
         let (low, high) = extent(tool);
+        let bottom = tool.role == Role::Die && throat(tool).is_none();
         let size = match tool.role {
             Role::Punch => mm(high),
+            Role::Die if bottom => "closed".into(),
             Role::Die | Role::Holder => mm(low),
         };
-        let thicknesses = |radius: f64| format!("R {} ({:.1} t)", mm(radius), radius / model.blank.thickness);
-        let corners: Vec<String> = tool.profile.corners().map(|arc| thicknesses(arc.radius)).collect();
-        let corners = if corners.is_empty() { String::new() } else { format!(", {}", corners.join(", ")) };
+        let corners = corners(tool, model.blank.thickness);
         let what = match tool.role {
             Role::Punch => "mm to the wall",
+            Role::Die if bottom => "by a bottom that reaches the axis",
             Role::Die => "mm throat",
             Role::Holder => "mm inner edge",
         };
@@ -117,6 +120,18 @@ fn tools(model: &Model, lines: &mut Vec<Line>) {
     if let Some(ratio) = estimate::draw_ratio(model) {
         lines.push(line("draw ratio", format!("{ratio:.3}"), "blank over punch; about 2.2 is the limit of one draw"));
     }
+}
+
+/// The radii over which the sheet is bent; of many, which round a curve off, the smallest and the largest.
+fn corners(tool: &Tool, thickness: f64) -> String {
+    let written = |radius: f64| format!("R {} ({:.1} t)", mm(radius), radius / thickness);
+    let mut radii: Vec<f64> = tool.profile.corners().map(|arc| arc.radius).collect();
+    if radii.len() > 4 {
+        radii.sort_by(f64::total_cmp);
+        let (smallest, largest) = (radii[0], radii[radii.len() - 1]);
+        return format!(", {} arcs, {} to {}", radii.len(), written(smallest), written(largest));
+    }
+    radii.into_iter().map(|radius| format!(", {}", written(radius))).collect()
 }
 
 fn holder(model: &Model, strength: f64, lines: &mut Vec<Line>) {

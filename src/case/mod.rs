@@ -74,7 +74,8 @@ pub fn load(path: impl AsRef<Path>, overrides: &[String]) -> Result<Case, CaseEr
     parse(&text, &path.to_string_lossy(), overrides)
 }
 
-/// Reads a case from text; `name` is the path that messages show and that reference curves are looked up from.
+/// Reads a case from text; `name` is the path that messages show and that reference curves and profiles are
+/// looked up from.
 ///
 /// An override is `KEY=VALUE`: a dotted path of keys (array entries by index, from 0) and a TOML value; what is not a
 /// TOML value is taken as text. The tables `solver` and `output` are made when they are missing, no others.
@@ -91,7 +92,7 @@ pub fn parse(text: &str, name: &str, overrides: &[String]) -> Result<Case, CaseE
     let source = Source::parse(&shown, &text)?;
     let file = source.read()?;
     let path = PathBuf::from(name);
-    let (model, derived) = convert::model(&file, &source)?;
+    let (model, derived) = convert::model(&file, &source, &path)?;
     let compare = convert::compare(&file, &source, &path)?;
     let name = path.file_stem().map_or_else(|| "case".into(), |stem| stem.to_string_lossy().into_owned());
     Ok(Case { name, path, text: text.clone(), model, compare, derived })

@@ -19,17 +19,13 @@ pub(super) fn example_line(path: &str) -> Option<String> {
     Some(format!("{key} = {example}"))
 }
 
-/// The schema of a key of a table, or of an entry of an array.
+/// The schema of a key of a table, or of an entry of an array; of a choice, in the first alternative that has it.
 fn property<'a>(node: &'a Value, segment: &str) -> Option<&'a Value> {
-    let node = resolve(node);
-    if segment.parse::<usize>().is_ok() { node.get("items") } else { node.get("properties")?.get(segment) }
-}
-
-/// Follows a reference; of a choice (an optional value) the first alternative.
-fn resolve(node: &Value) -> &Value {
-    if let Some(first) = node.get("anyOf").and_then(|choices| choices.get(0)) {
-        return resolve(first);
+    if let Some(choices) = node.get("anyOf").and_then(Value::as_array) {
+        return choices.iter().find_map(|choice| property(choice, segment));
     }
-    let name = node.get("$ref").and_then(Value::as_str).and_then(|text| text.rsplit('/').next());
-    name.and_then(|name| SCHEMA.get("$defs")?.get(name)).unwrap_or(node)
+    if let Some(name) = node.get("$ref").and_then(Value::as_str).and_then(|text| text.rsplit('/').next()) {
+        return property(SCHEMA.get("$defs")?.get(name)?, segment);
+    }
+    if segment.parse::<usize>().is_ok() { node.get("items") } else { node.get("properties")?.get(segment) }
 }

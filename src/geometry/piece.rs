@@ -1,6 +1,7 @@
 //! The two pieces of a tool profile: straight segment and circular arc.
 
 use super::{Point, turned};
+use std::f64::consts::TAU;
 
 /// A straight piece from `from` to `to` \[mm\].
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -77,6 +78,14 @@ impl Arc {
         }
     }
 
+    /// The arc from the first point of this one to the last point of the next, turning as much as both.
+    pub(super) fn joined(&self, next: &Arc) -> Self {
+        let sweep = self.sweep + next.sweep;
+        let radius = 0.5 * (next.ends[1] - self.ends[0]).norm() / (0.5 * sweep).abs().sin();
+        let radial = Point::new(self.start.cos(), self.start.sin());
+        Self::new(self.ends[0] - radius * radial, radius, self.start, sweep)
+    }
+
     /// Point at the fraction `f` (0..1) of the sweep.
     pub fn at(&self, f: f64) -> Point {
         let angle = self.start + f * self.sweep;
@@ -149,6 +158,48 @@ impl Piece {
                 }
             })
             .collect()
+    }
+
+    /// The point of the piece that is closest to `x` \[mm\].
+    pub fn closest_point(&self, x: Point) -> Point {
+        match self.foot(x) {
+            Foot::Interior { distance, normal, .. } => x - distance * normal,
+            Foot::End { point, .. } => point,
+        }
+    }
+
+    /// The parts before and after `point`, which lies on the piece; one without length is left out.
+    pub(super) fn split(&self, point: Point) -> [Option<Piece>; 2] {
+        let halves = match self {
+            Piece::Segment(s) => [Segment::new(s.from, point), Segment::new(point, s.to)].map(Piece::Segment),
+            Piece::Arc(a) => {
+                let from_center = point - a.center;
+                let sense = a.sweep.signum();
+                let swept = (sense * (from_center.y.atan2(from_center.x) - a.start)).rem_euclid(TAU);
+                // Just before the first point is just after a full turn.
+                let before = if swept > 0.5 * (TAU + a.sweep.abs()) { 0.0 } else { swept.min(a.sweep.abs()) * sense };
+                [
+                    Arc::new(a.center, a.radius, a.start, before),
+                    Arc::new(a.center, a.radius, a.start + before, a.sweep - before),
+                ]
+                .map(Piece::Arc)
+            }
+        };
+        halves.map(|half| (half.length() > super::profile::SHORTEST).then_some(half))
+    }
+
+    /// The piece at the distance `by` on its left (negative: right) \[mm\]; `None` when an arc's radius is used up.
+    pub(super) fn beside(&self, by: f64) -> Option<Piece> {
+        match self {
+            Piece::Segment(s) => {
+                let shift = by * turned(s.direction);
+                Some(Piece::Segment(Segment::new(s.from + shift, s.to + shift)))
+            }
+            Piece::Arc(a) => {
+                let radius = a.radius - by * a.sweep.signum();
+                (radius > 0.0).then(|| Piece::Arc(Arc::new(a.center, radius, a.start, a.sweep)))
+            }
+        }
     }
 
     pub(super) fn foot(&self, x: Point) -> Foot {

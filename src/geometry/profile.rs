@@ -1,7 +1,19 @@
 //! A tool's section: a chain of pieces with signed distance, normal and curvature.
 
 use super::piece::Foot;
-use super::{Arc, Piece, Point, Segment, turned};
+use super::{Arc, Piece, Point, Segment, turn, turned};
+
+/// A piece that is not longer has no direction \[mm\].
+pub(super) const SHORTEST: f64 = 1e-9;
+
+/// How far apart consecutive pieces may be \[mm\].
+pub(super) const GAP: f64 = 1e-6;
+
+/// Two arcs with a smaller turn between them are parts of one corner \[rad\].
+const SMOOTH: f64 = 0.02;
+
+/// Radii of the arcs that make up one corner differ by less than this factor: points are rounded \[–\].
+const ALIKE: f64 = 1.5;
 
 /// A connected chain of pieces, the sheet on its left. See the [module](crate::geometry) for frame and sign.
 #[derive(Clone, Debug, PartialEq)]
@@ -22,6 +34,16 @@ pub struct Closest {
     pub curvature: f64,
     /// Index of the piece.
     pub piece: usize,
+}
+
+/// Where one piece of a profile ends and the next begins.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Vertex {
+    pub point: Point,
+    /// Index of the piece before.
+    pub after: usize,
+    /// How far the chain turns \[rad\]: positive to the left, into a hollow; negative around a convex corner.
+    pub turn: f64,
 }
 
 /// Why a chain of pieces is not a profile.
@@ -48,12 +70,12 @@ impl Profile {
         }
         for (index, piece) in pieces.iter().enumerate() {
             let first = piece.first();
-            if piece.length().is_nan() || piece.length() <= 1e-9 {
+            if piece.length().is_nan() || piece.length() <= SHORTEST {
                 return Err(ProfileError::NoLength { index, r: first.x, z: first.y });
             }
             if index > 0 {
                 let gap = (first - pieces[index - 1].last()).norm();
-                if gap > 1e-6 {
+                if gap > GAP {
                     return Err(ProfileError::Gap { index, gap, r: first.x, z: first.y });
                 }
             }
@@ -128,11 +150,34 @@ impl Profile {
         Self::new(pieces).expect("chords of a connected chain are connected")
     }
 
-    /// Convex arcs (the corners that bend the sheet), in order.
-    pub fn corners(&self) -> impl Iterator<Item = &Arc> {
-        self.pieces.iter().filter_map(|p| match p {
-            Piece::Arc(a) if a.sweep < 0.0 => Some(a),
-            _ => None,
+    /// Convex corners (they bend the sheet), in order. Arcs of about one radius that follow each other smoothly are one
+    /// corner: they round off the chords of one.
+    pub fn corners(&self) -> impl Iterator<Item = Arc> {
+        let mut corners: Vec<(usize, Arc)> = Vec::new();
+        for (i, piece) in self.pieces.iter().enumerate() {
+            let Piece::Arc(arc) = piece else { continue };
+            if arc.sweep >= 0.0 {
+                continue;
+            }
+            let goes_on = |(last, corner): &(usize, Arc)| {
+                let turn = turn(self.pieces[*last].tangent(true), piece.tangent(false)).abs();
+                let ratio = corner.radius / arc.radius;
+                last + 1 == i && turn < SMOOTH && ratio < ALIKE && ratio > 1.0 / ALIKE
+            };
+            match corners.last_mut().filter(|last| goes_on(last)) {
+                Some(last) => *last = (i, last.1.joined(arc)),
+                None => corners.push((i, *arc)),
+            }
+        }
+        corners.into_iter().map(|(_, corner)| corner)
+    }
+
+    /// The inner vertices in order, smooth ones too.
+    pub fn vertices(&self) -> impl Iterator<Item = Vertex> {
+        self.pieces.windows(2).enumerate().map(|(after, pair)| Vertex {
+            point: pair[0].last(),
+            after,
+            turn: turn(pair[0].tangent(true), pair[1].tangent(false)),
         })
     }
 
@@ -148,6 +193,21 @@ impl Profile {
         let mine = self.polyline(step).into_iter().map(|p| p + shift).map(|p| (other.closest(p).distance, p));
         let others = other.polyline(step).into_iter().map(|p| (self.closest(p - shift).distance, p));
         mine.chain(others).min_by(|a, b| a.0.total_cmp(&b.0)).expect("profiles have points")
+    }
+
+    /// Whether the foot of a closest point is an end of the chain, beyond which no side is drawn.
+    pub fn ends_at(&self, foot: Point) -> bool {
+        [self.first(), self.last()].iter().any(|end| (end - foot).norm() < SHORTEST)
+    }
+
+    /// First point of the chain \[mm\].
+    pub fn first(&self) -> Point {
+        self.pieces[0].first()
+    }
+
+    /// Last point of the chain \[mm\].
+    pub fn last(&self) -> Point {
+        self.pieces[self.pieces.len() - 1].last()
     }
 
     /// Polyline for drawing: arcs sampled every `step` radians or finer.

@@ -8,11 +8,14 @@
 //! Applying Nagata patches to smooth discretized surfaces used in 3D frictional contact problems, Comput. Methods Appl.
 //! Mech. Engrg. 271 (2014) 296–320; biarcs: K. M. Bolton, Computer-Aided Design 7 (1975) 89–92.
 
-use super::{Arc, Piece, Point, Profile, Segment, turned};
+use super::{Arc, Piece, Point, Profile, Segment, on_axis, turn, turn_on_axis, turned};
 use std::f64::consts::PI;
 
 /// A chain that turns by more than this at a vertex has a corner there \[rad\].
-const CORNER: f64 = 25.0 * PI / 180.0;
+pub const CORNER: f64 = 25.0 * PI / 180.0;
+
+/// A chain that turns by less is straight \[rad\]: arcs of larger radii would lose their ends to round-off.
+const STRAIGHT: f64 = 1e-6;
 
 /// A piece this many times longer than its neighbour is a straight wall \[–\].
 const WALL: f64 = 4.0;
@@ -22,16 +25,24 @@ impl Profile {
     pub fn rounded(&self) -> Self {
         let pieces = self.pieces();
         let n = pieces.len();
+        let is_smooth = |turn: f64| turn > STRAIGHT && turn < CORNER;
         // Tangent shared at the vertex before each piece, where the chain is smooth there: the mean of the pieces',
         // but where one is much longer it is a straight wall that runs into an arc, and has the say alone.
         let shared: Vec<Option<Point>> = (0..=n)
             .map(|v| {
                 if v == 0 || v == n {
-                    return None;
+                    let (end, own) = if v == 0 {
+                        (self.first(), pieces[0].tangent(false))
+                    } else {
+                        (self.last(), pieces[n - 1].tangent(true))
+                    };
+                    let turn = turn_on_axis(own).abs();
+                    // With its mirror image beyond the axis the chain is level there.
+                    return (on_axis(&end) && is_smooth(turn)).then(|| Point::new(own.x.signum(), 0.0));
                 }
                 let (before, after) = (&pieces[v - 1], &pieces[v]);
                 let (a, b) = (before.tangent(true), after.tangent(false));
-                let turn = a.perp(&b).atan2(a.dot(&b)).abs();
+                let turn = turn(a, b).abs();
                 let (la, lb) = (before.length(), after.length());
                 let tangent = match la / lb {
                     ratio if ratio > WALL => a,
@@ -39,7 +50,7 @@ impl Profile {
                     // The arc through three points has its tangent nearer to the shorter chord's.
                     _ => (a * lb + b * la).normalize(),
                 };
-                (turn > 1e-9 && turn < CORNER).then_some(tangent)
+                is_smooth(turn).then_some(tangent)
             })
             .collect();
         let mut rounded = Vec::new();
@@ -87,14 +98,13 @@ fn tangent_arc(a: Point, t: Point, b: Point) -> Option<Arc> {
     let chord = b - a;
     let normal = turned(t);
     let offset = normal.dot(&chord);
-    if offset.abs() < 1e-9 * chord.norm() {
+    if offset.abs() < 0.1 * STRAIGHT * chord.norm() {
         return None;
     }
     let signed_radius = chord.norm_squared() / (2.0 * offset);
     let center = a + signed_radius * normal;
     let (from, to) = (a - center, b - center);
-    let sweep = from.perp(&to).atan2(from.dot(&to));
-    Some(Arc::new(center, signed_radius.abs(), from.y.atan2(from.x), sweep))
+    Some(Arc::new(center, signed_radius.abs(), from.y.atan2(from.x), turn(from, to)))
 }
 
 #[cfg(test)]
@@ -120,6 +130,37 @@ mod tests {
                         assert!((a.normal - b.normal).norm() < 1e-9, "{n} {x:?}");
                     }
                 }
+            }
+        }
+    }
+
+    /// Trust: a hemisphere is level on the axis, and its chords give it back there too.
+    #[test]
+    fn chords_that_meet_the_axis_are_level_there() {
+        let exact = Profile::hemispherical_punch(25.4, 0.9);
+        for chain in [exact.faceted(20), exact.faceted(20).mirrored()] {
+            let rounded = chain.rounded();
+            for i in 0..200 {
+                let side = if on_axis(&chain.first()) { 1.0 } else { -1.0 };
+                let x = Point::new(0.1 * f64::from(i), side * (1.0 - 0.05 * f64::from(i)));
+                let image = Point::new(x.x, side * x.y);
+                assert!((exact.closest(image).distance - rounded.closest(x).distance).abs() < 1e-9, "{x:?}");
+            }
+        }
+    }
+
+    /// Trust: the corner that was cut into chords is found as one again (1e-6: the angles of 45 arcs added up).
+    #[test]
+    fn a_rounded_corner_is_one_corner() {
+        for exact in [Profile::flat_punch(50.0, 9.0, 1.0), Profile::die(51.25, 7.0, 1.0)] {
+            let (corners, found): (Vec<Arc>, Vec<Arc>) =
+                (exact.corners().collect(), exact.faceted(45).rounded().corners().collect());
+            assert_eq!(found.len(), corners.len());
+            for (a, b) in corners.iter().zip(&found) {
+                assert!(
+                    (a.radius / b.radius - 1.0).abs() < 1e-6 && (a.sweep / b.sweep - 1.0).abs() < 1e-6,
+                    "{a:?} {b:?}"
+                );
             }
         }
     }

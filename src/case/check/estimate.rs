@@ -1,6 +1,6 @@
 //! Estimates from a model alone.
 
-use crate::case::measure::{extent, shoulder_end};
+use crate::case::measure::{extent, gap, shoulder_end, throat};
 use crate::geometry::Point;
 use crate::material::Hardening;
 use crate::mesh;
@@ -21,15 +21,18 @@ pub(super) fn tensile_strength(law: &Hardening) -> f64 {
     strains.map(|strain| law.at(strain).stress * (-strain).exp()).fold(0.0, f64::max)
 }
 
-/// Throat less punch [mm].
+/// Throat less punch [mm]; for a die with a bottom the smallest gap at the full travel.
 pub(super) fn clearance(model: &Model) -> Option<f64> {
-    Some(extent(model.tool(Role::Die)?).0 - extent(model.tool(Role::Punch)?).1)
+    let (punch, die) = (model.tool(Role::Punch)?, model.tool(Role::Die)?);
+    let closed = || gap(punch, die, model.travel).distance;
+    Some(throat(die).map_or_else(closed, |throat| throat - extent(punch).1))
 }
 
-/// Blank over punch, where a blank is drawn in.
+/// Blank over punch, where a blank is drawn in over a punch that is smaller.
 pub(super) fn draw_ratio(model: &Model) -> Option<f64> {
     let drawn = model.geometry == Geometry::Axisymmetric && model.blank.edge == Edge::Free;
-    drawn.then_some(model.blank.length / extent(model.tool(Role::Punch)?).1)
+    let ratio = model.blank.length / extent(model.tool(Role::Punch)?).1;
+    (drawn && ratio > 1.0).then_some(ratio)
 }
 
 /// Initial area between holder and the die's flat [mm², or mm² per mm of depth].
@@ -83,6 +86,10 @@ pub(super) fn drawn_share(model: &Model) -> Option<f64> {
         reached = end.x;
     }
     let rest = area(model, shoulder_end(die)) - area(model, reached);
+    // A punch as wide as the blank draws nothing in.
+    if reached >= model.blank.length {
+        return None;
+    }
     Some((used + rest) / area(model, model.blank.length))
 }
 

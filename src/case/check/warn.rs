@@ -1,6 +1,6 @@
 //! What should be known before a result is trusted.
 
-use super::{estimate, mm};
+use super::{estimate, mm, sharp};
 use crate::model::{Edge, Model, Motion, Theory};
 
 /// Radius over thickness below which shells are no longer thin [–].
@@ -14,6 +14,9 @@ const DRY: f64 = 0.3;
 
 /// Tensile strength above that of any cold-formed sheet, or a wrong unit \[MPa\].
 const STRONGEST: f64 = 3000.0;
+
+/// Rounded sums of decimals may miss by this share [–].
+const ROUNDED: f64 = 1e-6;
 
 pub(super) fn all(model: &Model) -> Vec<String> {
     let mut warnings = Vec::new();
@@ -36,7 +39,8 @@ pub(super) fn all(model: &Model) -> Vec<String> {
     let t = model.blank.thickness;
     for tool in &model.tools {
         let name = tool.role.name();
-        for arc in tool.profile.corners().filter(|arc| arc.radius < THIN * t) {
+        let smallest = tool.profile.corners().min_by(|a, b| a.radius.total_cmp(&b.radius));
+        if let Some(arc) = smallest.filter(|arc| arc.radius < THIN * t) {
             let what = match model.blank.theory {
                 Theory::Bending => "beyond thin-shell theory",
                 Theory::Membrane => "bending, which membrane theory leaves out, matters there",
@@ -51,6 +55,15 @@ pub(super) fn all(model: &Model) -> Vec<String> {
         if friction > DRY && !tool.friction.needs_shear_yield() {
             warnings.push(format!("the {name}'s friction of {friction} is above that of dry steel, {DRY}"));
         }
+    }
+    warnings.extend(sharp::warnings(model));
+    if let Some(gap) = estimate::clearance(model).filter(|gap| *gap < t * (1.0 - ROUNDED)) {
+        warnings.push(format!(
+            "at the full travel punch and die are {} mm apart, less than the thickness of {} mm: sheet that does not thin \
+             to that is squeezed, which a shell does not feel as a solid does",
+            mm(gap),
+            mm(t)
+        ));
     }
     if let Some(fit) = estimate::coarsest_corner(model).filter(|fit| fit.per_quarter < FINE) {
         let needed = (model.blank.elements as f64 * 10.0 / fit.per_quarter).ceil();

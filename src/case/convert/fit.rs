@@ -1,6 +1,6 @@
 //! Whether blank and tools fit together.
 
-use crate::case::measure::{extent, shoulder_end};
+use crate::case::measure::{extent, shoulder_end, throat};
 use crate::case::{CaseError, explain::missing, source::Source};
 use crate::model::{Edge, Model, Role};
 use crate::quantity::rounded;
@@ -33,8 +33,8 @@ pub(super) fn check(model: &Model, source: &Source) -> Result<(), CaseError> {
             _ => Ok(()),
         };
     };
-    let throat = extent(die).0;
-    if let Some(punch) = model.tool(Role::Punch) {
+    let throat = throat(die);
+    if let (Some(throat), Some(punch)) = (throat, model.tool(Role::Punch)) {
         let wall = extent(punch).1;
         let clearance = throat - wall;
         if clearance < t * (1.0 - ROUNDED) {
@@ -46,7 +46,7 @@ pub(super) fn check(model: &Model, source: &Source) -> Result<(), CaseError> {
         }
     }
     let end = shoulder_end(die);
-    if end > length * (1.0 + ROUNDED) {
+    if throat.is_some() && end > length * (1.0 + ROUNDED) {
         let what = format!("the die's shoulder ends at {end:.3} mm, beyond the blank's edge at {length} mm");
         let help = "the blank must reach past throat + shoulder to rest on the die";
         return Err(source.error(&key("die", "shoulder"), what, help));
@@ -55,7 +55,7 @@ pub(super) fn check(model: &Model, source: &Source) -> Result<(), CaseError> {
         let inner = extent(holder).0;
         let inner_key =
             if model.geometry == crate::model::Geometry::Axisymmetric { "inner_radius" } else { "inner_half_width" };
-        if inner < throat * (1.0 - ROUNDED) {
+        if let Some(throat) = throat.filter(|throat| inner < throat * (1.0 - ROUNDED)) {
             let what =
                 format!("the holder reaches into the die's throat: inner edge {inner:.3} mm, throat {throat:.3} mm");
             let help = format!("at least {throat:.3} mm");

@@ -1,6 +1,6 @@
 //! How much a case may hold: more is a slip, and would fill the memory or a plot before anyone sees it.
 
-use crate::case::file::CaseFile;
+use crate::case::file::{CaseFile, Section};
 use crate::case::{CaseError, source::Source};
 use crate::geometry::Piece;
 use crate::model::Model;
@@ -19,7 +19,12 @@ pub(super) fn of_file(file: &CaseFile, source: &Source) -> Result<(), CaseError>
     let hardening = &file.material.hardening;
     let table = hardening.table.as_ref();
     let tools = &file.tools;
+    let steps = |section: Option<&Section>| match section {
+        Some(Section::Steps(steps)) => Some(steps.len()),
+        _ => None,
+    };
     let lengths = [
+        ("tools.beads", Some(tools.beads.len()), 20),
         ("notes", Some(file.notes.len()), 50),
         ("compare", Some(file.compare.len()), 50),
         ("output.frames", file.output.frames.as_ref().map(Vec::len), 1000),
@@ -31,9 +36,9 @@ pub(super) fn of_file(file: &CaseFile, source: &Source) -> Result<(), CaseError>
             hardening.piecewise_power.as_ref().map(|law| law.branches.len()),
             100,
         ),
-        ("tools.punch.profile", tools.punch.as_ref().and_then(|t| t.profile.as_ref()).map(Vec::len), 2000),
-        ("tools.die.profile", tools.die.as_ref().and_then(|t| t.profile.as_ref()).map(Vec::len), 2000),
-        ("tools.holder.profile", tools.holder.as_ref().and_then(|t| t.profile.as_ref()).map(Vec::len), 2000),
+        ("tools.punch.profile", steps(tools.punch.as_ref().and_then(|t| t.profile.as_ref())), 2000),
+        ("tools.die.profile", steps(tools.die.as_ref().and_then(|t| t.profile.as_ref())), 2000),
+        ("tools.holder.profile", steps(tools.holder.as_ref().and_then(|t| t.profile.as_ref())), 2000),
     ];
     for (path, length, most) in lengths {
         if let Some(length) = length.filter(|length| *length > most) {

@@ -1,13 +1,18 @@
 //! [`CaseFile`] → [`Model`]: what the keys mean together, checked against each other.
 
 mod blank;
+mod collide;
 mod compare;
+mod counter;
 mod fit;
 mod friction;
 mod limits;
 mod loads;
 mod material;
+mod place;
+mod points;
 mod profile;
+mod section;
 mod settings;
 mod tools;
 
@@ -18,9 +23,10 @@ use super::file::{self, CaseFile};
 use super::{CaseError, source::Source};
 use crate::model::{Geometry, Model};
 use crate::quantity::{Length, Positive, Quantity, rounded};
+use std::path::Path;
 
-/// The model, and what was assumed on the way.
-pub(super) fn model(file: &CaseFile, source: &Source) -> Result<(Model, Vec<String>), CaseError> {
+/// The model, and what was assumed on the way; `case` is the path that files are looked up from.
+pub(super) fn model(file: &CaseFile, source: &Source, case: &Path) -> Result<(Model, Vec<String>), CaseError> {
     limits::of_file(file, source)?;
     let mut derived = Vec::new();
     let geometry = match file.geometry {
@@ -30,12 +36,15 @@ pub(super) fn model(file: &CaseFile, source: &Source) -> Result<(Model, Vec<Stri
     let blank = blank::convert(&file.blank, geometry, source, &mut derived)?;
     let material = material::convert(&file.material, source)?;
     let sheet = tools::Sheet { geometry, length: blank.length, thickness: blank.thickness };
-    let tools = tools::convert(file, &sheet, source, &mut derived)?;
+    let drive = drive(file, blank.length, source)?;
+    let folder = case.parent().unwrap_or(Path::new(""));
+    let shop = tools::Shop { case: file, sheet, travel: drive.travel, source, folder };
+    let tools = tools::convert(&shop, &mut derived)?;
+    let sheet = shop.sheet;
     let gas = match &file.gas {
         Some(gas) => loads::gas(gas, &tools, &sheet, source, &mut derived)?,
         None => Vec::new(),
     };
-    let drive = drive(file, blank.length, source)?;
     let model = Model {
         title: file.title.clone(),
         notes: file.notes.clone(),
@@ -54,6 +63,7 @@ pub(super) fn model(file: &CaseFile, source: &Source) -> Result<(Model, Vec<Stri
     };
     fit::check(&model, source)?;
     limits::of_model(&model, source)?;
+    collide::check(&model, source)?;
     Ok((model, derived))
 }
 

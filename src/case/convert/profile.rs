@@ -1,24 +1,15 @@
-//! A drawn tool section: steps → pieces, moved along z until it touches the flat sheet.
+//! A drawn tool section: steps → pieces.
 
-use super::tools::Sheet;
 use crate::case::file::{ProfileStep, Turn};
 use crate::case::{CaseError, source::Source};
 use crate::geometry::{Arc, Piece, Point, Profile, Segment};
-use crate::model::Role;
 use crate::quantity::{Length, Quantity};
 use std::f64::consts::TAU;
 
 /// How far the centre of an arc may lie from where its ends want it [mm]: drawings are rounded.
 const ROUNDED: f64 = 0.01;
 
-pub(super) fn convert(
-    steps: &[ProfileStep],
-    role: Role,
-    sheet: &Sheet,
-    source: &Source,
-    derived: &mut Vec<String>,
-) -> Result<Profile, CaseError> {
-    let path = format!("tools.{}.profile", role.name());
+pub(super) fn convert(steps: &[ProfileStep], path: &str, source: &Source) -> Result<Profile, CaseError> {
     let fail = |i: usize, what: &str, help: &str| Err(source.error(&format!("{path}.{i}"), what, help));
     let mut pieces = Vec::new();
     let mut here = None;
@@ -69,8 +60,7 @@ pub(super) fn convert(
         }
         here = Some(end);
     }
-    let drawn = Profile::new(pieces).map_err(|error| source.error(&path, format!("profile: {error}"), "add steps"))?;
-    place(drawn, role, sheet, &path, source, derived)
+    Profile::new(pieces).map_err(|error| source.error(path, format!("profile: {error}"), "add steps"))
 }
 
 /// The most that one arc of a tool turns \[rad\]: half a circle, and round-off.
@@ -95,38 +85,4 @@ fn arc(start: Point, end: Point, center: Point, turn: Turn) -> Option<Arc> {
         Turn::Right => -(angle(start) - angle(end)).rem_euclid(TAU),
     };
     Some(Arc::new(center, radius, angle(start), sweep))
-}
-
-/// Moves a profile along z until it touches the sheet, and checks that it has the sheet on its left.
-fn place(
-    drawn: Profile,
-    role: Role,
-    sheet: &Sheet,
-    path: &str,
-    source: &Source,
-    derived: &mut Vec<String>,
-) -> Result<Profile, CaseError> {
-    let above = role == Role::Die;
-    let side = if above { 1.0 } else { -1.0 };
-    let under_sheet = drawn.polyline(1e-3).into_iter().filter(|p| p.x <= sheet.length);
-    let Some(first) = under_sheet.min_by(|a, b| (side * a.y).total_cmp(&(side * b.y))) else {
-        let what = format!("the {} lies beyond the blank's edge at {} mm", role.name(), sheet.length);
-        return Err(source.error(path, what, "check the r coordinates and the size of the blank"));
-    };
-    let shift = side * 0.5 * sheet.thickness - first.y;
-    if shift.abs() > 1e-6 {
-        derived
-            .push(format!("the {}'s profile is moved by {shift:+.4} mm along z to touch the flat sheet", role.name()));
-    }
-    let move_up = |p: Point| p + Point::new(0.0, shift);
-    let pieces = drawn.pieces().iter().map(|piece| match piece {
-        Piece::Segment(s) => Piece::Segment(Segment::new(move_up(s.from), move_up(s.to))),
-        Piece::Arc(a) => Piece::Arc(Arc::new(move_up(a.center), a.radius, a.start, a.sweep)),
-    });
-    let placed = Profile::new(pieces.collect()).expect("a moved chain stays connected");
-    if placed.closest(Point::new(first.x, 0.0)).distance < 0.0 {
-        let what = format!("the {}'s profile has the sheet on its right", role.name());
-        return Err(source.error(path, what, "list the points the other way round: the sheet lies on the left"));
-    }
-    Ok(placed)
 }

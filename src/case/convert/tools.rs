@@ -1,11 +1,12 @@
 //! `[tools]`: shapes placed where they touch the flat sheet.
 
-use super::{by_geometry, friction, loads, profile};
-use crate::case::file;
+use super::{by_geometry, friction, loads, section};
+use crate::case::file::{self, Section};
 use crate::case::{CaseError, explain::missing, source::Source};
 use crate::geometry::Profile;
 use crate::model::{Geometry, Motion, Role, Tool};
 use crate::quantity::{Length, Positive, Quantity, rounded};
+use std::path::Path;
 
 /// No tool is sharper and no opening smaller than a micrometre [mm].
 const SMALLEST: f64 = 1e-3;
@@ -19,18 +20,25 @@ pub(super) struct Sheet {
     pub thickness: f64,
 }
 
-pub(super) fn convert(
-    case: &file::CaseFile,
-    sheet: &Sheet,
-    source: &Source,
-    derived: &mut Vec<String>,
-) -> Result<Vec<Tool>, CaseError> {
+/// What tools are made from.
+pub(super) struct Shop<'a> {
+    pub case: &'a file::CaseFile,
+    pub sheet: Sheet,
+    /// Punch travel of the whole run [mm].
+    pub travel: f64,
+    pub source: &'a Source<'a>,
+    /// Where profile files are looked up.
+    pub folder: &'a Path,
+}
+
+pub(super) fn convert(shop: &Shop, derived: &mut Vec<String>) -> Result<Vec<Tool>, CaseError> {
+    let Shop { case, sheet, source, .. } = shop;
     let file = &case.tools;
     let mut tools = Vec::new();
     if let Some(punch) = &file.punch {
         tools.push(Tool {
             role: Role::Punch,
-            profile: punch_profile(punch, sheet, source, derived)?,
+            profile: punch_profile(punch, shop, derived)?,
             friction: friction::of(Role::Punch, case, source, derived)?,
             motion: Motion::Travel,
         });
@@ -38,7 +46,7 @@ pub(super) fn convert(
     if let Some(die) = &file.die {
         tools.push(Tool {
             role: Role::Die,
-            profile: die_profile(die, sheet, source, derived)?,
+            profile: die_profile(die, shop, derived)?,
             friction: friction::of(Role::Die, case, source, derived)?,
             motion: Motion::Fixed,
         });
@@ -48,7 +56,7 @@ pub(super) fn convert(
             let what = "a holder needs a die to press against";
             return Err(source.error("tools.holder", what, "add [tools.die], or drop the holder and clamp the edge"));
         };
-        let profile = holder_profile(holder, sheet, source, derived)?;
+        let profile = holder_profile(holder, shop, derived)?;
         let motion = loads::holder(holder, &profile, die, sheet, source, derived)?;
         let friction = friction::of(Role::Holder, case, source, derived)?;
         tools.push(Tool { role: Role::Holder, profile, friction, motion });
@@ -56,12 +64,30 @@ pub(super) fn convert(
     Ok(tools)
 }
 
-fn punch_profile(
-    punch: &file::Punch,
-    sheet: &Sheet,
-    source: &Source,
-    derived: &mut Vec<String>,
-) -> Result<Profile, CaseError> {
+impl Shop<'_> {
+    /// The placed section of a tool; `None` when there is no such tool.
+    pub fn profile(&self, role: Role) -> Result<Option<Profile>, CaseError> {
+        let derived = &mut Vec::new(); // said where the tool itself is made
+        match role {
+            Role::Punch => self.case.tools.punch.as_ref().map(|punch| punch_profile(punch, self, derived)),
+            Role::Die => self.case.tools.die.as_ref().map(|die| die_profile(die, self, derived)),
+            Role::Holder => self.case.tools.holder.as_ref().map(|holder| holder_profile(holder, self, derived)),
+        }
+        .transpose()
+    }
+
+    /// The section that is written for a tool.
+    pub fn section(&self, role: Role) -> Option<&Section> {
+        match role {
+            Role::Punch => self.case.tools.punch.as_ref()?.profile.as_ref(),
+            Role::Die => self.case.tools.die.as_ref()?.profile.as_ref(),
+            Role::Holder => self.case.tools.holder.as_ref()?.profile.as_ref(),
+        }
+    }
+}
+
+fn punch_profile(punch: &file::Punch, shop: &Shop, derived: &mut Vec<String>) -> Result<Profile, CaseError> {
+    let Shop { sheet, source, .. } = shop;
     let t = sheet.thickness;
     let given = [
         ("hemispherical", punch.hemispherical.is_some()),
@@ -76,7 +102,7 @@ fn punch_profile(
             _ => format!("the punch has {} shapes: {}", given.len(), given.join(" and ")),
         };
         let help = "give one of hemispherical = { radius }, flat = { radius, nose }, crowned = { radius, face, nose }, \
-                    profile = [..]";
+                    profile = [..] or \"punch.csv\"";
         let path = given.get(1).map_or("tools.punch".to_owned(), |shape| format!("tools.punch.{shape}"));
         return Err(source.error(&path, what, help));
     };
@@ -105,8 +131,8 @@ fn punch_profile(
         }
         return Ok(Profile::crowned_punch(radius, face, nose, t));
     }
-    let steps = punch.profile.as_deref().unwrap_or_default();
-    profile::convert(steps, Role::Punch, sheet, source, derived)
+    let section = punch.profile.as_ref().expect("exactly one shape is given, and it is none of the above");
+    section::convert(section, Role::Punch, shop, derived)
 }
 
 fn punch_radius(
@@ -145,14 +171,10 @@ fn nose_within(source: &Source, shape: &str, nose: f64, radius: f64) -> Result<f
     ))
 }
 
-fn die_profile(
-    die: &file::Die,
-    sheet: &Sheet,
-    source: &Source,
-    derived: &mut Vec<String>,
-) -> Result<Profile, CaseError> {
+fn die_profile(die: &file::Die, shop: &Shop, derived: &mut Vec<String>) -> Result<Profile, CaseError> {
+    let Shop { sheet, source, .. } = shop;
     match (&die.profile, die.throat, die.shoulder) {
-        (Some(steps), None, None) => profile::convert(steps, Role::Die, sheet, source, derived),
+        (Some(section), None, None) => section::convert(section, Role::Die, shop, derived),
         (None, Some(throat), Some(shoulder)) => Ok(Profile::die(
             size(source, "tools.die.throat", throat.value())?,
             size(source, "tools.die.shoulder", shoulder.value())?,
@@ -167,13 +189,9 @@ fn die_profile(
     }
 }
 
-fn holder_profile(
-    holder: &file::Holder,
-    sheet: &Sheet,
-    source: &Source,
-    derived: &mut Vec<String>,
-) -> Result<Profile, CaseError> {
-    let Some(steps) = &holder.profile else {
+fn holder_profile(holder: &file::Holder, shop: &Shop, derived: &mut Vec<String>) -> Result<Profile, CaseError> {
+    let Shop { sheet, source, .. } = shop;
+    let Some(section) = &holder.profile else {
         let radius = ("inner_radius", holder.inner_radius);
         let half_width = ("inner_half_width", holder.inner_half_width);
         let inner = by_geometry(source, "tools.holder", sheet.geometry, radius, half_width)?;
@@ -184,5 +202,5 @@ fn holder_profile(
         let what = "the holder has both a profile and an inner edge";
         return Err(source.error("tools.holder.profile", what, "keep one of them"));
     }
-    profile::convert(steps, Role::Holder, sheet, source, derived)
+    section::convert(section, Role::Holder, shop, derived)
 }

@@ -8,6 +8,7 @@ mod friction;
 mod gas;
 mod history;
 mod material;
+mod section;
 mod solver;
 mod tools;
 
@@ -16,10 +17,9 @@ pub use friction::{Friction, FrictionLaw, PressureDependent, Sides, Stribeck, Tr
 pub use gas::{Gas, GasFace};
 pub use history::Given;
 pub use material::{Beyond, Branch, Hardening, Hollomon, Ludwik, Material, PiecewisePower, Swift, Table, Voce};
+pub use section::{ProfileStep, Section, SectionTable, ToolName, Turn};
 pub use solver::{ContactMethod, Iteration, Norm, Output, Solver, Stop};
-pub use tools::{
-    Bead, Crowned, Die, Flat, Hemispherical, Holder, HolderForce, ProfileStep, Punch, Spring, Stiffness, Tools, Turn,
-};
+pub use tools::{Bead, Crowned, Die, Flat, Hemispherical, Holder, HolderForce, Punch, Spring, Stiffness, Tools};
 
 use crate::quantity::{Length, Positive};
 use schemars::JsonSchema;

@@ -1,6 +1,6 @@
 //! `[tools.punch]`, `[tools.die]`, `[tools.holder]`, `[[tools.beads]]`.
 
-use super::{Friction, Given};
+use super::{Friction, Given, Section};
 use crate::quantity::{Force, Length, LineForce, NonNegative, Positive, Quantity, Speed, Stress};
 use schemars::JsonSchema;
 use serde::Deserialize;
@@ -39,8 +39,8 @@ pub struct Punch {
     pub hemispherical: Option<Hemispherical>,
     pub flat: Option<Flat>,
     pub crowned: Option<Crowned>,
-    /// A drawn section, the sheet on the left as one goes along it.
-    pub profile: Option<Vec<ProfileStep>>,
+    /// A section of one's own, from the axis outward.
+    pub profile: Option<Section>,
     /// Coulomb's coefficient of friction, 0 to 1, or another law; that of its side of the sheet when not given.
     #[schemars(example = 0.08)]
     pub friction: Option<Friction>,
@@ -93,33 +93,6 @@ pub struct Crowned {
     pub nose: Positive<Length>,
 }
 
-/// One step of a drawn section: `from` first, then `to` for straight lines, `arc_to` with `center` and `turn` for arcs.
-#[derive(Clone, Debug, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct ProfileStep {
-    /// First point: [r, z].
-    pub from: Option<[Length; 2]>,
-    /// End of a straight line: [r, z].
-    pub to: Option<[Length; 2]>,
-    /// End of an arc: [r, z].
-    pub arc_to: Option<[Length; 2]>,
-    /// Centre of the arc: [r, z].
-    pub center: Option<[Length; 2]>,
-    /// Which way the arc turns as one goes along it.
-    #[schemars(example = &"right")]
-    pub turn: Option<Turn>,
-}
-
-/// Sense of an arc as one goes along it, r to the right and z upward.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
-pub enum Turn {
-    /// Counter-clockwise: a hollow of the tool.
-    Left,
-    /// Clockwise: a convex corner that bends the sheet.
-    Right,
-}
-
 /// The die stands still above the sheet: `throat` and `shoulder`, or a `profile`.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
@@ -130,8 +103,8 @@ pub struct Die {
     /// Radius of the corner over which the sheet is drawn.
     #[schemars(example = "6 mm")]
     pub shoulder: Option<Positive<Length>>,
-    /// A drawn section, the sheet on the left as one goes along it (from outside inward).
-    pub profile: Option<Vec<ProfileStep>>,
+    /// A section of one's own, from outside inward.
+    pub profile: Option<Section>,
     /// Coulomb's coefficient of friction, 0 to 1, or another law; that of its side of the sheet when not given.
     #[schemars(example = 0.08)]
     pub friction: Option<Friction>,
@@ -147,8 +120,8 @@ pub struct Holder {
     /// Distance of its inner edge from the symmetry plane (plane strain).
     #[schemars(example = "341 mm")]
     pub inner_half_width: Option<Positive<Length>>,
-    /// A drawn section, the sheet on the left as one goes along it (from inside outward).
-    pub profile: Option<Vec<ProfileStep>>,
+    /// A section of one's own, from inside outward.
+    pub profile: Option<Section>,
     /// Force of the whole ring ("80 kN"), or per depth of the modelled half in plane strain ("1300 N/mm"); or its history
     /// over the punch travel: [["0 mm", "40 kN"], ["20 mm", "80 kN"]]. The holder's position follows.
     #[schemars(example = "10 kN")]

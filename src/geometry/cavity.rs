@@ -1,0 +1,97 @@
+//! The die around a cavity: a line cut off at the die's face, with a shoulder between.
+
+use super::crossing::common;
+use super::fillet::arc_beside;
+use super::{Piece, Point, Profile, Segment};
+
+/// Why a line does not become a die.
+#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
+pub enum CavityError {
+    #[error("the cavity begins {below:.4} mm below the die's face")]
+    Below {
+        /// \[mm\]
+        below: f64,
+    },
+    #[error("the cavity ends {above:.4} mm above the die's face")]
+    Above {
+        /// \[mm\]
+        above: f64,
+    },
+    #[error("a shoulder of {shoulder:.4} mm finds no room between the face and the wall of the cavity")]
+    Shoulder {
+        /// \[mm\]
+        shoulder: f64,
+    },
+}
+
+impl Profile {
+    /// The die whose cavity is this line, walked from the axis outward with the die on its left: the line down to the
+    /// height `face` \[mm\], a convex corner of `shoulder` radius \[mm\], and the face out to `reach` \[mm\]. The result is
+    /// walked from outside inward, the sheet (below) on its left.
+    ///
+    /// # Errors
+    /// When the line does not lead from above the face to below it, or the shoulder finds no place.
+    pub fn cavity(&self, face: f64, shoulder: f64, reach: f64) -> Result<Self, CavityError> {
+        if self.first().y <= face {
+            return Err(CavityError::Below { below: face - self.first().y });
+        }
+        let plane = Piece::Segment(Segment::new(Point::new(reach, face), Point::new(0.0, face)));
+        let crossing = self.pieces().iter().position(|piece| !common(piece, &plane).is_empty());
+        let Some(crossed) = crossing else {
+            return Err(CavityError::Above { above: self.last().y - face });
+        };
+        // The shoulder may use up the pieces next to the face.
+        let corner = self.pieces()[..=crossed].iter().rev().enumerate().find_map(|(back, piece)| {
+            let corner = arc_beside(&plane, &piece.reversed(), -shoulder)?;
+            (corner.sweep < 0.0).then_some((crossed - back, corner))
+        });
+        let Some((last, corner)) = corner else { return Err(CavityError::Shoulder { shoulder }) };
+        let mut pieces =
+            vec![Piece::Segment(Segment::new(Point::new(reach, face), corner.at(0.0))), Piece::Arc(corner)];
+        pieces.extend(self.pieces()[last].reversed().split(corner.at(1.0))[1]);
+        pieces.extend(self.pieces()[..last].iter().rev().map(Piece::reversed));
+        Self::new(pieces).map_err(|_| CavityError::Shoulder { shoulder })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use approx::assert_relative_eq;
+
+    /// Trust: the standard die, where the cavity has a straight wall.
+    #[test]
+    fn a_wall_and_a_shoulder_are_the_standard_die() {
+        let cavity = Profile::flat_punch(31.25, 7.0, 1.0).shifted(25.5);
+        let die = cavity.cavity(0.5, 6.0, 500.0).unwrap();
+        let standard = Profile::die(31.25, 6.0, 1.0);
+        for i in 0..100 {
+            let x = Point::new(25.0 + 0.3 * f64::from(i), 10.0 - 0.1 * f64::from(i));
+            assert_relative_eq!(die.closest(x).distance, standard.closest(x).distance, epsilon = 1e-9);
+        }
+        // Its bottom: 25 mm above the face.
+        assert_relative_eq!(die.closest(Point::new(0.0, 5.0)).distance, 20.5 - 0.5, epsilon = 1e-9);
+        assert_eq!(die.fold(), None);
+        assert!(die.vertices().all(|v| v.turn.abs() < 1e-9));
+    }
+
+    /// Trust: a shallow bowl is left on its arc: the shoulder touches the sphere from outside.
+    #[test]
+    fn a_shoulder_may_run_into_an_arc() {
+        let bowl = Profile::hemispherical_punch(50.0, 0.0).shifted(20.0);
+        let die = bowl.cavity(0.0, 8.0, 500.0).unwrap();
+        let corner = die.corners().next().unwrap();
+        assert_relative_eq!((corner.center - Point::new(0.0, -30.0)).norm(), 58.0, epsilon = 1e-9);
+        assert_relative_eq!(corner.center.y, 8.0, epsilon = 1e-9);
+        assert!(die.vertices().all(|v| v.turn.abs() < 1e-9));
+    }
+
+    #[test]
+    fn lines_that_are_no_cavity_are_refused() {
+        let short =
+            Profile::new(vec![Piece::Segment(Segment::new(Point::new(0.0, 9.0), Point::new(20.0, 2.0)))]).unwrap();
+        assert_eq!(short.cavity(0.5, 6.0, 500.0), Err(CavityError::Above { above: 1.5 }));
+        assert_eq!(short.cavity(10.0, 6.0, 500.0), Err(CavityError::Below { below: 1.0 }));
+        assert!(matches!(short.cavity(4.0, 200.0, 500.0), Err(CavityError::Shoulder { .. })));
+    }
+}

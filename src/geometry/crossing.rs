@@ -1,0 +1,225 @@
+//! Where pieces meet, and whether a profile runs into itself.
+
+use super::{Piece, Point, Profile};
+use std::f64::consts::PI;
+
+/// Pieces that come this close touch \[mm\].
+const TOUCH: f64 = 1e-7;
+
+/// A chain that turns by more than this at a vertex goes back the way it came \[rad\].
+const BACK: f64 = 175.0 * PI / 180.0;
+
+/// Neighbours may meet a second time this close to their vertex \[mm\]: drawings are rounded, and an arc that should
+/// be tangent to a line then crosses it twice.
+const ROUNDED: f64 = 0.05;
+
+/// Where a profile is not the outline of a tool.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Fold {
+    /// It turns back on itself.
+    Back {
+        at: Point,
+        /// Index of the piece before.
+        after: usize,
+        /// \[rad\], positive to the left.
+        turn: f64,
+    },
+    /// Two pieces cross or touch, or neighbours do so away from their vertex.
+    Crossing { at: Point, pieces: [usize; 2] },
+}
+
+impl Profile {
+    /// The first place where the profile turns back, crosses or touches itself.
+    pub fn fold(&self) -> Option<Fold> {
+        let back = self.vertices().find(|v| v.turn.abs() > BACK);
+        if let Some(v) = back {
+            return Some(Fold::Back { at: v.point, after: v.after, turn: v.turn });
+        }
+        let boxes: Vec<[Point; 2]> = self.pieces().iter().map(bounds).collect();
+        for (i, a) in self.pieces().iter().enumerate() {
+            for (j, b) in self.pieces().iter().enumerate().skip(i + 1) {
+                let [(a_low, a_high), (b_low, b_high)] = [(boxes[i][0], boxes[i][1]), (boxes[j][0], boxes[j][1])];
+                if a_low.x > b_high.x || b_low.x > a_high.x || a_low.y > b_high.y || b_low.y > a_high.y {
+                    continue;
+                }
+                let vertex = a.last();
+                // Round-off δ of the distance moves the point where a line touches an arc by √(2 R δ).
+                let radius = radius(a).max(radius(b));
+                let near = if j == i + 1 { ROUNDED + (8.0 * radius * TOUCH).sqrt() } else { 0.0 };
+                if let Some(at) = common(a, b).into_iter().find(|p| j > i + 1 || (p - vertex).norm() > near) {
+                    return Some(Fold::Crossing { at, pieces: [i, j] });
+                }
+            }
+        }
+        None
+    }
+}
+
+/// Points that two pieces have in common: where they cross or touch, and where one ends on the other. Of a stretch
+/// in common, its ends.
+pub(super) fn common(a: &Piece, b: &Piece) -> Vec<Point> {
+    let on = |piece: &Piece, p: &Point| (piece.closest_point(*p) - p).norm() <= TOUCH;
+    let mut points: Vec<Point> = carriers(a, b).into_iter().filter(|p| on(a, p) && on(b, p)).collect();
+    points.extend([a.first(), a.last()].into_iter().filter(|p| on(b, p)));
+    points.extend([b.first(), b.last()].into_iter().filter(|p| on(a, p)));
+    points
+}
+
+/// Where the lines and circles that carry two pieces meet.
+fn carriers(a: &Piece, b: &Piece) -> Vec<Point> {
+    match (a, b) {
+        (Piece::Segment(s), Piece::Segment(t)) => {
+            let (d, e) = (a.tangent(false), b.tangent(false));
+            let sine = d.perp(&e);
+            if sine.abs() < 1e-12 {
+                return Vec::new();
+            }
+            vec![s.from + (t.from - s.from).perp(&e) / sine * d]
+        }
+        (Piece::Segment(s), Piece::Arc(c)) | (Piece::Arc(c), Piece::Segment(s)) => {
+            let along = (s.to - s.from).normalize();
+            let foot = s.from + (c.center - s.from).dot(&along) * along;
+            either_side(foot, along, c.radius, (c.center - foot).norm())
+        }
+        (Piece::Arc(c), Piece::Arc(d)) => {
+            let between = d.center - c.center;
+            let distance = between.norm();
+            if distance < TOUCH {
+                return Vec::new();
+            }
+            let along = between / distance;
+            let to_chord = (distance * distance + c.radius * c.radius - d.radius * d.radius) / (2.0 * distance);
+            either_side(c.center + to_chord * along, super::turned(along), c.radius, to_chord.abs())
+        }
+    }
+}
+
+/// The two points of a circle on a chord whose middle lies at `distance` from the centre; one where it only touches.
+fn either_side(middle: Point, along: Point, radius: f64, distance: f64) -> Vec<Point> {
+    if distance > radius + TOUCH {
+        return Vec::new();
+    }
+    let half = (radius * radius - distance * distance).max(0.0).sqrt();
+    vec![middle + half * along, middle - half * along]
+}
+
+fn radius(piece: &Piece) -> f64 {
+    match piece {
+        Piece::Segment(_) => 0.0,
+        Piece::Arc(a) => a.radius,
+    }
+}
+
+/// A box around a piece, of an arc around its whole circle.
+fn bounds(piece: &Piece) -> [Point; 2] {
+    let margin = Point::new(TOUCH, TOUCH);
+    match piece {
+        Piece::Segment(s) => [s.from.inf(&s.to) - margin, s.from.sup(&s.to) + margin],
+        Piece::Arc(a) => {
+            let reach = Point::new(a.radius, a.radius) + margin;
+            [a.center - reach, a.center + reach]
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::{Arc, Segment};
+    use super::*;
+    use proptest::prelude::*;
+    use std::f64::consts::{FRAC_PI_2, FRAC_PI_4};
+
+    fn line(x: [f64; 4]) -> Piece {
+        Piece::Segment(Segment::new(Point::new(x[0], x[1]), Point::new(x[2], x[3])))
+    }
+
+    fn arc(center: [f64; 2], radius: f64, start: f64, sweep: f64) -> Piece {
+        Piece::Arc(Arc::new(Point::new(center[0], center[1]), radius, start, sweep))
+    }
+
+    fn chain(points: &[[f64; 2]]) -> Profile {
+        let lines = points.windows(2).map(|w| line([w[0][0], w[0][1], w[1][0], w[1][1]]));
+        Profile::new(lines.collect()).unwrap()
+    }
+
+    /// Trust: hand calculation.
+    #[test]
+    fn pieces_meet_where_geometry_says() {
+        let close = |a: &Piece, b: &Piece, wanted: &[[f64; 2]]| {
+            let found = common(a, b);
+            assert_eq!(found.is_empty(), wanted.is_empty(), "{a:?} {b:?} {found:?}");
+            for w in wanted {
+                assert!(found.iter().any(|p| (p - Point::new(w[0], w[1])).norm() < 1e-9), "{w:?} not in {found:?}");
+            }
+        };
+        close(&line([0.0, 0.0, 2.0, 2.0]), &line([0.0, 2.0, 2.0, 0.0]), &[[1.0, 1.0]]);
+        close(&line([0.0, 0.0, 0.9, 0.9]), &line([0.0, 2.0, 2.0, 0.0]), &[]);
+        close(&line([0.0, 0.0, 2.0, 0.0]), &line([1.0, 0.0, 3.0, 0.0]), &[[1.0, 0.0], [2.0, 0.0]]);
+        close(&line([0.0, 0.0, 2.0, 0.0]), &line([1.0, 1e-3, 3.0, 1e-3]), &[]);
+        let upper = arc([0.0, 0.0], 5.0, 0.0, std::f64::consts::PI);
+        close(&line([-6.0, 3.0, 6.0, 3.0]), &upper, &[[4.0, 3.0], [-4.0, 3.0]]);
+        close(&line([-6.0, -3.0, 6.0, -3.0]), &upper, &[]);
+        close(&line([-6.0, 5.0, 6.0, 5.0]), &upper, &[[0.0, 5.0]]);
+        close(&arc([6.0, 0.0], 5.0, FRAC_PI_2, FRAC_PI_2), &upper, &[[3.0, 4.0]]);
+        close(&arc([0.0, 0.0], 5.0, FRAC_PI_4, FRAC_PI_4), &upper, &[[0.0, 5.0]]);
+        close(&arc([0.0, 0.0], 4.0, FRAC_PI_4, FRAC_PI_4), &upper, &[]);
+    }
+
+    #[test]
+    fn folds_are_found_with_their_place() {
+        let loops = chain(&[[0.0, 0.0], [10.0, 0.0], [10.0, 5.0], [5.0, 5.0], [5.0, -5.0]]);
+        assert_eq!(loops.fold(), Some(Fold::Crossing { at: Point::new(5.0, 0.0), pieces: [0, 3] }));
+        let touches = chain(&[[0.0, 0.0], [10.0, 0.0], [10.0, 5.0], [5.0, 0.0], [5.0, 9.0]]);
+        assert!(matches!(touches.fold(), Some(Fold::Crossing { pieces: [0, 2], .. })));
+        let spur = chain(&[[0.0, 0.0], [10.0, 0.0], [4.0, 0.1], [4.0, -9.0]]);
+        assert!(matches!(spur.fold(), Some(Fold::Back { after: 0, .. })));
+        let narrow = chain(&[[0.0, 0.0], [10.0, 0.0], [4.0, 1.0], [4.0, 9.0]]);
+        assert_eq!(narrow.fold(), None);
+    }
+
+    /// Trust: by hand. The circle about (8, 1) through (9, 0) comes down again at (7, 0), after three quarters.
+    #[test]
+    fn an_arc_that_swings_round_through_its_neighbour_is_found() {
+        let with_sweep = |sweep: f64| {
+            let round = arc([8.0, 1.0], 2.0_f64.sqrt(), -FRAC_PI_4, sweep);
+            Profile::new(vec![line([0.0, 0.0, 9.0, 0.0]), round]).unwrap().fold()
+        };
+        assert_eq!(with_sweep(3.0 * FRAC_PI_2 - 0.1), None);
+        let Some(Fold::Crossing { at, pieces: [0, 1] }) = with_sweep(3.0 * FRAC_PI_2 + 0.1) else {
+            panic!("the crossing is missed");
+        };
+        assert!((at - Point::new(7.0, 0.0)).norm() < 1e-9);
+    }
+
+    #[test]
+    fn standard_shapes_do_not_fold() {
+        for profile in [
+            Profile::hemispherical_punch(25.4, 0.9),
+            Profile::crowned_punch(330.0, 2800.0, 10.0, 0.8),
+            Profile::die(51.25, 7.0, 1.0),
+            Profile::holder(58.25, 1.0),
+            Profile::die(51.25, 7.0, 1.0).faceted(45).rounded(),
+        ] {
+            assert_eq!(profile.fold(), None);
+        }
+    }
+
+    proptest! {
+        /// Trust: brute force. Polylines cross where the signs of four areas say so.
+        #[test]
+        fn crossing_chains_are_those_of_the_orientation_test(
+            points in prop::collection::vec((0.0..50.0_f64, -20.0..20.0_f64), 3..9),
+        ) {
+            let points: Vec<[f64; 2]> = points.iter().map(|p| [p.0, p.1]).collect();
+            let area = |a: [f64; 2], b: [f64; 2], c: [f64; 2]| (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
+            let lines: Vec<_> = points.windows(2).collect();
+            let crosses = (0..lines.len()).any(|i| (i + 2..lines.len()).any(|j| {
+                let (a, b, c, d) = (lines[i][0], lines[i][1], lines[j][0], lines[j][1]);
+                area(a, b, c) * area(a, b, d) < 0.0 && area(c, d, a) * area(c, d, b) < 0.0
+            }));
+            let fold = chain(&points).fold();
+            prop_assume!(!matches!(fold, Some(Fold::Back { .. })));
+            prop_assert_eq!(fold.is_some(), crosses);
+        }
+    }
+}

@@ -1,0 +1,183 @@
+//! Corners rounded by an arc that is tangent to both sides.
+
+use super::crossing::common;
+use super::{Arc, Piece, Point, Segment, turn};
+
+/// A vertex that turns by less has no corner to round \[rad\].
+const STRAIGHT: f64 = 1e-9;
+
+/// A fillet that the segments beside its vertex have no room for.
+#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
+#[error("a fillet of {radius:.4} mm does not fit at r = {:.4} mm, z = {:.4} mm: at most {largest:.4} mm", at.x, at.y)]
+pub struct FilletTooLarge {
+    /// Index of the point.
+    pub vertex: usize,
+    pub at: Point,
+    /// \[mm\]
+    pub radius: f64,
+    /// Largest radius that fits while larger neighbours shrink along with it and smaller ones stay \[mm\].
+    pub largest: f64,
+}
+
+/// The chain through `points` \[mm\] with the vertex `i` rounded by `radii[i]` \[mm\]; 0 leaves it sharp. The first and
+/// the last point have no corner.
+///
+/// # Errors
+/// When the tangent lengths R tan(turn/2) of two neighbours are longer than the segment between them.
+pub fn fillet(points: &[Point], radii: &[f64]) -> Result<Vec<Piece>, FilletTooLarge> {
+    let sides: Vec<Piece> = points.windows(2).map(|w| Piece::Segment(Segment::new(w[0], w[1]))).collect();
+    // Tangent length per radius; 0 at the ends.
+    let tangent: Vec<f64> = (0..points.len())
+        .map(|i| match i {
+            0 => 0.0,
+            i if i == sides.len() => 0.0,
+            i => (0.5 * turn(sides[i - 1].tangent(true), sides[i].tangent(false)).abs()).tan(),
+        })
+        .collect();
+    for (i, side) in sides.iter().enumerate() {
+        if radii[i] * tangent[i] + radii[i + 1] * tangent[i + 1] > side.length() * (1.0 + 1e-12) {
+            let larger = |j: usize| if tangent[j] > 0.0 { radii[j] } else { 0.0 };
+            let vertex = if larger(i + 1) > larger(i) { i + 1 } else { i };
+            let room = |side: usize, neighbour: usize| {
+                let (length, own, its) = (sides[side].length(), tangent[vertex], tangent[neighbour]);
+                let shared = length / (own + its);
+                if shared <= radii[neighbour] { shared } else { (length - radii[neighbour] * its) / own }
+            };
+            let largest = room(vertex - 1, vertex - 1).min(room(vertex, vertex + 1));
+            return Err(FilletTooLarge { vertex, at: points[vertex], radius: radii[vertex], largest });
+        }
+    }
+    let mut pieces = Vec::new();
+    let mut here = points[0];
+    let go_to = |to: Point, here: Point, pieces: &mut Vec<Piece>| {
+        if (to - here).norm() > super::profile::SHORTEST {
+            pieces.push(Piece::Segment(Segment::new(here, to)));
+        }
+    };
+    for i in 1..sides.len() {
+        match tangent_arc(&sides[i - 1], &sides[i], radii[i]) {
+            Some(arc) => {
+                go_to(arc.at(0.0), here, &mut pieces);
+                here = arc.at(1.0);
+                pieces.push(Piece::Arc(arc));
+            }
+            None => {
+                go_to(points[i], here, &mut pieces);
+                here = points[i];
+            }
+        }
+    }
+    go_to(points[points.len() - 1], here, &mut pieces);
+    Ok(pieces)
+}
+
+/// The arc of `radius` \[mm\] that rounds the corner between two pieces; `None` where there is no corner, no radius or
+/// no room.
+fn tangent_arc(before: &Piece, after: &Piece, radius: f64) -> Option<Arc> {
+    let turn_at_vertex = turn(before.tangent(true), after.tangent(false));
+    if radius <= 0.0 || turn_at_vertex.abs() < STRAIGHT {
+        return None;
+    }
+    arc_beside(before, after, radius * turn_at_vertex.signum())
+}
+
+/// The arc that leads from one piece into another, its centre at the distance `side` \[mm\] on the left of both
+/// (negative: on the right).
+pub(super) fn arc_beside(before: &Piece, after: &Piece, side: f64) -> Option<Arc> {
+    let centers = common(&before.beside(side)?, &after.beside(side)?);
+    let distance = |p: &Point| (p - before.last()).norm_squared();
+    let center = centers.into_iter().min_by(|a, b| distance(a).total_cmp(&distance(b)))?;
+    let (from, to) = (before.closest_point(center) - center, after.closest_point(center) - center);
+    Some(Arc::new(center, side.abs(), from.y.atan2(from.x), turn(from, to)))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::Profile;
+    use super::*;
+    use approx::assert_relative_eq;
+    use proptest::prelude::*;
+
+    fn points(list: &[[f64; 2]]) -> Vec<Point> {
+        list.iter().map(|p| Point::new(p[0], p[1])).collect()
+    }
+
+    /// Trust: the flat punch is three points and one fillet.
+    #[test]
+    fn a_filleted_rectangle_is_the_flat_punch() {
+        let exact = Profile::flat_punch(50.0, 9.0, 1.0);
+        let bottom = exact.last().y;
+        let corner = points(&[[0.0, -0.5], [50.0, -0.5], [50.0, bottom]]);
+        let pieces = fillet(&corner, &[0.0, 9.0, 0.0]).unwrap();
+        let profile = Profile::new(pieces).unwrap();
+        for i in 0..200 {
+            let x = Point::new(0.3 * f64::from(i), 4.0 - 0.1 * f64::from(i));
+            assert_relative_eq!(profile.closest(x).distance, exact.closest(x).distance, epsilon = 1e-9);
+        }
+    }
+
+    /// Trust: by hand. A right angle takes its radius from each side.
+    #[test]
+    fn the_largest_radius_is_named_and_fits() {
+        let step = points(&[[0.0, 0.0], [10.0, 0.0], [10.0, -6.0], [30.0, -6.0]]);
+        let error = fillet(&step, &[0.0, 4.0, 4.0, 0.0]).unwrap_err();
+        assert_eq!(error.vertex, 1);
+        assert_relative_eq!(error.largest, 3.0, epsilon = 1e-12);
+        let error = fillet(&step, &[0.0, 1.0, 8.0, 0.0]).unwrap_err();
+        assert_eq!(error.vertex, 2);
+        assert_relative_eq!(error.largest, 5.0, epsilon = 1e-12);
+        assert!(fillet(&step, &[0.0, 1.0, error.largest, 0.0]).is_ok());
+        assert!(error.to_string().contains("r = 10.0000 mm, z = -6.0000 mm: at most 5.0000 mm"), "{error}");
+    }
+
+    /// Trust: a line at the height h under a circle of radius R: the fillet's centre is s above the line and R + s
+    /// from the centre of the circle.
+    #[test]
+    fn a_line_runs_into_an_arc() {
+        let arc = Piece::Arc(Arc::new(Point::new(0.0, 0.0), 20.0, -0.3, 1.2));
+        let start = arc.first();
+        let line = Piece::Segment(Segment::new(start + Point::new(50.0, 0.0), start));
+        let fillet = tangent_arc(&line, &arc, 3.0).unwrap();
+        assert_relative_eq!(fillet.center.y, start.y + 3.0, epsilon = 1e-9);
+        assert_relative_eq!(fillet.center.norm(), 23.0, epsilon = 1e-9);
+        assert!(fillet.sweep < 0.0);
+        assert!(tangent_arc(&line, &arc, 100.0).is_none(), "the line is too short");
+    }
+
+    proptest! {
+        /// Trust: the definition. Radii that fit leave no corner: every vertex is smooth (1e-7 rad: the centre is
+        /// found to round-off, and its error is seen over the radius), every arc has its radius.
+        #[test]
+        fn fillets_are_tangent(
+            steps in prop::collection::vec((5.0..20.0_f64, -1.4..1.4_f64), 2..7),
+            share in 0.05..0.95_f64,
+        ) {
+            let (mut here, mut heading) = (Point::new(0.0, 0.0), 0.0_f64);
+            let mut chain = vec![here];
+            for (length, turn) in steps {
+                here += length * Point::new(heading.cos(), heading.sin());
+                chain.push(here);
+                heading += turn;
+            }
+            let huge = vec![1e9; chain.len()];
+            let largest = match fillet(&chain, &huge) {
+                Err(error) => error.largest,
+                Ok(_) => return Ok(()), // straight
+            };
+            // The first failing vertex speaks for its own sides only.
+            let mut radius = largest;
+            while let Err(error) = fillet(&chain, &vec![radius; chain.len()]) {
+                prop_assert!(error.largest < radius);
+                radius = error.largest;
+            }
+            radius *= share;
+            prop_assume!(radius > 1e-3);
+            let profile = Profile::new(fillet(&chain, &vec![radius; chain.len()]).unwrap()).unwrap();
+            for vertex in profile.vertices() {
+                prop_assert!(vertex.turn.abs() < 1e-7, "{vertex:?}");
+            }
+            prop_assert_eq!(profile.first(), chain[0]);
+            prop_assert_eq!(profile.last(), chain[chain.len() - 1]);
+        }
+    }
+}

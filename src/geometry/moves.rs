@@ -1,0 +1,66 @@
+//! Profiles moved along z, turned round, mirrored.
+
+use super::{Arc, Piece, Point, Profile, Segment};
+
+impl Piece {
+    /// The same piece walked the other way.
+    pub fn reversed(&self) -> Self {
+        match self {
+            Piece::Segment(s) => Piece::Segment(Segment::new(s.to, s.from)),
+            Piece::Arc(a) => Piece::Arc(Arc::new(a.center, a.radius, a.start + a.sweep, -a.sweep)),
+        }
+    }
+}
+
+impl Profile {
+    /// The profile moved by `dz` \[mm\] along z.
+    pub fn shifted(&self, dz: f64) -> Self {
+        let up = Point::new(0.0, dz);
+        self.each(|piece| match piece {
+            Piece::Segment(s) => Piece::Segment(Segment::new(s.from + up, s.to + up)),
+            Piece::Arc(a) => Piece::Arc(Arc::new(a.center + up, a.radius, a.start, a.sweep)),
+        })
+    }
+
+    /// The same line walked the other way: the sheet's side becomes the tool's.
+    pub fn reversed(&self) -> Self {
+        let pieces = self.pieces().iter().rev().map(Piece::reversed);
+        Self::new(pieces.collect()).expect("a reversed chain stays connected")
+    }
+
+    /// The mirror image in the plane z = 0, the sheet on the left again: a punch becomes a die.
+    pub fn mirrored(&self) -> Self {
+        let image = |p: Point| Point::new(p.x, -p.y);
+        self.each(|piece| match piece {
+            Piece::Segment(s) => Piece::Segment(Segment::new(image(s.from), image(s.to))),
+            Piece::Arc(a) => Piece::Arc(Arc::new(image(a.center), a.radius, -a.start, -a.sweep)),
+        })
+        .reversed()
+    }
+
+    fn each(&self, change: impl Fn(&Piece) -> Piece) -> Self {
+        Self::new(self.pieces().iter().map(change).collect())
+            .expect("rigid motions and mirroring keep chains connected")
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Trust: a mirror keeps distances, and turning round changes only their sign (1e-9: a few rounded sums of
+    /// coordinates up to 1e3).
+    #[test]
+    fn distances_follow_the_moves() {
+        for profile in [Profile::flat_punch(50.0, 9.0, 1.0), Profile::die(51.0, 7.0, 1.0), Profile::holder(60.0, 1.0)] {
+            for i in 0..200 {
+                let x = Point::new(f64::from(i) * 0.4, f64::from((i * 7) % 31) - 15.3);
+                let d = profile.closest(x).distance;
+                let image = Point::new(x.x, -x.y);
+                assert!((profile.mirrored().closest(image).distance - d).abs() < 1e-9);
+                assert!((profile.reversed().closest(x).distance + d).abs() < 1e-9);
+                assert!((profile.shifted(3.0).closest(x + Point::new(0.0, 3.0)).distance - d).abs() < 1e-9);
+            }
+        }
+    }
+}
