@@ -18,15 +18,15 @@ const NO_EQUILIBRIUM: &str = "no equilibrium";
 const PANIC: &str = "panic";
 
 /// What is measured of every run that did not panic.
-const FIGURES: [&str; 5] =
-    ["iterations a step", "rejected tries", "penetration over t", "power balance error", "seconds"];
+const FIGURES: [&str; 6] =
+    ["iterations a step", "rejected steps", "rejected tries", "penetration over t", "power balance error", "seconds"];
 
 struct Outcome {
     process: Process,
     kind: &'static str,
     line: String,
     /// In the order of [`FIGURES`].
-    figures: [f64; 5],
+    figures: [f64; 6],
 }
 
 fn main() {
@@ -35,9 +35,9 @@ fn main() {
 
     println!("{count} random dies, seed {seed}; worth a look:");
     for o in &outcomes {
-        let [_, rejected, _, imbalance, _] = o.figures;
+        let [_, rejected, _, _, imbalance, _] = o.figures;
         if o.kind != FULL_TRAVEL || imbalance > 0.02 || rejected > 10.0 {
-            println!("  {}, {rejected} rejected, imbalance {:.1} %: {}", o.kind, 100.0 * imbalance, o.line);
+            println!("  {}, {rejected} steps rejected, imbalance {:.1} %: {}", o.kind, 100.0 * imbalance, o.line);
         }
     }
     println!();
@@ -95,7 +95,7 @@ fn one(seed: u64) -> Outcome {
     let (process, text) = (die.process, die.text.clone());
     let start = Instant::now();
     let Ok(run) = catch_unwind(move || solver::run(&die.model, &mut ())) else {
-        return Outcome { process, kind: PANIC, line: format!("seed {seed}: {text}"), figures: [0.0; 5] };
+        return Outcome { process, kind: PANIC, line: format!("seed {seed}: {text}"), figures: [0.0; 6] };
     };
     let steps = run.history.len().max(1) as f64;
     let last = run.history.last().copied().unwrap_or_default();
@@ -106,6 +106,7 @@ fn one(seed: u64) -> Outcome {
         line: format!("seed {seed}: {text}: {} (thinnest {:.3})", run.stop, last.thinnest),
         figures: [
             total(|r| r.iterations) / steps,
+            (run.ladder.halved + run.ladder.overstrained) as f64,
             total(|r| r.rejected) + run.abandoned as f64,
             run.history.iter().map(|r| r.penetration).fold(0.0, f64::max),
             last.work.imbalance().abs(),

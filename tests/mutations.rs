@@ -75,10 +75,49 @@ round_facets = true
 frames = ["3 mm", "6 mm", "9 mm"]
 "#;
 
-/// Every shipped case and one that uses the rest of the keys.
+/// Laws and loads that no shipped case shows: kinematic friction, a holder's history and spring, closing beads, stops.
+const LOADED: &str = r#"
+title = "Strip with springs, a bead and gas below"
+geometry = "plane_strain"
+[blank]
+half_length = "60 mm"
+thickness = "1 mm"
+elements = 40
+[material.hardening.ludwik]
+initial = "150 MPa"
+k = "300 MPa"
+n = 0.4
+[friction]
+punch_side = { stribeck = { at_rest = 0.15, sliding = 0.05, speed = "2 mm/s", viscous = 0.001 } }
+die_side = 0.05
+[tools.punch]
+flat = { half_width = "30 mm", nose = "6 mm" }
+travel = "12 mm"
+[tools.die]
+throat = "31.25 mm"
+shoulder = "6 mm"
+[tools.holder]
+inner_half_width = "38 mm"
+spring = { preload = "20 N/mm", stiffness = "10 N/mm^2" }
+[[tools.beads]]
+at = "48 mm"
+restraining = "30 N/mm"
+closing = "5 N/mm"
+[gas.lower]
+pressure = [["0 s", "0 MPa"], ["4 s", "0.5 MPa"]]
+within = "30 mm"
+[solver]
+contact = "augmented_lagrangian"
+strain_step = 0.05
+[stop]
+localised = false
+load_drop = "30 %"
+"#;
+
+/// Every shipped case and two that use the rest of the keys.
 static CASES: LazyLock<Vec<String>> = LazyLock::new(|| {
     let shipped = files("cases", "toml").into_iter().map(|path| std::fs::read_to_string(path).expect("readable"));
-    shipped.chain([DRAWN.to_owned()]).collect()
+    shipped.chain([DRAWN.to_owned(), LOADED.to_owned()]).collect()
 });
 
 /// What is written instead; shown in part when a test fails.

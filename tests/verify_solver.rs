@@ -163,16 +163,31 @@ fn doubling_elements_or_halving_steps_changes_little() {
     }
 }
 
+/// Chords rounded off are arcs again; whoever draws with chords gets the same curve at the same price.
 #[test]
-fn facets_agree_with_exact_arcs() {
+fn facets_give_the_curve_of_exact_arcs_for_as_many_iterations() {
+    let iterations = |run: &Run| run.history.iter().map(|r| r.iterations).sum::<usize>() as f64;
     for name in ALL {
         let model = shipped(name);
-        let exact = peak(&solve(&model));
-        let mut faceted = model.clone();
-        faceted.settings.facets = Some(45);
-        let change = peak(&solve(&faceted)) / exact - 1.0;
-        println!("{name}: facets = 45 changes the peak load by {:+.3} %", 100.0 * change);
-        assert!(change.abs() < 0.003, "{name}: {change:e}");
+        let exact = solve(&model);
+        for facets in [20, 45, 90] {
+            let mut faceted = model.clone();
+            faceted.settings.facets = Some(facets);
+            let run = solve(&faceted);
+            // Steps need not be the same: force at the other's travel, straight between its steps.
+            let mut worst: f64 = 0.0;
+            for r in &run.history {
+                let after = exact.history.partition_point(|e| e.travel < r.travel).clamp(1, exact.history.len() - 1);
+                let (a, b) = (&exact.history[after - 1], &exact.history[after]);
+                let share = (r.travel - a.travel) / (b.travel - a.travel);
+                let force = a.punch_force + share * (b.punch_force - a.punch_force);
+                worst = worst.max((r.punch_force - force).abs() / peak(&exact));
+            }
+            let cost = iterations(&run) / iterations(&exact) - 1.0;
+            println!("{name}, {facets} facets: curve within {:.3} %, {:+.1} % iterations", 100.0 * worst, 100.0 * cost);
+            assert!(worst < 0.005, "{name}, {facets} facets: {worst:e} of the peak");
+            assert!(cost < 0.2, "{name}, {facets} facets: {:+.1} % iterations", 100.0 * cost);
+        }
     }
 }
 

@@ -19,7 +19,8 @@ pub enum Progress {
 /// Watches one run.
 pub struct Watch {
     name: String,
-    travel: f64,
+    duration: f64,
+    thickness: f64,
     force_unit: &'static str,
     shown: Shown,
     trace: Option<Vec<IterationRecord>>,
@@ -53,7 +54,14 @@ impl Progress {
             Self::Silent => Shown::Nothing,
         };
         let force_unit = stampflow::output::force_unit(model.geometry).symbol();
-        Watch { name: name.to_owned(), travel: model.travel, force_unit, shown, trace: trace.then(Vec::new) }
+        Watch {
+            name: name.to_owned(),
+            duration: model.duration,
+            thickness: model.blank.thickness,
+            force_unit,
+            shown,
+            trace: trace.then(Vec::new),
+        }
     }
 }
 
@@ -69,10 +77,18 @@ impl Watch {
 
 impl Observer for Watch {
     fn step(&mut self, record: &StepRecord) {
-        let done = record.travel / self.travel;
+        let done = record.time / self.duration;
+        let load = if record.travel > 0.0 {
+            format!("travel {:.2} mm, force {:.0} {}", record.travel, record.punch_force, self.force_unit)
+        } else {
+            format!("height {:.2} mm, pressure {:.3} MPa", record.pole_height, record.pressure)
+        };
         let state = format!(
-            "travel {:.2} mm, force {:.0} {}, step {}",
-            record.travel, record.punch_force, self.force_unit, record.step
+            "{load}, step {}, {:.0} % left at the thinnest, {:.0} % sticking, {} flips",
+            record.step,
+            100.0 * record.thinnest / self.thickness,
+            100.0 * record.sticking,
+            record.flips
         );
         match &mut self.shown {
             Shown::Bar(bar) => {

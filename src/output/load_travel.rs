@@ -37,7 +37,16 @@ pub fn table(model: &Model, run: &Run) -> Table {
         column("work_friction", "Friction work", work, |s| s.work.friction),
         column("work_contact", "Contact work", work, |s| s.work.contact),
         column("work_cutoff", "Work in cut-off points", work, |s| s.work.cutoff),
+        column("pole_height", "Height of the middle", Unit::Mm, |s| s.pole_height),
+        column("pressure", "Gas pressure", Unit::MPa, |s| s.pressure),
+        column("holder_move", "Move of the holder towards the die", Unit::Mm, |s| s.holder_move),
         column("penetration", "Penetration over thickness", Unit::None, |s| s.penetration),
+        column("squeeze", "Squeeze between two tools over thickness", Unit::None, |s| s.squeeze),
+        column("rim_share", "Share of the holder force on the rim", Unit::None, |s| s.rim_share),
+        column("sticking", "Share of the nodes in contact that stick", Unit::None, |s| s.sticking),
+        column("flips", "Contacts that came or went", Unit::None, |s| s.flips as f64),
+        column("sharpest_bend", "Thickness over the smallest bending radius", Unit::None, |s| s.sharpest_bend),
+        column("strain_increment", "Largest strain of the step", Unit::None, |s| s.strain_increment),
         column("step", "Step", Unit::None, |s| s.step as f64),
         column("time", "Time", Unit::Second, |s| s.time),
         column("iterations", "Iterations", Unit::None, |s| s.iterations as f64),
@@ -51,10 +60,26 @@ pub(super) fn of(subject: &Subject) -> Table {
     table(subject.model, subject.run)
 }
 
-/// Punch and holder force over the travel; the held edge's force where there is one.
+/// Punch and holder force over the travel, and the held edge's force where there is one; under gas alone, its pressure
+/// over the height of the dome.
 pub(super) fn plot(subject: &Subject) -> Option<Chart> {
     subject.run.history.first()?;
     let table = of(subject);
+    if subject.model.travel == 0.0 {
+        let (height, pressure) = (table.column("pole_height"), table.column("pressure"));
+        let look = Look::curve(0);
+        return Some(Chart {
+            title: format!("{}: pressure", subject.model.title),
+            legend: "",
+            panels: vec![Panel {
+                x: height.axis(),
+                y: pressure.axis(),
+                series: vec![Series::new(pressure.label, table.pairs(height.key, pressure.key), look)],
+                scale: Scale::Fit { height: 350.0, least: 0.0 },
+            }],
+            notes: subject.notes(),
+        });
+    }
     let acts = |key: &str| key == "punch_force" || table.column(key).values.iter().any(|v| *v != 0.0);
     let keys: Vec<&str> = ["punch_force", "holder_force", "edge_force"].into_iter().filter(|k| acts(k)).collect();
     let columns: Vec<&Column> = keys.iter().map(|key| table.column(key)).collect();

@@ -174,10 +174,16 @@ fn shown(frames: &[Frame]) -> impl Iterator<Item = &Frame> {
     (1..=most).map(move |i| &frames[i * frames.len() / most - 1])
 }
 
-/// How plots name a frame: its travel with as many decimals as it needs, at most two, more below 1 mm.
+/// What frames are named by.
+fn progress(model: &Model) -> &'static str {
+    if model.travel > 0.0 { "Punch travel" } else { "Dome height" }
+}
+
+/// How plots name a frame: its travel, or without a punch the height of the dome, with as many decimals as it needs, at most two, more below 1 mm.
 fn travel(frame: &Frame) -> String {
-    let decimals = (2.0 - frame.travel.log10().floor().clamp(-12.0, 0.0)) as usize;
-    let text = format!("{:.decimals$}", frame.travel);
+    let reached = if frame.travel > 0.0 { frame.travel } else { frame.nodes.first().map_or(0.0, |pole| pole.z.abs()) };
+    let decimals = (2.0 - reached.log10().floor().clamp(-12.0, 0.0)) as usize;
+    let text = format!("{reached:.decimals$}");
     format!("{} mm", text.trim_end_matches('0').trim_end_matches('.'))
 }
 

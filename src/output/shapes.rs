@@ -1,7 +1,7 @@
 //! The section of the sheet, true to thickness, at the kept frames, and the tools where the run ended.
 
 use super::chart::{Chart, GREY, Look, PALE, Panel, Scale, Series, color};
-use super::{Subject, profile, shown, travel};
+use super::{Subject, profile, progress, shown, travel};
 use crate::geometry::{Piece, Point};
 use crate::model::{Model, Role, Tool};
 use crate::record::{Frame, NodeRecord};
@@ -33,7 +33,7 @@ pub(super) fn plot(subject: &Subject) -> Option<Chart> {
     let tools_at = if last.is_some() { "the end" } else { "the start" };
     Some(Chart {
         title: format!("{}: sections", model.title),
-        legend: "Punch travel",
+        legend: progress(subject.model),
         panels: vec![Panel {
             x: table.column("r").axis(),
             y: table.column("z").axis(),

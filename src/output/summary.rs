@@ -1,9 +1,9 @@
 //! What a run comes to, in some twenty lines: printed and as JSON from the same list.
 
 use super::{Subject, force_unit, worded, work_unit};
-use crate::model::{Geometry, Grading, Iteration, Model, Norm, Theory};
+use crate::model::{Geometry, Grading, Iteration, Model, Norm, Role, Theory};
 use crate::quantity::rounded;
-use crate::record::StepRecord;
+use crate::record::{Ladder, Run, StepRecord, Stop};
 use crate::table::{Unit, four_digits};
 use serde::ser::{Serialize, SerializeMap, Serializer};
 use sha2::{Digest, Sha256};
@@ -14,7 +14,7 @@ use std::fmt;
 struct Entry {
     key: &'static str,
     /// Empty for what only a program wants to know.
-    label: &'static str,
+    label: String,
     unit: Unit,
     value: Value,
 }
@@ -59,11 +59,21 @@ impl Summary {
             },
         );
         summary.text("hardening", "Hardening", &model.material.hardening.describe());
-        summary.text("stop", "Ended", &run.stop.to_string());
+        let ended = match run.stop {
+            Stop::FullTravel if model.travel == 0.0 => "full time reached".to_owned(),
+            ref stop => stop.to_string(),
+        };
+        summary.text("stop", "Ended", &ended);
         summary.push("complete", "", Unit::None, Value::Flag(run.stop.is_complete()));
-        summary.number("travel", "Punch travel reached", Unit::Mm, last.travel);
-        summary.number("peak_punch_force", "Peak punch force", force, peak.punch_force);
-        summary.number("peak_travel", "  at a travel of", Unit::Mm, peak.travel);
+        if model.travel > 0.0 {
+            summary.number("travel", "Punch travel reached", Unit::Mm, last.travel);
+            summary.number("peak_punch_force", "Peak punch force", force, peak.punch_force);
+            summary.number("peak_travel", "  at a travel of", Unit::Mm, peak.travel);
+        }
+        if !model.gas.is_empty() {
+            summary.number("peak_pressure", "Largest gas pressure", Unit::MPa, largest(|s| s.pressure.abs()));
+            summary.number("pole_height", "Height of the middle", Unit::Mm, last.pole_height);
+        }
         summary.number("thinnest", "Thinnest place", Unit::Mm, last.thinnest);
         summary.number(
             "thinnest_over_initial",
@@ -92,6 +102,22 @@ impl Summary {
             Unit::Percent,
             100.0 * largest(|s| s.penetration),
         );
+        let squeeze = largest(|s| s.squeeze);
+        if squeeze > 0.0 {
+            summary.number("squeeze", "Ironing: thicker than its gap by", Unit::Percent, 100.0 * squeeze);
+        }
+        summary.number("sharpest_bend", "Smallest bending radius over thickness", Unit::None, bend_radius(run));
+        if model.tool(Role::Holder).is_some() {
+            let rim = format!("  its share on the outer {} thicknesses", StepRecord::RIM);
+            let peak_force = largest(|s| s.holder_force);
+            summary.number("peak_holder_force", "Largest holder force", force, peak_force);
+            let shares = run.history.iter().rev().find(|s| s.holder_force > 0.0).map_or(0.0, |s| s.rim_share);
+            summary.push("rim_share", &rim, Unit::Percent, Value::Number(100.0 * shares));
+            summary.number("holder_lift", "  lifted by up to", Unit::Mm, largest(|s| -s.holder_move));
+        }
+        summary.number("sticking", "Contacts that stick at the end", Unit::Percent, 100.0 * last.sticking);
+        summary.count("flips", "Contacts that came or went", run.history.iter().map(|s| s.flips).sum());
+        summary.number("strain_increment", "Largest strain of one step", Unit::None, largest(|s| s.strain_increment));
         summary.text("mesh", "Mesh", &mesh(model));
         summary.text("corrector", "Corrector", &corrector(model));
         summary.count("steps", "Steps", run.history.len());
@@ -103,6 +129,12 @@ impl Summary {
             "Rejected tries",
             run.history.iter().map(|s| s.rejected).sum::<usize>() + run.abandoned,
         );
+        let Ladder { predictor, secant, softened, halved, overstrained } = run.ladder;
+        summary.count("steps_from_predictor", "  steps solved from the predictor", predictor);
+        summary.count("steps_from_secant", "  from a secant start at rest", secant);
+        summary.count("steps_from_softened", "  from a softened start", softened);
+        summary.count("steps_halved", "  steps halved", halved);
+        summary.count("steps_overstrained", "  repeated for too much strain", overstrained);
         summary.number("wall_time", "Wall time", Unit::Second, wall.as_secs_f64());
         summary.text("program", "", concat!(env!("CARGO_PKG_NAME"), " ", env!("CARGO_PKG_VERSION")));
         summary.text("case_sha256", "", &sha256(case_text));
@@ -113,8 +145,8 @@ impl Summary {
         summary
     }
 
-    fn push(&mut self, key: &'static str, label: &'static str, unit: Unit, value: Value) {
-        self.entries.push(Entry { key, label, unit, value });
+    fn push(&mut self, key: &'static str, label: &str, unit: Unit, value: Value) {
+        self.entries.push(Entry { key, label: label.to_owned(), unit, value });
     }
 
     fn number(&mut self, key: &'static str, label: &'static str, unit: Unit, value: f64) {
@@ -132,6 +164,12 @@ impl Summary {
     fn list(&mut self, key: &'static str, label: &'static str, values: &[String]) {
         self.push(key, label, Unit::None, Value::List(values.to_vec()));
     }
+}
+
+/// Smallest bending radius of the run over the thickness \[–\]; 0 when the sheet stayed flat.
+fn bend_radius(run: &Run) -> f64 {
+    let sharpest = run.history.iter().map(|s| s.sharpest_bend).fold(0.0, f64::max);
+    if sharpest > 0.0 { 1.0 / sharpest } else { 0.0 }
 }
 
 fn mesh(model: &Model) -> String {

@@ -1,7 +1,7 @@
 //! Thickness over the blank, one curve per kept frame.
 
 use super::chart::{Chart, Look, Panel, Scale, Series};
-use super::{Subject, profile, shown, travel};
+use super::{Subject, profile, progress, shown, travel};
 
 /// Least height of the axis over the initial thickness: thinner differences are noise or nothing to look at [–].
 const LEAST: f64 = 0.02;
@@ -19,7 +19,7 @@ pub(super) fn plot(subject: &Subject) -> Option<Chart> {
         .collect();
     Some(Chart {
         title: format!("{}: thickness", model.title),
-        legend: "Punch travel",
+        legend: progress(subject.model),
         panels: vec![Panel {
             x: table.column("s0").axis(),
             y: table.column("thickness").axis(),

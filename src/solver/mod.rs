@@ -56,6 +56,10 @@ pub fn run_from(model: &Model, mut state: State, observer: &mut dyn Observer) ->
         let (rung, outcome) = climb(&mut work, &step, &mut rejected, observer);
         if !outcome.converged {
             run.ladder.halved += 1;
+            if let Some(stop) = watch.necking(model, &state) {
+                run.stop = stop;
+                break;
+            }
             if control.reject(dt) {
                 continue;
             }

@@ -58,6 +58,12 @@ impl StopWatch {
         self.closed.map(|(travel, _)| travel / model.speed)
     }
 
+    /// The end of a run whose steps fail while one place takes over: shorter steps would only follow it further.
+    pub fn necking(&self, model: &Model, state: &State) -> Option<Stop> {
+        let neck = neck(model, state, None);
+        (model.stop.localised && self.necking_since.is_some()).then(|| localised(model, state, &neck))
+    }
+
     /// Whether the run ends after the step that led to `state`; `thickness` is each element's before that step \[mm\].
     pub fn look(&mut self, model: &Model, state: &State, record: &StepRecord, thickness: &[f64]) -> Option<Stop> {
         let travel = state.travel;
@@ -75,13 +81,12 @@ impl StopWatch {
         let neck = neck(model, state, Some(thickness));
         self.necking_since = if neck.took_over { self.necking_since.or(Some(state.time)) } else { None };
         let lasted = self.necking_since.is_some_and(|since| state.time - since >= LASTING * model.duration);
-        (model.stop.localised && (lasted || neck.share < GONE)).then(|| Stop::Localised {
-            travel,
-            s0: neck.s0,
-            share: neck.share,
-            why: why(model, state, &neck),
-        })
+        (model.stop.localised && (lasted || neck.share < GONE)).then(|| localised(model, state, &neck))
     }
+}
+
+fn localised(model: &Model, state: &State, neck: &Neck) -> Stop {
+    Stop::Localised { travel: state.travel, s0: neck.s0, share: neck.share, why: why(model, state, neck) }
 }
 
 /// The thinnest place and what its surroundings do; `before` is each element's thickness one step ago \[mm\].

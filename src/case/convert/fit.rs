@@ -9,6 +9,8 @@ use crate::quantity::rounded;
 const ROUNDED: f64 = 1e-6;
 /// No part is deeper than this many blank radii [–].
 const DEEPEST: f64 = 3.0;
+/// Clearance over the thickness below which no sheet is ironed in one draw [–].
+const LEAST_CLEARANCE: f64 = 0.7;
 /// A travel below this many thicknesses forms nothing [–].
 const SHALLOWEST: f64 = 1e-3;
 
@@ -23,7 +25,7 @@ pub(super) fn check(model: &Model, source: &Source) -> Result<(), CaseError> {
             format!("a travel of {} mm is more than {DEEPEST} times the blank's {length} mm", rounded(model.travel));
         return Err(source.error("tools.punch.travel", what, "check the unit"));
     }
-    if model.travel < SHALLOWEST * t {
+    if model.tool(Role::Punch).is_some() && model.travel < SHALLOWEST * t {
         let what = format!("a travel of {} mm is next to nothing for a sheet of {t} mm", rounded(model.travel));
         return Err(source.error("tools.punch.travel", what, "check the unit"));
     }
@@ -37,12 +39,20 @@ pub(super) fn check(model: &Model, source: &Source) -> Result<(), CaseError> {
     if let (Some(throat), Some(punch)) = (throat, model.tool(Role::Punch)) {
         let wall = extent(punch).1;
         let clearance = throat - wall;
-        if clearance < t * (1.0 - ROUNDED) {
+        if clearance < LEAST_CLEARANCE * t {
             let what = format!(
                 "the sheet does not fit between punch and die: punch {wall:.3} mm, throat {throat:.3} mm, clearance \
-                 {clearance:.3} mm below the thickness of {t} mm"
+                 {clearance:.3} mm for a thickness of {t} mm"
             );
-            return Err(source.error(&key("die", "throat"), what, format!("at least {:.3} mm", wall + t)));
+            return Err(source.error(
+                &key("die", "throat"),
+                what,
+                format!(
+                    "{:.3} mm leaves room for the sheet; down to {:.3} mm it is ironed",
+                    wall + t,
+                    wall + LEAST_CLEARANCE * t
+                ),
+            ));
         }
     }
     let end = shoulder_end(die);
