@@ -91,7 +91,7 @@ fn capstan_with_every_friction_law() {
     }
 }
 
-const ALL: [&str; 7] = [
+const ALL: [&str; 10] = [
     "quickstart",
     "woo_hemispherical",
     "chalmers_cup",
@@ -99,6 +99,9 @@ const ALL: [&str; 7] = [
     "osu_stretch_friction",
     "stretch_thin",
     "strip_draw",
+    "brite_cylindrical",
+    "hydroform",
+    "bulge",
 ];
 
 /// Trust: two methods for one problem. The penalty lets the sheet into the tools by thousandths of its thickness, which
@@ -109,10 +112,12 @@ fn augmented_lagrangian_agrees_with_the_penalty() {
         let penalty = solve(&shipped(name, &[]));
         let augmented = solve(&shipped(name, &["solver.contact=augmented_lagrangian"]));
         let deepest = augmented.history.iter().map(|r| r.penetration).fold(0.0, f64::max);
-        let change = peak(&augmented) / peak(&penalty) - 1.0;
+        // Under gas alone the load is given: then the height that it makes is compared.
+        let answer = |run: &Run| if name == "bulge" { last(run).pole_height } else { peak(run) };
+        let change = answer(&augmented) / answer(&penalty) - 1.0;
         let iterations = |run: &Run| run.history.iter().map(|r| r.iterations).sum::<usize>();
         println!(
-            "{name}: peak {:+.3} %, penetration {deepest:.1e}, {} iterations against {}",
+            "{name}: {:+.3} %, penetration {deepest:.1e}, {} iterations against {}",
             100.0 * change,
             iterations(&augmented),
             iterations(&penalty)

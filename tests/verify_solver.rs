@@ -9,7 +9,7 @@ fn shipped(name: &str) -> Model {
     case::load(&path, &[]).unwrap_or_else(|e| panic!("{e}")).model
 }
 
-const ALL: [&str; 8] = [
+const ALL: [&str; 9] = [
     "quickstart",
     "woo_hemispherical",
     "chalmers_cup",
@@ -18,6 +18,7 @@ const ALL: [&str; 8] = [
     "stretch_thin",
     "strip_draw",
     "brite_cylindrical",
+    "hydroform",
 ];
 
 fn solve(model: &Model) -> Run {

@@ -8,7 +8,7 @@ use super::{Drag, Sliding, direction};
 /// p is replaced there by √(p² + (0.01 p₀)²).
 ///
 /// # References
-/// I. Gil, J. Mendiguren, L. Galdos, E. Mugarra, E. Saenz de Argandoña, Influence of the pressure dependent coefficient
+/// The form in common use for lubricated sheet; not read: I. Gil, J. Mendiguren, L. Galdos, E. Mugarra, E. Saenz de Argandoña, Influence of the pressure dependent coefficient
 /// of friction on deep drawing springback predictions, Tribology International 103 (2016) 266–273.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PressureDependent {

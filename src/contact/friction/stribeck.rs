@@ -5,8 +5,9 @@ use super::{Drag, Sliding, direction};
 /// τ = p \[(μ_k + (μ_s − μ_k) exp(−(v/v_s)²)) φ(s) + c v\] with the sliding speed v = s/Δt.
 ///
 /// # References
+/// The Gaussian form in common use (as in MathWorks, Simscape, Translational Friction, but for its smoothing); not read:
 /// B. Armstrong-Hélouvry, P. Dupont, C. Canudas de Wit, A survey of models, analysis tools and compensation methods for
-/// the control of machines with friction, Automatica 30 (1994) 1083–1138, the form with δ = 2.
+/// the control of machines with friction, Automatica 30 (1994) 1083–1138.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Stribeck {
     /// μ_s of the slowest sliding \[–\].

@@ -8,8 +8,8 @@ use super::{Drag, Sliding, direction};
 /// k is that of the start of the step.
 ///
 /// # References
-/// E. Orowan, The calculation of roll pressure in hot and cold flat rolling, Proc. Inst. Mech. Engrs. 150 (1943) 140–167,
-/// for min(μ p, k); the smooth passage from one to the other is ours.
+/// The combined law of Coulomb and constant shear friction, as I. Bobrovskij et al., Metals 12 (2022) 239, describes it; not
+/// read: E. Orowan, Proc. Inst. Mech. Engrs. 150 (1943) 140–167, for min(μ p, k). The smooth passage between is ours.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Tresca {
     /// m, 0 to 1 \[–\].
