@@ -1,39 +1,12 @@
 //! Verification of the solver on whole runs: invariants, refinement, and agreement between its own options.
 
-use stampflow::model::{Geometry, Iteration, Model, Motion, Role, Settings};
-use stampflow::record::{Run, StepRecord, Stop};
-use stampflow::{State, case, mesh, solver};
+#[path = "common/shipped.rs"]
+mod shipped;
 
-fn shipped(name: &str) -> Model {
-    let path = format!("{}/cases/{name}.toml", env!("CARGO_MANIFEST_DIR"));
-    case::load(&path, &[]).unwrap_or_else(|e| panic!("{e}")).model
-}
-
-const ALL: [&str; 9] = [
-    "quickstart",
-    "woo_hemispherical",
-    "chalmers_cup",
-    "osu_stretch",
-    "osu_stretch_friction",
-    "stretch_thin",
-    "strip_draw",
-    "brite_cylindrical",
-    "hydroform",
-];
-
-fn solve(model: &Model) -> Run {
-    let run = solver::run(model, &mut ());
-    assert!(run.stop.is_complete(), "{}: {}", model.title, run.stop);
-    run
-}
-
-fn peak(run: &Run) -> f64 {
-    run.history.iter().map(|r| r.punch_force).fold(0.0, f64::max)
-}
-
-fn last(run: &Run) -> &StepRecord {
-    run.history.last().expect("steps")
-}
+use shipped::{DRAWN, last, peak, solve};
+use stampflow::model::{Geometry, Iteration, Motion, Role, Settings};
+use stampflow::record::{Run, Stop};
+use stampflow::{State, mesh, solver};
 
 /// Largest departure of the load from a smooth curve, over its maximum: each point against the cubic through its
 /// neighbours two and four steps away on either side.
@@ -61,8 +34,8 @@ fn largest_tick(run: &Run) -> f64 {
 
 #[test]
 fn every_shipped_case_runs_smoothly_to_its_full_travel() {
-    for name in ALL {
-        let model = shipped(name);
+    for name in DRAWN {
+        let model = shipped::shipped(name, &[]);
         let run = solve(&model);
         let rejected: usize = run.history.iter().map(|r| r.rejected).sum();
         let tick = largest_tick(&run);
@@ -84,7 +57,7 @@ fn every_shipped_case_runs_smoothly_to_its_full_travel() {
 #[test]
 fn volume_is_constant() {
     for name in ["woo_hemispherical", "chalmers_cup", "strip_draw"] {
-        let model = shipped(name);
+        let model = shipped::shipped(name, &[]);
         let flat = State::flat(&model, mesh::nodes(&model));
         let before: f64 = flat.volume.iter().sum();
         let (_, state) = solver::run_from(&model, flat, &mut ());
@@ -108,7 +81,7 @@ fn volume_is_constant() {
 #[test]
 fn all_iteration_matrices_find_the_same_state() {
     for name in ["woo_hemispherical", "stretch_thin", "osu_stretch_friction"] {
-        let mut model = shipped(name);
+        let mut model = shipped::shipped(name, &[]);
         model.drive_to(15.0);
         let (_, start) = solver::run_from(&model, State::flat(&model, mesh::nodes(&model)), &mut ());
         let step = 0.05;
@@ -146,7 +119,7 @@ fn all_iteration_matrices_find_the_same_state() {
 #[test]
 fn doubling_elements_or_halving_steps_changes_little() {
     for name in ["woo_hemispherical", "chalmers_cup"] {
-        let model = shipped(name);
+        let model = shipped::shipped(name, &[]);
         let base = solve(&model);
         let mut finer = model.clone();
         finer.blank.elements *= 2;
@@ -168,8 +141,8 @@ fn doubling_elements_or_halving_steps_changes_little() {
 #[test]
 fn facets_give_the_curve_of_exact_arcs_for_as_many_iterations() {
     let iterations = |run: &Run| run.history.iter().map(|r| r.iterations).sum::<usize>() as f64;
-    for name in ALL {
-        let model = shipped(name);
+    for name in DRAWN {
+        let model = shipped::shipped(name, &[]);
         let exact = solve(&model);
         for facets in [20, 45, 90] {
             let mut faceted = model.clone();
@@ -196,7 +169,7 @@ fn facets_give_the_curve_of_exact_arcs_for_as_many_iterations() {
 #[test]
 fn bare_facets_run_and_stay_near_exact_arcs() {
     for name in ["woo_hemispherical", "chalmers_cup"] {
-        let model = shipped(name);
+        let model = shipped::shipped(name, &[]);
         let exact = peak(&solve(&model));
         let mut faceted = model.clone();
         faceted.settings.facets = Some(45);
@@ -210,7 +183,7 @@ fn bare_facets_run_and_stay_near_exact_arcs() {
 /// The holder's position is an unknown of its own: the force on it must be what was asked for, in every step.
 #[test]
 fn holder_force_is_held() {
-    let model = shipped("woo_hemispherical");
+    let model = shipped::shipped("woo_hemispherical", &[]);
     let Some(Motion::Pressed(press)) = model.tool(Role::Holder).map(|t| &t.motion) else {
         panic!("Woo's case has a holder by force")
     };
@@ -224,7 +197,7 @@ fn holder_force_is_held() {
 /// A frame is kept at every travel asked for, to round-off.
 #[test]
 fn steps_land_on_the_frames() {
-    let model = shipped("quickstart");
+    let model = shipped::shipped("quickstart", &[]);
     let run = solve(&model);
     assert_eq!(run.frames.len(), model.frames.len());
     for (frame, wanted) in run.frames.iter().zip(&model.frames) {
@@ -236,7 +209,7 @@ fn steps_land_on_the_frames() {
 /// force ends, and the user is told of both.
 #[test]
 fn sheet_that_leaves_the_holder_is_reported_and_the_run_goes_on() {
-    let mut model = shipped("quickstart");
+    let mut model = shipped::shipped("quickstart", &[]);
     model.drive_to(45.0);
     let run = stampflow::run(&model, &mut ());
     assert!(matches!(run.stop, Stop::DrawnThrough { .. }), "{}", run.stop);
