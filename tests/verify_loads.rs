@@ -225,6 +225,17 @@ fn bulge_ends_at_the_pressure_maximum() {
     }
 }
 
+/// A flat sheet cannot bear a pressure at once: one pressure and no punch is raised over the run.
+#[test]
+fn one_pressure_alone_is_raised_over_the_run() {
+    let model = shipped("bulge", &["gas.lower.pressure=5 MPa"]);
+    assert_eq!(model.gas[0].pressure.points(), [(0.0, 0.0), (10.0, 5.0)]);
+    let (raised, given) = (solve(&model), solve(&shipped("bulge", &[])));
+    // Trust: rate-free, so the height at a pressure is the same however fast it came; linear between steps of 0.1 MPa.
+    let after = given.history.iter().find(|r| r.pressure >= 5.0).expect("it goes to 9.5 MPa");
+    assert!((last(&raised).pole_height - after.pole_height).abs() < 0.5, "{}", last(&raised).pole_height);
+}
+
 /// Pressure from above on a sheet over a punch that draws it in: the sheet wraps the punch more closely than without.
 #[test]
 fn counter_pressure_presses_the_sheet_onto_the_punch() {

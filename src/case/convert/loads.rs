@@ -131,7 +131,14 @@ pub(super) fn gas(
     for (face, key, given) in [(Face::Lower, "lower", &file.lower), (Face::Upper, "upper", &file.upper)] {
         let Some(given) = given else { continue };
         let path = format!("gas.{key}.pressure");
-        let points = given.pressure.points().into_iter().map(|(t, p)| (t, p.value())).collect();
+        let mut points: Vec<(f64, f64)> = given.pressure.points().into_iter().map(|(t, p)| (t, p.value())).collect();
+        if let (Given::Constant(pressure), Some(duration), None) = (&given.pressure, file.duration, tool(Role::Punch)) {
+            points.push((duration.value(), pressure.value()));
+            points[0].1 = 0.0;
+            derived.push(format!(
+                "the pressure of {pressure} on the {key} face is raised evenly over the run's {duration}"
+            ));
+        }
         let pressure = history(points, &path, "times", source)?;
         let seal = match face {
             Face::Lower => tool(Role::Holder).map(|holder| ("the holder's inner edge", extent(holder).0)),

@@ -22,7 +22,8 @@ pub struct Gas {
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct GasFace {
-    /// The pressure, or its history over time: [["0 s", "0 MPa"], ["10 s", "5 MPa"]].
+    /// The pressure, or its history over time: [["0 s", "0 MPa"], ["10 s", "5 MPa"]]. One pressure and no punch: it is
+    /// raised evenly over the duration, for a flat sheet cannot bear it at once.
     #[schemars(example = "5 MPa")]
     pub pressure: Given<NonNegative<Time>, NonNegative<Stress>>,
     /// Distance of the seal from the axis or symmetry plane; when not given, the holder's inner edge (lower face) or the
