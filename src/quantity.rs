@@ -104,6 +104,10 @@ quantities! {
     Speed = Kind {
         name: "a speed", dimension: LENGTH.over(TIME), unit: "mm/s", examples: &["1 mm/s", "0.2 m/s"], largest: 1e6,
     };
+    /// Strain rate \[1/s\].
+    StrainRate = Kind {
+        name: "a strain rate", dimension: NONE.over(TIME), unit: "/s", examples: &["0.001 /s", "40 /s"], largest: 1e9,
+    };
     /// Relative number, written in percent \[–\].
     Ratio = Kind { name: "a percentage", dimension: NONE, unit: "%", examples: &["5 %", "2.5 %"], largest: 1e3 };
     /// Plain number \[–\], written without quotes.

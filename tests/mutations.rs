@@ -83,6 +83,10 @@ geometry = "plane_strain"
 half_length = "60 mm"
 thickness = "1 mm"
 elements = 40
+[material]
+anisotropy = 1.4
+[material.rate]
+power = { exponent = 0.05, reference = "0.01 /s" }
 [material.hardening.ludwik]
 initial = "150 MPa"
 k = "300 MPa"

@@ -36,7 +36,7 @@ pub fn report(case: &Case) -> Check {
     let model = &case.model;
     let mut lines = Vec::new();
     blank(model, &mut lines);
-    lines.push(line("material", model.material.hardening.describe(), ""));
+    lines.push(line("material", model.material.describe(), ""));
     let strength = estimate::tensile_strength(&model.material.hardening);
     lines.push(line("tensile strength", format!("{strength:.0}"), "MPa, from the law at Considère's load maximum"));
     tools(model, &mut lines);

@@ -3,19 +3,15 @@
 use super::kinematics::{EPS_S, EPS_T, End, GAMMA, Generalised, KAPPA_S, KAPPA_T};
 use super::lobatto::Layer;
 use super::{Theory, Vector6};
-use crate::material::Hardening;
-use crate::material::flow::{Iterate, Iteration, Response, Symmetric};
+use crate::material::flow::{FlowLaw, Iterate, Response, Symmetric};
 use nalgebra::Matrix3;
 
 /// What is the same for every layer point of a step.
 #[derive(Clone, Copy, Debug)]
 pub struct Law<'a> {
-    pub hardening: &'a Hardening,
-    pub matrix: Iteration,
+    pub flow: FlowLaw<'a>,
     pub theory: Theory,
     pub layers: &'a [Layer],
-    /// Δε₀ of the step \[–\].
-    pub cutoff: f64,
     /// Least tension of a membrane over its yield force \[–\], in the matrix only (the residual is untouched): a flat
     /// membrane has no transverse stiffness before its first stretch.
     pub slack_tension: f64,
@@ -56,7 +52,7 @@ impl Law<'_> {
         for (i, layer) in self.layers.iter().enumerate() {
             let zeta = 0.5 * thickness * layer.xi;
             let strain = [e[EPS_S] + zeta * e[KAPPA_S], e[EPS_T] + zeta * e[KAPPA_T], e[GAMMA]];
-            let response = iterates[i].advance(self.hardening, self.matrix, before[i], self.cutoff, strain);
+            let response = iterates[i].advance(&self.flow, before[i], strain);
             let v = volume * layer.share;
             let (vs, vt) = (v * response.stress[0], v * response.stress[1]);
             s[EPS_S] += vs;

@@ -1,7 +1,7 @@
 //! The flow law of a rigid-plastic Huber-Mises sheet at one layer point.
 //!
 //! ```text
-//! A = [4/3 2/3 0; 2/3 4/3 0; 0 0 k/3],  k = 5/6       acting on Δε = (Δε_s, Δε_θ, Δγ)
+//! A = [4/3 2/3 0; 2/3 4/3 0; 0 0 k/3],  k = 5/6       acting on Δε = (Δε_s, Δε_θ, Δγ); by r̄ in [`Anisotropy`]
 //! Δε̄² = Δεᵀ A Δε        σ = (σ_y/Δε̄) A Δε = μ·3A ε̇,   μ = σ_y/(3 ε̄̇)
 //! ```
 //!
@@ -11,7 +11,7 @@
 //! # References
 //! Zienkiewicz, Jain, Oñate, Int. J. Solids Struct. 14 (1978) 15–38; Sosnowski (1994), equations 3 and 4.
 
-use super::Hardening;
+use super::{Anisotropy, Hardening, Rate};
 
 /// Which matrix H the corrector iterates with (Sosnowski 1994, equation 9).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -22,6 +22,20 @@ pub enum Iteration {
     Newton,
     /// Secant (Picard): the viscosity frozen.
     Secant,
+}
+
+/// What is the same for every layer point in an iteration.
+#[derive(Clone, Copy, Debug)]
+pub struct FlowLaw<'a> {
+    pub hardening: &'a Hardening,
+    /// `None` for a rate-free metal, which does not feel the step's duration.
+    pub rate: Option<&'a Rate>,
+    pub anisotropy: Anisotropy,
+    pub matrix: Iteration,
+    /// Δε₀ > 0 of the step \[–\].
+    pub cutoff: f64,
+    /// Δt of the step \[s\].
+    pub duration: f64,
 }
 
 /// Shear correction factor of the Mindlin shell \[–\].
@@ -36,24 +50,6 @@ pub type Symmetric = [f64; 6];
 #[inline]
 fn dot(a: Triple, b: Triple) -> f64 {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-}
-
-/// A Δε.
-#[inline]
-fn metric(e: Triple) -> Triple {
-    [(4.0 * e[0] + 2.0 * e[1]) / 3.0, (2.0 * e[0] + 4.0 * e[1]) / 3.0, SHEAR_FACTOR / 3.0 * e[2]]
-}
-
-/// Equivalent strain increment √(Δεᵀ A Δε) \[–\].
-#[inline]
-pub fn equivalent_increment(e: Triple) -> f64 {
-    dot(e, metric(e)).sqrt()
-}
-
-/// Equivalent stress √(σᵀ A⁻¹ σ) \[MPa\].
-#[inline]
-pub fn equivalent_stress(s: Triple) -> f64 {
-    (s[0] * s[0] - s[0] * s[1] + s[1] * s[1] + 3.0 / SHEAR_FACTOR * s[2] * s[2]).sqrt()
 }
 
 /// Stress, its derivative and the hardening increment that go with a strain increment.
@@ -93,7 +89,7 @@ impl Iterate {
 
     /// Evaluates the law at the strain increment `e` and moves on to it.
     ///
-    /// `before` is ε̄ at the start of the step, `cutoff` Δε₀ > 0. The matrices are
+    /// `before` is ε̄ at the start of the step. With a rate law σ_y = σ_s(ε̄) g(Δε̄_reg/Δt). The matrices are
     ///
     /// ```text
     /// secant       C = f A                                                   f = σ_y/Δε̄_reg
@@ -105,38 +101,44 @@ impl Iterate {
     /// # References
     /// The carried stress: Chan, Golub, Mulet, SIAM J. Sci. Comput. 20 (1999) 1964–1977, for a potential with the same kink.
     #[inline]
-    pub fn advance(&mut self, law: &Hardening, matrix: Iteration, before: f64, cutoff: f64, e: Triple) -> Response {
-        let a = metric(e);
+    pub fn advance(&mut self, law: &FlowLaw, before: f64, e: Triple) -> Response {
+        let a = law.anisotropy.metric(e);
         let square = dot(e, a);
         let increment = square.sqrt();
-        let inverse_square = 1.0 / (square + cutoff * cutoff);
+        let inverse_square = 1.0 / (square + law.cutoff * law.cutoff);
         let inverse = inverse_square.sqrt();
-        let yielding = law.at(before + increment);
+        let mut yielding = law.hardening.at(before + increment);
+        if let Some(rate) = law.rate {
+            let factor = rate.at(1.0 / (inverse * law.duration));
+            yielding.slope *= factor.value;
+            yielding.slope += yielding.stress * factor.slope * increment * inverse / law.duration;
+            yielding.stress *= factor.value;
+        }
         let f = yielding.stress * inverse;
         let h = if increment > 0.0 { yielding.slope * inverse / increment } else { 0.0 };
         let stress = [f * a[0], f * a[1], f * a[2]];
 
         // C = f A + ½ (a⊗b + b⊗a)
-        let b = match matrix {
+        let b = match law.matrix {
             Iteration::Secant => [0.0; 3],
             Iteration::Newton => {
                 let g = h - f * inverse_square;
                 [g * a[0], g * a[1], g * a[2]]
             }
             Iteration::PrimalDual => {
-                let w = self.carried_at(e, yielding.stress);
+                let w = self.carried_at(&law.anisotropy, e, yielding.stress);
                 self.carried = w;
                 let i = inverse_square;
                 [h * a[0] - i * w[0], h * a[1] - i * w[1], h * a[2] - i * w[2]]
             }
         };
         let tangent = [
-            4.0 / 3.0 * f + a[0] * b[0],
-            2.0 / 3.0 * f + 0.5 * (a[0] * b[1] + a[1] * b[0]),
-            4.0 / 3.0 * f + a[1] * b[1],
+            law.anisotropy.direct * f + a[0] * b[0],
+            law.anisotropy.coupled * f + 0.5 * (a[0] * b[1] + a[1] * b[0]),
+            law.anisotropy.direct * f + a[1] * b[1],
             0.5 * (a[0] * b[2] + a[2] * b[0]),
             0.5 * (a[1] * b[2] + a[2] * b[1]),
-            SHEAR_FACTOR / 3.0 * f + a[2] * b[2],
+            law.anisotropy.shear * f + a[2] * b[2],
         ];
         *self = Self { carried: self.carried, strain: e, fluidity: f, hardening: h, inverse_square };
         Response { stress, tangent, increment, yield_stress: yielding.stress }
@@ -144,20 +146,20 @@ impl Iterate {
 
     /// w ← σ + C δ(Δε) with the matrix of the last iterate, scaled back onto the yield surface.
     #[inline]
-    fn carried_at(&self, e: Triple, yield_stress: f64) -> Triple {
+    fn carried_at(&self, anisotropy: &Anisotropy, e: Triple, yield_stress: f64) -> Triple {
         let mut w = self.carried;
         if self.fluidity > 0.0 {
-            let a = metric(self.strain);
+            let a = anisotropy.metric(self.strain);
             let delta = [e[0] - self.strain[0], e[1] - self.strain[1], e[2] - self.strain[2]];
             let along = dot(a, delta);
             let on_a = self.fluidity + self.hardening * along - 0.5 * self.inverse_square * dot(w, delta);
             let on_w = -0.5 * self.inverse_square * along;
-            let c = metric(delta);
+            let c = anisotropy.metric(delta);
             for i in 0..3 {
                 w[i] = on_a * a[i] + on_w * w[i] + self.fluidity * c[i];
             }
         }
-        let over = equivalent_stress(w) / yield_stress;
+        let over = anisotropy.equivalent_stress(w) / yield_stress;
         if over > 1.0 {
             for w in &mut w {
                 *w /= over;
@@ -185,8 +187,13 @@ mod tests {
         ]
     }
 
-    fn at(law: &Hardening, matrix: Iteration, e: Triple) -> Response {
-        Iterate::start([0.0; 3]).advance(law, matrix, 0.05, CUTOFF, e)
+    fn flow(hardening: &Hardening, matrix: Iteration) -> FlowLaw<'_> {
+        let anisotropy = Anisotropy::default();
+        FlowLaw { hardening, rate: None, anisotropy, matrix, cutoff: CUTOFF, duration: 0.1 }
+    }
+
+    fn at(law: &FlowLaw, e: Triple) -> Response {
+        Iterate::start([0.0; 3]).advance(law, 0.05, e)
     }
 
     fn full(c: Symmetric) -> [[f64; 3]; 3] {
@@ -196,23 +203,42 @@ mod tests {
     /// Trust: central differences with h = 1e-4 of the increment; truncation near 1e-8 of the entries.
     #[test]
     fn newton_matrix_is_the_derivative_of_the_stress_for_every_law() {
-        for (name, law) in Hardening::examples() {
-            for e in points() {
-                let c = full(at(&law, Iteration::Newton, e).tangent);
-                let h = 1e-4 * equivalent_increment(e);
-                for j in 0..3 {
-                    let shifted = |sign: f64| {
-                        let mut e = e;
-                        e[j] += sign * h;
-                        at(&law, Iteration::Newton, e).stress
-                    };
-                    let (plus, minus) = (shifted(1.0), shifted(-1.0));
-                    for i in 0..3 {
-                        let difference = (plus[i] - minus[i]) / (2.0 * h);
-                        let scale = c[0][0].abs();
-                        assert!((c[i][j] - difference).abs() < 1e-5 * scale, "{name} {e:?} {i}{j}");
+        let rates = Rate::examples();
+        let rates = std::iter::once(("rate-free", None)).chain(rates.iter().map(|(name, rate)| (*name, Some(rate))));
+        for (rate_name, rate) in rates {
+            for ((name, hardening), r) in Hardening::examples().into_iter().zip([1.0, 0.5, 1.8].into_iter().cycle()) {
+                let law = FlowLaw { rate, anisotropy: Anisotropy::new(r), ..flow(&hardening, Iteration::Newton) };
+                for e in points() {
+                    let c = full(at(&law, e).tangent);
+                    let h = 1e-4 * law.anisotropy.equivalent_increment(e);
+                    for j in 0..3 {
+                        let shifted = |sign: f64| {
+                            let mut e = e;
+                            e[j] += sign * h;
+                            at(&law, e).stress
+                        };
+                        let (plus, minus) = (shifted(1.0), shifted(-1.0));
+                        for i in 0..3 {
+                            let difference = (plus[i] - minus[i]) / (2.0 * h);
+                            let wrong = (c[i][j] - difference).abs();
+                            assert!(wrong < 1e-5 * c[0][0].abs(), "{name}, {rate_name}, r {r} {e:?} {i}{j}");
+                        }
                     }
                 }
+            }
+        }
+    }
+
+    /// Trust: the definition. Stress is σ_s(ε̄) g(ε̄̇) in tension; the cut-off changes the rate by 5e-9 of itself.
+    #[test]
+    fn rate_multiplies_the_yield_stress() {
+        for (_, hardening) in Hardening::examples() {
+            for (name, rate) in Rate::examples() {
+                let law = FlowLaw { rate: Some(&rate), ..flow(&hardening, Iteration::Newton) };
+                let response = at(&law, [1e-2, -5e-3, 0.0]);
+                let expected = hardening.at(0.05 + 1e-2).stress * rate.at(1e-2 / law.duration).value;
+                assert_relative_eq!(response.stress[0], expected, max_relative = 1e-7);
+                assert!(response.yield_stress > 0.0, "{name}");
             }
         }
     }
@@ -222,8 +248,8 @@ mod tests {
     fn primal_dual_matrix_is_newtons_when_the_carried_stress_is_the_stress() {
         for (_, law) in Hardening::examples() {
             for e in points() {
-                let newton = at(&law, Iteration::Newton, e);
-                let dual = Iterate::start(newton.stress).advance(&law, Iteration::PrimalDual, 0.05, CUTOFF, e);
+                let newton = at(&flow(&law, Iteration::Newton), e);
+                let dual = Iterate::start(newton.stress).advance(&flow(&law, Iteration::PrimalDual), 0.05, e);
                 for i in 0..6 {
                     assert_relative_eq!(newton.tangent[i], dual.tangent[i], epsilon = 1e-9 * newton.tangent[0].abs());
                 }
@@ -240,11 +266,11 @@ mod tests {
                 ([1e-2, 0.0, 0.0], [2.0 / 3f64.sqrt(), 1.0 / 3f64.sqrt()]),
                 ([1e-2, 1e-2, 0.0], [1.0, 1.0]),
             ] {
-                let response = at(&law, Iteration::PrimalDual, e);
+                let response = at(&flow(&law, Iteration::PrimalDual), e);
                 let sy = law.at(0.05 + response.increment).stress;
                 assert_relative_eq!(response.stress[0], expected[0] * sy, max_relative = 1e-7);
                 assert_relative_eq!(response.stress[1], expected[1] * sy, max_relative = 1e-7, epsilon = 1e-6);
-                assert_relative_eq!(equivalent_stress(response.stress), sy, max_relative = 1e-7);
+                assert_relative_eq!(Anisotropy::default().equivalent_stress(response.stress), sy, max_relative = 1e-7);
             }
         }
     }
@@ -256,7 +282,7 @@ mod tests {
         for (name, law) in Hardening::examples() {
             let mut iterate = Iterate::start([0.0; 3]);
             for e in points() {
-                let c = full(iterate.advance(&law, Iteration::PrimalDual, 0.05, CUTOFF, e).tangent);
+                let c = full(iterate.advance(&flow(&law, Iteration::PrimalDual), 0.05, e).tangent);
                 let m = nalgebra::Matrix3::from_fn(|i, j| c[i][j]);
                 let smallest = m.symmetric_eigenvalues().min();
                 assert!(smallest > -1e-9 * m.norm(), "{name} {smallest}");

@@ -58,7 +58,7 @@ impl Summary {
                 Geometry::PlaneStrain => "plane strain; forces per mm of depth, of the half that is modelled",
             },
         );
-        summary.text("hardening", "Hardening", &model.material.hardening.describe());
+        summary.text("hardening", "Hardening", &model.material.describe());
         let ended = match run.stop {
             Stop::FullTravel if model.travel == 0.0 => "full time reached".to_owned(),
             ref stop => stop.to_string(),

@@ -32,7 +32,7 @@ impl Dimension {
 
     /// In words where there is one: "a length", "a force per length", otherwise the exponents.
     pub fn describe(self) -> String {
-        const NAMED: [(Dimension, &str); 11] = [
+        const NAMED: [(Dimension, &str); 12] = [
             (NONE, "a plain number"),
             (LENGTH, "a length"),
             (FORCE, "a force"),
@@ -42,6 +42,7 @@ impl Dimension {
             (STRESS, "a stress"),
             (FORCE.over(LENGTH), "a force per length"),
             (LENGTH.over(TIME), "a speed"),
+            (NONE.over(TIME), "a strain rate"),
             (LENGTH.times(LENGTH, 1), "an area"),
             (FORCE.times(LENGTH, 1), "a moment"),
         ];

@@ -10,7 +10,7 @@ use crate::element::lobatto::{self, Layer};
 use crate::element::section::Law;
 use crate::element::{Geometry, Node};
 use crate::geometry::Point;
-use crate::material::flow::{Iterate, Response};
+use crate::material::flow::{FlowLaw, Iterate, Response};
 use crate::model::{Edge, Iteration, Model, Motion, Role, Theory};
 use crate::state::State;
 use nalgebra::Vector3;
@@ -231,12 +231,18 @@ impl Workspace {
         let settings = &model.settings;
         let longest = settings.max_step * model.duration;
         self.cutoff = self.softening * settings.cutoff_strain * (dt / longest).min(1.0);
+        let material = &model.material;
         let law = Law {
-            hardening: &model.material.hardening,
-            matrix,
+            flow: FlowLaw {
+                hardening: &material.hardening,
+                rate: material.rate.as_ref(),
+                anisotropy: material.anisotropy,
+                matrix,
+                cutoff: self.cutoff,
+                duration: dt,
+            },
             theory: model.blank.theory,
             layers: &self.layers,
-            cutoff: self.cutoff,
             slack_tension: SLACK_TENSION * (velocity_norm / SLACK_NORM).min(1.0),
         };
         for (x, (start, u)) in self.nodes.iter_mut().zip(state.nodes.iter().zip(&self.moves)) {

@@ -34,7 +34,7 @@ pub fn model(geometry: Geometry) -> Model {
             layers: 5,
             edge: Edge::Free,
         },
-        material: Material { hardening: Hardening::Swift(Swift::new(547.0, 0.18, 1e-3).unwrap()), elastic: None },
+        material: Material::plain(Hardening::Swift(Swift::new(547.0, 0.18, 1e-3).unwrap())),
         tools: vec![
             tool(Role::Punch, Profile::flat_punch(50.0, 9.0, T0), Motion::Travel),
             tool(Role::Die, Profile::die(51.25, 7.0, T0), Motion::Fixed),

@@ -160,7 +160,7 @@ pub fn random_die(seed: u64) -> RandomDie {
             layers: 5,
             edge: if stretch { Edge::Clamped } else { Edge::Free },
         },
-        material: Material { hardening: law, elastic: None },
+        material: Material::plain(law),
         tools,
         beads: vec![],
         gas: vec![],

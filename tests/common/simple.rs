@@ -22,10 +22,7 @@ pub fn pulled(geometry: Geometry, theory: Theory, travel: f64) -> Model {
             layers: if theory == Theory::Membrane { 1 } else { 5 },
             edge: Edge::Pulled { speed: 1.0 },
         },
-        material: Material {
-            hardening: Hardening::Swift(Swift::new(520.0, 0.22, 1e-3).expect("valid")),
-            elastic: None,
-        },
+        material: Material::plain(Hardening::Swift(Swift::new(520.0, 0.22, 1e-3).expect("valid"))),
         tools: vec![],
         beads: vec![],
         gas: vec![],
@@ -59,10 +56,7 @@ pub fn capstan(mu: f64, holder: f64, per_quarter: usize) -> Model {
             layers: 1,
             edge: Edge::Free,
         },
-        material: Material {
-            hardening: Hardening::Ludwik(Ludwik::new(150.0, 0.0, 1.0).expect("valid")),
-            elastic: None,
-        },
+        material: Material::plain(Hardening::Ludwik(Ludwik::new(150.0, 0.0, 1.0).expect("valid"))),
         tools: vec![
             tool(Role::Punch, Profile::flat_punch(30.0, 10.0, t), 0.3, Motion::Travel),
             tool(Role::Die, Profile::die(31.3, shoulder, t), mu, Motion::Fixed),

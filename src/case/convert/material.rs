@@ -5,9 +5,13 @@ use crate::case::{CaseError, explain::missing, source::Source};
 use crate::material::hardening::{
     Branch, Extrapolation, Hollomon, LawError, Ludwik, PiecewisePower, Swift, Table, Voce,
 };
-use crate::material::{Elastic, Hardening, Material};
+use crate::material::rate::{CowperSymonds, JohnsonCook, PowerRate};
+use crate::material::{Anisotropy, Elastic, Hardening, Material, Rate};
 use crate::quantity::Quantity;
 use std::ops::RangeInclusive;
+
+/// Normal anisotropy of sheet metals, with room \[–\].
+const RATIO: RangeInclusive<f64> = 0.1..=10.0;
 
 const HARDENING: &str = "material.hardening";
 
@@ -32,7 +36,36 @@ pub(super) fn convert(file: &file::Material, source: &Source) -> Result<Material
         let help = format!("between {} and {} MPa; check the units of the constants", YIELD.start(), YIELD.end());
         return Err(source.error(HARDENING, what, help));
     }
-    Ok(Material { hardening, elastic })
+    let r = file.anisotropy.map_or(1.0, Quantity::value);
+    if !RATIO.contains(&r) {
+        let what = format!("`anisotropy` must lie between {} and {}, found {r}", RATIO.start(), RATIO.end());
+        return Err(source.error("material.anisotropy", what, "0.6 to 0.8 for aluminium, 1 to 2 for steel"));
+    }
+    let rate = file.rate.map(|laws| rate(laws, source)).transpose()?;
+    Ok(Material { hardening, elastic, rate, anisotropy: Anisotropy::new(r) })
+}
+
+/// Exactly one rate law.
+fn rate(file: file::Rate, source: &Source) -> Result<Rate, CaseError> {
+    let power =
+        file.power.map(|l| Rate::Power(PowerRate { exponent: l.exponent.value(), reference: l.reference.value() }));
+    let cowper_symonds = file
+        .cowper_symonds
+        .map(|l| Rate::CowperSymonds(CowperSymonds { rate: l.rate.value(), exponent: l.exponent.value() }));
+    let johnson_cook = file
+        .johnson_cook
+        .map(|l| Rate::JohnsonCook(JohnsonCook { coefficient: l.coefficient.value(), reference: l.reference.value() }));
+    let mut laws = [power, cowper_symonds, johnson_cook].into_iter().flatten();
+    match (laws.next(), laws.next()) {
+        (Some(law), None) => Ok(law),
+        (None, _) => {
+            let help = "give one of power, cowper_symonds, johnson_cook, or drop [material.rate]";
+            Err(source.error("material.rate", "[material.rate] names no law", help))
+        }
+        (Some(_), Some(_)) => {
+            Err(source.error("material.rate", "[material.rate] names more than one law", "keep one of them"))
+        }
+    }
 }
 
 fn hardening(file: &file::Hardening, elastic: Option<Elastic>, source: &Source) -> Result<Hardening, CaseError> {

@@ -1,10 +1,11 @@
 //! `[material]` and one table per hardening law.
 
+use super::Rate;
 use crate::quantity::{Fraction, NonNegative, Number, Positive, Stress};
 use schemars::JsonSchema;
 use serde::Deserialize;
 
-/// The sheet's material, isotropic.
+/// The sheet's material, isotropic in its plane.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Material {
@@ -14,6 +15,12 @@ pub struct Material {
     /// Poisson's ratio, below 0.5.
     #[schemars(example = 0.3)]
     pub poisson: Option<Fraction>,
+    /// Normal anisotropy r̄, 0.1 to 10: width strain over thickness strain in tension, mean over the directions in the
+    /// sheet; 1 when not given.
+    #[schemars(example = 1.6)]
+    pub anisotropy: Option<Positive<Number>>,
+    /// Strain-rate dependence; none when not given. The punch's `speed` then matters.
+    pub rate: Option<Rate>,
     /// Exactly one law, such as `[material.hardening.swift]`.
     #[serde(default)]
     pub hardening: Hardening,

@@ -8,6 +8,7 @@ mod friction;
 mod gas;
 mod history;
 mod material;
+mod rate;
 mod section;
 mod solver;
 mod tools;
@@ -17,6 +18,7 @@ pub use friction::{Friction, FrictionLaw, PressureDependent, Sides, Stribeck, Tr
 pub use gas::{Gas, GasFace};
 pub use history::Given;
 pub use material::{Beyond, Branch, Hardening, Hollomon, Ludwik, Material, PiecewisePower, Swift, Table, Voce};
+pub use rate::{CowperSymonds, JohnsonCook, PowerRate, Rate};
 pub use section::{ProfileStep, Section, SectionTable, ToolName, Turn};
 pub use solver::{ContactMethod, Iteration, Norm, Output, Solver, Stop};
 pub use tools::{Bead, Crowned, Die, Flat, Hemispherical, Holder, HolderForce, Punch, Spring, Stiffness, Tools};

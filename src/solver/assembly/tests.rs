@@ -23,7 +23,7 @@ fn model(geometry: Geometry, theory: Theory) -> Model {
             layers: if theory == Theory::Membrane { 1 } else { 5 },
             edge: Edge::Free,
         },
-        material: Material { hardening: Hardening::Swift(Swift::new(500.0, 0.2, 1e-3).expect("valid")), elastic: None },
+        material: Material::plain(Hardening::Swift(Swift::new(500.0, 0.2, 1e-3).expect("valid"))),
         tools: vec![
             tool(Role::Punch, Profile::flat_punch(12.0, 4.0, t), Motion::Travel),
             tool(Role::Die, Profile::die(13.3, 4.0, t), Motion::Fixed),
