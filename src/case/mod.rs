@@ -28,6 +28,7 @@ mod convert;
 mod error;
 mod explain;
 pub mod file;
+mod laws;
 mod measure;
 mod overrides;
 mod schema;
@@ -35,6 +36,7 @@ mod source;
 
 pub use error::CaseError;
 pub use file::CaseFile;
+pub use laws::laws;
 pub use schema::schema;
 
 use crate::compare::Spec;

@@ -11,6 +11,11 @@ pub fn schema() -> String {
     serde_json::to_string_pretty(&*SCHEMA).expect("a JSON value can be written")
 }
 
+/// A named definition of the schema; null when there is none.
+pub(super) fn definition(name: &str) -> &'static Value {
+    &SCHEMA["$defs"][name]
+}
+
 /// The line that would set the key at a dotted path, taken from the schema's first example: `thickness = "0.9 mm"`.
 pub(super) fn example_line(path: &str) -> Option<String> {
     let key = path.rsplit('.').next()?;

@@ -37,6 +37,8 @@ enum Verb {
     /// Solve every case that has published curves and compare
     #[command(after_help = validate::HELP)]
     Validate(validate::Args),
+    /// List the hardening, rate and friction laws with their parameters and sources
+    Laws,
     /// Print the JSON schema of case files, for completion in editors
     #[command(
         after_help = "Example:\n  stampflow schema > case.schema.json\n\nThen begin a case file with the line\n  \
@@ -78,6 +80,7 @@ pub fn main(args: Args) -> anyhow::Result<Code> {
             let case = case::load(&case, &overrides.set)?;
             say(&case::check::report(&case).to_string())
         }
+        Verb::Laws => say(&case::laws()),
         Verb::Schema => say(&case::schema()),
     }
 }

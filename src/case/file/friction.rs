@@ -23,6 +23,8 @@ pub struct FrictionLaw {
 }
 
 /// Coefficient that falls with pressure: μ = coefficient (p/reference)^(exponent − 1).
+///
+/// Source: in common use for lubricated sheet; I. Gil et al., Tribology International 103 (2016) 266–273 (not read).
 #[derive(Clone, Copy, Debug, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct PressureDependent {
@@ -38,6 +40,8 @@ pub struct PressureDependent {
 }
 
 /// Coefficient that depends on the sliding speed v: sliding + (at_rest − sliding) exp(−(v/speed)²) + viscous v.
+///
+/// Source: in common use; B. Armstrong-Hélouvry et al., Automatica 30 (1994) 1083–1138 (not read).
 #[derive(Clone, Copy, Debug, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Stribeck {
@@ -56,6 +60,8 @@ pub struct Stribeck {
 }
 
 /// Friction stress of at most a share of the sheet's shear yield stress k.
+///
+/// Source: I. Bobrovskij et al., Metals 12 (2022) 239; E. Orowan (1943) (not read). The smooth passage is ours.
 #[derive(Clone, Copy, Debug, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Tresca {

@@ -39,6 +39,8 @@ pub struct Hardening {
 }
 
 /// σ = k (offset + ε)^n.
+///
+/// Source: H. W. Swift, J. Mech. Phys. Solids 1 (1952) 1–18.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Swift {
@@ -52,6 +54,8 @@ pub struct Swift {
 }
 
 /// σ = k ε^n, started at the elastic line or at a declared offset strain.
+///
+/// Source: J. H. Hollomon, Trans. AIME 162 (1945) 268–290.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Hollomon {
@@ -65,6 +69,8 @@ pub struct Hollomon {
 }
 
 /// σ = initial + k ε^n.
+///
+/// Source: P. Ludwik, Elemente der technologischen Mechanik, Springer, Berlin (1909).
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Ludwik {
@@ -77,6 +83,8 @@ pub struct Ludwik {
 }
 
 /// σ = saturation − (saturation − initial) exp(−rate ε^exponent).
+///
+/// Source: E. Voce, J. Inst. Metals 74 (1948) 537–562; the exponent: J. E. Hockett, O. D. Sherby (1975).
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Voce {
@@ -92,6 +100,8 @@ pub struct Voce {
 }
 
 /// Measured points, interpolated smoothly: `points`, or `strain` and `stress`.
+///
+/// Source: monotone cubics of F. N. Fritsch, R. E. Carlson, SIAM J. Numer. Anal. 17 (1980) 238–246.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Table {
@@ -117,6 +127,8 @@ pub enum Beyond {
 }
 
 /// σ = initial + k ε^n with other constants on each range of strain.
+///
+/// Source: D. M. Woo, Int. J. Mech. Sci. 10 (1968) 83–94.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct PiecewisePower {

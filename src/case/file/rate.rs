@@ -14,6 +14,8 @@ pub struct Rate {
 }
 
 /// (rate/reference)^exponent; with a reference of 1/s on a Hollomon law the superplastic K ε^n ε̇^m.
+///
+/// Source: in common use; W. A. Backofen, I. R. Turner, D. H. Avery, Trans. ASM 57 (1964) 980–990 (not read).
 #[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct PowerRate {
@@ -26,6 +28,8 @@ pub struct PowerRate {
 }
 
 /// 1 + (rate/C)^(1/p), which is Perzyna's law with the fluidity C.
+///
+/// Source: in common use; G. R. Cowper, P. S. Symonds (1957), P. Perzyna (1966) (not read).
 #[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct CowperSymonds {
@@ -38,6 +42,8 @@ pub struct CowperSymonds {
 }
 
 /// 1 + C ln(rate/reference) above the reference rate, smoothly 1 below it.
+///
+/// Source: in common use; G. R. Johnson, W. H. Cook (1983) (not read).
 #[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct JohnsonCook {

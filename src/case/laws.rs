@@ -1,0 +1,82 @@
+//! The laws that a case can name, with their parameters, read off the JSON schema: what is listed is what is accepted.
+
+use super::schema::definition;
+use serde_json::Value;
+use std::fmt::Write;
+
+/// Kinds of law: heading, the schema's table of alternatives, where a case names them.
+const KINDS: [(&str, &str, &str); 3] = [
+    ("Hardening: yield stress over equivalent plastic strain", "Hardening", "[material.hardening.NAME]"),
+    ("Rate: a factor on the yield stress", "Rate", "[material.rate] NAME = { .. }"),
+    (
+        "Friction, beside a plain coefficient (Coulomb): friction stress over pressure and sliding",
+        "FrictionLaw",
+        "friction = { NAME = { .. } } of a tool, or by side in [friction]",
+    ),
+];
+
+/// Every law with its formula, source and parameters, as text.
+pub fn laws() -> String {
+    let mut text = String::new();
+    for (heading, table, place) in KINDS {
+        let _ = writeln!(text, "{heading}\n  {place}\n");
+        for (name, law) in entries(definition(table)) {
+            let law = definition(reference(law).unwrap_or_default());
+            let _ = writeln!(text, "  {name}");
+            for line in description(law).lines().filter(|line| !line.is_empty()) {
+                let _ = writeln!(text, "    {line}");
+            }
+            let required: Vec<&str> =
+                law["required"].as_array().into_iter().flatten().filter_map(Value::as_str).collect();
+            for (key, parameter) in entries(law) {
+                let optional = if required.contains(&key) { "" } else { " (optional)" };
+                let example = parameter["examples"].get(0).map_or(String::new(), |e| format!("such as {e}"));
+                // The types' own words ("a stress with its unit") say less than the example does.
+                let own = Some(description(parameter)).filter(|d| !d.contains("with its unit")).unwrap_or_default();
+                let words = [own.trim_end_matches('.'), &example].into_iter().filter(|w| !w.is_empty());
+                let words = words.collect::<Vec<_>>().join("; ");
+                let _ = writeln!(text, "      {:<28} {words}", format!("{key}{optional}"));
+            }
+            text.push('\n');
+        }
+    }
+    text.truncate(text.trim_end().len());
+    text + "\n"
+}
+
+fn entries(table: &Value) -> impl Iterator<Item = (&str, &Value)> {
+    table["properties"].as_object().into_iter().flatten().map(|(key, value)| (key.as_str(), value))
+}
+
+fn description(schema: &Value) -> &str {
+    schema["description"].as_str().unwrap_or_default()
+}
+
+/// The definition that an optional key refers to.
+fn reference(schema: &Value) -> Option<&str> {
+    let choices = schema["anyOf"].as_array()?;
+    choices.iter().find_map(|choice| choice["$ref"].as_str()?.rsplit('/').next())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::contact::friction::Friction;
+    use crate::material::{Hardening, Rate};
+
+    #[test]
+    fn every_law_is_listed_with_a_source_and_its_parameters() {
+        let text = laws();
+        let names = |list: Vec<&'static str>| list.into_iter().map(|n| n.split([' ', ',']).next().unwrap_or(n));
+        let all = names(Hardening::examples().into_iter().map(|(n, _)| n).collect())
+            .chain(names(Rate::examples().into_iter().map(|(n, _)| n).collect()))
+            .chain(names(Friction::examples().into_iter().map(|(n, _)| n).collect()))
+            .filter(|name| *name != "coulomb");
+        for name in all {
+            let at = text.find(&format!("\n  {name}\n")).unwrap_or_else(|| panic!("{name} is not listed"));
+            let block = text[at + 1..].split("\n\n").next().expect("a block");
+            assert!(block.contains("Source: "), "{block}");
+            assert!(block.lines().any(|line| line.starts_with("      ")), "no parameters: {block}");
+        }
+    }
+}
