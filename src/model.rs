@@ -128,12 +128,52 @@ pub enum Face {
     Upper,
 }
 
+/// What decides a gas pressure.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Pressure {
+    /// Given over time \[MPa over s\].
+    History(History),
+    /// As much as holds a strain rate; an unknown of its own.
+    Rate(RateControl),
+}
+
+/// Superplastic forming: the pressure that makes the sheet's strain rate, by the norm ‖ε̄̇‖ = (Σ V ε̄̇^q/Σ V)^(1/q), the
+/// target in every step.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct RateControl {
+    /// Target of the norm \[1/s\].
+    pub target: f64,
+    /// q: 1 is the mean over the sheet's volume, a large one the fastest place \[–\].
+    pub exponent: f64,
+}
+
+impl Pressure {
+    /// The pressure at a time where it is given \[MPa\].
+    pub fn given(&self, time: f64) -> Option<f64> {
+        match self {
+            Self::History(history) => Some(history.at(time)),
+            Self::Rate(_) => None,
+        }
+    }
+}
+
+impl From<History> for Pressure {
+    fn from(history: History) -> Self {
+        Self::History(history)
+    }
+}
+
+impl From<f64> for Pressure {
+    fn from(pressure: f64) -> Self {
+        Self::History(pressure.into())
+    }
+}
+
 /// Gas or oil pressure on a face of the sheet; it stays normal to the sheet and acts on its current area.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Gas {
     pub face: Face,
-    /// Pressure over time \[MPa over s\].
-    pub pressure: History,
+    pub pressure: Pressure,
     /// It acts on what lies closer to the axis or symmetry plane than this seal \[mm\].
     pub within: f64,
 }

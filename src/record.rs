@@ -116,6 +116,8 @@ pub struct StepRecord {
     pub pole_height: f64,
     /// Gas pressure on the lower face less that on the upper \[MPa\].
     pub pressure: f64,
+    /// Norm of the strain rate that a gas pressure holds \[1/s\]; 0 where none does.
+    pub held_rate: f64,
     /// How far the holder has moved towards the die from where it touched the flat sheet \[mm\]; negative when lifted.
     pub holder_move: f64,
     /// Largest penetration of a tool over the sheet's thickness, where the sheet is not squeezed \[–\].

@@ -41,6 +41,8 @@ pub struct State {
     pub pressure: Vec<f64>,
     /// The augmented Lagrangian's shift λ ≤ 0 of the same pairs \[mm\]; zero with a penalty.
     pub shift: Vec<f64>,
+    /// Pressure of each gas \[MPa\].
+    pub gas: Vec<f64>,
     /// Initial distances of the nodes from the axis \[mm\].
     pub s0: Vec<f64>,
 }
@@ -74,6 +76,7 @@ impl State {
                 .collect(),
             pressure: vec![0.0; nodes.len() * model.tools.len()],
             shift: vec![0.0; nodes.len() * model.tools.len()],
+            gas: vec![0.0; model.gas.len()],
             nodes,
             s0,
         }

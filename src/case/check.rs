@@ -6,7 +6,7 @@ mod warn;
 
 use super::Case;
 use super::measure::{extent, throat};
-use crate::model::{Face, Geometry, Model, Motion, Role, Theory, Tool};
+use crate::model::{Face, Geometry, Model, Motion, Pressure, Role, Theory, Tool};
 use crate::quantity::rounded;
 use std::fmt;
 
@@ -110,8 +110,16 @@ fn tools(model: &Model, lines: &mut Vec<Line>) {
     }
     for gas in &model.gas {
         let face = if gas.face == Face::Lower { "lower" } else { "upper" };
-        let meaning = format!("MPa at most on the {face} face within {} mm, for {} s", mm(gas.within), model.duration);
-        lines.push(line("gas pressure", format!("{}", gas.pressure.largest()), meaning));
+        let place = format!("on the {face} face within {} mm, for {} s", mm(gas.within), model.duration);
+        lines.push(match &gas.pressure {
+            Pressure::History(history) => {
+                line("gas pressure", format!("{}", history.largest()), format!("MPa at most {place}"))
+            }
+            Pressure::Rate(control) => {
+                let norm = format!("1/s held by the pressure (norm with q = {})", control.exponent);
+                line("strain rate", format!("{}", control.target), format!("{norm} {place}"))
+            }
+        });
     }
     if let Some(clearance) = estimate::clearance(model) {
         let over_t = clearance / model.blank.thickness;

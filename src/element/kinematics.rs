@@ -189,6 +189,13 @@ impl End {
         curvature
     }
 
+    /// Rows of Δε_s and Δε_θ by r₁, z₁, r₂, z₂ \[1/mm\].
+    pub fn membrane_rows(&self) -> [[f64; 4]; 2] {
+        let gradient = self.gradient();
+        let [c, s] = gradient.along;
+        [[-c, -s, c, s], [gradient.hoop, 0.0, gradient.hoop, 0.0]]
+    }
+
     /// Unit normal over the length: the transverse direction of the element.
     pub(super) fn transverse(&self) -> [f64; 2] {
         [-self.sin / self.length, self.cos / self.length]

@@ -2,7 +2,7 @@
 
 use super::chart::{Chart, Look, Panel, Scale, Series};
 use super::{Subject, force_unit, worded, work_unit};
-use crate::model::{Geometry, Model};
+use crate::model::{Geometry, Model, Pressure};
 use crate::record::{Run, StepRecord};
 use crate::table::{Axis, Column, Table, Unit};
 
@@ -61,20 +61,22 @@ pub(super) fn of(subject: &Subject) -> Table {
 }
 
 /// Punch and holder force over the travel, and the held edge's force where there is one; under gas alone, its pressure
-/// over the height of the dome.
+/// over the height of the dome, or over time where it holds a strain rate.
 pub(super) fn plot(subject: &Subject) -> Option<Chart> {
     subject.run.history.first()?;
     let table = of(subject);
     if subject.model.travel == 0.0 {
-        let (height, pressure) = (table.column("pole_height"), table.column("pressure"));
+        // A pressure that follows a strain rate is what the press is set to: a cycle over time.
+        let held = subject.model.gas.iter().any(|gas| matches!(gas.pressure, Pressure::Rate(_)));
+        let (x, pressure) = (table.column(if held { "time" } else { "pole_height" }), table.column("pressure"));
         let look = Look::curve(0);
         return Some(Chart {
             title: format!("{}: pressure", subject.model.title),
             legend: "",
             panels: vec![Panel {
-                x: height.axis(),
+                x: x.axis(),
                 y: pressure.axis(),
-                series: vec![Series::new(pressure.label, table.pairs(height.key, pressure.key), look)],
+                series: vec![Series::new(pressure.label, table.pairs(x.key, pressure.key), look)],
                 scale: Scale::Fit { height: 350.0, least: 0.0 },
             }],
             notes: subject.notes(),

@@ -11,7 +11,7 @@ use crate::element::section::Law;
 use crate::element::{Geometry, Node};
 use crate::geometry::Point;
 use crate::material::flow::{FlowLaw, Iterate, Response};
-use crate::model::{Edge, Iteration, Model, Motion, Role, Theory};
+use crate::model::{Edge, Iteration, Model, Motion, Pressure, Role, Theory};
 use crate::state::State;
 use nalgebra::Vector3;
 
@@ -67,6 +67,13 @@ pub(super) struct Workspace {
     pub active_contacts: usize,
     /// Where the model's beads hold the sheet in this step.
     pub(super) beads: Vec<Option<BeadPlace>>,
+    /// Trial pressure of each gas \[MPa\], and its index among the shared unknowns where it is one.
+    pub gas_pressure: Vec<f64>,
+    pub(super) gas_shared: Vec<Option<usize>>,
+    /// Norm of the strain rate that a pressure holds, over its target \[–\].
+    pub(super) held_norm: f64,
+    /// Rows of the membrane strains Δε_s, Δε_θ by r, z of both nodes, of every element.
+    pub(super) membrane_rows: Vec<[[f64; 4]; 2]>,
     /// Force of the gas on every node \[N, or N/mm\].
     pub gas_force: Vec<Point>,
     /// Δε₀ of the step \[–\], raised by the factor `softening` ≥ 1 while a hard step looks for a start.
@@ -110,6 +117,17 @@ impl Workspace {
             })
             .collect();
         let (n, elements) = (state.nodes.len(), state.thickness.len());
+        let gas_shared: Vec<Option<usize>> = model
+            .gas
+            .iter()
+            .map(|gas| {
+                let unknown = matches!(gas.pressure, Pressure::Rate(_));
+                let index = unknown.then_some(shared);
+                shared += usize::from(unknown);
+                index
+            })
+            .collect();
+        let holds_rate = gas_shared.iter().any(Option::is_some);
         let t = model.blank.thickness;
         let points = state.layers.len();
         let blank = Response { stress: [0.0; 3], tangent: [0.0; 6], increment: 0.0, yield_stress: 0.0 };
@@ -135,6 +153,10 @@ impl Workspace {
             active_contacts: 0,
             beads: vec![None; model.beads.len()],
             gas_force: vec![Point::zeros(); n],
+            gas_pressure: state.gas.clone(),
+            gas_shared,
+            held_norm: 0.0,
+            membrane_rows: vec![[[0.0; 4]; 2]; if holds_rate { elements } else { 0 }],
             cutoff: 0.0,
             softening: 1.0,
             residual_norm: 0.0,
@@ -195,11 +217,17 @@ impl Workspace {
         let Step { model, state, dt, .. } = *step;
         self.carried.copy_from_slice(&state.pressure);
         self.shift.copy_from_slice(&state.shift);
-        let share = if from_rest { 0.0 } else { dt };
+        self.gas_pressure.copy_from_slice(&state.gas);
+        // A held strain rate has no meaning at rest.
+        let holds_rate = !self.membrane_rows.is_empty();
+        let share = if from_rest && !holds_rate { 0.0 } else { dt };
         for (i, x) in self.moves.iter_mut().enumerate() {
             for d in 0..3 {
                 x[d] = share * state.velocity[i][d];
             }
+        }
+        if holds_rate && state.time == 0.0 {
+            self.guess_dome(step);
         }
         let last = self.moves.len() - 1;
         match model.blank.edge {
@@ -275,6 +303,9 @@ impl Workspace {
             self.thickness[e] = internal.thickness;
             self.thickness_rows[e] = internal.thickness_row;
             self.membrane_increment[e] = [end.strain[0], end.strain[1]];
+            if let Some(rows) = self.membrane_rows.get_mut(e) {
+                *rows = end.membrane_rows();
+            }
         }
         let largest = |forces: &[Vector3<f64>]| forces.iter().map(|f| f.xy().norm()).fold(0.0, f64::max);
         let internal = largest(&self.system.rhs);
@@ -284,6 +315,7 @@ impl Workspace {
         let gas = self.gas_force.iter().map(|f| f.norm()).fold(0.0, f64::max);
         let largest_force = internal.max(contact).max(gas);
 
+        self.hold_rate(model, state, dt);
         self.press(model, state, dt);
         self.constrain(model);
         let (worst, residual) = self

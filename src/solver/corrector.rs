@@ -65,8 +65,13 @@ pub(super) fn correct(
         for d in increments {
             cut = cut.min(LARGEST_MOVE * t / d.xy().norm()).min(LARGEST_TURN / d.z.abs());
         }
-        for d in shared.iter() {
-            cut = cut.min(LARGEST_MOVE * t / d.abs());
+        for k in work.tools.iter().filter_map(|tool| tool.shared) {
+            cut = cut.min(LARGEST_MOVE * t / shared[k].abs());
+        }
+        for (pressure, shared) in work.gas_pressure.iter_mut().zip(&work.gas_shared) {
+            if let Some(k) = shared {
+                *pressure += cut * work.system.corner_rhs[*k];
+            }
         }
         let (mut change, mut total) = (0.0, 0.0);
         for (i, d) in increments.iter().enumerate() {

@@ -3,7 +3,7 @@
 use super::assembly::Workspace;
 use super::attempt::Step;
 use super::contacts::Contact;
-use crate::model::{Face, Role};
+use crate::model::{Face, Pressure, Role};
 use crate::record::StepRecord;
 
 /// Pressure over that of touching above which a node counts as in contact \[–\].
@@ -35,12 +35,15 @@ impl Workspace {
             }
         }
         let share = |part: f64, whole: f64| if whole > 0.0 { part / whole } else { 0.0 };
-        let pressure = model.gas.iter().map(|gas| {
-            let p = gas.pressure.at(step.state.time + step.dt);
-            if gas.face == Face::Lower { p } else { -p }
-        });
+        let pressure = model.gas.iter().zip(&self.gas_pressure);
+        let pressure = pressure.map(|(gas, p)| if gas.face == Face::Lower { *p } else { -p });
         let holder = self.tools.iter().position(|tool| tool.role == Role::Holder && tool.released.is_none());
+        let target = model.gas.iter().find_map(|gas| match gas.pressure {
+            Pressure::Rate(control) => Some(control.target),
+            Pressure::History(_) => None,
+        });
         StepRecord {
+            held_rate: target.map_or(0.0, |target| target * self.held_norm),
             pole_height: self.nodes[0][1],
             pressure: pressure.sum(),
             holder_move: holder.map_or(0.0, |j| self.tool_position[j]),

@@ -1,11 +1,12 @@
 //! Loads that are no contact: gas pressure on the faces and draw beads across the flange.
 
 use super::assembly::Workspace;
+use super::attempt::Step;
 use crate::contact::friction::direction;
 use crate::geometry::Point;
-use crate::model::{Bead, Face, Geometry, Model};
+use crate::model::{Bead, Face, Geometry, Model, Pressure};
 use crate::state::State;
-use nalgebra::Matrix3;
+use nalgebra::{Matrix3, Vector3};
 use std::f64::consts::TAU;
 
 /// A bead's restraint fades over the last stretch of the sheet that passes it, this many thicknesses long.
@@ -79,47 +80,102 @@ impl Workspace {
     /// ```
     pub(super) fn inflate(&mut self, model: &Model, state: &State, time: f64) {
         self.gas_force.fill(Point::zeros());
-        for gas in &model.gas {
+        for (k, gas) in model.gas.iter().enumerate() {
+            if let Some(given) = gas.pressure.given(time) {
+                self.gas_pressure[k] = given;
+            }
             let sign = match gas.face {
                 Face::Lower => 1.0,
                 Face::Upper => -1.0,
             };
-            let pressure = sign * gas.pressure.at(time);
             for e in 0..self.thickness.len() {
                 // The seal cuts elements where they stand at the start of the step.
                 let (from, to) = (state.nodes[e][0], state.nodes[e + 1][0]);
                 let inside = if to <= gas.within { 1.0 } else { ((gas.within - from) / (to - from)).max(0.0) };
-                if inside <= 0.0 || pressure == 0.0 {
-                    continue;
+                if inside > 0.0 {
+                    self.press_element(model.geometry, e, sign * inside, k);
                 }
-                self.press_element(model.geometry, e, pressure * inside);
             }
         }
     }
 
-    fn press_element(&mut self, geometry: Geometry, e: usize, pressure: f64) {
+    /// A shallow dome that strains at about the rate that is held: where the first step starts from.
+    pub(super) fn guess_dome(&mut self, step: &Step) {
+        let gas = step.model.gas.iter().find_map(|gas| match gas.pressure {
+            Pressure::Rate(control) => Some((gas, control)),
+            Pressure::History(_) => None,
+        });
+        let Some((gas, control)) = gas else { return };
+        let a = gas.within.min(step.model.blank.length);
+        let height = a * (control.target * step.dt).sqrt() * if gas.face == Face::Lower { 1.0 } else { -1.0 };
+        for (u, x) in self.moves.iter_mut().zip(&step.state.nodes) {
+            let x = (x[0] / a).min(1.0);
+            *u = [0.0, height * (1.0 - x * x), if x < 1.0 { -2.0 * height * x / a } else { 0.0 }];
+        }
+    }
+
+    /// The equations of pressures that hold a strain rate: ‖Δε̄‖ − target Δt = 0.
+    ///
+    /// Δε̄ is that of the mid-surface, regularised like the flow law's, so that its derivative is finite in rigid zones.
+    pub(super) fn hold_rate(&mut self, model: &Model, state: &State, dt: f64) {
+        let anisotropy = &model.material.anisotropy;
+        for (k, gas) in model.gas.iter().enumerate() {
+            let (Some(row), Pressure::Rate(control)) = (self.gas_shared[k], &gas.pressure) else { continue };
+            let (q, wanted) = (control.exponent, control.target * dt);
+            let total: f64 = state.volume.iter().sum();
+            // In units of the target, so that large powers stay in range.
+            let share = |e: &[f64; 2]| {
+                let strain = [e[0], e[1], 0.0];
+                let regular = anisotropy.equivalent_increment(strain).hypot(self.cutoff);
+                (regular / wanted, anisotropy.metric(strain).map(|a| a / (regular * wanted)))
+            };
+            let sum: f64 =
+                self.membrane_increment.iter().zip(&state.volume).map(|(e, v)| v / total * share(e).0.powf(q)).sum();
+            let norm = sum.powf(1.0 / q);
+            self.held_norm = norm;
+            self.system.corner_rhs[row] = 1.0 - norm;
+            for e in 0..self.thickness.len() {
+                let (value, slope) = share(&self.membrane_increment[e]);
+                let weight = norm.powf(1.0 - q) * state.volume[e] / total * value.powf(q - 1.0);
+                let rows = &self.membrane_rows[e];
+                for node in 0..2 {
+                    for d in 0..2 {
+                        let by = slope[0] * rows[0][2 * node + d] + slope[1] * rows[1][2 * node + d];
+                        self.system.rows[e + node][row][d] += weight * by;
+                    }
+                }
+            }
+        }
+    }
+
+    fn press_element(&mut self, geometry: Geometry, e: usize, side: f64, k: usize) {
+        let pressure = side * self.gas_pressure[k];
         let [a, b] = [self.nodes[e], self.nodes[e + 1]];
         let m = Point::new(a[1] - b[1], b[0] - a[0]); // n l
-        // Shares of both nodes and their derivatives by r of both.
+        // Areas of both nodes, over l, and their derivatives by r of both.
         let (share, by_r) = match geometry {
             Geometry::Axisymmetric => {
-                let c = TAU * pressure / 6.0;
+                let c = TAU / 6.0;
                 ([c * (2.0 * a[0] + b[0]), c * (a[0] + 2.0 * b[0])], [[2.0 * c, c], [c, 2.0 * c]])
             }
-            Geometry::PlaneStrain => ([0.5 * pressure; 2], [[0.0; 2]; 2]),
+            Geometry::PlaneStrain => ([0.5; 2], [[0.0; 2]; 2]),
         };
         for i in 0..2 {
-            let force = m * share[i];
+            let force = m * (pressure * share[i]);
+            if let Some(column) = self.gas_shared[k] {
+                let by_pressure = m * (side * share[i]);
+                self.system.columns[e + i][column] -= Vector3::new(by_pressure.x, by_pressure.y, 0.0);
+            }
             self.gas_force[e + i] += force;
             let rhs = &mut self.system.rhs[e + i];
             rhs.x += force.x;
             rhs.y += force.y;
             for j in 0..2 {
                 // ∂m/∂x of node j: first node (0, 1; −1, 0), second its negative.
-                let turn = if j == 0 { share[i] } else { -share[i] };
+                let turn = pressure * if j == 0 { share[i] } else { -share[i] };
                 let mut block = Matrix3::zeros();
-                block[(0, 0)] = m.x * by_r[i][j];
-                block[(1, 0)] = m.y * by_r[i][j] - turn;
+                block[(0, 0)] = pressure * m.x * by_r[i][j];
+                block[(1, 0)] = pressure * m.y * by_r[i][j] - turn;
                 block[(0, 1)] = turn;
                 match (i, j) {
                     (0, 0) | (1, 1) => self.system.diagonal[e + i] -= block,

@@ -148,6 +148,7 @@ fn accept(work: &Workspace, model: &Model, state: &mut State, dt: f64) {
         *pressure = now;
     }
     state.shift.copy_from_slice(&work.shift);
+    state.gas.copy_from_slice(&work.gas_pressure);
     state.tools.copy_from_slice(&work.tool_position);
     state.nodes.copy_from_slice(&work.nodes);
     state.thickness.copy_from_slice(&work.thickness);

@@ -5,8 +5,8 @@ use crate::case::file::{self, Given, HolderForce, Stiffness};
 use crate::case::measure::{extent, shoulder_end};
 use crate::case::{CaseError, source::Source};
 use crate::history::History;
-use crate::model::{Bead, Face, Gas, Geometry, Motion, Press, Role, Tool};
-use crate::quantity::Quantity;
+use crate::model::{Bead, Face, Gas, Geometry, Motion, Press, Pressure, RateControl, Role, Tool};
+use crate::quantity::{NonNegative, Positive, Quantity, Stress, Time};
 use std::f64::consts::PI;
 
 /// How the holder is pressed or held: exactly one of the four ways.
@@ -118,6 +118,27 @@ fn force(force: HolderForce, path: &str, key: &str, geometry: Geometry, source: 
     Err(source.error(path, what, help))
 }
 
+/// Norm of the strain rate that a superplastic pressure holds, when none is given \[–\].
+const NORM: f64 = 10.0;
+
+/// A pressure over time; one pressure and no punch is raised over the run's `alone`.
+fn gas_history(
+    given: &Given<NonNegative<Time>, NonNegative<Stress>>,
+    key: &str,
+    alone: Option<Positive<Time>>,
+    source: &Source,
+    derived: &mut Vec<String>,
+) -> Result<History, CaseError> {
+    let mut points: Vec<(f64, f64)> = given.points().into_iter().map(|(t, p)| (t, p.value())).collect();
+    if let (Given::Constant(pressure), Some(duration)) = (given, alone) {
+        points.push((duration.value(), pressure.value()));
+        points[0].1 = 0.0;
+        derived
+            .push(format!("the pressure of {pressure} on the {key} face is raised evenly over the run's {duration}"));
+    }
+    history(points, &format!("gas.{key}.pressure"), "times", source)
+}
+
 /// The gas on each face that has one.
 pub(super) fn gas(
     file: &file::Gas,
@@ -130,16 +151,25 @@ pub(super) fn gas(
     let mut gas = Vec::new();
     for (face, key, given) in [(Face::Lower, "lower", &file.lower), (Face::Upper, "upper", &file.upper)] {
         let Some(given) = given else { continue };
-        let path = format!("gas.{key}.pressure");
-        let mut points: Vec<(f64, f64)> = given.pressure.points().into_iter().map(|(t, p)| (t, p.value())).collect();
-        if let (Given::Constant(pressure), Some(duration), None) = (&given.pressure, file.duration, tool(Role::Punch)) {
-            points.push((duration.value(), pressure.value()));
-            points[0].1 = 0.0;
-            derived.push(format!(
-                "the pressure of {pressure} on the {key} face is raised evenly over the run's {duration}"
-            ));
-        }
-        let pressure = history(points, &path, "times", source)?;
+        let pressure = match (&given.pressure, given.strain_rate) {
+            (Some(pressure), None) => {
+                let alone = file.duration.filter(|_| tool(Role::Punch).is_none());
+                Pressure::History(gas_history(pressure, key, alone, source, derived)?)
+            }
+            (None, Some(target)) => {
+                let exponent = given.norm.map_or(NORM, Quantity::value);
+                if !(1.0..=50.0).contains(&exponent) {
+                    let what = format!("`norm` must lie between 1 and 50, found {exponent}");
+                    return Err(source.error(&format!("gas.{key}.norm"), what, "10 follows the fastest place closely"));
+                }
+                Pressure::Rate(RateControl { target: target.value(), exponent })
+            }
+            (Some(_), Some(_)) => {
+                let what = "both a pressure and a strain rate are given";
+                return Err(source.error(&format!("gas.{key}.strain_rate"), what, "keep one: the other follows"));
+            }
+            (None, None) => return Err(crate::case::explain::missing(source, &format!("gas.{key}"), "pressure")),
+        };
         let seal = match face {
             Face::Lower => tool(Role::Holder).map(|holder| ("the holder's inner edge", extent(holder).0)),
             Face::Upper => tool(Role::Die).map(|die| ("the end of the die's shoulder", shoulder_end(die))),

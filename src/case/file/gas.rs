@@ -1,7 +1,7 @@
 //! `[gas]`: pressure on the faces of the sheet.
 
 use super::Given;
-use crate::quantity::{Length, NonNegative, Positive, Stress, Time};
+use crate::quantity::{Length, NonNegative, Number, Positive, StrainRate, Stress, Time};
 use schemars::JsonSchema;
 use serde::Deserialize;
 
@@ -25,7 +25,14 @@ pub struct GasFace {
     /// The pressure, or its history over time: [["0 s", "0 MPa"], ["10 s", "5 MPa"]]. One pressure and no punch: it is
     /// raised evenly over the duration, for a flat sheet cannot bear it at once.
     #[schemars(example = "5 MPa")]
-    pub pressure: Given<NonNegative<Time>, NonNegative<Stress>>,
+    pub pressure: Option<Given<NonNegative<Time>, NonNegative<Stress>>>,
+    /// Superplastic forming, instead of a pressure: the strain rate that the pressure holds in every step.
+    #[schemars(example = "0.001 /s")]
+    pub strain_rate: Option<Positive<StrainRate>>,
+    /// Norm of the strain rate over the sheet's volume, 1 to 50: 1 is the mean, a large one the fastest place; 10 when not
+    /// given.
+    #[schemars(example = 10.0)]
+    pub norm: Option<Positive<Number>>,
     /// Distance of the seal from the axis or symmetry plane; when not given, the holder's inner edge (lower face) or the
     /// end of the die's shoulder (upper face), or else the whole blank.
     #[schemars(example = "50 mm")]

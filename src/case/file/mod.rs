@@ -41,6 +41,7 @@ pub struct CaseFile {
     pub notes: Vec<String>,
     pub blank: Blank,
     pub material: Material,
+    #[serde(default)]
     pub tools: Tools,
     /// Friction by the face of the sheet, for tools that do not name their own.
     #[serde(default)]

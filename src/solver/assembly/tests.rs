@@ -4,7 +4,7 @@ use super::*;
 use crate::geometry::Profile;
 use crate::material::hardening::Swift;
 use crate::material::{Hardening, Material};
-use crate::model::{Bead, Blank, Face, Gas, Grading, Iteration, Press, Role, Settings, Tool};
+use crate::model::{Bead, Blank, Face, Gas, Grading, Iteration, Press, Pressure, RateControl, Role, Settings, Tool};
 
 fn model(geometry: Geometry, theory: Theory) -> Model {
     let t = 1.0;
@@ -56,6 +56,10 @@ fn matrix_is_the_derivative_of_the_residual() {
             let (run, state) = crate::solver::run_from(&formed, flat, &mut ());
             assert!(run.stop.is_complete(), "{}", run.stop);
             check(&model(geometry, theory), &state);
+            // The same state with the gas as an unknown that holds a strain rate.
+            let mut held = model(geometry, theory);
+            held.gas[0].pressure = Pressure::Rate(RateControl { target: 0.02, exponent: 6.0 });
+            check(&held, &state);
         }
     }
 }
@@ -114,6 +118,10 @@ fn check(model: &Model, state: &State) {
             let border = -(plus_border[0] - minus_border[0]) / (2.0 * h);
             let row = exact.rows[j][0][d];
             assert!((border - row).abs() < 2e-5 * scale(n - 1), "holder by {j}.{d}: {border} {row}");
+            let border = -(plus_border[1] - minus_border[1]) / (2.0 * h);
+            let row = exact.rows[j][1][d];
+            let largest = exact.rows.iter().map(|r| r[1].norm()).fold(0.0, f64::max);
+            assert!((border - row).abs() <= 1e-4 * largest, "held rate by {j}.{d}: {border} {row}");
         }
     }
     let tool = 2;
@@ -125,6 +133,22 @@ fn check(model: &Model, state: &State) {
     for i in 1..n {
         let difference = -(plus[i] - minus[i]) / (2.0 * h);
         assert!((difference - exact.columns[i][0]).norm() < 2e-5 * scale(i), "node {i} by the holder");
+    }
+    let held = work.gas_shared[0].map(|k| (k, work.gas_pressure[0]));
+    if let Some((k, p)) = held {
+        work.tool_position[tool] = z;
+        let h = 1e-6;
+        work.gas_pressure[0] = p + h;
+        let (plus, _) = at(&mut work);
+        work.gas_pressure[0] = p - h;
+        let (minus, _) = at(&mut work);
+        for i in 1..n {
+            let difference = -(plus[i] - minus[i]) / (2.0 * h);
+            assert!(
+                (difference - exact.columns[i][k]).norm() < 1e-5 * difference.norm().max(1e-3),
+                "node {i} by the gas"
+            );
+        }
     }
     let corner = -(plus_border[0] - minus_border[0]) / (2.0 * h);
     assert!((corner - exact.corner[(0, 0)]).abs() < 2e-5 * corner.abs().max(1.0), "{corner}");
