@@ -13,7 +13,7 @@ const LARGEST_PENETRATION: f64 = 0.05;
 /// Plastic power in cut-off zones that puts stresses in doubt \[–\].
 const LARGEST_CUT_OFF: f64 = 0.05;
 
-/// Thickness over the initial one that no sheet metal is drawn to in one piece \[–\].
+/// Thickness over the initial one that no sheet metal, superplastic alloys apart, is drawn to in one piece \[–\].
 const TORN: f64 = 0.5;
 /// Squeeze between two tools from which the sheet is ironed \[–\].
 const IRONED: f64 = 0.01;
@@ -97,6 +97,7 @@ fn thinned(model: &Model, state: &State, run: &Run) -> Option<String> {
              what is computed after that depends on the mesh"
         ));
     }
-    (neck.share < TORN)
+    let superplastic = model.material.rate.is_some_and(|rate| rate.is_superplastic());
+    (neck.share < TORN && !superplastic)
         .then(|| format!("the sheet is down to {left:.0} % of its thickness at s0 = {place:.1} mm: it has torn before"))
 }

@@ -36,6 +36,11 @@ impl Rate {
         }
     }
 
+    /// Whether the sheet resists necking by its rate alone: a power of 0.3 or more, as superplastic alloys have.
+    pub fn is_superplastic(&self) -> bool {
+        matches!(self, Self::Power(law) if law.exponent >= 0.3)
+    }
+
     /// One example of every law, named: for tests and lists.
     pub fn examples() -> Vec<(&'static str, Self)> {
         vec![
