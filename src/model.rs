@@ -128,6 +128,16 @@ pub enum Face {
     Upper,
 }
 
+impl Face {
+    /// Which way pressure on it pushes: +1 along the punch travel, −1 against it.
+    pub fn sign(self) -> f64 {
+        match self {
+            Face::Lower => 1.0,
+            Face::Upper => -1.0,
+        }
+    }
+}
+
 /// What decides a gas pressure.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Pressure {

@@ -47,6 +47,12 @@ pub struct State {
     pub s0: Vec<f64>,
 }
 
+/// Thickness that contact sees at node `i` \[mm\]: the mean of the thicknesses of the elements that meet there.
+#[inline]
+pub fn thickness_at(elements: &[f64], i: usize) -> f64 {
+    0.5 * (elements[i.max(1) - 1] + elements[i.min(elements.len() - 1)])
+}
+
 impl State {
     /// The flat blank; tools wait a few smoothing lengths away from it, so that nothing presses yet.
     pub fn flat(model: &Model, s0: Vec<f64>) -> Self {
@@ -84,8 +90,7 @@ impl State {
 
     /// Thickness that contact sees at node `i` \[mm\]: the mean of its elements'.
     pub fn thickness_at(&self, i: usize) -> f64 {
-        let last = self.thickness.len() - 1;
-        0.5 * (self.thickness[i.max(1) - 1] + self.thickness[i.min(last)])
+        thickness_at(&self.thickness, i)
     }
 
     /// What is kept of this instant.

@@ -72,7 +72,7 @@ fn blank(model: &Model, lines: &mut Vec<Line>) {
     lines.push(line("blank", mm(blank.length), size));
     lines.push(line("thickness", mm(blank.thickness), "mm"));
     let (volume, unit) = match model.geometry {
-        Geometry::Axisymmetric => (estimate::area(model, blank.length) * blank.thickness, "mm³"),
+        Geometry::Axisymmetric => (model.geometry.area(blank.length) * blank.thickness, "mm³"),
         Geometry::PlaneStrain => (blank.length * blank.thickness, "mm³ per mm of depth"),
     };
     lines.push(line("volume", format!("{volume:.0}"), unit));

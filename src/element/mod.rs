@@ -30,6 +30,14 @@ impl Geometry {
             Geometry::PlaneStrain => "N/mm",
         }
     }
+
+    /// Area of a flat sheet up to the distance `r` from the axis or symmetry plane \[mm², or mm per mm of depth\].
+    pub fn area(self, r: f64) -> f64 {
+        match self {
+            Geometry::Axisymmetric => std::f64::consts::PI * r * r,
+            Geometry::PlaneStrain => r,
+        }
+    }
 }
 
 /// A node's position and fibre rotation `[r, z, θ]` \[mm, mm, rad\], or an increment of them.

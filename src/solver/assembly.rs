@@ -5,10 +5,10 @@ use super::block_tridiagonal::System;
 use super::contacts::{ActiveTool, Contact, Far};
 use super::loads::BeadPlace;
 use crate::contact::penalty::Penalty;
+use crate::element::Node;
 use crate::element::kinematics::Start;
 use crate::element::lobatto::{self, Layer};
 use crate::element::section::Law;
-use crate::element::{Geometry, Node};
 use crate::geometry::Point;
 use crate::material::flow::{FlowLaw, Iterate, Response};
 use crate::model::{Edge, Iteration, Model, Motion, Pressure, Role, Theory};
@@ -170,10 +170,7 @@ impl Workspace {
                 stiffness: model.settings.contact_stiffness / t,
                 smoothing: model.settings.contact_smoothing * t,
             },
-            block_area: match model.geometry {
-                Geometry::Axisymmetric => std::f64::consts::PI * model.blank.length * model.blank.length,
-                Geometry::PlaneStrain => model.blank.length,
-            },
+            block_area: model.geometry.area(model.blank.length),
         };
         work.measure_far();
         work

@@ -7,7 +7,7 @@ use crate::contact::penalty::{Penalty, Smooth};
 use crate::contact::{Visitor, touch};
 use crate::geometry::{Point, Profile};
 use crate::model::{Iteration, Motion, Role, Settings};
-use crate::state::State;
+use crate::state::{State, thickness_at};
 use nalgebra::{Matrix3, Vector3};
 
 /// Most rounds that one shift of the augmented Lagrangian stands for.
@@ -166,8 +166,7 @@ impl Workspace {
 
     /// Thickness that contact sees at node `i` \[mm\].
     pub fn thickness_at(&self, i: usize) -> f64 {
-        let last = self.thickness.len() - 1;
-        0.5 * (self.thickness[i.max(1) - 1] + self.thickness[i.min(last)])
+        thickness_at(&self.thickness, i)
     }
 
     /// Contact and friction of every tool with every node it reaches; returns the largest force of one on one.
@@ -186,7 +185,7 @@ impl Workspace {
             let moved = self.tool_position[j] - state.tools[j];
             for i in 0..=last {
                 let (before, after) = (i.max(1) - 1, i.min(last - 1));
-                let thickness = 0.5 * (self.thickness[before] + self.thickness[after]);
+                let thickness = thickness_at(&self.thickness, i);
                 let x = &self.nodes[i];
                 let position = Point::new(x[0], x[1] - self.tool_position[j]);
                 let pair = j * (last + 1) + i;

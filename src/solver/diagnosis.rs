@@ -3,7 +3,7 @@
 use super::assembly::Workspace;
 use super::attempt::Step;
 use super::contacts::Contact;
-use crate::model::{Face, Pressure, Role};
+use crate::model::{Pressure, Role};
 use crate::record::StepRecord;
 
 /// Pressure over that of touching above which a node counts as in contact \[–\].
@@ -36,7 +36,7 @@ impl Workspace {
         }
         let share = |part: f64, whole: f64| if whole > 0.0 { part / whole } else { 0.0 };
         let pressure = model.gas.iter().zip(&self.gas_pressure);
-        let pressure = pressure.map(|(gas, p)| if gas.face == Face::Lower { *p } else { -p });
+        let pressure = pressure.map(|(gas, p)| gas.face.sign() * p);
         let holder = self.tools.iter().position(|tool| tool.role == Role::Holder && tool.released.is_none());
         let target = model.gas.iter().find_map(|gas| match gas.pressure {
             Pressure::Rate(control) => Some(control.target),

@@ -4,7 +4,7 @@ use super::assembly::Workspace;
 use super::attempt::Step;
 use crate::contact::friction::direction;
 use crate::geometry::Point;
-use crate::model::{Bead, Face, Geometry, Model, Pressure};
+use crate::model::{Bead, Geometry, Model, Pressure};
 use crate::state::State;
 use nalgebra::{Matrix3, Vector3};
 use std::f64::consts::TAU;
@@ -84,16 +84,12 @@ impl Workspace {
             if let Some(given) = gas.pressure.given(time) {
                 self.gas_pressure[k] = given;
             }
-            let sign = match gas.face {
-                Face::Lower => 1.0,
-                Face::Upper => -1.0,
-            };
             for e in 0..self.thickness.len() {
                 // The seal cuts elements where they stand at the start of the step.
                 let (from, to) = (state.nodes[e][0], state.nodes[e + 1][0]);
                 let inside = if to <= gas.within { 1.0 } else { ((gas.within - from) / (to - from)).max(0.0) };
                 if inside > 0.0 {
-                    self.press_element(model.geometry, e, sign * inside, k);
+                    self.press_element(model.geometry, e, gas.face.sign() * inside, k);
                 }
             }
         }
@@ -107,7 +103,7 @@ impl Workspace {
         });
         let Some((gas, control)) = gas else { return };
         let a = gas.within.min(step.model.blank.length);
-        let height = a * (control.target * step.dt).sqrt() * if gas.face == Face::Lower { 1.0 } else { -1.0 };
+        let height = a * (control.target * step.dt).sqrt() * gas.face.sign();
         for (u, x) in self.moves.iter_mut().zip(&step.state.nodes) {
             let x = (x[0] / a).min(1.0);
             *u = [0.0, height * (1.0 - x * x), if x < 1.0 { -2.0 * height * x / a } else { 0.0 }];

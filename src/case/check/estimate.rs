@@ -7,14 +7,6 @@ use crate::mesh;
 use crate::model::{Edge, Geometry, Model, Motion, Role};
 use std::f64::consts::{FRAC_PI_2, PI};
 
-/// Area of the flat blank inside r [mm²], or per depth [mm].
-pub(super) fn area(model: &Model, r: f64) -> f64 {
-    match model.geometry {
-        Geometry::Axisymmetric => PI * r * r,
-        Geometry::PlaneStrain => r,
-    }
-}
-
 /// Tensile strength [MPa]: largest nominal stress σ exp(−ε), reached where dσ/dε = σ (A. Considère, 1885).
 pub(super) fn tensile_strength(law: &Hardening) -> f64 {
     let strains = (0..=2000).map(|i| f64::from(i) * 5e-4);
@@ -38,7 +30,7 @@ pub(super) fn draw_ratio(model: &Model) -> Option<f64> {
 /// Initial area between holder and the die's flat [mm², or mm² per mm of depth].
 pub(super) fn held_area(model: &Model) -> Option<f64> {
     let inner = extent(model.tool(Role::Holder)?).0.max(shoulder_end(model.tool(Role::Die)?));
-    let held = area(model, model.blank.length) - area(model, inner);
+    let held = model.geometry.area(model.blank.length) - model.geometry.area(inner);
     (held > 0.0).then_some(held)
 }
 
@@ -85,12 +77,12 @@ pub(super) fn drawn_share(model: &Model) -> Option<f64> {
         used += width * (end - a).norm();
         reached = end.x;
     }
-    let rest = area(model, shoulder_end(die)) - area(model, reached);
+    let rest = model.geometry.area(shoulder_end(die)) - model.geometry.area(reached);
     // A punch as wide as the blank draws nothing in.
     if reached >= model.blank.length {
         return None;
     }
-    Some((used + rest) / area(model, model.blank.length))
+    Some((used + rest) / model.geometry.area(model.blank.length))
 }
 
 /// The corner with the fewest elements per 90°.

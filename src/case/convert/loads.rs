@@ -7,7 +7,6 @@ use crate::case::{CaseError, source::Source};
 use crate::history::History;
 use crate::model::{Bead, Face, Gas, Geometry, Motion, Press, Pressure, RateControl, Role, Tool};
 use crate::quantity::{NonNegative, Positive, Quantity, Stress, Time};
-use std::f64::consts::PI;
 
 /// How the holder is pressed or held: exactly one of the four ways.
 pub(super) fn holder(
@@ -39,10 +38,7 @@ pub(super) fn holder(
     }
     if let Some(pressure) = holder.pressure {
         let inner = profile.least_r().max(shoulder_end(die));
-        let area = match sheet.geometry {
-            Geometry::Axisymmetric => PI * (sheet.length.powi(2) - inner.powi(2)),
-            Geometry::PlaneStrain => sheet.length - inner,
-        };
+        let area = sheet.geometry.area(sheet.length) - sheet.geometry.area(inner);
         let force = pressure.value() * area.max(0.0);
         derived.push(format!(
             "the holder's force is its pressure on the initial area, {pressure} x {area:.1} mm² = {force:.0} {}",

@@ -1,6 +1,7 @@
 //! The whole matrix against differences.
 
 use super::*;
+use crate::element::Geometry;
 use crate::geometry::Profile;
 use crate::material::hardening::Swift;
 use crate::material::{Hardening, Material};
