@@ -131,7 +131,7 @@ fn capstan_converges_to_the_exponential() {
 fn plastic_moment_converges_with_the_layers() {
     use stampflow::element::kinematics::Start;
     use stampflow::element::{lobatto, section::Law};
-    use stampflow::material::flow::{FlowLaw, Iterate, Iteration, Response};
+    use stampflow::material::flow::{Before, FlowLaw, Iterate, Iteration, Response};
     use stampflow::material::hardening::{Hardening, Ludwik};
 
     let (yield_stress, t, length) = (200.0, 1.3, 0.8);
@@ -146,7 +146,9 @@ fn plastic_moment_converges_with_the_layers() {
             flow: FlowLaw {
                 hardening: &hardening,
                 rate: None,
+                softening: None,
                 anisotropy: Anisotropy::default(),
+                voids: None,
                 matrix: Iteration::Newton,
                 cutoff: 1e-7,
                 duration: 1.0,
@@ -158,7 +160,8 @@ fn plastic_moment_converges_with_the_layers() {
         let mut iterates = vec![Iterate::default(); n];
         let mut responses =
             vec![Response { stress: [0.0; 3], tangent: [0.0; 6], increment: 0.0, yield_stress: 0.0 }; n];
-        let internal = law.internal(&end, start.area() * t, t, &vec![0.0; n], &mut iterates, &mut responses);
+        let internal =
+            law.internal(&end, start.area() * t, t, &vec![Before::at(0.0); n], &mut iterates, &mut responses);
         (internal.force[5] / exact - 1.0).abs()
     };
     let errors: Vec<f64> = [5, 7, 11, 21, 51].iter().map(|&n| error(n)).collect();

@@ -3,7 +3,7 @@
 use super::kinematics::{EPS_S, EPS_T, End, GAMMA, Generalised, KAPPA_S, KAPPA_T};
 use super::lobatto::Layer;
 use super::{Theory, Vector6};
-use crate::material::flow::{FlowLaw, Iterate, Response, Symmetric};
+use crate::material::flow::{Before, FlowLaw, Iterate, Response, Symmetric};
 use nalgebra::Matrix3;
 
 /// What is the same for every layer point of a step.
@@ -41,7 +41,7 @@ impl Law<'_> {
         end: &End,
         volume: f64,
         thickness: f64,
-        before: &[f64],
+        before: &[Before],
         iterates: &mut [Iterate],
         responses: &mut [Response],
     ) -> Internal {
@@ -52,7 +52,7 @@ impl Law<'_> {
         for (i, layer) in self.layers.iter().enumerate() {
             let zeta = 0.5 * thickness * layer.xi;
             let strain = [e[EPS_S] + zeta * e[KAPPA_S], e[EPS_T] + zeta * e[KAPPA_T], e[GAMMA]];
-            let response = iterates[i].advance(&self.flow, before[i], strain);
+            let response = iterates[i].advance(&self.flow, &before[i], strain);
             let v = volume * layer.share;
             let (vs, vt) = (v * response.stress[0], v * response.stress[1]);
             s[EPS_S] += vs;

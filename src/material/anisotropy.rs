@@ -11,7 +11,7 @@
 //! # References
 //! R. Hill, A theory of the yielding and plastic flow of anisotropic metals, Proc. R. Soc. London A 193 (1948) 281–297.
 
-use super::flow::{SHEAR_FACTOR, Triple};
+use super::flow::{Metric, SHEAR_FACTOR, Triple, YieldCondition, dot};
 
 /// The metric of the yield condition.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -47,21 +47,39 @@ impl Anisotropy {
 
     /// A Δε.
     #[inline]
-    pub fn metric(&self, e: Triple) -> Triple {
+    pub fn apply(&self, e: Triple) -> Triple {
         [self.direct * e[0] + self.coupled * e[1], self.coupled * e[0] + self.direct * e[1], self.shear * e[2]]
     }
 
     /// Equivalent strain increment √(Δεᵀ A Δε) \[–\].
     #[inline]
     pub fn equivalent_increment(&self, e: Triple) -> f64 {
-        let a = self.metric(e);
-        (e[0] * a[0] + e[1] * a[1] + e[2] * a[2]).sqrt()
+        dot(e, self.apply(e)).sqrt()
     }
 
     /// Equivalent stress √(σᵀ A⁻¹ σ) \[MPa\].
     #[inline]
     pub fn equivalent_stress(&self, s: Triple) -> f64 {
         (s[0] * s[0] - 2.0 * self.q * s[0] * s[1] + s[1] * s[1] + s[2] * s[2] / self.shear).sqrt()
+    }
+}
+
+impl YieldCondition for Anisotropy {
+    #[inline]
+    fn metric(&self, e: Triple) -> Metric {
+        let gradient = self.apply(e);
+        let matrix = [self.direct, self.coupled, self.direct, 0.0, 0.0, self.shear];
+        Metric { gradient, matrix, square: dot(e, gradient) }
+    }
+
+    #[inline]
+    fn equivalent_stress(&self, _: &Metric, w: Triple) -> f64 {
+        self.equivalent_stress(w)
+    }
+
+    #[inline]
+    fn strain_share(&self) -> f64 {
+        1.0
     }
 }
 
@@ -76,7 +94,7 @@ mod tests {
     fn plane_strain_and_equi_biaxial_factors_are_hills() {
         for r in [0.5_f64, 1.0, 2.0] {
             let law = Anisotropy::new(r);
-            let stress = |e: Triple| law.metric(e).map(|a| a / law.equivalent_increment(e));
+            let stress = |e: Triple| law.apply(e).map(|a| a / law.equivalent_increment(e));
             let plane = stress([0.01, 0.0, 0.0]);
             assert_relative_eq!(plane[0], (1.0 + r) / (1.0 + 2.0 * r).sqrt(), max_relative = 1e-12);
             assert_relative_eq!(plane[1] / plane[0], r / (1.0 + r), max_relative = 1e-12);

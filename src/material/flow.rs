@@ -11,7 +11,8 @@
 //! # References
 //! Zienkiewicz, Jain, Oñate, Int. J. Solids Struct. 14 (1978) 15–38; Sosnowski (1994), equations 3 and 4.
 
-use super::{Anisotropy, Hardening, Rate};
+use super::voids::Voided;
+use super::{Anisotropy, Hardening, Rate, Softening, Voids};
 
 /// Which matrix H the corrector iterates with (Sosnowski 1994, equation 9).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -30,7 +31,9 @@ pub struct FlowLaw<'a> {
     pub hardening: &'a Hardening,
     /// `None` for a rate-free metal, which does not feel the step's duration.
     pub rate: Option<&'a Rate>,
+    pub softening: Option<&'a Softening>,
     pub anisotropy: Anisotropy,
+    pub voids: Option<&'a Voids>,
     pub matrix: Iteration,
     /// Δε₀ > 0 of the step \[–\].
     pub cutoff: f64,
@@ -48,8 +51,63 @@ pub type Triple = [f64; 3];
 pub type Symmetric = [f64; 6];
 
 #[inline]
-fn dot(a: Triple, b: Triple) -> f64 {
+pub(super) fn dot(a: Triple, b: Triple) -> f64 {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
+
+/// A layer point as the step finds it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Before {
+    /// ε̄ at the start of the step \[–\].
+    pub strain: f64,
+    /// f that the step reckons with, 0 for a sheet without voids \[–\].
+    pub porosity: f64,
+    /// T \[K\].
+    pub temperature: f64,
+}
+
+impl Before {
+    /// A point of ordinary metal at room temperature.
+    pub fn at(strain: f64) -> Self {
+        Self { strain, porosity: 0.0, temperature: ROOM_TEMPERATURE }
+    }
+}
+
+/// 20 °C \[K\].
+pub const ROOM_TEMPERATURE: f64 = 293.15;
+
+/// What a yield condition makes of a strain increment: with D the plastic work per σ_y, ½ D² has the gradient A Δε and
+/// the second derivative A. A quadratic condition has one A for all increments.
+#[derive(Clone, Copy, Debug)]
+pub struct Metric {
+    /// A Δε.
+    pub gradient: Triple,
+    /// A.
+    pub matrix: Symmetric,
+    /// D².
+    pub square: f64,
+}
+
+/// A convex yield condition.
+pub trait YieldCondition {
+    /// Of the strain increment `e`.
+    fn metric(&self, e: Triple) -> Metric;
+
+    /// √(wᵀ A⁻¹ w) \[MPa\] of a carried stress.
+    fn equivalent_stress(&self, metric: &Metric, w: Triple) -> f64;
+
+    /// Strain of the metal that bears the stress per D: more than 1 where there are voids.
+    fn strain_share(&self) -> f64;
+}
+
+/// Product of a symmetric matrix and a vector.
+#[inline]
+pub(super) fn times(c: Symmetric, e: Triple) -> Triple {
+    [
+        c[0] * e[0] + c[1] * e[1] + c[3] * e[2],
+        c[1] * e[0] + c[2] * e[1] + c[4] * e[2],
+        c[3] * e[0] + c[4] * e[1] + c[5] * e[2],
+    ]
 }
 
 /// Stress, its derivative and the hardening increment that go with a strain increment.
@@ -89,7 +147,7 @@ impl Iterate {
 
     /// Evaluates the law at the strain increment `e` and moves on to it.
     ///
-    /// `before` is ε̄ at the start of the step. With a rate law σ_y = σ_s(ε̄) g(Δε̄_reg/Δt). The matrices are
+    /// With a rate law and a softening law σ_y = σ_s(ε̄) g(Δε̄_reg/Δt) h(T). The matrices are
     ///
     /// ```text
     /// secant       C = f A                                                   f = σ_y/Δε̄_reg
@@ -101,18 +159,34 @@ impl Iterate {
     /// # References
     /// The carried stress: Chan, Golub, Mulet, SIAM J. Sci. Comput. 20 (1999) 1964–1977, for a potential with the same kink.
     #[inline]
-    pub fn advance(&mut self, law: &FlowLaw, before: f64, e: Triple) -> Response {
-        let a = law.anisotropy.metric(e);
-        let square = dot(e, a);
+    pub fn advance(&mut self, law: &FlowLaw, before: &Before, e: Triple) -> Response {
+        match law.voids {
+            None => self.flow(law, &law.anisotropy, before, e),
+            Some(voids) => self.flow(law, &Voided::new(voids, law.anisotropy, before.porosity), before, e),
+        }
+    }
+
+    #[inline]
+    fn flow(&mut self, law: &FlowLaw, condition: &impl YieldCondition, before: &Before, e: Triple) -> Response {
+        let metric = condition.metric(e);
+        let a = metric.gradient;
+        let square = metric.square;
         let increment = square.sqrt();
         let inverse_square = 1.0 / (square + law.cutoff * law.cutoff);
         let inverse = inverse_square.sqrt();
-        let mut yielding = law.hardening.at(before + increment);
+        let share = condition.strain_share();
+        let mut yielding = law.hardening.at_temperature(before.strain + share * increment, before.temperature);
         if let Some(rate) = law.rate {
-            let factor = rate.at(1.0 / (inverse * law.duration));
+            let factor = rate.at(share / (inverse * law.duration));
             yielding.slope *= factor.value;
             yielding.slope += yielding.stress * factor.slope * increment * inverse / law.duration;
             yielding.stress *= factor.value;
+        }
+        yielding.slope *= share;
+        if let Some(softening) = law.softening {
+            let factor = softening.at(before.temperature);
+            yielding.slope *= factor;
+            yielding.stress *= factor;
         }
         let f = yielding.stress * inverse;
         let h = if increment > 0.0 { yielding.slope * inverse / increment } else { 0.0 };
@@ -126,40 +200,42 @@ impl Iterate {
                 [g * a[0], g * a[1], g * a[2]]
             }
             Iteration::PrimalDual => {
-                let w = self.carried_at(&law.anisotropy, e, yielding.stress);
+                let w = self.carried_at(condition, &metric, e, yielding.stress);
                 self.carried = w;
                 let i = inverse_square;
                 [h * a[0] - i * w[0], h * a[1] - i * w[1], h * a[2] - i * w[2]]
             }
         };
+        let m = metric.matrix;
         let tangent = [
-            law.anisotropy.direct * f + a[0] * b[0],
-            law.anisotropy.coupled * f + 0.5 * (a[0] * b[1] + a[1] * b[0]),
-            law.anisotropy.direct * f + a[1] * b[1],
-            0.5 * (a[0] * b[2] + a[2] * b[0]),
-            0.5 * (a[1] * b[2] + a[2] * b[1]),
-            law.anisotropy.shear * f + a[2] * b[2],
+            m[0] * f + a[0] * b[0],
+            m[1] * f + 0.5 * (a[0] * b[1] + a[1] * b[0]),
+            m[2] * f + a[1] * b[1],
+            m[3] * f + 0.5 * (a[0] * b[2] + a[2] * b[0]),
+            m[4] * f + 0.5 * (a[1] * b[2] + a[2] * b[1]),
+            m[5] * f + a[2] * b[2],
         ];
         *self = Self { carried: self.carried, strain: e, fluidity: f, hardening: h, inverse_square };
-        Response { stress, tangent, increment, yield_stress: yielding.stress }
+        Response { stress, tangent, increment: share * increment, yield_stress: yielding.stress }
     }
 
     /// w ← σ + C δ(Δε) with the matrix of the last iterate, scaled back onto the yield surface.
     #[inline]
-    fn carried_at(&self, anisotropy: &Anisotropy, e: Triple, yield_stress: f64) -> Triple {
+    fn carried_at(&self, condition: &impl YieldCondition, now: &Metric, e: Triple, yield_stress: f64) -> Triple {
         let mut w = self.carried;
         if self.fluidity > 0.0 {
-            let a = anisotropy.metric(self.strain);
+            let last = condition.metric(self.strain);
+            let a = last.gradient;
             let delta = [e[0] - self.strain[0], e[1] - self.strain[1], e[2] - self.strain[2]];
             let along = dot(a, delta);
             let on_a = self.fluidity + self.hardening * along - 0.5 * self.inverse_square * dot(w, delta);
             let on_w = -0.5 * self.inverse_square * along;
-            let c = anisotropy.metric(delta);
+            let c = times(last.matrix, delta);
             for i in 0..3 {
                 w[i] = on_a * a[i] + on_w * w[i] + self.fluidity * c[i];
             }
         }
-        let over = anisotropy.equivalent_stress(w) / yield_stress;
+        let over = condition.equivalent_stress(now, w) / yield_stress;
         if over > 1.0 {
             for w in &mut w {
                 *w /= over;
@@ -189,11 +265,12 @@ mod tests {
 
     fn flow(hardening: &Hardening, matrix: Iteration) -> FlowLaw<'_> {
         let anisotropy = Anisotropy::default();
-        FlowLaw { hardening, rate: None, anisotropy, matrix, cutoff: CUTOFF, duration: 0.1 }
+        let (softening, voids) = (None, None);
+        FlowLaw { hardening, rate: None, softening, anisotropy, voids, matrix, cutoff: CUTOFF, duration: 0.1 }
     }
 
     fn at(law: &FlowLaw, e: Triple) -> Response {
-        Iterate::start([0.0; 3]).advance(law, 0.05, e)
+        Iterate::start([0.0; 3]).advance(law, &Before::at(0.05), e)
     }
 
     fn full(c: Symmetric) -> [[f64; 3]; 3] {
@@ -249,7 +326,8 @@ mod tests {
         for (_, law) in Hardening::examples() {
             for e in points() {
                 let newton = at(&flow(&law, Iteration::Newton), e);
-                let dual = Iterate::start(newton.stress).advance(&flow(&law, Iteration::PrimalDual), 0.05, e);
+                let dual =
+                    Iterate::start(newton.stress).advance(&flow(&law, Iteration::PrimalDual), &Before::at(0.05), e);
                 for i in 0..6 {
                     assert_relative_eq!(newton.tangent[i], dual.tangent[i], epsilon = 1e-9 * newton.tangent[0].abs());
                 }
@@ -282,7 +360,7 @@ mod tests {
         for (name, law) in Hardening::examples() {
             let mut iterate = Iterate::start([0.0; 3]);
             for e in points() {
-                let c = full(iterate.advance(&flow(&law, Iteration::PrimalDual), 0.05, e).tangent);
+                let c = full(iterate.advance(&flow(&law, Iteration::PrimalDual), &Before::at(0.05), e).tangent);
                 let m = nalgebra::Matrix3::from_fn(|i, j| c[i][j]);
                 let smallest = m.symmetric_eigenvalues().min();
                 assert!(smallest > -1e-9 * m.norm(), "{name} {smallest}");

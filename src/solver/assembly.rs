@@ -10,7 +10,7 @@ use crate::element::kinematics::Start;
 use crate::element::lobatto::{self, Layer};
 use crate::element::section::Law;
 use crate::geometry::Point;
-use crate::material::flow::{FlowLaw, Iterate, Response};
+use crate::material::flow::{Before, FlowLaw, Iterate, Response};
 use crate::model::{Edge, Iteration, Model, Motion, Pressure, Role, Theory};
 use crate::state::State;
 use nalgebra::Vector3;
@@ -87,7 +87,7 @@ pub(super) struct Workspace {
     pub(super) areas: Vec<f64>,
     /// Shear yield stress at the nodes at the start of the step \[MPa\]; zero when no friction law asks for it.
     pub(super) shear_yield: Vec<f64>,
-    before: Vec<f64>,
+    before: Vec<Before>,
     pub(super) penalty: Penalty,
     block_area: f64,
 }
@@ -165,7 +165,7 @@ impl Workspace {
             thickness_rows: vec![[0.0; 6]; elements],
             areas: vec![0.0; n],
             shear_yield: vec![0.0; n],
-            before: vec![0.0; points],
+            before: vec![Before::at(0.0); points],
             penalty: Penalty {
                 stiffness: model.settings.contact_stiffness / t,
                 smoothing: model.settings.contact_smoothing * t,
@@ -188,7 +188,7 @@ impl Workspace {
             self.starts.push(start);
         }
         for (before, point) in self.before.iter_mut().zip(&state.layers) {
-            *before = point.strain;
+            before.strain = point.strain;
         }
         self.place_beads(model, state);
         if self.tools.iter().any(|tool| tool.friction.needs_shear_yield()) {
@@ -261,7 +261,9 @@ impl Workspace {
             flow: FlowLaw {
                 hardening: &material.hardening,
                 rate: material.rate.as_ref(),
+                softening: material.softening.as_ref(),
                 anisotropy: material.anisotropy,
+                voids: material.voids.as_ref(),
                 matrix,
                 cutoff: self.cutoff,
                 duration: dt,

@@ -123,7 +123,7 @@ impl Workspace {
             let share = |e: &[f64; 2]| {
                 let strain = [e[0], e[1], 0.0];
                 let regular = anisotropy.equivalent_increment(strain).hypot(self.cutoff);
-                (regular / wanted, anisotropy.metric(strain).map(|a| a / (regular * wanted)))
+                (regular / wanted, anisotropy.apply(strain).map(|a| a / (regular * wanted)))
             };
             let sum: f64 =
                 self.membrane_increment.iter().zip(&state.volume).map(|(e, v)| v / total * share(e).0.powf(q)).sum();

@@ -42,7 +42,7 @@ pub(super) fn convert(file: &file::Material, source: &Source) -> Result<Material
         return Err(source.error("material.anisotropy", what, "0.6 to 0.8 for aluminium, 1 to 2 for steel"));
     }
     let rate = file.rate.map(|laws| rate(laws, source)).transpose()?;
-    Ok(Material { hardening, elastic, rate, anisotropy: Anisotropy::new(r) })
+    Ok(Material { hardening, elastic, rate, softening: None, anisotropy: Anisotropy::new(r), voids: None })
 }
 
 /// Exactly one rate law.

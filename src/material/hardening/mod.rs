@@ -4,6 +4,7 @@
 //! place, and the property tests below run over [`Hardening::examples`].
 
 mod hollomon;
+mod isotherms;
 mod ludwik;
 mod piecewise_power;
 mod swift;
@@ -11,6 +12,7 @@ mod table;
 mod voce;
 
 pub use hollomon::Hollomon;
+pub use isotherms::Isotherms;
 pub use ludwik::Ludwik;
 pub use piecewise_power::{Branch, PiecewisePower};
 pub use swift::Swift;
@@ -44,10 +46,20 @@ pub enum Hardening {
     Ludwik(Ludwik),
     Voce(Voce),
     Table(Table),
+    Isotherms(Isotherms),
 }
 
 impl Hardening {
-    /// σ_y and dσ_y/dε̄ at the equivalent plastic strain `strain` ≥ 0 \[–\].
+    /// σ_y and dσ_y/dε̄ at the equivalent plastic strain `strain` ≥ 0 \[–\] and a temperature \[K\].
+    #[inline]
+    pub fn at_temperature(&self, strain: f64, temperature: f64) -> FlowStress {
+        match self {
+            Self::Isotherms(law) => law.at_temperature(strain, temperature),
+            _ => self.at(strain),
+        }
+    }
+
+    /// σ_y and dσ_y/dε̄ at the equivalent plastic strain `strain` ≥ 0 \[–\]; of the coldest curve where there are several.
     #[inline]
     pub fn at(&self, strain: f64) -> FlowStress {
         match self {
@@ -57,6 +69,7 @@ impl Hardening {
             Self::Ludwik(law) => law.at(strain),
             Self::Voce(law) => law.at(strain),
             Self::Table(law) => law.at(strain),
+            Self::Isotherms(law) => law.at(strain),
         }
     }
 
@@ -69,6 +82,7 @@ impl Hardening {
             Self::Ludwik(law) => law.describe(),
             Self::Voce(law) => law.describe(),
             Self::Table(law) => law.describe(),
+            Self::Isotherms(law) => law.describe(),
         }
     }
 
@@ -76,6 +90,15 @@ impl Hardening {
     pub fn valid_up_to(&self) -> Option<f64> {
         match self {
             Self::Table(law) => Some(law.last_strain()),
+            Self::Isotherms(law) => Some(law.last_strain()),
+            _ => None,
+        }
+    }
+
+    /// The coldest and the hottest temperature the law was given for, where it depends on it \[K\].
+    pub fn temperatures(&self) -> Option<[f64; 2]> {
+        match self {
+            Self::Isotherms(law) => Some(law.range()),
             _ => None,
         }
     }
@@ -89,15 +112,12 @@ impl Hardening {
             ("ludwik", Self::Ludwik(Ludwik::new(150.0, 400.0, 0.5).expect("valid"))),
             ("voce", Self::Voce(Voce::new(180.0, 400.0, 9.0, 1.0).expect("valid"))),
             ("voce with exponent", Self::Voce(Voce::new(125.0, 320.0, 7.5, 0.97).expect("valid"))),
+            ("table", Self::Table(Table::example(1.0))),
             (
-                "table",
-                Self::Table(
-                    Table::new(
-                        vec![0.0, 0.02, 0.1, 0.3, 0.8],
-                        vec![150.0, 210.0, 290.0, 360.0, 420.0],
-                        Extrapolation::Slope,
-                    )
-                    .expect("valid"),
+                "isotherms",
+                Self::Isotherms(
+                    Isotherms::new(vec![293.15, 503.15], vec![Table::example(1.0), Table::example(0.6)])
+                        .expect("valid"),
                 ),
             ),
         ]
@@ -142,6 +162,29 @@ mod tests {
                 assert!(law.at(strain).stress.is_finite(), "{name}");
             }
         }
+    }
+
+    /// Trust: by hand, the mean of the two curves half-way between them, the outer ones beyond.
+    #[test]
+    fn isotherms_are_interpolated_and_held() {
+        let [cold, hot] = [1.0, 0.6].map(|factor| Table::example(factor).at(0.07));
+        let law = Isotherms::new(vec![300.0, 400.0], [1.0, 0.6].map(Table::example).to_vec()).expect("valid");
+        let law = Hardening::Isotherms(law);
+        assert_relative_eq!(
+            law.at_temperature(0.07, 350.0).stress,
+            0.5 * (cold.stress + hot.stress),
+            max_relative = 1e-14
+        );
+        assert_relative_eq!(
+            law.at_temperature(0.07, 350.0).slope,
+            0.5 * (cold.slope + hot.slope),
+            max_relative = 1e-14
+        );
+        assert_eq!(law.at_temperature(0.07, 200.0), cold);
+        assert_eq!(law.at_temperature(0.07, 300.0), cold);
+        assert_eq!(law.at_temperature(0.07, 500.0), hot);
+        assert_eq!(law.temperatures(), Some([300.0, 400.0]));
+        assert!(Isotherms::new(vec![300.0, 300.0], [1.0, 0.6].map(Table::example).to_vec()).is_err());
     }
 
     #[test]

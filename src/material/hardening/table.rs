@@ -72,6 +72,12 @@ impl Table {
         Ok(Self { strain, stress, slope, beyond })
     }
 
+    /// Five points of a steel, its stresses times `factor`.
+    pub(super) fn example(factor: f64) -> Self {
+        let stress = [150.0, 210.0, 290.0, 360.0, 420.0].map(|stress| factor * stress);
+        Self::new(vec![0.0, 0.02, 0.1, 0.3, 0.8], stress.to_vec(), Extrapolation::Slope).expect("valid")
+    }
+
     pub(super) fn last_strain(&self) -> f64 {
         self.strain[self.strain.len() - 1]
     }
