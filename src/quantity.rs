@@ -21,9 +21,9 @@ pub use bounds::{Fraction, NonNegative, Positive};
 pub use error::QuantityError;
 pub(crate) use error::closest;
 pub use parse::{Parsed, parse};
-pub use unit::Dimension;
+pub use unit::{Dimension, ZERO_CELSIUS};
 
-use unit::{ANGLE, FORCE, LENGTH, NONE, STRESS, TIME};
+use unit::{ANGLE, FORCE, LENGTH, MASS, NONE, POWER, STRESS, TEMPERATURE, TIME};
 
 /// What a type of quantity is called, measured in and limited to.
 #[derive(Debug, PartialEq)]
@@ -107,6 +107,38 @@ quantities! {
     /// Strain rate \[1/s\].
     StrainRate = Kind {
         name: "a strain rate", dimension: NONE.over(TIME), unit: "/s", examples: &["0.001 /s", "40 /s"], largest: 1e9,
+    };
+    /// Temperature above absolute zero \[K\]; it may be written in °C.
+    Temperature = Kind {
+        name: "a temperature", dimension: TEMPERATURE, unit: "K", examples: &["20 °C", "493 K"], largest: 1e4,
+    };
+    /// Share per kelvin \[1/K\].
+    PerKelvin = Kind {
+        name: "a share per kelvin", dimension: NONE.over(TEMPERATURE), unit: "/K", examples: &["0.003 /K"], largest: 1.0,
+    };
+    /// Density \[t/mm³\].
+    Density = Kind {
+        name: "a density", dimension: MASS.over(LENGTH).over(LENGTH).over(LENGTH), unit: "N s^2/mm^4",
+        examples: &["2700 kg/m^3", "7.85 g/cm^3"], largest: 1e-7,
+    };
+    /// Specific heat \[mJ/(t K)\].
+    SpecificHeat = Kind {
+        name: "a specific heat", dimension: POWER.times(TIME, 1).over(MASS).over(TEMPERATURE), unit: "mm^2/s^2/K",
+        examples: &["900 J/kg/K", "0.46 kJ/kg/K"], largest: 1e11,
+    };
+    /// Thermal conductivity \[N/(s K)\], which is W/(m K).
+    Conductivity = Kind {
+        name: "a thermal conductivity", dimension: POWER.over(LENGTH).over(TEMPERATURE), unit: "N/s/K",
+        examples: &["130 W/m/K"], largest: 1e4,
+    };
+    /// Heat-transfer coefficient \[N/(mm s K)\], which is kW/(m² K).
+    HeatTransfer = Kind {
+        name: "a heat-transfer coefficient", dimension: POWER.over(LENGTH).over(LENGTH).over(TEMPERATURE),
+        unit: "N/mm/s/K", examples: &["1.4 kW/m^2/K", "1400 W/m^2/K"], largest: 1e4,
+    };
+    /// Energy, or energy per mole \[N mm\].
+    Energy = Kind {
+        name: "an energy", dimension: POWER.times(TIME, 1), unit: "N mm", examples: &["150 kJ/mol"], largest: 1e12,
     };
     /// Relative number, written in percent \[–\].
     Ratio = Kind { name: "a percentage", dimension: NONE, unit: "%", examples: &["5 %", "2.5 %"], largest: 1e3 };

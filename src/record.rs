@@ -22,6 +22,10 @@ pub struct ElementRecord {
     /// Cauchy stresses, mean over the thickness \[MPa\].
     pub stress_meridional: f64,
     pub stress_hoop: f64,
+    /// Volume of voids over that of the sheet, mean over the thickness \[–\].
+    pub porosity: f64,
+    /// Temperature \[K\].
+    pub temperature: f64,
 }
 
 /// One node at one instant.
@@ -93,6 +97,28 @@ impl Energy {
     }
 }
 
+/// Heat since the start \[mJ, per ring or per mm of depth\]: stored = plastic + tools.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Heat {
+    /// What the plastic work has left in the sheet.
+    pub plastic: f64,
+    /// What the tools have given to it; negative when they cool it.
+    pub tools: f64,
+    /// What warms it.
+    pub stored: f64,
+}
+
+impl Heat {
+    /// The sum, entry by entry.
+    pub fn plus(self, other: Self) -> Self {
+        Self {
+            plastic: self.plastic + other.plastic,
+            tools: self.tools + other.tools,
+            stored: self.stored + other.stored,
+        }
+    }
+}
+
 /// One accepted step.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct StepRecord {
@@ -143,6 +169,13 @@ pub struct StepRecord {
     /// Mean powers of the step, and work since the start.
     pub power: Energy,
     pub work: Energy,
+    /// Largest porosity, mean over the thickness \[–\], and where, initially from the axis \[mm\].
+    pub porosity: f64,
+    pub porous_s0: f64,
+    /// Lowest and highest temperature of an element \[K\].
+    pub coldest: f64,
+    pub hottest: f64,
+    pub heat: Heat,
 }
 
 impl StepRecord {
@@ -190,6 +223,14 @@ pub enum Stop {
         /// Where it is and why, in words.
         why: String,
     },
+    /// The voids at a place have grown together through the thickness.
+    Coalesced {
+        travel: f64,
+        /// Where, initially from the axis \[mm\].
+        s0: f64,
+        /// Porosity there, mean over the thickness \[–\].
+        porosity: f64,
+    },
     /// The blank's edge has passed the die's throat.
     DrawnThrough {
         travel: f64,
@@ -232,6 +273,7 @@ impl Stop {
             Stop::LoadMaximum { .. } => "load maximum passed",
             Stop::PressureMaximum { .. } => "pressure maximum reached",
             Stop::Localised { .. } => "localised",
+            Stop::Coalesced { .. } => "voids coalesced",
             Stop::DrawnThrough { .. } => "drawn through",
             Stop::ToolsClosed { .. } => "tools closed",
             Stop::NoEquilibrium { .. } => "no equilibrium",
@@ -258,6 +300,12 @@ impl std::fmt::Display for Stop {
                 "localised at {travel:.2} mm of travel: the sheet tears at s0 = {s0:.1} mm, where {:.0} % of its thickness \
                  is left; {why}",
                 100.0 * share
+            ),
+            Stop::Coalesced { travel, s0, porosity } => write!(
+                f,
+                "voids coalesced at {travel:.2} mm of travel: the sheet tears at s0 = {s0:.1} mm, where {:.1} % of its volume \
+                 are voids",
+                100.0 * porosity
             ),
             Stop::DrawnThrough { travel } => {
                 write!(f, "drawn through: the blank's edge has passed the die's throat at {travel:.2} mm of travel")

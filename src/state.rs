@@ -1,9 +1,10 @@
 //! One instant of the sheet and its tools.
 
 use crate::contact::penalty::Penalty;
+use crate::element::Node;
 use crate::element::kinematics::Start;
-use crate::element::{Node, lobatto};
-use crate::material::flow::Triple;
+use crate::element::lobatto::{self, Layer};
+use crate::material::flow::{ROOM_TEMPERATURE, Triple};
 use crate::model::{Model, Motion, Role};
 use crate::record::{ElementRecord, Frame, NodeRecord};
 
@@ -16,6 +17,9 @@ pub struct LayerPoint {
     pub stress: Triple,
     /// Carried stress w of the primal-dual matrix \[MPa\].
     pub carried: Triple,
+    /// f \[–\] and its rate in the last step \[1/s\]; 0 in a sheet without voids.
+    pub porosity: f64,
+    pub porosity_rate: f64,
 }
 
 /// The sheet and its tools at one instant.
@@ -27,9 +31,14 @@ pub struct State {
     /// Nodes from the axis outward, and their velocities \[mm/s, rad/s\].
     pub nodes: Vec<Node>,
     pub velocity: Vec<Node>,
-    /// Thickness of each element \[mm\], and its volume, which never changes \[mm³, or mm² in plane strain\].
+    /// Thickness of each element \[mm\], and its initial volume \[mm³, or mm² in plane strain\].
     pub thickness: Vec<f64>,
     pub volume: Vec<f64>,
+    /// Volume strain of each element \[–\] and its rate in the last step \[1/s\]; 0 in a sheet without voids.
+    pub dilation: Vec<f64>,
+    pub dilation_rate: Vec<f64>,
+    /// Temperature of each element \[K\].
+    pub temperature: Vec<f64>,
     /// Logarithmic mid-surface strains of each element: meridional, hoop \[–\].
     pub membrane: Vec<[f64; 2]>,
     /// Layer points, element by element.
@@ -73,7 +82,19 @@ impl State {
             thickness: vec![t; elements],
             volume: volume.collect(),
             membrane: vec![[0.0; 2]; elements],
-            layers: vec![LayerPoint::default(); elements * model.blank.layers],
+            layers: vec![
+                LayerPoint {
+                    porosity: model.material.voids.map_or(0.0, |voids| voids.initial),
+                    ..LayerPoint::default()
+                };
+                elements * model.blank.layers
+            ],
+            dilation: vec![0.0; elements],
+            dilation_rate: vec![0.0; elements],
+            temperature: s0
+                .windows(2)
+                .map(|w| model.heat.as_ref().map_or(ROOM_TEMPERATURE, |heat| heat.initial.at(0.5 * (w[0] + w[1]))))
+                .collect(),
             tools: tools.collect(),
             tool_velocity: model
                 .tools
@@ -93,6 +114,21 @@ impl State {
         thickness_at(&self.thickness, i)
     }
 
+    /// Largest porosity, mean over the thickness \[–\], and where, initially from the axis \[mm\].
+    pub fn largest_porosity(&self, layers: &[Layer]) -> (f64, f64) {
+        let means = self.layers.chunks(layers.len()).enumerate().map(|(e, points)| {
+            let mean: f64 = points.iter().zip(layers).map(|(p, l)| l.share * p.porosity).sum();
+            (mean, 0.5 * (self.s0[e] + self.s0[e + 1]))
+        });
+        means.fold((0.0, 0.0), |largest, now| if now.0 > largest.0 { now } else { largest })
+    }
+
+    /// Lowest and highest temperature of an element \[K\].
+    pub fn temperatures(&self) -> (f64, f64) {
+        let t = &self.temperature;
+        t.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), &t| (low.min(t), high.max(t)))
+    }
+
     /// What is kept of this instant.
     pub fn frame(&self, model: &Model) -> Frame {
         let layers = lobatto::rule(model.blank.layers);
@@ -108,11 +144,13 @@ impl State {
                     thickness: self.thickness[e],
                     strain_meridional: self.membrane[e][0],
                     strain_hoop: self.membrane[e][1],
-                    strain_thickness: -self.membrane[e][0] - self.membrane[e][1],
+                    strain_thickness: -self.membrane[e][0] - self.membrane[e][1] + self.dilation[e],
                     strain_equivalent: mean(|p| p.strain),
                     strain_equivalent_max: points.iter().map(|p| p.strain).fold(0.0, f64::max),
                     stress_meridional: mean(|p| p.stress[0]),
                     stress_hoop: mean(|p| p.stress[1]),
+                    porosity: mean(|p| p.porosity),
+                    temperature: self.temperature[e],
                 }
             })
             .collect();

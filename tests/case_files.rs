@@ -52,6 +52,29 @@ fn every_shipped_case_loads_and_names_what_it_assumes() {
     }
 }
 
+/// Trust: by hand. A temperature by the tools' zones, and one from a file of the case's folder.
+#[test]
+fn a_temperature_is_given_by_zones_or_by_a_file() {
+    let at = |heat: &stampflow::model::Heat, places: [f64; 4]| places.map(|s0| heat.initial.at(s0) - 273.15);
+    let zones = format!("{MINIMAL}[heat]\ninitial = {{ punch = \"25 °C\", flange = \"225 °C\" }}\n");
+    let case = case::parse(&zones, "case.toml", &[]).unwrap_or_else(|error| panic!("{}", error.render(false)));
+    let heat = case.model.heat.expect("given");
+    let found = at(&heat, [10.0, 30.0, 30.625, 50.0]);
+    for (found, expected) in found.into_iter().zip([25.0, 25.0, 125.0, 225.0]) {
+        assert!((found - expected).abs() < 1e-9, "{found} {expected}");
+    }
+    assert_eq!(heat.flow, None);
+
+    let folder = tempfile::tempdir().expect("a folder");
+    std::fs::write(folder.path().join("field.csv"), "# measured\ns0_in,temperature_C\n1,20\n2,120\n").expect("written");
+    let path = folder.path().join("case.toml");
+    std::fs::write(&path, format!("{MINIMAL}[heat]\ninitial = \"field.csv\"\n")).expect("written");
+    let heat = load(&path, &[]).model.heat.expect("given");
+    for (found, expected) in at(&heat, [0.0, 25.4, 38.1, 54.0]).into_iter().zip([20.0, 20.0, 70.0, 120.0]) {
+        assert!((found - expected).abs() < 1e-9, "{found} {expected}");
+    }
+}
+
 /// Trust: every CSV is walked; its columns are those of the cases that compare with it.
 #[test]
 fn every_reference_curve_has_its_source_and_the_columns_that_cases_ask_for() {

@@ -38,7 +38,7 @@ fn load_travel_begins_with_travel_and_forces() {
 fn profile_has_one_row_per_frame_and_element_from_the_axis_outward() {
     let model = common::model(Geometry::Axisymmetric);
     let run = common::run(&model);
-    let table = profile::table(model.geometry, &run.frames);
+    let table = profile::table(&model, &run.frames);
     assert!(headers(&table).starts_with(
         "travel_mm,s0_mm,r_mm,z_mm,thickness_mm,strain_meridional,strain_hoop,strain_thickness,strain_equivalent,\
          stress_meridional_MPa,stress_hoop_MPa"
@@ -48,8 +48,8 @@ fn profile_has_one_row_per_frame_and_element_from_the_axis_outward() {
     let element = run.frames[2].elements[3];
     assert_eq!(table.column("travel").values[2 * n + 3], run.frames[2].travel);
     assert_eq!(table.column("thickness").values[2 * n + 3], element.thickness);
-    assert_eq!(profile::last(model.geometry, &run.frames).column("travel").values, vec![50.0; n]);
-    assert_eq!(profile::last(model.geometry, &[]).rows(), 0);
+    assert_eq!(profile::last(&model, &run.frames).column("travel").values, vec![50.0; n]);
+    assert_eq!(profile::last(&model, &[]).rows(), 0);
 }
 
 /// Trust: over the whole list. Both texts end in a unit, and it must be the same one.
@@ -194,7 +194,7 @@ fn band(dir: &Path, model: &Model, run: &Run) -> Comparison {
 
 fn compared(reference: PathBuf, against: Against, reason: &str, model: &Model, run: &Run) -> Comparison {
     let spec = Spec { reference, against, reason: reason.to_owned(), optional: false, demonstration: false };
-    let (history, profile) = (load_travel::table(model, run), profile::last(model.geometry, &run.frames));
+    let (history, profile) = (load_travel::table(model, run), profile::last(model, &run.frames));
     compare(&spec, &Computed { history: &history, profile: &profile, complete: true }).unwrap()
 }
 

@@ -5,9 +5,14 @@ use serde_json::Value;
 use std::fmt::Write;
 
 /// Kinds of law: heading, the schema's table of alternatives, where a case names them.
-const KINDS: [(&str, &str, &str); 3] = [
+const KINDS: [(&str, &str, &str); 4] = [
     ("Hardening: yield stress over equivalent plastic strain", "Hardening", "[material.hardening.NAME]"),
     ("Rate: a factor on the yield stress", "Rate", "[material.rate] NAME = { .. }"),
+    (
+        "Softening: a factor on the yield stress by the temperature of [heat]",
+        "Softening",
+        "[material.softening] NAME = { .. }",
+    ),
     (
         "Friction, beside a plain coefficient (Coulomb): friction stress over pressure and sliding",
         "FrictionLaw",
@@ -15,33 +20,63 @@ const KINDS: [(&str, &str, &str); 3] = [
     ),
 ];
 
+/// Laws without alternatives: heading, name, the schema's definition, where a case names it.
+const SINGLE: [(&str, &str, &str, &str); 1] =
+    [("Voids: a yield condition that feels the mean stress", "voids", "Voids", "[material.voids]")];
+
 /// Every law with its formula, source and parameters, as text.
 pub fn laws() -> String {
     let mut text = String::new();
     for (heading, table, place) in KINDS {
         let _ = writeln!(text, "{heading}\n  {place}\n");
         for (name, law) in entries(definition(table)) {
-            let law = definition(reference(law).unwrap_or_default());
-            let _ = writeln!(text, "  {name}");
-            for line in description(law).lines().filter(|line| !line.is_empty()) {
-                let _ = writeln!(text, "    {line}");
-            }
-            let required: Vec<&str> =
-                law["required"].as_array().into_iter().flatten().filter_map(Value::as_str).collect();
-            for (key, parameter) in entries(law) {
-                let optional = if required.contains(&key) { "" } else { " (optional)" };
-                let example = parameter["examples"].get(0).map_or(String::new(), |e| format!("such as {e}"));
-                // The types' own words ("a stress with its unit") say less than the example does.
-                let own = Some(description(parameter)).filter(|d| !d.contains("with its unit")).unwrap_or_default();
-                let words = [own.trim_end_matches('.'), &example].into_iter().filter(|w| !w.is_empty());
-                let words = words.collect::<Vec<_>>().join("; ");
-                let _ = writeln!(text, "      {:<28} {words}", format!("{key}{optional}"));
-            }
-            text.push('\n');
+            describe(&mut text, name, definition(reference(law).unwrap_or_default()));
         }
     }
+    for (heading, name, table, place) in SINGLE {
+        let _ = writeln!(text, "{heading}\n  {place}\n");
+        describe(&mut text, name, definition(table));
+    }
+    let anisotropy = &definition("Material")["properties"]["anisotropy"];
+    let _ = writeln!(text, "Anisotropy: Hill's yield condition of 1948\n  [material] anisotropy = 1.6\n");
+    let _ = writeln!(text, "  {}\n", description(anisotropy).replace('\n', "\n  "));
     text.truncate(text.trim_end().len());
     text + "\n"
+}
+
+/// A law's name, words and parameters, and an empty line.
+fn describe(text: &mut String, name: &str, law: &Value) {
+    let _ = writeln!(text, "  {name}");
+    for line in description(law).lines().filter(|line| !line.is_empty()) {
+        let _ = writeln!(text, "    {line}");
+    }
+    let required: Vec<&str> = law["required"].as_array().into_iter().flatten().filter_map(Value::as_str).collect();
+    for (key, parameter) in entries(law) {
+        let optional = if required.contains(&key) { "" } else { " (optional)" };
+        // A table of its own: its keys behind a dot.
+        if let Some(inner) = reference(parameter).map(definition).filter(|inner| inner["properties"].is_object()) {
+            let _ = writeln!(
+                text,
+                "      {:<28} {}",
+                format!("{key}{optional}"),
+                description(parameter).trim_end_matches('.')
+            );
+            for (inner_key, parameter) in entries(inner) {
+                let _ = writeln!(text, "      {:<28} {}", format!("  {key}.{inner_key}"), words(parameter));
+            }
+            continue;
+        }
+        let _ = writeln!(text, "      {:<28} {}", format!("{key}{optional}"), words(parameter));
+    }
+    text.push('\n');
+}
+
+/// What a parameter is, and an example.
+fn words(parameter: &Value) -> String {
+    let example = parameter["examples"].get(0).map_or(String::new(), |e| format!("such as {e}"));
+    // The types' own words ("a stress with its unit") say less than the example does.
+    let own = Some(description(parameter)).filter(|d| !d.contains("with its unit")).unwrap_or_default();
+    [own.trim_end_matches('.'), &example].into_iter().filter(|w| !w.is_empty()).collect::<Vec<_>>().join("; ")
 }
 
 fn entries(table: &Value) -> impl Iterator<Item = (&str, &Value)> {
@@ -62,7 +97,7 @@ fn reference(schema: &Value) -> Option<&str> {
 mod tests {
     use super::*;
     use crate::contact::friction::Friction;
-    use crate::material::{Hardening, Rate};
+    use crate::material::{Hardening, Rate, Softening};
 
     #[test]
     fn every_law_is_listed_with_a_source_and_its_parameters() {
@@ -70,6 +105,8 @@ mod tests {
         let names = |list: Vec<&'static str>| list.into_iter().map(|n| n.split([' ', ',']).next().unwrap_or(n));
         let all = names(Hardening::examples().into_iter().map(|(n, _)| n).collect())
             .chain(names(Rate::examples().into_iter().map(|(n, _)| n).collect()))
+            .chain(names(Softening::examples().into_iter().map(|(n, _)| n).collect()))
+            .chain(["voids"])
             .chain(names(Friction::examples().into_iter().map(|(n, _)| n).collect()))
             .filter(|name| *name != "coulomb");
         for name in all {

@@ -99,7 +99,7 @@ pub fn solve_all<T: Send>(
 
 fn compared(case: &Case, run: &Run) -> Result<Vec<Comparison>, CompareError> {
     let history = load_travel::table(&case.model, run);
-    let profile = profile::last(case.model.geometry, &run.frames);
+    let profile = profile::last(&case.model, &run.frames);
     let computed = Computed { history: &history, profile: &profile, complete: run.stop.is_complete() };
     case.compare.iter().map(|spec| compare(spec, &computed)).collect()
 }

@@ -13,6 +13,7 @@
 
 use super::voids::Voided;
 use super::{Anisotropy, Hardening, Rate, Softening, Voids};
+use crate::quantity::ZERO_CELSIUS;
 
 /// Which matrix H the corrector iterates with (Sosnowski 1994, equation 9).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -74,7 +75,7 @@ impl Before {
 }
 
 /// 20 °C \[K\].
-pub const ROOM_TEMPERATURE: f64 = 293.15;
+pub const ROOM_TEMPERATURE: f64 = 20.0 + ZERO_CELSIUS;
 
 /// What a yield condition makes of a strain increment: with D the plastic work per σ_y, ½ D² has the gradient A Δε and
 /// the second derivative A. A quadratic condition has one A for all increments.

@@ -3,6 +3,7 @@
 use super::chart::{Chart, Look, Panel, Scale, Series};
 use super::{Subject, force_unit, worded, work_unit};
 use crate::model::{Geometry, Model, Pressure};
+use crate::quantity::ZERO_CELSIUS;
 use crate::record::{Run, StepRecord};
 use crate::table::{Axis, Column, Table, Unit};
 
@@ -23,7 +24,7 @@ pub fn table(model: &Model, run: &Run) -> Table {
         "Initial distance of the thinnest place from the axis",
         "Initial distance of the thinnest place from the symmetry plane",
     );
-    Table::new(vec![
+    let mut columns = vec![
         column("travel", "Punch travel", Unit::Mm, |s| s.travel),
         column("punch_force", "Punch force", force, |s| s.punch_force),
         column("holder_force", "Holder force", force, |s| s.holder_force),
@@ -53,7 +54,18 @@ pub fn table(model: &Model, run: &Run) -> Table {
         column("rejected", "Rejected tries", Unit::None, |s| s.rejected as f64),
         column("velocity_norm", "Relative velocity increment", Unit::None, |s| s.velocity_norm),
         column("residual_norm", "Relative residual", Unit::None, |s| s.residual_norm),
-    ])
+    ];
+    if model.material.voids.is_some() {
+        columns.push(column("porosity", "Largest porosity", Unit::None, |s| s.porosity));
+    }
+    if model.heat.is_some() {
+        columns.push(column("coldest", "Lowest temperature", Unit::Celsius, |s| s.coldest - ZERO_CELSIUS));
+        columns.push(column("hottest", "Highest temperature", Unit::Celsius, |s| s.hottest - ZERO_CELSIUS));
+        columns.push(column("heat_plastic", "Heat from plastic work", work, |s| s.heat.plastic));
+        columns.push(column("heat_tools", "Heat from the tools", work, |s| s.heat.tools));
+        columns.push(column("heat_stored", "Heat stored in the sheet", work, |s| s.heat.stored));
+    }
+    Table::new(columns)
 }
 
 pub(super) fn of(subject: &Subject) -> Table {

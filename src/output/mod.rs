@@ -7,13 +7,13 @@ mod file;
 mod font;
 pub mod load_travel;
 mod outline;
+mod over_blank;
 mod overlay;
 mod png;
 pub mod profile;
 mod shapes;
 mod strains;
 mod summary;
-mod thickness;
 pub mod trace;
 
 pub use chart::Chart;
@@ -86,7 +86,17 @@ pub const OUTPUTS: &[Output] = &[
     Output {
         file: "thickness.png",
         about: "thickness over the blank at every kept frame",
-        make: Make::Plot(thickness::plot),
+        make: Make::Plot(over_blank::thickness),
+    },
+    Output {
+        file: "porosity.png",
+        about: "porosity over the blank, of a sheet with voids",
+        make: Make::Plot(over_blank::porosity),
+    },
+    Output {
+        file: "temperature.png",
+        about: "temperature over the blank, where it is given",
+        make: Make::Plot(over_blank::temperature),
     },
     Output { file: "strains.png", about: "strains over the blank at the last frame", make: Make::Plot(strains::plot) },
     Output {

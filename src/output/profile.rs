@@ -1,12 +1,14 @@
 //! Shape, thickness, strains and stresses over the blank at the kept frames.
 
 use super::{Subject, worded};
-use crate::model::Geometry;
+use crate::model::Model;
+use crate::quantity::ZERO_CELSIUS;
 use crate::record::{ElementRecord, Frame};
 use crate::table::{Column, Table, Unit};
 
-/// One row per frame and element, from the axis outward.
-pub fn table(geometry: Geometry, frames: &[Frame]) -> Table {
+/// One row per frame and element, from the axis outward; porosity and temperature where the model has them.
+pub fn table(model: &Model, frames: &[Frame]) -> Table {
+    let geometry = model.geometry;
     let travel = frames.iter().flat_map(|f| std::iter::repeat_n(f.travel, f.elements.len())).collect();
     let column = |key, label, unit, value: fn(&ElementRecord) -> f64| {
         Column::new(key, label, unit, frames.iter().flat_map(|f| &f.elements).map(value).collect())
@@ -16,7 +18,7 @@ pub fn table(geometry: Geometry, frames: &[Frame]) -> Table {
     let r = worded("Distance from the axis", "Distance from the symmetry plane");
     let along = [worded("Meridional strain", "In-plane strain"), worded("Meridional stress", "In-plane stress")];
     let across = [worded("Hoop strain", "Out-of-plane strain"), worded("Hoop stress", "Out-of-plane stress")];
-    Table::new(vec![
+    let mut columns = vec![
         Column::new("travel", "Punch travel", Unit::Mm, travel),
         column("s0", s0, Unit::Mm, |e| e.s0),
         column("r", r, Unit::Mm, |e| e.r),
@@ -29,14 +31,21 @@ pub fn table(geometry: Geometry, frames: &[Frame]) -> Table {
         column("stress_meridional", along[1], Unit::MPa, |e| e.stress_meridional),
         column("stress_hoop", across[1], Unit::MPa, |e| e.stress_hoop),
         column("strain_equivalent_max", "Largest equivalent strain", Unit::None, |e| e.strain_equivalent_max),
-    ])
+    ];
+    if model.material.voids.is_some() {
+        columns.push(column("porosity", "Porosity", Unit::None, |e| e.porosity));
+    }
+    if model.heat.is_some() {
+        columns.push(column("temperature", "Temperature", Unit::Celsius, |e| e.temperature - ZERO_CELSIUS));
+    }
+    Table::new(columns)
 }
 
 /// The last frame's rows; none when no frame was kept.
-pub fn last(geometry: Geometry, frames: &[Frame]) -> Table {
-    table(geometry, &frames[frames.len().saturating_sub(1)..])
+pub fn last(model: &Model, frames: &[Frame]) -> Table {
+    table(model, &frames[frames.len().saturating_sub(1)..])
 }
 
 pub(super) fn of(subject: &Subject) -> Table {
-    table(subject.model.geometry, &subject.run.frames)
+    table(subject.model, &subject.run.frames)
 }

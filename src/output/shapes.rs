@@ -14,7 +14,7 @@ const AROUND: f64 = 0.06;
 
 pub(super) fn plot(subject: &Subject) -> Option<Chart> {
     let Subject { model, run, .. } = subject;
-    let table = profile::last(model.geometry, &run.frames);
+    let table = profile::last(model, &run.frames);
     let nodes = || run.frames.iter().flat_map(|f| &f.nodes);
     let width = nodes().map(|n| n.r).fold(model.blank.length, f64::max);
     let (top, bottom) = nodes().fold((0.0_f64, 0.0_f64), |(top, bottom), n| (top.min(n.z), bottom.max(n.z)));

@@ -12,9 +12,9 @@ const LEAST: f64 = 0.02;
 pub(super) fn plot(subject: &Subject) -> Option<Chart> {
     let Subject { model, run, .. } = subject;
     let at = format!(" at {} of travel", travel(run.frames.last()?));
-    let table = |frame| profile::table(model.geometry, std::slice::from_ref(frame));
+    let table = |frame| profile::table(model, std::slice::from_ref(frame));
     let frames: Vec<_> = shown(&run.frames).map(table).collect();
-    let last = profile::last(model.geometry, &run.frames);
+    let last = profile::last(model, &run.frames);
     let curves = STRAINS.iter().enumerate();
     let earlier = frames.iter().rev().skip(1).flat_map(|frame| {
         curves.clone().map(|(i, key)| Series::silent(frame.pairs("s0", key), Look::curve(i).faint()))

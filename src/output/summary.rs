@@ -2,7 +2,7 @@
 
 use super::{Subject, force_unit, worded, work_unit};
 use crate::model::{Geometry, Grading, Iteration, Model, Norm, Role, Theory};
-use crate::quantity::rounded;
+use crate::quantity::{ZERO_CELSIUS, rounded};
 use crate::record::{Ladder, Run, StepRecord, Stop};
 use crate::table::{Unit, four_digits};
 use serde::ser::{Serialize, SerializeMap, Serializer};
@@ -96,6 +96,21 @@ impl Summary {
             Unit::Percent,
             percent(last.work.cutoff, last.work.plastic),
         );
+        if model.material.voids.is_some() {
+            summary.number("porosity", "Largest porosity", Unit::Percent, 100.0 * last.porosity);
+            summary.number("porous_s0", "  at an initial distance of", Unit::Mm, last.porous_s0);
+        }
+        if model.heat.is_some() {
+            let hottest = run.history.iter().map(|s| s.hottest).fold(0.0, f64::max);
+            let coldest = run.history.iter().map(|s| s.coldest).fold(f64::INFINITY, f64::min);
+            summary.number("coldest", "Lowest temperature", Unit::Celsius, coldest - ZERO_CELSIUS);
+            summary.number("hottest", "Highest temperature", Unit::Celsius, hottest - ZERO_CELSIUS);
+        }
+        if model.heat.as_ref().is_some_and(|heat| heat.flow.is_some()) {
+            summary.number("heat_stored", "Heat stored in the sheet", work, last.heat.stored);
+            summary.number("heat_plastic", "  from plastic work", work, last.heat.plastic);
+            summary.number("heat_tools", "  from the tools", work, last.heat.tools);
+        }
         summary.number(
             "penetration",
             "Largest penetration over thickness",

@@ -27,6 +27,9 @@ pub fn parse(text: &str) -> Result<Parsed, QuantityError> {
         return Err(QuantityError::DecimalComma { found: text.into(), point });
     }
     let malformed = |at: &str| QuantityError::Malformed { found: text.into(), at: at.into() };
+    if rest.trim() == unit::CELSIUS {
+        return Ok(Parsed { value: value + unit::ZERO_CELSIUS, dimension: unit::TEMPERATURE, has_unit: true });
+    }
     let (mut dimension, has_unit) = (unit::NONE, !rest.trim().is_empty());
     while !rest.trim_start().is_empty() {
         let joint = rest.trim_start();

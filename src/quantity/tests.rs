@@ -35,6 +35,20 @@ fn units_convert_to_solver_units() {
     assert_relative_eq!(value::<Speed>("6 m/min"), 100.0);
     assert_eq!(value::<Time>("30 ms"), 0.03);
     assert_relative_eq!(value::<Ratio>("5 %"), 0.05);
+    assert_relative_eq!(value::<Temperature>("20 °C"), 293.15);
+    assert_relative_eq!(value::<Temperature>("-20°C"), 253.15);
+    assert_relative_eq!(value::<Temperature>("493 K"), 493.0);
+    // ρ c of aluminium: 2700 kg/m³ × 900 J/(kg K) = 2.43 MJ/(m³ K) = 2.43 MPa/K.
+    assert_relative_eq!(
+        value::<Density>("2700 kg/m^3") * value::<SpecificHeat>("900 J/kg/K"),
+        2.43,
+        max_relative = 1e-12
+    );
+    assert_relative_eq!(value::<Density>("2.7 g/cm^3"), 2.7e-9, max_relative = 1e-12);
+    assert_relative_eq!(value::<Conductivity>("130 W/m/K"), 130.0, max_relative = 1e-12);
+    assert_relative_eq!(value::<HeatTransfer>("1400 W/m^2/K"), 1.4, max_relative = 1e-12);
+    assert_relative_eq!(value::<PerKelvin>("0.3 %/K"), 0.003, max_relative = 1e-12);
+    assert_relative_eq!(value::<Energy>("8.314 J/mol"), 8314.0, max_relative = 1e-12);
 }
 
 #[test]

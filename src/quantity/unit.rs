@@ -11,6 +11,8 @@ pub(super) const FORCE: Dimension = Dimension([0, 1, 0, 0, 0]);
 pub(super) const TIME: Dimension = Dimension([0, 0, 1, 0, 0]);
 pub(super) const ANGLE: Dimension = Dimension([0, 0, 0, 1, 0]);
 pub(super) const TEMPERATURE: Dimension = Dimension([0, 0, 0, 0, 1]);
+pub(super) const MASS: Dimension = FORCE.times(TIME, 2).over(LENGTH);
+pub(super) const POWER: Dimension = FORCE.times(LENGTH, 1).over(TIME);
 pub(super) const STRESS: Dimension = FORCE.over(LENGTH).over(LENGTH);
 
 impl Dimension {
@@ -32,7 +34,7 @@ impl Dimension {
 
     /// In words where there is one: "a length", "a force per length", otherwise the exponents.
     pub fn describe(self) -> String {
-        const NAMED: [(Dimension, &str); 12] = [
+        const NAMED: [(Dimension, &str); 15] = [
             (NONE, "a plain number"),
             (LENGTH, "a length"),
             (FORCE, "a force"),
@@ -44,7 +46,10 @@ impl Dimension {
             (LENGTH.over(TIME), "a speed"),
             (NONE.over(TIME), "a strain rate"),
             (LENGTH.times(LENGTH, 1), "an area"),
-            (FORCE.times(LENGTH, 1), "a moment"),
+            (FORCE.times(LENGTH, 1), "a moment or an energy"),
+            (MASS, "a mass"),
+            (POWER, "a power"),
+            (MASS.over(LENGTH).over(LENGTH).over(LENGTH), "a density"),
         ];
         if let Some((_, name)) = NAMED.iter().find(|(dimension, _)| *dimension == self) {
             return (*name).into();
@@ -64,7 +69,7 @@ const LBF: f64 = 4.448_221_615_260_5;
 const INCH: f64 = 25.4;
 
 /// Every unit that may be written.
-pub(super) const UNITS: [Unit; 26] = [
+pub(super) const UNITS: [Unit; 33] = [
     Unit("mm", 1.0, LENGTH),
     Unit("cm", 10.0, LENGTH),
     Unit("m", 1000.0, LENGTH),
@@ -90,11 +95,18 @@ pub(super) const UNITS: [Unit; 26] = [
     Unit("rad", 1.0, ANGLE),
     Unit("deg", std::f64::consts::PI / 180.0, ANGLE),
     Unit("K", 1.0, TEMPERATURE),
+    Unit("kg", 1e-3, MASS), // 1 kg = 1 N s²/m
+    Unit("g", 1e-6, MASS),
+    Unit("J", 1e3, FORCE.times(LENGTH, 1)),
+    Unit("kJ", 1e6, FORCE.times(LENGTH, 1)),
+    Unit("W", 1e3, POWER),
+    Unit("kW", 1e6, POWER),
+    Unit("mol", 1.0, NONE),
     Unit("%", 0.01, NONE),
 ];
 
 /// What units are also called, in lower case, and how they are written here.
-const CALLED: [(&str, &str); 24] = [
+const CALLED: [(&str, &str); 30] = [
     ("inch", "in"),
     ("inches", "in"),
     ("ins", "in"),
@@ -119,7 +131,18 @@ const CALLED: [(&str, &str); 24] = [
     ("second", "s"),
     ("degree", "deg"),
     ("°", "deg"),
+    ("kelvin", "K"),
+    ("c", CELSIUS),
+    ("ºc", CELSIUS),
+    ("celsiu", CELSIUS), // without its plural's s
+    ("joule", "J"),
+    ("watt", "W"),
 ];
+
+/// Degrees of temperature: the one unit that does not start at zero, and so stands alone.
+pub(super) const CELSIUS: &str = "°C";
+/// 0 °C \[K\].
+pub const ZERO_CELSIUS: f64 = 273.15;
 
 /// The unit that a word, or its plural, stands for.
 pub(super) fn meant(word: &str) -> Option<&'static str> {

@@ -48,6 +48,9 @@ pub(super) struct Workspace {
     pub iterates: Vec<Iterate>,
     pub responses: Vec<Response>,
     pub thickness: Vec<f64>,
+    /// Volume of each element that the step reckons with \[mm³, or mm² in plane strain\], and its growth in the step.
+    pub volume: Vec<f64>,
+    pub(super) growth: Vec<f64>,
     pub membrane_increment: Vec<[f64; 2]>,
     pub system: System,
     /// Force of each tool on the sheet along z \[N, or N/mm\].
@@ -87,7 +90,7 @@ pub(super) struct Workspace {
     pub(super) areas: Vec<f64>,
     /// Shear yield stress at the nodes at the start of the step \[MPa\]; zero when no friction law asks for it.
     pub(super) shear_yield: Vec<f64>,
-    before: Vec<Before>,
+    pub(super) before: Vec<Before>,
     pub(super) penalty: Penalty,
     block_area: f64,
 }
@@ -142,6 +145,8 @@ impl Workspace {
             iterates: vec![Iterate::default(); points],
             responses: vec![blank; points],
             thickness: state.thickness.clone(),
+            volume: state.volume.clone(),
+            growth: vec![1.0; elements],
             membrane_increment: vec![[0.0; 2]; elements],
             system: System::new(n, shared),
             edge_reaction: Vector3::zeros(),
@@ -177,7 +182,8 @@ impl Workspace {
     }
 
     /// Takes the start of a step: reference lengths, areas, hardening.
-    pub fn begin(&mut self, model: &Model, state: &State) {
+    pub fn begin(&mut self, step: &Step) {
+        let Step { model, state, dt, .. } = *step;
         self.starts.clear();
         self.areas.fill(0.0);
         for (e, pair) in state.nodes.windows(2).enumerate() {
@@ -187,8 +193,12 @@ impl Workspace {
             self.areas[e + 1] += b;
             self.starts.push(start);
         }
-        for (before, point) in self.before.iter_mut().zip(&state.layers) {
-            before.strain = point.strain;
+        let layers = self.layers.len();
+        for (i, (before, point)) in self.before.iter_mut().zip(&state.layers).enumerate() {
+            *before = Before { strain: point.strain, porosity: 0.0, temperature: state.temperature[i / layers] };
+        }
+        if let Some(voids) = &model.material.voids {
+            self.foresee_voids(voids, state, dt);
         }
         self.place_beads(model, state);
         if self.tools.iter().any(|tool| tool.friction.needs_shear_yield()) {
@@ -203,10 +213,15 @@ impl Workspace {
         for e in 0..=last {
             let points = &state.layers[e * layers..(e + 1) * layers];
             let strain: f64 = points.iter().zip(&self.layers).map(|(p, l)| l.share * p.strain).sum();
-            let k = model.material.hardening.at(strain).stress / 3f64.sqrt();
+            let k = model.material.yield_stress(strain, state.temperature[e]) / 3f64.sqrt();
             self.shear_yield[e] += if e == 0 { k } else { 0.5 * k };
             self.shear_yield[e + 1] += if e == last { k } else { 0.5 * k };
         }
+    }
+
+    /// Shares of an element's area at the start of the step that belong to its two nodes \[mm², or mm per mm of depth\].
+    pub(super) fn tributary(&self, e: usize) -> [f64; 2] {
+        self.starts[e].tributary()
     }
 
     /// Takes a predictor: trial positions at the last velocities, prescribed motions imposed, layers rewound.
@@ -287,7 +302,7 @@ impl Workspace {
             let points = e * n_layers..(e + 1) * n_layers;
             let internal = law.internal(
                 &end,
-                state.volume[e],
+                self.volume[e],
                 state.thickness[e],
                 &self.before[points.clone()],
                 &mut self.iterates[points.clone()],
@@ -299,8 +314,8 @@ impl Workspace {
             system.diagonal[e + 1] += internal.matrix[1][1];
             system.rhs[e] -= internal.force.fixed_rows::<3>(0);
             system.rhs[e + 1] -= internal.force.fixed_rows::<3>(3);
-            self.thickness[e] = internal.thickness;
-            self.thickness_rows[e] = internal.thickness_row;
+            self.thickness[e] = internal.thickness * self.growth[e];
+            self.thickness_rows[e] = internal.thickness_row.map(|by| by * self.growth[e]);
             self.membrane_increment[e] = [end.strain[0], end.strain[1]];
             if let Some(rows) = self.membrane_rows.get_mut(e) {
                 *rows = end.membrane_rows();

@@ -23,6 +23,8 @@ pub(super) struct Balance {
     edge_force: f64,
     gas_force: Vec<Point>,
     bead_force: Vec<f64>,
+    /// Plastic work of the last step in each element \[mJ, per ring or per mm of depth\].
+    pub plastic: Vec<f64>,
 }
 
 impl Balance {
@@ -34,6 +36,7 @@ impl Balance {
             edge_force: 0.0,
             gas_force: work.gas_force.clone(),
             bead_force: vec![0.0; work.beads.len()],
+            plastic: vec![0.0; work.thickness.len()],
         }
     }
 
@@ -76,12 +79,14 @@ impl Balance {
             done.external += 0.5 * (before + now).dot(&Point::new(work.moves[i][0], work.moves[i][1]));
         }
         let layers = work.layers.len();
+        self.plastic.fill(0.0);
         for (i, (iterate, response)) in work.iterates.iter().zip(&work.responses).enumerate() {
             let e = iterate.strain();
             let before = state.layers[i].stress;
             let power: f64 = (0..3).map(|k| 0.5 * (before[k] + response.stress[k]) * e[k]).sum();
-            let plastic = state.volume[i / layers] * work.layers[i % layers].share * power;
+            let plastic = work.volume[i / layers] * work.layers[i % layers].share * power;
             done.plastic += plastic;
+            self.plastic[i / layers] += plastic;
             if response.increment < CUT_OFF_ZONE * work.cutoff {
                 done.cutoff += plastic;
             }

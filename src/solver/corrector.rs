@@ -12,6 +12,9 @@ const LARGEST_MOVE: f64 = 0.5;
 const LARGEST_TURN: f64 = 0.3;
 /// The velocity norm alone can accept a wrong force; it also asks for a residual below this share of the largest force \[–\].
 const LOOSE_RESIDUAL: f64 = 0.01;
+/// Mean move of a node, over the sheet thickness, below which a step counts as standing still \[–\]: the velocity norm is
+/// then that of this move, for no increment is small against nothing.
+const STILL: f64 = 1e-6;
 /// The secant matrix converges linearly and gets this many times the iterations.
 const SECANT_PATIENCE: usize = 10;
 
@@ -89,7 +92,8 @@ pub(super) fn correct(
                 work.tool_position[j] += cut * shared[k];
             }
         }
-        let velocity_norm = (change / total.max(f64::MIN_POSITIVE)).sqrt();
+        let still = (STILL * t).powi(2) * increments.len() as f64;
+        let velocity_norm = (change / total.max(still)).sqrt();
         // A capped increment says nothing of how far the answer still is.
         outcome.velocity_norm = if cut < 1.0 { f64::INFINITY } else { velocity_norm };
         observer.iteration(&IterationRecord {

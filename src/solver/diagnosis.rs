@@ -10,7 +10,8 @@ use crate::record::StepRecord;
 const LIGHT: f64 = 0.01;
 
 impl Workspace {
-    fn in_contact(&self, contact: &Contact) -> bool {
+    /// Whether a pair is in contact, not merely near.
+    pub(super) fn in_contact(&self, contact: &Contact) -> bool {
         contact.pressure.value > LIGHT * self.penalty.at_touch()
     }
 

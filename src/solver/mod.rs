@@ -7,19 +7,22 @@ pub mod block_tridiagonal;
 mod contacts;
 mod corrector;
 mod diagnosis;
+mod heat;
 mod loads;
 mod stepping;
 mod stops;
+mod voids;
 mod warnings;
 
 use crate::mesh;
 use crate::model::{Edge, Model, Role};
 use crate::record::{Energy, IterationRecord, Run, StepRecord, Stop};
-use crate::state::{LayerPoint, State};
+use crate::state::State;
 use assembly::Workspace;
 use attempt::{Rung, Step, attempt};
 use balance::Balance;
 use corrector::Outcome;
+use heat::HeatSolver;
 use stepping::StepControl;
 use stops::StopWatch;
 
@@ -43,6 +46,7 @@ pub fn run(model: &Model, observer: &mut dyn Observer) -> Run {
 pub fn run_from(model: &Model, mut state: State, observer: &mut dyn Observer) -> (Run, State) {
     let mut work = Workspace::new(model, &state);
     let mut balance = Balance::new(&work);
+    let mut heat = HeatSolver::new(model, &work);
     let mut watch = StopWatch::new(model);
     let mut control = StepControl::new(model, watch.closes_at(model));
     let mut run = Run::unsolved();
@@ -51,8 +55,8 @@ pub fn run_from(model: &Model, mut state: State, observer: &mut dyn Observer) ->
     let mut rejected = 0;
 
     while let Some(dt) = control.next(&state) {
-        work.begin(model, &state);
         let step = Step { model, state: &state, dt, number: last.step + 1 };
+        work.begin(&step);
         let (rung, outcome) = climb(&mut work, &step, &mut rejected, observer);
         if !outcome.converged {
             run.ladder.halved += 1;
@@ -84,11 +88,19 @@ pub fn run_from(model: &Model, mut state: State, observer: &mut dyn Observer) ->
         let approach = balance.approach(&work, dt);
         let figures = work.diagnosis(&step, balance.contacts());
         let done = balance.work_of_step(&work, &step);
-        let record = record(&work, &step, &outcome, figures, done, rejected, &last);
+        let mut record = record(&work, &step, &outcome, figures, done, rejected, &last);
         rejected = 0;
         control.accept(dt, outcome.iterations, &record, approach);
         before.copy_from_slice(&state.thickness);
         accept(&work, model, &mut state, dt);
+        if let Some(voids) = &model.material.voids {
+            work.grow_voids(voids, model.material.anisotropy, &mut state, dt);
+            (record.porosity, record.porous_s0) = state.largest_porosity(&work.layers);
+        }
+        if let Some(heat) = &mut heat {
+            record.heat = last.heat.plus(heat.advance(&work, &balance.plastic, &mut state, dt));
+        }
+        (record.coldest, record.hottest) = state.temperatures();
         observer.step(&record);
         run.history.push(record);
         last = record;
@@ -132,11 +144,9 @@ fn climb(work: &mut Workspace, step: &Step, rejected: &mut usize, observer: &mut
 fn accept(work: &Workspace, model: &Model, state: &mut State, dt: f64) {
     for (i, response) in work.responses.iter().enumerate() {
         let point = &mut state.layers[i];
-        *point = LayerPoint {
-            strain: point.strain + response.increment,
-            stress: response.stress,
-            carried: work.iterates[i].carried,
-        };
+        point.strain += response.increment;
+        point.stress = response.stress;
+        point.carried = work.iterates[i].carried;
     }
     for (velocity, u) in state.velocity.iter_mut().zip(&work.moves) {
         *velocity = u.map(|u| u / dt);

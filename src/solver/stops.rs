@@ -73,6 +73,10 @@ impl StopWatch {
         if self.throat.is_some_and(|throat| state.nodes[state.nodes.len() - 1][0] <= throat) {
             return Some(Stop::DrawnThrough { travel });
         }
+        let gone = model.material.voids.is_some_and(|voids| record.porosity >= voids.fracture());
+        if gone {
+            return Some(Stop::Coalesced { travel, s0: record.porous_s0, porosity: record.porosity });
+        }
         self.peak = self.peak.max(record.punch_force);
         let drop = 1.0 - record.punch_force / self.peak;
         if self.peak > 0.0 && model.stop.load_drop.is_some_and(|limit| drop >= limit) {

@@ -3,6 +3,7 @@
 use super::assembly::Workspace;
 use super::stops::neck;
 use crate::model::{ContactMethod, Model};
+use crate::quantity::ZERO_CELSIUS;
 use crate::record::{Run, Stop};
 use crate::state::State;
 
@@ -15,6 +16,8 @@ const LARGEST_CUT_OFF: f64 = 0.05;
 
 /// Thickness over the initial one that no sheet metal, superplastic alloys apart, is drawn to in one piece \[–\].
 const TORN: f64 = 0.5;
+/// How far a temperature may lie beyond the curves given without a word \[K\].
+const NEAR_ENOUGH: f64 = 10.0;
 /// Squeeze between two tools from which the sheet is ironed \[–\].
 const IRONED: f64 = 0.01;
 /// Lift of the holder over the thickness that is worth a word \[–\].
@@ -52,6 +55,21 @@ pub(super) fn warnings(model: &Model, work: &Workspace, state: &State, run: &Run
             "the hardening table ends at a strain of {end:.3}; the run reaches {strain:.3} on its extrapolation"
         ));
     }
+    if let Some([cold, hot]) = model.material.hardening.temperatures() {
+        let hottest = largest(|r| r.hottest);
+        let coldest = run.history.iter().map(|r| r.coldest).fold(f64::INFINITY, f64::min);
+        if coldest < cold - NEAR_ENOUGH || hottest > hot + NEAR_ENOUGH {
+            let celsius = |kelvin: f64| kelvin - ZERO_CELSIUS;
+            warnings.push(format!(
+                "hardening is given from {:.0} to {:.0} °C; the sheet has {:.0} to {:.0} °C, and the outermost curves are \
+                 held beyond",
+                celsius(cold),
+                celsius(hot),
+                celsius(coldest),
+                celsius(hottest)
+            ));
+        }
+    }
     if let Some(first) = run.history.iter().find(|r| r.squeeze > IRONED) {
         warnings.push(format!(
             "ironing from {:.2} mm of travel: the sheet is up to {:.1} % thicker than the gap between two tools; it is \
@@ -86,7 +104,7 @@ pub(super) fn warnings(model: &Model, work: &Workspace, state: &State, run: &Run
 
 /// A neck, or a sheet that is too thin to be whole; a run that ended by it has said so.
 fn thinned(model: &Model, state: &State, run: &Run) -> Option<String> {
-    if matches!(run.stop, Stop::Localised { .. }) {
+    if matches!(run.stop, Stop::Localised { .. } | Stop::Coalesced { .. }) {
         return None;
     }
     let neck = neck(model, state, None);

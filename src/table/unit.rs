@@ -14,6 +14,8 @@ pub enum Unit {
     /// N·mm.
     Millijoule,
     MillijoulePerMm,
+    /// Degrees Celsius; the solver's kelvins are converted where a table is made.
+    Celsius,
 }
 
 /// A header whose ending is no unit.
@@ -25,7 +27,7 @@ pub struct UnitError {
 }
 
 /// What the end of a header means: its spelling, the solver's unit, and how many of these it is.
-const SPELLINGS: [(&str, Unit, f64); 23] = [
+const SPELLINGS: [(&str, Unit, f64); 24] = [
     ("percent", Unit::Percent, 1.0),
     ("mm", Unit::Mm, 1.0),
     ("um", Unit::Mm, 1e-3),
@@ -49,6 +51,7 @@ const SPELLINGS: [(&str, Unit, f64); 23] = [
     ("mJ", Unit::Millijoule, 1.0),
     ("J", Unit::Millijoule, 1e3),
     ("mJ_per_mm", Unit::MillijoulePerMm, 1.0),
+    ("C", Unit::Celsius, 1.0),
 ];
 
 impl Unit {
@@ -64,6 +67,7 @@ impl Unit {
             Self::Second => "s",
             Self::Millijoule => "mJ",
             Self::MillijoulePerMm => "mJ/mm",
+            Self::Celsius => "°C",
         }
     }
 

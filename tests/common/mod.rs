@@ -42,6 +42,7 @@ pub fn model(geometry: Geometry) -> Model {
         ],
         beads: vec![],
         gas: vec![],
+        heat: None,
         travel: TRAVEL,
         speed: 1.0,
         duration: TRAVEL,
@@ -149,6 +150,8 @@ fn frame(model: &Model, travel: f64) -> Frame {
                 strain_equivalent_max: 1.1 * equivalent,
                 stress_meridional: 0.9 * flow,
                 stress_hoop: 0.3 * flow,
+                porosity: 0.0,
+                temperature: 293.15,
             }
         })
         .collect();

@@ -164,6 +164,7 @@ pub fn random_die(seed: u64) -> RandomDie {
         tools,
         beads: vec![],
         gas: vec![],
+        heat: None,
         travel,
         speed: 1.0,
         duration: travel,

@@ -1,9 +1,10 @@
 //! `[material]`: elastic constants and exactly one hardening law.
 
+use super::{softening, voids};
 use crate::case::file::{self, Beyond};
 use crate::case::{CaseError, explain::missing, source::Source};
 use crate::material::hardening::{
-    Branch, Extrapolation, Hollomon, LawError, Ludwik, PiecewisePower, Swift, Table, Voce,
+    Branch, Extrapolation, Hollomon, Isotherms, LawError, Ludwik, PiecewisePower, Swift, Table, Voce,
 };
 use crate::material::rate::{CowperSymonds, JohnsonCook, PowerRate};
 use crate::material::{Anisotropy, Elastic, Hardening, Material, Rate};
@@ -42,7 +43,9 @@ pub(super) fn convert(file: &file::Material, source: &Source) -> Result<Material
         return Err(source.error("material.anisotropy", what, "0.6 to 0.8 for aluminium, 1 to 2 for steel"));
     }
     let rate = file.rate.map(|laws| rate(laws, source)).transpose()?;
-    Ok(Material { hardening, elastic, rate, softening: None, anisotropy: Anisotropy::new(r), voids: None })
+    let softening = file.softening.map(|laws| softening::convert(laws, source)).transpose()?;
+    let voids = file.voids.map(|law| voids::convert(law, source)).transpose()?;
+    Ok(Material { hardening, elastic, rate, softening, anisotropy: Anisotropy::new(r), voids })
 }
 
 /// Exactly one rate law.
@@ -55,17 +58,8 @@ fn rate(file: file::Rate, source: &Source) -> Result<Rate, CaseError> {
     let johnson_cook = file
         .johnson_cook
         .map(|l| Rate::JohnsonCook(JohnsonCook { coefficient: l.coefficient.value(), reference: l.reference.value() }));
-    let mut laws = [power, cowper_symonds, johnson_cook].into_iter().flatten();
-    match (laws.next(), laws.next()) {
-        (Some(law), None) => Ok(law),
-        (None, _) => {
-            let help = "give one of power, cowper_symonds, johnson_cook, or drop [material.rate]";
-            Err(source.error("material.rate", "[material.rate] names no law", help))
-        }
-        (Some(_), Some(_)) => {
-            Err(source.error("material.rate", "[material.rate] names more than one law", "keep one of them"))
-        }
-    }
+    let names = "power, cowper_symonds, johnson_cook";
+    super::only_one([power, cowper_symonds, johnson_cook], "material.rate", names, source)
 }
 
 fn hardening(file: &file::Hardening, elastic: Option<Elastic>, source: &Source) -> Result<Hardening, CaseError> {
@@ -85,7 +79,7 @@ fn hardening(file: &file::Hardening, elastic: Option<Elastic>, source: &Source) 
             )
         }
     };
-    let laws: [(&str, Option<Law>); 6] = [
+    let laws: [(&str, Option<Law>); 7] = [
         ("swift", file.swift.as_ref().map(|l| -> Law { Box::new(|| swift(l).map_err(law("swift"))) })),
         (
             "hollomon",
@@ -100,6 +94,7 @@ fn hardening(file: &file::Hardening, elastic: Option<Elastic>, source: &Source) 
             "piecewise_power",
             file.piecewise_power.as_ref().map(|l| -> Law { Box::new(|| branches(l).map_err(law("piecewise_power"))) }),
         ),
+        ("isotherms", file.isotherms.as_ref().map(|l| -> Law { Box::new(|| isotherms(l).map_err(law("isotherms"))) })),
     ];
     let given: Vec<&(&str, Option<Law>)> = laws.iter().filter(|(_, law)| law.is_some()).collect();
     match given[..] {
@@ -163,11 +158,32 @@ fn table(l: &file::Table, source: &Source) -> Result<Result<Hardening, LawError>
             ));
         }
     };
-    let beyond = match l.extrapolation {
+    Ok(Table::new(strain, stress, beyond(l.extrapolation)).map(Hardening::Table))
+}
+
+fn beyond(file: Beyond) -> Extrapolation {
+    match file {
         Beyond::Hold => Extrapolation::Hold,
         Beyond::Slope => Extrapolation::Slope,
+    }
+}
+
+fn isotherms(l: &file::Isotherms) -> Result<Hardening, LawError> {
+    let curve = |(i, curve): (usize, &file::Isotherm)| {
+        let (strain, stress) = curve.points.iter().map(|(strain, stress)| (strain.value(), stress.value())).unzip();
+        Table::new(strain, stress, beyond(l.extrapolation)).map_err(|error| {
+            // Points are pairs of strain and stress.
+            let key = match error.key.split_once('.') {
+                Some(("strain", point)) => format!("curves.{i}.points.{point}.0"),
+                Some((_, point)) => format!("curves.{i}.points.{point}.1"),
+                None => format!("curves.{i}.points"),
+            };
+            LawError { message: format!("curve {}: {}", i + 1, error.message), key }
+        })
     };
-    Ok(Table::new(strain, stress, beyond).map(Hardening::Table))
+    let curves = l.curves.iter().enumerate().map(curve).collect::<Result<_, _>>()?;
+    let temperatures = l.curves.iter().map(|curve| curve.temperature.value()).collect();
+    Isotherms::new(temperatures, curves).map(Hardening::Isotherms)
 }
 
 fn branches(l: &file::PiecewisePower) -> Result<Hardening, LawError> {

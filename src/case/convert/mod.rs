@@ -6,7 +6,9 @@ mod compare;
 mod counter;
 mod fit;
 mod friction;
+mod heat;
 mod limits;
+mod lines;
 mod loads;
 mod material;
 mod place;
@@ -14,7 +16,9 @@ mod points;
 mod profile;
 mod section;
 mod settings;
+mod softening;
 mod tools;
+mod voids;
 
 pub(super) use compare::compare;
 
@@ -45,6 +49,10 @@ pub(super) fn model(file: &CaseFile, source: &Source, case: &Path) -> Result<(Mo
         Some(gas) => loads::gas(gas, &tools, &sheet, source, &mut derived)?,
         None => Vec::new(),
     };
+    let heat = match &file.heat {
+        Some(heat) => Some(heat::convert(heat, &tools, source, folder)?),
+        None => None,
+    };
     let model = Model {
         title: file.title.clone(),
         notes: file.notes.clone(),
@@ -53,6 +61,7 @@ pub(super) fn model(file: &CaseFile, source: &Source, case: &Path) -> Result<(Mo
         beads: loads::beads(&file.tools.beads, &tools, &sheet, source)?,
         tools,
         gas,
+        heat,
         travel: drive.travel,
         speed: drive.speed,
         duration: drive.duration,
@@ -113,6 +122,24 @@ fn by_geometry(
         )),
         (Some(value), None) => Ok(value.value()),
         (None, None) => Err(missing(source, table, key)),
+    }
+}
+
+/// The one law of a table that must name exactly one.
+fn only_one<L>(
+    laws: impl IntoIterator<Item = Option<L>>,
+    path: &str,
+    names: &str,
+    source: &Source,
+) -> Result<L, CaseError> {
+    let mut laws = laws.into_iter().flatten();
+    match (laws.next(), laws.next()) {
+        (Some(law), None) => Ok(law),
+        (None, _) => {
+            let help = format!("give one of {names}, or drop [{path}]");
+            Err(source.error(path, format!("[{path}] names no law"), help))
+        }
+        (Some(_), Some(_)) => Err(source.error(path, format!("[{path}] names more than one law"), "keep one of them")),
     }
 }
 

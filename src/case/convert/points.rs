@@ -1,5 +1,6 @@
 //! A tool's section from a CSV file of points.
 
+use super::lines::{Lines, Record};
 use super::section::{Drawn, Origin, place_of};
 use super::tools::Shop;
 use crate::case::CaseError;
@@ -7,9 +8,6 @@ use crate::geometry::{FilletTooLarge, Piece, Point, Profile, Segment, fillet};
 use crate::model::{Geometry, Role};
 use crate::quantity::{Length, Quantity};
 use crate::table::Unit;
-use csv::StringRecord;
-use miette::NamedSource;
-use std::sync::Arc;
 
 /// Points closer than this are one \[mm\]: drawings repeat where their curves meet.
 const SAME: f64 = 1e-5;
@@ -21,7 +19,7 @@ const EXAMPLE: &str = "write for example r_mm,z_mm in the first line and 30.5,-6
 
 /// The points of a file, and the file for messages.
 pub(super) struct Points {
-    text: Text,
+    text: Lines,
     /// The chain through the points.
     pub chords: Profile,
     /// Line of each point in the file, from 1.
@@ -31,14 +29,8 @@ pub(super) struct Points {
 impl Points {
     /// An error about a point.
     pub fn error(&self, point: usize, what: String, help: impl Into<String>) -> CaseError {
-        at_line(&self.text, self.lines[point.min(self.lines.len() - 1)], what, help)
+        self.text.error(self.lines[point.min(self.lines.len() - 1)], what, help)
     }
-}
-
-/// The text of a file, and the key that names it.
-struct Text {
-    shown: Arc<NamedSource<String>>,
-    key: String,
 }
 
 /// One row of the file.
@@ -57,32 +49,21 @@ pub(super) fn convert(
     shop: &Shop,
     derived: &mut Vec<String>,
 ) -> Result<Drawn, CaseError> {
-    let path = shop.folder.join(file);
     let name = role.name();
-    if !path.is_file() {
-        let what = format!("the profile file \"{file}\" is not there");
-        return Err(shop.source.error(key, what, format!("put it at {}", path.display())));
-    }
-    let text = std::fs::read_to_string(&path).map_err(|error| {
-        let what = format!("the profile file \"{file}\" cannot be read: {error}");
-        shop.source.error(key, what, "save it as CSV in UTF-8")
-    })?;
-    let text = text.trim_start_matches('\u{feff}').replace("\r\n", "\n");
-    let shown = Arc::new(NamedSource::new(path.display().to_string(), text));
-    let shown = Text { shown, key: key.to_owned() };
+    let shown = Lines::open(file, "profile", key, shop.folder, shop.source)?;
     let rows = distinct(read(&shown, shop.sheet.geometry)?, file, derived);
     let [first, .., last] = &rows[..] else {
         let what = format!("a profile needs at least two points, found {}", rows.len());
-        return Err(at_line(&shown, rows.first().map_or(1, |row| row.line), what, EXAMPLE));
+        return Err(shown.error(rows.first().map_or(1, |row| row.line), what, EXAMPLE));
     };
     if rows.len() > MOST {
         let what = format!("{} points are more than the {MOST} a section may have", rows.len());
-        return Err(at_line(&shown, last.line, what, "thin them out: chords are rounded off by tangent arcs"));
+        return Err(shown.error(last.line, what, "thin them out: chords are rounded off by tangent arcs"));
     }
     for end in [first, last] {
         if end.radius.is_some_and(|radius| radius > 0.0) {
             let what = "the first and the last point have no corner to round".to_owned();
-            return Err(at_line(&shown, end.line, what, "leave the radius empty there"));
+            return Err(shown.error(end.line, what, "leave the radius empty there"));
         }
     }
 
@@ -95,7 +76,7 @@ pub(super) fn convert(
         let radii: Vec<f64> = rows.iter().map(|row| row.radius.or(radius).unwrap_or(0.0)).collect();
         let pieces = fillet(&points, &radii).map_err(|FilletTooLarge { vertex, at, radius, largest }| {
             let what = format!("a fillet of {radius} mm does not fit at {}: at most {largest:.4} mm", place_of(at));
-            at_line(&shown, rows[vertex].line, what, "make it smaller, or move the points beside it further away")
+            shown.error(rows[vertex].line, what, "make it smaller, or move the points beside it further away")
         })?;
         Profile::new(pieces).map_err(|error| shop.source.error(key, format!("{file}: {error}"), "check the points"))?
     } else {
@@ -132,66 +113,21 @@ fn distinct(rows: Vec<Row>, file: &str, derived: &mut Vec<String>) -> Vec<Row> {
     kept
 }
 
-/// An error at a line of a file.
-fn at_line(text: &Text, line: usize, what: String, help: impl Into<String>) -> CaseError {
-    let inner = text.shown.inner();
-    let start = inner.split_inclusive('\n').take(line - 1).map(str::len).sum::<usize>();
-    let length = inner[start..].lines().next().map_or(0, str::len);
-    let label = format!("line {line} of {}", text.key);
-    CaseError::at(text.shown.clone(), start..start + length, what, label, help.into())
-}
-
 /// Which columns hold what, and the factors to mm.
 struct Columns {
     r: (usize, f64),
     z: (usize, f64),
     radius: Option<(usize, f64)>,
-    count: usize,
 }
 
-fn read(text: &Text, geometry: Geometry) -> Result<Vec<Row>, CaseError> {
-    let mut reader = csv::ReaderBuilder::new()
-        .comment(Some(b'#'))
-        .trim(csv::Trim::All)
-        .flexible(true)
-        .has_headers(false)
-        .from_reader(text.shown.inner().as_bytes());
-    let mut columns = None;
-    let mut rows = Vec::new();
-    for record in reader.records() {
-        let record = record.map_err(|error| {
-            let line = error.position().map_or(1, |p| p.line() as usize);
-            at_line(text, line, format!("this is not CSV: {error}"), EXAMPLE)
-        })?;
-        let line = line_of(&record, text.shown.inner());
-        match &columns {
-            None => columns = Some(header(&record, line, text, geometry)?),
-            Some(columns) => rows.push(row(&record, columns, line, text, geometry)?),
-        }
-    }
-    match columns {
-        Some(_) => Ok(rows),
-        None => Err(at_line(text, 1, "the profile file is empty".into(), EXAMPLE)),
-    }
+fn read(text: &Lines, geometry: Geometry) -> Result<Vec<Row>, CaseError> {
+    let (first, rows) = text.records(EXAMPLE)?;
+    let columns = header(&first, text, geometry)?;
+    rows.iter().map(|record| row(record, &columns, text, geometry)).collect()
 }
 
-/// The line that a record stands in: its position is that of the comments before it.
-fn line_of(record: &StringRecord, text: &str) -> usize {
-    let from = record.position().map_or(1, |p| p.line() as usize).max(1);
-    let skipped = |line: &str| line.trim().is_empty() || line.starts_with('#');
-    from + text.lines().skip(from - 1).take_while(|line| skipped(line)).count()
-}
-
-fn header(record: &StringRecord, line: usize, text: &Text, geometry: Geometry) -> Result<Columns, CaseError> {
-    let fail = |what: String, help: &str| Err(at_line(text, line, what, help));
-    if let Some(separator) = record.iter().flat_map(str::chars).find(|c| matches!(c, ';' | '\t')) {
-        let name = if separator == ';' { "semicolons" } else { "tabs" };
-        let help = "separate columns by commas and write decimals with a point: r_mm,z_mm and 30.5,-6 below it";
-        return fail(format!("the columns are separated by {name}"), help);
-    }
-    if record.iter().all(|field| field.parse::<f64>().is_ok()) {
-        return fail("the first line must name the columns, found numbers".into(), EXAMPLE);
-    }
+fn header(Record { line, fields: record }: &Record, text: &Lines, geometry: Geometry) -> Result<Columns, CaseError> {
+    let fail = |what: String, help: &str| Err(text.error(*line, what, help));
     let (mut r, mut z, mut radius) = (None, None, None);
     for (i, field) in record.iter().enumerate() {
         let name = field.split('_').next().unwrap_or("");
@@ -224,34 +160,18 @@ fn header(record: &StringRecord, line: usize, text: &Text, geometry: Geometry) -
     let missing = |name: &str| format!("there is no column for {name}; found {}", found.join(", "));
     let first = if geometry == Geometry::PlaneStrain { "x" } else { "r" };
     match (r, z) {
-        (Some(r), Some(z)) => Ok(Columns { r, z, radius, count: record.len() }),
+        (Some(r), Some(z)) => Ok(Columns { r, z, radius }),
         (None, _) => fail(missing(first), &format!("name it {first}_mm")),
         (_, None) => fail(missing("z"), "name it z_mm"),
     }
 }
 
-fn row(
-    record: &StringRecord,
-    columns: &Columns,
-    line: usize,
-    text: &Text,
-    geometry: Geometry,
-) -> Result<Row, CaseError> {
-    let fail = |what: String, help: &str| at_line(text, line, what, help);
-    if record.len() > columns.count {
-        let what = format!("{} numbers stand under {} columns", record.len(), columns.count);
-        return Err(fail(what, "write decimals with a point, not a comma: 30.5"));
-    }
+fn row(record: &Record, columns: &Columns, text: &Lines, geometry: Geometry) -> Result<Row, CaseError> {
+    let line = record.line;
+    let fail = |what: String, help: &str| text.error(line, what, help);
     let number = |(column, factor): (usize, f64)| -> Result<Option<f64>, CaseError> {
-        let field = record.get(column).unwrap_or("");
-        if field.is_empty() {
-            return Ok(None);
-        }
-        let help = match field.contains(',') {
-            true => "write decimals with a point, not a comma: 30.5",
-            false => "write a plain number; its unit stands in the header",
-        };
-        let value: f64 = field.parse().map_err(|_| fail(format!("\"{field}\" is not a number"), help))?;
+        let Some(value) = text.number(record, column)? else { return Ok(None) };
+        let field = record.fields.get(column).unwrap_or("");
         let length = Length::checked(value * factor, field);
         length.map(|length| Some(length.value())).map_err(|error| fail(error.to_string(), "check the header's unit"))
     };

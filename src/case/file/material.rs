@@ -1,7 +1,7 @@
 //! `[material]` and one table per hardening law.
 
-use super::Rate;
-use crate::quantity::{Fraction, NonNegative, Number, Positive, Stress};
+use super::{Rate, Softening, Voids};
+use crate::quantity::{Fraction, NonNegative, Number, Positive, Stress, Temperature};
 use schemars::JsonSchema;
 use serde::Deserialize;
 
@@ -21,6 +21,10 @@ pub struct Material {
     pub anisotropy: Option<Positive<Number>>,
     /// Strain-rate dependence; none when not given. The punch's `speed` then matters.
     pub rate: Option<Rate>,
+    /// Dependence on the temperature; none when not given. `[heat]` says what the temperature is.
+    pub softening: Option<Softening>,
+    /// Microscopic voids; none when not given.
+    pub voids: Option<Voids>,
     /// Exactly one law, such as `[material.hardening.swift]`.
     #[serde(default)]
     pub hardening: Hardening,
@@ -36,6 +40,7 @@ pub struct Hardening {
     pub voce: Option<Voce>,
     pub table: Option<Table>,
     pub piecewise_power: Option<PiecewisePower>,
+    pub isotherms: Option<Isotherms>,
 }
 
 /// σ = k (offset + ε)^n.
@@ -124,6 +129,30 @@ pub enum Beyond {
     Hold,
     /// Goes on along the last two points.
     Slope,
+}
+
+/// Measured points at several temperatures, interpolated straight over the temperature.
+///
+/// Valid between the coldest and the hottest curve; beyond them these are held.
+/// Source: each curve as `table`.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Isotherms {
+    /// At rising temperatures.
+    pub curves: Vec<Isotherm>,
+    /// What the curves do beyond their last point: a choice that has to be made.
+    #[schemars(example = &"slope")]
+    pub extrapolation: Beyond,
+}
+
+/// One curve.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Isotherm {
+    #[schemars(example = "150 °C")]
+    pub temperature: Positive<Temperature>,
+    /// Pairs of strain and stress, the first at strain 0: `[[0, "90 MPa"], [0.1, "170 MPa"]]`.
+    pub points: Vec<(NonNegative<Number>, Positive<Stress>)>,
 }
 
 /// σ = initial + k ε^n with other constants on each range of strain.

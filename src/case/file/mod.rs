@@ -6,22 +6,30 @@
 mod compare;
 mod friction;
 mod gas;
+mod heat;
 mod history;
 mod material;
 mod rate;
 mod section;
+mod softening;
 mod solver;
 mod tools;
+mod voids;
 
 pub use compare::{Compare, ComparedQuantity};
 pub use friction::{Friction, FrictionLaw, PressureDependent, Sides, Stribeck, Tresca};
 pub use gas::{Gas, GasFace};
+pub use heat::{Heat, InitialTemperature, ToolHeat, Zones};
 pub use history::Given;
-pub use material::{Beyond, Branch, Hardening, Hollomon, Ludwik, Material, PiecewisePower, Swift, Table, Voce};
+pub use material::{
+    Beyond, Branch, Hardening, Hollomon, Isotherm, Isotherms, Ludwik, Material, PiecewisePower, Swift, Table, Voce,
+};
 pub use rate::{CowperSymonds, JohnsonCook, PowerRate, Rate};
 pub use section::{ProfileStep, Section, SectionTable, ToolName, Turn};
+pub use softening::{Arrhenius, Exponential, Melting, Softening};
 pub use solver::{ContactMethod, Iteration, Norm, Output, Solver, Stop};
 pub use tools::{Bead, Crowned, Die, Flat, Hemispherical, Holder, HolderForce, Punch, Spring, Stiffness, Tools};
+pub use voids::{Coalescence, Nucleation, Voids};
 
 use crate::quantity::{Length, Positive};
 use schemars::JsonSchema;
@@ -47,6 +55,7 @@ pub struct CaseFile {
     #[serde(default)]
     pub friction: Sides,
     pub gas: Option<Gas>,
+    pub heat: Option<Heat>,
     #[serde(default)]
     pub solver: Solver,
     #[serde(default)]

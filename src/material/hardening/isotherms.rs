@@ -1,6 +1,7 @@
 //! Hardening curves measured at several temperatures.
 
 use super::{FlowStress, LawError, Table, require};
+use crate::quantity::{ZERO_CELSIUS, rounded};
 
 /// σ_y(ε̄, T): one [`Table`] per temperature, in between interpolated straight over the temperature, held beyond the
 /// coldest and the hottest.
@@ -57,7 +58,7 @@ impl Isotherms {
     }
 
     pub(super) fn describe(&self) -> String {
-        let [cold, hot] = self.range().map(|t| crate::quantity::rounded(t - 273.15));
+        let [cold, hot] = self.range().map(|t| rounded(t - ZERO_CELSIUS));
         format!(
             "{} hardening curves from {cold} to {hot} °C, the coldest a {}",
             self.curves.len(),

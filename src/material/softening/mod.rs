@@ -8,10 +8,8 @@ pub use arrhenius::Arrhenius;
 pub use exponential::Exponential;
 pub use johnson_cook::Melting;
 
+use crate::quantity::{ZERO_CELSIUS, rounded};
 use std::fmt;
-
-/// 0 °C \[K\].
-pub const ZERO_CELSIUS: f64 = 273.15;
 
 /// A softening law; temperatures in K.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -45,10 +43,10 @@ impl Softening {
 impl fmt::Display for Softening {
     /// The factor as a formula with numbers, in °C.
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
-        let celsius = |kelvin: f64| crate::quantity::rounded(kelvin - ZERO_CELSIUS);
+        let celsius = |kelvin: f64| rounded(kelvin - ZERO_CELSIUS);
         match self {
             Self::JohnsonCook(l) => {
-                let (from, span) = (celsius(l.reference), crate::quantity::rounded(l.melting - l.reference));
+                let (from, span) = (celsius(l.reference), rounded(l.melting - l.reference));
                 write!(f, "[1 − ((T − {from} °C)/{span} K)^{}]", l.exponent)
             }
             Self::Exponential(l) => write!(f, "exp(−{} /K (T − {} °C))", l.coefficient, celsius(l.reference)),

@@ -29,6 +29,13 @@ use crate::material::flow::{Metric, Triple, YieldCondition, dot};
 const ROOT: f64 = 1e-14;
 const MOST_ROOTS: usize = 60;
 
+/// sinh and cosh by one exponential; beside 1 it does not matter that a tiny sinh loses digits.
+#[inline]
+fn hyperbolic(x: f64) -> (f64, f64) {
+    let e = x.exp();
+    (0.5 * (e - 1.0 / e), 0.5 * (e + 1.0 / e))
+}
+
 /// The yield condition of one point.
 #[derive(Clone, Copy, Debug)]
 pub struct Voided {
@@ -81,7 +88,7 @@ impl Voided {
         let mut m = along.abs() / whole.sqrt();
         let (mut x, mut y) = (0.0, 0.0);
         for _ in 0..MOST_ROOTS {
-            let (sinh, cosh) = ((0.5 * q2 * m).sinh(), (0.5 * q2 * m).cosh());
+            let (sinh, cosh) = hyperbolic(0.5 * q2 * m);
             x = m + c * q1f * q2 * sinh;
             y = self.top - 2.0 * q1f * cosh - m * m / (2.0 * c);
             let slope = -m2 * (q1f * q2 * sinh + m / c) - 2.0 * e2 * x * (1.0 + 0.5 * c * q1f * q2 * q2 * cosh);
@@ -94,7 +101,7 @@ impl Voided {
         // From whichever equation is the better one.
         let kappa = if m2 > e2 { x / along.abs() } else { (y.max(0.0) / across).sqrt() };
         let m = m.copysign(along);
-        let growth = c * q1f * q2 * (0.5 * q2 * m).sinh();
+        let growth = c * q1f * q2 * hyperbolic(0.5 * q2 * m).0;
         Place { m, kappa, along, across, growth, dissipation: kappa * across + m * along / (2.0 * c) }
     }
 
@@ -118,7 +125,7 @@ impl YieldCondition for Voided {
         let deviation = [a[0] - 0.5 * along, a[1] - 0.5 * along, a[2]]; // A_d Δε
         let s = [kappa * deviation[0] + 0.5 * m, kappa * deviation[1] + 0.5 * m, kappa * deviation[2]];
         // ∂²(½D²)/∂Δε², from the radius of curvature of Φ = 0 in the plane of the two parts.
-        let bend = 2.0 * self.q1f * self.q2 * self.q2 * c * c * (0.5 * self.q2 * m).cosh() + 4.0 * c;
+        let bend = 2.0 * self.q1f * self.q2 * self.q2 * c * c * hyperbolic(0.5 * self.q2 * m).1 + 4.0 * c;
         let radius = d * kappa / (2.0 * along * along + bend * across);
         let q = m / (2.0 * c);
         let plain = d * kappa;

@@ -4,8 +4,10 @@ use super::*;
 use crate::element::Geometry;
 use crate::geometry::Profile;
 use crate::material::hardening::Swift;
-use crate::material::{Hardening, Material};
-use crate::model::{Bead, Blank, Face, Gas, Grading, Iteration, Press, Pressure, RateControl, Role, Settings, Tool};
+use crate::material::{Anisotropy, Hardening, Material, Rate, Softening, Voids};
+use crate::model::{
+    Bead, Blank, Face, Gas, Grading, Heat, Iteration, Press, Pressure, RateControl, Role, Settings, Tool,
+};
 
 fn model(geometry: Geometry, theory: Theory) -> Model {
     let t = 1.0;
@@ -36,6 +38,7 @@ fn model(geometry: Geometry, theory: Theory) -> Model {
         ],
         beads: vec![Bead { at: 21.0, restraining: 20.0, closing: 5.0 }],
         gas: vec![Gas { face: Face::Upper, pressure: 3.0.into(), within: 15.0 }],
+        heat: None,
         travel: 6.0,
         speed: 1.0,
         duration: 6.0,
@@ -65,11 +68,31 @@ fn matrix_is_the_derivative_of_the_residual() {
     }
 }
 
+/// Trust: as above, for a porous sheet with a rate, r̄ and a softening law at 150 °C.
+#[test]
+fn matrix_of_a_voided_warm_sheet_is_the_derivative_of_the_residual() {
+    for theory in [Theory::Bending, Theory::Membrane] {
+        let mut voided = model(Geometry::Axisymmetric, theory);
+        voided.material.voids = Some(Voids { q1: 1.5, q3: 2.25, ..Voids::gurson(0.03) });
+        voided.material.anisotropy = Anisotropy::new(1.4);
+        voided.material.rate = Rate::examples().into_iter().map(|(_, law)| law).next();
+        voided.material.softening = Softening::examples().into_iter().map(|(_, law)| law).next();
+        voided.heat = Some(Heat { initial: 423.15.into(), flow: None });
+        let mut formed = voided.clone();
+        formed.settings.iteration = Iteration::PrimalDual;
+        let flat = State::flat(&formed, crate::mesh::nodes(&formed));
+        let (run, state) = crate::solver::run_from(&formed, flat, &mut ());
+        assert!(run.stop.is_complete(), "{}", run.stop);
+        assert!(state.layers.iter().any(|point| point.porosity > 0.03));
+        check(&voided, &state);
+    }
+}
+
 fn check(model: &Model, state: &State) {
     let dt = 0.05;
     let mut work = Workspace::new(model, state);
-    work.begin(model, state);
     let step = Step { model, state, dt, number: 2 };
+    work.begin(&step);
     work.predict(&step, false);
     for (i, x) in work.moves.iter_mut().enumerate() {
         let wave = (i as f64 * 1.7).sin();

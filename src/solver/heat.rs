@@ -1,0 +1,112 @@
+//! The sheet's temperature over a step, after its equilibrium has been found.
+//!
+//! ```text
+//! ρ c V (T′ − T) = β W + Δt Σ h A (T_tool − T′) + Δt Σ (k S/l) (T′_next − T′)
+//! ```
+//!
+//! with an element's plastic work W, the area A on which a tool touches it, and the section S and distance l towards its
+//! neighbours. It is backward Euler on finite volumes: it cannot oscillate, and the heat balance closes to round-off.
+//! Through the thickness the temperature is one: metal sheet evens it out in milliseconds. The next step is computed at
+//! the temperature that this one has left.
+//!
+//! # References
+//! β: G. I. Taylor, H. Quinney, Proc. R. Soc. London A 143 (1934) 307–326 (not read).
+
+use super::assembly::Workspace;
+use crate::model::{Geometry, HeatFlow, Model, ToolHeat};
+use crate::record::Heat;
+use crate::state::State;
+use std::f64::consts::TAU;
+
+/// The tridiagonal system of the elements' temperatures, and what the tools do.
+pub(super) struct HeatSolver<'a> {
+    flow: &'a HeatFlow,
+    geometry: Geometry,
+    /// Every tool's index among the model's, where it heats or cools.
+    tools: Vec<(usize, ToolHeat)>,
+    diagonal: Vec<f64>,
+    /// Towards the next element.
+    off: Vec<f64>,
+    rhs: Vec<f64>,
+    /// Δt Σ h A \[mJ/K\] and Δt Σ h A T_tool \[mJ\] of every element.
+    exchange: Vec<[f64; 2]>,
+}
+
+impl<'a> HeatSolver<'a> {
+    /// `None` where the temperature stays.
+    pub fn new(model: &'a Model, work: &Workspace) -> Option<Self> {
+        let flow = model.heat.as_ref()?.flow.as_ref()?;
+        let index = |role| model.tools.iter().position(|tool| tool.role == role);
+        let tools = flow.tools.iter().filter_map(|tool| Some((index(tool.role)?, *tool))).collect();
+        let n = work.thickness.len();
+        Some(Self {
+            flow,
+            geometry: model.geometry,
+            tools,
+            diagonal: vec![0.0; n],
+            off: vec![0.0; n],
+            rhs: vec![0.0; n],
+            exchange: vec![[0.0; 2]; n],
+        })
+    }
+
+    /// Brings the temperatures of `state`, at the end of a step, up to date; `plastic` is each element's plastic work.
+    pub fn advance(&mut self, work: &Workspace, plastic: &[f64], state: &mut State, dt: f64) -> Heat {
+        let n = plastic.len();
+        self.meet_tools(work, dt);
+        for e in 0..n {
+            let stored = self.flow.capacity * state.volume[e];
+            let [by_tools, heat] = self.exchange[e];
+            self.diagonal[e] = stored + by_tools;
+            self.rhs[e] = stored * state.temperature[e] + self.flow.plastic_share * plastic[e] + heat;
+            self.off[e] = 0.0;
+        }
+        if self.flow.conductivity > 0.0 {
+            for e in 1..n {
+                let [a, b, c] = [state.nodes[e - 1], state.nodes[e], state.nodes[e + 1]];
+                let distance = 0.5 * ((b[0] - a[0]).hypot(b[1] - a[1]) + (c[0] - b[0]).hypot(c[1] - b[1]));
+                let width = if self.geometry == Geometry::Axisymmetric { TAU * b[0] } else { 1.0 };
+                let conducted = dt * self.flow.conductivity * width * state.thickness_at(e) / distance;
+                self.off[e - 1] = -conducted;
+                self.diagonal[e - 1] += conducted;
+                self.diagonal[e] += conducted;
+            }
+        }
+        let before: f64 = (0..n).map(|e| self.flow.capacity * state.volume[e] * state.temperature[e]).sum();
+        self.solve(&mut state.temperature);
+        let after: f64 = (0..n).map(|e| self.flow.capacity * state.volume[e] * state.temperature[e]).sum();
+        let tools = self.exchange.iter().zip(&state.temperature).map(|([by, heat], t)| heat - by * t).sum();
+        Heat { plastic: self.flow.plastic_share * plastic.iter().sum::<f64>(), tools, stored: after - before }
+    }
+
+    /// What every tool exchanges with the elements whose nodes it touches, each by its part of the node's area.
+    fn meet_tools(&mut self, work: &Workspace, dt: f64) {
+        let n = self.exchange.len();
+        self.exchange.fill([0.0; 2]);
+        for &(j, tool) in &self.tools {
+            for e in 0..n {
+                for (node, area) in [e, e + 1].into_iter().zip(work.tributary(e)) {
+                    if work.in_contact(&work.contacts[j * (n + 1) + node]) {
+                        let exchanged = dt * tool.transfer * area;
+                        self.exchange[e][0] += exchanged;
+                        self.exchange[e][1] += exchanged * tool.temperature;
+                    }
+                }
+            }
+        }
+    }
+
+    /// Elimination without pivoting: the matrix is symmetric and diagonally dominant.
+    fn solve(&mut self, temperature: &mut [f64]) {
+        let n = temperature.len();
+        for e in 1..n {
+            let factor = self.off[e - 1] / self.diagonal[e - 1];
+            self.diagonal[e] -= factor * self.off[e - 1];
+            self.rhs[e] -= factor * self.rhs[e - 1];
+        }
+        for e in (0..n).rev() {
+            let next = if e + 1 < n { self.off[e] * temperature[e + 1] } else { 0.0 };
+            temperature[e] = (self.rhs[e] - next) / self.diagonal[e];
+        }
+    }
+}
