@@ -155,6 +155,37 @@ pub struct RateControl {
     pub target: f64,
     /// q: 1 is the mean over the sheet's volume, a large one the fastest place \[–\].
     pub exponent: f64,
+    /// Largest pressure \[MPa\] and fastest rise of it \[MPa/s\] that the press gives; infinite where nothing is said.
+    pub max_pressure: f64,
+    pub max_rise: f64,
+}
+
+impl RateControl {
+    /// A target and a norm, and a press that gives any pressure.
+    pub fn new(target: f64, exponent: f64) -> Self {
+        Self { target, exponent, max_pressure: f64::INFINITY, max_rise: f64::INFINITY }
+    }
+
+    /// What the pressure may come to at the end of a step of `dt` \[s\] that it begins with `before` \[MPa\], and which cap
+    /// says so; `None` where there is no cap.
+    pub fn cap(&self, before: f64, dt: f64) -> Option<(f64, PressureCap)> {
+        let risen = before + self.max_rise * dt;
+        let (cap, which) = if self.max_pressure <= risen {
+            (self.max_pressure, PressureCap::Largest)
+        } else {
+            (risen, PressureCap::Rise)
+        };
+        cap.is_finite().then_some((cap, which))
+    }
+}
+
+/// What the press cannot go beyond.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum PressureCap {
+    /// Its largest pressure.
+    Largest,
+    /// Its fastest rise of the pressure.
+    Rise,
 }
 
 impl Pressure {
@@ -204,11 +235,13 @@ pub struct StopRules {
     pub localised: bool,
     /// Ends when the load has fallen by this share of its maximum \[–\].
     pub load_drop: Option<f64>,
+    /// Ends when this share of the sheet's area lies on the punch or the die \[–\].
+    pub contact_share: Option<f64>,
 }
 
 impl Default for StopRules {
     fn default() -> Self {
-        Self { localised: true, load_drop: None }
+        Self { localised: true, load_drop: None, contact_share: None }
     }
 }
 
@@ -312,6 +345,14 @@ impl Model {
     /// The tool of a role, where there is one.
     pub fn tool(&self, role: Role) -> Option<&Tool> {
         self.tools.iter().find(|t| t.role == role)
+    }
+
+    /// The strain rate that a gas pressure holds, where one does.
+    pub fn rate_control(&self) -> Option<&RateControl> {
+        self.gas.iter().find_map(|gas| match &gas.pressure {
+            Pressure::Rate(control) => Some(control),
+            Pressure::History(_) => None,
+        })
     }
 
     /// Sets another punch travel \[mm\] at the same speed; the state is kept at its end only.

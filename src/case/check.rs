@@ -116,7 +116,13 @@ fn tools(model: &Model, lines: &mut Vec<Line>) {
                 line("gas pressure", format!("{}", history.largest()), format!("MPa at most {place}"))
             }
             Pressure::Rate(control) => {
-                let norm = format!("1/s held by the pressure (norm with q = {})", control.exponent);
+                let mut norm = format!("1/s held by the pressure (norm with q = {})", control.exponent);
+                if control.max_pressure.is_finite() {
+                    norm += &format!(", {} MPa at most", rounded(control.max_pressure));
+                }
+                if control.max_rise.is_finite() {
+                    norm += &format!(", {} MPa/s at most", rounded(control.max_rise));
+                }
                 line("strain rate", format!("{}", control.target), format!("{norm} {place}"))
             }
         });

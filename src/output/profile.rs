@@ -37,6 +37,6 @@ pub fn last(geometry: Geometry, frames: &[Frame]) -> Table {
     table(geometry, &frames[frames.len().saturating_sub(1)..])
 }
 
-pub(super) fn of(subject: &Subject) -> Table {
-    table(subject.model.geometry, &subject.run.frames)
+pub(super) fn of(subject: &Subject) -> Option<Table> {
+    Some(table(subject.model.geometry, &subject.run.frames))
 }

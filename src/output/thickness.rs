@@ -1,7 +1,7 @@
 //! Thickness over the blank, one curve per kept frame.
 
 use super::chart::{Chart, Look, Panel, Scale, Series};
-use super::{Subject, profile, progress, shown, travel};
+use super::{Subject, profile, progress, reached, shown};
 
 /// Least height of the axis over the initial thickness: thinner differences are noise or nothing to look at [–].
 const LEAST: f64 = 0.02;
@@ -14,7 +14,7 @@ pub(super) fn plot(subject: &Subject) -> Option<Chart> {
         .enumerate()
         .map(|(i, frame)| {
             let points = profile::table(model.geometry, std::slice::from_ref(frame)).pairs("s0", "thickness");
-            Series::new(travel(frame), points, Look::curve(i))
+            Series::new(reached(model, frame), points, Look::curve(i))
         })
         .collect();
     Some(Chart {

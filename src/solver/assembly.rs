@@ -11,7 +11,7 @@ use crate::element::lobatto::{self, Layer};
 use crate::element::section::Law;
 use crate::geometry::Point;
 use crate::material::flow::{FlowLaw, Iterate, Response};
-use crate::model::{Edge, Iteration, Model, Motion, Pressure, Role, Theory};
+use crate::model::{Edge, Iteration, Model, Motion, Pressure, PressureCap, Role, Theory};
 use crate::state::State;
 use nalgebra::Vector3;
 
@@ -72,6 +72,9 @@ pub(super) struct Workspace {
     pub(super) gas_shared: Vec<Option<usize>>,
     /// Norm of the strain rate that a pressure holds, over its target \[–\].
     pub(super) held_norm: f64,
+    /// The cap that this pressure sits on, and by what share it misses or exceeds it \[–\].
+    pub(super) on_cap: Option<PressureCap>,
+    pub(super) beyond_cap: f64,
     /// Rows of the membrane strains Δε_s, Δε_θ by r, z of both nodes, of every element.
     pub(super) membrane_rows: Vec<[[f64; 4]; 2]>,
     /// Force of the gas on every node \[N, or N/mm\].
@@ -156,6 +159,8 @@ impl Workspace {
             gas_pressure: state.gas.clone(),
             gas_shared,
             held_norm: 0.0,
+            on_cap: None,
+            beyond_cap: 0.0,
             membrane_rows: vec![[[0.0; 4]; 2]; if holds_rate { elements } else { 0 }],
             cutoff: 0.0,
             softening: 1.0,

@@ -12,6 +12,8 @@ const LARGEST_MOVE: f64 = 0.5;
 const LARGEST_TURN: f64 = 0.3;
 /// The velocity norm alone can accept a wrong force; it also asks for a residual below this share of the largest force \[–\].
 const LOOSE_RESIDUAL: f64 = 0.01;
+/// Share by which a pressure may miss or exceed the cap that it sits on \[–\]: its equation is linear, so this is round-off.
+const CAP: f64 = 1e-10;
 /// The secant matrix converges linearly and gets this many times the iterations.
 const SECANT_PATIENCE: usize = 10;
 
@@ -54,6 +56,7 @@ pub(super) fn correct(
             Norm::Residual => small(outcome.residual_norm),
             Norm::Both => small(outcome.velocity_norm) && small(outcome.residual_norm),
         };
+        outcome.converged &= work.beyond_cap <= CAP;
         if outcome.converged || outcome.iterations == most || !work.system.solve() {
             return outcome;
         }

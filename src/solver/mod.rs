@@ -105,7 +105,7 @@ pub fn run_from(model: &Model, mut state: State, observer: &mut dyn Observer) ->
             break;
         }
     }
-    if !run.stop.is_complete() && last.step > 0 && run.frames.last().is_none_or(|f| f.time < state.time) {
+    if last.step > 0 && run.frames.last().is_none_or(|f| f.time < state.time) {
         run.frames.push(state.frame(model));
     }
     run.abandoned = rejected;

@@ -73,6 +73,9 @@ impl StopWatch {
         if self.throat.is_some_and(|throat| state.nodes[state.nodes.len() - 1][0] <= throat) {
             return Some(Stop::DrawnThrough { travel });
         }
+        if let Some(asked) = model.stop.contact_share.filter(|asked| record.contact_share >= *asked) {
+            return Some(Stop::ContactShare { share: record.contact_share, asked, time: state.time, travel });
+        }
         self.peak = self.peak.max(record.punch_force);
         let drop = 1.0 - record.punch_force / self.peak;
         if self.peak > 0.0 && model.stop.load_drop.is_some_and(|limit| drop >= limit) {
