@@ -331,7 +331,9 @@ pub struct Model {
     pub gas: Vec<Gas>,
     /// Punch travel of the whole run \[mm\]; 0 without a punch.
     pub travel: f64,
-    /// Punch speed, or, without a punch, the speed that counts as that of the process \[mm/s\].
+    /// Punch travel over time \[mm over s\], rising from 0 at 0 to the whole travel; `None` at a constant speed.
+    pub schedule: Option<History>,
+    /// Punch speed, the mean one where it changes; without a punch, the speed that counts as that of the process \[mm/s\].
     pub speed: f64,
     /// Time that the run takes \[s\].
     pub duration: f64,
@@ -355,16 +357,58 @@ impl Model {
         })
     }
 
-    /// Sets another punch travel \[mm\] at the same speed; the state is kept at its end only.
+    /// Sets another punch travel \[mm\] at the same speed, or along the same history, whose last speed goes on where it is
+    /// too short; the state is kept at its end only.
     pub fn drive_to(&mut self, travel: f64) {
         self.travel = travel;
-        self.duration = travel / self.speed;
+        if let Some(schedule) = &mut self.schedule {
+            *schedule = schedule.up_to(travel);
+            self.duration = schedule.reaches(travel);
+            self.speed = travel / self.duration;
+        } else {
+            self.duration = travel / self.speed;
+        }
         self.frames = vec![self.duration];
     }
 
-    /// Punch travel after a time \[s\].
+    /// Punch travel \[mm\] at a time of the run \[s\].
     pub fn travel_at(&self, time: f64) -> f64 {
-        self.travel * (time / self.duration)
+        match &self.schedule {
+            Some(schedule) => schedule.at(time),
+            None => self.travel * (time / self.duration),
+        }
+    }
+
+    /// Time of the run \[s\] at a punch travel \[mm\].
+    pub fn time_at(&self, travel: f64) -> f64 {
+        match &self.schedule {
+            Some(schedule) => schedule.reaches(travel),
+            None => travel / self.speed,
+        }
+    }
+
+    /// How long the part of the run from `time` on that takes `dt` \[s\] would take at the mean speed \[s\]: what the length
+    /// of a step is measured in, so that a punch that changes its speed goes equal ways in equal steps.
+    pub fn nominal(&self, time: f64, dt: f64) -> f64 {
+        match &self.schedule {
+            Some(schedule) => self.duration * (schedule.at(time + dt) - schedule.at(time)) / self.travel,
+            None => dt,
+        }
+    }
+
+    /// Length \[s\] of the part from `time` on that would take `nominal` \[s\] at the mean speed.
+    pub fn real(&self, time: f64, nominal: f64) -> f64 {
+        match &self.schedule {
+            Some(schedule) => schedule.reaches(schedule.at(time) + self.travel * nominal / self.duration) - time,
+            None => nominal,
+        }
+    }
+
+    /// Time after `time` at which the punch next changes its speed \[s\]; infinite where it does not.
+    pub fn next_change(&self, time: f64) -> f64 {
+        let changes = self.schedule.iter().flat_map(|schedule| schedule.points());
+        let after = time + 1e-12 * self.duration;
+        changes.map(|p| p.0).find(|t| *t > after).unwrap_or(f64::INFINITY)
     }
 }
 

@@ -97,7 +97,7 @@ pub(super) fn correct(
         outcome.velocity_norm = if cut < 1.0 { f64::INFINITY } else { velocity_norm };
         observer.iteration(&IterationRecord {
             step: number,
-            travel: state.travel + model.travel_at(dt),
+            travel: model.travel_at(state.time + dt),
             iteration: outcome.iterations,
             velocity_norm,
             residual_norm: outcome.residual_norm,

@@ -21,7 +21,7 @@ impl Workspace {
         let model = step.model;
         let n = self.nodes.len();
         let t0 = model.blank.thickness;
-        let slow = model.settings.slip_speed * model.speed * step.dt;
+        let slow = model.settings.slip_speed * model.speed * model.nominal(step.state.time, step.dt);
         let rim = model.blank.length - StepRecord::RIM * t0;
 
         let (mut touching, mut sticking, mut flips) = (0_usize, 0_usize, 0_usize);

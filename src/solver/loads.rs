@@ -89,8 +89,8 @@ impl Workspace {
     }
 
     /// Restraint of the beads against the sheet's move along the flange, regularised like friction.
-    pub(super) fn restrain(&mut self, model: &Model, dt: f64) {
-        let scale = model.settings.slip_speed * model.speed * dt;
+    pub(super) fn restrain(&mut self, model: &Model, state: &State, dt: f64) {
+        let scale = model.settings.slip_speed * model.speed * model.nominal(state.time, dt);
         for (place, bead) in self.beads.iter_mut().zip(&model.beads) {
             let Some(place) = place else { continue };
             let [a, b] = [place.element, place.element + 1];

@@ -55,7 +55,7 @@ impl StopWatch {
 
     /// Time at which punch and die are closed \[s\], where they ever are.
     pub fn closes_at(&self, model: &Model) -> Option<f64> {
-        self.closed.map(|(travel, _)| travel / model.speed)
+        self.closed.map(|(travel, _)| model.time_at(travel))
     }
 
     /// The end of a run whose steps fail while one place takes over: shorter steps would only follow it further.
@@ -83,7 +83,9 @@ impl StopWatch {
         }
         let neck = neck(model, state, Some(thickness));
         self.necking_since = if neck.took_over { self.necking_since.or(Some(state.time)) } else { None };
-        let lasted = self.necking_since.is_some_and(|since| state.time - since >= LASTING * model.duration);
+        let lasted = self
+            .necking_since
+            .is_some_and(|since| model.nominal(since, state.time - since) >= LASTING * model.duration);
         (model.stop.localised && (lasted || neck.share < GONE)).then(|| localised(model, state, &neck))
     }
 }

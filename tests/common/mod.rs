@@ -46,6 +46,7 @@ pub fn model(geometry: Geometry) -> Model {
         beads: vec![],
         gas: vec![],
         travel: TRAVEL,
+        schedule: None,
         speed: 1.0,
         duration: TRAVEL,
         stop: StopRules::default(),

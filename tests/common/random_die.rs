@@ -166,6 +166,7 @@ pub fn random_die(seed: u64) -> RandomDie {
         gas: vec![],
         travel,
         speed: 1.0,
+        schedule: None,
         duration: travel,
         stop: StopRules::default(),
         frames: vec![travel],

@@ -1,6 +1,6 @@
 //! `[solver]`, `[stop]` and `[output]`.
 
-use super::{Drive, count};
+use super::{count, motion::Drive};
 use crate::case::file::{self, ContactMethod, Iteration, Norm};
 use crate::case::{CaseError, source::Source};
 use crate::model::{self, Role, Settings, StopRules, Tool};
@@ -92,7 +92,7 @@ const CLOSEST: f64 = 1e-6;
 
 /// Times at which the state is kept [s], rising, the last one the end of the run.
 pub(super) fn frames(file: &file::Output, drive: &Drive, source: &Source) -> Result<Vec<f64>, CaseError> {
-    let Drive { travel, speed, duration } = *drive;
+    let Drive { travel, duration, .. } = *drive;
     let Some(list) = &file.frames else {
         let n = count(source, "output.count", file.count.unwrap_or(4), 1..=1000)?;
         return Ok((1..n).map(|i| duration * i as f64 / n as f64).chain([duration]).collect());
@@ -124,5 +124,5 @@ pub(super) fn frames(file: &file::Output, drive: &Drive, source: &Source) -> Res
         }
         before = frame;
     }
-    Ok(frames.into_iter().map(|f| f / speed).chain([duration]).collect())
+    Ok(frames.into_iter().map(|f| drive.time_at(f)).chain([duration]).collect())
 }

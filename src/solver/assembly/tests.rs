@@ -37,6 +37,7 @@ fn model(geometry: Geometry, theory: Theory) -> Model {
         beads: vec![Bead { at: 21.0, restraining: 20.0, closing: 5.0 }],
         gas: vec![Gas { face: Face::Upper, pressure: 3.0.into(), within: 15.0 }],
         travel: 6.0,
+        schedule: None,
         speed: 1.0,
         duration: 6.0,
         stop: Default::default(),
