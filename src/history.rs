@@ -31,6 +31,36 @@ impl History {
         v0 + (v1 - v0) * (x - x0) / (x1 - x0)
     }
 
+    /// Where a value that rises from point to point is reached; before the first and after the last point as [`Self::at`].
+    pub fn reaches(&self, value: f64) -> f64 {
+        let after = self.points.partition_point(|p| p.1 < value);
+        if after == 0 {
+            return self.points[0].0;
+        }
+        let Some(&(x1, v1)) = self.points.get(after) else { return self.points[after - 1].0 };
+        let (x0, v0) = self.points[after - 1];
+        x0 + (x1 - x0) * (value - v0) / (v1 - v0)
+    }
+
+    /// Slope of the line that leads up to `x`; 0 up to the first point and beyond the last.
+    pub fn slope_before(&self, x: f64) -> f64 {
+        let after = self.points.partition_point(|p| p.0 < x);
+        if after == 0 || after == self.points.len() {
+            return 0.0;
+        }
+        let ((x0, v0), (x1, v1)) = (self.points[after - 1], self.points[after]);
+        (v1 - v0) / (x1 - x0)
+    }
+
+    /// The same up to where the rising value comes to `value`, the last line drawn out as far as it takes.
+    pub fn up_to(&self, value: f64) -> Self {
+        let kept = self.points.partition_point(|p| p.1 < value).min(self.points.len() - 1).max(1);
+        let mut points = self.points[..kept].to_vec();
+        let ((x0, v0), (x1, v1)) = (points[kept - 1], self.points[kept]);
+        points.push((x0 + (x1 - x0) * (value - v0) / (v1 - v0), value));
+        Self { points }
+    }
+
     /// The points (x, value).
     pub fn points(&self) -> &[(f64, f64)] {
         &self.points
@@ -59,6 +89,18 @@ mod tests {
         }
         assert_eq!((history.smallest(), history.largest()), (0.0, 20.0));
         assert_eq!(History::from(5.0).at(-1.0), 5.0);
+    }
+
+    #[test]
+    fn a_rising_value_is_found_cut_and_drawn_out() {
+        let history = History::new(vec![(0.0, 0.0), (2.0, 10.0), (3.0, 30.0)]).expect("rising");
+        for (x, value) in [(0.0, 0.0), (1.0, 5.0), (2.0, 10.0), (2.5, 20.0), (3.0, 30.0)] {
+            assert_eq!((history.at(x), history.reaches(value)), (value, x));
+        }
+        assert_eq!([0.0, 1.0, 2.0, 2.1, 3.0, 4.0].map(|x| history.slope_before(x)), [0.0, 5.0, 5.0, 20.0, 20.0, 0.0]);
+        assert_eq!(history.up_to(4.0).points(), [(0.0, 0.0), (0.8, 4.0)]);
+        assert_eq!(history.up_to(10.0).points(), [(0.0, 0.0), (2.0, 10.0)]);
+        assert_eq!(history.up_to(40.0).points(), [(0.0, 0.0), (2.0, 10.0), (3.5, 40.0)]);
     }
 
     #[test]

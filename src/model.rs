@@ -155,6 +155,37 @@ pub struct RateControl {
     pub target: f64,
     /// q: 1 is the mean over the sheet's volume, a large one the fastest place \[–\].
     pub exponent: f64,
+    /// Largest pressure \[MPa\] and fastest rise of it \[MPa/s\] that the press gives; infinite where nothing is said.
+    pub max_pressure: f64,
+    pub max_rise: f64,
+}
+
+impl RateControl {
+    /// A target and a norm, and a press that gives any pressure.
+    pub fn new(target: f64, exponent: f64) -> Self {
+        Self { target, exponent, max_pressure: f64::INFINITY, max_rise: f64::INFINITY }
+    }
+
+    /// What the pressure may come to at the end of a step of `dt` \[s\] that it begins with `before` \[MPa\], and which cap
+    /// says so; `None` where there is no cap.
+    pub fn cap(&self, before: f64, dt: f64) -> Option<(f64, PressureCap)> {
+        let risen = before + self.max_rise * dt;
+        let (cap, which) = if self.max_pressure <= risen {
+            (self.max_pressure, PressureCap::Largest)
+        } else {
+            (risen, PressureCap::Rise)
+        };
+        cap.is_finite().then_some((cap, which))
+    }
+}
+
+/// What the press cannot go beyond.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum PressureCap {
+    /// Its largest pressure.
+    Largest,
+    /// Its fastest rise of the pressure.
+    Rise,
 }
 
 impl Pressure {
@@ -236,11 +267,13 @@ pub struct StopRules {
     pub localised: bool,
     /// Ends when the load has fallen by this share of its maximum \[–\].
     pub load_drop: Option<f64>,
+    /// Ends when this share of the sheet's area lies on the punch or the die \[–\].
+    pub contact_share: Option<f64>,
 }
 
 impl Default for StopRules {
     fn default() -> Self {
-        Self { localised: true, load_drop: None }
+        Self { localised: true, load_drop: None, contact_share: None }
     }
 }
 
@@ -332,7 +365,9 @@ pub struct Model {
     pub heat: Option<Heat>,
     /// Punch travel of the whole run \[mm\]; 0 without a punch.
     pub travel: f64,
-    /// Punch speed, or, without a punch, the speed that counts as that of the process \[mm/s\].
+    /// Punch travel over time \[mm over s\], rising from 0 at 0 to the whole travel; `None` at a constant speed.
+    pub schedule: Option<History>,
+    /// Punch speed, the mean one where it changes; without a punch, the speed that counts as that of the process \[mm/s\].
     pub speed: f64,
     /// Time that the run takes \[s\].
     pub duration: f64,
@@ -348,16 +383,66 @@ impl Model {
         self.tools.iter().find(|t| t.role == role)
     }
 
-    /// Sets another punch travel \[mm\] at the same speed; the state is kept at its end only.
+    /// The strain rate that a gas pressure holds, where one does.
+    pub fn rate_control(&self) -> Option<&RateControl> {
+        self.gas.iter().find_map(|gas| match &gas.pressure {
+            Pressure::Rate(control) => Some(control),
+            Pressure::History(_) => None,
+        })
+    }
+
+    /// Sets another punch travel \[mm\] at the same speed, or along the same history, whose last speed goes on where it is
+    /// too short; the state is kept at its end only.
     pub fn drive_to(&mut self, travel: f64) {
         self.travel = travel;
-        self.duration = travel / self.speed;
+        if let Some(schedule) = &mut self.schedule {
+            *schedule = schedule.up_to(travel);
+            self.duration = schedule.reaches(travel);
+            self.speed = travel / self.duration;
+        } else {
+            self.duration = travel / self.speed;
+        }
         self.frames = vec![self.duration];
     }
 
-    /// Punch travel after a time \[s\].
+    /// Punch travel \[mm\] at a time of the run \[s\].
     pub fn travel_at(&self, time: f64) -> f64 {
-        self.travel * (time / self.duration)
+        match &self.schedule {
+            Some(schedule) => schedule.at(time),
+            None => self.travel * (time / self.duration),
+        }
+    }
+
+    /// Time of the run \[s\] at a punch travel \[mm\].
+    pub fn time_at(&self, travel: f64) -> f64 {
+        match &self.schedule {
+            Some(schedule) => schedule.reaches(travel),
+            None => travel / self.speed,
+        }
+    }
+
+    /// How long the part of the run from `time` on that takes `dt` \[s\] would take at the mean speed \[s\]: what the length
+    /// of a step is measured in, so that a punch that changes its speed goes equal ways in equal steps.
+    pub fn nominal(&self, time: f64, dt: f64) -> f64 {
+        match &self.schedule {
+            Some(schedule) => self.duration * (schedule.at(time + dt) - schedule.at(time)) / self.travel,
+            None => dt,
+        }
+    }
+
+    /// Length \[s\] of the part from `time` on that would take `nominal` \[s\] at the mean speed.
+    pub fn real(&self, time: f64, nominal: f64) -> f64 {
+        match &self.schedule {
+            Some(schedule) => schedule.reaches(schedule.at(time) + self.travel * nominal / self.duration) - time,
+            None => nominal,
+        }
+    }
+
+    /// Time after `time` at which the punch next changes its speed \[s\]; infinite where it does not.
+    pub fn next_change(&self, time: f64) -> f64 {
+        let changes = self.schedule.iter().flat_map(|schedule| schedule.points());
+        let after = time + 1e-12 * self.duration;
+        changes.map(|p| p.0).find(|t| *t > after).unwrap_or(f64::INFINITY)
     }
 }
 

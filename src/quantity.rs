@@ -140,6 +140,11 @@ quantities! {
     Energy = Kind {
         name: "an energy", dimension: POWER.times(TIME, 1), unit: "N mm", examples: &["150 kJ/mol"], largest: 1e12,
     };
+    /// Rise of a pressure with time \[MPa/s\].
+    StressRate = Kind {
+        name: "a pressure per time", dimension: STRESS.over(TIME), unit: "MPa/s", examples: &["0.01 MPa/s", "0.5 MPa/min"],
+        largest: 1e9,
+    };
     /// Relative number, written in percent \[–\].
     Ratio = Kind { name: "a percentage", dimension: NONE, unit: "%", examples: &["5 %", "2.5 %"], largest: 1e3 };
     /// Plain number \[–\], written without quotes.

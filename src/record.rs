@@ -1,5 +1,7 @@
 //! What a run leaves behind: the history of every step, the kept frames, and why it stopped.
 
+use crate::model::PressureCap;
+
 /// One element at one instant.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ElementRecord {
@@ -144,6 +146,11 @@ pub struct StepRecord {
     pub pressure: f64,
     /// Norm of the strain rate that a gas pressure holds \[1/s\]; 0 where none does.
     pub held_rate: f64,
+    /// The cap that this gas pressure sits on; the rate is below its target then.
+    pub on_cap: Option<PressureCap>,
+    /// Share of the sheet's current area inside the gas's seal (of the whole sheet without gas) that lies on the punch or
+    /// the die \[–\].
+    pub contact_share: f64,
     /// How far the holder has moved towards the die from where it touched the flat sheet \[mm\]; negative when lifted.
     pub holder_move: f64,
     /// Largest penetration of a tool over the sheet's thickness, where the sheet is not squeezed \[–\].
@@ -208,6 +215,14 @@ pub enum Stop {
         peak: f64,
         drop: f64,
     },
+    /// As much of the sheet lies on its tools as the case asks for.
+    ContactShare {
+        /// Reached, and asked for \[–\].
+        share: f64,
+        asked: f64,
+        time: f64,
+        travel: f64,
+    },
     /// The gas pressure has come to the largest that the sheet can bear at the height of its middle \[MPa, mm\].
     PressureMaximum {
         pressure: f64,
@@ -256,14 +271,15 @@ pub enum Stop {
 }
 
 impl Stop {
-    /// Whether the run came to the end it was asked for.
+    /// Whether the run came to the end it was asked for: its full travel or time, or the contact that the part is done
+    /// with. A fallen load is none, though a case may ask for it: the sheet has failed there.
     pub fn is_complete(&self) -> bool {
-        matches!(self, Stop::FullTravel)
+        matches!(self, Stop::FullTravel | Stop::ContactShare { .. })
     }
 
     /// Whether the sheet or the tools ended the run, not the numerics.
     pub fn is_physical(&self) -> bool {
-        !matches!(self, Stop::FullTravel | Stop::NoEquilibrium { .. })
+        !self.is_complete() && !matches!(self, Stop::NoEquilibrium { .. })
     }
 
     /// The kind in a few words.
@@ -271,6 +287,7 @@ impl Stop {
         match self {
             Stop::FullTravel => "full travel",
             Stop::LoadMaximum { .. } => "load maximum passed",
+            Stop::ContactShare { .. } => "contact share reached",
             Stop::PressureMaximum { .. } => "pressure maximum reached",
             Stop::Localised { .. } => "localised",
             Stop::Coalesced { .. } => "voids coalesced",
@@ -290,6 +307,15 @@ impl std::fmt::Display for Stop {
                 "load maximum passed: at {travel:.2} mm of travel the load is {:.1} % below its peak of {peak:.0}",
                 100.0 * drop
             ),
+            Stop::ContactShare { share, asked, time, travel } => {
+                let place = if *travel > 0.0 { format!("{travel:.2} mm of travel") } else { format!("{time:.4} s") };
+                write!(
+                    f,
+                    "contact share reached: at {place} {:.1} % of the sheet lies on its tools ({:.1} % asked for)",
+                    100.0 * share,
+                    100.0 * asked
+                )
+            }
             Stop::PressureMaximum { pressure, height } => write!(
                 f,
                 "pressure maximum reached: no equilibrium beyond {pressure:.4} MPa, at a dome height of {height:.2} mm; \

@@ -503,7 +503,7 @@ fn check_solved(case: &Case) {
     }
     for output in OUTPUTS {
         match output.make {
-            Make::Table(make) => check_finite(&make(&subject), output.file),
+            Make::Table(make) => make(&subject).iter().for_each(|table| check_finite(table, output.file)),
             Make::Text(make) => {
                 let json: serde_json::Value = serde_json::from_str(&make(&subject)).expect("JSON");
                 let nulls = json.as_object().expect("an object").iter().filter(|(_, v)| v.is_null());

@@ -12,7 +12,9 @@ use stampflow::contact::friction::Sliding;
 use stampflow::geometry::Profile;
 use stampflow::history::History;
 use stampflow::material::hardening::{Hardening, Swift};
-use stampflow::model::{Bead, Edge, Face, Friction, Gas, Geometry, Model, Motion, Press, Role, Settings, Theory};
+use stampflow::model::{
+    Bead, Edge, Face, Friction, Gas, Geometry, Model, Motion, Press, Pressure, PressureCap, Role, Settings, Theory,
+};
 use stampflow::record::{Run, StepRecord, Stop};
 use stampflow::{case, solver};
 use std::f64::consts::PI;
@@ -265,6 +267,113 @@ fn superplastic_dome_holds_its_rate_and_follows_the_closed_forms() {
     println!("pole thickness against (sin α/α)² for m 0.9, 0.6, 0.4: {errors:?}");
     assert!(errors.is_sorted_by(|a, b| a > b), "{errors:?}");
     assert!(errors[0].abs() < 0.05, "{errors:?}");
+}
+
+/// Where the press gives less than the rate asks for, the pressure sits on its cap and the rate is below its target: in
+/// every step one of the two, and neither ever above.
+#[test]
+fn a_capped_pressure_or_the_rate_is_at_its_limit_in_every_step() {
+    for (largest, rise) in [(0.11, 2e-3), (0.2, 2e-3), (0.11, f64::INFINITY)] {
+        let mut model = shipped("superplastic_dome", &[]);
+        let Pressure::Rate(control) = &mut model.gas[0].pressure else { panic!("a held rate") };
+        (control.max_pressure, control.max_rise) = (largest, rise);
+        let run = solve(&model);
+        let (mut pressure, mut time) = (0.0, 0.0);
+        let mut seen = [0; 3];
+        for r in &run.history {
+            let cap = f64::min(largest, pressure + rise * (r.time - time));
+            let (rate, load) = (r.held_rate / 1e-3 - 1.0, r.pressure / cap - 1.0);
+            // Trust: the corrector's tolerance for the rate, as without a cap; the cap's equation is linear, so round-off.
+            assert!(rate < 1e-3 && load < 1e-9, "{rate:e} {load:e} at {} s", r.time);
+            assert!(rate.abs() < 1e-3 || load.abs() < 1e-9, "{rate:e} {load:e} at {} s", r.time);
+            assert_eq!(r.on_cap.is_some(), load.abs() < 1e-9, "{:?} {load:e} at {} s", r.on_cap, r.time);
+            seen[r.on_cap.map_or(0, |cap| 1 + usize::from(cap == PressureCap::Rise))] += 1;
+            (pressure, time) = (r.pressure, r.time);
+        }
+        println!("steps at the target, on the largest pressure, on its fastest rise: {seen:?}");
+        assert!(seen[0] > 5 && seen[1] + seen[2] > 5, "{seen:?}");
+        assert_eq!((seen[1] > 0, seen[2] > 0), (largest < 0.116, rise.is_finite()), "{seen:?}");
+    }
+}
+
+/// A press that is never asked for what it cannot give changes nothing, to the last bit.
+#[test]
+fn caps_that_are_never_reached_change_nothing() {
+    let free = shipped("superplastic_dome", &[]);
+    let capped =
+        shipped("superplastic_dome", &["gas.lower.max_pressure=10 GPa", "gas.lower.max_pressure_rate=1e6 MPa/s"]);
+    assert_ne!(free.gas, capped.gas);
+    assert_eq!(solve(&free).history, solve(&capped).history);
+}
+
+/// Trust: plane strain with a uniform stress and no friction is a circular arc of one thickness. With the half-angle α and
+/// the half-width a: t/t₀ = sin α/α, R = a/sin α, p = σ t/R, σ = (2/√3) K ε̄̇^m; and the rate is held, so
+/// ln(α/sin α) = (√3/2) ε̄̇ time: pressure, thickness and height over time without a free number.
+#[test]
+fn superplastic_long_box_follows_its_closed_form_before_contact() {
+    let (a, k, m, rate) = (50.0, 300.0, 0.6, 1e-3_f64);
+    let worst_of = |elements: usize| {
+        let overrides = ["geometry=plane_strain", &format!("blank.elements={elements}")].map(str::to_owned);
+        let text =
+            include_str!("../cases/superplastic_dome.toml").replace("radius = \"50 mm\"", "half_length = \"50 mm\"");
+        let model = case::parse(&text, "box.toml", &overrides).unwrap_or_else(|e| panic!("{e}")).model;
+        let mut worst: f64 = 0.0;
+        for r in &solve(&model).history {
+            let strain = 3f64.sqrt() / 2.0 * rate * r.time;
+            let alpha = (0..200).fold((0.0, PI / 1.01), |(low, high), _| {
+                let middle: f64 = 0.5 * (low + high);
+                if (middle / middle.sin()).ln() > strain { (low, middle) } else { (middle, high) }
+            });
+            let alpha = alpha.0;
+            let (t, radius) = (alpha.sin() / alpha, a / alpha.sin());
+            let pressure = 2.0 / 3f64.sqrt() * k * rate.powf(m) * t / radius;
+            let height = radius * (1.0 - alpha.cos());
+            for (found, exact) in [(r.pressure, pressure), (r.thinnest, t), (r.pole_height, height)] {
+                worst = worst.max((found / exact - 1.0).abs());
+            }
+        }
+        worst
+    };
+    let errors = [25, 50, 100].map(worst_of);
+    println!("long box, 25, 50, 100 elements: {errors:?}");
+    // Trust: chords for an arc are second order in the number of elements, down to the corrector's tolerance.
+    assert!(errors[2] < 2e-4, "{errors:?}");
+    assert!(errors[1] < 0.3 * errors[0] && errors[2] < 0.5 * errors[1], "{errors:?}");
+}
+
+/// The shipped box: gas fills the corner of a die, ends there, and leaves the sheet thinnest in the corner.
+#[test]
+fn superplastic_box_is_blown_into_its_corner() {
+    let model = shipped("superplastic_box", &[]);
+    let run = solve(&model);
+    let Stop::ContactShare { share, asked, .. } = run.stop else { panic!("{}", run.stop) };
+    assert!(share >= asked && (asked - 0.95).abs() < 1e-12 && last(&run).contact_share == share, "{share} {asked}");
+    let rejected: usize = run.history.iter().map(|r| r.rejected).sum();
+    assert!(rejected <= 3, "{rejected} rejected tries");
+    let frame = run.frames.last().expect("the end");
+    assert_eq!(frame.time, last(&run).time, "the end of the run is kept");
+    // Free bulge up to the bottom: contact grows on the shoulder only.
+    let free = run.history.iter().filter(|r| r.pole_height < 19.5).map(|r| r.contact_share);
+    assert!(free.fold(0.0, f64::max) < 0.15);
+    // Trust: what touches first is held by friction and stops thinning, so the last to touch is the thinnest (known of
+    // boxes of all superplastic alloys); the corner's arc runs from (34, 20) to (40, 14) mm.
+    let thinnest = frame.elements.iter().min_by(|a, b| a.thickness.total_cmp(&b.thickness)).expect("elements");
+    assert!(thinnest.r > 33.0 && thinnest.z > 13.0, "thinnest at {} {}", thinnest.r, thinnest.z);
+    let (bottom, top) = (frame.elements[0].thickness, frame.elements[frame.elements.len() - 1].thickness);
+    assert!(thinnest.thickness < 0.92 * bottom && bottom < top, "{} {bottom} {top}", thinnest.thickness);
+    // The sheet follows the die: the corner's arc less half a thickness, within the foot of the contact law.
+    for n in frame.nodes.iter().filter(|n| n.r > 35.0 && n.z > 15.0) {
+        let gap = 6.0 - 0.5 * n.thickness - (n.r - 34.0).hypot(n.z - 0.5 - 14.0);
+        assert!((-0.01..0.05).contains(&gap), "{gap} at {} {}", n.r, n.z);
+    }
+}
+
+/// Without enough time the run ends at its full time, and says that the part is not formed.
+#[test]
+fn a_contact_share_that_is_not_reached_is_said() {
+    let run = solve(&shipped("superplastic_box", &["gas.duration=200 s"]));
+    assert_eq!(run.stop, Stop::FullTravel);
+    assert!(run.warnings.iter().any(|w| w.contains("not the 95.0 % that were to end the run")), "{:?}", run.warnings);
 }
 
 /// Pressure from above on a sheet over a punch that draws it in: the sheet wraps the punch more closely than without.

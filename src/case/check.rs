@@ -102,7 +102,13 @@ fn tools(model: &Model, lines: &mut Vec<Line>) {
         lines.push(line(tool.role.name(), size, format!("{what}{corners}, friction {}", tool.friction)));
     }
     if model.travel > 0.0 {
-        lines.push(line("travel", mm(model.travel), format!("mm at {} mm/s", rounded(model.speed))));
+        let changes = model.schedule.as_ref().map_or(String::new(), |schedule| {
+            let points = schedule.points();
+            let speeds = || points.windows(2).map(|w| (w[1].1 - w[0].1) / (w[1].0 - w[0].0));
+            let (slowest, fastest) = (speeds().fold(f64::INFINITY, f64::min), speeds().fold(0.0, f64::max));
+            format!(" on average, {} to {} mm/s", rounded(slowest), rounded(fastest))
+        });
+        lines.push(line("travel", mm(model.travel), format!("mm at {} mm/s{changes}", rounded(model.speed))));
     }
     for bead in &model.beads {
         let meaning = format!("mm from the axis, restraining {} N/mm, closing {} N/mm", bead.restraining, bead.closing);
@@ -116,7 +122,13 @@ fn tools(model: &Model, lines: &mut Vec<Line>) {
                 line("gas pressure", format!("{}", history.largest()), format!("MPa at most {place}"))
             }
             Pressure::Rate(control) => {
-                let norm = format!("1/s held by the pressure (norm with q = {})", control.exponent);
+                let mut norm = format!("1/s held by the pressure (norm with q = {})", control.exponent);
+                if control.max_pressure.is_finite() {
+                    norm += &format!(", {} MPa at most", rounded(control.max_pressure));
+                }
+                if control.max_rise.is_finite() {
+                    norm += &format!(", {} MPa/s at most", rounded(control.max_rise));
+                }
                 line("strain rate", format!("{}", control.target), format!("{norm} {place}"))
             }
         });

@@ -25,6 +25,15 @@ impl Penalty {
     /// Gap, in δ, at which tools wait before the first step: p is then k δ/150.
     pub const WAITING: f64 = 5.0;
 
+    /// Gap, in δ, up to which a sheet lies on a tool: lightly pressed sheet, as gas presses it, stands off by some δ; p is
+    /// then k δ/22 000, thousandths of a MPa.
+    const LYING: f64 = 10.0;
+
+    /// Gap up to which a sheet lies on a tool \[mm\].
+    pub fn lying(&self) -> f64 {
+        Self::LYING * self.smoothing
+    }
+
     /// Gap beyond which the pressure is nothing \[mm\].
     #[inline]
     pub fn reach(&self) -> f64 {

@@ -2,7 +2,7 @@
 
 use super::chart::{Chart, Look, Panel, Scale, Series};
 use super::{Subject, force_unit, worded, work_unit};
-use crate::model::{Geometry, Model, Pressure};
+use crate::model::{Geometry, Model};
 use crate::quantity::ZERO_CELSIUS;
 use crate::record::{Run, StepRecord};
 use crate::table::{Axis, Column, Table, Unit};
@@ -48,6 +48,7 @@ pub fn table(model: &Model, run: &Run) -> Table {
         column("flips", "Contacts that came or went", Unit::None, |s| s.flips as f64),
         column("sharpest_bend", "Thickness over the smallest bending radius", Unit::None, |s| s.sharpest_bend),
         column("strain_increment", "Largest strain of the step", Unit::None, |s| s.strain_increment),
+        column("contact_share", "Contact share: the sheet on punch and die", Unit::None, |s| s.contact_share),
         column("step", "Step", Unit::None, |s| s.step as f64),
         column("time", "Time", Unit::Second, |s| s.time),
         column("iterations", "Iterations", Unit::None, |s| s.iterations as f64),
@@ -68,19 +69,17 @@ pub fn table(model: &Model, run: &Run) -> Table {
     Table::new(columns)
 }
 
-pub(super) fn of(subject: &Subject) -> Table {
-    table(subject.model, subject.run)
+pub(super) fn of(subject: &Subject) -> Option<Table> {
+    Some(table(subject.model, subject.run))
 }
 
 /// Punch and holder force over the travel, and the held edge's force where there is one; under gas alone, its pressure
-/// over the height of the dome, or over time where it holds a strain rate.
+/// over the height of the dome.
 pub(super) fn plot(subject: &Subject) -> Option<Chart> {
     subject.run.history.first()?;
-    let table = of(subject);
+    let table = table(subject.model, subject.run);
     if subject.model.travel == 0.0 {
-        // A pressure that follows a strain rate is what the press is set to: a cycle over time.
-        let held = subject.model.gas.iter().any(|gas| matches!(gas.pressure, Pressure::Rate(_)));
-        let (x, pressure) = (table.column(if held { "time" } else { "pole_height" }), table.column("pressure"));
+        let (x, pressure) = (table.column("pole_height"), table.column("pressure"));
         let look = Look::curve(0);
         return Some(Chart {
             title: format!("{}: pressure", subject.model.title),

@@ -10,6 +10,7 @@ mod outline;
 mod over_blank;
 mod overlay;
 mod png;
+pub mod pressure_cycle;
 pub mod profile;
 mod shapes;
 mod strains;
@@ -50,13 +51,14 @@ pub struct Subject<'a> {
 /// How a file is made.
 #[derive(Clone, Copy, Debug)]
 pub enum Make {
-    Table(fn(&Subject) -> Table),
+    /// Nothing where a run has no such thing.
+    Table(fn(&Subject) -> Option<Table>),
     Text(fn(&Subject) -> String),
     /// Nothing where there is nothing to draw.
     Plot(fn(&Subject) -> Option<Chart>),
 }
 
-/// A file that every run writes.
+/// A file that a run writes, where it has what the file holds.
 #[derive(Clone, Copy, Debug)]
 pub struct Output {
     pub file: &'static str,
@@ -65,7 +67,7 @@ pub struct Output {
     pub make: Make,
 }
 
-/// Every file that a run writes.
+/// Every file that a run may write.
 pub const OUTPUTS: &[Output] = &[
     Output {
         file: "summary.json",
@@ -83,6 +85,16 @@ pub const OUTPUTS: &[Output] = &[
         make: Make::Table(profile::of),
     },
     Output { file: "load_travel.png", about: "forces over the punch travel", make: Make::Plot(load_travel::plot) },
+    Output {
+        file: "pressure_cycle.csv",
+        about: "pressure and strain rate over time, where a gas pressure holds a rate",
+        make: Make::Table(pressure_cycle::of),
+    },
+    Output {
+        file: "pressure_cycle.png",
+        about: "the same, and the height of the dome",
+        make: Make::Plot(pressure_cycle::plot),
+    },
     Output {
         file: "thickness.png",
         about: "thickness over the blank at every kept frame",
@@ -107,10 +119,10 @@ pub const OUTPUTS: &[Output] = &[
 ];
 
 impl Output {
-    /// The file's content; none for a plot of nothing.
+    /// The file's content; none for a plot or a table of nothing.
     pub fn bytes(&self, subject: &Subject) -> Option<Vec<u8>> {
         match self.make {
-            Make::Table(make) => Some(csv(&make(subject))),
+            Make::Table(make) => make(subject).map(|table| csv(&table)),
             Make::Text(make) => Some(make(subject).into_bytes()),
             Make::Plot(make) => make(subject).map(|chart| png(&svg(&chart))),
         }
@@ -186,15 +198,29 @@ fn shown(frames: &[Frame]) -> impl Iterator<Item = &Frame> {
 
 /// What frames are named by.
 fn progress(model: &Model) -> &'static str {
-    if model.travel > 0.0 { "Punch travel" } else { "Dome height" }
+    match model.rate_control() {
+        _ if model.travel > 0.0 => "Punch travel",
+        Some(_) => "Time",
+        None => "Dome height",
+    }
 }
 
-/// How plots name a frame: its travel, or without a punch the height of the dome, with as many decimals as it needs, at most two, more below 1 mm.
-fn travel(frame: &Frame) -> String {
-    let reached = if frame.travel > 0.0 { frame.travel } else { frame.nodes.first().map_or(0.0, |pole| pole.z.abs()) };
-    let decimals = (2.0 - reached.log10().floor().clamp(-12.0, 0.0)) as usize;
-    let text = format!("{reached:.decimals$}");
-    format!("{} mm", text.trim_end_matches('0').trim_end_matches('.'))
+/// How plots name a frame: its travel; without a punch the time where a strain rate is held, or else the height of the
+/// dome.
+fn reached(model: &Model, frame: &Frame) -> String {
+    let (value, unit) = match model.rate_control() {
+        _ if frame.travel > 0.0 => (frame.travel, Unit::Mm),
+        Some(_) => (frame.time, Unit::Second),
+        None => (frame.nodes.first().map_or(0.0, |pole| pole.z.abs()), Unit::Mm),
+    };
+    format!("{} {}", shortened(value), unit.symbol())
+}
+
+/// A number with as many decimals as it needs, at most two, more below 1.
+fn shortened(value: f64) -> String {
+    let decimals = (2.0 - value.log10().floor().clamp(-12.0, 0.0)) as usize;
+    let text = format!("{value:.decimals$}");
+    text.trim_end_matches('0').trim_end_matches('.').to_owned()
 }
 
 /// The word for a geometry: a body of revolution has an axis and hoops, a plane section a symmetry plane and a width.
@@ -227,10 +253,10 @@ mod tests {
 
     #[test]
     fn frames_are_named_by_as_many_digits_as_tell_them_apart() {
-        for (value, text) in [(25.0, "25 mm"), (16.75, "16.75 mm"), (6.333_333, "6.33 mm"), (0.000_25, "0.00025 mm")] {
-            let frame =
-                Frame { time: value, travel: value, elements: vec![], nodes: vec![], tool_displacement: vec![] };
-            assert_eq!(travel(&frame), text);
+        for (value, text) in
+            [(25.0, "25"), (16.75, "16.75"), (6.333_333, "6.33"), (0.000_25, "0.00025"), (600.0, "600")]
+        {
+            assert_eq!(shortened(value), text);
         }
     }
 }

@@ -1,7 +1,7 @@
 //! One quantity over the blank, one curve per kept frame: thickness, and porosity and temperature where there are any.
 
 use super::chart::{Chart, Look, Panel, Scale, Series};
-use super::{Subject, profile, progress, shown, travel};
+use super::{Subject, profile, progress, reached, shown};
 
 /// Least height of the thickness axis over the initial thickness: smaller differences are noise or nothing to look at [–].
 const LEAST: f64 = 0.02;
@@ -30,7 +30,7 @@ fn plot(subject: &Subject, key: &str, least: f64) -> Option<Chart> {
         .enumerate()
         .map(|(i, frame)| {
             let points = profile::table(model, std::slice::from_ref(frame)).pairs("s0", key);
-            Series::new(travel(frame), points, Look::curve(i))
+            Series::new(reached(model, frame), points, Look::curve(i))
         })
         .collect();
     Some(Chart {

@@ -46,6 +46,6 @@ pub fn last(model: &Model, frames: &[Frame]) -> Table {
     table(model, &frames[frames.len().saturating_sub(1)..])
 }
 
-pub(super) fn of(subject: &Subject) -> Table {
-    table(subject.model, &subject.run.frames)
+pub(super) fn of(subject: &Subject) -> Option<Table> {
+    Some(table(subject.model, &subject.run.frames))
 }

@@ -1,7 +1,7 @@
 //! The section of the sheet, true to thickness, at the kept frames, and the tools where the run ended.
 
 use super::chart::{Chart, GREY, Look, PALE, Panel, Scale, Series, color};
-use super::{Subject, profile, progress, shown, travel};
+use super::{Subject, profile, progress, reached, shown};
 use crate::geometry::{Piece, Point};
 use crate::model::{Model, Role, Tool};
 use crate::record::{Frame, NodeRecord};
@@ -25,9 +25,9 @@ pub(super) fn plot(subject: &Subject) -> Option<Chart> {
         let displacement = last.and_then(|f| f.tool_displacement.get(i)).copied().unwrap_or(0.0);
         Series::silent(body(tool, displacement, SAGITTA * width), Look::Area { fill: PALE, edge: Some(GREY) })
     });
-    let sheets = shown(&run.frames)
-        .enumerate()
-        .map(|(i, frame)| Series::new(travel(frame), sheet(frame), Look::Area { fill: color(i), edge: None }));
+    let sheets = shown(&run.frames).enumerate().map(|(i, frame)| {
+        Series::new(reached(subject.model, frame), sheet(frame), Look::Area { fill: color(i), edge: None })
+    });
     // A run that never started shows where it would have.
     let flat = last.is_none().then(|| Series::new("0 mm", flat(model), Look::Area { fill: color(0), edge: None }));
     let tools_at = if last.is_some() { "the end" } else { "the start" };

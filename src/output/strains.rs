@@ -1,7 +1,7 @@
 //! Mid-surface strains over the blank at the last frame, the earlier frames thin behind them.
 
 use super::chart::{Chart, Look, Panel, Scale, Series};
-use super::{Subject, profile, shown, travel};
+use super::{Subject, profile, progress, reached, shown};
 use crate::table::Axis;
 
 const STRAINS: [&str; 3] = ["strain_meridional", "strain_hoop", "strain_thickness"];
@@ -11,7 +11,7 @@ const LEAST: f64 = 0.02;
 
 pub(super) fn plot(subject: &Subject) -> Option<Chart> {
     let Subject { model, run, .. } = subject;
-    let at = format!(" at {} of travel", travel(run.frames.last()?));
+    let at = format!(", {} {}", progress(model).to_lowercase(), reached(model, run.frames.last()?));
     let table = |frame| profile::table(model, std::slice::from_ref(frame));
     let frames: Vec<_> = shown(&run.frames).map(table).collect();
     let last = profile::last(model, &run.frames);

@@ -1,6 +1,6 @@
 //! What a run comes to, in some twenty lines: printed and as JSON from the same list.
 
-use super::{Subject, force_unit, worded, work_unit};
+use super::{Subject, force_unit, pressure_cycle, worded, work_unit};
 use crate::model::{Geometry, Grading, Iteration, Model, Norm, Role, Theory};
 use crate::quantity::{ZERO_CELSIUS, rounded};
 use crate::record::{Ladder, Run, StepRecord, Stop};
@@ -73,6 +73,19 @@ impl Summary {
         if !model.gas.is_empty() {
             summary.number("peak_pressure", "Largest gas pressure", Unit::MPa, largest(|s| s.pressure.abs()));
             summary.number("pole_height", "Height of the middle", Unit::Mm, last.pole_height);
+        }
+        if let Some(control) = model.rate_control() {
+            summary.number("held_rate_target", "Strain rate to be held", Unit::PerSecond, control.target);
+            let least = run.history.iter().map(|s| s.held_rate).reduce(f64::min).unwrap_or(0.0);
+            summary.number("held_rate_least", "  least", Unit::PerSecond, least);
+            summary.number("held_rate_largest", "  largest", Unit::PerSecond, largest(|s| s.held_rate));
+            let capped = pressure_cycle::time_on_a_cap(run);
+            summary.number("time_on_cap", "  time on a cap of the pressure", Unit::Percent, percent(capped, last.time));
+            summary.number("time", "Time of the cycle", Unit::Second, last.time);
+        }
+        if last.contact_share > 0.0 {
+            let share = 100.0 * last.contact_share;
+            summary.number("contact_share", "Sheet on punch and die at the end", Unit::Percent, share);
         }
         summary.number("thinnest", "Thinnest place", Unit::Mm, last.thinnest);
         summary.number(

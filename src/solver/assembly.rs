@@ -11,7 +11,7 @@ use crate::element::lobatto::{self, Layer};
 use crate::element::section::Law;
 use crate::geometry::Point;
 use crate::material::flow::{Before, FlowLaw, Iterate, Response};
-use crate::model::{Edge, Iteration, Model, Motion, Pressure, Role, Theory};
+use crate::model::{Edge, Iteration, Model, Motion, Pressure, PressureCap, Role, Theory};
 use crate::state::State;
 use nalgebra::Vector3;
 
@@ -75,6 +75,9 @@ pub(super) struct Workspace {
     pub(super) gas_shared: Vec<Option<usize>>,
     /// Norm of the strain rate that a pressure holds, over its target \[–\].
     pub(super) held_norm: f64,
+    /// The cap that this pressure sits on, and by what share it misses or exceeds it \[–\].
+    pub(super) on_cap: Option<PressureCap>,
+    pub(super) beyond_cap: f64,
     /// Rows of the membrane strains Δε_s, Δε_θ by r, z of both nodes, of every element.
     pub(super) membrane_rows: Vec<[[f64; 4]; 2]>,
     /// Force of the gas on every node \[N, or N/mm\].
@@ -161,6 +164,8 @@ impl Workspace {
             gas_pressure: state.gas.clone(),
             gas_shared,
             held_norm: 0.0,
+            on_cap: None,
+            beyond_cap: 0.0,
             membrane_rows: vec![[[0.0; 4]; 2]; if holds_rate { elements } else { 0 }],
             cutoff: 0.0,
             softening: 1.0,
@@ -232,7 +237,10 @@ impl Workspace {
         self.gas_pressure.copy_from_slice(&state.gas);
         // A held strain rate has no meaning at rest.
         let holds_rate = !self.membrane_rows.is_empty();
-        let share = if from_rest && !holds_rate { 0.0 } else { dt };
+        // The velocities of the last step, in proportion to the punch's where that has changed.
+        let before = model.schedule.as_ref().map_or(0.0, |schedule| schedule.slope_before(state.time));
+        let faster = if before > 0.0 { (model.travel_at(state.time + dt) - state.travel) / (before * dt) } else { 1.0 };
+        let share = if from_rest && !holds_rate { 0.0 } else { faster * dt };
         for (i, x) in self.moves.iter_mut().enumerate() {
             for d in 0..3 {
                 x[d] = share * state.velocity[i][d];
@@ -245,14 +253,16 @@ impl Workspace {
         match model.blank.edge {
             Edge::Free => {}
             Edge::Clamped => self.moves[last] = [0.0; 3],
-            Edge::Pulled { speed } => self.moves[last] = [speed * model.speed * dt, 0.0, 0.0],
+            Edge::Pulled { speed } => {
+                self.moves[last] = [speed * model.speed * model.nominal(state.time, dt), 0.0, 0.0]
+            }
         }
         self.moves[0][0] = 0.0;
         for (j, tool) in self.tools.iter().enumerate() {
             self.tool_position[j] = state.tools[j]
                 + match tool.motion {
                     Motion::Fixed | Motion::Gap(_) => 0.0,
-                    Motion::Travel => model.travel_at(dt),
+                    Motion::Travel => model.travel_at(state.time + dt) - state.travel,
                     Motion::Pressed(_) => share * state.tool_velocity[j],
                 };
         }
@@ -270,7 +280,8 @@ impl Workspace {
         let Trial { matrix, velocity_norm, .. } = *trial;
         let settings = &model.settings;
         let longest = settings.max_step * model.duration;
-        self.cutoff = self.softening * settings.cutoff_strain * (dt / longest).min(1.0);
+        let length = model.nominal(state.time, dt);
+        self.cutoff = self.softening * settings.cutoff_strain * (length / longest).min(1.0);
         let material = &model.material;
         let law = Law {
             flow: FlowLaw {
@@ -324,7 +335,7 @@ impl Workspace {
         let largest = |forces: &[Vector3<f64>]| forces.iter().map(|f| f.xy().norm()).fold(0.0, f64::max);
         let internal = largest(&self.system.rhs);
         let contact = self.contact(step, trial);
-        self.restrain(model, dt);
+        self.restrain(model, state, dt);
         self.inflate(model, state, state.time + dt);
         let gas = self.gas_force.iter().map(|f| f.norm()).fold(0.0, f64::max);
         let largest_force = internal.max(contact).max(gas);
@@ -354,7 +365,7 @@ impl Workspace {
                 continue;
             }
             let moved = self.tool_position[j];
-            let mut force = press.force.at(state.travel + model.travel_at(dt)) - press.stiffness * moved;
+            let mut force = press.force.at(model.travel_at(state.time + dt)) - press.stiffness * moved;
             if tool.role == Role::Holder {
                 force -= closing;
             }

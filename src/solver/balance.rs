@@ -73,7 +73,8 @@ impl Balance {
             done.external += 0.5 * (self.tool_force[j] + force) * (work.tool_position[j] - state.tools[j]);
         }
         if let Edge::Pulled { speed } = model.blank.edge {
-            done.external += 0.5 * (self.edge_force + work.edge_reaction.x) * speed * model.speed * dt;
+            done.external +=
+                0.5 * (self.edge_force + work.edge_reaction.x) * speed * model.speed * model.nominal(state.time, dt);
         }
         for (i, (before, now)) in self.gas_force.iter().zip(&work.gas_force).enumerate() {
             done.external += 0.5 * (before + now).dot(&Point::new(work.moves[i][0], work.moves[i][1]));

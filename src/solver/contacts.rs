@@ -175,7 +175,7 @@ impl Workspace {
         let mut largest: f64 = 0.0;
         self.active_contacts = 0;
         let last = self.nodes.len() - 1;
-        let slip_scale = model.settings.slip_speed * model.speed * dt;
+        let slip_scale = model.settings.slip_speed * model.speed * model.nominal(state.time, dt);
         let system = &mut self.system;
         for (j, tool) in self.tools.iter().enumerate() {
             self.tool_force[j] = 0.0;

@@ -3,8 +3,10 @@
 use super::assembly::Workspace;
 use super::attempt::Step;
 use super::contacts::Contact;
-use crate::model::{Pressure, Role};
+use super::loads::Seal;
+use crate::model::{Model, Role};
 use crate::record::StepRecord;
+use crate::state::State;
 
 /// Pressure over that of touching above which a node counts as in contact \[–\].
 const LIGHT: f64 = 0.01;
@@ -20,7 +22,7 @@ impl Workspace {
         let model = step.model;
         let n = self.nodes.len();
         let t0 = model.blank.thickness;
-        let slow = model.settings.slip_speed * model.speed * step.dt;
+        let slow = model.settings.slip_speed * model.speed * model.nominal(step.state.time, step.dt);
         let rim = model.blank.length - StepRecord::RIM * t0;
 
         let (mut touching, mut sticking, mut flips) = (0_usize, 0_usize, 0_usize);
@@ -39,12 +41,10 @@ impl Workspace {
         let pressure = model.gas.iter().zip(&self.gas_pressure);
         let pressure = pressure.map(|(gas, p)| gas.face.sign() * p);
         let holder = self.tools.iter().position(|tool| tool.role == Role::Holder && tool.released.is_none());
-        let target = model.gas.iter().find_map(|gas| match gas.pressure {
-            Pressure::Rate(control) => Some(control.target),
-            Pressure::History(_) => None,
-        });
         StepRecord {
-            held_rate: target.map_or(0.0, |target| target * self.held_norm),
+            held_rate: model.rate_control().map_or(0.0, |control| control.target * self.held_norm),
+            on_cap: self.on_cap,
+            contact_share: self.contact_share(model, step.state),
             pole_height: self.nodes[0][1],
             pressure: pressure.sum(),
             holder_move: holder.map_or(0.0, |j| self.tool_position[j]),
@@ -57,6 +57,25 @@ impl Workspace {
             sharpest_bend: self.sharpest_bend(),
             ..StepRecord::default()
         }
+    }
+
+    /// Share of the current area inside the seal that lies on the punch or the die \[–\]; an element lies there by halves,
+    /// with each of its nodes.
+    fn contact_share(&self, model: &Model, state: &State) -> f64 {
+        let n = self.nodes.len();
+        let within = model.gas.iter().map(|gas| gas.within).reduce(f64::max).unwrap_or(f64::INFINITY);
+        let seal = Seal::find(state, within);
+        let forms = |j: usize| matches!(self.tools[j].role, Role::Punch | Role::Die);
+        let lying = self.penalty.lying();
+        let touches = |i: usize| (0..self.tools.len()).any(|j| forms(j) && self.contacts[j * n + i].gap < lying);
+        let (mut touching, mut whole) = (0.0, 0.0);
+        for e in 0..n - 1 {
+            // Volume over thickness is the current area.
+            let area = seal.inside(e) * state.volume[e] / self.thickness[e];
+            whole += area;
+            touching += 0.5 * area * f64::from(u8::from(touches(e)) + u8::from(touches(e + 1)));
+        }
+        touching / whole
     }
 
     /// Largest equivalent strain that the step adds at a layer point \[–\].

@@ -7,6 +7,7 @@ use crate::geometry::Point;
 use crate::model::{Bead, Geometry, Model, Pressure};
 use crate::state::State;
 use nalgebra::{Matrix3, Vector3};
+use std::cmp::Ordering;
 use std::f64::consts::TAU;
 
 /// A bead's restraint fades over the last stretch of the sheet that passes it, this many thicknesses long.
@@ -37,6 +38,41 @@ impl BeadPlace {
     }
 }
 
+/// Where a seal cuts the sheet as it stands at the start of a step: looked for from the edge inward, for a dome may bulge
+/// out over its seal.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Seal {
+    /// All elements before this one are inside, all after it outside.
+    element: usize,
+    /// Share of it that is inside \[–\].
+    share: f64,
+}
+
+impl Seal {
+    /// The seal at the distance `within` from the axis or symmetry plane \[mm\].
+    pub fn find(state: &State, within: f64) -> Self {
+        for (e, w) in state.nodes.windows(2).enumerate().rev() {
+            let (from, to) = (w[0][0], w[1][0]);
+            if to <= within {
+                return Self { element: e + 1, share: 0.0 };
+            }
+            if from < within {
+                return Self { element: e, share: (within - from) / (to - from) };
+            }
+        }
+        Self { element: 0, share: 0.0 }
+    }
+
+    /// Share of an element that is inside \[–\].
+    pub fn inside(&self, e: usize) -> f64 {
+        match e.cmp(&self.element) {
+            Ordering::Less => 1.0,
+            Ordering::Equal => self.share,
+            Ordering::Greater => 0.0,
+        }
+    }
+}
+
 impl Workspace {
     /// Finds the beads at the start of a step.
     pub(super) fn place_beads(&mut self, model: &Model, state: &State) {
@@ -53,8 +89,8 @@ impl Workspace {
     }
 
     /// Restraint of the beads against the sheet's move along the flange, regularised like friction.
-    pub(super) fn restrain(&mut self, model: &Model, dt: f64) {
-        let scale = model.settings.slip_speed * model.speed * dt;
+    pub(super) fn restrain(&mut self, model: &Model, state: &State, dt: f64) {
+        let scale = model.settings.slip_speed * model.speed * model.nominal(state.time, dt);
         for (place, bead) in self.beads.iter_mut().zip(&model.beads) {
             let Some(place) = place else { continue };
             let [a, b] = [place.element, place.element + 1];
@@ -84,10 +120,9 @@ impl Workspace {
             if let Some(given) = gas.pressure.given(time) {
                 self.gas_pressure[k] = given;
             }
+            let seal = Seal::find(state, gas.within);
             for e in 0..self.thickness.len() {
-                // The seal cuts elements where they stand at the start of the step.
-                let (from, to) = (state.nodes[e][0], state.nodes[e + 1][0]);
-                let inside = if to <= gas.within { 1.0 } else { ((gas.within - from) / (to - from)).max(0.0) };
+                let inside = seal.inside(e);
                 if inside > 0.0 {
                     self.press_element(model.geometry, e, gas.face.sign() * inside, k);
                 }
@@ -110,7 +145,8 @@ impl Workspace {
         }
     }
 
-    /// The equations of pressures that hold a strain rate: ‖Δε̄‖ − target Δt = 0.
+    /// The equations of pressures that hold a strain rate: max(‖Δε̄‖/(target Δt) − 1, p/cap − 1) = 0, of which the larger
+    /// one is solved (semi-smooth): either the rate is at its target, or it is below and the pressure on its cap.
     ///
     /// Δε̄ is that of the mid-surface, regularised like the flow law's, so that its derivative is finite in rigid zones.
     pub(super) fn hold_rate(&mut self, model: &Model, state: &State, dt: f64) {
@@ -129,6 +165,19 @@ impl Workspace {
                 self.membrane_increment.iter().zip(&state.volume).map(|(e, v)| v / total * share(e).0.powf(q)).sum();
             let norm = sum.powf(1.0 / q);
             self.held_norm = norm;
+            self.on_cap = None;
+            self.beyond_cap = 0.0;
+            if let Some((cap, which)) = control.cap(state.gas[k], dt) {
+                let beyond = self.gas_pressure[k] / cap - 1.0;
+                self.beyond_cap = beyond.max(0.0);
+                if beyond >= norm - 1.0 {
+                    self.on_cap = Some(which);
+                    self.beyond_cap = beyond.abs();
+                    self.system.corner_rhs[row] = -beyond;
+                    self.system.corner[(row, row)] += 1.0 / cap;
+                    continue;
+                }
+            }
             self.system.corner_rhs[row] = 1.0 - norm;
             for e in 0..self.thickness.len() {
                 let (value, slope) = share(&self.membrane_increment[e]);

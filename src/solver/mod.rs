@@ -64,7 +64,7 @@ pub fn run_from(model: &Model, mut state: State, observer: &mut dyn Observer) ->
                 run.stop = stop;
                 break;
             }
-            if control.reject(dt) {
+            if control.reject() {
                 continue;
             }
             run.stop = stops::pressure_maximum(model, &run).unwrap_or_else(|| Stop::NoEquilibrium {
@@ -78,7 +78,7 @@ pub fn run_from(model: &Model, mut state: State, observer: &mut dyn Observer) ->
             });
             break;
         }
-        if control.is_overstrained(work.strain_increment()) && control.reject(dt) {
+        if control.is_overstrained(work.strain_increment()) && control.reject() {
             run.ladder.overstrained += 1;
             rejected += 1;
             continue;
@@ -117,7 +117,7 @@ pub fn run_from(model: &Model, mut state: State, observer: &mut dyn Observer) ->
             break;
         }
     }
-    if !run.stop.is_complete() && last.step > 0 && run.frames.last().is_none_or(|f| f.time < state.time) {
+    if last.step > 0 && run.frames.last().is_none_or(|f| f.time < state.time) {
         run.frames.push(state.frame(model));
     }
     run.abandoned = rejected;
@@ -167,7 +167,7 @@ fn accept(work: &Workspace, model: &Model, state: &mut State, dt: f64) {
         total[1] += increment[1];
     }
     state.time += dt;
-    state.travel += model.travel_at(dt);
+    state.travel = model.travel_at(state.time);
 }
 
 /// Writes down what happened in a converged step.
@@ -188,7 +188,7 @@ fn record(
     StepRecord {
         step: number,
         time: state.time + dt,
-        travel: state.travel + model.travel_at(dt),
+        travel: model.travel_at(state.time + dt),
         punch_force: force_of(Role::Punch),
         holder_force: force_of(Role::Holder),
         edge_force: if model.blank.edge == Edge::Free { 0.0 } else { work.edge_reaction.x },

@@ -6,7 +6,9 @@
 //! | contact changes | no growth while many nodes come into contact or leave it |
 //! | strain increment | the next step aims at the limit; one beyond twice the limit is repeated |
 //! | gaps and closing speeds | no step carries a free node deep into a tool |
-//! | frames, closing of the tools | steps land on them |
+//! | frames, closing of the tools, changes of the punch's speed | steps land on them |
+//!
+//! Lengths of steps are nominal: what they would be at the punch's mean speed ([`Model::nominal`]).
 
 use super::corrector::patience;
 use crate::model::Model;
@@ -29,8 +31,9 @@ const LEAST_APPROACH: f64 = 0.1;
 /// Chooses steps between the first, smallest and largest of the settings, and lands on every frame.
 pub(super) struct StepControl<'a> {
     model: &'a Model,
-    /// Wanted step \[s\].
+    /// Wanted step, and the one that was given out \[s, nominal\].
     wanted: f64,
+    given: f64,
     largest: f64,
     smallest: f64,
     next_frame: usize,
@@ -45,6 +48,7 @@ impl<'a> StepControl<'a> {
         Self {
             model,
             wanted: settings.first_step * model.duration,
+            given: 0.0,
             largest: settings.max_step * model.duration,
             smallest: settings.min_step * model.duration,
             next_frame: 0,
@@ -53,15 +57,20 @@ impl<'a> StepControl<'a> {
     }
 
     /// Length of the next step \[s\]; `None` at the end of the run.
-    pub fn next(&self, state: &State) -> Option<f64> {
+    pub fn next(&mut self, state: &State) -> Option<f64> {
         let target = self.model.frames.get(self.next_frame)?;
-        let rest = target.min(self.end) - state.time;
+        let real = target.min(self.end).min(self.model.next_change(state.time)) - state.time;
         // Equal steps up to the frame, so that none is tiny.
-        Some(rest / (rest / self.wanted - 1e-9).ceil().max(1.0))
+        let rest = self.model.nominal(state.time, real);
+        let steps = (rest / self.wanted - 1e-9).ceil().max(1.0);
+        self.given = rest / steps;
+        Some(if steps > 1.0 { self.model.real(state.time, self.given) } else { real })
     }
 
     /// After an accepted step; `approach` is the time in which a free node would go too deep into a tool \[s\].
     pub fn accept(&mut self, dt: f64, iterations: usize, record: &StepRecord, approach: f64) {
+        let approach = approach * self.given / dt;
+        let dt = self.given;
         let patience = patience(self.model.settings.iteration);
         let many_flips = record.flips as f64 > MANY_FLIPS * self.model.blank.elements as f64;
         if iterations > HARD * patience {
@@ -81,9 +90,9 @@ impl<'a> StepControl<'a> {
         increment > OVERSTRAINED * self.model.settings.strain_step
     }
 
-    /// After a rejected step of `dt`; `false` when there is none shorter to try.
-    pub fn reject(&mut self, dt: f64) -> bool {
-        self.wanted = 0.5 * dt;
+    /// After a rejected step; `false` when there is none shorter to try.
+    pub fn reject(&mut self) -> bool {
+        self.wanted = 0.5 * self.given;
         self.wanted >= self.smallest
     }
 

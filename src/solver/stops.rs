@@ -55,7 +55,7 @@ impl StopWatch {
 
     /// Time at which punch and die are closed \[s\], where they ever are.
     pub fn closes_at(&self, model: &Model) -> Option<f64> {
-        self.closed.map(|(travel, _)| travel / model.speed)
+        self.closed.map(|(travel, _)| model.time_at(travel))
     }
 
     /// The end of a run whose steps fail while one place takes over: shorter steps would only follow it further.
@@ -77,6 +77,9 @@ impl StopWatch {
         if gone {
             return Some(Stop::Coalesced { travel, s0: record.porous_s0, porosity: record.porosity });
         }
+        if let Some(asked) = model.stop.contact_share.filter(|asked| record.contact_share >= *asked) {
+            return Some(Stop::ContactShare { share: record.contact_share, asked, time: state.time, travel });
+        }
         self.peak = self.peak.max(record.punch_force);
         let drop = 1.0 - record.punch_force / self.peak;
         if self.peak > 0.0 && model.stop.load_drop.is_some_and(|limit| drop >= limit) {
@@ -84,7 +87,9 @@ impl StopWatch {
         }
         let neck = neck(model, state, Some(thickness));
         self.necking_since = if neck.took_over { self.necking_since.or(Some(state.time)) } else { None };
-        let lasted = self.necking_since.is_some_and(|since| state.time - since >= LASTING * model.duration);
+        let lasted = self
+            .necking_since
+            .is_some_and(|since| model.nominal(since, state.time - since) >= LASTING * model.duration);
         (model.stop.localised && (lasted || neck.share < GONE)).then(|| localised(model, state, &neck))
     }
 }

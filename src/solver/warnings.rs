@@ -80,6 +80,14 @@ pub(super) fn warnings(model: &Model, work: &Workspace, state: &State, run: &Run
             model.settings.contact_stiffness
         ));
     }
+    if let Some(asked) = model.stop.contact_share.filter(|_| !matches!(run.stop, Stop::ContactShare { .. })) {
+        warnings.push(format!(
+            "{:.1} % of the sheet lies on its tools at the end, not the {:.1} % that were to end the run: more time, travel or \
+             pressure gets further",
+            100.0 * last.contact_share,
+            100.0 * asked
+        ));
+    }
     let lifted = largest(|r| -r.holder_move) / model.blank.thickness;
     if lifted > LIFTED {
         warnings.push(format!(

@@ -11,6 +11,8 @@ pub enum Unit {
     NPerMm,
     MPa,
     Second,
+    Minute,
+    PerSecond,
     /// N·mm.
     Millijoule,
     MillijoulePerMm,
@@ -27,7 +29,7 @@ pub struct UnitError {
 }
 
 /// What the end of a header means: its spelling, the solver's unit, and how many of these it is.
-const SPELLINGS: [(&str, Unit, f64); 24] = [
+const SPELLINGS: [(&str, Unit, f64); 26] = [
     ("percent", Unit::Percent, 1.0),
     ("mm", Unit::Mm, 1.0),
     ("um", Unit::Mm, 1e-3),
@@ -48,6 +50,8 @@ const SPELLINGS: [(&str, Unit, f64); 24] = [
     ("GPa", Unit::MPa, 1e3),
     ("s", Unit::Second, 1.0),
     ("ms", Unit::Second, 1e-3),
+    ("min", Unit::Minute, 1.0),
+    ("1_per_s", Unit::PerSecond, 1.0),
     ("mJ", Unit::Millijoule, 1.0),
     ("J", Unit::Millijoule, 1e3),
     ("mJ_per_mm", Unit::MillijoulePerMm, 1.0),
@@ -65,6 +69,8 @@ impl Unit {
             Self::NPerMm => "N/mm",
             Self::MPa => "MPa",
             Self::Second => "s",
+            Self::Minute => "min",
+            Self::PerSecond => "1/s",
             Self::Millijoule => "mJ",
             Self::MillijoulePerMm => "mJ/mm",
             Self::Celsius => "°C",

@@ -4,7 +4,10 @@
 use stampflow::geometry::{Point, Profile};
 use stampflow::material::hardening::Swift;
 use stampflow::material::{Hardening, Material};
-use stampflow::model::{Blank, Edge, Geometry, Grading, Model, Motion, Press, Role, Settings, StopRules, Theory, Tool};
+use stampflow::model::{
+    Blank, Edge, Face, Gas, Geometry, Grading, Model, Motion, Press, Pressure, PressureCap, RateControl, Role,
+    Settings, StopRules, Theory, Tool,
+};
 use stampflow::output::Subject;
 use stampflow::record::{ElementRecord, Energy, Frame, NodeRecord, Run, StepRecord};
 use std::f64::consts::FRAC_PI_2;
@@ -44,12 +47,19 @@ pub fn model(geometry: Geometry) -> Model {
         gas: vec![],
         heat: None,
         travel: TRAVEL,
+        schedule: None,
         speed: 1.0,
         duration: TRAVEL,
         stop: StopRules::default(),
         frames: (1..=5).map(|i| 0.2 * TRAVEL * i as f64).collect(),
         settings: Settings::default(),
     }
+}
+
+/// The same with a gas pressure that holds a strain rate: then every output has something to show.
+pub fn blown(geometry: Geometry) -> Model {
+    let rate = RateControl { max_pressure: 2.0, ..RateControl::new(1e-3, 10.0) };
+    Model { gas: vec![Gas { face: Face::Lower, pressure: Pressure::Rate(rate), within: 58.25 }], ..model(geometry) }
 }
 
 /// A run of the model that reached its full travel.
@@ -75,6 +85,10 @@ pub fn run(model: &Model) -> Run {
             travel,
             punch_force,
             holder_force: 80_000.0,
+            pressure: 0.02 * step as f64,
+            held_rate: 1e-3,
+            on_cap: (step == steps).then_some(PressureCap::Largest),
+            contact_share: 0.009 * step as f64,
             edge_force: 0.0,
             draw_in: model.blank.length - now.nodes.last().unwrap().r,
             thinnest: thinnest.thickness,

@@ -167,6 +167,7 @@ pub fn random_die(seed: u64) -> RandomDie {
         heat: None,
         travel,
         speed: 1.0,
+        schedule: None,
         duration: travel,
         stop: StopRules::default(),
         frames: vec![travel],

@@ -1,5 +1,6 @@
 //! Whether tools run into each other, where they start and at the full travel.
 
+use super::motion::travel_key;
 use super::section::place_of;
 use crate::case::measure::{Gap, gap};
 use crate::case::{CaseError, source::Source};
@@ -33,7 +34,7 @@ pub(super) fn check(model: &Model, source: &Source) -> Result<(), CaseError> {
             }
             let what = format!("at the travel of {} mm the punch is in the {other}, {}", model.travel, words(gap));
             let help = format!("they meet at a travel of {free:.2} mm: shorten the travel, or check the {other}");
-            return Err(source.error("tools.punch.travel", what, help));
+            return Err(source.error(travel_key(source), what, help));
         }
     }
     Ok(())

@@ -1,5 +1,6 @@
 //! Whether blank and tools fit together.
 
+use super::motion::travel_key;
 use crate::case::measure::{extent, shoulder_end, throat};
 use crate::case::{CaseError, explain::missing, source::Source};
 use crate::model::{Edge, Model, Role};
@@ -23,11 +24,11 @@ pub(super) fn check(model: &Model, source: &Source) -> Result<(), CaseError> {
     if model.travel > DEEPEST * length {
         let what =
             format!("a travel of {} mm is more than {DEEPEST} times the blank's {length} mm", rounded(model.travel));
-        return Err(source.error("tools.punch.travel", what, "check the unit"));
+        return Err(source.error(travel_key(source), what, "check the unit"));
     }
     if model.tool(Role::Punch).is_some() && model.travel < SHALLOWEST * t {
         let what = format!("a travel of {} mm is next to nothing for a sheet of {t} mm", rounded(model.travel));
-        return Err(source.error("tools.punch.travel", what, "check the unit"));
+        return Err(source.error(travel_key(source), what, "check the unit"));
     }
     let Some(die) = model.tool(Role::Die) else {
         return match model.blank.edge {

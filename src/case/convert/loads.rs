@@ -135,6 +135,17 @@ fn gas_history(
     history(points, &format!("gas.{key}.pressure"), "times", source)
 }
 
+/// Caps belong to a pressure that is found, not to one that is given.
+fn caps(face: &file::GasFace, key: &str, source: &Source) -> Result<(), CaseError> {
+    let given =
+        [("max_pressure", face.max_pressure.is_some()), ("max_pressure_rate", face.max_pressure_rate.is_some())];
+    let Some((cap, _)) = given.into_iter().find(|(_, given)| *given && face.strain_rate.is_none()) else {
+        return Ok(());
+    };
+    let what = format!("`{cap}` caps a pressure that holds a strain rate, and there is no `strain_rate`");
+    Err(source.error(&format!("gas.{key}.{cap}"), what, "drop it, or give a strain_rate instead of the pressure"))
+}
+
 /// The gas on each face that has one.
 pub(super) fn gas(
     file: &file::Gas,
@@ -147,6 +158,7 @@ pub(super) fn gas(
     let mut gas = Vec::new();
     for (face, key, given) in [(Face::Lower, "lower", &file.lower), (Face::Upper, "upper", &file.upper)] {
         let Some(given) = given else { continue };
+        caps(given, key, source)?;
         let pressure = match (&given.pressure, given.strain_rate) {
             (Some(pressure), None) => {
                 let alone = file.duration.filter(|_| tool(Role::Punch).is_none());
@@ -158,7 +170,10 @@ pub(super) fn gas(
                     let what = format!("`norm` must lie between 1 and 50, found {exponent}");
                     return Err(source.error(&format!("gas.{key}.norm"), what, "10 follows the fastest place closely"));
                 }
-                Pressure::Rate(RateControl { target: target.value(), exponent })
+                let mut control = RateControl::new(target.value(), exponent);
+                control.max_pressure = given.max_pressure.map_or(f64::INFINITY, Quantity::value);
+                control.max_rise = given.max_pressure_rate.map_or(f64::INFINITY, Quantity::value);
+                Pressure::Rate(control)
             }
             (Some(_), Some(_)) => {
                 let what = "both a pressure and a strain rate are given";
@@ -179,6 +194,10 @@ pub(super) fn gas(
             (None, None) => sheet.length,
         };
         gas.push(Gas { face, pressure, within });
+    }
+    if gas.iter().filter(|gas| matches!(gas.pressure, Pressure::Rate(_))).count() > 1 {
+        let what = "both faces hold a strain rate, and there is one sheet";
+        return Err(source.error("gas.upper.strain_rate", what, "give one of the faces a pressure: the other follows"));
     }
     if gas.is_empty() {
         return Err(source.error("gas", "[gas] has no pressure", "add lower = { pressure = \"5 MPa\" } or upper"));

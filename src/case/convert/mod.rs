@@ -11,6 +11,7 @@ mod limits;
 mod lines;
 mod loads;
 mod material;
+mod motion;
 mod place;
 mod points;
 mod profile;
@@ -40,7 +41,7 @@ pub(super) fn model(file: &CaseFile, source: &Source, case: &Path) -> Result<(Mo
     let blank = blank::convert(&file.blank, geometry, source, &mut derived)?;
     let material = material::convert(&file.material, source)?;
     let sheet = tools::Sheet { geometry, length: blank.length, thickness: blank.thickness };
-    let drive = drive(file, blank.length, source)?;
+    let drive = motion::drive(file, blank.length, source)?;
     let folder = case.parent().unwrap_or(Path::new(""));
     let shop = tools::Shop { case: file, sheet, travel: drive.travel, source, folder };
     let tools = tools::convert(&shop, &mut derived)?;
@@ -59,14 +60,15 @@ pub(super) fn model(file: &CaseFile, source: &Source, case: &Path) -> Result<(Mo
         geometry,
         material,
         beads: loads::beads(&file.tools.beads, &tools, &sheet, source)?,
+        stop: settings::stop(&file.stop, &tools, source)?,
         tools,
         gas,
         heat,
         travel: drive.travel,
+        schedule: drive.schedule.clone(),
         speed: drive.speed,
         duration: drive.duration,
         frames: settings::frames(&file.output, &drive, source)?,
-        stop: settings::stop(&file.stop),
         settings: settings::convert(&file.solver, source)?,
         blank,
     };
@@ -74,32 +76,6 @@ pub(super) fn model(file: &CaseFile, source: &Source, case: &Path) -> Result<(Mo
     limits::of_model(&model, source)?;
     collide::check(&model, source)?;
     Ok((model, derived))
-}
-
-/// What drives the run and for how long.
-struct Drive {
-    /// Travel \[mm\], speed \[mm/s\] and duration \[s\] as in [`Model`].
-    travel: f64,
-    speed: f64,
-    duration: f64,
-}
-
-/// The punch's travel at its speed, or the gas for its duration.
-fn drive(file: &CaseFile, length: f64, source: &Source) -> Result<Drive, CaseError> {
-    let duration = file.gas.as_ref().and_then(|gas| gas.duration).map(Quantity::value);
-    match (&file.tools.punch, &file.gas, duration) {
-        (Some(_), _, Some(_)) => {
-            let help = "drop it: the punch's travel and speed say how long the run takes";
-            Err(source.error("gas.duration", "both a punch and a duration are given", help))
-        }
-        (Some(punch), _, None) => {
-            let (travel, speed) = (punch.travel.value(), punch.speed.map_or(1.0, Quantity::value));
-            Ok(Drive { travel, speed, duration: travel / speed })
-        }
-        (None, Some(_), Some(duration)) => Ok(Drive { travel: 0.0, speed: length / duration, duration }),
-        (None, Some(_), None) => Err(missing(source, "gas", "duration")),
-        (None, None, _) => Err(missing(source, "tools", "punch")),
-    }
 }
 
 /// A length whose key depends on the geometry; the other geometry's key is an error that says so.

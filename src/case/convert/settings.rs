@@ -1,9 +1,9 @@
 //! `[solver]`, `[stop]` and `[output]`.
 
-use super::{Drive, count};
+use super::{count, motion::Drive};
 use crate::case::file::{self, ContactMethod, Iteration, Norm};
 use crate::case::{CaseError, source::Source};
-use crate::model::{self, Settings, StopRules};
+use crate::model::{self, Role, Settings, StopRules, Tool};
 use crate::quantity::{Quantity, rounded};
 
 pub(super) fn convert(file: &file::Solver, source: &Source) -> Result<Settings, CaseError> {
@@ -70,9 +70,20 @@ pub(super) fn convert(file: &file::Solver, source: &Source) -> Result<Settings, 
 }
 
 /// When a run ends before its full travel.
-pub(super) fn stop(file: &file::Stop) -> StopRules {
+pub(super) fn stop(file: &file::Stop, tools: &[Tool], source: &Source) -> Result<StopRules, CaseError> {
     let default = StopRules::default();
-    StopRules { localised: file.localised.unwrap_or(default.localised), load_drop: file.load_drop.map(Quantity::value) }
+    let contact_share = file.contact_share.map(Quantity::value);
+    let path = "stop.contact_share";
+    if let Some(share) = contact_share.filter(|share| *share > 1.0) {
+        let what = format!("`contact_share` must lie between 0 and 100 %, found {} %", rounded(100.0 * share));
+        return Err(source.error(path, what, "a corner never fills to the last: 95 % is a part that is formed"));
+    }
+    if contact_share.is_some() && tools.iter().all(|tool| tool.role == Role::Holder) {
+        let what = "`contact_share` asks for contact with a punch or a die, and there is none";
+        return Err(source.error(path, what, "add [tools.die], or drop it"));
+    }
+    let load_drop = file.load_drop.map(Quantity::value);
+    Ok(StopRules { localised: file.localised.unwrap_or(default.localised), load_drop, contact_share })
 }
 
 /// Frames closer than this share of the travel are one, and nearer than that no step is worth taking [–].
@@ -81,7 +92,7 @@ const CLOSEST: f64 = 1e-6;
 
 /// Times at which the state is kept [s], rising, the last one the end of the run.
 pub(super) fn frames(file: &file::Output, drive: &Drive, source: &Source) -> Result<Vec<f64>, CaseError> {
-    let Drive { travel, speed, duration } = *drive;
+    let Drive { travel, duration, .. } = *drive;
     let Some(list) = &file.frames else {
         let n = count(source, "output.count", file.count.unwrap_or(4), 1..=1000)?;
         return Ok((1..n).map(|i| duration * i as f64 / n as f64).chain([duration]).collect());
@@ -113,5 +124,5 @@ pub(super) fn frames(file: &file::Output, drive: &Drive, source: &Source) -> Res
         }
         before = frame;
     }
-    Ok(frames.into_iter().map(|f| f / speed).chain([duration]).collect())
+    Ok(frames.into_iter().map(|f| drive.time_at(f)).chain([duration]).collect())
 }

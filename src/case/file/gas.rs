@@ -1,7 +1,7 @@
 //! `[gas]`: pressure on the faces of the sheet.
 
 use super::Given;
-use crate::quantity::{Length, NonNegative, Number, Positive, StrainRate, Stress, Time};
+use crate::quantity::{Length, NonNegative, Number, Positive, StrainRate, Stress, StressRate, Time};
 use schemars::JsonSchema;
 use serde::Deserialize;
 
@@ -33,6 +33,13 @@ pub struct GasFace {
     /// given.
     #[schemars(example = 10.0)]
     pub norm: Option<Positive<Number>>,
+    /// With a strain rate: the largest pressure that the press gives; where the rate would ask for more, the pressure stays
+    /// here and the rate falls below its target.
+    #[schemars(example = "2 MPa")]
+    pub max_pressure: Option<Positive<Stress>>,
+    /// With a strain rate: the fastest rise of the pressure that the press gives.
+    #[schemars(example = "0.01 MPa/s")]
+    pub max_pressure_rate: Option<Positive<StressRate>>,
     /// Distance of the seal from the axis or symmetry plane; when not given, the holder's inner edge (lower face) or the
     /// end of the die's shoulder (upper face), or else the whole blank.
     #[schemars(example = "50 mm")]

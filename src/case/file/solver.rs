@@ -74,6 +74,10 @@ pub struct Stop {
     /// Ends when the punch force has fallen by this much from its maximum; never when not given.
     #[schemars(example = "20 %")]
     pub load_drop: Option<Positive<Ratio>>,
+    /// Ends when this share of the sheet's area, inside the gas's seal where there is gas, lies on the punch or the die: the
+    /// part is formed. Never when not given.
+    #[schemars(example = "95 %")]
+    pub contact_share: Option<Positive<Ratio>>,
 }
 
 /// Matrix of the corrector.

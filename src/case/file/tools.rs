@@ -1,7 +1,7 @@
 //! `[tools.punch]`, `[tools.die]`, `[tools.holder]`, `[[tools.beads]]`.
 
 use super::{Friction, Given, Section};
-use crate::quantity::{Force, Length, LineForce, NonNegative, Positive, Quantity, Speed, Stress};
+use crate::quantity::{Force, Length, LineForce, NonNegative, Positive, Quantity, Speed, Stress, Time};
 use schemars::JsonSchema;
 use serde::Deserialize;
 
@@ -46,10 +46,14 @@ pub struct Punch {
     pub friction: Option<Friction>,
     /// How far the punch goes from where it touches the flat sheet.
     #[schemars(example = "25 mm")]
-    pub travel: Positive<Length>,
+    pub travel: Option<Positive<Length>>,
     /// Punch speed, 1 mm/s when not given; hardening without rate dependence does not feel it.
     #[schemars(example = "1 mm/s")]
     pub speed: Option<Positive<Speed>>,
+    /// Instead of travel and speed: the travel over time, rising from 0 mm at 0 s, straight between its points; the last one is
+    /// the whole travel.
+    #[schemars(example = &[["0 s", "0 mm"], ["2 s", "10 mm"], ["4 s", "30 mm"]])]
+    pub motion: Option<Vec<(NonNegative<Time>, NonNegative<Length>)>>,
 }
 
 /// Spherical nose (plane strain: cylindrical).

@@ -40,6 +40,7 @@ fn model(geometry: Geometry, theory: Theory) -> Model {
         gas: vec![Gas { face: Face::Upper, pressure: 3.0.into(), within: 15.0 }],
         heat: None,
         travel: 6.0,
+        schedule: None,
         speed: 1.0,
         duration: 6.0,
         stop: Default::default(),
@@ -60,10 +61,12 @@ fn matrix_is_the_derivative_of_the_residual() {
             let (run, state) = crate::solver::run_from(&formed, flat, &mut ());
             assert!(run.stop.is_complete(), "{}", run.stop);
             check(&model(geometry, theory), &state);
-            // The same state with the gas as an unknown that holds a strain rate.
-            let mut held = model(geometry, theory);
-            held.gas[0].pressure = Pressure::Rate(RateControl { target: 0.02, exponent: 6.0 });
-            check(&held, &state);
+            // The same state with the gas as an unknown that holds a strain rate, or sits on a cap far below.
+            for max_pressure in [f64::INFINITY, 1e-3] {
+                let mut held = model(geometry, theory);
+                held.gas[0].pressure = Pressure::Rate(RateControl { max_pressure, ..RateControl::new(0.02, 6.0) });
+                check(&held, &state);
+            }
         }
     }
 }
@@ -163,9 +166,11 @@ fn check(model: &Model, state: &State) {
         work.tool_position[tool] = z;
         let h = 1e-6;
         work.gas_pressure[0] = p + h;
-        let (plus, _) = at(&mut work);
+        let (plus, plus_border) = at(&mut work);
         work.gas_pressure[0] = p - h;
-        let (minus, _) = at(&mut work);
+        let (minus, minus_border) = at(&mut work);
+        let (border, corner) = (-(plus_border[k] - minus_border[k]) / (2.0 * h), exact.corner[(k, k)]);
+        assert!((border - corner).abs() <= 1e-5 * corner.abs(), "the gas by itself: {border} {corner}");
         for i in 1..n {
             let difference = -(plus[i] - minus[i]) / (2.0 * h);
             assert!(

@@ -1,0 +1,97 @@
+//! What drives the run and for how long: the punch at its speed or along its history, or gas alone.
+
+use crate::case::explain::missing;
+use crate::case::file::{CaseFile, Punch};
+use crate::case::{CaseError, source::Source};
+use crate::history::History;
+use crate::quantity::{Length, NonNegative, Quantity, Time, rounded};
+
+/// Points of a history closer than this share of the whole are no motion, or a blow \[–\].
+const CLOSEST: f64 = 1e-6;
+
+/// Travel \[mm\], its history, speed \[mm/s\] and duration \[s\] as in [`crate::model::Model`].
+pub(super) struct Drive {
+    pub travel: f64,
+    pub schedule: Option<History>,
+    pub speed: f64,
+    pub duration: f64,
+}
+
+impl Drive {
+    /// Time at a punch travel \[s\].
+    pub fn time_at(&self, travel: f64) -> f64 {
+        self.schedule.as_ref().map_or(travel / self.speed, |schedule| schedule.reaches(travel))
+    }
+}
+
+/// The key that says how far the punch goes.
+pub(super) fn travel_key(source: &Source) -> &'static str {
+    if source.has("tools.punch.motion") { "tools.punch.motion" } else { "tools.punch.travel" }
+}
+
+/// The punch's travel at its speed or along its history, or the gas for its duration.
+pub(super) fn drive(file: &CaseFile, length: f64, source: &Source) -> Result<Drive, CaseError> {
+    let duration = file.gas.as_ref().and_then(|gas| gas.duration).map(Quantity::value);
+    match (&file.tools.punch, &file.gas, duration) {
+        (Some(_), _, Some(_)) => {
+            let help = "drop it: the punch's travel and speed say how long the run takes";
+            Err(source.error("gas.duration", "both a punch and a duration are given", help))
+        }
+        (Some(punch), _, None) => punched(punch, source),
+        (None, Some(_), Some(duration)) => {
+            Ok(Drive { travel: 0.0, schedule: None, speed: length / duration, duration })
+        }
+        (None, Some(_), None) => Err(missing(source, "gas", "duration")),
+        (None, None, _) => Err(missing(source, "tools", "punch")),
+    }
+}
+
+fn punched(punch: &Punch, source: &Source) -> Result<Drive, CaseError> {
+    let Some(points) = &punch.motion else {
+        let Some(travel) = punch.travel else { return Err(missing(source, "tools.punch", "travel")) };
+        let (travel, speed) = (travel.value(), punch.speed.map_or(1.0, Quantity::value));
+        return Ok(Drive { travel, schedule: None, speed, duration: travel / speed });
+    };
+    for (key, given) in [("speed", punch.speed.is_some()), ("travel", punch.travel.is_some())] {
+        if given {
+            let what = format!("both `motion` and `{key}` are given");
+            return Err(source.error(&format!("tools.punch.{key}"), what, "drop it: the motion says travel and speed"));
+        }
+    }
+    let schedule = history(points, source)?;
+    let &(duration, travel) = schedule.points().last().expect("a history has points");
+    Ok(Drive { travel, schedule: Some(schedule), speed: travel / duration, duration })
+}
+
+/// The travel over time, checked point by point.
+fn history(points: &[(NonNegative<Time>, NonNegative<Length>)], source: &Source) -> Result<History, CaseError> {
+    const PATH: &str = "tools.punch.motion";
+    let points: Vec<(f64, f64)> = points.iter().map(|(time, travel)| (time.value(), travel.value())).collect();
+    let [first, .., last] = points.as_slice() else {
+        let what = format!("`motion` needs at least two points, found {}", points.len());
+        return Err(source.error(PATH, what, "write [[\"0 s\", \"0 mm\"], [\"5 s\", \"20 mm\"]], or travel and speed"));
+    };
+    if *first != (0.0, 0.0) {
+        let what =
+            format!("`motion` must begin with 0 mm at 0 s, found {} mm at {} s", rounded(first.1), rounded(first.0));
+        return Err(source.error(&format!("{PATH}.0"), what, "the punch begins where it touches the flat sheet"));
+    }
+    for (i, w) in points.windows(2).enumerate() {
+        let (time, travel) = (w[1].0 - w[0].0, w[1].1 - w[0].1);
+        let (what, unit, from, to) = if time < CLOSEST * last.0 || time <= 0.0 {
+            ("times", "s", w[0].0, w[1].0)
+        } else if travel < CLOSEST * last.1 || travel <= 0.0 {
+            ("travels", "mm", w[0].1, w[1].1)
+        } else {
+            continue;
+        };
+        let what = format!(
+            "the {what} of `motion` must rise by a millionth of the whole or more, found {} {unit} after {} {unit}",
+            rounded(to),
+            rounded(from)
+        );
+        let help = "the punch neither rests nor returns: sort the points, and let it move from each to the next";
+        return Err(source.error(&format!("{PATH}.{}", i + 1), what, help));
+    }
+    Ok(History::new(points).expect("checked above"))
+}
