@@ -4,7 +4,7 @@ use crate::contact::penalty::Penalty;
 use crate::element::kinematics::Start;
 use crate::element::{Node, lobatto};
 use crate::material::flow::Triple;
-use crate::model::{Model, Motion, Role};
+use crate::model::{Model, Motion, Role, Theory};
 use crate::record::{ElementRecord, Frame, NodeRecord};
 
 /// One layer point of an element.
@@ -32,6 +32,8 @@ pub struct State {
     pub volume: Vec<f64>,
     /// Logarithmic mid-surface strains of each element: meridional, hoop \[–\].
     pub membrane: Vec<[f64; 2]>,
+    /// Whether each element bent in the last step, or was a membrane.
+    pub bends: Vec<bool>,
     /// Layer points, element by element.
     pub layers: Vec<LayerPoint>,
     /// Axial displacement of each tool from where it is drawn \[mm\], and its velocity \[mm/s\].
@@ -73,6 +75,7 @@ impl State {
             thickness: vec![t; elements],
             volume: volume.collect(),
             membrane: vec![[0.0; 2]; elements],
+            bends: vec![model.blank.theory == Theory::Bending; elements],
             layers: vec![LayerPoint::default(); elements * model.blank.layers],
             tools: tools.collect(),
             tool_velocity: model
@@ -113,6 +116,7 @@ impl State {
                     strain_equivalent_max: points.iter().map(|p| p.strain).fold(0.0, f64::max),
                     stress_meridional: mean(|p| p.stress[0]),
                     stress_hoop: mean(|p| p.stress[1]),
+                    bends: self.bends[e],
                 }
             })
             .collect();

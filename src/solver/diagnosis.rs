@@ -54,6 +54,7 @@ impl Workspace {
             flips,
             strain_increment: self.strain_increment(),
             sharpest_bend: self.sharpest_bend(),
+            bending: self.selection.bends.iter().filter(|bends| **bends).count(),
             ..StepRecord::default()
         }
     }

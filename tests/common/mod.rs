@@ -149,6 +149,7 @@ fn frame(model: &Model, travel: f64) -> Frame {
                 strain_equivalent_max: 1.1 * equivalent,
                 stress_meridional: 0.9 * flow,
                 stress_hoop: 0.3 * flow,
+                bends: true,
             }
         })
         .collect();

@@ -1,0 +1,179 @@
+//! Selective bending: which elements of the sheet bend in a step, and which are membranes.
+//!
+//! The choice is made from the state at the start of a step, so that a step that is tried again keeps it. An element
+//! bends within [`RING`] thicknesses of a node
+//!
+//! | where | why |
+//! |---|---|
+//! | with t/R above the limit | R from the angle between the neighbouring elements over their length |
+//! | about to come onto a tool corner with t/R above the limit | the corner bends it before it is curved |
+//!
+//! so that the edges of a radius, where the sheet is bent and bent back, are inside.
+//!
+//! A membrane is solved with one point in the middle of the thickness, at the mean equivalent strain of the layers. All
+//! layers then take its stress and its strain increment, and what they differed by stays.
+//!
+//! # References
+//! E. Oñate, C. Agelet de Saracibar, Int. J. Num. Meth. Engng. 30 (1990) 1577–1593.
+
+use super::assembly::Workspace;
+use crate::element::kinematics::Start;
+use crate::geometry::{Arc, Point};
+use crate::material::flow::Iterate;
+use crate::model::{Edge, Model, Theory, Tool};
+use crate::state::State;
+
+/// How far an element lies from a curved node at most to bend with it, along the sheet, over the thickness \[–\].
+const RING: f64 = 2.0;
+/// Gap to a tool corner below which the sheet is about to come onto it, over the thickness \[–\].
+const NEAR: f64 = 0.5;
+/// An element that bends goes on until t/R is below this share of the limit \[–\]: no flicker.
+const HYSTERESIS: f64 = 0.7;
+
+/// Which elements bend and which nodes rotate, step by step.
+#[derive(Clone, Debug)]
+pub(super) struct Selection {
+    /// Of each element.
+    pub bends: Vec<bool>,
+    /// Of each node: whether an element there resists its rotation.
+    pub rotates: Vec<bool>,
+    /// Tool corners that bend the sheet, and the tool of each.
+    corners: Vec<(usize, Arc)>,
+    /// Of each node: whether it is curved, or about to be.
+    curved: Vec<bool>,
+}
+
+impl Selection {
+    pub fn new(model: &Model, elements: usize) -> Self {
+        let bends = model.blank.theory == Theory::Bending;
+        let t = model.blank.thickness;
+        let limit = model.settings.bend_ratio;
+        let sharp = |tool: &Tool| tool.profile.corners().filter(|arc| t > limit * (arc.radius + 0.5 * t)).collect();
+        let corners = model.tools.iter().map(sharp).enumerate();
+        Self {
+            bends: vec![bends; elements],
+            rotates: vec![bends; elements + 1],
+            corners: corners.flat_map(|(j, arcs): (_, Vec<Arc>)| arcs.into_iter().map(move |arc| (j, arc))).collect(),
+            curved: vec![false; elements + 1],
+        }
+    }
+
+    /// Chooses for a step from `state`.
+    pub fn choose(&mut self, model: &Model, state: &State) {
+        if model.blank.theory != Theory::Selective {
+            return;
+        }
+        let last = state.nodes.len() - 1;
+        for i in 0..=last {
+            let before = state.bends[i.max(1) - 1] || state.bends[i.min(last - 1)];
+            let limit = model.settings.bend_ratio * if before { HYSTERESIS } else { 1.0 };
+            self.curved[i] = state.thickness_at(i) * curvature(state, i) > limit || self.is_near_corner(state, i);
+        }
+        let ring = RING * model.blank.thickness;
+        self.bends.fill(false);
+        let (mut from, mut back) = (f64::INFINITY, f64::INFINITY);
+        for e in 0..last {
+            let f = last - 1 - e;
+            let length =
+                |e: usize| (state.nodes[e + 1][0] - state.nodes[e][0]).hypot(state.nodes[e + 1][1] - state.nodes[e][1]);
+            from = if self.curved[e] { 0.0 } else { from };
+            back = if self.curved[f + 1] { 0.0 } else { back };
+            self.bends[e] |= from < ring;
+            self.bends[f] |= back < ring;
+            from += length(e);
+            back += length(f);
+        }
+        for i in 0..=last {
+            self.rotates[i] = self.bends[i.max(1) - 1] || self.bends[i.min(last - 1)];
+        }
+    }
+
+    fn is_near_corner(&self, state: &State, i: usize) -> bool {
+        let t = state.thickness_at(i);
+        self.corners.iter().any(|(tool, arc)| {
+            let x = Point::new(state.nodes[i][0], state.nodes[i][1] - state.tools[*tool]);
+            let gap = (x - arc.center).norm() - arc.radius - 0.5 * t;
+            gap < NEAR * t && arc.faces(x)
+        })
+    }
+}
+
+/// Curvature of the meridian at a node \[1/mm\], from the angle between its elements; the sheet goes on beyond the axis
+/// as its mirror image, and not beyond the edge.
+fn curvature(state: &State, i: usize) -> f64 {
+    let nodes = &state.nodes;
+    let along = |a: usize| Point::new(nodes[a + 1][0] - nodes[a][0], nodes[a + 1][1] - nodes[a][1]);
+    if i + 1 == nodes.len() {
+        return 0.0;
+    }
+    let b = along(i);
+    let a = if i == 0 { Point::new(b.x, -b.y) } else { along(i - 1) };
+    let angle = (a.x * b.y - a.y * b.x).atan2(a.dot(&b));
+    angle.abs() / (0.5 * (a.norm() + b.norm()))
+}
+
+impl Workspace {
+    /// Layer points of element `e`.
+    fn points(&self, e: usize) -> std::ops::Range<usize> {
+        e * self.layers.len()..(e + 1) * self.layers.len()
+    }
+
+    /// Membranes of a layered sheet.
+    fn membranes(&self) -> impl Iterator<Item = usize> + use<> {
+        let layered = self.layers.len() > 1;
+        let membranes = self.selection.bends.iter().enumerate().filter(|(_, bends)| layered && !**bends);
+        membranes.map(|(e, _)| e).collect::<Vec<_>>().into_iter()
+    }
+
+    /// ε̄ of membranes at the start of a step: the mean of their layers'.
+    pub(super) fn average_strains(&mut self) {
+        for e in self.membranes() {
+            let points = self.points(e);
+            let mean = self.before[points.clone()].iter().zip(&self.layers).map(|(b, l)| l.share * b).sum();
+            self.before[points].fill(mean);
+        }
+    }
+
+    /// First iterates of membranes: the mean of their layers', without the transverse shear, which they do not feel. Nodes
+    /// that nothing turns wait for the end of the step.
+    pub(super) fn average_iterates(&mut self, model: &Model, state: &State) {
+        for e in self.membranes() {
+            let points = self.points(e);
+            let mut carried = [0.0; 3];
+            for (point, layer) in state.layers[points.clone()].iter().zip(&self.layers) {
+                carried[0] += layer.share * point.carried[0];
+                carried[1] += layer.share * point.carried[1];
+            }
+            self.iterates[points.start] = Iterate::start(carried);
+        }
+        if model.blank.theory == Theory::Selective {
+            for (u, _) in self.moves.iter_mut().zip(&self.selection.rotates).filter(|(_, rotates)| !**rotates) {
+                u[2] = 0.0;
+            }
+        }
+    }
+
+    /// After a step has come to equilibrium: the layers of membranes take what their one point found, and fibres that
+    /// nothing resists turn with the sheet, so that an element that bends later starts with its fibres upright.
+    pub(super) fn settle(&mut self, model: &Model, state: &State) {
+        if model.blank.theory != Theory::Selective {
+            return;
+        }
+        for e in self.membranes() {
+            let points = self.points(e);
+            let (iterate, response) = (self.iterates[points.start], self.responses[points.start]);
+            self.iterates[points.clone()].fill(iterate);
+            self.responses[points].fill(response);
+        }
+        let last = self.moves.len() - 1;
+        let turn = |start: &Start, e: usize| start.end(self.moves[e], self.moves[e + 1]).map_or(0.0, |end| end.turn());
+        let turns: Vec<f64> = self.starts.iter().enumerate().map(|(e, start)| turn(start, e)).collect();
+        let held = usize::from(model.blank.edge != Edge::Free);
+        for i in 1..=last - held {
+            if !self.selection.rotates[i] {
+                self.moves[i][2] = 0.5 * (turns[i - 1] + turns[i.min(last - 1)]);
+                self.nodes[i][2] = state.nodes[i][2] + self.moves[i][2];
+            }
+        }
+    }
+}
