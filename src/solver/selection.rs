@@ -23,8 +23,10 @@ use crate::material::flow::Iterate;
 use crate::model::{Edge, Model, Theory, Tool};
 use crate::state::State;
 
-/// How far an element lies from a curved node at most to bend with it, along the sheet, over the thickness \[–\].
-const RING: f64 = 2.0;
+/// How far an element lies from a curved node at most to bend with it, along the sheet, over the thickness \[–\]: some
+/// lengths √(t R) over which bending at an edge dies out. With 2 the load of the shipped cups is up to 2.5 % off that of full
+/// bending, with 4 1.3 %, with 8 0.5 %.
+const RING: f64 = 8.0;
 /// Gap to a tool corner below which the sheet is about to come onto it, over the thickness \[–\].
 const NEAR: f64 = 0.5;
 /// An element that bends goes on until t/R is below this share of the limit \[–\]: no flicker.
@@ -67,7 +69,8 @@ impl Selection {
         for i in 0..=last {
             let before = state.bends[i.max(1) - 1] || state.bends[i.min(last - 1)];
             let limit = model.settings.bend_ratio * if before { HYSTERESIS } else { 1.0 };
-            self.curved[i] = state.thickness_at(i) * curvature(state, i) > limit || self.is_near_corner(state, i);
+            self.curved[i] =
+                state.thickness_at(i) * curvature(model, state, i) > limit || self.is_near_corner(state, i);
         }
         let ring = RING * model.blank.thickness;
         self.bends.fill(false);
@@ -99,15 +102,17 @@ impl Selection {
 }
 
 /// Curvature of the meridian at a node \[1/mm\], from the angle between its elements; the sheet goes on beyond the axis
-/// as its mirror image, and not beyond the edge.
-fn curvature(state: &State, i: usize) -> f64 {
+/// as its mirror image, beyond a held edge flat, and not beyond a free one.
+fn curvature(model: &Model, state: &State, i: usize) -> f64 {
     let nodes = &state.nodes;
     let along = |a: usize| Point::new(nodes[a + 1][0] - nodes[a][0], nodes[a + 1][1] - nodes[a][1]);
-    if i + 1 == nodes.len() {
-        return 0.0;
-    }
-    let b = along(i);
-    let a = if i == 0 { Point::new(b.x, -b.y) } else { along(i - 1) };
+    let last = nodes.len() - 1;
+    let (a, b) = match i {
+        0 => (Point::new(along(0).x, -along(0).y), along(0)),
+        i if i < last => (along(i - 1), along(i)),
+        _ if model.blank.edge == Edge::Free => return 0.0,
+        _ => (along(last - 1), Point::new(along(last - 1).norm(), 0.0)),
+    };
     let angle = (a.x * b.y - a.y * b.x).atan2(a.dot(&b));
     angle.abs() / (0.5 * (a.norm() + b.norm()))
 }
@@ -175,5 +180,95 @@ impl Workspace {
                 self.nodes[i][2] = state.nodes[i][2] + self.moves[i][2];
             }
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::element::Geometry;
+    use crate::material::hardening::Swift;
+    use crate::material::{Hardening, Material};
+    use crate::model::{Blank, Grading, Settings, StopRules};
+
+    const T: f64 = 1.05;
+
+    /// 100 elements of 1 mm without tools.
+    fn strip() -> Model {
+        Model {
+            title: "strip".into(),
+            notes: vec![],
+            geometry: Geometry::PlaneStrain,
+            blank: Blank {
+                length: 100.0,
+                thickness: T,
+                elements: 100,
+                grading: Grading::Uniform,
+                theory: Theory::Selective,
+                layers: 5,
+                edge: Edge::Free,
+            },
+            material: Material::plain(Hardening::Swift(Swift::new(500.0, 0.2, 1e-3).expect("valid"))),
+            tools: vec![],
+            beads: vec![],
+            gas: vec![],
+            travel: 1.0,
+            speed: 1.0,
+            duration: 1.0,
+            stop: StopRules::default(),
+            frames: vec![1.0],
+            settings: Settings::default(),
+        }
+    }
+
+    /// Flat up to 40 mm, then ten elements on a radius, then straight on.
+    fn bent(model: &Model, radius: f64) -> State {
+        let mut state = State::flat(model, crate::mesh::nodes(model));
+        for i in 41..=100 {
+            let angle = (i as f64 - 40.5).clamp(0.0, 10.0) / radius;
+            let [r, z, _] = state.nodes[i - 1];
+            state.nodes[i] = [r + angle.cos(), z + angle.sin(), 0.0];
+        }
+        state
+    }
+
+    fn bending(model: &Model, state: &State) -> Vec<usize> {
+        let mut selection = Selection::new(model, 100);
+        selection.choose(model, state);
+        (0..100).filter(|&e| selection.bends[e]).collect()
+    }
+
+    /// Trust: nodes 41 to 49 are curved; the ring of eight thicknesses, 8.4 mm, reaches nine elements from them on either side.
+    #[test]
+    fn elements_bend_around_a_radius_and_nowhere_else() {
+        let model = strip();
+        assert_eq!(bending(&model, &bent(&model, T / 0.06)), (32..58).collect::<Vec<_>>());
+        assert!(bending(&model, &bent(&model, T / 0.04)).is_empty());
+    }
+
+    #[test]
+    fn what_bends_goes_on_below_the_limit() {
+        let model = strip();
+        let mut state = bent(&model, T / 0.04);
+        state.bends[20..90].fill(true);
+        assert_eq!(bending(&model, &state), (32..58).collect::<Vec<_>>());
+        let mut flatter = bent(&model, T / 0.03);
+        flatter.bends[20..90].fill(true);
+        assert!(bending(&model, &flatter).is_empty());
+    }
+
+    /// A clamped sheet bends at its edge, a free one does not: the last element stands up by 0.1 over 1 mm.
+    #[test]
+    fn a_clamped_edge_bends_the_sheet() {
+        let mut model = strip();
+        let mut state = State::flat(&model, crate::mesh::nodes(&model));
+        for node in &mut state.nodes {
+            node[1] = 0.1 * (100.0 - node[0]);
+        }
+        state.nodes[0][1] = state.nodes[1][1];
+        let at_edge = |model: &Model| bending(model, &state).contains(&99);
+        assert!(!at_edge(&model));
+        model.blank.edge = Edge::Clamped;
+        assert!(at_edge(&model));
     }
 }
