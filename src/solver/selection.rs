@@ -124,10 +124,9 @@ impl Workspace {
     }
 
     /// Membranes of a layered sheet.
-    fn membranes(&self) -> impl Iterator<Item = usize> + use<> {
+    fn membranes(&self) -> Vec<usize> {
         let layered = self.layers.len() > 1;
-        let membranes = self.selection.bends.iter().enumerate().filter(|(_, bends)| layered && !**bends);
-        membranes.map(|(e, _)| e).collect::<Vec<_>>().into_iter()
+        (0..self.starts.len()).filter(|&e| layered && !self.selection.bends[e]).collect()
     }
 
     /// ε̄ of membranes at the start of a step: the mean of their layers'.
