@@ -32,7 +32,7 @@ const RING: f64 = 8.0;
 /// Gap to a tool corner below which the sheet is about to come onto it, over the thickness \[–\].
 const NEAR: f64 = 0.5;
 /// Meridional stress, mean over the thickness, that holds a membrane, over the largest flow stress in the sheet \[–\].
-const SLACK: f64 = 0.01;
+const SLACK: f64 = 0.05;
 /// What bends, or is a membrane, goes on until t/R, or the tension, is below this share of its limit \[–\]: no flicker.
 const HYSTERESIS: f64 = 0.7;
 
@@ -282,13 +282,13 @@ mod tests {
         assert!(bending(&model, &flatter).is_empty());
     }
 
-    /// Trust: 1 % of the largest flow stress, 1.7 MPa, is what a membrane needs.
+    /// Trust: 5 % of the largest flow stress, 173 MPa, is 8.7 MPa: that is what a membrane needs.
     #[test]
     fn an_element_without_tension_bends() {
         let model = strip();
         assert_eq!(bending(&model, &State::flat(&model, crate::mesh::nodes(&model))).len(), 100);
         let mut state = tight(&model);
-        for (e, tension) in [(70, 1.1), (71, 1.9), (72, -200.0)] {
+        for (e, tension) in [(70, 8.0), (71, 9.5), (72, -200.0)] {
             for point in &mut state.layers[5 * e..5 * e + 5] {
                 point.stress[0] = tension;
             }
