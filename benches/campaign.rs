@@ -1,12 +1,13 @@
 //! Random dies: how they end, and what they cost.
 //!
-//! `cargo bench --bench campaign -- --count 1000 --seed 7`
+//! `cargo bench --bench campaign -- --count 1000 --seed 7`, with `--selective 1` for selective bending
 
 #[path = "../tests/common/random_die.rs"]
 mod random_die;
 
 use random_die::{Process, random_die};
 use rayon::prelude::*;
+use stampflow::model::Theory;
 use stampflow::{StepRecord, solver};
 use std::collections::BTreeMap;
 use std::panic::catch_unwind;
@@ -31,7 +32,9 @@ struct Outcome {
 
 fn main() {
     let (count, seed) = (argument("--count", 200), argument("--seed", 7));
-    let outcomes: Vec<Outcome> = (0..count).into_par_iter().map(|i| one(seed.wrapping_mul(1_000_003) + i)).collect();
+    let theory = if argument("--selective", 0) == 0 { Theory::Bending } else { Theory::Selective };
+    let seeds = (0..count).into_par_iter().map(|i| seed.wrapping_mul(1_000_003) + i);
+    let outcomes: Vec<Outcome> = seeds.map(|seed| one(seed, theory)).collect();
 
     println!("{count} random dies, seed {seed}; worth a look:");
     for o in &outcomes {
@@ -90,8 +93,9 @@ fn print_figures(outcomes: &[Outcome]) {
     }
 }
 
-fn one(seed: u64) -> Outcome {
-    let die = random_die(seed);
+fn one(seed: u64, theory: Theory) -> Outcome {
+    let mut die = random_die(seed);
+    die.model.blank.theory = theory;
     let (process, text) = (die.process, die.text.clone());
     let start = Instant::now();
     let Ok(run) = catch_unwind(move || solver::run(&die.model, &mut ())) else {

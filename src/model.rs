@@ -318,6 +318,8 @@ pub struct Settings {
     /// Equivalent strain that one step may add anywhere \[–\]: the next step is chosen by it, and one that goes beyond
     /// twice as much is repeated shorter.
     pub strain_step: f64,
+    /// Thickness over bending radius from which an element of a selective sheet bends \[–\].
+    pub bend_ratio: f64,
 }
 
 impl Settings {
@@ -343,6 +345,7 @@ impl Default for Settings {
             round_facets: true,
             contact: ContactMethod::Penalty,
             strain_step: 0.1,
+            bend_ratio: 0.05,
         }
     }
 }

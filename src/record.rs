@@ -28,6 +28,8 @@ pub struct ElementRecord {
     pub porosity: f64,
     /// Temperature \[K\].
     pub temperature: f64,
+    /// Whether it bent in the last step, or was a membrane.
+    pub bends: bool,
 }
 
 /// One node at one instant.
@@ -167,6 +169,8 @@ pub struct StepRecord {
     pub strain_increment: f64,
     /// Thickness over the smallest bending radius of the mid-surface \[–\]; 0 while the sheet is flat.
     pub sharpest_bend: f64,
+    /// Elements that bend; the others are membranes.
+    pub bending: usize,
     pub iterations: usize,
     /// Tries that were rejected before this step was accepted.
     pub rejected: usize,

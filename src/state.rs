@@ -5,7 +5,7 @@ use crate::element::Node;
 use crate::element::kinematics::Start;
 use crate::element::lobatto::{self, Layer};
 use crate::material::flow::{ROOM_TEMPERATURE, Triple};
-use crate::model::{Model, Motion, Role};
+use crate::model::{Model, Motion, Role, Theory};
 use crate::record::{ElementRecord, Frame, NodeRecord};
 
 /// One layer point of an element.
@@ -41,6 +41,8 @@ pub struct State {
     pub temperature: Vec<f64>,
     /// Logarithmic mid-surface strains of each element: meridional, hoop \[–\].
     pub membrane: Vec<[f64; 2]>,
+    /// Whether each element bent in the last step, or was a membrane.
+    pub bends: Vec<bool>,
     /// Layer points, element by element.
     pub layers: Vec<LayerPoint>,
     /// Axial displacement of each tool from where it is drawn \[mm\], and its velocity \[mm/s\].
@@ -82,6 +84,7 @@ impl State {
             thickness: vec![t; elements],
             volume: volume.collect(),
             membrane: vec![[0.0; 2]; elements],
+            bends: vec![model.blank.theory == Theory::Bending; elements],
             layers: vec![
                 LayerPoint {
                     porosity: model.material.voids.map_or(0.0, |voids| voids.initial),
@@ -151,6 +154,7 @@ impl State {
                     stress_hoop: mean(|p| p.stress[1]),
                     porosity: mean(|p| p.porosity),
                     temperature: self.temperature[e],
+                    bends: self.bends[e],
                 }
             })
             .collect();

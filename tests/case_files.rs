@@ -137,6 +137,14 @@ fn plane_strain_takes_the_holder_force_per_depth_and_membrane_theory_one_layer()
 }
 
 #[test]
+fn selective_bending_keeps_its_layers_and_takes_a_threshold() {
+    let overrides = ["blank.theory=selective", "solver.bend_ratio=0.02", "blank.layers=7"];
+    let model = load("cases/quickstart.toml", &overrides).model;
+    assert_eq!((model.blank.theory, model.blank.layers), (Theory::Selective, 7));
+    assert_eq!(model.settings.bend_ratio, 0.02);
+}
+
+#[test]
 fn overrides_take_toml_values_and_bare_text() {
     let overrides = [
         "tools.punch.friction=0.1",

@@ -83,6 +83,7 @@ geometry = "plane_strain"
 half_length = "60 mm"
 thickness = "1 mm"
 elements = 40
+theory = "selective"
 [material]
 anisotropy = 1.4
 [material.rate]
@@ -113,6 +114,7 @@ within = "30 mm"
 [solver]
 contact = "augmented_lagrangian"
 strain_step = 0.05
+bend_ratio = 0.03
 [stop]
 localised = false
 load_drop = "30 %"

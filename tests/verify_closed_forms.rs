@@ -153,7 +153,6 @@ fn plastic_moment_converges_with_the_layers() {
                 cutoff: 1e-7,
                 duration: 1.0,
             },
-            theory: Theory::Bending,
             layers: &layers,
             slack_tension: 0.0,
         };

@@ -79,6 +79,12 @@ fn blank(model: &Model, lines: &mut Vec<Line>) {
     let theory = match blank.theory {
         Theory::Bending => format!("bending, {} points through the thickness", blank.layers),
         Theory::Membrane => "membrane".into(),
+        Theory::Selective => {
+            format!(
+                "bending with {} points where t/R is above {}, else membrane",
+                blank.layers, model.settings.bend_ratio
+            )
+        }
     };
     lines.push(line("theory", theory, ""));
 }

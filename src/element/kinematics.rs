@@ -55,7 +55,7 @@ pub struct End {
 }
 
 impl Start {
-    /// The element between `a` (nearer the axis) and `b`.
+    /// The element between `a` (nearer the axis) and `b`, of its own theory: bending or membrane.
     pub fn new(geometry: Geometry, theory: Theory, a: Node, b: Node) -> Self {
         let (dr, dz) = (b[0] - a[0], b[1] - a[1]);
         Self {
@@ -187,6 +187,17 @@ impl End {
             }
         }
         curvature
+    }
+
+    /// Whether the element bends, or is a membrane.
+    pub fn bends(&self) -> bool {
+        self.start.bending
+    }
+
+    /// Change of the slope φ of the meridian in the step \[rad\].
+    pub fn turn(&self) -> f64 {
+        let Start { dr, dz, .. } = self.start;
+        (dr * self.sin - dz * self.cos).atan2(dr * self.cos + dz * self.sin)
     }
 
     /// Rows of Δε_s and Δε_θ by r₁, z₁, r₂, z₂ \[1/mm\].

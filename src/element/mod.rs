@@ -20,6 +20,19 @@ pub enum Theory {
     Bending,
     /// Membrane only.
     Membrane,
+    /// Each element the one or the other, chosen anew in every step: bending where the sheet is curved.
+    Selective,
+}
+
+impl Theory {
+    /// The theory of one element, `bends` being the choice for it in a selective sheet.
+    pub fn of_element(self, bends: bool) -> Self {
+        match self {
+            Theory::Selective if bends => Theory::Bending,
+            Theory::Selective => Theory::Membrane,
+            theory => theory,
+        }
+    }
 }
 
 impl Geometry {

@@ -1,8 +1,8 @@
 //! The section: layer points integrated through the thickness into forces and the element's matrix.
 
+use super::Vector6;
 use super::kinematics::{EPS_S, EPS_T, End, GAMMA, Generalised, KAPPA_S, KAPPA_T};
 use super::lobatto::Layer;
-use super::{Theory, Vector6};
 use crate::material::flow::{Before, FlowLaw, Iterate, Response, Symmetric};
 use nalgebra::Matrix3;
 
@@ -10,7 +10,7 @@ use nalgebra::Matrix3;
 #[derive(Clone, Copy, Debug)]
 pub struct Law<'a> {
     pub flow: FlowLaw<'a>,
-    pub theory: Theory,
+    /// Of an element that bends; a membrane has one point, in the middle.
     pub layers: &'a [Layer],
     /// Least tension of a membrane over its yield force \[–\], in the matrix only (the residual is untouched): a flat
     /// membrane has no transverse stiffness before its first stretch.
@@ -30,11 +30,14 @@ pub struct Internal {
     pub thickness: f64,
 }
 
+/// The point of a membrane.
+const MIDDLE: [Layer; 1] = [Layer { xi: 0.0, share: 1.0 }];
+
 impl Law<'_> {
     /// Forces and matrix of an element of `volume` \[mm³\] whose thickness was `thickness` \[mm\] at the start of the step.
     ///
     /// `before` is ε̄ at the start of the step, `iterates` the layers' iterates (moved on), `responses` the layers'
-    /// results (written).
+    /// results (written); of a membrane's the first.
     #[inline]
     pub fn internal(
         &self,
@@ -49,7 +52,8 @@ impl Law<'_> {
         let mut s: Generalised = [0.0; 5];
         // C integrated with 1, ζ, ζ²: membrane, coupling, bending.
         let (mut c0, mut c1, mut c2): (Symmetric, Symmetric, Symmetric) = ([0.0; 6], [0.0; 6], [0.0; 6]);
-        for (i, layer) in self.layers.iter().enumerate() {
+        let layers = if end.bends() { self.layers } else { &MIDDLE };
+        for (i, layer) in layers.iter().enumerate() {
             let zeta = 0.5 * thickness * layer.xi;
             let strain = [e[EPS_S] + zeta * e[KAPPA_S], e[EPS_T] + zeta * e[KAPPA_T], e[GAMMA]];
             let response = iterates[i].advance(&self.flow, &before[i], strain);
@@ -71,7 +75,7 @@ impl Law<'_> {
         // Forces and matrix of the element's five motions: differences d = (r, z), sum of r, difference and sum of θ.
         let g = end.gradient();
         let mut k = end.curvature(&s);
-        if self.theory == Theory::Membrane && self.slack_tension > 0.0 {
+        if !end.bends() && self.slack_tension > 0.0 {
             let tension = self.slack_tension * volume * responses[0].yield_stress;
             if s[EPS_S] < tension {
                 let [x, y] = end.transverse();

@@ -92,6 +92,12 @@ impl Arc {
         self.center + self.radius * Point::new(angle.cos(), angle.sin())
     }
 
+    /// Whether `x` lies within the angle that the arc sweeps.
+    pub fn faces(&self, x: Point) -> bool {
+        let from_center = x - self.center;
+        from_center.dot(&self.middle) >= from_center.norm() * self.cos_half_sweep
+    }
+
     fn foot(&self, x: Point) -> Foot {
         let from_center = x - self.center;
         let distance = from_center.norm();

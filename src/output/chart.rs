@@ -85,6 +85,12 @@ pub fn color(i: usize) -> Color {
     PALETTE[i % PALETTE.len()]
 }
 
+/// The colour, two thirds of the way to white.
+pub fn pale(color: Color) -> Color {
+    let pale = |c: u8| 255 - (255 - c) / 3;
+    (pale(color.0), pale(color.1), pale(color.2))
+}
+
 impl Look {
     /// Line of the `i`-th curve: colour and pattern differ from those of its neighbours.
     pub fn curve(i: usize) -> Self {
@@ -94,10 +100,7 @@ impl Look {
     /// The same line thin and pale, for the background.
     pub fn faint(self) -> Self {
         match self {
-            Self::Line { color, dash, .. } => {
-                let pale = |c: u8| 255 - (255 - c) / 3;
-                Self::Line { color: (pale(color.0), pale(color.1), pale(color.2)), width: 1.2, dash }
-            }
+            Self::Line { color, dash, .. } => Self::Line { color: pale(color), width: 1.2, dash },
             other => other,
         }
     }

@@ -31,6 +31,7 @@ pub fn table(model: &Model, frames: &[Frame]) -> Table {
         column("stress_meridional", along[1], Unit::MPa, |e| e.stress_meridional),
         column("stress_hoop", across[1], Unit::MPa, |e| e.stress_hoop),
         column("strain_equivalent_max", "Largest equivalent strain", Unit::None, |e| e.strain_equivalent_max),
+        column("bending", "Bending (1) or membrane (0)", Unit::None, |e| f64::from(u8::from(e.bends))),
     ];
     if model.material.voids.is_some() {
         columns.push(column("porosity", "Porosity", Unit::None, |e| e.porosity));

@@ -1,10 +1,11 @@
 //! The section of the sheet, true to thickness, at the kept frames, and the tools where the run ended.
 
-use super::chart::{Chart, GREY, Look, PALE, Panel, Scale, Series, color};
+use super::chart::{Chart, Color, GREY, Look, PALE, Panel, Scale, Series, color, pale};
 use super::{Subject, profile, progress, reached, shown};
 use crate::geometry::{Piece, Point};
-use crate::model::{Model, Role, Tool};
+use crate::model::{Model, Role, Theory, Tool};
 use crate::record::{Frame, NodeRecord};
+use std::ops::Range;
 
 /// Arcs are drawn with chords of at most this many radians, and that leave the arc by at most this share of the width.
 const CHORD: f64 = 0.03;
@@ -25,11 +26,15 @@ pub(super) fn plot(subject: &Subject) -> Option<Chart> {
         let displacement = last.and_then(|f| f.tool_displacement.get(i)).copied().unwrap_or(0.0);
         Series::silent(body(tool, displacement, SAGITTA * width), Look::Area { fill: PALE, edge: Some(GREY) })
     });
-    let sheets = shown(&run.frames).enumerate().map(|(i, frame)| {
-        Series::new(reached(subject.model, frame), sheet(frame), Look::Area { fill: color(i), edge: None })
+    let selective = model.blank.theory == Theory::Selective;
+    let sheets = shown(&run.frames).enumerate().flat_map(|(i, frame)| {
+        let whole = Series::new(reached(model, frame), sheet(frame, 0..frame.elements.len()), filled(color(i)));
+        let membranes = if selective { membranes(frame) } else { Vec::new() };
+        let paler = membranes.into_iter().map(move |part| Series::silent(sheet(frame, part), filled(pale(color(i)))));
+        std::iter::once(whole).chain(paler)
     });
     // A run that never started shows where it would have.
-    let flat = last.is_none().then(|| Series::new("0 mm", flat(model), Look::Area { fill: color(0), edge: None }));
+    let flat = last.is_none().then(|| Series::new("0 mm", flat(model), filled(color(0))));
     let tools_at = if last.is_some() { "the end" } else { "the start" };
     Some(Chart {
         title: format!("{}: sections", model.title),
@@ -41,6 +46,7 @@ pub(super) fn plot(subject: &Subject) -> Option<Chart> {
             scale: Scale::Section { x: (0.0, width + around), y: (top - 2.0 * around, bottom + around) },
         }],
         notes: std::iter::once(format!("The sheet is true to thickness. Grey: the tools at {tools_at}."))
+            .chain(selective.then(|| "Pale: elements that were membranes; the others bent.".to_owned()))
             .chain(subject.notes_of_frames())
             .collect(),
     })
@@ -73,8 +79,24 @@ fn flat(model: &Model) -> Vec<(f64, f64)> {
     vec![(0.0, half), (length, half), (length, -half), (0.0, -half)]
 }
 
-/// Both surfaces of the sheet: half a thickness from the mid-surface along its normal.
-fn sheet(frame: &Frame) -> Vec<(f64, f64)> {
+fn filled(fill: Color) -> Look {
+    Look::Area { fill, edge: None }
+}
+
+/// Stretches of the sheet whose elements are membranes.
+fn membranes(frame: &Frame) -> Vec<Range<usize>> {
+    let mut from = 0;
+    let alike = frame.elements.chunk_by(|a, b| a.bends == b.bends);
+    let stretches = alike.map(|stretch| {
+        let elements = from..from + stretch.len();
+        from = elements.end;
+        (stretch[0].bends, elements)
+    });
+    stretches.filter(|(bends, _)| !bends).map(|(_, elements)| elements).collect()
+}
+
+/// Both surfaces of some elements of the sheet: half a thickness from the mid-surface along its normal.
+fn sheet(frame: &Frame, elements: Range<usize>) -> Vec<(f64, f64)> {
     let nodes = &frame.nodes;
     let at = |n: &NodeRecord| Point::new(n.r, n.z);
     let surface = |i: usize, side: f64| {
@@ -85,7 +107,8 @@ fn sheet(frame: &Frame) -> Vec<(f64, f64)> {
         let p = at(&nodes[i]) + half * Point::new(-along.y, along.x);
         (p.x, p.y)
     };
-    (0..nodes.len()).map(|i| surface(i, 1.0)).chain((0..nodes.len()).rev().map(|i| surface(i, -1.0))).collect()
+    let part = elements.start..=elements.end;
+    part.clone().map(|i| surface(i, 1.0)).chain(part.rev().map(|i| surface(i, -1.0))).collect()
 }
 
 #[cfg(test)]
@@ -115,6 +138,6 @@ mod tests {
             nodes: vec![node(0.0), node(5.0)],
             tool_displacement: vec![],
         };
-        assert_eq!(sheet(&frame), [(0.0, 3.4), (5.0, 3.4), (5.0, 2.6), (0.0, 2.6)]);
+        assert_eq!(sheet(&frame, 0..1), [(0.0, 3.4), (5.0, 3.4), (5.0, 2.6), (0.0, 2.6)]);
     }
 }

@@ -147,6 +147,11 @@ impl Summary {
         summary.count("flips", "Contacts that came or went", run.history.iter().map(|s| s.flips).sum());
         summary.number("strain_increment", "Largest strain of one step", Unit::None, largest(|s| s.strain_increment));
         summary.text("mesh", "Mesh", &mesh(model));
+        if model.blank.theory == Theory::Selective {
+            let (share, points) = bent(model, run);
+            summary.number("bending_share", "  elements times steps that bent", Unit::Percent, 100.0 * share);
+            summary.number("point_share", "  law points over those of full bending", Unit::Percent, 100.0 * points);
+        }
         summary.text("corrector", "Corrector", &corrector(model));
         summary.count("steps", "Steps", run.history.len());
         summary.count("iterations", "Iterations", run.history.iter().map(|s| s.iterations).sum());
@@ -200,11 +205,31 @@ fn bend_radius(run: &Run) -> f64 {
     if sharpest > 0.0 { 1.0 / sharpest } else { 0.0 }
 }
 
+/// Share of the elements that bent, of all steps, and share of the layer points that full bending would have evaluated in
+/// as many iterations \[–\].
+fn bent(model: &Model, run: &Run) -> (f64, f64) {
+    let (elements, layers) = (model.blank.elements as f64, model.blank.layers as f64);
+    let (mut bent, mut all, mut points, mut full) = (0.0, 0.0, 0.0, 0.0);
+    for step in &run.history {
+        let bending = step.bending as f64;
+        // One more evaluation finds the step in equilibrium.
+        let evaluations = step.iterations as f64 + 1.0;
+        bent += bending;
+        all += elements;
+        points += evaluations * (bending * layers + elements - bending);
+        full += evaluations * elements * layers;
+    }
+    if all > 0.0 { (bent / all, points / full) } else { (0.0, 0.0) }
+}
+
 fn mesh(model: &Model) -> String {
     let blank = &model.blank;
     let theory = match blank.theory {
         Theory::Bending => format!("bending elements, {} layers", blank.layers),
         Theory::Membrane => "membrane elements".to_owned(),
+        Theory::Selective => {
+            format!("elements, bending with {} layers where t/R is above {}", blank.layers, model.settings.bend_ratio)
+        }
     };
     let grading = match blank.grading {
         Grading::Uniform => "uniform",

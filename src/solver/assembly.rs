@@ -4,6 +4,7 @@ use super::attempt::Step;
 use super::block_tridiagonal::System;
 use super::contacts::{ActiveTool, Contact, Far};
 use super::loads::BeadPlace;
+use super::selection::Selection;
 use crate::contact::penalty::Penalty;
 use crate::element::Node;
 use crate::element::kinematics::Start;
@@ -11,7 +12,7 @@ use crate::element::lobatto::{self, Layer};
 use crate::element::section::Law;
 use crate::geometry::Point;
 use crate::material::flow::{Before, FlowLaw, Iterate, Response};
-use crate::model::{Edge, Iteration, Model, Motion, Pressure, PressureCap, Role, Theory};
+use crate::model::{Edge, Iteration, Model, Motion, Pressure, PressureCap, Role};
 use crate::state::State;
 use nalgebra::Vector3;
 
@@ -88,7 +89,8 @@ pub(super) struct Workspace {
     /// Largest nodal residual over the largest internal or contact force of a node, and the node where it sits.
     pub residual_norm: f64,
     pub worst_node: usize,
-    starts: Vec<Start>,
+    pub(super) starts: Vec<Start>,
+    pub(super) selection: Selection,
     pub(super) thickness_rows: Vec<[f64; 6]>,
     pub(super) areas: Vec<f64>,
     /// Shear yield stress at the nodes at the start of the step \[MPa\]; zero when no friction law asks for it.
@@ -172,6 +174,7 @@ impl Workspace {
             residual_norm: 0.0,
             worst_node: 0,
             starts: Vec::with_capacity(elements),
+            selection: Selection::new(model, elements),
             thickness_rows: vec![[0.0; 6]; elements],
             areas: vec![0.0; n],
             shear_yield: vec![0.0; n],
@@ -186,13 +189,15 @@ impl Workspace {
         work
     }
 
-    /// Takes the start of a step: reference lengths, areas, hardening.
+    /// Takes the start of a step: which elements bend, reference lengths, areas, hardening.
     pub fn begin(&mut self, step: &Step) {
         let Step { model, state, dt, .. } = *step;
+        self.selection.choose(model, state);
         self.starts.clear();
         self.areas.fill(0.0);
         for (e, pair) in state.nodes.windows(2).enumerate() {
-            let start = Start::new(model.geometry, model.blank.theory, pair[0], pair[1]);
+            let theory = model.blank.theory.of_element(self.selection.bends[e]);
+            let start = Start::new(model.geometry, theory, pair[0], pair[1]);
             let [a, b] = start.tributary();
             self.areas[e] += a;
             self.areas[e + 1] += b;
@@ -205,6 +210,7 @@ impl Workspace {
         if let Some(voids) = &model.material.voids {
             self.foresee_voids(voids, state, dt);
         }
+        self.average_strains();
         self.place_beads(model, state);
         if self.tools.iter().any(|tool| tool.friction.needs_shear_yield()) {
             self.find_shear_yield(model, state);
@@ -269,6 +275,7 @@ impl Workspace {
         for (iterate, point) in self.iterates.iter_mut().zip(&state.layers) {
             *iterate = Iterate::start(point.carried);
         }
+        self.average_iterates(model, state);
     }
 
     /// Residual and matrix at the trial positions; `false` when an element has collapsed.
@@ -294,7 +301,6 @@ impl Workspace {
                 cutoff: self.cutoff,
                 duration: dt,
             },
-            theory: model.blank.theory,
             layers: &self.layers,
             slack_tension: SLACK_TENSION * (velocity_norm / SLACK_NORM).min(1.0),
         };
@@ -382,14 +388,14 @@ impl Workspace {
         }
     }
 
-    /// Symmetry on the axis, the held edge, and no rotations in a membrane.
+    /// Symmetry on the axis, the held edge, and no rotations where no element resists them.
     fn constrain(&mut self, model: &Model) {
         let last = self.nodes.len() - 1;
         self.edge_reaction = -self.system.rhs[last];
         self.system.fix(0, 0);
         self.system.fix(0, 2);
-        if model.blank.theory == Theory::Membrane {
-            for i in 0..=last {
+        for i in 0..=last {
+            if !self.selection.rotates[i] {
                 self.system.fix(i, 2);
             }
         }

@@ -12,9 +12,13 @@ use crate::state::State;
 const LIGHT: f64 = 0.01;
 
 impl Workspace {
-    /// Whether a pair is in contact, not merely near.
-    pub(super) fn in_contact(&self, contact: &Contact) -> bool {
+    fn in_contact(&self, contact: &Contact) -> bool {
         contact.pressure.value > LIGHT * self.penalty.at_touch()
+    }
+
+    /// Whether the sheet lies on a tool, however lightly it is pressed.
+    pub(super) fn lies_on(&self, contact: &Contact) -> bool {
+        contact.gap < self.penalty.lying()
     }
 
     /// The figures of a step that has come to equilibrium; `before` holds its contacts at the start.
@@ -55,6 +59,7 @@ impl Workspace {
             flips,
             strain_increment: self.strain_increment(),
             sharpest_bend: self.sharpest_bend(),
+            bending: self.selection.bends.iter().filter(|bends| **bends).count(),
             ..StepRecord::default()
         }
     }
@@ -66,8 +71,7 @@ impl Workspace {
         let within = model.gas.iter().map(|gas| gas.within).reduce(f64::max).unwrap_or(f64::INFINITY);
         let seal = Seal::find(state, within);
         let forms = |j: usize| matches!(self.tools[j].role, Role::Punch | Role::Die);
-        let lying = self.penalty.lying();
-        let touches = |i: usize| (0..self.tools.len()).any(|j| forms(j) && self.contacts[j * n + i].gap < lying);
+        let touches = |i: usize| (0..self.tools.len()).any(|j| forms(j) && self.lies_on(&self.contacts[j * n + i]));
         let (mut touching, mut whole) = (0.0, 0.0);
         for e in 0..n - 1 {
             // Volume over thickness is the current area.

@@ -79,14 +79,14 @@ impl<'a> HeatSolver<'a> {
         Heat { plastic: self.flow.plastic_share * plastic.iter().sum::<f64>(), tools, stored: after - before }
     }
 
-    /// What every tool exchanges with the elements whose nodes it touches, each by its part of the node's area.
+    /// What every tool exchanges with the elements whose nodes lie on it, each by its part of the node's area.
     fn meet_tools(&mut self, work: &Workspace, dt: f64) {
         let n = self.exchange.len();
         self.exchange.fill([0.0; 2]);
         for &(j, tool) in &self.tools {
             for e in 0..n {
                 for (node, area) in [e, e + 1].into_iter().zip(work.tributary(e)) {
-                    if work.in_contact(&work.contacts[j * (n + 1) + node]) {
+                    if work.lies_on(&work.contacts[j * (n + 1) + node]) {
                         let exchanged = dt * tool.transfer * area;
                         self.exchange[e][0] += exchanged;
                         self.exchange[e][1] += exchanged * tool.temperature;

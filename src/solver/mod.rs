@@ -9,6 +9,7 @@ mod corrector;
 mod diagnosis;
 mod heat;
 mod loads;
+mod selection;
 mod stepping;
 mod stops;
 mod voids;
@@ -78,6 +79,7 @@ pub fn run_from(model: &Model, mut state: State, observer: &mut dyn Observer) ->
             });
             break;
         }
+        work.settle(model, &state);
         if control.is_overstrained(work.strain_increment()) && control.reject() {
             run.ladder.overstrained += 1;
             rejected += 1;
@@ -162,6 +164,7 @@ fn accept(work: &Workspace, model: &Model, state: &mut State, dt: f64) {
     state.tools.copy_from_slice(&work.tool_position);
     state.nodes.copy_from_slice(&work.nodes);
     state.thickness.copy_from_slice(&work.thickness);
+    state.bends.copy_from_slice(&work.selection.bends);
     for (total, increment) in state.membrane.iter_mut().zip(&work.membrane_increment) {
         total[0] += increment[0];
         total[1] += increment[1];

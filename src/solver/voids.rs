@@ -26,7 +26,8 @@ impl Workspace {
             let mut volume = 0.0;
             for (k, (point, layer)) in points.iter_mut().zip(layers).enumerate() {
                 let i = e * layers.len() + k;
-                let now = voids.evolve(anisotropy, point.porosity, self.before[i].strain, self.iterates[i].strain());
+                let before = point.strain - self.responses[i].increment;
+                let now = voids.evolve(anisotropy, point.porosity, before, self.iterates[i].strain());
                 point.porosity_rate = (now.porosity - point.porosity) / dt;
                 point.porosity = now.porosity;
                 point.strain = now.strain;

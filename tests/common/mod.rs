@@ -166,6 +166,7 @@ fn frame(model: &Model, travel: f64) -> Frame {
                 stress_hoop: 0.3 * flow,
                 porosity: 0.0,
                 temperature: 293.15,
+                bends: true,
             }
         })
         .collect();

@@ -42,7 +42,7 @@ pub(super) fn all(model: &Model) -> Vec<String> {
         let smallest = tool.profile.corners().min_by(|a, b| a.radius.total_cmp(&b.radius));
         if let Some(arc) = smallest.filter(|arc| arc.radius < THIN * t) {
             let what = match model.blank.theory {
-                Theory::Bending => "beyond thin-shell theory",
+                Theory::Bending | Theory::Selective => "beyond thin-shell theory",
                 Theory::Membrane => "bending, which membrane theory leaves out, matters there",
             };
             warnings.push(format!(

@@ -36,9 +36,10 @@ pub(super) fn convert(
     let theory = match file.theory {
         Theory::Bending => model::Theory::Bending,
         Theory::Membrane => model::Theory::Membrane,
+        Theory::Selective => model::Theory::Selective,
     };
     let layers = match theory {
-        model::Theory::Bending => count(source, "blank.layers", file.layers, 3..=101)?,
+        model::Theory::Bending | model::Theory::Selective => count(source, "blank.layers", file.layers, 3..=101)?,
         model::Theory::Membrane => {
             derived.push("membrane theory: bending stiffness is left out, one point through the thickness".into());
             1

@@ -39,6 +39,7 @@ pub(super) fn convert(file: &file::Solver, source: &Source) -> Result<Settings, 
             ContactMethod::AugmentedLagrangian => model::ContactMethod::AugmentedLagrangian,
         }),
         strain_step: or(file.strain_step.map(Quantity::value), default.strain_step),
+        bend_ratio: or(file.bend_ratio.map(Quantity::value), default.bend_ratio),
     };
     let ranges = [
         ("tolerance", settings.tolerance, 1e-12, 0.1),
@@ -49,6 +50,7 @@ pub(super) fn convert(file: &file::Solver, source: &Source) -> Result<Settings, 
         ("contact_smoothing", settings.contact_smoothing, 1e-6, 0.1),
         ("slip_speed", settings.slip_speed, 1e-6, 1.0),
         ("strain_step", settings.strain_step, 1e-3, 1.0),
+        ("bend_ratio", settings.bend_ratio, 1e-4, 1.0),
     ];
     for (key, value, low, high) in ranges {
         if !(low..=high).contains(&value) {

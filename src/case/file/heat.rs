@@ -22,7 +22,7 @@ pub struct Heat {
     /// Along the sheet; none when not given.
     #[schemars(example = "130 W/m/K")]
     pub conductivity: Option<Positive<Conductivity>>,
-    /// A tool that heats or cools what it presses on.
+    /// A tool that heats or cools what lies on it.
     pub punch: Option<ToolHeat>,
     pub die: Option<ToolHeat>,
     pub holder: Option<ToolHeat>,

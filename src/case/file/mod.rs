@@ -100,7 +100,7 @@ pub struct Blank {
     /// Shell theory of the sheet.
     #[serde(default)]
     pub theory: Theory,
-    /// Integration points through the thickness with bending theory, 3 to 101.
+    /// Integration points through the thickness of elements that bend, 3 to 101.
     #[serde(default = "default::layers")]
     #[schemars(range(min = 3, max = 101), example = 5)]
     pub layers: i64,
@@ -129,6 +129,8 @@ pub enum Theory {
     Bending,
     /// Membrane only.
     Membrane,
+    /// Bending where the sheet is curved, chosen in every step, membrane elsewhere.
+    Selective,
 }
 
 /// The blank's outer edge.

@@ -52,6 +52,9 @@ pub struct Solver {
     /// Equivalent strain that one step may add anywhere; 0.1 when not given.
     #[schemars(example = 0.1)]
     pub strain_step: Option<Positive<Number>>,
+    /// Thickness over bending radius from which an element bends where `blank.theory` is "selective"; 0.05 when not given.
+    #[schemars(example = 0.05)]
+    pub bend_ratio: Option<Positive<Number>>,
 }
 
 /// What keeps tools out of the sheet.
