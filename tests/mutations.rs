@@ -75,7 +75,8 @@ round_facets = true
 frames = ["3 mm", "6 mm", "9 mm"]
 "#;
 
-/// Laws and loads that no shipped case shows: kinematic friction, a holder's history and spring, closing beads, stops.
+/// Laws and loads that no shipped case shows: kinematic friction, a punch's history, a holder's
+/// history and spring, closing beads, stops.
 const LOADED: &str = r#"
 title = "Strip with springs, a bead and gas below"
 geometry = "plane_strain"
@@ -97,7 +98,7 @@ punch_side = { stribeck = { at_rest = 0.15, sliding = 0.05, speed = "2 mm/s", vi
 die_side = 0.05
 [tools.punch]
 flat = { half_width = "30 mm", nose = "6 mm" }
-travel = "12 mm"
+motion = [["0 s", "0 mm"], ["4 s", "4 mm"], ["5 s", "12 mm"]]
 [tools.die]
 throat = "31.25 mm"
 shoulder = "6 mm"
@@ -118,6 +119,7 @@ bend_ratio = 0.03
 [stop]
 localised = false
 load_drop = "30 %"
+contact_share = "99 %"
 "#;
 
 /// Every shipped case and two that use the rest of the keys.
