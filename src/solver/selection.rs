@@ -27,7 +27,7 @@ use crate::state::State;
 
 /// How far an element lies from a curved node at most to bend with it, along the sheet, over the thickness \[–\]: some
 /// lengths √(t R) over which bending at an edge dies out. With 2 the load of the shipped cups is up to 2.5 % off that of full
-/// bending, with 4 1.3 %, with 8 0.5 %.
+/// bending, with 4 1.3 %, with 8 0.6 %.
 const RING: f64 = 8.0;
 /// Gap to a tool corner below which the sheet is about to come onto it, over the thickness \[–\].
 const NEAR: f64 = 0.5;

@@ -3,9 +3,9 @@
 
 use stampflow::geometry::{Point, Profile};
 use stampflow::material::hardening::Swift;
-use stampflow::material::{Hardening, Material};
+use stampflow::material::{Hardening, Material, Voids};
 use stampflow::model::{
-    Blank, Edge, Face, Gas, Geometry, Grading, Model, Motion, Press, Pressure, PressureCap, RateControl, Role,
+    Blank, Edge, Face, Gas, Geometry, Grading, Heat, Model, Motion, Press, Pressure, PressureCap, RateControl, Role,
     Settings, StopRules, Theory, Tool,
 };
 use stampflow::output::Subject;
@@ -56,10 +56,14 @@ pub fn model(geometry: Geometry) -> Model {
     }
 }
 
-/// The same with a gas pressure that holds a strain rate: then every output has something to show.
+/// The same, hot and porous, with a gas pressure that holds a strain rate: then every output has something to show.
 pub fn blown(geometry: Geometry) -> Model {
     let rate = RateControl { max_pressure: 2.0, ..RateControl::new(1e-3, 10.0) };
-    Model { gas: vec![Gas { face: Face::Lower, pressure: Pressure::Rate(rate), within: 58.25 }], ..model(geometry) }
+    let mut model = model(geometry);
+    model.gas = vec![Gas { face: Face::Lower, pressure: Pressure::Rate(rate), within: 58.25 }];
+    model.heat = Some(Heat { initial: 723.15.into(), flow: None });
+    model.material.voids = Some(Voids::gurson(0.01));
+    model
 }
 
 /// A run of the model that reached its full travel.
