@@ -64,7 +64,7 @@ fn every_table_names_its_units_alike_in_header_and_axis() {
                 let axis = column.axis();
                 let symbol = axis.text().rsplit_once(" [").unwrap().1.trim_end_matches(']');
                 assert_eq!(axis.text(), format!("{} [{symbol}]", column.label));
-                let spelled = symbol.replace('/', "_per_"); // 1/s: 1_per_s
+                let spelled = symbol.replace('/', "_per_").replace('°', ""); // 1/s: 1_per_s, °C: C
                 let header = if symbol == "–" { column.key.to_owned() } else { format!("{}_{spelled}", column.key) };
                 assert_eq!(column.header(), header, "{}", output.file);
             }

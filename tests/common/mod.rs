@@ -168,8 +168,8 @@ fn frame(model: &Model, travel: f64) -> Frame {
                 strain_equivalent_max: 1.1 * equivalent,
                 stress_meridional: 0.9 * flow,
                 stress_hoop: 0.3 * flow,
-                porosity: 0.0,
-                temperature: 293.15,
+                porosity: 0.01 + 0.1 * equivalent * travel / TRAVEL,
+                temperature: 293.15 + 200.0 * s0 / model.blank.length - travel,
                 bends: true,
             }
         })
