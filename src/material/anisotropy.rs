@@ -11,7 +11,10 @@
 //! # References
 //! R. Hill, A theory of the yielding and plastic flow of anisotropic metals, Proc. R. Soc. London A 193 (1948) 281–297.
 
-use super::flow::{Metric, SHEAR_FACTOR, Triple, YieldCondition, dot};
+use super::flow::{Metric, SHEAR_FACTOR, Symmetric, Triple, YieldCondition, dot};
+
+/// The shear's entry of P.
+const SHEAR_INVERSE: f64 = 3.0 / SHEAR_FACTOR;
 
 /// The metric of the yield condition.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -60,7 +63,12 @@ impl Anisotropy {
     /// Equivalent stress √(σᵀ A⁻¹ σ) \[MPa\].
     #[inline]
     pub fn equivalent_stress(&self, s: Triple) -> f64 {
-        (s[0] * s[0] - 2.0 * self.q * s[0] * s[1] + s[1] * s[1] + s[2] * s[2] / self.shear).sqrt()
+        self.stress_square(s).sqrt()
+    }
+
+    #[inline]
+    fn stress_square(&self, s: Triple) -> f64 {
+        s[0] * s[0] - 2.0 * self.q * s[0] * s[1] + s[1] * s[1] + SHEAR_INVERSE * s[2] * s[2]
     }
 }
 
@@ -73,8 +81,19 @@ impl YieldCondition for Anisotropy {
     }
 
     #[inline]
-    fn equivalent_stress(&self, _: &Metric, w: Triple) -> f64 {
-        self.equivalent_stress(w)
+    fn scaled(&self, _: &Metric, f: f64) -> Symmetric {
+        // −0 added to anything is nothing, and costs nothing.
+        [self.direct * f, self.coupled * f, self.direct * f, -0.0, -0.0, self.shear * f]
+    }
+
+    #[inline]
+    fn product(&self, _: &Metric, e: Triple) -> Triple {
+        self.apply(e)
+    }
+
+    #[inline]
+    fn stress_square(&self, _: &Metric, w: Triple) -> f64 {
+        self.stress_square(w)
     }
 
     #[inline]

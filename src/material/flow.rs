@@ -94,21 +94,17 @@ pub trait YieldCondition {
     /// Of the strain increment `e`.
     fn metric(&self, e: Triple) -> Metric;
 
-    /// √(wᵀ A⁻¹ w) \[MPa\] of a carried stress.
-    fn equivalent_stress(&self, metric: &Metric, w: Triple) -> f64;
+    /// f A.
+    fn scaled(&self, metric: &Metric, f: f64) -> Symmetric;
+
+    /// A e' of another increment.
+    fn product(&self, metric: &Metric, e: Triple) -> Triple;
+
+    /// wᵀ A⁻¹ w \[MPa²\] of a carried stress.
+    fn stress_square(&self, metric: &Metric, w: Triple) -> f64;
 
     /// Strain of the metal that bears the stress per D: more than 1 where there are voids.
     fn strain_share(&self) -> f64;
-}
-
-/// Product of a symmetric matrix and a vector.
-#[inline]
-pub(super) fn times(c: Symmetric, e: Triple) -> Triple {
-    [
-        c[0] * e[0] + c[1] * e[1] + c[3] * e[2],
-        c[1] * e[0] + c[2] * e[1] + c[4] * e[2],
-        c[3] * e[0] + c[4] * e[1] + c[5] * e[2],
-    ]
 }
 
 /// Stress, its derivative and the hardening increment that go with a strain increment.
@@ -163,11 +159,17 @@ impl Iterate {
     pub fn advance(&mut self, law: &FlowLaw, before: &Before, e: Triple) -> Response {
         match law.voids {
             None => self.flow(law, &law.anisotropy, before, e),
-            Some(voids) => self.flow(law, &Voided::new(voids, law.anisotropy, before.porosity), before, e),
+            Some(voids) => self.flow_voided(law, voids, before, e),
         }
     }
 
-    #[inline]
+    /// Apart from the plain law, so that this one stays small where it is called.
+    #[inline(never)]
+    fn flow_voided(&mut self, law: &FlowLaw, voids: &Voids, before: &Before, e: Triple) -> Response {
+        self.flow(law, &Voided::new(voids, law.anisotropy, before.porosity), before, e)
+    }
+
+    #[inline(always)]
     fn flow(&mut self, law: &FlowLaw, condition: &impl YieldCondition, before: &Before, e: Triple) -> Response {
         let metric = condition.metric(e);
         let a = metric.gradient;
@@ -207,14 +209,14 @@ impl Iterate {
                 [h * a[0] - i * w[0], h * a[1] - i * w[1], h * a[2] - i * w[2]]
             }
         };
-        let m = metric.matrix;
+        let fa = condition.scaled(&metric, f);
         let tangent = [
-            m[0] * f + a[0] * b[0],
-            m[1] * f + 0.5 * (a[0] * b[1] + a[1] * b[0]),
-            m[2] * f + a[1] * b[1],
-            m[3] * f + 0.5 * (a[0] * b[2] + a[2] * b[0]),
-            m[4] * f + 0.5 * (a[1] * b[2] + a[2] * b[1]),
-            m[5] * f + a[2] * b[2],
+            fa[0] + a[0] * b[0],
+            fa[1] + 0.5 * (a[0] * b[1] + a[1] * b[0]),
+            fa[2] + a[1] * b[1],
+            fa[3] + 0.5 * (a[0] * b[2] + a[2] * b[0]),
+            fa[4] + 0.5 * (a[1] * b[2] + a[2] * b[1]),
+            fa[5] + a[2] * b[2],
         ];
         *self = Self { carried: self.carried, strain: e, fluidity: f, hardening: h, inverse_square };
         Response { stress, tangent, increment: share * increment, yield_stress: yielding.stress }
@@ -231,16 +233,15 @@ impl Iterate {
             let along = dot(a, delta);
             let on_a = self.fluidity + self.hardening * along - 0.5 * self.inverse_square * dot(w, delta);
             let on_w = -0.5 * self.inverse_square * along;
-            let c = times(last.matrix, delta);
+            let c = condition.product(&last, delta);
             for i in 0..3 {
                 w[i] = on_a * a[i] + on_w * w[i] + self.fluidity * c[i];
             }
         }
-        let over = condition.equivalent_stress(now, w) / yield_stress;
-        if over > 1.0 {
-            for w in &mut w {
-                *w /= over;
-            }
+        let square = condition.stress_square(now, w);
+        if square > yield_stress * yield_stress {
+            let back = yield_stress / square.sqrt();
+            w = w.map(|w| back * w);
         }
         w
     }

@@ -39,10 +39,12 @@ impl Isotherms {
     }
 
     /// The coldest curve.
+    #[inline(never)]
     pub(super) fn at(&self, strain: f64) -> FlowStress {
         self.curves[0].at(strain)
     }
 
+    #[inline(never)] // the other laws stay small where they are called
     pub(super) fn at_temperature(&self, strain: f64, temperature: f64) -> FlowStress {
         let after = self.temperature.partition_point(|&t| t < temperature);
         if after == 0 || after == self.temperature.len() {

@@ -53,10 +53,7 @@ impl Hardening {
     /// σ_y and dσ_y/dε̄ at the equivalent plastic strain `strain` ≥ 0 \[–\] and a temperature \[K\].
     #[inline]
     pub fn at_temperature(&self, strain: f64, temperature: f64) -> FlowStress {
-        match self {
-            Self::Isotherms(law) => law.at_temperature(strain, temperature),
-            _ => self.at(strain),
-        }
+        if let Self::Isotherms(law) = self { law.at_temperature(strain, temperature) } else { self.at(strain) }
     }
 
     /// σ_y and dσ_y/dε̄ at the equivalent plastic strain `strain` ≥ 0 \[–\]; of the coldest curve where there are several.

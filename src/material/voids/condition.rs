@@ -23,7 +23,7 @@
 
 use super::Voids;
 use crate::material::Anisotropy;
-use crate::material::flow::{Metric, Triple, YieldCondition, dot};
+use crate::material::flow::{Metric, Symmetric, Triple, YieldCondition, dot};
 
 /// Newton's method stops when m moves by less than this \[–\].
 const ROOT: f64 = 1e-14;
@@ -145,8 +145,17 @@ impl YieldCondition for Voided {
         Metric { gradient: s.map(|s| d * s), matrix, square: d * d }
     }
 
+    fn scaled(&self, metric: &Metric, f: f64) -> Symmetric {
+        metric.matrix.map(|a| f * a)
+    }
+
+    fn product(&self, metric: &Metric, e: Triple) -> Triple {
+        let [ss, st, tt, sg, tg, gg] = metric.matrix;
+        [ss * e[0] + st * e[1] + sg * e[2], st * e[0] + tt * e[1] + tg * e[2], sg * e[0] + tg * e[1] + gg * e[2]]
+    }
+
     /// By the inverse of A, which is positive definite.
-    fn equivalent_stress(&self, metric: &Metric, w: Triple) -> f64 {
+    fn stress_square(&self, metric: &Metric, w: Triple) -> f64 {
         let [ss, st, tt, sg, tg, gg] = metric.matrix;
         // Cholesky: A = L Lᵀ, then |L⁻¹ w|.
         let l11 = ss.sqrt();
@@ -157,7 +166,7 @@ impl YieldCondition for Voided {
         let x = w[0] / l11;
         let y = (w[1] - l21 * x) / l22;
         let z = (w[2] - l31 * x - l32 * y) / l33;
-        (x * x + y * y + z * z).sqrt()
+        x * x + y * y + z * z
     }
 
     fn strain_share(&self) -> f64 {
