@@ -109,10 +109,12 @@ mod tests {
             .chain(["voids"])
             .chain(names(Friction::examples().into_iter().map(|(n, _)| n).collect()))
             .filter(|name| *name != "coulomb");
+        let friction = names(Friction::examples().into_iter().map(|(n, _)| n).collect()).collect::<Vec<_>>();
         for name in all {
             let at = text.find(&format!("\n  {name}\n")).unwrap_or_else(|| panic!("{name} is not listed"));
             let block = text[at + 1..].split("\n\n").next().expect("a block");
             assert!(block.contains("Source: "), "{block}");
+            assert!(block.contains("Valid ") || friction.contains(&name), "no range of validity: {block}");
             assert!(block.lines().any(|line| line.starts_with("      ")), "no parameters: {block}");
         }
     }

@@ -16,7 +16,10 @@ pub struct Material {
     #[schemars(example = 0.3)]
     pub poisson: Option<Fraction>,
     /// Normal anisotropy r̄, 0.1 to 10: width strain over thickness strain in tension, mean over the directions in the
-    /// sheet; 1 when not given.
+    /// sheet; 1 when not given. σ_y² = σ_s² − 2 r̄/(1 + r̄) σ_s σ_θ + σ_θ².
+    ///
+    /// Valid for sheet that is alike in all its directions; it cannot show ears, and aluminium with r̄ below 1 is stronger in
+    /// equi-biaxial tension than it says. Source: R. Hill, Proc. R. Soc. London A 193 (1948) 281–297.
     #[schemars(example = 1.6)]
     pub anisotropy: Option<Positive<Number>>,
     /// Strain-rate dependence; none when not given. The punch's `speed` then matters.
@@ -45,6 +48,7 @@ pub struct Hardening {
 
 /// σ = k (offset + ε)^n.
 ///
+/// Valid up to large strains for most steels; it hardens without end.
 /// Source: H. W. Swift, J. Mech. Phys. Solids 1 (1952) 1–18.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
@@ -60,6 +64,7 @@ pub struct Swift {
 
 /// σ = k ε^n, started at the elastic line or at a declared offset strain.
 ///
+/// Valid beyond a strain of some per cent; at yield it says little.
 /// Source: J. H. Hollomon, Trans. AIME 162 (1945) 268–290.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
@@ -75,6 +80,7 @@ pub struct Hollomon {
 
 /// σ = initial + k ε^n.
 ///
+/// Valid for metals with a marked yield stress; just beyond yield its slope is infinite, a chord over 1e-6 takes its place.
 /// Source: P. Ludwik, Elemente der technologischen Mechanik, Springer, Berlin (1909).
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
@@ -89,6 +95,7 @@ pub struct Ludwik {
 
 /// σ = saturation − (saturation − initial) exp(−rate ε^exponent).
 ///
+/// Valid for metals whose hardening comes to an end, such as aluminium.
 /// Source: E. Voce, J. Inst. Metals 74 (1948) 537–562; the exponent: J. E. Hockett, O. D. Sherby (1975).
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
@@ -106,6 +113,7 @@ pub struct Voce {
 
 /// Measured points, interpolated smoothly: `points`, or `strain` and `stress`.
 ///
+/// Valid up to the last point; beyond it the case says what is assumed, and the run warns.
 /// Source: monotone cubics of F. N. Fritsch, R. E. Carlson, SIAM J. Numer. Anal. 17 (1980) 238–246.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
@@ -157,6 +165,7 @@ pub struct Isotherm {
 
 /// σ = initial + k ε^n with other constants on each range of strain.
 ///
+/// Valid where the branches were fitted; they must meet within 0.5 %.
 /// Source: D. M. Woo, Int. J. Mech. Sci. 10 (1968) 83–94.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]

@@ -15,6 +15,7 @@ pub struct Rate {
 
 /// (rate/reference)^exponent; with a reference of 1/s on a Hollomon law the superplastic K ε^n ε̇^m.
 ///
+/// Valid over the two or three decades of the rate that m was measured in.
 /// Source: in common use; W. A. Backofen, I. R. Turner, D. H. Avery, Trans. ASM 57 (1964) 980–990 (not read).
 #[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
@@ -29,6 +30,7 @@ pub struct PowerRate {
 
 /// 1 + (rate/C)^(1/p), which is Perzyna's law with the fluidity C.
 ///
+/// Valid for the strong rate dependence of mild steel at press speeds and beyond.
 /// Source: in common use; G. R. Cowper, P. S. Symonds (1957), P. Perzyna (1966) (not read).
 #[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
@@ -43,6 +45,7 @@ pub struct CowperSymonds {
 
 /// 1 + C ln(rate/reference) above the reference rate, smoothly 1 below it.
 ///
+/// Valid above the reference rate, for a weak dependence.
 /// Source: in common use; G. R. Johnson, W. H. Cook (1983) (not read).
 #[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
