@@ -302,7 +302,8 @@ pub struct Settings {
     pub first_step: f64,
     /// Smallest step as a fraction of the travel \[–\]; below it the run stops.
     pub min_step: f64,
-    /// Cut-off Δε₀ of the equivalent strain of one step of `max_step` \[–\]; shorter steps cut off in proportion.
+    /// Cut-off Δε₀ of the equivalent strain of a step of [`Settings::CUTOFF_STEP`] of the travel \[–\]; others cut off in
+    /// proportion, so that it stays a strain rate and small against what any step strains.
     pub cutoff_strain: f64,
     /// Contact stiffness k times the sheet thickness \[MPa\].
     pub contact_stiffness: f64,
@@ -323,6 +324,9 @@ pub struct Settings {
 }
 
 impl Settings {
+    /// The step that the cut-off is meant for, as a fraction of the travel \[–\]: the default of `max_step`.
+    pub const CUTOFF_STEP: f64 = 0.01;
+
     /// Penetration over thickness that the augmented Lagrangian comes down to \[–\].
     pub const PENETRATION: f64 = 1e-4;
 }

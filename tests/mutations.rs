@@ -93,6 +93,10 @@ power = { exponent = 0.05, reference = "0.01 /s" }
 initial = "150 MPa"
 k = "300 MPa"
 n = 0.4
+[material.softening]
+johnson_cook = { reference = "20 °C", melting = "600 °C", exponent = 1.0 }
+[heat]
+initial = { punch = "20 °C", flange = "200 °C" }
 [friction]
 punch_side = { stribeck = { at_rest = 0.15, sliding = 0.05, speed = "2 mm/s", viscous = 0.001 } }
 die_side = 0.05

@@ -7,7 +7,7 @@ mod warn;
 use super::Case;
 use super::measure::{extent, throat};
 use crate::model::{Face, Geometry, Model, Motion, Pressure, Role, Theory, Tool};
-use crate::quantity::rounded;
+use crate::quantity::{ZERO_CELSIUS, rounded};
 use std::fmt;
 
 /// One line of the report.
@@ -87,6 +87,12 @@ fn blank(model: &Model, lines: &mut Vec<Line>) {
         }
     };
     lines.push(line("theory", theory, ""));
+    if let Some(heat) = &model.heat {
+        let [low, high] = [heat.initial.smallest(), heat.initial.largest()].map(|t| rounded(t - ZERO_CELSIUS));
+        let range = if low == high { format!("{low}") } else { format!("{low} to {high}") };
+        let stays = if heat.flow.is_some() { "°C at first" } else { "°C throughout" };
+        lines.push(line("temperature", range, stays));
+    }
 }
 
 fn tools(model: &Model, lines: &mut Vec<Line>) {

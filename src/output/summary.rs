@@ -113,9 +113,10 @@ impl Summary {
             summary.number("porosity", "Largest porosity", Unit::Percent, 100.0 * last.porosity);
             summary.number("porous_s0", "  at an initial distance of", Unit::Mm, last.porous_s0);
         }
-        if model.heat.is_some() {
-            let hottest = run.history.iter().map(|s| s.hottest).fold(0.0, f64::max);
-            let coldest = run.history.iter().map(|s| s.coldest).fold(f64::INFINITY, f64::min);
+        if let Some(heat) = &model.heat {
+            // A run that never started has the temperature it was given.
+            let coldest = run.history.iter().map(|s| s.coldest).reduce(f64::min).unwrap_or(heat.initial.smallest());
+            let hottest = run.history.iter().map(|s| s.hottest).reduce(f64::max).unwrap_or(heat.initial.largest());
             summary.number("coldest", "Lowest temperature", Unit::Celsius, coldest - ZERO_CELSIUS);
             summary.number("hottest", "Highest temperature", Unit::Celsius, hottest - ZERO_CELSIUS);
         }

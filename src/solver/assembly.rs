@@ -12,7 +12,7 @@ use crate::element::lobatto::{self, Layer};
 use crate::element::section::Law;
 use crate::geometry::Point;
 use crate::material::flow::{Before, FlowLaw, Iterate, Response};
-use crate::model::{Edge, Iteration, Model, Motion, Pressure, PressureCap, Role};
+use crate::model::{Edge, Iteration, Model, Motion, Pressure, PressureCap, Role, Settings};
 use crate::state::State;
 use nalgebra::Vector3;
 
@@ -286,9 +286,8 @@ impl Workspace {
         let Step { model, state, dt, .. } = *step;
         let Trial { matrix, velocity_norm, .. } = *trial;
         let settings = &model.settings;
-        let longest = settings.max_step * model.duration;
-        let length = model.nominal(state.time, dt);
-        self.cutoff = self.softening * settings.cutoff_strain * (length / longest).min(1.0);
+        let share = model.nominal(state.time, dt) / (Settings::CUTOFF_STEP * model.duration);
+        self.cutoff = self.softening * settings.cutoff_strain * share;
         let material = &model.material;
         let law = Law {
             flow: FlowLaw {

@@ -52,7 +52,12 @@ pub(super) fn model(file: &CaseFile, source: &Source, case: &Path) -> Result<(Mo
     };
     let heat = match &file.heat {
         Some(heat) => Some(heat::convert(heat, &tools, source, folder)?),
-        None => None,
+        None => {
+            if material.softening.is_some() || material.hardening.temperatures().is_some() {
+                derived.push("without [heat] the sheet is at 20 °C throughout".into());
+            }
+            None
+        }
     };
     let model = Model {
         title: file.title.clone(),

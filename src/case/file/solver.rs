@@ -29,7 +29,7 @@ pub struct Solver {
     /// Smallest step as a fraction of the travel; 1e-6 when not given.
     #[schemars(example = 1e-6)]
     pub min_step: Option<Fraction>,
-    /// Equivalent strain of one largest step below which the sheet counts as rigid; 5e-6 when not given.
+    /// Equivalent strain that a hundredth of the travel adds below which the sheet counts as rigid; 5e-6 when not given.
     #[schemars(example = 5e-6)]
     pub cutoff_strain: Option<Positive<Number>>,
     /// Contact stiffness times the sheet thickness; "30 GPa" when not given.
