@@ -392,8 +392,13 @@ impl Model {
 
     /// The strain rate that a gas pressure holds, where one does.
     pub fn rate_control(&self) -> Option<&RateControl> {
+        self.held_gas().map(|(_, control)| control)
+    }
+
+    /// The gas whose pressure holds a strain rate, and how.
+    pub fn held_gas(&self) -> Option<(&Gas, &RateControl)> {
         self.gas.iter().find_map(|gas| match &gas.pressure {
-            Pressure::Rate(control) => Some(control),
+            Pressure::Rate(control) => Some((gas, control)),
             Pressure::History(_) => None,
         })
     }

@@ -8,7 +8,6 @@ use stampflow::geometry::Profile;
 use stampflow::history::History;
 use stampflow::material::flow::ROOM_TEMPERATURE;
 use stampflow::material::softening::Exponential;
-use stampflow::material::voids::{Coalescence, Nucleation};
 use stampflow::material::{Softening, Voids};
 use stampflow::model::{Edge, Geometry, Heat, HeatFlow, Model, Motion, Press, Role, Settings, Theory, Tool, ToolHeat};
 use stampflow::record::{Run, Stop};
@@ -190,24 +189,13 @@ fn no_porosity_gives_the_plain_run() {
     }
 }
 
-fn ductile() -> Voids {
-    Voids {
-        q1: 1.5,
-        q2: 1.0,
-        q3: 2.25,
-        initial: 0.01,
-        nucleation: Some(Nucleation { fraction: 0.04, strain: 0.3, deviation: 0.1 }),
-        coalescence: Some(Coalescence { critical: 0.15, fracture: 0.25 }),
-    }
-}
-
 /// Trust: the equation of equi-biaxial Gurson flow integrated on its own (the membrane stress is on the surface
 /// m²/4 + 2 q₁f* cosh(q₂m/2) − 1 − q₃f*² = 0 with m = 2 s, the strain rates follow by normality). The run reckons with a
 /// porosity foreseen from the last step: second order, 1e-6 with 2000 steps. The thickness has the volume of its voids:
 /// ln(t/t₀) = −2 ε + ∫ ε̇_kk.
 #[test]
 fn a_pulled_disc_grows_its_voids_as_integrated() {
-    let voids = ductile();
+    let voids = Voids::example();
     let mut model = simple::pulled(Geometry::Axisymmetric, Theory::Membrane, 12.0);
     model.material.voids = Some(voids);
     model.settings = Settings { max_step: 5e-4, first_step: 5e-4, ..Settings::default() };
@@ -258,7 +246,7 @@ fn a_pulled_disc_grows_its_voids_as_integrated() {
 #[test]
 fn coalescence_ends_the_run() {
     let mut model = simple::pulled(Geometry::Axisymmetric, Theory::Membrane, 30.0);
-    model.material.voids = Some(Voids { initial: 0.08, ..ductile() });
+    model.material.voids = Some(Voids { initial: 0.08, ..Voids::example() });
     model.stop.localised = false;
     let run = solver::run(&model, &mut ());
     assert!(matches!(run.stop, Stop::Coalesced { porosity, .. } if porosity >= 0.25), "{}", run.stop);

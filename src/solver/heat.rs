@@ -72,9 +72,13 @@ impl<'a> HeatSolver<'a> {
                 self.diagonal[e] += conducted;
             }
         }
-        let before: f64 = (0..n).map(|e| self.flow.capacity * state.volume[e] * state.temperature[e]).sum();
+        let capacity = self.flow.capacity;
+        let content = |state: &State| -> f64 {
+            state.volume.iter().zip(&state.temperature).map(|(volume, t)| capacity * volume * t).sum()
+        };
+        let before = content(state);
         self.solve(&mut state.temperature);
-        let after: f64 = (0..n).map(|e| self.flow.capacity * state.volume[e] * state.temperature[e]).sum();
+        let after = content(state);
         let tools = self.exchange.iter().zip(&state.temperature).map(|([by, heat], t)| heat - by * t).sum();
         Heat { plastic: self.flow.plastic_share * plastic.iter().sum::<f64>(), tools, stored: after - before }
     }

@@ -132,11 +132,7 @@ impl Workspace {
 
     /// A shallow dome that strains at about the rate that is held: where the first step starts from.
     pub(super) fn guess_dome(&mut self, step: &Step) {
-        let gas = step.model.gas.iter().find_map(|gas| match gas.pressure {
-            Pressure::Rate(control) => Some((gas, control)),
-            Pressure::History(_) => None,
-        });
-        let Some((gas, control)) = gas else { return };
+        let Some((gas, control)) = step.model.held_gas() else { return };
         let a = gas.within.min(step.model.blank.length);
         let height = a * (control.target * step.dt).sqrt() * gas.face.sign();
         for (u, x) in self.moves.iter_mut().zip(&step.state.nodes) {

@@ -71,6 +71,18 @@ impl Voids {
         Self { q1: 1.0, q2: 1.0, q3: 1.0, initial, nucleation: None, coalescence: None }
     }
 
+    /// Growth, nucleation and coalescence with numbers in common use: for tests.
+    pub fn example() -> Self {
+        Self {
+            q1: 1.5,
+            q2: 1.0,
+            q3: 2.25,
+            initial: 0.01,
+            nucleation: Some(Nucleation { fraction: 0.04, strain: 0.3, deviation: 0.1 }),
+            coalescence: Some(Coalescence { critical: 0.15, fracture: 0.25 }),
+        }
+    }
+
     /// f_U, the effective porosity at which the metal bears nothing \[–\].
     fn ultimate(&self) -> f64 {
         (self.q1 + (self.q1 * self.q1 - self.q3).max(0.0).sqrt()) / self.q3

@@ -6,17 +6,6 @@ use crate::material::hardening::{Hardening, Swift};
 use crate::material::{Anisotropy, Rate};
 use approx::assert_relative_eq;
 
-fn full() -> Voids {
-    Voids {
-        q1: 1.5,
-        q2: 1.0,
-        q3: 2.25,
-        initial: 0.01,
-        nucleation: Some(Nucleation { fraction: 0.04, strain: 0.3, deviation: 0.1 }),
-        coalescence: Some(Coalescence { critical: 0.15, fracture: 0.25 }),
-    }
-}
-
 fn points() -> Vec<Triple> {
     vec![
         [1e-2, -5e-3, 0.0],
@@ -57,17 +46,21 @@ fn phi(voids: &Voids, r: f64, f: f64, s: Triple) -> f64 {
 fn stress_lies_on_the_yield_surface_and_the_increment_is_normal_to_it() {
     for r in [0.5, 1.0, 2.0] {
         for f in [0.0, 1e-4, 0.01, 0.1, 0.2] {
-            let condition = Voided::new(&full(), Anisotropy::new(r), f);
+            let condition = Voided::new(&Voids::example(), Anisotropy::new(r), f);
             for e in points() {
                 let metric = condition.metric(e);
                 let s = metric.gradient.map(|a| a / metric.square.sqrt());
-                assert!(phi(&full(), r, f, s).abs() < 1e-12, "r {r} f {f} {e:?}: {}", phi(&full(), r, f, s));
+                assert!(
+                    phi(&Voids::example(), r, f, s).abs() < 1e-12,
+                    "r {r} f {f} {e:?}: {}",
+                    phi(&Voids::example(), r, f, s)
+                );
                 let gradient: Vec<f64> = (0..3)
                     .map(|i| {
                         let shifted = |h: f64| {
                             let mut s = s;
                             s[i] += h;
-                            phi(&full(), r, f, s)
+                            phi(&Voids::example(), r, f, s)
                         };
                         (shifted(1e-5) - shifted(-1e-5)) / 2e-5
                     })
@@ -84,7 +77,7 @@ fn stress_lies_on_the_yield_surface_and_the_increment_is_normal_to_it() {
 #[test]
 fn without_voids_it_is_the_plain_law() {
     let hardening = hardening();
-    for voids in [Voids::gurson(0.0), Voids { initial: 0.0, ..full() }] {
+    for voids in [Voids::gurson(0.0), Voids { initial: 0.0, ..Voids::example() }] {
         for matrix in [Iteration::Secant, Iteration::Newton, Iteration::PrimalDual] {
             for e in points() {
                 let plain = at(&law(&hardening, None, matrix), 0.0, e);
@@ -107,7 +100,7 @@ fn without_voids_it_is_the_plain_law() {
 #[test]
 fn newton_matrix_is_the_derivative_of_the_stress() {
     let hardening = hardening();
-    let voids = full();
+    let voids = Voids::example();
     let rates = Rate::examples();
     let rates = std::iter::once(None).chain(rates.iter().map(|(_, rate)| Some(rate)));
     for rate in rates {
@@ -138,7 +131,7 @@ fn newton_matrix_is_the_derivative_of_the_stress() {
 /// With the carried stress inside the yield surface the primal-dual matrix has no negative eigenvalue.
 #[test]
 fn primal_dual_matrix_is_positive_semidefinite_along_any_path() {
-    let (hardening, voids) = (hardening(), full());
+    let (hardening, voids) = (hardening(), Voids::example());
     let law = law(&hardening, Some(&voids), Iteration::PrimalDual);
     for f in [0.0, 0.05, 0.2] {
         let mut iterate = Iterate::start([0.0; 3]);
@@ -188,7 +181,7 @@ fn rates(voids: &Voids, f: f64, strain: f64, sigma: [f64; 3]) -> [f64; 3] {
 #[test]
 fn porosity_follows_the_integrated_equation_in_uniaxial_and_equi_biaxial_tension() {
     let anisotropy = Anisotropy::default();
-    for voids in [Voids::gurson(0.01), full()] {
+    for voids in [Voids::gurson(0.01), Voids::example()] {
         for (name, sigma) in [("uniaxial", [1.0, 0.0, 0.0]), ("equi-biaxial", [1.0, 1.0, 0.0])] {
             const END: f64 = 0.4;
             let steps = 20_000;
@@ -232,7 +225,7 @@ fn porosity_follows_the_integrated_equation_in_uniaxial_and_equi_biaxial_tension
 /// Trust: by hand. f* meets f at f_c and 1/q₁ at f_F (q₃ = q₁²), where the metal bears nothing.
 #[test]
 fn coalescence_leads_from_the_critical_porosity_to_fracture() {
-    let voids = full();
+    let voids = Voids::example();
     assert_eq!(voids.effective(0.15), 0.15);
     assert_relative_eq!(voids.effective(0.2), 0.15 + (1.0 / 1.5 - 0.15) / 0.1 * 0.05, max_relative = 1e-12);
     assert_relative_eq!(voids.effective(0.3), 0.99 / 1.5, max_relative = 1e-12);
