@@ -354,6 +354,34 @@ impl Default for Settings {
     }
 }
 
+/// How the metal answers to strain.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Mode {
+    /// The flow approach: rigid-viscoplastic.
+    #[default]
+    Flow,
+    /// The twin: large-strain elasto-(visco)plastic on the same elements.
+    ElastoViscoplastic,
+    /// D(E, ν) on the stress that the sheet carries, without yield: the flow approach's spring-back.
+    Elastic,
+}
+
+/// Which stiffness the unloading iterates with (Sosnowski 1994, equations 10 to 13).
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Stiffness {
+    /// Formed anew in every iteration, with the geometric stiffness.
+    #[default]
+    Updated,
+    /// The elastic one at the start of each increment.
+    Constant,
+}
+
+/// Tools are taken away: the forces of contact become equal external loads that fade to zero over the run.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Release {
+    pub stiffness: Stiffness,
+}
+
 /// A validated forming problem in solver units.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Model {
@@ -382,6 +410,9 @@ pub struct Model {
     pub frames: Vec<f64>,
     pub stop: StopRules,
     pub settings: Settings,
+    pub mode: Mode,
+    /// `None` while the tools act.
+    pub release: Option<Release>,
 }
 
 impl Model {

@@ -209,7 +209,7 @@ mod tests {
     use crate::element::Geometry;
     use crate::material::hardening::Swift;
     use crate::material::{Hardening, Material};
-    use crate::model::{Blank, Grading, Settings, StopRules};
+    use crate::model::{Blank, Grading, Mode, Settings, StopRules};
 
     const T: f64 = 1.05;
 
@@ -240,6 +240,8 @@ mod tests {
             stop: StopRules::default(),
             frames: vec![1.0],
             settings: Settings::default(),
+            mode: Mode::default(),
+            release: None,
         }
     }
 

@@ -5,8 +5,8 @@ use stampflow::geometry::{Point, Profile};
 use stampflow::material::hardening::Swift;
 use stampflow::material::{Hardening, Material, Voids};
 use stampflow::model::{
-    Blank, Edge, Face, Gas, Geometry, Grading, Heat, Model, Motion, Press, Pressure, PressureCap, RateControl, Role,
-    Settings, StopRules, Theory, Tool,
+    Blank, Edge, Face, Gas, Geometry, Grading, Heat, Mode, Model, Motion, Press, Pressure, PressureCap, RateControl,
+    Role, Settings, StopRules, Theory, Tool,
 };
 use stampflow::output::Subject;
 use stampflow::record::{ElementRecord, Energy, Frame, NodeRecord, Run, StepRecord};
@@ -53,6 +53,8 @@ pub fn model(geometry: Geometry) -> Model {
         stop: StopRules::default(),
         frames: (1..=5).map(|i| 0.2 * TRAVEL * i as f64).collect(),
         settings: Settings::default(),
+        mode: Mode::default(),
+        release: None,
     }
 }
 

@@ -5,7 +5,7 @@ use stampflow::geometry::{Arc, Piece, Point, Profile, Segment};
 use stampflow::material::hardening::{Branch, Extrapolation, Hollomon, Ludwik, PiecewisePower, Swift, Table, Voce};
 use stampflow::material::{Hardening, Material};
 use stampflow::model::{
-    Blank, Edge, Geometry, Grading, Model, Motion, Norm, Press, Role, Settings, StopRules, Theory, Tool,
+    Blank, Edge, Geometry, Grading, Mode, Model, Motion, Norm, Press, Role, Settings, StopRules, Theory, Tool,
 };
 use std::f64::consts::FRAC_PI_2;
 
@@ -172,6 +172,8 @@ pub fn random_die(seed: u64) -> RandomDie {
         stop: StopRules::default(),
         frames: vec![travel],
         settings: Settings { norm, ..Settings::default() },
+        mode: Mode::default(),
+        release: None,
     };
     RandomDie { process, model, text }
 }

@@ -4,7 +4,7 @@ use stampflow::geometry::Profile;
 use stampflow::material::hardening::{Ludwik, Swift};
 use stampflow::material::{Hardening, Material};
 use stampflow::model::{
-    Blank, Edge, Friction, Geometry, Grading, Model, Motion, Press, Role, Settings, StopRules, Theory, Tool,
+    Blank, Edge, Friction, Geometry, Grading, Mode, Model, Motion, Press, Role, Settings, StopRules, Theory, Tool,
 };
 
 /// A sheet of 1 mm with no tools, pulled outward by `travel` [mm].
@@ -34,6 +34,8 @@ pub fn pulled(geometry: Geometry, theory: Theory, travel: f64) -> Model {
         stop: StopRules::default(),
         frames: vec![travel],
         settings: Settings::default(),
+        mode: Mode::default(),
+        release: None,
     }
 }
 
@@ -74,5 +76,7 @@ pub fn capstan(mu: f64, holder: f64, per_quarter: usize) -> Model {
         stop: StopRules::default(),
         frames: vec![50.0],
         settings: Settings::default(),
+        mode: Mode::default(),
+        release: None,
     }
 }

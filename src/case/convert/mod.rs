@@ -26,7 +26,7 @@ pub(super) use compare::compare;
 use super::explain::missing;
 use super::file::{self, CaseFile};
 use super::{CaseError, source::Source};
-use crate::model::{Geometry, Model};
+use crate::model::{Geometry, Mode, Model};
 use crate::quantity::{Length, Positive, Quantity, rounded};
 use std::path::Path;
 
@@ -76,6 +76,8 @@ pub(super) fn model(file: &CaseFile, source: &Source, case: &Path) -> Result<(Mo
         frames: settings::frames(&file.output, &drive, source)?,
         settings: settings::convert(&file.solver, source)?,
         blank,
+        mode: Mode::default(),
+        release: None,
     };
     fit::check(&model, source)?;
     limits::of_model(&model, source)?;

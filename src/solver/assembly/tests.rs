@@ -6,7 +6,7 @@ use crate::geometry::Profile;
 use crate::material::hardening::Swift;
 use crate::material::{Anisotropy, Hardening, Material, Rate, Softening, Voids};
 use crate::model::{
-    Bead, Blank, Face, Gas, Grading, Heat, Iteration, Press, Pressure, RateControl, Role, Settings, Tool,
+    Bead, Blank, Face, Gas, Grading, Heat, Iteration, Mode, Press, Pressure, RateControl, Role, Settings, Tool,
 };
 
 fn model(geometry: Geometry, theory: Theory) -> Model {
@@ -46,6 +46,8 @@ fn model(geometry: Geometry, theory: Theory) -> Model {
         stop: Default::default(),
         frames: vec![6.0],
         settings: Settings { iteration: Iteration::Newton, ..Settings::default() },
+        mode: Mode::default(),
+        release: None,
     }
 }
 
