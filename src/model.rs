@@ -3,6 +3,7 @@
 use crate::geometry::Profile;
 use crate::history::History;
 use crate::material::Material;
+use crate::material::flow::Triple;
 
 pub use crate::contact::friction::Friction;
 pub use crate::element::{Geometry, Theory};
@@ -419,6 +420,14 @@ impl Model {
     /// The tool of a role, where there is one.
     pub fn tool(&self, role: Role) -> Option<&Tool> {
         self.tools.iter().find(|t| t.role == role)
+    }
+
+    /// Elastic energy per volume that a stress stores \[MPa\]; the flow law stores none.
+    pub fn stored(&self, stress: Triple) -> f64 {
+        match (self.mode, self.material.elastic) {
+            (Mode::Flow, _) | (_, None) => 0.0,
+            (_, Some(elastic)) => elastic.energy(stress),
+        }
     }
 
     /// The strain rate that a gas pressure holds, where one does.

@@ -59,12 +59,14 @@ pub struct Frame {
 
 /// Mean powers of a step, or the work done since the start \[mW or mJ, per ring or per mm of depth\].
 ///
-/// external = plastic + friction + contact, where `contact` is what the penalty springs store.
+/// external = plastic + elastic + friction + contact, where `contact` is what the penalty springs store.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Energy {
     /// Of the driven tools and edges on the sheet.
     pub external: f64,
     pub plastic: f64,
+    /// What the sheet's elasticity stores; 0 by the flow law.
+    pub elastic: f64,
     pub friction: f64,
     pub contact: f64,
     /// The part of `plastic` in points whose strain rate is below ten times the cut-off.
@@ -77,6 +79,7 @@ impl Energy {
         Self {
             external: self.external * factor,
             plastic: self.plastic * factor,
+            elastic: self.elastic * factor,
             friction: self.friction * factor,
             contact: self.contact * factor,
             cutoff: self.cutoff * factor,
@@ -88,6 +91,7 @@ impl Energy {
         Self {
             external: self.external + other.external,
             plastic: self.plastic + other.plastic,
+            elastic: self.elastic + other.elastic,
             friction: self.friction + other.friction,
             contact: self.contact + other.contact,
             cutoff: self.cutoff + other.cutoff,
@@ -96,7 +100,7 @@ impl Energy {
 
     /// What the balance misses, over the external work \[–\].
     pub fn imbalance(&self) -> f64 {
-        let missing = self.external - self.plastic - self.friction - self.contact;
+        let missing = self.external - self.plastic - self.elastic - self.friction - self.contact;
         if self.external == 0.0 { 0.0 } else { missing / self.external.abs() }
     }
 }

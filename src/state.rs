@@ -17,6 +17,8 @@ pub struct LayerPoint {
     pub stress: Triple,
     /// Carried stress w of the primal-dual matrix \[MPa\].
     pub carried: Triple,
+    /// Back-stresses \[MPa\].
+    pub back: [Triple; 2],
     /// f \[–\] and its rate in the last step \[1/s\]; 0 in a sheet without voids.
     pub porosity: f64,
     pub porosity_rate: f64,

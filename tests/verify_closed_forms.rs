@@ -143,7 +143,7 @@ fn plastic_moment_converges_with_the_layers() {
     let error = |n: usize| {
         let layers = lobatto::rule(n);
         let law = Law {
-            flow: FlowLaw {
+            point: FlowLaw {
                 hardening: &hardening,
                 rate: None,
                 softening: None,

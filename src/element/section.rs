@@ -1,15 +1,16 @@
 //! The section: layer points integrated through the thickness into forces and the element's matrix.
 
 use super::Vector6;
-use super::kinematics::{EPS_S, EPS_T, End, GAMMA, Generalised, KAPPA_S, KAPPA_T};
+use super::kinematics::{EPS_S, EPS_T, End, GAMMA, Generalised, Gradient, KAPPA_S, KAPPA_T};
 use super::lobatto::Layer;
-use crate::material::flow::{Before, FlowLaw, Iterate, Response, Symmetric};
+use crate::material::PointLaw;
+use crate::material::flow::{Response, Symmetric, Triple};
 use nalgebra::Matrix3;
 
 /// What is the same for every layer point of a step.
 #[derive(Clone, Copy, Debug)]
-pub struct Law<'a> {
-    pub flow: FlowLaw<'a>,
+pub struct Law<'a, L> {
+    pub point: L,
     /// Of an element that bends; a membrane has one point, in the middle.
     pub layers: &'a [Layer],
     /// Least tension of a membrane over its yield force \[–\], in the matrix only (the residual is untouched): a flat
@@ -33,19 +34,45 @@ pub struct Internal {
 /// The point of a membrane.
 const MIDDLE: [Layer; 1] = [Layer { xi: 0.0, share: 1.0 }];
 
-impl Law<'_> {
+/// Bᵀ S: forces of the nodes that go with resultants. Differences count −1 at the first and +1 at the second, sums +1 at
+/// both.
+#[inline]
+fn nodal(g: &Gradient, s: &Generalised) -> Vector6 {
+    let (e0, e1) = (g.along, g.across);
+    let [fr, fz] = [0, 1].map(|d| s[EPS_S] * e0[d] + s[GAMMA] * e1[d]);
+    let (f_sum, f_bend) = (g.hoop * s[EPS_T], g.bend * s[KAPPA_S]);
+    let f_turn = g.turn * s[KAPPA_T] + g.shear * s[GAMMA];
+    Vector6::new(f_sum - fr, -fz, f_turn - f_bend, f_sum + fr, fz, f_turn + f_bend)
+}
+
+/// Forces of an element's nodes that go with given stresses of its layers \[N, N mm\].
+pub fn forces(end: &End, volume: f64, thickness: f64, layers: &[Layer], stress: impl Fn(usize) -> Triple) -> Vector6 {
+    let mut s: Generalised = [0.0; 5];
+    let layers = if end.bends() { layers } else { &MIDDLE };
+    for (i, layer) in layers.iter().enumerate() {
+        let (zeta, v, stress) = (0.5 * thickness * layer.xi, volume * layer.share, stress(i));
+        s[EPS_S] += v * stress[0];
+        s[EPS_T] += v * stress[1];
+        s[KAPPA_S] += zeta * v * stress[0];
+        s[KAPPA_T] += zeta * v * stress[1];
+        s[GAMMA] += v * stress[2];
+    }
+    nodal(&end.gradient(), &s)
+}
+
+impl<L: PointLaw> Law<'_, L> {
     /// Forces and matrix of an element of `volume` \[mm³\] whose thickness was `thickness` \[mm\] at the start of the step.
     ///
-    /// `before` is ε̄ at the start of the step, `iterates` the layers' iterates (moved on), `responses` the layers'
-    /// results (written); of a membrane's the first.
+    /// `before` are the layers as the step finds them, `iterates` their iterates (moved on), `responses` their results
+    /// (written); of a membrane's the first.
     #[inline]
     pub fn internal(
         &self,
         end: &End,
         volume: f64,
         thickness: f64,
-        before: &[Before],
-        iterates: &mut [Iterate],
+        before: &[L::Before],
+        iterates: &mut [L::Iterate],
         responses: &mut [Response],
     ) -> Internal {
         let e = &end.strain;
@@ -56,7 +83,7 @@ impl Law<'_> {
         for (i, layer) in layers.iter().enumerate() {
             let zeta = 0.5 * thickness * layer.xi;
             let strain = [e[EPS_S] + zeta * e[KAPPA_S], e[EPS_T] + zeta * e[KAPPA_T], e[GAMMA]];
-            let response = iterates[i].advance(&self.flow, &before[i], strain);
+            let response = self.point.respond(&before[i], &mut iterates[i], strain);
             let v = volume * layer.share;
             let (vs, vt) = (v * response.stress[0], v * response.stress[1]);
             s[EPS_S] += vs;
@@ -88,9 +115,7 @@ impl Law<'_> {
         let (e0, e1) = (g.along, g.across);
         let both = |p: f64, q: f64| [p * e0[0] + q * e1[0], p * e0[1] + q * e1[1]];
         let [rr, rz, zz] = k.difference;
-        let [fr, fz] = both(s[EPS_S], s[GAMMA]);
-        let (f_sum, f_bend) = (g.hoop * s[EPS_T], g.bend * s[KAPPA_S]);
-        let f_turn = g.turn * s[KAPPA_T] + g.shear * s[GAMMA];
+        let force = nodal(&g, &s);
 
         let (from_s, from_g) = (both(c0[0], c0[3]), both(c0[3], c0[5]));
         let rr = rr + e0[0] * from_s[0] + e1[0] * from_g[0];
@@ -108,7 +133,6 @@ impl Law<'_> {
         let turn_turn = g.turn * (g.turn * c2[2] + 2.0 * g.shear * c1[4]) + g.shear * g.shear * c0[5] + k.turn;
 
         // Back to the nodes: differences count −1 at the first and +1 at the second, sums +1 at both.
-        let force = Vector6::new(f_sum - fr, -fz, f_turn - f_bend, f_sum + fr, fz, f_turn + f_bend);
         let block = |i: f64, j: f64| {
             let ij = i * j;
             Matrix3::new(

@@ -48,6 +48,12 @@ impl Anisotropy {
         self.r
     }
 
+    /// q = r̄/(1 + r̄), off the diagonal of P \[–\].
+    #[inline]
+    pub fn coupling(&self) -> f64 {
+        self.q
+    }
+
     /// A Δε.
     #[inline]
     pub fn apply(&self, e: Triple) -> Triple {

@@ -12,7 +12,7 @@
 //! Zienkiewicz, Jain, Oñate, Int. J. Solids Struct. 14 (1978) 15–38; Sosnowski (1994), equations 3 and 4.
 
 use super::voids::Voided;
-use super::{Anisotropy, Hardening, Rate, Softening, Voids};
+use super::{Anisotropy, Hardening, PointLaw, Rate, Softening, Voids};
 use crate::quantity::ZERO_CELSIUS;
 
 /// Which matrix H the corrector iterates with (Sosnowski 1994, equation 9).
@@ -40,6 +40,16 @@ pub struct FlowLaw<'a> {
     pub cutoff: f64,
     /// Δt of the step \[s\].
     pub duration: f64,
+}
+
+impl PointLaw for FlowLaw<'_> {
+    type Before = Before;
+    type Iterate = Iterate;
+
+    #[inline]
+    fn respond(&self, before: &Before, iterate: &mut Iterate, e: Triple) -> Response {
+        iterate.advance(self, before, e)
+    }
 }
 
 /// Shear correction factor of the Mindlin shell \[–\].

@@ -3,23 +3,54 @@
 mod anisotropy;
 pub mod flow;
 pub mod hardening;
+pub mod kinematic;
 pub mod rate;
 pub mod softening;
+pub mod twin;
 pub mod voids;
 
 pub use anisotropy::Anisotropy;
 pub use hardening::{FlowStress, Hardening};
+pub use kinematic::{BackStress, Kinematic};
 pub use rate::Rate;
 pub use softening::Softening;
 pub use voids::Voids;
 
-/// Isotropic elastic constants; the flow law has no elasticity, they serve laws that start at the elastic line.
+/// What a layer point answers to a strain increment: the flow law or its twin.
+pub trait PointLaw {
+    /// The point as the step finds it.
+    type Before;
+    /// What it remembers from one iteration to the next.
+    type Iterate;
+
+    /// Stress, matrix and hardening increment at the strain increment `e`; moves the iterate on.
+    fn respond(&self, before: &Self::Before, iterate: &mut Self::Iterate, e: flow::Triple) -> flow::Response;
+}
+
+/// Isotropic elastic constants: of the twin, of unloading, and of laws that start at the elastic line; the flow law has no
+/// elasticity.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Elastic {
     /// Young's modulus \[MPa\].
     pub young: f64,
     /// Poisson's ratio \[–\].
     pub poisson: f64,
+}
+
+impl Elastic {
+    /// D in the sum and the difference of the meridional and the hoop stress, and in the transverse shear \[MPa\].
+    #[inline]
+    pub fn moduli(&self) -> flow::Triple {
+        let Self { young, poisson } = *self;
+        [young / (1.0 - poisson), young / (1.0 + poisson), 0.5 * flow::SHEAR_FACTOR * young / (1.0 + poisson)]
+    }
+
+    /// Strain energy per volume of a stress \[MPa\].
+    pub fn energy(&self, stress: flow::Triple) -> f64 {
+        let [s, t, shear] = stress;
+        let [sum, difference, slip] = self.moduli();
+        0.25 * ((s + t) * (s + t) / sum + (s - t) * (s - t) / difference) + 0.5 * shear * shear / slip
+    }
 }
 
 /// The sheet's material.
@@ -32,6 +63,8 @@ pub struct Material {
     /// `None` for a metal whose strength does not feel its temperature, or says so in its hardening law.
     pub softening: Option<Softening>,
     pub anisotropy: Anisotropy,
+    /// Back-stresses; the flow law has none.
+    pub kinematic: Kinematic,
     /// `None` for a metal without voids.
     pub voids: Option<Voids>,
 }
@@ -50,7 +83,15 @@ impl Material {
     /// An isotropic, rate-free sheet that does not feel its temperature.
     pub fn plain(hardening: Hardening) -> Self {
         let anisotropy = Anisotropy::default();
-        Self { hardening, elastic: None, rate: None, softening: None, anisotropy, voids: None }
+        Self {
+            hardening,
+            elastic: None,
+            rate: None,
+            softening: None,
+            anisotropy,
+            kinematic: Kinematic::default(),
+            voids: None,
+        }
     }
 
     /// Yield stress at a strain and a temperature \[K\], without the rate \[MPa\].

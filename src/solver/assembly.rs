@@ -9,12 +9,15 @@ use crate::contact::penalty::Penalty;
 use crate::element::Node;
 use crate::element::kinematics::Start;
 use crate::element::lobatto::{self, Layer};
-use crate::element::section::Law;
+use crate::element::section::{self, Law};
 use crate::geometry::Point;
-use crate::material::flow::{Before, FlowLaw, Iterate, Response};
-use crate::model::{Edge, Iteration, Model, Motion, Pressure, PressureCap, Role, Settings};
+use crate::material::PointLaw;
+use crate::material::flow::{Before, FlowLaw, Iterate, Response, Triple};
+use crate::material::twin::{Carried, Operators, Trial as TwinTrial, TwinLaw};
+use crate::model::{Edge, Iteration, Mode, Model, Motion, Pressure, PressureCap, Role, Settings};
 use crate::state::State;
 use nalgebra::Vector3;
+use std::mem::take;
 
 /// Least tension of a membrane in its matrix, over its yield force \[–\]; it fades once the velocity norm is below [`SLACK_NORM`].
 const SLACK_TENSION: f64 = 0.5;
@@ -47,6 +50,8 @@ pub(super) struct Workspace {
     /// Trial positions of the tools at the end of the step.
     pub tool_position: Vec<f64>,
     pub iterates: Vec<Iterate>,
+    /// What the twin keeps instead of an iterate.
+    pub twins: Vec<TwinTrial>,
     pub responses: Vec<Response>,
     pub thickness: Vec<f64>,
     /// Volume of each element that the step reckons with \[mm³, or mm² in plane strain\], and its growth in the step.
@@ -96,6 +101,10 @@ pub(super) struct Workspace {
     /// Shear yield stress at the nodes at the start of the step \[MPa\]; zero when no friction law asks for it.
     pub(super) shear_yield: Vec<f64>,
     pub(super) before: Vec<Before>,
+    /// The layers as the twin finds them.
+    pub(super) carried_points: Vec<Carried>,
+    /// Forces that held the sheet before its tools were taken away \[N, N mm\]; they fade.
+    pub(super) held: Vec<Vector3<f64>>,
     pub(super) penalty: Penalty,
     block_area: f64,
 }
@@ -120,7 +129,7 @@ impl Workspace {
                     motion: tool.motion.clone(),
                     role: tool.role,
                     shared: index,
-                    released: None,
+                    released: model.release.map(|_| 0.0),
                 }
             })
             .collect();
@@ -148,6 +157,7 @@ impl Workspace {
             moves: vec![[0.0; 3]; n],
             nodes: state.nodes.clone(),
             iterates: vec![Iterate::default(); points],
+            twins: vec![TwinTrial::default(); if model.mode == Mode::Flow { 0 } else { points }],
             responses: vec![blank; points],
             thickness: state.thickness.clone(),
             volume: state.volume.clone(),
@@ -179,6 +189,8 @@ impl Workspace {
             areas: vec![0.0; n],
             shear_yield: vec![0.0; n],
             before: vec![Before::at(0.0); points],
+            carried_points: vec![Carried::default(); if model.mode == Mode::Flow { 0 } else { points }],
+            held: vec![Vector3::zeros(); if model.release.is_some() { n } else { 0 }],
             penalty: Penalty {
                 stiffness: model.settings.contact_stiffness / t,
                 smoothing: model.settings.contact_smoothing * t,
@@ -186,7 +198,30 @@ impl Workspace {
             block_area: model.geometry.area(model.blank.length),
         };
         work.measure_far();
+        work.hold(model, state);
         work
+    }
+
+    /// What the stress in the sheet asks for to be in equilibrium: the forces of the tools, before they are taken away.
+    fn hold(&mut self, model: &Model, state: &State) {
+        let layers = self.layers.len();
+        if self.held.is_empty() {
+            return;
+        }
+        for (e, pair) in state.nodes.windows(2).enumerate() {
+            let theory = model.blank.theory.of_element(state.bends[e]);
+            let start = Start::new(model.geometry, theory, pair[0], pair[1]);
+            let Some(end) = start.end([0.0; 3], [0.0; 3]) else { continue };
+            let points = &state.layers[e * layers..(e + 1) * layers];
+            let force = section::forces(&end, state.volume[e], state.thickness[e], &self.layers, |i| points[i].stress);
+            self.held[e] += force.fixed_rows::<3>(0);
+            self.held[e + 1] += force.fixed_rows::<3>(3);
+        }
+    }
+
+    /// Strain increment of a layer point in the last assembly \[–\].
+    pub fn strain_of(&self, i: usize) -> Triple {
+        self.twins.get(i).map_or_else(|| self.iterates[i].strain(), |trial| trial.strain)
     }
 
     /// Takes the start of a step: which elements bend, reference lengths, areas, hardening.
@@ -206,6 +241,14 @@ impl Workspace {
         let layers = self.layers.len();
         for (i, (before, point)) in self.before.iter_mut().zip(&state.layers).enumerate() {
             *before = Before { strain: point.strain, porosity: 0.0, temperature: state.temperature[i / layers] };
+        }
+        if model.mode != Mode::Flow {
+            let law = twin(model, Iteration::Newton, dt);
+            for (i, (carried, point)) in self.carried_points.iter_mut().zip(&state.layers).enumerate() {
+                let (strain, temperature) = (point.strain, state.temperature[i / layers]);
+                *carried = Carried { strain, temperature, yield_stress: 0.0, stress: point.stress, back: point.back };
+                carried.yield_stress = law.yield_stress(carried);
+            }
         }
         if let Some(voids) = &model.material.voids {
             self.foresee_voids(voids, state, dt);
@@ -275,6 +318,7 @@ impl Workspace {
         for (iterate, point) in self.iterates.iter_mut().zip(&state.layers) {
             *iterate = Iterate::start(point.carried);
         }
+        self.twins.fill(TwinTrial::default());
         self.average_iterates(model, state);
     }
 
@@ -289,8 +333,16 @@ impl Workspace {
         let share = model.nominal(state.time, dt) / (Settings::CUTOFF_STEP * model.duration);
         self.cutoff = self.softening * settings.cutoff_strain * share;
         let material = &model.material;
-        let law = Law {
-            flow: FlowLaw {
+        for (x, (start, u)) in self.nodes.iter_mut().zip(state.nodes.iter().zip(&self.moves)) {
+            for d in 0..3 {
+                x[d] = start[d] + u[d];
+            }
+        }
+        self.system.clear();
+
+        // Internal forces p and their matrix.
+        let sound = if model.mode == Mode::Flow {
+            let law = FlowLaw {
                 hardening: &material.hardening,
                 rate: material.rate.as_ref(),
                 softening: material.softening.as_ref(),
@@ -299,19 +351,64 @@ impl Workspace {
                 matrix,
                 cutoff: self.cutoff,
                 duration: dt,
-            },
-            layers: &self.layers,
-            slack_tension: SLACK_TENSION * (velocity_norm / SLACK_NORM).min(1.0),
+            };
+            // Taken out and put back: nothing is allocated.
+            let (before, mut iterates) = (take(&mut self.before), take(&mut self.iterates));
+            let sound = self.strain_sheet(law, &before, &mut iterates, state, velocity_norm);
+            (self.before, self.iterates) = (before, iterates);
+            sound
+        } else {
+            let law = twin(model, matrix, dt);
+            let (before, mut twins) = (take(&mut self.carried_points), take(&mut self.twins));
+            let sound = self.strain_sheet(law, &before, &mut twins, state, velocity_norm);
+            (self.carried_points, self.twins) = (before, twins);
+            sound
         };
-        for (x, (start, u)) in self.nodes.iter_mut().zip(state.nodes.iter().zip(&self.moves)) {
-            for d in 0..3 {
-                x[d] = start[d] + u[d];
-            }
+        if !sound {
+            return false;
         }
-        let system = &mut self.system;
-        system.clear();
+        let largest = |forces: &[Vector3<f64>]| forces.iter().map(|f| f.xy().norm()).fold(0.0, f64::max);
+        let internal = largest(&self.system.rhs);
+        let contact = self.contact(step, trial);
+        self.restrain(model, state, dt);
+        self.inflate(model, state, state.time + dt);
+        let gas = self.gas_force.iter().map(|f| f.norm()).fold(0.0, f64::max);
+        let left = 1.0 - (state.time + dt) / model.duration;
+        let mut held: f64 = 0.0;
+        for (rhs, force) in self.system.rhs.iter_mut().zip(&self.held) {
+            *rhs += force * left;
+            held = held.max(force.xy().norm());
+        }
+        let largest_force = internal.max(contact).max(gas).max(held);
 
-        // Internal forces p and their matrix.
+        self.hold_rate(model, state, dt);
+        self.press(model, state, dt);
+        self.constrain(model);
+        let (worst, residual) = self
+            .system
+            .rhs
+            .iter()
+            .map(|f| f.xy().norm())
+            .enumerate()
+            .fold((0, 0.0), |worst, now| if now.1 > worst.1 { now } else { worst });
+        self.worst_node = worst;
+        self.residual_norm = if largest_force > 0.0 { residual / largest_force } else { f64::INFINITY };
+        true
+    }
+
+    /// Strains every element to the trial positions by a law: internal forces, matrix and thickness; `false` when one has
+    /// collapsed.
+    fn strain_sheet<L: PointLaw>(
+        &mut self,
+        point: L,
+        before: &[L::Before],
+        iterates: &mut [L::Iterate],
+        state: &State,
+        velocity_norm: f64,
+    ) -> bool {
+        let law =
+            Law { point, layers: &self.layers, slack_tension: SLACK_TENSION * (velocity_norm / SLACK_NORM).min(1.0) };
+        let system = &mut self.system;
         let n_layers = self.layers.len();
         for (e, start) in self.starts.iter().enumerate() {
             let Some(end) = start.end(self.moves[e], self.moves[e + 1]) else { return false };
@@ -320,8 +417,8 @@ impl Workspace {
                 &end,
                 self.volume[e],
                 state.thickness[e],
-                &self.before[points.clone()],
-                &mut self.iterates[points.clone()],
+                &before[points.clone()],
+                &mut iterates[points.clone()],
                 &mut self.responses[points],
             );
             system.diagonal[e] += internal.matrix[0][0];
@@ -337,26 +434,6 @@ impl Workspace {
                 *rows = end.membrane_rows();
             }
         }
-        let largest = |forces: &[Vector3<f64>]| forces.iter().map(|f| f.xy().norm()).fold(0.0, f64::max);
-        let internal = largest(&self.system.rhs);
-        let contact = self.contact(step, trial);
-        self.restrain(model, state, dt);
-        self.inflate(model, state, state.time + dt);
-        let gas = self.gas_force.iter().map(|f| f.norm()).fold(0.0, f64::max);
-        let largest_force = internal.max(contact).max(gas);
-
-        self.hold_rate(model, state, dt);
-        self.press(model, state, dt);
-        self.constrain(model);
-        let (worst, residual) = self
-            .system
-            .rhs
-            .iter()
-            .map(|f| f.xy().norm())
-            .enumerate()
-            .fold((0, 0.0), |worst, now| if now.1 > worst.1 { now } else { worst });
-        self.worst_node = worst;
-        self.residual_norm = if largest_force > 0.0 { residual / largest_force } else { f64::INFINITY };
         true
     }
 
@@ -398,11 +475,29 @@ impl Workspace {
                 self.system.fix(i, 2);
             }
         }
+        if model.release.is_some() && model.blank.edge == Edge::Free {
+            // Nothing else holds the sheet up; what fades is in balance, so that this bears nothing.
+            self.system.fix(0, 1);
+        }
         if model.blank.edge != Edge::Free {
             for freedom in 0..3 {
                 self.system.fix(last, freedom);
             }
         }
+    }
+}
+
+/// The twin's law in a step.
+fn twin(model: &Model, matrix: Iteration, duration: f64) -> TwinLaw<'_> {
+    let material = &model.material;
+    TwinLaw {
+        hardening: (model.mode == Mode::ElastoViscoplastic).then_some(&material.hardening),
+        operators: Operators::new(material.elastic.expect("checked where the model is made"), material.anisotropy),
+        kinematic: material.kinematic,
+        rate: material.rate.as_ref(),
+        softening: material.softening.as_ref(),
+        secant: matrix == Iteration::Secant,
+        duration,
     }
 }
 

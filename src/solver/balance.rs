@@ -1,4 +1,4 @@
-//! The balance of power: external = plastic + friction + contact.
+//! The balance of power: external = plastic + elastic + friction + contact.
 //!
 //! Each term is integrated over the step by the trapezoidal rule from forces and stresses at both ends, along the
 //! path that was really taken. The corrector never uses these sums, so what they miss measures the steps.
@@ -7,8 +7,9 @@ use super::assembly::Workspace;
 use super::attempt::Step;
 use super::contacts::Contact;
 use crate::geometry::Point;
-use crate::model::Edge;
+use crate::model::{Edge, Mode};
 use crate::record::Energy;
+use nalgebra::Vector3;
 
 /// A point's plastic power counts as cut off when its strain increment is below this many cut-offs.
 const CUT_OFF_ZONE: f64 = 10.0;
@@ -79,16 +80,24 @@ impl Balance {
         for (i, (before, now)) in self.gas_force.iter().zip(&work.gas_force).enumerate() {
             done.external += 0.5 * (before + now).dot(&Point::new(work.moves[i][0], work.moves[i][1]));
         }
+        let left = |time: f64| 1.0 - time / model.duration;
+        let fading = 0.5 * (left(state.time) + left(state.time + dt));
+        for (force, u) in work.held.iter().zip(&work.moves) {
+            done.external += fading * force.dot(&Vector3::from(*u));
+        }
         let layers = work.layers.len();
         self.plastic.fill(0.0);
-        for (i, (iterate, response)) in work.iterates.iter().zip(&work.responses).enumerate() {
-            let e = iterate.strain();
+        for (i, response) in work.responses.iter().enumerate() {
+            let e = work.strain_of(i);
             let before = state.layers[i].stress;
             let power: f64 = (0..3).map(|k| 0.5 * (before[k] + response.stress[k]) * e[k]).sum();
-            let plastic = work.volume[i / layers] * work.layers[i % layers].share * power;
+            let volume = work.volume[i / layers] * work.layers[i % layers].share;
+            let elastic = model.stored(response.stress) - model.stored(before);
+            let plastic = volume * (power - elastic);
+            done.elastic += volume * elastic;
             done.plastic += plastic;
             self.plastic[i / layers] += plastic;
-            if response.increment < CUT_OFF_ZONE * work.cutoff {
+            if model.mode == Mode::Flow && response.increment < CUT_OFF_ZONE * work.cutoff {
                 done.cutoff += plastic;
             }
         }

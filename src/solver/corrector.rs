@@ -8,6 +8,8 @@ use crate::record::IterationRecord;
 
 /// Largest move of a node in one iteration, over the sheet thickness \[–\].
 const LARGEST_MOVE: f64 = 0.5;
+/// The same while the tools are taken away: long thin walls swing far.
+const LARGEST_SWING: f64 = 5.0;
 /// Largest turn of a fibre in one iteration \[rad\].
 const LARGEST_TURN: f64 = 0.3;
 /// The velocity norm alone can accept a wrong force; it also asks for a residual below this share of the largest force \[–\].
@@ -67,9 +69,10 @@ pub(super) fn correct(
 
         let increments = &work.system.rhs;
         let shared = &work.system.corner_rhs;
+        let reach = if model.release.is_some() { LARGEST_SWING } else { LARGEST_MOVE };
         let mut cut: f64 = 1.0;
         for d in increments {
-            cut = cut.min(LARGEST_MOVE * t / d.xy().norm()).min(LARGEST_TURN / d.z.abs());
+            cut = cut.min(reach * t / d.xy().norm()).min(LARGEST_TURN / d.z.abs());
         }
         for k in work.tools.iter().filter_map(|tool| tool.shared) {
             cut = cut.min(LARGEST_MOVE * t / shared[k].abs());

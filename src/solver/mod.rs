@@ -148,7 +148,10 @@ fn accept(work: &Workspace, model: &Model, state: &mut State, dt: f64) {
         let point = &mut state.layers[i];
         point.strain += response.increment;
         point.stress = response.stress;
-        point.carried = work.iterates[i].carried;
+        match work.twins.get(i) {
+            None => point.carried = work.iterates[i].carried,
+            Some(twin) => (point.carried, point.back) = (response.stress, twin.back),
+        }
     }
     for (velocity, u) in state.velocity.iter_mut().zip(&work.moves) {
         *velocity = u.map(|u| u / dt);

@@ -66,6 +66,9 @@ impl StopWatch {
 
     /// Whether the run ends after the step that led to `state`; `thickness` is each element's before that step \[mm\].
     pub fn look(&mut self, model: &Model, state: &State, record: &StepRecord, thickness: &[f64]) -> Option<Stop> {
+        if model.release.is_some() {
+            return None;
+        }
         let travel = state.travel;
         if let Some((limit, at)) = self.closed.filter(|(limit, _)| travel >= limit * (1.0 - 1e-12)) {
             return Some(Stop::ToolsClosed { travel: limit, r: at.x, z: at.y });

@@ -7,7 +7,7 @@ use crate::material::hardening::{
     Branch, Extrapolation, Hollomon, Isotherms, LawError, Ludwik, PiecewisePower, Swift, Table, Voce,
 };
 use crate::material::rate::{CowperSymonds, JohnsonCook, PowerRate};
-use crate::material::{Anisotropy, Elastic, Hardening, Material, Rate};
+use crate::material::{Anisotropy, Elastic, Hardening, Kinematic, Material, Rate};
 use crate::quantity::Quantity;
 use std::ops::RangeInclusive;
 
@@ -45,7 +45,15 @@ pub(super) fn convert(file: &file::Material, source: &Source) -> Result<Material
     let rate = file.rate.map(|laws| rate(laws, source)).transpose()?;
     let softening = file.softening.map(|laws| softening::convert(laws, source)).transpose()?;
     let voids = file.voids.map(|law| voids::convert(law, source)).transpose()?;
-    Ok(Material { hardening, elastic, rate, softening, anisotropy: Anisotropy::new(r), voids })
+    Ok(Material {
+        hardening,
+        elastic,
+        rate,
+        softening,
+        anisotropy: Anisotropy::new(r),
+        kinematic: Kinematic::default(),
+        voids,
+    })
 }
 
 /// Exactly one rate law.
