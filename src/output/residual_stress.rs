@@ -5,7 +5,7 @@ use super::{WriteError, csv, png, profile, svg, write_into};
 use crate::measure::{moment_error, places};
 use crate::model::Model;
 use crate::record::{Frame, PointRecord};
-use crate::table::{Column, Table, Unit, four_digits};
+use crate::table::{Column, Table, Unit};
 use std::path::{Path, PathBuf};
 
 /// The files that [`write`] makes.
@@ -73,14 +73,10 @@ pub fn plot(frame: &Frame, model: &Model) -> Option<Chart> {
             scale: Scale::Fit { height: 300.0, least: LEAST },
         }
     };
-    let layers =
-        format!("{n} layer points; the punch's face is the one that lies on the punch, the holder's in the flange.");
+    let layers = format!("{n} layer points. In the flange the punch's face is the holder's.");
     let error = moment_error(frame).map(|error| {
-        format!(
-            "The layers may miss {} % of the largest bending moment, at s0 = {:.1} mm: an estimate.",
-            four_digits(100.0 * error.share),
-            error.s0
-        )
+        let (percent, s0) = (100.0 * error.share, error.s0);
+        format!("The layers may miss {percent:.1} % of the largest bending moment, at s0 = {s0:.1} mm: an estimate.")
     });
     Some(Chart {
         title: format!("{}: stress through the thickness", model.title),

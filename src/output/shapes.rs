@@ -116,7 +116,7 @@ pub(super) fn sheet(frame: &Frame, elements: Range<usize>) -> Vec<(f64, f64)> {
         let p = at(&nodes[i]) + half * Point::new(-along.y, along.x);
         (p.x, p.y)
     };
-    let part = elements.start..=elements.end;
+    let part = elements.start..(elements.end + 1).min(nodes.len());
     part.clone().map(|i| surface(i, 1.0)).chain(part.rev().map(|i| surface(i, -1.0))).collect()
 }
 

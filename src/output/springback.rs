@@ -29,7 +29,7 @@ pub fn plot(before: &Frame, after: &Frame, model: &Model) -> Chart {
     let shapes = [Shape::of(before), Shape::of(after)];
     let found = changes(&shapes[0], &shapes[1]);
     let nodes = || before.nodes.iter().chain(&after.nodes);
-    let (x, y) = shapes::window(nodes(), 0.0);
+    let (x, y) = shapes::window(nodes(), model.blank.thickness);
     let [first, second] = [before, after].map(|frame| shapes::sheet(frame, 0..frame.elements.len()));
     let outline = second.iter().chain(second.first()).copied().collect();
     let sheets = [
@@ -82,9 +82,11 @@ fn longer(leg: &Leg) -> Vec<(f64, f64)> {
 
 /// `Wall to the punch direction: 0.31° → 8.20°`.
 fn worded(change: &Change) -> String {
-    let unit = change.quantity.unit;
-    let gap = if unit == Unit::Degree { "" } else { " " };
-    let text = |value: Option<f64>| value.map_or("none".to_owned(), |v| format!("{v:.2}{gap}{}", unit.symbol()));
+    let text = |value: f64| match change.quantity.unit {
+        Unit::Degree => format!("{value:.2}°"),
+        unit => format!("{value:.1} {}", unit.symbol()),
+    };
+    let text = |value: Option<f64>| value.map_or("none".to_owned(), text).replace('-', "−");
     format!("{}: {} → {}", change.quantity.label, text(change.before), text(change.after))
 }
 
@@ -96,10 +98,10 @@ mod tests {
     #[test]
     fn changes_are_worded_with_their_units() {
         let of = |key: &str| QUANTITIES.iter().find(|q| q.key == key).expect("a quantity");
-        let change = Change { quantity: of("wall_angle"), before: Some(0.311), after: Some(8.2) };
-        assert_eq!(worded(&change), "Wall to the punch direction: 0.31° → 8.20°");
+        let change = Change { quantity: of("wall_angle"), before: Some(-0.311), after: Some(8.2) };
+        assert_eq!(worded(&change), "Wall to the punch direction: −0.31° → 8.20°");
         let curl = Change { quantity: of("curl_radius"), before: None, after: Some(120.0) };
-        assert_eq!(worded(&curl), "Radius of the wall's curl, ρ: none → 120.00 mm");
+        assert_eq!(worded(&curl), "Radius of the wall's curl, ρ: none → 120.0 mm");
         assert_eq!(curl.change(), None);
     }
 }
