@@ -73,7 +73,7 @@ impl Meridian {
     /// They are looked for at every curvature from the sharpest down, and the first that `wanted` finds among those of
     /// one look is taken.
     pub(super) fn leg(&self, wanted: impl Fn(&[(Range<usize>, i8)]) -> Option<Range<usize>>) -> Option<Range<usize>> {
-        let sharpest = self.curvature.iter().fold(0.0_f64, |most, k| most.max(k.abs()));
+        let sharpest = self.sharpest();
         let length = self.along[self.along.len() - 1];
         let looks = std::iter::successors(Some(sharpest), |level| Some(FINER * level));
         looks.take_while(|level| level * length > BEND).find_map(|level| wanted(&self.legs(level)))
@@ -129,6 +129,11 @@ impl Meridian {
     pub(super) fn descent(&self, nodes: &Range<usize>) -> f64 {
         let way = self.points[nodes.end - 1] - self.points[nodes.start];
         -way.y / way.norm()
+    }
+
+    /// The largest curvature, without sign \[1/mm\].
+    pub(super) fn sharpest(&self) -> f64 {
+        self.curvature.iter().fold(0.0, |most, k| k.abs().max(most))
     }
 
     /// The node nearest to a length from the axis \[mm\].

@@ -45,6 +45,9 @@ use std::ops::Range;
 /// A leg that curls by less than this over its length counts as straight \[rad\]: 0.1°, less than can be measured.
 const STRAIGHT: f64 = 0.1 * std::f64::consts::PI / 180.0;
 
+/// A die radius bends the sheet by more than this share of its sharpest bend.
+const SHARP: f64 = 0.1;
+
 /// A nearly straight stretch of the sheet.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Leg {
@@ -88,8 +91,8 @@ pub struct Quantity {
 pub const QUANTITIES: &[Quantity] = &[
     Quantity { key: "wall_angle", label: "Wall to the punch direction", unit: Unit::Degree, of: Shape::wall_angle },
     Quantity { key: "opening_angle", label: "Opening angle", unit: Unit::Degree, of: Shape::opening_angle },
-    Quantity { key: "bottom_to_wall", label: "Bottom to wall, θ1", unit: Unit::Degree, of: Shape::bottom_to_wall },
-    Quantity { key: "wall_to_flange", label: "Wall to flange, θ2", unit: Unit::Degree, of: Shape::wall_to_flange },
+    Quantity { key: "bottom_to_wall", label: "Bottom to wall, θ₁", unit: Unit::Degree, of: Shape::bottom_to_wall },
+    Quantity { key: "wall_to_flange", label: "Wall to flange, θ₂", unit: Unit::Degree, of: Shape::wall_to_flange },
     Quantity { key: "flange_angle", label: "Flange to the horizontal", unit: Unit::Degree, of: Shape::flange_angle },
     Quantity { key: "curl_radius", label: "Radius of the wall's curl, ρ", unit: Unit::Mm, of: Shape::curl_radius },
     Quantity { key: "height", label: "Height of the middle over the edge", unit: Unit::Mm, of: |shape| shape.height },
@@ -184,6 +187,10 @@ pub struct Place {
     pub element: usize,
 }
 
+impl Place {
+    pub const FLANGE: &str = "Flange";
+}
+
 /// The places that a designer would look at first, from the axis outward: middle, punch radius, wall, die radius and
 /// flange where the sheet has them; of a sheet without wall and flange middle, half-way and edge.
 ///
@@ -204,10 +211,15 @@ pub fn places(frame: &Frame) -> Vec<Place> {
         nodes.push(("Punch radius", sharpest(0..wall.nodes.start, -1.0)));
         nodes.push(("Wall", Some(middle(wall))));
     }
-    if let Some(flange) = &flange {
+    if wall.is_some() || flange.is_some() {
         let from = wall.as_ref().map_or(0, |wall| wall.nodes.end);
-        nodes.push(("Die radius", sharpest(from..flange.nodes.start, 1.0)));
-        nodes.push(("Flange", Some(middle(flange))));
+        let to = flange.as_ref().map_or(last + 1, |flange| flange.nodes.start);
+        // Beyond the leg of a bent strip nothing brings the sheet back.
+        let sharp = |node: &usize| meridian.curvature[*node] > SHARP * meridian.sharpest();
+        nodes.push(("Die radius", sharpest(from..to, 1.0).filter(sharp)));
+    }
+    if let Some(flange) = &flange {
+        nodes.push((Place::FLANGE, Some(middle(flange))));
     }
     if nodes.len() == 1 {
         nodes.push(("Half-way", Some(meridian.node_at(0.5 * meridian.along[last]))));

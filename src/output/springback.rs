@@ -84,7 +84,7 @@ fn longer(leg: &Leg) -> Vec<(f64, f64)> {
 fn worded(change: &Change) -> String {
     let text = |value: f64| match change.quantity.unit {
         Unit::Degree => format!("{value:.2}°"),
-        unit => format!("{value:.1} {}", unit.symbol()),
+        unit => format!("{value:.2} {}", unit.symbol()),
     };
     let text = |value: Option<f64>| value.map_or("none".to_owned(), text).replace('-', "−");
     format!("{}: {} → {}", change.quantity.label, text(change.before), text(change.after))
@@ -101,7 +101,7 @@ mod tests {
         let change = Change { quantity: of("wall_angle"), before: Some(-0.311), after: Some(8.2) };
         assert_eq!(worded(&change), "Wall to the punch direction: −0.31° → 8.20°");
         let curl = Change { quantity: of("curl_radius"), before: None, after: Some(120.0) };
-        assert_eq!(worded(&curl), "Radius of the wall's curl, ρ: none → 120.0 mm");
+        assert_eq!(worded(&curl), "Radius of the wall's curl, ρ: none → 120.00 mm");
         assert_eq!(curl.change(), None);
     }
 }
