@@ -10,6 +10,7 @@
 //!    │ solver::run                predictor → corrector → accepted step, or a shorter one
 //!    │ Observer                   sees each StepRecord and IterationRecord
 //!    │ Run { history, frames, stop, warnings }
+//!    │ measure                    angles, curl and places of a Frame, as a person would measure them
 //!    └ Table                      CSV, plots and comparisons all read the same tables
 //! ```
 //!
@@ -43,6 +44,7 @@ pub mod element;
 pub mod geometry;
 pub mod history;
 pub mod material;
+pub mod measure;
 pub mod mesh;
 pub mod model;
 pub mod output;

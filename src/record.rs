@@ -1,5 +1,6 @@
 //! What a run leaves behind: the history of every step, the kept frames, and why it stopped.
 
+use crate::element::lobatto::Layer;
 use crate::model::PressureCap;
 
 /// One element at one instant.
@@ -44,6 +45,33 @@ pub struct NodeRecord {
     pub thickness: f64,
 }
 
+/// One layer point of an element at one instant.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct PointRecord {
+    /// Cauchy stresses \[MPa\].
+    pub stress_meridional: f64,
+    pub stress_hoop: f64,
+    /// Equivalent plastic strain \[–\].
+    pub strain_equivalent: f64,
+}
+
+/// The sheet through its thickness at one instant; empty in a frame without layers.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct ThroughThickness {
+    /// Where the points of every element lie: ξ = ζ/(t/2) from −1 on the die's face to 1 on the punch's, because ζ goes
+    /// from the mid-surface along −n, n = (−sin φ, cos φ), and the punch pushes along n.
+    pub layers: Vec<Layer>,
+    /// Element by element, in the order of `layers`.
+    pub points: Vec<PointRecord>,
+}
+
+impl ThroughThickness {
+    /// The points of each element, from the axis outward.
+    pub fn elements(&self) -> std::slice::ChunksExact<'_, PointRecord> {
+        self.points.chunks_exact(self.layers.len().max(1))
+    }
+}
+
 /// What is kept of an instant.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Frame {
@@ -53,6 +81,7 @@ pub struct Frame {
     /// From the axis outward.
     pub elements: Vec<ElementRecord>,
     pub nodes: Vec<NodeRecord>,
+    pub through: ThroughThickness,
     /// Axial displacement of each tool from where it is drawn in the model \[mm\], in the model's order.
     pub tool_displacement: Vec<f64>,
 }

@@ -6,7 +6,7 @@ use crate::element::kinematics::Start;
 use crate::element::lobatto::{self, Layer};
 use crate::material::flow::{ROOM_TEMPERATURE, Triple};
 use crate::model::{Model, Motion, Role, Theory};
-use crate::record::{ElementRecord, Frame, NodeRecord};
+use crate::record::{ElementRecord, Frame, NodeRecord, PointRecord, ThroughThickness};
 
 /// One layer point of an element.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -166,6 +166,13 @@ impl State {
                 NodeRecord { r, z, theta, thickness: self.thickness_at(i) }
             })
             .collect();
-        Frame { time: self.time, travel: self.travel, elements, nodes, tool_displacement: self.tools.clone() }
+        let points = self.layers.iter().map(|p| PointRecord {
+            stress_meridional: p.stress[0],
+            stress_hoop: p.stress[1],
+            strain_equivalent: p.strain,
+        });
+        let through = ThroughThickness { points: points.collect(), layers };
+        let tool_displacement = self.tools.clone();
+        Frame { time: self.time, travel: self.travel, elements, nodes, through, tool_displacement }
     }
 }

@@ -8,6 +8,7 @@ const FLOORS: &[&[&str]] = &[
     &["main", "cli"],
     &["case"],
     &["output", "compare", "solver"],
+    &["measure"],
     &["table", "record", "mesh", "state"],
     &["model"],
     &["element", "contact"],

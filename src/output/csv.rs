@@ -1,5 +1,6 @@
 //! Tables as comma-separated text.
 
+use crate::measure::Change;
 use crate::quantity::rounded;
 use crate::table::Table;
 
@@ -10,6 +11,19 @@ pub fn csv(table: &Table) -> Vec<u8> {
     writer.write_record(table.columns.iter().map(|c| c.header())).expect(never);
     for row in 0..table.rows() {
         writer.write_record(table.columns.iter().map(|c| number(c.values[row]))).expect(never);
+    }
+    writer.into_inner().expect(never)
+}
+
+/// One row per quantity that was measured on two sheets; what one of them has not is left empty.
+pub fn springback(changes: &[Change]) -> Vec<u8> {
+    let mut writer = csv::Writer::from_writer(Vec::new());
+    let never = "memory does not refuse a row";
+    writer.write_record(["quantity", "unit", "before", "after", "change"]).expect(never);
+    for change in changes {
+        let words = [change.quantity.key, change.quantity.unit.spelled()].map(str::to_owned);
+        let values = [change.before, change.after, change.change()].map(|v| v.map_or(String::new(), number));
+        writer.write_record(words.iter().chain(&values)).expect(never);
     }
     writer.into_inner().expect(never)
 }

@@ -1,4 +1,7 @@
 //! What a run leaves on disk: one file of this folder per table or plot, and one list, [`OUTPUTS`].
+//!
+//! What is made of single frames is written by functions of its own: [`springback::write`] compares the sheet before and
+//! after the tools are taken away, [`residual_stress::write`] looks through its thickness.
 
 pub mod chart;
 mod csv;
@@ -12,7 +15,9 @@ mod overlay;
 mod png;
 pub mod pressure_cycle;
 pub mod profile;
+pub mod residual_stress;
 mod shapes;
+pub mod springback;
 mod strains;
 mod summary;
 pub mod trace;
@@ -147,6 +152,19 @@ pub fn write_all(subject: &Subject, dir: &Path) -> Result<Vec<PathBuf>, WriteErr
     Ok(written)
 }
 
+/// Writes files of these names into `dir`; each appears complete or not at all.
+fn write_into<const N: usize>(
+    dir: &Path,
+    names: [impl AsRef<Path>; N],
+    contents: [Vec<u8>; N],
+) -> Result<Vec<PathBuf>, WriteError> {
+    let paths = names.map(|name| dir.join(name));
+    for (path, bytes) in paths.iter().zip(&contents) {
+        write(path, bytes)?;
+    }
+    Ok(paths.to_vec())
+}
+
 /// Whether the files of a run could be written into `dir`; nothing is left behind.
 ///
 /// # Errors
@@ -163,7 +181,12 @@ pub fn can_write_all(dir: &Path) -> Result<(), WriteError> {
 pub fn remove_stale(dir: &Path, written: &[PathBuf]) -> Result<(), WriteError> {
     let Ok(entries) = std::fs::read_dir(dir) else { return Ok(()) };
     for path in entries.flatten().map(|entry| entry.path()).filter(|path| path.is_file() && !written.contains(path)) {
-        let ours = |name: &str| OUTPUTS.iter().any(|output| output.file == name) || overlay::is_comparison(name);
+        let of_frames = [springback::FILES, residual_stress::FILES].concat();
+        let ours = |name: &str| {
+            OUTPUTS.iter().any(|output| output.file == name)
+                || of_frames.contains(&name)
+                || overlay::is_comparison(name)
+        };
         if path.file_name().and_then(|name| name.to_str()).is_some_and(ours) {
             std::fs::remove_file(&path).map_err(|source| WriteError { path, source })?;
         }

@@ -16,16 +16,9 @@ const AROUND: f64 = 0.06;
 pub(super) fn plot(subject: &Subject) -> Option<Chart> {
     let Subject { model, run, .. } = subject;
     let table = profile::last(model, &run.frames);
-    let nodes = || run.frames.iter().flat_map(|f| &f.nodes);
-    let width = nodes().map(|n| n.r).fold(model.blank.length, f64::max);
-    let (top, bottom) = nodes().fold((0.0_f64, 0.0_f64), |(top, bottom), n| (top.min(n.z), bottom.max(n.z)));
-    let around = AROUND * width;
-
+    let (x, y) = window(run.frames.iter().flat_map(|f| &f.nodes), model.blank.length);
     let last = run.frames.last();
-    let tools = model.tools.iter().enumerate().map(|(i, tool)| {
-        let displacement = last.and_then(|f| f.tool_displacement.get(i)).copied().unwrap_or(0.0);
-        Series::silent(body(tool, displacement, SAGITTA * width), Look::Area { fill: PALE, edge: Some(GREY) })
-    });
+    let displacements = last.map_or(&[][..], |frame| &frame.tool_displacement);
     let selective = model.blank.theory == Theory::Selective;
     let sheets = shown(&run.frames).enumerate().flat_map(|(i, frame)| {
         let whole = Series::new(reached(model, frame), sheet(frame, 0..frame.elements.len()), filled(color(i)));
@@ -42,13 +35,29 @@ pub(super) fn plot(subject: &Subject) -> Option<Chart> {
         panels: vec![Panel {
             x: table.column("r").axis(),
             y: table.column("z").axis(),
-            series: tools.chain(sheets).chain(flat).collect(),
-            scale: Scale::Section { x: (0.0, width + around), y: (top - 2.0 * around, bottom + around) },
+            series: tools(model, displacements, x.1).chain(sheets).chain(flat).collect(),
+            scale: Scale::Section { x, y },
         }],
         notes: std::iter::once(format!("The sheet is true to thickness. Grey: the tools at {tools_at}."))
             .chain(selective.then(|| "Pale: elements that were membranes; the others bent.".to_owned()))
             .chain(subject.notes_of_frames())
             .collect(),
+    })
+}
+
+/// What is shown of a section: its nodes, or as much as a blank of this length, and something around them.
+pub(super) fn window<'a>(nodes: impl Iterator<Item = &'a NodeRecord>, length: f64) -> ((f64, f64), (f64, f64)) {
+    let (width, top, bottom) = nodes
+        .fold((length, 0.0_f64, 0.0_f64), |(width, top, bottom), n| (width.max(n.r), top.min(n.z), bottom.max(n.z)));
+    let around = AROUND * width;
+    ((0.0, width + around), (top - 2.0 * around, bottom + around))
+}
+
+/// The tools' bodies, moved from where they are drawn in the model \[mm\], in a picture of this width \[mm\].
+pub(super) fn tools<'a>(model: &'a Model, displacements: &'a [f64], width: f64) -> impl Iterator<Item = Series> + 'a {
+    model.tools.iter().enumerate().map(move |(i, tool)| {
+        let displacement = displacements.get(i).copied().unwrap_or(0.0);
+        Series::silent(body(tool, displacement, SAGITTA * width), Look::Area { fill: PALE, edge: Some(GREY) })
     })
 }
 
@@ -96,7 +105,7 @@ fn membranes(frame: &Frame) -> Vec<Range<usize>> {
 }
 
 /// Both surfaces of some elements of the sheet: half a thickness from the mid-surface along its normal.
-fn sheet(frame: &Frame, elements: Range<usize>) -> Vec<(f64, f64)> {
+pub(super) fn sheet(frame: &Frame, elements: Range<usize>) -> Vec<(f64, f64)> {
     let nodes = &frame.nodes;
     let at = |n: &NodeRecord| Point::new(n.r, n.z);
     let surface = |i: usize, side: f64| {
@@ -107,13 +116,14 @@ fn sheet(frame: &Frame, elements: Range<usize>) -> Vec<(f64, f64)> {
         let p = at(&nodes[i]) + half * Point::new(-along.y, along.x);
         (p.x, p.y)
     };
-    let part = elements.start..=elements.end;
+    let part = elements.start..(elements.end + 1).min(nodes.len());
     part.clone().map(|i| surface(i, 1.0)).chain(part.rev().map(|i| surface(i, -1.0))).collect()
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::record::ThroughThickness;
 
     /// Trust: a crown of R 2800 mm over 330 mm, its points compared with the circle half-way between them.
     #[test]
@@ -136,6 +146,7 @@ mod tests {
             travel: 0.0,
             elements: vec![],
             nodes: vec![node(0.0), node(5.0)],
+            through: ThroughThickness::default(),
             tool_displacement: vec![],
         };
         assert_eq!(sheet(&frame, 0..1), [(0.0, 3.4), (5.0, 3.4), (5.0, 2.6), (0.0, 2.6)]);

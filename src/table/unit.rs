@@ -16,6 +16,8 @@ pub enum Unit {
     /// N·mm.
     Millijoule,
     MillijoulePerMm,
+    /// Of angles.
+    Degree,
     /// Degrees Celsius; the solver's kelvins are converted where a table is made.
     Celsius,
 }
@@ -29,7 +31,7 @@ pub struct UnitError {
 }
 
 /// What the end of a header means: its spelling, the solver's unit, and how many of these it is.
-const SPELLINGS: [(&str, Unit, f64); 26] = [
+const SPELLINGS: [(&str, Unit, f64); 27] = [
     ("percent", Unit::Percent, 1.0),
     ("mm", Unit::Mm, 1.0),
     ("um", Unit::Mm, 1e-3),
@@ -55,6 +57,7 @@ const SPELLINGS: [(&str, Unit, f64); 26] = [
     ("mJ", Unit::Millijoule, 1.0),
     ("J", Unit::Millijoule, 1e3),
     ("mJ_per_mm", Unit::MillijoulePerMm, 1.0),
+    ("deg", Unit::Degree, 1.0),
     ("C", Unit::Celsius, 1.0),
 ];
 
@@ -73,6 +76,7 @@ impl Unit {
             Self::PerSecond => "1/s",
             Self::Millijoule => "mJ",
             Self::MillijoulePerMm => "mJ/mm",
+            Self::Degree => "°",
             Self::Celsius => "°C",
         }
     }

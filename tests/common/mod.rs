@@ -1,6 +1,7 @@
 //! A run that was not solved but drawn: a flat-bottomed cup whose shape follows the tools, for tests of what
 //! is made from runs.
 
+use stampflow::element::lobatto;
 use stampflow::geometry::{Point, Profile};
 use stampflow::material::hardening::Swift;
 use stampflow::material::{Hardening, Material, Voids};
@@ -9,7 +10,7 @@ use stampflow::model::{
     Role, Settings, StopRules, Theory, Tool,
 };
 use stampflow::output::Subject;
-use stampflow::record::{ElementRecord, Energy, Frame, NodeRecord, Run, StepRecord};
+use stampflow::record::{ElementRecord, Energy, Frame, NodeRecord, PointRecord, Run, StepRecord, ThroughThickness};
 use std::f64::consts::FRAC_PI_2;
 use std::time::Duration;
 
@@ -148,7 +149,7 @@ fn frame(model: &Model, travel: f64) -> Frame {
         }
     }
     let h = model.blank.length / n as f64;
-    let elements = nodes
+    let elements: Vec<ElementRecord> = nodes
         .windows(2)
         .enumerate()
         .map(|(i, w)| {
@@ -176,7 +177,19 @@ fn frame(model: &Model, travel: f64) -> Frame {
             }
         })
         .collect();
-    Frame { time: travel, travel, elements, nodes, tool_displacement: vec![travel, 0.0, -0.12 * depth] }
+    // Bent and stretched: tension and more of it on the punch's face, in proportion to the mean stress.
+    let layers = lobatto::rule(model.blank.layers);
+    let points = elements.iter().flat_map(|e| layers.iter().map(|layer| point(e, layer.xi))).collect();
+    let tool_displacement = vec![travel, 0.0, -0.12 * depth];
+    Frame { time: travel, travel, elements, nodes, through: ThroughThickness { layers, points }, tool_displacement }
+}
+
+fn point(element: &ElementRecord, xi: f64) -> PointRecord {
+    PointRecord {
+        stress_meridional: element.stress_meridional * (1.0 + 0.5 * xi),
+        stress_hoop: element.stress_hoop * (1.0 + 0.5 * xi),
+        strain_equivalent: element.strain_equivalent * (1.0 + 0.1 * xi.abs()),
+    }
 }
 
 fn node(travel: f64, s: f64, thickness: f64) -> NodeRecord {

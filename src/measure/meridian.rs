@@ -1,0 +1,165 @@
+//! The meridian of a frame: its slope and curvature, its bends and the straight legs between them.
+
+use crate::geometry::{Point, turn};
+use crate::record::Frame;
+use std::ops::Range;
+
+/// A leg bends less than this share of the bends at its ends.
+const FLAT: f64 = 0.25;
+/// What turns the sheet less than this is no bend but a dent \[rad\].
+const BEND: f64 = 10.0 * std::f64::consts::PI / 180.0;
+/// How much the curvature that counts as a bend is lowered from one look at the sheet to the next.
+const FINER: f64 = 0.8;
+/// What is left out at both ends of a leg, over its length: the sheet goes over into the bends there.
+const ENDS: f64 = 0.1;
+/// Least length of a leg without its ends, over the thickness.
+const LEAST: f64 = 4.0;
+
+/// The mid-surface from the axis outward, turned upside down where it must be for the middle to lie above the edge, so
+/// that walls descend.
+pub(super) struct Meridian {
+    pub(super) points: Vec<Point>,
+    /// −1 where it was turned.
+    pub(super) up: f64,
+    /// Length from the axis to each node \[mm\].
+    pub(super) along: Vec<f64>,
+    /// Slope of each element, without jumps of 2π \[rad\].
+    slope: Vec<f64>,
+    /// dφ/ds at each node over a window of two thicknesses \[1/mm\].
+    pub(super) curvature: Vec<f64>,
+    /// Mean thickness \[mm\].
+    thickness: f64,
+}
+
+/// A stretch between the places where the curvature becomes and ceases to be that of a bend.
+struct Part {
+    nodes: Range<usize>,
+    /// −1 and 1: a bend clockwise or counter-clockwise; 0: straight.
+    sense: i8,
+    /// Whether a bend reaches the curvature that is looked for.
+    sharp: bool,
+}
+
+impl Meridian {
+    /// `None` for what is no line: fewer than three nodes, nodes on each other, no numbers, no thickness.
+    pub(super) fn of(frame: &Frame) -> Option<Self> {
+        let (first, last) = (frame.nodes.first()?, frame.nodes.last()?);
+        let up = if first.z < last.z { -1.0 } else { 1.0 };
+        let points: Vec<Point> = frame.nodes.iter().map(|n| Point::new(n.r, up * n.z)).collect();
+        let steps: Vec<Point> = points.windows(2).map(|pair| pair[1] - pair[0]).collect();
+        let is_line = |step: &Point| step.norm() > 0.0 && step.norm().is_finite();
+        if steps.len() < 2 || !steps.iter().all(is_line) {
+            return None;
+        }
+        let mut along = vec![0.0];
+        let mut slope: Vec<f64> = Vec::with_capacity(steps.len());
+        let mut before = Point::new(1.0, 0.0);
+        for step in &steps {
+            along.push(along[along.len() - 1] + step.norm());
+            slope.push(slope.last().unwrap_or(&0.0) + turn(before, *step));
+            before = *step;
+        }
+        let thickness = frame.nodes.iter().map(|n| n.thickness).sum::<f64>() / frame.nodes.len() as f64;
+        if !(thickness > 0.0 && thickness.is_finite()) {
+            return None;
+        }
+        let curvature = curvature(&along, &slope, thickness);
+        Some(Self { points, up, along, slope, curvature, thickness })
+    }
+
+    /// The stretches between bends, each with the sense of the bend on its inside: −1 where that made the sheet descend
+    /// more steeply, 1 where it brought it back.
+    ///
+    /// They are looked for at every curvature from the sharpest down, and the first that `wanted` finds among those of
+    /// one look is taken.
+    pub(super) fn leg(&self, wanted: impl Fn(&[(Range<usize>, i8)]) -> Option<Range<usize>>) -> Option<Range<usize>> {
+        let sharpest = self.sharpest();
+        let length = self.along[self.along.len() - 1];
+        let looks = std::iter::successors(Some(sharpest), |level| Some(FINER * level));
+        looks.take_while(|level| level * length > BEND).find_map(|level| wanted(&self.legs(level)))
+    }
+
+    /// The legs between bends of this curvature or more \[1/mm\], without their ends.
+    fn legs(&self, level: f64) -> Vec<(Range<usize>, i8)> {
+        let parts = self.parts(level);
+        let inside = |i: usize| parts[..i].last();
+        let is_leg = |i: usize| {
+            let sharp_inside = inside(i).is_some_and(|bend| bend.sharp);
+            parts[i].sense == 0 && sharp_inside && parts.get(i + 1).is_none_or(|bend| bend.sharp)
+        };
+        let legs = (0..parts.len()).filter(|&i| is_leg(i));
+        legs.filter_map(|i| Some((self.without_ends(&parts[i].nodes)?, inside(i)?.sense))).collect()
+    }
+
+    /// Bends and straight stretches in turn; dents belong to what they are in.
+    fn parts(&self, level: f64) -> Vec<Part> {
+        let senses: Vec<i8> =
+            self.curvature.iter().map(|k| if k.abs() < FLAT * level { 0 } else { k.signum() as i8 }).collect();
+        let mut parts: Vec<Part> = Vec::new();
+        let mut from = 0;
+        for stretch in senses.chunk_by(|a, b| a == b) {
+            let nodes = from..from + stretch.len();
+            from = nodes.end;
+            let peak = self.curvature[nodes.clone()].iter().fold(0.0_f64, |most, k| most.max(k.abs()));
+            let sense = if self.turn_of(&nodes).abs() < BEND { 0 } else { stretch[0] };
+            match parts.last_mut() {
+                Some(before) if before.sense == 0 && sense == 0 => before.nodes.end = nodes.end,
+                _ => parts.push(Part { nodes, sense, sharp: peak >= level }),
+            }
+        }
+        parts
+    }
+
+    /// How far the elements beside these nodes turn away from each other \[rad\]; the sheet is level on the axis.
+    fn turn_of(&self, nodes: &Range<usize>) -> f64 {
+        let before = if nodes.start == 0 { 0.0 } else { self.slope[nodes.start - 1] };
+        self.slope[(nodes.end - 1).min(self.slope.len() - 1)] - before
+    }
+
+    fn without_ends(&self, nodes: &Range<usize>) -> Option<Range<usize>> {
+        let (from, to) = (self.along[nodes.start], self.along[nodes.end - 1]);
+        let end = ENDS * (to - from);
+        let start = nodes.start + self.along[nodes.clone()].partition_point(|s| *s < from + end);
+        let stop = nodes.start + self.along[nodes.clone()].partition_point(|s| *s <= to - end);
+        let is_long = stop >= start + 3 && self.along[stop - 1] - self.along[start] >= LEAST * self.thickness;
+        is_long.then_some(start..stop)
+    }
+
+    /// How far down a stretch goes over its length \[–\]: 1 upright.
+    pub(super) fn descent(&self, nodes: &Range<usize>) -> f64 {
+        let way = self.points[nodes.end - 1] - self.points[nodes.start];
+        -way.y / way.norm()
+    }
+
+    /// The largest curvature, without sign \[1/mm\].
+    pub(super) fn sharpest(&self) -> f64 {
+        self.curvature.iter().fold(0.0, |most, k| k.abs().max(most))
+    }
+
+    /// The node nearest to a length from the axis \[mm\].
+    pub(super) fn node_at(&self, along: f64) -> usize {
+        let distance = |i: &usize| (self.along[*i] - along).abs();
+        (0..self.along.len()).min_by(|i, j| distance(i).total_cmp(&distance(j))).unwrap_or(0)
+    }
+}
+
+/// Difference of the slopes a `reach` before and behind each node, over the way between them; slopes are those of the
+/// elements' middles, linear between them.
+fn curvature(along: &[f64], slope: &[f64], reach: f64) -> Vec<f64> {
+    let middles: Vec<f64> = along.windows(2).map(|pair| 0.5 * (pair[0] + pair[1])).collect();
+    let (first, last) = (middles[0], middles[middles.len() - 1]);
+    let at = |s: f64| {
+        let after = middles.partition_point(|m| *m < s).clamp(1, middles.len() - 1);
+        let f = (s - middles[after - 1]) / (middles[after] - middles[after - 1]);
+        slope[after - 1] + f * (slope[after] - slope[after - 1])
+    };
+    let within = |s: f64| s.clamp(first, last);
+    along
+        .iter()
+        .map(|s| {
+            let (from, to) = (within(s - reach), within(s + reach));
+            // Farther than the reach from every middle, in a long first or last element, there is no window.
+            if to > from { (at(to) - at(from)) / (to - from) } else { 0.0 }
+        })
+        .collect()
+}

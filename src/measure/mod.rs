@@ -1,0 +1,257 @@
+//! What a person would measure on the formed sheet: the angles of wall and flange, the curl of the wall, height and
+//! edge; and where to look through its thickness.
+//!
+//! # Legs
+//! A **leg** is a nearly straight stretch of the meridian between two bends, or between a bend and the free edge: its
+//! curvature is at most a quarter of that of the bends beside it, and each of these turns the sheet by ten degrees or
+//! more. The **wall** is the steepest leg behind a bend that made the sheet descend, as around the punch radius; the
+//! **flange** is the outermost leg, behind a bend that brought the sheet back, as over the die radius. A dome that only
+//! bulges has neither, a bent strip has a wall and no flange. A tenth of a leg's length is left out at both ends, and a
+//! straight line and a circle are fitted through the rest by least squares, weighted by length.
+//!
+//! # Angles
+//! ```text
+//!   symmetry plane                     α    wall angle, to the axis: 0 upright, positive opened
+//!   │______  bottom                    θ₁ = 90° + α, between bottom and wall
+//!   │      \                           β    flange angle, to the horizontal: positive where the edge has
+//!   │       \  wall                         turned towards the bottom
+//!   │        \________  flange         θ₂ = 90° + α − β, between wall and flange
+//!   │                                  2α   opening angle, between the two walls of the whole strip
+//! ```
+//! θ₁, θ₂ and the radius ρ of the side-wall curl are the three numbers of the draw bending benchmark of 1993. The
+//! bottom's line is horizontal here, as any line through two mirror images is. The benchmark takes the wall's line and ρ
+//! through single points of the wall at given distances; here all points of the wall give the mean line and the mean
+//! circle. The tangents at the ends of a curled wall of length L differ from its line by L/(2ρ) each. The opening angle
+//! is the angle of the unconstrained cylindrical bending benchmark of 2002, between the straight legs of the strip.
+//!
+//! # References
+//! A. Makinouchi, E. Nakamachi, E. Oñate, R. H. Wagoner (eds.), Numisheet '93, 2-D draw bending; D. Y. Yang, S. I. Oh,
+//! H. Huh, Y. H. Kim (eds.), Numisheet 2002, benchmark B, unconstrained cylindrical bending.
+
+mod fit;
+mod meridian;
+mod moment;
+#[cfg(test)]
+mod tests;
+
+pub use moment::{MomentError, moment_error};
+
+use crate::record::Frame;
+use crate::table::Unit;
+use fit::Fit;
+use meridian::Meridian;
+use std::ops::Range;
+
+/// A leg that curls by less than this over its length counts as straight \[rad\]: 0.1°, less than can be measured.
+const STRAIGHT: f64 = 0.1 * std::f64::consts::PI / 180.0;
+
+/// A die radius bends the sheet by more than this share of its sharpest bend.
+const SHARP: f64 = 0.1;
+
+/// A nearly straight stretch of the sheet.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Leg {
+    /// The nodes that were measured.
+    pub nodes: Range<usize>,
+    /// Ends of the fitted line [r, z] \[mm\], the inner one first.
+    pub line: [[f64; 2]; 2],
+    /// Slope of the line to the horizontal in the direction away from the axis, of a sheet whose middle lies above its
+    /// edge \[rad\]: −π/2 for an upright wall.
+    pub slope: f64,
+    /// Of the fitted circle \[1/mm\]: positive where its centre lies outside, as of the curl that drawing over a die
+    /// leaves.
+    pub curvature: f64,
+    /// Of the line \[mm\].
+    pub length: f64,
+}
+
+/// What was measured on a frame; what it has not is `None`.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Shape {
+    pub wall: Option<Leg>,
+    pub flange: Option<Leg>,
+    /// Height of the middle over the edge, without sign: of a dome or of a drawn part \[mm\].
+    pub height: Option<f64>,
+    /// Distance of the edge from the axis or the symmetry plane \[mm\].
+    pub edge: Option<f64>,
+}
+
+/// Something that can be measured on a shape.
+#[derive(Clone, Copy, Debug)]
+pub struct Quantity {
+    /// Name in files, without the unit.
+    pub key: &'static str,
+    /// Name in legends.
+    pub label: &'static str,
+    pub unit: Unit,
+    pub of: fn(&Shape) -> Option<f64>,
+}
+
+/// Everything that is measured, in the order of tables.
+pub const QUANTITIES: &[Quantity] = &[
+    Quantity { key: "wall_angle", label: "Wall to the punch direction", unit: Unit::Degree, of: Shape::wall_angle },
+    Quantity { key: "opening_angle", label: "Opening angle", unit: Unit::Degree, of: Shape::opening_angle },
+    Quantity { key: "bottom_to_wall", label: "Bottom to wall, θ₁", unit: Unit::Degree, of: Shape::bottom_to_wall },
+    Quantity { key: "wall_to_flange", label: "Wall to flange, θ₂", unit: Unit::Degree, of: Shape::wall_to_flange },
+    Quantity { key: "flange_angle", label: "Flange to the horizontal", unit: Unit::Degree, of: Shape::flange_angle },
+    Quantity { key: "curl_radius", label: "Radius of the wall's curl, ρ", unit: Unit::Mm, of: Shape::curl_radius },
+    Quantity { key: "height", label: "Height of the middle over the edge", unit: Unit::Mm, of: |shape| shape.height },
+    Quantity { key: "edge", label: "Distance of the edge", unit: Unit::Mm, of: |shape| shape.edge },
+];
+
+impl Leg {
+    fn of(meridian: &Meridian, nodes: Range<usize>) -> Option<Self> {
+        let Fit { middle, direction, curvature } = Fit::through(&meridian.points[nodes.clone()])?;
+        let at = |node: usize| middle + direction * direction.dot(&(meridian.points[node] - middle));
+        let ends = [at(nodes.start), at(nodes.end - 1)];
+        Some(Self {
+            line: ends.map(|p| [p.x, meridian.up * p.y]),
+            slope: direction.y.atan2(direction.x),
+            curvature,
+            length: (ends[1] - ends[0]).norm(),
+            nodes,
+        })
+    }
+
+    /// Radius of the fitted circle \[mm\], with the sign of the curvature; `None` for a straight leg.
+    pub fn radius(&self) -> Option<f64> {
+        (self.curvature.abs() * self.length > STRAIGHT).then(|| 1.0 / self.curvature)
+    }
+}
+
+impl Shape {
+    /// Measures a frame.
+    pub fn of(frame: &Frame) -> Self {
+        let meridian = Meridian::of(frame);
+        let leg = |find: fn(&Meridian) -> Option<Range<usize>>| {
+            let meridian = meridian.as_ref()?;
+            Leg::of(meridian, find(meridian)?)
+        };
+        let ends = frame.nodes.first().zip(frame.nodes.last());
+        Self {
+            wall: leg(wall),
+            flange: leg(flange),
+            height: ends.map(|(middle, edge)| (middle.z - edge.z).abs()),
+            edge: ends.map(|(_, edge)| edge.r),
+        }
+    }
+
+    /// Angle between the wall and the direction of the punch \[°\]: 0 upright, positive opened.
+    pub fn wall_angle(&self) -> Option<f64> {
+        self.wall.as_ref().map(|wall| 90.0 + wall.slope.to_degrees())
+    }
+
+    /// Angle between the wall and its mirror image beyond the symmetry plane \[°\].
+    pub fn opening_angle(&self) -> Option<f64> {
+        self.wall_angle().map(|angle| 2.0 * angle)
+    }
+
+    /// θ₁, between bottom and wall \[°\].
+    pub fn bottom_to_wall(&self) -> Option<f64> {
+        self.wall_angle().map(|angle| 90.0 + angle)
+    }
+
+    /// Angle of the flange to the horizontal \[°\]: positive where the edge has turned towards the bottom.
+    pub fn flange_angle(&self) -> Option<f64> {
+        self.flange.as_ref().map(|flange| flange.slope.to_degrees())
+    }
+
+    /// θ₂, between wall and flange \[°\].
+    pub fn wall_to_flange(&self) -> Option<f64> {
+        Some(90.0 + self.wall_angle()? - self.flange_angle()?)
+    }
+
+    /// ρ of the side-wall curl \[mm\]: positive where its centre lies outside; `None` for a straight wall.
+    pub fn curl_radius(&self) -> Option<f64> {
+        self.wall.as_ref()?.radius()
+    }
+}
+
+/// The steepest leg behind a bend that made the sheet descend.
+fn wall(meridian: &Meridian) -> Option<Range<usize>> {
+    meridian.leg(|legs| {
+        let down = legs.iter().filter(|(_, sense)| *sense < 0).map(|(nodes, _)| nodes.clone());
+        down.max_by(|a, b| meridian.descent(a).total_cmp(&meridian.descent(b)))
+    })
+}
+
+/// The outermost leg, where it lies behind a bend that brought the sheet back.
+fn flange(meridian: &Meridian) -> Option<Range<usize>> {
+    meridian.leg(|legs| legs.last().filter(|(_, sense)| *sense > 0).map(|(nodes, _)| nodes.clone()))
+}
+
+/// Where to look at the sheet.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Place {
+    pub name: &'static str,
+    pub element: usize,
+}
+
+impl Place {
+    pub const FLANGE: &str = "Flange";
+}
+
+/// The places that a designer would look at first, from the axis outward: middle, punch radius, wall, die radius and
+/// flange where the sheet has them; of a sheet without wall and flange middle, half-way and edge.
+///
+/// The radii are the places of the largest curvature inside the wall and between wall and flange.
+pub fn places(frame: &Frame) -> Vec<Place> {
+    let Some(meridian) = Meridian::of(frame) else { return Vec::new() };
+    let last = meridian.points.len() - 1;
+    let Shape { wall, flange, .. } = Shape::of(frame);
+    let middle = |leg: &Leg| {
+        let [from, to] = [leg.nodes.start, leg.nodes.end - 1].map(|node| meridian.along[node]);
+        meridian.node_at(0.5 * (from + to))
+    };
+    let sharpest = |nodes: Range<usize>, sense: f64| {
+        nodes.max_by(|i, j| (sense * meridian.curvature[*i]).total_cmp(&(sense * meridian.curvature[*j])))
+    };
+    let mut nodes = vec![("Middle", Some(0))];
+    if let Some(wall) = &wall {
+        nodes.push(("Punch radius", sharpest(0..wall.nodes.start, -1.0)));
+        nodes.push(("Wall", Some(middle(wall))));
+    }
+    if wall.is_some() || flange.is_some() {
+        let from = wall.as_ref().map_or(0, |wall| wall.nodes.end);
+        let to = flange.as_ref().map_or(last + 1, |flange| flange.nodes.start);
+        // Beyond the leg of a bent strip nothing brings the sheet back.
+        let sharp = |node: &usize| meridian.curvature[*node] > SHARP * meridian.sharpest();
+        nodes.push(("Die radius", sharpest(from..to, 1.0).filter(sharp)));
+    }
+    if let Some(flange) = &flange {
+        nodes.push((Place::FLANGE, Some(middle(flange))));
+    }
+    if nodes.len() == 1 {
+        nodes.push(("Half-way", Some(meridian.node_at(0.5 * meridian.along[last]))));
+        nodes.push(("Edge", Some(last)));
+    }
+    let elements = frame.elements.len().min(last);
+    let place = |(name, node): (&'static str, Option<usize>)| {
+        Some(Place { name, element: node?.min(elements.checked_sub(1)?) })
+    };
+    nodes.into_iter().filter_map(place).collect()
+}
+
+/// A quantity measured on two sheets.
+#[derive(Clone, Copy, Debug)]
+pub struct Change {
+    pub quantity: &'static Quantity,
+    pub before: Option<f64>,
+    pub after: Option<f64>,
+}
+
+impl Change {
+    /// After minus before, where both were found.
+    pub fn change(&self) -> Option<f64> {
+        Some(self.after? - self.before?)
+    }
+}
+
+/// Every quantity that one of the two shapes has, before and after.
+pub fn changes(before: &Shape, after: &Shape) -> Vec<Change> {
+    let all = QUANTITIES.iter().map(|quantity| {
+        let of = quantity.of;
+        Change { quantity, before: of(before), after: of(after) }
+    });
+    all.filter(|change| change.before.is_some() || change.after.is_some()).collect()
+}

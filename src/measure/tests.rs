@@ -1,0 +1,255 @@
+//! Meridians made of known lines and arcs, and profiles of stress whose moment is known.
+
+use super::*;
+use crate::element::lobatto;
+use crate::record::{ElementRecord, NodeRecord, PointRecord, ThroughThickness};
+
+/// A piece of a meridian: length \[mm\], turn \[°\], elements, and the last element's length over the first's.
+#[derive(Clone, Copy)]
+struct Piece {
+    length: f64,
+    turn: f64,
+    elements: usize,
+    growth: f64,
+}
+
+fn line(length: f64) -> Piece {
+    Piece { length, turn: 0.0, elements: 40, growth: 1.0 }
+}
+
+fn arc(radius: f64, turn: f64) -> Piece {
+    Piece { length: radius * turn.to_radians().abs(), turn, elements: 20, growth: 1.0 }
+}
+
+impl Piece {
+    fn graded(self, elements: usize, growth: f64) -> Self {
+        Self { elements, growth, ..self }
+    }
+}
+
+/// A sheet of 1 mm whose nodes lie on the pieces exactly; from the pole at `height` \[mm\], level, outward.
+fn sheet(height: f64, pieces: &[Piece]) -> Frame {
+    let (mut r, mut z, mut slope) = (0.0_f64, height, 0.0_f64);
+    let mut points = vec![(r, z)];
+    for piece in pieces {
+        let turn = piece.turn.to_radians();
+        let steps = (0..piece.elements).map(|i| piece.growth.powf(i as f64 / piece.elements as f64));
+        let total: f64 = steps.clone().sum();
+        let (from_r, from_z) = (r, z);
+        let mut done = 0.0;
+        for step in steps {
+            done += step / total;
+            let half = 0.5 * turn * done;
+            // A chord over the angle 2 half, at half of it to the tangent.
+            let chord = piece.length * done * if half == 0.0 { 1.0 } else { half.sin() / half };
+            (r, z) = (from_r + chord * (slope + half).cos(), from_z + chord * (slope + half).sin());
+            points.push((r, z));
+        }
+        slope += turn;
+    }
+    of_points(&points)
+}
+
+fn of_points(points: &[(f64, f64)]) -> Frame {
+    let nodes: Vec<NodeRecord> = points.iter().map(|&(r, z)| NodeRecord { r, z, theta: 0.0, thickness: 1.0 }).collect();
+    let elements = nodes.windows(2).map(|pair| element(0.5 * (pair[0].r + pair[1].r))).collect();
+    let (through, tool_displacement) = (ThroughThickness::default(), vec![]);
+    Frame { time: 1.0, travel: 1.0, elements, nodes, through, tool_displacement }
+}
+
+fn element(s0: f64) -> ElementRecord {
+    ElementRecord {
+        s0,
+        r: s0,
+        z: 0.0,
+        thickness: 1.0,
+        strain_meridional: 0.0,
+        strain_hoop: 0.0,
+        strain_thickness: 0.0,
+        strain_equivalent: 0.0,
+        strain_equivalent_max: 0.0,
+        stress_meridional: 0.0,
+        stress_hoop: 0.0,
+        porosity: 0.0,
+        temperature: 293.15,
+        bends: true,
+    }
+}
+
+/// The other way up, as of a sheet that is pressed against the direction of travel.
+fn turned(frame: &Frame) -> Frame {
+    of_points(&frame.nodes.iter().map(|n| (n.r, -n.z)).collect::<Vec<_>>())
+}
+
+fn close(found: Option<f64>, exact: f64, within: f64) {
+    let found = found.unwrap_or_else(|| panic!("{exact} was not found"));
+    assert!((found - exact).abs() < within, "{found} for {exact}");
+}
+
+/// A hat: flat bottom, punch radius, straight wall, die radius and flange, opened by `wall` and its flange tilted by
+/// `flange` [°], on a mesh graded by `growth`.
+fn hat(wall: f64, flange: f64, growth: f64) -> Frame {
+    let down = 90.0 - wall;
+    let pieces = [line(30.0), arc(5.5, -down), line(40.0), arc(5.5, down + flange), line(35.0)];
+    let elements = [12, 9, 31, 9, 23];
+    let pieces: Vec<Piece> = pieces.iter().zip(elements).map(|(piece, n)| piece.graded(n, growth)).collect();
+    sheet(40.0, &pieces)
+}
+
+#[test]
+fn a_hats_angles_are_exact_on_graded_meshes_and_either_way_up() {
+    for (wall, flange) in [(0.0, 0.0), (12.5, 7.0), (25.0, -6.0), (-4.0, 3.0), (40.0, 20.0)] {
+        for growth in [0.2, 1.0, 3.0] {
+            let frame = hat(wall, flange, growth);
+            for frame in [turned(&frame), frame] {
+                let shape = Shape::of(&frame);
+                close(shape.wall_angle(), wall, 1e-6);
+                close(shape.opening_angle(), 2.0 * wall, 1e-6);
+                close(shape.bottom_to_wall(), 90.0 + wall, 1e-6);
+                close(shape.flange_angle(), flange, 1e-6);
+                close(shape.wall_to_flange(), 90.0 + wall - flange, 1e-6);
+                assert_eq!(shape.curl_radius(), None);
+                let (first, last) = (frame.nodes[0], frame.nodes[frame.nodes.len() - 1]);
+                close(shape.height, (first.z - last.z).abs(), 1e-12);
+                close(shape.edge, last.r, 1e-12);
+            }
+        }
+    }
+}
+
+/// Trust: the nodes lie on the arc; the wall's line is that of its middle, its tenths at the ends may differ by a node.
+#[test]
+fn a_curls_radius_is_exact_and_its_wall_is_measured_in_the_middle() {
+    for radius in [60.0, 100.0, 300.0, 5000.0_f64] {
+        for growth in [0.5, 1.0, 2.0] {
+            for sense in [1.0, -1.0] {
+                let curl = sense * (50.0 / radius).to_degrees();
+                let pieces = [
+                    line(30.0),
+                    arc(5.5, -75.0),
+                    arc(radius, curl).graded(60, growth),
+                    arc(5.5, 75.0 - curl + 8.0),
+                    line(30.0),
+                ];
+                let frame = sheet(60.0, &pieces);
+                for frame in [turned(&frame), frame] {
+                    let shape = Shape::of(&frame);
+                    close(shape.curl_radius(), sense * radius, 1e-6 * radius);
+                    close(shape.wall_angle(), 15.0 + 0.5 * curl, 0.02 * curl.abs());
+                    close(shape.flange_angle(), 8.0, 1e-6);
+                }
+            }
+        }
+    }
+}
+
+/// A strip bent around a cylinder: an arc from the symmetry plane and a free leg; its opening angle is known.
+#[test]
+fn a_bent_strip_has_a_wall_and_no_flange() {
+    for opening in [21.88, 48.4, 90.0, 130.0] {
+        let bend = arc(24.0, -(90.0 - 0.5 * opening)).graded(40, 1.0);
+        let shape = Shape::of(&sheet(28.5, &[bend, line(27.0).graded(30, 2.0)]));
+        close(shape.opening_angle(), opening, 1e-6);
+        assert!(shape.flange.is_none() && shape.wall_to_flange().is_none() && shape.curl_radius().is_none());
+    }
+}
+
+#[test]
+fn what_has_no_wall_gets_no_number() {
+    let dome = sheet(20.0, &[arc(60.0, -45.0).graded(60, 1.0)]);
+    let flat = sheet(0.0, &[line(50.0)]);
+    let held_dome = sheet(20.0, &[arc(60.0, -45.0).graded(60, 1.0), arc(6.0, 45.0), line(30.0)]);
+    let without_leg = sheet(20.0, &[line(30.0), arc(6.0, -80.0), arc(6.0, 80.0), line(30.0)]);
+    for frame in [&dome, &flat, &held_dome, &without_leg] {
+        let shape = Shape::of(frame);
+        assert!(shape.wall.is_none() && shape.wall_angle().is_none() && shape.curl_radius().is_none());
+    }
+    for frame in [&dome, &flat] {
+        assert!(Shape::of(frame).flange.is_none());
+    }
+    for frame in [&held_dome, &without_leg] {
+        close(Shape::of(frame).flange_angle(), 0.0, 1e-6);
+    }
+    close(Shape::of(&dome).height, 60.0 * (1.0 - 45.0_f64.to_radians().cos()), 1e-9);
+}
+
+/// A dome of slowly changing curvature: nowhere straight, though its rim is flatter than its middle.
+#[test]
+fn a_parabola_has_no_wall() {
+    let points: Vec<_> = (0..=80).map(|i| 0.5 * f64::from(i)).map(|r| (r, 15.0 - 15.0 * (r / 40.0).powi(2))).collect();
+    assert!(Shape::of(&of_points(&points)).wall.is_none());
+}
+
+/// Round-off, contacts that come and go: nodes a thousandth of the thickness beside the lines.
+#[test]
+fn small_waves_change_little() {
+    let mut frame = hat(12.5, 7.0, 1.0);
+    for (i, node) in frame.nodes.iter_mut().enumerate() {
+        node.r += 1e-3 * (2.1 * i as f64).sin();
+        node.z += 1e-3 * (1.7 * i as f64).cos();
+    }
+    let shape = Shape::of(&frame);
+    close(shape.wall_angle(), 12.5, 0.05);
+    close(shape.flange_angle(), 7.0, 0.05);
+}
+
+#[test]
+fn broken_sheets_are_not_measured() {
+    for points in [&[][..], &[(0.0, 0.0)], &[(0.0, 0.0), (1.0, 0.0)], &[(1.0, 2.0); 9], &[(f64::NAN, 0.0); 9]] {
+        let frame = of_points(points);
+        let shape = Shape::of(&frame);
+        assert!(shape.wall.is_none() && shape.flange.is_none());
+        assert!(places(&frame).is_empty() && moment_error(&frame).is_none());
+    }
+}
+
+#[test]
+fn places_lie_on_the_bends_and_legs_in_the_order_of_the_sheet() {
+    let names = |frame: &Frame| places(frame).iter().map(|p| p.name).collect::<Vec<_>>();
+    let frame = hat(5.0, 0.0, 1.0);
+    assert_eq!(names(&frame), ["Middle", "Punch radius", "Wall", "Die radius", "Flange"]);
+    let found = places(&frame);
+    assert!(found.windows(2).all(|pair| pair[0].element < pair[1].element));
+    for (place, elements) in found.iter().zip([0..1, 11..22, 30..45, 51..62, 68..78]) {
+        assert!(elements.contains(&place.element), "{place:?}");
+    }
+    let strip = sheet(28.5, &[arc(24.0, -70.0).graded(40, 1.0), line(27.0)]);
+    assert_eq!(names(&strip), ["Middle", "Punch radius", "Wall"]);
+    let dome = sheet(20.0, &[arc(60.0, -45.0)]);
+    assert_eq!(names(&dome), ["Middle", "Half-way", "Edge"]);
+}
+
+/// One element with a stress over ξ.
+fn section(layers: usize, stress: impl Fn(f64) -> f64) -> Frame {
+    let layers = lobatto::rule(layers);
+    let point = |xi| PointRecord { stress_meridional: stress(xi), ..PointRecord::default() };
+    let points = layers.iter().map(|layer| point(layer.xi)).collect();
+    Frame { through: ThroughThickness { layers, points }, ..of_points(&[(10.0, 0.0), (11.0, 0.0)]) }
+}
+
+/// Trust: σ = clamp(ξ/c, −1, 1) has the moment ½ ∫ ξ σ dξ = ½ − c²/6. The error depends on where the core's edge c
+/// falls between two points, so the root mean square over many c is compared.
+#[test]
+fn the_moments_error_is_estimated_for_elastic_cores() {
+    for n in 5..=51 {
+        let cores: Vec<f64> = (1..200).map(|i| 0.1 + 0.004 * f64::from(i)).collect();
+        let (mut errors, mut estimates) = (0.0, 0.0);
+        for c in &cores {
+            let frame = section(n, |xi| (xi / c).clamp(-1.0, 1.0));
+            let exact = 0.5 - c * c / 6.0;
+            let found = moment::summed(&frame.through.layers, &frame.through.points);
+            errors += ((found - exact) / found).powi(2);
+            estimates += moment_error(&frame).expect("a moment").share.powi(2);
+        }
+        let ratio = (estimates / errors).sqrt();
+        assert!((0.2..5.0).contains(&ratio), "{n} layers: {ratio}");
+    }
+}
+
+#[test]
+fn an_elastic_section_has_no_error_and_a_membrane_no_moment() {
+    let elastic = moment_error(&section(5, |xi| 200.0 * xi + 30.0)).expect("a moment");
+    assert!(elastic.share < 1e-14 && elastic.s0 == 10.5);
+    assert_eq!(moment_error(&section(1, |_| 200.0)), None);
+    assert_eq!(moment_error(&section(5, |_| 0.0)), None);
+}

@@ -1,0 +1,107 @@
+//! The sheet before and after the tools are taken away: both shapes in one picture, and what was measured on them.
+
+use super::chart::{BLACK, Chart, Look, Panel, Scale, Series, color, pale};
+use super::csv::springback as csv;
+use super::{WriteError, png, profile, shapes, svg, write_into};
+use crate::measure::{Change, Leg, Shape, changes};
+use crate::model::Model;
+use crate::record::Frame;
+use crate::table::Unit;
+use std::path::{Path, PathBuf};
+
+/// The files that [`write`] makes.
+pub(super) const FILES: [&str; 2] = ["springback.csv", "springback.png"];
+
+/// How much farther than they were fitted the measured lines are drawn, over their length.
+const LONGER: f64 = 0.25;
+
+/// Writes `springback.csv`, what was measured before and after, and `springback.png`, the two shapes, into `dir`.
+///
+/// # Errors
+/// When a file cannot be written.
+pub fn write(dir: &Path, before: &Frame, after: &Frame, model: &Model) -> Result<Vec<PathBuf>, WriteError> {
+    let changes = changes(&Shape::of(before), &Shape::of(after));
+    write_into(dir, FILES, [csv(&changes), png(&svg(&plot(before, after, model)))])
+}
+
+/// Both sections, the tools where they last were, and the lines that angles were measured with.
+pub fn plot(before: &Frame, after: &Frame, model: &Model) -> Chart {
+    let shapes = [Shape::of(before), Shape::of(after)];
+    let found = changes(&shapes[0], &shapes[1]);
+    let nodes = || before.nodes.iter().chain(&after.nodes);
+    let (x, y) = shapes::window(nodes(), model.blank.thickness);
+    let [first, second] = [before, after].map(|frame| shapes::sheet(frame, 0..frame.elements.len()));
+    let outline = second.iter().chain(second.first()).copied().collect();
+    let sheets = [
+        Series::new("Before", first, Look::Area { fill: pale(color(0)), edge: Some(color(0)) }),
+        Series::new("After", outline, Look::Line { color: color(1), width: 2.0, dash: &[] }),
+    ];
+    let measured = |key: &str, of: fn(&Shape) -> Option<&Leg>, dash| {
+        let look = Look::Line { color: BLACK, width: 1.4, dash };
+        let label = found.iter().find(|change| change.quantity.key == key).map(worded);
+        let lines = shapes.iter().filter_map(of).map(|leg| Series::silent(longer(leg), look)).collect::<Vec<_>>();
+        lines
+            .into_iter()
+            .rev()
+            .enumerate()
+            .map(move |(i, line)| Series { label: label.clone().filter(|_| i == 0), ..line })
+    };
+    let lines = measured("wall_angle", |shape| shape.wall.as_ref(), &[7.0, 3.5]).chain(measured(
+        "flange_angle",
+        |shape| shape.flange.as_ref(),
+        &[2.0, 3.0],
+    ));
+    let in_legend = ["wall_angle", "flange_angle"];
+    let others =
+        found.iter().filter(|change| !in_legend.contains(&change.quantity.key)).map(|c| format!("{}.", worded(c)));
+    let table = profile::table(model, std::slice::from_ref(after));
+    Chart {
+        title: format!("{}: spring-back", model.title),
+        legend: "",
+        panels: vec![Panel {
+            x: table.column("r").axis(),
+            y: table.column("z").axis(),
+            series: shapes::tools(model, &before.tool_displacement, x.1).chain(sheets).chain(lines).collect(),
+            scale: Scale::Section { x, y },
+        }],
+        notes: std::iter::once(
+            "The sheet is true to thickness. Grey: the tools before they were taken away.".to_owned(),
+        )
+        .chain(others)
+        .chain(model.notes.iter().cloned())
+        .collect(),
+    }
+}
+
+/// The fitted line, drawn beyond both of its ends.
+fn longer(leg: &Leg) -> Vec<(f64, f64)> {
+    let [[r0, z0], [r1, z1]] = leg.line;
+    let at = |f: f64| (r0 + f * (r1 - r0), z0 + f * (z1 - z0));
+    vec![at(-LONGER), at(1.0 + LONGER)]
+}
+
+/// `Wall to the punch direction: 0.31° → 8.20°`.
+fn worded(change: &Change) -> String {
+    let text = |value: f64| match change.quantity.unit {
+        Unit::Degree => format!("{value:.2}°"),
+        unit => format!("{value:.2} {}", unit.symbol()),
+    };
+    let text = |value: Option<f64>| value.map_or("none".to_owned(), text).replace('-', "−");
+    format!("{}: {} → {}", change.quantity.label, text(change.before), text(change.after))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::measure::QUANTITIES;
+
+    #[test]
+    fn changes_are_worded_with_their_units() {
+        let of = |key: &str| QUANTITIES.iter().find(|q| q.key == key).expect("a quantity");
+        let change = Change { quantity: of("wall_angle"), before: Some(-0.311), after: Some(8.2) };
+        assert_eq!(worded(&change), "Wall to the punch direction: −0.31° → 8.20°");
+        let curl = Change { quantity: of("curl_radius"), before: None, after: Some(120.0) };
+        assert_eq!(worded(&curl), "Radius of the wall's curl, ρ: none → 120.00 mm");
+        assert_eq!(curl.change(), None);
+    }
+}
