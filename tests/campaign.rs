@@ -4,6 +4,8 @@
 #[allow(dead_code, reason = "the campaign also prints the process")]
 mod random_die;
 
+use stampflow::material::Elastic;
+use stampflow::model::{Mode, Theory};
 use stampflow::solver;
 use std::collections::BTreeSet;
 use std::mem::{Discriminant, discriminant};
@@ -38,5 +40,23 @@ fn sixty_random_dies_run_to_their_full_travel_or_a_physical_stop() {
         // Trust: the full campaign's 99th percentile is 0.6 %; 5 % would be a wrong force somewhere.
         assert!(last.work.imbalance().abs() < 0.05, "seed {}: {}", 40_000 + seed, die.text);
         assert!(last.thinnest > 0.0 && run.history.iter().all(|r| r.punch_force.is_finite()));
+    }
+}
+
+/// Trust: as above, with the metal elastic too; the twin's usual number of points through the thickness.
+#[test]
+fn thirty_random_dies_of_the_twin_run_to_their_full_travel_or_a_physical_stop() {
+    for seed in 0..30 {
+        let mut die = random_die::random_die(40_000 + seed);
+        die.model.mode = Mode::ElastoViscoplastic;
+        die.model.material.elastic = Some(Elastic { young: 206_000.0, poisson: 0.3 });
+        if die.model.blank.theory == Theory::Bending {
+            die.model.blank.layers = 15;
+        }
+        let run = solver::run(&die.model, &mut ());
+        let ended = run.stop.is_complete() || run.stop.is_physical();
+        assert!(ended, "seed {}: {}: {}", 40_000 + seed, die.text, run.stop);
+        let last = run.history.last().expect("steps");
+        assert!(last.work.imbalance().abs() < 0.05, "seed {}: {}", 40_000 + seed, die.text);
     }
 }
