@@ -8,7 +8,7 @@ const FLOORS: &[&[&str]] = &[
     &["main", "cli"],
     &["case"],
     &["output", "compare", "solver"],
-    &["table", "record", "mesh", "state"],
+    &["table", "record", "mesh", "state", "stage"],
     &["model"],
     &["element", "contact"],
     &["material", "geometry"],

@@ -23,8 +23,8 @@ pub(super) fn plot(subject: &Subject) -> Option<Chart> {
 
     let last = run.frames.last();
     let tools = model.tools.iter().enumerate().map(|(i, tool)| {
-        let displacement = last.and_then(|f| f.tool_displacement.get(i)).copied().unwrap_or(0.0);
-        Series::silent(body(tool, displacement, SAGITTA * width), Look::Area { fill: PALE, edge: Some(GREY) })
+        let moved = last.map_or(Point::zeros(), |f| Point::new(f.tool_aside[i], f.tool_displacement[i]));
+        Series::silent(body(tool, moved, SAGITTA * width), Look::Area { fill: PALE, edge: Some(GREY) })
     });
     let selective = model.blank.theory == Theory::Selective;
     let sheets = shown(&run.frames).enumerate().flat_map(|(i, frame)| {
@@ -53,9 +53,9 @@ pub(super) fn plot(subject: &Subject) -> Option<Chart> {
 }
 
 /// The tool's profile closed through its body, which goes on away from the sheet.
-fn body(tool: &Tool, displacement: f64, sagitta: f64) -> Vec<(f64, f64)> {
+fn body(tool: &Tool, moved: Point, sagitta: f64) -> Vec<(f64, f64)> {
     let points = tool.profile.pieces().iter().flat_map(|piece| piece.sample(chords(piece, sagitta)));
-    let mut outline: Vec<(f64, f64)> = points.map(|p| (p.x, p.y + displacement)).collect();
+    let mut outline: Vec<(f64, f64)> = points.map(|p| (p.x + moved.x, p.y + moved.y)).collect();
     let (first, last) = (outline[0], outline[outline.len() - 1]);
     let ends = outline.iter().map(|p| p.1);
     let far = match tool.role {
@@ -121,7 +121,7 @@ mod tests {
         let crown = crate::geometry::Profile::crowned_punch(330.0, 2800.0, 10.0, 0.8);
         let tool =
             Tool { role: Role::Punch, profile: crown, friction: 0.1.into(), motion: crate::model::Motion::Travel };
-        let outline = body(&tool, 0.0, 0.042);
+        let outline = body(&tool, Point::zeros(), 0.042);
         for pair in outline.windows(2).filter(|pair| pair[1].0 < 300.0 && pair[1].1 > -100.0) {
             let middle = Point::new(0.5 * (pair[0].0 + pair[1].0), 0.5 * (pair[0].1 + pair[1].1));
             assert!(tool.profile.closest(middle).distance.abs() < 0.0421, "{middle}");
@@ -137,6 +137,7 @@ mod tests {
             elements: vec![],
             nodes: vec![node(0.0), node(5.0)],
             tool_displacement: vec![],
+            tool_aside: vec![],
         };
         assert_eq!(sheet(&frame, 0..1), [(0.0, 3.4), (5.0, 3.4), (5.0, 2.6), (0.0, 2.6)]);
     }

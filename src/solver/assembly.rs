@@ -13,7 +13,7 @@ use crate::element::section::Law;
 use crate::geometry::Point;
 use crate::material::flow::{Before, FlowLaw, Iterate, Response};
 use crate::model::{Edge, Iteration, Model, Motion, Pressure, PressureCap, Role, Settings};
-use crate::state::State;
+use crate::state::{State, drawn};
 use nalgebra::Vector3;
 
 /// Least tension of a membrane in its matrix, over its yield force \[–\]; it fades once the velocity norm is below [`SLACK_NORM`].
@@ -44,8 +44,9 @@ pub(super) struct Workspace {
     /// Trial moves of the nodes in the step, the velocities times its duration, and where they lead.
     pub moves: Vec<Node>,
     pub nodes: Vec<Node>,
-    /// Trial positions of the tools at the end of the step.
+    /// Trial positions of the tools at the end of the step, along z and away from the axis.
     pub tool_position: Vec<f64>,
+    pub tool_aside: Vec<f64>,
     pub iterates: Vec<Iterate>,
     pub responses: Vec<Response>,
     pub thickness: Vec<f64>,
@@ -54,8 +55,9 @@ pub(super) struct Workspace {
     pub(super) growth: Vec<f64>,
     pub membrane_increment: Vec<[f64; 2]>,
     pub system: System,
-    /// Force of each tool on the sheet along z \[N, or N/mm\].
+    /// Force of each tool on the sheet along z, and away from the axis \[N, or N/mm\].
     pub tool_force: Vec<f64>,
+    pub tool_force_aside: Vec<f64>,
     /// Residual of the equilibrium before boundary conditions: the reaction where a freedom is held.
     pub edge_reaction: Vector3<f64>,
     /// Every tool's contact with every node, tool by tool.
@@ -142,7 +144,9 @@ impl Workspace {
         let pairs = n * tools.len();
         let mut work = Self {
             tool_position: state.tools.clone(),
+            tool_aside: state.aside.clone(),
             tool_force: vec![0.0; tools.len()],
+            tool_force_aside: vec![0.0; tools.len()],
             tools,
             layers: lobatto::rule(model.blank.layers),
             moves: vec![[0.0; 3]; n],
@@ -264,13 +268,16 @@ impl Workspace {
             }
         }
         self.moves[0][0] = 0.0;
+        let progress = model.progress(state.time + dt) - model.progress(state.time);
         for (j, tool) in self.tools.iter().enumerate() {
-            self.tool_position[j] = state.tools[j]
-                + match tool.motion {
-                    Motion::Fixed | Motion::Gap(_) => 0.0,
-                    Motion::Travel => model.travel_at(state.time + dt) - state.travel,
-                    Motion::Pressed(_) => share * state.tool_velocity[j],
-                };
+            let (axial, aside) = match tool.motion {
+                Motion::Fixed | Motion::Gap(_) => (0.0, 0.0),
+                Motion::Travel => (model.travel_at(state.time + dt) - state.travel, 0.0),
+                Motion::Path { axial, aside } => (axial * progress, aside * progress),
+                Motion::Pressed(_) => (share * state.tool_velocity[j], 0.0),
+            };
+            self.tool_position[j] = state.tools[j] + axial;
+            self.tool_aside[j] = state.aside[j] + aside;
         }
         for (iterate, point) in self.iterates.iter_mut().zip(&state.layers) {
             *iterate = Iterate::start(point.carried);
@@ -363,6 +370,9 @@ impl Workspace {
     /// Shared unknowns: tools pressed by a force.
     fn press(&mut self, model: &Model, state: &State, dt: f64) {
         let closing = self.closing_force(model);
+        // The blocks stand on the die and go with it.
+        let die = model.tools.iter().position(|tool| tool.role == Role::Die);
+        let die = die.map_or(0.0, |j| self.tool_position[j] - drawn(model, &model.tools[j]));
         for (j, tool) in self.tools.iter().enumerate() {
             let (Some(k), Motion::Pressed(press)) = (tool.shared, &tool.motion) else { continue };
             if tool.released.is_some() {
@@ -375,7 +385,7 @@ impl Workspace {
                 force -= closing;
             }
             self.system.corner[(k, k)] += press.stiffness;
-            let gap = (1.0 - DISTANCE_BLOCK) * model.blank.thickness - moved;
+            let gap = (1.0 - DISTANCE_BLOCK) * model.blank.thickness + die - moved;
             if let Some(block) = self.penalty.at(gap) {
                 self.system.corner_rhs[k] -= self.block_area * block.value;
                 self.system.corner[(k, k)] -= self.block_area * block.slope;

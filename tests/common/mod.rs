@@ -176,7 +176,8 @@ fn frame(model: &Model, travel: f64) -> Frame {
             }
         })
         .collect();
-    Frame { time: travel, travel, elements, nodes, tool_displacement: vec![travel, 0.0, -0.12 * depth] }
+    let tool_displacement = vec![travel, 0.0, -0.12 * depth];
+    Frame { time: travel, travel, elements, nodes, tool_displacement, tool_aside: vec![0.0; 3] }
 }
 
 fn node(travel: f64, s: f64, thickness: f64) -> NodeRecord {
