@@ -13,7 +13,7 @@ use std::f64::consts::PI;
 
 /// The quickstart's cup on a coarser mesh, drawn to `travel` [mm].
 fn cup(travel: f64) -> Model {
-    let mut model = shipped::shipped("quickstart", &["blank.elements=60"]);
+    let mut model = shipped::shipped("quickstart", &["blank.elements=60", "blank.grading=uniform"]);
     model.drive_to(travel);
     model
 }

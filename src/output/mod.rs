@@ -13,6 +13,7 @@ mod png;
 pub mod pressure_cycle;
 pub mod profile;
 mod shapes;
+mod stages;
 mod strains;
 mod summary;
 pub mod trace;
@@ -23,6 +24,7 @@ pub use draw::svg;
 pub use file::{WriteError, can_write, write};
 pub use overlay::write_comparison;
 pub use png::png;
+pub use stages::{Line as StageLine, STAGES, stage_folder, stages_report, stages_table, write_stages};
 pub use summary::Summary;
 
 use crate::model::{Geometry, Model};
@@ -163,7 +165,9 @@ pub fn can_write_all(dir: &Path) -> Result<(), WriteError> {
 pub fn remove_stale(dir: &Path, written: &[PathBuf]) -> Result<(), WriteError> {
     let Ok(entries) = std::fs::read_dir(dir) else { return Ok(()) };
     for path in entries.flatten().map(|entry| entry.path()).filter(|path| path.is_file() && !written.contains(path)) {
-        let ours = |name: &str| OUTPUTS.iter().any(|output| output.file == name) || overlay::is_comparison(name);
+        let ours = |name: &str| {
+            OUTPUTS.iter().any(|output| output.file == name) || name == STAGES || overlay::is_comparison(name)
+        };
         if path.file_name().and_then(|name| name.to_str()).is_some_and(ours) {
             std::fs::remove_file(&path).map_err(|source| WriteError { path, source })?;
         }

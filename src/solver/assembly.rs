@@ -23,8 +23,8 @@ const SLACK_NORM: f64 = 0.05;
 /// A holder that has lost the sheet comes to rest on blocks of this height over the sheet thickness \[–\].
 const DISTANCE_BLOCK: f64 = 0.5;
 
-/// A holder that neither sheet nor block holds is kept in place by this share of a block's stiffness \[–\]: a force of
-/// millionths of those that form the sheet.
+/// A holder that neither sheet nor block holds, and a sheet that tools going back leave free, are kept in place by this
+/// share of a block's stiffness \[–\]: a force of millionths of those that form the sheet.
 const ANCHOR: f64 = 1e-7;
 
 /// Where the corrector stands when it asks for residual and matrix.
@@ -348,6 +348,7 @@ impl Workspace {
         let internal = largest(&self.system.rhs);
         let contact = self.contact(step, trial);
         self.restrain(model, state, dt);
+        self.anchor(model);
         self.inflate(model, state, state.time + dt);
         let gas = self.gas_force.iter().map(|f| f.norm()).fold(0.0, f64::max);
         let largest_force = internal.max(contact).max(gas);
@@ -394,6 +395,18 @@ impl Workspace {
             self.system.corner_rhs[k] -= anchor * (moved - state.tools[j]);
             self.system.corner[(k, k)] += anchor;
             self.system.corner_rhs[k] -= self.tool_force[j] - force;
+        }
+    }
+
+    /// Keeps a sheet from floating along z once the tools that go away have left it.
+    fn anchor(&mut self, model: &Model) {
+        if !model.tools.iter().any(|tool| matches!(tool.motion, Motion::Path { .. })) {
+            return;
+        }
+        for (i, area) in self.areas.iter().enumerate() {
+            let stiffness = ANCHOR * self.penalty.stiffness * area;
+            self.system.rhs[i].y -= stiffness * self.moves[i][1];
+            self.system.diagonal[i][(1, 1)] += stiffness;
         }
     }
 
