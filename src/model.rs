@@ -427,6 +427,11 @@ impl Model {
         self.tools.iter().find(|t| t.role == role)
     }
 
+    /// Whether tools go ways of their own, as they do in later stages: then they may leave the sheet.
+    pub fn has_paths(&self) -> bool {
+        self.tools.iter().any(|tool| matches!(tool.motion, Motion::Path { .. }))
+    }
+
     /// The strain rate that a gas pressure holds, where one does.
     pub fn rate_control(&self) -> Option<&RateControl> {
         self.held_gas().map(|(_, control)| control)

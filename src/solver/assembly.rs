@@ -364,7 +364,12 @@ impl Workspace {
             .enumerate()
             .fold((0, 0.0), |worst, now| if now.1 > worst.1 { now } else { worst });
         self.worst_node = worst;
-        self.residual_norm = if largest_force > 0.0 { residual / largest_force } else { f64::INFINITY };
+        self.residual_norm = match largest_force > 0.0 {
+            true => residual / largest_force,
+            // A sheet that all tools have left is at rest; one that none has reached yet says nothing.
+            false if model.has_paths() => 0.0,
+            false => f64::INFINITY,
+        };
         true
     }
 
@@ -400,7 +405,7 @@ impl Workspace {
 
     /// Keeps a sheet from floating along z once the tools that go away have left it.
     fn anchor(&mut self, model: &Model) {
-        if !model.tools.iter().any(|tool| matches!(tool.motion, Motion::Path { .. })) {
+        if !model.has_paths() {
             return;
         }
         for (i, area) in self.areas.iter().enumerate() {
