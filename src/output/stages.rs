@@ -48,7 +48,7 @@ fn stop(line: &Line) -> &'static str {
 /// Writes [`STAGES`] into a folder.
 ///
 /// # Errors
-/// As [`write`].
+/// As [`write()`].
 pub fn write_stages(geometry: Geometry, lines: &[Line], dir: &Path) -> Result<PathBuf, WriteError> {
     let names = lines.iter().map(|line| line.0.to_owned()).collect();
     let stops = lines.iter().map(|line| stop(line).to_owned()).collect();
