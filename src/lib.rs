@@ -7,6 +7,7 @@
 //! case file (TOML, quantities with units)
 //!    │ case::load                 CaseFile → Model     mm, N, s; validated, immutable
 //!    │ mesh, State::flat          State                one instant: positions, velocities, layers, tools
+//!    │ solver::run_stages         one Stage after another, each a Model of its own on the sheet of the one before
 //!    │ solver::run                predictor → corrector → accepted step, or a shorter one
 //!    │ Observer                   sees each StepRecord and IterationRecord
 //!    │ Run { history, frames, stop, warnings }
@@ -51,12 +52,14 @@ pub mod output;
 pub mod quantity;
 pub mod record;
 pub mod solver;
+pub mod stage;
 pub mod state;
 pub mod table;
 
 pub use case::Case;
 pub use model::Model;
 pub use record::{Frame, Run, StepRecord, Stop};
-pub use solver::{Observer, run};
+pub use solver::{Observer, run, run_stages};
+pub use stage::Stage;
 pub use state::State;
 pub use table::Table;

@@ -54,12 +54,18 @@ pub enum Role {
     Holder,
 }
 
-/// What moves a tool. All tools move along z only.
+/// What moves a tool.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Motion {
     Fixed,
-    /// Moves with the punch travel.
+    /// Moves along z with the travel.
     Travel,
+    /// Goes this far along z and away from the axis over the run \[mm\], in proportion to its travel, or to its time where
+    /// there is no travel.
+    Path {
+        axial: f64,
+        aside: f64,
+    },
     /// Stands still at this distance between its face and the die's \[mm\]: a holder on distance blocks.
     Gap(f64),
     /// Pressed towards the die; its position is an unknown.
@@ -399,7 +405,7 @@ pub struct Model {
     pub gas: Vec<Gas>,
     /// `None` for a sheet at room temperature throughout.
     pub heat: Option<Heat>,
-    /// Punch travel of the whole run \[mm\]; 0 without a punch.
+    /// Punch travel of the whole run \[mm\], in a later stage the longest path of a tool; 0 where none is driven.
     pub travel: f64,
     /// Punch travel over time \[mm over s\], rising from 0 at 0 to the whole travel; `None` at a constant speed.
     pub schedule: Option<History>,
@@ -428,6 +434,11 @@ impl Model {
             (Mode::Flow, _) | (_, None) => 0.0,
             (_, Some(elastic)) => elastic.energy(stress),
         }
+    }
+
+    /// Whether tools go ways of their own, as they do in later stages: then they may leave the sheet.
+    pub fn has_paths(&self) -> bool {
+        self.tools.iter().any(|tool| matches!(tool.motion, Motion::Path { .. }))
     }
 
     /// The strain rate that a gas pressure holds, where one does.
@@ -463,6 +474,11 @@ impl Model {
             Some(schedule) => schedule.at(time),
             None => self.travel * (time / self.duration),
         }
+    }
+
+    /// Share of the run that is done at a time \[–\]: of its travel, or of its time where there is no travel.
+    pub fn progress(&self, time: f64) -> f64 {
+        if self.travel > 0.0 { self.travel_at(time) / self.travel } else { time / self.duration }
     }
 
     /// Time of the run \[s\] at a punch travel \[mm\].

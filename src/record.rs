@@ -84,6 +84,8 @@ pub struct Frame {
     pub through: ThroughThickness,
     /// Axial displacement of each tool from where it is drawn in the model \[mm\], in the model's order.
     pub tool_displacement: Vec<f64>,
+    /// The same away from the axis \[mm\].
+    pub tool_aside: Vec<f64>,
 }
 
 /// Mean powers of a step, or the work done since the start \[mW or mJ, per ring or per mm of depth\].

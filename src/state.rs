@@ -5,7 +5,7 @@ use crate::element::Node;
 use crate::element::kinematics::Start;
 use crate::element::lobatto::{self, Layer};
 use crate::material::flow::{ROOM_TEMPERATURE, Triple};
-use crate::model::{Model, Motion, Role, Theory};
+use crate::model::{Model, Motion, Role, Theory, Tool};
 use crate::record::{ElementRecord, Frame, NodeRecord, PointRecord, ThroughThickness};
 
 /// One layer point of an element.
@@ -50,6 +50,8 @@ pub struct State {
     /// Axial displacement of each tool from where it is drawn \[mm\], and its velocity \[mm/s\].
     pub tools: Vec<f64>,
     pub tool_velocity: Vec<f64>,
+    /// Displacement of each tool away from the axis \[mm\].
+    pub aside: Vec<f64>,
     /// Contact pressure of every tool on every node, tool by tool \[MPa\].
     pub pressure: Vec<f64>,
     /// The augmented Lagrangian's shift λ ≤ 0 of the same pairs \[mm\]; zero with a penalty.
@@ -66,6 +68,21 @@ pub fn thickness_at(elements: &[f64], i: usize) -> f64 {
     0.5 * (elements[i.max(1) - 1] + elements[i.min(elements.len() - 1)])
 }
 
+/// How far a tool touches or penetrates nothing yet: a few smoothing lengths \[mm\].
+pub fn waiting(model: &Model) -> f64 {
+    Penalty::WAITING * model.settings.contact_smoothing * model.blank.thickness
+}
+
+/// Axial displacement at which a tool waits where it is drawn, just off the flat sheet \[mm\].
+pub fn drawn(model: &Model, tool: &Tool) -> f64 {
+    match (tool.role, &tool.motion) {
+        // Exactly this far from the die.
+        (_, Motion::Gap(gap)) => model.blank.thickness - gap + waiting(model),
+        (Role::Punch | Role::Holder, _) => -waiting(model),
+        (Role::Die, _) => waiting(model),
+    }
+}
+
 impl State {
     /// The flat blank; tools wait a few smoothing lengths away from it, so that nothing presses yet.
     pub fn flat(model: &Model, s0: Vec<f64>) -> Self {
@@ -73,12 +90,6 @@ impl State {
         let t = model.blank.thickness;
         let elements = nodes.len() - 1;
         let volume = nodes.windows(2).map(|w| t * Start::new(model.geometry, model.blank.theory, w[0], w[1]).area());
-        let waiting = Penalty::WAITING * model.settings.contact_smoothing * t;
-        let tools = model.tools.iter().map(|tool| match (tool.role, &tool.motion) {
-            (_, Motion::Gap(gap)) => t - gap + waiting, // exactly this far from the die
-            (Role::Punch | Role::Holder, _) => -waiting,
-            (Role::Die, _) => waiting,
-        });
         Self {
             time: 0.0,
             travel: 0.0,
@@ -100,12 +111,13 @@ impl State {
                 .windows(2)
                 .map(|w| model.heat.as_ref().map_or(ROOM_TEMPERATURE, |heat| heat.initial.at(0.5 * (w[0] + w[1]))))
                 .collect(),
-            tools: tools.collect(),
+            tools: model.tools.iter().map(|tool| drawn(model, tool)).collect(),
             tool_velocity: model
                 .tools
                 .iter()
                 .map(|t| if t.motion == Motion::Travel { model.speed } else { 0.0 })
                 .collect(),
+            aside: vec![0.0; model.tools.len()],
             pressure: vec![0.0; nodes.len() * model.tools.len()],
             shift: vec![0.0; nodes.len() * model.tools.len()],
             gas: vec![0.0; model.gas.len()],
@@ -171,8 +183,14 @@ impl State {
             stress_hoop: p.stress[1],
             strain_equivalent: p.strain,
         });
-        let through = ThroughThickness { points: points.collect(), layers };
-        let tool_displacement = self.tools.clone();
-        Frame { time: self.time, travel: self.travel, elements, nodes, through, tool_displacement }
+        Frame {
+            time: self.time,
+            travel: self.travel,
+            elements,
+            nodes,
+            through: ThroughThickness { points: points.collect(), layers },
+            tool_displacement: self.tools.clone(),
+            tool_aside: self.aside.clone(),
+        }
     }
 }

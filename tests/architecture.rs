@@ -9,7 +9,7 @@ const FLOORS: &[&[&str]] = &[
     &["case"],
     &["output", "compare", "solver"],
     &["measure"],
-    &["table", "record", "mesh", "state"],
+    &["table", "record", "mesh", "state", "stage"],
     &["model"],
     &["element", "contact"],
     &["material", "geometry"],

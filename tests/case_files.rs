@@ -6,7 +6,7 @@ mod files;
 use files::files;
 use proptest::prelude::*;
 use stampflow::case::{self, Case};
-use stampflow::model::{Geometry, Grading, Motion, Press, Role, Theory};
+use stampflow::model::{Edge, Geometry, Grading, Mode, Motion, Press, Release, Role, Stiffness, Theory};
 use std::path::Path;
 
 fn load(path: impl AsRef<Path>, overrides: &[&str]) -> Case {
@@ -268,6 +268,77 @@ fn broken_cases_give_the_expected_messages() {
     }
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
     assert_eq!(files("tests/bad_cases", "txt").len(), bad.len(), "an expectation without its case");
+}
+
+/// Trust: by hand; what a stage does not say is that of the stage before, except that tools which went stand still.
+#[test]
+fn stages_say_what_changes() {
+    let text = format!(
+        r#"{QUICKSTART}
+[[stages]]
+name = "back"
+punch.move = "-30 mm"
+holder = {{ force = "20 N", friction = 0.2 }}
+[[stages]]
+name = "open"
+trim = "40 mm"
+anneal = true
+die = {{ move = "3 mm", aside = "4 mm" }}
+remove = ["holder"]
+edge = "clamped"
+duration = "2 s"
+frames = 2
+[[stages]]
+name = "redraw"
+punch = {{ hemispherical = {{ radius = "20 mm" }}, move = "5 mm" }}
+speed = "10 mm/s"
+edge = "free"
+[[stages]]
+name = "free"
+release = "constant"
+"#
+    );
+    let case = case::parse(&text, "cup.toml", &[]).unwrap_or_else(|e| panic!("{}", e.render(false)));
+    let stages = case.stages();
+    let names: Vec<&str> = stages.iter().map(|stage| stage.name.as_str()).collect();
+    assert_eq!(names, ["forming", "back", "open", "redraw", "free"]);
+    assert_eq!(stages[0].model, load("cases/quickstart.toml", &[]).model);
+    let motion = |i: usize, role| stages[i].model.tool(role).map(|tool| tool.motion.clone());
+    let path = |axial, aside| Some(Motion::Path { axial, aside });
+
+    assert_eq!(motion(1, Role::Punch), path(-30.0, 0.0));
+    assert_eq!(motion(1, Role::Die), Some(Motion::Fixed));
+    let Some(Motion::Pressed(press)) = motion(1, Role::Holder) else { panic!("a pressed holder") };
+    assert_eq!([0.0, 3.0, 6.0, 30.0].map(|travel| press.force.at(travel)), [10_000.0, 5010.0, 20.0, 20.0]);
+    assert_eq!(stages[1].model.tool(Role::Holder).unwrap().friction, 0.2.into());
+    assert_eq!((stages[1].model.travel, stages[1].model.duration, stages[1].model.speed), (30.0, 30.0, 1.0));
+
+    let open = &stages[2];
+    assert_eq!((motion(2, Role::Punch), motion(2, Role::Die)), (Some(Motion::Fixed), path(3.0, 4.0)));
+    assert_eq!(motion(2, Role::Holder), None);
+    assert_eq!((open.begin.trim, open.begin.anneal, open.model.blank.edge), (Some(40.0), true, Edge::Clamped));
+    assert_eq!((open.model.travel, open.model.duration, &open.model.frames[..]), (5.0, 2.0, &[1.0, 2.0][..]));
+
+    let redraw = &stages[3];
+    assert_eq!((&redraw.begin.meets[..], redraw.begin.trim, redraw.begin.anneal), (&[Role::Punch][..], None, false));
+    assert_eq!((redraw.model.duration, redraw.model.blank.edge), (0.5, Edge::Free));
+    assert_ne!(redraw.model.tools[0].profile, stages[0].model.tools[0].profile);
+    assert_eq!(redraw.model.tools[0].friction, 0.08.into());
+
+    assert_eq!(stages[4].model.release, Some(Release { stiffness: Stiffness::Constant }));
+    assert!(stages[4].model.tools.iter().all(|tool| tool.motion == Motion::Fixed));
+    assert_eq!((stages[4].model.travel, stages[4].model.duration), (0.0, 1.0));
+    assert!(stages[..4].iter().all(|stage| stage.model.release.is_none() && stage.model.mode == Mode::Flow));
+
+    let elastic = text.replace(
+        "[material.hardening",
+        "[material]\nyoung = \"210 GPa\"\npoisson = 0.3\nmode = \"elasto_viscoplastic\"\n[material.hardening",
+    );
+    let elastic = elastic.replace("name = \"redraw\"", "name = \"redraw\"\nmode = \"elastic\"");
+    let case = case::parse(&elastic, "cup.toml", &[]).unwrap_or_else(|e| panic!("{}", e.render(false)));
+    let modes: Vec<Mode> = case.stages().iter().map(|stage| stage.model.mode).collect();
+    let twin = Mode::ElastoViscoplastic;
+    assert_eq!(modes, [twin, twin, twin, Mode::Elastic, Mode::Elastic]);
 }
 
 proptest! {

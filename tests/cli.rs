@@ -246,3 +246,64 @@ fn schema_and_check_only_print() {
     assert!(!check.stdout.is_empty());
     assert_eq!(files(dir.path(), "").len(), 1);
 }
+
+const STAGES: &str = r#"
+[stage]
+name = "draw"
+[[stages]]
+name = "retract"
+punch.move = "-6 mm"
+holder.force = "20 N"
+frames = 2
+[[stages]]
+name = "apart"
+die = { move = "3 mm", aside = "4 mm" }
+remove = ["holder"]
+"#;
+
+#[test]
+fn every_stage_has_its_folder_and_its_line() {
+    let dir = folder(&format!("{CUP}{STAGES}"));
+    let done = stampflow(dir.path(), &["run", "cases/cup.toml"]);
+    assert_eq!(done.status.code(), Some(0), "{}{}", text(&done.stderr), text(&done.stdout));
+    let out = dir.path().join("out/cup");
+    for stage in ["1-draw", "2-retract", "3-apart"] {
+        for file in ["summary.json", "load_travel.csv", "profile.csv", "shapes.png"] {
+            assert!(out.join(stage).join(file).is_file(), "{stage}/{file}");
+        }
+        assert!(text(&done.stderr).contains(&format!("cup/{stage}: 100 %")), "{}", text(&done.stderr));
+    }
+    assert!(!out.join("summary.json").exists());
+    let table = fs::read_to_string(out.join("stages.csv")).unwrap();
+    let lines: Vec<&str> = table.lines().collect();
+    assert_eq!(
+        lines[0],
+        "stage,name,stop,end_time_s,travel_mm,punch_force_N,holder_force_N,thinnest_mm,edge_r_mm,pole_height_mm"
+    );
+    assert_eq!(lines.len(), 4, "{table}");
+    assert!(lines[1].starts_with("1,draw,full travel,5,5,"), "{table}");
+    assert!(lines[2].starts_with("2,retract,full travel,6,6,0,19.99"), "{table}");
+    assert!(lines[3].starts_with("3,apart,full travel,5,5,0,0,"), "{table}");
+    for says in [" 1 draw", " 2 retract", " 3 apart", "cup/2-retract"] {
+        assert!(text(&done.stdout).contains(says), "{says}: {}", text(&done.stdout));
+    }
+    let checked = stampflow(dir.path(), &["check", "cases/cup.toml"]);
+    assert!(text(&checked.stdout).contains("punch goes -6 mm"), "{}", text(&checked.stdout));
+
+    // A case of one stage leaves nothing of several beside it.
+    fs::write(dir.path().join("cases/cup.toml"), CUP).unwrap();
+    assert_eq!(stampflow(dir.path(), &["run", "cases/cup.toml", "--quiet"]).status.code(), Some(0));
+    assert!(out.join("summary.json").is_file() && !out.join("stages.csv").exists());
+}
+
+/// The punch comes up to the die's bottom: what was computed is kept, the rest is said not to have been run.
+#[test]
+fn a_stage_that_stops_early_ends_the_sequence_with_code_three() {
+    let dir = folder(&format!("{CUP}{STAGES}"));
+    let done = stampflow(dir.path(), &["run", "cases/cup.toml", "--quiet", "--set", "stages.0.punch.move=80 mm"]);
+    assert_eq!(done.status.code(), Some(3), "{}{}", text(&done.stderr), text(&done.stdout));
+    let out = dir.path().join("out/cup");
+    assert!(out.join("2-retract/summary.json").is_file() && !out.join("3-apart").exists());
+    let table = fs::read_to_string(out.join("stages.csv")).unwrap();
+    assert!(table.lines().nth(3).unwrap().starts_with("3,apart,not run,NaN"), "{table}");
+}

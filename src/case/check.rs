@@ -2,6 +2,7 @@
 
 mod estimate;
 mod sharp;
+mod stages;
 mod warn;
 
 use super::Case;
@@ -42,6 +43,9 @@ pub fn report(case: &Case) -> Check {
     tools(model, &mut lines);
     holder(model, strength, &mut lines);
     mesh(model, &mut lines);
+    for (i, stage) in case.later.iter().enumerate() {
+        lines.push(line(format!("stage {}", i + 2), &stage.name, stages::describe(stage)));
+    }
     let compare = case.compare.iter().map(|spec| {
         let there = if spec.reference.is_file() { "" } else { " (not there: drop the CSV in to see the overlay)" };
         line("compare", spec.reference.display().to_string(), format!("{}{there}", spec.against))

@@ -41,6 +41,7 @@ pub use schema::schema;
 
 use crate::compare::Spec;
 use crate::model::Model;
+use crate::stage::{Beginning, Stage};
 use source::Source;
 use std::fs::File;
 use std::io::Read;
@@ -57,10 +58,22 @@ pub struct Case {
     pub path: PathBuf,
     /// The text that was read, overrides applied: enough to repeat the run.
     pub text: String,
+    /// The first stage, and its name.
     pub model: Model,
+    pub first: String,
+    /// The stages after it.
+    pub later: Vec<Stage>,
     pub compare: Vec<Spec>,
     /// What was assumed or changed while reading: defaults that matter, profiles that were shifted.
     pub derived: Vec<String>,
+}
+
+impl Case {
+    /// All stages, the first one included.
+    pub fn stages(&self) -> Vec<Stage> {
+        let first = Stage { name: self.first.clone(), model: self.model.clone(), begin: Beginning::default() };
+        std::iter::once(first).chain(self.later.iter().cloned()).collect()
+    }
 }
 
 /// Reads a case file and applies overrides such as `tools.punch.friction=0.1` or `blank.thickness=0.9 mm`.
@@ -94,8 +107,8 @@ pub fn parse(text: &str, name: &str, overrides: &[String]) -> Result<Case, CaseE
     let source = Source::parse(&shown, &text)?;
     let file = source.read()?;
     let path = PathBuf::from(name);
-    let (model, derived) = convert::model(&file, &source, &path)?;
+    let convert::Meaning { model, first, later, derived } = convert::meaning(&file, &source, &path)?;
     let compare = convert::compare(&file, &source, &path)?;
     let name = path.file_stem().map_or_else(|| "case".into(), |stem| stem.to_string_lossy().into_owned());
-    Ok(Case { name, path, text: text.clone(), model, compare, derived })
+    Ok(Case { name, path, text: text.clone(), model, first, later, compare, derived })
 }

@@ -12,6 +12,8 @@ pub(super) struct Source<'t> {
     shown: Arc<NamedSource<String>>,
     text: &'t str,
     tree: Spanned<DeTable<'t>>,
+    /// The later stage whose tools are meant by `tools.…`.
+    stage: Option<usize>,
 }
 
 impl<'t> Source<'t> {
@@ -19,8 +21,24 @@ impl<'t> Source<'t> {
     pub fn parse(name: &str, text: &'t str) -> Result<Self, CaseError> {
         let shown = Arc::new(NamedSource::new(name, text.to_owned()));
         match DeTable::parse(text) {
-            Ok(tree) => Ok(Self { shown, text, tree }),
+            Ok(tree) => Ok(Self { shown, text, tree, stage: None }),
             Err(error) => Err(explain::syntax(&error, text, shown)),
+        }
+    }
+
+    /// The same text, in which `tools.…` means what a later stage, from 0, writes of a tool, where it does.
+    pub fn of_stage(&self, stage: usize) -> Result<Self, CaseError> {
+        Ok(Self { stage: Some(stage), ..Self::parse(self.shown.name(), self.text)? })
+    }
+
+    /// A key path as it was written.
+    fn written(&self, path: &str) -> String {
+        let of_stage = self.stage.zip(path.strip_prefix("tools.")).map(|(i, rest)| (format!("stages.{i}."), rest));
+        match of_stage {
+            Some((stage, rest)) if self.locate(&format!("{stage}{}", rest.split('.').next().unwrap_or(rest))).1 => {
+                stage + rest
+            }
+            _ => path.to_owned(),
         }
     }
 
@@ -37,6 +55,7 @@ impl<'t> Source<'t> {
 
     /// An error at a dotted key path (entries of arrays by index); what is missing is shown at its table.
     pub fn error(&self, path: &str, what: impl Into<String>, help: impl Into<String>) -> CaseError {
+        let path = &self.written(path);
         let (span, _) = self.locate(path);
         let label = if path.is_empty() { "here".into() } else { path.to_owned() };
         CaseError::at(self.shown.clone(), span, what.into(), label, help.into())
@@ -44,7 +63,7 @@ impl<'t> Source<'t> {
 
     /// Whether a key was written.
     pub fn has(&self, path: &str) -> bool {
-        self.locate(path).1
+        self.locate(&self.written(path)).1
     }
 
     /// The deepest place on the path that was written, and whether that is all of the path.

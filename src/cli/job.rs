@@ -2,9 +2,14 @@
 
 use super::progress::Watch;
 use rayon::prelude::*;
+use stampflow::Stage;
 use stampflow::case::{self, Case};
 use stampflow::compare::{CompareError, Comparison, Computed, compare};
-use stampflow::output::{Subject, load_travel, profile, remove_stale, write_all, write_comparison};
+use stampflow::model::Model;
+use stampflow::output::{
+    StageLine, Subject, load_travel, profile, remove_stale, stage_folder, stages_report, write_all, write_comparison,
+    write_stages,
+};
 use stampflow::record::{IterationRecord, Run};
 use stampflow::solver;
 use std::path::{Path, PathBuf};
@@ -16,10 +21,17 @@ pub struct Job {
     pub overrides: Vec<String>,
 }
 
-/// A case with its run.
+/// A stage that was run, and what its results are called.
+struct Pass {
+    name: String,
+    model: Model,
+    run: Run,
+}
+
+/// A case with its runs, one for each stage that was run.
 pub struct Solved {
     job: Job,
-    run: Run,
+    passes: Vec<Pass>,
     wall: Duration,
     pub comparisons: Vec<Comparison>,
     pub iterations: Vec<IterationRecord>,
@@ -36,12 +48,21 @@ impl Job {
     /// Runs the case under a watch.
     fn solve(self, mut watch: Watch) -> anyhow::Result<Solved> {
         let start = Instant::now();
-        let mut run = solver::run(&self.case.model, &mut watch);
+        let case = &self.case;
+        let mut passes = if case.later.is_empty() {
+            let run = solver::run(&case.model, &mut watch);
+            vec![Pass { name: case.name.clone(), model: case.model.clone(), run }]
+        } else {
+            let stages = case.stages();
+            let passes = solver::run_stages(&stages, &mut watch).into_iter().zip(&stages).enumerate();
+            let named = |i: usize, stage: &Stage| format!("{}/{}", case.name, stage_folder(i, &stage.name));
+            passes.map(|(i, (pass, stage))| Pass { name: named(i, stage), model: pass.model, run: pass.run }).collect()
+        };
         let wall = start.elapsed();
-        let iterations = watch.finish(&run);
-        run.warnings.extend(case::check::report(&self.case).warnings);
-        let comparisons = compared(&self.case, &run)?;
-        Ok(Solved { job: self, run, wall, comparisons, iterations })
+        let iterations = watch.finish(&passes[passes.len() - 1].run);
+        passes[0].run.warnings.extend(case::check::report(case).warnings);
+        let comparisons = compared(case, &passes[0].run)?;
+        Ok(Solved { job: self, passes, wall, comparisons, iterations })
     }
 }
 
@@ -51,25 +72,63 @@ impl Solved {
         &self.job.case.name
     }
 
-    /// What outputs are made from.
-    pub fn subject(&self) -> Subject<'_> {
+    /// Whether every stage came to its end.
+    pub fn is_complete(&self) -> bool {
+        self.passes.len() == 1 + self.job.case.later.len() && self.passes.iter().all(|pass| pass.run.stop.is_complete())
+    }
+
+    /// What outputs are made from, of every stage that was run.
+    pub fn subjects(&self) -> impl Iterator<Item = Subject<'_>> {
         let case = &self.job.case;
-        Subject {
-            name: &case.name,
+        self.passes.iter().map(|Pass { name, model, run }| Subject {
+            name,
             case_text: &case.text,
             overrides: &self.job.overrides,
             derived: &case.derived,
-            model: &case.model,
-            run: &self.run,
+            model,
+            run,
             wall: self.wall,
-        }
+        })
     }
 
-    /// Writes tables, plots and comparisons.
+    /// What outputs of the first stage are made from: comparisons are with it.
+    fn first(&self) -> Subject<'_> {
+        self.subjects().next().expect("a case has a first stage")
+    }
+
+    /// The stages by name, with what was run of them; none where there is one only.
+    fn lines(&self) -> Vec<StageLine<'_>> {
+        let case = &self.job.case;
+        if case.later.is_empty() {
+            return Vec::new();
+        }
+        let names = std::iter::once(case.first.as_str()).chain(case.later.iter().map(|stage| stage.name.as_str()));
+        names.enumerate().map(|(i, name)| (name, self.passes.get(i).map(|pass| (&pass.model, &pass.run)))).collect()
+    }
+
+    /// The printed line of every stage; nothing where there is one only.
+    pub fn stages(&self) -> String {
+        stages_report(self.job.case.model.geometry, &self.lines())
+    }
+
+    /// Writes tables, plots and comparisons, those of several stages into a folder each.
     pub fn write(&self, dir: &Path) -> anyhow::Result<Vec<PathBuf>> {
-        let mut written = write_all(&self.subject(), dir)?;
-        written.extend(self.write_comparisons(dir)?);
-        remove_stale(dir, &written)?;
+        let lines = self.lines();
+        let mut written = Vec::new();
+        let mut kept = self.write_comparisons(dir)?;
+        if lines.is_empty() {
+            kept.extend(write_all(&self.first(), dir)?);
+        } else {
+            kept.push(write_stages(self.job.case.model.geometry, &lines, dir)?);
+        }
+        for (i, (name, _)) in lines.iter().enumerate() {
+            let dir = dir.join(stage_folder(i, name));
+            let files = self.subjects().nth(i).map_or(Ok(Vec::new()), |subject| write_all(&subject, &dir))?;
+            remove_stale(&dir, &files)?;
+            written.extend(files);
+        }
+        remove_stale(dir, &kept)?;
+        written.extend(kept);
         Ok(written)
     }
 
@@ -77,7 +136,7 @@ impl Solved {
     pub fn write_comparisons(&self, dir: &Path) -> anyhow::Result<Vec<PathBuf>> {
         let mut written = Vec::new();
         for (i, comparison) in self.comparisons.iter().enumerate() {
-            written.extend(write_comparison(&self.subject(), i + 1, comparison, dir)?);
+            written.extend(write_comparison(&self.first(), i + 1, comparison, dir)?);
         }
         Ok(written)
     }

@@ -1,6 +1,7 @@
 //! How far runs have come: bars on a terminal, a line for every tenth of the travel elsewhere, or nothing.
 
 use indicatif::{MultiProgress, ProgressBar, ProgressStyle};
+use stampflow::Stage;
 use stampflow::model::Model;
 use stampflow::record::{IterationRecord, Run, StepRecord};
 use stampflow::solver::Observer;
@@ -18,7 +19,10 @@ pub enum Progress {
 
 /// Watches one run.
 pub struct Watch {
+    case: String,
     name: String,
+    /// Stages that were begun; 0 where there is one only.
+    begun: usize,
     duration: f64,
     thickness: f64,
     force_unit: &'static str,
@@ -55,7 +59,9 @@ impl Progress {
         };
         let force_unit = stampflow::output::force_unit(model.geometry).symbol();
         Watch {
+            case: name.to_owned(),
             name: name.to_owned(),
+            begun: 0,
             duration: model.duration,
             thickness: model.blank.thickness,
             force_unit,
@@ -102,6 +108,20 @@ impl Observer for Watch {
                     eprintln!("{}: {} %, {state}", self.name, 10 * now);
                 }
             }
+            Shown::Nothing => {}
+        }
+    }
+
+    fn stage(&mut self, stage: &Stage) {
+        self.begun += 1;
+        self.duration = stage.model.duration;
+        self.name = format!("{}/{}-{}", self.case, self.begun, stage.name);
+        match &mut self.shown {
+            Shown::Bar(bar) => {
+                bar.set_prefix(self.name.clone());
+                bar.set_position(0);
+            }
+            Shown::Lines(tenths) => *tenths = 0,
             Shown::Nothing => {}
         }
     }

@@ -36,7 +36,8 @@ pub fn help() -> String {
     for output in OUTPUTS {
         let _ = writeln!(help, "  {:<18} {}", output.file, output.about);
     }
-    help + "  compare_*.png, csv overlay and differences for every reference the case is compared with\n\n\
+    help + "  compare_*.png, csv overlay and differences for every reference the case is compared with\n\
+            Of a case with several stages each has a folder of its own, 1-draw, 2-retract, ..., and stages.csv sums them up\n\n\
             Examples:\n  \
             stampflow run cases/quickstart.toml\n  \
             stampflow run cases/quickstart.toml --set tools.punch.friction=0.1 --out out/friction-0.1\n  \
@@ -67,7 +68,7 @@ pub fn run(args: &Args) -> anyhow::Result<Code> {
             if let Some(path) = &args.trace {
                 write(path, &csv(&trace::table(&solved.iterations)))?;
             }
-            Ok((report(&solved, &dir, files.len()), solved.subject().run.stop.is_complete()))
+            Ok((report(&solved, &dir, files.len()), solved.is_complete()))
         },
     );
     let mut code = Code::Done;
@@ -111,7 +112,12 @@ fn folder(args: &Args, several: bool, name: &str) -> PathBuf {
 }
 
 fn report(solved: &Solved, dir: &Path, files: usize) -> String {
-    let mut text = Summary::of(&solved.subject()).to_string();
+    let summaries = solved.subjects().map(|subject| Summary::of(&subject).to_string());
+    let mut text = summaries.collect::<Vec<_>>().join("\n");
+    let stages = solved.stages();
+    if !stages.is_empty() {
+        let _ = writeln!(text, "\nStages\n{stages}");
+    }
     for comparison in &solved.comparisons {
         let _ = writeln!(text, "{}", comparison.sentence());
     }

@@ -6,11 +6,23 @@ use crate::table::Table;
 
 /// One header row (`punch_force_N`), then one row per value, nine significant digits.
 pub fn csv(table: &Table) -> Vec<u8> {
+    with_texts(&[], table)
+}
+
+/// The same with columns of text, a header and one entry per row each, behind the first column of numbers.
+pub(super) fn with_texts(texts: &[(&str, Vec<String>)], table: &Table) -> Vec<u8> {
     let mut writer = csv::Writer::from_writer(Vec::new());
     let never = "memory does not refuse a row";
-    writer.write_record(table.columns.iter().map(|c| c.header())).expect(never);
+    let first = usize::from(!texts.is_empty());
+    let mut record = |numbers: Vec<String>, words: Vec<&str>| {
+        let (before, after) = numbers.split_at(first);
+        writer.write_record(before.iter().map(String::as_str).chain(words).chain(after.iter().map(String::as_str)))
+    };
+    let headers = table.columns.iter().map(|c| c.header()).collect();
+    record(headers, texts.iter().map(|(header, _)| *header).collect()).expect(never);
     for row in 0..table.rows() {
-        writer.write_record(table.columns.iter().map(|c| number(c.values[row]))).expect(never);
+        let numbers = table.columns.iter().map(|c| number(c.values[row])).collect();
+        record(numbers, texts.iter().map(|(_, entries)| entries[row].as_str()).collect()).expect(never);
     }
     writer.into_inner().expect(never)
 }

@@ -18,6 +18,7 @@ pub mod profile;
 pub mod residual_stress;
 mod shapes;
 pub mod springback;
+mod stages;
 mod strains;
 mod summary;
 pub mod trace;
@@ -28,6 +29,7 @@ pub use draw::svg;
 pub use file::{WriteError, can_write, write};
 pub use overlay::write_comparison;
 pub use png::png;
+pub use stages::{Line as StageLine, STAGES, stage_folder, stages_report, stages_table, write_stages};
 pub use summary::Summary;
 
 use crate::model::{Geometry, Model};
@@ -185,6 +187,7 @@ pub fn remove_stale(dir: &Path, written: &[PathBuf]) -> Result<(), WriteError> {
         let ours = |name: &str| {
             OUTPUTS.iter().any(|output| output.file == name)
                 || of_frames.contains(&name)
+                || name == STAGES
                 || overlay::is_comparison(name)
         };
         if path.file_name().and_then(|name| name.to_str()).is_some_and(ours) {

@@ -18,7 +18,6 @@ pub(super) fn plot(subject: &Subject) -> Option<Chart> {
     let table = profile::last(model, &run.frames);
     let (x, y) = window(run.frames.iter().flat_map(|f| &f.nodes), model.blank.length);
     let last = run.frames.last();
-    let displacements = last.map_or(&[][..], |frame| &frame.tool_displacement);
     let selective = model.blank.theory == Theory::Selective;
     let sheets = shown(&run.frames).enumerate().flat_map(|(i, frame)| {
         let whole = Series::new(reached(model, frame), sheet(frame, 0..frame.elements.len()), filled(color(i)));
@@ -35,7 +34,7 @@ pub(super) fn plot(subject: &Subject) -> Option<Chart> {
         panels: vec![Panel {
             x: table.column("r").axis(),
             y: table.column("z").axis(),
-            series: tools(model, displacements, x.1).chain(sheets).chain(flat).collect(),
+            series: tools(model, last, x.1).chain(sheets).chain(flat).collect(),
             scale: Scale::Section { x, y },
         }],
         notes: std::iter::once(format!("The sheet is true to thickness. Grey: the tools at {tools_at}."))
@@ -53,18 +52,19 @@ pub(super) fn window<'a>(nodes: impl Iterator<Item = &'a NodeRecord>, length: f6
     ((0.0, width + around), (top - 2.0 * around, bottom + around))
 }
 
-/// The tools' bodies, moved from where they are drawn in the model \[mm\], in a picture of this width \[mm\].
-pub(super) fn tools<'a>(model: &'a Model, displacements: &'a [f64], width: f64) -> impl Iterator<Item = Series> + 'a {
+/// The tools' bodies where they stand in a frame, or are drawn in the model without one, in a picture of this width \[mm\].
+pub(super) fn tools<'a>(model: &'a Model, at: Option<&'a Frame>, width: f64) -> impl Iterator<Item = Series> + 'a {
     model.tools.iter().enumerate().map(move |(i, tool)| {
-        let displacement = displacements.get(i).copied().unwrap_or(0.0);
-        Series::silent(body(tool, displacement, SAGITTA * width), Look::Area { fill: PALE, edge: Some(GREY) })
+        let place = |frame: &Frame| Some(Point::new(*frame.tool_aside.get(i)?, *frame.tool_displacement.get(i)?));
+        let moved = at.and_then(place).unwrap_or_default();
+        Series::silent(body(tool, moved, SAGITTA * width), Look::Area { fill: PALE, edge: Some(GREY) })
     })
 }
 
 /// The tool's profile closed through its body, which goes on away from the sheet.
-fn body(tool: &Tool, displacement: f64, sagitta: f64) -> Vec<(f64, f64)> {
+fn body(tool: &Tool, moved: Point, sagitta: f64) -> Vec<(f64, f64)> {
     let points = tool.profile.pieces().iter().flat_map(|piece| piece.sample(chords(piece, sagitta)));
-    let mut outline: Vec<(f64, f64)> = points.map(|p| (p.x, p.y + displacement)).collect();
+    let mut outline: Vec<(f64, f64)> = points.map(|p| (p.x + moved.x, p.y + moved.y)).collect();
     let (first, last) = (outline[0], outline[outline.len() - 1]);
     let ends = outline.iter().map(|p| p.1);
     let far = match tool.role {
@@ -131,7 +131,7 @@ mod tests {
         let crown = crate::geometry::Profile::crowned_punch(330.0, 2800.0, 10.0, 0.8);
         let tool =
             Tool { role: Role::Punch, profile: crown, friction: 0.1.into(), motion: crate::model::Motion::Travel };
-        let outline = body(&tool, 0.0, 0.042);
+        let outline = body(&tool, Point::zeros(), 0.042);
         for pair in outline.windows(2).filter(|pair| pair[1].0 < 300.0 && pair[1].1 > -100.0) {
             let middle = Point::new(0.5 * (pair[0].0 + pair[1].0), 0.5 * (pair[0].1 + pair[1].1));
             assert!(tool.profile.closest(middle).distance.abs() < 0.0421, "{middle}");
@@ -148,6 +148,7 @@ mod tests {
             nodes: vec![node(0.0), node(5.0)],
             through: ThroughThickness::default(),
             tool_displacement: vec![],
+            tool_aside: vec![],
         };
         assert_eq!(sheet(&frame, 0..1), [(0.0, 3.4), (5.0, 3.4), (5.0, 2.6), (0.0, 2.6)]);
     }

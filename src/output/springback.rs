@@ -61,7 +61,7 @@ pub fn plot(before: &Frame, after: &Frame, model: &Model) -> Chart {
         panels: vec![Panel {
             x: table.column("r").axis(),
             y: table.column("z").axis(),
-            series: shapes::tools(model, &before.tool_displacement, x.1).chain(sheets).chain(lines).collect(),
+            series: shapes::tools(model, Some(before), x.1).chain(sheets).chain(lines).collect(),
             scale: Scale::Section { x, y },
         }],
         notes: std::iter::once(

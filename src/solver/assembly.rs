@@ -15,7 +15,7 @@ use crate::material::PointLaw;
 use crate::material::flow::{Before, FlowLaw, Iterate, Response, Triple};
 use crate::material::twin::{Carried, Operators, Trial as TwinTrial, TwinLaw};
 use crate::model::{Edge, Iteration, Mode, Model, Motion, Pressure, PressureCap, Role, Settings};
-use crate::state::State;
+use crate::state::{State, drawn};
 use nalgebra::Vector3;
 use std::mem::take;
 
@@ -26,8 +26,8 @@ const SLACK_NORM: f64 = 0.05;
 /// A holder that has lost the sheet comes to rest on blocks of this height over the sheet thickness \[–\].
 const DISTANCE_BLOCK: f64 = 0.5;
 
-/// A holder that neither sheet nor block holds is kept in place by this share of a block's stiffness \[–\]: a force of
-/// millionths of those that form the sheet.
+/// A holder that neither sheet nor block holds, and a sheet that tools going back leave free, are kept in place by this
+/// share of a block's stiffness \[–\]: a force of millionths of those that form the sheet.
 const ANCHOR: f64 = 1e-7;
 
 /// Where the corrector stands when it asks for residual and matrix.
@@ -47,8 +47,9 @@ pub(super) struct Workspace {
     /// Trial moves of the nodes in the step, the velocities times its duration, and where they lead.
     pub moves: Vec<Node>,
     pub nodes: Vec<Node>,
-    /// Trial positions of the tools at the end of the step.
+    /// Trial positions of the tools at the end of the step, along z and away from the axis.
     pub tool_position: Vec<f64>,
+    pub tool_aside: Vec<f64>,
     pub iterates: Vec<Iterate>,
     /// What the twin keeps instead of an iterate.
     pub twins: Vec<TwinTrial>,
@@ -59,8 +60,9 @@ pub(super) struct Workspace {
     pub(super) growth: Vec<f64>,
     pub membrane_increment: Vec<[f64; 2]>,
     pub system: System,
-    /// Force of each tool on the sheet along z \[N, or N/mm\].
+    /// Force of each tool on the sheet along z, and away from the axis \[N, or N/mm\].
     pub tool_force: Vec<f64>,
+    pub tool_force_aside: Vec<f64>,
     /// Residual of the equilibrium before boundary conditions: the reaction where a freedom is held.
     pub edge_reaction: Vector3<f64>,
     /// Every tool's contact with every node, tool by tool.
@@ -151,7 +153,9 @@ impl Workspace {
         let pairs = n * tools.len();
         let mut work = Self {
             tool_position: state.tools.clone(),
+            tool_aside: state.aside.clone(),
             tool_force: vec![0.0; tools.len()],
+            tool_force_aside: vec![0.0; tools.len()],
             tools,
             layers: lobatto::rule(model.blank.layers),
             moves: vec![[0.0; 3]; n],
@@ -307,13 +311,16 @@ impl Workspace {
             }
         }
         self.moves[0][0] = 0.0;
+        let progress = model.progress(state.time + dt) - model.progress(state.time);
         for (j, tool) in self.tools.iter().enumerate() {
-            self.tool_position[j] = state.tools[j]
-                + match tool.motion {
-                    Motion::Fixed | Motion::Gap(_) => 0.0,
-                    Motion::Travel => model.travel_at(state.time + dt) - state.travel,
-                    Motion::Pressed(_) => share * state.tool_velocity[j],
-                };
+            let (axial, aside) = match tool.motion {
+                Motion::Fixed | Motion::Gap(_) => (0.0, 0.0),
+                Motion::Travel => (model.travel_at(state.time + dt) - state.travel, 0.0),
+                Motion::Path { axial, aside } => (axial * progress, aside * progress),
+                Motion::Pressed(_) => (share * state.tool_velocity[j], 0.0),
+            };
+            self.tool_position[j] = state.tools[j] + axial;
+            self.tool_aside[j] = state.aside[j] + aside;
         }
         for (iterate, point) in self.iterates.iter_mut().zip(&state.layers) {
             *iterate = Iterate::start(point.carried);
@@ -371,6 +378,7 @@ impl Workspace {
         let internal = largest(&self.system.rhs);
         let contact = self.contact(step, trial);
         self.restrain(model, state, dt);
+        self.anchor(model);
         self.inflate(model, state, state.time + dt);
         let gas = self.gas_force.iter().map(|f| f.norm()).fold(0.0, f64::max);
         let left = 1.0 - (state.time + dt) / model.duration;
@@ -392,7 +400,12 @@ impl Workspace {
             .enumerate()
             .fold((0, 0.0), |worst, now| if now.1 > worst.1 { now } else { worst });
         self.worst_node = worst;
-        self.residual_norm = if largest_force > 0.0 { residual / largest_force } else { f64::INFINITY };
+        self.residual_norm = match largest_force > 0.0 {
+            true => residual / largest_force,
+            // A sheet that all tools have left is at rest; one that none has reached yet says nothing.
+            false if model.has_paths() => 0.0,
+            false => f64::INFINITY,
+        };
         true
     }
 
@@ -440,6 +453,9 @@ impl Workspace {
     /// Shared unknowns: tools pressed by a force.
     fn press(&mut self, model: &Model, state: &State, dt: f64) {
         let closing = self.closing_force(model);
+        // The blocks stand on the die and go with it.
+        let die = model.tools.iter().position(|tool| tool.role == Role::Die);
+        let die = die.map_or(0.0, |j| self.tool_position[j] - drawn(model, &model.tools[j]));
         for (j, tool) in self.tools.iter().enumerate() {
             let (Some(k), Motion::Pressed(press)) = (tool.shared, &tool.motion) else { continue };
             if tool.released.is_some() {
@@ -452,7 +468,7 @@ impl Workspace {
                 force -= closing;
             }
             self.system.corner[(k, k)] += press.stiffness;
-            let gap = (1.0 - DISTANCE_BLOCK) * model.blank.thickness - moved;
+            let gap = (1.0 - DISTANCE_BLOCK) * model.blank.thickness + die - moved;
             if let Some(block) = self.penalty.at(gap) {
                 self.system.corner_rhs[k] -= self.block_area * block.value;
                 self.system.corner[(k, k)] -= self.block_area * block.slope;
@@ -461,6 +477,18 @@ impl Workspace {
             self.system.corner_rhs[k] -= anchor * (moved - state.tools[j]);
             self.system.corner[(k, k)] += anchor;
             self.system.corner_rhs[k] -= self.tool_force[j] - force;
+        }
+    }
+
+    /// Keeps a sheet from floating along z once the tools that go away have left it.
+    fn anchor(&mut self, model: &Model) {
+        if !model.has_paths() {
+            return;
+        }
+        for (i, area) in self.areas.iter().enumerate() {
+            let stiffness = ANCHOR * self.penalty.stiffness * area;
+            self.system.rhs[i].y -= stiffness * self.moves[i][1];
+            self.system.diagonal[i][(1, 1)] += stiffness;
         }
     }
 

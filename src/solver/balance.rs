@@ -21,6 +21,7 @@ const TOO_FAR: f64 = 0.5;
 pub(super) struct Balance {
     contacts: Vec<Contact>,
     tool_force: Vec<f64>,
+    tool_force_aside: Vec<f64>,
     edge_force: f64,
     gas_force: Vec<Point>,
     bead_force: Vec<f64>,
@@ -29,11 +30,12 @@ pub(super) struct Balance {
 }
 
 impl Balance {
-    /// At the start of a run: the tools' distances, nothing pressing yet.
+    /// At the start of a run: the tools' distances and what presses then.
     pub fn new(work: &Workspace) -> Self {
         Self {
             contacts: work.contacts.clone(),
-            tool_force: vec![0.0; work.tool_force.len()],
+            tool_force: work.tool_force.clone(),
+            tool_force_aside: work.tool_force_aside.clone(),
             edge_force: 0.0,
             gas_force: work.gas_force.clone(),
             bead_force: vec![0.0; work.beads.len()],
@@ -72,6 +74,8 @@ impl Balance {
         let mut done = Energy::default();
         for (j, &force) in work.tool_force.iter().enumerate() {
             done.external += 0.5 * (self.tool_force[j] + force) * (work.tool_position[j] - state.tools[j]);
+            let aside = self.tool_force_aside[j] + work.tool_force_aside[j];
+            done.external += 0.5 * aside * (work.tool_aside[j] - state.aside[j]);
         }
         if let Edge::Pulled { speed } = model.blank.edge {
             done.external +=
@@ -115,6 +119,7 @@ impl Balance {
         self.gas_force.copy_from_slice(&work.gas_force);
         self.contacts.copy_from_slice(&work.contacts);
         self.tool_force.copy_from_slice(&work.tool_force);
+        self.tool_force_aside.copy_from_slice(&work.tool_force_aside);
         self.edge_force = work.edge_reaction.x;
         done
     }

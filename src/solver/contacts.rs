@@ -5,8 +5,9 @@ use super::attempt::Step;
 use crate::contact::friction::Friction;
 use crate::contact::penalty::{Penalty, Smooth};
 use crate::contact::{Visitor, touch};
+use crate::element::kinematics::Start;
 use crate::geometry::{Point, Profile};
-use crate::model::{Iteration, Motion, Role, Settings};
+use crate::model::{Iteration, Model, Motion, Role, Settings};
 use crate::state::{State, thickness_at};
 use nalgebra::{Matrix3, Vector3};
 
@@ -77,9 +78,9 @@ impl Workspace {
     pub fn release(&mut self, state: &State) -> Option<std::ops::Range<usize>> {
         let edge = state.nodes[state.nodes.len() - 1][0];
         let n = state.nodes.len();
-        let lost = self.tools.iter_mut().enumerate().find(|(_, tool)| {
+        let lost = self.tools.iter_mut().enumerate().find(|(j, tool)| {
             let inner = tool.profile.pieces().iter().map(|p| p.first().x.min(p.last().x)).fold(f64::INFINITY, f64::min);
-            !tool.is_absent() && tool.shared.is_some() && edge < inner
+            !tool.is_absent() && tool.shared.is_some() && edge < inner + state.aside[*j]
         });
         lost.map(|(j, tool)| {
             tool.released = Some(state.travel);
@@ -89,12 +90,36 @@ impl Workspace {
         })
     }
 
+    /// Takes up the pressures that a state begins with, and what they push with; friction has to set in anew.
+    pub fn resume(&mut self, model: &Model, state: &State) {
+        let n = state.nodes.len();
+        let mut areas = vec![0.0; n];
+        for (e, pair) in state.nodes.windows(2).enumerate() {
+            let theory = model.blank.theory.of_element(state.bends[e]);
+            let [a, b] = Start::new(model.geometry, theory, pair[0], pair[1]).tributary();
+            areas[e] += a;
+            areas[e + 1] += b;
+        }
+        for (pair, pressure) in state.pressure.iter().enumerate().filter(|(_, p)| **p > 0.0) {
+            let (j, i) = (pair / n, pair % n);
+            let closest = self.tools[j]
+                .profile
+                .closest(Point::new(state.nodes[i][0] - state.aside[j], state.nodes[i][1] - state.tools[j]));
+            let contact = &mut self.contacts[pair];
+            contact.pressure.value = *pressure;
+            contact.normal = areas[i] * pressure;
+            contact.facing = closest.normal;
+            self.tool_force[j] += contact.normal * closest.normal.y;
+            self.tool_force_aside[j] += contact.normal * closest.normal.x;
+        }
+    }
+
     /// Measures the distances that the iterations did not need; the balance of work does.
     pub fn measure_far(&mut self) {
         let n = self.nodes.len();
         for (pair, contact) in self.contacts.iter_mut().enumerate().filter(|(_, c)| c.distance.is_infinite()) {
             let (tool, x) = (pair / n, self.nodes[pair % n]);
-            let position = Point::new(x[0], x[1] - self.tool_position[tool]);
+            let position = Point::new(x[0] - self.tool_aside[tool], x[1] - self.tool_position[tool]);
             contact.distance = self.tools[tool].profile.closest(position).distance;
             self.far[pair] = Far { position, distance: contact.distance };
         }
@@ -178,16 +203,16 @@ impl Workspace {
         let slip_scale = model.settings.slip_speed * model.speed * model.nominal(state.time, dt);
         let system = &mut self.system;
         for (j, tool) in self.tools.iter().enumerate() {
-            self.tool_force[j] = 0.0;
+            (self.tool_force[j], self.tool_force_aside[j]) = (0.0, 0.0);
             if tool.is_absent() {
                 continue;
             }
-            let moved = self.tool_position[j] - state.tools[j];
+            let moved = Point::new(self.tool_aside[j] - state.aside[j], self.tool_position[j] - state.tools[j]);
             for i in 0..=last {
                 let (before, after) = (i.max(1) - 1, i.min(last - 1));
                 let thickness = thickness_at(&self.thickness, i);
                 let x = &self.nodes[i];
-                let position = Point::new(x[0], x[1] - self.tool_position[j]);
+                let position = Point::new(x[0] - self.tool_aside[j], x[1] - self.tool_position[j]);
                 let pair = j * (last + 1) + i;
                 let contact = &mut self.contacts[pair];
                 let carried = &mut self.carried[pair];
@@ -211,7 +236,7 @@ impl Workspace {
                 let node = Visitor {
                     carried: *carried,
                     position,
-                    relative: Point::new(self.moves[i][0], self.moves[i][1] - moved),
+                    relative: Point::new(self.moves[i][0], self.moves[i][1]) - moved,
                     thickness,
                     area: self.areas[i],
                     shift,
@@ -258,6 +283,7 @@ impl Workspace {
 
                 largest = largest.max(touch.force.norm());
                 self.tool_force[j] += touch.force.y;
+                self.tool_force_aside[j] += touch.force.x;
                 self.active_contacts += usize::from(touch.gap < 0.0);
             }
         }

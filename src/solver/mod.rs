@@ -10,6 +10,7 @@ mod diagnosis;
 mod heat;
 mod loads;
 mod selection;
+mod stages;
 mod stepping;
 mod stops;
 mod voids;
@@ -18,6 +19,7 @@ mod warnings;
 use crate::mesh;
 use crate::model::{Edge, Model, Role};
 use crate::record::{Energy, IterationRecord, Run, StepRecord, Stop};
+use crate::stage::Stage;
 use crate::state::State;
 use assembly::Workspace;
 use attempt::{Rung, Step, attempt};
@@ -27,12 +29,16 @@ use heat::HeatSolver;
 use stepping::StepControl;
 use stops::StopWatch;
 
+pub use stages::{Pass, enter, run_stages};
+
 /// Sees a run as it goes; the solver itself never prints.
 pub trait Observer {
     /// After every accepted step.
     fn step(&mut self, _record: &StepRecord) {}
     /// After every iteration.
     fn iteration(&mut self, _record: &IterationRecord) {}
+    /// Before each stage of a sequence.
+    fn stage(&mut self, _stage: &Stage) {}
 }
 
 /// An observer that looks away.
@@ -46,9 +52,10 @@ pub fn run(model: &Model, observer: &mut dyn Observer) -> Run {
 /// As [`run`], from a given state; also returns the last state.
 pub fn run_from(model: &Model, mut state: State, observer: &mut dyn Observer) -> (Run, State) {
     let mut work = Workspace::new(model, &state);
+    work.resume(model, &state);
     let mut balance = Balance::new(&work);
     let mut heat = HeatSolver::new(model, &work);
-    let mut watch = StopWatch::new(model);
+    let mut watch = StopWatch::new(model, &state);
     let mut control = StepControl::new(model, watch.closes_at(model));
     let mut run = Run::unsolved();
     let mut last = StepRecord { thinnest: model.blank.thickness, ..StepRecord::default() };
@@ -94,6 +101,7 @@ pub fn run_from(model: &Model, mut state: State, observer: &mut dyn Observer) ->
         rejected = 0;
         control.accept(dt, outcome.iterations, &record, approach);
         before.copy_from_slice(&state.thickness);
+        let since = state.time;
         accept(&work, model, &mut state, dt);
         if let Some(voids) = &model.material.voids {
             work.grow_voids(voids, model.material.anisotropy, &mut state, dt);
@@ -114,7 +122,7 @@ pub fn run_from(model: &Model, mut state: State, observer: &mut dyn Observer) ->
         if control.at_frame(&state) {
             run.frames.push(state.frame(model));
         }
-        if let Some(stop) = watch.look(model, &state, &record, &before) {
+        if let Some(stop) = watch.look(model, &state, &record, &before, since) {
             run.stop = stop;
             break;
         }
@@ -165,6 +173,7 @@ fn accept(work: &Workspace, model: &Model, state: &mut State, dt: f64) {
     state.shift.copy_from_slice(&work.shift);
     state.gas.copy_from_slice(&work.gas_pressure);
     state.tools.copy_from_slice(&work.tool_position);
+    state.aside.copy_from_slice(&work.tool_aside);
     state.nodes.copy_from_slice(&work.nodes);
     state.thickness.copy_from_slice(&work.thickness);
     state.bends.copy_from_slice(&work.selection.bends);

@@ -111,7 +111,7 @@ impl Selection {
     fn is_near_corner(&self, state: &State, i: usize) -> bool {
         let t = state.thickness_at(i);
         self.corners.iter().any(|(tool, arc)| {
-            let x = Point::new(state.nodes[i][0], state.nodes[i][1] - state.tools[*tool]);
+            let x = Point::new(state.nodes[i][0] - state.aside[*tool], state.nodes[i][1] - state.tools[*tool]);
             let gap = (x - arc.center).norm() - arc.radius - 0.5 * t;
             gap < NEAR * t && arc.faces(x)
         })

@@ -2,9 +2,9 @@
 
 use super::assembly::Workspace;
 use crate::geometry::Point;
-use crate::model::{Edge, Model, Role};
+use crate::model::{Edge, Model, Motion, Role, Settings};
 use crate::record::{Run, StepRecord, Stop};
-use crate::state::State;
+use crate::state::{State, drawn};
 
 /// Thickness strain of a neck over the mean of its surroundings \[–\].
 const NECK: f64 = 1.6;
@@ -47,10 +47,12 @@ pub(super) struct StopWatch {
 }
 
 impl StopWatch {
-    pub fn new(model: &Model) -> Self {
-        let drawn_in = model.blank.edge == Edge::Free;
-        let throat = model.tool(Role::Die).filter(|_| drawn_in).map(|die| die.profile.least_r());
-        Self { necking_since: None, peak: 0.0, throat, closed: closed(model) }
+    /// At the start of a run from `state`.
+    pub fn new(model: &Model, state: &State) -> Self {
+        let edge = state.nodes[state.nodes.len() - 1][0];
+        let drawn_in = |throat: &f64| model.blank.edge == Edge::Free && edge > *throat;
+        let throat = model.tool(Role::Die).map(|die| die.profile.least_r()).filter(drawn_in);
+        Self { necking_since: None, peak: 0.0, throat, closed: closed(model, state) }
     }
 
     /// Time at which punch and die are closed \[s\], where they ever are.
@@ -64,8 +66,16 @@ impl StopWatch {
         (model.stop.localised && self.necking_since.is_some()).then(|| localised(model, state, &neck))
     }
 
-    /// Whether the run ends after the step that led to `state`; `thickness` is each element's before that step \[mm\].
-    pub fn look(&mut self, model: &Model, state: &State, record: &StepRecord, thickness: &[f64]) -> Option<Stop> {
+    /// Whether the run ends after the step that led to `state`; `thickness` is each element's before that step
+    /// \[mm\], which began at the time `since` \[s\].
+    pub fn look(
+        &mut self,
+        model: &Model,
+        state: &State,
+        record: &StepRecord,
+        thickness: &[f64],
+        since: f64,
+    ) -> Option<Stop> {
         if model.release.is_some() {
             return None;
         }
@@ -88,7 +98,8 @@ impl StopWatch {
         if self.peak > 0.0 && model.stop.load_drop.is_some_and(|limit| drop >= limit) {
             return Some(Stop::LoadMaximum { travel, peak: self.peak, drop });
         }
-        let neck = neck(model, state, Some(thickness));
+        let step = model.nominal(since, state.time - since);
+        let neck = neck(model, state, Some((thickness, step)));
         self.necking_since = if neck.took_over { self.necking_since.or(Some(state.time)) } else { None };
         let lasted = self
             .necking_since
@@ -101,11 +112,15 @@ fn localised(model: &Model, state: &State, neck: &Neck) -> Stop {
     Stop::Localised { travel: state.travel, s0: neck.s0, share: neck.share, why: why(model, state, neck) }
 }
 
-/// The thinnest place and what its surroundings do; `before` is each element's thickness one step ago \[mm\].
-pub(super) fn neck(model: &Model, state: &State, before: Option<&[f64]>) -> Neck {
+/// The thinnest place and what its surroundings do; `before` is each element's thickness one step ago \[mm\] and the nominal
+/// length of that step \[s\].
+pub(super) fn neck(model: &Model, state: &State, before: Option<(&[f64], f64)>) -> Neck {
     let t0 = model.blank.thickness;
     let strain = |e: usize| (state.thickness[e] / t0).ln();
-    let rate = |e: usize| before.map_or(0.0, |before| (before[e] / state.thickness[e]).ln());
+    let rate = |e: usize| before.map_or(0.0, |(before, _)| (before[e] / state.thickness[e]).ln());
+    // A sheet that does not form, while tools go back, thins by less than the cut-off.
+    let rigid =
+        before.map_or(0.0, |(_, step)| model.settings.cutoff_strain * step / (Settings::CUTOFF_STEP * model.duration));
     let middle = |e: usize| 0.5 * (state.s0[e] + state.s0[e + 1]);
     let n = state.thickness.len();
     let thinnest = (0..n).min_by(|&a, &b| state.thickness[a].total_cmp(&state.thickness[b]));
@@ -126,7 +141,7 @@ pub(super) fn neck(model: &Model, state: &State, before: Option<&[f64]>) -> Neck
         }
     }
     neck.stands_out = count > 0.0 && strain(e) < NECK * (strains / count).min(0.0);
-    neck.took_over = neck.stands_out && before.is_some() && rates / count < STOPPED * rate(e);
+    neck.took_over = neck.stands_out && before.is_some() && rate(e) > rigid && rates / count < STOPPED * rate(e);
     neck
 }
 
@@ -134,8 +149,9 @@ pub(super) fn neck(model: &Model, state: &State, before: Option<&[f64]>) -> Neck
 fn why(model: &Model, state: &State, neck: &Neck) -> String {
     let i = state.s0.partition_point(|&s| s < neck.s0).min(state.nodes.len() - 1);
     let x = state.nodes[i];
-    let closest = model.tools.iter().zip(&state.tools).map(|(tool, moved)| {
-        let distance = tool.profile.closest(Point::new(x[0], x[1] - moved)).distance - 0.5 * state.thickness_at(i);
+    let closest = model.tools.iter().zip(state.aside.iter().zip(&state.tools)).map(|(tool, moved)| {
+        let position = Point::new(x[0] - moved.0, x[1] - moved.1);
+        let distance = tool.profile.closest(position).distance - 0.5 * state.thickness_at(i);
         (tool.role, distance)
     });
     let place = match closest.min_by(|a, b| a.1.total_cmp(&b.1)) {
@@ -158,15 +174,28 @@ pub(super) fn pressure_maximum(model: &Model, run: &Run) -> Option<Stop> {
         .then_some(Stop::PressureMaximum { pressure: last.pressure, height: last.pole_height })
 }
 
-/// The travel at which punch and die come to [`CLOSED`] thicknesses, and where.
-fn closed(model: &Model) -> Option<(f64, Point)> {
-    let (punch, die) = (model.tool(Role::Punch)?, model.tool(Role::Die)?);
+/// The travel at which punch and die come to [`CLOSED`] thicknesses on their way to each other, and where.
+fn closed(model: &Model, state: &State) -> Option<(f64, Point)> {
+    let index = |role: Role| model.tools.iter().position(|tool| tool.role == role);
+    let (i, j) = (index(Role::Punch)?, index(Role::Die)?);
+    let (punch, die) = (&model.tools[i], &model.tools[j]);
+    // From where it is drawn: the little that it waits off the flat sheet does not count.
+    let moved = |k: usize, travel: f64| {
+        let tool = &model.tools[k];
+        let way = match tool.motion {
+            Motion::Travel => Point::new(0.0, travel),
+            Motion::Path { axial, aside } => Point::new(aside, axial) * (travel / model.travel),
+            _ => Point::zeros(),
+        };
+        Point::new(state.aside[k], state.tools[k] - drawn(model, tool)) + way
+    };
     let limit = CLOSED * model.blank.thickness;
-    let apart = |travel: f64| punch.profile.distance_to(&die.profile, Point::new(0.0, travel));
+    let apart = |travel: f64| punch.profile.distance_to(&die.profile, moved(i, travel) - moved(j, travel));
     // Looked at in a few places first: most punches never come close.
     const LOOKS: usize = 8;
     let travel_of = |k: usize| model.travel * k as f64 / LOOKS as f64;
-    let hit = (1..=LOOKS).find(|&k| apart(travel_of(k)).0 < limit)?;
+    let nears = |k: usize| apart(travel_of(k)).0 < apart(travel_of(k - 1)).0;
+    let hit = (1..=LOOKS).find(|&k| apart(travel_of(k)).0 < limit && nears(k))?;
     let (mut low, mut high) = (travel_of(hit - 1), travel_of(hit));
     for _ in 0..40 {
         let middle = 0.5 * (low + high);

@@ -9,6 +9,8 @@ use crate::state::State;
 
 /// Power balance that a user should be able to rely on \[–\].
 const LARGEST_IMBALANCE: f64 = 0.01;
+/// A run whose steps strain the sheet by less in all forms nothing: shares of its work say nothing \[–\].
+const FORMED: f64 = 2e-3;
 /// Penetration that would show in the result, over the thickness \[–\].
 const LARGEST_PENETRATION: f64 = 0.05;
 /// Plastic power in cut-off zones that puts stresses in doubt \[–\].
@@ -29,8 +31,9 @@ pub(super) fn warnings(model: &Model, work: &Workspace, state: &State, run: &Run
     let Some(last) = run.history.last() else { return warnings };
     warnings.extend(thinned(model, state, run));
     let largest = |value: fn(&crate::record::StepRecord) -> f64| run.history.iter().map(value).fold(0.0, f64::max);
+    let formed = run.history.iter().map(|r| r.strain_increment).sum::<f64>() > FORMED;
     let imbalance = last.work.imbalance();
-    if imbalance.abs() > LARGEST_IMBALANCE {
+    if formed && imbalance.abs() > LARGEST_IMBALANCE {
         warnings.push(format!(
             "the power balance misses {:.2} % of the external work: take smaller steps (solver.max_step)",
             100.0 * imbalance
@@ -43,7 +46,7 @@ pub(super) fn warnings(model: &Model, work: &Workspace, state: &State, run: &Run
             100.0 * deepest
         ));
     }
-    if last.work.cutoff > LARGEST_CUT_OFF * last.work.plastic {
+    if formed && last.work.cutoff > LARGEST_CUT_OFF * last.work.plastic {
         warnings.push(format!(
             "{:.1} % of the plastic work is done where the strain rate is cut off: stresses there are not the true ones",
             100.0 * last.work.cutoff / last.work.plastic

@@ -181,7 +181,8 @@ fn frame(model: &Model, travel: f64) -> Frame {
     let layers = lobatto::rule(model.blank.layers);
     let points = elements.iter().flat_map(|e| layers.iter().map(|layer| point(e, layer.xi))).collect();
     let tool_displacement = vec![travel, 0.0, -0.12 * depth];
-    Frame { time: travel, travel, elements, nodes, through: ThroughThickness { layers, points }, tool_displacement }
+    let (through, tool_aside) = (ThroughThickness { layers, points }, vec![0.0; 3]);
+    Frame { time: travel, travel, elements, nodes, through, tool_displacement, tool_aside }
 }
 
 fn point(element: &ElementRecord, xi: f64) -> PointRecord {

@@ -6,7 +6,7 @@ use crate::case::measure::{extent, shoulder_end};
 use crate::case::{CaseError, source::Source};
 use crate::history::History;
 use crate::model::{Bead, Face, Gas, Geometry, Motion, Press, Pressure, RateControl, Role, Tool};
-use crate::quantity::{NonNegative, Positive, Quantity, Stress, Time};
+use crate::quantity::{Length, NonNegative, Positive, Quantity, Stress, Time};
 
 /// How the holder is pressed or held: exactly one of the four ways.
 pub(super) fn holder(
@@ -65,6 +65,15 @@ pub(super) fn holder(
     let Some(given) = &holder.force else {
         return Err(crate::case::explain::missing(source, "tools.holder", "force"));
     };
+    Ok(Motion::Pressed(Press { force: holder_force(given, sheet.geometry, source)?, stiffness: 0.0 }))
+}
+
+/// A force that stays, or its history over the travel.
+pub(super) fn holder_force(
+    given: &Given<NonNegative<Length>, HolderForce>,
+    geometry: Geometry,
+    source: &Source,
+) -> Result<History, CaseError> {
     let path = "tools.holder.force";
     let points: Vec<(f64, f64)> = given
         .points()
@@ -72,10 +81,10 @@ pub(super) fn holder(
         .enumerate()
         .map(|(i, (x, value))| {
             let path = if matches!(given, Given::Points(_)) { format!("{path}.{i}") } else { path.to_owned() };
-            Ok((x, force(value, &path, "force", sheet.geometry, source)?))
+            Ok((x, force(value, &path, "force", geometry, source)?))
         })
         .collect::<Result<_, CaseError>>()?;
-    Ok(Motion::Pressed(Press { force: history(points, path, "travels", source)?, stiffness: 0.0 }))
+    history(points, path, "travels", source)
 }
 
 fn history(points: Vec<(f64, f64)>, path: &str, what: &str, source: &Source) -> Result<History, CaseError> {

@@ -8,6 +8,7 @@ use crate::material::hardening::{
 };
 use crate::material::rate::{CowperSymonds, JohnsonCook, PowerRate};
 use crate::material::{Anisotropy, Elastic, Hardening, Kinematic, Material, Rate};
+use crate::model::Mode;
 use crate::quantity::Quantity;
 use std::ops::RangeInclusive;
 
@@ -54,6 +55,19 @@ pub(super) fn convert(file: &file::Material, source: &Source) -> Result<Material
         kinematic: Kinematic::default(),
         voids,
     })
+}
+
+/// How the metal answers to strain, where it has what that takes.
+pub(super) fn mode(mode: file::Mode, material: &Material, path: &str, source: &Source) -> Result<Mode, CaseError> {
+    if mode != file::Mode::Flow && material.elastic.is_none() {
+        let help = "add young = \"210 GPa\" and poisson = 0.3 to [material], or write mode = \"flow\"";
+        return Err(source.error(path, "an elastic sheet needs Young's modulus and Poisson's ratio", help));
+    }
+    if mode != file::Mode::Flow && material.voids.is_some() {
+        let help = "drop [material.voids], or write mode = \"flow\"";
+        return Err(source.error(path, "a sheet with voids has no elastic strains", help));
+    }
+    Ok(mode.into())
 }
 
 /// Exactly one rate law.

@@ -18,6 +18,7 @@ mod profile;
 mod section;
 mod settings;
 mod softening;
+mod stages;
 mod tools;
 mod voids;
 
@@ -26,12 +27,21 @@ pub(super) use compare::compare;
 use super::explain::missing;
 use super::file::{self, CaseFile};
 use super::{CaseError, source::Source};
-use crate::model::{Geometry, Mode, Model};
+use crate::model::{Geometry, Model};
 use crate::quantity::{Length, Positive, Quantity, rounded};
+use crate::stage::Stage;
 use std::path::Path;
 
-/// The model, and what was assumed on the way; `case` is the path that files are looked up from.
-pub(super) fn model(file: &CaseFile, source: &Source, case: &Path) -> Result<(Model, Vec<String>), CaseError> {
+/// What a case means: the model of its first stage and that one's name, the stages after it, and what was assumed.
+pub(super) struct Meaning {
+    pub model: Model,
+    pub first: String,
+    pub later: Vec<Stage>,
+    pub derived: Vec<String>,
+}
+
+/// The meaning of a case; `case` is the path that files are looked up from.
+pub(super) fn meaning(file: &CaseFile, source: &Source, case: &Path) -> Result<Meaning, CaseError> {
     limits::of_file(file, source)?;
     let mut derived = Vec::new();
     let geometry = match file.geometry {
@@ -40,6 +50,8 @@ pub(super) fn model(file: &CaseFile, source: &Source, case: &Path) -> Result<(Mo
     };
     let blank = blank::convert(&file.blank, geometry, source, &mut derived)?;
     let material = material::convert(&file.material, source)?;
+    let mode = file.material.mode.map(|mode| material::mode(mode, &material, "material.mode", source)).transpose()?;
+    let mode = mode.unwrap_or_default();
     let sheet = tools::Sheet { geometry, length: blank.length, thickness: blank.thickness };
     let drive = motion::drive(file, blank.length, source)?;
     let folder = case.parent().unwrap_or(Path::new(""));
@@ -76,13 +88,14 @@ pub(super) fn model(file: &CaseFile, source: &Source, case: &Path) -> Result<(Mo
         frames: settings::frames(&file.output, &drive, source)?,
         settings: settings::convert(&file.solver, source)?,
         blank,
-        mode: Mode::default(),
+        mode,
         release: None,
     };
     fit::check(&model, source)?;
     limits::of_model(&model, source)?;
     collide::check(&model, source)?;
-    Ok((model, derived))
+    let (first, later) = stages::convert(file, &model, source, folder, &mut derived)?;
+    Ok(Meaning { model, first, later, derived })
 }
 
 /// A length whose key depends on the geometry; the other geometry's key is an error that says so.

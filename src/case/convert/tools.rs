@@ -86,7 +86,7 @@ impl Shop<'_> {
     }
 }
 
-fn punch_profile(punch: &file::Punch, shop: &Shop, derived: &mut Vec<String>) -> Result<Profile, CaseError> {
+pub(super) fn punch_profile(punch: &file::Punch, shop: &Shop, derived: &mut Vec<String>) -> Result<Profile, CaseError> {
     let Shop { sheet, source, .. } = shop;
     let t = sheet.thickness;
     let given = [
@@ -171,7 +171,7 @@ fn nose_within(source: &Source, shape: &str, nose: f64, radius: f64) -> Result<f
     ))
 }
 
-fn die_profile(die: &file::Die, shop: &Shop, derived: &mut Vec<String>) -> Result<Profile, CaseError> {
+pub(super) fn die_profile(die: &file::Die, shop: &Shop, derived: &mut Vec<String>) -> Result<Profile, CaseError> {
     let Shop { sheet, source, .. } = shop;
     match (&die.profile, die.throat, die.shoulder) {
         (Some(section), None, None) => section::convert(section, Role::Die, shop, derived),
@@ -189,7 +189,11 @@ fn die_profile(die: &file::Die, shop: &Shop, derived: &mut Vec<String>) -> Resul
     }
 }
 
-fn holder_profile(holder: &file::Holder, shop: &Shop, derived: &mut Vec<String>) -> Result<Profile, CaseError> {
+pub(super) fn holder_profile(
+    holder: &file::Holder,
+    shop: &Shop,
+    derived: &mut Vec<String>,
+) -> Result<Profile, CaseError> {
     let Shop { sheet, source, .. } = shop;
     let Some(section) = &holder.profile else {
         let radius = ("inner_radius", holder.inner_radius);

@@ -1,6 +1,6 @@
 //! `[material]` and one table per hardening law.
 
-use super::{Rate, Softening, Voids};
+use super::{Mode, Rate, Softening, Voids};
 use crate::quantity::{Fraction, NonNegative, Number, Positive, Stress, Temperature};
 use schemars::JsonSchema;
 use serde::Deserialize;
@@ -22,6 +22,9 @@ pub struct Material {
     /// equi-biaxial tension than it says. Source: R. Hill, Proc. R. Soc. London A 193 (1948) 281–297.
     #[schemars(example = 1.6)]
     pub anisotropy: Option<Positive<Number>>,
+    /// How the metal answers to strain; "flow" when not given. The others need `young` and `poisson`.
+    #[schemars(example = &"elasto_viscoplastic")]
+    pub mode: Option<Mode>,
     /// Strain-rate dependence; none when not given. The punch's `speed` then matters.
     pub rate: Option<Rate>,
     /// Dependence on the temperature; none when not given. `[heat]` says what the temperature is.

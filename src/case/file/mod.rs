@@ -13,6 +13,7 @@ mod rate;
 mod section;
 mod softening;
 mod solver;
+mod stages;
 mod tools;
 mod voids;
 
@@ -28,6 +29,7 @@ pub use rate::{CowperSymonds, JohnsonCook, PowerRate, Rate};
 pub use section::{ProfileStep, Section, SectionTable, ToolName, Turn};
 pub use softening::{Arrhenius, Exponential, Melting, Softening};
 pub use solver::{ContactMethod, Iteration, Norm, Output, Solver, Stop};
+pub use stages::{FirstStage, Mode, Release, ReleaseStiffness, Stage, StageDie, StageHolder, StagePunch};
 pub use tools::{Bead, Crowned, Die, Flat, Hemispherical, Holder, HolderForce, Punch, Spring, Stiffness, Tools};
 pub use voids::{Coalescence, Nucleation, Voids};
 
@@ -62,6 +64,12 @@ pub struct CaseFile {
     pub stop: Stop,
     #[serde(default)]
     pub output: Output,
+    /// The first stage, where there are several.
+    #[serde(default)]
+    pub stage: FirstStage,
+    /// Operations after the first one, on the same sheet.
+    #[serde(default)]
+    pub stages: Vec<Stage>,
     /// Published curves and values to hold the result against.
     #[serde(default)]
     pub compare: Vec<Compare>,

@@ -1,0 +1,155 @@
+//! One stage after another: what the sheet and the tools that stay carry over.
+
+use super::{Observer, run_from};
+use crate::geometry::Point;
+use crate::mesh;
+use crate::model::{Model, Role, Tool};
+use crate::record::Run;
+use crate::stage::Stage;
+use crate::state::{State, drawn, waiting};
+
+/// Fewest elements that trimming leaves.
+const LEAST_ELEMENTS: usize = 2;
+
+/// Steps in which a tool is brought up to the sheet, over the thickness \[–\], and halvings of the last of them.
+const APPROACH: f64 = 0.25;
+const HALVINGS: usize = 50;
+
+/// A stage that was run.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Pass {
+    /// The stage's model, its blank cut to the sheet that the stage began with.
+    pub model: Model,
+    pub run: Run,
+    /// Where it ended.
+    pub state: State,
+}
+
+/// Runs stages after one another, the first from the flat blank, up to the first that does not come to its end.
+pub fn run_stages(stages: &[Stage], observer: &mut dyn Observer) -> Vec<Pass> {
+    let mut passes: Vec<Pass> = Vec::new();
+    for stage in stages {
+        let (model, state, said) = match passes.last() {
+            None => (stage.model.clone(), State::flat(&stage.model, mesh::nodes(&stage.model)), None),
+            Some(Pass { run, .. }) if !run.stop.is_complete() => break,
+            Some(before) => begin(stage, before),
+        };
+        observer.stage(stage);
+        let (mut run, state) = run_from(&model, state, observer);
+        run.warnings.splice(..0, said);
+        passes.push(Pass { model, run, state });
+    }
+    passes
+}
+
+/// The model and the first state of a stage, and what is worth a word.
+fn begin(stage: &Stage, before: &Pass) -> (Model, State, Option<String>) {
+    let state = enter(stage, &before.model, before.state.clone());
+    let mut model = stage.model.clone();
+    model.blank.elements = state.thickness.len();
+    model.blank.length = state.s0[state.s0.len() - 1];
+    let said = stage.begin.trim.map(|asked| {
+        let cut = before.model.blank.elements - model.blank.elements;
+        let edge = state.nodes[state.nodes.len() - 1][0];
+        format!("the sheet is cut to r = {edge:.3} mm ({asked} mm asked for): whole elements go, {cut} of them")
+    });
+    (model, state, said)
+}
+
+/// The state that a stage begins with, from the last `state` of a stage with the model `before`.
+///
+/// The sheet keeps its nodes, thickness, strains, stress and temperature bit for bit, less what [`Beginning`](crate::stage::Beginning) takes; time,
+/// travel and velocities begin anew; a tool that stays keeps its position and the pressure it exerts, and gas its pressure.
+pub fn enter(stage: &Stage, before: &Model, mut state: State) -> State {
+    let (model, begin) = (&stage.model, &stage.begin);
+    (state.time, state.travel) = (0.0, 0.0);
+    state.velocity.fill([0.0; 3]);
+    if let Some(radius) = begin.trim {
+        trim(&mut state, before, radius);
+    }
+    if begin.anneal {
+        for point in &mut state.layers {
+            (point.strain, point.stress, point.carried) = (0.0, Default::default(), Default::default());
+        }
+    }
+    let carried = model.gas.iter().map(|gas| before.gas.iter().position(|old| old.face == gas.face));
+    state.gas = carried.map(|old| old.map_or(0.0, |k| state.gas[k])).collect();
+
+    let n = state.nodes.len();
+    let old = state.clone();
+    state.pressure = vec![0.0; n * model.tools.len()];
+    state.shift = state.pressure.clone();
+    state.tool_velocity = vec![0.0; model.tools.len()];
+    state.aside = state.tool_velocity.clone();
+    state.tools = model.tools.iter().map(|tool| drawn(model, tool)).collect();
+    for (j, tool) in model.tools.iter().enumerate() {
+        let stays = |other: &Tool| other.role == tool.role && other.profile == tool.profile;
+        if let Some(k) = before.tools.iter().position(stays) {
+            (state.tools[j], state.aside[j]) = (old.tools[k], old.aside[k]);
+            state.pressure[j * n..(j + 1) * n].copy_from_slice(&old.pressure[k * n..(k + 1) * n]);
+            state.shift[j * n..(j + 1) * n].copy_from_slice(&old.shift[k * n..(k + 1) * n]);
+        }
+        if begin.meets.contains(&tool.role) {
+            state.tools[j] = met(model, &state, j);
+        }
+    }
+    state
+}
+
+/// Cuts the sheet at a distance from the axis: from the edge inward, elements go whose middle lies beyond it.
+fn trim(state: &mut State, model: &Model, radius: f64) {
+    let middle = |w: &[crate::element::Node]| 0.5 * (w[0][0] + w[1][0]);
+    let inside = state.nodes.windows(2).rposition(|w| middle(w) <= radius).map_or(0, |e| e + 1);
+    let (elements, nodes) = (inside.max(LEAST_ELEMENTS), state.nodes.len());
+    if elements + 1 >= nodes {
+        return;
+    }
+    for per_node in [&mut state.nodes, &mut state.velocity] {
+        per_node.truncate(elements + 1);
+    }
+    state.s0.truncate(elements + 1);
+    for per_element in
+        [&mut state.thickness, &mut state.volume, &mut state.dilation, &mut state.dilation_rate, &mut state.temperature]
+    {
+        per_element.truncate(elements);
+    }
+    state.membrane.truncate(elements);
+    state.bends.truncate(elements);
+    state.layers.truncate(elements * model.blank.layers);
+    for per_pair in [&mut state.pressure, &mut state.shift] {
+        *per_pair = per_pair.chunks(nodes).flat_map(|tool| &tool[..=elements]).copied().collect();
+    }
+}
+
+/// Axial displacement of tool `j` at which it waits just off the sheet as it is \[mm\].
+fn met(model: &Model, state: &State, j: usize) -> f64 {
+    let tool = &model.tools[j];
+    let towards = if tool.role == Role::Die { -1.0 } else { 1.0 };
+    let z = || state.nodes.iter().map(|x| x[1]);
+    let (low, high) = (z().fold(f64::INFINITY, f64::min), z().fold(f64::NEG_INFINITY, f64::max));
+    let points = tool.profile.polyline(model.blank.thickness);
+    let tip = points.iter().map(|p| towards * p.y).fold(f64::NEG_INFINITY, f64::max) * towards;
+    // From where nothing of it has come to the height of the sheet.
+    let t = model.blank.thickness;
+    let (near, far) = if towards > 0.0 { (low, high) } else { (high, low) };
+    let from = near - towards * 2.0 * t - tip;
+    let most = (far - near).abs() + 4.0 * t;
+    let touches = |way: f64| {
+        let moved = from + towards * way;
+        (0..state.nodes.len()).any(|i| {
+            let x = Point::new(state.nodes[i][0] - state.aside[j], state.nodes[i][1] - moved);
+            let closest = tool.profile.closest(x);
+            let off_its_end = tool.profile.ends_at(x - closest.distance * closest.normal);
+            closest.distance.abs() - 0.5 * state.thickness_at(i) < waiting(model)
+                || (closest.distance < 0.0 && !off_its_end)
+        })
+    };
+    let steps = (most / (APPROACH * t)).ceil() as usize;
+    let Some(hit) = (1..=steps).find(|&k| touches(APPROACH * t * k as f64)) else { return from + towards * most };
+    let (mut free, mut touching) = (APPROACH * t * (hit - 1) as f64, APPROACH * t * hit as f64);
+    for _ in 0..HALVINGS {
+        let middle = 0.5 * (free + touching);
+        if touches(middle) { touching = middle } else { free = middle }
+    }
+    from + towards * free
+}
