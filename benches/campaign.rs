@@ -1,13 +1,15 @@
 //! Random dies: how they end, and what they cost.
 //!
-//! `cargo bench --bench campaign -- --count 1000 --seed 7`, with `--selective 1` for selective bending
+//! `cargo bench --bench campaign -- --count 1000 --seed 7`, with `--selective 1` for selective bending, `--twin 1` for
+//! the elasto-viscoplastic twin
 
 #[path = "../tests/common/random_die.rs"]
 mod random_die;
 
 use random_die::{Process, random_die};
 use rayon::prelude::*;
-use stampflow::model::Theory;
+use stampflow::material::Elastic;
+use stampflow::model::{Mode, Theory};
 use stampflow::{StepRecord, solver};
 use std::collections::BTreeMap;
 use std::panic::catch_unwind;
@@ -34,7 +36,8 @@ fn main() {
     let (count, seed) = (argument("--count", 200), argument("--seed", 7));
     let theory = if argument("--selective", 0) == 0 { Theory::Bending } else { Theory::Selective };
     let seeds = (0..count).into_par_iter().map(|i| seed.wrapping_mul(1_000_003) + i);
-    let outcomes: Vec<Outcome> = seeds.map(|seed| one(seed, theory)).collect();
+    let twin = argument("--twin", 0) != 0;
+    let outcomes: Vec<Outcome> = seeds.map(|seed| one(seed, theory, twin)).collect();
 
     println!("{count} random dies, seed {seed}; worth a look:");
     for o in &outcomes {
@@ -93,9 +96,14 @@ fn print_figures(outcomes: &[Outcome]) {
     }
 }
 
-fn one(seed: u64, theory: Theory) -> Outcome {
+fn one(seed: u64, theory: Theory, twin: bool) -> Outcome {
     let mut die = random_die(seed);
     die.model.blank.theory = theory;
+    if twin {
+        die.model.mode = Mode::ElastoViscoplastic;
+        die.model.material.elastic = Some(Elastic { young: 206_000.0, poisson: 0.3 });
+        die.model.blank.layers = 15;
+    }
     let (process, text) = (die.process, die.text.clone());
     let start = Instant::now();
     let Ok(run) = catch_unwind(move || solver::run(&die.model, &mut ())) else {

@@ -8,7 +8,7 @@
 mod files;
 
 use files::files;
-use stampflow::model::Theory;
+use stampflow::model::{Mode, Theory};
 use stampflow::record::IterationRecord;
 use stampflow::{Model, Observer, case, solver};
 use std::hint::black_box;
@@ -79,6 +79,42 @@ fn main() {
         );
     }
     selective();
+    twin();
+}
+
+/// Time and iterations of the elastic twin over those of the flow law on Woo's cup, runs of both in turn.
+fn twin() {
+    println!(
+        "\n{:<24} {:>11} {:>16} {:>10} {:>10}",
+        "twin / flow, Woo", "wall ratio", "iterations", "flow ms", "twin ms"
+    );
+    for layers in [5, 9, 15] {
+        let settings = ["blank.elements=50".to_owned(), format!("blank.layers={layers}")];
+        let flow = case::load(std::path::Path::new("cases/woo_hemispherical.toml"), &settings)
+            .unwrap_or_else(|e| panic!("{e}"))
+            .model;
+        let mut twin = flow.clone();
+        twin.mode = Mode::ElastoViscoplastic;
+        let mut best = [Duration::MAX; 2];
+        for _ in 0..15 {
+            for (best, model) in best.iter_mut().zip([&flow, &twin]) {
+                let start = Instant::now();
+                black_box(solver::run(black_box(model), &mut ()));
+                *best = start.elapsed().min(*best);
+            }
+        }
+        let [of_flow, of_twin] = [&flow, &twin].map(|model| {
+            let mut count = Count::default();
+            solver::run(model, &mut count);
+            count.0
+        });
+        let [flow, twin] = best.map(|best| best.as_secs_f64() * 1e3);
+        println!(
+            "{:<24} {:>11.2} {of_twin:>7} of {of_flow:>5} {flow:>10.1} {twin:>10.1}",
+            format!("{layers} layers"),
+            twin / flow
+        );
+    }
 }
 
 /// Time, iterations and layer points of selective bending over those of bending everywhere, runs of both in turn.
@@ -90,6 +126,9 @@ fn selective() {
     for path in files("cases", "toml") {
         let case = case::load(&path, &["blank.theory=\"bending\"".to_owned()]).unwrap_or_else(|e| panic!("{e}"));
         let full = case.model;
+        if full.mode != Mode::Flow {
+            continue;
+        }
         let mut chosen = full.clone();
         chosen.blank.theory = Theory::Selective;
         let mut best = [Duration::MAX; 2];

@@ -379,7 +379,7 @@ pub enum Stiffness {
     /// Formed anew in every iteration, with the geometric stiffness.
     #[default]
     Updated,
-    /// The elastic one at the start of each increment.
+    /// The one at the start of each increment.
     Constant,
 }
 

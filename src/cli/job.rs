@@ -7,8 +7,8 @@ use stampflow::case::{self, Case};
 use stampflow::compare::{CompareError, Comparison, Computed, compare};
 use stampflow::model::Model;
 use stampflow::output::{
-    StageLine, Subject, load_travel, profile, remove_stale, stage_folder, stages_report, write_all, write_comparison,
-    write_stages,
+    StageLine, Subject, load_travel, profile, remove_stale, residual_stress, springback, stage_folder, stages_report,
+    write_all, write_comparison, write_stages,
 };
 use stampflow::record::{IterationRecord, Run};
 use stampflow::solver;
@@ -123,13 +123,28 @@ impl Solved {
         }
         for (i, (name, _)) in lines.iter().enumerate() {
             let dir = dir.join(stage_folder(i, name));
-            let files = self.subjects().nth(i).map_or(Ok(Vec::new()), |subject| write_all(&subject, &dir))?;
+            let mut files = self.subjects().nth(i).map_or(Ok(Vec::new()), |subject| write_all(&subject, &dir))?;
+            files.extend(self.write_release(i, &dir)?);
             remove_stale(&dir, &files)?;
             written.extend(files);
         }
         remove_stale(dir, &kept)?;
         written.extend(kept);
         Ok(written)
+    }
+
+    /// Writes what the sheet does as a stage takes its tools away; nothing for other stages.
+    fn write_release(&self, stage: usize, dir: &Path) -> anyhow::Result<Vec<PathBuf>> {
+        let Some([before, now]) = stage.checked_sub(1).and_then(|i| self.passes.get(i..i + 2)) else {
+            return Ok(Vec::new());
+        };
+        let (Some(_), Some(from), Some(to)) = (now.model.release, before.run.frames.last(), now.run.frames.last())
+        else {
+            return Ok(Vec::new());
+        };
+        let mut files = springback::write(dir, from, to, &before.model)?;
+        files.extend(residual_stress::write(dir, to, &now.model)?);
+        Ok(files)
     }
 
     /// Writes comparisons only.

@@ -1,7 +1,8 @@
 //! What a run comes to, in some twenty lines: printed and as JSON from the same list.
 
 use super::{Subject, force_unit, pressure_cycle, worded, work_unit};
-use crate::model::{Geometry, Grading, Iteration, Model, Norm, Role, Theory};
+use crate::measure::moment_error;
+use crate::model::{Geometry, Grading, Iteration, Mode, Model, Norm, Role, Theory};
 use crate::quantity::{ZERO_CELSIUS, rounded};
 use crate::record::{Ladder, Run, StepRecord, Stop};
 use crate::table::{Unit, four_digits};
@@ -100,6 +101,9 @@ impl Summary {
         summary.number("draw_in", "Draw-in of the edge", Unit::Mm, last.draw_in);
         summary.number("work_external", "External work", work, last.work.external);
         summary.number("work_plastic", "  plastic", work, last.work.plastic);
+        if model.mode != Mode::Flow {
+            summary.number("work_elastic", "  stored in the sheet", work, last.work.elastic);
+        }
         summary.number("work_friction", "  friction", work, last.work.friction);
         summary.number("work_contact", "  stored in contact", work, last.work.contact);
         summary.number("imbalance", "  missing in the balance", Unit::Percent, 100.0 * last.work.imbalance());
@@ -109,6 +113,12 @@ impl Summary {
             Unit::Percent,
             percent(last.work.cutoff, last.work.plastic),
         );
+        if let Some(error) =
+            run.frames.last().filter(|_| model.mode != Mode::Flow && model.release.is_none()).and_then(moment_error)
+        {
+            let share = 100.0 * error.share;
+            summary.number("moment_error", "Moment missed by the layers, estimated", Unit::Percent, share);
+        }
         if model.material.voids.is_some() {
             summary.number("porosity", "Largest porosity", Unit::Percent, 100.0 * last.porosity);
             summary.number("porous_s0", "  at an initial distance of", Unit::Mm, last.porous_s0);

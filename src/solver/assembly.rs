@@ -14,7 +14,7 @@ use crate::geometry::Point;
 use crate::material::PointLaw;
 use crate::material::flow::{Before, FlowLaw, Iterate, Response, Triple};
 use crate::material::twin::{Carried, Operators, Trial as TwinTrial, TwinLaw};
-use crate::model::{Edge, Iteration, Mode, Model, Motion, Pressure, PressureCap, Role, Settings};
+use crate::model::{Edge, Iteration, Mode, Model, Motion, Pressure, PressureCap, Role, Settings, Stiffness};
 use crate::state::{State, drawn};
 use nalgebra::Vector3;
 use std::mem::take;
@@ -60,6 +60,8 @@ pub(super) struct Workspace {
     pub(super) growth: Vec<f64>,
     pub membrane_increment: Vec<[f64; 2]>,
     pub system: System,
+    /// The stiffness that an unloading keeps through an increment.
+    kept: Option<System>,
     /// Force of each tool on the sheet along z, and away from the axis \[N, or N/mm\].
     pub tool_force: Vec<f64>,
     pub tool_force_aside: Vec<f64>,
@@ -168,6 +170,10 @@ impl Workspace {
             growth: vec![1.0; elements],
             membrane_increment: vec![[0.0; 2]; elements],
             system: System::new(n, shared),
+            kept: model
+                .release
+                .filter(|release| release.stiffness == Stiffness::Constant)
+                .map(|_| System::new(n, shared)),
             edge_reaction: Vector3::zeros(),
             far: vec![Far::default(); pairs],
             carried: vec![0.0; pairs],
@@ -389,6 +395,9 @@ impl Workspace {
         }
         let largest_force = internal.max(contact).max(gas).max(held);
 
+        if let Some(kept) = &mut self.kept {
+            if trial.iteration == 0 { kept.take_matrix(&self.system) } else { self.system.take_matrix(kept) }
+        }
         self.hold_rate(model, state, dt);
         self.press(model, state, dt);
         self.constrain(model);

@@ -42,6 +42,13 @@ impl System {
         }
     }
 
+    /// Takes the three diagonals of another system of the same size.
+    pub fn take_matrix(&mut self, other: &Self) {
+        self.lower.copy_from_slice(&other.lower);
+        self.diagonal.copy_from_slice(&other.diagonal);
+        self.upper.copy_from_slice(&other.upper);
+    }
+
     /// Zeroes everything; unused shared unknowns keep a one on their diagonal.
     pub fn clear(&mut self) {
         for i in 0..self.rhs.len() {

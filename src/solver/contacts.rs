@@ -92,6 +92,9 @@ impl Workspace {
 
     /// Takes up the pressures that a state begins with, and what they push with; friction has to set in anew.
     pub fn resume(&mut self, model: &Model, state: &State) {
+        if model.release.is_some() {
+            return;
+        }
         let n = state.nodes.len();
         let mut areas = vec![0.0; n];
         for (e, pair) in state.nodes.windows(2).enumerate() {

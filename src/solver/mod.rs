@@ -60,6 +60,7 @@ pub fn run_from(model: &Model, mut state: State, observer: &mut dyn Observer) ->
     let mut run = Run::unsolved();
     let mut last = StepRecord { thinnest: model.blank.thickness, ..StepRecord::default() };
     let mut before = state.thickness.clone();
+    let strained: Vec<f64> = state.layers.iter().map(|point| point.strain).collect();
     let mut rejected = 0;
 
     while let Some(dt) = control.next(&state) {
@@ -132,6 +133,7 @@ pub fn run_from(model: &Model, mut state: State, observer: &mut dyn Observer) ->
     }
     run.abandoned = rejected;
     run.warnings = warnings::warnings(model, &work, &state, &run);
+    run.warnings.extend(warnings::yielded_again(model, &strained, &state));
     (run, state)
 }
 

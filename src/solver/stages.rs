@@ -70,6 +70,7 @@ pub fn enter(stage: &Stage, before: &Model, mut state: State) -> State {
     if begin.anneal {
         for point in &mut state.layers {
             (point.strain, point.stress, point.carried) = (0.0, Default::default(), Default::default());
+            point.back = Default::default();
         }
     }
     let carried = model.gas.iter().map(|gas| before.gas.iter().position(|old| old.face == gas.face));

@@ -2,7 +2,8 @@
 
 use super::assembly::Workspace;
 use super::stops::neck;
-use crate::model::{ContactMethod, Model};
+use crate::element::lobatto;
+use crate::model::{ContactMethod, Mode, Model};
 use crate::quantity::ZERO_CELSIUS;
 use crate::record::{Run, Stop};
 use crate::state::State;
@@ -22,6 +23,8 @@ const TORN: f64 = 0.5;
 const NEAR_ENOUGH: f64 = 10.0;
 /// Squeeze between two tools from which the sheet is ironed \[–\].
 const IRONED: f64 = 0.01;
+/// Plastic strain, or stress over the yield stress, from which a point has yielded again \[–\].
+const YIELDED: f64 = 1e-4;
 /// Lift of the holder over the thickness that is worth a word \[–\].
 const LIFTED: f64 = 0.3;
 
@@ -103,7 +106,7 @@ pub(super) fn warnings(model: &Model, work: &Workspace, state: &State, run: &Run
         warnings.push(format!("the augmented Lagrangian left a penetration of {deepest:.1e} thicknesses"));
     }
     for (tool, active) in model.tools.iter().zip(&work.tools) {
-        if let Some(travel) = active.released {
+        if let Some(travel) = active.released.filter(|_| model.release.is_none()) {
             warnings.push(format!(
                 "the sheet left the {} at {travel:.2} mm of travel; it is lifted off from there on",
                 tool.role.name()
@@ -129,4 +132,27 @@ fn thinned(model: &Model, state: &State, run: &Run) -> Option<String> {
     let superplastic = model.material.rate.is_some_and(|rate| rate.is_superplastic());
     (neck.share < TORN && !superplastic)
         .then(|| format!("the sheet is down to {left:.0} % of its thickness at s0 = {place:.1} mm: it has torn before"))
+}
+
+/// How much of the sheet yields again, the other way, while its tools are taken away; `before` is ε̄ of its layers then.
+/// By D(E, ν) alone that is where the stress that is left lies beyond the yield stress.
+pub(super) fn yielded_again(model: &Model, before: &[f64], state: &State) -> Option<String> {
+    model.release?;
+    let layers = lobatto::rule(model.blank.layers);
+    let (mut volume, mut total) = (0.0, 0.0);
+    for (i, (point, before)) in state.layers.iter().zip(before).enumerate() {
+        let e = i / layers.len();
+        let share = state.volume[e] * layers[i % layers.len()].share;
+        let limit = model.material.yield_stress(point.strain, state.temperature[e]);
+        let beyond = model.mode != Mode::ElastoViscoplastic
+            && model.material.anisotropy.equivalent_stress(point.stress) > limit * (1.0 + YIELDED);
+        total += share;
+        volume += if beyond || point.strain - before > YIELDED { share } else { 0.0 };
+    }
+    let share = 100.0 * volume / total;
+    let what = match model.mode {
+        Mode::Elastic => "would yield again as the tools are taken away, which D(E, ν) alone leaves out",
+        _ => "yields again as the tools are taken away",
+    };
+    (share > 0.1).then(|| format!("{share:.1} % of the sheet {what}"))
 }

@@ -7,7 +7,7 @@ use crate::material::hardening::{
     Branch, Extrapolation, Hollomon, Isotherms, LawError, Ludwik, PiecewisePower, Swift, Table, Voce,
 };
 use crate::material::rate::{CowperSymonds, JohnsonCook, PowerRate};
-use crate::material::{Anisotropy, Elastic, Hardening, Kinematic, Material, Rate};
+use crate::material::{Anisotropy, BackStress, Elastic, Hardening, Kinematic, Material, Rate};
 use crate::model::Mode;
 use crate::quantity::Quantity;
 use std::ops::RangeInclusive;
@@ -52,9 +52,26 @@ pub(super) fn convert(file: &file::Material, source: &Source) -> Result<Material
         rate,
         softening,
         anisotropy: Anisotropy::new(r),
-        kinematic: Kinematic::default(),
+        kinematic: kinematic(&file.kinematic, file.mode, source)?,
         voids,
     })
+}
+
+/// At most two back-stresses, of a sheet that is not left to the flow law alone.
+fn kinematic(file: &[file::BackStress], mode: Option<file::Mode>, source: &Source) -> Result<Kinematic, CaseError> {
+    let mut kinematic = Kinematic::default();
+    if file.len() > kinematic.len() {
+        let what = format!("{} back-stresses are given, more than {}", file.len(), kinematic.len());
+        return Err(source.error("material.kinematic.2", what, "keep the two that matter"));
+    }
+    if !file.is_empty() && mode != Some(file::Mode::ElastoViscoplastic) {
+        let help = "write mode = \"elasto_viscoplastic\", or drop it";
+        return Err(source.error("material.kinematic.0", "the flow law has no back-stresses", help));
+    }
+    for (law, file) in kinematic.iter_mut().zip(file) {
+        *law = BackStress { modulus: file.modulus.value(), recall: file.recall.map_or(0.0, Quantity::value) };
+    }
+    Ok(kinematic)
 }
 
 /// How the metal answers to strain, where it has what that takes.

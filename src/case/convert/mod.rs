@@ -27,7 +27,7 @@ pub(super) use compare::compare;
 use super::explain::missing;
 use super::file::{self, CaseFile};
 use super::{CaseError, source::Source};
-use crate::model::{Geometry, Model};
+use crate::model::{Geometry, Mode, Model, Theory};
 use crate::quantity::{Length, Positive, Quantity, rounded};
 use crate::stage::Stage;
 use std::path::Path;
@@ -48,10 +48,14 @@ pub(super) fn meaning(file: &CaseFile, source: &Source, case: &Path) -> Result<M
         file::Geometry::Axisymmetric => Geometry::Axisymmetric,
         file::Geometry::PlaneStrain => Geometry::PlaneStrain,
     };
-    let blank = blank::convert(&file.blank, geometry, source, &mut derived)?;
+    let blank = blank::convert(file, geometry, source, &mut derived)?;
     let material = material::convert(&file.material, source)?;
     let mode = file.material.mode.map(|mode| material::mode(mode, &material, "material.mode", source)).transpose()?;
     let mode = mode.unwrap_or_default();
+    if mode != Mode::Flow && blank.theory == Theory::Selective {
+        let help = "write blank.theory = \"bending\", or mode = \"flow\"";
+        return Err(source.error("blank.theory", "an elastic sheet cannot change between bending and membrane", help));
+    }
     let sheet = tools::Sheet { geometry, length: blank.length, thickness: blank.thickness };
     let drive = motion::drive(file, blank.length, source)?;
     let folder = case.parent().unwrap_or(Path::new(""));

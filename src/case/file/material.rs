@@ -29,11 +29,31 @@ pub struct Material {
     pub rate: Option<Rate>,
     /// Dependence on the temperature; none when not given. `[heat]` says what the temperature is.
     pub softening: Option<Softening>,
+    /// Back-stresses of an elasto-viscoplastic sheet, at most two; none when not given. The hardening law is then what is
+    /// left of the yield stress without them.
+    ///
+    /// dα = C ξ/σ_R dε − γ α dε: valid for metal that is bent and bent back; it needs tests with reversed strain. Source:
+    /// J. L. Chaboche, Int. J. Plasticity 2 (1986) 149–188 (not read; the form is in common use).
+    #[serde(default)]
+    #[schemars(length(max = 2))]
+    pub kinematic: Vec<BackStress>,
     /// Microscopic voids; none when not given.
     pub voids: Option<Voids>,
     /// Exactly one law, such as `[material.hardening.swift]`.
     #[serde(default)]
     pub hardening: Hardening,
+}
+
+/// A back-stress.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct BackStress {
+    /// C: its first slope over the plastic strain.
+    #[schemars(example = "2500 MPa")]
+    pub modulus: Positive<Stress>,
+    /// γ: it comes to C/γ; 0 when not given, which is linear.
+    #[schemars(example = 30)]
+    pub recall: Option<NonNegative<Number>>,
 }
 
 /// Yield stress σ over equivalent plastic strain ε of uniaxial tension: exactly one law.
