@@ -77,7 +77,7 @@ fn kinematic(file: &[file::BackStress], mode: Option<file::Mode>, source: &Sourc
 /// How the metal answers to strain, where it has what that takes.
 pub(super) fn mode(mode: file::Mode, material: &Material, path: &str, source: &Source) -> Result<Mode, CaseError> {
     if mode != file::Mode::Flow && material.elastic.is_none() {
-        let help = "add young = \"210 GPa\" and poisson = 0.3 to [material], or write mode = \"flow\"";
+        let help = "add young = \"210 GPa\" and poisson = 0.3 to [material]";
         return Err(source.error(path, "an elastic sheet needs Young's modulus and Poisson's ratio", help));
     }
     if mode != file::Mode::Flow && material.voids.is_some() {

@@ -126,10 +126,20 @@ impl Next<'_> {
         if let Some(edge) = written.edge {
             model.blank.edge = if edge == file::Edge::Free { Edge::Free } else { Edge::Clamped };
         }
-        if let Some(mode) = written.mode {
-            model.mode = material::mode(mode, &model.material, &format!("{}.mode", self.path), self.source)?;
-        }
         model.release = self.release(&tools)?;
+        // What the flow law has formed springs back by D(E, ν).
+        let springs = model.release.is_some() && model.mode == model::Mode::Flow;
+        let (mode, key) = match written.mode {
+            None if springs => (Some(file::Mode::Elastic), "release"),
+            mode => (mode, "mode"),
+        };
+        if let Some(mode) = mode {
+            model.mode = material::mode(mode, &model.material, &format!("{}.{key}", self.path), self.source)?;
+        }
+        if model.release.is_some() && model.mode == model::Mode::Flow {
+            let help = "drop it, or write \"elastic\" or \"elasto_viscoplastic\"";
+            return Err(self.error("mode", "the flow law has no elasticity, nothing springs back", help));
+        }
         if model.release.is_some() {
             model.tools.iter_mut().for_each(|tool| tool.motion = Motion::Fixed);
         }
