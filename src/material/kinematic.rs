@@ -22,3 +22,8 @@ pub struct BackStress {
 
 /// Up to two back-stresses; none where all moduli are 0.
 pub type Kinematic = [BackStress; 2];
+
+/// The back-stresses, where any modulus says that there are some.
+pub fn shifting(kinematic: Kinematic) -> Option<Kinematic> {
+    kinematic.iter().any(|law| law.modulus > 0.0).then_some(kinematic)
+}

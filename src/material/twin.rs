@@ -28,8 +28,8 @@ pub struct TwinLaw<'a> {
     /// `None` for metal that does not yield: the unloading of a sheet that the flow law has formed.
     pub hardening: Option<&'a Hardening>,
     pub operators: Operators,
-    /// None at all where every modulus is 0.
-    pub kinematic: Kinematic,
+    /// By [`kinematic::shifting`](super::kinematic::shifting).
+    pub kinematic: Option<Kinematic>,
     pub rate: Option<&'a Rate>,
     pub softening: Option<&'a Softening>,
     /// Leaves the tangent's last term out, which follows the flow: sturdier far from the answer.
@@ -78,15 +78,17 @@ pub struct Trial {
     pub strain: Triple,
     /// Δp \[–\].
     pub increment: f64,
+    /// ∂Δp/∂Δε, in the sum, the difference and the shear: what the next iteration's Δp will be \[–\].
+    follows: Triple,
     /// α_i at the end of the step \[MPa\].
     pub back: [Triple; 2],
 }
 
 /// Most iterations for Δp: bisection alone needs fifty.
 const MOST: usize = 80;
-/// Share of Δp that the last iteration may still add \[–\]: its square is round-off, and what it adds to stress and tangent
-/// is taken along.
-const LAST: f64 = 1e-8;
+/// Share of Δp that the last iteration may still add \[–\]: what it adds to stress and tangent is taken along, and its
+/// square is below what any answer is asked for.
+const LAST: f64 = 1e-7;
 
 /// To the sum and difference of the first two entries over √2, which is its own inverse.
 #[inline]
@@ -118,27 +120,26 @@ impl PointLaw for TwinLaw<'_> {
         let Operators { elastic: d, both, .. } = self.operators;
         let (strain, start) = (turned(e), turned(before.stress));
         let tried: Triple = std::array::from_fn(|j| start[j] + d[j] * strain[j]);
-        let shifts = self.kinematic != Kinematic::default();
-        let back = if shifts { before.back.map(turned) } else { [[0.0; 3]; 2] };
-        let found = self.hardening.and_then(|hardening| self.solve(hardening, before, tried, &back, trial.increment));
+        let back = if self.kinematic.is_some() { before.back.map(turned) } else { [[0.0; 3]; 2] };
+        let (last, f) = (turned(trial.strain), trial.follows);
+        let moved: f64 = (0..3).map(|j| f[j] * (strain[j] - last[j])).sum();
+        let guess = if trial.increment + moved > 0.0 { trial.increment + moved } else { trial.increment };
+        let found = self.hardening.and_then(|hardening| self.solve(hardening, before, tried, &back, guess));
         let Some(at) = found else {
-            *trial = Trial { strain: e, increment: 0.0, back: before.back };
+            *trial = Trial { strain: e, back: before.back, ..Trial::default() };
             let sum = 0.5 * (d[0] + d[1]);
             let tangent = [sum, d[0] - sum, sum, 0.0, 0.0, d[2]];
             return Response { stress: turned(tried), tangent, increment: 0.0, yield_stress: before.yield_stress };
         };
         let (x, n, m) = (at.increment, at.direction, at.measure);
         let stress = turned(std::array::from_fn(|j| tried[j] - x * both[j] * n[j]));
-        let moved = if shifts {
+        let back = self.kinematic.map_or(before.back, |kinematic| {
             std::array::from_fn(|i| {
-                let law = &self.kinematic[i];
+                let law = &kinematic[i];
                 let theta = 1.0 / (1.0 + law.recall * x);
                 turned(std::array::from_fn(|j| theta * (back[i][j] + x * law.modulus * n[j])))
             })
-        } else {
-            before.back
-        };
-        *trial = Trial { strain: e, increment: x, back: moved };
+        });
 
         // dσ = (I − Δp D P/m) D dε − D P (n − Δp (n m' − β)/m) dp,  dp = Σ P n/m D dε / N
         let inverse = m.map(|m| 1.0 / m);
@@ -150,6 +151,7 @@ impl PointLaw for TwinLaw<'_> {
         let own: Triple = std::array::from_fn(|j| (1.0 - x * both[j] * inverse[j]) * d[j]);
         let against: Triple = std::array::from_fn(|j| follow * both[j] * (n[j] - x * by[j] * inverse[j]));
         let dp: Triple = std::array::from_fn(|j| along[j] * d[j]);
+        *trial = Trial { strain: e, increment: x, follows: dp.map(|v| v / normal), back };
         let entry = |i: usize, j: usize| -0.5 * (against[i] * dp[j] + against[j] * dp[i]);
         let (aa, bb, ab) = (own[0] + entry(0, 0), own[1] + entry(1, 1), entry(0, 1));
         let (ac, bc) = (FRAC_1_SQRT_2 * entry(0, 2), FRAC_1_SQRT_2 * entry(1, 2));
@@ -187,7 +189,7 @@ impl TwinLaw<'_> {
     }
 
     /// Δp from the yield condition Σ P (η/m)² = 1, by Newton's method on 1 − 1/√Σ, which is all but straight, between
-    /// bounds that close in; `None` where the point does not yield. `last` is Δp of the last iteration.
+    /// bounds that close in; `None` where the point does not yield. `guess` is a Δp that may come close, or 0.
     #[inline]
     fn solve(
         &self,
@@ -195,10 +197,9 @@ impl TwinLaw<'_> {
         before: &Carried,
         tried: Triple,
         back: &[Triple; 2],
-        last: f64,
+        guess: f64,
     ) -> Option<Return> {
         let Operators { yielding: p, both, .. } = self.operators;
-        let shifts = self.kinematic != Kinematic::default();
         let shifted: Triple = std::array::from_fn(|j| tried[j] - back[0][j] - back[1][j]);
         let size =
             (p[0] * shifted[0] * shifted[0] + p[1] * shifted[1] * shifted[1] + p[2] * shifted[2] * shifted[2]).sqrt();
@@ -206,13 +207,13 @@ impl TwinLaw<'_> {
             return None;
         }
         let (mut low, mut high) = (0.0, f64::INFINITY);
-        let mut x = if last > 0.0 { last } else { (size - before.yield_stress) / both[1] };
+        let mut x = if guess > 0.0 { guess } else { (size - before.yield_stress) / both[1] };
         for round in 0.. {
             let radius = self.radius(hardening, before, x);
             let (mut modulus, mut modulus_slope, mut recalled, mut eta) = (0.0, 0.0, [0.0; 3], shifted);
-            if shifts {
+            if let Some(kinematic) = &self.kinematic {
                 eta = tried;
-                for (law, back) in self.kinematic.iter().zip(back) {
+                for (law, back) in kinematic.iter().zip(back) {
                     let theta = 1.0 / (1.0 + law.recall * x);
                     modulus += law.modulus * theta;
                     modulus_slope -= law.modulus * law.recall * theta * theta;

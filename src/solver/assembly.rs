@@ -3,6 +3,7 @@
 use super::attempt::Step;
 use super::block_tridiagonal::System;
 use super::contacts::{ActiveTool, Contact, Far};
+use super::line_search::LineSearch;
 use super::loads::BeadPlace;
 use super::selection::Selection;
 use crate::contact::penalty::Penalty;
@@ -11,9 +12,9 @@ use crate::element::kinematics::Start;
 use crate::element::lobatto::{self, Layer};
 use crate::element::section::{self, Law};
 use crate::geometry::Point;
-use crate::material::PointLaw;
 use crate::material::flow::{Before, FlowLaw, Iterate, Response, Triple};
 use crate::material::twin::{Carried, Operators, Trial as TwinTrial, TwinLaw};
+use crate::material::{PointLaw, kinematic};
 use crate::model::{Edge, Iteration, Mode, Model, Motion, Pressure, PressureCap, Role, Settings, Stiffness};
 use crate::state::{State, drawn};
 use nalgebra::Vector3;
@@ -60,8 +61,9 @@ pub(super) struct Workspace {
     pub(super) growth: Vec<f64>,
     pub membrane_increment: Vec<[f64; 2]>,
     pub system: System,
+    pub line: LineSearch,
     /// The stiffness that an unloading keeps through an increment.
-    kept: Option<System>,
+    pub kept: Option<System>,
     /// Force of each tool on the sheet along z, and away from the axis \[N, or N/mm\].
     pub tool_force: Vec<f64>,
     pub tool_force_aside: Vec<f64>,
@@ -170,6 +172,7 @@ impl Workspace {
             growth: vec![1.0; elements],
             membrane_increment: vec![[0.0; 2]; elements],
             system: System::new(n, shared),
+            line: LineSearch::new(n),
             kept: model
                 .release
                 .filter(|release| release.stiffness == Stiffness::Constant)
@@ -333,6 +336,25 @@ impl Workspace {
         }
         self.twins.fill(TwinTrial::default());
         self.average_iterates(model, state);
+    }
+
+    /// Moves the trial along the direction of the iteration by a share of it.
+    pub fn advance(&mut self, share: f64) {
+        for (u, d) in self.moves.iter_mut().zip(&self.line.direction) {
+            for k in 0..3 {
+                u[k] += share * d[k];
+            }
+        }
+        for (position, tool) in self.tool_position.iter_mut().zip(&self.tools) {
+            if let Some(k) = tool.shared {
+                *position += share * self.line.shared[k];
+            }
+        }
+        for (pressure, shared) in self.gas_pressure.iter_mut().zip(&self.gas_shared) {
+            if let Some(k) = shared {
+                *pressure += share * self.line.shared[*k];
+            }
+        }
     }
 
     /// Residual and matrix at the trial positions; `false` when an element has collapsed.
@@ -530,7 +552,7 @@ fn twin(model: &Model, matrix: Iteration, duration: f64) -> TwinLaw<'_> {
     TwinLaw {
         hardening: (model.mode == Mode::ElastoViscoplastic).then_some(&material.hardening),
         operators: Operators::new(material.elastic.expect("checked where the model is made"), material.anisotropy),
-        kinematic: material.kinematic,
+        kinematic: kinematic::shifting(material.kinematic),
         rate: material.rate.as_ref(),
         softening: material.softening.as_ref(),
         secant: matrix == Iteration::Secant,

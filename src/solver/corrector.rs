@@ -3,7 +3,7 @@
 use super::Observer;
 use super::assembly::{Trial, Workspace};
 use super::attempt::Step;
-use crate::model::{Iteration, Norm};
+use crate::model::{Iteration, Mode, Norm};
 use crate::record::IterationRecord;
 
 /// Largest move of a node in one iteration, over the sheet thickness \[–\].
@@ -49,6 +49,7 @@ pub(super) fn correct(
     let t = model.blank.thickness;
     let mut outcome =
         Outcome { converged: false, iterations: 0, velocity_norm: f64::INFINITY, residual_norm: f64::INFINITY };
+    let searches = model.mode != Mode::Flow && work.kept.is_none();
     loop {
         let trial = Trial { matrix, iteration: outcome.iterations, velocity_norm: outcome.velocity_norm };
         if !work.assemble(step, &trial) {
@@ -62,43 +63,38 @@ pub(super) fn correct(
             Norm::Both => small(outcome.velocity_norm) && small(outcome.residual_norm),
         };
         outcome.converged &= work.beyond_cap <= CAP;
-        if outcome.converged || outcome.iterations == most || !work.system.solve() {
+        if outcome.iterations > 0 && searches && outcome.iterations < most {
+            if let Some(back) = work.line.back(&work.system) {
+                work.advance(-back);
+                outcome.iterations += 1;
+                outcome.velocity_norm = f64::INFINITY;
+                continue;
+            }
+        }
+        if outcome.converged || outcome.iterations == most || !work.line.aim(&mut work.system) {
             return outcome;
         }
         outcome.iterations += 1;
 
-        let increments = &work.system.rhs;
-        let shared = &work.system.corner_rhs;
         let reach = if model.release.is_some() { LARGEST_SWING } else { LARGEST_MOVE };
         let mut cut: f64 = 1.0;
-        for d in increments {
+        for d in &work.line.direction {
             cut = cut.min(reach * t / d.xy().norm()).min(LARGEST_TURN / d.z.abs());
         }
         for k in work.tools.iter().filter_map(|tool| tool.shared) {
-            cut = cut.min(LARGEST_MOVE * t / shared[k].abs());
+            cut = cut.min(LARGEST_MOVE * t / work.line.shared[k].abs());
         }
-        for (pressure, shared) in work.gas_pressure.iter_mut().zip(&work.gas_shared) {
-            if let Some(k) = shared {
-                *pressure += cut * work.system.corner_rhs[*k];
-            }
-        }
+        work.line.go(cut);
+        work.advance(cut);
         let (mut change, mut total) = (0.0, 0.0);
-        for (i, d) in increments.iter().enumerate() {
-            let u = &mut work.moves[i];
+        for (d, u) in work.line.direction.iter().zip(&work.moves) {
             let weight = [1.0, 1.0, t]; // a turn counts by what it moves a thickness away
             for k in 0..3 {
-                let increment = cut * d[k];
-                u[k] += increment;
-                change += (weight[k] * increment).powi(2);
+                change += (weight[k] * cut * d[k]).powi(2);
                 total += (weight[k] * u[k]).powi(2);
             }
         }
-        for (j, tool) in work.tools.iter().enumerate() {
-            if let Some(k) = tool.shared {
-                work.tool_position[j] += cut * shared[k];
-            }
-        }
-        let still = (STILL * t).powi(2) * increments.len() as f64;
+        let still = (STILL * t).powi(2) * work.moves.len() as f64;
         let velocity_norm = (change / total.max(still)).sqrt();
         // A capped increment says nothing of how far the answer still is.
         outcome.velocity_norm = if cut < 1.0 { f64::INFINITY } else { velocity_norm };

@@ -8,6 +8,7 @@ mod contacts;
 mod corrector;
 mod diagnosis;
 mod heat;
+mod line_search;
 mod loads;
 mod selection;
 mod stages;
