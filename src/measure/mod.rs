@@ -194,7 +194,8 @@ impl Place {
 /// The places that a designer would look at first, from the axis outward: middle, punch radius, wall, die radius and
 /// flange where the sheet has them; of a sheet without wall and flange middle, half-way and edge.
 ///
-/// The radii are the places of the largest curvature inside the wall and between wall and flange.
+/// The radii are the places of the largest curvature inside the wall and between wall and flange; a place that another one
+/// has already named is left out.
 pub fn places(frame: &Frame) -> Vec<Place> {
     let Some(meridian) = Meridian::of(frame) else { return Vec::new() };
     let last = meridian.points.len() - 1;
@@ -229,7 +230,13 @@ pub fn places(frame: &Frame) -> Vec<Place> {
     let place = |(name, node): (&'static str, Option<usize>)| {
         Some(Place { name, element: node?.min(elements.checked_sub(1)?) })
     };
-    nodes.into_iter().filter_map(place).collect()
+    let mut found: Vec<Place> = Vec::new();
+    for place in nodes.into_iter().filter_map(place) {
+        if found.iter().all(|other| other.element != place.element) {
+            found.push(place);
+        }
+    }
+    found
 }
 
 /// A quantity measured on two sheets.

@@ -2,7 +2,7 @@
 
 use super::chart::{Chart, Look, Panel, Scale, Series};
 use super::{WriteError, csv, png, profile, svg, write_into};
-use crate::measure::{Place, moment_error, places};
+use crate::measure::{Place, places};
 use crate::model::Model;
 use crate::record::{Frame, PointRecord};
 use crate::table::{Column, Table, Unit};
@@ -75,18 +75,10 @@ pub fn plot(frame: &Frame, model: &Model) -> Option<Chart> {
     };
     let is_held = shown.iter().any(|place| place.name == Place::FLANGE);
     let held = is_held.then(|| "In the flange the punch's face is the holder's.".to_owned());
-    let error = moment_error(frame).map(|error| {
-        let (percent, s0) = (100.0 * error.share, error.s0);
-        format!("The layers may miss {percent:.1} % of the largest bending moment, at s0 = {s0:.1} mm: an estimate.")
-    });
     Some(Chart {
         title: format!("{}: stress through the thickness", model.title),
         legend: "",
         panels: vec![panel("stress_meridional", true), panel("stress_hoop", false)],
-        notes: std::iter::once(format!("{n} layer points."))
-            .chain(held)
-            .chain(error)
-            .chain(model.notes.iter().cloned())
-            .collect(),
+        notes: std::iter::once(format!("{n} layer points.")).chain(held).chain(model.notes.iter().cloned()).collect(),
     })
 }
