@@ -33,6 +33,7 @@ mod measure;
 mod overrides;
 mod schema;
 mod source;
+pub mod template;
 
 pub use error::CaseError;
 pub use file::CaseFile;

@@ -8,7 +8,7 @@ use crate::model::{Edge, Geometry, Model, Motion, Role};
 use std::f64::consts::{FRAC_PI_2, PI};
 
 /// Tensile strength [MPa]: largest nominal stress σ exp(−ε), reached where dσ/dε = σ (A. Considère, 1885).
-pub(super) fn tensile_strength(law: &Hardening) -> f64 {
+pub(in crate::case) fn tensile_strength(law: &Hardening) -> f64 {
     let strains = (0..=2000).map(|i| f64::from(i) * 5e-4);
     strains.map(|strain| law.at(strain).stress * (-strain).exp()).fold(0.0, f64::max)
 }
@@ -52,10 +52,14 @@ pub(super) fn holder_pressure(model: &Model) -> Option<f64> {
 /// Tiefziehen, Hanser, München (1955); H. Tschätsch, Metal Forming Practise, which is quoted with the same form; books
 /// that are said to have (β − 1)³ with factors from 0.002 to 0.003. At β = 2 both forms agree; below it the square asks
 /// for more.
+pub(in crate::case) fn siebel(beta: f64, diameter: f64, thickness: f64, strength: f64) -> f64 {
+    0.0025 * ((beta - 1.0).powi(2) + 0.5 * diameter / (100.0 * thickness)) * strength
+}
+
+/// [`siebel`]'s pressure for the blank and the punch of a model.
 pub(super) fn siebel_pressure(model: &Model, strength: f64) -> Option<f64> {
-    let beta = draw_ratio(model)?;
     let diameter = 2.0 * extent(model.tool(Role::Punch)?).1;
-    Some(0.0025 * ((beta - 1.0).powi(2) + 0.5 * diameter / (100.0 * model.blank.thickness)) * strength)
+    Some(siebel(draw_ratio(model)?, diameter, model.blank.thickness, strength))
 }
 
 /// Area of the sheet once it lies on the punch to its depth `travel` and spans to the end of the shoulder, over the
