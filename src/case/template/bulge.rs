@@ -2,7 +2,7 @@
 
 use super::Template;
 use super::inputs::{Choice, Default, Inputs, Kind};
-use super::page::{Page, mm};
+use super::page::{Page, mm, plain};
 use super::rules::{self, Picked};
 use super::sheet::Sheet;
 use super::tools::elements;
@@ -27,13 +27,16 @@ fn write(inputs: &Inputs) -> Result<String, CaseError> {
     let shoulder = inputs.pick("shoulder", || rules::tool_radius(t));
     // The shoulder's end holds the sheet, its middle lies half a thickness below.
     let pressure_at = |height: f64| rules::bulge_pressure(opening, height, t, |strain| sheet.stress(strain));
-    let why = format!("for a dome {} high by membrane theory: p = 2 σ t/R of a spherical cap, t₀/t = (1 + h²/a²)² (Hill 1950, not read)", mm(height)).replace('"', "");
+    let why = format!(
+        "for a dome {} high by membrane theory: p = 2 σ t/R of a spherical cap, t₀/t = (1 + h²/a²)² (Hill 1950, not read)",
+        plain(height)
+    );
     let pressure = inputs.pick("pressure", || Picked::by(pressure_at(height), why));
     let largest = (1..=100).map(|i| pressure_at(0.01 * f64::from(i) * opening)).fold(0.0, f64::max);
     if height > opening || pressure_at(height) < pressure_at(0.98 * height) || pressure.value >= largest {
         let what = format!(
             "the sheet bears {largest:.2} MPa at most: a dome {} high and a pressure of {:.2} MPa are beyond that, it would burst",
-            mm(height).trim_matches('"'),
+            plain(height),
             pressure.value
         );
         return Err(CaseError::bare(what, "make --height or --pressure smaller".into()));
@@ -42,7 +45,7 @@ fn write(inputs: &Inputs) -> Result<String, CaseError> {
 
     let mut page = Page::new(
         "Oil alone: a clamped disc bulges under a pressure that rises. There is no punch, so the run has a duration.",
-        &format!("Bulge, {} opening", mm(2.0 * opening).trim_matches('"')),
+        &format!("Bulge, {} opening", plain(2.0 * opening)),
         "axisymmetric",
         &sheet.notes("a made-up bulge test"),
     );

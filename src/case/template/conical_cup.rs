@@ -2,10 +2,10 @@
 
 use super::Template;
 use super::inputs::{Choice, Default, Inputs, Kind};
-use super::page::{Page, mm};
+use super::page::{Page, mm, plain};
 use super::rules::{self, Picked};
 use super::sheet::Sheet;
-use super::tools::{Tools, because, careful, elements, force};
+use super::tools::{Shape, Tools, about, because, careful, elements, force};
 use crate::case::CaseError;
 use crate::model::Geometry;
 use std::f64::consts::{FRAC_PI_2, PI};
@@ -41,15 +41,12 @@ fn write(inputs: &Inputs) -> Result<String, CaseError> {
         let what = format!(
             "a wall at {:.1}° to the axis and {} deep narrows from {} at the mouth to {} at the bottom, where the nose takes {}",
             angle.to_degrees(),
-            mm(height),
-            mm(mouth),
-            mm(bottom),
-            mm(inside)
+            plain(height),
+            plain(mouth),
+            plain(bottom),
+            plain(inside)
         );
-        return Err(CaseError::bare(
-            what.replace('"', ""),
-            "make --height, --angle or --nose smaller, or --punch-radius larger".into(),
-        ));
+        return Err(CaseError::bare(what, "make --height, --angle or --nose smaller, or --punch-radius larger".into()));
     }
     let shoulder = inputs.pick("shoulder", || rules::tool_radius(t));
     let blank_for = |clearance: f64| {
@@ -81,7 +78,7 @@ fn write(inputs: &Inputs) -> Result<String, CaseError> {
              axisymmetric run cannot.{}",
             careful(ratio)
         ),
-        &format!("Conical cup, {} mouth", mm(2.0 * mouth).trim_matches('"')),
+        &format!("Conical cup, {} mouth", plain(2.0 * mouth)),
         "axisymmetric",
         &sheet.notes("a made-up cup"),
     );
@@ -93,7 +90,7 @@ fn write(inputs: &Inputs) -> Result<String, CaseError> {
 }
 
 /// Bottom, nose, cone up to the mouth, and a straight wall below it.
-fn punch(bottom: f64, mouth: f64, angle: f64, nose: &Picked) -> String {
+fn punch(bottom: f64, mouth: f64, angle: f64, nose: &Picked) -> Shape {
     let r = nose.value;
     let flat = bottom - r * (0.5 * (FRAC_PI_2 - angle)).tan();
     let depth = (mouth - bottom) / angle.tan();
@@ -109,7 +106,5 @@ fn punch(bottom: f64, mouth: f64, angle: f64, nose: &Picked) -> String {
         format!("{{ to = {} }}", point(mouth, -depth)),
         format!("{{ to = {} }}", point(mouth, -4.0 * depth)),
     ];
-    let why =
-        if nose.why.is_empty() { String::new() } else { format!("# nose {}: {}\n", mm(r).trim_matches('"'), nose.why) };
-    format!("{why}profile = [\n    {},\n]", steps.join(",\n    "))
+    Shape { key: "profile", value: format!("[\n    {},\n]", steps.join(",\n    ")), why: about("nose", nose) }
 }

@@ -2,7 +2,7 @@
 
 use super::Template;
 use super::inputs::{Choice, Default, Inputs, Kind};
-use super::page::{Page, mm};
+use super::page::{Page, plain};
 use super::rules::{self, Picked};
 use super::sheet::Sheet;
 use super::tools::{Tools, because, careful, elements, flat_punch, force, nose_fits};
@@ -54,11 +54,7 @@ impl Cup {
         nose_fits(nose.value, radius)?;
         let least = nose.value + sheet.thickness;
         if height <= least {
-            let what = format!(
-                "a height of {} leaves no wall above nose and bottom, {}",
-                mm(height).trim_matches('"'),
-                mm(least).trim_matches('"')
-            );
+            let what = format!("a height of {} leaves no wall above nose and bottom, {}", plain(height), plain(least));
             return Err(CaseError::bare(what, "make --height larger or --nose smaller".into()));
         }
         Ok(Self { radius, nose, height, trim })
@@ -73,7 +69,7 @@ impl Cup {
             format!(
                 "half of D, D² = d² + 4 d h − 1.72 r d − 0.57 r²: the mid-surface keeps its area (Guldin), with h for {} and {} % more, \
                  because the rim thickens (declared)",
-                mm(self.height).trim_matches('"'),
+                plain(self.height),
                 crate::quantity::rounded(100.0 * self.trim)
             ),
         )
@@ -95,7 +91,7 @@ fn write(inputs: &Inputs) -> Result<String, CaseError> {
     let holder = force(&pressure, Geometry::Axisymmetric, throat.value + shoulder.value, blank.value)?;
     let tools = Tools {
         geometry: Geometry::Axisymmetric,
-        punch: flat_punch(cup.radius, cup.nose.value, &cup.nose.why),
+        punch: flat_punch("radius", cup.radius, &cup.nose),
         travel: rules::drawn_travel(cup.height, shoulder.value, t),
         throat,
         shoulder,
@@ -103,12 +99,8 @@ fn write(inputs: &Inputs) -> Result<String, CaseError> {
     };
 
     let mut page = Page::new(
-        &format!(
-            "A cup, {} high from the outside of its bottom to its rim.{}",
-            mm(cup.height).trim_matches('"'),
-            careful(ratio)
-        ),
-        &format!("Cup, {} punch", mm(2.0 * cup.radius).trim_matches('"')),
+        &format!("A cup, {} high from the outside of its bottom to its rim.{}", plain(cup.height), careful(ratio)),
+        &format!("Cup, {} punch", plain(2.0 * cup.radius)),
         "axisymmetric",
         &sheet.notes("a made-up cup"),
     );

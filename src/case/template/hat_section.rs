@@ -2,7 +2,7 @@
 
 use super::Template;
 use super::inputs::{Choice, Default, Inputs, Kind};
-use super::page::{Page, mm};
+use super::page::{Page, plain};
 use super::rules::{self, Picked};
 use super::sheet::Sheet;
 use super::tools::{Tools, because, elements, flat_punch, force, nose_fits};
@@ -40,11 +40,8 @@ fn write(inputs: &Inputs) -> Result<String, CaseError> {
     let shoulder = inputs.pick("shoulder", || rules::tool_radius(t));
     let least = nose.value + shoulder.value + t;
     if height < least {
-        let what = format!("a depth of {} leaves no wall between nose and shoulder, {}", mm(height), mm(least));
-        return Err(CaseError::bare(
-            what.replace('"', ""),
-            "make --height larger, or --nose and --shoulder smaller".into(),
-        ));
+        let what = format!("a depth of {} leaves no wall between nose and shoulder, {}", plain(height), plain(least));
+        return Err(CaseError::bare(what, "make --height larger, or --nose and --shoulder smaller".into()));
     }
     let clearance = inputs.pick("clearance", || rules::strip_clearance(t));
     let wall = height - least;
@@ -61,7 +58,7 @@ fn write(inputs: &Inputs) -> Result<String, CaseError> {
     let holder = force(&pressure, Geometry::PlaneStrain, throat.value + shoulder.value, blank.value)?;
     let tools = Tools {
         geometry: Geometry::PlaneStrain,
-        punch: flat_punch_half(half_width, &nose),
+        punch: flat_punch("half_width", half_width, &nose),
         travel: Picked::by(height, "the depth that is wanted"),
         throat,
         shoulder,
@@ -71,7 +68,7 @@ fn write(inputs: &Inputs) -> Result<String, CaseError> {
     let mut page = Page::new(
         "One half of a hat section, drawn. By the flow law, which does not spring back: for that see cases/hat_springback.toml, \
          which takes longer, or stampflow new u-bend.",
-        &format!("Hat section, {} wide", mm(2.0 * half_width).trim_matches('"')),
+        &format!("Hat section, {} wide", plain(2.0 * half_width)),
         "plane_strain",
         &sheet.notes("a made-up section"),
     );
@@ -80,9 +77,4 @@ fn write(inputs: &Inputs) -> Result<String, CaseError> {
     sheet.material(&mut page, false);
     tools.write(&mut page, &sheet);
     Ok(page.text())
-}
-
-/// The punch's shape with its half width.
-pub(super) fn flat_punch_half(half_width: f64, nose: &Picked) -> String {
-    flat_punch(half_width, nose.value, &nose.why).replacen("radius", "half_width", 1)
 }

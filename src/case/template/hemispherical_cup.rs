@@ -2,10 +2,10 @@
 
 use super::Template;
 use super::inputs::{Choice, Default, Inputs, Kind};
-use super::page::{Page, mm};
+use super::page::{Page, plain};
 use super::rules::{self, Picked};
 use super::sheet::Sheet;
-use super::tools::{Tools, because, careful, elements, force};
+use super::tools::{Tools, because, careful, elements, force, round_punch};
 use crate::case::CaseError;
 use crate::model::Geometry;
 use std::f64::consts::PI;
@@ -31,7 +31,7 @@ fn write(inputs: &Inputs) -> Result<String, CaseError> {
     let t = sheet.thickness;
     let (radius, height, flange) = (inputs.value("punch-radius"), inputs.value("height"), inputs.value("flange"));
     if height < 0.5 * radius {
-        let what = format!("a depth of {} is less than half the punch's radius: no cup, but a dome", mm(height));
+        let what = format!("a depth of {} is less than half the punch's radius: no cup, but a dome", plain(height));
         return Err(CaseError::bare(what, "make --height larger, or stretch it: stampflow new stretch-dome".into()));
     }
     let shoulder = inputs.pick("shoulder", || rules::tool_radius(t));
@@ -41,7 +41,7 @@ fn write(inputs: &Inputs) -> Result<String, CaseError> {
         let edge = radius + clearance + shoulder.value + flange;
         rules::blank_of(2.0 * PI * middle * height + PI * (edge * edge - middle * middle))
     };
-    let ratio = rules::draw_ratio(blank_for(t) / 1.0, radius, "make --height or --flange smaller")?;
+    let ratio = rules::draw_ratio(blank_for(t), radius, "make --height or --flange smaller")?;
     let clearance = inputs.pick("clearance", || rules::drawing_clearance(t, ratio));
     let blank = Picked::by(
         blank_for(clearance.value),
@@ -52,7 +52,7 @@ fn write(inputs: &Inputs) -> Result<String, CaseError> {
     let holder = force(&pressure, Geometry::Axisymmetric, throat.value + shoulder.value, blank.value)?;
     let tools = Tools {
         geometry: Geometry::Axisymmetric,
-        punch: format!("hemispherical = {{ radius = {} }}", mm(radius)),
+        punch: round_punch(&Picked::given(radius)),
         travel: Picked::by(height, "the depth that is wanted"),
         throat,
         shoulder,
@@ -61,7 +61,7 @@ fn write(inputs: &Inputs) -> Result<String, CaseError> {
 
     let mut page = Page::new(
         &format!("A cup with a hemispherical bottom, with a flange left to hold.{}", careful(ratio)),
-        &format!("Hemispherical cup, {} punch", mm(2.0 * radius).trim_matches('"')),
+        &format!("Hemispherical cup, {} punch", plain(2.0 * radius)),
         "axisymmetric",
         &sheet.notes("a made-up cup"),
     );

@@ -79,7 +79,10 @@ impl Template {
     /// # Errors
     /// When an option is not one of this template's, a value is none of its kind, or the sizes do not go together.
     pub fn fill(&self, given: &[(&str, &str)]) -> Result<String, CaseError> {
-        (self.write)(&Inputs::read(self, given)?)
+        let text = (self.write)(&Inputs::read(self, given)?)?;
+        // What the rules above let pass and a case does not: the message shows the line that was written.
+        super::parse(&text, &format!("{}.toml", self.name), &[])?;
+        Ok(text)
     }
 }
 

@@ -59,11 +59,6 @@ impl Page {
         }
     }
 
-    /// A key and its value, as they are.
-    pub fn set_line(&mut self, line: &str) {
-        let _ = writeln!(self.0, "{line}");
-    }
-
     /// A picked length.
     pub fn length(&mut self, key: &str, picked: &Picked) {
         self.set(key, mm(picked.value), &picked.why);
@@ -74,7 +69,12 @@ impl Page {
     }
 }
 
+/// A length as a sentence has it.
+pub(super) fn plain(length: f64) -> String {
+    format!("{} mm", crate::case::check::mm(length))
+}
+
 /// A length as a case file has it.
 pub(super) fn mm(length: f64) -> String {
-    format!("\"{} mm\"", crate::case::check::mm(length))
+    format!("\"{}\"", plain(length))
 }

@@ -3,7 +3,7 @@
 use super::Template;
 use super::cup::Cup;
 use super::inputs::{Choice, Default, Inputs, Kind};
-use super::page::{Page, mm};
+use super::page::{Page, mm, plain};
 use super::rules::{self, Picked};
 use super::sheet::Sheet;
 use super::tools::{Tools, because, careful, elements, flat_punch, force, newtons};
@@ -20,11 +20,11 @@ pub(super) const TEMPLATE: Template = Template {
 };
 
 const OPTIONS: &[Choice] = &[
-    Choice::new("punch-radius", Kind::Length, Default::Value("23 mm"), "radius of the second punch, inside of the cup"),
+    Choice::new("punch-radius", Kind::Length, Default::Value("30 mm"), "radius of the second punch, inside of the cup"),
     Choice::new(
         "height",
         Kind::Length,
-        Default::Value("45 mm"),
+        Default::Value("60 mm"),
         "overall height of the cup, outside of the bottom to rim",
     ),
     Choice::new(
@@ -53,7 +53,6 @@ fn write(inputs: &Inputs) -> Result<String, CaseError> {
     });
     let ratio =
         rules::draw_ratio(blank.value, first.value, "make --height smaller: more than two draws are not written here")?;
-    let second = first.value / cup.radius;
     let clearance = inputs.pick("clearance", || rules::drawing_clearance(t, ratio));
     let shoulder = inputs.pick("shoulder", || rules::tool_radius(t));
     let throat = Picked::by(first.value + clearance.value, format!("punch and clearance{}", because(&clearance)));
@@ -63,19 +62,14 @@ fn write(inputs: &Inputs) -> Result<String, CaseError> {
     );
     // The sleeve stands inside the first cup and presses its bottom against the second die.
     let sleeve_radius = first.value - 0.5 * t;
-    let held = sleeve_radius - cup.nose.value - narrow.value - shoulder.value;
-    if second < 1.05 || sleeve_radius - cup.nose.value < narrow.value + 0.5 * t {
+    if sleeve_radius - cup.nose.value < narrow.value + 0.1 * t {
         let what = format!(
             "a first punch of {} leaves no room for a holder beside the second die's throat of {}",
-            mm(first.value),
-            mm(narrow.value)
+            plain(first.value),
+            plain(narrow.value)
         );
-        return Err(CaseError::bare(
-            what.replace('"', ""),
-            "make --first-radius larger, or --nose or --clearance smaller".into(),
-        ));
+        return Err(CaseError::bare(what, "make --first-radius larger, or --nose or --clearance smaller".into()));
     }
-    let _ = held;
     let pressure =
         inputs.pick("holder-pressure", || rules::holder_pressure(ratio, 2.0 * first.value, t, sheet.strength));
     let holder = force(&pressure, Geometry::Axisymmetric, throat.value + shoulder.value, blank.value)?;
@@ -88,7 +82,7 @@ fn write(inputs: &Inputs) -> Result<String, CaseError> {
     let first_height = first_height / (1.0 + cup.trim);
     let tools = Tools {
         geometry: Geometry::Axisymmetric,
-        punch: flat_punch(first.value, cup.nose.value, &cup.nose.why),
+        punch: flat_punch("radius", first.value, &cup.nose),
         travel: rules::drawn_travel(first_height, shoulder.value, t),
         throat,
         shoulder: shoulder.clone(),
@@ -98,13 +92,12 @@ fn write(inputs: &Inputs) -> Result<String, CaseError> {
     let mut page = Page::new(
         &format!(
             "A cup, {} high, drawn twice: to {} inside radius, then to {}.{}",
-            mm(cup.height),
-            mm(first.value),
-            mm(cup.radius),
+            plain(cup.height),
+            plain(first.value),
+            plain(cup.radius),
             careful(ratio)
-        )
-        .replace('"', ""),
-        &format!("Redrawn cup, {} punch", mm(2.0 * cup.radius)).replace('"', ""),
+        ),
+        &format!("Redrawn cup, {} punch", plain(2.0 * cup.radius)),
         "axisymmetric",
         &sheet.notes("a made-up cup"),
     );
@@ -113,7 +106,7 @@ fn write(inputs: &Inputs) -> Result<String, CaseError> {
     sheet.blank(&mut page, "radius", &blank);
     elements(&mut page, blank.value, shoulder.value.min(cup.nose.value));
     sheet.material(&mut page, false);
-    page.comment(&format!("first punch {}{}", mm(first.value), because(&first)).replace('"', ""));
+    page.comment(&format!("first punch {}{}", plain(first.value), because(&first)));
     tools.write(&mut page, &sheet);
 
     let friction = rounded(sheet.friction);
@@ -121,7 +114,7 @@ fn write(inputs: &Inputs) -> Result<String, CaseError> {
     page.set("name", "\"redraw\"", "");
     let travel = rules::drawn_travel(cup.height, shoulder.value, t);
     page.table("stages.punch", "");
-    page.set_line(&flat_punch(cup.radius, cup.nose.value, ""));
+    flat_punch("radius", cup.radius, &Picked::given(cup.nose.value)).write(&mut page);
     page.set("friction", friction, "");
     page.length("move", &travel);
     page.table("stages.die", "");
@@ -129,10 +122,10 @@ fn write(inputs: &Inputs) -> Result<String, CaseError> {
     page.set("shoulder", mm(shoulder.value), "");
     page.set("friction", friction, "");
     page.table("stages.holder", "A sleeve inside the first cup.");
-    page.set_line(&sleeve(narrow.value, sleeve_radius, cup.nose.value, first_height));
+    page.set("profile", sleeve(narrow.value, sleeve_radius, cup.nose.value, first_height), "");
     page.set("friction", friction, "");
-    let area = PI * ((sleeve_radius - cup.nose.value).powi(2) - narrow.value * narrow.value);
-    page.set("force", newtons(pressure.value * area), "the pressure of the first holder on the sleeve's flat");
+    let area = PI * (sleeve_radius.powi(2) - narrow.value.powi(2));
+    page.set("force", newtons(pressure.value * area), "the first holder's pressure on the sleeve's ring (declared)");
     Ok(page.text())
 }
 
@@ -147,5 +140,5 @@ fn sleeve(inner: f64, outer: f64, nose: f64, height: f64) -> String {
         format!("{{ arc_to = {}, center = {}, turn = \"right\" }}", point(outer, -nose), point(outer - nose, -nose)),
         format!("{{ to = {} }}", point(outer, deep)),
     ];
-    format!("profile = [\n    {},\n]", steps.join(",\n    "))
+    format!("[\n    {},\n]", steps.join(",\n    "))
 }

@@ -150,8 +150,8 @@ pub(super) fn draw_ratio(blank: f64, punch: f64, help: &str) -> Result<f64, Case
     if ratio > LIMITING_RATIO {
         let what = format!(
             "a blank of {} mm radius for a punch of {} mm is a draw ratio of {ratio:.2}, above the limit of one draw, {LIMITING_RATIO}",
-            super::super::check::mm(blank),
-            super::super::check::mm(punch)
+            super::page::plain(blank),
+            super::page::plain(punch)
         );
         return Err(CaseError::bare(what, help.to_owned()));
     }

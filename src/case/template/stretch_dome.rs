@@ -2,10 +2,10 @@
 
 use super::Template;
 use super::inputs::{Choice, Default, Inputs, Kind};
-use super::page::{Page, mm};
+use super::page::{Page, plain};
 use super::rules::{self, Picked};
 use super::sheet::Sheet;
-use super::tools::{Tools, elements};
+use super::tools::{Tools, because, elements, round_punch};
 use crate::case::CaseError;
 use crate::model::Geometry;
 
@@ -36,21 +36,21 @@ fn write(inputs: &Inputs) -> Result<String, CaseError> {
         Picked::by(0.5 * radius, "half the punch's radius: mild steel does not tear yet (declared)")
     });
     if height.value > radius {
-        let what = format!("a dome {} high is higher than its punch's radius of {}", mm(height.value), mm(radius));
+        let what =
+            format!("a dome {} high is higher than its punch's radius of {}", plain(height.value), plain(radius));
         return Err(CaseError::bare(
-            what.replace('"', ""),
+            what,
             "no clamped sheet stretches so far: draw it, stampflow new hemispherical-cup".into(),
         ));
     }
     let shoulder = inputs.pick("shoulder", || rules::tool_radius(t));
     let clearance = inputs
         .pick("clearance", || Picked::by(2.0 * t, "2 thicknesses, declared: the sheet does not go between the walls"));
-    let throat =
-        Picked::by(radius + clearance.value, format!("punch and clearance{}", super::tools::because(&clearance)));
+    let throat = Picked::by(radius + clearance.value, format!("punch and clearance{}", because(&clearance)));
     let blank = Picked::by(throat.value + shoulder.value, "clamped where the die's shoulder ends, as by a lock bead");
     let tools = Tools {
         geometry: Geometry::Axisymmetric,
-        punch: format!("hemispherical = {{ radius = {} }}", mm(radius)),
+        punch: round_punch(&Picked::given(radius)),
         travel: height,
         throat,
         shoulder,
@@ -59,7 +59,7 @@ fn write(inputs: &Inputs) -> Result<String, CaseError> {
 
     let mut page = Page::new(
         "A sheet clamped at its edge and stretched over a hemisphere, as in a test of its formability.",
-        &format!("Stretched dome, {} punch", mm(2.0 * radius).trim_matches('"')),
+        &format!("Stretched dome, {} punch", plain(2.0 * radius)),
         "axisymmetric",
         &sheet.notes("a made-up dome"),
     );

@@ -1,17 +1,29 @@
 //! Punch, die and holder of a template, as the case file has them.
 
-use super::page::{Page, mm};
+use super::page::{Page, mm, plain};
 use super::rules::{self, Picked};
 use super::sheet::Sheet;
 use crate::case::CaseError;
 use crate::model::Geometry;
 use crate::quantity::rounded;
 
+/// A tool's shape: key, value, and why it has these sizes.
+pub(super) struct Shape {
+    pub key: &'static str,
+    pub value: String,
+    pub why: String,
+}
+
+impl Shape {
+    pub fn write(&self, page: &mut Page) {
+        page.set(self.key, &self.value, &self.why);
+    }
+}
+
 /// The tools of one draw.
 pub(super) struct Tools {
     pub geometry: Geometry,
-    /// Key and value of the punch's shape, `flat = { .. }`.
-    pub punch: String,
+    pub punch: Shape,
     pub travel: Picked,
     /// Radius or half-width of the die's opening, and of its shoulder \[mm\].
     pub throat: Picked,
@@ -28,7 +40,7 @@ impl Tools {
             "tools.punch",
             "All tools are placed where they touch the flat sheet; the punch then moves by `travel`.",
         );
-        page.set_line(&self.punch);
+        self.punch.write(page);
         page.set("friction", friction, "");
         page.length("travel", &self.travel);
         page.table("tools.die", "");
@@ -68,8 +80,8 @@ pub(super) fn force(pressure: &Picked, geometry: Geometry, shoulder_end: f64, ed
     if edge <= shoulder_end {
         let what = format!(
             "the blank ends at {}, where the die's shoulder still bends it (up to {}): there is nothing to hold",
-            mm(edge).trim_matches('"'),
-            mm(shoulder_end).trim_matches('"')
+            plain(edge),
+            plain(shoulder_end)
         );
         return Err(CaseError::bare(what, "make the part higher, or --shoulder or --clearance smaller".into()));
     }
@@ -85,11 +97,7 @@ pub(super) fn nose_fits(nose: f64, punch: f64) -> Result<(), CaseError> {
     if nose <= punch {
         return Ok(());
     }
-    let what = format!(
-        "a nose radius of {} does not fit a punch of {}",
-        mm(nose).trim_matches('"'),
-        mm(punch).trim_matches('"')
-    );
+    let what = format!("a nose radius of {} does not fit a punch of {}", plain(nose), plain(punch));
     Err(CaseError::bare(what, "make --nose smaller (it is 6 thicknesses when not given) or the punch larger".into()))
 }
 
@@ -109,9 +117,23 @@ pub(super) fn careful(ratio: f64) -> String {
     )
 }
 
-pub(super) fn flat_punch(radius: f64, nose: f64, why: &str) -> String {
-    let why = if why.is_empty() { String::new() } else { format!("   # nose: {why}") };
-    format!("flat = {{ radius = {}, nose = {} }}{why}", mm(radius), mm(nose))
+/// A punch with a flat face; `size` names its radius or half width.
+pub(super) fn flat_punch(size: &str, value: f64, nose: &Picked) -> Shape {
+    Shape {
+        key: "flat",
+        value: format!("{{ {size} = {}, nose = {} }}", mm(value), mm(nose.value)),
+        why: about("nose", nose),
+    }
+}
+
+/// A punch with a round nose.
+pub(super) fn round_punch(radius: &Picked) -> Shape {
+    Shape { key: "hemispherical", value: format!("{{ radius = {} }}", mm(radius.value)), why: radius.why.clone() }
+}
+
+/// Which of several numbers in a line a rule has picked.
+pub(super) fn about(what: &str, picked: &Picked) -> String {
+    if picked.why.is_empty() { String::new() } else { format!("{what}: {}", picked.why) }
 }
 
 /// The mesh, of which `[blank]` has the number of elements.
@@ -121,11 +143,6 @@ pub(super) fn elements(page: &mut Page, length: f64, radius: f64) {
         rules::elements(length, radius),
         "10 per 90° of the smallest radius, were they equal; finer there",
     );
-}
-
-/// A trailing comment with the rule that picked a number.
-pub(super) fn remark(picked: &Picked) -> String {
-    if picked.why.is_empty() { String::new() } else { format!("   # {}", picked.why) }
 }
 
 /// The last stage of a bend: the tools are taken away.

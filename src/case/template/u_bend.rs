@@ -1,12 +1,11 @@
 //! A strip bent into a U between punch and die, and let go.
 
 use super::Template;
-use super::hat_section::flat_punch_half;
 use super::inputs::{Choice, Default, Inputs, Kind};
-use super::page::{Page, mm};
+use super::page::{Page, plain};
 use super::rules::{self, Picked};
 use super::sheet::Sheet;
-use super::tools::{Tools, because, elements, nose_fits, release};
+use super::tools::{Tools, because, elements, flat_punch, nose_fits, release};
 use crate::case::CaseError;
 use crate::model::Geometry;
 
@@ -47,18 +46,15 @@ fn write(inputs: &Inputs) -> Result<String, CaseError> {
     if blank.value < least {
         let what = format!(
             "a leg of {} makes a strip of {}, which hardly rests on the die's shoulder, up to {}",
-            mm(leg),
-            mm(blank.value),
-            mm(least)
+            plain(leg),
+            plain(blank.value),
+            plain(least)
         );
-        return Err(CaseError::bare(
-            what.replace('"', ""),
-            "make --leg larger, or --shoulder or --clearance smaller".into(),
-        ));
+        return Err(CaseError::bare(what, "make --leg larger, or --shoulder or --clearance smaller".into()));
     }
     let tools = Tools {
         geometry: Geometry::PlaneStrain,
-        punch: flat_punch_half(half_width, &nose),
+        punch: flat_punch("half_width", half_width, &nose),
         travel: rules::upright_travel(nose.value, shoulder.value, t),
         throat,
         shoulder,
@@ -67,7 +63,7 @@ fn write(inputs: &Inputs) -> Result<String, CaseError> {
 
     let mut page = Page::new(
         "One half of a strip that is bent into a U and then let go. No pad holds its bottom, which bows.",
-        &format!("U-bend, {} wide", mm(2.0 * half_width).trim_matches('"')),
+        &format!("U-bend, {} wide", plain(2.0 * half_width)),
         "plane_strain",
         &sheet.notes("a made-up bend"),
     );

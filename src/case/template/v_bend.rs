@@ -2,10 +2,10 @@
 
 use super::Template;
 use super::inputs::{Choice, Default, Inputs, Kind};
-use super::page::{Page, mm};
+use super::page::{Page, plain};
 use super::rules::{self, Picked};
 use super::sheet::Sheet;
-use super::tools::{Tools, elements, release};
+use super::tools::{Tools, because, elements, release, round_punch};
 use crate::case::CaseError;
 use crate::model::Geometry;
 
@@ -46,18 +46,14 @@ fn write(inputs: &Inputs) -> Result<String, CaseError> {
     let reach = 0.5 * width.value;
     let throat = Picked::by(
         reach - shoulder.value,
-        format!("half of the V's width of {} less its shoulder{}", mm(width.value), super::tools::because(&width))
-            .replace('"', ""),
+        format!("half of the V's width of {} less its shoulder{}", plain(width.value), because(&width)),
     );
     if throat.value < nose.value + t {
         let what = format!(
             "a V {} wide between the centres of its shoulders leaves no room for the punch and the sheet",
-            mm(width.value)
+            plain(width.value)
         );
-        return Err(CaseError::bare(
-            what.replace('"', ""),
-            "make --width larger, or --nose or --shoulder smaller".into(),
-        ));
+        return Err(CaseError::bare(what, "make --width larger, or --nose or --shoulder smaller".into()));
     }
     let leg = inputs.given("leg").unwrap_or(reach);
     let travel = rules::bend_travel(turn, reach, nose.value, shoulder.value, t);
@@ -65,24 +61,15 @@ fn write(inputs: &Inputs) -> Result<String, CaseError> {
         let what = format!(
             "an angle of {:.1}° takes {} of travel over a V {} wide: no bend",
             angle.to_degrees(),
-            mm(travel.value),
-            mm(width.value)
+            plain(travel.value),
+            plain(width.value)
         );
-        return Err(CaseError::bare(
-            what.replace('"', ""),
-            "make --width larger, or --nose or --shoulder smaller".into(),
-        ));
+        return Err(CaseError::bare(what, "make --width larger, or --nose or --shoulder smaller".into()));
     }
     // From the middle to where the straight leg meets the shoulder's circle, and the leg's end.
     let blank = Picked::by(reach / turn.cos() + leg, "longer than the way to the V's shoulders along the bent leg");
-    let tools = Tools {
-        geometry: Geometry::PlaneStrain,
-        punch: format!("hemispherical = {{ radius = {} }}{}", mm(nose.value), super::tools::remark(&nose)),
-        travel,
-        throat,
-        shoulder,
-        holder: None,
-    };
+    let tools =
+        Tools { geometry: Geometry::PlaneStrain, punch: round_punch(&nose), travel, throat, shoulder, holder: None };
 
     let mut page = Page::new(
         "One half of a strip that is bent in air over a V and then let go. The punch is a blade with a round nose.",
