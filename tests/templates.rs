@@ -60,7 +60,7 @@ fn height(frame: &Frame) -> f64 {
     bottom.z - rim.z + 0.5 * bottom.thickness
 }
 
-/// Trust: 3 % is what the wanted height is asked for; constant area and 5 % for the rim come to it, and no flange is left.
+/// Trust: 3 % is what the wanted height is asked for; constant area and 8 % for the rim come to it, and no flange is left.
 #[test]
 fn a_cup_is_as_high_as_was_wanted() {
     for (wanted, given) in [
@@ -95,7 +95,7 @@ fn the_blank_is_the_textbooks() {
         let table: f64 = d * d + 4.0 * d * h - 1.72 * r * d - 0.57 * r * r;
         assert!((diameter / table.sqrt() - 1.0).abs() < 1e-3);
     }
-    let (d, h, r): (f64, f64, f64) = (61.0, 30.0 * 1.05 - 0.5, 6.5);
+    let (d, h, r): (f64, f64, f64) = (61.0, 30.0 * 1.08 - 0.5, 6.5);
     let textbook = (d * d + 4.0 * d * h - (8.0 - 2.0 * std::f64::consts::PI) * r * d
         + (12.0 - 4.0 * std::f64::consts::PI) * r * r)
         .sqrt();

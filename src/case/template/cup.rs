@@ -27,7 +27,7 @@ const OPTIONS: &[Choice] = &[
     Choice::new(
         "trim",
         Kind::Share,
-        Default::Value("5 %"),
+        Default::Value("8 %"),
         "blank for that much more height: the rim thickens and is trimmed",
     ),
     Choice::new("nose", Kind::Length, Default::Rule("6 thicknesses"), "radius of the punch's corner"),

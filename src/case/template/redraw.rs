@@ -6,7 +6,7 @@ use super::inputs::{Choice, Default, Inputs, Kind};
 use super::page::{Page, mm, plain};
 use super::rules::{self, Picked};
 use super::sheet::Sheet;
-use super::tools::{Tools, because, careful, elements, flat_punch, force, newtons};
+use super::tools::{Tools, about, because, careful, elements, flat_punch, force, newtons};
 use crate::case::CaseError;
 use crate::model::Geometry;
 use crate::quantity::rounded;
@@ -25,12 +25,12 @@ const OPTIONS: &[Choice] = &[
         "height",
         Kind::Length,
         Default::Value("60 mm"),
-        "overall height of the cup, outside of the bottom to rim",
+        "height of the whole cup; the second draw stops at nine tenths of it",
     ),
     Choice::new(
         "trim",
         Kind::Share,
-        Default::Value("5 %"),
+        Default::Value("8 %"),
         "blank for that much more height: the rim thickens and is trimmed",
     ),
     Choice::new("first-radius", Kind::Length, Default::Rule("1.3 punch radii"), "radius of the first punch"),
@@ -39,6 +39,9 @@ const OPTIONS: &[Choice] = &[
     Choice::new("clearance", Kind::Length, Default::Rule("t √β"), "gap between punch and die, both draws"),
     Choice::new("holder-pressure", Kind::Stress, Default::Rule("Siebel's"), "pressure of the holder on the flange"),
 ];
+
+/// Share of the wanted height that the second draw forms [–].
+const REDRAWN: f64 = 0.9;
 
 fn write(inputs: &Inputs) -> Result<String, CaseError> {
     let sheet = Sheet::read(inputs)?;
@@ -80,9 +83,16 @@ fn write(inputs: &Inputs) -> Result<String, CaseError> {
         nose + (PI * blank.value * blank.value - bottom) / (2.0 * PI * middle) + 0.5 * t
     };
     let first_height = first_height / (1.0 + cup.trim);
+    let mut punch = flat_punch("radius", first.value, &cup.nose);
+    punch.why = [about("radius", &first), punch.why]
+        .iter()
+        .filter(|why| !why.is_empty())
+        .cloned()
+        .collect::<Vec<_>>()
+        .join("; ");
     let tools = Tools {
         geometry: Geometry::Axisymmetric,
-        punch: flat_punch("radius", first.value, &cup.nose),
+        punch,
         travel: rules::drawn_travel(first_height, shoulder.value, t),
         throat,
         shoulder: shoulder.clone(),
@@ -106,13 +116,16 @@ fn write(inputs: &Inputs) -> Result<String, CaseError> {
     sheet.blank(&mut page, "radius", &blank);
     elements(&mut page, blank.value, shoulder.value.min(cup.nose.value));
     sheet.material(&mut page, false);
-    page.comment(&format!("first punch {}{}", plain(first.value), because(&first)));
     tools.write(&mut page, &sheet);
 
     let friction = rounded(sheet.friction);
     page.table("[stages]", "New tools, brought up to where they touch the drawn cup.");
     page.set("name", "\"redraw\"", "");
-    let travel = rules::drawn_travel(cup.height, shoulder.value, t);
+    // The rim has thickened twice and is shorter than by its area: drawn on, it would leave the die.
+    let travel = Picked::by(
+        REDRAWN * (cup.height - t),
+        "nine tenths of the height: the rest, to be trimmed, stays on the die (declared)",
+    );
     page.table("stages.punch", "");
     flat_punch("radius", cup.radius, &Picked::given(cup.nose.value)).write(&mut page);
     page.set("friction", friction, "");
