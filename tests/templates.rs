@@ -196,7 +196,7 @@ fn the_list_and_the_help_name_every_option() {
     }
 }
 
-/// Twelve lines and no more: the example of the crate's page, kept the same as this one by its words.
+/// The example on the page of `stampflow::case`, read from there.
 #[test]
 fn the_smallest_case_is_twelve_lines_and_runs() {
     let page = include_str!("../src/case/mod.rs");

@@ -1,6 +1,6 @@
 //! Case files: TOML → [`CaseFile`] (what was written) → [`Model`] (what it means).
 //!
-//! This is the only place that knows TOML. The smallest case that means something is twelve lines:
+//! This is the only place that knows TOML. Twelve lines are enough for a cup that runs:
 //!
 //! ```
 //! let case = stampflow::case::parse(

@@ -2,9 +2,10 @@
 //!
 //! # References
 //! *4ming*: Interactive Sheet Metal Forming Technical Guide, 4Ming e.K. (4ming.de/en/forming-handbook), pages "Punch
-//! radius", "Die clearance" and "Second draw" with its table of draw ratios. The books that it quotes (Tschätsch 2003;
-//! Semmlinger, Hellwig 1990; Oehler, Kaiser 1993; Lange 1990) were not read. *Amada*: Bending procedures, table "Die V-width
-//! selection" (amada.de). What has no source that could be read is called a declared rule of thumb.
+//! radius", "Die clearance" and "Clearance according to Oehler/Kaiser" with its table of draw ratios. The books that it
+//! quotes (Tschätsch 2003; Semmlinger, Hellwig 1990; Oehler, Kaiser 1993; Lange 1990) were not read. *Amada*: Bending
+//! procedures, table "Die V-width selection" (amada.de). What has no source that could be read is called a declared rule of
+//! thumb.
 
 use super::super::CaseError;
 use super::super::check::estimate;
