@@ -118,7 +118,7 @@ fn a_v_has_its_angle_before_it_springs_back() {
         let (bent, free) = (opening(&runs[0]), opening(&runs[1]));
         println!("{angle}: {bent:.2}°, then {free:.2}°");
         // The sheet's own radius between the tools is larger than the punch's: it is bent somewhat more or less.
-        assert!((bent - wanted).abs() < 8.0, "{bent}");
+        assert!((bent - wanted).abs() < 4.0, "{bent}");
         assert!(free > bent + 0.3 && free < bent + 15.0, "{bent} {free}");
     }
 }
@@ -146,7 +146,7 @@ fn what_does_not_go_together_is_refused_with_exit_code_2() {
         (&["v-bend", "--angle", "20 deg"], "60 deg to 170 deg"),
         (&["v-bend", "--width", "20 mm"], "no room for the punch"),
         (&["u-bend", "--leg", "9 mm"], "hardly rests"),
-        (&["redraw", "--first-radius", "31 mm"], "no room for a holder"),
+        (&["redraw", "--first-radius", "33 mm"], "no room for a holder"),
         (&["hemispherical-cup", "--height", "5 mm"], "no cup"),
     ] {
         let done = stampflow(dir.path(), &[&["new"], args, &["-o", "case.toml"]].concat());

@@ -150,7 +150,7 @@ pub(super) fn draw_ratio(blank: f64, punch: f64, help: &str) -> Result<f64, Case
     let ratio = blank / punch;
     if ratio > LIMITING_RATIO {
         let what = format!(
-            "a blank of {} mm radius for a punch of {} mm is a draw ratio of {ratio:.2}, above the limit of one draw, {LIMITING_RATIO}",
+            "a blank of {} radius for a punch of {} is a draw ratio of {ratio:.2}, above the limit of one draw, {LIMITING_RATIO}",
             super::page::plain(blank),
             super::page::plain(punch)
         );
