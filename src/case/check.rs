@@ -1,9 +1,11 @@
 //! What can be said of a case before it is solved: its numbers in solver units, rules of thumb, and warnings.
 
-mod estimate;
+pub(super) mod estimate;
 mod sharp;
 mod stages;
 mod warn;
+
+pub(super) use warn::LIMITING_RATIO;
 
 use super::Case;
 use super::measure::{extent, throat};
@@ -60,7 +62,7 @@ fn line(label: impl Into<String>, value: impl Into<String>, meaning: impl Into<S
 }
 
 /// A length without digits that mean nothing.
-fn mm(length: f64) -> String {
+pub(super) fn mm(length: f64) -> String {
     // Adding 0 takes the sign from a rounded −0.
     let text = format!("{:.3}", (length * 1e3).round() / 1e3 + 0.0);
     text.trim_end_matches('0').trim_end_matches('.').to_owned()

@@ -1,6 +1,6 @@
 //! Case files: TOML → [`CaseFile`] (what was written) → [`Model`] (what it means).
 //!
-//! This is the only place that knows TOML. The smallest case that means something is twelve lines:
+//! This is the only place that knows TOML. Twelve lines are enough for a cup that runs:
 //!
 //! ```
 //! let case = stampflow::case::parse(
@@ -33,6 +33,7 @@ mod measure;
 mod overrides;
 mod schema;
 mod source;
+pub mod template;
 
 pub use error::CaseError;
 pub use file::CaseFile;

@@ -2,6 +2,7 @@
 
 mod code;
 mod job;
+mod new;
 mod progress;
 mod run;
 mod validate;
@@ -34,6 +35,8 @@ enum Verb {
         #[command(flatten)]
         overrides: Overrides,
     },
+    /// Write a case file to begin with, from a few sizes
+    New(new::Args),
     /// Solve every case that has published curves and compare
     #[command(after_help = validate::HELP)]
     Validate(validate::Args),
@@ -80,6 +83,7 @@ pub fn main(args: Args) -> anyhow::Result<Code> {
             let case = case::load(&case, &overrides.set)?;
             say(&case::check::report(&case).to_string())
         }
+        Verb::New(args) => new::new(&args),
         Verb::Laws => say(&case::laws()),
         Verb::Schema => say(&case::schema()),
     }

@@ -36,12 +36,21 @@ pub(super) struct Neck {
     pub took_over: bool,
 }
 
+/// What a free edge may be drawn through.
+struct Throat {
+    /// Which of the model's tools the die is.
+    die: usize,
+    /// Least distance of the die from the axis, and its lowest place as drawn \[mm\].
+    radius: f64,
+    face: f64,
+}
+
 /// Looks at every accepted step.
 pub(super) struct StopWatch {
     /// Time since which one place has taken over \[s\].
     necking_since: Option<f64>,
     peak: f64,
-    throat: Option<f64>,
+    throat: Option<Throat>,
     /// Travel at which punch and die are closed, and where \[mm\].
     closed: Option<(f64, Point)>,
 }
@@ -50,8 +59,14 @@ impl StopWatch {
     /// At the start of a run from `state`.
     pub fn new(model: &Model, state: &State) -> Self {
         let edge = state.nodes[state.nodes.len() - 1][0];
-        let drawn_in = |throat: &f64| model.blank.edge == Edge::Free && edge > *throat;
-        let throat = model.tool(Role::Die).map(|die| die.profile.least_r()).filter(drawn_in);
+        let drawn_in = |throat: &Throat| model.blank.edge == Edge::Free && edge > throat.radius;
+        let die = model.tools.iter().position(|tool| tool.role == Role::Die);
+        let throat = die.map(|die| {
+            let profile = &model.tools[die].profile;
+            let face = profile.polyline(0.01).iter().map(|p| p.y).fold(f64::INFINITY, f64::min);
+            Throat { die, radius: profile.least_r(), face }
+        });
+        let throat = throat.filter(drawn_in);
         Self { necking_since: None, peak: 0.0, throat, closed: closed(model, state) }
     }
 
@@ -83,7 +98,10 @@ impl StopWatch {
         if let Some((limit, at)) = self.closed.filter(|(limit, _)| travel >= limit * (1.0 - 1e-12)) {
             return Some(Stop::ToolsClosed { travel: limit, r: at.x, z: at.y });
         }
-        if self.throat.is_some_and(|throat| state.nodes[state.nodes.len() - 1][0] <= throat) {
+        // A free leg that has swung down below the die's face stands within the throat too, and has yet to pass it.
+        let [r, z, _] = state.nodes[state.nodes.len() - 1];
+        let inside = |throat: &Throat| r <= throat.radius && z - state.tools[throat.die] > throat.face;
+        if self.throat.as_ref().is_some_and(inside) {
             return Some(Stop::DrawnThrough { travel });
         }
         let gone = model.material.voids.is_some_and(|voids| record.porosity >= voids.fracture());

@@ -8,7 +8,7 @@ const THIN: f64 = 5.0;
 /// Elements per 90° below which the load ticks as nodes pass a corner.
 const FINE: f64 = 8.0;
 /// Draw ratio that one draw of good steel reaches [–].
-const LIMITING_RATIO: f64 = 2.2;
+pub(in crate::case) const LIMITING_RATIO: f64 = 2.2;
 /// Friction above that of dry steel on steel, or a slip of the decimal point [–].
 const DRY: f64 = 0.3;
 

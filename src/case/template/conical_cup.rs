@@ -1,0 +1,110 @@
+//! A conical cup with a flat bottom and a flange.
+
+use super::Template;
+use super::inputs::{Choice, Default, Inputs, Kind};
+use super::page::{Page, mm, plain};
+use super::rules::{self, Picked};
+use super::sheet::Sheet;
+use super::tools::{Shape, Tools, about, because, careful, elements, force};
+use crate::case::CaseError;
+use crate::model::Geometry;
+use std::f64::consts::{FRAC_PI_2, PI};
+
+pub(super) const TEMPLATE: Template = Template {
+    name: "conical-cup",
+    about: "a conical cup with a flat bottom, drawn to a wanted depth with a flange left",
+    own: OPTIONS,
+    write,
+};
+
+const OPTIONS: &[Choice] = &[
+    Choice::new("punch-radius", Kind::Length, Default::Value("35 mm"), "radius of the cone at its mouth"),
+    Choice::new("angle", Kind::Angle, Default::Value("20 deg"), "angle of the wall to the axis"),
+    Choice::new("height", Kind::Length, Default::Value("25 mm"), "depth: the punch's travel, up to the flange"),
+    Choice::new("flange", Kind::Length, Default::Value("6 mm"), "width of flat flange left at the end"),
+    Choice::new("nose", Kind::Length, Default::Rule("6 thicknesses"), "radius between bottom and cone"),
+    Choice::new("shoulder", Kind::Length, Default::Rule("6 thicknesses"), "radius of the die's corner"),
+    Choice::new("clearance", Kind::Length, Default::Rule("t √β"), "gap between punch and die at the full travel"),
+    Choice::new("holder-pressure", Kind::Stress, Default::Rule("Siebel's"), "pressure of the holder on the flange"),
+];
+
+fn write(inputs: &Inputs) -> Result<String, CaseError> {
+    let sheet = Sheet::read(inputs)?;
+    let t = sheet.thickness;
+    let (mouth, angle, height) = (inputs.value("punch-radius"), inputs.value("angle"), inputs.value("height"));
+    let flange = inputs.value("flange");
+    let nose = inputs.pick("nose", || rules::tool_radius(t));
+    let bottom = mouth - height * angle.tan();
+    // The nose begins this far inside of the corner that bottom and cone would make.
+    let inside = nose.value * (0.5 * (FRAC_PI_2 - angle)).tan();
+    if angle >= 80f64.to_radians() || bottom < inside {
+        let what = format!(
+            "a wall at {:.1}° to the axis and {} deep narrows from {} at the mouth to {} at the bottom, where the nose takes {}",
+            angle.to_degrees(),
+            plain(height),
+            plain(mouth),
+            plain(bottom),
+            plain(inside)
+        );
+        return Err(CaseError::bare(what, "make --height, --angle or --nose smaller, or --punch-radius larger".into()));
+    }
+    let shoulder = inputs.pick("shoulder", || rules::tool_radius(t));
+    let blank_for = |clearance: f64| {
+        let edge = mouth + clearance + shoulder.value + flange;
+        let side = height / angle.cos();
+        rules::blank_of(PI * bottom * bottom + PI * side * (bottom + mouth) + PI * (edge * edge - mouth * mouth))
+    };
+    let ratio = rules::draw_ratio(blank_for(t), mouth, "make --height or --flange smaller")?;
+    let clearance = inputs.pick("clearance", || rules::drawing_clearance(t, ratio));
+    let blank = Picked::by(
+        blank_for(clearance.value),
+        "half of D, D² = d₁² + 2 s (d₁ + d₂) + D_f² − d₂²: bottom, cone of side s and flange, the sheet keeps its area (Guldin)",
+    );
+    let throat = Picked::by(mouth + clearance.value, format!("mouth and clearance{}", because(&clearance)));
+    let pressure = inputs.pick("holder-pressure", || rules::holder_pressure(ratio, 2.0 * mouth, t, sheet.strength));
+    let holder = force(&pressure, Geometry::Axisymmetric, throat.value + shoulder.value, blank.value)?;
+    let tools = Tools {
+        geometry: Geometry::Axisymmetric,
+        punch: punch(bottom, mouth, angle, &nose),
+        travel: Picked::by(height, "the depth that is wanted"),
+        throat,
+        shoulder,
+        holder: Some(holder),
+    };
+
+    let mut page = Page::new(
+        &format!(
+            "A conical cup with a flange left to hold. Its wall hangs free between punch and die: a real one may wrinkle there, an \
+             axisymmetric run cannot.{}",
+            careful(ratio)
+        ),
+        &format!("Conical cup, {} mouth", plain(2.0 * mouth)),
+        "axisymmetric",
+        &sheet.notes("a made-up cup"),
+    );
+    sheet.blank(&mut page, "radius", &blank);
+    elements(&mut page, blank.value, tools.shoulder.value.min(nose.value));
+    sheet.material(&mut page, false);
+    tools.write(&mut page, &sheet);
+    Ok(page.text())
+}
+
+/// Bottom, nose, cone up to the mouth, and a straight wall below it.
+fn punch(bottom: f64, mouth: f64, angle: f64, nose: &Picked) -> Shape {
+    let r = nose.value;
+    let flat = bottom - r * (0.5 * (FRAC_PI_2 - angle)).tan();
+    let depth = (mouth - bottom) / angle.tan();
+    let point = |x: f64, z: f64| format!("[{}, {}]", mm(x), mm(z));
+    let steps = [
+        format!("{{ from = {} }}", point(0.0, 0.0)),
+        format!("{{ to = {} }}", point(flat, 0.0)),
+        format!(
+            "{{ arc_to = {}, center = {}, turn = \"right\" }}",
+            point(flat + r * angle.cos(), -r + r * angle.sin()),
+            point(flat, -r)
+        ),
+        format!("{{ to = {} }}", point(mouth, -depth)),
+        format!("{{ to = {} }}", point(mouth, -4.0 * depth)),
+    ];
+    Shape { key: "profile", value: format!("[\n    {},\n]", steps.join(",\n    ")), why: about("nose", nose) }
+}

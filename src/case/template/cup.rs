@@ -1,0 +1,112 @@
+//! A flat-bottomed cup, drawn until no flange is left.
+
+use super::Template;
+use super::inputs::{Choice, Default, Inputs, Kind};
+use super::page::{Page, plain};
+use super::rules::{self, Picked};
+use super::sheet::Sheet;
+use super::tools::{Tools, because, careful, elements, flat_punch, force, nose_fits};
+use crate::case::CaseError;
+use crate::model::Geometry;
+
+pub(super) const TEMPLATE: Template = Template {
+    name: "cup",
+    about: "a flat-bottomed cup of a wanted height, drawn until no flange is left",
+    own: OPTIONS,
+    write,
+};
+
+const OPTIONS: &[Choice] = &[
+    Choice::new("punch-radius", Kind::Length, Default::Value("30 mm"), "radius of the punch, inside of the cup"),
+    Choice::new(
+        "height",
+        Kind::Length,
+        Default::Value("30 mm"),
+        "overall height of the cup, outside of the bottom to rim",
+    ),
+    Choice::new(
+        "trim",
+        Kind::Share,
+        Default::Value("8 %"),
+        "blank for that much more height: the rim thickens and is trimmed",
+    ),
+    Choice::new("nose", Kind::Length, Default::Rule("6 thicknesses"), "radius of the punch's corner"),
+    Choice::new("shoulder", Kind::Length, Default::Rule("6 thicknesses"), "radius of the die's corner"),
+    Choice::new("clearance", Kind::Length, Default::Rule("t √β"), "gap between punch and die"),
+    Choice::new("holder-pressure", Kind::Stress, Default::Rule("Siebel's"), "pressure of the holder on the flange"),
+];
+
+/// Sizes of a cup and its tools \[mm\].
+pub(super) struct Cup {
+    pub radius: f64,
+    pub nose: Picked,
+    pub height: f64,
+    /// Height that the blank is made for, over the wanted one, less 1 \[–\].
+    pub trim: f64,
+}
+
+impl Cup {
+    /// # Errors
+    /// When nose, radius and height do not go together.
+    pub fn read(inputs: &Inputs, sheet: &Sheet) -> Result<Self, CaseError> {
+        let (radius, height, trim) = (inputs.value("punch-radius"), inputs.value("height"), inputs.value("trim"));
+        let nose = inputs.pick("nose", || rules::tool_radius(sheet.thickness));
+        nose_fits(nose.value, radius)?;
+        let least = nose.value + sheet.thickness;
+        if height <= least {
+            let what = format!("a height of {} leaves no wall above nose and bottom, {}", plain(height), plain(least));
+            return Err(CaseError::bare(what, "make --height larger or --nose smaller".into()));
+        }
+        Ok(Self { radius, nose, height, trim })
+    }
+
+    /// The blank that keeps the area of the mid-surface, and is made for the height and what is trimmed.
+    pub fn blank(&self, t: f64) -> Picked {
+        let height = self.height * (1.0 + self.trim) - 0.5 * t;
+        let area = rules::cup_area(self.radius + 0.5 * t, self.nose.value + 0.5 * t, height);
+        Picked::by(
+            rules::blank_of(area),
+            format!(
+                "half of D, D² = d² + 4 d h − 1.72 r d − 0.57 r²: the mid-surface keeps its area (Guldin), with h for {} and {} % more, \
+                 because the rim thickens (declared)",
+                plain(self.height),
+                crate::quantity::rounded(100.0 * self.trim)
+            ),
+        )
+    }
+}
+
+fn write(inputs: &Inputs) -> Result<String, CaseError> {
+    let sheet = Sheet::read(inputs)?;
+    let t = sheet.thickness;
+    let cup = Cup::read(inputs, &sheet)?;
+    let blank = cup.blank(t);
+    let ratio =
+        rules::draw_ratio(blank.value, cup.radius, "make --height smaller, or draw twice: stampflow new redraw")?;
+    let clearance = inputs.pick("clearance", || rules::drawing_clearance(t, ratio));
+    let shoulder = inputs.pick("shoulder", || rules::tool_radius(t));
+    let throat = Picked::by(cup.radius + clearance.value, format!("punch and clearance{}", because(&clearance)));
+    let pressure =
+        inputs.pick("holder-pressure", || rules::holder_pressure(ratio, 2.0 * cup.radius, t, sheet.strength));
+    let holder = force(&pressure, Geometry::Axisymmetric, throat.value + shoulder.value, blank.value)?;
+    let tools = Tools {
+        geometry: Geometry::Axisymmetric,
+        punch: flat_punch("radius", cup.radius, &cup.nose),
+        travel: rules::drawn_travel(cup.height, shoulder.value, t),
+        throat,
+        shoulder,
+        holder: Some(holder),
+    };
+
+    let mut page = Page::new(
+        &format!("A cup, {} high from the outside of its bottom to its rim.{}", plain(cup.height), careful(ratio)),
+        &format!("Cup, {} punch", plain(2.0 * cup.radius)),
+        "axisymmetric",
+        &sheet.notes("a made-up cup"),
+    );
+    sheet.blank(&mut page, "radius", &blank);
+    elements(&mut page, blank.value, tools.shoulder.value.min(cup.nose.value));
+    sheet.material(&mut page, false);
+    tools.write(&mut page, &sheet);
+    Ok(page.text())
+}

@@ -1,0 +1,80 @@
+//! A hat section drawn with a holder.
+
+use super::Template;
+use super::inputs::{Choice, Default, Inputs, Kind};
+use super::page::{Page, plain};
+use super::rules::{self, Picked};
+use super::sheet::Sheet;
+use super::tools::{Tools, because, elements, flat_punch, force, nose_fits};
+use crate::case::CaseError;
+use crate::model::Geometry;
+
+pub(super) const TEMPLATE: Template = Template {
+    name: "hat-section",
+    about: "a hat section (plane strain) drawn to a wanted depth under a holder",
+    own: OPTIONS,
+    write,
+};
+
+const OPTIONS: &[Choice] = &[
+    Choice::new("half-width", Kind::Length, Default::Value("30 mm"), "half the width of the punch"),
+    Choice::new("height", Kind::Length, Default::Value("40 mm"), "depth: the punch's travel, up to the flange"),
+    Choice::new("flange", Kind::Length, Default::Value("20 mm"), "width of flat flange left at the end"),
+    Choice::new("nose", Kind::Length, Default::Rule("6 thicknesses"), "radius of the punch's corner"),
+    Choice::new("shoulder", Kind::Length, Default::Rule("6 thicknesses"), "radius of the die's corner"),
+    Choice::new("clearance", Kind::Length, Default::Rule("1.1 thicknesses"), "gap between punch and die"),
+    Choice::new(
+        "holder-pressure",
+        Kind::Stress,
+        Default::Rule("1 % of the tensile strength"),
+        "pressure of the holder on the flange",
+    ),
+];
+
+fn write(inputs: &Inputs) -> Result<String, CaseError> {
+    let sheet = Sheet::read(inputs)?;
+    let t = sheet.thickness;
+    let (half_width, height, flange) = (inputs.value("half-width"), inputs.value("height"), inputs.value("flange"));
+    let nose = inputs.pick("nose", || rules::tool_radius(t));
+    nose_fits(nose.value, half_width)?;
+    let shoulder = inputs.pick("shoulder", || rules::tool_radius(t));
+    let least = nose.value + shoulder.value + t;
+    if height < least {
+        let what = format!("a depth of {} leaves no wall between nose and shoulder, {}", plain(height), plain(least));
+        return Err(CaseError::bare(what, "make --height larger, or --nose and --shoulder smaller".into()));
+    }
+    let clearance = inputs.pick("clearance", || rules::strip_clearance(t));
+    let wall = height - least;
+    let blank = Picked::by(
+        half_width - nose.value
+            + rules::quarter_bend(nose.value, t)
+            + wall
+            + rules::quarter_bend(shoulder.value, t)
+            + flange,
+        "bottom, two bends, wall and flange along the mid-surface, which keeps its length",
+    );
+    let throat = Picked::by(half_width + clearance.value, format!("punch and clearance{}", because(&clearance)));
+    let pressure = inputs.pick("holder-pressure", || rules::strip_pressure(sheet.strength));
+    let holder = force(&pressure, Geometry::PlaneStrain, throat.value + shoulder.value, blank.value)?;
+    let tools = Tools {
+        geometry: Geometry::PlaneStrain,
+        punch: flat_punch("half_width", half_width, &nose),
+        travel: Picked::by(height, "the depth that is wanted"),
+        throat,
+        shoulder,
+        holder: Some(holder),
+    };
+
+    let mut page = Page::new(
+        "One half of a hat section, drawn. By the flow law, which does not spring back: for that see cases/hat_springback.toml, \
+         which takes longer, or stampflow new u-bend.",
+        &format!("Hat section, {} wide", plain(2.0 * half_width)),
+        "plane_strain",
+        &sheet.notes("a made-up section"),
+    );
+    sheet.blank(&mut page, "half_length", &blank);
+    elements(&mut page, blank.value, tools.shoulder.value.min(nose.value));
+    sheet.material(&mut page, false);
+    tools.write(&mut page, &sheet);
+    Ok(page.text())
+}

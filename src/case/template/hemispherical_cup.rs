@@ -1,0 +1,73 @@
+//! A cup with a hemispherical bottom and a flange.
+
+use super::Template;
+use super::inputs::{Choice, Default, Inputs, Kind};
+use super::page::{Page, plain};
+use super::rules::{self, Picked};
+use super::sheet::Sheet;
+use super::tools::{Tools, because, careful, elements, force, round_punch};
+use crate::case::CaseError;
+use crate::model::Geometry;
+use std::f64::consts::PI;
+
+pub(super) const TEMPLATE: Template = Template {
+    name: "hemispherical-cup",
+    about: "a cup with a hemispherical bottom, drawn to a wanted depth with a flange left",
+    own: OPTIONS,
+    write,
+};
+
+const OPTIONS: &[Choice] = &[
+    Choice::new("punch-radius", Kind::Length, Default::Value("30 mm"), "radius of the punch and of its nose"),
+    Choice::new("height", Kind::Length, Default::Value("32 mm"), "depth: the punch's travel, up to the flange"),
+    Choice::new("flange", Kind::Length, Default::Value("6 mm"), "width of flat flange left at the end"),
+    Choice::new("shoulder", Kind::Length, Default::Rule("6 thicknesses"), "radius of the die's corner"),
+    Choice::new("clearance", Kind::Length, Default::Rule("t √β"), "gap between punch and die"),
+    Choice::new("holder-pressure", Kind::Stress, Default::Rule("Siebel's"), "pressure of the holder on the flange"),
+];
+
+fn write(inputs: &Inputs) -> Result<String, CaseError> {
+    let sheet = Sheet::read(inputs)?;
+    let t = sheet.thickness;
+    let (radius, height, flange) = (inputs.value("punch-radius"), inputs.value("height"), inputs.value("flange"));
+    if height < 0.5 * radius {
+        let what = format!("a depth of {} is less than half the punch's radius: no cup, but a dome", plain(height));
+        return Err(CaseError::bare(what, "make --height larger, or stretch it: stampflow new stretch-dome".into()));
+    }
+    let shoulder = inputs.pick("shoulder", || rules::tool_radius(t));
+    let middle = radius + 0.5 * t;
+    // The clearance follows from the ratio and the blank, by the little that the throat is wider, from the clearance.
+    let blank_for = |clearance: f64| {
+        let edge = radius + clearance + shoulder.value + flange;
+        rules::blank_of(2.0 * PI * middle * height + PI * (edge * edge - middle * middle))
+    };
+    let ratio = rules::draw_ratio(blank_for(t), radius, "make --height or --flange smaller")?;
+    let clearance = inputs.pick("clearance", || rules::drawing_clearance(t, ratio));
+    let blank = Picked::by(
+        blank_for(clearance.value),
+        "half of D, D² = 4 d h + D_f² − d²: dome, wall and flange of diameter D_f, the mid-surface keeps its area (Guldin)",
+    );
+    let throat = Picked::by(radius + clearance.value, format!("punch and clearance{}", because(&clearance)));
+    let pressure = inputs.pick("holder-pressure", || rules::holder_pressure(ratio, 2.0 * radius, t, sheet.strength));
+    let holder = force(&pressure, Geometry::Axisymmetric, throat.value + shoulder.value, blank.value)?;
+    let tools = Tools {
+        geometry: Geometry::Axisymmetric,
+        punch: round_punch(&Picked::given(radius)),
+        travel: Picked::by(height, "the depth that is wanted"),
+        throat,
+        shoulder,
+        holder: Some(holder),
+    };
+
+    let mut page = Page::new(
+        &format!("A cup with a hemispherical bottom, with a flange left to hold.{}", careful(ratio)),
+        &format!("Hemispherical cup, {} punch", plain(2.0 * radius)),
+        "axisymmetric",
+        &sheet.notes("a made-up cup"),
+    );
+    sheet.blank(&mut page, "radius", &blank);
+    elements(&mut page, blank.value, tools.shoulder.value);
+    sheet.material(&mut page, false);
+    tools.write(&mut page, &sheet);
+    Ok(page.text())
+}

@@ -1,0 +1,157 @@
+//! A cup drawn twice: a wider one first, then through a smaller die.
+
+use super::Template;
+use super::cup::Cup;
+use super::inputs::{Choice, Default, Inputs, Kind};
+use super::page::{Page, mm, plain};
+use super::rules::{self, Picked};
+use super::sheet::Sheet;
+use super::tools::{Tools, about, because, careful, elements, flat_punch, force, newtons};
+use crate::case::CaseError;
+use crate::model::Geometry;
+use crate::quantity::rounded;
+use std::f64::consts::PI;
+
+pub(super) const TEMPLATE: Template = Template {
+    name: "redraw",
+    about: "a cup too high for one draw, in two stages: drawn wider, then redrawn",
+    own: OPTIONS,
+    write,
+};
+
+const OPTIONS: &[Choice] = &[
+    Choice::new("punch-radius", Kind::Length, Default::Value("30 mm"), "radius of the second punch, inside of the cup"),
+    Choice::new(
+        "height",
+        Kind::Length,
+        Default::Value("60 mm"),
+        "height of the whole cup; the second draw stops at nine tenths of it",
+    ),
+    Choice::new(
+        "trim",
+        Kind::Share,
+        Default::Value("8 %"),
+        "blank for that much more height: the rim thickens and is trimmed",
+    ),
+    Choice::new("first-radius", Kind::Length, Default::Rule("1.3 punch radii"), "radius of the first punch"),
+    Choice::new("nose", Kind::Length, Default::Rule("6 thicknesses"), "radius of both punches' corners"),
+    Choice::new("shoulder", Kind::Length, Default::Rule("6 thicknesses"), "radius of both dies' corners"),
+    Choice::new("clearance", Kind::Length, Default::Rule("t √β"), "gap between punch and die, both draws"),
+    Choice::new("holder-pressure", Kind::Stress, Default::Rule("Siebel's"), "pressure of the holder on the flange"),
+];
+
+/// Share of the wanted height that the second draw forms [–].
+const REDRAWN: f64 = 0.9;
+
+fn write(inputs: &Inputs) -> Result<String, CaseError> {
+    let sheet = Sheet::read(inputs)?;
+    let t = sheet.thickness;
+    let cup = Cup::read(inputs, &sheet)?;
+    let blank = cup.blank(t);
+    let first = inputs.pick("first-radius", || {
+        Picked::by(
+            rules::REDRAW_RATIO * cup.radius,
+            format!("{} times the second punch: what DC04 takes in a second draw (4ming)", rules::REDRAW_RATIO),
+        )
+    });
+    let ratio =
+        rules::draw_ratio(blank.value, first.value, "make --height smaller: more than two draws are not written here")?;
+    let clearance = inputs.pick("clearance", || rules::drawing_clearance(t, ratio));
+    let shoulder = inputs.pick("shoulder", || rules::tool_radius(t));
+    let throat = Picked::by(first.value + clearance.value, format!("punch and clearance{}", because(&clearance)));
+    let narrow = Picked::by(
+        cup.radius + inputs.pick("clearance", || rules::drawing_clearance(t, blank.value / cup.radius)).value,
+        "punch and t √β of both draws together",
+    );
+    // The sleeve stands inside the first cup and presses its bottom against the second die.
+    let sleeve_radius = first.value - 0.5 * t;
+    if sleeve_radius - cup.nose.value < narrow.value + 0.1 * t {
+        let what = format!(
+            "a first punch of {} leaves no room for a holder beside the second die's throat of {}",
+            plain(first.value),
+            plain(narrow.value)
+        );
+        return Err(CaseError::bare(what, "make --first-radius larger, or --nose or --clearance smaller".into()));
+    }
+    let pressure =
+        inputs.pick("holder-pressure", || rules::holder_pressure(ratio, 2.0 * first.value, t, sheet.strength));
+    let holder = force(&pressure, Geometry::Axisymmetric, throat.value + shoulder.value, blank.value)?;
+    // Height of the first cup, which has the same area.
+    let first_height = {
+        let (middle, nose) = (first.value + 0.5 * t, cup.nose.value + 0.5 * t);
+        let bottom = rules::cup_area(middle, nose, nose);
+        nose + (PI * blank.value * blank.value - bottom) / (2.0 * PI * middle) + 0.5 * t
+    };
+    let first_height = first_height / (1.0 + cup.trim);
+    let mut punch = flat_punch("radius", first.value, &cup.nose);
+    punch.why = [about("radius", &first), punch.why]
+        .iter()
+        .filter(|why| !why.is_empty())
+        .cloned()
+        .collect::<Vec<_>>()
+        .join("; ");
+    let tools = Tools {
+        geometry: Geometry::Axisymmetric,
+        punch,
+        travel: rules::drawn_travel(first_height, shoulder.value, t),
+        throat,
+        shoulder: shoulder.clone(),
+        holder: Some(holder),
+    };
+
+    let mut page = Page::new(
+        &format!(
+            "A cup, {} high, drawn twice: to {} inside radius, then to {}.{}",
+            plain(cup.height),
+            plain(first.value),
+            plain(cup.radius),
+            careful(ratio)
+        ),
+        &format!("Redrawn cup, {} punch", plain(2.0 * cup.radius)),
+        "axisymmetric",
+        &sheet.notes("a made-up cup"),
+    );
+    page.table("stage", "");
+    page.set("name", "\"draw\"", "");
+    sheet.blank(&mut page, "radius", &blank);
+    elements(&mut page, blank.value, shoulder.value.min(cup.nose.value));
+    sheet.material(&mut page, false);
+    tools.write(&mut page, &sheet);
+
+    let friction = rounded(sheet.friction);
+    page.table("[stages]", "New tools, brought up to where they touch the drawn cup.");
+    page.set("name", "\"redraw\"", "");
+    // The rim has thickened twice and is shorter than by its area: drawn on, it would leave the die.
+    let travel = Picked::by(
+        REDRAWN * (cup.height - t),
+        "nine tenths of the height: the rest, to be trimmed, stays on the die (declared)",
+    );
+    page.table("stages.punch", "");
+    flat_punch("radius", cup.radius, &Picked::given(cup.nose.value)).write(&mut page);
+    page.set("friction", friction, "");
+    page.length("move", &travel);
+    page.table("stages.die", "");
+    page.length("throat", &narrow);
+    page.set("shoulder", mm(shoulder.value), "");
+    page.set("friction", friction, "");
+    page.table("stages.holder", "A sleeve inside the first cup.");
+    page.set("profile", sleeve(narrow.value, sleeve_radius, cup.nose.value, first_height), "");
+    page.set("friction", friction, "");
+    let area = PI * (sleeve_radius.powi(2) - narrow.value.powi(2));
+    page.set("force", newtons(pressure.value * area), "the first holder's pressure on the sleeve's ring (declared)");
+    Ok(page.text())
+}
+
+/// A sleeve's section: its bore, its flat, a corner as the first punch's, its outside.
+fn sleeve(inner: f64, outer: f64, nose: f64, height: f64) -> String {
+    let point = |x: f64, z: f64| format!("[{}, {}]", mm(x), mm(z));
+    let deep = -4.0 * height;
+    let steps = [
+        format!("{{ from = {} }}", point(inner, deep)),
+        format!("{{ to = {} }}", point(inner, 0.0)),
+        format!("{{ to = {} }}", point(outer - nose, 0.0)),
+        format!("{{ arc_to = {}, center = {}, turn = \"right\" }}", point(outer, -nose), point(outer - nose, -nose)),
+        format!("{{ to = {} }}", point(outer, deep)),
+    ];
+    format!("[\n    {},\n]", steps.join(",\n    "))
+}

@@ -1,0 +1,72 @@
+//! A clamped sheet stretched over a hemispherical punch.
+
+use super::Template;
+use super::inputs::{Choice, Default, Inputs, Kind};
+use super::page::{Page, plain};
+use super::rules::{self, Picked};
+use super::sheet::Sheet;
+use super::tools::{Tools, because, elements, round_punch};
+use crate::case::CaseError;
+use crate::model::Geometry;
+
+pub(super) const TEMPLATE: Template = Template {
+    name: "stretch-dome",
+    about: "a clamped sheet stretched over a hemispherical punch",
+    own: OPTIONS,
+    write,
+};
+
+const OPTIONS: &[Choice] = &[
+    Choice::new("punch-radius", Kind::Length, Default::Value("50 mm"), "radius of the punch"),
+    Choice::new(
+        "height",
+        Kind::Length,
+        Default::Rule("half the punch's radius"),
+        "height of the dome: the punch's travel",
+    ),
+    Choice::new("shoulder", Kind::Length, Default::Rule("6 thicknesses"), "radius of the die's corner"),
+    Choice::new("clearance", Kind::Length, Default::Rule("2 thicknesses"), "gap between punch and die"),
+];
+
+fn write(inputs: &Inputs) -> Result<String, CaseError> {
+    let sheet = Sheet::read(inputs)?;
+    let t = sheet.thickness;
+    let radius = inputs.value("punch-radius");
+    let height = inputs.pick("height", || {
+        Picked::by(0.5 * radius, "half the punch's radius: mild steel does not tear yet (declared)")
+    });
+    if height.value > radius {
+        let what =
+            format!("a dome {} high is higher than its punch's radius of {}", plain(height.value), plain(radius));
+        return Err(CaseError::bare(
+            what,
+            "no clamped sheet stretches so far: draw it, stampflow new hemispherical-cup".into(),
+        ));
+    }
+    let shoulder = inputs.pick("shoulder", || rules::tool_radius(t));
+    let clearance = inputs
+        .pick("clearance", || Picked::by(2.0 * t, "2 thicknesses, declared: the sheet does not go between the walls"));
+    let throat = Picked::by(radius + clearance.value, format!("punch and clearance{}", because(&clearance)));
+    let blank = Picked::by(throat.value + shoulder.value, "clamped where the die's shoulder ends, as by a lock bead");
+    let tools = Tools {
+        geometry: Geometry::Axisymmetric,
+        punch: round_punch(&Picked::given(radius)),
+        travel: height,
+        throat,
+        shoulder,
+        holder: None,
+    };
+
+    let mut page = Page::new(
+        "A sheet clamped at its edge and stretched over a hemisphere, as in a test of its formability.",
+        &format!("Stretched dome, {} punch", plain(2.0 * radius)),
+        "axisymmetric",
+        &sheet.notes("a made-up dome"),
+    );
+    sheet.blank(&mut page, "radius", &blank);
+    page.set("edge", "\"clamped\"", "");
+    elements(&mut page, blank.value, tools.shoulder.value);
+    sheet.material(&mut page, false);
+    tools.write(&mut page, &sheet);
+    Ok(page.text())
+}

@@ -1,0 +1,78 @@
+//! A strip bent into a U between punch and die, and let go.
+
+use super::Template;
+use super::inputs::{Choice, Default, Inputs, Kind};
+use super::page::{Page, plain};
+use super::rules::{self, Picked};
+use super::sheet::Sheet;
+use super::tools::{Tools, because, elements, flat_punch, nose_fits, release};
+use crate::case::CaseError;
+use crate::model::Geometry;
+
+pub(super) const TEMPLATE: Template = Template {
+    name: "u-bend",
+    about: "a strip (plane strain) bent into a U without a holder, and its spring-back",
+    own: OPTIONS,
+    write,
+};
+
+const OPTIONS: &[Choice] = &[
+    Choice::new("half-width", Kind::Length, Default::Value("20 mm"), "half the width of the punch"),
+    Choice::new(
+        "leg",
+        Kind::Length,
+        Default::Value("25 mm"),
+        "height of the legs, outside of the bottom to their ends",
+    ),
+    Choice::new("nose", Kind::Length, Default::Rule("6 thicknesses"), "radius of the punch's corner"),
+    Choice::new("shoulder", Kind::Length, Default::Rule("6 thicknesses"), "radius of the die's corner"),
+    Choice::new("clearance", Kind::Length, Default::Rule("1.1 thicknesses"), "gap between punch and die"),
+];
+
+fn write(inputs: &Inputs) -> Result<String, CaseError> {
+    let sheet = Sheet::read(inputs)?;
+    let t = sheet.thickness;
+    let (half_width, leg) = (inputs.value("half-width"), inputs.value("leg"));
+    let nose = inputs.pick("nose", || rules::tool_radius(t));
+    nose_fits(nose.value, half_width)?;
+    let shoulder = inputs.pick("shoulder", || rules::tool_radius(t));
+    let clearance = inputs.pick("clearance", || rules::strip_clearance(t));
+    let blank = Picked::by(
+        half_width - nose.value + rules::quarter_bend(nose.value, t) + leg - t - nose.value,
+        "half of the bottom, the bend and the leg along the mid-surface, which keeps its length",
+    );
+    let throat = Picked::by(half_width + clearance.value, format!("punch and clearance{}", because(&clearance)));
+    let least = throat.value + shoulder.value + 2.0 * t;
+    if blank.value < least {
+        let what = format!(
+            "a leg of {} makes a strip of {}, which hardly rests on the die's shoulder, up to {}",
+            plain(leg),
+            plain(blank.value),
+            plain(least)
+        );
+        return Err(CaseError::bare(what, "make --leg larger, or --shoulder or --clearance smaller".into()));
+    }
+    let tools = Tools {
+        geometry: Geometry::PlaneStrain,
+        punch: flat_punch("half_width", half_width, &nose),
+        travel: rules::upright_travel(nose.value, shoulder.value, t),
+        throat,
+        shoulder,
+        holder: None,
+    };
+
+    let mut page = Page::new(
+        "One half of a strip that is bent into a U and then let go. No pad holds its bottom, which bows.",
+        &format!("U-bend, {} wide", plain(2.0 * half_width)),
+        "plane_strain",
+        &sheet.notes("a made-up bend"),
+    );
+    page.table("stage", "");
+    page.set("name", "\"bend\"", "");
+    sheet.blank(&mut page, "half_length", &blank);
+    elements(&mut page, blank.value, tools.shoulder.value.min(nose.value));
+    sheet.material(&mut page, true);
+    tools.write(&mut page, &sheet);
+    release(&mut page);
+    Ok(page.text())
+}

@@ -1,0 +1,109 @@
+//! `stampflow new`: a case file to begin with. Its subcommands and their options are read off the list of templates.
+
+use super::code::{BadRequest, Code, unusable};
+use super::say;
+use clap::{Arg, ArgAction, ArgMatches, Command, value_parser};
+use stampflow::case::template::{self, Choice, SHEET, TEMPLATES, Template};
+use stampflow::output::{can_write, write};
+use std::path::{Path, PathBuf};
+
+/// What was asked for.
+#[derive(Debug)]
+pub enum Args {
+    List,
+    Case {
+        template: &'static Template,
+        /// Names of options and their values.
+        given: Vec<(&'static str, String)>,
+        output: Option<PathBuf>,
+        force: bool,
+    },
+}
+
+pub fn new(args: &Args) -> anyhow::Result<Code> {
+    let Args::Case { template, given, output, force } = args else { return say(&template::list()) };
+    let given: Vec<(&str, &str)> = given.iter().map(|(key, value)| (*key, value.as_str())).collect();
+    let text = template.fill(&given)?;
+    let Some(path) = output else { return say(&text) };
+    if !force && path.symlink_metadata().is_ok() {
+        let what = format!("{} is there already and was left as it is", path.display());
+        return Err(BadRequest(format!("{what}: choose another name, or replace it with --force")).into());
+    }
+    can_write(path).map_err(unusable("--output"))?;
+    write(path, text.as_bytes())?;
+    say(&written(path))
+}
+
+fn written(path: &Path) -> String {
+    format!("{0} is written; next: stampflow check {0}, stampflow run {0}", path.display())
+}
+
+impl clap::Args for Args {
+    fn augment_args(command: Command) -> Command {
+        let names: Vec<&str> = TEMPLATES.iter().map(|template| template.name).collect();
+        command
+            .override_usage(format!("stampflow new <{}> [OPTIONS]\n       stampflow new --list", names.join("|")))
+            .arg(Arg::new("list").long("list").action(ArgAction::SetTrue).help("List all templates with their options"))
+            .subcommands(TEMPLATES.iter().map(subcommand))
+            .subcommand_value_name("TEMPLATE")
+            .subcommand_help_heading("Templates")
+            .arg_required_else_help(true)
+            .args_conflicts_with_subcommands(true)
+            .disable_help_subcommand(true)
+            .after_help(
+                "Examples:\n  stampflow new cup -o cup.toml\n  stampflow new cup --punch-radius \"40 mm\" --height \"35 mm\" -o cup.toml\n  \
+                 stampflow new v-bend --angle \"120 deg\"\n\nWithout -o the case is printed; a file that is there is left alone.",
+            )
+    }
+
+    fn augment_args_for_update(command: Command) -> Command {
+        Self::augment_args(command)
+    }
+}
+
+fn subcommand(template: &Template) -> Command {
+    let usage = |choice: &Choice| format!("[--{} {}]", choice.key, choice.kind.placeholder());
+    let all: Vec<String> = template.options().map(usage).collect();
+    Command::new(template.name)
+        .about(template.about)
+        .override_usage(format!("stampflow new {} [-o FILE] [--force] {}", template.name, all.join(" ")))
+        .args(template.own.iter().map(|choice| option(choice, "Sizes")))
+        .args(SHEET.iter().map(|choice| option(choice, "Sheet")))
+        .arg(
+            Arg::new("output")
+                .short('o')
+                .long("output")
+                .value_name("FILE")
+                .value_parser(value_parser!(PathBuf))
+                .help("Write the case there instead of printing it"),
+        )
+        .arg(Arg::new("force").long("force").action(ArgAction::SetTrue).help("Replace a file that is there"))
+}
+
+fn option(choice: &'static Choice, heading: &'static str) -> Arg {
+    Arg::new(choice.key)
+        .long(choice.key)
+        .value_name(choice.kind.placeholder())
+        .allow_negative_numbers(true)
+        .help_heading(heading)
+        .help(format!("{} [default: {}]", choice.about, choice.default.words()))
+}
+
+impl clap::FromArgMatches for Args {
+    fn from_arg_matches(matches: &ArgMatches) -> Result<Self, clap::Error> {
+        let Some((name, matches)) = matches.subcommand() else { return Ok(Self::List) };
+        let template = template::find(name).expect("subcommands are templates");
+        let value = |choice: &'static Choice| Some((choice.key, matches.get_one::<String>(choice.key)?.clone()));
+        Ok(Self::Case {
+            template,
+            given: template.options().filter_map(value).collect(),
+            output: matches.get_one::<PathBuf>("output").cloned(),
+            force: matches.get_flag("force"),
+        })
+    }
+
+    fn update_from_arg_matches(&mut self, matches: &ArgMatches) -> Result<(), clap::Error> {
+        *self = Self::from_arg_matches(matches)?;
+        Ok(())
+    }
+}

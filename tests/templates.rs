@@ -1,0 +1,209 @@
+//! `stampflow new`: every template is written, checked and run without a hand on it, and its picked sizes follow their rules.
+
+use stampflow::case::template::{TEMPLATES, find, list, rules};
+use stampflow::case::{Case, check, parse};
+use stampflow::{Frame, Run, Stop, run_stages};
+use std::fs;
+use std::path::Path;
+use std::process::{Command, Output};
+
+/// Sizes away from the defaults: thin and thick sheet, sharp and round tools, other metals.
+const OTHERS: &[(&str, &[(&str, &str)])] = &[
+    ("cup", &[("punch-radius", "50 mm"), ("thickness", "0.8 mm"), ("height", "45 mm")]),
+    ("cup", &[("height", "20 mm"), ("nose", "8 mm"), ("shoulder", "8 mm"), ("k", "400 MPa"), ("n", "0.25")]),
+    ("cup", &[("punch-radius", "2 in"), ("thickness", "0.06 in"), ("height", "2 in"), ("friction", "0.05")]),
+    ("hemispherical-cup", &[("punch-radius", "40 mm"), ("height", "35 mm"), ("flange", "12 mm")]),
+    ("conical-cup", &[("angle", "30 deg"), ("height", "20 mm"), ("holder-pressure", "2 MPa")]),
+    ("redraw", &[("thickness", "0.8 mm"), ("height", "55 mm")]),
+    ("stretch-dome", &[("height", "20 mm"), ("thickness", "1.2 mm"), ("friction", "0.15")]),
+    ("bulge", &[("opening", "60 mm"), ("height", "20 mm")]),
+    ("hat-section", &[("height", "30 mm"), ("holder-pressure", "5 MPa")]),
+    ("v-bend", &[("angle", "120 deg")]),
+    ("u-bend", &[("leg", "35 mm"), ("half-width", "30 mm")]),
+];
+
+fn case(template: &str, given: &[(&str, &str)]) -> Case {
+    let text = find(template).unwrap().fill(given).unwrap_or_else(|e| panic!("{template} {given:?}: {e}"));
+    parse(&text, "case.toml", &[]).unwrap_or_else(|e| panic!("{template} {given:?}: {}", e.render(false)))
+}
+
+fn solved(case: &Case) -> Vec<Run> {
+    run_stages(&case.stages(), &mut ()).into_iter().map(|pass| pass.run).collect()
+}
+
+fn stampflow(dir: &Path, args: &[&str]) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_stampflow")).args(args).current_dir(dir).output().unwrap()
+}
+
+fn message(output: &Output) -> String {
+    String::from_utf8_lossy(&output.stderr).into_owned()
+}
+
+#[test]
+fn every_template_runs_to_its_end_and_check_has_no_doubt() {
+    let defaults = TEMPLATES.iter().map(|template| (template.name, &[][..]));
+    for (name, given) in defaults.chain(OTHERS.iter().copied()) {
+        let case = case(name, given);
+        let warnings = check::report(&case).warnings;
+        assert!(warnings.is_empty(), "{name} {given:?}: {warnings:?}");
+        let runs = solved(&case);
+        assert_eq!(runs.len(), case.stages().len(), "{name} {given:?}: {}", runs.last().unwrap().stop);
+        for run in runs {
+            assert_eq!(run.stop, Stop::FullTravel, "{name} {given:?}");
+        }
+    }
+}
+
+/// Overall height \[mm\]: from the outside of the bottom to the rim's middle, as a height gauge would have it.
+fn height(frame: &Frame) -> f64 {
+    let (bottom, rim) = (&frame.nodes[0], frame.nodes.last().unwrap());
+    bottom.z - rim.z + 0.5 * bottom.thickness
+}
+
+/// Trust: 3 % is what the wanted height is asked for; constant area and 8 % for the rim come to it, and no flange is left.
+#[test]
+fn a_cup_is_as_high_as_was_wanted() {
+    for (wanted, given) in [
+        (30.0, &[][..]),
+        (20.0, &[("height", "20 mm")]),
+        (35.0, &[("height", "35 mm")]),
+        (45.0, &[("height", "45 mm"), ("punch-radius", "50 mm")]),
+        (30.0, &[("shoulder", "8 mm"), ("nose", "8 mm")]),
+        (40.0, &[("height", "40 mm"), ("punch-radius", "40 mm"), ("friction", "0.04")]),
+    ] {
+        let case = case("cup", given);
+        let runs = solved(&case);
+        let last = runs[0].frames.last().unwrap();
+        let reached = height(last);
+        println!("{given:?}: {reached:.2} of {wanted} mm, {:+.1} %", 100.0 * (reached / wanted - 1.0));
+        assert!((reached / wanted - 1.0).abs() < 0.03, "{given:?}: {reached:.2} mm instead of {wanted} mm");
+        let die = case.model.tool(stampflow::model::Role::Die).unwrap();
+        let shoulder_end = die.profile.corners().map(|arc| arc.center.x).fold(0.0, f64::max);
+        assert!(last.nodes.last().unwrap().r < shoulder_end, "{given:?}: a flange is left");
+    }
+}
+
+/// Trust: the textbook's formula with its exact coefficients, written out here; the file has the radius to a thousandth.
+#[test]
+fn the_blank_is_the_textbooks() {
+    for (d, h, r) in [(61.0, 31.0, 6.5), (100.0, 50.0, 10.0), (41.0, 80.0, 20.5)] {
+        let textbook = d * d + 4.0 * d * h - (8.0 - 2.0 * std::f64::consts::PI) * r * d
+            + (12.0 - 4.0 * std::f64::consts::PI) * r * r;
+        let diameter = 2.0 * rules::blank_of(rules::cup_area(0.5 * d, r, h));
+        assert!((diameter * diameter - textbook).abs() < 1e-9 * textbook, "{diameter}");
+        // As tables have it, with two digits of each coefficient.
+        let table: f64 = d * d + 4.0 * d * h - 1.72 * r * d - 0.57 * r * r;
+        assert!((diameter / table.sqrt() - 1.0).abs() < 1e-3);
+    }
+    let (d, h, r): (f64, f64, f64) = (61.0, 30.0 * 1.08 - 0.5, 6.5);
+    let textbook = (d * d + 4.0 * d * h - (8.0 - 2.0 * std::f64::consts::PI) * r * d
+        + (12.0 - 4.0 * std::f64::consts::PI) * r * r)
+        .sqrt();
+    assert!((2.0 * case("cup", &[]).model.blank.length - textbook).abs() < 1e-3);
+    // No nose at all: D² = d² + 4 d h.
+    assert!((rules::blank_of(rules::cup_area(30.0, 0.0, 20.0)).powi(2) - (900.0 + 4.0 * 30.0 * 10.0)).abs() < 1e-9);
+}
+
+/// Trust: the angle of the legs in the tools is a matter of tangents; thickness and curvature between them are the sheet's.
+#[test]
+fn a_v_has_its_angle_before_it_springs_back() {
+    for angle in ["90 deg", "120 deg"] {
+        let wanted: f64 = angle.trim_end_matches(" deg").parse().unwrap();
+        let runs = solved(&case("v-bend", &[("angle", angle)]));
+        let opening = |run: &Run| {
+            let nodes = &run.frames.last().unwrap().nodes;
+            let [.., a, _, b] = nodes.as_slice() else { panic!("a strip has nodes") };
+            180.0 - 2.0 * ((a.z - b.z) / (b.r - a.r)).atan().to_degrees()
+        };
+        let (bent, free) = (opening(&runs[0]), opening(&runs[1]));
+        println!("{angle}: {bent:.2}°, then {free:.2}°");
+        // The sheet's own radius between the tools is larger than the punch's: it is bent somewhat more or less.
+        assert!((bent - wanted).abs() < 4.0, "{bent}");
+        assert!(free > bent + 0.3 && free < bent + 15.0, "{bent} {free}");
+    }
+}
+
+#[test]
+fn what_does_not_go_together_is_refused_with_exit_code_2() {
+    let dir = tempfile::tempdir().unwrap();
+    for (args, says) in [
+        (&["cup", "--nose", "31 mm"][..], "does not fit a punch of 30 mm"),
+        (&["cup", "--height", "80 mm"], "above the limit of one draw"),
+        (&["cup", "--height", "6 mm"], "leaves no wall"),
+        (&["cup", "--height", "9 mm"], "nothing to hold"),
+        (&["cup", "--height", "30"], "30 needs a unit"),
+        (&["cup", "--height", "3 kN"], "is a force, wanted a length"),
+        (&["cup", "--thickness", "0 mm"], "must be positive"),
+        (&["cup", "--n", "3"], "n must lie between 0 and 1"),
+        (&["cup", "--friction", "2"], "0 and 1"),
+        (&["cup", "--angle", "30 deg"], "--punch-radius"),
+        (&["cupp"], "cup"),
+        (&["conical-cup", "--angle", "60 deg"], "narrows from"),
+        (&["bulge", "--height", "49 mm"], "it would burst"),
+        (&["bulge", "--pressure", "90 MPa"], "it would burst"),
+        (&["stretch-dome", "--height", "60 mm"], "higher than its punch"),
+        (&["hat-section", "--height", "5 mm"], "no wall"),
+        (&["v-bend", "--angle", "20 deg"], "60 deg to 170 deg"),
+        (&["v-bend", "--width", "20 mm"], "no room for the punch"),
+        (&["u-bend", "--leg", "9 mm"], "hardly rests"),
+        (&["redraw", "--first-radius", "33 mm"], "no room for a holder"),
+        (&["hemispherical-cup", "--height", "5 mm"], "no cup"),
+    ] {
+        let done = stampflow(dir.path(), &[&["new"], args, &["-o", "case.toml"]].concat());
+        assert_eq!(done.status.code(), Some(2), "{args:?}: {}", message(&done));
+        let told = message(&done).replace("\n  │ ", " ");
+        assert!(told.contains(says), "{args:?}: {told}");
+        assert!(!dir.path().join("case.toml").exists());
+    }
+    let error = find("cup").unwrap().fill(&[("angle", "30 deg")]).unwrap_err();
+    assert!(error.remedy().unwrap().contains("--punch-radius, --height"), "{error}");
+}
+
+#[test]
+fn a_new_case_is_printed_or_written_and_no_file_is_lost() {
+    let dir = tempfile::tempdir().unwrap();
+    let printed = stampflow(dir.path(), &["new", "cup", "--height", "25 mm"]);
+    assert_eq!(printed.status.code(), Some(0), "{}", message(&printed));
+    let target = dir.path().join("mine.toml");
+    fs::write(&target, "mine").unwrap();
+    let args = ["new", "cup", "--height", "25 mm", "-o", "mine.toml"];
+    let refused = stampflow(dir.path(), &args);
+    assert_eq!((refused.status.code(), fs::read_to_string(&target).unwrap().as_str()), (Some(2), "mine"));
+    assert!(message(&refused).contains("--force"), "{}", message(&refused));
+    let done = stampflow(dir.path(), &[&args[..], &["--force"]].concat());
+    assert_eq!(done.status.code(), Some(0), "{}", message(&done));
+    assert_eq!(fs::read(&target).unwrap(), printed.stdout);
+    assert_eq!(fs::read_dir(dir.path()).unwrap().count(), 1, "nothing else is left behind");
+    for args in [&["check", "mine.toml"][..], &["run", "mine.toml", "-q"]] {
+        let done = stampflow(dir.path(), args);
+        assert_eq!(done.status.code(), Some(0), "{args:?}: {}", message(&done));
+    }
+}
+
+#[test]
+fn the_list_and_the_help_name_every_option() {
+    let dir = tempfile::tempdir().unwrap();
+    let listed = stampflow(dir.path(), &["new", "--list"]);
+    assert_eq!(String::from_utf8_lossy(&listed.stdout), list());
+    for template in TEMPLATES {
+        let help = stampflow(dir.path(), &["new", template.name, "--help"]);
+        let help = String::from_utf8_lossy(&help.stdout).into_owned();
+        for choice in template.options() {
+            let option = format!("--{} ", choice.key);
+            assert!(list().contains(&option) && help.contains(&option), "{}: {option}", template.name);
+            assert!(help.contains(choice.default.words()), "{}: {option}", template.name);
+        }
+    }
+}
+
+/// The example on the page of `stampflow::case`, read from there.
+#[test]
+fn the_smallest_case_is_twelve_lines_and_runs() {
+    let page = include_str!("../src/case/mod.rs");
+    let example = page.split("r#\"").nth(1).unwrap().split("\"#").next().unwrap();
+    let lines: Vec<&str> =
+        example.lines().map(|line| line.trim_start_matches("//!").trim()).filter(|l| !l.is_empty()).collect();
+    assert!(lines.len() <= 12, "{} lines", lines.len());
+    let case = parse(&lines.join("\n"), "cup.toml", &[]).unwrap_or_else(|e| panic!("{}", e.render(false)));
+    assert_eq!(solved(&case)[0].stop, Stop::FullTravel);
+}
