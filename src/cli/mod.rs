@@ -3,6 +3,7 @@
 mod code;
 mod job;
 mod progress;
+mod reel;
 mod run;
 mod validate;
 

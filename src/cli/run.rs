@@ -2,7 +2,8 @@
 
 use super::code::{BadRequest, unusable};
 use super::job::{Job, Solved, solve_all};
-use super::progress::Progress;
+use super::progress::{Kept, Progress};
+use super::reel::Reels;
 use super::{Code, Overrides, Threads, say};
 use stampflow::output::{OUTPUTS, Summary, can_write, can_write_all, csv, trace, write};
 use std::fmt::Write;
@@ -24,6 +25,12 @@ pub struct Args {
     /// Also write every iteration of the solver to this file (one case only)
     #[arg(long, value_name = "FILE.csv")]
     trace: Option<PathBuf>,
+    /// Also write the kept frames for ParaView: section.pvd, tools.pvd and, axisymmetric, revolved.pvd
+    #[arg(long)]
+    vtu: bool,
+    /// Also write shapes.gif, the section and the load as they move
+    #[arg(long)]
+    animate: bool,
     #[command(flatten)]
     threads: Threads,
 }
@@ -36,7 +43,9 @@ pub fn help() -> String {
     for output in OUTPUTS {
         let _ = writeln!(help, "  {:<18} {}", output.file, output.about);
     }
-    help + "  compare_*.png, csv overlay and differences for every reference the case is compared with\n\
+    help + "  section.pvd, ...   with --vtu: every kept frame for ParaView, with its tools and, axisymmetric, turned about the axis\n  \
+            shapes.gif         with --animate: the section and the load as they move\n\
+            \x20 compare_*.png, csv overlay and differences for every reference the case is compared with\n\
             Of a case with several stages each has a folder of its own, 1-draw, 2-retract, ..., and stages.csv sums them up\n\n\
             Examples:\n  \
             stampflow run cases/quickstart.toml\n  \
@@ -61,12 +70,16 @@ pub fn run(args: &Args) -> anyhow::Result<Code> {
     let progress = Progress::new(args.quiet);
     let reports = solve_all(
         jobs,
-        |case| progress.watch(&case.name, &case.model, args.trace.is_some()),
+        |case| {
+            let kept =
+                Kept { trace: args.trace.as_ref().map(|_| Vec::new()), reels: args.animate.then(Reels::default) };
+            progress.watch(&case.name, &case.model, kept)
+        },
         |solved| {
             let dir = folder(args, several, solved.name());
-            let files = solved.write(&dir)?;
-            if let Some(path) = &args.trace {
-                write(path, &csv(&trace::table(&solved.iterations)))?;
+            let files = solved.write(&dir, args.vtu)?;
+            if let (Some(path), Some(iterations)) = (&args.trace, &solved.kept.trace) {
+                write(path, &csv(&trace::table(iterations)))?;
             }
             Ok((report(&solved, &dir, files.len()), solved.is_complete()))
         },

@@ -2,7 +2,7 @@
 
 use super::code::{BadRequest, unusable};
 use super::job::{Job, solve_all};
-use super::progress::Progress;
+use super::progress::{Kept, Progress};
 use super::{Code, Threads, say};
 use anyhow::Context;
 use stampflow::compare::Comparison;
@@ -56,7 +56,7 @@ pub fn validate(args: &Args) -> anyhow::Result<Code> {
     let progress = Progress::new(args.quiet);
     let outcomes = solve_all(
         jobs,
-        |case| progress.watch(&case.name, &case.model, false),
+        |case| progress.watch(&case.name, &case.model, Kept::default()),
         |solved| {
             solved.write_comparisons(&args.out.join(solved.name()))?;
             let rows: Vec<_> = solved.comparisons.iter().map(|c| row(solved.name(), c)).collect();
