@@ -36,7 +36,7 @@ mod source;
 
 pub use error::CaseError;
 pub use file::CaseFile;
-pub use laws::laws;
+pub use laws::{Law, law_list, laws};
 pub use schema::schema;
 
 use crate::compare::Spec;

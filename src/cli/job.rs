@@ -72,6 +72,11 @@ impl Solved {
         &self.job.case.name
     }
 
+    /// Whether the case has stages beside its first.
+    pub fn has_stages(&self) -> bool {
+        !self.job.case.later.is_empty()
+    }
+
     /// Whether every stage came to its end.
     pub fn is_complete(&self) -> bool {
         self.passes.len() == 1 + self.job.case.later.len() && self.passes.iter().all(|pass| pass.run.stop.is_complete())

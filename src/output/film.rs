@@ -10,8 +10,8 @@ use std::path::{Path, PathBuf};
 /// The file that [`write`] makes.
 pub const FILE: &str = "shapes.gif";
 
-/// How many pictures are wanted of a run; as many frames spread evenly over it make a smooth film.
-pub const PICTURES: usize = 40;
+/// How many pictures are wanted of a run: every second of its steps, which are at most a hundredth of it by default.
+pub const PICTURES: usize = 50;
 
 /// How long the whole run is shown, and its last picture after it \[hundredths of a second\].
 const LENGTH: f64 = 400.0;

@@ -56,7 +56,7 @@ impl Grid {
                 let [a, b, c, d] = [quad[0], quad[1], quad[2], quad[3]];
                 // Points of all sectors coincide on the axis: those of the first are taken.
                 if on_axis(a) && on_axis(b) {
-                    (CellType::Wedge, vec![a, d + here, d + there, b, c + here, c + there])
+                    (CellType::Wedge, vec![a, d + there, d + here, b, c + there, c + here])
                 } else {
                     (CellType::Hexahedron, [here, there].iter().flat_map(|at| [a, d, c, b].map(|n| n + at)).collect())
                 }
