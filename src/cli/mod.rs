@@ -93,7 +93,7 @@ impl Threads {
 pub fn main() -> anyhow::Result<Code> {
     let args = match Args::try_parse() {
         Err(error) if error.use_stderr() && json::is_asked_for() => {
-            return Err(BadRequest(error.to_string().trim_end().to_owned()).into());
+            return Err(BadRequest(error.to_string().trim_start_matches("error: ").trim_end().to_owned()).into());
         }
         parsed => parsed.unwrap_or_else(|error| error.exit()),
     };

@@ -28,16 +28,23 @@ impl Grid {
         }
     }
 
-    /// One open line through each list of points.
+    /// Open lines through lists of points, a cell for every piece: not all readers know lines of many points. `fields` has
+    /// an entry for each line.
     pub fn lines(lines: Vec<Vec<(f64, f64)>>, fields: Vec<Column>) -> Self {
-        let mut grid = Self { points: Vec::new(), cells: Vec::new(), fields };
+        let (mut points, mut cells, mut pieces) = (Vec::new(), Vec::new(), Vec::new());
         for mut line in lines {
             line.dedup();
-            let first = grid.points.len() as u64;
-            grid.cells.push((CellType::PolyLine, (first..first + line.len() as u64).collect()));
-            grid.points.extend(line.into_iter().map(|(x, y)| [x, y, 0.0]));
+            let first = points.len() as u64;
+            pieces.push(line.len() - 1);
+            points.extend(line.into_iter().map(|(x, y)| [x, y, 0.0]));
+            cells.extend((first + 1..points.len() as u64).map(|i| (CellType::Line, vec![i - 1, i])));
         }
-        grid
+        let repeated = |field: Column| {
+            let values = field.values.iter().zip(&pieces).flat_map(|(value, n)| std::iter::repeat_n(*value, *n));
+            Column { values: values.collect(), ..field }
+        };
+        let fields = fields.into_iter().map(repeated).collect();
+        Self { points, cells, fields }
     }
 
     /// A strip turned about x = 0: hexahedra, and wedges where a quadrilateral lies on the axis, sector by sector.

@@ -4,7 +4,7 @@
 //! |---|---|---|
 //! | `section.pvd` | `section_0001.vtu` … | one quadrilateral per element between the sheet's faces |
 //! | `revolved.pvd` | `revolved_0001.vtu` … | the same turned about the axis in [`SECTORS`] sectors; axisymmetric cases only |
-//! | `tools.pvd` | `tools_0001.vtu` … | one line per tool |
+//! | `tools.pvd` | `tools_0001.vtu` … | the lines of the tools, by `role [-]`: punch 0, die 1, holder 2 |
 //!
 //! Cells carry the columns of `profile.csv`, named with their units: `thickness [mm]`, `stress_hoop [MPa]`, and
 //! `thinning [%]`. Coordinates are in mm: x is the distance from the axis or the symmetry plane and y is z of the
