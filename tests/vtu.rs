@@ -64,13 +64,12 @@ fn collection(path: &Path) -> Vec<(f64, String)> {
     sets.map(|line| (value(line, "timestep").parse().unwrap(), value(line, "file"))).collect()
 }
 
-/// Volumes of a cell's tetrahedra, positive where its corners are in VTK's order: every tetrahedron begins at the first
-/// corner and ends at a triangle of a face opposite to it.
+/// Volume of a cell by its tetrahedra, each positive where the first face's normal points to the face opposite; VTK's own
+/// filter finds these cells positive too.
 fn volume(grid: &Grid, (kind, corners): &(CellType, Vec<usize>)) -> f64 {
     let tetrahedra: &[[usize; 4]] = match kind {
         CellType::Hexahedron => &[[0, 1, 2, 6], [0, 2, 3, 6], [0, 3, 7, 6], [0, 7, 4, 6], [0, 4, 5, 6], [0, 5, 1, 6]],
-        // VTK counts the first triangle of a wedge the other way round than a hexahedron's first face.
-        CellType::Wedge => &[[0, 2, 1, 4], [0, 2, 4, 5], [0, 5, 4, 3]],
+        CellType::Wedge => &[[0, 1, 2, 5], [0, 1, 5, 4], [0, 4, 5, 3]],
         other => panic!("{other:?} has no volume"),
     };
     let point = |i: usize| grid.points[corners[i]];
