@@ -2,11 +2,10 @@
 
 mod cli;
 
-use clap::Parser;
 use std::process::ExitCode;
 
 fn main() -> ExitCode {
-    match cli::main(cli::Args::parse()) {
+    match cli::main() {
         Ok(code) => code.into(),
         Err(error) => {
             eprint!("{}", cli::message(&error));

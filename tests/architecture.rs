@@ -80,6 +80,9 @@ fn outside_crates_have_one_room_each() {
         ("clap::", "cli|main"),
         ("indicatif::", "cli"),
         ("resvg::", "output"),
+        ("vtkio::", "output"),
+        ("gif::", "output"),
+        ("comfy_table::", "cli"),
         ("toml::", "case|compare"),
     ] {
         for file in &files {

@@ -1,28 +1,13 @@
 //! The command line as a user meets it: files, exit codes, and what is left behind.
 
+#[path = "common/cli.rs"]
+mod cli;
 #[path = "common/files.rs"]
 mod files;
 
+use cli::{CUP, STAGES, folder, stampflow, text};
 use files::files;
 use std::fs;
-use std::path::Path;
-use std::process::{Command, Output};
-
-const CUP: &str = r#"
-title = "Cup"
-geometry = "axisymmetric"
-notes = ["declared: all of it"]
-[blank]
-radius = "55 mm"
-thickness = "1 mm"
-elements = 30
-[material.hardening]
-swift = { k = "520 MPa", n = 0.22, offset = 0.005 }
-[tools]
-punch = { flat = { radius = "30 mm", nose = "6 mm" }, friction = 0.08, travel = "5 mm" }
-die = { throat = "31.25 mm", shoulder = "6 mm", friction = 0.08 }
-holder = { inner_radius = "38 mm", force = "10 kN" }
-"#;
 
 const COMPARE: &str = r#"
 [[compare]]
@@ -33,21 +18,6 @@ quantity = "punch_force"
 tolerance = "5 %"
 reason = "for the test"
 "#;
-
-fn stampflow(dir: &Path, args: &[&str]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_stampflow")).args(args).current_dir(dir).output().unwrap()
-}
-
-fn text(bytes: &[u8]) -> &str {
-    std::str::from_utf8(bytes).unwrap()
-}
-
-fn folder(case: &str) -> tempfile::TempDir {
-    let dir = tempfile::tempdir().unwrap();
-    fs::create_dir(dir.path().join("cases")).unwrap();
-    fs::write(dir.path().join("cases/cup.toml"), case).unwrap();
-    dir
-}
 
 #[test]
 fn a_run_writes_every_file_and_sums_up() {
@@ -190,6 +160,7 @@ fn options_are_offered_where_they_have_a_use() {
     let dir = folder(CUP);
     for (verb, threads) in [("run", true), ("validate", true), ("check", false), ("schema", false)] {
         let help = stampflow(dir.path(), &[verb, "--help"]);
+        assert_eq!(text(&help.stdout).contains("--json"), verb != "schema", "{verb}");
         assert_eq!(text(&help.stdout).contains("--threads"), threads, "{verb}");
     }
     assert_eq!(stampflow(dir.path(), &["run", "cases/cup.toml", "-q", "--threads", "1"]).status.code(), Some(0));
@@ -247,14 +218,7 @@ fn schema_and_check_only_print() {
     assert_eq!(files(dir.path(), "").len(), 1);
 }
 
-const STAGES: &str = r#"
-[stage]
-name = "draw"
-[[stages]]
-name = "retract"
-punch.move = "-6 mm"
-holder.force = "20 N"
-frames = 2
+const APART: &str = r#"
 [[stages]]
 name = "apart"
 die = { move = "3 mm", aside = "4 mm" }
@@ -263,7 +227,7 @@ remove = ["holder"]
 
 #[test]
 fn every_stage_has_its_folder_and_its_line() {
-    let dir = folder(&format!("{CUP}{STAGES}"));
+    let dir = folder(&format!("{CUP}{STAGES}{APART}"));
     let done = stampflow(dir.path(), &["run", "cases/cup.toml"]);
     assert_eq!(done.status.code(), Some(0), "{}{}", text(&done.stderr), text(&done.stdout));
     let out = dir.path().join("out/cup");
@@ -299,7 +263,7 @@ fn every_stage_has_its_folder_and_its_line() {
 /// The punch comes up to the die's bottom: what was computed is kept, the rest is said not to have been run.
 #[test]
 fn a_stage_that_stops_early_ends_the_sequence_with_code_three() {
-    let dir = folder(&format!("{CUP}{STAGES}"));
+    let dir = folder(&format!("{CUP}{STAGES}{APART}"));
     let done = stampflow(dir.path(), &["run", "cases/cup.toml", "--quiet", "--set", "stages.0.punch.move=80 mm"]);
     assert_eq!(done.status.code(), Some(3), "{}{}", text(&done.stderr), text(&done.stdout));
     let out = dir.path().join("out/cup");

@@ -11,10 +11,11 @@ use super::Case;
 use super::measure::{extent, throat};
 use crate::model::{Face, Geometry, Model, Motion, Pressure, Role, Theory, Tool};
 use crate::quantity::{ZERO_CELSIUS, rounded};
+use serde::Serialize;
 use std::fmt;
 
 /// One line of the report.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Line {
     pub label: String,
     /// The number or word itself.
@@ -24,7 +25,7 @@ pub struct Line {
 }
 
 /// A case looked over before it is solved.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Check {
     pub title: String,
     pub lines: Vec<Line>,

@@ -61,6 +61,11 @@ impl CaseError {
         self.help.as_deref()
     }
 
+    /// The file as it was named, with a word on overrides; `None` of an error outside of any file's text.
+    pub fn file(&self) -> Option<&str> {
+        Some(self.source_code.name()).filter(|name| !name.is_empty())
+    }
+
     /// Line and column of the place, from 1, where there is one.
     pub fn position(&self) -> Option<(usize, usize)> {
         let before = self.source_code.inner().get(..self.span?.offset())?;

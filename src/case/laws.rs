@@ -1,6 +1,7 @@
 //! The laws that a case can name, with their parameters, read off the JSON schema: what is listed is what is accepted.
 
 use super::schema::definition;
+use serde::Serialize;
 use serde_json::Value;
 use std::fmt::Write;
 
@@ -24,51 +25,90 @@ const KINDS: [(&str, &str, &str); 4] = [
 const SINGLE: [(&str, &str, &str, &str); 1] =
     [("Voids: a yield condition that feels the mean stress", "voids", "Voids", "[material.voids]")];
 
-/// Every law with its formula, source and parameters, as text.
+/// One law that a case can name.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Law {
+    /// What kind of law it is, in words.
+    pub kind: &'static str,
+    /// Where a case names it.
+    pub place: &'static str,
+    pub name: String,
+    /// Formula, range of validity and source, line by line.
+    pub description: String,
+    pub parameters: Vec<Parameter>,
+}
+
+/// A key of a law; that of a table inside it stands behind a dot.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Parameter {
+    pub key: String,
+    pub optional: bool,
+    pub meaning: String,
+}
+
+/// Every law with its formula, source and parameters.
+pub fn law_list() -> Vec<Law> {
+    let of_kinds = KINDS.iter().flat_map(|&(kind, table, place)| {
+        let laws = entries(definition(table));
+        laws.map(move |(name, law)| law_of(kind, place, name, definition(reference(law).unwrap_or_default())))
+    });
+    let single = SINGLE.iter().map(|&(kind, name, table, place)| law_of(kind, place, name, definition(table)));
+    let anisotropy = Law {
+        kind: "Anisotropy: Hill's yield condition of 1948",
+        place: "[material] anisotropy = 1.6",
+        name: String::new(),
+        description: description(&definition("Material")["properties"]["anisotropy"]).to_owned(),
+        parameters: Vec::new(),
+    };
+    of_kinds.chain(single).chain([anisotropy]).collect()
+}
+
+/// The same as text.
 pub fn laws() -> String {
     let mut text = String::new();
-    for (heading, table, place) in KINDS {
-        let _ = writeln!(text, "{heading}\n  {place}\n");
-        for (name, law) in entries(definition(table)) {
-            describe(&mut text, name, definition(reference(law).unwrap_or_default()));
+    for kind in law_list().chunk_by(|a, b| a.kind == b.kind) {
+        let _ = writeln!(text, "{}\n  {}\n", kind[0].kind, kind[0].place);
+        for law in kind {
+            describe(&mut text, law);
         }
     }
-    for (heading, name, table, place) in SINGLE {
-        let _ = writeln!(text, "{heading}\n  {place}\n");
-        describe(&mut text, name, definition(table));
-    }
-    let anisotropy = &definition("Material")["properties"]["anisotropy"];
-    let _ = writeln!(text, "Anisotropy: Hill's yield condition of 1948\n  [material] anisotropy = 1.6\n");
-    let _ = writeln!(text, "  {}\n", description(anisotropy).replace('\n', "\n  "));
     text.truncate(text.trim_end().len());
     text + "\n"
 }
 
 /// A law's name, words and parameters, and an empty line.
-fn describe(text: &mut String, name: &str, law: &Value) {
-    let _ = writeln!(text, "  {name}");
-    for line in description(law).lines().filter(|line| !line.is_empty()) {
-        let _ = writeln!(text, "    {line}");
+fn describe(text: &mut String, law: &Law) {
+    let indent = if law.name.is_empty() { "  " } else { "    " };
+    if !law.name.is_empty() {
+        let _ = writeln!(text, "  {}", law.name);
     }
-    let required: Vec<&str> = law["required"].as_array().into_iter().flatten().filter_map(Value::as_str).collect();
-    for (key, parameter) in entries(law) {
-        let optional = if required.contains(&key) { "" } else { " (optional)" };
-        // A table of its own: its keys behind a dot.
-        if let Some(inner) = reference(parameter).map(definition).filter(|inner| inner["properties"].is_object()) {
-            let _ = writeln!(
-                text,
-                "      {:<28} {}",
-                format!("{key}{optional}"),
-                description(parameter).trim_end_matches('.')
-            );
-            for (inner_key, parameter) in entries(inner) {
-                let _ = writeln!(text, "      {:<28} {}", format!("  {key}.{inner_key}"), words(parameter));
-            }
-            continue;
-        }
-        let _ = writeln!(text, "      {:<28} {}", format!("{key}{optional}"), words(parameter));
+    for line in law.description.lines().filter(|line| !line.is_empty()) {
+        let _ = writeln!(text, "{indent}{line}");
+    }
+    for Parameter { key, optional, meaning } in &law.parameters {
+        let inner = if key.contains('.') { "  " } else { "" };
+        let optional = if *optional { " (optional)" } else { "" };
+        let _ = writeln!(text, "      {:<28} {meaning}", format!("{inner}{key}{optional}"));
     }
     text.push('\n');
+}
+
+fn law_of(kind: &'static str, place: &'static str, name: &str, law: &Value) -> Law {
+    let required: Vec<&str> = law["required"].as_array().into_iter().flatten().filter_map(Value::as_str).collect();
+    let mut parameters = Vec::new();
+    for (key, parameter) in entries(law) {
+        let inner = reference(parameter).map(definition).filter(|inner| inner["properties"].is_object());
+        let meaning = match inner {
+            Some(_) => description(parameter).trim_end_matches('.').to_owned(),
+            None => words(parameter),
+        };
+        parameters.push(Parameter { key: key.to_owned(), optional: !required.contains(&key), meaning });
+        for (inner_key, parameter) in inner.into_iter().flat_map(entries) {
+            let key = format!("{key}.{inner_key}");
+            parameters.push(Parameter { key, optional: false, meaning: words(parameter) });
+        }
+    }
+    Law { kind, place, name: name.to_owned(), description: description(law).to_owned(), parameters }
 }
 
 /// What a parameter is, and an example.

@@ -37,7 +37,7 @@ pub mod template;
 
 pub use error::CaseError;
 pub use file::CaseFile;
-pub use laws::laws;
+pub use laws::{Law, law_list, laws};
 pub use schema::schema;
 
 use crate::compare::Spec;

@@ -1,10 +1,12 @@
 //! Exit codes and error messages.
 
+use super::json;
+use super::table::colours;
 use stampflow::case::CaseError;
 use stampflow::compare::CompareError;
 use stampflow::output::WriteError;
 use std::error::Error;
-use std::io::{self, IsTerminal};
+use std::io;
 use std::process::ExitCode;
 
 /// Shown below the help of the whole program.
@@ -60,11 +62,13 @@ impl From<Code> for ExitCode {
     }
 }
 
-/// The error with what caused it; a case's error with its line and a caret.
+/// The error with what caused it, a case's error with its line and a caret; or as JSON where that is asked for.
 pub fn message(error: &anyhow::Error) -> String {
+    if json::is_asked_for() {
+        return json::error(error);
+    }
     if let Some(case) = error.downcast_ref::<CaseError>() {
-        let colours = io::stderr().is_terminal() && std::env::var_os("NO_COLOR").is_none_or(|v| v.is_empty());
-        return case.render(colours);
+        return case.render(colours(&io::stderr()));
     }
     format!("error: {error:#}\n")
 }

@@ -1,16 +1,16 @@
 //! A case on its way from its file to its results.
 
-use super::progress::Watch;
+use super::progress::{Kept, Watch};
 use rayon::prelude::*;
 use stampflow::Stage;
 use stampflow::case::{self, Case};
 use stampflow::compare::{CompareError, Comparison, Computed, compare};
 use stampflow::model::Model;
 use stampflow::output::{
-    StageLine, Subject, load_travel, profile, remove_stale, residual_stress, springback, stage_folder, stages_report,
-    write_all, write_comparison, write_stages,
+    StageLine, Subject, WriteError, film, load_travel, profile, remove_stale, residual_stress, springback,
+    stage_folder, stages_report, vtk, write_all, write_comparison, write_stages,
 };
-use stampflow::record::{IterationRecord, Run};
+use stampflow::record::Run;
 use stampflow::solver;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
@@ -34,7 +34,7 @@ pub struct Solved {
     passes: Vec<Pass>,
     wall: Duration,
     pub comparisons: Vec<Comparison>,
-    pub iterations: Vec<IterationRecord>,
+    pub kept: Kept,
 }
 
 impl Job {
@@ -59,10 +59,10 @@ impl Job {
             passes.map(|(i, (pass, stage))| Pass { name: named(i, stage), model: pass.model, run: pass.run }).collect()
         };
         let wall = start.elapsed();
-        let iterations = watch.finish(&passes[passes.len() - 1].run);
+        let kept = watch.finish(&passes[passes.len() - 1].run);
         passes[0].run.warnings.extend(case::check::report(case).warnings);
         let comparisons = compared(case, &passes[0].run)?;
-        Ok(Solved { job: self, passes, wall, comparisons, iterations })
+        Ok(Solved { job: self, passes, wall, comparisons, kept })
     }
 }
 
@@ -70,6 +70,11 @@ impl Solved {
     /// The name of the case.
     pub fn name(&self) -> &str {
         &self.job.case.name
+    }
+
+    /// Whether the case has stages beside its first.
+    pub fn has_stages(&self) -> bool {
+        !self.job.case.later.is_empty()
     }
 
     /// Whether every stage came to its end.
@@ -111,19 +116,20 @@ impl Solved {
         stages_report(self.job.case.model.geometry, &self.lines())
     }
 
-    /// Writes tables, plots and comparisons, those of several stages into a folder each.
-    pub fn write(&self, dir: &Path) -> anyhow::Result<Vec<PathBuf>> {
+    /// Writes tables, plots and comparisons, VTK files with `vtu`, and a film where frames were kept for it; those of
+    /// several stages into a folder each.
+    pub fn write(&self, dir: &Path, vtu: bool) -> anyhow::Result<Vec<PathBuf>> {
         let lines = self.lines();
         let mut written = Vec::new();
         let mut kept = self.write_comparisons(dir)?;
         if lines.is_empty() {
-            kept.extend(write_all(&self.first(), dir)?);
+            kept.extend(self.write_stage(0, vtu, dir)?);
         } else {
             kept.push(write_stages(self.job.case.model.geometry, &lines, dir)?);
         }
         for (i, (name, _)) in lines.iter().enumerate() {
             let dir = dir.join(stage_folder(i, name));
-            let mut files = self.subjects().nth(i).map_or(Ok(Vec::new()), |subject| write_all(&subject, &dir))?;
+            let mut files = self.write_stage(i, vtu, &dir)?;
             files.extend(self.write_release(i, &dir)?);
             remove_stale(&dir, &files)?;
             written.extend(files);
@@ -131,6 +137,19 @@ impl Solved {
         remove_stale(dir, &kept)?;
         written.extend(kept);
         Ok(written)
+    }
+
+    /// Writes what every stage has; nothing of one that was not run.
+    fn write_stage(&self, stage: usize, vtu: bool, dir: &Path) -> Result<Vec<PathBuf>, WriteError> {
+        let Some(subject) = self.subjects().nth(stage) else { return Ok(Vec::new()) };
+        let mut files = write_all(&subject, dir)?;
+        if vtu {
+            files.extend(vtk::write(&subject, dir)?);
+        }
+        if let Some(reels) = &self.kept.reels {
+            files.extend(film::write(&subject, &reels.of_stage(stage, subject.run), dir)?);
+        }
+        Ok(files)
     }
 
     /// Writes what the sheet does as a stage takes its tools away; nothing for other stages.

@@ -2,14 +2,21 @@
 
 mod code;
 mod job;
+mod json;
 mod new;
 mod progress;
+mod reel;
 mod run;
+mod shell;
+mod table;
 mod validate;
 
 pub use code::{Code, message};
 
-use clap::{Parser, Subcommand};
+use clap::{CommandFactory, Parser, Subcommand};
+use clap_complete::Shell;
+use code::BadRequest;
+use json::{Json, say_json};
 use stampflow::case;
 use std::io::{self, Write};
 use std::path::PathBuf;
@@ -34,6 +41,8 @@ enum Verb {
         case: PathBuf,
         #[command(flatten)]
         overrides: Overrides,
+        #[command(flatten)]
+        json: Json,
     },
     /// Write a case file to begin with, from a few sizes
     New(new::Args),
@@ -41,13 +50,22 @@ enum Verb {
     #[command(after_help = validate::HELP)]
     Validate(validate::Args),
     /// List the hardening, rate and friction laws with their parameters and sources
-    Laws,
+    Laws {
+        #[command(flatten)]
+        json: Json,
+    },
     /// Print the JSON schema of case files, for completion in editors
     #[command(
         after_help = "Example:\n  stampflow schema > case.schema.json\n\nThen begin a case file with the line\n  \
                             #:schema ./case.schema.json"
     )]
     Schema,
+    /// Print the completions of a shell
+    #[command(after_help = shell::COMPLETIONS_HELP)]
+    Completions { shell: Shell },
+    /// Print the manual page of the program or of a verb
+    #[command(after_help = shell::MAN_HELP)]
+    Man { verb: Option<String> },
 }
 
 #[derive(Debug, clap::Args)]
@@ -74,18 +92,27 @@ impl Threads {
     }
 }
 
-/// Does what was asked for.
-pub fn main(args: Args) -> anyhow::Result<Code> {
+/// Reads the command line and does what it asks for.
+pub fn main() -> anyhow::Result<Code> {
+    let args = match Args::try_parse() {
+        Err(error) if error.use_stderr() && json::is_asked_for() => {
+            return Err(BadRequest(error.to_string().trim_start_matches("error: ").trim_end().to_owned()).into());
+        }
+        parsed => parsed.unwrap_or_else(|error| error.exit()),
+    };
     match args.verb {
         Verb::Run(args) => run::run(&args),
         Verb::Validate(args) => validate::validate(&args),
-        Verb::Check { case, overrides } => {
-            let case = case::load(&case, &overrides.set)?;
-            say(&case::check::report(&case).to_string())
+        Verb::Check { case, overrides, json } => {
+            let report = case::check::report(&case::load(&case, &overrides.set)?);
+            if json.json { say_json(&report) } else { say(&report.to_string()) }
         }
         Verb::New(args) => new::new(&args),
-        Verb::Laws => say(&case::laws()),
+        Verb::Laws { json } if json.json => say_json(&case::law_list()),
+        Verb::Laws { .. } => say(&case::laws()),
         Verb::Schema => say(&case::schema()),
+        Verb::Completions { shell } => shell::completions(Args::command(), shell),
+        Verb::Man { verb } => shell::man(Args::command(), verb.as_deref()),
     }
 }
 

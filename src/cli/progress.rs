@@ -1,10 +1,11 @@
 //! How far runs have come: bars on a terminal, a line for every tenth of the travel elsewhere, or nothing.
 
+use super::reel::Reels;
 use indicatif::{MultiProgress, ProgressBar, ProgressStyle};
-use stampflow::Stage;
 use stampflow::model::Model;
 use stampflow::record::{IterationRecord, Run, StepRecord};
 use stampflow::solver::Observer;
+use stampflow::{Stage, State};
 use std::io::{self, IsTerminal};
 
 /// Ticks of a bar for the whole travel.
@@ -27,7 +28,16 @@ pub struct Watch {
     thickness: f64,
     force_unit: &'static str,
     shown: Shown,
-    trace: Option<Vec<IterationRecord>>,
+    kept: Kept,
+}
+
+/// What a watch keeps, each where it is asked for.
+#[derive(Clone, Debug, Default)]
+pub struct Kept {
+    /// Every iteration.
+    pub trace: Option<Vec<IterationRecord>>,
+    /// Frames for a film.
+    pub reels: Option<Reels>,
 }
 
 enum Shown {
@@ -47,8 +57,8 @@ impl Progress {
         }
     }
 
-    /// A watch over the run of a case; it keeps every iteration when `trace` is set.
-    pub fn watch(&self, name: &str, model: &Model, trace: bool) -> Watch {
+    /// A watch over the run of a case, and what it keeps.
+    pub fn watch(&self, name: &str, model: &Model, kept: Kept) -> Watch {
         let shown = match self {
             Self::Bars(all) => {
                 let bar = ProgressBar::new(FULL).with_style(style()).with_prefix(name.to_owned());
@@ -66,18 +76,18 @@ impl Progress {
             thickness: model.blank.thickness,
             force_unit,
             shown,
-            trace: trace.then(Vec::new),
+            kept,
         }
     }
 }
 
 impl Watch {
-    /// Takes the display down and returns the iterations that were kept.
-    pub fn finish(self, run: &Run) -> Vec<IterationRecord> {
+    /// Takes the display down and returns what was kept.
+    pub fn finish(self, run: &Run) -> Kept {
         if let Shown::Bar(bar) = self.shown {
             if run.stop.is_complete() { bar.finish() } else { bar.abandon() }
         }
-        self.trace.unwrap_or_default()
+        self.kept
     }
 }
 
@@ -127,8 +137,14 @@ impl Observer for Watch {
     }
 
     fn iteration(&mut self, record: &IterationRecord) {
-        if let Some(trace) = &mut self.trace {
+        if let Some(trace) = &mut self.kept.trace {
             trace.push(*record);
+        }
+    }
+
+    fn state(&mut self, model: &Model, state: &State) {
+        if let Some(reels) = &mut self.kept.reels {
+            reels.see(model, state);
         }
     }
 }

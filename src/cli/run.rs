@@ -2,8 +2,12 @@
 
 use super::code::{BadRequest, unusable};
 use super::job::{Job, Solved, solve_all};
-use super::progress::Progress;
+use super::json::{self, Json, say_json};
+use super::progress::{Kept, Progress};
+use super::reel::Reels;
+use super::table::{Tone, table};
 use super::{Code, Overrides, Threads, say};
+use serde_json::{Value, json};
 use stampflow::output::{OUTPUTS, Summary, can_write, can_write_all, csv, trace, write};
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
@@ -24,8 +28,16 @@ pub struct Args {
     /// Also write every iteration of the solver to this file (one case only)
     #[arg(long, value_name = "FILE.csv")]
     trace: Option<PathBuf>,
+    /// Also write the kept frames for ParaView: section.pvd, tools.pvd and, axisymmetric, revolved.pvd
+    #[arg(long)]
+    vtu: bool,
+    /// Also write shapes.gif, the section and the load as they move
+    #[arg(long)]
+    animate: bool,
     #[command(flatten)]
     threads: Threads,
+    #[command(flatten)]
+    json: Json,
 }
 
 /// What is written, from the list that writes it.
@@ -36,7 +48,9 @@ pub fn help() -> String {
     for output in OUTPUTS {
         let _ = writeln!(help, "  {:<18} {}", output.file, output.about);
     }
-    help + "  compare_*.png, csv overlay and differences for every reference the case is compared with\n\
+    help + "  section.pvd, ...   with --vtu: every kept frame for ParaView, with its tools and, axisymmetric, turned about the axis\n  \
+            shapes.gif         with --animate: the section and the load as they move\n\
+            \x20 compare_*.png, csv overlay and differences for every reference the case is compared with\n\
             Of a case with several stages each has a folder of its own, 1-draw, 2-retract, ..., and stages.csv sums them up\n\n\
             Examples:\n  \
             stampflow run cases/quickstart.toml\n  \
@@ -58,31 +72,54 @@ pub fn run(args: &Args) -> anyhow::Result<Code> {
         can_write(path).map_err(unusable("--trace"))?;
     }
     args.threads.apply()?;
-    let progress = Progress::new(args.quiet);
+    let progress = Progress::new(args.quiet || args.json.json);
     let reports = solve_all(
         jobs,
-        |case| progress.watch(&case.name, &case.model, args.trace.is_some()),
+        |case| {
+            let kept =
+                Kept { trace: args.trace.as_ref().map(|_| Vec::new()), reels: args.animate.then(Reels::default) };
+            progress.watch(&case.name, &case.model, kept)
+        },
         |solved| {
             let dir = folder(args, several, solved.name());
-            let files = solved.write(&dir)?;
-            if let Some(path) = &args.trace {
-                write(path, &csv(&trace::table(&solved.iterations)))?;
+            let files = solved.write(&dir, args.vtu)?;
+            if let (Some(path), Some(iterations)) = (&args.trace, &solved.kept.trace) {
+                write(path, &csv(&trace::table(iterations)))?;
             }
-            Ok((report(&solved, &dir, files.len()), solved.is_complete()))
+            let report = match args.json.json {
+                true => Report::Json(as_json(&solved, &dir, &files)?),
+                false => Report::Text(report(&solved, &dir, files.len())),
+            };
+            Ok((report, solved.is_complete()))
         },
     );
     let mut code = Code::Done;
     let mut failure = None;
+    let mut values = Vec::new();
     for report in reports {
         match report {
-            Ok((text, complete)) => {
-                say(&if several { text + "\n" } else { text })?;
+            Ok((report, complete)) => {
+                match report {
+                    Report::Text(text) => _ = say(&if several { text + "\n" } else { text })?,
+                    Report::Json(value) => values.push(value),
+                }
                 code = if complete { code } else { Code::StoppedEarly };
             }
             Err(error) => failure = failure.or(Some(error)),
         }
     }
+    match values.as_slice() {
+        [] => {}
+        [value] if !several => _ = say_json(value)?,
+        values => _ = say_json(&values)?,
+    }
     failure.map_or(Ok(code), Err)
+}
+
+/// What is printed of a case.
+enum Report {
+    Text(String),
+    Json(Value),
 }
 
 /// All cases, or the first thing that is wrong with one of them.
@@ -112,7 +149,7 @@ fn folder(args: &Args, several: bool, name: &str) -> PathBuf {
 }
 
 fn report(solved: &Solved, dir: &Path, files: usize) -> String {
-    let summaries = solved.subjects().map(|subject| Summary::of(&subject).to_string());
+    let summaries = solved.subjects().map(|subject| printed(&Summary::of(&subject), subject.run.stop.is_complete()));
     let mut text = summaries.collect::<Vec<_>>().join("\n");
     let stages = solved.stages();
     if !stages.is_empty() {
@@ -123,4 +160,37 @@ fn report(solved: &Solved, dir: &Path, files: usize) -> String {
     }
     let _ = writeln!(text, "{files} files in {}", dir.display());
     text
+}
+
+/// The summary as a table.
+fn printed(summary: &Summary, complete: bool) -> String {
+    let mut below = String::new();
+    let rows = summary.rows().into_iter().map(|(label, value)| {
+        if !label.is_empty() {
+            below.clone_from(&label);
+        }
+        let tone = match below.as_str() {
+            "Ended" if complete => Tone::Good,
+            "Ended" => Tone::Bad,
+            "Warnings" => Tone::Warning,
+            _ => Tone::Plain,
+        };
+        ([label, value], tone)
+    });
+    table(None, rows.collect(), 1)
+}
+
+/// What `summary.json` says of the case, or of each of its stages, and what was compared and written.
+fn as_json(solved: &Solved, dir: &Path, files: &[PathBuf]) -> anyhow::Result<Value> {
+    let summaries = solved.subjects().map(|subject| serde_json::to_value(Summary::of(&subject)));
+    let mut summaries = summaries.collect::<Result<Vec<_>, _>>()?;
+    let mut value = match summaries.as_mut_slice() {
+        [one] if !solved.has_stages() => one.take(),
+        stages => json!({ "case": solved.name(), "complete": solved.is_complete(), "stages": stages }),
+    };
+    let comparisons: Vec<Value> = solved.comparisons.iter().map(|c| json::comparison(solved.name(), c)).collect();
+    value["comparisons"] = comparisons.into();
+    value["folder"] = json!(dir);
+    value["files"] = json!(files);
+    Ok(value)
 }

@@ -2,10 +2,12 @@
 
 use super::code::{BadRequest, unusable};
 use super::job::{Job, solve_all};
-use super::progress::Progress;
+use super::json::{self, Json, say_json};
+use super::progress::{Kept, Progress};
+use super::table::{Tone, table};
 use super::{Code, Threads, say};
 use anyhow::Context;
-use stampflow::compare::Comparison;
+use stampflow::compare::{Comparison, Verdict};
 use stampflow::output::can_write_all;
 use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
@@ -34,9 +36,14 @@ pub struct Args {
     quiet: bool,
     #[command(flatten)]
     threads: Threads,
+    #[command(flatten)]
+    json: Json,
 }
 
 const HEADERS: [&str; 8] = ["case", "quantity", "reference", "kind, grade", "worst", "accepted", "verdict", "reason"];
+
+/// The column from which on rows are coloured by their verdict.
+const VERDICT: usize = 6;
 
 pub fn validate(args: &Args) -> anyhow::Result<Code> {
     let mut jobs = Vec::new();
@@ -53,21 +60,23 @@ pub fn validate(args: &Args) -> anyhow::Result<Code> {
         can_write_all(&args.out.join(&job.case.name)).map_err(unusable("--out"))?;
     }
     args.threads.apply()?;
-    let progress = Progress::new(args.quiet);
+    let progress = Progress::new(args.quiet || args.json.json);
     let outcomes = solve_all(
         jobs,
-        |case| progress.watch(&case.name, &case.model, false),
+        |case| progress.watch(&case.name, &case.model, Kept::default()),
         |solved| {
             solved.write_comparisons(&args.out.join(solved.name()))?;
-            let rows: Vec<_> = solved.comparisons.iter().map(|c| row(solved.name(), c)).collect();
-            Ok((rows, solved.comparisons.iter().any(Comparison::is_failure)))
+            Ok((solved.name().to_owned(), solved.comparisons))
         },
     );
     let outcomes = outcomes.into_iter().collect::<anyhow::Result<Vec<_>>>()?;
-    let failed = outcomes.iter().any(|(_, failed)| *failed);
-    let rows: Vec<_> = outcomes.into_iter().flat_map(|(rows, _)| rows).collect();
-    say(&aligned(&rows))?;
-    Ok(if failed { Code::Failed } else { Code::Done })
+    let all = || outcomes.iter().flat_map(|(case, list)| list.iter().map(move |comparison| (case, comparison)));
+    if args.json.json {
+        say_json(&all().map(|(case, comparison)| json::comparison(case, comparison)).collect::<Vec<_>>())?;
+    } else {
+        say(&table(Some(HEADERS), all().map(|(case, comparison)| row(case, comparison)).collect(), VERDICT))?;
+    }
+    Ok(if all().any(|(_, comparison)| comparison.is_failure()) { Code::Failed } else { Code::Done })
 }
 
 /// The case files of a folder in alphabetical order.
@@ -94,10 +103,10 @@ fn case_files(dir: &Path) -> anyhow::Result<Vec<PathBuf>> {
     Ok(files)
 }
 
-fn row(case: &str, comparison: &Comparison) -> [String; 8] {
+fn row(case: &str, comparison: &Comparison) -> ([String; 8], Tone) {
     let Comparison { spec, source, .. } = comparison;
     let file = spec.reference.file_name().unwrap_or_default().to_string_lossy();
-    [
+    let cells = [
         case.to_owned(),
         spec.against.name().to_owned(),
         file.into_owned(),
@@ -106,33 +115,11 @@ fn row(case: &str, comparison: &Comparison) -> [String; 8] {
         comparison.accepted(),
         comparison.outcome(),
         spec.reason.clone(),
-    ]
-}
-
-/// Columns in line, two spaces apart, under their headers.
-fn aligned(rows: &[[String; 8]]) -> String {
-    let headers = HEADERS.map(str::to_owned);
-    let all = || std::iter::once(&headers).chain(rows);
-    let widths: Vec<usize> =
-        (0..HEADERS.len()).map(|i| all().map(|r| r[i].chars().count()).max().unwrap_or(0)).collect();
-    let line = |row: &[String; 8]| {
-        let cells: Vec<String> = row.iter().zip(&widths).map(|(cell, width)| format!("{cell:<width$}")).collect();
-        cells.join("  ").trim_end().to_owned()
+    ];
+    let tone = match comparison.verdict {
+        _ if comparison.is_failure() => Tone::Bad,
+        Verdict::In => Tone::Good,
+        _ => Tone::Warning,
     };
-    all().map(line).collect::<Vec<_>>().join("\n")
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn columns_stand_in_line_whatever_their_letters() {
-        let row = ["cup", "travel", "ł.csv", "experiment, A", "–", "5 %", "no data", "scatter"].map(str::to_owned);
-        let text = aligned(&[row]);
-        let lines: Vec<&str> = text.lines().collect();
-        let at = |line: &str, word: &str| line[..line.find(word).unwrap()].chars().count();
-        assert_eq!(at(lines[0], "verdict"), at(lines[1], "no data"));
-        assert_eq!(at(lines[0], "reason"), at(lines[1], "scatter"));
-    }
+    (cells, tone)
 }

@@ -1,13 +1,13 @@
 //! Where reference curves come from: `sources.toml` in their folder, one table per file name.
 
 use super::CompareError;
-use serde::Deserialize;
+use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::fmt;
 use std::path::Path;
 
 /// Provenance of one reference file.
-#[derive(Clone, Debug, PartialEq, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Deserialize, Serialize)]
 #[serde(deny_unknown_fields)]
 pub struct Source {
     /// Author, title, year, figure.

@@ -73,25 +73,27 @@ pub(super) fn of(subject: &Subject) -> Option<Table> {
     Some(table(subject.model, subject.run))
 }
 
-/// Punch and holder force over the travel, and the held edge's force where there is one; under gas alone, its pressure
-/// over the height of the dome.
 pub(super) fn plot(subject: &Subject) -> Option<Chart> {
+    let panel = panel(subject, 350.0)?;
+    let what = if subject.model.travel == 0.0 { "pressure" } else { "forces" };
+    Some(Chart {
+        title: format!("{}: {what}", subject.model.title),
+        legend: "",
+        panels: vec![panel],
+        notes: subject.notes(),
+    })
+}
+
+/// Punch and holder force over the travel, and the held edge's force where there is one; under gas alone, its pressure
+/// over the height of the dome. One point per step in every series.
+pub(super) fn panel(subject: &Subject, height: f64) -> Option<Panel> {
     subject.run.history.first()?;
     let table = table(subject.model, subject.run);
+    let scale = Scale::Fit { height, least: 0.0 };
     if subject.model.travel == 0.0 {
         let (x, pressure) = (table.column("pole_height"), table.column("pressure"));
-        let look = Look::curve(0);
-        return Some(Chart {
-            title: format!("{}: pressure", subject.model.title),
-            legend: "",
-            panels: vec![Panel {
-                x: x.axis(),
-                y: pressure.axis(),
-                series: vec![Series::new(pressure.label, table.pairs(x.key, pressure.key), look)],
-                scale: Scale::Fit { height: 350.0, least: 0.0 },
-            }],
-            notes: subject.notes(),
-        });
+        let series = vec![Series::new(pressure.label, table.pairs(x.key, pressure.key), Look::curve(0))];
+        return Some(Panel { x: x.axis(), y: pressure.axis(), series, scale });
     }
     let acts = |key: &str| key == "punch_force" || table.column(key).values.iter().any(|v| *v != 0.0);
     let keys: Vec<&str> = ["punch_force", "holder_force", "edge_force"].into_iter().filter(|k| acts(k)).collect();
@@ -101,15 +103,5 @@ pub(super) fn plot(subject: &Subject) -> Option<Chart> {
         .enumerate()
         .map(|(i, column)| Series::new(column.label, table.pairs("travel", column.key), Look::curve(i)))
         .collect();
-    Some(Chart {
-        title: format!("{}: forces", subject.model.title),
-        legend: "",
-        panels: vec![Panel {
-            x: table.column("travel").axis(),
-            y: Axis::shared(&columns),
-            series,
-            scale: Scale::Fit { height: 350.0, least: 0.0 },
-        }],
-        notes: subject.notes(),
-    })
+    Some(Panel { x: table.column("travel").axis(), y: Axis::shared(&columns), series, scale })
 }

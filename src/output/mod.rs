@@ -7,7 +7,9 @@ pub mod chart;
 mod csv;
 mod draw;
 mod file;
+pub mod film;
 mod font;
+mod gif;
 pub mod load_travel;
 mod outline;
 mod over_blank;
@@ -22,6 +24,7 @@ mod stages;
 mod strains;
 mod summary;
 pub mod trace;
+pub mod vtk;
 
 pub use chart::Chart;
 pub use csv::csv;
@@ -172,7 +175,8 @@ fn write_into<const N: usize>(
 /// # Errors
 /// As [`can_write`].
 pub fn can_write_all(dir: &Path) -> Result<(), WriteError> {
-    OUTPUTS.iter().try_for_each(|output| can_write(&dir.join(output.file)))
+    let asked_for = vtk::COLLECTIONS.iter().chain([&film::FILE]);
+    OUTPUTS.iter().map(|output| &output.file).chain(asked_for).try_for_each(|file| can_write(&dir.join(file)))
 }
 
 /// Removes what an earlier run wrote into `dir` and this one did not, so that no plot of another run stands beside
@@ -188,6 +192,8 @@ pub fn remove_stale(dir: &Path, written: &[PathBuf]) -> Result<(), WriteError> {
             OUTPUTS.iter().any(|output| output.file == name)
                 || of_frames.contains(&name)
                 || name == STAGES
+                || name == film::FILE
+                || vtk::is_ours(name)
                 || overlay::is_comparison(name)
         };
         if path.file_name().and_then(|name| name.to_str()).is_some_and(ours) {
@@ -231,15 +237,20 @@ fn progress(model: &Model) -> &'static str {
     }
 }
 
-/// How plots name a frame: its travel; without a punch the time where a strain rate is held, or else the height of the
-/// dome.
+/// How plots name a frame.
 fn reached(model: &Model, frame: &Frame) -> String {
-    let (value, unit) = match model.rate_control() {
-        _ if frame.travel > 0.0 => (frame.travel, Unit::Mm),
+    let (value, unit) = reaches(model, frame);
+    format!("{} {}", shortened(value), unit.symbol())
+}
+
+/// What a frame is named by: its travel; without a punch the time where a strain rate is held, or else the height of the
+/// dome.
+fn reaches(model: &Model, frame: &Frame) -> (f64, Unit) {
+    match model.rate_control() {
+        _ if model.travel > 0.0 => (frame.travel, Unit::Mm),
         Some(_) => (frame.time, Unit::Second),
         None => (frame.nodes.first().map_or(0.0, |pole| pole.z.abs()), Unit::Mm),
-    };
-    format!("{} {}", shortened(value), unit.symbol())
+    }
 }
 
 /// A number with as many decimals as it needs, at most two, more below 1.

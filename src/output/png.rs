@@ -20,11 +20,8 @@ const BAND: u32 = 128;
 /// # Panics
 /// When the text is no SVG: a mistake of the caller.
 pub fn png(svg: &str) -> Vec<u8> {
-    let mut options = Options { font_family: font::FAMILY.to_owned(), ..Options::default() };
-    options.fontdb_mut().load_font_source(Source::Binary(Arc::new(font::DATA)));
-    let tree = Tree::from_str(svg, &options).expect("the SVG is of our own making");
-    let size = tree.size();
-    let (width, height) = ((DENSITY * size.width()).ceil() as u32, (DENSITY * size.height()).ceil() as u32);
+    let tree = tree(svg);
+    let (width, height) = pixels(&tree, DENSITY);
 
     let mut bytes = Vec::new();
     let mut encoder = png::Encoder::new(&mut bytes, width, height);
@@ -36,9 +33,7 @@ pub fn png(svg: &str) -> Vec<u8> {
     let mut rows = writer.stream_writer().expect(never);
     let mut band = Pixmap::new(width, BAND.min(height)).expect("the picture has a size");
     for top in (0..height).step_by(BAND as usize) {
-        band.fill(Color::WHITE);
-        let shifted = Transform::from_scale(DENSITY, DENSITY).post_translate(0.0, -(top as f32));
-        resvg::render(&tree, shifted, &mut band.as_mut());
+        render(&tree, DENSITY, top, &mut band);
         let pixels = &band.pixels()[..(width * BAND.min(height - top)) as usize];
         let rgb: Vec<u8> = pixels.iter().flat_map(|p| [p.red(), p.green(), p.blue()]).collect();
         rows.write_all(&rgb).expect(never);
@@ -46,6 +41,29 @@ pub fn png(svg: &str) -> Vec<u8> {
     rows.finish().expect(never);
     writer.finish().expect(never);
     bytes
+}
+
+/// An SVG that this program drew, with the built-in font.
+///
+/// # Panics
+/// When the text is no SVG: a mistake of the caller.
+pub(super) fn tree(svg: &str) -> Tree {
+    let mut options = Options { font_family: font::FAMILY.to_owned(), ..Options::default() };
+    options.fontdb_mut().load_font_source(Source::Binary(Arc::new(font::DATA)));
+    Tree::from_str(svg, &options).expect("the SVG is of our own making")
+}
+
+/// Width and height of a picture at `density` pixels per px.
+pub(super) fn pixels(tree: &Tree, density: f32) -> (u32, u32) {
+    let size = tree.size();
+    ((density * size.width()).ceil() as u32, (density * size.height()).ceil() as u32)
+}
+
+/// Draws what lies below `top` \[pixels\] on white.
+pub(super) fn render(tree: &Tree, density: f32, top: u32, onto: &mut Pixmap) {
+    onto.fill(Color::WHITE);
+    let shifted = Transform::from_scale(density, density).post_translate(0.0, -(top as f32));
+    resvg::render(tree, shifted, &mut onto.as_mut());
 }
 
 #[cfg(test)]

@@ -55,16 +55,26 @@ pub(super) fn window<'a>(nodes: impl Iterator<Item = &'a NodeRecord>, length: f6
 /// The tools' bodies where they stand in a frame, or are drawn in the model without one, in a picture of this width \[mm\].
 pub(super) fn tools<'a>(model: &'a Model, at: Option<&'a Frame>, width: f64) -> impl Iterator<Item = Series> + 'a {
     model.tools.iter().enumerate().map(move |(i, tool)| {
-        let place = |frame: &Frame| Some(Point::new(*frame.tool_aside.get(i)?, *frame.tool_displacement.get(i)?));
-        let moved = at.and_then(place).unwrap_or_default();
+        let moved = at.map_or_else(Point::default, |frame| place(frame, i));
         Series::silent(body(tool, moved, SAGITTA * width), Look::Area { fill: PALE, edge: Some(GREY) })
     })
 }
 
+/// How far tool `i` has moved from where it is drawn in the model \[mm\].
+pub(super) fn place(frame: &Frame, i: usize) -> Point {
+    let along = |list: &[f64]| list.get(i).copied().unwrap_or_default();
+    Point::new(along(&frame.tool_aside), along(&frame.tool_displacement))
+}
+
+/// The tool's profile, moved, as chords that leave its arcs by at most `sagitta` \[mm\].
+pub(super) fn outline(tool: &Tool, moved: Point, sagitta: f64) -> Vec<(f64, f64)> {
+    let points = tool.profile.pieces().iter().flat_map(|piece| piece.sample(chords(piece, sagitta)));
+    points.map(|p| (p.x + moved.x, p.y + moved.y)).collect()
+}
+
 /// The tool's profile closed through its body, which goes on away from the sheet.
 fn body(tool: &Tool, moved: Point, sagitta: f64) -> Vec<(f64, f64)> {
-    let points = tool.profile.pieces().iter().flat_map(|piece| piece.sample(chords(piece, sagitta)));
-    let mut outline: Vec<(f64, f64)> = points.map(|p| (p.x + moved.x, p.y + moved.y)).collect();
+    let mut outline = outline(tool, moved, sagitta);
     let (first, last) = (outline[0], outline[outline.len() - 1]);
     let ends = outline.iter().map(|p| p.1);
     let far = match tool.role {
@@ -104,20 +114,23 @@ fn membranes(frame: &Frame) -> Vec<Range<usize>> {
     stretches.filter(|(bends, _)| !bends).map(|(_, elements)| elements).collect()
 }
 
-/// Both surfaces of some elements of the sheet: half a thickness from the mid-surface along its normal.
+/// Both surfaces of some elements of the sheet.
 pub(super) fn sheet(frame: &Frame, elements: Range<usize>) -> Vec<(f64, f64)> {
+    let part = elements.start..(elements.end + 1).min(frame.nodes.len());
+    part.clone().map(|i| surface(frame, i, 1.0)).chain(part.rev().map(|i| surface(frame, i, -1.0))).collect()
+}
+
+/// A surface of the sheet at node `i`: half a thickness from the mid-surface along its normal, on the die's side (+1) or
+/// the punch's (−1). On the axis or the symmetry plane the sheet goes on as its own mirror image.
+pub(super) fn surface(frame: &Frame, i: usize, side: f64) -> (f64, f64) {
     let nodes = &frame.nodes;
     let at = |n: &NodeRecord| Point::new(n.r, n.z);
-    let surface = |i: usize, side: f64| {
-        let before = at(&nodes[i.saturating_sub(1)]);
-        let after = at(&nodes[(i + 1).min(nodes.len() - 1)]);
-        let along = (after - before).try_normalize(0.0).unwrap_or(Point::new(1.0, 0.0));
-        let half = 0.5 * side * nodes[i].thickness;
-        let p = at(&nodes[i]) + half * Point::new(-along.y, along.x);
-        (p.x, p.y)
-    };
-    let part = elements.start..(elements.end + 1).min(nodes.len());
-    part.clone().map(|i| surface(i, 1.0)).chain(part.rev().map(|i| surface(i, -1.0))).collect()
+    let after = at(&nodes[(i + 1).min(nodes.len() - 1)]);
+    let before = if nodes[i].r == 0.0 { Point::new(-after.x, after.y) } else { at(&nodes[i.saturating_sub(1)]) };
+    let along = (after - before).try_normalize(0.0).unwrap_or(Point::new(1.0, 0.0));
+    let half = 0.5 * side * nodes[i].thickness;
+    let p = at(&nodes[i]) + half * Point::new(-along.y, along.x);
+    (p.x, p.y)
 }
 
 #[cfg(test)]

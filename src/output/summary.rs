@@ -288,23 +288,29 @@ impl Serialize for Summary {
     }
 }
 
+impl Summary {
+    /// Labels and values of the printed lines; the entries of a list stand below each other, the first at its label.
+    pub fn rows(&self) -> Vec<(String, String)> {
+        let printed = self.entries.iter().filter(|entry| !entry.label.is_empty());
+        let rows = printed.flat_map(|Entry { label, unit, value, .. }| {
+            let values = match value {
+                Value::Number(v) => vec![format!("{} {}", four_digits(*v), unit.symbol())],
+                Value::Count(v) => vec![v.to_string()],
+                Value::Flag(v) => vec![if *v { "yes" } else { "no" }.to_owned()],
+                Value::Text(v) => vec![v.clone()],
+                Value::List(lines) => lines.iter().map(|line| format!("- {line}")).collect(),
+            };
+            let labelled = |(i, value)| (if i == 0 { label.clone() } else { String::new() }, value);
+            values.into_iter().enumerate().map(labelled).collect::<Vec<_>>()
+        });
+        rows.collect()
+    }
+}
+
 impl fmt::Display for Summary {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let width = self.entries.iter().map(|e| e.label.len()).max().unwrap_or(0);
-        for Entry { label, unit, value, .. } in self.entries.iter().filter(|e| !e.label.is_empty()) {
-            match value {
-                Value::Number(v) => writeln!(f, "{label:<width$}  {} {}", four_digits(*v), unit.symbol())?,
-                Value::Count(v) => writeln!(f, "{label:<width$}  {v}")?,
-                Value::Flag(v) => writeln!(f, "{label:<width$}  {}", if *v { "yes" } else { "no" })?,
-                Value::Text(v) => writeln!(f, "{label:<width$}  {v}")?,
-                Value::List(lines) => {
-                    for (i, line) in lines.iter().enumerate() {
-                        writeln!(f, "{:<width$}  - {line}", if i == 0 { label } else { "" })?;
-                    }
-                }
-            }
-        }
-        Ok(())
+        self.rows().iter().try_for_each(|(label, value)| writeln!(f, "{label:<width$}  {value}"))
     }
 }
 

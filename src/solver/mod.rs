@@ -36,6 +36,8 @@ pub use stages::{Pass, enter, run_stages};
 pub trait Observer {
     /// After every accepted step.
     fn step(&mut self, _record: &StepRecord) {}
+    /// At the start and after every accepted step: the sheet and its tools.
+    fn state(&mut self, _model: &Model, _state: &State) {}
     /// After every iteration.
     fn iteration(&mut self, _record: &IterationRecord) {}
     /// Before each stage of a sequence.
@@ -64,6 +66,7 @@ pub fn run_from(model: &Model, mut state: State, observer: &mut dyn Observer) ->
     let strained: Vec<f64> = state.layers.iter().map(|point| point.strain).collect();
     let mut rejected = 0;
 
+    observer.state(model, &state);
     while let Some(dt) = control.next(&state) {
         let step = Step { model, state: &state, dt, number: last.step + 1 };
         work.begin(&step);
@@ -114,6 +117,7 @@ pub fn run_from(model: &Model, mut state: State, observer: &mut dyn Observer) ->
         }
         (record.coldest, record.hottest) = state.temperatures();
         observer.step(&record);
+        observer.state(model, &state);
         run.history.push(record);
         last = record;
         if let Some(contacts) = work.release(&state) {

@@ -1,0 +1,77 @@
+//! Printed tables: as wide as the terminal, and coloured where a human looks on.
+
+use comfy_table::{Attribute, Cell, Color, ColumnConstraint, ContentArrangement, Table, presets};
+use std::io::{self, IsTerminal};
+
+/// What a row is about.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Tone {
+    Plain,
+    Good,
+    Bad,
+    Warning,
+}
+
+impl Tone {
+    fn color(self) -> Option<Color> {
+        match self {
+            Self::Plain => None,
+            Self::Good => Some(Color::Green),
+            Self::Bad => Some(Color::Red),
+            Self::Warning => Some(Color::Yellow),
+        }
+    }
+}
+
+/// Whether to colour what goes to a stream: it is a terminal, and `NO_COLOR` is not set, or empty
+/// (<https://no-color.org>).
+pub fn colours(stream: &impl IsTerminal) -> bool {
+    stream.is_terminal() && std::env::var_os("NO_COLOR").is_none_or(|value| value.is_empty())
+}
+
+/// Columns in line, two spaces apart, under their headers, if any; cells of a row are toned alike from `toned` on.
+///
+/// On a terminal cells are wrapped to its width, with the first column whole; elsewhere every row is one line.
+pub fn table<const N: usize>(headers: Option<[&str; N]>, rows: Vec<([String; N], Tone)>, toned: usize) -> String {
+    let coloured = colours(&io::stdout());
+    let mut table = Table::new();
+    table.load_preset(presets::NOTHING).set_content_arrangement(ContentArrangement::Dynamic);
+    if let Some(headers) = headers {
+        let cells = headers.map(|header| {
+            Cell::new(header).add_attributes(Some(Attribute::Bold).filter(|_| coloured).into_iter().collect())
+        });
+        table.set_header(cells);
+    }
+    for (row, tone) in rows {
+        let color = tone.color().filter(|_| coloured);
+        table.add_row(row.into_iter().enumerate().map(|(i, text)| match color.filter(|_| i >= toned) {
+            Some(color) => Cell::new(text).fg(color),
+            None => Cell::new(text),
+        }));
+    }
+    for (i, column) in table.column_iter_mut().enumerate() {
+        column.set_padding((0, if i + 1 < N { 2 } else { 0 }));
+        if i == 0 {
+            column.set_constraint(ColumnConstraint::ContentWidth);
+        }
+    }
+    table.lines().map(|line| line.trim_end().to_owned() + "\n").collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn columns_stand_in_line_whatever_their_letters() {
+        let row = |cells: [&str; 3]| (cells.map(str::to_owned), Tone::Good);
+        let rows = vec![row(["ł.csv", "no data", "scatter"]), row(["  a longer name", "–", ""])];
+        let text = table(Some(["case", "verdict", "reason"]), rows, 1);
+        let lines: Vec<&str> = text.lines().collect();
+        let at = |line: &str, word: &str| line[..line.find(word).unwrap()].chars().count();
+        assert_eq!(at(lines[0], "verdict"), at(lines[1], "no data"));
+        assert_eq!(at(lines[0], "reason"), at(lines[1], "scatter"));
+        assert_eq!(lines[2], "  a longer name  –");
+        assert!(!text.contains('\u{1b}'), "tests are no terminal");
+    }
+}

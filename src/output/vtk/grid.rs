@@ -1,0 +1,111 @@
+//! Points and cells with numbers on them, and the file they become; the only place that knows vtkio.
+
+use crate::table::Column;
+use std::f64::consts::TAU;
+use vtkio::model::{
+    Attribute, Attributes, ByteOrder, CellType, Cells, DataSet, UnstructuredGridPiece, Version, VertexNumbers, Vtk,
+};
+
+/// An unstructured grid with one entry of every field per cell.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Grid {
+    /// x, y, z of each point \[mm\].
+    points: Vec<[f64; 3]>,
+    /// Numbers of each cell's points, in VTK's order.
+    cells: Vec<(CellType, Vec<u64>)>,
+    fields: Vec<Column>,
+}
+
+impl Grid {
+    /// Quadrilaterals between two lines of points; `faces` holds a point of the one, then of the other.
+    pub fn strip(faces: Vec<(f64, f64)>, fields: Vec<Column>) -> Self {
+        let corners = |e: u64| vec![2 * e, 2 * e + 1, 2 * e + 3, 2 * e + 2];
+        let elements = (faces.len() as u64 / 2).saturating_sub(1);
+        Self {
+            points: faces.into_iter().map(|(x, y)| [x, y, 0.0]).collect(),
+            cells: (0..elements).map(|e| (CellType::Quad, corners(e))).collect(),
+            fields,
+        }
+    }
+
+    /// Open lines through lists of points, a cell for every piece: not all readers know lines of many points. `fields` has
+    /// an entry for each line.
+    pub fn lines(lines: Vec<Vec<(f64, f64)>>, fields: Vec<Column>) -> Self {
+        let (mut points, mut cells, mut pieces) = (Vec::new(), Vec::new(), Vec::new());
+        for mut line in lines {
+            line.dedup();
+            let first = points.len() as u64;
+            pieces.push(line.len() - 1);
+            points.extend(line.into_iter().map(|(x, y)| [x, y, 0.0]));
+            cells.extend((first + 1..points.len() as u64).map(|i| (CellType::Line, vec![i - 1, i])));
+        }
+        let repeated = |field: Column| {
+            let values = field.values.iter().zip(&pieces).flat_map(|(value, n)| std::iter::repeat_n(*value, *n));
+            Column { values: values.collect(), ..field }
+        };
+        let fields = fields.into_iter().map(repeated).collect();
+        Self { points, cells, fields }
+    }
+
+    /// A strip turned about x = 0: hexahedra, and wedges where a quadrilateral lies on the axis, sector by sector.
+    pub fn turned(self, sectors: usize) -> Self {
+        let count = self.points.len() as u64;
+        let around = |k: usize| (TAU * k as f64 / sectors as f64).sin_cos();
+        let points = (0..sectors).flat_map(|k| {
+            let (sin, cos) = around(k);
+            self.points.iter().map(move |[r, z, _]| [r * cos, r * sin, *z])
+        });
+        let points = points.collect();
+        let on_axis = |corner: u64| self.points[corner as usize][0] == 0.0;
+        let cells = (0..sectors).flat_map(|k| {
+            let (here, there) = (k as u64 * count, (k + 1) as u64 % sectors as u64 * count);
+            self.cells.iter().map(move |(_, quad)| {
+                let [a, b, c, d] = [quad[0], quad[1], quad[2], quad[3]];
+                // Points of all sectors coincide on the axis: those of the first are taken.
+                if on_axis(a) && on_axis(b) {
+                    (CellType::Wedge, vec![a, d + there, d + here, b, c + there, c + here])
+                } else {
+                    (CellType::Hexahedron, [here, there].iter().flat_map(|at| [a, d, c, b].map(|n| n + at)).collect())
+                }
+            })
+        });
+        let cells = cells.collect();
+        let fields = self.fields.into_iter();
+        let fields = fields.map(|field| Column { values: field.values.repeat(sectors), ..field }).collect();
+        Self { points, cells, fields }
+    }
+
+    /// A `.vtu` file.
+    pub fn bytes(self) -> Vec<u8> {
+        let field = |column: Column| {
+            let unit = column.unit.spelled();
+            let unit = match unit {
+                "" => "-",
+                "percent" => "%",
+                unit => unit,
+            };
+            Attribute::scalars(format!("{} [{unit}]", column.key), 1).with_data(column.values)
+        };
+        let (types, corners): (Vec<_>, Vec<_>) = self.cells.into_iter().unzip();
+        let ends = corners.iter().scan(0, |end, cell| {
+            *end += cell.len() as u64;
+            Some(*end)
+        });
+        let offsets = ends.collect();
+        let piece = UnstructuredGridPiece {
+            points: self.points.concat().into(),
+            cells: Cells { cell_verts: VertexNumbers::XML { connectivity: corners.concat(), offsets }, types },
+            data: Attributes { point: Vec::new(), cell: self.fields.into_iter().map(field).collect() },
+        };
+        let vtk = Vtk {
+            version: Version::new_xml(1, 0),
+            title: String::new(),
+            byte_order: ByteOrder::LittleEndian,
+            data: DataSet::inline(piece),
+            file_path: None,
+        };
+        let mut bytes = Vec::new();
+        vtk.write_xml(&mut bytes).expect("a grid that is complete is written into memory");
+        bytes
+    }
+}
