@@ -2,6 +2,7 @@
 
 mod code;
 mod job;
+mod materials;
 mod progress;
 mod run;
 mod validate;
@@ -37,6 +38,9 @@ enum Verb {
     /// Solve every case that has published curves and compare
     #[command(after_help = validate::HELP)]
     Validate(validate::Args),
+    /// List the built-in materials, or say all of one
+    #[command(after_help = materials::HELP)]
+    Materials(materials::Args),
     /// List the hardening, rate and friction laws with their parameters and sources
     Laws,
     /// Print the JSON schema of case files, for completion in editors
@@ -80,6 +84,7 @@ pub fn main(args: Args) -> anyhow::Result<Code> {
             let case = case::load(&case, &overrides.set)?;
             say(&case::check::report(&case).to_string())
         }
+        Verb::Materials(args) => materials::materials(&args),
         Verb::Laws => say(&case::laws()),
         Verb::Schema => say(&case::schema()),
     }

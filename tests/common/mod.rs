@@ -56,6 +56,7 @@ pub fn model(geometry: Geometry) -> Model {
         settings: Settings::default(),
         mode: Mode::default(),
         release: None,
+        forming_limit: None,
     }
 }
 
