@@ -94,7 +94,7 @@ pub fn load(path: impl AsRef<Path>, overrides: &[String]) -> Result<Case, CaseEr
 /// looked up from.
 ///
 /// An override is `KEY=VALUE`: a dotted path of keys (array entries by index, from 0) and a TOML value; what is not a
-/// TOML value is taken as text. The tables `solver` and `output` are made when they are missing, no others.
+/// TOML value is taken as text. Optional tables such as `solver`, `output` and `forming_limit` are made when they are missing.
 ///
 /// # Errors
 /// When the text is not TOML, a key is unknown or missing, or a value makes no sense; the error points to its line.

@@ -6,7 +6,7 @@ use crate::forming_limit::{Curve, Hill, KeelerBrazier, Kind, MarciniakKuczynski,
 use crate::material::Material;
 use crate::material::flow::ROOM_TEMPERATURE;
 use crate::model::Heat;
-use crate::quantity::{Quantity, ZERO_CELSIUS, rounded};
+use crate::quantity::{Number, Quantity, ZERO_CELSIUS, rounded};
 use std::ops::RangeInclusive;
 
 const PATH: &str = "forming_limit";
@@ -57,18 +57,14 @@ pub(super) fn convert(
     Ok(curve)
 }
 
-fn points(
-    points: &[(crate::quantity::Number, crate::quantity::Number)],
-    strain: Option<StrainMeasure>,
-    source: &Source,
-) -> Result<Points, CaseError> {
+fn points(points: &[(Number, Number)], strain: Option<StrainMeasure>, source: &Source) -> Result<Points, CaseError> {
     let Some(strain) = strain else {
         let what = "`points` do not say which strains they are";
-        let help = "add strain = \"true\" (logarithmic) or strain = \"engineering\"";
+        let help = "add strain = \"logarithmic\" (true strain) or strain = \"engineering\"";
         return Err(source.error("forming_limit.points", what, help));
     };
     let strain = match strain {
-        StrainMeasure::True => Strain::True,
+        StrainMeasure::Logarithmic => Strain::True,
         StrainMeasure::Engineering => Strain::Engineering,
     };
     Ok(Points { points: points.iter().map(|(minor, major)| [minor.value(), major.value()]).collect(), strain })

@@ -13,7 +13,7 @@ pub struct FormingLimit {
     /// Valid for the sheet and the thickness it was measured on, and for straight strain paths. Source: the case's own.
     pub points: Option<Vec<(Number, Number)>>,
     /// How `points` are measured: needed with them.
-    #[schemars(example = &"true")]
+    #[schemars(example = &"logarithmic")]
     pub strain: Option<StrainMeasure>,
     /// The empirical curve of steels; `{}` takes n from the hardening law.
     pub keeler_brazier: Option<KeelerBrazier>,
@@ -35,8 +35,9 @@ pub struct FormingLimit {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum StrainMeasure {
-    /// Logarithmic.
-    True,
+    /// True strain.
+    #[serde(alias = "true")]
+    Logarithmic,
     /// Change of length over the initial length.
     Engineering,
 }

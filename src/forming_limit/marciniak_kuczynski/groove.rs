@@ -66,9 +66,7 @@ impl<'a> Groove<'a> {
 
     /// Equivalent strain of the sheet when the groove necks; `None` where it does not.
     pub fn neck(&self, step: f64) -> Result<Option<f64>, Failure> {
-        let [across, along] = self.in_groove(self.path.strain, 0.0).0;
-        let shear = self.in_groove(self.path.strain, 0.0).1;
-        debug_assert!(across + along > -1.0);
+        let ([across, _], shear) = self.in_groove(self.path.strain, 0.0);
         let mut now = Strained { sheet: 0.0, groove: 0.0, thickness: 0.0, rate: [across, 2.0 * shear] };
         let mut ratio = 1.0;
         let mut step = step;
