@@ -137,7 +137,8 @@ fn a_shallow_groove_necks_as_hill_says() {
         assert!(limits[2].major > hill - 0.03, "{limits:?} {hill}");
         if beta < 0.0 {
             let turned = (limits[2].angle.tan() * (limits[2].major * (1.0 - beta)).exp()).atan();
-            assert!((limits[2].angle..turned).contains(&(-beta).sqrt().atan()), "{limits:?}");
+            // It turns into that line as it necks; the angle is searched to 0.02 rad.
+            assert!((turned - (-beta).sqrt().atan()).abs() < 0.03, "{limits:?}");
         }
     }
     let right = [0.98, 0.99, 0.995].map(|f| groove(f).limit(&sheet(&material), 0.6).expect("a limit").major);
