@@ -10,8 +10,7 @@ use serde::Deserialize;
 use std::fmt::Write;
 
 /// Name and text of every entry, by name.
-const TEXTS: [(&str, &str); 10] = [
-    ("aa5052-h32", include_str!("library/aa5052-h32.toml")),
+const TEXTS: [(&str, &str); 9] = [
     ("aa6016-t4", include_str!("library/aa6016-t4.toml")),
     ("aa6022-t4", include_str!("library/aa6022-t4.toml")),
     ("ap04xr", include_str!("library/ap04xr.toml")),

@@ -14,6 +14,8 @@ use crate::forming_limit::instability::Proportional;
 
 /// Smallest step of equivalent strain \[–\]; there the limit has been found to as much.
 const SMALLEST: f64 = 1e-7;
+/// Stress across a groove over the yield stress below which it is not pulled apart \[–\]: it lies along the pull.
+const PULLED: f64 = 0.1;
 /// Accepted residual over the force across the groove \[–\], and most iterations.
 const TOLERANCE: f64 = 1e-11;
 const ITERATIONS: usize = 40;
@@ -71,6 +73,9 @@ impl<'a> Groove<'a> {
         let mut ratio = 1.0;
         let mut step = step;
         while step > SMALLEST {
+            if self.in_groove(self.path.stress, now.sheet).0[0] < PULLED {
+                return Ok(None);
+            }
             let next = self.advance(&now, step);
             let faster = next.map(|next| (next.groove - now.groove) / step);
             match (next, faster) {
