@@ -1,7 +1,7 @@
 //! The forming limit diagram: the curve, and the way that every element takes below it or through it.
 
-use super::Subject;
 use super::chart::{BLACK, Chart, GREY, Look, Panel, Scale, Series, color, pale};
+use super::{Subject, worded};
 use crate::forming_limit::{Assessment, CROOKED, Curve};
 use crate::table::{Column, Table, Unit};
 
@@ -54,15 +54,19 @@ pub(super) fn paths_of(subject: &Subject) -> Option<Table> {
             columns.iter_mut().zip(row).for_each(|(column, value)| column.push(value));
         }
     }
+    let worded = |axisymmetric, plane_strain| worded(subject.model.geometry, axisymmetric, plane_strain);
+    let from = worded("Initial distance from the axis", "Initial distance from the symmetry plane");
+    let along = worded("Meridional strain", "In-plane strain");
+    let across = worded("Hoop strain", "Out-of-plane strain");
     let [s0, time, travel, minors, majors, meridional, hoop, limit, margin, crookedness] = columns;
     Some(Table::new(vec![
-        Column::new("s0", "Initial distance from the axis", Unit::Mm, s0),
+        Column::new("s0", from, Unit::Mm, s0),
         Column::new("time", "Time", Unit::Second, time),
         Column::new("travel", "Punch travel", Unit::Mm, travel),
         minor(minors),
         major(majors),
-        Column::new("strain_meridional", "Meridional strain", Unit::None, meridional),
-        Column::new("strain_hoop", "Hoop strain", Unit::None, hoop),
+        Column::new("strain_meridional", along, Unit::None, meridional),
+        Column::new("strain_hoop", across, Unit::None, hoop),
         Column::new("limit_major", "Major strain of the limit", Unit::None, limit),
         Column::new("margin", "Margin in major strain", Unit::None, margin),
         Column::new(
@@ -86,9 +90,10 @@ pub(super) fn plot(subject: &Subject) -> Option<Chart> {
         of_one.map(|element| (element.minor, element.major)).collect()
     };
     let (along, across) = (ends(false), ends(true));
+    let worded = |axisymmetric, plane_strain| worded(subject.model.geometry, axisymmetric, plane_strain);
     let places = [
-        ("Elements at the end, major strain along the meridian", along, 0),
-        ("Elements at the end, major strain along the hoop", across, 2),
+        (worded("Elements at the end, major strain along the meridian", "Elements at the end"), along, 0),
+        (worded("Elements at the end, major strain along the hoop", "Elements at the end, shortened"), across, 2),
     ];
     let places = places.into_iter().filter(|(_, points, _)| !points.is_empty());
     let places = places.map(|(label, points, i)| Series::new(label, points, Look::Circles { color: color(i) }));

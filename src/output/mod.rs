@@ -216,8 +216,9 @@ pub fn remove_stale(dir: &Path, written: &[PathBuf]) -> Result<(), WriteError> {
 }
 
 impl Subject<'_> {
-    /// The run held against its forming limit, where it has one.
+    /// The run held against its forming limit, where it has one and took a step.
     pub fn forming_limit(&self) -> Option<Assessment> {
+        self.run.history.last()?;
         assess(self.model.forming_limit.as_ref()?, &self.run.paths)
     }
 
