@@ -18,7 +18,7 @@ mod groove;
 /// # References
 /// Z. Marciniak, K. Kuczyński, Int. J. Mech. Sci. 9 (1967) 609–620; Z. Marciniak, K. Kuczyński, T. Pokora, Int. J. Mech. Sci.
 /// 15 (1973) 789–805; J. W. Hutchinson, K. W. Neale, Sheet necking, in: Mechanics of Sheet Metal Forming (1978) 127–153 (all
-/// not read; the equations are derived here and in [`groove`]).
+/// not read; the equations are derived beside this).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MarciniakKuczynski {
     /// f₀: thickness of the groove over that around it, below 1 \[–\].

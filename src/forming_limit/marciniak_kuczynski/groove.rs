@@ -70,16 +70,17 @@ impl<'a> Groove<'a> {
     pub fn neck(&self, step: f64) -> Result<Option<f64>, Failure> {
         let ([across, _], shear) = self.in_groove(self.path.strain, 0.0);
         let mut now = Strained { sheet: 0.0, groove: 0.0, thickness: 0.0, rate: [across, 2.0 * shear] };
-        let mut ratio = 1.0;
+        // Of the last step that was taken, and of the fastest that was tried.
+        let (mut ratio, mut fastest) = (1.0, 1.0_f64);
         let mut step = step;
         while step > SMALLEST {
             if self.in_groove(self.path.stress, now.sheet).0[0] < PULLED {
                 return Ok(None);
             }
-            let next = self.advance(&now, step);
-            let faster = next.map(|next| (next.groove - now.groove) / step);
-            match (next, faster) {
-                (Some(next), Some(faster)) if faster < MarciniakKuczynski::CRITICAL => {
+            let next = self.advance(&now, step).map(|next| (next, (next.groove - now.groove) / step));
+            fastest = next.map_or(fastest, |(_, faster)| fastest.max(faster));
+            match next {
+                Some((next, faster)) if faster < MarciniakKuczynski::CRITICAL => {
                     (now, ratio) = (next, faster);
                     if now.sheet > MarciniakKuczynski::LARGEST {
                         return Ok(None);
@@ -88,8 +89,8 @@ impl<'a> Groove<'a> {
                 _ => step *= 0.5,
             }
         }
-        // A rate-free groove takes over within a strain of the smallest step; less than half way there is no neck.
-        if ratio > 0.5 * MarciniakKuczynski::CRITICAL {
+        // Without a solution that necks the equations have failed, not the sheet.
+        if fastest >= MarciniakKuczynski::CRITICAL {
             Ok(Some(now.sheet))
         } else {
             Err(Failure { strain: now.sheet, ratio })
