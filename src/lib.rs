@@ -42,6 +42,7 @@ pub mod case;
 pub mod compare;
 pub mod contact;
 pub mod element;
+pub mod forming_limit;
 pub mod geometry;
 pub mod history;
 pub mod material;

@@ -1,5 +1,6 @@
 //! What a case means: every quantity in mm, N, s, MPa; validated and immutable.
 
+use crate::forming_limit::Curve;
 use crate::geometry::Profile;
 use crate::history::History;
 use crate::material::Material;
@@ -420,6 +421,8 @@ pub struct Model {
     pub mode: Mode,
     /// `None` while the tools act.
     pub release: Option<Release>,
+    /// The forming limit that the strains are held against; with one, their paths are kept.
+    pub forming_limit: Option<Curve>,
 }
 
 impl Model {

@@ -1,6 +1,7 @@
 //! What a run leaves behind: the history of every step, the kept frames, and why it stopped.
 
 use crate::element::lobatto::Layer;
+use crate::forming_limit::Paths;
 use crate::model::PressureCap;
 
 /// One element at one instant.
@@ -395,6 +396,8 @@ impl std::fmt::Display for Stop {
 pub struct Run {
     pub history: Vec<StepRecord>,
     pub frames: Vec<Frame>,
+    /// Strains after every step, where the model has a forming limit; empty without.
+    pub paths: Paths,
     pub stop: Stop,
     /// Tries of the step that the run stopped at.
     pub abandoned: usize,
@@ -409,6 +412,7 @@ impl Run {
         Self {
             history: Vec::new(),
             frames: Vec::new(),
+            paths: Paths::default(),
             stop: Stop::FullTravel,
             abandoned: 0,
             ladder: Ladder::default(),

@@ -4,6 +4,7 @@ use crate::contact::penalty::Penalty;
 use crate::element::Node;
 use crate::element::kinematics::Start;
 use crate::element::lobatto::{self, Layer};
+use crate::forming_limit::{Instant, Paths};
 use crate::material::flow::{ROOM_TEMPERATURE, Triple};
 use crate::model::{Model, Motion, Role, Theory, Tool};
 use crate::record::{ElementRecord, Frame, NodeRecord, PointRecord, ThroughThickness};
@@ -144,6 +145,21 @@ impl State {
     pub fn temperatures(&self) -> (f64, f64) {
         let t = &self.temperature;
         t.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), &t| (low.min(t), high.max(t)))
+    }
+
+    /// Paths that begin with this instant; none where the model has no forming limit.
+    pub fn paths(&self, model: &Model) -> Paths {
+        let mut paths = Paths::default();
+        if model.forming_limit.is_some() {
+            paths.s0 = self.s0.windows(2).map(|w| 0.5 * (w[0] + w[1])).collect();
+            paths.instants.push(self.instant());
+        }
+        paths
+    }
+
+    /// The mid-surface strains of this instant.
+    pub fn instant(&self) -> Instant {
+        Instant { time: self.time, travel: self.travel, strains: self.membrane.clone() }
     }
 
     /// What is kept of this instant.

@@ -11,7 +11,7 @@ const FLOORS: &[&[&str]] = &[
     &["measure"],
     &["table", "record", "mesh", "state", "stage"],
     &["model"],
-    &["element", "contact"],
+    &["element", "contact", "forming_limit"],
     &["material", "geometry"],
     &["quantity", "history"],
 ];

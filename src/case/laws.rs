@@ -22,8 +22,16 @@ const KINDS: [(&str, &str, &str); 4] = [
 ];
 
 /// Laws without alternatives: heading, name, the schema's definition, where a case names it.
-const SINGLE: [(&str, &str, &str, &str); 1] =
-    [("Voids: a yield condition that feels the mean stress", "voids", "Voids", "[material.voids]")];
+const SINGLE: [(&str, &str, &str, &str); 3] = [
+    ("Voids: a yield condition that feels the mean stress", "voids", "Voids", "[material.voids]"),
+    (
+        "Forming limit: the major strain at which the sheet necks, over the minor strain; beside points, hill and swift",
+        "keeler_brazier",
+        "KeelerBrazier",
+        "[forming_limit] NAME = { .. }",
+    ),
+    ("Forming limit by an imperfection", "marciniak_kuczynski", "MarciniakKuczynski", "[forming_limit] NAME = { .. }"),
+];
 
 /// One law that a case can name.
 #[derive(Clone, Debug, PartialEq, Serialize)]

@@ -29,6 +29,7 @@ mod error;
 mod explain;
 pub mod file;
 mod laws;
+pub mod library;
 mod measure;
 mod overrides;
 mod schema;
@@ -94,7 +95,7 @@ pub fn load(path: impl AsRef<Path>, overrides: &[String]) -> Result<Case, CaseEr
 /// looked up from.
 ///
 /// An override is `KEY=VALUE`: a dotted path of keys (array entries by index, from 0) and a TOML value; what is not a
-/// TOML value is taken as text. The tables `solver` and `output` are made when they are missing, no others.
+/// TOML value is taken as text. Optional tables such as `solver`, `output` and `forming_limit` are made when they are missing.
 ///
 /// # Errors
 /// When the text is not TOML, a key is unknown or missing, or a value makes no sense; the error points to its line.
@@ -106,9 +107,11 @@ pub fn parse(text: &str, name: &str, overrides: &[String]) -> Result<Case, CaseE
     let text = overrides::apply(text, overrides)?;
     let shown = if overrides.is_empty() { name.to_owned() } else { format!("{name} (with overrides)") };
     let source = Source::parse(&shown, &text)?;
-    let file = source.read()?;
+    let mut file = source.read()?;
+    let origin = library::complete(&mut file, &source)?;
     let path = PathBuf::from(name);
-    let convert::Meaning { model, first, later, derived } = convert::meaning(&file, &source, &path)?;
+    let convert::Meaning { model, first, later, mut derived } = convert::meaning(&file, &source, &path)?;
+    derived.splice(0..0, origin);
     let compare = convert::compare(&file, &source, &path)?;
     let name = path.file_stem().map_or_else(|| "case".into(), |stem| stem.to_string_lossy().into_owned());
     Ok(Case { name, path, text: text.clone(), model, first, later, compare, derived })

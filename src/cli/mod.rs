@@ -3,6 +3,7 @@
 mod code;
 mod job;
 mod json;
+mod materials;
 mod new;
 mod progress;
 mod reel;
@@ -49,6 +50,9 @@ enum Verb {
     /// Solve every case that has published curves and compare
     #[command(after_help = validate::HELP)]
     Validate(validate::Args),
+    /// List the built-in materials, or say all of one
+    #[command(after_help = materials::HELP)]
+    Materials(materials::Args),
     /// List the hardening, rate and friction laws with their parameters and sources
     Laws {
         #[command(flatten)]
@@ -108,6 +112,7 @@ pub fn main() -> anyhow::Result<Code> {
             if json.json { say_json(&report) } else { say(&report.to_string()) }
         }
         Verb::New(args) => new::new(&args),
+        Verb::Materials(args) => materials::materials(&args),
         Verb::Laws { json } if json.json => say_json(&case::law_list()),
         Verb::Laws { .. } => say(&case::laws()),
         Verb::Schema => say(&case::schema()),

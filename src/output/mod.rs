@@ -8,7 +8,9 @@ mod csv;
 mod draw;
 mod file;
 pub mod film;
+pub mod flow_curve;
 mod font;
+pub mod forming_limit;
 mod gif;
 pub mod load_travel;
 mod outline;
@@ -35,6 +37,7 @@ pub use png::png;
 pub use stages::{Line as StageLine, STAGES, stage_folder, stages_report, stages_table, write_stages};
 pub use summary::Summary;
 
+use crate::forming_limit::{Assessment, assess};
 use crate::model::{Geometry, Model};
 use crate::record::{Frame, Run};
 use crate::table::{Table, Unit};
@@ -122,6 +125,21 @@ pub const OUTPUTS: &[Output] = &[
     },
     Output { file: "strains.png", about: "strains over the blank at the last frame", make: Make::Plot(strains::plot) },
     Output {
+        file: "forming_limit.csv",
+        about: "the forming limit curve, where one is given",
+        make: Make::Table(forming_limit::curve_of),
+    },
+    Output {
+        file: "strain_paths.csv",
+        about: "strain path and margin of every element, where a forming limit is given",
+        make: Make::Table(forming_limit::paths_of),
+    },
+    Output {
+        file: "forming_limit.png",
+        about: "the curve with every element's strain path",
+        make: Make::Plot(forming_limit::plot),
+    },
+    Output {
         file: "shapes.png",
         about: "the sheet's section at every kept frame, and the tools",
         make: Make::Plot(shapes::plot),
@@ -204,6 +222,12 @@ pub fn remove_stale(dir: &Path, written: &[PathBuf]) -> Result<(), WriteError> {
 }
 
 impl Subject<'_> {
+    /// The run held against its forming limit, where it has one and took a step.
+    pub fn forming_limit(&self) -> Option<Assessment> {
+        self.run.history.last()?;
+        assess(self.model.forming_limit.as_ref()?, &self.run.paths)
+    }
+
     /// As [`Self::notes`], after a word on frames that a plot leaves out.
     fn notes_of_frames(&self) -> Vec<String> {
         let kept = self.run.frames.len();

@@ -1,6 +1,7 @@
 //! What a run comes to, in some twenty lines: printed and as JSON from the same list.
 
 use super::{Subject, force_unit, pressure_cycle, worded, work_unit};
+use crate::forming_limit::Assessment;
 use crate::measure::moment_error;
 use crate::model::{Geometry, Grading, Iteration, Mode, Model, Norm, Role, Theory};
 use crate::quantity::{ZERO_CELSIUS, rounded};
@@ -98,6 +99,9 @@ impl Summary {
         let from =
             worded(model.geometry, "  at s0, initially from the axis", "  at s0, initially from the symmetry plane");
         summary.number("thinnest_s0", from, Unit::Mm, last.thinnest_s0);
+        if let Some(assessment) = subject.forming_limit() {
+            summary.forming_limit(model, &assessment);
+        }
         summary.number("draw_in", "Draw-in of the edge", Unit::Mm, last.draw_in);
         summary.number("work_external", "External work", work, last.work.external);
         summary.number("work_plastic", "  plastic", work, last.work.plastic);
@@ -187,6 +191,39 @@ impl Summary {
         summary.list("warnings", "Warnings", &run.warnings);
         summary.list("notes", "Declared assumptions", &model.notes);
         summary
+    }
+
+    /// How near the sheet came to its forming limit.
+    fn forming_limit(&mut self, model: &Model, assessment: &Assessment) {
+        if let Some(curve) = &model.forming_limit {
+            self.text("forming_limit", "Forming limit", curve.name);
+            self.number(
+                "forming_limit_plane_strain",
+                "  at plane strain, true strain",
+                Unit::None,
+                curve.plane_strain(),
+            );
+        }
+        let worst = assessment.worst();
+        self.number("forming_margin", "  least margin in major true strain", Unit::None, worst.margin());
+        self.number("forming_ratio", "  major strain over the limit there", Unit::Percent, 100.0 * worst.ratio());
+        self.number("forming_margin_s0", "  at s0, its initial distance", Unit::Mm, worst.s0);
+        self.push(
+            "forming_margin_path_crooked",
+            "  its path is not straight",
+            Unit::None,
+            Value::Flag(worst.is_crooked()),
+        );
+        self.count("forming_paths_crooked", "  elements whose path is not straight", assessment.crooked());
+        self.push("forming_limit_reached", "  reached", Unit::None, Value::Flag(assessment.reached.is_some()));
+        if let Some(reached) = assessment.reached {
+            if model.travel > 0.0 {
+                self.number("forming_limit_travel", "    first at a travel of", Unit::Mm, reached.travel);
+            } else {
+                self.number("forming_limit_time", "    first at a time of", Unit::Second, reached.time);
+            }
+            self.number("forming_limit_s0", "    at s0, its initial distance", Unit::Mm, reached.s0);
+        }
     }
 
     fn push(&mut self, key: &'static str, label: &str, unit: Unit, value: Value) {

@@ -60,7 +60,7 @@ pub fn run_from(model: &Model, mut state: State, observer: &mut dyn Observer) ->
     let mut heat = HeatSolver::new(model, &work);
     let mut watch = StopWatch::new(model, &state);
     let mut control = StepControl::new(model, watch.closes_at(model));
-    let mut run = Run::unsolved();
+    let mut run = Run { paths: state.paths(model), ..Run::unsolved() };
     let mut last = StepRecord { thinnest: model.blank.thickness, ..StepRecord::default() };
     let mut before = state.thickness.clone();
     let strained: Vec<f64> = state.layers.iter().map(|point| point.strain).collect();
@@ -116,6 +116,9 @@ pub fn run_from(model: &Model, mut state: State, observer: &mut dyn Observer) ->
             record.heat = last.heat.plus(heat.advance(&work, &balance.plastic, &mut state, dt));
         }
         (record.coldest, record.hottest) = state.temperatures();
+        if model.forming_limit.is_some() {
+            run.paths.instants.push(state.instant());
+        }
         observer.step(&record);
         observer.state(model, &state);
         run.history.push(record);

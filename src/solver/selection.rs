@@ -242,6 +242,7 @@ mod tests {
             settings: Settings::default(),
             mode: Mode::default(),
             release: None,
+            forming_limit: None,
         }
     }
 

@@ -2,6 +2,7 @@
 //! is made from runs.
 
 use stampflow::element::lobatto;
+use stampflow::forming_limit::{self as limit, Instant, Kind, Paths, Sheet};
 use stampflow::geometry::{Point, Profile};
 use stampflow::material::hardening::Swift;
 use stampflow::material::{Hardening, Material, Voids};
@@ -56,6 +57,7 @@ pub fn model(geometry: Geometry) -> Model {
         settings: Settings::default(),
         mode: Mode::default(),
         release: None,
+        forming_limit: None,
     }
 }
 
@@ -66,6 +68,8 @@ pub fn blown(geometry: Geometry) -> Model {
     model.gas = vec![Gas { face: Face::Lower, pressure: Pressure::Rate(rate), within: 58.25 }];
     model.heat = Some(Heat { initial: 723.15.into(), flow: None });
     model.material.voids = Some(Voids::gurson(0.01));
+    let sheet = Sheet { material: &model.material, thickness: 1.0, temperature: 723.15 };
+    model.forming_limit = Some(Kind::Swift(limit::Swift { n: Some(0.2) }).curve(&sheet).expect("a curve"));
     model
 }
 
@@ -111,7 +115,13 @@ pub fn run(model: &Model) -> Run {
         });
     }
     let warnings = vec!["the blank's edge came within 5 mm of the die shoulder".to_owned()];
-    Run { history, frames, warnings, ..Run::unsolved() }
+    let mut paths = Paths::default();
+    if let (Some(_), Some(first)) = (&model.forming_limit, frames.first()) {
+        paths.s0 = first.elements.iter().map(|e| e.s0).collect();
+        let strains = |f: &Frame| f.elements.iter().map(|e| [e.strain_meridional, e.strain_hoop]).collect();
+        paths.instants.extend(frames.iter().map(|f| Instant { time: f.time, travel: f.travel, strains: strains(f) }));
+    }
+    Run { history, frames, paths, warnings, ..Run::unsolved() }
 }
 
 /// The subject of all outputs.

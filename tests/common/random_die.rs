@@ -174,6 +174,7 @@ pub fn random_die(seed: u64) -> RandomDie {
         settings: Settings { norm, ..Settings::default() },
         mode: Mode::default(),
         release: None,
+        forming_limit: None,
     };
     RandomDie { process, model, text }
 }

@@ -36,6 +36,7 @@ pub fn pulled(geometry: Geometry, theory: Theory, travel: f64) -> Model {
         settings: Settings::default(),
         mode: Mode::default(),
         release: None,
+        forming_limit: None,
     }
 }
 
@@ -78,5 +79,6 @@ pub fn capstan(mu: f64, holder: f64, per_quarter: usize) -> Model {
         settings: Settings::default(),
         mode: Mode::default(),
         release: None,
+        forming_limit: None,
     }
 }

@@ -28,6 +28,7 @@ pub(super) fn of_file(file: &CaseFile, source: &Source) -> Result<(), CaseError>
         ("notes", Some(file.notes.len()), 50),
         ("tools.punch.motion", tools.punch.as_ref().and_then(|t| t.motion.as_ref()).map(Vec::len), 1000),
         ("compare", Some(file.compare.len()), 50),
+        ("forming_limit.points", file.forming_limit.as_ref().and_then(|f| f.points.as_ref()).map(Vec::len), 1000),
         ("output.frames", file.output.frames.as_ref().map(Vec::len), 1000),
         ("material.hardening.table.points", table.and_then(|t| t.points.as_ref()).map(Vec::len), 1000),
         ("material.hardening.table.strain", table.and_then(|t| t.strain.as_ref()).map(Vec::len), 1000),

@@ -20,7 +20,7 @@ const HARDENING: &str = "material.hardening";
 /// Yield stress at 10 % strain, from hot superplastic alloys far below to piano wire far above \[MPa\].
 const YIELD: RangeInclusive<f64> = 0.1..=1e5;
 
-pub(super) fn convert(file: &file::Material, source: &Source) -> Result<Material, CaseError> {
+pub(in crate::case) fn convert(file: &file::Material, source: &Source) -> Result<Material, CaseError> {
     let elastic = match (file.young, file.poisson) {
         (None, None) => None,
         (Some(young), Some(poisson)) => Some(Elastic { young: young.value(), poisson: poisson.value() }),

@@ -5,6 +5,7 @@ mod collide;
 mod compare;
 mod counter;
 mod fit;
+mod forming_limit;
 mod friction;
 mod heat;
 mod limits;
@@ -23,6 +24,7 @@ mod tools;
 mod voids;
 
 pub(super) use compare::compare;
+pub(super) use material::convert as material;
 
 use super::explain::missing;
 use super::file::{self, CaseFile};
@@ -75,6 +77,12 @@ pub(super) fn meaning(file: &CaseFile, source: &Source, case: &Path) -> Result<M
             None
         }
     };
+    let forming_limit = match &file.forming_limit {
+        Some(limit) => {
+            Some(forming_limit::convert(limit, &material, blank.thickness, heat.as_ref(), source, &mut derived)?)
+        }
+        None => None,
+    };
     let model = Model {
         title: file.title.clone(),
         notes: file.notes.clone(),
@@ -94,6 +102,7 @@ pub(super) fn meaning(file: &CaseFile, source: &Source, case: &Path) -> Result<M
         blank,
         mode,
         release: None,
+        forming_limit,
     };
     fit::check(&model, source)?;
     limits::of_model(&model, source)?;

@@ -9,6 +9,10 @@ use serde::Deserialize;
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Material {
+    /// A sheet of the built-in library (`stampflow materials` lists them); what else is written here replaces what the
+    /// library says.
+    #[schemars(example = &"aa6016-t4")]
+    pub name: Option<String>,
     /// Young's modulus; given together with `poisson`.
     #[schemars(example = "210 GPa")]
     pub young: Option<Positive<Stress>>,

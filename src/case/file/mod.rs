@@ -4,6 +4,7 @@
 //! messages propose.
 
 mod compare;
+mod forming_limit;
 mod friction;
 mod gas;
 mod heat;
@@ -18,6 +19,7 @@ mod tools;
 mod voids;
 
 pub use compare::{Compare, ComparedQuantity};
+pub use forming_limit::{FormingLimit, KeelerBrazier, MarciniakKuczynski, StrainMeasure};
 pub use friction::{Friction, FrictionLaw, PressureDependent, Sides, Stribeck, Tresca};
 pub use gas::{Gas, GasFace};
 pub use heat::{Heat, InitialTemperature, ToolHeat, Zones};
@@ -59,6 +61,8 @@ pub struct CaseFile {
     pub friction: Sides,
     pub gas: Option<Gas>,
     pub heat: Option<Heat>,
+    /// The forming limit that the strains are held against; none when not given.
+    pub forming_limit: Option<FormingLimit>,
     #[serde(default)]
     pub solver: Solver,
     #[serde(default)]

@@ -48,6 +48,7 @@ fn model(geometry: Geometry, theory: Theory) -> Model {
         settings: Settings { iteration: Iteration::Newton, ..Settings::default() },
         mode: Mode::default(),
         release: None,
+        forming_limit: None,
     }
 }
 

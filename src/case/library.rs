@@ -1,0 +1,194 @@
+//! The built-in materials: one file of `library/` each, every number with its source.
+
+use super::file::{self, CaseFile};
+use super::{CaseError, convert, source::Source};
+use crate::forming_limit::{Sheet, uniform_strain};
+use crate::material::Material;
+use crate::material::flow::ROOM_TEMPERATURE;
+use crate::quantity::closest;
+use serde::Deserialize;
+use std::fmt::Write;
+
+/// Name and text of every entry, by name.
+const TEXTS: [(&str, &str); 9] = [
+    ("aa6016-t4", include_str!("library/aa6016-t4.toml")),
+    ("aa6022-t4", include_str!("library/aa6022-t4.toml")),
+    ("ap04xr", include_str!("library/ap04xr.toml")),
+    ("chalmers-steel", include_str!("library/chalmers-steel.toml")),
+    ("draw-die-steel", include_str!("library/draw-die-steel.toml")),
+    ("drawing-steel", include_str!("library/drawing-steel.toml")),
+    ("osu-steel", include_str!("library/osu-steel.toml")),
+    ("radioss-steel", include_str!("library/radioss-steel.toml")),
+    ("woo-1968", include_str!("library/woo-1968.toml")),
+];
+
+/// What a file of the library says.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct EntryFile {
+    title: String,
+    source: String,
+    grade: String,
+    licence: String,
+    thickness: Option<String>,
+    notes: Vec<String>,
+    material: file::Material,
+}
+
+/// A material of the library.
+#[derive(Clone, Debug)]
+pub struct Entry {
+    /// What a case calls it.
+    pub name: &'static str,
+    pub title: String,
+    /// Author, year and place of the numbers.
+    pub source: String,
+    /// As in `reference_data/sources.toml`: A, read in the named source; B, read where that is quoted.
+    pub grade: String,
+    pub licence: String,
+    /// Of the sheet that the numbers are of, where the source says it.
+    pub thickness: Option<String>,
+    pub notes: Vec<String>,
+    pub material: Material,
+    /// Its `[material]` table, to paste into a case.
+    pub text: &'static str,
+}
+
+impl Entry {
+    /// Uniform strain of the hardening law, n of a power law; `None` where the law has no load maximum \[–\].
+    pub fn n(&self) -> Option<f64> {
+        uniform_strain(&self.sheet()).ok()
+    }
+
+    /// The sheet at room temperature.
+    pub fn sheet(&self) -> Sheet<'_> {
+        Sheet { material: &self.material, thickness: 1.0, temperature: ROOM_TEMPERATURE }
+    }
+
+    /// Everything that is known of it, and the table to paste.
+    pub fn describe(&self) -> String {
+        let mut text = format!("{}: {}\n\n", self.name, self.title);
+        let n = self.n().map_or("–".to_owned(), |n| format!("{n:.4}, the uniform strain of the law"));
+        let elastic = self.material.elastic.map_or("–".to_owned(), |e| format!("{} MPa, {}", e.young, e.poisson));
+        for (label, value) in [
+            ("law", self.material.describe()),
+            ("n", n),
+            ("r̄", format!("{}", self.material.anisotropy.ratio())),
+            ("E, ν", elastic),
+            ("thickness", self.thickness.clone().unwrap_or("–".to_owned())),
+            ("source", self.source.clone()),
+            ("grade", self.grade.clone()),
+            ("licence", self.licence.clone()),
+        ] {
+            let _ = writeln!(text, "  {label:<12}{value}");
+        }
+        for note in &self.notes {
+            let _ = writeln!(text, "  {:<12}{note}", "note");
+        }
+        let _ = write!(text, "\nIn a case:\n\n[material]\nname = \"{}\"\n\nor all of it:\n\n{}", self.name, self.text);
+        text
+    }
+}
+
+/// Every material, by name.
+///
+/// # Errors
+/// Never with the shipped library, whose entries are tested.
+pub fn materials() -> Result<Vec<Entry>, CaseError> {
+    TEXTS.iter().map(|(name, text)| entry(name, text)).collect()
+}
+
+/// The material of a name.
+///
+/// # Errors
+/// When there is none; the error proposes the nearest.
+pub fn material(name: &str) -> Result<Entry, CaseError> {
+    match TEXTS.iter().find(|(known, _)| *known == name) {
+        Some((known, text)) => entry(known, text),
+        None => {
+            let (what, help) = unknown(name);
+            Err(CaseError::bare(what, help))
+        }
+    }
+}
+
+/// A table of all materials.
+///
+/// # Errors
+/// As [`materials`].
+pub fn list() -> Result<String, CaseError> {
+    let header = ["name", "n [–]", "r̄ [–]", "thickness", "law", "source"].map(str::to_owned);
+    let mut rows = vec![header];
+    for entry in materials()? {
+        let law = entry.material.hardening.describe();
+        rows.push([
+            entry.name.to_owned(),
+            entry.n().map_or("–".to_owned(), |n| format!("{n:.3}")),
+            format!("{}", entry.material.anisotropy.ratio()),
+            entry.thickness.clone().unwrap_or("–".to_owned()),
+            law,
+            entry.source.split(", doi").next().unwrap_or_default().chars().take(70).collect(),
+        ]);
+    }
+    let widths: Vec<usize> = (0..6).map(|i| rows.iter().map(|r| r[i].chars().count()).max().unwrap_or(0)).collect();
+    let lines = rows.iter().map(|row| {
+        let cells: Vec<String> = row.iter().zip(&widths).map(|(cell, width)| format!("{cell:<width$}")).collect();
+        cells.join("  ").trim_end().to_owned() + "\n"
+    });
+    Ok(lines.collect::<String>()
+        + "\nstampflow materials NAME says all of one, with its source and a table to paste.\n")
+}
+
+/// Fills what a case leaves open of the material that it names.
+pub(super) fn complete(file: &mut CaseFile, source: &Source) -> Result<Vec<String>, CaseError> {
+    let Some(name) = file.material.name.clone() else { return Ok(Vec::new()) };
+    let Some((_, text)) = TEXTS.iter().find(|(known, _)| *known == name) else {
+        let (what, help) = unknown(&name);
+        return Err(source.error("material.name", what, help));
+    };
+    let EntryFile { source: origin, material: known, .. } = read(&name, text)?;
+    let own = &mut file.material;
+    let mut replaced = Vec::new();
+    let mut keep = |key: &'static str, given: bool| replaced.extend(given.then_some(key));
+    keep("young and poisson", own.young.is_some() || own.poisson.is_some());
+    keep("anisotropy", own.anisotropy.is_some());
+    keep("rate", own.rate.is_some());
+    keep("softening", own.softening.is_some());
+    keep("hardening", source.has("material.hardening"));
+    if own.young.is_none() && own.poisson.is_none() {
+        (own.young, own.poisson) = (known.young, known.poisson);
+    }
+    own.anisotropy = own.anisotropy.or(known.anisotropy);
+    own.rate = own.rate.or(known.rate);
+    own.softening = own.softening.or(known.softening);
+    if !source.has("material.hardening") {
+        own.hardening = known.hardening;
+    }
+    let mut notes = vec![format!("material {name}: {origin}")];
+    if !replaced.is_empty() {
+        notes.push(format!("material {name}: {} as this case has it, not as its source", replaced.join(", ")));
+    }
+    Ok(notes)
+}
+
+fn unknown(name: &str) -> (String, String) {
+    let names = TEXTS.map(|(name, _)| name);
+    let all = format!("known materials: {}", names.join(", "));
+    let help = match closest(name, names.iter().copied()).first() {
+        Some(near) => format!("did you mean `{near}`? {all}"),
+        None => all,
+    };
+    (format!("the library has no material \"{name}\""), help)
+}
+
+fn entry(name: &'static str, text: &'static str) -> Result<Entry, CaseError> {
+    let EntryFile { title, source, grade, licence, thickness, notes, material } = read(name, text)?;
+    let material = convert::material(&material, &Source::parse(name, text)?)?;
+    let table = text.find("[material").map_or("", |at| &text[at..]);
+    Ok(Entry { name, title, source, grade, licence, thickness, notes, material, text: table })
+}
+
+fn read(name: &str, text: &str) -> Result<EntryFile, CaseError> {
+    toml::from_str(text)
+        .map_err(|error| CaseError::bare(format!("{name}: {}", error.message()), "mend the library".into()))
+}

@@ -1,0 +1,59 @@
+//! `stampflow materials`: the built-in library.
+
+use super::code::unusable;
+use super::{Code, say};
+use anyhow::Result;
+use stampflow::case::library::{self, Entry};
+use stampflow::forming_limit::{Curve, Hill, Kind, MarciniakKuczynski};
+use stampflow::output::{Chart, can_write, flow_curve, png, svg, write};
+use std::path::PathBuf;
+
+pub const HELP: &str = "\
+A case takes one by its name, [material] name = \"aa6016-t4\", and may replace any part of it. Every number names its
+source; forming limits that are drawn are computed from the law, not measured.
+
+Examples:
+  stampflow materials
+  stampflow materials aa6016-t4 --plot aa6016-t4.png";
+
+#[derive(Debug, clap::Args)]
+pub struct Args {
+    /// Material to say all of
+    name: Option<String>,
+    /// Also draw its flow curve and the limits that follow from it
+    #[arg(long, value_name = "FILE.png", requires = "name")]
+    plot: Option<PathBuf>,
+}
+
+pub fn materials(args: &Args) -> Result<Code> {
+    let Some(name) = &args.name else { return say(&library::list()?) };
+    let entry = library::material(name)?;
+    let mut text = entry.describe();
+    if let Some(path) = &args.plot {
+        can_write(path).map_err(unusable("--plot"))?;
+        write(path, &png(&svg(&chart(&entry))))?;
+        text += &format!("\n{} written\n", path.display());
+    }
+    say(&text)
+}
+
+/// The flow curve, and the limits of the law where they can be computed.
+fn chart(entry: &Entry) -> Chart {
+    let groove = MarciniakKuczynski {
+        imperfection: MarciniakKuczynski::IMPERFECTION,
+        strain_rate: MarciniakKuczynski::STRAIN_RATE,
+    };
+    let mut notes = vec![format!("Source: {}.", entry.source)];
+    notes.extend(entry.notes.iter().cloned());
+    let mut limits: Vec<Curve> = Vec::new();
+    for kind in [Kind::Hill(Hill { n: None }), Kind::MarciniakKuczynski(groove)] {
+        match kind.curve(&entry.sheet()) {
+            Ok(curve) => {
+                notes.extend(curve.notes.iter().cloned());
+                limits.push(curve);
+            }
+            Err(error) => notes.push(format!("A forming limit is left out: {error}.")),
+        }
+    }
+    flow_curve::chart(&format!("{}: {}", entry.name, entry.title), &entry.material, &limits, notes)
+}

@@ -1,0 +1,148 @@
+//! Strain paths held against a curve.
+
+use super::{Curve, Paths};
+
+/// A path counts as crooked where it leaves the straight line from its start to its end by more than this share of the
+/// line's length \[–\], a convention; straight lines are what limit curves are measured on.
+pub const CROOKED: f64 = 0.1;
+/// Paths shorter than this are not looked at: nothing has happened there \[–\].
+pub const SHORTEST: f64 = 0.02;
+
+/// One element at the end of a run.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Judged {
+    /// Initial distance of its middle from the axis \[mm\].
+    pub s0: f64,
+    /// Logarithmic strains of the mid-surface \[–\].
+    pub minor: f64,
+    pub major: f64,
+    pub hoop_is_major: bool,
+    /// Major strain of the curve at this minor strain \[–\].
+    pub limit: f64,
+    /// Largest distance of its path from the straight line between its ends, over that line's length; 0 for a path
+    /// shorter than [`SHORTEST`] \[–\].
+    pub crookedness: f64,
+}
+
+impl Judged {
+    /// Distance in major strain to the curve at the same minor strain \[–\]; negative beyond it.
+    pub fn margin(&self) -> f64 {
+        self.limit - self.major
+    }
+
+    /// Major strain over the curve's at the same minor strain \[–\]; 1 on it.
+    pub fn ratio(&self) -> f64 {
+        self.major / self.limit
+    }
+
+    /// Whether its path is too far from straight for the curve to be taken at its word.
+    pub fn is_crooked(&self) -> bool {
+        self.crookedness > CROOKED
+    }
+}
+
+/// Where and when an element first came to the curve.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Reached {
+    /// Time \[s\] and punch travel \[mm\], between two steps in proportion to the margin.
+    pub time: f64,
+    pub travel: f64,
+    /// Initial distance of the element's middle from the axis \[mm\].
+    pub s0: f64,
+    /// Its strains after the step \[–\].
+    pub minor: f64,
+    pub major: f64,
+}
+
+/// What a run makes of a forming limit.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Assessment {
+    /// From the axis outward.
+    pub elements: Vec<Judged>,
+    /// `None` where the limit was not reached.
+    pub reached: Option<Reached>,
+}
+
+impl Assessment {
+    /// The element with the least margin.
+    ///
+    /// # Panics
+    /// Never: there is one element at least.
+    pub fn worst(&self) -> &Judged {
+        let least = self.elements.iter().min_by(|a, b| a.margin().total_cmp(&b.margin()));
+        least.expect("an assessment has elements")
+    }
+
+    /// Elements whose paths are not straight.
+    pub fn crooked(&self) -> usize {
+        self.elements.iter().filter(|element| element.is_crooked()).count()
+    }
+}
+
+/// Holds the paths of a run against a curve; `None` where no path was kept.
+pub fn assess(curve: &Curve, paths: &Paths) -> Option<Assessment> {
+    if paths.instants.is_empty() || paths.s0.is_empty() {
+        return None;
+    }
+    let mut elements = Vec::with_capacity(paths.s0.len());
+    let mut reached: Option<Reached> = None;
+    for (e, &s0) in paths.s0.iter().enumerate() {
+        let path = paths.of(e);
+        let [minor, major] = path[path.len() - 1];
+        let judged = Judged {
+            s0,
+            minor,
+            major,
+            hoop_is_major: paths.hoop_is_major(e),
+            limit: curve.major_at(minor),
+            crookedness: crookedness(&path),
+        };
+        elements.push(judged);
+        let first = crossing(curve, paths, e, s0);
+        reached = match (reached, first) {
+            (Some(before), Some(now)) if before.time <= now.time => Some(before),
+            (before, now) => now.or(before),
+        };
+    }
+    Some(Assessment { elements, reached })
+}
+
+/// When an element first comes to the curve.
+fn crossing(curve: &Curve, paths: &Paths, element: usize, s0: f64) -> Option<Reached> {
+    let at = |i: usize| {
+        let [a, b] = paths.instants[i].strains[element];
+        let (minor, major) = (a.min(b), a.max(b));
+        (minor, major, curve.major_at(minor) - major)
+    };
+    let i = (0..paths.instants.len()).find(|&i| at(i).2 <= 0.0)?;
+    let (minor, major, after) = at(i);
+    let now = &paths.instants[i];
+    let (time, travel) = match i.checked_sub(1) {
+        None => (now.time, now.travel),
+        Some(last) => {
+            let (margin, before) = (at(last).2, &paths.instants[last]);
+            let share = margin / (margin - after);
+            (before.time + share * (now.time - before.time), before.travel + share * (now.travel - before.travel))
+        }
+    };
+    Some(Reached { time, travel, s0, minor, major })
+}
+
+/// Largest distance of a path from the straight line between its ends, over that line's length \[–\].
+fn crookedness(path: &[[f64; 2]]) -> f64 {
+    let (start, end) = (path[0], path[path.len() - 1]);
+    let along = [end[0] - start[0], end[1] - start[1]];
+    let length = along[0].hypot(along[1]);
+    let longest = path.iter().map(|p| (p[0] - start[0]).hypot(p[1] - start[1])).fold(0.0, f64::max);
+    if longest < SHORTEST {
+        return 0.0;
+    }
+    let distance = |p: &[f64; 2]| {
+        let from = [p[0] - start[0], p[1] - start[1]];
+        // The nearest point of the line itself, so that a way there and back counts.
+        let share = (from[0] * along[0] + from[1] * along[1]) / (length * length).max(f64::MIN_POSITIVE);
+        let share = share.clamp(0.0, 1.0);
+        (from[0] - share * along[0]).hypot(from[1] - share * along[1])
+    };
+    path.iter().map(distance).fold(0.0, f64::max) / length.max(SHORTEST)
+}

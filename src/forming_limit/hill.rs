@@ -1,0 +1,40 @@
+//! Localised necking on the left.
+
+use super::instability::{Proportional, hardening_note, left, limit, right};
+use super::{Curve, LimitError, Sheet, swift};
+
+/// Hill's localised necking: a neck along the line that does not stretch, where σ_y'/σ_y = (1 + β) dε₁/dε̄.
+///
+/// For a power law ε₁ + ε₂ = n in the isotropic sheet and in the normally anisotropic one. With β > 0 no line of the sheet
+/// keeps its length and there is no such neck: there the curve goes on as [`super::Swift`]'s, which meets it in plane
+/// strain.
+///
+/// # References
+/// R. Hill, On discontinuous plastic states, with special reference to localized necking in thin sheets, J. Mech. Phys.
+/// Solids 1 (1952) 19–30 (not read; derived here from the load normal to the neck). That both together are a usual pair:
+/// W. Bleck et al., J. Mater. Process. Technol. 83 (1998) 223–230 (abstract read).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Hill {
+    /// Exponent of a power law in place of the sheet's own \[–\].
+    pub n: Option<f64>,
+}
+
+impl Hill {
+    pub(super) fn curve(&self, sheet: &Sheet) -> Result<Curve, LimitError> {
+        let r = sheet.material.anisotropy;
+        let mut points = Vec::new();
+        for beta in left(r, 20) {
+            let path = Proportional::new(r, beta);
+            let strain = limit(sheet, self.n, path.strain[0] + path.strain[1])?;
+            points.push([path.strain[1] * strain, path.strain[0] * strain]);
+        }
+        for beta in right(20) {
+            points.push(swift::point(sheet, self.n, beta)?);
+        }
+        let law = hardening_note(self.n);
+        let notes = vec![format!(
+            "Forming limit: Hill's localised necking on the left, Swift's diffuse necking on the right, by {law}."
+        )];
+        Curve::new("Hill and Swift", points, notes)
+    }
+}

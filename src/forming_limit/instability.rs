@@ -1,0 +1,96 @@
+//! Where a force stops rising: the common ground of the closed forms.
+//!
+//! A sheet that is strained in proportion is stable while its hardening outruns its loss of section,
+//!
+//! ```text
+//! σ_y'/σ_y > H(β)      H: Considère 1, Hill (1 + β) dε₁/dε̄, Swift by its two forces
+//! ```
+//!
+//! For σ = K (ε₀ + ε̄)^n the limit is ε̄ = n/H − ε₀; here it is found for any law.
+
+use super::{LimitError, Sheet};
+use crate::material::Anisotropy;
+
+/// Strains are searched up to this equivalent strain, in steps of [`STEP`] \[–\].
+const LARGEST: f64 = 3.0;
+const STEP: f64 = 1e-3;
+
+/// Strain at which the force of a tension test is largest, where σ' = σ (A. Considère, 1885) \[–\]: n of a power law.
+///
+/// # Errors
+/// When the law has no maximum of the force, or begins with it.
+pub fn uniform_strain(sheet: &Sheet) -> Result<f64, LimitError> {
+    limit(sheet, None, 1.0)
+}
+
+/// Equivalent strain at which σ_y'/σ_y has come down to `loss` \[–\]; by the power law of exponent `n` where it is given.
+pub(super) fn limit(sheet: &Sheet, n: Option<f64>, loss: f64) -> Result<f64, LimitError> {
+    if let Some(n) = n {
+        return Ok(power_law(n, 0.0, loss));
+    }
+    let stable = |strain: f64| {
+        let law = sheet.hardening(strain);
+        law.slope > loss * law.stress
+    };
+    if !stable(1e-6) {
+        let what = "the hardening law hardly hardens: its force falls from the start";
+        return Err(LimitError::new(
+            what,
+            "give points, or marciniak_kuczynski where a rate law holds the sheet together",
+        ));
+    }
+    let steps = (LARGEST / STEP) as usize;
+    let Some(i) = (1..=steps).find(|&i| !stable(STEP * i as f64)) else {
+        let what = format!("the hardening law has no load maximum up to a strain of {LARGEST}");
+        return Err(LimitError::new(what, "give n, or points"));
+    };
+    let (mut low, mut high) = (STEP * (i - 1) as f64, STEP * i as f64);
+    for _ in 0..50 {
+        let middle = 0.5 * (low + high);
+        if stable(middle) { low = middle } else { high = middle }
+    }
+    Ok(0.5 * (low + high))
+}
+
+/// The limit n/H − ε₀ of σ = K (ε₀ + ε̄)^n in closed form \[–\].
+pub fn power_law(n: f64, offset: f64, loss: f64) -> f64 {
+    n / loss - offset
+}
+
+/// A proportional path of strain ratio β: by unit of equivalent strain and of equivalent stress \[–\].
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Proportional {
+    /// dε₁/dε̄ and dε₂/dε̄.
+    pub strain: [f64; 2],
+    /// σ₁/σ_y and σ₂/σ_y.
+    pub stress: [f64; 2],
+}
+
+impl Proportional {
+    pub fn new(anisotropy: Anisotropy, beta: f64) -> Self {
+        let unit = 1.0 / anisotropy.equivalent_increment([1.0, beta, 0.0]);
+        let strain = [unit, beta * unit];
+        let [s1, s2, _] = anisotropy.apply([strain[0], strain[1], 0.0]);
+        Self { strain, stress: [s1, s2] }
+    }
+}
+
+/// β of uniaxial tension \[–\].
+pub(super) fn tension(anisotropy: Anisotropy) -> f64 {
+    -anisotropy.coupling()
+}
+
+/// Ratios from tension to plane strain, and from there to equi-biaxial stretching, ends included.
+pub(super) fn left(anisotropy: Anisotropy, count: usize) -> impl Iterator<Item = f64> {
+    let tension = tension(anisotropy);
+    (0..=count).map(move |i| tension * (1.0 - i as f64 / count as f64))
+}
+
+pub(super) fn right(count: usize) -> impl Iterator<Item = f64> {
+    (1..=count).map(move |i| i as f64 / count as f64)
+}
+
+/// The words for n, and for a law's own hardening.
+pub(super) fn hardening_note(n: Option<f64>) -> String {
+    n.map_or("the hardening law of the sheet".to_owned(), |n| format!("a power law of n = {n}, as given"))
+}

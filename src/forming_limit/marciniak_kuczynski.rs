@@ -1,0 +1,133 @@
+//! A groove that thins before the sheet around it does.
+
+use super::instability::{Proportional, left, right};
+use super::{Curve, LimitError, Sheet};
+use groove::{Failure, Groove};
+
+mod groove;
+
+/// The analysis of Marciniak and Kuczyński: the sheet carries a groove of f₀ times its thickness, which is strained along
+/// with it, thins faster, and in the end alone. The limit is the strain of the sheet around it when the groove strains
+/// [`Self::CRITICAL`] times as fast.
+///
+/// Hardening, rate and normal anisotropy are those of the sheet. On the left the groove lies as it hurts most; it turns with
+/// the sheet. f₀ is no measured thickness: it stands for all that is uneven in a sheet, and has to be fitted to one measured
+/// point where there is one. With β > 0 the limit of a rate-free sheet is sensitive to f₀ and high by Hill's
+/// condition, most of all for r̄ < 1: for AA6016-T4 (r̄ = 0.36) it is 1.2 in equi-biaxial stretching, beyond what sheet bears.
+///
+/// # References
+/// Z. Marciniak, K. Kuczyński, Int. J. Mech. Sci. 9 (1967) 609–620; Z. Marciniak, K. Kuczyński, T. Pokora, Int. J. Mech. Sci.
+/// 15 (1973) 789–805; J. W. Hutchinson, K. W. Neale, Sheet necking, in: Mechanics of Sheet Metal Forming (1978) 127–153 (all
+/// not read; the equations are derived beside this).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct MarciniakKuczynski {
+    /// f₀: thickness of the groove over that around it, below 1 \[–\].
+    pub imperfection: f64,
+    /// Equivalent strain rate of the sheet around the groove \[1/s\]; a power law of the rate does not feel it.
+    pub strain_rate: f64,
+}
+
+/// A point of the curve, and the groove that made it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Limit {
+    pub minor: f64,
+    pub major: f64,
+    /// Between the groove's normal and the major strain, at the start \[rad\].
+    pub angle: f64,
+}
+
+impl MarciniakKuczynski {
+    /// f₀ where none is given: an assumption, of the size that fits cold-rolled sheet.
+    pub const IMPERFECTION: f64 = 0.995;
+    /// ε̄̇ where none is given \[1/s\]: an assumption, of the size that mechanical presses make.
+    pub const STRAIN_RATE: f64 = 1.0;
+    /// Strain rate of the groove over that of the sheet at which the sheet counts as necked \[–\], a usual convention.
+    pub const CRITICAL: f64 = 10.0;
+    /// Largest equivalent strain that is searched \[–\].
+    pub const LARGEST: f64 = 4.0;
+    /// Steps of equivalent strain, halved until two answers agree to [`Self::AGREEMENT`] of the limit \[–\].
+    const STEPS: [f64; 5] = [4e-3, 2e-3, 1e-3, 5e-4, 2.5e-4];
+    const AGREEMENT: f64 = 2e-3;
+    /// Steepest groove that is tried \[rad\], and how many.
+    const STEEPEST: f64 = 1.05;
+    const ANGLES: usize = 12;
+
+    pub(super) fn curve(&self, sheet: &Sheet) -> Result<Curve, LimitError> {
+        let ratios = left(sheet.material.anisotropy, 8).chain(right(10));
+        let limits = ratios.map(|beta| self.limit(sheet, beta)).collect::<Result<Vec<_>, _>>()?;
+        let points = limits.iter().map(|limit| [limit.minor, limit.major]).collect();
+        let rate = if sheet.material.rate.is_some() {
+            format!(" at a strain rate of {} 1/s", self.strain_rate)
+        } else {
+            String::new()
+        };
+        let note = format!(
+            "Forming limit: Marciniak and Kuczyński with f₀ = {} (an assumption unless it was fitted), by the hardening law of \
+             the sheet{rate}; necked where the groove strains {} times as fast.",
+            self.imperfection,
+            Self::CRITICAL
+        );
+        Curve::new("Marciniak-Kuczyński", points, vec![note])
+    }
+
+    /// The limit of a strain ratio β, converged in the step.
+    ///
+    /// # Errors
+    /// When no groove necks below [`Self::LARGEST`], the integration fails, or the answer does not settle as its step is
+    /// halved.
+    pub fn limit(&self, sheet: &Sheet, beta: f64) -> Result<Limit, LimitError> {
+        let angle = if beta < 0.0 { self.worst_angle(sheet, beta)? } else { 0.0 };
+        let path = Proportional::new(sheet.material.anisotropy, beta);
+        let mut before = f64::NAN;
+        for step in Self::STEPS {
+            let strain = self.strain_at(sheet, beta, angle, step)?.ok_or_else(|| beyond(beta))?;
+            if (strain - before).abs() < Self::AGREEMENT * strain {
+                return Ok(Limit { minor: path.strain[1] * strain, major: path.strain[0] * strain, angle });
+            }
+            before = strain;
+        }
+        let what = format!("the groove's limit does not settle as its step is halved, at a strain ratio of {beta:.3}");
+        Err(LimitError::new(what, "use hill, or an imperfection further from 1"))
+    }
+
+    /// The groove that necks first.
+    fn worst_angle(&self, sheet: &Sheet, beta: f64) -> Result<f64, LimitError> {
+        let step = Self::STEPS[0];
+        let at = |angle: f64| -> Result<f64, LimitError> {
+            Ok(self.strain_at(sheet, beta, angle, step)?.unwrap_or(f64::INFINITY))
+        };
+        let apart = Self::STEEPEST / Self::ANGLES as f64;
+        let mut best = (f64::INFINITY, 0.0);
+        for i in 0..=Self::ANGLES {
+            let angle = apart * i as f64;
+            let strain = at(angle)?;
+            best = if strain < best.0 { (strain, angle) } else { best };
+        }
+        let (mut low, mut high) = ((best.1 - apart).max(0.0), best.1 + apart);
+        // Thirds of the bracket: the limit is flat about its least, a degree of the angle is less than 0.1 % of it.
+        while high - low > 0.02 {
+            let third = (high - low) / 3.0;
+            if at(low + third)? < at(high - third)? { high -= third } else { low += third }
+        }
+        Ok(0.5 * (low + high))
+    }
+
+    /// Equivalent strain of the sheet when the groove necks; `None` beyond [`Self::LARGEST`].
+    fn strain_at(&self, sheet: &Sheet, beta: f64, angle: f64, step: f64) -> Result<Option<f64>, LimitError> {
+        Groove::new(self, sheet, beta, angle).neck(step).map_err(|Failure { strain, ratio }| {
+            let what = format!(
+                "the groove's equations have no solution beyond an equivalent strain of {strain:.4}, where it strains {ratio:.1} \
+                 times as fast as the sheet, at a strain ratio of {beta:.3}"
+            );
+            LimitError::new(what, "use hill or points; an imperfection nearer to 1 may help")
+        })
+    }
+}
+
+fn beyond(beta: f64) -> LimitError {
+    let what = format!(
+        "no groove necks below an equivalent strain of {}, at a strain ratio of {beta:.3}",
+        MarciniakKuczynski::LARGEST
+    );
+    LimitError::new(what, "use points, or an imperfection further from 1: a sheet like this hardly necks")
+}

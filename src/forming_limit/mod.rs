@@ -1,0 +1,149 @@
+//! Forming limits: the major strain at which a sheet necks, over the minor strain, and what a run makes of it.
+//!
+//! Strains are logarithmic and of the mid-surface: those of the membrane. A sheet that is bent over a sharp radius is
+//! strained more on its outer face than a curve of membrane strains knows.
+//!
+//! ```text
+//! ε₁ ≥ ε₂   principal strains in the plane of the sheet: meridional and hoop, whichever is larger first
+//! β = ε₂/ε₁   −r̄/(1 + r̄) in tension, 0 in plane strain, 1 in equi-biaxial stretching
+//! ```
+//!
+//! One curve, one file; a new one is a file here and a line in [`Kind`].
+
+mod assess;
+mod hill;
+mod instability;
+mod keeler_brazier;
+mod marciniak_kuczynski;
+mod paths;
+mod points;
+mod swift;
+
+pub use assess::{Assessment, CROOKED, Judged, Reached, SHORTEST, assess};
+pub use hill::Hill;
+pub use instability::{power_law, uniform_strain};
+pub use keeler_brazier::KeelerBrazier;
+pub use marciniak_kuczynski::{Limit, MarciniakKuczynski};
+pub use paths::{Instant, Paths};
+pub use points::{Points, Strain};
+pub use swift::Swift;
+
+use crate::material::Material;
+
+/// Why there is no curve.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[error("{message}")]
+pub struct LimitError {
+    pub message: String,
+    /// What to try.
+    pub help: String,
+}
+
+impl LimitError {
+    fn new(message: impl Into<String>, help: impl Into<String>) -> Self {
+        Self { message: message.into(), help: help.into() }
+    }
+}
+
+/// The sheet that a curve is for.
+#[derive(Clone, Copy, Debug)]
+pub struct Sheet<'a> {
+    pub material: &'a Material,
+    /// Initial thickness \[mm\].
+    pub thickness: f64,
+    /// Temperature that curves are computed at \[K\].
+    pub temperature: f64,
+}
+
+impl Sheet<'_> {
+    /// Yield stress \[MPa\] and its slope \[MPa\] at an equivalent strain, without the rate.
+    fn hardening(&self, strain: f64) -> crate::material::FlowStress {
+        self.material.hardening.at_temperature(strain, self.temperature)
+    }
+}
+
+/// Where a curve comes from.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Kind {
+    Points(Points),
+    KeelerBrazier(KeelerBrazier),
+    Hill(Hill),
+    Swift(Swift),
+    MarciniakKuczynski(MarciniakKuczynski),
+}
+
+impl Kind {
+    /// The curve of a sheet.
+    ///
+    /// # Errors
+    /// When the kind does not hold for the sheet, or its equations have no solution.
+    pub fn curve(&self, sheet: &Sheet) -> Result<Curve, LimitError> {
+        match self {
+            Self::Points(kind) => kind.curve(),
+            Self::KeelerBrazier(kind) => kind.curve(sheet),
+            Self::Hill(kind) => kind.curve(sheet),
+            Self::Swift(kind) => kind.curve(sheet),
+            Self::MarciniakKuczynski(kind) => kind.curve(sheet),
+        }
+    }
+}
+
+/// A forming limit curve, straight between its points.
+///
+/// To the left of its first point it goes on at constant thickness strain, ε₁ + ε₂ = const; to the right of its last one
+/// it stays level.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Curve {
+    /// Minor and major logarithmic strain \[–\], the minor rising.
+    points: Vec<[f64; 2]>,
+    /// What it is called.
+    pub name: &'static str,
+    /// Where its numbers come from and what was assumed, in sentences.
+    pub notes: Vec<String>,
+}
+
+impl Curve {
+    /// Points of minor and major logarithmic strain.
+    ///
+    /// # Errors
+    /// When there are fewer than two, or the minor strain does not rise.
+    fn new(name: &'static str, points: Vec<[f64; 2]>, notes: Vec<String>) -> Result<Self, LimitError> {
+        if points.len() < 2 {
+            let what = format!("a curve has two points at least, found {}", points.len());
+            return Err(LimitError::new(what, "give more points"));
+        }
+        if let Some(i) = points.windows(2).position(|w| w[1][0] <= w[0][0]) {
+            let what = format!(
+                "the minor strain must rise from point to point, but {:.4} follows {:.4}",
+                points[i + 1][0],
+                points[i][0]
+            );
+            return Err(LimitError::new(what, "write the points from left to right"));
+        }
+        Ok(Self { points, name, notes })
+    }
+
+    /// Minor and major logarithmic strain of its points \[–\].
+    pub fn points(&self) -> &[[f64; 2]] {
+        &self.points
+    }
+
+    /// The major strain at which the sheet necks, at a minor strain \[–\].
+    pub fn major_at(&self, minor: f64) -> f64 {
+        let [first, last] = [self.points[0], self.points[self.points.len() - 1]];
+        if minor <= first[0] {
+            return first[1] + (first[0] - minor);
+        }
+        let Some(i) = self.points.iter().position(|p| p[0] >= minor) else { return last[1] };
+        let [a, b] = [self.points[i - 1], self.points[i]];
+        a[1] + (b[1] - a[1]) * (minor - a[0]) / (b[0] - a[0])
+    }
+
+    /// The major strain at plane strain, FLC₀ \[–\].
+    pub fn plane_strain(&self) -> f64 {
+        self.major_at(0.0)
+    }
+}
+
+#[cfg(test)]
+mod tests;

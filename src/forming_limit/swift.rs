@@ -1,0 +1,38 @@
+//! Diffuse necking.
+
+use super::instability::{Proportional, hardening_note, left, limit, right};
+use super::{Curve, LimitError, Sheet};
+
+/// Swift's diffuse necking: both forces are at their maxima, dσ₁ = σ₁ dε₁ and dσ₂ = σ₂ dε₂, so that
+///
+/// ```text
+/// σ_y'/σ_y = s₁ (dε₁/dε̄)² + s₂ (dε₂/dε̄)²       s = σ/σ_y
+/// ```
+///
+/// For a power law of the isotropic sheet ε₁ = n in tension, in plane strain and in equi-biaxial stretching, with ε̄ = 2n in
+/// the last. It is a lower bound: what spreads is not yet a split.
+///
+/// # References
+/// H. W. Swift, Plastic instability under plane stress, J. Mech. Phys. Solids 1 (1952) 1–18 (not read; derived here from the
+/// two forces).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Swift {
+    /// Exponent of a power law in place of the sheet's own \[–\].
+    pub n: Option<f64>,
+}
+
+impl Swift {
+    pub(super) fn curve(&self, sheet: &Sheet) -> Result<Curve, LimitError> {
+        let points = left(sheet.material.anisotropy, 20).chain(right(20)).map(|beta| point(sheet, self.n, beta));
+        let points = points.collect::<Result<Vec<_>, _>>()?;
+        let note = format!("Forming limit: Swift's diffuse necking by {}.", hardening_note(self.n));
+        Curve::new("Swift", points, vec![note])
+    }
+}
+
+/// Minor and major strain at the limit of a strain ratio.
+pub(super) fn point(sheet: &Sheet, n: Option<f64>, beta: f64) -> Result<[f64; 2], LimitError> {
+    let Proportional { strain: [e1, e2], stress: [s1, s2] } = Proportional::new(sheet.material.anisotropy, beta);
+    let strain = limit(sheet, n, s1 * e1 * e1 + s2 * e2 * e2)?;
+    Ok([e2 * strain, e1 * strain])
+}
