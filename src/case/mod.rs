@@ -25,6 +25,7 @@
 
 pub mod check;
 mod convert;
+mod draft;
 mod error;
 mod explain;
 pub mod file;
@@ -34,6 +35,7 @@ mod overrides;
 mod schema;
 mod source;
 
+pub use draft::Draft;
 pub use error::CaseError;
 pub use file::CaseFile;
 pub use laws::laws;

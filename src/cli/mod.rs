@@ -1,6 +1,7 @@
 //! The verbs of the command line, each a short table of contents in its own file.
 
 mod code;
+mod import;
 mod job;
 mod progress;
 mod run;
@@ -34,6 +35,9 @@ enum Verb {
         #[command(flatten)]
         overrides: Overrides,
     },
+    /// Read the tools from a drawing (DXF) and write a case file with them
+    #[command(after_help = import::HELP)]
+    Import(import::Args),
     /// Solve every case that has published curves and compare
     #[command(after_help = validate::HELP)]
     Validate(validate::Args),
@@ -75,6 +79,7 @@ impl Threads {
 pub fn main(args: Args) -> anyhow::Result<Code> {
     match args.verb {
         Verb::Run(args) => run::run(&args),
+        Verb::Import(args) => import::import(&args),
         Verb::Validate(args) => validate::validate(&args),
         Verb::Check { case, overrides } => {
             let case = case::load(&case, &overrides.set)?;

@@ -76,7 +76,7 @@ fn body(tool: &Tool, moved: Point, sagitta: f64) -> Vec<(f64, f64)> {
 }
 
 /// Into how many chords a piece is cut: a chord over the angle φ leaves its arc by R φ²/8.
-fn chords(piece: &Piece, sagitta: f64) -> usize {
+pub(super) fn chords(piece: &Piece, sagitta: f64) -> usize {
     let Piece::Arc(arc) = piece else { return 1 };
     let chord = CHORD.min((8.0 * sagitta / arc.radius).sqrt());
     (arc.sweep.abs() / chord).ceil().max(1.0) as usize
