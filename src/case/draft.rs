@@ -12,8 +12,8 @@ const THICKNESS: f64 = 1.0;
 const CLEARANCE: f64 = 1.25;
 /// Largest draw ratio of a placeholder blank [–].
 const RATIO: f64 = 1.8;
-/// Travel over the punch's size [–].
-const TRAVEL: f64 = 0.5;
+/// Travel over the punch's size [–], of a sheet that is drawn in and of one that is clamped and only stretched.
+const TRAVEL: [f64; 2] = [0.5, 0.25];
 
 /// What a case file is written from.
 #[derive(Clone, Debug, PartialEq)]
@@ -174,10 +174,10 @@ fn throat_of(die: Option<&Tool>) -> Option<f64> {
     die.and_then(throat)
 }
 
-/// Half of the punch's size, or what its drawn height and the die's bottom leave room for.
+/// A share of the punch's size, or what its drawn height and the die's bottom leave room for.
 fn travel_for(punch: &Tool, die: Option<&Tool>, thickness: f64, blank: f64) -> (f64, &'static str) {
     let height = (punch.profile.last().y - punch.profile.first().y).abs();
-    let size = TRAVEL * extent(punch).1;
+    let size = TRAVEL[usize::from(die.is_none())] * extent(punch).1;
     let most = if height > thickness { size.min(height) } else { size };
     // Both where they touch the flat sheet.
     let placed = |tool: &Tool, highest: bool, z: f64| {

@@ -83,24 +83,23 @@ fn mirrored(stroke: &Stroke) -> Stroke {
 
 /// Every point of one half has to be on the other.
 fn compare(right: &Chain, image: &Chain, name: &str, frame: &Frame) -> Result<(), ImportError> {
-    let close = frame.join + 2.0 * frame.tolerance;
-    for (these, others, side) in [(right, image, 1.0), (image, right, -1.0)] {
-        for (piece, stroke) in these.pieces() {
-            for p in piece.sample(8) {
-                let away =
-                    others.pieces().map(|(other, _)| (other.closest_point(p) - p).norm()).fold(f64::INFINITY, f64::min);
-                if away > close {
-                    let (from, place) = (&these.strokes[stroke].from, frame.place(Point::new(side * p.x, p.y)));
-                    let away = (away * 1e4).round() / 1e4;
-                    let what = format!(
-                        "the two halves of the {name} differ: {from} at {place} is {away} mm away from the mirror image \
-                         of the other half"
-                    );
-                    let help = "draw one half only, or both alike; --axis says where the axis is if it is not x = 0";
-                    return Err(ImportError::new(what, help));
-                }
-            }
-        }
+    let worst = [(right, image, 1.0), (image, right, -1.0)].into_iter().flat_map(|(these, others, side)| {
+        let points = these.pieces().flat_map(|(piece, stroke)| piece.sample(8).into_iter().map(move |p| (p, stroke)));
+        points.map(move |(p, stroke)| {
+            let away =
+                others.pieces().map(|(other, _)| (other.closest_point(p) - p).norm()).fold(f64::INFINITY, f64::min);
+            (away, Point::new(side * p.x, p.y), &these.strokes[stroke].from)
+        })
+    });
+    let Some((away, at, from)) = worst.max_by(|a, b| a.0.total_cmp(&b.0)) else { return Ok(()) };
+    if away <= frame.join + 2.0 * frame.tolerance {
+        return Ok(());
     }
-    Ok(())
+    let (place, away) = (frame.place(at), (away * 1e4).round() / 1e4);
+    let what = format!(
+        "the two halves of the {name} differ, most by {away} mm: {from} at {place} is so far away from the mirror image of \
+         the other half"
+    );
+    let help = "draw one half only, or both alike; --axis says where the axis is if it is not x = 0";
+    Err(ImportError::new(what, help))
 }

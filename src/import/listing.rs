@@ -10,7 +10,7 @@ use std::fmt;
 const LARGEST: usize = 50_000_000;
 
 /// An entity as the file names it.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub(super) struct Listed {
     /// LINE, ARC, ...
     pub kind: String,
@@ -21,6 +21,8 @@ pub(super) struct Listed {
     pub line: usize,
     /// Drawn on a sheet of paper, not in the model.
     pub on_paper: bool,
+    /// Its first point, in drawing units: where a circle's centre, a text or a block is.
+    pub at: [f64; 2],
 }
 
 impl fmt::Display for Listed {
@@ -71,20 +73,15 @@ pub(super) fn entities(text: &str) -> Result<Vec<Listed>, ImportError> {
             (2, name) if opens => (section, opens) = (name.to_owned(), false),
             (0, "ENDSEC") => section.clear(),
             (0, kind) if section == "ENTITIES" => {
-                let layer = "0".to_owned();
-                found.push(Listed {
-                    kind: kind.to_owned(),
-                    layer,
-                    handle: String::new(),
-                    line: i + 2,
-                    on_paper: false,
-                });
+                let kind = kind.to_owned();
+                found.push(Listed { kind, layer: "0".to_owned(), line: i + 2, ..Listed::default() });
             }
             _ if section == "ENTITIES" => {
                 if let Some(last) = found.last_mut() {
                     match code {
                         5 => last.handle = value.to_owned(),
                         8 => last.layer = value.to_owned(),
+                        10 | 20 => last.at[usize::from(code == 20)] = value.parse().unwrap_or(0.0),
                         67 => last.on_paper = value == "1",
                         _ => {}
                     }

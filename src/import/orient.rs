@@ -88,8 +88,9 @@ pub(super) fn section(role: Role, chain: Chain, heading: Heading, frame: &Frame)
             return Err(ImportError::new(what, help));
         }
         Some(Fold::Crossing { at, pieces: [a, b] }) => {
-            let what =
-                format!("the {name}'s line crosses or touches itself at {}: {} and {}", drawn(at), from(a), from(b));
+            let (a, b) = (from(a), from(b));
+            let both = if a == b { a.to_string() } else { format!("{a} and {b}") };
+            let what = format!("the {name}'s line crosses or touches itself at {}: {both}", drawn(at));
             return Err(ImportError::new(what, help));
         }
     }

@@ -74,7 +74,9 @@ pub(super) fn of_role(
     for entry in listed.iter().filter(|entry| ours(entry) && !is_curve(entry) && !is_part(entry) && !entry.on_paper) {
         if !SAID.contains(&entry.kind.as_str()) {
             let help = "redraw or explode it to lines, arcs and polylines, or move it to another layer";
-            return Err(ImportError::new(format!("{entry} cannot be part of the {}'s profile", role.name()), help));
+            let place = frame.place(frame.point(entry.at[0], entry.at[1]));
+            let what = format!("{entry} at {place} cannot be part of the {}'s profile", role.name());
+            return Err(ImportError::new(what, help));
         }
         *said.entry(&entry.kind).or_default() += 1;
     }

@@ -2,8 +2,8 @@
 
 use super::chart::{Chart, Color, GREY, Look, PALE, Panel, Scale, Series, color, pale};
 use super::{Subject, profile, progress, reached, shown};
-use crate::geometry::{Piece, Point};
-use crate::model::{Model, Role, Theory, Tool};
+use crate::geometry::{Piece, Point, Profile};
+use crate::model::{Model, Role, Theory};
 use crate::record::{Frame, NodeRecord};
 use std::ops::Range;
 
@@ -57,17 +57,20 @@ pub(super) fn tools<'a>(model: &'a Model, at: Option<&'a Frame>, width: f64) -> 
     model.tools.iter().enumerate().map(move |(i, tool)| {
         let place = |frame: &Frame| Some(Point::new(*frame.tool_aside.get(i)?, *frame.tool_displacement.get(i)?));
         let moved = at.and_then(place).unwrap_or_default();
-        Series::silent(body(tool, moved, SAGITTA * width), Look::Area { fill: PALE, edge: Some(GREY) })
+        Series::silent(
+            body(tool.role, &tool.profile, moved, SAGITTA * width),
+            Look::Area { fill: PALE, edge: Some(GREY) },
+        )
     })
 }
 
 /// The tool's profile closed through its body, which goes on away from the sheet.
-fn body(tool: &Tool, moved: Point, sagitta: f64) -> Vec<(f64, f64)> {
-    let points = tool.profile.pieces().iter().flat_map(|piece| piece.sample(chords(piece, sagitta)));
+pub(super) fn body(role: Role, profile: &Profile, moved: Point, sagitta: f64) -> Vec<(f64, f64)> {
+    let points = profile.pieces().iter().flat_map(|piece| piece.sample(chords(piece, sagitta)));
     let mut outline: Vec<(f64, f64)> = points.map(|p| (p.x + moved.x, p.y + moved.y)).collect();
     let (first, last) = (outline[0], outline[outline.len() - 1]);
     let ends = outline.iter().map(|p| p.1);
-    let far = match tool.role {
+    let far = match role {
         Role::Punch | Role::Holder => ends.fold(f64::INFINITY, f64::min) - 1e3,
         Role::Die => ends.fold(f64::NEG_INFINITY, f64::max) + 1e3,
     };
@@ -76,7 +79,7 @@ fn body(tool: &Tool, moved: Point, sagitta: f64) -> Vec<(f64, f64)> {
 }
 
 /// Into how many chords a piece is cut: a chord over the angle φ leaves its arc by R φ²/8.
-pub(super) fn chords(piece: &Piece, sagitta: f64) -> usize {
+fn chords(piece: &Piece, sagitta: f64) -> usize {
     let Piece::Arc(arc) = piece else { return 1 };
     let chord = CHORD.min((8.0 * sagitta / arc.radius).sqrt());
     (arc.sweep.abs() / chord).ceil().max(1.0) as usize
@@ -129,12 +132,10 @@ mod tests {
     #[test]
     fn large_radii_are_drawn_smoothly() {
         let crown = crate::geometry::Profile::crowned_punch(330.0, 2800.0, 10.0, 0.8);
-        let tool =
-            Tool { role: Role::Punch, profile: crown, friction: 0.1.into(), motion: crate::model::Motion::Travel };
-        let outline = body(&tool, Point::zeros(), 0.042);
+        let outline = body(Role::Punch, &crown, Point::zeros(), 0.042);
         for pair in outline.windows(2).filter(|pair| pair[1].0 < 300.0 && pair[1].1 > -100.0) {
             let middle = Point::new(0.5 * (pair[0].0 + pair[1].0), 0.5 * (pair[0].1 + pair[1].1));
-            assert!(tool.profile.closest(middle).distance.abs() < 0.0421, "{middle}");
+            assert!(crown.closest(middle).distance.abs() < 0.0421, "{middle}");
         }
     }
 
