@@ -44,8 +44,7 @@ pub(super) fn roles(listed: &[Listed], options: &Options, notes: &mut Vec<String
     }
     let ignored: Vec<String> = layers.iter().filter(|(layer, _)| !roles.contains_key(**layer)).map(counted).collect();
     if !ignored.is_empty() {
-        let word = if ignored.len() == 1 { "layer" } else { "layers" };
-        notes.push(format!("left out, {word} that draw no tool: {}", ignored.join(", ")));
+        notes.push(format!("layers that are no tool are left out: {}", ignored.join(", ")));
     }
     Ok(roles)
 }

@@ -46,7 +46,7 @@ space.add_line((0, -150), (0, 250), on("Mittellinie"))
 space.add_circle((60, -40), 4, on("Stiftbohrung"))
 save(doc, "ezdxf_lines_and_arcs.dxf")
 
-# 2: the same in inches, R12 (no units in such a header are kept by ezdxf: $INSUNITS is written all the same).
+# 2: the same in inches.
 doc, space = drawing("R2000", units.IN, 0)
 cup(space, 25.4)
 save(doc, "ezdxf_inches.dxf")
@@ -75,7 +75,8 @@ space.add_spline(dxfattribs=on("DIE")).set_open_uniform(
     [(80, -1, 0), (60, -1, 0), (40, -1, 0), (30, -6, 0), (29, -16, 0), (29, -60, 0)], degree=3)
 save(doc, "ezdxf_splines.dxf")
 
-# 5: R12 with old polylines, seen from behind (normal 0, 0, -1), as CAD programs leave after mirroring; no handles needed.
+# 5: R12 with old polylines, seen from behind (normal 0, 0, -1), as CAD programs leave after mirroring. R12 headers
+# have no unit.
 doc, space = drawing("R12", units.MM)
 poly = space.add_polyline2d(
     [(0, 0, 0), (-24, 0, -quarter), (-30, 6, 0), (-30, 100, 0)], format="xyb", dxfattribs=on("PUNCH"))
