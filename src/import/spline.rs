@@ -14,7 +14,10 @@ const DEEPEST: usize = 12;
 const TURN: f64 = 0.5;
 
 /// Points of a part at which its arcs are compared with it.
-const LOOKS: usize = 12;
+const LOOKS: usize = 16;
+
+/// Share of the tolerance that those points may use up [–]: between two of them the distance may rise a little more.
+const BETWEEN: f64 = 0.9;
 
 /// Highest degree that CAD programs write.
 const DEGREE: usize = 25;
@@ -114,7 +117,7 @@ impl Curve {
             let arcs = biarc(a, ta, b, tb);
             let away =
                 |p: &Point| arcs.iter().map(|arc| (arc.closest_point(*p) - p).norm()).fold(f64::INFINITY, f64::min);
-            if looks.iter().all(|p| away(p) <= tolerance) {
+            if looks.iter().all(|p| away(p) <= BETWEEN * tolerance) {
                 pieces.extend(arcs);
                 return Ok(());
             }
