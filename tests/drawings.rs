@@ -196,6 +196,25 @@ fn splines_are_followed_within_their_tolerance() {
     }
 }
 
+/// Trust: by hand. What is repeated or lies on the axis goes, the left half is mirrored, the wall gives way to the nose.
+#[test]
+fn untidy_drawings_are_put_in_order_and_that_is_said() {
+    let found = sections("ezdxf_untidy.dxf", &Options { axis: 200.0, ..Options::default() });
+    assert_is(&found, Role::Punch, &punch(24.0, 6.0, 0.0, -100.0), "ezdxf_untidy.dxf");
+    assert_is(&found, Role::Die, &die(90.0, 31.25, 6.0, 1.0, 100.0), "ezdxf_untidy.dxf");
+    let notes = found.notes.join("\n");
+    for says in [
+        "runs along the axis",
+        "it repeats LINE",
+        "from x = 230 mm, y = 100 mm to x = 230 mm, y = 6.004 mm",
+        "up to 4.00e-3 mm apart are joined",
+        "the die is drawn on the left of the axis only",
+        "the axis is at x = 200 mm",
+    ] {
+        assert!(notes.contains(says), "{says} is not in\n{notes}");
+    }
+}
+
 fn stampflow(dir: &Path, args: &[&str]) -> Output {
     Command::new(env!("CARGO_BIN_EXE_stampflow")).args(args).current_dir(dir).output().unwrap()
 }

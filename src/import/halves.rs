@@ -24,7 +24,7 @@ pub(super) fn right(
     match (right.is_empty(), left.is_empty()) {
         (false, true) => join(right, role, frame, notes),
         (true, false) => {
-            notes.push(format!("the {name} is drawn at x < 0 only: its mirror image is used"));
+            notes.push(format!("the {name} is drawn on the left of the axis only: its mirror image is used"));
             join(left, role, frame, notes)
         }
         (true, true) => Err(ImportError::new(

@@ -62,7 +62,7 @@ pub struct Section {
     pub role: Role,
     /// The sheet on its left; z in the direction of the punch travel, not moved.
     pub profile: Profile,
-    /// Where the entities of the drawing begin and end \[mm\].
+    /// Where lines and arcs of the drawing, and whole splines, begin and end \[mm\].
     pub ends: Vec<Point>,
     /// What it was made of: `4 entities of layer "PUNCH"`.
     pub made_of: String,

@@ -94,7 +94,11 @@ pub(super) fn section(role: Role, chain: Chain, heading: Heading, frame: &Frame)
             return Err(ImportError::new(what, help));
         }
     }
-    let mut ends: Vec<Point> = chain.strokes.iter().map(Stroke::first).collect();
+    // Inside a spline there are as many ends as its tolerance asks for.
+    let is_drawn =
+        |i: &usize| i.checked_sub(1).is_none_or(|before| strokes[before] != strokes[*i]) || from(*i).kind != "SPLINE";
+    let pieces = chain.pieces().enumerate().filter(|(i, _)| is_drawn(i));
+    let mut ends: Vec<Point> = pieces.map(|(_, (piece, _))| piece.first()).collect();
     ends.push(chain.last());
     if heading == Heading::Down {
         ends.iter_mut().for_each(|end| end.y = -end.y);

@@ -1,4 +1,4 @@
-//! What was understood of a drawing: the tools' sections as drawn, and where its entities end.
+//! What was understood of a drawing: the tools' sections as drawn, and where their lines end.
 
 use super::chart::{Chart, Look, Panel, Scale, Series, color, pale};
 use super::shapes::body;
@@ -32,7 +32,7 @@ pub fn sketch(name: &str, geometry: Geometry, sections: &Sections) -> Chart {
     });
     let axis = |key, label| Column::new(key, label, Unit::Mm, Vec::new()).axis();
     let r = worded(geometry, "Distance from the axis", "Distance from the symmetry plane");
-    let caption = "Circles: where entities of the drawing begin and end. The tools are where they are drawn; the case moves \
+    let caption = "Circles: where drawn lines, arcs and splines begin and end. The tools are where they are drawn; the case moves \
                    each along z to where it touches the flat sheet.";
     Chart {
         title: format!("{name}: the tools that were read"),

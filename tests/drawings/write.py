@@ -87,6 +87,18 @@ space.add_line((31.25, -7), (31.25, -100), on("DIE"))
 space.add_line((37.25, -1), (90, -1), on("DIE"))
 save(doc, "ezdxf_r12_mirrored.dxf")
 
+# 6: untidy. The wall is drawn twice and ends 0.004 mm beside the nose, the centre line is on the punch's layer, the die is
+# drawn on the left only, and the axis is at x = 200.
+doc, space = drawing()
+space.add_line((200, 0), (224, 0), on("PUNCH"))
+space.add_line((200, -50), (200, 150), on("PUNCH"))
+space.add_arc((224, 6), 6, 270, 360, dxfattribs=on("PUNCH"))
+space.add_line((230, 6.004), (230, 100), on("PUNCH"))
+space.add_line((230, 100), (230, 6.004), on("PUNCH"))
+space.add_lwpolyline([(110, -1, 0), (162.75, -1, -quarter), (168.75, -7, 0), (168.75, -100, 0)], format="xyb",
+                     dxfattribs=on("DIE"))
+save(doc, "ezdxf_untidy.dxf")
+
 # Faulty ones.
 def faulty(name, draw, unit=units.MM, measurement=1):
     doc, space = drawing("R2010", unit, measurement)
