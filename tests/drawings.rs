@@ -119,6 +119,7 @@ fn what_was_understood_is_said() {
             "\"Bemaßung\" (1 entity)",
         ],
     );
+    says("ezdxf_splines.dxf", &header, &["followed by tangent arcs within 0.001 mm"]);
     says("ezdxf_inches.dxf", &header, &["1 drawing unit is 1 in"]);
     says(
         "ezdxf_both_halves.dxf",

@@ -3,7 +3,6 @@
 use super::chain::Chain;
 use super::frame::Frame;
 use super::layers::entities;
-use super::stroke::Stroke;
 use super::{ImportError, Section};
 use crate::geometry::{Fold, Piece, Point, Profile};
 use crate::model::Role;

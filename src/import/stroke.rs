@@ -7,7 +7,7 @@ use super::read::{Reading, is_curve};
 use super::{ImportError, spline};
 use crate::geometry::{Arc, Piece, Point, Segment};
 use crate::model::Role;
-use crate::quantity::{Kind, Length, Quantity};
+use crate::quantity::{Kind, Length, Quantity, rounded};
 use dxf::Vector;
 use dxf::entities::{Entity, EntityType, LwPolyline, Polyline};
 use std::collections::BTreeMap;
@@ -84,8 +84,14 @@ pub(super) fn of_role(
         let said: Vec<String> = said.iter().map(|(kind, count)| format!("{count} {kind}")).collect();
         notes.push(format!("left out of the {}'s layer: {}", role.name(), said.join(", ")));
     }
-    let ours = drawing.curves(listed).filter(|(_, entry)| ours(entry));
-    ours.map(|(entity, entry)| stroke(entity, entry, frame)).collect()
+    let ours: Vec<_> = drawing.curves(listed).filter(|(_, entry)| ours(entry)).collect();
+    let splines = ours.iter().filter(|(_, entry)| entry.kind == "SPLINE").count();
+    if splines > 0 {
+        let (name, tolerance) = (role.name(), rounded(frame.tolerance));
+        notes
+            .push(format!("SPLINE in the {name}'s line ({splines}) is followed by tangent arcs within {tolerance} mm"));
+    }
+    ours.into_iter().map(|(entity, entry)| stroke(entity, entry, frame)).collect()
 }
 
 fn stroke(entity: &Entity, entry: &Listed, frame: &Frame) -> Result<Stroke, ImportError> {
