@@ -4,6 +4,8 @@
 //! Mindlin shell elements, rigid tools with frictional penalty contact, an explicit predictor and an implicit corrector.
 //!
 //! ```text
+//! drawing (DXF)
+//!    │ import::read               Sections            a Profile for each tool; case::Draft writes a case file with them
 //! case file (TOML, quantities with units)
 //!    │ case::load                 CaseFile → Model     mm, N, s; validated, immutable
 //!    │ mesh, State::flat          State                one instant: positions, velocities, layers, tools
@@ -45,6 +47,7 @@ pub mod element;
 pub mod forming_limit;
 pub mod geometry;
 pub mod history;
+pub mod import;
 pub mod material;
 pub mod measure;
 pub mod mesh;

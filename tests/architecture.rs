@@ -8,7 +8,7 @@ const FLOORS: &[&[&str]] = &[
     &["main", "cli"],
     &["case"],
     &["output", "compare", "solver"],
-    &["measure"],
+    &["measure", "import"],
     &["table", "record", "mesh", "state", "stage"],
     &["model"],
     &["element", "contact", "forming_limit"],
@@ -84,6 +84,7 @@ fn outside_crates_have_one_room_each() {
         ("gif::", "output"),
         ("comfy_table::", "cli"),
         ("toml::", "case|compare"),
+        ("dxf::", "import"),
     ] {
         for file in &files {
             let inside = file.strip_prefix(&root).expect("below src").to_string_lossy().to_string();

@@ -25,6 +25,7 @@
 
 pub mod check;
 mod convert;
+mod draft;
 mod error;
 mod explain;
 pub mod file;
@@ -36,6 +37,7 @@ mod schema;
 mod source;
 pub mod template;
 
+pub use draft::Draft;
 pub use error::CaseError;
 pub use file::CaseFile;
 pub use laws::{Law, law_list, laws};

@@ -4,6 +4,7 @@ use super::json;
 use super::table::colours;
 use stampflow::case::CaseError;
 use stampflow::compare::CompareError;
+use stampflow::import::ImportError;
 use stampflow::output::WriteError;
 use std::error::Error;
 use std::io;
@@ -48,11 +49,8 @@ pub fn unusable(option: &str) -> impl Fn(WriteError) -> BadRequest {
 impl Code {
     /// The code that an error ends the program with.
     pub fn of(error: &anyhow::Error) -> Self {
-        if error.is::<CaseError>() || error.is::<CompareError>() || error.is::<BadRequest>() {
-            Self::BadInput
-        } else {
-            Self::Failed
-        }
+        let bad_input = error.is::<CaseError>() || error.is::<CompareError>() || error.is::<ImportError>();
+        if bad_input || error.is::<BadRequest>() { Self::BadInput } else { Self::Failed }
     }
 }
 

@@ -1,6 +1,7 @@
 //! The verbs of the command line, each a short table of contents in its own file.
 
 mod code;
+mod import;
 mod job;
 mod json;
 mod materials;
@@ -47,6 +48,9 @@ enum Verb {
     },
     /// Write a case file to begin with, from a few sizes
     New(new::Args),
+    /// Read the tools from a drawing (DXF) and write a case file with them
+    #[command(after_help = import::HELP)]
+    Import(import::Args),
     /// Solve every case that has published curves and compare
     #[command(after_help = validate::HELP)]
     Validate(validate::Args),
@@ -106,6 +110,7 @@ pub fn main() -> anyhow::Result<Code> {
     };
     match args.verb {
         Verb::Run(args) => run::run(&args),
+        Verb::Import(args) => import::import(&args),
         Verb::Validate(args) => validate::validate(&args),
         Verb::Check { case, overrides, json } => {
             let report = case::check::report(&case::load(&case, &overrides.set)?);

@@ -7,6 +7,7 @@
 
 mod cavity;
 mod crossing;
+mod cut;
 mod extreme;
 mod fillet;
 mod moves;
@@ -22,7 +23,7 @@ pub use fillet::{FilletTooLarge, fillet};
 pub use offset::OffsetError;
 pub use piece::{Arc, Piece, Segment};
 pub use profile::{Closest, Profile, ProfileError, Vertex};
-pub use rounding::CORNER;
+pub use rounding::{CORNER, biarc};
 
 /// A point or vector `[r, z]` in mm.
 pub type Point = nalgebra::Vector2<f64>;

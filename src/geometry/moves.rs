@@ -1,6 +1,7 @@
-//! Profiles moved along z, turned round, mirrored.
+//! Pieces and profiles moved along z, turned round, mirrored.
 
 use super::{Arc, Piece, Point, Profile, Segment};
+use std::f64::consts::PI;
 
 impl Piece {
     /// The same piece walked the other way.
@@ -8,6 +9,24 @@ impl Piece {
         match self {
             Piece::Segment(s) => Piece::Segment(Segment::new(s.to, s.from)),
             Piece::Arc(a) => Piece::Arc(Arc::new(a.center, a.radius, a.start + a.sweep, -a.sweep)),
+        }
+    }
+
+    /// The mirror image in the axis r = 0, walked from the image of the first point to that of the last.
+    pub fn across_axis(&self) -> Self {
+        let image = |p: Point| Point::new(-p.x, p.y);
+        match self {
+            Piece::Segment(s) => Piece::Segment(Segment::new(image(s.from), image(s.to))),
+            Piece::Arc(a) => Piece::Arc(Arc::new(image(a.center), a.radius, PI - a.start, -a.sweep)),
+        }
+    }
+
+    /// The mirror image in the plane z = 0, walked from the image of the first point to that of the last.
+    pub fn upside_down(&self) -> Self {
+        let image = |p: Point| Point::new(p.x, -p.y);
+        match self {
+            Piece::Segment(s) => Piece::Segment(Segment::new(image(s.from), image(s.to))),
+            Piece::Arc(a) => Piece::Arc(Arc::new(image(a.center), a.radius, -a.start, -a.sweep)),
         }
     }
 }
@@ -30,12 +49,7 @@ impl Profile {
 
     /// The mirror image in the plane z = 0, the sheet on the left again: a punch becomes a die.
     pub fn mirrored(&self) -> Self {
-        let image = |p: Point| Point::new(p.x, -p.y);
-        self.each(|piece| match piece {
-            Piece::Segment(s) => Piece::Segment(Segment::new(image(s.from), image(s.to))),
-            Piece::Arc(a) => Piece::Arc(Arc::new(image(a.center), a.radius, -a.start, -a.sweep)),
-        })
-        .reversed()
+        self.each(Piece::upside_down).reversed()
     }
 
     fn each(&self, change: impl Fn(&Piece) -> Piece) -> Self {
@@ -59,6 +73,9 @@ mod tests {
                 let image = Point::new(x.x, -x.y);
                 assert!((profile.mirrored().closest(image).distance - d).abs() < 1e-9);
                 assert!((profile.reversed().closest(x).distance + d).abs() < 1e-9);
+                let across =
+                    Profile::new(profile.pieces().iter().map(Piece::across_axis).collect()).unwrap().reversed();
+                assert!((across.closest(Point::new(-x.x, x.y)).distance - d).abs() < 1e-9);
                 assert!((profile.shifted(3.0).closest(x + Point::new(0.0, 3.0)).distance - d).abs() < 1e-9);
             }
         }

@@ -78,6 +78,21 @@ impl Arc {
         }
     }
 
+    /// The arc from `start` to `end` about `center` \[mm\], counter-clockwise or not, and how far \[mm\] the centre had to
+    /// be moved along the chord to be equally far from both: drawings are rounded.
+    pub fn between(start: Point, end: Point, center: Point, counter_clockwise: bool) -> (Self, f64) {
+        let (middle, chord) = (0.5 * (start + end), (end - start).normalize());
+        let off = (center - middle).dot(&chord);
+        let center = center - off * chord;
+        let angle = |p: Point| (p.y - center.y).atan2(p.x - center.x);
+        let sweep = if counter_clockwise {
+            (angle(end) - angle(start)).rem_euclid(TAU)
+        } else {
+            -(angle(start) - angle(end)).rem_euclid(TAU)
+        };
+        (Self::new(center, (start - center).norm(), angle(start), sweep), off.abs())
+    }
+
     /// The arc from the first point of this one to the last point of the next, turning as much as both.
     pub(super) fn joined(&self, next: &Arc) -> Self {
         let sweep = self.sweep + next.sweep;

@@ -73,7 +73,7 @@ impl Profile {
 }
 
 /// Two arcs from `a` along `ta` to `b` along `tb` (unit tangents), joined with a common tangent; one where one does.
-fn biarc(a: Point, ta: Point, b: Point, tb: Point) -> Vec<Piece> {
+pub fn biarc(a: Point, ta: Point, b: Point, tb: Point) -> Vec<Piece> {
     let v = b - a;
     let t = ta + tb;
     // Equal tangent lengths d: 2d²(1 − ta·tb) + 2d v·t − v² = 0.

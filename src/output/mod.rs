@@ -21,6 +21,7 @@ pub mod pressure_cycle;
 pub mod profile;
 pub mod residual_stress;
 mod shapes;
+mod sketch;
 pub mod springback;
 mod stages;
 mod strains;
@@ -34,6 +35,7 @@ pub use draw::svg;
 pub use file::{WriteError, can_write, write};
 pub use overlay::write_comparison;
 pub use png::png;
+pub use sketch::sketch;
 pub use stages::{Line as StageLine, STAGES, stage_folder, stages_report, stages_table, write_stages};
 pub use summary::Summary;
 

@@ -2,8 +2,8 @@
 
 use super::chart::{Chart, Color, GREY, Look, PALE, Panel, Scale, Series, color, pale};
 use super::{Subject, profile, progress, reached, shown};
-use crate::geometry::{Piece, Point};
-use crate::model::{Model, Role, Theory, Tool};
+use crate::geometry::{Piece, Point, Profile};
+use crate::model::{Model, Role, Theory};
 use crate::record::{Frame, NodeRecord};
 use std::ops::Range;
 
@@ -56,7 +56,8 @@ pub(super) fn window<'a>(nodes: impl Iterator<Item = &'a NodeRecord>, length: f6
 pub(super) fn tools<'a>(model: &'a Model, at: Option<&'a Frame>, width: f64) -> impl Iterator<Item = Series> + 'a {
     model.tools.iter().enumerate().map(move |(i, tool)| {
         let moved = at.map_or_else(Point::default, |frame| place(frame, i));
-        Series::silent(body(tool, moved, SAGITTA * width), Look::Area { fill: PALE, edge: Some(GREY) })
+        let body = body(tool.role, &tool.profile, moved, SAGITTA * width);
+        Series::silent(body, Look::Area { fill: PALE, edge: Some(GREY) })
     })
 }
 
@@ -67,17 +68,17 @@ pub(super) fn place(frame: &Frame, i: usize) -> Point {
 }
 
 /// The tool's profile, moved, as chords that leave its arcs by at most `sagitta` \[mm\].
-pub(super) fn outline(tool: &Tool, moved: Point, sagitta: f64) -> Vec<(f64, f64)> {
-    let points = tool.profile.pieces().iter().flat_map(|piece| piece.sample(chords(piece, sagitta)));
+pub(super) fn outline(profile: &Profile, moved: Point, sagitta: f64) -> Vec<(f64, f64)> {
+    let points = profile.pieces().iter().flat_map(|piece| piece.sample(chords(piece, sagitta)));
     points.map(|p| (p.x + moved.x, p.y + moved.y)).collect()
 }
 
 /// The tool's profile closed through its body, which goes on away from the sheet.
-fn body(tool: &Tool, moved: Point, sagitta: f64) -> Vec<(f64, f64)> {
-    let mut outline = outline(tool, moved, sagitta);
+pub(super) fn body(role: Role, profile: &Profile, moved: Point, sagitta: f64) -> Vec<(f64, f64)> {
+    let mut outline = outline(profile, moved, sagitta);
     let (first, last) = (outline[0], outline[outline.len() - 1]);
     let ends = outline.iter().map(|p| p.1);
-    let far = match tool.role {
+    let far = match role {
         Role::Punch | Role::Holder => ends.fold(f64::INFINITY, f64::min) - 1e3,
         Role::Die => ends.fold(f64::NEG_INFINITY, f64::max) + 1e3,
     };
@@ -142,12 +143,10 @@ mod tests {
     #[test]
     fn large_radii_are_drawn_smoothly() {
         let crown = crate::geometry::Profile::crowned_punch(330.0, 2800.0, 10.0, 0.8);
-        let tool =
-            Tool { role: Role::Punch, profile: crown, friction: 0.1.into(), motion: crate::model::Motion::Travel };
-        let outline = body(&tool, Point::zeros(), 0.042);
+        let outline = body(Role::Punch, &crown, Point::zeros(), 0.042);
         for pair in outline.windows(2).filter(|pair| pair[1].0 < 300.0 && pair[1].1 > -100.0) {
             let middle = Point::new(0.5 * (pair[0].0 + pair[1].0), 0.5 * (pair[0].1 + pair[1].1));
-            assert!(tool.profile.closest(middle).distance.abs() < 0.0421, "{middle}");
+            assert!(crown.closest(middle).distance.abs() < 0.0421, "{middle}");
         }
     }
 

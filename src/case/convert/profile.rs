@@ -4,7 +4,6 @@ use crate::case::file::{ProfileStep, Turn};
 use crate::case::{CaseError, source::Source};
 use crate::geometry::{Arc, Piece, Point, Profile, Segment};
 use crate::quantity::{Length, Quantity};
-use std::f64::consts::TAU;
 
 /// How far the centre of an arc may lie from where its ends want it [mm]: drawings are rounded.
 const ROUNDED: f64 = 0.01;
@@ -72,17 +71,6 @@ fn point([r, z]: [Length; 2]) -> Point {
 
 /// The arc between two points; the given centre is moved onto their bisector.
 fn arc(start: Point, end: Point, center: Point, turn: Turn) -> Option<Arc> {
-    let (middle, chord) = (0.5 * (start + end), (end - start).normalize());
-    let off = (center - middle).dot(&chord);
-    let center = center - off * chord;
-    let radius = (start - center).norm();
-    if off.abs() > ROUNDED {
-        return None;
-    }
-    let angle = |p: Point| (p.y - center.y).atan2(p.x - center.x);
-    let sweep = match turn {
-        Turn::Left => (angle(end) - angle(start)).rem_euclid(TAU),
-        Turn::Right => -(angle(start) - angle(end)).rem_euclid(TAU),
-    };
-    Some(Arc::new(center, radius, angle(start), sweep))
+    let (arc, moved) = Arc::between(start, end, center, turn == Turn::Left);
+    (moved <= ROUNDED).then_some(arc)
 }

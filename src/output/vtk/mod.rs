@@ -118,7 +118,7 @@ fn fields(model: &Model, frame: &Frame) -> Vec<Column> {
 fn tools(model: &Model, frame: &Frame) -> Grid {
     let sagitta = SAGITTA * model.blank.length;
     let lines = model.tools.iter().enumerate();
-    let lines = lines.map(|(i, tool)| shapes::outline(tool, shapes::place(frame, i), sagitta)).collect();
+    let lines = lines.map(|(i, tool)| shapes::outline(&tool.profile, shapes::place(frame, i), sagitta)).collect();
     let roles = model.tools.iter().map(|tool| tool.role as usize as f64).collect();
     Grid::lines(lines, vec![Column::new("role", "Punch 0, die 1, holder 2", Unit::None, roles)])
 }

@@ -1,0 +1,167 @@
+//! `stampflow import`: from a drawing to a case file.
+
+use super::code::{BadRequest, unusable};
+use super::{Code, say};
+use anyhow::Context;
+use stampflow::case::{self, Draft};
+use stampflow::import::{self, DrawingUnit, Heading, Options, Sections};
+use stampflow::model::{Geometry, Role};
+use stampflow::output::{can_write, png, sketch, svg, write};
+use stampflow::quantity::{Length, Positive, Quantity};
+use std::fmt::Write;
+use std::path::PathBuf;
+
+pub const HELP: &str = "\
+Layers whose names hold punch, die or holder are those tools; --layer says what others are. In the drawing x is the
+distance from the axis and y goes up. Lines, arcs, polylines and splines of a layer, in any order and direction, make one
+open line: the side of the tool that meets the sheet. Where both halves are drawn the right one is used. Tools may be drawn
+open or closed: a case moves each to where it touches the flat sheet.
+
+Written: the case file, whose placeholders (sheet, material, friction, travel) are marked, and a picture of what was read
+beside it (die.png for die.toml).
+
+Examples:
+  stampflow import die.dxf
+  stampflow import die.dxf --layer Stempel=punch --layer 7=die --layer Hilfslinien=none --units mm -o cases/die.toml
+  stampflow import die.dxf --thickness \"0.8 mm\" --blank-radius \"95 mm\" --travel \"30 mm\"
+
+Exit codes: 0 done, 2 bad input (nothing is written), 1 anything else";
+
+#[derive(Debug, clap::Args)]
+pub struct Args {
+    /// Drawing, DXF in text form
+    #[arg(value_name = "DRAWING.dxf")]
+    drawing: PathBuf,
+    /// Case file to write [default: the drawing's name with .toml, beside it]
+    #[arg(long, short, value_name = "CASE.toml")]
+    out: Option<PathBuf>,
+    /// Write over a case file and a picture that are there
+    #[arg(long)]
+    force: bool,
+    /// What a layer draws: punch, die, holder or none; as often as needed
+    #[arg(long = "layer", value_name = "NAME=TOOL", value_parser = layer)]
+    layers: Vec<(String, Option<Role>)>,
+    /// Unit of the drawing: mm, cm, m, in, ft, mil or um [default: the drawing's header]
+    #[arg(long, value_name = "UNIT", value_parser = unit)]
+    units: Option<DrawingUnit>,
+    /// x of the axis or symmetry plane in the drawing
+    #[arg(long, value_name = "LENGTH", default_value = "0 mm", allow_hyphen_values = true)]
+    axis: Length,
+    /// Which way the punch moves in the drawing: down or up [default: as the tools' walls tell]
+    #[arg(long, value_name = "WAY", value_parser = heading)]
+    punch_moves: Option<Heading>,
+    /// Ends that are no farther apart meet
+    #[arg(long, value_name = "LENGTH", default_value = "0.01 mm")]
+    join: Positive<Length>,
+    /// How far the arcs that replace a spline may leave it
+    #[arg(long, value_name = "LENGTH", default_value = "0.001 mm")]
+    tolerance: Positive<Length>,
+    /// What the section stands for: axisymmetric or plane_strain
+    #[arg(long, value_name = "GEOMETRY", default_value = "axisymmetric", value_parser = geometry)]
+    geometry: Geometry,
+    /// Thickness of the sheet [default: a placeholder]
+    #[arg(long, value_name = "LENGTH")]
+    thickness: Option<Positive<Length>>,
+    /// Radius of the blank, in plane strain its half-length [default: a placeholder]
+    #[arg(long, visible_alias = "blank-half-length", value_name = "LENGTH")]
+    blank_radius: Option<Positive<Length>>,
+    /// Punch travel [default: a placeholder]
+    #[arg(long, value_name = "LENGTH")]
+    travel: Option<Positive<Length>>,
+}
+
+/// One of a list, by its name.
+fn one_of<T: Copy>(text: &str, all: &[(&'static str, T)]) -> Result<T, String> {
+    let found = all.iter().find(|(name, _)| *name == text).map(|(_, value)| *value);
+    found.ok_or_else(|| format!("give {}", all.iter().map(|(name, _)| *name).collect::<Vec<_>>().join(", ")))
+}
+
+fn layer(text: &str) -> Result<(String, Option<Role>), String> {
+    let (name, tool) = text.rsplit_once('=').ok_or("write NAME=punch, NAME=die, NAME=holder or NAME=none")?;
+    let mut tools = Role::ALL.map(|role| (role.name(), Some(role))).to_vec();
+    tools.push(("none", None));
+    Ok((name.to_owned(), one_of(tool, &tools)?))
+}
+
+fn unit(text: &str) -> Result<DrawingUnit, String> {
+    one_of(text, &DrawingUnit::ALL.map(|unit| (unit.symbol(), unit)))
+}
+
+fn heading(text: &str) -> Result<Heading, String> {
+    one_of(text, &Heading::ALL.map(|heading| (heading.name(), heading)))
+}
+
+fn geometry(text: &str) -> Result<Geometry, String> {
+    one_of(text, &[("axisymmetric", Geometry::Axisymmetric), ("plane_strain", Geometry::PlaneStrain)])
+}
+
+pub fn import(args: &Args) -> anyhow::Result<Code> {
+    let drawing = args.drawing.display();
+    let bytes = std::fs::read(&args.drawing)
+        .map_err(|error| BadRequest(format!("{drawing} cannot be read: {error}; give the path of a DXF file")))?;
+    let out = args.out.clone().unwrap_or_else(|| args.drawing.with_extension("toml"));
+    let picture = out.with_extension("png");
+    for path in [&out, &picture] {
+        if path.exists() && !args.force {
+            let what = format!("{} is there already; choose another name with -o, or --force", path.display());
+            return Err(BadRequest(what).into());
+        }
+        can_write(path).map_err(unusable("-o"))?;
+    }
+    let sections = import::read(&bytes, &args.options()).with_context(|| drawing.to_string())?;
+    let name = args.drawing.file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned());
+    let title = format!("Tools of {name}");
+    let mm = |length: Option<Positive<Length>>| length.map(Quantity::value);
+    let draft = Draft {
+        title: &title,
+        geometry: args.geometry,
+        tools: sections.tools.iter().map(|tool| (tool.role, &tool.profile, tool.made_of.as_str())).collect(),
+        thickness: mm(args.thickness),
+        blank: mm(args.blank_radius),
+        travel: mm(args.travel),
+        notes: &sections.notes,
+    };
+    let text = draft.toml();
+    // A case without a punch waits for one; any other has to make sense.
+    let case = match sections.tool(Role::Punch) {
+        Some(_) => Some(case::parse(&text, &out.to_string_lossy(), &[])?),
+        None => None,
+    };
+    write(&out, text.as_bytes())?;
+    write(&picture, &png(&svg(&sketch(&name, args.geometry, &sections))))?;
+    let derived = case.map_or_else(Vec::new, |case| case.derived);
+    let mut said = report(&sections, &derived);
+    let _ = writeln!(said, "\n{} and {} are written", out.display(), picture.display());
+    if sections.tool(Role::Punch).is_some() {
+        let _ = writeln!(said, "change the placeholders in the case, then: stampflow check {}", out.display());
+    } else {
+        let _ = writeln!(said, "no punch is drawn: the case has to be given one before it can be run");
+    }
+    say(&said)
+}
+
+impl Args {
+    fn options(&self) -> Options {
+        Options {
+            layers: self.layers.clone(),
+            unit: self.units,
+            axis: self.axis.value(),
+            join: self.join.value(),
+            tolerance: self.tolerance.value(),
+            punch_moves: self.punch_moves,
+        }
+    }
+}
+
+/// The tools, and how they were understood.
+fn report(sections: &Sections, derived: &[String]) -> String {
+    let mut text = String::new();
+    for tool in &sections.tools {
+        let pieces = tool.profile.pieces().len();
+        let _ = writeln!(text, "{:<8}{pieces} lines and arcs from {}", tool.role.name(), tool.made_of);
+    }
+    for note in sections.notes.iter().chain(derived) {
+        let _ = writeln!(text, "  - {note}");
+    }
+    text
+}

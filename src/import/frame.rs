@@ -1,0 +1,116 @@
+//! The drawing's unit and axis: from its coordinates to mm, and back for messages.
+
+use super::{ImportError, Options};
+use crate::geometry::Point;
+use crate::quantity::rounded;
+use dxf::Header;
+use dxf::enums::{DrawingUnits, Units};
+
+/// A unit of length that drawings are made in.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum DrawingUnit {
+    Micrometre,
+    Mm,
+    Cm,
+    M,
+    Mil,
+    Inch,
+    Foot,
+}
+
+impl DrawingUnit {
+    pub const ALL: [Self; 7] = [Self::Mm, Self::Cm, Self::M, Self::Inch, Self::Foot, Self::Mil, Self::Micrometre];
+
+    /// Its symbol, as `--units` takes it.
+    pub fn symbol(self) -> &'static str {
+        match self {
+            Self::Micrometre => "um",
+            Self::Mm => "mm",
+            Self::Cm => "cm",
+            Self::M => "m",
+            Self::Mil => "mil",
+            Self::Inch => "in",
+            Self::Foot => "ft",
+        }
+    }
+
+    /// Its length \[mm\].
+    pub fn mm(self) -> f64 {
+        match self {
+            Self::Micrometre => 1e-3,
+            Self::Mm => 1.0,
+            Self::Cm => 10.0,
+            Self::M => 1e3,
+            Self::Mil => 0.0254,
+            Self::Inch => 25.4,
+            Self::Foot => 304.8,
+        }
+    }
+}
+
+/// How a drawing's coordinates become a section's.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Frame {
+    unit: DrawingUnit,
+    /// x of the axis in the drawing \[mm\].
+    axis: f64,
+    /// See [`Options`] \[mm\].
+    pub join: f64,
+    pub tolerance: f64,
+}
+
+impl Frame {
+    /// The unit asked for, or the header's ($INSUNITS, or else a metric $MEASUREMENT), and the axis.
+    pub fn of(header: &Header, options: &Options, notes: &mut Vec<String>) -> Result<Self, ImportError> {
+        let (unit, from) = match options.unit {
+            Some(unit) => (unit, "as asked for"),
+            None => of_header(header)?,
+        };
+        notes.push(format!("1 drawing unit is 1 {} ({from})", unit.symbol()));
+        if options.axis != 0.0 {
+            notes.push(format!("the axis is at x = {} mm of the drawing", rounded(options.axis)));
+        }
+        Ok(Self { unit, axis: options.axis, join: options.join, tolerance: options.tolerance })
+    }
+
+    /// A point of the drawing in mm, x from the axis.
+    pub fn point(&self, x: f64, y: f64) -> Point {
+        Point::new(x * self.unit.mm() - self.axis, y * self.unit.mm())
+    }
+
+    /// A length of the drawing in mm.
+    pub fn length(&self, length: f64) -> f64 {
+        length * self.unit.mm()
+    }
+
+    /// A place as it is found in the drawing: `x = 30 mm, y = -6 mm`.
+    pub fn place(&self, p: Point) -> String {
+        let written = |mm: f64| (mm / self.unit.mm() * 1e6).round() / 1e6 + 0.0;
+        let symbol = self.unit.symbol();
+        format!("x = {} {symbol}, y = {} {symbol}", written(p.x + self.axis), written(p.y))
+    }
+}
+
+fn of_header(header: &Header) -> Result<(DrawingUnit, &'static str), ImportError> {
+    let unit = match (header.default_drawing_units, header.drawing_units) {
+        (Units::Millimeters, _) => DrawingUnit::Mm,
+        (Units::Centimeters, _) => DrawingUnit::Cm,
+        (Units::Meters, _) => DrawingUnit::M,
+        (Units::Microns, _) => DrawingUnit::Micrometre,
+        (Units::Mils, _) => DrawingUnit::Mil,
+        (Units::Inches, _) => DrawingUnit::Inch,
+        (Units::Feet, _) => DrawingUnit::Foot,
+        (Units::Unitless, DrawingUnits::Metric) => {
+            return Ok((DrawingUnit::Mm, "$MEASUREMENT says metric, $INSUNITS names no unit"));
+        }
+        (Units::Unitless, DrawingUnits::English) => {
+            let what = "the drawing names no unit: neither $INSUNITS nor a metric $MEASUREMENT is in its header";
+            return Err(ImportError::new(what, "say which: --units mm (or in, cm, m)"));
+        }
+        (other, _) => {
+            let what = format!("the drawing's unit is {other:?} ($INSUNITS), which no tool is drawn in");
+            return Err(ImportError::new(what, "say what it is drawn in: --units mm (or in, cm, m)"));
+        }
+    };
+    Ok((unit, "$INSUNITS of the drawing"))
+}

@@ -1,0 +1,105 @@
+//! The right half of what is drawn: cut at the axis, and compared with the left half where that is drawn too.
+
+use super::ImportError;
+use super::chain::{Chain, join, with_ends};
+use super::frame::Frame;
+use super::stroke::Stroke;
+use crate::geometry::{Piece, Point};
+use crate::model::Role;
+
+/// The chain at x ≥ 0.
+pub(super) fn right(
+    strokes: Vec<Stroke>,
+    role: Role,
+    frame: &Frame,
+    notes: &mut Vec<String>,
+) -> Result<Chain, ImportError> {
+    let (mut right, mut left) = (Vec::new(), Vec::new());
+    for stroke in strokes {
+        for part in cut(&stroke, frame, notes) {
+            if is_right(&part.pieces[0]) { right.push(part) } else { left.push(mirrored(&part)) }
+        }
+    }
+    let name = role.name();
+    match (right.is_empty(), left.is_empty()) {
+        (false, true) => join(right, role, frame, notes),
+        (true, false) => {
+            notes.push(format!("the {name} is drawn on the left of the axis only: its mirror image is used"));
+            join(left, role, frame, notes)
+        }
+        (true, true) => Err(ImportError::new(
+            format!("all of the {name}'s line lies on the axis"),
+            "draw the side of the tool that meets the sheet; --axis says where the axis is",
+        )),
+        (false, false) => {
+            let chain = join(right, role, frame, notes)?;
+            // What was left out on the right is left out on the left: no need to say it twice.
+            let image = join(left, role, frame, &mut Vec::new())?;
+            compare(&chain, &image, name, frame)?;
+            notes.push(format!("both halves of the {name} are drawn and are alike: the right one is used"));
+            Ok(chain)
+        }
+    }
+}
+
+/// The parts of a stroke on either side of the axis. Points within a joint's width of the axis are on it; what runs along
+/// it is no part of an outline.
+fn cut(stroke: &Stroke, frame: &Frame, notes: &mut Vec<String>) -> Vec<Stroke> {
+    let on_axis = |p: Point| if p.x.abs() <= frame.join { Point::new(0.0, p.y) } else { p };
+    let mut parts: Vec<Stroke> = Vec::new();
+    // The side of the part that the next piece goes on with.
+    let mut open = None;
+    let mut along = false;
+    for piece in &stroke.pieces {
+        let (from, to) = (on_axis(piece.first()), on_axis(piece.last()));
+        if from.x == 0.0 && to.x == 0.0 && matches!(piece, Piece::Segment(_)) {
+            (open, along) = (None, true);
+            continue;
+        }
+        for piece in with_ends(piece, from, to).cut_at_axis(frame.join) {
+            let piece = with_ends(&piece, on_axis(piece.first()), on_axis(piece.last()));
+            let side = Some(is_right(&piece));
+            match parts.last_mut().filter(|_| open == side) {
+                Some(part) => part.pieces.push(piece),
+                None => parts.push(Stroke { pieces: vec![piece], from: stroke.from.clone() }),
+            }
+            open = side;
+        }
+    }
+    if along {
+        notes.push(format!("{} runs along the axis, and that part of it is left out", stroke.from));
+    }
+    parts
+}
+
+fn is_right(piece: &Piece) -> bool {
+    piece.sample(2)[1].x > 0.0
+}
+
+/// The mirror image in the axis.
+fn mirrored(stroke: &Stroke) -> Stroke {
+    Stroke { pieces: stroke.pieces.iter().map(Piece::across_axis).collect(), from: stroke.from.clone() }
+}
+
+/// Every point of one half has to be on the other.
+fn compare(right: &Chain, image: &Chain, name: &str, frame: &Frame) -> Result<(), ImportError> {
+    let worst = [(right, image, 1.0), (image, right, -1.0)].into_iter().flat_map(|(these, others, side)| {
+        let points = these.pieces().flat_map(|(piece, stroke)| piece.sample(8).into_iter().map(move |p| (p, stroke)));
+        points.map(move |(p, stroke)| {
+            let away =
+                others.pieces().map(|(other, _)| (other.closest_point(p) - p).norm()).fold(f64::INFINITY, f64::min);
+            (away, Point::new(side * p.x, p.y), &these.strokes[stroke].from)
+        })
+    });
+    let Some((away, at, from)) = worst.max_by(|a, b| a.0.total_cmp(&b.0)) else { return Ok(()) };
+    if away <= frame.join + 2.0 * frame.tolerance {
+        return Ok(());
+    }
+    let (place, away) = (frame.place(at), (away * 1e4).round() / 1e4);
+    let what = format!(
+        "the two halves of the {name} differ, most by {away} mm: {from} at {place} is so far away from the mirror image of \
+         the other half"
+    );
+    let help = "draw one half only, or both alike; --axis says where the axis is if it is not x = 0";
+    Err(ImportError::new(what, help))
+}

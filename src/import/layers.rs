@@ -1,0 +1,86 @@
+//! Which layer draws which tool.
+
+use super::listing::Listed;
+use super::{ImportError, Options};
+use crate::model::Role;
+use std::collections::BTreeMap;
+
+/// The tool of each layer that draws one, by the layer's name.
+pub(super) type Roles = BTreeMap<String, Role>;
+
+/// Which layers are tools: those named with `--layer`, then those whose names hold punch, die or holder.
+pub(super) fn roles(listed: &[Listed], options: &Options, notes: &mut Vec<String>) -> Result<Roles, ImportError> {
+    let mut layers: BTreeMap<&str, usize> = BTreeMap::new();
+    for entry in listed.iter().filter(|entry| !entry.on_paper && !is_part(entry)) {
+        *layers.entry(&entry.layer).or_default() += 1;
+    }
+    if layers.is_empty() {
+        let what = "the drawing is empty: there is no entity in its model space";
+        return Err(ImportError::new(
+            what,
+            "check what was saved; entities inside blocks and on paper sheets are not read",
+        ));
+    }
+    let counted = |(layer, count): (&&str, &usize)| format!("\"{layer}\" ({})", entities(*count));
+    let there = || layers.iter().map(counted).collect::<Vec<_>>().join(", ");
+    for (name, _) in &options.layers {
+        if !layers.keys().any(|layer| same(layer, name)) {
+            let what = format!("there is no layer \"{name}\" with entities; there are {}", there());
+            return Err(ImportError::new(what, "check the name after --layer"));
+        }
+    }
+    let mut roles = Roles::new();
+    for layer in layers.keys() {
+        let asked = options.layers.iter().rev().find(|(name, _)| same(layer, name)).map(|(_, role)| *role);
+        if let Some(role) = asked.map_or_else(|| by_name(layer), Ok)? {
+            roles.insert((*layer).to_owned(), role);
+        }
+    }
+    if roles.is_empty() {
+        let what = format!("no layer is a tool: there are {}", there());
+        let help = "say which is which, for example --layer NAME=punch --layer OTHER=die; layers whose names hold punch, \
+                    die or holder are found by themselves";
+        return Err(ImportError::new(what, help));
+    }
+    let ignored: Vec<String> = layers.iter().filter(|(layer, _)| !roles.contains_key(**layer)).map(counted).collect();
+    if !ignored.is_empty() {
+        notes.push(format!("layers that are no tool are left out: {}", ignored.join(", ")));
+    }
+    Ok(roles)
+}
+
+/// Layers are tools, but no line is on them.
+pub(super) fn nothing_drawn(roles: &Roles) -> ImportError {
+    let named: Vec<String> = roles.iter().map(|(layer, role)| format!("\"{layer}\" ({})", role.name())).collect();
+    let what = format!("no line, arc, polyline or spline is on {}", named.join(", "));
+    ImportError::new(what, "draw the side of each tool that meets the sheet as an open line")
+}
+
+/// `1 entity`, `4 entities`.
+pub(super) fn entities(count: usize) -> String {
+    if count == 1 { "1 entity".to_owned() } else { format!("{count} entities") }
+}
+
+/// Parts of the entity before, which the file lists on their own.
+pub(super) fn is_part(entry: &Listed) -> bool {
+    ["VERTEX", "SEQEND", "ATTRIB"].contains(&entry.kind.as_str())
+}
+
+fn same(layer: &str, name: &str) -> bool {
+    layer.to_lowercase() == name.to_lowercase()
+}
+
+fn by_name(layer: &str) -> Result<Option<Role>, ImportError> {
+    let lower = layer.to_lowercase();
+    let held: Vec<Role> = Role::ALL.into_iter().filter(|role| lower.contains(role.name())).collect();
+    match held[..] {
+        [] => Ok(None),
+        [role] => Ok(Some(role)),
+        _ => {
+            let names: Vec<&str> = held.iter().map(|role| role.name()).collect();
+            let what = format!("layer \"{layer}\" has the name of more than one tool: {}", names.join(", "));
+            let help = format!("say which it is: --layer \"{layer}={}\", or =none", names[0]);
+            Err(ImportError::new(what, help))
+        }
+    }
+}

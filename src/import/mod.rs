@@ -1,0 +1,112 @@
+//! Tool sections from a drawing (DXF): lines, arcs, polylines and splines joined into oriented chains, one per tool.
+//!
+//! ```text
+//! text → listing (what the file names, line by line) + the dxf crate's reading of the same entities
+//!    │ layers                     which layer is which tool
+//!    │ stroke, spline             entity → Stroke: pieces in mm, and where they were drawn
+//!    │ halves                     cut at the axis; a second half is compared and left out
+//!    │ chain                      strokes joined end to end: gaps, overlaps, branches are named
+//!    │ orient                     which way the punch moves; the sheet on the left
+//!    └ Sections                   a Profile for each tool, as drawn
+//! ```
+//!
+//! # Frame
+//! In the drawing x is the distance from the axis (or the symmetry plane) and y goes up. In a section r = x, and z goes
+//! the way the punch moves: z = −y for a punch that is drawn above the sheet. Tools stay where they are drawn; a case
+//! file's reader moves each to where it touches the flat sheet.
+
+mod chain;
+mod error;
+mod frame;
+mod halves;
+mod layers;
+mod listing;
+mod orient;
+mod read;
+mod spline;
+mod stroke;
+
+pub use error::ImportError;
+pub use frame::DrawingUnit;
+pub use orient::Heading;
+
+use crate::geometry::{Point, Profile};
+use crate::model::Role;
+
+/// How a drawing is to be understood.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Options {
+    /// Layers by name and the tool that each draws (`None`: no tool), before what their names say.
+    pub layers: Vec<(String, Option<Role>)>,
+    /// Unit of the drawing; the header's when `None`.
+    pub unit: Option<DrawingUnit>,
+    /// x of the axis or symmetry plane in the drawing \[mm\].
+    pub axis: f64,
+    /// Ends that are no farther apart meet \[mm\].
+    pub join: f64,
+    /// How far the arcs that replace a spline may leave it \[mm\].
+    pub tolerance: f64,
+    /// Which way the punch moves in the drawing; found from the tools' walls when `None`.
+    pub punch_moves: Option<Heading>,
+}
+
+impl Default for Options {
+    fn default() -> Self {
+        Self { layers: Vec::new(), unit: None, axis: 0.0, join: 0.01, tolerance: 0.001, punch_moves: None }
+    }
+}
+
+/// A tool's section that was read.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Section {
+    pub role: Role,
+    /// The sheet on its left; z in the direction of the punch travel, not moved.
+    pub profile: Profile,
+    /// Where lines and arcs of the drawing, and whole splines, begin and end \[mm\].
+    pub ends: Vec<Point>,
+    /// What it was made of: `4 entities of layer "PUNCH"`.
+    pub made_of: String,
+}
+
+/// What was understood of a drawing.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Sections {
+    /// Punch, die, holder, those that are drawn.
+    pub tools: Vec<Section>,
+    /// Units, direction, halves, joints, what was left out: whole sentences without a full stop.
+    pub notes: Vec<String>,
+}
+
+impl Sections {
+    /// The section of a tool, where it is drawn.
+    pub fn tool(&self, role: Role) -> Option<&Section> {
+        self.tools.iter().find(|tool| tool.role == role)
+    }
+}
+
+/// Reads the tools' sections from the bytes of a DXF file (text; binary DXF is refused).
+///
+/// # Errors
+/// When the bytes are no DXF, the unit is not known, no layer is a tool, or a tool's lines do not make one open chain;
+/// the message names the entities and the place in the drawing's own unit.
+pub fn read(bytes: &[u8], options: &Options) -> Result<Sections, ImportError> {
+    let text = listing::decode(bytes)?;
+    let listed = listing::entities(&text)?;
+    let mut notes = Vec::new();
+    let drawing = read::drawing(&text, &listed)?;
+    let frame = frame::Frame::of(&drawing.header, options, &mut notes)?;
+    let roles = layers::roles(&listed, options, &mut notes)?;
+    let mut chains = Vec::new();
+    for role in Role::ALL {
+        let strokes = stroke::of_role(&drawing, &listed, &roles, role, &frame, &mut notes)?;
+        if !strokes.is_empty() {
+            chains.push((role, halves::right(strokes, role, &frame, &mut notes)?));
+        }
+    }
+    if chains.is_empty() {
+        return Err(layers::nothing_drawn(&roles));
+    }
+    let heading = orient::heading(&chains, options.punch_moves, &mut notes)?;
+    let oriented = chains.into_iter().map(|(role, chain)| orient::section(role, chain, heading, &frame));
+    Ok(Sections { tools: oriented.collect::<Result<_, _>>()?, notes })
+}

@@ -1,0 +1,134 @@
+//! Rational B-splines as chains of tangent arcs.
+//!
+//! # References
+//! C. de Boor, J. Approx. Theory 6 (1972) 50–62 (the algorithm, as commonly given; not read).
+
+use crate::geometry::{Piece, Point, biarc, turn};
+use dxf::entities::Spline;
+use nalgebra::Vector3;
+
+/// Most halvings of one span: 2^12 pairs of arcs.
+const DEEPEST: usize = 12;
+
+/// Neither end of a pair of arcs turns farther from their chord \[rad\]: what does is halved first.
+const TURN: f64 = 0.5;
+
+/// Points of a part at which its arcs are compared with it.
+const LOOKS: usize = 16;
+
+/// Share of the tolerance that those points may use up [–]: between two of them the distance may rise a little more.
+const BETWEEN: f64 = 0.9;
+
+/// Highest degree that CAD programs write.
+const DEGREE: usize = 25;
+
+/// Ends that are not farther apart are one point \[mm\].
+const SAME: f64 = 1e-9;
+
+/// A curve with homogeneous control points (w x, w y, w).
+struct Curve {
+    degree: usize,
+    knots: Vec<f64>,
+    control: Vec<Vector3<f64>>,
+}
+
+/// Lines and arcs in place of a spline through its control points \[mm\]: its ends and tangents are met, and it is nowhere
+/// farther from them than `tolerance` \[mm\].
+///
+/// # Errors
+/// What is wrong with it, as the end of a sentence.
+pub(super) fn pieces(spline: &Spline, control: &[Point], tolerance: f64) -> Result<Vec<Piece>, String> {
+    let curve = Curve::new(spline, control)?;
+    let mut pieces = Vec::new();
+    for span in curve.degree..curve.control.len() {
+        let [from, to] = [curve.knots[span], curve.knots[span + 1]];
+        if to > from {
+            curve.arcs(span, [from, to], tolerance, DEEPEST, &mut pieces)?;
+        }
+    }
+    if pieces.is_empty() { Err("has no length".to_owned()) } else { Ok(pieces) }
+}
+
+impl Curve {
+    fn new(spline: &Spline, control: &[Point]) -> Result<Self, String> {
+        let (knots, weights) = (&spline.knot_values, &spline.weight_values);
+        if control.is_empty() {
+            return Err("has fit points only, and what runs between them is not in the file".to_owned());
+        }
+        let degree = usize::try_from(spline.degree_of_curve).unwrap_or(0);
+        if degree == 0 || degree > DEGREE || control.len() <= degree || knots.len() != control.len() + degree + 1 {
+            let (points, knots) = (control.len(), knots.len());
+            return Err(format!(
+                "is damaged: degree {degree}, {points} control points and {knots} knots do not go together"
+            ));
+        }
+        let inner = &knots[1..knots.len() - 1];
+        let rises = knots.windows(2).all(|w| w[0] <= w[1]) && inner.windows(degree + 1).all(|w| w[0] < w[degree]);
+        if !rises || knots.iter().any(|knot| !knot.is_finite()) {
+            return Err("is damaged: its knots do not rise".to_owned());
+        }
+        let usable = weights.len() == control.len() && weights.iter().all(|w| *w > 0.0 && w.is_finite());
+        if !(weights.is_empty() || usable) {
+            return Err("is damaged: its weights are not one positive number for each control point".to_owned());
+        }
+        let weight = |i: usize| weights.get(i).copied().unwrap_or(1.0);
+        let control = control.iter().enumerate().map(|(i, p)| weight(i) * Vector3::new(p.x, p.y, 1.0)).collect();
+        Ok(Self { degree, knots: knots.clone(), control })
+    }
+
+    /// Point and derivative at a parameter of the span between a knot and the next.
+    fn at(&self, span: usize, u: f64) -> (Point, Point) {
+        let (p, t) = (self.degree, &self.knots);
+        let mut d: Vec<Vector3<f64>> = self.control[span - p..=span].to_vec();
+        let mut rate = Vector3::zeros();
+        for round in 1..=p {
+            if round == p {
+                rate = p as f64 / (t[span + 1] - t[span]) * (d[p] - d[p - 1]);
+            }
+            for j in (round..=p).rev() {
+                let i = j + span - p;
+                let share = (u - t[i]) / (t[i + p + 1 - round] - t[i]);
+                d[j] = (1.0 - share) * d[j - 1] + share * d[j];
+            }
+        }
+        let point = d[p].xy() / d[p].z;
+        (point, (rate.xy() - rate.z * point) / d[p].z)
+    }
+
+    /// Adds the arcs of a part of a span, halved until they are close enough.
+    fn arcs(
+        &self,
+        span: usize,
+        [from, to]: [f64; 2],
+        tolerance: f64,
+        halvings: usize,
+        pieces: &mut Vec<Piece>,
+    ) -> Result<(), String> {
+        let u = |f: f64| from + f * (to - from);
+        let ((a, along_a), (b, along_b)) = (self.at(span, from), self.at(span, to));
+        let looks: Vec<Point> = (1..LOOKS).map(|i| self.at(span, u(i as f64 / LOOKS as f64)).0).collect();
+        if looks.iter().all(|p| (p - a).norm() < SAME) && (b - a).norm() < SAME {
+            return Ok(());
+        }
+        // Where control points coincide the curve starts with no speed, towards the next point.
+        let ta = along_a.try_normalize(SAME).unwrap_or_else(|| (looks[0] - a).normalize());
+        let tb = along_b.try_normalize(SAME).unwrap_or_else(|| (b - looks[LOOKS - 2]).normalize());
+        if (b - a).norm() > SAME && turn(ta, b - a).abs() < TURN && turn(b - a, tb).abs() < TURN {
+            let arcs = biarc(a, ta, b, tb);
+            let away =
+                |p: &Point| arcs.iter().map(|arc| (arc.closest_point(*p) - p).norm()).fold(f64::INFINITY, f64::min);
+            if looks.iter().all(|p| away(p) <= BETWEEN * tolerance) {
+                pieces.extend(arcs);
+                return Ok(());
+            }
+        }
+        if halvings == 0 {
+            return Err(format!(
+                "has a place near ({:.4}, {:.4}) mm where it turns too sharply to be followed",
+                a.x, a.y
+            ));
+        }
+        self.arcs(span, [from, u(0.5)], tolerance, halvings - 1, pieces)?;
+        self.arcs(span, [u(0.5), to], tolerance, halvings - 1, pieces)
+    }
+}
