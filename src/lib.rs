@@ -59,6 +59,7 @@ pub mod solver;
 pub mod stage;
 pub mod state;
 pub mod table;
+pub mod verdict;
 
 pub use case::Case;
 pub use model::Model;

@@ -6,6 +6,8 @@ use std::path::Path;
 /// From the top down; a module may use those on its own line (itself) and on lines below.
 const FLOORS: &[&[&str]] = &[
     &["main", "cli"],
+    &["report"],
+    &["verdict"],
     &["case"],
     &["output", "compare", "solver"],
     &["measure", "import"],
