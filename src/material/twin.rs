@@ -52,7 +52,7 @@ impl Operators {
     pub fn new(elastic: Elastic, anisotropy: Anisotropy) -> Self {
         let (elastic, q) = (elastic.moduli(), anisotropy.coupling());
         let yielding = [1.0 - q, 1.0 + q, 3.0 / SHEAR_FACTOR];
-        Self { elastic, yielding, both: std::array::from_fn(|j| elastic[j] * yielding[j]) }
+        Self { elastic, yielding, both: each(|j| elastic[j] * yielding[j]) }
     }
 }
 
@@ -88,7 +88,13 @@ pub struct Trial {
 const MOST: usize = 80;
 /// Share of Δp that the last iteration may still add \[–\]: what it adds to stress and tangent is taken along, and its
 /// square is below what any answer is asked for.
-const LAST: f64 = 1e-7;
+const LAST: f64 = 1e-5;
+
+/// Three entries, one after another.
+#[inline(always)]
+fn each(of: impl Fn(usize) -> f64) -> Triple {
+    [of(0), of(1), of(2)]
+}
 
 /// To the sum and difference of the first two entries over √2, which is its own inverse.
 #[inline]
@@ -119,10 +125,10 @@ impl PointLaw for TwinLaw<'_> {
     fn respond(&self, before: &Carried, trial: &mut Trial, e: Triple) -> Response {
         let Operators { elastic: d, both, .. } = self.operators;
         let (strain, start) = (turned(e), turned(before.stress));
-        let tried: Triple = std::array::from_fn(|j| start[j] + d[j] * strain[j]);
+        let tried: Triple = each(|j| start[j] + d[j] * strain[j]);
         let back = if self.kinematic.is_some() { before.back.map(turned) } else { [[0.0; 3]; 2] };
         let (last, f) = (turned(trial.strain), trial.follows);
-        let moved: f64 = (0..3).map(|j| f[j] * (strain[j] - last[j])).sum();
+        let moved = f[0] * (strain[0] - last[0]) + f[1] * (strain[1] - last[1]) + f[2] * (strain[2] - last[2]);
         let guess = if trial.increment + moved > 0.0 { trial.increment + moved } else { trial.increment };
         let found = self.hardening.and_then(|hardening| self.solve(hardening, before, tried, &back, guess));
         let Some(at) = found else {
@@ -132,26 +138,26 @@ impl PointLaw for TwinLaw<'_> {
             return Response { stress: turned(tried), tangent, increment: 0.0, yield_stress: before.yield_stress };
         };
         let (x, n, m) = (at.increment, at.direction, at.measure);
-        let stress = turned(std::array::from_fn(|j| tried[j] - x * both[j] * n[j]));
+        let stress = turned(each(|j| tried[j] - x * both[j] * n[j]));
         let back = self.kinematic.map_or(before.back, |kinematic| {
             std::array::from_fn(|i| {
                 let law = &kinematic[i];
                 let theta = 1.0 / (1.0 + law.recall * x);
-                turned(std::array::from_fn(|j| theta * (back[i][j] + x * law.modulus * n[j])))
+                turned(each(|j| theta * (back[i][j] + x * law.modulus * n[j])))
             })
         });
 
         // dσ = (I − Δp D P/m) D dε − D P (n − Δp (n m' − β)/m) dp,  dp = Σ P n/m D dε / N
-        let inverse = m.map(|m| 1.0 / m);
-        let by: Triple = std::array::from_fn(|j| n[j] * at.measure_slope[j] - at.recalled[j]);
+        let inverse = each(|j| 1.0 / m[j]);
+        let by: Triple = each(|j| n[j] * at.measure_slope[j] - at.recalled[j]);
         let p = self.operators.yielding;
-        let along: Triple = std::array::from_fn(|j| p[j] * n[j] * inverse[j]);
+        let along: Triple = each(|j| p[j] * n[j] * inverse[j]);
         let normal = along[0] * by[0] + along[1] * by[1] + along[2] * by[2];
         let follow = if self.secant { 0.0 } else { 1.0 / normal };
-        let own: Triple = std::array::from_fn(|j| (1.0 - x * both[j] * inverse[j]) * d[j]);
-        let against: Triple = std::array::from_fn(|j| follow * both[j] * (n[j] - x * by[j] * inverse[j]));
-        let dp: Triple = std::array::from_fn(|j| along[j] * d[j]);
-        *trial = Trial { strain: e, increment: x, follows: dp.map(|v| v / normal), back };
+        let own: Triple = each(|j| (1.0 - x * both[j] * inverse[j]) * d[j]);
+        let against: Triple = each(|j| follow * both[j] * (n[j] - x * by[j] * inverse[j]));
+        let dp: Triple = each(|j| along[j] * d[j]);
+        *trial = Trial { strain: e, increment: x, follows: each(|j| dp[j] / normal), back };
         let entry = |i: usize, j: usize| -0.5 * (against[i] * dp[j] + against[j] * dp[i]);
         let (aa, bb, ab) = (own[0] + entry(0, 0), own[1] + entry(1, 1), entry(0, 1));
         let (ac, bc) = (FRAC_1_SQRT_2 * entry(0, 2), FRAC_1_SQRT_2 * entry(1, 2));
@@ -200,7 +206,7 @@ impl TwinLaw<'_> {
         guess: f64,
     ) -> Option<Return> {
         let Operators { yielding: p, both, .. } = self.operators;
-        let shifted: Triple = std::array::from_fn(|j| tried[j] - back[0][j] - back[1][j]);
+        let shifted: Triple = each(|j| tried[j] - back[0][j] - back[1][j]);
         let size =
             (p[0] * shifted[0] * shifted[0] + p[1] * shifted[1] * shifted[1] + p[2] * shifted[2] * shifted[2]).sqrt();
         if size <= before.yield_stress {
@@ -223,10 +229,10 @@ impl TwinLaw<'_> {
                     }
                 }
             }
-            let mut m: Triple = std::array::from_fn(|j| radius.stress + x * (modulus + both[j]));
-            let m_slope: Triple = std::array::from_fn(|j| radius.slope + modulus + both[j] + x * modulus_slope);
-            let mut n: Triple = std::array::from_fn(|j| eta[j] / m[j]);
-            let n_slope: Triple = std::array::from_fn(|j| (recalled[j] - n[j] * m_slope[j]) / m[j]);
+            let mut m: Triple = each(|j| radius.stress + x * (modulus + both[j]));
+            let m_slope: Triple = each(|j| radius.slope + modulus + both[j] + x * modulus_slope);
+            let mut n: Triple = each(|j| eta[j] / m[j]);
+            let n_slope: Triple = each(|j| (recalled[j] - n[j] * m_slope[j]) / m[j]);
             let square = p[0] * n[0] * n[0] + p[1] * n[1] * n[1] + p[2] * n[2] * n[2];
             let slope = p[0] * n[0] * n_slope[0] + p[1] * n[1] * n_slope[1] + p[2] * n[2] * n_slope[2];
             if square > 1.0 {

@@ -57,7 +57,8 @@ fn stress_lies_on_the_yield_surface_and_follows_from_the_elastic_strain() {
                     let xi: Triple = std::array::from_fn(|j| response.stress[j] - trial.back[0][j] - trial.back[1][j]);
                     let size = law.radius(&hardening, &start(&law), response.increment).stress;
                     assert!(response.increment > 0.0, "{name}");
-                    assert_relative_eq!(Anisotropy::new(r).equivalent_stress(xi), size, max_relative = 1e-9);
+                    // What the last round of Newton's method, linear in Δp, leaves.
+                    assert_relative_eq!(Anisotropy::new(r).equivalent_stress(xi), size, max_relative = 1e-8);
                 }
             }
         }
