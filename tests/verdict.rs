@@ -1,24 +1,21 @@
 //! The verdict on a run: lights, limits and advice.
 
-mod common;
+#[path = "common/cli.rs"]
+mod cli;
 
-use common::cli::{folder, stampflow, text};
+use cli::{CUP, STAGES, folder, stampflow, text};
 use serde_json::Value;
 use stampflow::case;
-use stampflow::solver::{Observer, run_stages};
+use stampflow::solver::run_stages;
 use stampflow::verdict::{Finding, Light, judge};
 use std::path::Path;
-
-struct Silent;
-
-impl Observer for Silent {}
 
 /// The findings on a shipped case with overrides.
 fn findings(name: &str, overrides: &[&str]) -> Vec<Finding> {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("cases").join(name);
     let overrides: Vec<String> = overrides.iter().map(|o| (*o).to_owned()).collect();
     let case = case::load(path, &overrides).expect("valid");
-    let findings = judge(&case, &run_stages(&case.stages(), &mut Silent));
+    let findings = judge(&case, &run_stages(&case.stages(), &mut ()));
     for finding in &findings {
         assert!(
             ![finding.key, finding.label, &finding.found, &finding.limit, finding.source].contains(&""),
@@ -87,7 +84,7 @@ fn other_kinds_of_cases_are_judged_too() {
 
 #[test]
 fn check_run_prints_its_table_and_its_json_and_writes_nothing() {
-    let dir = folder(common::cli::CUP);
+    let dir = folder(CUP);
     let printed = stampflow(dir.path(), &["check", "cases/cup.toml", "--run", "--quiet"]);
     assert_eq!(printed.status.code(), Some(0), "{}", text(&printed.stderr));
     let out = text(&printed.stdout);
@@ -107,7 +104,7 @@ fn check_run_prints_its_table_and_its_json_and_writes_nothing() {
 
 #[test]
 fn a_run_that_stops_early_and_bad_input_have_their_exit_codes() {
-    let dir = folder(common::cli::CUP);
+    let dir = folder(CUP);
     let torn =
         ["--set", "tools.holder.force=400 kN", "--set", "tools.die.friction=0.3", "--set", "tools.punch.travel=25 mm"];
     let run = |more: &[&str]| stampflow(dir.path(), &[&["check", "cases/cup.toml", "--run", "--quiet"], more].concat());
@@ -115,4 +112,16 @@ fn a_run_that_stops_early_and_bad_input_have_their_exit_codes() {
     assert_eq!(stopped.status.code(), Some(3), "{}", text(&stopped.stdout));
     assert!(text(&stopped.stdout).contains("red"));
     assert_eq!(run(&["--set", "blank.thickness=-1 mm"]).status.code(), Some(2));
+}
+
+#[test]
+fn stages_are_judged_together() {
+    let dir = folder(&(CUP.to_owned() + STAGES));
+    let json = stampflow(dir.path(), &["check", "cases/cup.toml", "--run", "--json"]);
+    assert_eq!(json.status.code(), Some(0), "{}", text(&json.stderr));
+    let value: Value = serde_json::from_slice(&json.stdout).expect("JSON");
+    let found = value["findings"].as_array().expect("an array");
+    let of = |key: &str| found.iter().find(|f| f["key"] == key).and_then(|f| f["found"].as_str()).expect("a finding");
+    assert!(of("stop").starts_with("stage 2 of 2: "), "{}", of("stop"));
+    assert!(of("punch_force").ends_with("stage 1"), "{}", of("punch_force"));
 }
