@@ -7,7 +7,7 @@ use crate::table::{Unit, four_digits};
 
 /// Largest punch force and its travel, over all stages.
 pub(super) fn force(passes: &[Pass]) -> Option<Finding> {
-    let steps = passes.iter().filter(|pass| pass.model.release.is_none()).enumerate();
+    let steps = passes.iter().enumerate().filter(|(_, pass)| pass.model.release.is_none());
     let steps = steps.flat_map(|(i, pass)| pass.run.history.iter().map(move |step| (i, pass, step)));
     let (i, pass, peak) = steps.max_by(|a, b| a.2.punch_force.total_cmp(&b.2.punch_force))?;
     if peak.punch_force <= 0.0 {
