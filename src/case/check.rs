@@ -1,11 +1,12 @@
 //! What can be said of a case before it is solved: its numbers in solver units, rules of thumb, and warnings.
 
-pub(super) mod estimate;
+pub(crate) mod estimate;
 mod sharp;
 mod stages;
 mod warn;
 
 pub(super) use warn::LIMITING_RATIO;
+pub(crate) use warn::THIN;
 
 use super::Case;
 use super::measure::{extent, throat};

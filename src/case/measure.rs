@@ -4,7 +4,7 @@ use crate::geometry::{Piece, Point, Profile};
 use crate::model::{Role, Tool};
 
 /// Smallest and largest r of a tool [mm].
-pub(super) fn extent(tool: &Tool) -> (f64, f64) {
+pub(crate) fn extent(tool: &Tool) -> (f64, f64) {
     let points = tool.profile.polyline(0.01);
     points.iter().fold((f64::INFINITY, 0.0), |(low, high), p| (p.x.min(low), p.x.max(high)))
 }

@@ -31,7 +31,7 @@ mod explain;
 pub mod file;
 mod laws;
 pub mod library;
-mod measure;
+pub(crate) mod measure;
 mod overrides;
 mod schema;
 mod source;

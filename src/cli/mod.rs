@@ -1,5 +1,6 @@
 //! The verbs of the command line, each a short table of contents in its own file.
 
+mod check;
 mod code;
 mod import;
 mod job;
@@ -21,7 +22,6 @@ use code::BadRequest;
 use json::{Json, say_json};
 use stampflow::case;
 use std::io::{self, Write};
-use std::path::PathBuf;
 
 /// Sheet-metal stamping sections (axisymmetric or plane strain) by the flow approach.
 #[derive(Debug, Parser)]
@@ -36,16 +36,9 @@ enum Verb {
     /// Solve cases and write their tables and plots
     #[command(after_help = run::help())]
     Run(run::Args),
-    /// Read a case and say what it means, without solving it
-    #[command(after_help = "Example:\n  stampflow check cases/quickstart.toml --set tools.punch.friction=0.1")]
-    Check {
-        /// Case file
-        case: PathBuf,
-        #[command(flatten)]
-        overrides: Overrides,
-        #[command(flatten)]
-        json: Json,
-    },
+    /// Read a case and say what it means; with --run solve it and give a verdict
+    #[command(after_help = check::HELP)]
+    Check(check::Args),
     /// Write a case file to begin with, from a few sizes
     New(new::Args),
     /// Read the tools from a drawing (DXF) and write a case file with them
@@ -112,10 +105,7 @@ pub fn main() -> anyhow::Result<Code> {
         Verb::Run(args) => run::run(&args),
         Verb::Import(args) => import::import(&args),
         Verb::Validate(args) => validate::validate(&args),
-        Verb::Check { case, overrides, json } => {
-            let report = case::check::report(&case::load(&case, &overrides.set)?);
-            if json.json { say_json(&report) } else { say(&report.to_string()) }
-        }
+        Verb::Check(args) => check::check(&args),
         Verb::New(args) => new::new(&args),
         Verb::Materials(args) => materials::materials(&args),
         Verb::Laws { json } if json.json => say_json(&case::law_list()),

@@ -303,7 +303,7 @@ pub fn force_unit(geometry: Geometry) -> Unit {
 }
 
 /// Unit of work: of the whole ring, or per mm of depth.
-fn work_unit(geometry: Geometry) -> Unit {
+pub fn work_unit(geometry: Geometry) -> Unit {
     match geometry {
         Geometry::Axisymmetric => Unit::Millijoule,
         Geometry::PlaneStrain => Unit::MillijoulePerMm,

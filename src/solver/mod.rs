@@ -15,7 +15,7 @@ mod stages;
 mod stepping;
 mod stops;
 mod voids;
-mod warnings;
+pub(crate) mod warnings;
 
 use crate::mesh;
 use crate::model::{Edge, Model, Role};

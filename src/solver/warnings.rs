@@ -9,24 +9,24 @@ use crate::record::{Run, Stop};
 use crate::state::State;
 
 /// Power balance that a user should be able to rely on \[–\].
-const LARGEST_IMBALANCE: f64 = 0.01;
+pub(crate) const LARGEST_IMBALANCE: f64 = 0.01;
 /// A run whose steps strain the sheet by less in all forms nothing: shares of its work say nothing \[–\].
 const FORMED: f64 = 2e-3;
 /// Penetration that would show in the result, over the thickness \[–\].
-const LARGEST_PENETRATION: f64 = 0.05;
+pub(crate) const LARGEST_PENETRATION: f64 = 0.05;
 /// Plastic power in cut-off zones that puts stresses in doubt \[–\].
-const LARGEST_CUT_OFF: f64 = 0.05;
+pub(crate) const LARGEST_CUT_OFF: f64 = 0.05;
 
 /// Thickness over the initial one that no sheet metal, superplastic alloys apart, is drawn to in one piece \[–\].
 const TORN: f64 = 0.5;
 /// How far a temperature may lie beyond the curves given without a word \[K\].
 const NEAR_ENOUGH: f64 = 10.0;
 /// Squeeze between two tools from which the sheet is ironed \[–\].
-const IRONED: f64 = 0.01;
+pub(crate) const IRONED: f64 = 0.01;
 /// Plastic strain, or stress over the yield stress, from which a point has yielded again \[–\].
 const YIELDED: f64 = 1e-4;
 /// Lift of the holder over the thickness that is worth a word \[–\].
-const LIFTED: f64 = 0.3;
+pub(crate) const LIFTED: f64 = 0.3;
 
 /// What a user should know before trusting the result.
 pub(super) fn warnings(model: &Model, work: &Workspace, state: &State, run: &Run) -> Vec<String> {
@@ -34,7 +34,7 @@ pub(super) fn warnings(model: &Model, work: &Workspace, state: &State, run: &Run
     let Some(last) = run.history.last() else { return warnings };
     warnings.extend(thinned(model, state, run));
     let largest = |value: fn(&crate::record::StepRecord) -> f64| run.history.iter().map(value).fold(0.0, f64::max);
-    let formed = run.history.iter().map(|r| r.strain_increment).sum::<f64>() > FORMED;
+    let formed = formed(run);
     let imbalance = last.work.imbalance();
     if formed && imbalance.abs() > LARGEST_IMBALANCE {
         warnings.push(format!(
@@ -116,8 +116,13 @@ pub(super) fn warnings(model: &Model, work: &Workspace, state: &State, run: &Run
     warnings
 }
 
+/// Whether the run strains the sheet enough for shares of its work to say something.
+pub(crate) fn formed(run: &Run) -> bool {
+    run.history.iter().map(|r| r.strain_increment).sum::<f64>() > FORMED
+}
+
 /// A neck, or a sheet that is too thin to be whole; a run that ended by it has said so.
-fn thinned(model: &Model, state: &State, run: &Run) -> Option<String> {
+pub(crate) fn thinned(model: &Model, state: &State, run: &Run) -> Option<String> {
     if matches!(run.stop, Stop::Localised { .. } | Stop::Coalesced { .. }) {
         return None;
     }

@@ -1,12 +1,27 @@
 //! The verdict on a run: what a die designer asks, each answer with its limit, where that comes from and what to change.
+//!
+//! One question, one file; a new one is a file here and a line in [`judge`]. Limits that the solver or `check` warn by are
+//! those constants; what has no source that could be read is called a declared rule of thumb.
 
+mod bend;
+mod clearance;
+mod forming_limit;
+mod friction;
+mod hardening;
+mod holder;
+mod neck;
+mod numerics;
+mod press;
 mod stop;
+mod tearing;
 mod thinning;
+mod wrinkling;
 
 use crate::case::Case;
+use crate::record::StepRecord;
 use crate::solver::Pass;
 use crate::table::Unit;
-use serde::Serialize;
+use serde::{Serialize, Serializer};
 
 /// How a finding stands to its limit.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
@@ -20,6 +35,36 @@ pub enum Light {
     Red,
 }
 
+impl Light {
+    /// The word that stands for it without colours.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Green => "green",
+            Self::Amber => "amber",
+            Self::Red => "red",
+        }
+    }
+
+    /// Green up to the first limit, amber up to the second, red beyond.
+    fn of(value: f64, limits: [f64; 2]) -> Self {
+        match value {
+            v if v <= limits[0] => Self::Green,
+            v if v <= limits[1] => Self::Amber,
+            _ => Self::Red,
+        }
+    }
+
+    /// Green up to a limit, amber beyond.
+    fn within(value: f64, limit: f64) -> Self {
+        Self::of(value, [limit, f64::INFINITY])
+    }
+
+    /// The advice of a finding that needs one.
+    fn advice(self, text: impl Into<String>) -> String {
+        if self == Self::Green { String::new() } else { text.into() }
+    }
+}
+
 /// One line of the verdict.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Finding {
@@ -30,7 +75,8 @@ pub struct Finding {
     pub light: Light,
     /// The number, in `unit`; `None` where words say it.
     pub value: Option<f64>,
-    #[serde(skip)]
+    /// In JSON as at the end of a header: `percent`; empty for plain numbers.
+    #[serde(serialize_with = "spelled")]
     pub unit: Unit,
     /// The number or the words, with the unit, and where.
     pub found: String,
@@ -42,7 +88,41 @@ pub struct Finding {
     pub advice: String,
 }
 
+fn spelled<S: Serializer>(unit: &Unit, serializer: S) -> Result<S::Ok, S::Error> {
+    serializer.serialize_str(unit.spelled())
+}
+
+/// What a limit without a source that could be read is called.
+const DECLARED: &str = "declared rule of thumb";
+
 /// Every finding on a case's run, in the order of the questions: tears, wrinkles, press, tools, trust.
 pub fn judge(case: &Case, passes: &[Pass]) -> Vec<Finding> {
-    [stop::judge(passes), thinning::judge(case, passes)].into_iter().flatten().collect()
+    let single = [
+        stop::judge(case, passes),
+        thinning::judge(case, passes),
+        neck::judge(passes),
+        forming_limit::margin(passes),
+        forming_limit::path(passes),
+        tearing::judge(passes),
+        wrinkling::judge(passes),
+        press::force(passes),
+        press::energy(passes),
+        holder::judge(passes),
+        clearance::gap(case),
+        clearance::ironing(passes),
+        bend::judge(passes),
+        hardening::judge(passes),
+        friction::judge(case),
+    ];
+    single.into_iter().flatten().chain(numerics::judge(passes)).collect()
+}
+
+/// Every step of every stage.
+fn steps(passes: &[Pass]) -> impl Iterator<Item = &StepRecord> {
+    passes.iter().flat_map(|pass| &pass.run.history)
+}
+
+/// The largest of a figure over all stages; 0 where there is none.
+fn largest(passes: &[Pass], value: impl Fn(&StepRecord) -> f64) -> f64 {
+    steps(passes).map(value).fold(0.0, f64::max)
 }

@@ -8,27 +8,27 @@ use crate::model::{Edge, Geometry, Model, Motion, Role};
 use std::f64::consts::{FRAC_PI_2, PI};
 
 /// Tensile strength [MPa]: largest nominal stress σ exp(−ε), reached where dσ/dε = σ (A. Considère, 1885).
-pub(in crate::case) fn tensile_strength(law: &Hardening) -> f64 {
+pub(crate) fn tensile_strength(law: &Hardening) -> f64 {
     let strains = (0..=2000).map(|i| f64::from(i) * 5e-4);
     strains.map(|strain| law.at(strain).stress * (-strain).exp()).fold(0.0, f64::max)
 }
 
 /// Throat less punch [mm]; for a die with a bottom the smallest gap at the full travel.
-pub(super) fn clearance(model: &Model) -> Option<f64> {
+pub(crate) fn clearance(model: &Model) -> Option<f64> {
     let (punch, die) = (model.tool(Role::Punch)?, model.tool(Role::Die)?);
     let closed = || gap(punch, die, model.travel).distance;
     Some(throat(die).map_or_else(closed, |throat| throat - extent(punch).1))
 }
 
 /// Blank over punch, where a blank is drawn in over a punch that is smaller.
-pub(super) fn draw_ratio(model: &Model) -> Option<f64> {
+pub(crate) fn draw_ratio(model: &Model) -> Option<f64> {
     let drawn = model.geometry == Geometry::Axisymmetric && model.blank.edge == Edge::Free;
     let ratio = model.blank.length / extent(model.tool(Role::Punch)?).1;
     (drawn && ratio > 1.0).then_some(ratio)
 }
 
 /// Initial area between holder and the die's flat [mm², or mm² per mm of depth].
-pub(super) fn held_area(model: &Model) -> Option<f64> {
+pub(crate) fn held_area(model: &Model) -> Option<f64> {
     let inner = extent(model.tool(Role::Holder)?).0.max(shoulder_end(model.tool(Role::Die)?));
     let held = model.geometry.area(model.blank.length) - model.geometry.area(inner);
     (held > 0.0).then_some(held)
@@ -57,7 +57,7 @@ pub(in crate::case) fn siebel(beta: f64, diameter: f64, thickness: f64, strength
 }
 
 /// [`siebel`]'s pressure for the blank and the punch of a model.
-pub(super) fn siebel_pressure(model: &Model, strength: f64) -> Option<f64> {
+pub(crate) fn siebel_pressure(model: &Model, strength: f64) -> Option<f64> {
     let diameter = 2.0 * extent(model.tool(Role::Punch)?).1;
     Some(siebel(draw_ratio(model)?, diameter, model.blank.thickness, strength))
 }

@@ -4,7 +4,7 @@ use super::{estimate, mm, sharp};
 use crate::model::{Edge, Model, Motion, Theory};
 
 /// Radius over thickness below which shells are no longer thin [–].
-const THIN: f64 = 5.0;
+pub(crate) const THIN: f64 = 5.0;
 /// Elements per 90° below which the load ticks as nodes pass a corner.
 const FINE: f64 = 8.0;
 /// Draw ratio that one draw of good steel reaches [–].

@@ -1,0 +1,106 @@
+//! `stampflow check`: what a case means and, with `--run`, what comes of it.
+
+use super::json::{Json, say_json};
+use super::progress::{Kept, Progress};
+use super::table::{Tone, table};
+use super::{Code, Overrides, say};
+use serde_json::json;
+use stampflow::case::{self, Case, check::Check};
+use stampflow::solver::{Pass, run_stages};
+use stampflow::verdict::{Finding, Light, judge};
+use std::fmt::Write;
+use std::path::PathBuf;
+
+pub const HELP: &str = "\
+With --run the case is solved, all stages, and a verdict is printed: what tears, wrinkles, what press and tools must
+bear, and how far the result can be trusted, each line with its number, the limit, where that comes from and what to
+change. green is within the limit, amber near it or a guess that matters, red beyond it. Nothing is written.
+
+Examples:
+  stampflow check cases/quickstart.toml --set tools.punch.friction=0.1
+  stampflow check cases/quickstart.toml --run
+  stampflow check cases/quickstart.toml --run --set tools.holder.force=\"40 kN\" --json
+
+Exit codes: 0 done, whatever the lights, 2 bad input, 3 with --run: stopped early";
+
+#[derive(Debug, clap::Args)]
+pub struct Args {
+    /// Case file
+    case: PathBuf,
+    /// Also solve it and give a verdict
+    #[arg(long)]
+    run: bool,
+    #[command(flatten)]
+    overrides: Overrides,
+    /// Show no progress
+    #[arg(long, short)]
+    quiet: bool,
+    #[command(flatten)]
+    json: Json,
+}
+
+pub fn check(args: &Args) -> anyhow::Result<Code> {
+    let case = case::load(&args.case, &args.overrides.set)?;
+    let report = case::check::report(&case);
+    if !args.run {
+        return if args.json.json { say_json(&report) } else { say(&report.to_string()) };
+    }
+    let passes = solve(args, &case);
+    let findings = judge(&case, &passes);
+    let complete = passes.len() == 1 + case.later.len() && passes.iter().all(|pass| pass.run.stop.is_complete());
+    if args.json.json {
+        let mut value = serde_json::to_value(&report)?;
+        value["complete"] = json!(complete);
+        value["findings"] = serde_json::to_value(&findings)?;
+        value["run_warnings"] = said(&passes).collect();
+        say_json(&value)?;
+    } else {
+        say(&printed(&report, &findings, &passes))?;
+    }
+    Ok(if complete { Code::Done } else { Code::StoppedEarly })
+}
+
+fn solve(args: &Args, case: &Case) -> Vec<Pass> {
+    let mut watch = Progress::new(args.quiet || args.json.json).watch(&case.name, &case.model, Kept::default());
+    let passes = run_stages(&case.stages(), &mut watch);
+    if let Some(last) = passes.last() {
+        watch.finish(&last.run);
+    }
+    passes
+}
+
+/// What the solver said of every stage.
+fn said(passes: &[Pass]) -> impl Iterator<Item = &str> {
+    passes.iter().flat_map(|pass| &pass.run.warnings).map(String::as_str)
+}
+
+fn printed(report: &Check, findings: &[Finding], passes: &[Pass]) -> String {
+    let rows = findings.iter().map(row).collect();
+    let headers = ["verdict", "light", "found", "limit", "what to change"];
+    let mut text = format!("{report}\n{}", table(Some(headers), rows, 1));
+    let mut said = said(passes).peekable();
+    if said.peek().is_some() {
+        text += "\nwarnings of the run\n";
+    }
+    for warning in said {
+        let _ = writeln!(text, "  - {warning}");
+    }
+    text
+}
+
+fn row(finding: &Finding) -> ([String; 5], Tone) {
+    let tone = match finding.light {
+        Light::Green => Tone::Good,
+        Light::Amber => Tone::Warning,
+        Light::Red => Tone::Bad,
+    };
+    let limit = format!("{} ({})", finding.limit, finding.source);
+    let cells = [
+        finding.label.to_owned(),
+        finding.light.name().to_owned(),
+        finding.found.clone(),
+        limit,
+        finding.advice.clone(),
+    ];
+    (cells, tone)
+}

@@ -1,0 +1,90 @@
+//! How near the sheet comes to its forming limit.
+
+use super::{Finding, Light};
+use crate::forming_limit::{Assessment, CROOKED, assess};
+use crate::solver::Pass;
+use crate::table::Unit;
+
+/// Share of the limit strain above which scatter of metal and process may reach it \[–\].
+const CAREFUL: f64 = 0.9;
+
+/// The stage that comes nearest to its curve, with the curve's name.
+fn worst(passes: &[Pass]) -> Option<(&'static str, &Pass, Assessment)> {
+    let all = passes.iter().filter_map(|pass| {
+        let curve = pass.model.forming_limit.as_ref()?;
+        Some((curve.name, pass, assess(curve, &pass.run.paths)?))
+    });
+    all.min_by(|a, b| a.2.worst().margin().total_cmp(&b.2.worst().margin()))
+}
+
+/// The least margin, where, and when the limit was first reached; amber where no limit is given.
+pub(super) fn margin(passes: &[Pass]) -> Option<Finding> {
+    let Some((name, pass, assessment)) = worst(passes) else { return Some(missing()) };
+    let worst = assessment.worst();
+    let light = match assessment.reached {
+        Some(_) => Light::Red,
+        None => Light::within(worst.ratio(), CAREFUL),
+    };
+    let reached = assessment.reached.map_or(String::new(), |reached| {
+        let when = if pass.model.travel > 0.0 {
+            format!("{:.2} mm of travel", reached.travel)
+        } else {
+            format!("{:.4} s", reached.time)
+        };
+        format!("; first reached at {when}, s0 = {:.1} mm", reached.s0)
+    });
+    Some(Finding {
+        key: "forming_limit",
+        label: "Forming limit",
+        light,
+        value: Some(worst.margin()),
+        unit: Unit::None,
+        found: format!(
+            "margin {:.3} in major true strain, {:.0} % of the limit, at s0 = {:.1} mm{reached}",
+            worst.margin(),
+            100.0 * worst.ratio(),
+            worst.s0
+        ),
+        limit: format!("{name}: not reached, below {:.0} % of it", 100.0 * CAREFUL),
+        source: "the case's curve; the share is a declared rule of thumb",
+        advice: light.advice(super::thinning::ADVICE),
+    })
+}
+
+fn missing() -> Finding {
+    Finding {
+        key: "forming_limit",
+        label: "Forming limit",
+        light: Light::Amber,
+        value: None,
+        unit: Unit::None,
+        found: "no forming limit given".into(),
+        limit: "the strains are held against one".into(),
+        source: super::DECLARED,
+        advice: "write [forming_limit] with hill = true (computed from the law), or the measured points of the coil"
+            .into(),
+    }
+}
+
+/// Whether the curve can be taken at its word: it holds for straight strain paths.
+pub(super) fn path(passes: &[Pass]) -> Option<Finding> {
+    let (_, _, assessment) = worst(passes)?;
+    let (crooked, worst) = (assessment.crooked(), assessment.worst());
+    let light = if crooked > 0 { Light::Amber } else { Light::Green };
+    let nearest =
+        if worst.is_crooked() { ", the one nearest to the limit too" } else { ", not the one nearest to the limit" };
+    Some(Finding {
+        key: "strain_paths",
+        label: "Strain paths",
+        light,
+        value: Some(crooked as f64),
+        unit: Unit::None,
+        found: match crooked {
+            0 => "all straight".into(),
+            n => format!("{n} of {} elements not straight{nearest}", assessment.elements.len()),
+        },
+        limit: format!("within {:.0} % of a straight line", 100.0 * CROOKED),
+        source: "limit curves are measured on straight paths; the share is a convention",
+        advice: light.advice("keep more margin there: look at strain_paths.csv of `run`"),
+    })
+}

@@ -1,0 +1,27 @@
+//! How far the hardening law is used beyond what it was measured for.
+
+use super::{Finding, Light};
+use crate::solver::Pass;
+use crate::table::Unit;
+
+/// The largest equivalent strain of a layer, against the last point of a table; a formula does not say its range.
+pub(super) fn judge(passes: &[Pass]) -> Option<Finding> {
+    let last = passes.last()?;
+    let strain = passes.iter().flat_map(|pass| &pass.state.layers).map(|point| point.strain).fold(0.0, f64::max);
+    let range = last.model.material.hardening.valid_up_to();
+    let light = range.map_or(Light::Green, |end| Light::within(strain, end));
+    Some(Finding {
+        key: "hardening_range",
+        label: "Hardening law",
+        light,
+        value: Some(strain),
+        unit: Unit::None,
+        found: format!("used up to a true strain of {strain:.3}"),
+        limit: match range {
+            Some(end) => format!("its table ends at {end:.3}"),
+            None => "a formula: the range of its fit is not in the case".into(),
+        },
+        source: "the case's material",
+        advice: light.advice("points at larger strains, from a bulge test; else the stress is extrapolated"),
+    })
+}

@@ -1,0 +1,127 @@
+//! The verdict on a run: lights, limits and advice.
+
+#[path = "common/cli.rs"]
+mod cli;
+
+use cli::{CUP, STAGES, folder, stampflow, text};
+use serde_json::Value;
+use stampflow::case;
+use stampflow::solver::run_stages;
+use stampflow::verdict::{Finding, Light, judge};
+use std::path::Path;
+
+/// The findings on a shipped case with overrides.
+fn findings(name: &str, overrides: &[&str]) -> Vec<Finding> {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("cases").join(name);
+    let overrides: Vec<String> = overrides.iter().map(|o| (*o).to_owned()).collect();
+    let case = case::load(path, &overrides).expect("valid");
+    let findings = judge(&case, &run_stages(&case.stages(), &mut ()));
+    for finding in &findings {
+        assert!(
+            ![finding.key, finding.label, &finding.found, &finding.limit, finding.source].contains(&""),
+            "{finding:?}"
+        );
+        assert_eq!(finding.light != Light::Green, !finding.advice.is_empty(), "{finding:?}");
+    }
+    findings
+}
+
+fn light(findings: &[Finding], key: &str) -> Light {
+    findings.iter().find(|f| f.key == key).unwrap_or_else(|| panic!("no {key}: {findings:?}")).light
+}
+
+fn value(findings: &[Finding], key: &str) -> f64 {
+    findings.iter().find(|f| f.key == key).and_then(|f| f.value).unwrap_or_else(|| panic!("no {key}"))
+}
+
+/// Trust: the quickstart draws a whole cup; its forming limit and the source of its friction are not given, which is said.
+#[test]
+fn the_quickstart_is_a_good_cup_with_two_guesses() {
+    let found = findings("quickstart.toml", &[]);
+    assert!(found.iter().all(|f| f.light != Light::Red), "{found:?}");
+    let ambers: Vec<_> = found.iter().filter(|f| f.light == Light::Amber).map(|f| f.key).collect();
+    assert_eq!(ambers, ["forming_limit", "friction"]);
+    // By hand, as in `check`: Siebel's 0.0025 [(β − 1)² + 0.3] R_m with R_m = 520 n^n exp(offset − n), over 10 kN on the flat.
+    let strength = 520.0 * 0.22_f64.powf(0.22) * (0.005_f64 - 0.22).exp();
+    let advised = 0.0025 * ((55.0_f64 / 30.0 - 1.0).powi(2) + 0.3) * strength;
+    let held = std::f64::consts::PI * (55.0_f64.powi(2) - 37.25_f64.powi(2));
+    // The strength is the largest of steps of 5e-4 in strain: flat at the maximum, so right to 1e-6.
+    assert!((value(&found, "wrinkling") / (advised * held / 10_000.0) - 1.0).abs() < 1e-4);
+    let tears = std::f64::consts::PI * 61.0 * strength;
+    let share = value(&found, "punch_force") / tears;
+    assert!((value(&found, "bottom_tearing") / (100.0 * share) - 1.0).abs() < 1e-4);
+}
+
+#[test]
+fn too_much_friction_and_holder_force_tear_the_cup() {
+    let torn =
+        ["tools.holder.force=150 kN", "tools.die.friction=0.2", "tools.holder.friction=0.2", "forming_limit.hill=true"];
+    let found = findings("quickstart.toml", &torn);
+    assert_eq!(light(&found, "forming_limit"), Light::Red, "{found:?}");
+    assert_eq!(light(&found, "stop"), Light::Red, "{found:?}");
+    let stop = found.iter().find(|f| f.key == "stop").unwrap();
+    assert!(stop.advice.contains("less holder force"), "{stop:?}");
+    assert_eq!(light(&found, "wrinkling"), Light::Green);
+}
+
+#[test]
+fn a_weak_holder_lets_the_flange_wrinkle() {
+    let found = findings("quickstart.toml", &["tools.holder.force=3 kN", "tools.punch.travel=3 mm"]);
+    assert_eq!(light(&found, "wrinkling"), Light::Amber, "{found:?}");
+    let found = findings("quickstart.toml", &["tools.holder.force=1 kN", "tools.punch.travel=3 mm"]);
+    assert_eq!(light(&found, "wrinkling"), Light::Red, "{found:?}");
+}
+
+/// Tables, isotherms, gas, plane strain, stages: whatever a case has, its findings are whole sentences.
+#[test]
+fn other_kinds_of_cases_are_judged_too() {
+    for (name, overrides) in
+        [("bulge.toml", &[][..]), ("hat_springback.toml", &["blank.elements=60"][..]), ("strip_draw.toml", &[][..])]
+    {
+        assert!(findings(name, overrides).len() > 5, "{name}");
+    }
+}
+
+#[test]
+fn check_run_prints_its_table_and_its_json_and_writes_nothing() {
+    let dir = folder(CUP);
+    let printed = stampflow(dir.path(), &["check", "cases/cup.toml", "--run", "--quiet"]);
+    assert_eq!(printed.status.code(), Some(0), "{}", text(&printed.stderr));
+    let out = text(&printed.stdout);
+    for word in ["what to change", "green", "amber", "Thinning", "no forming limit given"] {
+        assert!(out.contains(word), "no {word}: {out}");
+    }
+    assert!(!out.contains('\u{1b}'), "no terminal, no colours");
+    let json = stampflow(dir.path(), &["check", "cases/cup.toml", "--run", "--json"]);
+    let value: Value = serde_json::from_slice(&json.stdout).expect("JSON");
+    assert_eq!(value["complete"], true);
+    let found = value["findings"].as_array().expect("an array");
+    assert!(found.len() > 10 && found.iter().all(|f| f["light"].is_string() && f["unit"].is_string()));
+    assert!(value["lines"].is_array(), "the check is there too");
+    let left: Vec<_> = std::fs::read_dir(dir.path()).unwrap().map(|entry| entry.unwrap().file_name()).collect();
+    assert_eq!(left, ["cases"]);
+}
+
+#[test]
+fn a_run_that_stops_early_and_bad_input_have_their_exit_codes() {
+    let dir = folder(CUP);
+    let torn =
+        ["--set", "tools.holder.force=400 kN", "--set", "tools.die.friction=0.3", "--set", "tools.punch.travel=25 mm"];
+    let run = |more: &[&str]| stampflow(dir.path(), &[&["check", "cases/cup.toml", "--run", "--quiet"], more].concat());
+    let stopped = run(&torn);
+    assert_eq!(stopped.status.code(), Some(3), "{}", text(&stopped.stdout));
+    assert!(text(&stopped.stdout).contains("red"));
+    assert_eq!(run(&["--set", "blank.thickness=-1 mm"]).status.code(), Some(2));
+}
+
+#[test]
+fn stages_are_judged_together() {
+    let dir = folder(&(CUP.to_owned() + STAGES));
+    let json = stampflow(dir.path(), &["check", "cases/cup.toml", "--run", "--json"]);
+    assert_eq!(json.status.code(), Some(0), "{}", text(&json.stderr));
+    let value: Value = serde_json::from_slice(&json.stdout).expect("JSON");
+    let found = value["findings"].as_array().expect("an array");
+    let of = |key: &str| found.iter().find(|f| f["key"] == key).and_then(|f| f["found"].as_str()).expect("a finding");
+    assert!(of("stop").starts_with("stage 2 of 2: "), "{}", of("stop"));
+    assert!(of("punch_force").ends_with("stage 1"), "{}", of("punch_force"));
+}
