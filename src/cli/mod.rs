@@ -8,6 +8,7 @@ mod materials;
 mod new;
 mod progress;
 mod reel;
+mod report;
 mod run;
 mod shell;
 mod table;
@@ -36,6 +37,9 @@ enum Verb {
     /// Solve cases and write their tables and plots
     #[command(after_help = run::help())]
     Run(run::Args),
+    /// Solve a case and write a report for people: HTML or Markdown
+    #[command(after_help = report::HELP)]
+    Report(report::Args),
     /// Read a case and say what it means, without solving it
     #[command(after_help = "Example:\n  stampflow check cases/quickstart.toml --set tools.punch.friction=0.1")]
     Check {
@@ -110,6 +114,7 @@ pub fn main() -> anyhow::Result<Code> {
     };
     match args.verb {
         Verb::Run(args) => run::run(&args),
+        Verb::Report(args) => report::report(&args),
         Verb::Import(args) => import::import(&args),
         Verb::Validate(args) => validate::validate(&args),
         Verb::Check { case, overrides, json } => {
