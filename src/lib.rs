@@ -55,6 +55,7 @@ pub mod model;
 pub mod output;
 pub mod quantity;
 pub mod record;
+pub mod report;
 pub mod solver;
 pub mod stage;
 pub mod state;

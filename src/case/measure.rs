@@ -3,14 +3,14 @@
 use crate::geometry::{Piece, Point, Profile};
 use crate::model::{Role, Tool};
 
-/// Smallest and largest r of a tool [mm].
-pub(crate) fn extent(tool: &Tool) -> (f64, f64) {
+/// Smallest and largest r of a tool \[mm\].
+pub fn extent(tool: &Tool) -> (f64, f64) {
     let points = tool.profile.polyline(0.01);
     points.iter().fold((f64::INFINITY, 0.0), |(low, high), p| (p.x.min(low), p.x.max(high)))
 }
 
-/// Radius or half-width of the die's opening [mm]; `None` for a die with a bottom, which reaches the axis.
-pub(super) fn throat(die: &Tool) -> Option<f64> {
+/// Radius or half-width of the die's opening \[mm\]; `None` for a die with a bottom, which reaches the axis.
+pub fn throat(die: &Tool) -> Option<f64> {
     (die.profile.last().x > 1e-6).then(|| extent(die).0)
 }
 

@@ -9,6 +9,7 @@ mod materials;
 mod new;
 mod progress;
 mod reel;
+mod report;
 mod run;
 mod shell;
 mod table;
@@ -39,6 +40,9 @@ enum Verb {
     /// Read a case and say what it means; with --run solve it and give a verdict
     #[command(after_help = check::HELP)]
     Check(check::Args),
+    /// Solve a case and write a report for people: HTML or Markdown
+    #[command(after_help = report::HELP)]
+    Report(report::Args),
     /// Write a case file to begin with, from a few sizes
     New(new::Args),
     /// Read the tools from a drawing (DXF) and write a case file with them
@@ -103,6 +107,7 @@ pub fn main() -> anyhow::Result<Code> {
     };
     match args.verb {
         Verb::Run(args) => run::run(&args),
+        Verb::Report(args) => report::report(&args),
         Verb::Import(args) => import::import(&args),
         Verb::Validate(args) => validate::validate(&args),
         Verb::Check(args) => check::check(&args),

@@ -57,6 +57,8 @@ pub enum Look {
         fill: Color,
         edge: Option<Color>,
     },
+    /// The label itself, on white: each point is the middle of its left end. The legend leaves it out.
+    Text,
 }
 
 /// Red, green, blue.

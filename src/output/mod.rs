@@ -5,6 +5,7 @@
 
 pub mod chart;
 mod csv;
+mod dimensions;
 mod draw;
 mod file;
 pub mod film;
@@ -31,13 +32,14 @@ pub mod vtk;
 
 pub use chart::Chart;
 pub use csv::csv;
+pub use dimensions::{Dimension, Mark, dimensioned};
 pub use draw::svg;
 pub use file::{WriteError, can_write, write};
 pub use overlay::write_comparison;
 pub use png::png;
 pub use sketch::sketch;
 pub use stages::{Line as StageLine, STAGES, stage_folder, stages_report, stages_table, write_stages};
-pub use summary::Summary;
+pub use summary::{Figure, Summary};
 
 use crate::forming_limit::{Assessment, assess};
 use crate::model::{Geometry, Model};

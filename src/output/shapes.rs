@@ -94,7 +94,7 @@ fn chords(piece: &Piece, sagitta: f64) -> usize {
 }
 
 /// The sheet before forming.
-fn flat(model: &Model) -> Vec<(f64, f64)> {
+pub(super) fn flat(model: &Model) -> Vec<(f64, f64)> {
     let (length, half) = (model.blank.length, 0.5 * model.blank.thickness);
     vec![(0.0, half), (length, half), (length, -half), (0.0, -half)]
 }

@@ -30,6 +30,18 @@ enum Value {
     List(Vec<String>),
 }
 
+/// A line for readers, its number apart from its unit.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Figure {
+    /// Name in JSON, without the unit.
+    pub key: &'static str,
+    /// Begins with spaces where it belongs to the line above.
+    pub label: String,
+    pub value: String,
+    /// Empty for words.
+    pub unit: &'static str,
+}
+
 /// The lines of the summary, in the order of printing; displays as aligned text, serialises with units in the keys.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Summary {
@@ -326,6 +338,20 @@ impl Serialize for Summary {
 }
 
 impl Summary {
+    /// The printed lines but the lists.
+    pub fn figures(&self) -> impl Iterator<Item = Figure> {
+        self.entries.iter().filter(|entry| !entry.label.is_empty()).filter_map(|entry| {
+            let (value, unit) = match &entry.value {
+                Value::Number(v) => (four_digits(*v), entry.unit.symbol()),
+                Value::Count(v) => (v.to_string(), Unit::None.symbol()),
+                Value::Flag(v) => (if *v { "yes" } else { "no" }.to_owned(), ""),
+                Value::Text(v) => (v.clone(), ""),
+                Value::List(_) => return None,
+            };
+            Some(Figure { key: entry.key, label: entry.label.clone(), value, unit })
+        })
+    }
+
     /// Labels and values of the printed lines; the entries of a list stand below each other, the first at its label.
     pub fn rows(&self) -> Vec<(String, String)> {
         let printed = self.entries.iter().filter(|entry| !entry.label.is_empty());

@@ -17,6 +17,11 @@ fn worst(passes: &[Pass]) -> Option<(&'static str, &Pass, Assessment)> {
     all.min_by(|a, b| a.2.worst().margin().total_cmp(&b.2.worst().margin()))
 }
 
+/// Whether there is a limit and no stage has reached it.
+pub(super) fn is_kept(passes: &[Pass]) -> bool {
+    worst(passes).is_some_and(|(_, _, assessment)| assessment.reached.is_none())
+}
+
 /// The least margin, where, and when the limit was first reached; amber where no limit is given.
 pub(super) fn margin(passes: &[Pass]) -> Option<Finding> {
     let Some((name, pass, assessment)) = worst(passes) else { return Some(missing()) };

@@ -16,12 +16,16 @@ pub(super) const ADVICE: &str =
 pub(super) fn judge(case: &Case, passes: &[Pass]) -> Option<Finding> {
     let last = passes.last()?.run.history.last()?;
     let thinning = 1.0 - last.thinnest / case.model.blank.thickness;
-    // A forming limit, or a metal that stretches without a neck, allows more; the forming limit has its own line.
-    let allowed = case.model.forming_limit.is_some() || case.model.material.rate.is_some_and(|r| r.is_superplastic());
+    // A forming limit that is kept, or a metal that stretches without a neck, allows more.
+    let allowed =
+        super::forming_limit::is_kept(passes) || case.model.material.rate.is_some_and(|r| r.is_superplastic());
     let most = if allowed { f64::INFINITY } else { LIMITS[1] };
     let light = Light::of(thinning, [LIMITS[0], most]);
-    let refused =
-        if allowed { String::new() } else { format!(", at most {:.0} % without a forming limit", 100.0 * LIMITS[1]) };
+    let refused = if allowed {
+        String::new()
+    } else {
+        format!(", at most {:.0} % unless a forming limit is kept", 100.0 * LIMITS[1])
+    };
     Some(Finding {
         key: "thinning",
         label: "Thinning",

@@ -4,7 +4,7 @@ use super::panel::{Frame, x_labels_height, y_labels_width};
 use super::shape::sample;
 use super::text::{NOTE, SPACING, TICK, TITLE, text, text_width, wrapped};
 use super::{Canvas, MARGIN, WIDTH, units};
-use crate::output::chart::{BLACK, Chart, GREY, Series};
+use crate::output::chart::{BLACK, Chart, GREY, Look, Series};
 
 /// Width of a line sample in the legend.
 const SAMPLE: f64 = 38.0;
@@ -73,7 +73,7 @@ fn legend(chart: &Chart) -> Vec<Vec<(&Series, f64)>> {
     let indent = if chart.legend.is_empty() { 0.0 } else { text_width(chart.legend, TICK) + 14.0 };
     let left = MARGIN + indent;
     let mut x = f64::INFINITY;
-    for series in chart.panels.iter().flat_map(|p| &p.series) {
+    for series in chart.panels.iter().flat_map(|p| &p.series).filter(|series| series.look != Look::Text) {
         let Some(label) = &series.label else { continue };
         let width = SAMPLE + 8.0 + text_width(label, TICK);
         if x + width > WIDTH - MARGIN {

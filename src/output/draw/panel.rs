@@ -4,7 +4,7 @@ use super::shape::{draw_shape, stroke};
 use super::text::{LABEL, SPACING, TICK, style, text_width};
 use super::ticks::{tick, tick_count, ticks};
 use super::{Canvas, NEVER, units};
-use crate::output::chart::{BLACK, Look, Panel, Scale};
+use crate::output::chart::{BLACK, Look, Panel, Scale, Series};
 use crate::output::outline::clipped;
 use plotters::prelude::*;
 
@@ -53,12 +53,12 @@ impl Frame {
                 .map(|(x, y)| (f64::from(x), f64::from(y)))
                 .collect()
         };
-        let shapes: Vec<(Look, Vec<(f64, f64)>)> = panel
+        let shapes: Vec<(&Series, Vec<(f64, f64)>)> = panel
             .series
             .iter()
             .map(|s| match s.look {
-                Look::Area { .. } => (s.look, to_units(&clipped(&s.points, self.x, self.y))),
-                _ => (s.look, to_units(&s.points)),
+                Look::Area { .. } => (s, to_units(&clipped(&s.points, self.x, self.y))),
+                _ => (s, to_units(&s.points)),
             })
             .collect();
         let (x_ticks, y_ticks) = (ticks(self.x, 8), ticks(self.y, tick_count(self.height)));
@@ -78,8 +78,8 @@ impl Frame {
             .light_line_style(TRANSPARENT)
             .draw()
             .expect(NEVER);
-        for (look, points) in &shapes {
-            draw_shape(canvas, *look, points);
+        for (series, points) in &shapes {
+            draw_shape(canvas, series.look, series.label.as_deref().unwrap_or(""), points);
         }
         let (x, y) = chart.plotting_area().get_pixel_range();
         let border = [(x.start, y.start), (x.end, y.start), (x.end, y.end), (x.start, y.end), (x.start, y.start)];

@@ -1,13 +1,14 @@
 //! Lines, circles and areas, in a panel or as samples in the legend.
 
+use super::text::{MARK, SPACING, text, text_width};
 use super::{Canvas, FINE, NEVER, units};
-use crate::output::chart::{Color, Look};
+use crate::output::chart::{BLACK, Color, Look};
 use crate::output::outline::dashed;
 use plotters::prelude::*;
 use plotters::style::Color as _;
 
 /// A series or a legend sample, points in units.
-pub(super) fn draw_shape(canvas: &Canvas, look: Look, points: &[(f64, f64)]) {
+pub(super) fn draw_shape(canvas: &Canvas, look: Look, label: &str, points: &[(f64, f64)]) {
     let whole = |points: &[(f64, f64)]| -> Vec<(i32, i32)> {
         points.iter().map(|p| (p.0.round() as i32, p.1.round() as i32)).collect()
     };
@@ -32,6 +33,15 @@ pub(super) fn draw_shape(canvas: &Canvas, look: Look, points: &[(f64, f64)]) {
                 canvas.draw(&PathElement::new(outline, stroke(edge, 0.8))).expect(NEVER);
             }
         }
+        Look::Text => {
+            let (width, half) = (text_width(label, MARK), 0.5 * SPACING * MARK);
+            for &(x, y) in points {
+                let (x, y) = (x / FINE, y / FINE);
+                let corners = [(x - 2.0, y - half), (x + width + 2.0, y + half)].map(|(x, y)| (units(x), units(y)));
+                canvas.draw(&Rectangle::new(corners, WHITE.filled())).expect(NEVER);
+                text(canvas, label, MARK, BLACK, (x, y - 0.6 * MARK));
+            }
+        }
     }
 }
 
@@ -45,8 +55,9 @@ pub(super) fn sample(canvas: &Canvas, look: Look, at: (f64, f64), size: (f64, f6
         Look::Area { .. } => {
             vec![(x, y - h), (x + w, y - h), (x + w, y + h), (x, y + h)]
         }
+        Look::Text => Vec::new(),
     };
-    draw_shape(canvas, look, &points);
+    draw_shape(canvas, look, "", &points);
 }
 
 pub(super) fn stroke(color: Color, width: f64) -> ShapeStyle {

@@ -15,6 +15,8 @@ pub(super) const LABEL: f64 = 19.0;
 /// Ticks and legend.
 pub(super) const TICK: f64 = 17.0;
 pub(super) const NOTE: f64 = 13.5;
+/// Inside a panel.
+pub(super) const MARK: f64 = 15.0;
 /// Line spacing over font size.
 pub(super) const SPACING: f64 = 1.3;
 

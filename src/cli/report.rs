@@ -1,0 +1,136 @@
+//! `stampflow report`: a case solved and written as pages for people.
+
+use super::code::{BadRequest, unusable};
+use super::json::{Json, say_json};
+use super::progress::{Kept, Progress};
+use super::{Code, Overrides, say};
+use clap::ValueEnum;
+use serde_json::json;
+use stampflow::case;
+use stampflow::output::{can_write, write};
+use stampflow::report::{MARKER, Report, figure_folder, html, markdown};
+use stampflow::solver;
+use std::path::{Path, PathBuf};
+use std::time::Instant;
+
+pub const HELP: &str = "\
+The HTML file holds its pictures and needs nothing else; a browser prints it to PDF (A4). Markdown comes with its pictures
+as SVG files in a folder beside it, report_figures. A report of an earlier run is replaced; any other file is left alone.
+
+Examples:
+  stampflow report cases/quickstart.toml
+  stampflow report cases/hat_springback.toml -o hat.html --set tools.punch.friction=0.1
+  stampflow report cases/quickstart.toml -o cup.md
+  stampflow report cases/quickstart.toml --json
+
+Exit codes: 0 done, 2 bad input (nothing is written), 3 stopped early (the report says where and why), 1 anything else";
+
+#[derive(Debug, clap::Args)]
+pub struct Args {
+    /// Case file
+    case: PathBuf,
+    #[command(flatten)]
+    overrides: Overrides,
+    /// The file to write [default: out/<case>/report.html]
+    #[arg(long, short, value_name = "FILE")]
+    output: Option<PathBuf>,
+    /// Kind of file [default: by the ending of FILE, else html]
+    #[arg(long)]
+    format: Option<Format>,
+    /// Replace a file that is no report, too
+    #[arg(long)]
+    force: bool,
+    /// Show no progress
+    #[arg(long, short)]
+    quiet: bool,
+    #[command(flatten)]
+    json: Json,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum Format {
+    Html,
+    Md,
+}
+
+pub fn report(args: &Args) -> anyhow::Result<Code> {
+    let case = case::load(&args.case, &args.overrides.set)?;
+    let format = args.format();
+    let path = args.output.clone().unwrap_or_else(|| {
+        let name = if format == Format::Md { "report.md" } else { "report.html" };
+        Path::new("out").join(&case.name).join(name)
+    });
+    if !args.force {
+        refuse_others(&path, format)?;
+    }
+    can_write(&path).map_err(unusable("--output"))?;
+
+    let mut watch = Progress::new(args.quiet || args.json.json).watch(&case.name, &case.model, Kept::default());
+    let start = Instant::now();
+    let passes = solver::run_stages(&case.stages(), &mut watch);
+    let wall = start.elapsed();
+    if let Some(last) = passes.last() {
+        watch.finish(&last.run);
+    }
+
+    let report = Report::of(&case, &args.overrides.set, &passes, wall);
+    let files = save(&report, &path, format)?;
+    if args.json.json {
+        let mut value = report.json();
+        value["files"] = json!(files);
+        say_json(&value)?;
+    } else {
+        say(&format!("{} is written", path.display()))?;
+    }
+    Ok(if report.is_complete() { Code::Done } else { Code::StoppedEarly })
+}
+
+/// Writes the pictures first: a text that is there has all of them.
+fn save(report: &Report, path: &Path, format: Format) -> anyhow::Result<Vec<PathBuf>> {
+    let document = report.document();
+    let mut files = Vec::new();
+    let text = match format {
+        Format::Html => html(&document),
+        Format::Md => {
+            let folder = figure_folder(path);
+            let name = folder.file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned());
+            let (text, pictures) = markdown(&document, &name);
+            for (name, svg) in pictures {
+                let file = folder.join(name);
+                write(&file, svg.as_bytes())?;
+                files.push(file);
+            }
+            text
+        }
+    };
+    write(path, text.as_bytes())?;
+    files.insert(0, path.to_owned());
+    Ok(files)
+}
+
+/// A file of someone else's stays, and so does a folder where our pictures would go without a report beside it.
+fn refuse_others(path: &Path, format: Format) -> Result<(), BadRequest> {
+    let refuse = |what: &Path| {
+        let what = what.display();
+        Err(BadRequest(format!(
+            "{what} is there and is no report of ours: choose another name with -o, or replace it with --force"
+        )))
+    };
+    let is_there = path.symlink_metadata().is_ok();
+    if is_there && !path.is_dir() && !std::fs::read(path).is_ok_and(|bytes| is_report(&bytes)) {
+        return refuse(path);
+    }
+    let folder = figure_folder(path);
+    if format == Format::Md && !is_there && folder.symlink_metadata().is_ok() { refuse(&folder) } else { Ok(()) }
+}
+
+fn is_report(bytes: &[u8]) -> bool {
+    bytes.windows(MARKER.len()).any(|part| part == MARKER.as_bytes())
+}
+
+impl Args {
+    fn format(&self) -> Format {
+        let is_md = |path: &PathBuf| path.extension().is_some_and(|e| e == "md" || e == "markdown");
+        self.format.unwrap_or(if self.output.as_ref().is_some_and(is_md) { Format::Md } else { Format::Html })
+    }
+}

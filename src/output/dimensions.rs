@@ -1,0 +1,142 @@
+//! The section at the start with its dimensions, as a drawing has them.
+
+use super::chart::{BLACK, Chart, Color, GREY, Look, PALE, Panel, Scale, Series, color};
+use super::outline::clipped;
+use super::shapes::{body, flat};
+use super::worded;
+use crate::geometry::Point;
+use crate::model::Model;
+use crate::table::{Column, Unit, four_digits};
+
+/// A size of the section, and where it is drawn.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Dimension {
+    /// `Punch radius`.
+    pub label: String,
+    pub value: f64,
+    pub unit: Unit,
+    pub mark: Mark,
+}
+
+/// How a size is drawn.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Mark {
+    /// From the axis to this distance \[mm\], below the section.
+    Across(f64),
+    /// Along z at this distance from the axis, from one z to another \[mm\].
+    Along { r: f64, from: f64, to: f64 },
+    /// By a leader to this point \[mm\].
+    At(Point),
+}
+
+/// Room that labels take [px of a picture 800 wide]: a row below the section, a row at its side, a letter.
+const ROW: f64 = 34.0;
+const LINE: f64 = 30.0;
+const LETTER: f64 = 9.2;
+/// Width that a panel has for its section and the labels at its side, and its largest height [px].
+const PANEL: [f64; 2] = [640.0, 540.0];
+/// Length and half width of an arrow's head [px].
+const HEAD: [f64; 2] = [9.0, 3.0];
+/// Space around the section, over the blank's length.
+const AROUND: f64 = 0.05;
+
+const THIN: Look = Look::Line { color: BLACK, width: 1.0, dash: &[] };
+const EXTENSION: Look = Look::Line { color: GREY, width: 0.8, dash: &[4.0, 3.0] };
+const SHEET: Color = (0, 114, 178);
+
+impl Dimension {
+    /// `Punch radius 30 mm`.
+    fn text(&self) -> String {
+        let value = four_digits(self.value);
+        let short = if value.contains('.') { value.trim_end_matches('0').trim_end_matches('.') } else { &value };
+        format!("{} {short} {}", self.label, self.unit.symbol())
+    }
+}
+
+/// The blank and the tools before the first step with their dimensions. Widths stand below the section, a row each; all
+/// others beside it, a row each, in the order of the points that they lead to: no label lies on another.
+pub fn dimensioned(model: &Model, dimensions: &[Dimension]) -> Chart {
+    let (mut across, mut aside): (Vec<_>, Vec<_>) = dimensions.iter().partition(|d| matches!(d.mark, Mark::Across(_)));
+    across.sort_by(|a, b| reach(a).x.total_cmp(&reach(b).x));
+    aside.sort_by(|a, b| reach(a).y.total_cmp(&reach(b).y));
+
+    let around = AROUND * model.blank.length;
+    let marked = || aside.iter().map(|d| reach(d)).chain(dimensions.iter().filter_map(lower_end));
+    let width = across.iter().map(|d| reach(d).x).fold(model.blank.length, f64::max) + around;
+    let (low, high) = marked().fold((-4.0 * around, 4.0 * around), |(low, high), p| (p.y.min(low), p.y.max(high)));
+    let (top, bottom) = (low - around, high + around);
+    let letters = aside.iter().map(|d| d.text().chars().count()).max().unwrap_or(0) as f64;
+    let beside = LETTER * letters + 40.0;
+    // mm per px, whichever direction has less room.
+    let below = ROW * across.len() as f64;
+    let px = (width / (PANEL[0] - beside)).max((bottom - top) / (PANEL[1] - below));
+    // The labels at the side may need more height than the section.
+    let short = (LINE * px * (1.0 + aside.len() as f64) - (bottom - top)).max(0.0);
+    let (top, bottom) = (top - 0.5 * short, bottom + 0.5 * short);
+
+    let mut series: Vec<Series> = Vec::new();
+    for tool in &model.tools {
+        let whole = body(tool.role, &tool.profile, Point::zeros(), 1e-4 * width);
+        let look = Look::Area { fill: PALE, edge: Some(GREY) };
+        series.push(Series::silent(clipped(&whole, (0.0, width), (top, bottom)), look));
+    }
+    series.push(Series::silent(flat(model), Look::Area { fill: SHEET, edge: Some(color(0)) }));
+    for (i, dimension) in across.iter().enumerate() {
+        let (x, z) = (reach(dimension).x, bottom + px * ROW * (i as f64 + 0.8));
+        series.push(Series::silent(vec![(x, 0.0), (x, z + 4.0 * px)], EXTENSION));
+        series.extend(arrow([(0.0, z), (x, z)], px));
+    }
+    // Labels after all lines: they lie on white.
+    for (i, dimension) in across.iter().enumerate() {
+        let z = bottom + px * ROW * (i as f64 + 0.8);
+        series.push(Series::new(dimension.text(), vec![(14.0 * px, z - 12.0 * px)], Look::Text));
+    }
+    let step = (bottom - top) / (1.0 + aside.len() as f64);
+    for (i, dimension) in aside.iter().enumerate() {
+        let (from, at) = (reach(dimension), (width + 20.0 * px, top + step * (i as f64 + 1.0)));
+        if let Mark::Along { r, from, to } = dimension.mark {
+            series.extend(arrow([(r, from), (r, to)], px));
+        }
+        series.push(Series::silent(vec![(from.x, from.y), (at.0 - 4.0 * px, at.1)], THIN));
+        series.push(Series::new(dimension.text(), vec![at], Look::Text));
+    }
+    let axis = |key, label| Column::new(key, label, Unit::Mm, Vec::new()).axis();
+    let r = worded(model.geometry, "Distance from the axis", "Distance from the symmetry plane");
+    Chart {
+        title: "Section at the start".to_owned(),
+        legend: "",
+        panels: vec![Panel {
+            x: axis("r", r),
+            y: axis("z", "z, along punch travel"),
+            series,
+            scale: Scale::Section { x: (0.0, width + beside * px), y: (top, bottom + px * below) },
+        }],
+        notes: vec!["Blue: the blank. Grey: the tools, where they touch the flat sheet.".to_owned()],
+    }
+}
+
+/// The point that a dimension leads to.
+fn reach(dimension: &Dimension) -> Point {
+    match dimension.mark {
+        Mark::Across(r) => Point::new(r, 0.0),
+        Mark::Along { r, from, to } => Point::new(r, 0.5 * (from + to)),
+        Mark::At(point) => point,
+    }
+}
+
+/// The far end of a line along z.
+fn lower_end(dimension: &Dimension) -> Option<Point> {
+    match dimension.mark {
+        Mark::Along { r, to, .. } => Some(Point::new(r, to)),
+        _ => None,
+    }
+}
+
+/// A line with a head at its end, `px` mm per px.
+fn arrow([from, to]: [(f64, f64); 2], px: f64) -> [Series; 2] {
+    let (a, b) = (Point::new(from.0, from.1), Point::new(to.0, to.1));
+    let along = (b - a).try_normalize(0.0).unwrap_or_default();
+    let (back, side) = (b - HEAD[0] * px * along, HEAD[1] * px * Point::new(-along.y, along.x));
+    let head = [b, back + side, back - side].map(|p| (p.x, p.y)).to_vec();
+    [Series::silent(vec![from, to], THIN), Series::silent(head, Look::Area { fill: BLACK, edge: None })]
+}

@@ -1,0 +1,87 @@
+//! A document as one HTML file: pictures and style inside, nothing fetched from elsewhere.
+
+use super::document::{Block, Document, Picture, Row};
+use super::{MARKER, PROGRAM};
+use crate::verdict::Light;
+use maud::{DOCTYPE, Markup, PreEscaped, html as markup};
+
+const STYLE: &str = include_str!("style.css");
+
+/// The whole file.
+pub fn html(document: &Document) -> String {
+    let mut number = 0;
+    let page = markup! {
+        (DOCTYPE)
+        html lang="en" {
+            head {
+                meta charset="utf-8";
+                meta name="viewport" content="width=device-width, initial-scale=1";
+                meta name="generator" content={ (MARKER) " " (env!("CARGO_PKG_VERSION")) };
+                title { (document.title) }
+                style { (PreEscaped(STYLE)) }
+            }
+            body {
+                main {
+                    h1 { (document.title) }
+                    @for section in &document.sections {
+                        section {
+                            h2 { (section.heading) }
+                            @for part in &section.blocks { (block(part, &mut number)) }
+                        }
+                    }
+                }
+                footer { "Written by " (PROGRAM) "." }
+            }
+        }
+    };
+    page.into_string()
+}
+
+fn block(block: &Block, number: &mut usize) -> Markup {
+    match block {
+        Block::Paragraph(text) => markup! { p { (text) } },
+        Block::List(entries) => markup! { ul { @for entry in entries { li { (entry) } } } },
+        Block::Table { head, rows } => table(head, rows),
+        Block::Picture(Picture { caption, svg, .. }) => {
+            *number += 1;
+            markup! {
+                figure {
+                    div.picture role="img" aria-label=(caption) { (PreEscaped(inline(svg))) }
+                    figcaption { "Figure " (number) ": " (caption) "." }
+                }
+            }
+        }
+    }
+}
+
+fn table(head: &[&str], rows: &[Row]) -> Markup {
+    markup! {
+        div.table {
+            table.{ "columns-" (head.len()) } {
+                thead { tr { @for cell in head { th scope="col" { (cell) } } } }
+                tbody {
+                    @for row in rows {
+                        tr {
+                            @for (i, cell) in row.cells.iter().enumerate() {
+                                td class=[row.light.filter(|_| i == 0).map(class)] { (cell) }
+                            }
+                        }
+                    }
+                }
+            }
+        }
+    }
+}
+
+fn class(light: Light) -> &'static str {
+    match light {
+        Light::Green => "green",
+        Light::Amber => "amber",
+        Light::Red => "red",
+    }
+}
+
+/// An SVG inside HTML needs no namespace, and is as wide as its place.
+fn inline(svg: &str) -> String {
+    svg.replacen(" xmlns=\"http://www.w3.org/2000/svg\"", "", 1)
+}

@@ -1,0 +1,80 @@
+//! What came out, stage by stage: the summary's lines, every plot of a run, and of a release its spring-back.
+
+use super::Report;
+use super::document::{Block, Picture, Row, Section};
+use super::solver::{figures, is_ours};
+use crate::measure::{Change, Shape, changes as measured};
+use crate::model::Model;
+use crate::output::{Chart, Make, OUTPUTS, Subject, Summary, residual_stress, springback, svg};
+use crate::record::Run;
+use crate::table::four_digits;
+
+/// Lines that the section on the case has.
+const SAID: [&str; 3] = ["case", "title", "section"];
+
+pub(super) fn sections(report: &Report) -> Vec<Section> {
+    let subjects = report.subjects().enumerate();
+    subjects
+        .map(|(i, subject)| {
+            let lines = Summary::of(&subject);
+            let lines = lines.figures().filter(|figure| !is_ours(figure) && !SAID.contains(&figure.key));
+            let mut blocks = vec![figures(lines)];
+            blocks.extend(release(report, i));
+            blocks.extend(plots(&subject));
+            Section { heading: format!("{}Results", report.stage(i)), blocks }
+        })
+        .collect()
+}
+
+/// Every plot that a run writes. What the report lists elsewhere (assumptions, warnings, settings) is not repeated below
+/// each.
+fn plots(subject: &Subject) -> Vec<Block> {
+    let model = Model { notes: Vec::new(), ..subject.model.clone() };
+    let run = Run { warnings: Vec::new(), ..subject.run.clone() };
+    let bare = Subject { model: &model, run: &run, overrides: &[], ..*subject };
+    let plots = OUTPUTS.iter().filter_map(|output| match output.make {
+        Make::Plot(make) => Some((output, make(&bare)?)),
+        Make::Table(_) | Make::Text(_) => None,
+    });
+    plots.map(|(output, chart)| picture(output.file.trim_end_matches(".png"), output.about, chart, &model)).collect()
+}
+
+/// Spring-back and residual stress of a stage that takes its tools away.
+fn release(report: &Report, i: usize) -> Vec<Block> {
+    let Some([before, now]) = released(report, i) else { return Vec::new() };
+    let (Some(from), Some(to)) = (before.run.frames.last(), now.run.frames.last()) else { return Vec::new() };
+    let bare = |model: &Model| Model { notes: Vec::new(), ..model.clone() };
+    let number = |value: Option<f64>| value.map_or_else(|| "none".to_owned(), four_digits);
+    let rows = changes(report, i).into_iter().map(|c| {
+        let [a, b, d] = [c.before, c.after, c.change()].map(number);
+        Row::plain([c.quantity.label.to_owned(), a, b, d, c.quantity.unit.symbol().to_owned()])
+    });
+    let table = Block::Table { head: vec!["Spring-back", "Before", "After", "Change", "Unit"], rows: rows.collect() };
+    let (old, new) = (bare(&before.model), bare(&now.model));
+    let shapes = picture("springback", "the section before and after release", springback::plot(from, to, &old), &old);
+    let stress = residual_stress::plot(to, &new)
+        .map(|chart| picture("residual_stress", "residual stress through the thickness", chart, &new));
+    [table, shapes].into_iter().chain(stress).collect()
+}
+
+/// What was measured before and after a stage that takes its tools away; nothing for other stages.
+pub(super) fn changes(report: &Report, i: usize) -> Vec<Change> {
+    let frames = released(report, i).map(|passes| passes.each_ref().map(|pass| pass.run.frames.last()));
+    match frames {
+        Some([Some(from), Some(to)]) => measured(&Shape::of(from), &Shape::of(to)),
+        _ => Vec::new(),
+    }
+}
+
+/// A release stage, with the one before it.
+fn released<'a>(report: &Report<'a>, i: usize) -> Option<&'a [crate::solver::Pass; 2]> {
+    let pair: &[crate::solver::Pass; 2] = report.passes.get(i.checked_sub(1)?..=i)?.try_into().ok()?;
+    pair[1].model.release.is_some().then_some(pair)
+}
+
+/// A picture whose title leaves out the case's, which the report has above all.
+fn picture(name: &str, about: &str, chart: Chart, model: &Model) -> Block {
+    let title = chart.title.strip_prefix(&format!("{}: ", model.title)).unwrap_or(&chart.title);
+    let svg = svg(&Chart { title: crate::table::capitalised(title), ..chart });
+    Block::Picture(Picture { name: name.to_owned(), caption: about.to_owned(), svg })
+}

@@ -1,0 +1,28 @@
+//! The verdict, line by line: a light as a sign, a word and a colour.
+
+use super::document::{Block, Row, Section};
+use crate::verdict::{Finding, Light};
+
+pub(super) fn section(findings: &[Finding]) -> Section {
+    let rows = findings.iter().map(|finding| Row {
+        cells: vec![
+            word(finding.light).to_owned(),
+            finding.label.to_owned(),
+            finding.found.clone(),
+            format!("{} ({})", finding.limit, finding.source),
+            finding.advice.clone(),
+        ],
+        light: Some(finding.light),
+    });
+    let head = vec!["Light", "Question", "Found, with its unit", "Limit, with its unit (source)", "What to change"];
+    Section { heading: "Verdict".into(), blocks: vec![Block::Table { head, rows: rows.collect() }] }
+}
+
+/// Sign and word: the colour only repeats them.
+fn word(light: Light) -> &'static str {
+    match light {
+        Light::Green => "● within",
+        Light::Amber => "▲ near",
+        Light::Red => "■ beyond",
+    }
+}

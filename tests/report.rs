@@ -1,0 +1,124 @@
+//! Reports: whole, self-contained, with units, and with no number that the JSON has not.
+
+#[path = "common/cli.rs"]
+mod cli;
+
+use cli::{CUP, STAGES, folder, stampflow, text};
+use scraper::{Html, Selector};
+use serde_json::Value;
+use std::fs;
+
+const PARTS: [&str; 7] = ["Case", "Verdict", "Section", "Inputs", "Assumptions", "Warnings", "Solver"];
+
+const RELEASE: &str = include_str!("../cases/hat_springback.toml");
+const LIMIT: &str = include_str!("../cases/stretch_limit.toml");
+
+/// The HTML and the JSON of a case.
+fn report(case: &str) -> (String, Value) {
+    let dir = folder(case);
+    let done = stampflow(dir.path(), &["report", "cases/cup.toml", "--json"]);
+    assert!(matches!(done.status.code(), Some(0 | 3)), "{}", text(&done.stderr));
+    let html = fs::read_to_string(dir.path().join("out/cup/report.html")).unwrap();
+    (html, serde_json::from_slice(&done.stdout).unwrap())
+}
+
+fn texts(page: &Html, selector: &str) -> Vec<String> {
+    page.select(&Selector::parse(selector).unwrap()).map(|e| e.text().collect()).collect()
+}
+
+/// Numbers written in a text, as they are written.
+fn numbers(text: &str) -> Vec<String> {
+    let is_part = |c: char| c.is_ascii_digit() || matches!(c, '.' | '-' | 'e');
+    text.split(|c| !is_part(c))
+        .map(|t| t.trim_matches(['.', 'e']))
+        .filter(|t| t.parse::<f64>().is_ok())
+        .map(str::to_owned)
+        .collect()
+}
+
+fn collect(value: &Value, found: &mut Vec<f64>) {
+    match value {
+        Value::Number(n) => found.extend(n.as_f64()),
+        Value::String(s) => found.extend(numbers(s).iter().filter_map(|n| n.parse::<f64>().ok())),
+        Value::Array(a) => a.iter().for_each(|v| collect(v, found)),
+        Value::Object(o) => o.values().for_each(|v| collect(v, found)),
+        _ => {}
+    }
+}
+
+/// Half of the last digit that is written: what rounding may take.
+fn rounding(written: &str) -> f64 {
+    let (mantissa, exponent) = written.split_once('e').unwrap_or((written, "0"));
+    let decimals = mantissa.split_once('.').map_or(0, |(_, d)| d.len() as i32);
+    0.5001 * 10f64.powi(exponent.parse::<i32>().unwrap() - decimals)
+}
+
+#[test]
+fn a_report_is_whole_self_contained_and_agrees_with_its_json() {
+    let staged = format!("{CUP}{STAGES}");
+    for (case, extra) in [(CUP, ""), (&staged, "Stage 2-retract"), (RELEASE, "Spring-back"), (LIMIT, "Forming limit")] {
+        let (html, json) = report(case);
+        let page = Html::parse_document(&html);
+        assert!(page.errors.is_empty(), "{:?}", page.errors);
+        for outside in ["http:", "https:", "src=", "url(", "@import", "<script", "<link", "xlink", " id="] {
+            assert!(!html.contains(outside), "{outside}");
+        }
+        let headings = texts(&page, "h2");
+        for part in PARTS.iter().chain(&["Results"]) {
+            assert!(headings.iter().any(|h| h.ends_with(part)), "{part} in {headings:?}");
+        }
+        let pictures = page.select(&Selector::parse("figure svg").unwrap()).count();
+        assert!(pictures >= 5 && texts(&page, "main").concat().contains(extra), "{pictures} {extra}");
+        for head in texts(&page, "thead tr") {
+            assert!(head.to_lowercase().contains("unit"), "{head}");
+        }
+        let mut known = Vec::new();
+        collect(&json, &mut known);
+        // The first column has names: SHA-256.
+        for cell in texts(&page, "td:not(:first-child)") {
+            for written in numbers(&cell) {
+                let value: f64 = written.parse().unwrap();
+                let near = known.iter().any(|k| (k - value).abs() <= rounding(&written) || *k == value);
+                assert!(near, "{written} of {cell:?} is not in the JSON");
+            }
+        }
+    }
+}
+
+#[test]
+fn text_of_a_case_is_escaped() {
+    let (html, _) = report(&CUP.replace("title = \"Cup\"", "title = \"<b>Cup</b> & <script>\""));
+    assert!(html.contains("&lt;b&gt;Cup&lt;/b&gt; &amp; &lt;script&gt;") && !html.contains("<script"));
+}
+
+#[test]
+fn markdown_has_all_parts_and_its_pictures_beside_it() {
+    let dir = folder(CUP);
+    for _ in 0..2 {
+        let done = stampflow(dir.path(), &["report", "cases/cup.toml", "-q", "-o", "cup.md"]);
+        assert_eq!(done.status.code(), Some(0), "{}", text(&done.stderr));
+    }
+    let md = fs::read_to_string(dir.path().join("cup.md")).unwrap();
+    for part in PARTS {
+        assert!(md.contains(&format!("## {part}\n")), "{part}");
+    }
+    let targets: Vec<&str> = md.split("](").skip(1).filter_map(|rest| rest.split(')').next()).collect();
+    assert!(targets.len() >= 5);
+    for target in targets {
+        assert!(fs::read_to_string(dir.path().join(target)).unwrap().starts_with("<svg"), "{target}");
+    }
+}
+
+#[test]
+fn files_of_others_are_left_alone() {
+    let dir = folder(CUP);
+    let path = dir.path().join("mine.html");
+    fs::write(&path, "mine").unwrap();
+    let args = ["report", "cases/cup.toml", "-q", "-o", "mine.html"];
+    let done = stampflow(dir.path(), &args);
+    assert_eq!(done.status.code(), Some(2));
+    assert!(text(&done.stderr).contains("--force"), "{}", text(&done.stderr));
+    assert_eq!(fs::read_to_string(&path).unwrap(), "mine");
+    assert_eq!(stampflow(dir.path(), &[&args[..], &["--force"]].concat()).status.code(), Some(0));
+    assert_eq!(stampflow(dir.path(), &args).status.code(), Some(0), "a report of ours is replaced");
+}
