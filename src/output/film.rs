@@ -7,7 +7,7 @@ use super::{Subject, load_travel, profile, progress, reaches, shapes, svg};
 use crate::record::Frame;
 use std::path::{Path, PathBuf};
 
-/// The file that [`write`] makes.
+/// The file that [`write()`] makes.
 pub const FILE: &str = "shapes.gif";
 
 /// How many pictures are wanted of a run: every second of its steps, which are at most a hundredth of it by default.

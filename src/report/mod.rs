@@ -121,8 +121,8 @@ impl<'a> Report<'a> {
 
     /// `1-draw: ` before the headings of a stage; nothing where there is one only.
     fn stage(&self, i: usize) -> String {
-        let names = std::iter::once(&self.case.first).chain(self.case.later.iter().map(|stage| &stage.name));
-        match names.skip(i).next() {
+        let mut names = std::iter::once(&self.case.first).chain(self.case.later.iter().map(|stage| &stage.name));
+        match names.nth(i) {
             Some(name) if !self.case.later.is_empty() => format!("{}: ", stage_folder(i, name)),
             _ => String::new(),
         }
