@@ -85,9 +85,9 @@ pub(super) fn plot(subject: &Subject) -> Option<Chart> {
 }
 
 /// Punch and holder force over the travel, and the held edge's force where there is one; under gas alone, its pressure
-/// over the height of the dome. One point per step in every series.
+/// over the height of the dome; nothing while the tools are taken away. One point per step in every series.
 pub(super) fn panel(subject: &Subject, height: f64) -> Option<Panel> {
-    subject.run.history.first()?;
+    subject.run.history.first().filter(|_| subject.model.release.is_none())?;
     let table = table(subject.model, subject.run);
     let scale = Scale::Fit { height, least: 0.0 };
     if subject.model.travel == 0.0 {

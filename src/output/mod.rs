@@ -260,6 +260,7 @@ fn shown(frames: &[Frame]) -> impl Iterator<Item = &Frame> {
 fn progress(model: &Model) -> &'static str {
     match model.rate_control() {
         _ if model.travel > 0.0 => "Punch travel",
+        _ if model.release.is_some() => "Tools' forces gone",
         Some(_) => "Time",
         None => "Dome height",
     }
@@ -271,11 +272,12 @@ fn reached(model: &Model, frame: &Frame) -> String {
     format!("{} {}", shortened(value), unit.symbol())
 }
 
-/// What a frame is named by: its travel; without a punch the time where a strain rate is held, or else the height of the
-/// dome.
+/// What a frame is named by: its travel; while the tools are taken away by the share of their forces that is gone; without
+/// a punch the time where a strain rate is held, or else the height of the dome.
 fn reaches(model: &Model, frame: &Frame) -> (f64, Unit) {
     match model.rate_control() {
         _ if model.travel > 0.0 => (frame.travel, Unit::Mm),
+        _ if model.release.is_some() => (100.0 * frame.time / model.duration, Unit::Percent),
         Some(_) => (frame.time, Unit::Second),
         None => (frame.nodes.first().map_or(0.0, |pole| pole.z.abs()), Unit::Mm),
     }

@@ -25,5 +25,5 @@ pub(super) fn section(report: &Report) -> Section {
     ];
     let rows = rows.into_iter().filter(|(_, value)| !value.is_empty());
     let rows = rows.map(|(label, value)| Row::plain([label.to_owned(), value])).collect();
-    Section { heading: "Case".into(), blocks: vec![Block::Table { head: vec!["", "As given (no unit)"], rows }] }
+    Section { heading: "Case".into(), blocks: vec![Block::Table { head: vec!["What", "Which"], rows }] }
 }
