@@ -45,6 +45,30 @@ fn a_run_prints_its_summary_as_json_an_array_for_several() {
 }
 
 #[test]
+fn materials_templates_and_drawings_answer_in_json() {
+    let dir = folder(CUP);
+    let all = silent(&stampflow(dir.path(), &["materials", "--json"]), 0);
+    let first = &all.as_array().unwrap()[0];
+    assert_eq!(&silent(&stampflow(dir.path(), &["materials", first["name"].as_str().unwrap(), "--json"]), 0), first);
+    assert!(first["source"].as_str().is_some_and(|source| !source.is_empty()), "{first}");
+
+    let templates = silent(&stampflow(dir.path(), &["new", "--list", "--json"]), 0);
+    for template in templates.as_array().unwrap() {
+        let name = template["name"].as_str().unwrap();
+        let printed = stampflow(dir.path(), &["new", name]);
+        assert_eq!(
+            silent(&stampflow(dir.path(), &["new", name, "--json"]), 0)["case"],
+            text(&printed.stdout),
+            "{name}"
+        );
+    }
+    let drawing = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/drawings/ezdxf_lines_and_arcs.dxf");
+    let said = silent(&stampflow(dir.path(), &["import", drawing, "-o", "drawn.toml", "--json"]), 0);
+    assert!(["case", "picture"].iter().all(|key| dir.path().join(said[key].as_str().unwrap()).is_file()), "{said}");
+    assert!(said["tools"].as_array().is_some_and(|tools| tools.len() >= 2), "{said}");
+}
+
+#[test]
 fn an_early_end_is_json_with_code_three() {
     let dir = folder(CUP);
     let set = ["--set", "solver.max_iterations=3", "--set", "solver.min_step=0.002"];

@@ -1,10 +1,12 @@
 //! `stampflow import`: from a drawing to a case file.
 
 use super::code::{BadRequest, unusable};
+use super::json::{Json, say_json};
 use super::{Code, say};
 use anyhow::Context;
+use serde_json::json;
 use stampflow::case::{self, Draft};
-use stampflow::import::{self, DrawingUnit, Heading, Options, Sections};
+use stampflow::import::{self, DrawingUnit, Heading, Options, Section, Sections};
 use stampflow::model::{Geometry, Role};
 use stampflow::output::{can_write, png, sketch, svg, write};
 use stampflow::quantity::{Length, Positive, Quantity};
@@ -68,6 +70,8 @@ pub struct Args {
     /// Punch travel [default: a placeholder]
     #[arg(long, value_name = "LENGTH")]
     travel: Option<Positive<Length>>,
+    #[command(flatten)]
+    json: Json,
 }
 
 /// One of a list, by its name.
@@ -130,6 +134,12 @@ pub fn import(args: &Args) -> anyhow::Result<Code> {
     write(&out, text.as_bytes())?;
     write(&picture, &png(&svg(&sketch(&name, args.geometry, &sections))))?;
     let derived = case.map_or_else(Vec::new, |case| case.derived);
+    if args.json.json {
+        let tool = |tool: &Section| json!({ "tool": tool.role.name(), "pieces": tool.profile.pieces().len(), "made_of": tool.made_of });
+        let tools: Vec<_> = sections.tools.iter().map(tool).collect();
+        let notes: Vec<_> = sections.notes.iter().chain(&derived).collect();
+        return say_json(&json!({ "case": out, "picture": picture, "tools": tools, "notes": notes }));
+    }
     let mut said = report(&sections, &derived);
     let _ = writeln!(said, "\n{} and {} are written", out.display(), picture.display());
     if sections.tool(Role::Punch).is_some() {

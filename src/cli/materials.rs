@@ -1,11 +1,14 @@
 //! `stampflow materials`: the built-in library.
 
 use super::code::unusable;
+use super::json::{Json, say_json};
 use super::{Code, say};
 use anyhow::Result;
+use serde_json::{Value, json};
 use stampflow::case::library::{self, Entry};
 use stampflow::forming_limit::{Curve, Hill, Kind, MarciniakKuczynski};
 use stampflow::output::{Chart, can_write, flow_curve, png, svg, write};
+use stampflow::quantity::rounded;
 use std::path::PathBuf;
 
 pub const HELP: &str = "\
@@ -23,10 +26,17 @@ pub struct Args {
     /// Also draw its flow curve and the limits that follow from it
     #[arg(long, value_name = "FILE.png", requires = "name")]
     plot: Option<PathBuf>,
+    #[command(flatten)]
+    json: Json,
 }
 
 pub fn materials(args: &Args) -> Result<Code> {
-    let Some(name) = &args.name else { return say(&library::list()?) };
+    let Some(name) = &args.name else {
+        return match args.json.json {
+            true => say_json(&library::materials()?.iter().map(of).collect::<Vec<_>>()),
+            false => say(&library::list()?),
+        };
+    };
     let entry = library::material(name)?;
     let mut text = entry.describe();
     if let Some(path) = &args.plot {
@@ -34,7 +44,26 @@ pub fn materials(args: &Args) -> Result<Code> {
         write(path, &png(&svg(&chart(&entry))))?;
         text += &format!("\n{} written\n", path.display());
     }
-    say(&text)
+    if args.json.json { say_json(&of(&entry)) } else { say(&text) }
+}
+
+/// An entry for programs; the table to paste says the law with its units.
+fn of(entry: &Entry) -> Value {
+    json!({
+        "name": entry.name,
+        "title": entry.title,
+        "law": entry.material.describe(),
+        "n": entry.n().map(rounded),
+        "r": entry.material.anisotropy.ratio(),
+        "young_MPa": entry.material.elastic.map(|elastic| elastic.young),
+        "poisson": entry.material.elastic.map(|elastic| elastic.poisson),
+        "thickness": entry.thickness,
+        "source": entry.source,
+        "grade": entry.grade,
+        "licence": entry.licence,
+        "notes": entry.notes,
+        "case": entry.text,
+    })
 }
 
 /// The flow curve, and the limits of the law where they can be computed.

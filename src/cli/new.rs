@@ -1,8 +1,10 @@
 //! `stampflow new`: a case file to begin with. Its subcommands and their options are read off the list of templates.
 
 use super::code::{BadRequest, Code, unusable};
+use super::json::say_json;
 use super::say;
 use clap::{Arg, ArgAction, ArgMatches, Command, value_parser};
+use serde_json::{Value, json};
 use stampflow::case::template::{self, Choice, SHEET, TEMPLATES, Template};
 use stampflow::output::{can_write, write};
 use std::path::{Path, PathBuf};
@@ -10,28 +12,64 @@ use std::path::{Path, PathBuf};
 /// What was asked for.
 #[derive(Debug)]
 pub enum Args {
-    List,
+    List {
+        json: bool,
+    },
     Case {
         template: &'static Template,
         /// Names of options and their values.
         given: Vec<(&'static str, String)>,
         output: Option<PathBuf>,
         force: bool,
+        json: bool,
     },
 }
 
 pub fn new(args: &Args) -> anyhow::Result<Code> {
-    let Args::Case { template, given, output, force } = args else { return say(&template::list()) };
+    let (template, given, output, force, json) = match args {
+        Args::List { json: true } => return say_json(&TEMPLATES.iter().map(of).collect::<Vec<_>>()),
+        Args::List { json: false } => return say(&template::list()),
+        Args::Case { template, given, output, force, json } => (template, given, output, force, json),
+    };
     let given: Vec<(&str, &str)> = given.iter().map(|(key, value)| (*key, value.as_str())).collect();
     let text = template.fill(&given)?;
-    let Some(path) = output else { return say(&text) };
+    let Some(path) = output else {
+        return if *json { say_json(&json!({ "template": template.name, "case": text })) } else { say(&text) };
+    };
     if !force && path.symlink_metadata().is_ok() {
         let what = format!("{} is there already and was left as it is", path.display());
         return Err(BadRequest(format!("{what}: choose another name, or replace it with --force")).into());
     }
     can_write(path).map_err(unusable("--output"))?;
     write(path, text.as_bytes())?;
+    if *json {
+        return say_json(&json!({ "template": template.name, "file": path }));
+    }
     say(&written(path))
+}
+
+/// A template for programs.
+fn of(template: &Template) -> Value {
+    let option = |choice: &Choice| {
+        json!({
+            "key": choice.key,
+            "value": choice.kind.placeholder(),
+            "about": choice.about,
+            "default": choice.default.words(),
+        })
+    };
+    json!({
+        "name": template.name,
+        "about": template.about,
+        "options": template.options().map(option).collect::<Vec<_>>(),
+    })
+}
+
+fn json() -> Arg {
+    Arg::new("json")
+        .long("json")
+        .action(ArgAction::SetTrue)
+        .help("Print JSON for programs instead, and errors as JSON too")
 }
 
 fn written(path: &Path) -> String {
@@ -44,6 +82,7 @@ impl clap::Args for Args {
         command
             .override_usage(format!("stampflow new <{}> [OPTIONS]\n       stampflow new --list", names.join("|")))
             .arg(Arg::new("list").long("list").action(ArgAction::SetTrue).help("List all templates with their options"))
+            .arg(json())
             .subcommands(TEMPLATES.iter().map(subcommand))
             .subcommand_value_name("TEMPLATE")
             .subcommand_help_heading("Templates")
@@ -78,6 +117,7 @@ fn subcommand(template: &Template) -> Command {
                 .help("Write the case there instead of printing it"),
         )
         .arg(Arg::new("force").long("force").action(ArgAction::SetTrue).help("Replace a file that is there"))
+        .arg(json())
 }
 
 fn option(choice: &'static Choice, heading: &'static str) -> Arg {
@@ -91,7 +131,9 @@ fn option(choice: &'static Choice, heading: &'static str) -> Arg {
 
 impl clap::FromArgMatches for Args {
     fn from_arg_matches(matches: &ArgMatches) -> Result<Self, clap::Error> {
-        let Some((name, matches)) = matches.subcommand() else { return Ok(Self::List) };
+        let Some((name, matches)) = matches.subcommand() else {
+            return Ok(Self::List { json: matches.get_flag("json") });
+        };
         let template = template::find(name).expect("subcommands are templates");
         let value = |choice: &'static Choice| Some((choice.key, matches.get_one::<String>(choice.key)?.clone()));
         Ok(Self::Case {
@@ -99,6 +141,7 @@ impl clap::FromArgMatches for Args {
             given: template.options().filter_map(value).collect(),
             output: matches.get_one::<PathBuf>("output").cloned(),
             force: matches.get_flag("force"),
+            json: matches.get_flag("json"),
         })
     }
 
