@@ -96,8 +96,10 @@ impl Observer for Watch {
         let done = record.time / self.duration;
         let load = if record.travel > 0.0 {
             format!("travel {:.2} mm, force {:.0} {}", record.travel, record.punch_force, self.force_unit)
-        } else {
+        } else if record.pressure != 0.0 {
             format!("height {:.2} mm, pressure {:.3} MPa", record.pole_height, record.pressure)
+        } else {
+            format!("time {:.2} s", record.time)
         };
         let state = format!(
             "{load}, step {}, {:.0} % left at the thinnest, {:.0} % sticking, {} flips",
