@@ -231,8 +231,9 @@ impl TwinLaw<'_> {
             }
             let mut m: Triple = each(|j| radius.stress + x * (modulus + both[j]));
             let m_slope: Triple = each(|j| radius.slope + modulus + both[j] + x * modulus_slope);
-            let mut n: Triple = each(|j| eta[j] / m[j]);
-            let n_slope: Triple = each(|j| (recalled[j] - n[j] * m_slope[j]) / m[j]);
+            let inverse = each(|j| 1.0 / m[j]);
+            let mut n: Triple = each(|j| eta[j] * inverse[j]);
+            let n_slope: Triple = each(|j| (recalled[j] - n[j] * m_slope[j]) * inverse[j]);
             let square = p[0] * n[0] * n[0] + p[1] * n[1] * n[1] + p[2] * n[2] * n[2];
             let slope = p[0] * n[0] * n_slope[0] + p[1] * n[1] * n_slope[1] + p[2] * n[2] * n_slope[2];
             if square > 1.0 {
