@@ -52,7 +52,7 @@ pub(super) struct Workspace {
     pub tool_position: Vec<f64>,
     pub tool_aside: Vec<f64>,
     pub iterates: Vec<Iterate>,
-    /// What the twin keeps instead of an iterate.
+    /// What the twin keeps instead of an iterate; a step's first guesses are the last one's answers.
     pub twins: Vec<TwinTrial>,
     pub responses: Vec<Response>,
     pub thickness: Vec<f64>,
@@ -334,7 +334,6 @@ impl Workspace {
         for (iterate, point) in self.iterates.iter_mut().zip(&state.layers) {
             *iterate = Iterate::start(point.carried);
         }
-        self.twins.fill(TwinTrial::default());
         self.average_iterates(model, state);
     }
 
