@@ -46,6 +46,7 @@ pub use schema::schema;
 
 use crate::compare::Spec;
 use crate::model::Model;
+use crate::solver::Pass;
 use crate::stage::{Beginning, Stage};
 use source::Source;
 use std::fs::File;
@@ -78,6 +79,16 @@ impl Case {
     pub fn stages(&self) -> Vec<Stage> {
         let first = Stage { name: self.first.clone(), model: self.model.clone(), begin: Beginning::default() };
         std::iter::once(first).chain(self.later.iter().cloned()).collect()
+    }
+
+    /// The names of all stages.
+    pub fn stage_names(&self) -> impl Iterator<Item = &str> {
+        std::iter::once(self.first.as_str()).chain(self.later.iter().map(|stage| stage.name.as_str()))
+    }
+
+    /// Whether every stage was run and came to its end.
+    pub fn is_completed_by(&self, passes: &[Pass]) -> bool {
+        passes.len() == 1 + self.later.len() && passes.iter().all(|pass| pass.run.stop.is_complete())
     }
 }
 

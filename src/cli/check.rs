@@ -5,8 +5,8 @@ use super::progress::{Kept, Progress};
 use super::table::{Tone, table};
 use super::{Code, Overrides, say};
 use serde_json::json;
-use stampflow::case::{self, Case, check::Check};
-use stampflow::solver::{Pass, run_stages};
+use stampflow::case::{self, check::Check};
+use stampflow::solver::Pass;
 use stampflow::verdict::{Finding, Light, judge};
 use std::fmt::Write;
 use std::path::PathBuf;
@@ -45,9 +45,10 @@ pub fn check(args: &Args) -> anyhow::Result<Code> {
     if !args.run {
         return if args.json.json { say_json(&report) } else { say(&report.to_string()) };
     }
-    let passes = solve(args, &case);
+    let watch = Progress::new(args.quiet || args.json.json).watch(&case, Kept::default());
+    let (passes, ..) = watch.solve(&case);
     let findings = judge(&case, &passes);
-    let complete = passes.len() == 1 + case.later.len() && passes.iter().all(|pass| pass.run.stop.is_complete());
+    let complete = case.is_completed_by(&passes);
     if args.json.json {
         let mut value = serde_json::to_value(&report)?;
         value["complete"] = json!(complete);
@@ -58,15 +59,6 @@ pub fn check(args: &Args) -> anyhow::Result<Code> {
         say(&printed(&report, &findings, &passes))?;
     }
     Ok(if complete { Code::Done } else { Code::StoppedEarly })
-}
-
-fn solve(args: &Args, case: &Case) -> Vec<Pass> {
-    let mut watch = Progress::new(args.quiet || args.json.json).watch(&case.name, &case.model, Kept::default());
-    let passes = run_stages(&case.stages(), &mut watch);
-    if let Some(last) = passes.last() {
-        watch.finish(&last.run);
-    }
-    passes
 }
 
 /// What the solver said of every stage.

@@ -2,18 +2,16 @@
 
 use super::progress::{Kept, Watch};
 use rayon::prelude::*;
-use stampflow::Stage;
 use stampflow::case::{self, Case};
 use stampflow::compare::{CompareError, Comparison, Computed, compare};
-use stampflow::model::Model;
 use stampflow::output::{
     StageLine, Subject, WriteError, film, load_travel, profile, remove_stale, residual_stress, springback,
     stage_folder, stages_report, vtk, write_all, write_comparison, write_stages,
 };
 use stampflow::record::Run;
-use stampflow::solver;
+use stampflow::solver::{Pass, released};
 use std::path::{Path, PathBuf};
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 /// A case whose input was found to be in order.
 pub struct Job {
@@ -21,16 +19,11 @@ pub struct Job {
     pub overrides: Vec<String>,
 }
 
-/// A stage that was run, and what its results are called.
-struct Pass {
-    name: String,
-    model: Model,
-    run: Run,
-}
-
 /// A case with its runs, one for each stage that was run.
 pub struct Solved {
     job: Job,
+    /// What the results of each stage are called.
+    names: Vec<String>,
     passes: Vec<Pass>,
     wall: Duration,
     pub comparisons: Vec<Comparison>,
@@ -46,23 +39,17 @@ impl Job {
     }
 
     /// Runs the case under a watch.
-    fn solve(self, mut watch: Watch) -> anyhow::Result<Solved> {
-        let start = Instant::now();
+    fn solve(self, watch: Watch) -> anyhow::Result<Solved> {
         let case = &self.case;
-        let mut passes = if case.later.is_empty() {
-            let run = solver::run(&case.model, &mut watch);
-            vec![Pass { name: case.name.clone(), model: case.model.clone(), run }]
-        } else {
-            let stages = case.stages();
-            let passes = solver::run_stages(&stages, &mut watch).into_iter().zip(&stages).enumerate();
-            let named = |i: usize, stage: &Stage| format!("{}/{}", case.name, stage_folder(i, &stage.name));
-            passes.map(|(i, (pass, stage))| Pass { name: named(i, stage), model: pass.model, run: pass.run }).collect()
+        let (mut passes, wall, kept) = watch.solve(case);
+        let name = |(i, stage): (usize, &str)| match case.later.is_empty() {
+            true => case.name.clone(),
+            false => format!("{}/{}", case.name, stage_folder(i, stage)),
         };
-        let wall = start.elapsed();
-        let kept = watch.finish(&passes[passes.len() - 1].run);
+        let names = case.stage_names().enumerate().map(name).collect();
         passes[0].run.warnings.extend(case::check::report(case).warnings);
         let comparisons = compared(case, &passes[0].run)?;
-        Ok(Solved { job: self, passes, wall, comparisons, kept })
+        Ok(Solved { job: self, names, passes, wall, comparisons, kept })
     }
 }
 
@@ -79,13 +66,13 @@ impl Solved {
 
     /// Whether every stage came to its end.
     pub fn is_complete(&self) -> bool {
-        self.passes.len() == 1 + self.job.case.later.len() && self.passes.iter().all(|pass| pass.run.stop.is_complete())
+        self.job.case.is_completed_by(&self.passes)
     }
 
     /// What outputs are made from, of every stage that was run.
     pub fn subjects(&self) -> impl Iterator<Item = Subject<'_>> {
         let case = &self.job.case;
-        self.passes.iter().map(|Pass { name, model, run }| Subject {
+        self.names.iter().zip(&self.passes).map(|(name, Pass { model, run, .. })| Subject {
             name,
             case_text: &case.text,
             overrides: &self.job.overrides,
@@ -107,8 +94,10 @@ impl Solved {
         if case.later.is_empty() {
             return Vec::new();
         }
-        let names = std::iter::once(case.first.as_str()).chain(case.later.iter().map(|stage| stage.name.as_str()));
-        names.enumerate().map(|(i, name)| (name, self.passes.get(i).map(|pass| (&pass.model, &pass.run)))).collect()
+        case.stage_names()
+            .enumerate()
+            .map(|(i, name)| (name, self.passes.get(i).map(|pass| (&pass.model, &pass.run))))
+            .collect()
     }
 
     /// The printed line of every stage; nothing where there is one only.
@@ -154,15 +143,9 @@ impl Solved {
 
     /// Writes what the sheet does as a stage takes its tools away; nothing for other stages.
     fn write_release(&self, stage: usize, dir: &Path) -> anyhow::Result<Vec<PathBuf>> {
-        let Some([before, now]) = stage.checked_sub(1).and_then(|i| self.passes.get(i..i + 2)) else {
-            return Ok(Vec::new());
-        };
-        let (Some(_), Some(from), Some(to)) = (now.model.release, before.run.frames.last(), now.run.frames.last())
-        else {
-            return Ok(Vec::new());
-        };
-        let mut files = springback::write(dir, from, to, &before.model)?;
-        files.extend(residual_stress::write(dir, to, &now.model)?);
+        let Some([(before, from), (now, to)]) = released(&self.passes, stage) else { return Ok(Vec::new()) };
+        let mut files = springback::write(dir, from, to, before)?;
+        files.extend(residual_stress::write(dir, to, now)?);
         Ok(files)
     }
 

@@ -2,11 +2,13 @@
 
 use super::reel::Reels;
 use indicatif::{MultiProgress, ProgressBar, ProgressStyle};
+use stampflow::case::Case;
 use stampflow::model::Model;
-use stampflow::record::{IterationRecord, Run, StepRecord};
-use stampflow::solver::Observer;
+use stampflow::record::{IterationRecord, StepRecord};
+use stampflow::solver::{Observer, Pass, run_stages};
 use stampflow::{Stage, State};
 use std::io::{self, IsTerminal};
+use std::time::{Duration, Instant};
 
 /// Ticks of a bar for the whole travel.
 const FULL: u64 = 1000;
@@ -22,7 +24,9 @@ pub enum Progress {
 pub struct Watch {
     case: String,
     name: String,
-    /// Stages that were begun; 0 where there is one only.
+    /// Whether the case has stages beside its first.
+    several: bool,
+    /// Stages that were begun.
     begun: usize,
     duration: f64,
     thickness: f64,
@@ -58,10 +62,11 @@ impl Progress {
     }
 
     /// A watch over the run of a case, and what it keeps.
-    pub fn watch(&self, name: &str, model: &Model, kept: Kept) -> Watch {
+    pub fn watch(&self, case: &Case, kept: Kept) -> Watch {
+        let Case { name, model, .. } = case;
         let shown = match self {
             Self::Bars(all) => {
-                let bar = ProgressBar::new(FULL).with_style(style()).with_prefix(name.to_owned());
+                let bar = ProgressBar::new(FULL).with_style(style()).with_prefix(name.clone());
                 Shown::Bar(all.add(bar))
             }
             Self::Lines => Shown::Lines(0),
@@ -69,8 +74,9 @@ impl Progress {
         };
         let force_unit = stampflow::output::force_unit(model.geometry).symbol();
         Watch {
-            case: name.to_owned(),
-            name: name.to_owned(),
+            case: name.clone(),
+            name: name.clone(),
+            several: !case.later.is_empty(),
             begun: 0,
             duration: model.duration,
             thickness: model.blank.thickness,
@@ -82,12 +88,15 @@ impl Progress {
 }
 
 impl Watch {
-    /// Takes the display down and returns what was kept.
-    pub fn finish(self, run: &Run) -> Kept {
+    /// Runs all stages of a case; also the time that it took, and what was kept.
+    pub fn solve(mut self, case: &Case) -> (Vec<Pass>, Duration, Kept) {
+        let start = Instant::now();
+        let passes = run_stages(&case.stages(), &mut self);
+        let wall = start.elapsed();
         if let Shown::Bar(bar) = self.shown {
-            if run.stop.is_complete() { bar.finish() } else { bar.abandon() }
+            if case.is_completed_by(&passes) { bar.finish() } else { bar.abandon() }
         }
-        self.kept
+        (passes, wall, self.kept)
     }
 }
 
@@ -125,6 +134,9 @@ impl Observer for Watch {
     }
 
     fn stage(&mut self, stage: &Stage) {
+        if !self.several {
+            return;
+        }
         self.begun += 1;
         self.duration = stage.model.duration;
         self.name = format!("{}/{}-{}", self.case, self.begun, stage.name);

@@ -9,9 +9,7 @@ use serde_json::json;
 use stampflow::case;
 use stampflow::output::{can_write, write};
 use stampflow::report::{MARKER, Report, figure_folder, html, markdown};
-use stampflow::solver;
 use std::path::{Path, PathBuf};
-use std::time::Instant;
 
 pub const HELP: &str = "\
 The HTML file holds its pictures and needs nothing else; a browser prints it to PDF (A4). Markdown comes with its pictures
@@ -65,14 +63,8 @@ pub fn report(args: &Args) -> anyhow::Result<Code> {
     }
     can_write(&path).map_err(unusable("--output"))?;
 
-    let mut watch = Progress::new(args.quiet || args.json.json).watch(&case.name, &case.model, Kept::default());
-    let start = Instant::now();
-    let passes = solver::run_stages(&case.stages(), &mut watch);
-    let wall = start.elapsed();
-    if let Some(last) = passes.last() {
-        watch.finish(&last.run);
-    }
-
+    let watch = Progress::new(args.quiet || args.json.json).watch(&case, Kept::default());
+    let (passes, wall, _) = watch.solve(&case);
     let report = Report::of(&case, &args.overrides.set, &passes, wall);
     let files = save(&report, &path, format)?;
     if args.json.json {
@@ -82,7 +74,7 @@ pub fn report(args: &Args) -> anyhow::Result<Code> {
     } else {
         say(&format!("{} is written", path.display()))?;
     }
-    Ok(if report.is_complete() { Code::Done } else { Code::StoppedEarly })
+    Ok(if case.is_completed_by(&passes) { Code::Done } else { Code::StoppedEarly })
 }
 
 /// Writes the pictures first: a text that is there has all of them.

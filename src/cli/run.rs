@@ -78,7 +78,7 @@ pub fn run(args: &Args) -> anyhow::Result<Code> {
         |case| {
             let kept =
                 Kept { trace: args.trace.as_ref().map(|_| Vec::new()), reels: args.animate.then(Reels::default) };
-            progress.watch(&case.name, &case.model, kept)
+            progress.watch(case, kept)
         },
         |solved| {
             let dir = folder(args, several, solved.name());

@@ -63,7 +63,7 @@ pub fn validate(args: &Args) -> anyhow::Result<Code> {
     let progress = Progress::new(args.quiet || args.json.json);
     let outcomes = solve_all(
         jobs,
-        |case| progress.watch(&case.name, &case.model, Kept::default()),
+        |case| progress.watch(case, Kept::default()),
         |solved| {
             solved.write_comparisons(&args.out.join(solved.name()))?;
             Ok((solved.name().to_owned(), solved.comparisons))

@@ -103,7 +103,7 @@ impl<'a> Report<'a> {
 
     /// Whether every stage came to its end.
     pub fn is_complete(&self) -> bool {
-        self.passes.len() == 1 + self.case.later.len() && self.passes.iter().all(|pass| pass.run.stop.is_complete())
+        self.case.is_completed_by(self.passes)
     }
 
     /// What outputs are made from, stage by stage.
@@ -121,8 +121,7 @@ impl<'a> Report<'a> {
 
     /// `1-draw: ` before the headings of a stage; nothing where there is one only.
     fn stage(&self, i: usize) -> String {
-        let mut names = std::iter::once(&self.case.first).chain(self.case.later.iter().map(|stage| &stage.name));
-        match names.nth(i) {
+        match self.case.stage_names().nth(i) {
             Some(name) if !self.case.later.is_empty() => format!("{}: ", stage_folder(i, name)),
             _ => String::new(),
         }

@@ -7,6 +7,7 @@ use crate::measure::{Change, Shape, changes as measured};
 use crate::model::Model;
 use crate::output::{Chart, Make, OUTPUTS, Subject, Summary, residual_stress, springback, svg};
 use crate::record::Run;
+use crate::solver::released;
 use crate::table::four_digits;
 
 /// Lines that the section on the case has.
@@ -41,8 +42,7 @@ fn plots(subject: &Subject) -> Vec<Block> {
 
 /// Spring-back and residual stress of a stage that takes its tools away.
 fn release(report: &Report, i: usize) -> Vec<Block> {
-    let Some([before, now]) = released(report, i) else { return Vec::new() };
-    let (Some(from), Some(to)) = (before.run.frames.last(), now.run.frames.last()) else { return Vec::new() };
+    let Some([(before, from), (now, to)]) = released(report.passes, i) else { return Vec::new() };
     let bare = |model: &Model| Model { notes: Vec::new(), ..model.clone() };
     let number = |value: Option<f64>| value.map_or_else(|| "none".to_owned(), four_digits);
     let rows = changes(report, i).into_iter().map(|c| {
@@ -50,7 +50,7 @@ fn release(report: &Report, i: usize) -> Vec<Block> {
         Row::plain([c.quantity.label.to_owned(), a, b, d, c.quantity.unit.symbol().to_owned()])
     });
     let table = Block::Table { head: vec!["Spring-back", "Before", "After", "Change", "Unit"], rows: rows.collect() };
-    let (old, new) = (bare(&before.model), bare(&now.model));
+    let (old, new) = (bare(before), bare(now));
     let shapes = picture("springback", "the section before and after release", springback::plot(from, to, &old), &old);
     let stress = residual_stress::plot(to, &new)
         .map(|chart| picture("residual_stress", "residual stress through the thickness", chart, &new));
@@ -59,17 +59,8 @@ fn release(report: &Report, i: usize) -> Vec<Block> {
 
 /// What was measured before and after a stage that takes its tools away; nothing for other stages.
 pub(super) fn changes(report: &Report, i: usize) -> Vec<Change> {
-    let frames = released(report, i).map(|passes| passes.each_ref().map(|pass| pass.run.frames.last()));
-    match frames {
-        Some([Some(from), Some(to)]) => measured(&Shape::of(from), &Shape::of(to)),
-        _ => Vec::new(),
-    }
-}
-
-/// A release stage, with the one before it.
-fn released<'a>(report: &Report<'a>, i: usize) -> Option<&'a [crate::solver::Pass; 2]> {
-    let pair: &[crate::solver::Pass; 2] = report.passes.get(i.checked_sub(1)?..=i)?.try_into().ok()?;
-    pair[1].model.release.is_some().then_some(pair)
+    let frames = released(report.passes, i);
+    frames.map_or_else(Vec::new, |[(_, from), (_, to)]| measured(&Shape::of(from), &Shape::of(to)))
 }
 
 /// A picture whose title leaves out the case's, which the report has above all.

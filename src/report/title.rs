@@ -9,7 +9,7 @@ pub(super) fn section(report: &Report) -> Section {
     let case = report.case;
     let summary = report.subjects().next().map(|subject| json!(Summary::of(&subject)));
     let said = |key: &str| summary.as_ref().and_then(|s| s[key].as_str()).unwrap_or_default().to_owned();
-    let names = case.stages().into_iter().map(|stage| stage.name).collect::<Vec<_>>().join(", ");
+    let names = case.stage_names().collect::<Vec<_>>().join(", ");
     let ended = match (report.is_complete(), report.passes.last()) {
         (true, _) | (_, None) => "complete".to_owned(),
         (false, Some(last)) => format!("stopped early: {}", last.run.stop),

@@ -63,13 +63,12 @@ pub(super) fn correct(
             Norm::Both => small(outcome.velocity_norm) && small(outcome.residual_norm),
         };
         outcome.converged &= work.beyond_cap <= CAP;
-        if outcome.iterations > 0 && searches && outcome.iterations < most {
-            if let Some(back) = work.line.back(&work.system) {
-                work.advance(-back);
-                outcome.iterations += 1;
-                outcome.velocity_norm = f64::INFINITY;
-                continue;
-            }
+        let looks_back = searches && (1..most).contains(&outcome.iterations);
+        if let Some(back) = looks_back.then(|| work.line.back(&work.system)).flatten() {
+            work.advance(-back);
+            outcome.iterations += 1;
+            outcome.velocity_norm = f64::INFINITY;
+            continue;
         }
         if outcome.converged || outcome.iterations == most || !work.line.aim(&mut work.system) {
             return outcome;

@@ -4,7 +4,7 @@ use super::{Observer, run_from};
 use crate::geometry::Point;
 use crate::mesh;
 use crate::model::{Model, Role, Tool};
-use crate::record::Run;
+use crate::record::{Frame, Run};
 use crate::stage::Stage;
 use crate::state::{State, drawn, waiting};
 
@@ -23,6 +23,14 @@ pub struct Pass {
     pub run: Run,
     /// Where it ended.
     pub state: State,
+}
+
+/// The sheet before and after a stage that takes its tools away: the last frames, each with its model; `None` for other
+/// stages, and where nothing was kept.
+pub fn released(passes: &[Pass], stage: usize) -> Option<[(&Model, &Frame); 2]> {
+    let [before, now] = passes.get(stage.checked_sub(1)?..=stage)? else { return None };
+    now.model.release?;
+    Some([(&before.model, before.run.frames.last()?), (&now.model, now.run.frames.last()?)])
 }
 
 /// Runs stages after one another, the first from the flat blank, up to the first that does not come to its end.

@@ -145,8 +145,14 @@ pub(super) fn elements(page: &mut Page, length: f64, radius: f64) {
     );
 }
 
-/// The last stage of a bend: the tools are taken away.
-pub(super) fn release(page: &mut Page) {
+/// The sheet and the tools of a strip that is bent, and the stage that takes them away.
+pub(super) fn bend(page: &mut Page, sheet: &Sheet, blank: &Picked, nose: f64, tools: &Tools) {
+    page.table("stage", "");
+    page.set("name", "\"bend\"", "");
+    sheet.blank(page, "half_length", blank);
+    elements(page, blank.value, tools.shoulder.value.min(nose));
+    sheet.material(page, true);
+    tools.write(page, sheet);
     page.table("[stages]", "All tools are taken away at once: their forces fade, and the sheet springs back.");
     page.set("name", "\"release\"", "");
     page.set("release", true, "");

@@ -5,7 +5,7 @@ use super::inputs::{Choice, Default, Inputs, Kind};
 use super::page::{Page, plain};
 use super::rules::{self, Picked};
 use super::sheet::Sheet;
-use super::tools::{Tools, because, elements, flat_punch, nose_fits, release};
+use super::tools::{Tools, because, bend, flat_punch, nose_fits};
 use crate::case::CaseError;
 use crate::model::Geometry;
 
@@ -67,12 +67,6 @@ fn write(inputs: &Inputs) -> Result<String, CaseError> {
         "plane_strain",
         &sheet.notes("a made-up bend"),
     );
-    page.table("stage", "");
-    page.set("name", "\"bend\"", "");
-    sheet.blank(&mut page, "half_length", &blank);
-    elements(&mut page, blank.value, tools.shoulder.value.min(nose.value));
-    sheet.material(&mut page, true);
-    tools.write(&mut page, &sheet);
-    release(&mut page);
+    bend(&mut page, &sheet, &blank, nose.value, &tools);
     Ok(page.text())
 }

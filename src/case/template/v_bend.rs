@@ -5,7 +5,7 @@ use super::inputs::{Choice, Default, Inputs, Kind};
 use super::page::{Page, plain};
 use super::rules::{self, Picked};
 use super::sheet::Sheet;
-use super::tools::{Tools, because, elements, release, round_punch};
+use super::tools::{Tools, because, bend, round_punch};
 use crate::case::CaseError;
 use crate::model::Geometry;
 
@@ -77,12 +77,6 @@ fn write(inputs: &Inputs) -> Result<String, CaseError> {
         "plane_strain",
         &sheet.notes("a made-up bend"),
     );
-    page.table("stage", "");
-    page.set("name", "\"bend\"", "");
-    sheet.blank(&mut page, "half_length", &blank);
-    elements(&mut page, blank.value, tools.shoulder.value.min(nose.value));
-    sheet.material(&mut page, true);
-    tools.write(&mut page, &sheet);
-    release(&mut page);
+    bend(&mut page, &sheet, &blank, nose.value, &tools);
     Ok(page.text())
 }

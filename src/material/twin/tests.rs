@@ -38,9 +38,16 @@ fn start(law: &TwinLaw) -> Carried {
 const INCREMENTS: [Triple; 5] =
     [[1e-2, -5e-3, 0.0], [3e-3, 0.0, 1e-3], [-2e-3, -2e-3, 4e-4], [-4e-2, 1e-2, -2e-3], [2.5e-3, 3e-3, -5e-3]];
 
-/// Trust: the definition, to the round-off of an elastic trial stress of some GPa.
-#[test]
-fn stress_lies_on_the_yield_surface_and_follows_from_the_elastic_strain() {
+/// What a law of [`for_every_law`] is made of.
+#[derive(Debug)]
+struct Setting {
+    name: &'static str,
+    kinematic: Kinematic,
+    r: f64,
+}
+
+/// Every hardening law with every set of back-stresses and every rate law, or none.
+fn for_every_law(look: impl Fn(&Setting, &TwinLaw)) {
     let rates = Rate::examples();
     for (name, hardening) in Hardening::examples() {
         for (kinematic, r) in KINEMATICS.into_iter().zip([1.0, 0.6, 2.0]) {
@@ -51,67 +58,60 @@ fn stress_lies_on_the_yield_surface_and_follows_from_the_elastic_strain() {
                     operators: Operators::new(STEEL, Anisotropy::new(r)),
                     ..law(&hardening)
                 };
-                for e in INCREMENTS {
-                    let mut trial = Trial::default();
-                    let response = law.respond(&start(&law), &mut trial, e);
-                    let xi: Triple = std::array::from_fn(|j| response.stress[j] - trial.back[0][j] - trial.back[1][j]);
-                    let size = law.radius(&hardening, &start(&law), response.increment).stress;
-                    assert!(response.increment > 0.0, "{name}");
-                    // What the last round of Newton's method, linear in Δp, leaves.
-                    assert_relative_eq!(Anisotropy::new(r).equivalent_stress(xi), size, max_relative = 1e-8);
-                }
+                look(&Setting { name, kinematic, r }, &law);
             }
         }
     }
+}
+
+/// Trust: the definition, to the round-off of an elastic trial stress of some GPa.
+#[test]
+fn stress_lies_on_the_yield_surface_and_follows_from_the_elastic_strain() {
+    for_every_law(|setting, law| {
+        for e in INCREMENTS {
+            let mut trial = Trial::default();
+            let response = law.respond(&start(law), &mut trial, e);
+            let xi: Triple = std::array::from_fn(|j| response.stress[j] - trial.back[0][j] - trial.back[1][j]);
+            let size = law.radius(law.hardening.expect("yields"), &start(law), response.increment).stress;
+            assert!(response.increment > 0.0, "{}", setting.name);
+            // What the last round of Newton's method, linear in Δp, leaves.
+            assert_relative_eq!(Anisotropy::new(setting.r).equivalent_stress(xi), size, max_relative = 1e-8);
+        }
+    });
 }
 
 /// Trust: central differences with h = 1e-5 of the increment; truncation and round-off below 1e-5 of Young's modulus.
 /// With recall the derivative is not symmetric, and its symmetric part is what is given.
 #[test]
 fn tangent_is_the_derivative_of_the_stress_for_every_law() {
-    let rates = Rate::examples();
-    for (name, hardening) in Hardening::examples() {
-        for (kinematic, r) in KINEMATICS.into_iter().zip([1.0, 0.6, 2.0]) {
-            for rate in rates.iter().map(|(_, rate)| Some(rate)).chain([None]) {
-                let law = TwinLaw {
-                    kinematic: shifting(kinematic),
-                    rate,
-                    operators: Operators::new(STEEL, Anisotropy::new(r)),
-                    ..law(&hardening)
-                };
-                for e in INCREMENTS.into_iter().chain([[1e-5, 2e-5, -1e-5]]) {
-                    let c = law.respond(&start(&law), &mut Trial::default(), e).tangent;
-                    let h = 1e-5 * e[0].abs().max(e[1].abs());
-                    let columns: Vec<Triple> = (0..3)
-                        .map(|j| {
-                            let at = |sign: f64| {
-                                let mut e = e;
-                                e[j] += sign * h;
-                                law.respond(&start(&law), &mut Trial::default(), e).stress
-                            };
-                            let (plus, minus) = (at(1.0), at(-1.0));
-                            std::array::from_fn(|i| (plus[i] - minus[i]) / (2.0 * h))
-                        })
-                        .collect();
-                    let scale = STEEL.young;
-                    for (k, (i, j)) in [(0, 0), (0, 1), (1, 1), (0, 2), (1, 2), (2, 2)].into_iter().enumerate() {
-                        let difference = 0.5 * (columns[j][i] + columns[i][j]);
-                        let wrong = (c[k] - difference).abs();
-                        assert!(
-                            wrong < 1e-5 * scale,
-                            "{name} {rate:?} {kinematic:?} {e:?} {i}{j}: {} {difference}",
-                            c[k]
-                        );
-                        let skew = (columns[j][i] - columns[i][j]).abs();
-                        assert!(
-                            kinematic[0].recall > 0.0 || skew < 1e-5 * scale,
-                            "{name}: not symmetric without recall"
-                        );
-                    }
-                }
+    for_every_law(|setting, law| {
+        for e in INCREMENTS.into_iter().chain([[1e-5, 2e-5, -1e-5]]) {
+            let c = law.respond(&start(law), &mut Trial::default(), e).tangent;
+            let h = 1e-5 * e[0].abs().max(e[1].abs());
+            let columns: Vec<Triple> = (0..3)
+                .map(|j| {
+                    let at = |sign: f64| {
+                        let mut e = e;
+                        e[j] += sign * h;
+                        law.respond(&start(law), &mut Trial::default(), e).stress
+                    };
+                    let (plus, minus) = (at(1.0), at(-1.0));
+                    std::array::from_fn(|i| (plus[i] - minus[i]) / (2.0 * h))
+                })
+                .collect();
+            let scale = STEEL.young;
+            for (k, (i, j)) in [(0, 0), (0, 1), (1, 1), (0, 2), (1, 2), (2, 2)].into_iter().enumerate() {
+                let difference = 0.5 * (columns[j][i] + columns[i][j]);
+                let wrong = (c[k] - difference).abs();
+                assert!(wrong < 1e-5 * scale, "{setting:?} {:?} {e:?} {i}{j}: {} {difference}", law.rate, c[k]);
+                let skew = (columns[j][i] - columns[i][j]).abs();
+                assert!(
+                    setting.kinematic[0].recall > 0.0 || skew < 1e-5 * scale,
+                    "{setting:?}: not symmetric without recall"
+                );
             }
         }
-    }
+    });
 }
 
 /// The same metal written as rates of the full three-dimensional tensors, integrated on its own.
