@@ -68,31 +68,31 @@ fn said(passes: &[Pass]) -> impl Iterator<Item = &str> {
 
 fn printed(report: &Check, findings: &[Finding], passes: &[Pass]) -> String {
     let rows = findings.iter().map(row).collect();
-    let headers = ["verdict", "light", "found", "limit", "what to change"];
+    let headers = ["verdict", "light", "found", "limit (source)"];
     let mut text = format!("{report}\n{}", table(Some(headers), rows, 1));
-    let mut said = said(passes).peekable();
-    if said.peek().is_some() {
-        text += "\nwarnings of the run\n";
-    }
-    for warning in said {
-        let _ = writeln!(text, "  - {warning}");
-    }
+    let advice = findings.iter().filter(|finding| !finding.advice.is_empty());
+    list(&mut text, "what to change", advice.map(|finding| format!("{}: {}", finding.label, finding.advice)));
+    list(&mut text, "warnings of the run", said(passes).map(str::to_owned));
     text
 }
 
-fn row(finding: &Finding) -> ([String; 5], Tone) {
+/// Entries under a heading; nothing where there are none.
+fn list(text: &mut String, heading: &str, entries: impl Iterator<Item = String>) {
+    let mut entries = entries.peekable();
+    if entries.peek().is_some() {
+        let _ = writeln!(text, "\n{heading}");
+    }
+    for entry in entries {
+        let _ = writeln!(text, "  - {entry}");
+    }
+}
+
+fn row(finding: &Finding) -> ([String; 4], Tone) {
     let tone = match finding.light {
         Light::Green => Tone::Good,
         Light::Amber => Tone::Warning,
         Light::Red => Tone::Bad,
     };
     let limit = format!("{} ({})", finding.limit, finding.source);
-    let cells = [
-        finding.label.to_owned(),
-        finding.light.name().to_owned(),
-        finding.found.clone(),
-        limit,
-        finding.advice.clone(),
-    ];
-    (cells, tone)
+    ([finding.label.to_owned(), finding.light.name().to_owned(), finding.found.clone(), limit], tone)
 }

@@ -7,8 +7,8 @@ use super::{Code, Overrides, say};
 use clap::ValueEnum;
 use serde_json::json;
 use stampflow::case;
-use stampflow::output::{can_write, write};
-use stampflow::report::{MARKER, Report, figure_folder, html, markdown};
+use stampflow::output::{can_write, remove_others, write};
+use stampflow::report::{MARKER, Report, figure_folder, html, is_figure, markdown};
 use std::path::{Path, PathBuf};
 
 pub const HELP: &str = "\
@@ -62,6 +62,9 @@ pub fn report(args: &Args) -> anyhow::Result<Code> {
         refuse_others(&path, format)?;
     }
     can_write(&path).map_err(unusable("--output"))?;
+    if format == Format::Md {
+        can_write(&figure_folder(&path).join("figure.svg")).map_err(unusable("--output"))?;
+    }
 
     let watch = Progress::new(args.quiet || args.json.json).watch(&case, Kept::default());
     let (passes, wall, _) = watch.solve(&case);
@@ -77,7 +80,7 @@ pub fn report(args: &Args) -> anyhow::Result<Code> {
     Ok(if case.is_completed_by(&passes) { Code::Done } else { Code::StoppedEarly })
 }
 
-/// Writes the pictures first: a text that is there has all of them.
+/// Writes the pictures first: a text that is there has all of them. An earlier report's go.
 fn save(report: &Report, path: &Path, format: Format) -> anyhow::Result<Vec<PathBuf>> {
     let document = report.document();
     let mut files = Vec::new();
@@ -92,6 +95,7 @@ fn save(report: &Report, path: &Path, format: Format) -> anyhow::Result<Vec<Path
                 write(&file, svg.as_bytes())?;
                 files.push(file);
             }
+            remove_others(&folder, &files, is_figure)?;
             text
         }
     };

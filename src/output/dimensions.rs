@@ -53,10 +53,13 @@ impl Dimension {
     }
 }
 
-/// The blank and the tools before the first step with their dimensions. Widths stand below the section, a row each; all
-/// others beside it, a row each, in the order of the points that they lead to: no label lies on another.
+/// The blank and the tools before the first step with their dimensions. Widths stand below the section, a row each;
+/// heights beside their arrows; all others at the section's side, a row each, in the order of the points that they lead
+/// to: no label lies on another.
 pub fn dimensioned(model: &Model, dimensions: &[Dimension]) -> Chart {
-    let (mut across, mut aside): (Vec<_>, Vec<_>) = dimensions.iter().partition(|d| matches!(d.mark, Mark::Across(_)));
+    let that = |is: fn(&Mark) -> bool| dimensions.iter().filter(move |d| is(&d.mark));
+    let mut across: Vec<_> = that(|mark| matches!(mark, Mark::Across(_))).collect();
+    let mut aside: Vec<_> = that(|mark| matches!(mark, Mark::At(_))).collect();
     across.sort_by(|a, b| reach(a).x.total_cmp(&reach(b).x));
     aside.sort_by(|a, b| reach(a).y.total_cmp(&reach(b).y));
 
@@ -94,11 +97,16 @@ pub fn dimensioned(model: &Model, dimensions: &[Dimension]) -> Chart {
     let step = (bottom - top) / (1.0 + aside.len() as f64);
     for (i, dimension) in aside.iter().enumerate() {
         let (from, at) = (reach(dimension), (width + 20.0 * px, top + step * (i as f64 + 1.0)));
-        if let Mark::Along { r, from, to } = dimension.mark {
-            series.extend(arrow([(r, from), (r, to)], px));
-        }
         series.push(Series::silent(vec![(from.x, from.y), (at.0 - 4.0 * px, at.1)], THIN));
         series.push(Series::new(dimension.text(), vec![at], Look::Text));
+    }
+    for dimension in dimensions {
+        if let Mark::Along { r, from, to } = dimension.mark {
+            series.extend(arrow([(r, from), (r, to)], px));
+            // Beside a short arrow the label would lie on the sheet.
+            let middle = from + (0.5 * (to - from).abs()).max(0.5 * LINE * px).copysign(to - from);
+            series.push(Series::new(dimension.text(), vec![(r + 8.0 * px, middle)], Look::Text));
+        }
     }
     let axis = |key, label| Column::new(key, label, Unit::Mm, Vec::new()).axis();
     let r = worded(model.geometry, "Distance from the axis", "Distance from the symmetry plane");

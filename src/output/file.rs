@@ -39,6 +39,20 @@ pub fn can_write(path: &Path) -> Result<(), WriteError> {
     probe(path).map_err(|source| WriteError { path: path.to_owned(), source })
 }
 
+/// Removes from `dir` the files that are `ours` by their names, but those just written.
+///
+/// # Errors
+/// When a file cannot be removed.
+pub fn remove_others(dir: &Path, written: &[PathBuf], ours: impl Fn(&str) -> bool) -> Result<(), WriteError> {
+    let Ok(entries) = fs::read_dir(dir) else { return Ok(()) };
+    for path in entries.flatten().map(|entry| entry.path()).filter(|path| path.is_file() && !written.contains(path)) {
+        if path.file_name().and_then(|name| name.to_str()).is_some_and(&ours) {
+            fs::remove_file(&path).map_err(|source| WriteError { path, source })?;
+        }
+    }
+    Ok(())
+}
+
 fn probe(path: &Path) -> io::Result<()> {
     if path.is_dir() {
         return Err(io::Error::from(io::ErrorKind::IsADirectory));

@@ -34,7 +34,7 @@ pub use chart::Chart;
 pub use csv::csv;
 pub use dimensions::{Dimension, Mark, dimensioned};
 pub use draw::svg;
-pub use file::{WriteError, can_write, write};
+pub use file::{WriteError, can_write, remove_others, write};
 pub use overlay::write_comparison;
 pub use png::png;
 pub use sketch::sketch;
@@ -207,22 +207,15 @@ pub fn can_write_all(dir: &Path) -> Result<(), WriteError> {
 /// # Errors
 /// When a file cannot be removed.
 pub fn remove_stale(dir: &Path, written: &[PathBuf]) -> Result<(), WriteError> {
-    let Ok(entries) = std::fs::read_dir(dir) else { return Ok(()) };
-    for path in entries.flatten().map(|entry| entry.path()).filter(|path| path.is_file() && !written.contains(path)) {
-        let of_frames = [springback::FILES, residual_stress::FILES].concat();
-        let ours = |name: &str| {
-            OUTPUTS.iter().any(|output| output.file == name)
-                || of_frames.contains(&name)
-                || name == STAGES
-                || name == film::FILE
-                || vtk::is_ours(name)
-                || overlay::is_comparison(name)
-        };
-        if path.file_name().and_then(|name| name.to_str()).is_some_and(ours) {
-            std::fs::remove_file(&path).map_err(|source| WriteError { path, source })?;
-        }
-    }
-    Ok(())
+    let of_frames = [springback::FILES, residual_stress::FILES].concat();
+    remove_others(dir, written, |name| {
+        OUTPUTS.iter().any(|output| output.file == name)
+            || of_frames.contains(&name)
+            || name == STAGES
+            || name == film::FILE
+            || vtk::is_ours(name)
+            || overlay::is_comparison(name)
+    })
 }
 
 impl Subject<'_> {

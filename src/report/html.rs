@@ -54,16 +54,20 @@ fn block(block: &Block, number: &mut usize) -> Markup {
     }
 }
 
+/// Rows with lights are stacked on a phone, each cell under its column's name.
 fn table(head: &[&str], rows: &[Row]) -> Markup {
+    let findings = rows.iter().any(|row| row.light.is_some());
     markup! {
         div.table {
-            table.{ "columns-" (head.len()) } {
+            table.{ "columns-" (head.len()) }.findings[findings] {
                 thead { tr { @for cell in head { th scope="col" { (cell) } } } }
                 tbody {
                     @for row in rows {
                         tr {
-                            @for (i, cell) in row.cells.iter().enumerate() {
-                                td class=[row.light.filter(|_| i == 0).map(class)] { (cell) }
+                            @for (i, (cell, name)) in row.cells.iter().zip(head).enumerate() {
+                                td class=[row.light.filter(|_| i == 0).map(class)] data-column=[findings.then_some(name)] {
+                                    (cell)
+                                }
                             }
                         }
                     }

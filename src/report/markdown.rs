@@ -11,6 +11,12 @@ pub fn figure_folder(file: &Path) -> PathBuf {
     file.with_file_name(format!("{stem}_figures"))
 }
 
+/// Whether a picture in that folder has a name that [`markdown`] gives: `03-thickness.svg`.
+pub fn is_figure(name: &str) -> bool {
+    let number = name.split_once('-').filter(|_| name.ends_with(".svg"));
+    number.is_some_and(|(number, _)| number.len() == 2 && number.bytes().all(|b| b.is_ascii_digit()))
+}
+
 /// The text, and the pictures by the names that it calls them in `folder`.
 pub fn markdown(document: &Document, folder: &str) -> (String, Vec<(String, String)>) {
     let mut text = format!("<!-- {MARKER} {} -->\n\n# {}\n", env!("CARGO_PKG_VERSION"), escaped(&document.title));

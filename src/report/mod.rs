@@ -16,7 +16,7 @@ mod verdict;
 
 pub use document::{Block, Document, Picture, Row, Section};
 pub use html::html;
-pub use markdown::{figure_folder, markdown};
+pub use markdown::{figure_folder, is_figure, markdown};
 
 use crate::case::Case;
 use crate::case::check::{self, Check};

@@ -10,9 +10,10 @@ pub(super) fn section(report: &Report) -> Section {
     let summary = report.subjects().next().map(|subject| json!(Summary::of(&subject)));
     let said = |key: &str| summary.as_ref().and_then(|s| s[key].as_str()).unwrap_or_default().to_owned();
     let names = case.stage_names().collect::<Vec<_>>().join(", ");
-    let ended = match (report.is_complete(), report.passes.last()) {
-        (true, _) | (_, None) => "complete".to_owned(),
-        (false, Some(last)) => format!("stopped early: {}", last.run.stop),
+    let ended = match report.passes.last() {
+        Some(_) if report.is_complete() => "complete".to_owned(),
+        Some(last) => format!("stopped early: {}", last.run.stop),
+        None => "not begun".to_owned(),
     };
     let rows = [
         ("Case file", case.path.display().to_string()),

@@ -14,7 +14,7 @@ pub(super) fn section(findings: &[Finding]) -> Section {
         ],
         light: Some(finding.light),
     });
-    let head = vec!["Light", "Question", "Found, with its unit", "Limit, with its unit (source)", "What to change"];
+    let head = vec!["Light", "Question", "Found", "Limit (source)", "What to change"];
     Section { heading: "Verdict".into(), blocks: vec![Block::Table { head, rows: rows.collect() }] }
 }
 
