@@ -7,7 +7,7 @@ use cli::{CUP, STAGES, folder, stampflow, text};
 use serde_json::Value;
 use stampflow::case;
 use stampflow::solver::run_stages;
-use stampflow::verdict::{Finding, Light, judge};
+use stampflow::verdict::{Finding, Light, advice, headline, judge};
 use std::path::Path;
 
 /// The findings on a shipped case with overrides.
@@ -34,13 +34,19 @@ fn value(findings: &[Finding], key: &str) -> f64 {
     findings.iter().find(|f| f.key == key).and_then(|f| f.value).unwrap_or_else(|| panic!("no {key}"))
 }
 
-/// Trust: the quickstart draws a whole cup; its forming limit and the source of its friction are not given, which is said.
+/// Trust: the quickstart draws a whole cup; the source of its friction is not given, and it has nothing to hold the strains,
+/// the force, the work and the law's range against, which is said.
 #[test]
-fn the_quickstart_is_a_good_cup_with_two_guesses() {
+fn the_quickstart_is_a_good_cup_with_a_guess_and_open_questions() {
     let found = findings("quickstart.toml", &[]);
     assert!(found.iter().all(|f| f.light != Light::Red), "{found:?}");
-    let ambers: Vec<_> = found.iter().filter(|f| f.light == Light::Amber).map(|f| f.key).collect();
-    assert_eq!(ambers, ["forming_limit", "friction"]);
+    let lit = |light| found.iter().filter(|f| f.light == light).map(|f| f.key).collect::<Vec<_>>();
+    assert_eq!(lit(Light::Amber), ["friction"]);
+    assert_eq!(lit(Light::Grey), ["forming_limit", "punch_force", "energy", "hardening_range"]);
+    let said = headline(&found);
+    assert!(said.starts_with("1 amber (Friction), 4 not judged (Forming limit, Punch force, "), "{said}");
+    let told = advice(&found, |light| light == Light::Grey);
+    assert!(told.iter().any(|(labels, _)| labels == "Punch force, Energy"), "advice is given once: {told:?}");
     // By hand, as in `check`: Siebel's 0.0025 [(β − 1)² + 0.3] R_m with R_m = 520 n^n exp(offset − n), over 10 kN on the flat.
     let strength = 520.0 * 0.22_f64.powf(0.22) * (0.005_f64 - 0.22).exp();
     let advised = 0.0025 * ((55.0_f64 / 30.0 - 1.0).powi(2) + 0.3) * strength;
@@ -50,6 +56,48 @@ fn the_quickstart_is_a_good_cup_with_two_guesses() {
     let tears = std::f64::consts::PI * 61.0 * strength;
     let share = value(&found, "punch_force") / tears;
     assert!((value(&found, "bottom_tearing") / (100.0 * share) - 1.0).abs() < 1e-4);
+}
+
+#[test]
+fn force_and_work_are_held_against_the_press() {
+    let short = ["tools.punch.travel=3 mm"];
+    for (force, energy, lights) in [("1 MN", "1 kJ", Light::Green), ("1 kN", "1 J", Light::Red)] {
+        let press = [&format!("press.force={force}") as &str, &format!("press.energy={energy}"), short[0]];
+        let found = findings("quickstart.toml", &press);
+        assert_eq!([light(&found, "punch_force"), light(&found, "energy")], [lights; 2], "{found:?}");
+    }
+    let wrong = |name: &str, given: &str| {
+        let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("cases").join(name);
+        case::load(path, &[given.to_owned()]).expect_err(given).to_string()
+    };
+    assert!(wrong("quickstart.toml", "press.force=80 N/mm").contains("whole ring"));
+    assert!(wrong("quickstart.toml", "press.force=0 N").contains("forms nothing"));
+    assert!(wrong("strip_draw.toml", "press.energy=2 kJ").contains("length of the part"));
+}
+
+/// Trust: by hand. A nose of 6 mm that ends at 27.338 mm in a wall leaning by 20°; a hemisphere has no bottom to tear off.
+#[test]
+fn a_cone_tears_where_its_nose_ends() {
+    let judged = |template: &str| {
+        let text = case::template::find(template).and_then(|template| template.fill(&[])).expect("a case");
+        let case = case::parse(&text, "made.toml", &["tools.punch.travel=5 mm".to_owned()]).expect("valid");
+        judge(&case, &run_stages(&case.stages(), &mut ()))
+    };
+    let cone = judged("conical-cup");
+    let strength = 520.0 * 0.22_f64.powf(0.22) * (0.005_f64 - 0.22).exp();
+    let tears = std::f64::consts::PI * (2.0 * 27.338 + 1.0) * strength * 20_f64.to_radians().cos();
+    // The sizes are written to 1e-3 mm.
+    let share = value(&cone, "punch_force") / tears;
+    assert!((value(&cone, "bottom_tearing") / (100.0 * share) - 1.0).abs() < 1e-4, "{cone:?}");
+    assert!(judged("hemispherical-cup").iter().all(|f| f.key != "bottom_tearing"));
+}
+
+#[test]
+fn a_holder_that_squeezes_is_said() {
+    let squeezed = ["tools.holder.force=600 kN", "tools.punch.travel=1 mm"];
+    let found = findings("quickstart.toml", &squeezed);
+    let holder = found.iter().find(|f| f.key == "holder").unwrap();
+    assert!(holder.light == Light::Amber && holder.advice.contains("squeezed"), "{holder:?}");
 }
 
 #[test]

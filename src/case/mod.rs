@@ -70,8 +70,18 @@ pub struct Case {
     /// The stages after it.
     pub later: Vec<Stage>,
     pub compare: Vec<Spec>,
+    pub press: Press,
     /// What was assumed or changed while reading: defaults that matter, profiles that were shifted.
     pub derived: Vec<String>,
+}
+
+/// What the press can give; `None` where the case does not say.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Press {
+    /// Largest force \[N\], in plane strain \[N/mm\] of depth of the modelled half.
+    pub force: Option<f64>,
+    /// Work of one stroke \[mJ\].
+    pub energy: Option<f64>,
 }
 
 impl Case {
@@ -109,7 +119,7 @@ pub fn load(path: impl AsRef<Path>, overrides: &[String]) -> Result<Case, CaseEr
 /// looked up from.
 ///
 /// An override is `KEY=VALUE`: a dotted path of keys (array entries by index, from 0) and a TOML value; what is not a
-/// TOML value is taken as text. Optional tables such as `solver`, `output` and `forming_limit` are made when they are missing.
+/// TOML value is taken as text. Optional tables such as `solver`, `output`, `press` and `forming_limit` are made when they are missing.
 ///
 /// # Errors
 /// When the text is not TOML, a key is unknown or missing, or a value makes no sense; the error points to its line.
@@ -127,6 +137,7 @@ pub fn parse(text: &str, name: &str, overrides: &[String]) -> Result<Case, CaseE
     let convert::Meaning { model, first, later, mut derived } = convert::meaning(&file, &source, &path)?;
     derived.splice(0..0, origin);
     let compare = convert::compare(&file, &source, &path)?;
+    let press = convert::press(&file, &source)?;
     let name = path.file_stem().map_or_else(|| "case".into(), |stem| stem.to_string_lossy().into_owned());
-    Ok(Case { name, path, text: text.clone(), model, first, later, compare, derived })
+    Ok(Case { name, path, text: text.clone(), model, first, later, compare, press, derived })
 }

@@ -7,7 +7,7 @@ use super::{Code, Overrides, say};
 use serde_json::json;
 use stampflow::case::{self, check::Check};
 use stampflow::solver::Pass;
-use stampflow::verdict::{Finding, Light, judge};
+use stampflow::verdict::{Finding, Light, advice, headline, judge};
 use std::fmt::Write;
 use std::path::PathBuf;
 
@@ -69,9 +69,11 @@ fn said(passes: &[Pass]) -> impl Iterator<Item = &str> {
 fn printed(report: &Check, findings: &[Finding], passes: &[Pass]) -> String {
     let rows = findings.iter().map(row).collect();
     let headers = ["verdict", "light", "found", "limit (source)"];
-    let mut text = format!("{report}\n{}", table(Some(headers), rows, 1));
-    let advice = findings.iter().filter(|finding| !finding.advice.is_empty());
-    list(&mut text, "what to change", advice.map(|finding| format!("{}: {}", finding.label, finding.advice)));
+    let mut text = format!("{report}\n{}\nverdict: {}\n", table(Some(headers), rows, 1), headline(findings));
+    let told =
+        |is: fn(Light) -> bool| advice(findings, is).into_iter().map(|(labels, advice)| format!("{labels}: {advice}"));
+    list(&mut text, "what to change", told(|light| light != Light::Grey));
+    list(&mut text, "not judged", told(|light| light == Light::Grey));
     list(&mut text, "warnings of the run", said(passes).map(str::to_owned));
     text
 }
@@ -89,6 +91,7 @@ fn list(text: &mut String, heading: &str, entries: impl Iterator<Item = String>)
 
 fn row(finding: &Finding) -> ([String; 4], Tone) {
     let tone = match finding.light {
+        Light::Grey => Tone::Plain,
         Light::Green => Tone::Good,
         Light::Amber => Tone::Warning,
         Light::Red => Tone::Bad,

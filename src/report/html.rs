@@ -65,7 +65,7 @@ fn table(head: &[&str], rows: &[Row]) -> Markup {
                     @for row in rows {
                         tr {
                             @for (i, (cell, name)) in row.cells.iter().zip(head).enumerate() {
-                                td class=[row.light.filter(|_| i == 0).map(class)] data-column=[findings.then_some(name)] {
+                                td class=[row.light.filter(|_| i == 0).map(Light::name)] data-column=[findings.then_some(name)] {
                                     (cell)
                                 }
                             }
@@ -74,14 +74,6 @@ fn table(head: &[&str], rows: &[Row]) -> Markup {
                 }
             }
         }
-    }
-}
-
-fn class(light: Light) -> &'static str {
-    match light {
-        Light::Green => "green",
-        Light::Amber => "amber",
-        Light::Red => "red",
     }
 }
 

@@ -1,7 +1,7 @@
 //! The verdict, line by line: a light as a sign, a word and a colour.
 
 use super::document::{Block, Row, Section};
-use crate::verdict::{Finding, Light};
+use crate::verdict::{Finding, Light, headline};
 
 pub(super) fn section(findings: &[Finding]) -> Section {
     let rows = findings.iter().map(|finding| Row {
@@ -15,14 +15,16 @@ pub(super) fn section(findings: &[Finding]) -> Section {
         light: Some(finding.light),
     });
     let head = vec!["Light", "Question", "Found", "Limit (source)", "What to change"];
-    Section { heading: "Verdict".into(), blocks: vec![Block::Table { head, rows: rows.collect() }] }
+    let all = Block::Paragraph(format!("{}.", headline(findings)));
+    Section { heading: "Verdict".into(), blocks: vec![all, Block::Table { head, rows: rows.collect() }] }
 }
 
 /// Sign and word: the colour only repeats them.
 fn word(light: Light) -> &'static str {
     match light {
-        Light::Green => "● within",
-        Light::Amber => "▲ near",
-        Light::Red => "■ beyond",
+        Light::Grey => "○ grey",
+        Light::Green => "● green",
+        Light::Amber => "▲ amber",
+        Light::Red => "■ red",
     }
 }

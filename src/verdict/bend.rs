@@ -19,7 +19,7 @@ pub(super) fn judge(passes: &[Pass]) -> Option<Finding> {
         light,
         value: Some(ratio),
         unit: Unit::None,
-        found: format!("{ratio:.1} thicknesses at the sharpest"),
+        found: format!("{ratio:.2} thicknesses at the sharpest"),
         limit: format!("{THIN} thicknesses at least: thin-shell theory"),
         source: super::DECLARED,
         advice: light.advice("larger radii; else take strains and spring-back there with care"),

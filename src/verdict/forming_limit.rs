@@ -22,7 +22,7 @@ pub(super) fn is_kept(passes: &[Pass]) -> bool {
     worst(passes).is_some_and(|(_, _, assessment)| assessment.reached.is_none())
 }
 
-/// The least margin, where, and when the limit was first reached; amber where no limit is given.
+/// The least margin, where, and when the limit was first reached; not judged where no limit is given.
 pub(super) fn margin(passes: &[Pass]) -> Option<Finding> {
     let Some((name, pass, assessment)) = worst(passes) else { return Some(missing()) };
     let worst = assessment.worst();
@@ -45,10 +45,10 @@ pub(super) fn margin(passes: &[Pass]) -> Option<Finding> {
         value: Some(worst.margin()),
         unit: Unit::None,
         found: format!(
-            "margin {:.3} in major true strain, {:.0} % of the limit, at s0 = {:.1} mm{reached}",
-            worst.margin(),
+            "uses {:.0} % of the limit at s0 = {:.1} mm, {:.3} of major true strain left{reached}",
             100.0 * worst.ratio(),
-            worst.s0
+            worst.s0,
+            worst.margin()
         ),
         limit: format!("{name}: not reached, below {:.0} % of it", 100.0 * CAREFUL),
         source: "the case's curve; the share is a declared rule of thumb",
@@ -60,7 +60,7 @@ fn missing() -> Finding {
     Finding {
         key: "forming_limit",
         label: "Forming limit",
-        light: Light::Amber,
+        light: Light::Grey,
         value: None,
         unit: Unit::None,
         found: "no forming limit given".into(),

@@ -9,7 +9,11 @@ pub(super) fn judge(passes: &[Pass]) -> Option<Finding> {
     let last = passes.last()?;
     let strain = passes.iter().flat_map(|pass| &pass.state.layers).map(|point| point.strain).fold(0.0, f64::max);
     let range = last.model.material.hardening.valid_up_to();
-    let light = range.map_or(Light::Green, |end| Light::within(strain, end));
+    let light = range.map_or(Light::Grey, |end| Light::within(strain, end));
+    let advice = match range {
+        Some(_) => "points at larger strains, from a bulge test; else the stress is extrapolated",
+        None => "hold that strain against the range of the fit in the law's source",
+    };
     Some(Finding {
         key: "hardening_range",
         label: "Hardening law",
@@ -22,6 +26,6 @@ pub(super) fn judge(passes: &[Pass]) -> Option<Finding> {
             None => "a formula: the range of its fit is not in the case".into(),
         },
         source: "the case's material",
-        advice: light.advice("points at larger strains, from a bulge test; else the stress is extrapolated"),
+        advice: light.advice(advice),
     })
 }

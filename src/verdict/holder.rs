@@ -1,6 +1,7 @@
 //! Whether the holder stays on the sheet.
 
-use super::{DECLARED, Finding, Light, largest};
+use super::{DECLARED, Finding, Light};
+use crate::case::check::estimate::{held_from, holder_pressure, tensile_strength};
 use crate::model::{Motion, Role};
 use crate::record::StepRecord;
 use crate::solver::Pass;
@@ -10,29 +11,49 @@ use crate::table::Unit;
 /// Lift over the thickness at which the holder has left the flange to itself \[–\].
 const OFF: f64 = 1.0;
 
-/// How far the holder is lifted, over the thickness, and how much of its force the rim takes at the end.
+/// Width of a flange that no longer buckles as it runs out over the shoulder, its rim tilting, over the thickness \[–\].
+const RUN_OUT: f64 = 2.0 * StepRecord::RIM;
+/// Normal pressure over the tensile strength that a shell, which yields without one, can overlook \[–\].
+const PRESSURE: f64 = 0.1;
+
+/// How far the holder is lifted, over the thickness, until the flange runs out; how hard it presses at first, and how much
+/// of its force the rim takes at the end.
 pub(super) fn judge(passes: &[Pass]) -> Option<Finding> {
-    let pass = passes.first()?;
-    let holder = pass.model.tool(Role::Holder)?;
+    let Pass { model, run, .. } = passes.first()?;
+    let holder = model.tool(Role::Holder)?;
     if !matches!(&holder.motion, Motion::Pressed(press) if !press.is_idle()) {
         return None;
     }
-    let lift = largest(std::slice::from_ref(pass), |step| -step.holder_move) / pass.model.blank.thickness;
-    let light = Light::of(lift, [LIFTED, OFF]);
-    let last = pass.run.history.iter().rev().find(|step| step.holder_force > 0.0)?;
+    let last = run.history.iter().rev().find(|step| step.holder_force > 0.0)?;
+    let thickness = model.blank.thickness;
+    let width = |step: &StepRecord| model.blank.length - step.draw_in - held_from(model).unwrap_or(0.0);
+    let held = run.history.iter().filter(|step| width(step) > RUN_OUT * thickness);
+    let lift = held.map(|step| -step.holder_move / thickness).fold(0.0, f64::max);
+    let pressed = holder_pressure(model).unwrap_or(0.0) / tensile_strength(&model.material.hardening);
+    let (lifts, presses) = (Light::of(lift, [LIFTED, OFF]), Light::within(pressed, PRESSURE));
+    let advice = match presses {
+        Light::Green => "more holder force; a larger die shoulder raises the flange less",
+        _ => "less holder force: the sheet is squeezed, which the shell does not see",
+    };
     Some(Finding {
         key: "holder",
         label: "Holder",
-        light,
+        light: lifts.max(presses),
         value: Some(lift),
         unit: Unit::None,
         found: format!(
-            "lifted by up to {lift:.2} t; {:.0} % of its force on the outer {} t",
+            "lifted by up to {lift:.2} t; at first {:.1} % of the tensile strength; in the end {:.0} % of its force on the \
+             outer {} t",
+            100.0 * pressed,
             100.0 * last.rim_share,
             StepRecord::RIM
         ),
-        limit: format!("lifted by at most {LIFTED} t, refused above {OFF} t"),
+        limit: format!(
+            "lifted by at most {LIFTED} t, refused above {OFF} t, until the flange is {RUN_OUT} t wide; {:.0} % of the \
+             tensile strength",
+            100.0 * PRESSURE
+        ),
         source: DECLARED,
-        advice: light.advice("more holder force; a larger die shoulder raises the flange less"),
+        advice: lifts.max(presses).advice(advice),
     })
 }

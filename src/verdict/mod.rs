@@ -27,6 +27,8 @@ use serde::{Serialize, Serializer};
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Light {
+    /// Not judged: the case does not hold what it would be held against.
+    Grey,
     /// Within the limit.
     Green,
     /// Near it, or a guess that matters.
@@ -39,6 +41,7 @@ impl Light {
     /// The word that stands for it without colours.
     pub fn name(self) -> &'static str {
         match self {
+            Self::Grey => "grey",
             Self::Green => "green",
             Self::Amber => "amber",
             Self::Red => "red",
@@ -95,6 +98,34 @@ fn spelled<S: Serializer>(unit: &Unit, serializer: S) -> Result<S::Ok, S::Error>
 /// What a limit without a source that could be read is called.
 const DECLARED: &str = "declared rule of thumb";
 
+/// One sentence on all findings, the worst first: `2 amber (Holder, Friction), 1 not judged (Energy), 14 green`.
+pub fn headline(findings: &[Finding]) -> String {
+    let of = |light: Light, word: &str, named: bool| {
+        let labels: Vec<&str> = findings.iter().filter(|f| f.light == light).map(|f| f.label).collect();
+        let names = if named { format!(" ({})", labels.join(", ")) } else { String::new() };
+        (!labels.is_empty()).then(|| format!("{} {word}{names}", labels.len()))
+    };
+    let parts = [
+        of(Light::Red, "red", true),
+        of(Light::Amber, "amber", true),
+        of(Light::Grey, "not judged", true),
+        of(Light::Green, "green", false),
+    ];
+    parts.into_iter().flatten().collect::<Vec<_>>().join(", ")
+}
+
+/// The advice on findings of a light, findings of one advice together: their labels, and what to change.
+pub fn advice(findings: &[Finding], is: impl Fn(Light) -> bool) -> Vec<(String, &str)> {
+    let mut given: Vec<(String, &str)> = Vec::new();
+    for finding in findings.iter().filter(|f| is(f.light) && !f.advice.is_empty()) {
+        match given.iter_mut().find(|(_, advice)| *advice == finding.advice) {
+            Some((labels, _)) => *labels += &format!(", {}", finding.label),
+            None => given.push((finding.label.to_owned(), &finding.advice)),
+        }
+    }
+    given
+}
+
 /// Every finding on a case's run, in the order of the questions: tears, wrinkles, press, tools, trust.
 pub fn judge(case: &Case, passes: &[Pass]) -> Vec<Finding> {
     let single = [
@@ -105,8 +136,8 @@ pub fn judge(case: &Case, passes: &[Pass]) -> Vec<Finding> {
         forming_limit::path(passes),
         tearing::judge(passes),
         wrinkling::judge(passes),
-        press::force(passes),
-        press::energy(passes),
+        press::force(case, passes),
+        press::energy(case, passes),
         holder::judge(passes),
         clearance::gap(case),
         clearance::ironing(passes),

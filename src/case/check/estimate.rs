@@ -27,15 +27,19 @@ pub(crate) fn draw_ratio(model: &Model) -> Option<f64> {
     (drawn && ratio > 1.0).then_some(ratio)
 }
 
+/// Where the flat between holder and die begins \[mm\].
+pub(crate) fn held_from(model: &Model) -> Option<f64> {
+    Some(extent(model.tool(Role::Holder)?).0.max(shoulder_end(model.tool(Role::Die)?)))
+}
+
 /// Initial area between holder and the die's flat [mm², or mm² per mm of depth].
 pub(crate) fn held_area(model: &Model) -> Option<f64> {
-    let inner = extent(model.tool(Role::Holder)?).0.max(shoulder_end(model.tool(Role::Die)?));
-    let held = model.geometry.area(model.blank.length) - model.geometry.area(inner);
+    let held = model.geometry.area(model.blank.length) - model.geometry.area(held_from(model)?);
     (held > 0.0).then_some(held)
 }
 
 /// The holder's largest force over the area that it presses on at the start [MPa].
-pub(super) fn holder_pressure(model: &Model) -> Option<f64> {
+pub(crate) fn holder_pressure(model: &Model) -> Option<f64> {
     match &model.tool(Role::Holder)?.motion {
         Motion::Pressed(press) => Some(press.force.largest() / held_area(model)?),
         _ => None,

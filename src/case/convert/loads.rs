@@ -103,14 +103,19 @@ fn presses(force: f64) -> bool {
     force == 0.0 || force >= 1e-6
 }
 
-fn force(force: HolderForce, path: &str, key: &str, geometry: Geometry, source: &Source) -> Result<f64, CaseError> {
+pub(super) fn force(
+    force: HolderForce,
+    path: &str,
+    key: &str,
+    geometry: Geometry,
+    source: &Source,
+) -> Result<f64, CaseError> {
     let (what, help) = match (geometry, force) {
         (Geometry::Axisymmetric, HolderForce::Ring(force)) if presses(force.value()) => return Ok(force.value()),
         (Geometry::PlaneStrain, HolderForce::PerDepth(force)) if presses(force.value()) => return Ok(force.value()),
-        (Geometry::Axisymmetric, HolderForce::Ring(_)) | (Geometry::PlaneStrain, HolderForce::PerDepth(_)) => (
-            format!("this `{key}` is next to nothing"),
-            "write 0 if the holder has no force, or check the unit".to_owned(),
-        ),
+        (Geometry::Axisymmetric, HolderForce::Ring(_)) | (Geometry::PlaneStrain, HolderForce::PerDepth(_)) => {
+            (format!("this `{key}` is next to nothing"), "check the unit, or write 0 for none".to_owned())
+        }
         (Geometry::Axisymmetric, HolderForce::PerDepth(_)) => (
             format!("in an axisymmetric case `{key}` is that of the whole ring"),
             format!("write a force, such as {key} = \"80 kN\""),

@@ -15,6 +15,7 @@ mod material;
 mod motion;
 mod place;
 mod points;
+mod press;
 mod profile;
 mod section;
 mod settings;
@@ -25,6 +26,7 @@ mod voids;
 
 pub(super) use compare::compare;
 pub(super) use material::convert as material;
+pub(super) use press::press;
 
 use super::explain::missing;
 use super::file::{self, CaseFile};
@@ -46,10 +48,7 @@ pub(super) struct Meaning {
 pub(super) fn meaning(file: &CaseFile, source: &Source, case: &Path) -> Result<Meaning, CaseError> {
     limits::of_file(file, source)?;
     let mut derived = Vec::new();
-    let geometry = match file.geometry {
-        file::Geometry::Axisymmetric => Geometry::Axisymmetric,
-        file::Geometry::PlaneStrain => Geometry::PlaneStrain,
-    };
+    let geometry = geometry(file);
     let blank = blank::convert(file, geometry, source, &mut derived)?;
     let material = material::convert(&file.material, source)?;
     let mode = file.material.mode.map(|mode| material::mode(mode, &material, "material.mode", source)).transpose()?;
@@ -109,6 +108,13 @@ pub(super) fn meaning(file: &CaseFile, source: &Source, case: &Path) -> Result<M
     collide::check(&model, source)?;
     let (first, later) = stages::convert(file, &model, source, folder, &mut derived)?;
     Ok(Meaning { model, first, later, derived })
+}
+
+fn geometry(file: &CaseFile) -> Geometry {
+    match file.geometry {
+        file::Geometry::Axisymmetric => Geometry::Axisymmetric,
+        file::Geometry::PlaneStrain => Geometry::PlaneStrain,
+    }
 }
 
 /// A length whose key depends on the geometry; the other geometry's key is an error that says so.

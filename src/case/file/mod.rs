@@ -10,6 +10,7 @@ mod gas;
 mod heat;
 mod history;
 mod material;
+mod press;
 mod rate;
 mod section;
 mod softening;
@@ -28,6 +29,7 @@ pub use material::{
     BackStress, Beyond, Branch, Hardening, Hollomon, Isotherm, Isotherms, Ludwik, Material, PiecewisePower, Swift,
     Table, Voce,
 };
+pub use press::Press;
 pub use rate::{CowperSymonds, JohnsonCook, PowerRate, Rate};
 pub use section::{ProfileStep, Section, SectionTable, ToolName, Turn};
 pub use softening::{Arrhenius, Exponential, Melting, Softening};
@@ -63,6 +65,9 @@ pub struct CaseFile {
     pub heat: Option<Heat>,
     /// The forming limit that the strains are held against; none when not given.
     pub forming_limit: Option<FormingLimit>,
+    /// What the press can give, for the verdict; the run does not depend on it.
+    #[serde(default)]
+    pub press: Press,
     #[serde(default)]
     pub solver: Solver,
     #[serde(default)]

@@ -1,0 +1,18 @@
+//! The press's rating.
+
+use super::HolderForce;
+use crate::quantity::{Energy, Positive};
+use schemars::JsonSchema;
+use serde::Deserialize;
+
+/// What the press can give, as its data sheet says.
+#[derive(Clone, Debug, Default, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Press {
+    /// Largest force; in plane strain per length of depth of the modelled half.
+    #[schemars(example = "1000 kN")]
+    pub force: Option<HolderForce>,
+    /// Work of one stroke (axisymmetric).
+    #[schemars(example = "20 kJ")]
+    pub energy: Option<Positive<Energy>>,
+}
