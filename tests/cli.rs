@@ -41,7 +41,8 @@ fn a_run_writes_every_file_and_sums_up() {
         assert!(summary.contains(says), "{summary}");
     }
     let progress = text(&done.stderr);
-    assert!(progress.contains("cup: 10 %") && progress.contains("cup: 100 %"), "{progress}");
+    // One line at least: others come a second apart.
+    assert!(progress.contains("cup: 100 %"), "{progress}");
     let trace = fs::read_to_string(dir.path().join("trace.csv")).unwrap();
     assert!(trace.starts_with("step,travel_mm,iteration,velocity_norm") && trace.lines().count() > 50);
 }

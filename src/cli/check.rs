@@ -2,7 +2,7 @@
 
 use super::json::{Json, say_json};
 use super::progress::{Kept, Progress};
-use super::table::{Tone, table};
+use super::table::{Tone, table, wrapped};
 use super::{Code, Overrides, say};
 use serde_json::json;
 use stampflow::case::{self, check::Check};
@@ -43,7 +43,7 @@ pub fn check(args: &Args) -> anyhow::Result<Code> {
     let case = case::load(&args.case, &args.overrides.set)?;
     let report = case::check::report(&case);
     if !args.run {
-        return if args.json.json { say_json(&report) } else { say(&report.to_string()) };
+        return if args.json.json { say_json(&report) } else { say(&wrapped(&report.to_string())) };
     }
     let watch = Progress::new(args.quiet || args.json.json).watch(&case, Kept::default());
     let (passes, ..) = watch.solve(&case);
@@ -69,13 +69,13 @@ fn said(passes: &[Pass]) -> impl Iterator<Item = &str> {
 fn printed(report: &Check, findings: &[Finding], passes: &[Pass]) -> String {
     let rows = findings.iter().map(row).collect();
     let headers = ["verdict", "light", "found", "limit (source)"];
-    let mut text = format!("{report}\n{}\nverdict: {}\n", table(Some(headers), rows, 1), headline(findings));
+    let mut text = format!("\nverdict: {}\n", headline(findings));
     let told =
         |is: fn(Light) -> bool| advice(findings, is).into_iter().map(|(labels, advice)| format!("{labels}: {advice}"));
     list(&mut text, "what to change", told(|light| light != Light::Grey));
     list(&mut text, "not judged", told(|light| light == Light::Grey));
     list(&mut text, "warnings of the run", said(passes).map(str::to_owned));
-    text
+    format!("{}\n{}{}", wrapped(&report.to_string()), table(Some(headers), rows, 1), wrapped(&text))
 }
 
 /// Entries under a heading; nothing where there are none.

@@ -12,6 +12,8 @@ use std::time::{Duration, Instant};
 
 /// Ticks of a bar for the whole travel.
 const FULL: u64 = 1000;
+/// Least time between two lines of progress.
+const PATIENCE: Duration = Duration::from_secs(1);
 
 /// Where progress is shown; always on the error stream, so that results can be piped.
 pub enum Progress {
@@ -46,8 +48,8 @@ pub struct Kept {
 
 enum Shown {
     Bar(ProgressBar),
-    /// Tenths of the travel that were announced.
-    Lines(u64),
+    /// Tenths of the travel that were announced, and when.
+    Lines(u64, Instant),
     Nothing,
 }
 
@@ -69,7 +71,7 @@ impl Progress {
                 let bar = ProgressBar::new(FULL).with_style(style()).with_prefix(name.clone());
                 Shown::Bar(all.add(bar))
             }
-            Self::Lines => Shown::Lines(0),
+            Self::Lines => Shown::Lines(0, Instant::now()),
             Self::Silent => Shown::Nothing,
         };
         let force_unit = stampflow::output::force_unit(model.geometry).symbol();
@@ -111,21 +113,19 @@ impl Observer for Watch {
             format!("time {:.2} s", record.time)
         };
         let state = format!(
-            "{load}, step {}, {:.0} % left at the thinnest, {:.0} % sticking, {} flips",
+            "{load}, step {}, {:.0} % of the thickness left at the thinnest",
             record.step,
-            100.0 * record.thinnest / self.thickness,
-            100.0 * record.sticking,
-            record.flips
+            100.0 * record.thinnest / self.thickness
         );
         match &mut self.shown {
             Shown::Bar(bar) => {
                 bar.set_message(state);
                 bar.set_position((done * FULL as f64) as u64);
             }
-            Shown::Lines(tenths) => {
+            Shown::Lines(tenths, last) => {
                 let now = (10.0 * done + 1e-9) as u64;
-                if now > *tenths {
-                    *tenths = now;
+                if now > *tenths && (now == 10 || last.elapsed() >= PATIENCE) {
+                    (*tenths, *last) = (now, Instant::now());
                     eprintln!("{}: {} %, {state}", self.name, 10 * now);
                 }
             }
@@ -145,7 +145,7 @@ impl Observer for Watch {
                 bar.set_prefix(self.name.clone());
                 bar.set_position(0);
             }
-            Shown::Lines(tenths) => *tenths = 0,
+            Shown::Lines(tenths, _) => *tenths = 0,
             Shown::Nothing => {}
         }
     }

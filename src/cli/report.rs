@@ -53,7 +53,7 @@ enum Format {
 
 pub fn report(args: &Args) -> anyhow::Result<Code> {
     let case = case::load(&args.case, &args.overrides.set)?;
-    let format = args.format();
+    let format = args.format()?;
     let path = args.output.clone().unwrap_or_else(|| {
         let name = if format == Format::Md { "report.md" } else { "report.html" };
         Path::new("out").join(&case.name).join(name)
@@ -125,8 +125,17 @@ fn is_report(bytes: &[u8]) -> bool {
 }
 
 impl Args {
-    fn format(&self) -> Format {
-        let is_md = |path: &PathBuf| path.extension().is_some_and(|e| e == "md" || e == "markdown");
-        self.format.unwrap_or(if self.output.as_ref().is_some_and(is_md) { Format::Md } else { Format::Html })
+    /// As asked for, or by the file's ending.
+    fn format(&self) -> Result<Format, BadRequest> {
+        let ending = self.output.as_ref().and_then(|path| path.extension()).map(|ending| ending.to_string_lossy());
+        match (self.format, ending.as_deref()) {
+            (Some(format), _) => Ok(format),
+            (None, None | Some("html" | "htm")) => Ok(Format::Html),
+            (None, Some("md" | "markdown")) => Ok(Format::Md),
+            (None, Some(other)) => Err(BadRequest(format!(
+                "a report is no .{other} file: write -o NAME.html and print that to PDF from a browser, or -o NAME.md; \
+                 --format html or md takes any name"
+            ))),
+        }
     }
 }

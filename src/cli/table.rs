@@ -58,9 +58,31 @@ pub fn table<const N: usize>(headers: Option<[&str; N]>, rows: Vec<([String; N],
     table.lines().map(|line| line.trim_end().to_owned() + "\n").collect()
 }
 
+/// Text as wide as the terminal, each line's rest under its last column; elsewhere as it is.
+pub fn wrapped(text: &str) -> String {
+    if !io::stdout().is_terminal() {
+        return text.to_owned();
+    }
+    let width = textwrap::termwidth();
+    text.lines().map(|line| hanging(line, width) + "\n").collect()
+}
+
+fn hanging(line: &str, width: usize) -> String {
+    let list = line.find("- ").filter(|at| line[..*at].trim().is_empty()).map(|at| at + 2);
+    let column = line.trim_end().rfind("  ").map(|at| line[..at + 2].chars().count());
+    let indent = " ".repeat(list.or(column).unwrap_or(0).min(width / 2));
+    textwrap::fill(line, textwrap::Options::new(width).subsequent_indent(&indent))
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn the_rest_of_a_line_hangs_under_its_last_column() {
+        assert_eq!(hanging("  travel      36 mm at 1 mm/s", 22), "  travel      36 mm at\n           1 mm/s");
+        assert_eq!(hanging("  - a note of some words", 14), "  - a note of\n    some words");
+    }
 
     #[test]
     fn columns_stand_in_line_whatever_their_letters() {

@@ -1,6 +1,7 @@
 //! Ludwik's law.
 
 use super::{FlowStress, LawError, power, require};
+use crate::quantity::rounded;
 
 /// σ_y = σ₀ + K ε̄^n.
 ///
@@ -34,6 +35,6 @@ impl Ludwik {
     }
 
     pub(super) fn describe(&self) -> String {
-        format!("Ludwik, σ = {:.4} + {:.4} ε^{:.4} MPa", self.initial, self.k, self.n)
+        format!("Ludwik, σ = {} + {} ε^{} MPa", rounded(self.initial), rounded(self.k), rounded(self.n))
     }
 }

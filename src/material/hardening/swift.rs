@@ -1,6 +1,7 @@
 //! Swift's power law.
 
 use super::{FlowStress, LawError, require};
+use crate::quantity::rounded;
 
 /// σ_y = K (ε₀ + ε̄)^n.
 ///
@@ -35,7 +36,7 @@ impl Swift {
     }
 
     pub(super) fn formula(&self) -> String {
-        format!("σ = {:.4} ({:.3e} + ε)^{:.4} MPa", self.k, self.offset, self.n)
+        format!("σ = {} ({} + ε)^{} MPa", rounded(self.k), rounded(self.offset), rounded(self.n))
     }
 
     pub(super) fn describe(&self) -> String {

@@ -42,12 +42,12 @@ impl Voce {
     }
 
     pub(super) fn describe(&self) -> String {
-        let exponent = if self.exponent == 1.0 { String::new() } else { format!("^{:.4}", self.exponent) };
+        let exponent = if self.exponent == 1.0 { String::new() } else { format!("^{}", rounded(self.exponent)) };
         format!(
-            "Voce, σ = {:.4} − {:.4} exp(−{:.4} ε{exponent}) MPa",
-            self.saturation,
-            self.saturation - self.initial,
-            self.rate
+            "Voce, σ = {} − {} exp(−{} ε{exponent}) MPa",
+            rounded(self.saturation),
+            rounded(self.saturation - self.initial),
+            rounded(self.rate)
         )
     }
 }
