@@ -9,7 +9,7 @@ pub(super) use warn::LIMITING_RATIO;
 pub(crate) use warn::THIN;
 
 use super::Case;
-use super::measure::{extent, throat};
+use super::measure::{across, extent, throat};
 use crate::model::{Face, Geometry, Model, Motion, Pressure, Role, Theory, Tool};
 use crate::quantity::{ZERO_CELSIUS, rounded};
 use serde::Serialize;
@@ -73,8 +73,8 @@ pub(super) fn mm(length: f64) -> String {
 fn blank(model: &Model, lines: &mut Vec<Line>) {
     let blank = &model.blank;
     let (geometry, size) = match model.geometry {
-        Geometry::Axisymmetric => ("axisymmetric", "mm radius"),
-        Geometry::PlaneStrain => ("plane strain, one half per mm of depth", "mm half length"),
+        Geometry::Axisymmetric => ("axisymmetric", format!("mm radius, {} mm diameter", mm(2.0 * blank.length))),
+        Geometry::PlaneStrain => ("plane strain, one half per mm of depth", "mm half length".to_owned()),
     };
     lines.push(line("geometry", geometry, ""));
     lines.push(line("blank", mm(blank.length), size));
@@ -113,11 +113,12 @@ fn tools(model: &Model, lines: &mut Vec<Line>) {
             Role::Die | Role::Holder => mm(low),
         };
         let corners = corners(tool, model.blank.thickness);
+        let width = across(model.geometry);
         let what = match tool.role {
-            Role::Punch => "mm to the wall",
-            Role::Die if bottom => "by a bottom that reaches the axis",
-            Role::Die => "mm throat",
-            Role::Holder => "mm inner edge",
+            Role::Punch => format!("mm {width} to the wall"),
+            Role::Die if bottom => "by a bottom that reaches the axis".to_owned(),
+            Role::Die => format!("mm {width} of the throat"),
+            Role::Holder => format!("mm {width} of the inner edge"),
         };
         lines.push(line(tool.role.name(), size, format!("{what}{corners}, friction {}", tool.friction)));
     }

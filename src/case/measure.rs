@@ -1,12 +1,20 @@
 //! Sizes read off a tool's section, however it was drawn.
 
 use crate::geometry::{Piece, Point, Profile};
-use crate::model::{Role, Tool};
+use crate::model::{Geometry, Role, Tool};
 
 /// Smallest and largest r of a tool \[mm\].
 pub fn extent(tool: &Tool) -> (f64, f64) {
     let points = tool.profile.polyline(0.01);
     points.iter().fold((f64::INFINITY, 0.0), |(low, high), p| (p.x.min(low), p.x.max(high)))
+}
+
+/// What a distance from the axis or symmetry plane is called, as a size of a part.
+pub fn across(geometry: Geometry) -> &'static str {
+    match geometry {
+        Geometry::Axisymmetric => "radius",
+        Geometry::PlaneStrain => "half-width",
+    }
 }
 
 /// Radius or half-width of the die's opening \[mm\]; `None` for a die with a bottom, which reaches the axis.

@@ -41,7 +41,7 @@ pub use draft::Draft;
 pub use error::CaseError;
 pub use file::CaseFile;
 pub use laws::{Law, law_list, laws};
-pub use measure::{extent, throat};
+pub use measure::{across, extent, throat};
 pub use schema::schema;
 
 use crate::compare::Spec;

@@ -1,7 +1,7 @@
 //! The section at the start with its dimensions, drawn and in a table.
 
 use super::document::{Block, Picture, Row, Section};
-use crate::case::{extent, throat};
+use crate::case::{across, extent, throat};
 use crate::geometry::{Arc, Point};
 use crate::model::{Model, Motion, Role, Tool};
 use crate::output::{Dimension, Mark, dimensioned, force_unit, svg};
@@ -29,16 +29,16 @@ pub(super) fn section(model: &Model, dimensions: &[Dimension]) -> Section {
 /// Sizes of the blank and of every tool, the holder's load and the travel.
 pub(super) fn dimensions(model: &Model) -> Vec<Dimension> {
     let blank = &model.blank;
-    let across = |label: &str, r: f64| of(label, r, Unit::Mm, Mark::Across(r));
+    let wide = |label: &str, r: f64| of(&format!("{label} {}", across(model.geometry)), r, Unit::Mm, Mark::Across(r));
     let mut found = vec![
-        across("Blank", blank.length),
+        wide("Blank", blank.length),
         of("Thickness", blank.thickness, Unit::Mm, Mark::At(Point::new(0.97 * blank.length, 0.0))),
     ];
     for tool in &model.tools {
         match tool.role {
-            Role::Punch => found.push(across("Punch", extent(tool).1)),
-            Role::Die => found.extend(throat(tool).map(|r| across("Die throat", r))),
-            Role::Holder => found.push(across("Holder inner edge", extent(tool).0)),
+            Role::Punch => found.push(wide("Punch", extent(tool).1)),
+            Role::Die => found.extend(throat(tool).map(|r| wide("Die throat", r))),
+            Role::Holder => found.push(wide("Holder inner", extent(tool).0)),
         }
         found.extend(corners(tool));
         found.extend(load(model, tool));

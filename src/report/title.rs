@@ -17,12 +17,12 @@ pub(super) fn section(report: &Report) -> Section {
     };
     let rows = [
         ("Case file", case.path.display().to_string()),
-        ("SHA-256 of the case, settings applied", said("case_sha256")),
         ("Set on the command line", report.overrides.join(", ")),
         ("Section", said("section")),
         ("Stages", if case.later.is_empty() { String::new() } else { names }),
         ("Run", ended),
         ("Program", PROGRAM.to_owned()),
+        ("SHA-256 of the case, settings applied", said("case_sha256")),
     ];
     let rows = rows.into_iter().filter(|(_, value)| !value.is_empty());
     let rows = rows.map(|(label, value)| Row::plain([label.to_owned(), value])).collect();
