@@ -25,7 +25,7 @@ mod u_bend;
 mod v_bend;
 
 pub use inputs::{Choice, Default, Kind};
-pub use sheet::SHEET;
+pub use sheet::{FRICTION, K, N, OFFSET, SHEET};
 
 use super::CaseError;
 use crate::quantity::closest;

@@ -11,6 +11,12 @@ use crate::material::hardening::Swift;
 use crate::material::{Elastic, Hardening, Material};
 use crate::quantity::rounded;
 
+/// The law of a sheet that is not named, and friction \[–\] that is not known: as an option, and as a case file, has them.
+pub const K: &str = "520 MPa";
+pub const N: &str = "0.22";
+pub const OFFSET: &str = "0.005";
+pub const FRICTION: &str = "0.08";
+
 /// The options of the sheet, which every template has.
 pub const SHEET: &[Choice] = &[
     Choice::new("thickness", inputs::Kind::Length, Default::Value("1 mm"), "sheet thickness"),
@@ -20,10 +26,10 @@ pub const SHEET: &[Choice] = &[
         Default::Rule("the law of --k, --n and --offset"),
         "sheet of the library, see `stampflow materials`",
     ),
-    Choice::new("k", inputs::Kind::Stress, Default::Value("520 MPa"), "k of the hardening law σ = k (offset + ε)^n"),
-    Choice::new("n", inputs::Kind::Number, Default::Value("0.22"), "its exponent"),
-    Choice::new("offset", inputs::Kind::Number, Default::Value("0.005"), "its offset strain"),
-    Choice::new("friction", inputs::Kind::Fraction, Default::Value("0.08"), "Coulomb's coefficient on all tools"),
+    Choice::new("k", inputs::Kind::Stress, Default::Value(K), "k of the hardening law σ = k (offset + ε)^n"),
+    Choice::new("n", inputs::Kind::Number, Default::Value(N), "its exponent"),
+    Choice::new("offset", inputs::Kind::Number, Default::Value(OFFSET), "its offset strain"),
+    Choice::new("friction", inputs::Kind::Fraction, Default::Value(FRICTION), "Coulomb's coefficient on all tools"),
 ];
 
 /// Those of [`SHEET`] that write a hardening law.
