@@ -282,6 +282,38 @@ fn an_imported_case_can_be_checked_and_run() {
     }
 }
 
+/// Trust: by hand: punch 30 mm, throat 31.25 mm, holder and die drawn to 90 mm; Siebel's rule as `check` advises it, rounded up.
+#[test]
+fn an_import_says_its_size_and_picks_as_new_does() {
+    let dir = folder(Path::new("tests/drawings/ezdxf_lines_and_arcs.dxf"));
+    let import = |unit: &str| {
+        let out = format!("{unit}.toml");
+        let done = stampflow(dir.path(), &["import", "ezdxf_lines_and_arcs.dxf", "--units", unit, "-o", &out]);
+        assert_eq!(done.status.code(), Some(0), "{}", text(&done.stderr));
+        (text(&done.stdout).to_owned(), case::load(dir.path().join(out), &[]).unwrap())
+    };
+    let (said, right) = import("mm");
+    assert!(said.contains("punch radius 30 mm, die throat radius 31.25 mm, 180 mm wide in all"), "{said}");
+    assert!(!said.contains("check --units"), "{said}");
+    let (said, _) = import("cm");
+    assert!(said.contains("punch radius 300 mm, die throat radius 312.5 mm, 1800 mm wide in all"), "{said}");
+    assert!(
+        said.contains("leaves 12.5 mm between punch and die, 12.5 times the sheet's thickness of 1 mm, a placeholder")
+    );
+
+    let cup = case::template::find("cup").unwrap().fill(&[]).unwrap();
+    let cup = case::parse(&cup, "cup.toml", &[]).unwrap();
+    assert_eq!(right.model.material, cup.model.material);
+    for (tool, picked) in right.model.tools.iter().zip(&cup.model.tools) {
+        assert_eq!(tool.friction, picked.friction);
+    }
+    let report = case::check::report(&right);
+    let pressure =
+        |label: &str| report.lines.iter().find(|line| line.label == label).unwrap().value.parse::<f64>().unwrap();
+    let more = pressure("holder pressure") - pressure("advised pressure");
+    assert!((0.0..=0.01).contains(&more), "{more} MPa more than advised");
+}
+
 /// Trust: the case's profile against the section that was read, moved along z only (1e-9 mm: digits of the file).
 #[test]
 fn the_written_case_holds_the_sections_exactly() {

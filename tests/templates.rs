@@ -1,7 +1,9 @@
 //! `stampflow new`: every template is written, checked and run without a hand on it, and its picked sizes follow their rules.
 
+use stampflow::case::library::materials;
 use stampflow::case::template::{TEMPLATES, find, list, rules};
 use stampflow::case::{Case, check, parse};
+use stampflow::verdict::{self, Light};
 use stampflow::{Frame, Run, Stop, run_stages};
 use std::fs;
 use std::path::Path;
@@ -104,22 +106,65 @@ fn the_blank_is_the_textbooks() {
     assert!((rules::blank_of(rules::cup_area(30.0, 0.0, 20.0)).powi(2) - (900.0 + 4.0 * 30.0 * 10.0)).abs() < 1e-9);
 }
 
-/// Trust: the angle of the legs in the tools is a matter of tangents; thickness and curvature between them are the sheet's.
+/// Trust: the travel is solved for from the strip's moment and curvature, the run knows nothing of that. 1° is what was wanted;
+/// friction and the change of thickness, which the rule leaves out, take some tenths.
 #[test]
 fn a_v_has_its_angle_before_it_springs_back() {
-    for angle in ["90 deg", "120 deg"] {
-        let wanted: f64 = angle.trim_end_matches(" deg").parse().unwrap();
-        let runs = solved(&case("v-bend", &[("angle", angle)]));
+    let other: &[(&str, &str)] = &[("thickness", "2 mm"), ("friction", "0.15"), ("n", "0.15")];
+    let wide: &[(&str, &str)] = &[("width", "80 mm"), ("material", "aa6016-t4")];
+    let sharp = &[("nose", "5 mm"), ("shoulder", "10 mm"), ("width", "50 mm")];
+    for (wanted, given) in [60.0, 75.0, 90.0, 120.0, 150.0]
+        .map(|angle| (angle, &[][..]))
+        .into_iter()
+        .chain([other, wide, sharp].map(|given| (90.0, given)))
+    {
+        let angle = format!("{wanted} deg");
+        let runs = solved(&case("v-bend", &[given, &[("angle", &angle)]].concat()));
         let opening = |run: &Run| {
             let nodes = &run.frames.last().unwrap().nodes;
             let [.., a, _, b] = nodes.as_slice() else { panic!("a strip has nodes") };
             180.0 - 2.0 * ((a.z - b.z) / (b.r - a.r)).atan().to_degrees()
         };
         let (bent, free) = (opening(&runs[0]), opening(&runs[1]));
-        println!("{angle}: {bent:.2}°, then {free:.2}°");
-        // The sheet's own radius between the tools is larger than the punch's: it is bent somewhat more or less.
-        assert!((bent - wanted).abs() < 4.0, "{bent}");
-        assert!(free > bent + 0.3 && free < bent + 15.0, "{bent} {free}");
+        println!("{angle} {given:?}: {bent:.2}°, then {free:.2}°");
+        assert!((bent - wanted).abs() < 1.0, "{angle} {given:?}: {bent}");
+        assert!(free > bent + 0.3 && free < bent + 25.0, "{bent} {free}");
+    }
+}
+
+/// Trust: the library's numbers; a case that names its material has them, and every rule that asks for the strength too.
+#[test]
+fn the_sheet_may_be_one_of_the_library() {
+    for entry in materials().unwrap() {
+        for template in TEMPLATES {
+            let case = case(template.name, &[("material", entry.name)]);
+            assert_eq!(case.model.material.hardening, entry.material.hardening, "{} {}", template.name, entry.name);
+            assert!(!case.model.notes.iter().any(|note| note.contains("mild deep-drawing steel")));
+            assert!(case.derived.iter().any(|note| note.contains(&entry.source)), "{} {}", template.name, entry.name);
+        }
+        let cup = check::report(&case("cup", &[("material", entry.name)]));
+        let pressure = |label: &str| cup.lines.iter().find(|line| line.label == label).unwrap().value.parse::<f64>();
+        // Three digits of the report; the force is rounded up to a newton.
+        let more = pressure("holder pressure").unwrap() - pressure("advised pressure").unwrap();
+        assert!((0.0..0.003).contains(&more), "{}: {more}", entry.name);
+    }
+}
+
+/// Trust: what the verdict of a fresh case says; each light here depends on a number that a template has picked.
+#[test]
+fn no_picked_size_is_doubted_by_the_verdict() {
+    let defaults = TEMPLATES.iter().map(|template| (template.name, &[][..]));
+    for (name, given) in defaults.chain([("redraw", &[("height", "70 mm")][..]), ("cup", &[("height", "50 mm")])]) {
+        let case = case(name, given);
+        let passes = run_stages(&case.stages(), &mut ());
+        let bent = ["v-bend", "u-bend"].contains(&name);
+        assert_eq!(case.model.forming_limit.is_none(), bent, "{name}");
+        let findings = verdict::judge(&case, &passes);
+        for finding in findings {
+            if ["wrinkling", "bend_radius"].contains(&finding.key) || (finding.key == "forming_limit" && !bent) {
+                assert_eq!(finding.light, Light::Green, "{name} {given:?}: {} {}", finding.key, finding.found);
+            }
+        }
     }
 }
 
@@ -135,7 +180,16 @@ fn what_does_not_go_together_is_refused_with_exit_code_2() {
         (&["cup", "--height", "3 kN"], "is a force, wanted a length"),
         (&["cup", "--thickness", "0 mm"], "must be positive"),
         (&["cup", "--n", "3"], "n must lie between 0 and 1"),
-        (&["cup", "--friction", "2"], "0 and 1"),
+        (&["cup", "--friction", "2"], "--friction: must lie between 0 and 1"),
+        (&["cup", "--trim", "8"], "--trim: 8 needs a unit help: write \"8 %\""),
+        (&["cup", "--trim", "40 %", "--height", "48 mm"], "--height of 42.5 mm or less; or a smaller --trim"),
+        (&["conical-cup", "--angle", "20"], "write \"20 deg\""),
+        (
+            &["cup", "--clearance", "0.2 mm"],
+            "the template cup with --clearance \"0.2 mm\" makes a case that is refused",
+        ),
+        (&["cup", "--material", "ap04x"], "did you mean `ap04xr`"),
+        (&["cup", "--material", "ap04xr", "--n", "0.2"], "--n is of another one"),
         (&["cup", "--angle", "30 deg"], "--punch-radius"),
         (&["cupp"], "cup"),
         (&["conical-cup", "--angle", "60 deg"], "narrows from"),
@@ -151,7 +205,7 @@ fn what_does_not_go_together_is_refused_with_exit_code_2() {
     ] {
         let done = stampflow(dir.path(), &[&["new"], args, &["-o", "case.toml"]].concat());
         assert_eq!(done.status.code(), Some(2), "{args:?}: {}", message(&done));
-        let told = message(&done).replace("\n  │ ", " ");
+        let told = message(&done).replace("\n  │ ", " ").replace("\n ", "");
         assert!(told.contains(says), "{args:?}: {told}");
         assert!(!dir.path().join("case.toml").exists());
     }

@@ -1,15 +1,23 @@
 //! A case file written around tools that were drawn: their profiles, and declared placeholders for the rest.
 
+use super::check::estimate::{siebel, tensile_strength};
+use super::check::mm;
 use super::measure::{extent, gap, shoulder_end, throat};
+use super::template::rules::strip_pressure;
+use super::template::{FRICTION, K, N, OFFSET};
 use crate::geometry::{Piece, Point, Profile};
+use crate::material::Hardening;
+use crate::material::hardening::Swift;
 use crate::model::{Geometry, Motion, Role, Tool};
-use crate::quantity::rounded;
+use crate::quantity::{parse, rounded};
 use std::fmt::Write;
 
 /// Thickness where nothing else is said \[mm\].
 const THICKNESS: f64 = 1.0;
 /// Clearance over thickness that a placeholder thickness leaves [–].
 const CLEARANCE: f64 = 1.25;
+/// Clearance over thickness above which the thickness, or the drawing's unit, is doubted [–].
+const WIDE: f64 = 3.0;
 /// Largest draw ratio of a placeholder blank [–].
 const RATIO: f64 = 1.8;
 /// Travel over the punch's size [–], of a sheet that is drawn in and of one that is clamped and only stretched.
@@ -72,21 +80,27 @@ impl Draft<'_> {
         for (role, profile, made_of) in &self.tools {
             let _ = writeln!(text, "\n# {}\n[tools.{}]", comment(made_of), role.name());
             write_profile(profile, &mut text);
-            let _ = writeln!(text, "friction = 0.1   # placeholder: Coulomb's coefficient; change it");
+            let _ = writeln!(text, "friction = {FRICTION}   # placeholder: Coulomb's coefficient; change it");
             match (role, &sizes.travel) {
                 (Role::Punch, Some(travel)) => {
                     let _ = writeln!(text, "travel = {}{}", quoted(travel.mm), travel.comment());
                 }
                 (Role::Holder, _) => {
-                    text += "pressure = \"2.5 MPa\"   # placeholder: on the area between holder and die, or give a force; \
-                             change it\n";
+                    let (pressure, rule) = self.pressure(&sizes);
+                    let _ = writeln!(
+                        text,
+                        "# placeholder: {rule}, on the area between holder and die; change it, or give a force\npressure = \"{pressure} MPa\""
+                    );
                 }
                 _ => {}
             }
         }
         if !self.has(Role::Punch) {
-            text += "\n# No punch is drawn. Add one, for example:\n# [tools.punch]\n# flat = { radius = \"30 mm\", nose = \"6 mm\" }\n\
-                     # friction = 0.1\n# travel = \"10 mm\"\n";
+            let _ = writeln!(
+                text,
+                "\n# No punch is drawn. Add one, for example:\n# [tools.punch]\n\
+                 # flat = {{ radius = \"30 mm\", nose = \"6 mm\" }}\n# friction = {FRICTION}\n# travel = \"10 mm\""
+            );
         }
         text
     }
@@ -122,8 +136,66 @@ impl Draft<'_> {
         if !self.has(Role::Die) {
             *text += "edge = \"clamped\"   # placeholder: no die is drawn that the blank could rest on\n";
         }
-        *text += "\n# placeholder: typical of mild deep-drawing steel; change it. σ = k (offset + ε)^n\n\
-                  [material.hardening.swift]\nk = \"520 MPa\"\nn = 0.22\noffset = 0.005\n";
+        let _ = writeln!(
+            text,
+            "\n# placeholder: typical of mild deep-drawing steel; change it, or name one of `stampflow materials`.\n\
+             # σ = k (offset + ε)^n\n[material.hardening.swift]\nk = \"{K}\"\nn = {N}\noffset = {OFFSET}"
+        );
+    }
+
+    /// The holder's pressure \[MPa\], rounded up, and its rule: Siebel's for a blank that is drawn in round an axis.
+    fn pressure(&self, sizes: &Sizes) -> (f64, &'static str) {
+        let strength = tensile_strength(&hardening());
+        let punch = self.tool(Role::Punch).map(|punch| extent(&punch).1);
+        let drawn = punch.filter(|punch| self.geometry == Geometry::Axisymmetric && sizes.blank.mm > *punch);
+        let (pressure, rule) = match drawn {
+            Some(punch) => {
+                (siebel(sizes.blank.mm / punch, 2.0 * punch, sizes.thickness.mm, strength), "Siebel's pressure")
+            }
+            None => (strip_pressure(strength).value, "1 % of the tensile strength"),
+        };
+        (rounded(0.01 * (100.0 * pressure).ceil()), rule)
+    }
+
+    /// Throat less punch \[mm\].
+    fn clearance(&self) -> Option<f64> {
+        let (punch, die) = (self.tool(Role::Punch)?, self.tool(Role::Die)?);
+        Some(throat(&die)? - extent(&punch).1)
+    }
+
+    /// How large the tools are, which shows a wrong unit at once: `punch radius 30 mm, die throat 31.25 mm, 180 mm wide in all`.
+    pub fn size(&self) -> String {
+        let half = match self.geometry {
+            Geometry::Axisymmetric => "radius",
+            Geometry::PlaneStrain => "half-width",
+        };
+        let tools: Vec<Tool> = Role::ALL.iter().filter_map(|role| self.tool(*role)).collect();
+        let mut said: Vec<String> = tools
+            .iter()
+            .filter_map(|tool| match tool.role {
+                Role::Punch => Some(format!("punch {half} {} mm", mm(extent(tool).1))),
+                Role::Die => throat(tool).map(|throat| format!("die throat {half} {} mm", mm(throat))),
+                Role::Holder => None,
+            })
+            .collect();
+        let reach = tools.iter().map(|tool| extent(tool).1).fold(0.0, f64::max);
+        said.push(format!("{} mm wide in all", mm(2.0 * reach)));
+        said.join(", ")
+    }
+
+    /// What does not fit: a gap between punch and die that is wide for the sheet.
+    pub fn doubt(&self) -> Option<String> {
+        let (clearance, thickness) = (self.clearance()?, self.sizes().thickness);
+        let placeholder = if thickness.placeholder.is_some() { ", a placeholder" } else { "" };
+        (clearance > WIDE * thickness.mm).then(|| {
+            format!(
+                "the drawing leaves {} mm between punch and die, {:.1} times the sheet's thickness of {} mm{placeholder}: check \
+                 --units and --thickness",
+                mm(clearance),
+                clearance / thickness.mm,
+                mm(thickness.mm)
+            )
+        })
     }
 
     fn has(&self, role: Role) -> bool {
@@ -132,14 +204,13 @@ impl Draft<'_> {
 
     fn tool(&self, role: Role) -> Option<Tool> {
         let (_, profile, _) = self.tools.iter().find(|(tool, ..)| *tool == role)?;
-        Some(Tool { role, profile: (*profile).clone(), friction: 0.1.into(), motion: Motion::Fixed })
+        Some(Tool { role, profile: (*profile).clone(), friction: 0.0.into(), motion: Motion::Fixed })
     }
 
     fn sizes(&self) -> Sizes {
         let (punch, die) = (self.tool(Role::Punch), self.tool(Role::Die));
         let thickness = Chosen::or(self.thickness, || {
-            let clearance = punch.as_ref().zip(throat_of(die.as_ref())).map(|(punch, throat)| throat - extent(punch).1);
-            match clearance.map(|clearance| rounded((clearance / CLEARANCE * 100.0).floor() / 100.0)) {
+            match self.clearance().map(|clearance| rounded((clearance / CLEARANCE * 100.0).floor() / 100.0)) {
                 Some(fits) if fits > 0.0 && fits < THICKNESS => {
                     (fits, "what the gap between punch and die has room for")
                 }
@@ -169,9 +240,10 @@ impl Draft<'_> {
     }
 }
 
-/// Radius or half-width of the opening of a die that has one \[mm\].
-fn throat_of(die: Option<&Tool>) -> Option<f64> {
-    die.and_then(throat)
+/// The law that is written.
+fn hardening() -> Hardening {
+    let number = |text: &str| parse(text).expect("the law is well written").value;
+    Hardening::Swift(Swift::new(number(K), number(N), number(OFFSET)).expect("the law is one"))
 }
 
 /// A share of the punch's size, or what its drawn height and the die's bottom leave room for.

@@ -134,13 +134,14 @@ pub fn import(args: &Args) -> anyhow::Result<Code> {
     write(&out, text.as_bytes())?;
     write(&picture, &png(&svg(&sketch(&name, args.geometry, &sections))))?;
     let derived = case.map_or_else(Vec::new, |case| case.derived);
+    let notes: Vec<String> = sections.notes.iter().cloned().chain(derived).chain(draft.doubt()).collect();
     if args.json.json {
         let tool = |tool: &Section| json!({ "tool": tool.role.name(), "pieces": tool.profile.pieces().len(), "made_of": tool.made_of });
         let tools: Vec<_> = sections.tools.iter().map(tool).collect();
-        let notes: Vec<_> = sections.notes.iter().chain(&derived).collect();
-        return say_json(&json!({ "case": out, "picture": picture, "tools": tools, "notes": notes }));
+        let size = draft.size();
+        return say_json(&json!({ "case": out, "picture": picture, "tools": tools, "size": size, "notes": notes }));
     }
-    let mut said = report(&sections, &derived);
+    let mut said = report(&sections, &draft.size(), &notes);
     let _ = writeln!(said, "\n{} and {} are written", out.display(), picture.display());
     if sections.tool(Role::Punch).is_some() {
         let _ = writeln!(said, "change the placeholders in the case, then: stampflow check {}", out.display());
@@ -164,13 +165,14 @@ impl Args {
 }
 
 /// The tools, and how they were understood.
-fn report(sections: &Sections, derived: &[String]) -> String {
+fn report(sections: &Sections, size: &str, notes: &[String]) -> String {
     let mut text = String::new();
     for tool in &sections.tools {
         let pieces = tool.profile.pieces().len();
         let _ = writeln!(text, "{:<8}{pieces} lines and arcs from {}", tool.role.name(), tool.made_of);
     }
-    for note in sections.notes.iter().chain(derived) {
+    let _ = writeln!(text, "size    {size}");
+    for note in notes {
         let _ = writeln!(text, "  - {note}");
     }
     text

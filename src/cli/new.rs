@@ -91,7 +91,7 @@ impl clap::Args for Args {
             .disable_help_subcommand(true)
             .after_help(
                 "Examples:\n  stampflow new cup -o cup.toml\n  stampflow new cup --punch-radius \"40 mm\" --height \"35 mm\" -o cup.toml\n  \
-                 stampflow new v-bend --angle \"120 deg\"\n\nWithout -o the case is printed; a file that is there is left alone.",
+                 stampflow new v-bend --angle \"120 deg\"\n  stampflow new cup --material drawing-steel --thickness \"0.8 mm\"\n\nWithout -o the case is printed; a file that is there is left alone.",
             )
     }
 

@@ -31,10 +31,10 @@ pub enum QuantityError {
 }
 
 impl Kind {
-    /// What a bare number most likely means: the solver's unit, or a share that is to be a percentage.
+    /// What a bare number most likely means: the solver's unit, degrees, or a share that is to be a percentage.
     fn with_unit(&self, found: &str) -> String {
-        // Of temperature and mass nobody writes the solver's unit.
-        let unusual = self.unit.contains('K') || self.unit.contains("s^2");
+        // Of angles, temperature and mass nobody writes the solver's unit.
+        let unusual = self.unit == "rad" || self.unit.contains('K') || self.unit.contains("s^2");
         let usual = self.examples[0].split_once(' ').filter(|_| unusual).map_or(self.unit, |(_, unit)| unit);
         match found.parse::<f64>() {
             Ok(share) if self.unit == "%" && share < 1.0 => format!("{} %", (1e6 * share).round() / 1e4),

@@ -58,6 +58,9 @@ fn messages_name_the_value_and_the_remedy() {
         "0.9 needs a unit\nwrite \"0.9 mm\"; a length may also be written \"0.9 mm\" or \"0.035 in\""
     );
     assert!(message::<Temperature>("230").contains("write \"230 °C\""));
+    assert!(message::<Angle>("20").contains("write \"20 deg\""));
+    assert!(message::<Ratio>("8").contains("write \"8 %\""));
+    assert!(message::<Ratio>("0.08").contains("write \"8 %\""));
     assert!(message::<Density>("2700").contains("write \"2700 kg/m^3\""));
     assert_eq!(message::<Length>("0,9 mm"), "decimal comma in \"0,9 mm\"\nwrite a point: \"0.9 mm\"");
     assert_eq!(

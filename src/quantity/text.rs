@@ -9,7 +9,9 @@ use std::marker::PhantomData;
 pub(super) fn read<Q: Quantity>(text: &str) -> Result<Q, QuantityError> {
     let (parsed, kind) = (parse(text)?, Q::KIND);
     let found = text.trim();
-    if parsed.dimension == kind.dimension {
+    // A bare 8 would be 800 %: who writes a percentage says so.
+    let is_bare_share = kind.unit == "%" && !parsed.has_unit;
+    if parsed.dimension == kind.dimension && !is_bare_share {
         return Q::checked(parsed.value, found);
     }
     let found = found.into();

@@ -13,7 +13,7 @@ pub(super) const TEMPLATE: Template =
     Template { name: "bulge", about: "a clamped disc bulged by oil through a round opening", own: OPTIONS, write };
 
 const OPTIONS: &[Choice] = &[
-    Choice::new("opening", Kind::Length, Default::Value("50 mm"), "radius of the die's opening"),
+    Choice::new("opening", Kind::Length, Default::Value("50 mm"), "radius of the die's opening, half its diameter"),
     Choice::new("height", Kind::Length, Default::Rule("0.4 openings"), "height of the dome that the pressure is for"),
     Choice::new("shoulder", Kind::Length, Default::Rule("6 thicknesses"), "radius of the die's corner"),
     Choice::new("pressure", Kind::Stress, Default::Rule("of a spherical membrane"), "pressure at the end"),
@@ -25,8 +25,11 @@ fn write(inputs: &Inputs) -> Result<String, CaseError> {
     let opening = inputs.value("opening");
     let height = inputs.given("height").unwrap_or(0.4 * opening);
     let shoulder = inputs.pick("shoulder", || rules::tool_radius(t));
+    // Stress over yield stress in even biaxial tension (R. Hill, 1948); the strain through the thickness is less by that.
+    let biaxial = (0.5 * (1.0 + sheet.anisotropy())).sqrt();
     // The shoulder's end holds the sheet, its middle lies half a thickness below.
-    let pressure_at = |height: f64| rules::bulge_pressure(opening, height, t, |strain| sheet.stress(strain));
+    let pressure_at =
+        |height: f64| rules::bulge_pressure(opening, height, t, |strain| biaxial * sheet.stress(strain / biaxial));
     let why = format!(
         "for a dome {} high by membrane theory: p = 2 σ t/R of a spherical cap, t₀/t = (1 + h²/a²)² (Hill 1950, not read)",
         plain(height)
@@ -45,7 +48,7 @@ fn write(inputs: &Inputs) -> Result<String, CaseError> {
 
     let mut page = Page::new(
         "Oil alone: a clamped disc bulges under a pressure that rises. There is no punch, so the run has a duration.",
-        &format!("Bulge, {} opening", plain(2.0 * opening)),
+        &format!("Bulge, opening diameter {}", plain(2.0 * opening)),
         "axisymmetric",
         &sheet.notes("a made-up bulge test"),
     );
@@ -53,6 +56,7 @@ fn write(inputs: &Inputs) -> Result<String, CaseError> {
     page.set("edge", "\"clamped\"", "");
     elements(&mut page, blank.value, shoulder.value);
     sheet.material(&mut page, false);
+    sheet.forming_limit(&mut page);
     page.table("tools.die", "");
     page.set("throat", mm(opening), "");
     page.length("shoulder", &shoulder);

@@ -18,7 +18,12 @@ pub(super) const TEMPLATE: Template = Template {
 };
 
 const OPTIONS: &[Choice] = &[
-    Choice::new("punch-radius", Kind::Length, Default::Value("35 mm"), "radius of the cone at its mouth"),
+    Choice::new(
+        "punch-radius",
+        Kind::Length,
+        Default::Value("35 mm"),
+        "radius of the cone at its mouth, half its diameter",
+    ),
     Choice::new("angle", Kind::Angle, Default::Value("20 deg"), "angle of the wall to the axis"),
     Choice::new("height", Kind::Length, Default::Value("25 mm"), "depth: the punch's travel, up to the flange"),
     Choice::new("flange", Kind::Length, Default::Value("6 mm"), "width of flat flange left at the end"),
@@ -27,6 +32,10 @@ const OPTIONS: &[Choice] = &[
     Choice::new("clearance", Kind::Length, Default::Rule("t √β"), "gap between punch and die at the full travel"),
     Choice::new("holder-pressure", Kind::Stress, Default::Rule("Siebel's"), "pressure of the holder on the flange"),
 ];
+
+/// What the run cannot show.
+const FREE_WALL: &str =
+    "the wall hangs free between punch and die: a real one may wrinkle there, an axisymmetric run cannot";
 
 fn write(inputs: &Inputs) -> Result<String, CaseError> {
     let sheet = Sheet::read(inputs)?;
@@ -49,19 +58,21 @@ fn write(inputs: &Inputs) -> Result<String, CaseError> {
         return Err(CaseError::bare(what, "make --height, --angle or --nose smaller, or --punch-radius larger".into()));
     }
     let shoulder = inputs.pick("shoulder", || rules::tool_radius(t));
-    let blank_for = |clearance: f64| {
+    let blank_for = |height: f64, clearance: f64| {
+        let bottom = mouth - height * angle.tan();
         let edge = mouth + clearance + shoulder.value + flange;
         let side = height / angle.cos();
         rules::blank_of(PI * bottom * bottom + PI * side * (bottom + mouth) + PI * (edge * edge - mouth * mouth))
     };
-    let ratio = rules::draw_ratio(blank_for(t), mouth, "make --height or --flange smaller")?;
+    let ratio = rules::draw_ratio(|height| blank_for(height, t), height, mouth, "a smaller --flange")?;
     let clearance = inputs.pick("clearance", || rules::drawing_clearance(t, ratio));
     let blank = Picked::by(
-        blank_for(clearance.value),
+        blank_for(height, clearance.value),
         "half of D, D² = d₁² + 2 s (d₁ + d₂) + D_f² − d₂²: bottom, cone of side s and flange, the sheet keeps its area (Guldin)",
     );
     let throat = Picked::by(mouth + clearance.value, format!("mouth and clearance{}", because(&clearance)));
-    let pressure = inputs.pick("holder-pressure", || rules::holder_pressure(ratio, 2.0 * mouth, t, sheet.strength));
+    let pressure =
+        inputs.pick("holder-pressure", || rules::holder_pressure(blank.value / mouth, 2.0 * mouth, t, sheet.strength));
     let holder = force(&pressure, Geometry::Axisymmetric, throat.value + shoulder.value, blank.value)?;
     let tools = Tools {
         geometry: Geometry::Axisymmetric,
@@ -73,18 +84,15 @@ fn write(inputs: &Inputs) -> Result<String, CaseError> {
     };
 
     let mut page = Page::new(
-        &format!(
-            "A conical cup with a flange left to hold. Its wall hangs free between punch and die: a real one may wrinkle there, an \
-             axisymmetric run cannot.{}",
-            careful(ratio)
-        ),
-        &format!("Conical cup, {} mouth", plain(2.0 * mouth)),
+        &format!("A conical cup with a flange left to hold.{}", careful(ratio)),
+        &format!("Conical cup, mouth diameter {}", plain(2.0 * mouth)),
         "axisymmetric",
-        &sheet.notes("a made-up cup"),
+        &[sheet.notes("a made-up cup"), vec![FREE_WALL.to_owned()]].concat(),
     );
     sheet.blank(&mut page, "radius", &blank);
     elements(&mut page, blank.value, tools.shoulder.value.min(nose.value));
     sheet.material(&mut page, false);
+    sheet.forming_limit(&mut page);
     tools.write(&mut page, &sheet);
     Ok(page.text())
 }

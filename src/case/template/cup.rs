@@ -17,7 +17,12 @@ pub(super) const TEMPLATE: Template = Template {
 };
 
 const OPTIONS: &[Choice] = &[
-    Choice::new("punch-radius", Kind::Length, Default::Value("30 mm"), "radius of the punch, inside of the cup"),
+    Choice::new(
+        "punch-radius",
+        Kind::Length,
+        Default::Value("30 mm"),
+        "radius of the punch, half the inner diameter of the cup",
+    ),
     Choice::new(
         "height",
         Kind::Length,
@@ -31,7 +36,12 @@ const OPTIONS: &[Choice] = &[
         "blank for that much more height: the rim thickens and is trimmed",
     ),
     Choice::new("nose", Kind::Length, Default::Rule("6 thicknesses"), "radius of the punch's corner"),
-    Choice::new("shoulder", Kind::Length, Default::Rule("6 thicknesses"), "radius of the die's corner"),
+    Choice::new(
+        "shoulder",
+        Kind::Length,
+        Default::Rule("6 thicknesses, or 4.5 of the rim"),
+        "radius of the die's corner",
+    ),
     Choice::new("clearance", Kind::Length, Default::Rule("t √β"), "gap between punch and die"),
     Choice::new("holder-pressure", Kind::Stress, Default::Rule("Siebel's"), "pressure of the holder on the flange"),
 ];
@@ -60,12 +70,16 @@ impl Cup {
         Ok(Self { radius, nose, height, trim })
     }
 
-    /// The blank that keeps the area of the mid-surface, and is made for the height and what is trimmed.
+    /// Radius of the blank that keeps the area of the mid-surface of a cup of a height, and of what is trimmed off.
+    pub fn blank_for(&self, height: f64, t: f64) -> f64 {
+        let height = height * (1.0 + self.trim) - 0.5 * t;
+        rules::blank_of(rules::cup_area(self.radius + 0.5 * t, self.nose.value + 0.5 * t, height))
+    }
+
+    /// The blank of this cup.
     pub fn blank(&self, t: f64) -> Picked {
-        let height = self.height * (1.0 + self.trim) - 0.5 * t;
-        let area = rules::cup_area(self.radius + 0.5 * t, self.nose.value + 0.5 * t, height);
         Picked::by(
-            rules::blank_of(area),
+            self.blank_for(self.height, t),
             format!(
                 "half of D, D² = d² + 4 d h − 1.72 r d − 0.57 r²: the mid-surface keeps its area (Guldin), with h for {} and {} % more, \
                  because the rim thickens (declared)",
@@ -81,10 +95,10 @@ fn write(inputs: &Inputs) -> Result<String, CaseError> {
     let t = sheet.thickness;
     let cup = Cup::read(inputs, &sheet)?;
     let blank = cup.blank(t);
-    let ratio =
-        rules::draw_ratio(blank.value, cup.radius, "make --height smaller, or draw twice: stampflow new redraw")?;
+    let or = "a smaller --trim; or draw twice: stampflow new redraw";
+    let ratio = rules::draw_ratio(|height| cup.blank_for(height, t), cup.height, cup.radius, or)?;
     let clearance = inputs.pick("clearance", || rules::drawing_clearance(t, ratio));
-    let shoulder = inputs.pick("shoulder", || rules::tool_radius(t));
+    let shoulder = inputs.pick("shoulder", || rules::drawn_shoulder(t, ratio, sheet.anisotropy()));
     let throat = Picked::by(cup.radius + clearance.value, format!("punch and clearance{}", because(&clearance)));
     let pressure =
         inputs.pick("holder-pressure", || rules::holder_pressure(ratio, 2.0 * cup.radius, t, sheet.strength));
@@ -100,13 +114,14 @@ fn write(inputs: &Inputs) -> Result<String, CaseError> {
 
     let mut page = Page::new(
         &format!("A cup, {} high from the outside of its bottom to its rim.{}", plain(cup.height), careful(ratio)),
-        &format!("Cup, {} punch", plain(2.0 * cup.radius)),
+        &format!("Cup, punch diameter {}", plain(2.0 * cup.radius)),
         "axisymmetric",
         &sheet.notes("a made-up cup"),
     );
     sheet.blank(&mut page, "radius", &blank);
     elements(&mut page, blank.value, tools.shoulder.value.min(cup.nose.value));
     sheet.material(&mut page, false);
+    sheet.forming_limit(&mut page);
     tools.write(&mut page, &sheet);
     Ok(page.text())
 }

@@ -17,7 +17,7 @@ pub(super) const TEMPLATE: Template = Template {
 };
 
 const OPTIONS: &[Choice] = &[
-    Choice::new("half-width", Kind::Length, Default::Value("30 mm"), "half the width of the punch"),
+    Choice::new("half-width", Kind::Length, Default::Value("30 mm"), "half-width of the punch"),
     Choice::new("height", Kind::Length, Default::Value("40 mm"), "depth: the punch's travel, up to the flange"),
     Choice::new("flange", Kind::Length, Default::Value("20 mm"), "width of flat flange left at the end"),
     Choice::new("nose", Kind::Length, Default::Rule("6 thicknesses"), "radius of the punch's corner"),
@@ -68,13 +68,14 @@ fn write(inputs: &Inputs) -> Result<String, CaseError> {
     let mut page = Page::new(
         "One half of a hat section, drawn. By the flow law, which does not spring back: for that see cases/hat_springback.toml, \
          which takes longer, or stampflow new u-bend.",
-        &format!("Hat section, {} wide", plain(2.0 * half_width)),
+        &format!("Hat section, punch {} wide", plain(2.0 * half_width)),
         "plane_strain",
         &sheet.notes("a made-up section"),
     );
     sheet.blank(&mut page, "half_length", &blank);
     elements(&mut page, blank.value, tools.shoulder.value.min(nose.value));
     sheet.material(&mut page, false);
+    sheet.forming_limit(&mut page);
     tools.write(&mut page, &sheet);
     Ok(page.text())
 }

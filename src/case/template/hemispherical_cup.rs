@@ -18,7 +18,12 @@ pub(super) const TEMPLATE: Template = Template {
 };
 
 const OPTIONS: &[Choice] = &[
-    Choice::new("punch-radius", Kind::Length, Default::Value("30 mm"), "radius of the punch and of its nose"),
+    Choice::new(
+        "punch-radius",
+        Kind::Length,
+        Default::Value("30 mm"),
+        "radius of the punch and of its nose, half its diameter",
+    ),
     Choice::new("height", Kind::Length, Default::Value("32 mm"), "depth: the punch's travel, up to the flange"),
     Choice::new("flange", Kind::Length, Default::Value("6 mm"), "width of flat flange left at the end"),
     Choice::new("shoulder", Kind::Length, Default::Rule("6 thicknesses"), "radius of the die's corner"),
@@ -37,18 +42,19 @@ fn write(inputs: &Inputs) -> Result<String, CaseError> {
     let shoulder = inputs.pick("shoulder", || rules::tool_radius(t));
     let middle = radius + 0.5 * t;
     // The clearance follows from the ratio and the blank, by the little that the throat is wider, from the clearance.
-    let blank_for = |clearance: f64| {
+    let blank_for = |height: f64, clearance: f64| {
         let edge = radius + clearance + shoulder.value + flange;
         rules::blank_of(2.0 * PI * middle * height + PI * (edge * edge - middle * middle))
     };
-    let ratio = rules::draw_ratio(blank_for(t), radius, "make --height or --flange smaller")?;
+    let ratio = rules::draw_ratio(|height| blank_for(height, t), height, radius, "a smaller --flange")?;
     let clearance = inputs.pick("clearance", || rules::drawing_clearance(t, ratio));
     let blank = Picked::by(
-        blank_for(clearance.value),
+        blank_for(height, clearance.value),
         "half of D, D² = 4 d h + D_f² − d²: dome, wall and flange of diameter D_f, the mid-surface keeps its area (Guldin)",
     );
     let throat = Picked::by(radius + clearance.value, format!("punch and clearance{}", because(&clearance)));
-    let pressure = inputs.pick("holder-pressure", || rules::holder_pressure(ratio, 2.0 * radius, t, sheet.strength));
+    let pressure = inputs
+        .pick("holder-pressure", || rules::holder_pressure(blank.value / radius, 2.0 * radius, t, sheet.strength));
     let holder = force(&pressure, Geometry::Axisymmetric, throat.value + shoulder.value, blank.value)?;
     let tools = Tools {
         geometry: Geometry::Axisymmetric,
@@ -61,13 +67,14 @@ fn write(inputs: &Inputs) -> Result<String, CaseError> {
 
     let mut page = Page::new(
         &format!("A cup with a hemispherical bottom, with a flange left to hold.{}", careful(ratio)),
-        &format!("Hemispherical cup, {} punch", plain(2.0 * radius)),
+        &format!("Hemispherical cup, punch diameter {}", plain(2.0 * radius)),
         "axisymmetric",
         &sheet.notes("a made-up cup"),
     );
     sheet.blank(&mut page, "radius", &blank);
     elements(&mut page, blank.value, tools.shoulder.value);
     sheet.material(&mut page, false);
+    sheet.forming_limit(&mut page);
     tools.write(&mut page, &sheet);
     Ok(page.text())
 }

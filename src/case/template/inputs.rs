@@ -3,7 +3,9 @@
 use super::Template;
 use super::rules::Picked;
 use crate::case::CaseError;
-use crate::quantity::{Angle, Length, NonNegative, Number, Positive, Quantity, QuantityError, Ratio, Stress, closest};
+use crate::quantity::{
+    Angle, Fraction, Length, NonNegative, Number, Positive, Quantity, QuantityError, Ratio, Stress, closest,
+};
 
 /// What kind of value an option takes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -18,6 +20,10 @@ pub enum Kind {
     Share,
     /// Zero or above \[–\].
     Number,
+    /// From 0 to 1 \[–\].
+    Fraction,
+    /// A word.
+    Name,
 }
 
 impl Kind {
@@ -29,13 +35,15 @@ impl Kind {
             Kind::Angle => "ANGLE",
             Kind::Share => "PERCENT",
             Kind::Number => "NUMBER",
+            Kind::Fraction => "FRACTION",
+            Kind::Name => "NAME",
         }
     }
 
-    /// The value in solver units.
-    fn read(self, text: &str) -> Result<f64, QuantityError> {
-        fn value<Q: Quantity + std::str::FromStr<Err = QuantityError>>(text: &str) -> Result<f64, QuantityError> {
-            text.parse::<Q>().map(Q::value)
+    /// The value, numbers in solver units.
+    fn read(self, text: &str) -> Result<Value, QuantityError> {
+        fn value<Q: Quantity + std::str::FromStr<Err = QuantityError>>(text: &str) -> Result<Value, QuantityError> {
+            text.parse::<Q>().map(|quantity| Value::Number(quantity.value()))
         }
         match self {
             Kind::Length => value::<Positive<Length>>(text),
@@ -43,6 +51,8 @@ impl Kind {
             Kind::Angle => value::<Positive<Angle>>(text),
             Kind::Share => value::<NonNegative<Ratio>>(text),
             Kind::Number => value::<NonNegative<Number>>(text),
+            Kind::Fraction => value::<Fraction>(text),
+            Kind::Name => Ok(Value::Name(text.to_owned())),
         }
     }
 }
@@ -80,14 +90,21 @@ impl Choice {
     }
 }
 
+/// What an option was given as.
+enum Value {
+    /// In solver units.
+    Number(f64),
+    Name(String),
+}
+
 /// The values of a template's options.
 pub(super) struct Inputs {
-    values: Vec<(Choice, Option<f64>)>,
+    values: Vec<(Choice, Option<Value>)>,
 }
 
 impl Inputs {
     pub fn read(template: &Template, given: &[(&str, &str)]) -> Result<Self, CaseError> {
-        let mut values: Vec<(Choice, Option<f64>)> = template.options().map(|choice| (*choice, None)).collect();
+        let mut values: Vec<(Choice, Option<Value>)> = template.options().map(|choice| (*choice, None)).collect();
         for (key, text) in given {
             let Some((choice, value)) = values.iter_mut().find(|(choice, _)| choice.key == *key) else {
                 return Err(unknown(template, key));
@@ -104,22 +121,34 @@ impl Inputs {
         Ok(Self { values })
     }
 
-    fn entry(&self, key: &str) -> &(Choice, Option<f64>) {
+    fn entry(&self, key: &str) -> &(Choice, Option<Value>) {
         let entry = self.values.iter().find(|(choice, _)| choice.key == key);
         entry.unwrap_or_else(|| unreachable!("templates ask for their own options only, not for {key}"))
     }
 
-    /// What was given, if anything.
+    /// The number that was given, if any.
     pub fn given(&self, key: &str) -> Option<f64> {
-        self.entry(key).1
+        match self.entry(key).1 {
+            Some(Value::Number(number)) => Some(number),
+            _ => None,
+        }
     }
 
-    /// What was given, or the option's default value.
+    /// The word that was given, if any.
+    pub fn name(&self, key: &str) -> Option<&str> {
+        match &self.entry(key).1 {
+            Some(Value::Name(name)) => Some(name),
+            _ => None,
+        }
+    }
+
+    /// The number that was given, or the option's default value.
     pub fn value(&self, key: &str) -> f64 {
-        let (choice, given) = self.entry(key);
-        given.unwrap_or_else(|| match choice.default {
-            Default::Value(text) => choice.kind.read(text).expect("defaults are well written"),
-            Default::Rule(_) => unreachable!("--{key} is picked by a rule"),
+        self.given(key).unwrap_or_else(|| {
+            let choice = &self.entry(key).0;
+            let Default::Value(text) = choice.default else { unreachable!("--{key} is picked by a rule") };
+            let Ok(Value::Number(number)) = choice.kind.read(text) else { unreachable!("defaults are well written") };
+            number
         })
     }
 

@@ -8,6 +8,7 @@
 //! # Ok::<(), stampflow::case::CaseError>(())
 //! ```
 
+mod air_bend;
 mod bulge;
 mod conical_cup;
 mod cup;
@@ -24,7 +25,7 @@ mod u_bend;
 mod v_bend;
 
 pub use inputs::{Choice, Default, Kind};
-pub use sheet::SHEET;
+pub use sheet::{FRICTION, K, N, OFFSET, SHEET};
 
 use super::CaseError;
 use crate::quantity::closest;
@@ -80,9 +81,21 @@ impl Template {
     /// When an option is not one of this template's, a value is none of its kind, or the sizes do not go together.
     pub fn fill(&self, given: &[(&str, &str)]) -> Result<String, CaseError> {
         let text = (self.write)(&Inputs::read(self, given)?)?;
-        // What the rules above let pass and a case does not: the message shows the line that was written.
-        super::parse(&text, &format!("{}.toml", self.name), &[])?;
-        Ok(text)
+        // What the rules above let pass and a case does not.
+        match super::parse(&text, &format!("{}.toml", self.name), &[]) {
+            Ok(_) => Ok(text),
+            Err(error) => Err(self.refused(given, &text, &error)),
+        }
+    }
+
+    /// An error of a case that nobody has seen yet, as one of the options that make it.
+    fn refused(&self, given: &[(&str, &str)], text: &str, error: &CaseError) -> CaseError {
+        let options: Vec<String> = given.iter().map(|(key, value)| format!("--{key} {value:?}")).collect();
+        let with = if options.is_empty() { "its defaults".to_owned() } else { options.join(" ") };
+        let line = error.position().and_then(|(line, _)| text.lines().nth(line - 1));
+        let line = line.map_or(String::new(), |line| format!(" (it would have the line: {})", line.trim()));
+        let what = format!("the template {} with {with} makes a case that is refused: {error}{line}", self.name);
+        CaseError::bare(what, error.remedy().unwrap_or_default().to_owned())
     }
 }
 

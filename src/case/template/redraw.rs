@@ -20,7 +20,12 @@ pub(super) const TEMPLATE: Template = Template {
 };
 
 const OPTIONS: &[Choice] = &[
-    Choice::new("punch-radius", Kind::Length, Default::Value("30 mm"), "radius of the second punch, inside of the cup"),
+    Choice::new(
+        "punch-radius",
+        Kind::Length,
+        Default::Value("30 mm"),
+        "radius of the second punch, half the cup's inner diameter",
+    ),
     Choice::new(
         "height",
         Kind::Length,
@@ -35,7 +40,12 @@ const OPTIONS: &[Choice] = &[
     ),
     Choice::new("first-radius", Kind::Length, Default::Rule("1.3 punch radii"), "radius of the first punch"),
     Choice::new("nose", Kind::Length, Default::Rule("6 thicknesses"), "radius of both punches' corners"),
-    Choice::new("shoulder", Kind::Length, Default::Rule("6 thicknesses"), "radius of both dies' corners"),
+    Choice::new(
+        "shoulder",
+        Kind::Length,
+        Default::Rule("6 thicknesses, or 4.5 of the rim"),
+        "radius of both dies' corners",
+    ),
     Choice::new("clearance", Kind::Length, Default::Rule("t √β"), "gap between punch and die, both draws"),
     Choice::new("holder-pressure", Kind::Stress, Default::Rule("Siebel's"), "pressure of the holder on the flange"),
 ];
@@ -54,10 +64,10 @@ fn write(inputs: &Inputs) -> Result<String, CaseError> {
             format!("{} times the second punch: what DC04 takes in a second draw (4ming)", rules::REDRAW_RATIO),
         )
     });
-    let ratio =
-        rules::draw_ratio(blank.value, first.value, "make --height smaller: more than two draws are not written here")?;
+    let or = "a smaller --trim; more than two draws are not written here";
+    let ratio = rules::draw_ratio(|height| cup.blank_for(height, t), cup.height, first.value, or)?;
     let clearance = inputs.pick("clearance", || rules::drawing_clearance(t, ratio));
-    let shoulder = inputs.pick("shoulder", || rules::tool_radius(t));
+    let shoulder = inputs.pick("shoulder", || rules::drawn_shoulder(t, blank.value / cup.radius, sheet.anisotropy()));
     let throat = Picked::by(first.value + clearance.value, format!("punch and clearance{}", because(&clearance)));
     let narrow = Picked::by(
         cup.radius + inputs.pick("clearance", || rules::drawing_clearance(t, blank.value / cup.radius)).value,
@@ -107,7 +117,7 @@ fn write(inputs: &Inputs) -> Result<String, CaseError> {
             plain(cup.radius),
             careful(ratio)
         ),
-        &format!("Redrawn cup, {} punch", plain(2.0 * cup.radius)),
+        &format!("Redrawn cup, punch diameter {}", plain(2.0 * cup.radius)),
         "axisymmetric",
         &sheet.notes("a made-up cup"),
     );
@@ -116,6 +126,7 @@ fn write(inputs: &Inputs) -> Result<String, CaseError> {
     sheet.blank(&mut page, "radius", &blank);
     elements(&mut page, blank.value, shoulder.value.min(cup.nose.value));
     sheet.material(&mut page, false);
+    sheet.forming_limit(&mut page);
     tools.write(&mut page, &sheet);
 
     let friction = rounded(sheet.friction);

@@ -8,7 +8,8 @@
 //! thumb.
 
 use super::super::CaseError;
-use super::super::check::estimate;
+use super::super::check::{THIN, estimate};
+use super::page::plain;
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
 
 pub(super) use estimate::tensile_strength;
@@ -50,6 +51,21 @@ pub fn tool_radius(thickness: f64) -> Picked {
     Picked::by(RADIUS * thickness, "6 thicknesses: a punch wants 4 to 5 (4ming), shells want 5")
 }
 
+/// Radius of the shoulder of a die that the whole blank is drawn through: [`tool_radius`], or more where the rim, which
+/// arrives t β^(1/(1 + r̄)) thick (compressed round the axis alone), would be bent to less than 5 of its own thicknesses:
+/// R + t'/2 ≥ 5 t'.
+pub fn drawn_shoulder(thickness: f64, ratio: f64, anisotropy: f64) -> Picked {
+    let least = (THIN - 0.5) * thickness * ratio.powf(1.0 / (1.0 + anisotropy));
+    let usual = tool_radius(thickness);
+    if least <= usual.value {
+        return usual;
+    }
+    let why = format!(
+        "so that the rim, t β^(1/(1 + r̄)) thick, β = {ratio:.2}, is bent to no less than {THIN} of its own thicknesses"
+    );
+    Picked::by(0.01 * (100.0 * least).ceil(), why)
+}
+
 /// Gap between punch and die of a cup, t √β: as thick as the rim of a blank becomes that is drawn in by the ratio β and
 /// not stretched, so that it is not ironed (4ming, "Die clearance", equation 1, where it is the largest clearance).
 pub fn drawing_clearance(thickness: f64, ratio: f64) -> Picked {
@@ -89,12 +105,11 @@ pub fn drawn_travel(height: f64, shoulder: f64, thickness: f64) -> Picked {
 /// Siebel's holder pressure, in the form that `check` states and says the source of.
 pub fn holder_pressure(ratio: f64, diameter: f64, thickness: f64, strength: f64) -> Picked {
     let pressure = estimate::siebel(ratio, diameter, thickness, strength);
-    Picked::by(
-        pressure,
-        format!(
-            "{pressure:.2} MPa on the flat of the flange, 0.0025 [(β − 1)² + 0.5 d/(100 t)] R_m: Siebel, after Kugler (2009)"
-        ),
-    )
+    let why = format!(
+        "{pressure:.2} MPa on the flat of the flange, 0.0025 [(β − 1)² + 0.5 d/(100 t)] R_m: Siebel, after Kugler (2009)"
+    );
+    // Not rounded: the force is, upwards.
+    Picked { value: pressure, why }
 }
 
 /// Holder pressure on a strip, 1 % of the tensile strength: a declared rule of thumb, for it cannot wrinkle in plane strain.
@@ -111,13 +126,6 @@ pub fn elements(length: f64, radius: f64) -> usize {
 /// (Amada, "iR becomes approx. iR = V/6").
 pub fn v_width(nose: f64) -> Picked {
     Picked::by(6.0 * nose, "6 noses: sheet bent in air takes a sixth of the V's width as its radius (Amada)")
-}
-
-/// Travel that turns each leg by `turn` \[rad\] between a nose in the middle and shoulders whose centres are `reach` away: the
-/// straight leg touches both circles of the mid-surface, T = reach tan α − (R₁ + R₂)(1/cos α − 1).
-pub fn bend_travel(turn: f64, reach: f64, nose: f64, shoulder: f64, thickness: f64) -> Picked {
-    let travel = reach * turn.tan() - (nose + shoulder + thickness) * (1.0 / turn.cos() - 1.0);
-    Picked::by(travel, "straight legs touch punch and shoulders at the wanted angle, before spring-back")
 }
 
 /// Length of the mid-surface in a bend of 90° \[mm\].
@@ -142,19 +150,23 @@ pub fn bulge_pressure(opening: f64, height: f64, thickness: f64, stress: impl Fn
     2.0 * stress(strain) * thickness * (-strain).exp() / radius
 }
 
-/// Draw ratio of a blank, refused where no single draw reaches it; with a comment where it is close to that.
+/// Draw ratio of the blank that a part of this height takes, refused where no single draw reaches it.
 ///
 /// # Errors
-/// When the ratio is above [`LIMITING_RATIO`], or the blank is no larger than the punch.
-pub(super) fn draw_ratio(blank: f64, punch: f64, help: &str) -> Result<f64, CaseError> {
-    let ratio = blank / punch;
-    if ratio > LIMITING_RATIO {
-        let what = format!(
-            "a blank of {} radius for a punch of {} is a draw ratio of {ratio:.2}, above the limit of one draw, {LIMITING_RATIO}",
-            super::page::plain(blank),
-            super::page::plain(punch)
-        );
-        return Err(CaseError::bare(what, help.to_owned()));
+/// When the ratio is above [`LIMITING_RATIO`]; the message has the height that is not, and `or` what else may be done.
+pub(super) fn draw_ratio(blank_for: impl Fn(f64) -> f64, height: f64, punch: f64, or: &str) -> Result<f64, CaseError> {
+    let ratio = |height: f64| blank_for(height) / punch;
+    if ratio(height) <= LIMITING_RATIO {
+        return Ok(ratio(height));
     }
-    Ok(ratio)
+    let what = format!(
+        "a blank of {} radius for a punch of {} is a draw ratio of {:.2}, above the limit of one draw, {LIMITING_RATIO}",
+        plain(blank_for(height)),
+        plain(punch),
+        ratio(height)
+    );
+    let tenths = (1..=(10.0 * height) as u32).map(|tenths| 0.1 * f64::from(tenths));
+    let most = tenths.take_while(|height| ratio(*height) <= LIMITING_RATIO).last();
+    let help = most.map_or(or.to_owned(), |most| format!("--height of {} or less; or {or}", plain(most)));
+    Err(CaseError::bare(what, help))
 }

@@ -17,7 +17,7 @@ pub(super) const TEMPLATE: Template = Template {
 };
 
 const OPTIONS: &[Choice] = &[
-    Choice::new("punch-radius", Kind::Length, Default::Value("50 mm"), "radius of the punch"),
+    Choice::new("punch-radius", Kind::Length, Default::Value("50 mm"), "radius of the punch, half its diameter"),
     Choice::new(
         "height",
         Kind::Length,
@@ -59,7 +59,7 @@ fn write(inputs: &Inputs) -> Result<String, CaseError> {
 
     let mut page = Page::new(
         "A sheet clamped at its edge and stretched over a hemisphere, as in a test of its formability.",
-        &format!("Stretched dome, {} punch", plain(2.0 * radius)),
+        &format!("Stretched dome, punch diameter {}", plain(2.0 * radius)),
         "axisymmetric",
         &sheet.notes("a made-up dome"),
     );
@@ -67,6 +67,7 @@ fn write(inputs: &Inputs) -> Result<String, CaseError> {
     page.set("edge", "\"clamped\"", "");
     elements(&mut page, blank.value, tools.shoulder.value);
     sheet.material(&mut page, false);
+    sheet.forming_limit(&mut page);
     tools.write(&mut page, &sheet);
     Ok(page.text())
 }

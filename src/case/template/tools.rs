@@ -67,9 +67,13 @@ fn tail(why: &str) -> String {
     if why.is_empty() { String::new() } else { format!(": {why}") }
 }
 
-/// A ring force as a case file has it.
+/// A ring force as a case file has it, rounded up: a holder that presses less than its rule asks for is doubted.
 pub(super) fn newtons(force: f64) -> String {
-    if force >= 1e4 { format!("\"{:.2} kN\"", 1e-3 * force) } else { format!("\"{force:.0} N\"") }
+    if force >= 1e4 {
+        format!("\"{:.2} kN\"", 1e-2 * (0.1 * force).ceil())
+    } else {
+        format!("\"{:.0} N\"", force.ceil())
+    }
 }
 
 /// The force of a pressure on the flat of the flange, from the end of the shoulder to the edge.

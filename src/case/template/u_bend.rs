@@ -17,7 +17,7 @@ pub(super) const TEMPLATE: Template = Template {
 };
 
 const OPTIONS: &[Choice] = &[
-    Choice::new("half-width", Kind::Length, Default::Value("20 mm"), "half the width of the punch"),
+    Choice::new("half-width", Kind::Length, Default::Value("20 mm"), "half-width of the punch"),
     Choice::new(
         "leg",
         Kind::Length,
@@ -28,6 +28,10 @@ const OPTIONS: &[Choice] = &[
     Choice::new("shoulder", Kind::Length, Default::Rule("6 thicknesses"), "radius of the die's corner"),
     Choice::new("clearance", Kind::Length, Default::Rule("1.1 thicknesses"), "gap between punch and die"),
 ];
+
+/// What to expect of the bottom.
+const NO_PAD: &str =
+    "no pad holds the bottom of the U, which bows off the punch's face and stays bowed when it is let go";
 
 fn write(inputs: &Inputs) -> Result<String, CaseError> {
     let sheet = Sheet::read(inputs)?;
@@ -62,10 +66,10 @@ fn write(inputs: &Inputs) -> Result<String, CaseError> {
     };
 
     let mut page = Page::new(
-        "One half of a strip that is bent into a U and then let go. No pad holds its bottom, which bows.",
-        &format!("U-bend, {} wide", plain(2.0 * half_width)),
+        "One half of a strip that is bent into a U and then let go.",
+        &format!("U-bend, punch {} wide", plain(2.0 * half_width)),
         "plane_strain",
-        &sheet.notes("a made-up bend"),
+        &[sheet.notes("a made-up bend"), vec![NO_PAD.to_owned()]].concat(),
     );
     bend(&mut page, &sheet, &blank, nose.value, &tools);
     Ok(page.text())

@@ -1,6 +1,7 @@
 //! A strip bent in air over a V, and let go.
 
 use super::Template;
+use super::air_bend::{self, Strip};
 use super::inputs::{Choice, Default, Inputs, Kind};
 use super::page::{Page, plain};
 use super::rules::{self, Picked};
@@ -8,6 +9,7 @@ use super::sheet::Sheet;
 use super::tools::{Tools, because, bend, round_punch};
 use crate::case::CaseError;
 use crate::model::Geometry;
+use crate::quantity::rounded;
 
 pub(super) const TEMPLATE: Template = Template {
     name: "v-bend",
@@ -17,13 +19,18 @@ pub(super) const TEMPLATE: Template = Template {
 };
 
 const OPTIONS: &[Choice] = &[
-    Choice::new("angle", Kind::Angle, Default::Value("90 deg"), "angle between the legs in the tools"),
+    Choice::new(
+        "angle",
+        Kind::Angle,
+        Default::Value("90 deg"),
+        "angle between the legs under load; released they open by some degrees, as the run says",
+    ),
     Choice::new("nose", Kind::Length, Default::Rule("6 thicknesses"), "radius of the punch's nose"),
     Choice::new(
         "width",
         Kind::Length,
         Default::Rule("6 noses"),
-        "width of the V, between the centres of its shoulders",
+        "whole width of the V, between the centres of its shoulders",
     ),
     Choice::new("shoulder", Kind::Length, Default::Rule("6 thicknesses"), "radius of the V's shoulders"),
     Choice::new("leg", Kind::Length, Default::Rule("half the V"), "length of each leg beyond the V's shoulder"),
@@ -35,7 +42,8 @@ fn write(inputs: &Inputs) -> Result<String, CaseError> {
     let angle = inputs.value("angle");
     let turn = 0.5 * (std::f64::consts::PI - angle);
     let [least, most] = [60.0, 170.0];
-    if !(least..=most).contains(&angle.to_degrees()) {
+    // "60 deg" is 59.99999999999999° once it has been a radian.
+    if !(least..=most).contains(&rounded(angle.to_degrees())) {
         let what =
             format!("an angle of {:.1}° between the legs is none that is bent in air over a V", angle.to_degrees());
         return Err(CaseError::bare(what, format!("--angle from {least} deg to {most} deg")));
@@ -56,7 +64,11 @@ fn write(inputs: &Inputs) -> Result<String, CaseError> {
         return Err(CaseError::bare(what, "make --width larger, or --nose or --shoulder smaller".into()));
     }
     let leg = inputs.given("leg").unwrap_or(reach);
-    let travel = rules::bend_travel(turn, reach, nose.value, shoulder.value, t);
+    let strip = Strip { thickness: t, elastic: sheet.elastic(), stress: &|strain| sheet.stress(strain) };
+    let travel = Picked::by(
+        air_bend::travel(&strip, turn, reach, nose.value, shoulder.value),
+        "where legs that bend freely from the nose to the shoulders have the wanted angle, before they spring back",
+    );
     if travel.value <= 0.0 || travel.value < t {
         let what = format!(
             "an angle of {:.1}° takes {} of travel over a V {} wide: no bend",
