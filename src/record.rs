@@ -189,7 +189,8 @@ pub struct StepRecord {
     /// Share of the sheet's current area inside the gas's seal (of the whole sheet without gas) that lies on the punch or
     /// the die \[–\].
     pub contact_share: f64,
-    /// How far the holder has moved towards the die from where it touched the flat sheet \[mm\]; negative when lifted.
+    /// How far the holder has moved towards the die from where it touched the flat sheet \[mm\]; negative when lifted. A
+    /// holder that the sheet has left stays where it last touched.
     pub holder_move: f64,
     /// Largest penetration of a tool over the sheet's thickness, where the sheet is not squeezed \[–\].
     pub penetration: f64,

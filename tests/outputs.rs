@@ -3,10 +3,12 @@
 mod common;
 
 use resvg::tiny_skia::Pixmap;
+use stampflow::case::parse;
+use stampflow::case::template::find;
 use stampflow::compare::{
     Against, BandQuantity, BandSpec, Comparison, Computed, CurveSpec, Found, Quantity, Spec, compare,
 };
-use stampflow::model::{Geometry, Model};
+use stampflow::model::{Geometry, Model, Role};
 use stampflow::output::{
     Make, OUTPUTS, Summary, load_travel, png, profile, remove_stale, svg, write_all, write_comparison,
 };
@@ -150,6 +152,34 @@ fn stale_files_of_ours_go_and_a_users_stay() {
     let mut expected = [&["summary.json"], &mine[..]].concat();
     expected.sort_unstable();
     assert_eq!(left, expected);
+}
+
+/// A cup that is drawn until its rim has left the holder.
+fn cup_without_flange() -> (Model, Run) {
+    let text = find("cup").unwrap().fill(&[("height", "35 mm"), ("punch-radius", "40 mm")]).unwrap();
+    let model = parse(&text, "cup.toml", &[]).unwrap().model;
+    let run = stampflow::run(&model, &mut ());
+    (model, run)
+}
+
+/// Trust: the sheet between holder and die has a thickness, and what touches nothing has no reason to move. The holder's
+/// face is drawn on the flat sheet's, half a thickness above z = 0, and the die's half a thickness below it.
+#[test]
+fn a_holder_that_the_sheet_has_left_stays_where_it_last_touched() {
+    let (model, run) = cup_without_flange();
+    let lost = run.history.iter().position(|step| step.holder_force == 0.0).expect("the rim leaves the holder");
+    let (before, after) = run.history.split_at(lost);
+    let stands = before[lost - 1].holder_move;
+    assert!(stands < 0.0 && after.len() > 5, "{stands} mm, {} steps", after.len());
+    for step in after {
+        assert_eq!(step.holder_move, stands, "at {} mm of travel", step.travel);
+    }
+    let holder = model.tools.iter().position(|tool| tool.role == Role::Holder).unwrap();
+    let last = run.frames.last().unwrap();
+    assert_eq!(last.tool_displacement[holder], stands);
+    let column = load_travel::table(&model, &run).column("holder_move").values.clone();
+    assert_eq!(column[lost..], vec![stands; after.len()]);
+    assert!(run.warnings.iter().any(|w| w.contains("the holder lost the sheet at 30.8")), "{:?}", run.warnings);
 }
 
 /// Trust: over every text of every table, plot and the summary.
