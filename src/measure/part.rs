@@ -2,11 +2,13 @@
 
 use crate::record::Frame;
 
-/// Overall height of a part \[mm\]: along the punch travel from the outside of the sheet's middle, a cup's bottom, to the
-/// mid-surface at its edge, a cup's rim; without sign. `None` without nodes.
+/// Height of a part over all \[mm\], along the punch travel: from the lowest to the highest place of the mid-surface, and
+/// half the thickness of the sheet's middle; without sign. Of a cup that is from the outside of its bottom to the middle of
+/// its rim. `None` without nodes.
 pub fn part_height(frame: &Frame) -> Option<f64> {
-    let (middle, edge) = (frame.nodes.first()?, frame.nodes.last()?);
-    Some((middle.z - edge.z).abs() + 0.5 * middle.thickness)
+    let z = || frame.nodes.iter().map(|node| node.z);
+    let (low, high) = (z().reduce(f64::min)?, z().reduce(f64::max)?);
+    Some(high - low + 0.5 * frame.nodes.first()?.thickness)
 }
 
 /// The thickest element: its thickness \[mm\] and initial distance from the axis or symmetry plane \[mm\]. `None` without

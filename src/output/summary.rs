@@ -181,7 +181,7 @@ impl Summary {
     fn part(&mut self, model: &Model, run: &Run, last: &StepRecord) {
         let end = run.frames.last();
         if let Some(height) = end.and_then(part_height) {
-            self.number("part_height", "Part height, outer face to edge", Unit::Mm, height);
+            self.number("part_height", "Part height over all", Unit::Mm, height);
         }
         match (&run.start, end) {
             (Some(start), Some(end)) if model.release.is_some() => {

@@ -108,9 +108,8 @@ pub(super) fn warnings(model: &Model, work: &Workspace, state: &State, run: &Run
     for (tool, active) in model.tools.iter().zip(&work.tools) {
         if let Some(travel) = active.released.filter(|_| model.release.is_none()) {
             warnings.push(format!(
-                "the {} lost the sheet at {travel:.2} mm of travel: it takes no part from there on and stays where it last \
-                 touched",
-                tool.role.name()
+                "the sheet left the {tool} at {travel:.2} mm of travel; the {tool} stands still from there on",
+                tool = tool.role.name()
             ));
         }
     }
