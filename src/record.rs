@@ -106,6 +106,9 @@ pub struct Energy {
 }
 
 impl Energy {
+    /// What of the largest entry is round-off \[–\].
+    const ROUND_OFF: f64 = 1e-9;
+
     /// Every entry times `factor`: power from work, work from power.
     pub fn scaled(self, factor: f64) -> Self {
         Self {
@@ -127,6 +130,21 @@ impl Energy {
             friction: self.friction + other.friction,
             contact: self.contact + other.contact,
             cutoff: self.cutoff + other.cutoff,
+        }
+    }
+
+    /// As it is written: entries below 1e-9 of the largest are round-off, and 0.
+    pub fn without_round_off(self) -> Self {
+        let Self { external, plastic, elastic, friction, contact, cutoff } = self;
+        let largest = [external, plastic, elastic, friction, contact].map(f64::abs).into_iter().fold(0.0, f64::max);
+        let clean = |energy: f64| if energy.abs() < Self::ROUND_OFF * largest { 0.0 } else { energy };
+        Self {
+            external: clean(external),
+            plastic: clean(plastic),
+            elastic: clean(elastic),
+            friction: clean(friction),
+            contact: clean(contact),
+            cutoff: clean(cutoff),
         }
     }
 
@@ -189,7 +207,8 @@ pub struct StepRecord {
     /// Share of the sheet's current area inside the gas's seal (of the whole sheet without gas) that lies on the punch or
     /// the die \[–\].
     pub contact_share: f64,
-    /// How far the holder has moved towards the die from where it touched the flat sheet \[mm\]; negative when lifted.
+    /// How far the holder has moved towards the die from where it touched the flat sheet \[mm\]; negative when lifted. A
+    /// holder that the sheet has left stays where it last touched.
     pub holder_move: f64,
     /// Largest penetration of a tool over the sheet's thickness, where the sheet is not squeezed \[–\].
     pub penetration: f64,
@@ -394,6 +413,8 @@ impl std::fmt::Display for Stop {
 /// A whole run.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Run {
+    /// The sheet and its tools before the first step; `None` of a run that has not begun.
+    pub start: Option<Frame>,
     pub history: Vec<StepRecord>,
     pub frames: Vec<Frame>,
     /// Strains after every step, where the model has a forming limit; empty without.
@@ -410,6 +431,7 @@ impl Run {
     /// A run that has not begun.
     pub fn unsolved() -> Self {
         Self {
+            start: None,
             history: Vec::new(),
             frames: Vec::new(),
             paths: Paths::default(),

@@ -9,18 +9,21 @@ use std::fs;
 
 /// Trust: frames are looked at as they pass; were a step made for one, the tables would differ in their last digits.
 #[test]
-fn a_run_is_the_same_with_and_without_its_film() {
+fn a_run_is_the_same_with_and_without_its_film_and_its_states() {
     let dir = folder(CUP);
     let out = dir.path().join("out/cup");
     let tables = || ["load_travel.csv", "profile.csv"].map(|name| fs::read(out.join(name)).unwrap());
     assert_eq!(stampflow(dir.path(), &["run", "cases/cup.toml", "-q"]).status.code(), Some(0));
     let without = tables();
-    let done = stampflow(dir.path(), &["run", "cases/cup.toml", "-q", "--animate"]);
-    assert_eq!(done.status.code(), Some(0), "{}", text(&done.stderr));
-    assert!(tables() == without);
-    assert!(out.join("shapes.gif").is_file());
+    for (option, file) in [("--animate", "shapes.gif"), ("--vtu", "section.pvd")] {
+        let done = stampflow(dir.path(), &["run", "cases/cup.toml", "-q", option]);
+        assert_eq!(done.status.code(), Some(0), "{}", text(&done.stderr));
+        assert!(tables() == without, "{option}");
+        assert!(out.join(file).is_file());
+    }
     stampflow(dir.path(), &["run", "cases/cup.toml", "-q"]);
-    assert!(!out.join("shapes.gif").exists(), "what an earlier run left is removed");
+    let left = ["shapes.gif", "section.pvd"].map(|file| out.join(file).exists());
+    assert_eq!(left, [false, false], "what an earlier run left is removed");
 }
 
 /// Each picture differs from the one before (only what changes is stored, and it is never a single row), and together

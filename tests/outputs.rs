@@ -3,17 +3,25 @@
 mod common;
 
 use resvg::tiny_skia::Pixmap;
+use stampflow::case::template::find;
+use stampflow::case::{Case, parse};
 use stampflow::compare::{
     Against, BandQuantity, BandSpec, Comparison, Computed, CurveSpec, Found, Quantity, Spec, compare,
 };
-use stampflow::model::{Geometry, Model};
+use stampflow::measure::{Shape, changes};
+use stampflow::model::{Geometry, Model, Role};
 use stampflow::output::{
-    Make, OUTPUTS, Summary, load_travel, png, profile, remove_stale, svg, write_all, write_comparison,
+    Make, OUTPUTS, StageLine, Summary, load_travel, png, profile, remove_stale, stages_report, svg, write_all,
+    write_comparison,
 };
 use stampflow::record::Run;
+use stampflow::report::{Report, markdown};
+use stampflow::run_stages;
+use stampflow::solver::Pass;
 use stampflow::table::Table;
 use std::fs;
 use std::path::{Path, PathBuf};
+use std::time::Duration;
 
 fn headers(table: &Table) -> String {
     table.columns.iter().map(|c| c.header()).collect::<Vec<_>>().join(",")
@@ -150,6 +158,155 @@ fn stale_files_of_ours_go_and_a_users_stay() {
     let mut expected = [&["summary.json"], &mine[..]].concat();
     expected.sort_unstable();
     assert_eq!(left, expected);
+}
+
+/// A cup that is drawn until its rim has left the holder.
+fn cup_without_flange() -> (Model, Run) {
+    let text = find("cup").unwrap().fill(&[("height", "35 mm"), ("punch-radius", "40 mm")]).unwrap();
+    let model = parse(&text, "cup.toml", &[]).unwrap().model;
+    let run = stampflow::run(&model, &mut ());
+    (model, run)
+}
+
+/// Trust: what touches nothing has no reason to move, and what last lay between holder and die had the sheet's thickness.
+#[test]
+fn a_holder_that_the_sheet_has_left_stays_where_it_last_touched() {
+    let (model, run) = cup_without_flange();
+    let lost = run.history.iter().position(|step| step.holder_force == 0.0).expect("the rim leaves the holder");
+    let (before, after) = run.history.split_at(lost);
+    let stands = before[lost - 1].holder_move;
+    assert!(stands < 0.0 && after.len() > 5, "{stands} mm, {} steps", after.len());
+    for step in after {
+        assert_eq!(step.holder_move, stands, "at {} mm of travel", step.travel);
+    }
+    let holder = model.tools.iter().position(|tool| tool.role == Role::Holder).unwrap();
+    let last = run.frames.last().unwrap();
+    assert_eq!(last.tool_displacement[holder], stands);
+    // Half a thickness of the blank from z = 0, each: the faces of holder and die.
+    let (room, rim) = (model.blank.thickness - stands, last.elements.last().unwrap().thickness);
+    assert!(room > rim, "{room} mm of room for a rim of {rim} mm");
+    let column = load_travel::table(&model, &run).column("holder_move").values.clone();
+    assert_eq!(column[lost..], vec![stands; after.len()]);
+    assert!(run.warnings.iter().any(|w| w.contains("the sheet left the holder at 30.8")), "{:?}", run.warnings);
+}
+
+/// Trust: the template's own height, to the 3 % that its test asks for; energies are the run's in N mm, a thousandth of
+/// which is a joule.
+#[test]
+fn the_summary_says_what_the_part_came_out_as() {
+    let (model, run) = cup_without_flange();
+    let summary = Summary::of(&common::subject(&model, &run));
+    let json = serde_json::to_value(&summary).unwrap();
+    let of = |key: &str| json[key].as_f64().unwrap_or_else(|| panic!("{key} in {json}"));
+    assert!((of("part_height_mm") / 35.0 - 1.0).abs() < 0.03, "{json}");
+    assert!(of("wall_angle_deg").abs() < 2.0, "the wall of a cup is upright: {json}");
+    let last = run.frames.last().unwrap();
+    let thickest = last.elements.iter().map(|element| element.thickness).fold(0.0, f64::max);
+    assert!((of("thickest_mm") - thickest).abs() < 1e-8 && of("thickest_s0_mm") > 60.0, "the rim is thickest: {json}");
+    let work = run.history.last().unwrap().work.external;
+    assert!((of("work_external_J") - 1e-3 * work).abs() < 1e-8 * work);
+    assert_eq!(load_travel::table(&model, &run).column("work_external").header(), "work_external_J");
+    let printed = summary.to_string();
+    assert!(printed.contains(" J\n") && !printed.contains("mJ"), "{printed}");
+}
+
+/// Every stage of a case.
+fn stages(text: &str) -> (Case, Vec<Pass>) {
+    let case = parse(text, "case.toml", &[]).unwrap();
+    let passes = run_stages(&case.stages(), &mut ());
+    (case, passes)
+}
+
+fn v_bend() -> (Case, Vec<Pass>) {
+    stages(&find("v-bend").unwrap().fill(&[]).unwrap())
+}
+
+/// Trust: what is measured on the last frames of both stages; the sheet of a release is that of the stage before.
+#[test]
+fn the_summary_of_a_release_has_its_spring_back_and_no_round_off() {
+    let (_, passes) = v_bend();
+    let ends = [&passes[0], &passes[1]].map(|pass| Shape::of(pass.run.frames.last().unwrap()));
+    let summary = Summary::of(&common::subject(&passes[1].model, &passes[1].run));
+    let printed = summary.to_string();
+    let json = serde_json::to_value(&summary).unwrap();
+    let listed = json["springback"].as_array().unwrap();
+    let expected = changes(&ends[0], &ends[1]);
+    assert_eq!(listed.len(), expected.len());
+    for (found, change) in listed.iter().zip(expected) {
+        assert_eq!(
+            (&found["key"], &found["unit"]),
+            (&change.quantity.key.into(), &change.quantity.unit.spelled().into())
+        );
+        assert!((found["after"].as_f64().unwrap() - change.after.unwrap()).abs() < 1e-6);
+        assert!(printed.contains(change.quantity.label), "{printed}");
+    }
+    let angle = ends[1].opening_angle().unwrap();
+    assert!(printed.contains(&format!("→ {angle:.2}° (+")), "{printed}");
+    assert!(printed.contains("full time reached") && !printed.contains("Largest holder force"), "{printed}");
+    // Nothing yields as the bend opens; what the sums leave of its plastic work is 1e-14 of the others.
+    assert_eq!(json["work_plastic_J_per_mm"], 0.0, "{printed}");
+    assert!(json["work_elastic_J_per_mm"].as_f64().unwrap() < 0.0);
+    assert!(
+        Summary::of(&common::subject(&passes[0].model, &passes[0].run)).to_string().contains("full travel reached")
+    );
+    let lines: Vec<StageLine> = ["bend", "release"]
+        .into_iter()
+        .zip(&passes)
+        .map(|(name, pass)| (name, Some((&pass.model, &pass.run))))
+        .collect();
+    let report = stages_report(Geometry::PlaneStrain, &lines);
+    let lines: Vec<&str> = report.lines().collect();
+    assert!(lines[0].contains("full travel reached: ") && lines[1].contains("full time reached: "), "{report}");
+}
+
+/// Trust: a bend without tension leaves the sheet as thick as it was, a stretched hat's wall is a hundredth thinner.
+#[test]
+fn a_release_has_no_plot_of_what_is_level() {
+    let names = ["thickness.png", "strains.png"];
+    let hat = stages(include_str!("../cases/hat_springback.toml")).1;
+    for (passes, shown) in [(v_bend().1, false), (hat, true)] {
+        for output in OUTPUTS.iter().filter(|output| names.contains(&output.file)) {
+            let [formed, released] = [0, 1].map(|i| output.bytes(&common::subject(&passes[i].model, &passes[i].run)));
+            assert!(formed.is_some(), "{}", output.file);
+            assert_eq!(released.is_some(), shown, "{} of {}", output.file, passes[1].model.title);
+        }
+    }
+}
+
+/// Trust: a line that belongs to another is printed below it, in the summary and in each part of it that a report shows.
+#[test]
+fn no_line_of_the_summary_is_an_orphan() {
+    let parents = [
+        ("peak_punch_force", &["peak_travel"][..]),
+        ("thinnest", &["thinnest_over_initial", "thinnest_s0"]),
+        ("thickest", &["thickest_over_initial", "thickest_s0"]),
+        ("work_external", &["work_plastic", "work_elastic", "work_friction", "work_contact"]),
+        ("peak_holder_force", &["rim_share", "holder_lift"]),
+        ("steps", &["steps_from_predictor", "steps_from_secant", "steps_from_softened"]),
+        ("rejected", &["steps_halved", "steps_overstrained"]),
+    ];
+    let (case, passes) = stages(include_str!("../cases/hat_springback.toml"));
+    for pass in &passes {
+        let mut parent = "";
+        for figure in Summary::of(&common::subject(&pass.model, &pass.run)).figures() {
+            if figure.label.starts_with(' ') {
+                let own = parents.iter().find(|entry| entry.0 == parent).map_or(&[][..], |entry| entry.1);
+                assert!(own.contains(&figure.key), "{} below {parent}", figure.key);
+            } else {
+                parent = figure.key;
+            }
+        }
+    }
+    let report = Report::of(&case, &[], &passes, Duration::from_secs(1));
+    let (page, _) = markdown(&report.document(), "figures");
+    let mut lines = page.lines().peekable();
+    while let Some(line) = lines.next() {
+        if line.starts_with("|--") || line.starts_with("| --") {
+            let first = lines.peek().copied().unwrap_or_default();
+            assert!(!first.contains('\u{2003}'), "{first}");
+        }
+    }
+    assert!(page.contains('\u{2003}'));
 }
 
 /// Trust: over every text of every table, plot and the summary.

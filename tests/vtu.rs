@@ -8,7 +8,7 @@ mod files;
 use cli::{CUP, STAGES, folder, stampflow, text};
 use files::files;
 use nalgebra::Vector3;
-use stampflow::output::vtk::SECTORS;
+use stampflow::output::vtk::{SECTORS, STATES};
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 use std::fs;
@@ -94,17 +94,18 @@ fn turned(grid: &Grid, quad: &[usize]) -> f64 {
 #[test]
 fn the_section_is_that_of_the_profile_and_keeps_its_volume() {
     let dir = folder(CUP);
-    let done = stampflow(dir.path(), &["run", "cases/cup.toml", "-q", "--vtu"]);
+    // Steps end at kept frames, and those of whole fifths are among the states.
+    let done = stampflow(dir.path(), &["run", "cases/cup.toml", "-q", "--vtu", "--set", "output.count=5"]);
     assert_eq!(done.status.code(), Some(0), "{}", text(&done.stderr));
     let out = dir.path().join("out/cup");
     let profile = columns(&out.join("profile.csv"));
     let sets = collection(&out.join("section.pvd"));
-    assert_eq!(sets.len(), profile["travel_mm"].len() / 30);
-    for (i, (travel, name)) in sets.iter().enumerate() {
-        let grid = read(&out.join(name));
+    assert_eq!(profile["travel_mm"].len(), 5 * 30);
+    for i in 0..5 {
         let rows = 30 * i..30 * (i + 1);
         let of = |key: &str| &profile[key][rows.clone()];
-        assert!((travel - of("travel_mm")[0]).abs() < 1e-8, "{travel}");
+        let (_, name) = sets.iter().find(|set| (set.0 - of("travel_mm")[0]).abs() < 1e-8).expect("the state");
+        let grid = read(&out.join(name));
         assert_eq!((grid.points.len(), grid.cells.len()), (62, 30));
         for (field, key) in [
             ("thickness [mm]", "thickness_mm"),
@@ -136,6 +137,26 @@ fn the_section_is_that_of_the_profile_and_keeps_its_volume() {
         assert!((shell / blank - 1.0).abs() < 1e-4, "{shell} of {blank}");
         assert!((solid / shell - 1.0).abs() < 4e-3, "{solid} of {shell}");
     }
+}
+
+/// Trust: the flat blank is level, of one thickness and at rest; between states lies a twenty-fifth of the travel, give or
+/// take a step, which is a hundredth at most.
+#[test]
+fn states_are_spread_evenly_from_the_flat_blank_to_the_end() {
+    let dir = folder(CUP);
+    stampflow(dir.path(), &["run", "cases/cup.toml", "-q", "--vtu"]);
+    let out = dir.path().join("out/cup");
+    let sets = collection(&out.join("section.pvd"));
+    let full = *columns(&out.join("load_travel.csv"))["travel_mm"].last().unwrap();
+    assert!(sets.len().abs_diff(STATES + 1) <= 1, "{} states", sets.len());
+    assert!(sets[0].0 == 0.0 && (sets[sets.len() - 1].0 - full).abs() < 1e-8, "{sets:?}");
+    for pair in sets.windows(2) {
+        let share = (pair[1].0 - pair[0].0) / full;
+        assert!(share > 0.0 && share < 1.0 / STATES as f64 + 0.0101, "{share}");
+    }
+    let blank = read(&out.join(&sets[0].1));
+    assert!(blank.points.iter().all(|point| (point.y.abs() - 0.5).abs() < 1e-12));
+    assert!(blank.fields["strain_equivalent [-]"].iter().all(|strain| *strain == 0.0));
 }
 
 /// Trust: each sector is a straight prism over its chord, so the volume is sin α/α of the round body's, exactly.
@@ -188,11 +209,15 @@ fn vtk_files_come_and_go_with_their_option() {
     let dir = folder(CUP);
     let out = dir.path().join("out/cup");
     let vtk = || files(&out, "vtu").len() + files(&out, "pvd").len();
-    stampflow(dir.path(), &["run", "cases/cup.toml", "-q", "--vtu", "--set", "output.count=3"]);
-    assert_eq!(vtk(), 3 * 3 + 3);
-    fs::write(out.join("mine.vtu"), "mine").unwrap();
-    stampflow(dir.path(), &["run", "cases/cup.toml", "-q", "--vtu", "--set", "output.count=2"]);
-    assert_eq!(vtk(), 3 * 2 + 3 + 1);
+    let run = || stampflow(dir.path(), &["run", "cases/cup.toml", "-q", "--vtu"]);
+    run();
+    let first = vtk();
+    assert_eq!(first, 3 * collection(&out.join("section.pvd")).len() + 3);
+    for name in ["section_0999.vtu", "mine.vtu"] {
+        fs::write(out.join(name), "old").unwrap();
+    }
+    run();
+    assert_eq!(vtk(), first + 1);
     stampflow(dir.path(), &["run", "cases/cup.toml", "-q"]);
     assert_eq!(vtk(), 1);
 

@@ -19,6 +19,20 @@ pub struct Job {
     pub overrides: Vec<String>,
 }
 
+/// What is written of the frames of a [`Reels`](super::reel::Reels).
+#[derive(Clone, Copy, Debug)]
+pub struct Moving {
+    pub vtu: bool,
+    pub film: bool,
+}
+
+impl Moving {
+    /// Whether frames must be kept for it.
+    pub fn needs_frames(self) -> bool {
+        self.vtu || self.film
+    }
+}
+
 /// A case with its runs, one for each stage that was run.
 pub struct Solved {
     job: Job,
@@ -105,20 +119,20 @@ impl Solved {
         stages_report(self.job.case.model.geometry, &self.lines())
     }
 
-    /// Writes tables, plots and comparisons, VTK files with `vtu`, and a film where frames were kept for it; those of
-    /// several stages into a folder each.
-    pub fn write(&self, dir: &Path, vtu: bool) -> anyhow::Result<Vec<PathBuf>> {
+    /// Writes tables, plots and comparisons, and what is asked for of the moving section; those of several stages into a
+    /// folder each.
+    pub fn write(&self, dir: &Path, moving: Moving) -> anyhow::Result<Vec<PathBuf>> {
         let lines = self.lines();
         let mut written = Vec::new();
         let mut kept = self.write_comparisons(dir)?;
         if lines.is_empty() {
-            kept.extend(self.write_stage(0, vtu, dir)?);
+            kept.extend(self.write_stage(0, moving, dir)?);
         } else {
             kept.push(write_stages(self.job.case.model.geometry, &lines, dir)?);
         }
         for (i, (name, _)) in lines.iter().enumerate() {
             let dir = dir.join(stage_folder(i, name));
-            let mut files = self.write_stage(i, vtu, &dir)?;
+            let mut files = self.write_stage(i, moving, &dir)?;
             files.extend(self.write_release(i, &dir)?);
             remove_stale(&dir, &files)?;
             written.extend(files);
@@ -129,14 +143,15 @@ impl Solved {
     }
 
     /// Writes what every stage has; nothing of one that was not run.
-    fn write_stage(&self, stage: usize, vtu: bool, dir: &Path) -> Result<Vec<PathBuf>, WriteError> {
+    fn write_stage(&self, stage: usize, moving: Moving, dir: &Path) -> Result<Vec<PathBuf>, WriteError> {
         let Some(subject) = self.subjects().nth(stage) else { return Ok(Vec::new()) };
         let mut files = write_all(&subject, dir)?;
-        if vtu {
-            files.extend(vtk::write(&subject, dir)?);
+        let frames = self.kept.reels.as_ref().map_or_else(Vec::new, |reels| reels.of_stage(stage, subject.run));
+        if moving.vtu {
+            files.extend(vtk::write(&subject, &frames, dir)?);
         }
-        if let Some(reels) = &self.kept.reels {
-            files.extend(film::write(&subject, &reels.of_stage(stage, subject.run), dir)?);
+        if moving.film {
+            files.extend(film::write(&subject, &frames, dir)?);
         }
         Ok(files)
     }

@@ -1,7 +1,7 @@
 //! `stampflow run`: from case files to folders of results.
 
 use super::code::{BadRequest, unusable};
-use super::job::{Job, Solved, solve_all};
+use super::job::{Job, Moving, Solved, solve_all};
 use super::json::{self, Json, say_json};
 use super::progress::{Kept, Progress};
 use super::reel::Reels;
@@ -28,7 +28,7 @@ pub struct Args {
     /// Also write every iteration of the solver to this file (one case only)
     #[arg(long, value_name = "FILE.csv")]
     trace: Option<PathBuf>,
-    /// Also write the kept frames for ParaView: section.pvd, tools.pvd and, axisymmetric, revolved.pvd
+    /// Also write the section as it moves for ParaView, some 25 states: section.pvd, tools.pvd and, axisymmetric, revolved.pvd
     #[arg(long)]
     vtu: bool,
     /// Also write shapes.gif, the section and the load as they move
@@ -48,7 +48,7 @@ pub fn help() -> String {
     for output in OUTPUTS {
         let _ = writeln!(help, "  {:<18} {}", output.file, output.about);
     }
-    help + "  section.pvd, ...   with --vtu: every kept frame for ParaView, with its tools and, axisymmetric, turned about the axis\n  \
+    help + "  section.pvd, ...   with --vtu: some 25 states from the start to the end for ParaView, with tools and, axisymmetric, turned about the axis\n  \
             shapes.gif         with --animate: the section and the load as they move\n\
             \x20 compare_*.png, csv overlay and differences for every reference the case is compared with\n\
             Of a case with several stages each has a folder of its own, 1-draw, 2-retract, ..., and stages.csv sums them up\n\n\
@@ -73,16 +73,17 @@ pub fn run(args: &Args) -> anyhow::Result<Code> {
     }
     args.threads.apply()?;
     let progress = Progress::new(args.quiet || args.json.json);
+    let moving = Moving { vtu: args.vtu, film: args.animate };
     let reports = solve_all(
         jobs,
         |case| {
-            let kept =
-                Kept { trace: args.trace.as_ref().map(|_| Vec::new()), reels: args.animate.then(Reels::default) };
+            let trace = args.trace.as_ref().map(|_| Vec::new());
+            let kept = Kept { trace, reels: moving.needs_frames().then(Reels::default) };
             progress.watch(case, kept)
         },
         |solved| {
             let dir = folder(args, several, solved.name());
-            let files = solved.write(&dir, args.vtu)?;
+            let files = solved.write(&dir, moving)?;
             if let (Some(path), Some(iterations)) = (&args.trace, &solved.kept.trace) {
                 write(path, &csv(&trace::table(iterations)))?;
             }

@@ -31,10 +31,12 @@
 mod fit;
 mod meridian;
 mod moment;
+mod part;
 #[cfg(test)]
 mod tests;
 
 pub use moment::{MomentError, moment_error};
+pub use part::{part_height, thickest};
 
 use crate::record::Frame;
 use crate::table::Unit;

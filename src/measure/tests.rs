@@ -96,6 +96,20 @@ fn hat(wall: f64, flange: f64, growth: f64) -> Frame {
     sheet(40.0, &pieces)
 }
 
+/// Trust: radii and lengths add up; where the flange is turned back its bend is the far end, not its edge.
+#[test]
+fn a_parts_height_is_that_over_all() {
+    let cup = [line(30.0), arc(5.0, -90.0), line(20.0)];
+    let turned_back = [cup[0], cup[1], cup[2], arc(5.0, 120.0), line(10.0)];
+    for (pieces, height) in [(&cup[..], 5.0 + 20.0 + 0.5), (&turned_back[..], 5.0 + 20.0 + 5.0 + 0.5)] {
+        let frame = sheet(40.0, pieces);
+        for frame in [turned(&frame), frame] {
+            close(part_height(&frame), height, 1e-9);
+        }
+    }
+    assert_eq!(part_height(&of_points(&[])), None);
+}
+
 #[test]
 fn a_hats_angles_are_exact_on_graded_meshes_and_either_way_up() {
     for (wall, flange) in [(0.0, 0.0), (12.5, 7.0), (25.0, -6.0), (-4.0, 3.0), (40.0, 20.0)] {

@@ -1,7 +1,7 @@
 //! The history of every accepted step over the punch travel.
 
 use super::chart::{Chart, Look, Panel, Scale, Series};
-use super::{Subject, force_unit, worded, work_unit};
+use super::{JOULES, Subject, energy_unit, force_unit, worded};
 use crate::model::{Geometry, Model};
 use crate::quantity::ZERO_CELSIUS;
 use crate::record::{Run, StepRecord};
@@ -10,9 +10,12 @@ use crate::table::{Axis, Column, Table, Unit};
 /// One row per accepted step.
 pub fn table(model: &Model, run: &Run) -> Table {
     let force = force_unit(model.geometry);
-    let work = work_unit(model.geometry);
     let column = |key, label, unit, value: fn(&StepRecord) -> f64| {
         Column::new(key, label, unit, run.history.iter().map(value).collect())
+    };
+    let energy = |key, label, value: fn(&StepRecord) -> f64| {
+        let values = run.history.iter().map(|step| JOULES * value(step)).collect();
+        Column::new(key, label, energy_unit(model.geometry), values)
     };
     let edge = match model.geometry {
         Geometry::Axisymmetric => "Diameter at the edge",
@@ -33,11 +36,11 @@ pub fn table(model: &Model, run: &Run) -> Table {
         column("thinnest", "Least thickness", Unit::Mm, |s| s.thinnest),
         column("thinnest_s0", thinnest_s0, Unit::Mm, |s| s.thinnest_s0),
         Column::new("edge_diameter", edge, Unit::Mm, diameters),
-        column("work_external", "External work", work, |s| s.work.external),
-        column("work_plastic", "Plastic work", work, |s| s.work.plastic),
-        column("work_friction", "Friction work", work, |s| s.work.friction),
-        column("work_contact", "Contact work", work, |s| s.work.contact),
-        column("work_cutoff", "Work in cut-off points", work, |s| s.work.cutoff),
+        energy("work_external", "External work", |s| s.work.external),
+        energy("work_plastic", "Plastic work", |s| s.work.plastic),
+        energy("work_friction", "Friction work", |s| s.work.friction),
+        energy("work_contact", "Contact work", |s| s.work.contact),
+        energy("work_cutoff", "Work in cut-off points", |s| s.work.cutoff),
         column("pole_height", "Height of the middle", Unit::Mm, |s| s.pole_height),
         column("pressure", "Gas pressure", Unit::MPa, |s| s.pressure),
         column("holder_move", "Move of the holder towards the die", Unit::Mm, |s| s.holder_move),
@@ -62,9 +65,9 @@ pub fn table(model: &Model, run: &Run) -> Table {
     if model.heat.is_some() {
         columns.push(column("coldest", "Lowest temperature", Unit::Celsius, |s| s.coldest - ZERO_CELSIUS));
         columns.push(column("hottest", "Highest temperature", Unit::Celsius, |s| s.hottest - ZERO_CELSIUS));
-        columns.push(column("heat_plastic", "Heat from plastic work", work, |s| s.heat.plastic));
-        columns.push(column("heat_tools", "Heat from the tools", work, |s| s.heat.tools));
-        columns.push(column("heat_stored", "Heat stored in the sheet", work, |s| s.heat.stored));
+        columns.push(energy("heat_plastic", "Heat from plastic work", |s| s.heat.plastic));
+        columns.push(energy("heat_tools", "Heat from the tools", |s| s.heat.tools));
+        columns.push(energy("heat_stored", "Heat stored in the sheet", |s| s.heat.stored));
     }
     Table::new(columns)
 }

@@ -43,7 +43,7 @@ pub use summary::{Figure, Summary};
 
 use crate::forming_limit::{Assessment, assess};
 use crate::model::{Geometry, Model};
-use crate::record::{Frame, Run};
+use crate::record::{Frame, Run, Stop};
 use crate::table::{Table, Unit};
 use std::path::{Path, PathBuf};
 use std::time::Duration;
@@ -243,10 +243,28 @@ impl Subject<'_> {
     }
 }
 
+/// How a run ended, in a few words: one that has no travel to reach ends at its full time.
+fn ended(model: &Model, stop: &Stop) -> &'static str {
+    match stop {
+        Stop::FullTravel if model.travel == 0.0 => "full time",
+        stop => stop.kind(),
+    }
+}
+
 /// The frames that plots show: all of them, or as many as there are colours, spread evenly up to the last.
 fn shown(frames: &[Frame]) -> impl Iterator<Item = &Frame> {
     let most = frames.len().min(chart::COLORS);
     (1..=most).map(move |i| &frames[i * frames.len() / most - 1])
+}
+
+/// What takes less than this share of an axis of the least height looks level \[–\].
+const LEVEL: f64 = 0.1;
+
+/// Whether a plot with an axis of the least height `least` would show the flat blank's value only: while the tools are
+/// taken away nothing happens to a sheet that forming has left as it was, and the plots of that have shown it.
+fn is_level(model: &Model, flat: f64, values: impl Iterator<Item = f64>, least: f64) -> bool {
+    let (low, high) = values.fold((flat, flat), |(low, high), v| (low.min(v), high.max(v)));
+    model.release.is_some() && high - low < LEVEL * least
 }
 
 /// What frames are named by.
@@ -299,7 +317,18 @@ pub fn force_unit(geometry: Geometry) -> Unit {
     }
 }
 
-/// Unit of work: of the whole ring, or per mm of depth.
+/// One N·mm, the solver's unit of work \[J\].
+pub const JOULES: f64 = 1e-3;
+
+/// Unit in which work and heat are written, after [`JOULES`]: of the whole ring, or per mm of depth.
+pub fn energy_unit(geometry: Geometry) -> Unit {
+    match geometry {
+        Geometry::Axisymmetric => Unit::Joule,
+        Geometry::PlaneStrain => Unit::JoulePerMm,
+    }
+}
+
+/// The solver's unit of work: of the whole ring, or per mm of depth.
 pub fn work_unit(geometry: Geometry) -> Unit {
     match geometry {
         Geometry::Axisymmetric => Unit::Millijoule,

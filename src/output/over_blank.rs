@@ -1,7 +1,7 @@
 //! One quantity over the blank, one curve per kept frame: thickness, and porosity and temperature where there are any.
 
 use super::chart::{Chart, Look, Panel, Scale, Series};
-use super::{Subject, profile, progress, reached, shown};
+use super::{Subject, is_level, profile, progress, reached, shown};
 
 /// Least height of the thickness axis over the initial thickness: smaller differences are noise or nothing to look at [–].
 const LEAST: f64 = 0.02;
@@ -10,7 +10,10 @@ const LEAST_POROSITY: f64 = 1e-4;
 const LEAST_TEMPERATURE: f64 = 1.0;
 
 pub(super) fn thickness(subject: &Subject) -> Option<Chart> {
-    plot(subject, "thickness", LEAST * subject.model.blank.thickness)
+    let Subject { model, run, .. } = subject;
+    let (initial, least) = (model.blank.thickness, LEAST * model.blank.thickness);
+    let values = run.frames.iter().flat_map(|frame| &frame.elements).map(|element| element.thickness);
+    if is_level(model, initial, values, least) { None } else { plot(subject, "thickness", least) }
 }
 
 pub(super) fn porosity(subject: &Subject) -> Option<Chart> {

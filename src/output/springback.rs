@@ -15,6 +15,9 @@ pub(super) const FILES: [&str; 2] = ["springback.csv", "springback.png"];
 /// How much farther than they were fitted the measured lines are drawn, over their length.
 const LONGER: f64 = 0.25;
 
+/// What is rounded to 0 hundredths \[mm or °\].
+const LEAST: f64 = 0.005;
+
 /// Writes `springback.csv`, what was measured before and after, and `springback.png`, the two shapes, into `dir`.
 ///
 /// # Errors
@@ -82,12 +85,29 @@ fn longer(leg: &Leg) -> Vec<(f64, f64)> {
 
 /// `Wall to the punch direction: 0.31° → 8.20°`.
 fn worded(change: &Change) -> String {
-    let text = |value: f64| match change.quantity.unit {
+    format!("{}: {}", change.quantity.label, compared(change))
+}
+
+/// `0.31° → 8.20°`.
+pub(super) fn compared(change: &Change) -> String {
+    let text = |value: Option<f64>| value.map_or("none".to_owned(), |value| measured(value, change.quantity.unit));
+    format!("{} → {}", text(change.before), text(change.after))
+}
+
+/// `+7.89°`.
+pub(super) fn signed(value: f64, unit: Unit) -> String {
+    let sign = if value > LEAST { "+" } else { "" };
+    format!("{sign}{}", measured(value, unit))
+}
+
+/// To hundredths: what can be measured.
+fn measured(value: f64, unit: Unit) -> String {
+    let value = if value.abs() < LEAST { 0.0 } else { value };
+    let text = match unit {
         Unit::Degree => format!("{value:.2}°"),
         unit => format!("{value:.2} {}", unit.symbol()),
     };
-    let text = |value: Option<f64>| value.map_or("none".to_owned(), text).replace('-', "−");
-    format!("{}: {} → {}", change.quantity.label, text(change.before), text(change.after))
+    text.replace('-', "−")
 }
 
 #[cfg(test)]

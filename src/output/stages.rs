@@ -2,9 +2,9 @@
 
 use super::csv::with_texts;
 use super::file::{WriteError, write};
-use super::force_unit;
+use super::{ended, force_unit};
 use crate::model::{Geometry, Model};
-use crate::record::Run;
+use crate::record::{Run, Stop};
 use crate::table::{Column, Table, Unit};
 use std::path::{Path, PathBuf};
 
@@ -42,7 +42,7 @@ pub fn stages_table(geometry: Geometry, lines: &[Line]) -> Table {
 
 /// How a stage ended, in a few words.
 fn stop(line: &Line) -> &'static str {
-    line.1.map_or("not run", |(_, run)| run.stop.kind())
+    line.1.map_or("not run", |(model, run)| ended(model, &run.stop))
 }
 
 /// Writes [`STAGES`] into a folder.
@@ -76,7 +76,9 @@ pub fn stages_report(geometry: Geometry, lines: &[Line]) -> String {
                 last.pole_height
             )
         });
-        format!("{:>2} {:<width$}  {}{figures}\n", i + 1, line.0, stop(line))
+        let reached = line.1.is_some_and(|(_, run)| run.stop == Stop::FullTravel);
+        let reached = if reached { " reached" } else { "" };
+        format!("{:>2} {:<width$}  {}{reached}{figures}\n", i + 1, line.0, stop(line))
     });
     text.collect()
 }

@@ -1,7 +1,7 @@
 //! Mid-surface strains over the blank at the last frame, the earlier frames thin behind them.
 
 use super::chart::{Chart, Look, Panel, Scale, Series};
-use super::{Subject, profile, progress, reached, shown};
+use super::{Subject, is_level, profile, progress, reached, shown};
 use crate::table::Axis;
 
 const STRAINS: [&str; 3] = ["strain_meridional", "strain_hoop", "strain_thickness"];
@@ -15,6 +15,10 @@ pub(super) fn plot(subject: &Subject) -> Option<Chart> {
     let table = |frame| profile::table(model, std::slice::from_ref(frame));
     let frames: Vec<_> = shown(&run.frames).map(table).collect();
     let last = profile::last(model, &run.frames);
+    let values = STRAINS.iter().flat_map(|key| last.column(key).values.iter().copied());
+    if is_level(model, 0.0, values, LEAST) {
+        return None;
+    }
     let curves = STRAINS.iter().enumerate();
     let earlier = frames.iter().rev().skip(1).flat_map(|frame| {
         curves.clone().map(|(i, key)| Series::silent(frame.pairs("s0", key), Look::curve(i).faint()))

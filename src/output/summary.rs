@@ -1,18 +1,18 @@
-//! What a run comes to, in some twenty lines: printed and as JSON from the same list.
+//! What a run comes to, line by line: printed and as JSON from the same list.
 
-use super::{Subject, force_unit, pressure_cycle, worded, work_unit};
+mod written;
+
+use super::{JOULES, Subject, ended, energy_unit, force_unit, pressure_cycle, worded};
 use crate::forming_limit::Assessment;
-use crate::measure::moment_error;
+use crate::measure::{Change, Shape, changes, moment_error, part_height, thickest};
 use crate::model::{Geometry, Grading, Iteration, Mode, Model, Norm, Role, Theory};
-use crate::quantity::{ZERO_CELSIUS, rounded};
+use crate::quantity::ZERO_CELSIUS;
 use crate::record::{Ladder, Run, StepRecord, Stop};
-use crate::table::{Unit, four_digits};
-use serde::ser::{Serialize, SerializeMap, Serializer};
+use crate::table::Unit;
 use sha2::{Digest, Sha256};
-use std::fmt;
 
 /// One line of the summary.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug)]
 struct Entry {
     key: &'static str,
     /// Empty for what only a program wants to know.
@@ -21,13 +21,14 @@ struct Entry {
     value: Value,
 }
 
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug)]
 enum Value {
     Number(f64),
     Count(usize),
     Flag(bool),
     Text(String),
     List(Vec<String>),
+    Changes(Vec<Change>),
 }
 
 /// A line for readers, its number apart from its unit.
@@ -43,7 +44,7 @@ pub struct Figure {
 }
 
 /// The lines of the summary, in the order of printing; displays as aligned text, serialises with units in the keys.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug)]
 pub struct Summary {
     entries: Vec<Entry>,
 }
@@ -52,14 +53,12 @@ impl Summary {
     /// Sums up a run.
     pub fn of(subject: &Subject) -> Self {
         let Subject { name, case_text, overrides, derived, model, run, wall } = *subject;
-        let (force, work) = (force_unit(model.geometry), work_unit(model.geometry));
+        let force = force_unit(model.geometry);
         let unmoved = StepRecord { thinnest: model.blank.thickness, ..StepRecord::default() };
         let last = run.history.last().copied().unwrap_or(unmoved);
         let peak = run.history.iter().copied().max_by(|a, b| a.punch_force.total_cmp(&b.punch_force));
         let peak = peak.unwrap_or_default();
         let largest = |value: fn(&StepRecord) -> f64| run.history.iter().map(value).fold(0.0, f64::max);
-        let percent = |part: f64, whole: f64| if whole == 0.0 { 0.0 } else { 100.0 * part / whole };
-        let t0 = model.blank.thickness;
 
         let mut summary = Self { entries: Vec::new() };
         summary.text("case", "Case", name);
@@ -73,9 +72,9 @@ impl Summary {
             },
         );
         summary.text("hardening", "Hardening", &model.material.describe());
-        let ended = match run.stop {
-            Stop::FullTravel if model.travel == 0.0 => "full time reached".to_owned(),
-            ref stop => stop.to_string(),
+        let ended = match &run.stop {
+            Stop::FullTravel => format!("{} reached", ended(model, &run.stop)),
+            stop => stop.to_string(),
         };
         summary.text("stop", "Ended", &ended);
         summary.push("complete", "", Unit::None, Value::Flag(run.stop.is_complete()));
@@ -101,34 +100,12 @@ impl Summary {
             let share = 100.0 * last.contact_share;
             summary.number("contact_share", "Sheet on punch and die at the end", Unit::Percent, share);
         }
-        summary.number("thinnest", "Thinnest place", Unit::Mm, last.thinnest);
-        summary.number(
-            "thinnest_over_initial",
-            "  over the initial thickness",
-            Unit::Percent,
-            percent(last.thinnest, t0),
-        );
-        let from =
-            worded(model.geometry, "  at s0, initially from the axis", "  at s0, initially from the symmetry plane");
-        summary.number("thinnest_s0", from, Unit::Mm, last.thinnest_s0);
+        summary.part(model, run, &last);
         if let Some(assessment) = subject.forming_limit() {
             summary.forming_limit(model, &assessment);
         }
         summary.number("draw_in", "Draw-in of the edge", Unit::Mm, last.draw_in);
-        summary.number("work_external", "External work", work, last.work.external);
-        summary.number("work_plastic", "  plastic", work, last.work.plastic);
-        if model.mode != Mode::Flow {
-            summary.number("work_elastic", "  stored in the sheet", work, last.work.elastic);
-        }
-        summary.number("work_friction", "  friction", work, last.work.friction);
-        summary.number("work_contact", "  stored in contact", work, last.work.contact);
-        summary.number("imbalance", "  missing in the balance", Unit::Percent, 100.0 * last.work.imbalance());
-        summary.number(
-            "cutoff_share",
-            "  of the plastic work in cut-off",
-            Unit::Percent,
-            percent(last.work.cutoff, last.work.plastic),
-        );
+        summary.balance(model, &last);
         if let Some(error) =
             run.frames.last().filter(|_| model.mode != Mode::Flow && model.release.is_none()).and_then(moment_error)
         {
@@ -146,11 +123,6 @@ impl Summary {
             summary.number("coldest", "Lowest temperature", Unit::Celsius, coldest - ZERO_CELSIUS);
             summary.number("hottest", "Highest temperature", Unit::Celsius, hottest - ZERO_CELSIUS);
         }
-        if model.heat.as_ref().is_some_and(|heat| heat.flow.is_some()) {
-            summary.number("heat_stored", "Heat stored in the sheet", work, last.heat.stored);
-            summary.number("heat_plastic", "  from plastic work", work, last.heat.plastic);
-            summary.number("heat_tools", "  from the tools", work, last.heat.tools);
-        }
         summary.number(
             "penetration",
             "Largest penetration over thickness",
@@ -162,8 +134,8 @@ impl Summary {
             summary.number("squeeze", "Ironing: thicker than its gap by", Unit::Percent, 100.0 * squeeze);
         }
         summary.number("sharpest_bend", "Smallest bending radius over thickness", Unit::None, bend_radius(run));
-        if model.tool(Role::Holder).is_some() {
-            let rim = format!("  its share on the outer {} thicknesses", StepRecord::RIM);
+        if model.tool(Role::Holder).is_some() && model.release.is_none() {
+            let rim = format!("  last share on the outer {} thicknesses", StepRecord::RIM);
             let peak_force = largest(|s| s.holder_force);
             summary.number("peak_holder_force", "Largest holder force", force, peak_force);
             let shares = run.history.iter().rev().find(|s| s.holder_force > 0.0).map_or(0.0, |s| s.rim_share);
@@ -180,7 +152,11 @@ impl Summary {
             summary.number("point_share", "  law points over those of full bending", Unit::Percent, 100.0 * points);
         }
         summary.text("corrector", "Corrector", &corrector(model));
+        let Ladder { predictor, secant, softened, halved, overstrained } = run.ladder;
         summary.count("steps", "Steps", run.history.len());
+        summary.count("steps_from_predictor", "  solved from the predictor", predictor);
+        summary.count("steps_from_secant", "  from a secant start at rest", secant);
+        summary.count("steps_from_softened", "  from a softened start", softened);
         summary.count("iterations", "Iterations", run.history.iter().map(|s| s.iterations).sum());
         summary.number("velocity_norm", "Largest accepted velocity norm", Unit::None, largest(|s| s.velocity_norm));
         summary.number("residual_norm", "Largest accepted residual norm", Unit::None, largest(|s| s.residual_norm));
@@ -189,10 +165,6 @@ impl Summary {
             "Rejected tries",
             run.history.iter().map(|s| s.rejected).sum::<usize>() + run.abandoned,
         );
-        let Ladder { predictor, secant, softened, halved, overstrained } = run.ladder;
-        summary.count("steps_from_predictor", "  steps solved from the predictor", predictor);
-        summary.count("steps_from_secant", "  from a secant start at rest", secant);
-        summary.count("steps_from_softened", "  from a softened start", softened);
         summary.count("steps_halved", "  steps halved", halved);
         summary.count("steps_overstrained", "  repeated for too much strain", overstrained);
         summary.number("wall_time", "Wall time", Unit::Second, wall.as_secs_f64());
@@ -203,6 +175,62 @@ impl Summary {
         summary.list("warnings", "Warnings", &run.warnings);
         summary.list("notes", "Declared assumptions", &model.notes);
         summary
+    }
+
+    /// What the part came out as: its height, its angles and its thinnest and thickest places.
+    fn part(&mut self, model: &Model, run: &Run, last: &StepRecord) {
+        let end = run.frames.last();
+        if let Some(height) = end.and_then(part_height) {
+            self.number("part_height", "Part height over all", Unit::Mm, height);
+        }
+        match (&run.start, end) {
+            (Some(start), Some(end)) if model.release.is_some() => {
+                let changes = changes(&Shape::of(start), &Shape::of(end));
+                self.push("springback", "Spring-back", Unit::None, Value::Changes(changes));
+            }
+            (_, Some(end)) => {
+                if let Some(angle) = Shape::of(end).wall_angle() {
+                    self.number("wall_angle", "Wall to the punch direction", Unit::Degree, angle);
+                }
+            }
+            _ => {}
+        }
+        let over_initial = |thickness| 100.0 * thickness / model.blank.thickness;
+        let from =
+            worded(model.geometry, "  at s0, initially from the axis", "  at s0, initially from the symmetry plane");
+        self.number("thinnest", "Thinnest place", Unit::Mm, last.thinnest);
+        self.number(
+            "thinnest_over_initial",
+            "  over the initial thickness",
+            Unit::Percent,
+            over_initial(last.thinnest),
+        );
+        self.number("thinnest_s0", from, Unit::Mm, last.thinnest_s0);
+        if let Some((thickest, s0)) = end.and_then(thickest) {
+            self.number("thickest", "Thickest place", Unit::Mm, thickest);
+            self.number("thickest_over_initial", "  over the initial thickness", Unit::Percent, over_initial(thickest));
+            self.number("thickest_s0", from, Unit::Mm, s0);
+        }
+    }
+
+    /// Where the work and the heat went.
+    fn balance(&mut self, model: &Model, last: &StepRecord) {
+        let unit = energy_unit(model.geometry);
+        let work = last.work.without_round_off().scaled(JOULES);
+        self.number("work_external", "External work", unit, work.external);
+        self.number("work_plastic", "  plastic", unit, work.plastic);
+        if model.mode != Mode::Flow {
+            self.number("work_elastic", "  stored in the sheet", unit, work.elastic);
+        }
+        self.number("work_friction", "  friction", unit, work.friction);
+        self.number("work_contact", "  stored in contact", unit, work.contact);
+        self.number("imbalance", "Work missing in the balance", Unit::Percent, 100.0 * last.work.imbalance());
+        self.number("cutoff_share", "Plastic work in cut-off", Unit::Percent, percent(work.cutoff, work.plastic));
+        if model.heat.as_ref().is_some_and(|heat| heat.flow.is_some()) {
+            self.number("heat_stored", "Heat stored in the sheet", unit, JOULES * last.heat.stored);
+            self.number("heat_plastic", "  from plastic work", unit, JOULES * last.heat.plastic);
+            self.number("heat_tools", "  from the tools", unit, JOULES * last.heat.tools);
+        }
     }
 
     /// How near the sheet came to its forming limit.
@@ -257,6 +285,11 @@ impl Summary {
     fn list(&mut self, key: &'static str, label: &'static str, values: &[String]) {
         self.push(key, label, Unit::None, Value::List(values.to_vec()));
     }
+}
+
+/// A part of a whole \[%\]; 0 of nothing.
+fn percent(part: f64, whole: f64) -> f64 {
+    if whole == 0.0 { 0.0 } else { 100.0 * part / whole }
 }
 
 /// Smallest bending radius of the run over the thickness \[–\]; 0 when the sheet stayed flat.
@@ -318,63 +351,6 @@ pub(super) fn json(subject: &Subject) -> String {
     let mut text = serde_json::to_string_pretty(&Summary::of(subject)).expect("keys are strings");
     text.push('\n');
     text
-}
-
-impl Serialize for Summary {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let mut map = serializer.serialize_map(Some(self.entries.len()))?;
-        for Entry { key, unit, value, .. } in &self.entries {
-            let key = unit.keyed(key);
-            match value {
-                Value::Number(v) => map.serialize_entry(&key, &rounded(*v))?,
-                Value::Count(v) => map.serialize_entry(&key, v)?,
-                Value::Flag(v) => map.serialize_entry(&key, v)?,
-                Value::Text(v) => map.serialize_entry(&key, v)?,
-                Value::List(v) => map.serialize_entry(&key, v)?,
-            }
-        }
-        map.end()
-    }
-}
-
-impl Summary {
-    /// The printed lines but the lists.
-    pub fn figures(&self) -> impl Iterator<Item = Figure> {
-        self.entries.iter().filter(|entry| !entry.label.is_empty()).filter_map(|entry| {
-            let (value, unit) = match &entry.value {
-                Value::Number(v) => (four_digits(*v), entry.unit.symbol()),
-                Value::Count(v) => (v.to_string(), Unit::None.symbol()),
-                Value::Flag(v) => (if *v { "yes" } else { "no" }.to_owned(), ""),
-                Value::Text(v) => (v.clone(), ""),
-                Value::List(_) => return None,
-            };
-            Some(Figure { key: entry.key, label: entry.label.clone(), value, unit })
-        })
-    }
-
-    /// Labels and values of the printed lines; the entries of a list stand below each other, the first at its label.
-    pub fn rows(&self) -> Vec<(String, String)> {
-        let printed = self.entries.iter().filter(|entry| !entry.label.is_empty());
-        let rows = printed.flat_map(|Entry { label, unit, value, .. }| {
-            let values = match value {
-                Value::Number(v) => vec![format!("{} {}", four_digits(*v), unit.symbol())],
-                Value::Count(v) => vec![v.to_string()],
-                Value::Flag(v) => vec![if *v { "yes" } else { "no" }.to_owned()],
-                Value::Text(v) => vec![v.clone()],
-                Value::List(lines) => lines.iter().map(|line| format!("- {line}")).collect(),
-            };
-            let labelled = |(i, value)| (if i == 0 { label.clone() } else { String::new() }, value);
-            values.into_iter().enumerate().map(labelled).collect::<Vec<_>>()
-        });
-        rows.collect()
-    }
-}
-
-impl fmt::Display for Summary {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let width = self.entries.iter().map(|e| e.label.len()).max().unwrap_or(0);
-        self.rows().iter().try_for_each(|(label, value)| writeln!(f, "{label:<width$}  {value}"))
-    }
 }
 
 fn sha256(text: &str) -> String {

@@ -326,6 +326,8 @@ impl Workspace {
                 Motion::Fixed | Motion::Gap(_) => (0.0, 0.0),
                 Motion::Travel => (model.travel_at(state.time + dt) - state.travel, 0.0),
                 Motion::Path { axial, aside } => (axial * progress, aside * progress),
+                // What the sheet has left stands still.
+                Motion::Pressed(_) if tool.released.is_some() => (0.0, 0.0),
                 Motion::Pressed(_) => (share * state.tool_velocity[j], 0.0),
             };
             self.tool_position[j] = state.tools[j] + axial;

@@ -26,7 +26,7 @@ pub(super) struct ActiveTool {
     pub motion: Motion,
     /// Index among the shared unknowns, for a tool whose position is one.
     pub shared: Option<usize>,
-    /// Travel at which the sheet left this tool's reach for good \[mm\]; it takes no part from then on.
+    /// Travel at which the sheet left this tool's reach for good \[mm\]; it takes no part and stands still from then on.
     pub released: Option<f64>,
 }
 

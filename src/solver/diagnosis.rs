@@ -44,7 +44,7 @@ impl Workspace {
         let share = |part: f64, whole: f64| if whole > 0.0 { part / whole } else { 0.0 };
         let pressure = model.gas.iter().zip(&self.gas_pressure);
         let pressure = pressure.map(|(gas, p)| gas.face.sign() * p);
-        let holder = self.tools.iter().position(|tool| tool.role == Role::Holder && tool.released.is_none());
+        let holder = self.tools.iter().position(|tool| tool.role == Role::Holder && model.release.is_none());
         StepRecord {
             held_rate: model.rate_control().map_or(0.0, |control| control.target * self.held_norm),
             on_cap: self.on_cap,

@@ -60,7 +60,7 @@ pub fn run_from(model: &Model, mut state: State, observer: &mut dyn Observer) ->
     let mut heat = HeatSolver::new(model, &work);
     let mut watch = StopWatch::new(model, &state);
     let mut control = StepControl::new(model, watch.closes_at(model));
-    let mut run = Run { paths: state.paths(model), ..Run::unsolved() };
+    let mut run = Run { start: Some(state.frame(model)), paths: state.paths(model), ..Run::unsolved() };
     let mut last = StepRecord { thinnest: model.blank.thickness, ..StepRecord::default() };
     let mut before = state.thickness.clone();
     let strained: Vec<f64> = state.layers.iter().map(|point| point.strain).collect();

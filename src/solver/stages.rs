@@ -25,12 +25,12 @@ pub struct Pass {
     pub state: State,
 }
 
-/// The sheet before and after a stage that takes its tools away: the last frames, each with its model; `None` for other
-/// stages, and where nothing was kept.
+/// The sheet before and after a stage that takes its tools away, each with its model; `None` for other stages, and where
+/// nothing was kept.
 pub fn released(passes: &[Pass], stage: usize) -> Option<[(&Model, &Frame); 2]> {
-    let [before, now] = passes.get(stage.checked_sub(1)?..=stage)? else { return None };
-    now.model.release?;
-    Some([(&before.model, before.run.frames.last()?), (&now.model, now.run.frames.last()?)])
+    let Pass { model, run, .. } = passes.get(stage)?;
+    model.release?;
+    Some([(model, run.start.as_ref()?), (model, run.frames.last()?)])
 }
 
 /// Runs stages after one another, the first from the flat blank, up to the first that does not come to its end.

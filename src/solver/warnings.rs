@@ -108,8 +108,8 @@ pub(super) fn warnings(model: &Model, work: &Workspace, state: &State, run: &Run
     for (tool, active) in model.tools.iter().zip(&work.tools) {
         if let Some(travel) = active.released.filter(|_| model.release.is_none()) {
             warnings.push(format!(
-                "the sheet left the {} at {travel:.2} mm of travel; it is lifted off from there on",
-                tool.role.name()
+                "the sheet left the {tool} at {travel:.2} mm of travel; the {tool} stands still from there on",
+                tool = tool.role.name()
             ));
         }
     }

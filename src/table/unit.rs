@@ -16,6 +16,9 @@ pub enum Unit {
     /// N·mm.
     Millijoule,
     MillijoulePerMm,
+    /// Of work and heat; the solver's N·mm are converted where a table is made.
+    Joule,
+    JoulePerMm,
     /// Of angles.
     Degree,
     /// Degrees Celsius; the solver's kelvins are converted where a table is made.
@@ -31,7 +34,7 @@ pub struct UnitError {
 }
 
 /// What the end of a header means: its spelling, the solver's unit, and how many of these it is.
-const SPELLINGS: [(&str, Unit, f64); 27] = [
+const SPELLINGS: [(&str, Unit, f64); 28] = [
     ("percent", Unit::Percent, 1.0),
     ("mm", Unit::Mm, 1.0),
     ("um", Unit::Mm, 1e-3),
@@ -55,8 +58,9 @@ const SPELLINGS: [(&str, Unit, f64); 27] = [
     ("min", Unit::Minute, 1.0),
     ("1_per_s", Unit::PerSecond, 1.0),
     ("mJ", Unit::Millijoule, 1.0),
-    ("J", Unit::Millijoule, 1e3),
     ("mJ_per_mm", Unit::MillijoulePerMm, 1.0),
+    ("J", Unit::Joule, 1.0),
+    ("J_per_mm", Unit::JoulePerMm, 1.0),
     ("deg", Unit::Degree, 1.0),
     ("C", Unit::Celsius, 1.0),
 ];
@@ -76,6 +80,8 @@ impl Unit {
             Self::PerSecond => "1/s",
             Self::Millijoule => "mJ",
             Self::MillijoulePerMm => "mJ/mm",
+            Self::Joule => "J",
+            Self::JoulePerMm => "J/mm",
             Self::Degree => "°",
             Self::Celsius => "°C",
         }

@@ -1,6 +1,7 @@
-//! The kept frames as VTK files, to be looked at in ParaView: open a `.pvd`, its time is the punch travel.
+//! The section as it moves as VTK files, to be looked at in ParaView: open a `.pvd`, its time is the punch travel. There
+//! are about [`STATES`] states, spread as evenly as the steps allow, and the sheet before the first step.
 //!
-//! | collection | one file per kept frame | cells |
+//! | collection | one file per state | cells |
 //! |---|---|---|
 //! | `section.pvd` | `section_0001.vtu` … | one quadrilateral per element between the sheet's faces |
 //! | `revolved.pvd` | `revolved_0001.vtu` … | the same turned about the axis in [`SECTORS`] sectors; axisymmetric cases only |
@@ -16,7 +17,7 @@
 mod grid;
 
 use super::file::{WriteError, write as write_file};
-use super::{Subject, profile, shapes};
+use super::{Subject, film, profile, shapes};
 use crate::model::{Geometry, Model};
 use crate::record::Frame;
 use crate::table::{Column, Unit};
@@ -38,21 +39,30 @@ pub(super) const COLLECTIONS: [&str; 3] = ["section.pvd", "revolved.pvd", "tools
 /// Chords of tools leave their arcs by at most this share of the blank's length \[–\].
 const SAGITTA: f64 = 1e-4;
 
-/// Writes the collections and their files into `dir`; nothing of a run that kept no frame.
+/// Of the pictures of a film one in so many is written: the files of the turned sheet take a megabyte or more each.
+const EVERY: usize = 2;
+
+/// How many states are wanted of a run after its start: half the pictures of its film.
+pub const STATES: usize = film::PICTURES / EVERY;
+
+/// Writes the collections and their files into `dir`: of these frames, rising in time and about [`film::PICTURES`], every
+/// second, the first and the last; nothing of a run that never started.
 ///
 /// # Errors
 /// When a file cannot be written.
-pub fn write(subject: &Subject, dir: &Path) -> Result<Vec<PathBuf>, WriteError> {
-    let Subject { model, run, .. } = *subject;
-    if run.frames.is_empty() {
+pub fn write(subject: &Subject, frames: &[Frame], dir: &Path) -> Result<Vec<PathBuf>, WriteError> {
+    let model = subject.model;
+    if frames.len() < 2 {
         return Ok(Vec::new());
     }
-    let mut written = collection(SECTION, dir, model, &run.frames, |frame| section(model, frame))?;
+    let last = frames.len() - 1;
+    let frames: Vec<&Frame> = (0..=last).filter(|i| i % EVERY == 0 || *i == last).map(|i| &frames[i]).collect();
+    let mut written = collection(SECTION, dir, model, &frames, |frame| section(model, frame))?;
     if model.geometry == Geometry::Axisymmetric {
-        written.extend(collection(REVOLVED, dir, model, &run.frames, |frame| section(model, frame).turned(SECTORS))?);
+        written.extend(collection(REVOLVED, dir, model, &frames, |frame| section(model, frame).turned(SECTORS))?);
     }
     if !model.tools.is_empty() {
-        written.extend(collection(TOOLS, dir, model, &run.frames, |frame| tools(model, frame))?);
+        written.extend(collection(TOOLS, dir, model, &frames, |frame| tools(model, frame))?);
     }
     Ok(written)
 }
@@ -70,7 +80,7 @@ fn collection(
     stem: &str,
     dir: &Path,
     model: &Model,
-    frames: &[Frame],
+    frames: &[&Frame],
     grid: impl Fn(&Frame) -> Grid,
 ) -> Result<Vec<PathBuf>, WriteError> {
     let mut written = Vec::new();
