@@ -9,7 +9,7 @@ use stampflow::output::{
     stage_folder, stages_report, vtk, write_all, write_comparison, write_stages,
 };
 use stampflow::record::Run;
-use stampflow::solver::{Pass, released};
+use stampflow::solver::Pass;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
@@ -158,9 +158,10 @@ impl Solved {
 
     /// Writes what the sheet does as a stage takes its tools away; nothing for other stages.
     fn write_release(&self, stage: usize, dir: &Path) -> anyhow::Result<Vec<PathBuf>> {
-        let Some([(before, from), (now, to)]) = released(&self.passes, stage) else { return Ok(Vec::new()) };
-        let mut files = springback::write(dir, from, to, before)?;
-        files.extend(residual_stress::write(dir, to, now)?);
+        let Some(pass) = self.passes.get(stage) else { return Ok(Vec::new()) };
+        let Some([from, to]) = pass.released() else { return Ok(Vec::new()) };
+        let mut files = springback::write(dir, from, to, &pass.model)?;
+        files.extend(residual_stress::write(dir, to, &pass.model)?);
         Ok(files)
     }
 

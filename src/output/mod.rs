@@ -328,14 +328,6 @@ pub fn energy_unit(geometry: Geometry) -> Unit {
     }
 }
 
-/// The solver's unit of work: of the whole ring, or per mm of depth.
-pub fn work_unit(geometry: Geometry) -> Unit {
-    match geometry {
-        Geometry::Axisymmetric => Unit::Millijoule,
-        Geometry::PlaneStrain => Unit::MillijoulePerMm,
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;

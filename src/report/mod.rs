@@ -79,17 +79,7 @@ impl<'a> Report<'a> {
             value["unit"] = finding.unit.symbol().into();
             value
         });
-        let stages = self.subjects().enumerate().map(|(i, subject)| {
-            let mut value = json!(Summary::of(&subject));
-            value["springback"] = results::changes(self, i)
-                .iter()
-                .map(|c| {
-                    json!({"key": c.quantity.key, "unit": c.quantity.unit.symbol(), "before": c.before.map(rounded),
-                           "after": c.after.map(rounded), "change": c.change().map(rounded)})
-                })
-                .collect();
-            value
-        });
+        let stages = self.subjects().map(|subject| json!(Summary::of(&subject)));
         json!({
             "case": self.case.name,
             "complete": self.is_complete(),

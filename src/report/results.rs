@@ -3,11 +3,10 @@
 use super::Report;
 use super::document::{Block, Picture, Row, Section};
 use super::solver::{figures, is_ours};
-use crate::measure::{Change, Shape, changes as measured};
+use crate::measure::{Shape, changes};
 use crate::model::Model;
 use crate::output::{Chart, Make, OUTPUTS, Subject, Summary, residual_stress, springback, svg};
 use crate::record::Run;
-use crate::solver::released;
 use crate::table::four_digits;
 
 /// Lines that the section on the case has.
@@ -42,25 +41,20 @@ fn plots(subject: &Subject) -> Vec<Block> {
 
 /// Spring-back and residual stress of a stage that takes its tools away.
 fn release(report: &Report, i: usize) -> Vec<Block> {
-    let Some([(before, from), (now, to)]) = released(report.passes, i) else { return Vec::new() };
-    let bare = |model: &Model| Model { notes: Vec::new(), ..model.clone() };
+    let Some(pass) = report.passes.get(i) else { return Vec::new() };
+    let Some([from, to]) = pass.released() else { return Vec::new() };
+    let model = Model { notes: Vec::new(), ..pass.model.clone() };
     let number = |value: Option<f64>| value.map_or_else(|| "none".to_owned(), four_digits);
-    let rows = changes(report, i).into_iter().map(|c| {
+    let rows = changes(&Shape::of(from), &Shape::of(to)).into_iter().map(|c| {
         let [a, b, d] = [c.before, c.after, c.change()].map(number);
         Row::plain([c.quantity.label.to_owned(), a, b, d, c.quantity.unit.symbol().to_owned()])
     });
     let table = Block::Table { head: vec!["Spring-back", "Before", "After", "Change", "Unit"], rows: rows.collect() };
-    let (old, new) = (bare(before), bare(now));
-    let shapes = picture("springback", "the section before and after release", springback::plot(from, to, &old), &old);
-    let stress = residual_stress::plot(to, &new)
-        .map(|chart| picture("residual_stress", "residual stress through the thickness", chart, &new));
+    let plot = springback::plot(from, to, &model);
+    let shapes = picture("springback", "the section before and after release", plot, &model);
+    let stress = residual_stress::plot(to, &model)
+        .map(|chart| picture("residual_stress", "residual stress through the thickness", chart, &model));
     [table, shapes].into_iter().chain(stress).collect()
-}
-
-/// What was measured before and after a stage that takes its tools away; nothing for other stages.
-pub(super) fn changes(report: &Report, i: usize) -> Vec<Change> {
-    let frames = released(report.passes, i);
-    frames.map_or_else(Vec::new, |[(_, from), (_, to)]| measured(&Shape::of(from), &Shape::of(to)))
 }
 
 /// A picture whose title leaves out the case's, which the report has above all.

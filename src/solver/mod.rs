@@ -30,7 +30,7 @@ use heat::HeatSolver;
 use stepping::StepControl;
 use stops::StopWatch;
 
-pub use stages::{Pass, enter, released, run_stages};
+pub use stages::{Pass, enter, run_stages};
 
 /// Sees a run as it goes; the solver itself never prints.
 pub trait Observer {

@@ -25,12 +25,12 @@ pub struct Pass {
     pub state: State,
 }
 
-/// The sheet before and after a stage that takes its tools away, each with its model; `None` for other stages, and where
-/// nothing was kept.
-pub fn released(passes: &[Pass], stage: usize) -> Option<[(&Model, &Frame); 2]> {
-    let Pass { model, run, .. } = passes.get(stage)?;
-    model.release?;
-    Some([(model, run.start.as_ref()?), (model, run.frames.last()?)])
+impl Pass {
+    /// The sheet before and after a stage that takes its tools away; `None` for other stages, and where nothing was kept.
+    pub fn released(&self) -> Option<[&Frame; 2]> {
+        self.model.release?;
+        Some([self.run.start.as_ref()?, self.run.frames.last()?])
+    }
 }
 
 /// Runs stages after one another, the first from the flat blank, up to the first that does not come to its end.

@@ -13,9 +13,6 @@ pub enum Unit {
     Second,
     Minute,
     PerSecond,
-    /// N·mm.
-    Millijoule,
-    MillijoulePerMm,
     /// Of work and heat; the solver's N·mm are converted where a table is made.
     Joule,
     JoulePerMm,
@@ -57,10 +54,10 @@ const SPELLINGS: [(&str, Unit, f64); 28] = [
     ("ms", Unit::Second, 1e-3),
     ("min", Unit::Minute, 1.0),
     ("1_per_s", Unit::PerSecond, 1.0),
-    ("mJ", Unit::Millijoule, 1.0),
-    ("mJ_per_mm", Unit::MillijoulePerMm, 1.0),
     ("J", Unit::Joule, 1.0),
+    ("mJ", Unit::Joule, 1e-3),
     ("J_per_mm", Unit::JoulePerMm, 1.0),
+    ("mJ_per_mm", Unit::JoulePerMm, 1e-3),
     ("deg", Unit::Degree, 1.0),
     ("C", Unit::Celsius, 1.0),
 ];
@@ -78,8 +75,6 @@ impl Unit {
             Self::Second => "s",
             Self::Minute => "min",
             Self::PerSecond => "1/s",
-            Self::Millijoule => "mJ",
-            Self::MillijoulePerMm => "mJ/mm",
             Self::Joule => "J",
             Self::JoulePerMm => "J/mm",
             Self::Degree => "°",

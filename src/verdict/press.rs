@@ -2,7 +2,7 @@
 
 use super::{Finding, Light};
 use crate::case::Case;
-use crate::output::{force_unit, work_unit};
+use crate::output::{JOULES, energy_unit, force_unit};
 use crate::solver::Pass;
 use crate::table::{Unit, four_digits};
 
@@ -31,12 +31,19 @@ pub(super) fn force(case: &Case, passes: &[Pass]) -> Option<Finding> {
 
 /// External work of all stages.
 pub(super) fn energy(case: &Case, passes: &[Pass]) -> Option<Finding> {
-    let unit = work_unit(passes.first()?.model.geometry);
+    let unit = energy_unit(passes.first()?.model.geometry);
     let forming = passes.iter().filter(|pass| pass.model.release.is_none());
-    let work: f64 = forming.filter_map(|pass| pass.run.history.last()).map(|last| last.work.external).sum();
-    let per = if unit == Unit::Millijoule { "J" } else { "J per mm of depth, of the half that is modelled" };
-    let written = |work: f64| format!("{} {per}", four_digits(1e-3 * work));
-    Some(rated("energy", "Energy", (work, unit), case.press.energy, written, String::new()))
+    let work: f64 = forming.filter_map(|pass| pass.run.history.last()).map(|last| JOULES * last.work.external).sum();
+    let per = if unit == Unit::Joule { "J" } else { "J per mm of depth, of the half that is modelled" };
+    let written = |work: f64| format!("{} {per}", four_digits(work));
+    Some(rated(
+        "energy",
+        "Energy",
+        (work, unit),
+        case.press.energy.map(|energy| JOULES * energy),
+        written,
+        String::new(),
+    ))
 }
 
 /// A figure of the run against the press's rating, `written` with a unit.
