@@ -160,6 +160,9 @@ fn report(solved: &Solved, dir: &Path, files: usize) -> String {
         let _ = writeln!(text, "{}", comparison.sentence());
     }
     let _ = writeln!(text, "{files} files in {}", dir.display());
+    if dir.join("report.html").is_file() {
+        let _ = writeln!(text, "report.html there is of an earlier run: `stampflow report` makes it anew");
+    }
     text
 }
 
