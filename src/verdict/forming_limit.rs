@@ -1,12 +1,15 @@
 //! How near the sheet comes to its forming limit.
 
 use super::{Finding, Light};
-use crate::forming_limit::{Assessment, CROOKED, assess};
+use crate::forming_limit::{Assessment, CROOKED, Judged, assess};
 use crate::solver::Pass;
 use crate::table::Unit;
 
 /// Share of the limit strain above which scatter of metal and process may reach it \[–\].
 const CAREFUL: f64 = 0.9;
+
+/// Share of the limit that a path which is not straight may use: its own limit may be far lower \[–\].
+const BENT: f64 = 0.5;
 
 /// The stage that comes nearest to its curve, with the curve's name.
 fn worst(passes: &[Pass]) -> Option<(&'static str, &Pass, Assessment)> {
@@ -45,10 +48,11 @@ pub(super) fn margin(passes: &[Pass]) -> Option<Finding> {
         value: Some(worst.margin()),
         unit: Unit::None,
         found: format!(
-            "uses {:.0} % of the limit at s0 = {:.1} mm, {:.3} of major true strain left{reached}",
+            "uses {:.0} % of the limit at s0 = {:.1} mm, {:.3} of major true strain {}{reached}",
             100.0 * worst.ratio(),
             worst.s0,
-            worst.margin()
+            worst.margin().abs(),
+            if worst.margin() < 0.0 { "beyond it" } else { "left" }
         ),
         limit: format!("{name}: not reached, below {:.0} % of it", 100.0 * CAREFUL),
         source: "the case's curve; the share is a declared rule of thumb",
@@ -74,10 +78,9 @@ fn missing() -> Finding {
 /// Whether the curve can be taken at its word: it holds for straight strain paths.
 pub(super) fn path(passes: &[Pass]) -> Option<Finding> {
     let (_, _, assessment) = worst(passes)?;
-    let (crooked, worst) = (assessment.crooked(), assessment.worst());
-    let light = if crooked > 0 { Light::Amber } else { Light::Green };
-    let nearest =
-        if worst.is_crooked() { ", the one nearest to the limit too" } else { ", not the one nearest to the limit" };
+    let crooked = assessment.crooked();
+    let used = assessment.elements.iter().filter(|judged| judged.is_crooked()).map(Judged::ratio).fold(0.0, f64::max);
+    let light = Light::within(used, BENT);
     Some(Finding {
         key: "strain_paths",
         label: "Strain paths",
@@ -86,10 +89,18 @@ pub(super) fn path(passes: &[Pass]) -> Option<Finding> {
         unit: Unit::None,
         found: match crooked {
             0 => "all straight".into(),
-            n => format!("{n} of {} elements not straight{nearest}", assessment.elements.len()),
+            n => format!(
+                "{n} of {} elements not straight, they use up to {:.0} % of the limit",
+                assessment.elements.len(),
+                100.0 * used
+            ),
         },
-        limit: format!("within {:.0} % of a straight line", 100.0 * CROOKED),
-        source: "limit curves are measured on straight paths; the share is a convention",
+        limit: format!(
+            "within {:.0} % of a straight line, or below {:.0} % of the limit",
+            100.0 * CROOKED,
+            100.0 * BENT
+        ),
+        source: "limit curves are measured on straight paths; the shares are declared rules of thumb",
         advice: light.advice("keep more margin there: look at strain_paths.csv of `run`"),
     })
 }
