@@ -62,7 +62,8 @@ fn height(frame: &Frame) -> f64 {
     bottom.z - rim.z + 0.5 * bottom.thickness
 }
 
-/// Trust: 3 % is what the wanted height is asked for; constant area and 8 % for the rim come to it, and no flange is left.
+/// Trust: the trim is corrected by runs of the case itself, and settles to half a percent of the height in two of them;
+/// no flange is left.
 #[test]
 fn a_cup_is_as_high_as_was_wanted() {
     for (wanted, given) in [
@@ -72,13 +73,15 @@ fn a_cup_is_as_high_as_was_wanted() {
         (45.0, &[("height", "45 mm"), ("punch-radius", "50 mm")]),
         (30.0, &[("shoulder", "8 mm"), ("nose", "8 mm")]),
         (40.0, &[("height", "40 mm"), ("punch-radius", "40 mm"), ("friction", "0.04")]),
+        (15.0, &[("height", "15 mm"), ("punch-radius", "60 mm")]),
+        (50.0, &[("height", "50 mm"), ("thickness", "0.8 mm"), ("material", "drawing-steel")]),
     ] {
         let case = case("cup", given);
         let runs = solved(&case);
         let last = runs[0].frames.last().unwrap();
         let reached = height(last);
         println!("{given:?}: {reached:.2} of {wanted} mm, {:+.1} %", 100.0 * (reached / wanted - 1.0));
-        assert!((reached / wanted - 1.0).abs() < 0.03, "{given:?}: {reached:.2} mm instead of {wanted} mm");
+        assert!((reached / wanted - 1.0).abs() < 0.005, "{given:?}: {reached:.2} mm instead of {wanted} mm");
         let die = case.model.tool(stampflow::model::Role::Die).unwrap();
         let shoulder_end = die.profile.corners().map(|arc| arc.center.x).fold(0.0, f64::max);
         assert!(last.nodes.last().unwrap().r < shoulder_end, "{given:?}: a flange is left");
@@ -101,7 +104,7 @@ fn the_blank_is_the_textbooks() {
     let textbook = (d * d + 4.0 * d * h - (8.0 - 2.0 * std::f64::consts::PI) * r * d
         + (12.0 - 4.0 * std::f64::consts::PI) * r * r)
         .sqrt();
-    assert!((2.0 * case("cup", &[]).model.blank.length - textbook).abs() < 1e-3);
+    assert!((2.0 * case("cup", &[("trim", "8 %")]).model.blank.length - textbook).abs() < 1e-3);
     // No nose at all: D² = d² + 4 d h.
     assert!((rules::blank_of(rules::cup_area(30.0, 0.0, 20.0)).powi(2) - (900.0 + 4.0 * 30.0 * 10.0)).abs() < 1e-9);
 }

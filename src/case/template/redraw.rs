@@ -35,7 +35,7 @@ const OPTIONS: &[Choice] = &[
     Choice::new(
         "trim",
         Kind::Share,
-        Default::Value("8 %"),
+        Default::Rule("8 %"),
         "blank for that much more height: the rim thickens and is trimmed",
     ),
     Choice::new("first-radius", Kind::Length, Default::Rule("1.3 punch radii"), "radius of the first punch"),
@@ -56,7 +56,8 @@ const REDRAWN: f64 = 0.9;
 fn write(inputs: &Inputs) -> Result<String, CaseError> {
     let sheet = Sheet::read(inputs)?;
     let t = sheet.thickness;
-    let cup = Cup::read(inputs, &sheet)?;
+    let trim = inputs.pick("trim", || Picked { value: rules::TRIM, why: rules::TRIMMED.into() });
+    let cup = Cup::read(inputs, &sheet, trim)?;
     let blank = cup.blank(t);
     let first = inputs.pick("first-radius", || {
         Picked::by(
@@ -92,7 +93,7 @@ fn write(inputs: &Inputs) -> Result<String, CaseError> {
         let bottom = rules::cup_area(middle, nose, nose);
         nose + (PI * blank.value * blank.value - bottom) / (2.0 * PI * middle) + 0.5 * t
     };
-    let first_height = first_height / (1.0 + cup.trim);
+    let first_height = first_height / (1.0 + cup.trim.value);
     let mut punch = flat_punch("radius", first.value, &cup.nose);
     punch.why = [about("radius", &first), punch.why]
         .iter()

@@ -24,6 +24,10 @@ pub const REDRAW_RATIO: f64 = 1.3;
 const RADIUS: f64 = 6.0;
 /// Elements per 90° of the sharpest corner that a blank of equal elements would have [–].
 const PER_QUARTER: f64 = 10.0;
+/// Height for which a blank is made beyond the wanted one, over that one [–]: a declared rule of thumb.
+pub const TRIM: f64 = 0.08;
+/// What [`TRIM`] is for.
+pub const TRIMMED: &str = "because the rim thickens (declared)";
 /// How far a rim has gone round the die's shoulder when a cup counts as drawn [rad].
 const RIM: f64 = FRAC_PI_4;
 
