@@ -92,6 +92,49 @@ fn a_cone_tears_where_its_nose_ends() {
     assert!(judged("hemispherical-cup").iter().all(|f| f.key != "bottom_tearing"));
 }
 
+/// Trust: by hand, 1.5 of the second punch is beyond 1.3; its wall carries π·61·1·301 N and tears in the second stage.
+#[test]
+fn later_draws_are_judged_too() {
+    let text = case::template::find("redraw").and_then(|t| t.fill(&[("first-radius", "45 mm")])).expect("a case");
+    let case = case::parse(&text, "made.toml", &[]).expect("valid");
+    let passes = run_stages(&case.stages(), &mut ());
+    let found = judge(&case, &passes);
+    assert_eq!(light(&found, "redraw_ratio"), Light::Amber, "{found:?}");
+    assert!((value(&found, "redraw_ratio") - 1.5).abs() < 1e-9);
+    let of = |key: &str| found.iter().find(|f| f.key == key).expect(key);
+    assert!(of("bottom_tearing").found.ends_with("stage 2"), "{:?}", of("bottom_tearing"));
+    let strength = 520.0 * 0.22_f64.powf(0.22) * (0.005_f64 - 0.22).exp();
+    let peak = passes[1].run.history.iter().map(|step| step.punch_force).fold(0.0, f64::max);
+    // The strength is right to 1e-6, the radius exact.
+    assert!((value(&found, "bottom_tearing") - 100.0 * peak / (std::f64::consts::PI * 61.0 * strength)).abs() < 1e-2);
+    // One stroke's energy, not the sum of both.
+    let works = passes.iter().map(|pass| 1e-3 * pass.run.history.last().expect("steps").work.external);
+    assert!((value(&found, "energy") - works.fold(0.0, f64::max)).abs() < 1e-9);
+}
+
+#[test]
+fn what_a_run_cannot_say_is_grey_and_what_is_implausible_amber() {
+    let grey = |name: &str, key: &str| assert_eq!(light(&findings(name, &[]), key), Light::Grey, "{name} {key}");
+    grey("strip_draw.toml", "springback");
+    grey("woo_hemispherical.toml", "wall_wrinkles");
+    let short = "tools.punch.travel=3 mm";
+    let of = |given: &[&str], key: &str| {
+        let found = findings("quickstart.toml", &[&[short], given].concat());
+        let it = found.iter().find(|f| f.key == key).unwrap_or_else(|| panic!("no {key}"));
+        (it.light, it.found.clone())
+    };
+    // No holder is no better than a weak one: 50 mm of blank beyond the punch.
+    assert_eq!(of(&["tools.holder.force=0 N"], "wrinkling").0, Light::Red);
+    let noted =
+        |note: &str, mu: &str| of(&[&format!("notes=[\"{note}\"]"), &format!("tools.die.friction={mu}")], "friction");
+    assert_eq!(noted("friction guessed", "0.08").0, Light::Amber);
+    assert_eq!(noted("friction measured on a strip", "0.08").0, Light::Green);
+    assert_eq!(noted("friction after Woo (1968)", "0.08").0, Light::Green);
+    assert_eq!(noted("friction after Woo (1968)", "0.5").0, Light::Amber);
+    let wide = ["tools.die.throat=40 mm", "tools.holder.inner_radius=46 mm"];
+    assert_eq!(of(&wide, "clearance").0, Light::Amber);
+}
+
 #[test]
 fn a_holder_that_squeezes_is_said() {
     let squeezed = ["tools.holder.force=600 kN", "tools.punch.travel=1 mm"];

@@ -74,11 +74,6 @@ impl<'a> Report<'a> {
     /// Every number of the document, with those behind its pictures that a summary has.
     pub fn json(&self) -> Value {
         let dimension = |d: &Dimension| json!({"label": d.label, "value": rounded(d.value), "unit": d.unit.symbol()});
-        let findings = self.findings.iter().map(|finding| {
-            let mut value = json!(finding);
-            value["unit"] = finding.unit.symbol().into();
-            value
-        });
         let stages = self.subjects().map(|subject| json!(Summary::of(&subject)));
         json!({
             "case": self.case.name,
@@ -86,7 +81,7 @@ impl<'a> Report<'a> {
             "program": PROGRAM,
             "check": self.check,
             "dimensions": self.dimensions.iter().map(dimension).collect::<Vec<_>>(),
-            "verdict": findings.collect::<Vec<_>>(),
+            "verdict": self.findings,
             "stages": stages.collect::<Vec<_>>(),
         })
     }

@@ -5,6 +5,10 @@ use crate::case::check::THIN;
 use crate::solver::Pass;
 use crate::table::Unit;
 
+/// Bending radius over the thickness at which a fibre's strain is as large as plastic ones in deep draws, and a shell is none
+/// \[–\].
+const SHARP: f64 = 2.0;
+
 /// Smallest bending radius of the mid-surface over the thickness.
 pub(super) fn judge(passes: &[Pass]) -> Option<Finding> {
     let sharpest = largest(passes, |step| step.sharpest_bend);
@@ -12,7 +16,11 @@ pub(super) fn judge(passes: &[Pass]) -> Option<Finding> {
         return None;
     }
     let ratio = 1.0 / sharpest;
-    let light = if ratio < THIN { Light::Amber } else { Light::Green };
+    let light = match ratio {
+        r if r < SHARP => Light::Red,
+        r if r < THIN => Light::Amber,
+        _ => Light::Green,
+    };
     Some(Finding {
         key: "bend_radius",
         label: "Bending radius",
@@ -20,7 +28,7 @@ pub(super) fn judge(passes: &[Pass]) -> Option<Finding> {
         value: Some(ratio),
         unit: Unit::None,
         found: format!("{ratio:.2} thicknesses at the sharpest"),
-        limit: format!("{THIN} thicknesses at least: thin-shell theory"),
+        limit: format!("{THIN} thicknesses at least, refused below {SHARP}: thin-shell theory"),
         source: super::DECLARED,
         advice: light.advice("larger radii; else take strains and spring-back there with care"),
     })

@@ -1,5 +1,6 @@
 //! Whether the sheet fits between punch and die.
 
+use super::nose::NoseEnd;
 use super::{DECLARED, Finding, Light, largest, steps};
 use crate::case::Case;
 use crate::case::check::estimate;
@@ -9,13 +10,17 @@ use crate::table::Unit;
 
 /// Smallest gap over the thickness \[–\]; rounded sums of decimals may miss it.
 const LEAST: f64 = 1.0 - 1e-6;
+/// Gap over the thickness above which a wall is not straight: a rim of β = 2.2 is √β thicknesses thick \[–\].
+const WIDE: f64 = 1.5;
 /// Squeeze at which the sheet is ironed in earnest, which no shell describes \[–\].
 const SQUEEZED: f64 = 0.1;
 
-/// Gap between punch and die over the thickness.
-pub(super) fn gap(case: &Case) -> Option<Finding> {
+/// Gap between punch and die over the thickness; wide ones matter beside a straight wall only.
+pub(super) fn gap(case: &Case, passes: &[Pass]) -> Option<Finding> {
     let gap = estimate::clearance(&case.model)? / case.model.blank.thickness;
-    let light = if gap < LEAST { Light::Amber } else { Light::Green };
+    let straight = passes.first().and_then(NoseEnd::of).is_some_and(NoseEnd::is_upright);
+    let light = if gap < LEAST || straight && gap > WIDE { Light::Amber } else { Light::Green };
+    let most = if straight { format!(", {WIDE} at most beside a straight wall") } else { String::new() };
     Some(Finding {
         key: "clearance",
         label: "Clearance",
@@ -23,9 +28,13 @@ pub(super) fn gap(case: &Case) -> Option<Finding> {
         value: Some(gap),
         unit: Unit::None,
         found: format!("{gap:.2} thicknesses between punch and die"),
-        limit: "one thickness at least".into(),
-        source: "a sheet that does not thin is squeezed in less",
-        advice: light.advice("a larger throat, a smaller punch or a shorter travel"),
+        limit: format!("one thickness at least{most}"),
+        source: "a sheet that does not thin is squeezed in less; the upper one is a declared rule of thumb",
+        advice: light.advice(if gap < LEAST {
+            "a larger throat, a smaller punch or a shorter travel"
+        } else {
+            "a smaller throat: the wall leans, and puckers"
+        }),
     })
 }
 

@@ -1,6 +1,6 @@
 //! Whether the holder stays on the sheet.
 
-use super::{DECLARED, Finding, Light};
+use super::{DECLARED, Finding, Light, of_stage};
 use crate::case::check::estimate::{held_from, holder_pressure, tensile_strength};
 use crate::model::{Motion, Role};
 use crate::record::StepRecord;
@@ -43,10 +43,11 @@ pub(super) fn judge(passes: &[Pass]) -> Option<Finding> {
         unit: Unit::None,
         found: format!(
             "lifted by up to {lift:.2} t; at first {:.1} % of the tensile strength; in the end {:.0} % of its force on the \
-             outer {} t",
+             outer {} t{}",
             100.0 * pressed,
             100.0 * last.rim_share,
-            StepRecord::RIM
+            StepRecord::RIM,
+            of_stage(passes, 0)
         ),
         limit: format!(
             "lifted by at most {LIFTED} t, refused above {OFF} t, until the flange is {RUN_OUT} t wide; {:.0} % of the \

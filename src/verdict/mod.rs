@@ -10,8 +10,11 @@ mod friction;
 mod hardening;
 mod holder;
 mod neck;
+mod nose;
 mod numerics;
 mod press;
+mod redraw;
+mod springback;
 mod stop;
 mod tearing;
 mod thinning;
@@ -135,17 +138,25 @@ pub fn judge(case: &Case, passes: &[Pass]) -> Vec<Finding> {
         forming_limit::margin(passes),
         forming_limit::path(passes),
         tearing::judge(passes),
+        redraw::judge(passes),
         wrinkling::judge(passes),
+        wrinkling::wall(passes),
         press::force(case, passes),
         press::energy(case, passes),
         holder::judge(passes),
-        clearance::gap(case),
+        clearance::gap(case, passes),
         clearance::ironing(passes),
+        springback::judge(passes),
         bend::judge(passes),
         hardening::judge(passes),
         friction::judge(case),
     ];
     single.into_iter().flatten().chain(numerics::judge(passes)).collect()
+}
+
+/// `, stage 2` where there are several.
+fn of_stage(passes: &[Pass], i: usize) -> String {
+    if passes.len() > 1 { format!(", stage {}", i + 1) } else { String::new() }
 }
 
 /// Every step of every stage.

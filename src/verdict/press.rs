@@ -1,7 +1,8 @@
 //! What the press must give, against its rating where the case names it.
 
-use super::{Finding, Light};
+use super::{Finding, Light, of_stage};
 use crate::case::Case;
+use crate::model::Geometry;
 use crate::output::{JOULES, energy_unit, force_unit};
 use crate::solver::Pass;
 use crate::table::{Unit, four_digits};
@@ -15,7 +16,6 @@ pub(super) fn force(case: &Case, passes: &[Pass]) -> Option<Finding> {
         return None;
     }
     let unit = force_unit(pass.model.geometry);
-    let stage = if passes.len() > 1 { format!(", stage {}", i + 1) } else { String::new() };
     Some(rated(
         "punch_force",
         "Punch force",
@@ -25,25 +25,28 @@ pub(super) fn force(case: &Case, passes: &[Pass]) -> Option<Finding> {
             Unit::N => format!("{} kN", four_digits(1e-3 * force)),
             other => format!("{} {}", four_digits(force), other.symbol()),
         },
-        format!(" at {:.2} mm of travel{stage}", peak.travel),
+        format!("{} at {:.2} mm of travel{}", half(passes), peak.travel, of_stage(passes, i)),
     ))
 }
 
-/// External work of all stages.
+/// External work of the stroke that needs most of it.
 pub(super) fn energy(case: &Case, passes: &[Pass]) -> Option<Finding> {
     let unit = energy_unit(passes.first()?.model.geometry);
-    let forming = passes.iter().filter(|pass| pass.model.release.is_none());
-    let work: f64 = forming.filter_map(|pass| pass.run.history.last()).map(|last| JOULES * last.work.external).sum();
-    let per = if unit == Unit::Joule { "J" } else { "J per mm of depth, of the half that is modelled" };
+    let strokes = passes.iter().enumerate().filter(|(_, pass)| pass.model.release.is_none());
+    let work = strokes.filter_map(|(i, pass)| Some((i, JOULES * pass.run.history.last()?.work.external)));
+    let (i, work) = work.max_by(|a, b| a.1.total_cmp(&b.1))?;
+    let per = if unit == Unit::Joule { "J" } else { "J per mm of depth" };
     let written = |work: f64| format!("{} {per}", four_digits(work));
-    Some(rated(
-        "energy",
-        "Energy",
-        (work, unit),
-        case.press.energy.map(|energy| JOULES * energy),
-        written,
-        String::new(),
-    ))
+    let at = format!("{}{}", half(passes), of_stage(passes, i));
+    Some(rated("energy", "Energy", (work, unit), case.press.energy.map(|energy| JOULES * energy), written, at))
+}
+
+/// What forces and work of a plane-strain section are of.
+fn half(passes: &[Pass]) -> &'static str {
+    match passes.first().map(|pass| pass.model.geometry) {
+        Some(Geometry::PlaneStrain) => " of the modelled half: the press sees twice that",
+        _ => "",
+    }
 }
 
 /// A figure of the run against the press's rating, `written` with a unit.
@@ -58,7 +61,8 @@ fn rated(
     let light = rating.map_or(Light::Grey, |rating| Light::of(value, [rating, rating]));
     let advice = match rating {
         Some(_) => "a stronger press; less friction or holder force, a smaller blank, a thinner sheet",
-        None => "give [press] force and energy, the ratings on its data sheet",
+        None if unit == Unit::JoulePerMm => "times twice the part's depth, against the press's work of a stroke",
+        None => "give [press] force, and energy of an axisymmetric part: the ratings on its data sheet",
     };
     Finding {
         key,

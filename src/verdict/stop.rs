@@ -6,10 +6,20 @@ use crate::record::Stop;
 use crate::solver::Pass;
 use crate::table::Unit;
 
-/// Red where a stage stopped early; the stop says why.
+/// Red where a stage stopped early, amber where the cup left the die; the stop says why.
 pub(super) fn judge(case: &Case, passes: &[Pass]) -> Option<Finding> {
-    let stop = &passes.last()?.run.stop;
-    let light = if stop.is_complete() { Light::Green } else { Light::Red };
+    let Pass { model, run, .. } = passes.last()?;
+    let stop = &run.stop;
+    let words = match stop {
+        Stop::FullTravel if model.release.is_some() => "the tools are taken away".to_owned(),
+        stop => stop.to_string(),
+    };
+    // Many a cup leaves its die at the other end.
+    let light = match stop {
+        Stop::DrawnThrough { .. } => Light::Amber,
+        stop if stop.is_complete() => Light::Green,
+        _ => Light::Red,
+    };
     let stages = 1 + case.later.len();
     let at = if stages > 1 { format!("stage {} of {stages}: ", passes.len()) } else { String::new() };
     let advice = match stop {
@@ -28,7 +38,7 @@ pub(super) fn judge(case: &Case, passes: &[Pass]) -> Option<Finding> {
         light,
         value: None,
         unit: Unit::None,
-        found: format!("{at}{stop}"),
+        found: format!("{at}{words}"),
         limit: "reaches its end".into(),
         source: "the solver",
         advice: advice.into(),

@@ -1,7 +1,9 @@
 //! Whether the flange would wrinkle: an index, for an axisymmetric run cannot.
 
+use super::nose::NoseEnd;
 use super::{DECLARED, Finding, Light};
 use crate::case::check::estimate::{draw_ratio, held_area, siebel_pressure, tensile_strength};
+use crate::case::extent;
 use crate::model::{Geometry, Model, Motion, Role};
 use crate::solver::Pass;
 use crate::table::Unit;
@@ -10,6 +12,8 @@ use crate::table::Unit;
 /// to be quoted with, would ask for more.
 /// A force that was rounded after the rule may miss it by a percent.
 const LIMITS: [f64; 2] = [1.01, 2.0];
+/// Diameter of a blank less that of the punch, over the thickness, up to which a cup is drawn without a holder \[–\].
+const FREE: [f64; 2] = [15.0, 20.0];
 /// Room between a fixed holder and the die, in thicknesses, above which waves have a height to grow to \[–\].
 const GAP: f64 = 1.2;
 
@@ -21,8 +25,29 @@ pub(super) fn judge(passes: &[Pass]) -> Option<Finding> {
     match model.tool(Role::Holder).map(|holder| &holder.motion) {
         Some(Motion::Pressed(press)) if !press.is_idle() => pressed(model, press.force.smallest()),
         Some(Motion::Gap(gap)) => Some(fixed(gap / model.blank.thickness)),
-        _ => Some(free()),
+        _ => Some(free(model)),
     }
+}
+
+/// A wall that hangs free between nose and shoulder, of a punch without a straight one: it may pucker, which no index here
+/// says. Of the first stage of an axisymmetric draw.
+pub(super) fn wall(passes: &[Pass]) -> Option<Finding> {
+    let first = passes.first()?;
+    draw_ratio(&first.model)?;
+    if NoseEnd::of(first).is_some_and(NoseEnd::is_upright) {
+        return None;
+    }
+    Some(Finding {
+        key: "wall_wrinkles",
+        label: "Wall wrinkles",
+        light: Light::Grey,
+        value: None,
+        unit: Unit::None,
+        found: "part of the wall hangs free between punch and die".into(),
+        limit: "an axisymmetric run cannot wrinkle, and no rule for it could be read".into(),
+        source: DECLARED,
+        advice: "more holder force, or beads, keep a free wall in tension; a thicker sheet puckers later".into(),
+    })
 }
 
 fn pressed(model: &Model, least: f64) -> Option<Finding> {
@@ -43,7 +68,7 @@ fn pressed(model: &Model, least: f64) -> Option<Finding> {
         ),
         limit: format!("{:.0}, refused above {}", LIMITS[0], LIMITS[1]),
         source: "Siebel's holder pressure, after Kugler (2009) in 4ming; red is a declared rule of thumb",
-        advice: light.advice(format!("a holder force of {force:.1} kN or more; a thicker sheet or a smaller blank")),
+        advice: light.advice(format!("a holder force of {force:.1} kN or more; where the sheet tears too, a thicker sheet, a smaller blank or one more draw")),
     })
 }
 
@@ -62,16 +87,23 @@ fn fixed(gap: f64) -> Finding {
     }
 }
 
-fn free() -> Finding {
+/// A blank that nothing holds: how far it stands beyond the punch, in thicknesses.
+fn free(model: &Model) -> Finding {
+    let beyond = model.tool(Role::Punch).map_or(0.0, |punch| 2.0 * (model.blank.length - extent(punch).1));
+    let thicknesses = beyond / model.blank.thickness;
+    let light = Light::of(thicknesses, FREE);
     Finding {
         key: "wrinkling",
         label: "Wrinkle index",
-        light: Light::Amber,
-        value: None,
+        light,
+        value: Some(thicknesses),
         unit: Unit::None,
-        found: "nothing holds the flange; an axisymmetric run itself cannot wrinkle".into(),
-        limit: "a flange that is drawn in is held".into(),
+        found: format!(
+            "nothing holds the flange: blank less punch diameter is {thicknesses:.0} thicknesses; an axisymmetric run itself \
+             cannot wrinkle"
+        ),
+        limit: format!("{} thicknesses, refused above {}", FREE[0], FREE[1]),
         source: DECLARED,
-        advice: "give tools.holder a force; `check` says what Siebel's rule advises".into(),
+        advice: light.advice("give tools.holder a force; `check` says what Siebel's rule advises"),
     }
 }
