@@ -94,6 +94,7 @@ fn check_and_laws_are_json_with_all_that_is_printed() {
             assert!(text(&printed.stdout).contains(meaning), "{meaning}");
         }
     }
+    assert!(laws.as_array().unwrap().iter().any(|law| law["name"] == "flow"));
     assert!(laws.as_array().unwrap().iter().any(|law| law["name"] == "swift" && law["parameters"][0]["key"] == "k"));
 }
 

@@ -68,7 +68,18 @@ pub fn law_list() -> Vec<Law> {
         description: description(&definition("Material")["properties"]["anisotropy"]).to_owned(),
         parameters: Vec::new(),
     };
-    of_kinds.chain(single).chain([anisotropy]).collect()
+    modes().chain(of_kinds).chain(single).chain([anisotropy]).collect()
+}
+
+/// How stress follows the sheet's motion.
+fn modes() -> impl Iterator<Item = Law> {
+    definition("Mode")["oneOf"].as_array().into_iter().flatten().map(|mode| Law {
+        kind: "Stress of the sheet's motion: by the flow approach, or by its elastic twin",
+        place: "[material] mode = \"NAME\"",
+        name: mode["const"].as_str().unwrap_or_default().to_owned(),
+        description: description(mode).to_owned(),
+        parameters: Vec::new(),
+    })
 }
 
 /// The same as text.

@@ -1,6 +1,7 @@
 //! How near the sheet comes to its forming limit.
 
-use super::{Finding, Light};
+use super::{Finding, Light, largest};
+use crate::case::check::THIN;
 use crate::forming_limit::{Assessment, CROOKED, Judged, assess};
 use crate::solver::Pass;
 use crate::table::Unit;
@@ -29,9 +30,16 @@ pub(super) fn is_kept(passes: &[Pass]) -> bool {
 pub(super) fn margin(passes: &[Pass]) -> Option<Finding> {
     let Some((name, pass, assessment)) = worst(passes) else { return Some(missing()) };
     let worst = assessment.worst();
+    let bend = largest(passes, |step| step.sharpest_bend);
+    let bent = bend * THIN > 1.0;
     let light = match assessment.reached {
         Some(_) => Light::Red,
+        None if bent => Light::Amber,
         None => Light::within(worst.ratio(), CAREFUL),
+    };
+    let faces = match bent {
+        true => format!("; of the mid-surface: bends strain the faces by up to {:.2}", (1.0 + 0.5 * bend).ln()),
+        false => String::new(),
     };
     let reached = assessment.reached.map_or(String::new(), |reached| {
         let when = if pass.model.travel > 0.0 {
@@ -48,7 +56,7 @@ pub(super) fn margin(passes: &[Pass]) -> Option<Finding> {
         value: Some(worst.margin()),
         unit: Unit::None,
         found: format!(
-            "uses {:.0} % of the limit at s0 = {:.1} mm, {:.3} of major true strain {}{reached}",
+            "uses {:.0} % of the limit at s0 = {:.1} mm, {:.3} of major true strain {}{reached}{faces}",
             100.0 * worst.ratio(),
             worst.s0,
             worst.margin().abs(),
@@ -56,7 +64,11 @@ pub(super) fn margin(passes: &[Pass]) -> Option<Finding> {
         ),
         limit: format!("{name}: not reached, below {:.0} % of it", 100.0 * CAREFUL),
         source: "the case's curve; the share is a declared rule of thumb",
-        advice: light.advice(super::thinning::ADVICE),
+        advice: light.advice(if light == Light::Amber && bent {
+            "larger radii: a limit of stretched sheet says nothing of the faces of sharp bends"
+        } else {
+            super::thinning::ADVICE
+        }),
     })
 }
 
