@@ -2,7 +2,7 @@
 
 use crate::geometry::{Point, Profile};
 use crate::model::{Model, Role};
-use crate::record::Run;
+use crate::record::StepRecord;
 
 /// Distance over the sheet thickness at which the blocks keep holder and die apart \[–\].
 const APART: f64 = 0.5;
@@ -22,21 +22,21 @@ pub(super) fn of_holder(model: &Model) -> Option<f64> {
 }
 
 /// Where the holder rests on its blocks for a good part of the travel: it presses no sheet there, however hard it is pressed.
-pub(super) fn rests(model: &Model, run: &Run) -> Option<String> {
+pub(super) fn rests(travel: f64, history: &[StepRecord]) -> Option<String> {
     let rests = |i: usize| {
-        let record = &run.history[i];
+        let record = &history[i];
         record.block_force > BORNE * (record.block_force + record.holder_force)
     };
-    let begins = |i: usize| i.checked_sub(1).map_or(0.0, |before| run.history[before].travel);
+    let begins = |i: usize| i.checked_sub(1).map_or(0.0, |before| history[before].travel);
     let (mut longest, mut since) = ([0.0; 2], None);
-    for (i, record) in run.history.iter().enumerate() {
+    for (i, record) in history.iter().enumerate() {
         since = if rests(i) { since.or(Some(begins(i))) } else { None };
         if let Some(from) = since.filter(|from| record.travel - from > longest[1] - longest[0]) {
             longest = [from, record.travel];
         }
     }
     let [from, to] = longest;
-    (to - from > RESTS * model.travel).then(|| {
+    (to - from > RESTS * travel).then(|| {
         format!(
             "the holder rests on its distance blocks from {from:.2} to {to:.2} mm of travel, not on the sheet: it does not \
              hold it there, whatever its force"
@@ -110,6 +110,24 @@ mod tests {
         // 0.02 rad apart: within 6 × 0.02²/8 mm.
         assert_relative_eq!(rise, nose + shoulder + T - centers.sqrt(), epsilon = 1e-3);
         assert!(rise > T, "{rise}");
+    }
+
+    /// Trust: by construction.
+    #[test]
+    fn a_holder_that_rests_on_its_blocks_for_long_is_said() {
+        let history = |borne: [f64; 4]| {
+            let record = |(i, block_force)| StepRecord {
+                travel: (i + 1) as f64,
+                block_force,
+                holder_force: 100.0 - block_force,
+                ..StepRecord::default()
+            };
+            borne.into_iter().enumerate().map(record).collect::<Vec<_>>()
+        };
+        let said = rests(4.0, &history([90.0, 0.0, 100.0, 60.0])).expect("half of the travel");
+        assert!(said.contains("from 2.00 to 4.00 mm"), "{said}");
+        assert_eq!(rests(4.0, &history([40.0, 0.0, 10.0, 0.0])), None);
+        assert_eq!(rests(20.0, &history([100.0, 0.0, 0.0, 100.0])), None);
     }
 
     /// Trust: by construction; nothing of it comes near the die's wall.

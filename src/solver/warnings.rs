@@ -101,7 +101,7 @@ pub(super) fn warnings(model: &Model, work: &Workspace, state: &State, run: &Run
             "the holder was lifted by up to {lifted:.2} thicknesses as the flange thickened or rose under it"
         ));
     }
-    warnings.extend(blocks::rests(model, run));
+    warnings.extend(blocks::rests(model.travel, &run.history));
     if model.settings.contact == ContactMethod::AugmentedLagrangian
         && deepest > 1.01 * crate::model::Settings::PENETRATION
     {
