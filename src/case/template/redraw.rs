@@ -80,9 +80,14 @@ fn write(inputs: &Inputs) -> Result<String, CaseError> {
         "punch and t √β of both draws together",
     );
     // The sleeve stands inside the first cup and clamps what runs from its wall to the second die, cone on cone.
-    let ring =
-        Ring { outer: first.value - 0.5 * t, nose: cup.nose.value, throat: narrow.value, shoulder: shoulder.value };
-    if ring.clamped(t) < LEAST_CLAMPED * t {
+    let ring = Ring {
+        thickness: t,
+        outer: first.value - 0.5 * t,
+        nose: cup.nose.value,
+        throat: narrow.value,
+        shoulder: shoulder.value,
+    };
+    if ring.clamped() < LEAST_CLAMPED * t {
         let what = format!(
             "a first punch of {} leaves no room for a holder beside the second die's throat of {}",
             plain(first.value),
@@ -174,6 +179,7 @@ fn write(inputs: &Inputs) -> Result<String, CaseError> {
 
 /// Where the second die and the sleeve hold the sheet, all \[mm\].
 struct Ring {
+    thickness: f64,
     /// The sleeve's outside and the radius of its corner.
     outer: f64,
     nose: f64,
@@ -199,9 +205,20 @@ impl Ring {
         [self.throat + self.shoulder * (1.0 - Self::sine()), -self.shoulder * cosine]
     }
 
-    /// Width across which sheet of this thickness has both cones opposite each other, along r \[mm\].
-    fn clamped(&self, thickness: f64) -> f64 {
-        self.cone_end()[0] - (self.cone_start()[0] - thickness * Self::sine())
+    /// Where the sleeve's cone begins, at the round of a thickness of its inner edge, and the centre of this round: the cup's
+    /// bottom lies on it first.
+    fn edge(&self) -> [[f64; 2]; 2] {
+        let (sine, cosine) = CONE.to_radians().sin_cos();
+        let (round, [x, z]) = (self.thickness, self.cone_end());
+        let center = self.throat + round;
+        let height = z + ((x - center) * sine - round) / cosine;
+        [[center + round * sine, height + round * cosine], [center, height]]
+    }
+
+    /// Width across which the sheet has both cones opposite each other, along r \[mm\].
+    fn clamped(&self) -> f64 {
+        let ([[edge, _], _], die) = (self.edge(), self.cone_start()[0] - self.thickness * Self::sine());
+        self.cone_end()[0] - die.max(edge)
     }
 
     fn die(&self) -> String {
@@ -218,10 +235,11 @@ impl Ring {
     fn sleeve(&self, length: f64) -> String {
         let [x, z] = self.cone_end();
         let (outer, center) = (self.outer, self.outer - self.nose);
-        let top = z + (x - self.throat) * CONE.to_radians().tan();
+        let [[begin, height], [middle, level]] = self.edge();
         section([
             format!("{{ from = {} }}", point(self.throat, -length)),
-            format!("{{ to = {} }}", point(self.throat, top)),
+            format!("{{ to = {} }}", point(self.throat, level)),
+            format!("{{ arc_to = {}, center = {}, turn = \"right\" }}", point(begin, height), point(middle, level)),
             format!("{{ to = {} }}", point(x, z)),
             format!("{{ arc_to = {}, center = {}, turn = \"right\" }}", point(outer, 0.0), point(center, 0.0)),
             format!("{{ to = {} }}", point(outer, -length)),
