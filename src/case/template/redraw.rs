@@ -222,7 +222,7 @@ impl Ring {
     }
 
     fn die(&self) -> String {
-        let ([x, z], far) = (self.cone_start(), 2.0 * self.outer);
+        let ([x, z], far) = (self.cone_start(), 1.5 * self.outer);
         let (throat, center) = (self.throat, self.throat + self.shoulder);
         section([
             format!("{{ from = {} }}", point(far, z - (far - x) * CONE.to_radians().tan())),
