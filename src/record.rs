@@ -210,6 +210,8 @@ pub struct StepRecord {
     /// How far the holder has moved towards the die from where it touched the flat sheet \[mm\]; negative when lifted. A
     /// holder that the sheet has left stays where it last touched.
     pub holder_move: f64,
+    /// Force of the holder that its distance blocks bear in place of the sheet \[N, or N/mm\].
+    pub block_force: f64,
     /// Largest penetration of a tool over the sheet's thickness, where the sheet is not squeezed \[–\].
     pub penetration: f64,
     /// Largest share of the thickness by which the sheet is too thick for the gap between two tools \[–\]: ironing.

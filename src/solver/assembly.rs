@@ -2,6 +2,7 @@
 
 use super::attempt::Step;
 use super::block_tridiagonal::System;
+use super::blocks;
 use super::contacts::{ActiveTool, Contact, Far};
 use super::line_search::LineSearch;
 use super::loads::BeadPlace;
@@ -23,9 +24,6 @@ use std::mem::take;
 /// Least tension of a membrane in its matrix, over its yield force \[–\]; it fades once the velocity norm is below [`SLACK_NORM`].
 const SLACK_TENSION: f64 = 0.5;
 const SLACK_NORM: f64 = 0.05;
-
-/// A holder that has lost the sheet comes to rest on blocks of this height over the sheet thickness \[–\].
-const DISTANCE_BLOCK: f64 = 0.5;
 
 /// A holder that neither sheet nor block holds, and a sheet that tools going back leave free, are kept in place by this
 /// share of a block's stiffness \[–\]: a force of millionths of those that form the sheet.
@@ -113,6 +111,10 @@ pub(super) struct Workspace {
     pub(super) held: Vec<Vector3<f64>>,
     pub(super) penalty: Penalty,
     block_area: f64,
+    /// Move of the holder at which it stands on its distance blocks \[mm\], relative to the die; none without a holder.
+    block: Option<f64>,
+    /// What of its force they bear \[N, or N/mm\].
+    pub(super) block_force: f64,
 }
 
 impl Workspace {
@@ -209,6 +211,8 @@ impl Workspace {
                 smoothing: model.settings.contact_smoothing * t,
             },
             block_area: model.geometry.area(model.blank.length),
+            block: blocks::of_holder(model),
+            block_force: 0.0,
         };
         work.measure_far();
         work.hold(model, state);
@@ -491,6 +495,7 @@ impl Workspace {
         for (j, tool) in self.tools.iter().enumerate() {
             let (Some(k), Motion::Pressed(press)) = (tool.shared, &tool.motion) else { continue };
             if tool.released.is_some() {
+                self.block_force = 0.0;
                 self.system.corner[(k, k)] = 1.0;
                 continue;
             }
@@ -500,8 +505,9 @@ impl Workspace {
                 force -= closing;
             }
             self.system.corner[(k, k)] += press.stiffness;
-            let gap = (1.0 - DISTANCE_BLOCK) * model.blank.thickness + die - moved;
-            if let Some(block) = self.penalty.at(gap) {
+            let block = self.block.and_then(|height| self.penalty.at(height + die - moved));
+            self.block_force = block.map_or(0.0, |block| self.block_area * block.value);
+            if let Some(block) = block {
                 self.system.corner_rhs[k] -= self.block_area * block.value;
                 self.system.corner[(k, k)] -= self.block_area * block.slope;
             }

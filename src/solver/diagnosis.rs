@@ -52,6 +52,7 @@ impl Workspace {
             pole_height: self.nodes[0][1],
             pressure: pressure.sum(),
             holder_move: holder.map_or(0.0, |j| self.tool_position[j]),
+            block_force: self.block_force,
             penetration: self.penetration(),
             squeeze: (0..n).filter_map(|i| Some(self.squeeze(i)? / self.thickness_at(i))).fold(0.0, f64::max),
             rim_share: share(on_rim, held),

@@ -4,6 +4,7 @@ mod assembly;
 mod attempt;
 mod balance;
 pub mod block_tridiagonal;
+mod blocks;
 mod contacts;
 mod corrector;
 mod diagnosis;

@@ -1,6 +1,7 @@
 //! What a user should know before trusting a result.
 
 use super::assembly::Workspace;
+use super::blocks;
 use super::stops::neck;
 use crate::element::lobatto;
 use crate::model::{ContactMethod, Mode, Model};
@@ -100,6 +101,7 @@ pub(super) fn warnings(model: &Model, work: &Workspace, state: &State, run: &Run
             "the holder was lifted by up to {lifted:.2} thicknesses as the flange thickened or rose under it"
         ));
     }
+    warnings.extend(blocks::rests(model.travel, &run.history));
     if model.settings.contact == ContactMethod::AugmentedLagrangian
         && deepest > 1.01 * crate::model::Settings::PENETRATION
     {

@@ -6,7 +6,7 @@ use super::inputs::{Choice, Default, Inputs, Kind};
 use super::page::{Page, mm, plain};
 use super::rules::{self, Picked};
 use super::sheet::Sheet;
-use super::tools::{Tools, about, because, careful, elements, flat_punch, force, newtons};
+use super::tools::{Tools, about, because, careful, flat_punch, force, newtons};
 use crate::case::CaseError;
 use crate::model::Geometry;
 use crate::quantity::rounded;
@@ -52,6 +52,11 @@ const OPTIONS: &[Choice] = &[
 
 /// Share of the wanted height that the second draw forms [–].
 const REDRAWN: f64 = 0.9;
+/// Slope of the second die and the sleeve \[°\], a declared rule of thumb: the ring beside the throat is too narrow for a
+/// flat between two corners of 90°.
+const CONE: f64 = 40.0;
+/// Least width over the thickness across which the two cones lie opposite each other \[–\].
+const LEAST_CLAMPED: f64 = 0.1;
 
 fn write(inputs: &Inputs) -> Result<String, CaseError> {
     let sheet = Sheet::read(inputs)?;
@@ -74,15 +79,22 @@ fn write(inputs: &Inputs) -> Result<String, CaseError> {
         cup.radius + inputs.pick("clearance", || rules::drawing_clearance(t, blank.value / cup.radius)).value,
         "punch and t √β of both draws together",
     );
-    // The sleeve stands inside the first cup and presses its bottom against the second die.
-    let sleeve_radius = first.value - 0.5 * t;
-    if sleeve_radius - cup.nose.value < narrow.value + 0.1 * t {
+    // The sleeve stands inside the first cup and clamps what runs from its wall to the second die, cone on cone.
+    let ring = Ring {
+        thickness: t,
+        outer: first.value - 0.5 * t,
+        nose: cup.nose.value,
+        throat: narrow.value,
+        shoulder: shoulder.value,
+    };
+    if ring.clamped() < LEAST_CLAMPED * t {
         let what = format!(
             "a first punch of {} leaves no room for a holder beside the second die's throat of {}",
             plain(first.value),
             plain(narrow.value)
         );
-        return Err(CaseError::bare(what, "make --first-radius larger, or --nose or --clearance smaller".into()));
+        let remedy = "make --first-radius larger, or --nose, --shoulder or --clearance smaller";
+        return Err(CaseError::bare(what, remedy.into()));
     }
     let pressure =
         inputs.pick("holder-pressure", || rules::holder_pressure(ratio, 2.0 * first.value, t, sheet.strength));
@@ -125,7 +137,11 @@ fn write(inputs: &Inputs) -> Result<String, CaseError> {
     page.table("stage", "");
     page.set("name", "\"draw\"", "");
     sheet.blank(&mut page, "radius", &blank);
-    elements(&mut page, blank.value, shoulder.value.min(cup.nose.value));
+    page.set(
+        "elements",
+        2 * rules::elements(blank.value, shoulder.value.min(cup.nose.value)),
+        "20 per 90° of the smallest radius, were they equal: with 10 the second force ticks as nodes leave the shoulder",
+    );
     sheet.material(&mut page, false);
     sheet.forming_limit(&mut page);
     tools.write(&mut page, &sheet);
@@ -142,28 +158,99 @@ fn write(inputs: &Inputs) -> Result<String, CaseError> {
     flat_punch("radius", cup.radius, &Picked::given(cup.nose.value)).write(&mut page);
     page.set("friction", friction, "");
     page.length("move", &travel);
-    page.table("stages.die", "");
-    page.length("throat", &narrow);
-    page.set("shoulder", mm(shoulder.value), "");
+    page.table(
+        "stages.die",
+        &format!(
+            "Throat {}: {}. A cone of {CONE}° (declared) leads to its shoulder of {}, for a flat beside it has no room.",
+            plain(narrow.value),
+            narrow.why,
+            plain(shoulder.value)
+        ),
+    );
+    page.set("profile", ring.die(), "");
     page.set("friction", friction, "");
-    page.table("stages.holder", "A sleeve inside the first cup.");
-    page.set("profile", sleeve(narrow.value, sleeve_radius, cup.nose.value, first_height), "");
+    page.table("stages.holder", "A sleeve inside the first cup, with the die's cone.");
+    page.set("profile", ring.sleeve(4.0 * first_height), "");
     page.set("friction", friction, "");
-    let area = PI * (sleeve_radius.powi(2) - narrow.value.powi(2));
+    let area = PI * (ring.outer.powi(2) - ring.throat.powi(2));
     page.set("force", newtons(pressure.value * area), "the first holder's pressure on the sleeve's ring (declared)");
     Ok(page.text())
 }
 
-/// A sleeve's section: its bore, its flat, a corner as the first punch's, its outside.
-fn sleeve(inner: f64, outer: f64, nose: f64, height: f64) -> String {
-    let point = |x: f64, z: f64| format!("[{}, {}]", mm(x), mm(z));
-    let deep = -4.0 * height;
-    let steps = [
-        format!("{{ from = {} }}", point(inner, deep)),
-        format!("{{ to = {} }}", point(inner, 0.0)),
-        format!("{{ to = {} }}", point(outer - nose, 0.0)),
-        format!("{{ arc_to = {}, center = {}, turn = \"right\" }}", point(outer, -nose), point(outer - nose, -nose)),
-        format!("{{ to = {} }}", point(outer, deep)),
-    ];
+/// Where the second die and the sleeve hold the sheet, all \[mm\].
+struct Ring {
+    thickness: f64,
+    /// The sleeve's outside and the radius of its corner.
+    outer: f64,
+    nose: f64,
+    /// The die's throat, which is also the sleeve's bore, and the radius of its shoulder.
+    throat: f64,
+    shoulder: f64,
+}
+
+impl Ring {
+    fn sine() -> f64 {
+        CONE.to_radians().sin()
+    }
+
+    /// Where the sleeve's cone goes over into its corner, which ends at z = 0.
+    fn cone_end(&self) -> [f64; 2] {
+        let cosine = CONE.to_radians().cos();
+        [self.outer - self.nose * (1.0 - Self::sine()), self.nose * cosine]
+    }
+
+    /// Where the die's cone goes over into its shoulder, which ends at z = 0.
+    fn cone_start(&self) -> [f64; 2] {
+        let cosine = CONE.to_radians().cos();
+        [self.throat + self.shoulder * (1.0 - Self::sine()), -self.shoulder * cosine]
+    }
+
+    /// Where the sleeve's cone begins, at the round of a thickness of its inner edge, and the centre of this round: the cup's
+    /// bottom lies on it first.
+    fn edge(&self) -> [[f64; 2]; 2] {
+        let (sine, cosine) = CONE.to_radians().sin_cos();
+        let (round, [x, z]) = (self.thickness, self.cone_end());
+        let center = self.throat + round;
+        let height = z + ((x - center) * sine - round) / cosine;
+        [[center + round * sine, height + round * cosine], [center, height]]
+    }
+
+    /// Width across which the sheet has both cones opposite each other, along r \[mm\].
+    fn clamped(&self) -> f64 {
+        let ([[edge, _], _], die) = (self.edge(), self.cone_start()[0] - self.thickness * Self::sine());
+        self.cone_end()[0] - die.max(edge)
+    }
+
+    fn die(&self) -> String {
+        let ([x, z], far) = (self.cone_start(), 1.5 * self.outer);
+        let (throat, center) = (self.throat, self.throat + self.shoulder);
+        section([
+            format!("{{ from = {} }}", point(far, z - (far - x) * CONE.to_radians().tan())),
+            format!("{{ to = {} }}", point(x, z)),
+            format!("{{ arc_to = {}, center = {}, turn = \"right\" }}", point(throat, 0.0), point(center, 0.0)),
+            format!("{{ to = {} }}", point(throat, 4.0 * far)),
+        ])
+    }
+
+    fn sleeve(&self, length: f64) -> String {
+        let [x, z] = self.cone_end();
+        let (outer, center) = (self.outer, self.outer - self.nose);
+        let [[begin, height], [middle, level]] = self.edge();
+        section([
+            format!("{{ from = {} }}", point(self.throat, -length)),
+            format!("{{ to = {} }}", point(self.throat, level)),
+            format!("{{ arc_to = {}, center = {}, turn = \"right\" }}", point(begin, height), point(middle, level)),
+            format!("{{ to = {} }}", point(x, z)),
+            format!("{{ arc_to = {}, center = {}, turn = \"right\" }}", point(outer, 0.0), point(center, 0.0)),
+            format!("{{ to = {} }}", point(outer, -length)),
+        ])
+    }
+}
+
+fn point(x: f64, z: f64) -> String {
+    format!("[{}, {}]", mm(x), mm(z))
+}
+
+fn section<const N: usize>(steps: [String; N]) -> String {
     format!("[\n    {},\n]", steps.join(",\n    "))
 }
