@@ -162,7 +162,7 @@ fn stale_files_of_ours_go_and_a_users_stay() {
 
 /// A cup that is drawn until its rim has left the holder.
 fn cup_without_flange() -> (Model, Run) {
-    let text = find("cup").unwrap().fill(&[("height", "35 mm"), ("punch-radius", "40 mm")]).unwrap();
+    let text = find("cup").unwrap().fill(&[("height", "35 mm"), ("punch-radius", "40 mm"), ("trim", "8 %")]).unwrap();
     let model = parse(&text, "cup.toml", &[]).unwrap().model;
     let run = stampflow::run(&model, &mut ());
     (model, run)
