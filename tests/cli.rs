@@ -159,6 +159,23 @@ fn a_run_that_never_starts_leaves_tables_and_where_it_would_have_started() {
     assert!(text(&done.stdout).contains("4 files"), "{}", text(&done.stdout));
 }
 
+/// One spelling is as good as the other.
+#[test]
+fn out_and_output_are_one_option() {
+    let dir = folder(CUP);
+    let drawing = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/drawings/ezdxf_lines_and_arcs.dxf");
+    for (args, file) in [
+        (&["run", "cases/cup.toml", "-q", "--output", "a"][..], "a/summary.json"),
+        (&["report", "cases/cup.toml", "-q", "--out", "b.html"], "b.html"),
+        (&["new", "cup", "--out", "c.toml"], "c.toml"),
+        (&["import", drawing, "--output", "d.toml"], "d.toml"),
+    ] {
+        let done = stampflow(dir.path(), args);
+        assert_eq!(done.status.code(), Some(0), "{args:?}: {}", text(&done.stderr));
+        assert!(dir.path().join(file).is_file(), "{args:?}");
+    }
+}
+
 #[test]
 fn options_are_offered_where_they_have_a_use() {
     let dir = folder(CUP);

@@ -314,6 +314,78 @@ fn an_import_says_its_size_and_picks_as_new_does() {
     assert!((0.0..=0.01).contains(&more), "{more} MPa more than advised");
 }
 
+/// Trust: by hand, tan α = 0.36: where the cone meets the level of its face it is 0.95 + 0.25 tan(45° − α/2) in, and 25 mm
+/// behind it 9 mm more. Its top is 46.9 mm, the throat 44.45 mm.
+#[test]
+fn a_cone_wider_than_its_die_is_drawn_as_far_as_it_fits() {
+    let dir = folder(Path::new("tests/drawings/ezdxf_cone_inches.dxf"));
+    let import = |more: &[&str]| {
+        let done =
+            stampflow(dir.path(), &[&["import", "ezdxf_cone_inches.dxf", "--force", "-o", "cone.toml"], more].concat());
+        (done.status.code(), text(&done.stdout).to_owned() + text(&done.stderr))
+    };
+    let value = |label: &str| {
+        let report = case::check::report(&case::load(dir.path().join("cone.toml"), &[]).unwrap());
+        report
+            .lines
+            .iter()
+            .find(|line| line.label == label)
+            .unwrap_or_else(|| panic!("no {label}"))
+            .value
+            .parse::<f64>()
+            .unwrap()
+    };
+    let (code, said) = import(&["--travel", "25 mm", "--blank-radius", "91 mm"]);
+    assert_eq!(code, Some(0), "{said}");
+    let slope = 0.36_f64.atan();
+    let mouth = 25.4 * (0.95 + 0.25 * (std::f64::consts::FRAC_PI_4 - 0.5 * slope).tan()) + 0.36 * 25.0;
+    assert!((mouth - 37.59).abs() < 0.01, "{mouth}");
+    // The report has three digits.
+    assert!((value("draw ratio") - 91.0 / mouth).abs() < 6e-4, "{}", value("draw ratio"));
+    // The cone and the shoulder, a circle of 0.25 in: the distance of its centre from the cone, less the radius, by hand.
+    let (r, z) = (50.8, 0.5 + 6.35);
+    let away = (r - mouth + 0.36 * (z + 0.5)) * slope.cos() - 6.35;
+    assert!((value("clearance") - away).abs() < 6e-4, "{} {away}", value("clearance"));
+
+    // By itself it picks a travel that fits.
+    let (code, said) = import(&[]);
+    assert_eq!(code, Some(0), "{said}");
+    assert!(value("clearance") >= 1.0 && value("draw ratio") < 2.0);
+    // Too far: what it says has no file that is not there.
+    let file = fs::read(dir.path().join("cone.toml")).unwrap();
+    for (travel, says) in [("50.5 mm", "the punch is in the die"), ("49 mm", "the sheet does not fit")] {
+        let (code, said) = import(&["--travel", travel]);
+        let said = said.replace("\n  │ ", " ");
+        assert_eq!(code, Some(2), "{said}");
+        for says in [says, "the case made from ezdxf_cone_inches.dxf is refused", "--travel"] {
+            assert!(said.contains(says), "{says} is not in\n{said}");
+        }
+        assert!(!said.contains("toml:") && !said.contains("╭"), "{said}");
+    }
+    assert_eq!(fs::read(dir.path().join("cone.toml")).unwrap(), file);
+}
+
+/// Inches read as mm: the punch is 1.18 mm and the gap 0.05 mm.
+#[test]
+fn a_wrong_unit_is_doubted() {
+    let dir = folder(Path::new("tests/drawings/ezdxf_inches.dxf"));
+    for (unit, doubts) in [
+        ("mm", &["7.087 mm wide in all", "room for a sheet of 0.03 mm"][..]),
+        ("m", &["7086.614 mm wide in all, which is odd", "times the sheet's thickness of 1 mm, a placeholder"]),
+        ("in", &[]),
+    ] {
+        let done = stampflow(dir.path(), &["import", "ezdxf_inches.dxf", "--force", "--units", unit]);
+        let said = text(&done.stdout).to_owned() + text(&done.stderr);
+        assert!(doubts.iter().all(|doubt| said.contains(doubt)), "{unit}: {said}");
+        assert_eq!(said.contains("check --units"), !doubts.is_empty(), "{unit}: {said}");
+    }
+    // Where there is no case for it, too: the blank is as long as two thicknesses.
+    let dir = folder(Path::new("tests/drawings/ezdxf_cone_inches.dxf"));
+    let done = stampflow(dir.path(), &["import", "ezdxf_cone_inches.dxf", "--units", "mm"]);
+    assert_eq!(done.status.code(), Some(2));
+    assert!(text(&done.stderr).contains("7.2 mm wide"), "{}", text(&done.stderr));
+}
+
 /// Trust: the case's profile against the section that was read, moved along z only (1e-9 mm: digits of the file).
 #[test]
 fn the_written_case_holds_the_sections_exactly() {

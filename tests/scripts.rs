@@ -138,6 +138,34 @@ fn errors_are_json_where_it_is_asked_for() {
     assert!(case["help"].is_string() && case["column"].is_u64(), "{case}");
     let missing = error(&["check", "cases/none.toml", "--json"]);
     assert!(missing["error"].as_str().unwrap().contains("there is no file") && missing["line"].is_null());
+    let drawing = |name: &str| format!("{}/tests/drawings/{name}.dxf", env!("CARGO_MANIFEST_DIR"));
+    let gap = error(&["import", &drawing("faulty/gap"), "-o", "gap.toml", "--json"]);
+    // The line that the message names.
+    assert_eq!((&gap["file"], &gap["line"]), (&Value::from(drawing("faulty/gap")), &Value::from(2122)), "{gap}");
+    assert!(gap["help"].as_str().unwrap().contains("--join"), "{gap}");
+    assert!(!gap["error"].as_str().unwrap().contains("--join"), "{gap}");
+    let refused = error(&["import", &drawing("ezdxf_cone_inches"), "-o", "cone.toml", "--travel", "49 mm", "--json"]);
+    assert_eq!(
+        (&refused["file"], &refused["line"]),
+        (&Value::from(drawing("ezdxf_cone_inches")), &Value::Null),
+        "{refused}"
+    );
+    assert!(refused["help"].as_str().unwrap().contains("--travel"), "{refused}");
+    fs::write(dir.path().join("taken"), "mine").unwrap();
+    fs::write(dir.path().join("cases/good.toml"), CUP).unwrap();
+    let lines = drawing("ezdxf_lines_and_arcs");
+    for (args, file) in [
+        (&["run", "cases/good.toml", "--out", "taken", "--json"][..], "taken/summary.json"),
+        (&["new", "cup", "-o", "taken/cup.toml", "--json"], "taken/cup.toml"),
+        (&["new", "cup", "-o", "taken", "--json"], "taken"),
+        (&["import", "none.dxf", "--json"], "none.dxf"),
+        (&["import", &lines, "-o", "taken", "--json"], "taken"),
+        (&["import", &lines, "-o", "taken/a.toml", "--json"], "taken/a.toml"),
+    ] {
+        let error = error(args);
+        assert_eq!(error["file"], file, "{error}");
+        assert!(error["help"].is_string() && error["line"].is_null(), "{error}");
+    }
     for args in [&["validate", "--cases", "none", "--json"][..], &["run", "--json"], &["check", "--fly", "--json"]] {
         assert!(error(args)["error"].is_string(), "{args:?}");
     }

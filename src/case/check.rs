@@ -9,7 +9,7 @@ pub(super) use warn::LIMITING_RATIO;
 pub(crate) use warn::THIN;
 
 use super::Case;
-use super::measure::{across, extent, throat};
+use super::measure::{across, extent, mouth, throat, widens};
 use crate::model::{Face, Geometry, Model, Motion, Pressure, Role, Theory, Tool};
 use crate::quantity::{ZERO_CELSIUS, rounded};
 use serde::Serialize;
@@ -115,6 +115,9 @@ fn tools(model: &Model, lines: &mut Vec<Line>) {
         let corners = corners(tool, model.blank.thickness);
         let width = across(model.geometry);
         let what = match tool.role {
+            Role::Punch if widens(tool, model.travel) => {
+                format!("mm {width} to the wall, {} at the sheet at the full travel", mm(mouth(tool, model.travel)))
+            }
             Role::Punch => format!("mm {width} to the wall"),
             Role::Die if bottom => "by a bottom that reaches the axis".to_owned(),
             Role::Die => format!("mm {width} of the throat"),

@@ -1,9 +1,10 @@
 //! A case file written around tools that were drawn: their profiles, and declared placeholders for the rest.
 
+mod refused;
 mod sizes;
 
 use super::check::estimate::{siebel, tensile_strength};
-use super::measure::extent;
+use super::measure::mouth;
 use super::template::rules::strip_pressure;
 use super::template::{FRICTION, K, N, OFFSET};
 use crate::geometry::{Piece, Point, Profile};
@@ -106,7 +107,8 @@ impl Draft<'_> {
     /// The holder's pressure \[MPa\], rounded up, and its rule: Siebel's for a blank that is drawn in round an axis.
     fn pressure(&self, sizes: &Sizes) -> (f64, &'static str) {
         let strength = tensile_strength(&hardening());
-        let punch = self.tool(Role::Punch).map(|punch| extent(&punch).1);
+        let travel = sizes.travel.as_ref().map_or(0.0, |travel| travel.mm);
+        let punch = self.tool(Role::Punch).map(|punch| mouth(&punch, travel));
         let drawn = punch.filter(|punch| self.geometry == Geometry::Axisymmetric && sizes.blank.mm > *punch);
         let (pressure, rule) = match drawn {
             Some(punch) => {

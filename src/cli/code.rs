@@ -8,6 +8,7 @@ use stampflow::import::ImportError;
 use stampflow::output::WriteError;
 use std::error::Error;
 use std::io;
+use std::path::PathBuf;
 use std::process::ExitCode;
 
 /// Shown below the help of the whole program.
@@ -38,11 +39,21 @@ pub enum Code {
 #[error("{0}")]
 pub struct BadRequest(pub String);
 
+/// A file or folder that was named and cannot be used.
+#[derive(Debug, thiserror::Error)]
+#[error("{what}; {help}")]
+pub struct BadPath {
+    pub what: String,
+    pub help: String,
+    pub path: PathBuf,
+}
+
 /// A place for results that cannot be written to, found before anything is solved.
-pub fn unusable(option: &str) -> impl Fn(WriteError) -> BadRequest {
+pub fn unusable(option: &str) -> impl Fn(WriteError) -> BadPath {
     move |error| {
         let cause = error.source().map_or(String::new(), |cause| format!(": {cause}"));
-        BadRequest(format!("{error}{cause}; choose another place with {option}"))
+        let (what, help) = (format!("{error}{cause}"), format!("choose another place with {option}"));
+        BadPath { what, help, path: error.path }
     }
 }
 
@@ -50,7 +61,7 @@ impl Code {
     /// The code that an error ends the program with.
     pub fn of(error: &anyhow::Error) -> Self {
         let bad_input = error.is::<CaseError>() || error.is::<CompareError>() || error.is::<ImportError>();
-        if bad_input || error.is::<BadRequest>() { Self::BadInput } else { Self::Failed }
+        if bad_input || error.is::<BadRequest>() || error.is::<BadPath>() { Self::BadInput } else { Self::Failed }
     }
 }
 

@@ -1,11 +1,11 @@
 //! `stampflow import`: from a drawing to a case file.
 
-use super::code::{BadRequest, unusable};
+use super::code::{BadPath, unusable};
 use super::json::{Json, say_json};
 use super::{Code, say};
 use anyhow::Context;
 use serde_json::json;
-use stampflow::case::{self, Draft};
+use stampflow::case::Draft;
 use stampflow::import::{self, DrawingUnit, Heading, Options, Section, Sections};
 use stampflow::model::{Geometry, Role};
 use stampflow::output::{can_write, png, sketch, svg, write};
@@ -35,7 +35,7 @@ pub struct Args {
     #[arg(value_name = "DRAWING.dxf")]
     drawing: PathBuf,
     /// Case file to write [default: the drawing's name with .toml, beside it]
-    #[arg(long, short, value_name = "CASE.toml")]
+    #[arg(long, short, alias = "output", value_name = "CASE.toml")]
     out: Option<PathBuf>,
     /// Write over a case file and a picture that are there
     #[arg(long)]
@@ -101,14 +101,18 @@ fn geometry(text: &str) -> Result<Geometry, String> {
 
 pub fn import(args: &Args) -> anyhow::Result<Code> {
     let drawing = args.drawing.display();
-    let bytes = std::fs::read(&args.drawing)
-        .map_err(|error| BadRequest(format!("{drawing} cannot be read: {error}; give the path of a DXF file")))?;
+    let bytes = std::fs::read(&args.drawing).map_err(|error| BadPath {
+        what: format!("{drawing} cannot be read: {error}"),
+        help: "give the path of a DXF file".into(),
+        path: args.drawing.clone(),
+    })?;
     let out = args.out.clone().unwrap_or_else(|| args.drawing.with_extension("toml"));
     let picture = out.with_extension("png");
     for path in [&out, &picture] {
         if path.exists() && !args.force {
-            let what = format!("{} is there already; choose another name with -o, or --force", path.display());
-            return Err(BadRequest(what).into());
+            let what = format!("{} is there already", path.display());
+            let help = "choose another name with -o, or --force".into();
+            return Err(BadPath { what, help, path: path.clone() }.into());
         }
         can_write(path).map_err(unusable("-o"))?;
     }
@@ -126,15 +130,11 @@ pub fn import(args: &Args) -> anyhow::Result<Code> {
         notes: &sections.notes,
     };
     let text = draft.toml();
-    // A case without a punch waits for one; any other has to make sense.
-    let case = match sections.tool(Role::Punch) {
-        Some(_) => Some(case::parse(&text, &out.to_string_lossy(), &[])?),
-        None => None,
-    };
+    let case = draft.case(&text, &drawing.to_string()).with_context(|| drawing.to_string())?;
     write(&out, text.as_bytes())?;
     write(&picture, &png(&svg(&sketch(&name, args.geometry, &sections))))?;
     let derived = case.map_or_else(Vec::new, |case| case.derived);
-    let notes: Vec<String> = sections.notes.iter().cloned().chain(derived).chain(draft.doubt()).collect();
+    let notes: Vec<String> = sections.notes.iter().cloned().chain(derived).chain(draft.doubts()).collect();
     if args.json.json {
         let tool = |tool: &Section| json!({ "tool": tool.role.name(), "pieces": tool.profile.pieces().len(), "made_of": tool.made_of });
         let tools: Vec<_> = sections.tools.iter().map(tool).collect();

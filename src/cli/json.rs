@@ -1,10 +1,12 @@
 //! What programs read instead of printed tables: results on the output stream, errors on the error stream.
 
+use super::code::BadPath;
 use super::{Code, say};
 use serde::Serialize;
 use serde_json::{Map, Value, json};
 use stampflow::case::CaseError;
 use stampflow::compare::Comparison;
+use stampflow::import::ImportError;
 use stampflow::quantity::rounded;
 
 /// The option of every verb that has a result.
@@ -46,16 +48,23 @@ pub fn comparison(case: &str, comparison: &Comparison) -> Value {
     })
 }
 
-/// An error in one line: what is wrong, and of a case file where and what to do.
+/// An error in one line: what is wrong, where and what to do, as far as that is known.
 pub fn error(error: &anyhow::Error) -> String {
-    let case = error.downcast_ref::<CaseError>();
-    let (line, column) = case.and_then(CaseError::position).unzip();
-    let value = json!({
-        "error": format!("{error:#}"),
-        "help": case.and_then(CaseError::remedy),
-        "file": case.and_then(CaseError::file),
-        "line": line,
-        "column": column,
-    });
+    let value = if let Some(case) = error.downcast_ref::<CaseError>() {
+        let (line, column) = case.position().unzip();
+        let file = case.file().map(str::to_owned).or_else(|| drawing(error));
+        json!({ "error": case.to_string(), "help": case.remedy(), "file": file, "line": line, "column": column })
+    } else if let Some(ImportError { what, help, line }) = error.downcast_ref() {
+        json!({ "error": what, "help": help, "file": drawing(error), "line": line, "column": null })
+    } else if let Some(BadPath { what, help, path }) = error.downcast_ref() {
+        json!({ "error": what, "help": help, "file": path, "line": null, "column": null })
+    } else {
+        json!({ "error": format!("{error:#}"), "help": null, "file": null, "line": null, "column": null })
+    };
     format!("{value}\n")
+}
+
+/// The context of what is wrong with a drawing, or with the case made from it: its path.
+fn drawing(error: &anyhow::Error) -> Option<String> {
+    (error.chain().len() > 1).then(|| error.to_string())
 }

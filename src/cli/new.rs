@@ -1,6 +1,6 @@
 //! `stampflow new`: a case file to begin with. Its subcommands and their options are read off the list of templates.
 
-use super::code::{BadRequest, Code, unusable};
+use super::code::{BadPath, Code, unusable};
 use super::json::say_json;
 use super::say;
 use clap::{Arg, ArgAction, ArgMatches, Command, value_parser};
@@ -38,7 +38,8 @@ pub fn new(args: &Args) -> anyhow::Result<Code> {
     };
     if !force && path.symlink_metadata().is_ok() {
         let what = format!("{} is there already and was left as it is", path.display());
-        return Err(BadRequest(format!("{what}: choose another name, or replace it with --force")).into());
+        let help = "choose another name, or replace it with --force".into();
+        return Err(BadPath { what, help, path: path.clone() }.into());
     }
     can_write(path).map_err(unusable("--output"))?;
     write(path, text.as_bytes())?;
@@ -112,6 +113,7 @@ fn subcommand(template: &Template) -> Command {
             Arg::new("output")
                 .short('o')
                 .long("output")
+                .alias("out")
                 .value_name("FILE")
                 .value_parser(value_parser!(PathBuf))
                 .help("Write the case there instead of printing it"),

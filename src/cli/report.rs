@@ -30,7 +30,7 @@ pub struct Args {
     #[command(flatten)]
     overrides: Overrides,
     /// The file to write [default: out/<case>/report.html]
-    #[arg(long, short, value_name = "FILE")]
+    #[arg(long, short, alias = "out", value_name = "FILE")]
     output: Option<PathBuf>,
     /// Kind of file [default: by the ending of FILE, else html]
     #[arg(long)]

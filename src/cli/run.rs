@@ -18,7 +18,7 @@ pub struct Args {
     #[arg(required = true, value_name = "CASE.toml")]
     cases: Vec<PathBuf>,
     /// Folder for the results [default: out/<case>]; with several cases DIR/<case>
-    #[arg(long, value_name = "DIR")]
+    #[arg(long, alias = "output", value_name = "DIR")]
     out: Option<PathBuf>,
     #[command(flatten)]
     overrides: Overrides,

@@ -29,7 +29,7 @@ pub struct Args {
     #[arg(long, value_name = "DIR", default_value = "cases")]
     cases: PathBuf,
     /// Folder for the overlay plots
-    #[arg(long, value_name = "DIR", default_value = "out/validate")]
+    #[arg(long, alias = "output", value_name = "DIR", default_value = "out/validate")]
     out: PathBuf,
     /// Show no progress
     #[arg(long, short)]

@@ -57,7 +57,8 @@ pub(super) fn join(
         return Err(ImportError::new(
             what,
             "a section is one line without side branches: leave only what meets the sheet",
-        ));
+        )
+        .at(strokes[ends[0].0].from.line));
     }
     touching(&strokes, role, frame)?;
     let mut lines = walk(&strokes, &corners, role, frame)?;
@@ -129,14 +130,14 @@ fn touching(strokes: &[Stroke], role: Role, frame: &Frame) -> Result<(), ImportE
                         "two parts of the {name}'s line overlap at {place}: {} and {}",
                         stroke.from, other.from
                     );
-                    return Err(ImportError::new(what, "draw each part of the line once"));
+                    return Err(ImportError::new(what, "draw each part of the line once").at(stroke.from.line));
                 }
                 let what = format!(
                     "the {name}'s line branches at {place}: {} ends on the inside of {}",
                     stroke.from, other.from
                 );
                 let help = "a section is one line without side branches: trim the lines there, or leave one out";
-                return Err(ImportError::new(what, help));
+                return Err(ImportError::new(what, help).at(stroke.from.line));
             }
         }
     }
@@ -179,7 +180,7 @@ fn walk(
         let (from, place) = (&strokes[i].from, frame.place(strokes[i].first()));
         let what = format!("the {}'s line is closed: it comes back to {place}, where {from} begins", role.name());
         let help = "draw only the side of the tool that meets the sheet, as an open line";
-        return Err(ImportError::new(what, help));
+        return Err(ImportError::new(what, help).at(from.line));
     }
     Ok(lines)
 }
@@ -190,7 +191,7 @@ fn gap(lines: &[Vec<Stroke>], role: Role, frame: &Frame) -> ImportError {
         let (first, last) = (&line[0], &line[line.len() - 1]);
         [(first.first(), first.from.clone()), (last.last(), last.from.clone())]
     };
-    let mut closest: Option<(f64, String)> = None;
+    let mut closest: Option<(f64, String, usize)> = None;
     for (i, line) in lines.iter().enumerate() {
         for ((a, from_a), (b, from_b)) in lines[i + 1..]
             .iter()
@@ -198,17 +199,17 @@ fn gap(lines: &[Vec<Stroke>], role: Role, frame: &Frame) -> ImportError {
             .flat_map(|b| ends(line).into_iter().map(move |a| (a, b.clone())))
         {
             let distance = (b - a).norm();
-            if closest.as_ref().is_none_or(|(least, _)| distance < *least) {
+            if closest.as_ref().is_none_or(|(least, ..)| distance < *least) {
                 let (a, b) = (frame.place(a), frame.place(b));
                 let words = format!("{from_a} ends at {a} and {from_b} at {b}");
-                closest = Some((distance, words));
+                closest = Some((distance, words, from_a.line));
             }
         }
     }
-    let (distance, words) = closest.expect("there is more than one line");
+    let (distance, words, line) = closest.expect("there is more than one line");
     let what = format!("the {}'s line has a gap of {} mm: {words}", role.name(), shown(distance));
     let more = (1.2 * distance * 1e4).ceil() / 1e4;
-    ImportError::new(what, format!("close it in the drawing, or let such ends meet with --join \"{more} mm\""))
+    ImportError::new(what, format!("close it in the drawing, or let such ends meet with --join \"{more} mm\"")).at(line)
 }
 
 /// A length in four significant digits.

@@ -8,10 +8,17 @@ pub struct ImportError {
     pub what: String,
     /// What to do about it.
     pub help: String,
+    /// Line of the file, from 1, of the first entity that is named.
+    pub line: Option<usize>,
 }
 
 impl ImportError {
     pub(super) fn new(what: impl Into<String>, help: impl Into<String>) -> Self {
-        Self { what: what.into(), help: help.into() }
+        Self { what: what.into(), help: help.into(), line: None }
+    }
+
+    /// The same error, at a line of the file.
+    pub(super) fn at(self, line: usize) -> Self {
+        Self { line: Some(line), ..self }
     }
 }

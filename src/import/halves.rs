@@ -101,5 +101,5 @@ fn compare(right: &Chain, image: &Chain, name: &str, frame: &Frame) -> Result<()
          the other half"
     );
     let help = "draw one half only, or both alike; --axis says where the axis is if it is not x = 0";
-    Err(ImportError::new(what, help))
+    Err(ImportError::new(what, help).at(from.line))
 }

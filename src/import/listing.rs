@@ -65,7 +65,7 @@ pub(super) fn entities(text: &str) -> Result<Vec<Listed>, ImportError> {
                 true => format!("the file is damaged: line {} has to be a group code, and is \"{}\"", i + 1, cut(code)),
                 false => "the file is not a DXF drawing: it does not begin with a section".to_owned(),
             };
-            return Err(ImportError::new(what, "save it as DXF in text form (ASCII) again"));
+            return Err(ImportError::new(what, "save it as DXF in text form (ASCII) again").at(i + 1));
         };
         is_dxf |= code == 0 && value == "SECTION";
         match (code, value) {

@@ -84,13 +84,13 @@ pub(super) fn section(role: Role, chain: Chain, heading: Heading, frame: &Frame)
         None => {}
         Some(Fold::Back { at, after, .. }) => {
             let what = format!("the {name}'s line turns back on itself at {}, after {}", drawn(at), from(after));
-            return Err(ImportError::new(what, help));
+            return Err(ImportError::new(what, help).at(from(after).line));
         }
         Some(Fold::Crossing { at, pieces: [a, b] }) => {
             let (a, b) = (from(a), from(b));
             let both = if a == b { a.to_string() } else { format!("{a} and {b}") };
             let what = format!("the {name}'s line crosses or touches itself at {}: {both}", drawn(at));
-            return Err(ImportError::new(what, help));
+            return Err(ImportError::new(what, help).at(a.line));
         }
     }
     // Inside a spline there are as many ends as its tolerance asks for.

@@ -49,7 +49,7 @@ pub(super) fn drawing(text: &str, listed: &[Listed]) -> Result<Reading, ImportEr
     let entities: Vec<Entity> = drawing.entities().filter(is_read).cloned().collect();
     let mut curves = listed.iter().filter(|entry| is_curve(entry));
     if let Some(lost) = curves.nth(entities.len()) {
-        return Err(ImportError::new(format!("the drawing cannot be read from {lost} on"), again));
+        return Err(ImportError::new(format!("the drawing cannot be read from {lost} on"), again).at(lost.line));
     }
     Ok(Reading { header: drawing.header.clone(), entities })
 }

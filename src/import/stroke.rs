@@ -76,7 +76,7 @@ pub(super) fn of_role(
             let help = "redraw or explode it to lines, arcs and polylines, or move it to another layer";
             let place = frame.place(frame.point(entry.at[0], entry.at[1]));
             let what = format!("{entry} at {place} cannot be part of the {}'s profile", role.name());
-            return Err(ImportError::new(what, help));
+            return Err(ImportError::new(what, help).at(entry.line));
         }
         *said.entry(&entry.kind).or_default() += 1;
     }
@@ -124,6 +124,7 @@ struct Pen<'a> {
 impl Pen<'_> {
     fn error(&self, what: String) -> ImportError {
         ImportError::new(format!("{} {what}", self.entry), "correct it in the drawing, or redraw it")
+            .at(self.entry.line)
     }
 
     /// A point in mm; `side` is −1 in a coordinate system seen from behind.

@@ -193,3 +193,15 @@ for name, draw in [
 ]:
     faulty(name, draw)
 faulty("no_units", lambda doc, space: punch(space), 0, 0)
+
+# A cone in inches, as its maker draws it: wider at its top than the die, which it never gets to.
+doc, space = drawing("R2000", units.IN, 0)
+space.add_lwpolyline([(0, 0), (0.95, 0)], dxfattribs=on("PUNCH"))
+slope = math.atan(0.36)
+space.add_arc((0.95, 0.25), 0.25, 270, 360 - math.degrees(slope), dxfattribs=on("PUNCH"))
+start = (0.95 + 0.25 * math.cos(slope), 0.25 - 0.25 * math.sin(slope))
+space.add_line(start, (start[0] + (2.0 - start[1]) * math.tan(slope), 2.0), on("PUNCH"))
+space.add_lwpolyline([(3.6, -0.04), (2.0, -0.04, math.tan(math.pi / 8)), (1.75, -0.29), (1.75, -3)], format="xyb", dxfattribs=on("DIE"))
+space.add_line((1.85, 0), (3.6, 0), on("HOLDER"))
+space.add_line((1.85, 0), (1.85, 1), on("HOLDER"))
+save(doc, "ezdxf_cone_inches.dxf")

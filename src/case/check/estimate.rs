@@ -1,6 +1,6 @@
 //! Estimates from a model alone.
 
-use crate::case::measure::{extent, gap, shoulder_end, throat};
+use crate::case::measure::{extent, gap, mouth, shoulder_end, throat, widens};
 use crate::geometry::Point;
 use crate::material::Hardening;
 use crate::mesh;
@@ -13,18 +13,24 @@ pub(crate) fn tensile_strength(law: &Hardening) -> f64 {
     strains.map(|strain| law.at(strain).stress * (-strain).exp()).fold(0.0, f64::max)
 }
 
-/// Throat less punch [mm]; for a die with a bottom the smallest gap at the full travel.
+/// Throat less punch [mm]; for a die with a bottom, and for a punch that is wider behind what goes in, the smallest gap at
+/// the full travel.
 pub(crate) fn clearance(model: &Model) -> Option<f64> {
     let (punch, die) = (model.tool(Role::Punch)?, model.tool(Role::Die)?);
     let closed = || gap(punch, die, model.travel).distance;
-    Some(throat(die).map_or_else(closed, |throat| throat - extent(punch).1))
+    let straight = throat(die).filter(|_| !widens(punch, model.travel));
+    Some(straight.map_or_else(closed, |throat| throat - extent(punch).1))
 }
 
-/// Blank over punch, where a blank is drawn in over a punch that is smaller.
+/// Blank over the punch's [`mouth`], where a blank is drawn in over a punch that is smaller.
 pub(crate) fn draw_ratio(model: &Model) -> Option<f64> {
-    let drawn = model.geometry == Geometry::Axisymmetric && model.blank.edge == Edge::Free;
-    let ratio = model.blank.length / extent(model.tool(Role::Punch)?).1;
-    (drawn && ratio > 1.0).then_some(ratio)
+    let punch = model.tool(Role::Punch)?;
+    // A punch and a die with a bottom, both as wide as the blank, emboss it.
+    let embossed =
+        model.tool(Role::Die).is_some_and(|die| throat(die).is_none()) && extent(punch).1 >= model.blank.length;
+    let drawn = model.geometry == Geometry::Axisymmetric && model.blank.edge == Edge::Free && !embossed;
+    let ratio = model.blank.length / mouth(punch, model.travel);
+    (drawn && ratio > 1.0 && ratio.is_finite()).then_some(ratio)
 }
 
 /// Where the flat between holder and die begins \[mm\].
@@ -62,7 +68,7 @@ pub(in crate::case) fn siebel(beta: f64, diameter: f64, thickness: f64, strength
 
 /// [`siebel`]'s pressure for the blank and the punch of a model.
 pub(crate) fn siebel_pressure(model: &Model, strength: f64) -> Option<f64> {
-    let diameter = 2.0 * extent(model.tool(Role::Punch)?).1;
+    let diameter = 2.0 * mouth(model.tool(Role::Punch)?, model.travel);
     Some(siebel(draw_ratio(model)?, diameter, model.blank.thickness, strength))
 }
 

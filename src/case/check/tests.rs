@@ -52,7 +52,8 @@ fn drawn_share_is_the_area_of_a_sharp_cup() {
 
 #[test]
 fn every_doubt_has_its_warning() {
-    let doubts: [(&[&str], &str); 7] = [
+    let doubts: [(&[&str], &str); 8] = [
+        (&["material.hardening.swift.k=520 kPa"], "check the unit of the law's stresses"),
         (&["tools.holder.force=10 MN"], "more than the sheet's tensile strength"),
         (&["tools.die.shoulder=4 mm"], "beyond thin-shell theory"),
         (&["tools.die.friction=0.4"], "above that of dry steel"),
@@ -65,6 +66,8 @@ fn every_doubt_has_its_warning() {
         let check = report(&quickstart(overrides));
         assert!(check.warnings.iter().any(|w| w.contains(wanted)), "{overrides:?}: {:?}", check.warnings);
     }
+    let weak = report(&quickstart(&["material.hardening.swift.k=520 kPa"]));
+    assert!(!weak.warnings.iter().any(|w| w.contains("its force")), "the holder is not to blame: {:?}", weak.warnings);
 }
 
 #[test]

@@ -15,6 +15,10 @@ const DRY: f64 = 0.3;
 /// Tensile strength above that of any cold-formed sheet, or a wrong unit \[MPa\].
 const STRONGEST: f64 = 3000.0;
 
+/// Tensile strength below that of any cold-formed sheet, or a wrong unit \[MPa\]. Hot sheet, whose stress comes from the
+/// rate, may well have less.
+const WEAKEST: f64 = 10.0;
+
 /// Rounded sums of decimals may miss by this share [–].
 const ROUNDED: f64 = 1e-6;
 
@@ -25,12 +29,20 @@ pub(super) fn all(model: &Model) -> Vec<String> {
         warnings
             .push(format!("a tensile strength of {strength:.0} MPa is that of no sheet metal: check the law's units"));
     }
+    let weak = strength < WEAKEST && model.material.rate.is_none();
+    if weak {
+        warnings.push(format!(
+            "a tensile strength of {} MPa, below {WEAKEST} MPa, is that of no sheet metal: check the unit of the law's \
+             stresses",
+            mm(strength)
+        ));
+    }
     if model.tools.iter().any(|tool| matches!(&tool.motion, Motion::Pressed(press) if press.is_idle())) {
         warnings.push(
             "the holder has no force and takes no part: the flange may swing up through where it is drawn".into(),
         );
     }
-    if let Some(pressure) = estimate::holder_pressure(model).filter(|pressure| *pressure > strength) {
+    if let Some(pressure) = estimate::holder_pressure(model).filter(|pressure| !weak && *pressure > strength) {
         warnings.push(format!(
             "the holder presses with {pressure:.0} MPa, more than the sheet's tensile strength of {strength:.0} MPa: check \
              its force"

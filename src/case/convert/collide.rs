@@ -2,7 +2,7 @@
 
 use super::motion::travel_key;
 use super::section::place_of;
-use crate::case::measure::{Gap, gap};
+use crate::case::measure::{Gap, gap, room};
 use crate::case::{CaseError, source::Source};
 use crate::model::{Model, Role, Tool};
 
@@ -27,11 +27,7 @@ pub(super) fn check(model: &Model, source: &Source) -> Result<(), CaseError> {
             continue;
         }
         if let Some(gap) = overlap(first, second, model.travel) {
-            let (mut free, mut stuck) = (0.0, model.travel);
-            for _ in 0..30 {
-                let middle = 0.5 * (free + stuck);
-                if overlap(first, second, middle).is_some() { stuck = middle } else { free = middle }
-            }
+            let free = room(first, second, -ROUNDED * t, model.travel);
             let what = format!("at the travel of {} mm the punch is in the {other}, {}", model.travel, words(gap));
             let help = format!("they meet at a travel of {free:.2} mm: shorten the travel, or check the {other}");
             return Err(source.error(travel_key(source), what, help));

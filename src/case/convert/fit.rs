@@ -1,7 +1,8 @@
 //! Whether blank and tools fit together.
 
 use super::motion::travel_key;
-use crate::case::measure::{extent, shoulder_end, throat};
+use super::section::place_of;
+use crate::case::measure::{Gap, extent, gap, room, shoulder_end, throat, widens};
 use crate::case::{CaseError, explain::missing, source::Source};
 use crate::model::{Edge, Model, Role};
 use crate::quantity::rounded;
@@ -37,7 +38,22 @@ pub(super) fn check(model: &Model, source: &Source) -> Result<(), CaseError> {
         };
     };
     let throat = throat(die);
-    if let (Some(throat), Some(punch)) = (throat, model.tool(Role::Punch)) {
+    if let (Some(_), Some(punch)) = (throat, model.tool(Role::Punch).filter(|punch| widens(punch, model.travel))) {
+        let Gap { distance, at } = gap(punch, die, model.travel);
+        // Tools that overlap are another matter.
+        if (0.0..LEAST_CLEARANCE * t).contains(&distance) {
+            let what = format!(
+                "the sheet does not fit between punch and die at the travel of {} mm: they are {distance:.3} mm apart at {} \
+                 for a thickness of {t} mm",
+                rounded(model.travel),
+                place_of(at)
+            );
+            let [whole, ironed] = [t, LEAST_CLEARANCE * t].map(|least| room(punch, die, least, model.travel));
+            let help =
+                format!("a travel of {whole:.2} mm leaves room for the sheet; up to {ironed:.2} mm it is ironed");
+            return Err(source.error(travel_key(source), what, help));
+        }
+    } else if let (Some(throat), Some(punch)) = (throat, model.tool(Role::Punch)) {
         let wall = extent(punch).1;
         let clearance = throat - wall;
         if clearance < LEAST_CLEARANCE * t {

@@ -2,9 +2,10 @@
 
 use super::Draft;
 use crate::case::check::mm;
-use crate::case::measure::{across, extent, gap, shoulder_end, throat};
+use crate::case::measure::{across, extent, gap, mouth, shoulder_end, throat};
 use crate::model::{Motion, Role, Tool};
 use crate::quantity::rounded;
+use std::ops::RangeInclusive;
 
 /// Thickness where nothing else is said \[mm\].
 const THICKNESS: f64 = 1.0;
@@ -12,6 +13,9 @@ const THICKNESS: f64 = 1.0;
 const CLEARANCE: f64 = 1.25;
 /// Clearance over thickness above which the thickness, or the drawing's unit, is doubted [–].
 const WIDE: f64 = 3.0;
+/// Widths of drawings and thicknesses of sheets outside of which the unit is doubted \[mm\].
+const WIDTHS: RangeInclusive<f64> = 10.0..=3000.0;
+const THICKNESSES: RangeInclusive<f64> = 0.2..=6.0;
 /// Largest draw ratio of a placeholder blank [–].
 const RATIO: f64 = 1.8;
 /// Travel over the punch's size [–], of a sheet that is drawn in and of one that is clamped and only stretched.
@@ -49,10 +53,16 @@ impl Chosen {
 }
 
 impl Draft<'_> {
-    /// Throat less punch \[mm\].
+    /// Throat less punch \[mm\], where all of the punch would go in.
     fn clearance(&self) -> Option<f64> {
         let (punch, die) = (self.tool(Role::Punch)?, self.tool(Role::Die)?);
-        Some(throat(&die)? - extent(&punch).1)
+        Some(throat(&die)? - extent(&punch).1).filter(|clearance| *clearance > 0.0)
+    }
+
+    /// Twice the largest r of all tools \[mm\].
+    fn width(&self) -> f64 {
+        let tools = Role::ALL.iter().filter_map(|role| self.tool(*role));
+        2.0 * tools.map(|tool| extent(&tool).1).fold(0.0, f64::max)
     }
 
     /// How large the tools are, which shows a wrong unit at once: `punch radius 30 mm, die throat 31.25 mm, 180 mm wide in all`.
@@ -67,13 +77,31 @@ impl Draft<'_> {
                 Role::Holder => None,
             })
             .collect();
-        let reach = tools.iter().map(|tool| extent(tool).1).fold(0.0, f64::max);
-        said.push(format!("{} mm wide in all", mm(2.0 * reach)));
+        said.push(format!("{} mm wide in all", mm(self.width())));
         said.join(", ")
     }
 
-    /// What does not fit: a gap between punch and die that is wide for the sheet.
-    pub fn doubt(&self) -> Option<String> {
+    /// What hardly fits a sheet, and may come from a wrong unit: the drawing's width, the thickness that its gap has room
+    /// for, a gap that is wide for the sheet.
+    pub fn doubts(&self) -> Vec<String> {
+        [self.odd_width(), self.odd_thickness(), self.wide_gap()].into_iter().flatten().collect()
+    }
+
+    fn odd_width(&self) -> Option<String> {
+        let width = self.width();
+        (!WIDTHS.contains(&width))
+            .then(|| format!("the tools are {} mm wide in all, which is odd for a stamping: check --units", mm(width)))
+    }
+
+    fn odd_thickness(&self) -> Option<String> {
+        let thickness = self.sizes().thickness;
+        (thickness.placeholder.is_some() && !THICKNESSES.contains(&thickness.mm)).then(|| {
+            let mm = mm(thickness.mm);
+            format!("the gap between punch and die has room for a sheet of {mm} mm, which is odd: check --units and --thickness")
+        })
+    }
+
+    fn wide_gap(&self) -> Option<String> {
         let (clearance, thickness) = (self.clearance()?, self.sizes().thickness);
         let placeholder = if thickness.placeholder.is_some() { ", a placeholder" } else { "" };
         (clearance > WIDE * thickness.mm).then(|| {
@@ -102,21 +130,28 @@ impl Draft<'_> {
                 _ => (THICKNESS, "the drawing has no sheet"),
             }
         });
-        let blank = Chosen::or(self.blank, || self.blank_for(punch.as_ref(), die.as_ref()));
+        let within = self.blank.unwrap_or_else(|| self.reach());
         let travel = punch
             .as_ref()
-            .map(|punch| Chosen::or(self.travel, || travel_for(punch, die.as_ref(), thickness.mm, blank.mm)));
+            .map(|punch| Chosen::or(self.travel, || travel_for(punch, die.as_ref(), thickness.mm, within)));
+        let drawn = punch.as_ref().zip(travel.as_ref()).map(|(punch, travel)| mouth(punch, travel.mm));
+        let blank = Chosen::or(self.blank, || self.blank_for(drawn, die.as_ref()));
         Sizes { thickness, blank, travel }
     }
 
+    /// How far from the axis die and holder both are drawn, or else the punch \[mm\].
+    fn reach(&self) -> f64 {
+        let outer = |role| self.tool(role).map(|tool| extent(&tool).1);
+        let face = [outer(Role::Die), outer(Role::Holder)].into_iter().flatten().reduce(f64::min);
+        face.or_else(|| outer(Role::Punch)).unwrap_or(0.0)
+    }
+
     /// As far as all of die and holder reach, but no more than is drawn in one draw.
-    fn blank_for(&self, punch: Option<&Tool>, die: Option<&Tool>) -> (f64, &'static str) {
-        let size = punch.map(|punch| extent(punch).1);
+    fn blank_for(&self, size: Option<f64>, die: Option<&Tool>) -> (f64, &'static str) {
         let Some(die) = die else {
             return (rounded(1.2 * size.unwrap_or(50.0)), "a little more than the punch");
         };
-        let holder = self.tool(Role::Holder);
-        let reach = holder.map_or(f64::INFINITY, |holder| extent(&holder).1).min(extent(die).1);
+        let reach = self.reach();
         let down = |mm: f64| rounded((mm * 10.0).floor() / 10.0);
         match size.map(|size| down(RATIO * size)) {
             Some(drawn) if drawn < reach && drawn > shoulder_end(die) => (drawn, "1.8 times the punch"),

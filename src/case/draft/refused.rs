@@ -1,0 +1,40 @@
+//! What stands behind a drawing's case that is refused: nobody has seen its file.
+
+use super::Draft;
+use crate::case::{self, Case, CaseError};
+use crate::model::Role;
+
+impl Draft<'_> {
+    /// The case that the text from [`toml`](Self::toml) is; `None` without a punch, which it waits for.
+    ///
+    /// # Errors
+    /// When it cannot be solved; the message names the drawing and what of it, or which option, is to be changed.
+    pub fn case(&self, text: &str, drawing: &str) -> Result<Option<Case>, CaseError> {
+        if !self.has(Role::Punch) {
+            return Ok(None);
+        }
+        case::parse(text, drawing, &[]).map(Some).map_err(|error| {
+            let help = [error.remedy().map(str::to_owned), self.place(text, &error)].into_iter().flatten();
+            let what = format!("the case made from {drawing} is refused, and no file is written: {error}");
+            CaseError::bare(what, help.chain(self.doubts()).collect::<Vec<_>>().join("; "))
+        })
+    }
+
+    /// The option or the tool of the drawing that makes the line of an error.
+    fn place(&self, text: &str, error: &CaseError) -> Option<String> {
+        let (line, _) = error.position()?;
+        let key = text.lines().nth(line - 1)?.split(" =").next()?;
+        let option = match key {
+            "travel" => "--travel",
+            "thickness" => "--thickness",
+            "radius" | "half_length" => "--blank-radius",
+            _ => {
+                let table = text.lines().take(line).filter(|line| line.starts_with('[')).last()?;
+                let (_, _, made_of) =
+                    self.tools.iter().find(|(role, ..)| table == format!("[tools.{}]", role.name()))?;
+                return Some(format!("it is drawn in {made_of}, r is x from the axis"));
+            }
+        };
+        Some(format!("set it with {option}"))
+    }
+}
