@@ -117,7 +117,7 @@ fn a_v_has_its_angle_before_it_springs_back() {
     let other: &[(&str, &str)] = &[("thickness", "2 mm"), ("friction", "0.15"), ("n", "0.15")];
     let wide: &[(&str, &str)] = &[("width", "80 mm"), ("material", "aa6016-t4")];
     let sharp = &[("nose", "5 mm"), ("shoulder", "10 mm"), ("width", "50 mm")];
-    for (wanted, given) in [60.0, 75.0, 90.0, 120.0, 150.0]
+    for (wanted, given) in [60.0, 75.0, 90.0, 120.0, 150.0, 170.0]
         .map(|angle| (angle, &[][..]))
         .into_iter()
         .chain([other, wide, sharp].map(|given| (90.0, given)))

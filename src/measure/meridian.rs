@@ -8,6 +8,8 @@ use std::ops::Range;
 const FLAT: f64 = 0.25;
 /// What turns the sheet less than this is no bend but a dent \[rad\].
 const BEND: f64 = 10.0 * std::f64::consts::PI / 180.0;
+/// The same of a stretch that begins on the axis or symmetry plane, which has half of a bend that a blade made there \[rad\].
+const HALF: f64 = 0.25 * BEND;
 /// How much the curvature that counts as a bend is lowered from one look at the sheet to the next.
 const FINER: f64 = 0.8;
 /// What is left out at both ends of a leg, over its length: the sheet goes over into the bends there.
@@ -101,7 +103,8 @@ impl Meridian {
             let nodes = from..from + stretch.len();
             from = nodes.end;
             let peak = self.curvature[nodes.clone()].iter().fold(0.0_f64, |most, k| most.max(k.abs()));
-            let sense = if self.turn_of(&nodes).abs() < BEND { 0 } else { stretch[0] };
+            let least = if nodes.start == 0 { HALF } else { BEND };
+            let sense = if self.turn_of(&nodes).abs() < least { 0 } else { stretch[0] };
             match parts.last_mut() {
                 Some(before) if before.sense == 0 && sense == 0 => before.nodes.end = nodes.end,
                 _ => parts.push(Part { nodes, sense, sharp: peak >= level }),
