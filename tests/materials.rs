@@ -117,7 +117,14 @@ fn materials_are_listed_described_and_drawn() {
     assert!(list.contains("n [–]") && list.contains("aa6016-t4"), "{list}");
     let one = run(&["materials", "aa6016-t4", "--plot", "a.png"]);
     assert_eq!(one.status.code(), Some(0), "{}", String::from_utf8_lossy(&one.stderr));
-    assert!(String::from_utf8(one.stdout).expect("text").contains("name = \"aa6016-t4\""));
+    let said = String::from_utf8(one.stdout).expect("text");
+    assert!(
+        said.contains("name = \"aa6016-t4\"") && said.contains("computed from the law (Hill), not measured"),
+        "{said}"
+    );
+    let json =
+        serde_json::from_slice::<serde_json::Value>(&run(&["materials", "aa6016-t4", "--json"]).stdout).expect("JSON");
+    assert!(json["flc_computed_by_hill"].as_array().is_some_and(|points| points.len() > 10), "{json}");
     assert!(std::fs::metadata(dir.path().join("a.png")).expect("drawn").len() > 2000);
     let none = run(&["materials", "nothing"]);
     assert_eq!(none.status.code(), Some(2));

@@ -2,7 +2,7 @@
 
 use super::file::{self, CaseFile};
 use super::{CaseError, convert, source::Source};
-use crate::forming_limit::{Sheet, uniform_strain};
+use crate::forming_limit::{Curve, Hill, Kind, Sheet, uniform_strain};
 use crate::material::Material;
 use crate::material::flow::ROOM_TEMPERATURE;
 use crate::quantity::closest;
@@ -60,6 +60,12 @@ impl Entry {
         uniform_strain(&self.sheet()).ok()
     }
 
+    /// The forming limit by Hill and Swift, computed from the law: no source here has a measured one. `None` where the law
+    /// has no load maximum.
+    pub fn forming_limit(&self) -> Option<Curve> {
+        Kind::Hill(Hill { n: None }).curve(&self.sheet()).ok()
+    }
+
     /// The sheet at room temperature.
     pub fn sheet(&self) -> Sheet<'_> {
         Sheet { material: &self.material, thickness: 1.0, temperature: ROOM_TEMPERATURE }
@@ -69,11 +75,18 @@ impl Entry {
     pub fn describe(&self) -> String {
         let mut text = format!("{}: {}\n\n", self.name, self.title);
         let n = self.n().map_or("–".to_owned(), |n| format!("{n:.4}, the uniform strain of the law"));
+        let limit = self.forming_limit().map_or("–".to_owned(), |curve| {
+            format!(
+                "{:.4} in plane strain, true strain: computed from the law (Hill), not measured",
+                curve.plane_strain()
+            )
+        });
         let elastic = self.material.elastic.map_or("–".to_owned(), |e| format!("{} MPa, {}", e.young, e.poisson));
         for (label, value) in [
             ("law", self.material.describe()),
             ("n", n),
             ("r̄", format!("{}", self.material.anisotropy.ratio())),
+            ("FLC", limit),
             ("E, ν", elastic),
             ("thickness", self.thickness.clone().unwrap_or("–".to_owned())),
             ("source", self.source.clone()),
