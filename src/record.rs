@@ -2,7 +2,7 @@
 
 use crate::element::lobatto::Layer;
 use crate::forming_limit::Paths;
-use crate::model::PressureCap;
+use crate::model::{Model, PressureCap};
 
 /// One element at one instant.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -430,6 +430,12 @@ pub struct Run {
 }
 
 impl Run {
+    /// The sheet before and after a stage that takes its tools away; `None` of other stages, and where nothing was kept.
+    pub fn released(&self, model: &Model) -> Option<[&Frame; 2]> {
+        model.release?;
+        Some([self.start.as_ref()?, self.frames.last()?])
+    }
+
     /// A run that has not begun.
     pub fn unsolved() -> Self {
         Self {

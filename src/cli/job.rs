@@ -159,7 +159,7 @@ impl Solved {
     /// Writes what the sheet does as a stage takes its tools away; nothing for other stages.
     fn write_release(&self, stage: usize, dir: &Path) -> anyhow::Result<Vec<PathBuf>> {
         let Some(pass) = self.passes.get(stage) else { return Ok(Vec::new()) };
-        let Some([from, to]) = pass.released() else { return Ok(Vec::new()) };
+        let Some([from, to]) = pass.run.released(&pass.model) else { return Ok(Vec::new()) };
         let mut files = springback::write(dir, from, to, &pass.model)?;
         files.extend(residual_stress::write(dir, to, &pass.model)?);
         Ok(files)

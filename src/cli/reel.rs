@@ -1,4 +1,5 @@
-//! Frames for a film and for ParaView, kept on the way: no step is made to land on them, so that the run is the same with and without.
+//! Frames for a film and for ParaView, kept on the way: no step is made to land on them, so that the run is the same with
+//! and without.
 
 use stampflow::State;
 use stampflow::model::Model;

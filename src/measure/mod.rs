@@ -4,8 +4,8 @@
 //! # Legs
 //! A **leg** is a nearly straight stretch of the meridian between two bends, or between a bend and the free edge: its
 //! curvature is at most a quarter of that of the bends beside it, and each of these turns the sheet by ten degrees or
-//! more, or by 2.5° where it is the half of a bend on the axis or symmetry plane. The **wall** is the steepest leg behind a bend that made the sheet descend, as around the punch radius; the
-//! **flange** is the outermost leg, behind a bend that brought the sheet back, as over the die radius. A dome that only
+//! more, or by 2.5° where it is the half of a bend on the axis or symmetry plane. The **wall** is the steepest leg behind
+//! a bend that made the sheet descend, as around the punch radius; the **flange** is the outermost leg, behind a bend that brought the sheet back, as over the die radius. A dome that only
 //! bulges has neither, a bent strip has a wall and no flange. A tenth of a leg's length is left out at both ends, and a
 //! straight line and a circle are fitted through the rest by least squares, weighted by length.
 //!

@@ -183,17 +183,11 @@ impl Summary {
         if let Some(height) = end.and_then(part_height) {
             self.number("part_height", "Part height over all", Unit::Mm, height);
         }
-        match (&run.start, end) {
-            (Some(start), Some(end)) if model.release.is_some() => {
-                let changes = changes(&Shape::of(start), &Shape::of(end));
-                self.push("springback", "Spring-back", Unit::None, Value::Changes(changes));
-            }
-            (_, Some(end)) => {
-                if let Some(angle) = Shape::of(end).wall_angle() {
-                    self.number("wall_angle", "Wall to the punch direction", Unit::Degree, angle);
-                }
-            }
-            _ => {}
+        if let Some([start, end]) = run.released(model) {
+            let changes = changes(&Shape::of(start), &Shape::of(end));
+            self.push("springback", "Spring-back", Unit::None, Value::Changes(changes));
+        } else if let Some(angle) = end.and_then(|end| Shape::of(end).wall_angle()) {
+            self.number("wall_angle", "Wall to the punch direction", Unit::Degree, angle);
         }
         let over_initial = |thickness| 100.0 * thickness / model.blank.thickness;
         let from =

@@ -42,7 +42,7 @@ fn plots(subject: &Subject) -> Vec<Block> {
 /// Spring-back and residual stress of a stage that takes its tools away.
 fn release(report: &Report, i: usize) -> Vec<Block> {
     let Some(pass) = report.passes.get(i) else { return Vec::new() };
-    let Some([from, to]) = pass.released() else { return Vec::new() };
+    let Some([from, to]) = pass.run.released(&pass.model) else { return Vec::new() };
     let model = Model { notes: Vec::new(), ..pass.model.clone() };
     let number = |value: Option<f64>| value.map_or_else(|| "none".to_owned(), four_digits);
     let rows = changes(&Shape::of(from), &Shape::of(to)).into_iter().map(|c| {

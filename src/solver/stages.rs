@@ -4,7 +4,7 @@ use super::{Observer, run_from};
 use crate::geometry::Point;
 use crate::mesh;
 use crate::model::{Model, Role, Tool};
-use crate::record::{Frame, Run};
+use crate::record::Run;
 use crate::stage::Stage;
 use crate::state::{State, drawn, waiting};
 
@@ -23,14 +23,6 @@ pub struct Pass {
     pub run: Run,
     /// Where it ended.
     pub state: State,
-}
-
-impl Pass {
-    /// The sheet before and after a stage that takes its tools away; `None` for other stages, and where nothing was kept.
-    pub fn released(&self) -> Option<[&Frame; 2]> {
-        self.model.release?;
-        Some([self.run.start.as_ref()?, self.run.frames.last()?])
-    }
 }
 
 /// Runs stages after one another, the first from the flat blank, up to the first that does not come to its end.

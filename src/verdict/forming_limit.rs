@@ -12,23 +12,33 @@ const CAREFUL: f64 = 0.9;
 /// Share of the limit that a path which is not straight may use: its own limit may be far lower \[–\].
 const BENT: f64 = 0.5;
 
-/// The stage that comes nearest to its curve, with the curve's name.
-fn worst(passes: &[Pass]) -> Option<(&'static str, &Pass, Assessment)> {
-    let all = passes.iter().filter_map(|pass| {
-        let curve = pass.model.forming_limit.as_ref()?;
-        Some((curve.name, pass, assess(curve, &pass.run.paths)?))
-    });
-    all.min_by(|a, b| a.2.worst().margin().total_cmp(&b.2.worst().margin()))
+/// The stage that comes nearest to its curve.
+pub(super) struct Nearest<'a> {
+    /// The curve's.
+    name: &'static str,
+    pass: &'a Pass,
+    assessment: Assessment,
 }
 
-/// Whether there is a limit and no stage has reached it.
-pub(super) fn is_kept(passes: &[Pass]) -> bool {
-    worst(passes).is_some_and(|(_, _, assessment)| assessment.reached.is_none())
+impl<'a> Nearest<'a> {
+    /// `None` where no stage has a limit.
+    pub fn of(passes: &'a [Pass]) -> Option<Self> {
+        let all = passes.iter().filter_map(|pass| {
+            let curve = pass.model.forming_limit.as_ref()?;
+            Some(Self { name: curve.name, pass, assessment: assess(curve, &pass.run.paths)? })
+        });
+        all.min_by(|a, b| a.assessment.worst().margin().total_cmp(&b.assessment.worst().margin()))
+    }
+
+    /// Whether no stage has reached its limit.
+    pub fn is_kept(&self) -> bool {
+        self.assessment.reached.is_none()
+    }
 }
 
 /// The least margin, where, and when the limit was first reached; not judged where no limit is given.
-pub(super) fn margin(passes: &[Pass]) -> Option<Finding> {
-    let Some((name, pass, assessment)) = worst(passes) else { return Some(missing()) };
+pub(super) fn margin(nearest: Option<&Nearest>, passes: &[Pass]) -> Option<Finding> {
+    let Some(Nearest { name, pass, assessment }) = nearest else { return Some(missing()) };
     let worst = assessment.worst();
     let bend = largest(passes, |step| step.sharpest_bend);
     let bent = bend * THIN > 1.0;
@@ -88,8 +98,8 @@ fn missing() -> Finding {
 }
 
 /// Whether the curve can be taken at its word: it holds for straight strain paths.
-pub(super) fn path(passes: &[Pass]) -> Option<Finding> {
-    let (_, _, assessment) = worst(passes)?;
+pub(super) fn path(nearest: Option<&Nearest>) -> Option<Finding> {
+    let assessment = &nearest?.assessment;
     let crooked = assessment.crooked();
     let used = assessment.elements.iter().filter(|judged| judged.is_crooked()).map(Judged::ratio).fold(0.0, f64::max);
     let light = Light::within(used, BENT);

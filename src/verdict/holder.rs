@@ -26,8 +26,8 @@ pub(super) fn judge(passes: &[Pass]) -> Option<Finding> {
     }
     let last = run.history.iter().rev().find(|step| step.holder_force > 0.0)?;
     let thickness = model.blank.thickness;
-    let width = |step: &StepRecord| model.blank.length - step.draw_in - held_from(model).unwrap_or(0.0);
-    let held = run.history.iter().filter(|step| width(step) > RUN_OUT * thickness);
+    let width = model.blank.length - held_from(model).unwrap_or(0.0);
+    let held = run.history.iter().filter(|step| width - step.draw_in > RUN_OUT * thickness);
     let lift = held.map(|step| -step.holder_move / thickness).fold(0.0, f64::max);
     let pressed = holder_pressure(model).unwrap_or(0.0) / tensile_strength(&model.material.hardening);
     let (lifts, presses) = (Light::of(lift, [LIFTED, OFF]), Light::within(pressed, PRESSURE));

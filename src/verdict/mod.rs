@@ -24,6 +24,7 @@ use crate::case::Case;
 use crate::record::StepRecord;
 use crate::solver::Pass;
 use crate::table::Unit;
+use forming_limit::Nearest;
 use serde::{Serialize, Serializer};
 
 /// How a finding stands to its limit.
@@ -131,12 +132,14 @@ pub fn advice(findings: &[Finding], is: impl Fn(Light) -> bool) -> Vec<(String, 
 
 /// Every finding on a case's run, in the order of the questions: tears, wrinkles, press, tools, trust.
 pub fn judge(case: &Case, passes: &[Pass]) -> Vec<Finding> {
+    let nearest = Nearest::of(passes);
+    let nearest = nearest.as_ref();
     let single = [
         stop::judge(case, passes),
-        thinning::judge(case, passes),
+        thinning::judge(case, passes, nearest),
         neck::judge(passes),
-        forming_limit::margin(passes),
-        forming_limit::path(passes),
+        forming_limit::margin(nearest, passes),
+        forming_limit::path(nearest),
         tearing::judge(passes),
         redraw::judge(passes),
         wrinkling::judge(passes),

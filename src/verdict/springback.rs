@@ -10,7 +10,7 @@ use crate::table::{Unit, four_digits};
 /// strain by the flow law, that there are none.
 pub(super) fn judge(passes: &[Pass]) -> Option<Finding> {
     let last = passes.last()?;
-    let (found, advice) = match last.released() {
+    let (found, advice) = match last.run.released(&last.model) {
         Some([before, after]) => (
             angles(&Shape::of(before), &Shape::of(after))?,
             "hold the angles after release against the part's tolerance, and bend as much further",

@@ -1,5 +1,6 @@
 //! How thin the sheet has become.
 
+use super::forming_limit::Nearest;
 use super::{DECLARED, Finding, Light};
 use crate::case::Case;
 use crate::solver::Pass;
@@ -13,12 +14,12 @@ pub(super) const ADVICE: &str =
     "less holder force or friction, a larger punch nose or die shoulder, a smaller blank or a shorter travel";
 
 /// The least thickness of the last stage over that of the blank.
-pub(super) fn judge(case: &Case, passes: &[Pass]) -> Option<Finding> {
+pub(super) fn judge(case: &Case, passes: &[Pass], nearest: Option<&Nearest>) -> Option<Finding> {
     let last = passes.last()?.run.history.last()?;
     let thinning = 1.0 - last.thinnest / case.model.blank.thickness;
     // A forming limit that is kept, or a metal that stretches without a neck, allows more.
     let allowed =
-        super::forming_limit::is_kept(passes) || case.model.material.rate.is_some_and(|r| r.is_superplastic());
+        nearest.is_some_and(Nearest::is_kept) || case.model.material.rate.is_some_and(|r| r.is_superplastic());
     let most = if allowed { f64::INFINITY } else { LIMITS[1] };
     let light = Light::of(thinning, [LIMITS[0], most]);
     let refused = if allowed {

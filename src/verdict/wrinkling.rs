@@ -4,13 +4,12 @@ use super::nose::NoseEnd;
 use super::{DECLARED, Finding, Light};
 use crate::case::check::estimate::{draw_ratio, held_area, siebel_pressure, tensile_strength};
 use crate::case::extent;
-use crate::model::{Geometry, Model, Motion, Role};
+use crate::model::{Model, Motion, Role};
 use crate::solver::Pass;
 use crate::table::Unit;
 
 /// Advised pressure over the holder's \[–\]: 1 by the rule; above 2 even a factor of 0.002, the least that the rule is said
-/// to be quoted with, would ask for more.
-/// A force that was rounded after the rule may miss it by a percent.
+/// to be quoted with, would ask for more. A force that was rounded after the rule may miss it by a percent.
 const LIMITS: [f64; 2] = [1.01, 2.0];
 /// Diameter of a blank less that of the punch, over the thickness, up to which a cup is drawn without a holder \[–\].
 const FREE: [f64; 2] = [15.0, 20.0];
@@ -21,7 +20,7 @@ const GAP: f64 = 1.2;
 /// fixed holder its gap. Of the first stage of an axisymmetric draw.
 pub(super) fn judge(passes: &[Pass]) -> Option<Finding> {
     let model = &passes.first()?.model;
-    draw_ratio(model).filter(|_| model.geometry == Geometry::Axisymmetric)?;
+    draw_ratio(model)?;
     match model.tool(Role::Holder).map(|holder| &holder.motion) {
         Some(Motion::Pressed(press)) if !press.is_idle() => pressed(model, press.force.smallest()),
         Some(Motion::Gap(gap)) => Some(fixed(gap / model.blank.thickness)),
