@@ -109,18 +109,18 @@ fn one(seed: u64, theory: Theory, twin: bool) -> Outcome {
     let Ok(run) = catch_unwind(move || solver::run(&die.model, &mut ())) else {
         return Outcome { process, kind: PANIC, line: format!("seed {seed}: {text}"), figures: [0.0; 6] };
     };
-    let steps = run.history.len().max(1) as f64;
-    let last = run.history.last().copied().unwrap_or_default();
-    let total = |f: fn(&StepRecord) -> usize| run.history.iter().map(f).sum::<usize>() as f64;
+    let steps = run.steps.len().max(1) as f64;
+    let last = run.steps.last().copied().unwrap_or_default();
+    let total = |f: fn(&StepRecord) -> usize| run.steps.iter().map(f).sum::<usize>() as f64;
     Outcome {
         process,
         kind: run.stop.kind(),
         line: format!("seed {seed}: {text}: {} (thinnest {:.3})", run.stop, last.thinnest),
         figures: [
             total(|r| r.iterations) / steps,
-            (run.ladder.halved + run.ladder.overstrained) as f64,
-            total(|r| r.rejected) + run.abandoned as f64,
-            run.history.iter().map(|r| r.penetration).fold(0.0, f64::max),
+            (run.effort.halved + run.effort.overstrained) as f64,
+            total(|r| r.rejected) + run.effort.abandoned as f64,
+            run.steps.iter().map(|r| r.penetration).fold(0.0, f64::max),
             last.work.imbalance().abs(),
             start.elapsed().as_secs_f64(),
         ],

@@ -9,7 +9,7 @@ mod files;
 
 use files::files;
 use stampflow::model::{Mode, Theory};
-use stampflow::record::IterationRecord;
+use stampflow::solution::IterationRecord;
 use stampflow::{Model, Observer, case, solver};
 use std::hint::black_box;
 use std::time::{Duration, Instant};
@@ -63,16 +63,16 @@ fn main() {
             black_box(solver::run(black_box(model), &mut ()));
         });
         // One evaluation of all points per iteration, and one more that finds each step converged.
-        let evaluations = (count.0 + run.history.len()) * model.blank.elements * model.blank.layers;
+        let evaluations = (count.0 + run.steps.len()) * model.blank.elements * model.blank.layers;
         let point = time.as_nanos() as f64 / evaluations as f64;
         let law = bare(model);
         println!(
             "{:<24} {:>9.1} {:>6} {:>6} {:>9} {:>14.1} {:>12.1} {:>7.2}",
             case.name,
             time.as_secs_f64() * 1e3,
-            run.history.len(),
+            run.steps.len(),
             count.0,
-            run.history.iter().map(|r| r.rejected).sum::<usize>(),
+            run.steps.iter().map(|r| r.rejected).sum::<usize>(),
             point,
             law,
             point / law,
@@ -142,9 +142,9 @@ fn selective() {
         let [before, after] = [&full, &chosen].map(|model| {
             let mut count = Count::default();
             let run = solver::run(model, &mut count);
-            let bent: usize = run.history.iter().map(|step| step.bending).sum();
-            let rejected: usize = run.history.iter().map(|step| step.rejected).sum();
-            (count.0, bent as f64 / (run.history.len() * model.blank.elements) as f64, rejected)
+            let bent: usize = run.steps.iter().map(|step| step.bending).sum();
+            let rejected: usize = run.steps.iter().map(|step| step.rejected).sum();
+            (count.0, bent as f64 / (run.steps.len() * model.blank.elements) as f64, rejected)
         });
         println!(
             "{:<24} {:>11.2} {:>5} of {:>5} {:>9.0} % {:>5}, {:>3} {:>10.1}",

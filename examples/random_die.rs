@@ -41,7 +41,7 @@ fn run() -> Result<(), String> {
     let start = Instant::now();
     let run = stampflow::run(&model, &mut ());
     let wall = start.elapsed();
-    let last = run.history.last().copied().unwrap_or_default();
+    let last = run.steps.last().copied().unwrap_or_default();
     println!(
         "{}: travel {:.2} of {:.2} mm, punch force {:.4e} {}, thinnest {:.3} of {:.3} mm, {} steps, {:.0} ms",
         run.stop.kind(),
@@ -51,7 +51,7 @@ fn run() -> Result<(), String> {
         force_unit(model.geometry).symbol(),
         last.thinnest,
         model.blank.thickness,
-        run.history.len(),
+        run.steps.len(),
         1e3 * wall.as_secs_f64()
     );
     if !run.stop.is_complete() {

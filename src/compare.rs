@@ -11,8 +11,8 @@ pub use curve::{CurveSpec, Point, Points, Quantity};
 pub use error::CompareError;
 pub use source::Source;
 
-use crate::quantity::rounded;
 use crate::table::{Axis, Column, Table};
+use crate::units::rounded;
 use std::fmt;
 use std::path::PathBuf;
 

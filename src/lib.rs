@@ -12,7 +12,7 @@
 //!    │ solver::run_stages         one Stage after another, each a Model of its own on the sheet of the one before
 //!    │ solver::run                predictor → corrector → accepted step, or a shorter one
 //!    │ Observer                   sees each StepRecord and IterationRecord
-//!    │ Run { history, frames, stop, warnings }
+//!    │ StageSolution { history, frames, stop, warnings }
 //!    │ measure                    angles, curl and places of a Frame, as a person would measure them
 //!    └ Table                      CSV, plots and comparisons all read the same tables
 //! ```
@@ -40,32 +40,31 @@
 //! Eng. Sci. (1994); E. Oñate, O. C. Zienkiewicz, Int. J. Mech. Sci. 25 (1983) 305–335; E. Oñate, C. Agelet de
 //! Saracibar, Int. J. Num. Meth. Engng. 30 (1990) 1577–1593.
 
+pub mod assess;
+pub mod author;
 pub mod case;
 pub mod compare;
 pub mod contact;
 pub mod element;
 pub mod forming_limit;
 pub mod geometry;
-pub mod history;
 pub mod import;
 pub mod material;
 pub mod measure;
-pub mod mesh;
 pub mod model;
+pub mod numerics;
 pub mod output;
-pub mod quantity;
-pub mod record;
 pub mod report;
+pub mod rules;
+pub mod solution;
 pub mod solver;
-pub mod stage;
 pub mod state;
 pub mod table;
-pub mod verdict;
+pub mod units;
 
 pub use case::Case;
-pub use model::Model;
-pub use record::{Frame, Run, StepRecord, Stop};
+pub use model::{Model, Stage};
+pub use solution::{Frame, StageSolution, StepRecord, Stop};
 pub use solver::{Observer, run, run_stages};
-pub use stage::Stage;
 pub use state::State;
 pub use table::Table;

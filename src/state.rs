@@ -2,16 +2,16 @@
 
 use crate::contact::penalty::Penalty;
 use crate::element::Node;
-use crate::element::kinematics::Start;
-use crate::element::lobatto::{self, Layer};
+use crate::element::kinematics::Reference;
 use crate::forming_limit::{Instant, Paths};
 use crate::material::flow::{ROOM_TEMPERATURE, Triple};
 use crate::model::{Model, Motion, Role, Theory, Tool};
-use crate::record::{ElementRecord, Frame, NodeRecord, PointRecord, ThroughThickness};
+use crate::numerics::lobatto::{self, ThicknessPoint};
+use crate::solution::{ElementRecord, Frame, NodeRecord, PointRecord, ThroughThickness};
 
 /// One layer point of an element.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct LayerPoint {
+pub struct MaterialPoint {
     /// Equivalent plastic strain ε̄ \[–\].
     pub strain: f64,
     /// Stress at the end of the last step \[MPa\].
@@ -46,8 +46,8 @@ pub struct State {
     pub membrane: Vec<[f64; 2]>,
     /// Whether each element bent in the last step, or was a membrane.
     pub bends: Vec<bool>,
-    /// Layer points, element by element.
-    pub layers: Vec<LayerPoint>,
+    /// ThicknessPoint points, element by element.
+    pub layers: Vec<MaterialPoint>,
     /// Axial displacement of each tool from where it is drawn \[mm\], and its velocity \[mm/s\].
     pub tools: Vec<f64>,
     pub tool_velocity: Vec<f64>,
@@ -90,7 +90,8 @@ impl State {
         let nodes: Vec<Node> = s0.iter().map(|&r| [r, 0.0, 0.0]).collect();
         let t = model.blank.thickness;
         let elements = nodes.len() - 1;
-        let volume = nodes.windows(2).map(|w| t * Start::new(model.geometry, model.blank.theory, w[0], w[1]).area());
+        let volume =
+            nodes.windows(2).map(|w| t * Reference::new(model.geometry, model.blank.theory, w[0], w[1]).area());
         Self {
             time: 0.0,
             travel: 0.0,
@@ -100,9 +101,9 @@ impl State {
             membrane: vec![[0.0; 2]; elements],
             bends: vec![model.blank.theory == Theory::Bending; elements],
             layers: vec![
-                LayerPoint {
+                MaterialPoint {
                     porosity: model.material.voids.map_or(0.0, |voids| voids.initial),
-                    ..LayerPoint::default()
+                    ..MaterialPoint::default()
                 };
                 elements * model.blank.layers
             ],
@@ -133,9 +134,9 @@ impl State {
     }
 
     /// Largest porosity, mean over the thickness \[–\], and where, initially from the axis \[mm\].
-    pub fn largest_porosity(&self, layers: &[Layer]) -> (f64, f64) {
+    pub fn largest_porosity(&self, layers: &[ThicknessPoint]) -> (f64, f64) {
         let means = self.layers.chunks(layers.len()).enumerate().map(|(e, points)| {
-            let mean: f64 = points.iter().zip(layers).map(|(p, l)| l.share * p.porosity).sum();
+            let mean: f64 = points.iter().zip(layers).map(|(p, l)| l.weight * p.porosity).sum();
             (mean, 0.5 * (self.s0[e] + self.s0[e + 1]))
         });
         means.fold((0.0, 0.0), |largest, now| if now.0 > largest.0 { now } else { largest })
@@ -168,7 +169,8 @@ impl State {
         let elements = (0..self.thickness.len())
             .map(|e| {
                 let points = &self.layers[e * layers.len()..(e + 1) * layers.len()];
-                let mean = |of: fn(&LayerPoint) -> f64| points.iter().zip(&layers).map(|(p, l)| l.share * of(p)).sum();
+                let mean =
+                    |of: fn(&MaterialPoint) -> f64| points.iter().zip(&layers).map(|(p, l)| l.weight * of(p)).sum();
                 let (a, b) = (self.nodes[e], self.nodes[e + 1]);
                 ElementRecord {
                     s0: 0.5 * (self.s0[e] + self.s0[e + 1]),

@@ -7,22 +7,25 @@ use std::path::Path;
 const FLOORS: &[&[&str]] = &[
     &["main", "cli"],
     &["report"],
-    &["verdict"],
+    &["author"],
+    &["assess"],
     &["case"],
-    &["output", "compare", "solver"],
+    &["output", "compare", "rules"],
+    &["solver"],
     &["measure", "import"],
-    &["table", "record", "mesh", "state", "stage"],
+    &["table", "solution", "state"],
     &["model"],
     &["element", "contact", "forming_limit"],
     &["material", "geometry"],
-    &["quantity", "history"],
+    &["units", "numerics"],
 ];
 
 /// Sideways uses that the picture allows.
 const SIDEWAYS: &[(&str, &str)] = &[
     ("main", "cli"),
     ("output", "compare"), // overlay plots read comparisons
-    ("state", "record"),   // a state writes its frame
+    ("state", "solution"), // a state writes its frame
+    ("solution", "state"), // a solution keeps its last state
 ];
 
 fn floor(module: &str) -> usize {

@@ -36,10 +36,10 @@ fn sixty_random_dies_run_to_their_full_travel_or_a_physical_stop() {
         let run = solver::run(&die.model, &mut ());
         let ended = run.stop.is_complete() || run.stop.is_physical();
         assert!(ended, "seed {}: {}: {}", 40_000 + seed, die.text, run.stop);
-        let last = run.history.last().expect("steps");
+        let last = run.steps.last().expect("steps");
         // Trust: the full campaign's 99th percentile is 0.6 %; 5 % would be a wrong force somewhere.
         assert!(last.work.imbalance().abs() < 0.05, "seed {}: {}", 40_000 + seed, die.text);
-        assert!(last.thinnest > 0.0 && run.history.iter().all(|r| r.punch_force.is_finite()));
+        assert!(last.thinnest > 0.0 && run.steps.iter().all(|r| r.punch_force.is_finite()));
     }
 }
 
@@ -56,7 +56,7 @@ fn thirty_random_dies_of_the_twin_run_to_their_full_travel_or_a_physical_stop() 
         let run = solver::run(&die.model, &mut ());
         let ended = run.stop.is_complete() || run.stop.is_physical();
         assert!(ended, "seed {}: {}: {}", 40_000 + seed, die.text, run.stop);
-        let last = run.history.last().expect("steps");
+        let last = run.steps.last().expect("steps");
         assert!(last.work.imbalance().abs() < 0.05, "seed {}: {}", 40_000 + seed, die.text);
     }
 }

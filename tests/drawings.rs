@@ -301,13 +301,13 @@ fn an_import_says_its_size_and_picks_as_new_does() {
         said.contains("leaves 12.5 mm between punch and die, 12.5 times the sheet's thickness of 1 mm, a placeholder")
     );
 
-    let cup = case::template::find("cup").unwrap().fill(&[]).unwrap();
+    let cup = stampflow::author::templates::find("cup").unwrap().fill(&[]).unwrap();
     let cup = case::parse(&cup, "cup.toml", &[]).unwrap();
     assert_eq!(right.model.material, cup.model.material);
     for (tool, picked) in right.model.tools.iter().zip(&cup.model.tools) {
         assert_eq!(tool.friction, picked.friction);
     }
-    let report = case::check::report(&right);
+    let report = stampflow::assess::check::report(&right);
     let pressure =
         |label: &str| report.lines.iter().find(|line| line.label == label).unwrap().value.parse::<f64>().unwrap();
     let more = pressure("holder pressure") - pressure("advised pressure");
@@ -325,7 +325,7 @@ fn a_cone_wider_than_its_die_is_drawn_as_far_as_it_fits() {
         (done.status.code(), text(&done.stdout).to_owned() + text(&done.stderr))
     };
     let value = |label: &str| {
-        let report = case::check::report(&case::load(dir.path().join("cone.toml"), &[]).unwrap());
+        let report = stampflow::assess::check::report(&case::load(dir.path().join("cone.toml"), &[]).unwrap());
         report
             .lines
             .iter()

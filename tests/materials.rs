@@ -45,7 +45,7 @@ fn every_material_loads_runs_and_cites_its_source() {
             let top = limit.unwrap_or_else(|e| panic!("{e}")).model.forming_limit.expect("a curve").plane_strain();
             assert!((0.5 * n..n).contains(&top), "{}: a groove necks before the load maximum: {top} {n}", entry.name);
         }
-        let check = case::check::report(&named).to_string();
+        let check = stampflow::assess::check::report(&named).to_string();
         assert!(check.contains(&entry.source), "{check}");
         assert!(entry.describe().contains(&entry.source) && library::list().expect("a list").contains(entry.name));
     }

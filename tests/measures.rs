@@ -8,7 +8,7 @@ use resvg::tiny_skia::Pixmap;
 use stampflow::measure::{Shape, moment_error, places};
 use stampflow::model::{Geometry, Model};
 use stampflow::output::{residual_stress, springback};
-use stampflow::record::Frame;
+use stampflow::solution::Frame;
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -48,7 +48,7 @@ fn a_frame_keeps_its_layers() {
     assert_eq!(layers.len(), model.blank.layers);
     assert_eq!(frame.through.elements().len(), frame.elements.len());
     for (element, points) in frame.elements.iter().zip(frame.through.elements()) {
-        let mean = |of: &dyn Fn(usize) -> f64| (0..layers.len()).map(|i| layers[i].share * of(i)).sum::<f64>();
+        let mean = |of: &dyn Fn(usize) -> f64| (0..layers.len()).map(|i| layers[i].weight * of(i)).sum::<f64>();
         assert_eq!(element.stress_meridional, mean(&|i| points[i].stress_meridional));
         assert_eq!(element.stress_hoop, mean(&|i| points[i].stress_hoop));
         assert_eq!(element.strain_equivalent, mean(&|i| points[i].strain_equivalent));

@@ -13,9 +13,10 @@ use proptest::test_runner::RngSeed;
 use resvg::usvg::{Options, Tree};
 use stampflow::case::{self, Case, CaseError};
 use stampflow::model::Model;
+use stampflow::model::mesh;
 use stampflow::output::{Make, OUTPUTS, Subject, Summary, svg};
+use stampflow::solver;
 use stampflow::table::Table;
-use stampflow::{mesh, solver};
 use std::sync::LazyLock;
 use std::sync::mpsc::channel;
 use std::time::Duration;
@@ -463,7 +464,7 @@ fn check_accepted(case: &Case) {
     assert_eq!(nodes.len(), blank.elements + 1);
     assert!(nodes.is_sorted_by(|a, b| a < b), "nodes do not rise");
 
-    let report = case::check::report(case);
+    let report = stampflow::assess::check::report(case);
     for line in &report.lines {
         assert!(line.value.parse::<f64>().map_or(true, f64::is_finite), "{line:?}");
     }
@@ -585,7 +586,7 @@ fn peak_memory() -> Option<u64> {
     Some(kilobytes << 10)
 }
 
-/// Run in two halves, side by side.
+/// StageSolution in two halves, side by side.
 #[test]
 fn a_thousand_mutated_cases_are_refused_or_solved() {
     run(1994);

@@ -3,7 +3,7 @@
 mod common;
 
 use resvg::tiny_skia::Pixmap;
-use stampflow::case::template::find;
+use stampflow::author::templates::find;
 use stampflow::case::{Case, parse};
 use stampflow::compare::{
     Against, BandQuantity, BandSpec, Comparison, Computed, CurveSpec, Found, Quantity, Spec, compare,
@@ -14,10 +14,10 @@ use stampflow::output::{
     Make, OUTPUTS, StageLine, Summary, load_travel, png, profile, remove_stale, stages_report, svg, write_all,
     write_comparison,
 };
-use stampflow::record::Run;
 use stampflow::report::{Report, markdown};
 use stampflow::run_stages;
-use stampflow::solver::Pass;
+use stampflow::solution::StageSolution;
+
 use stampflow::table::Table;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -37,8 +37,8 @@ fn load_travel_begins_with_travel_and_forces() {
         let run = common::run(&model);
         let table = load_travel::table(&model, &run);
         assert!(headers(&table).starts_with(begins), "{}", headers(&table));
-        assert_eq!(table.rows(), run.history.len());
-        assert_eq!(table.column("punch_force").values[41], run.history[41].punch_force);
+        assert_eq!(table.rows(), run.steps.len());
+        assert_eq!(table.column("punch_force").values[41], run.steps[41].punch_force);
     }
 }
 
@@ -114,7 +114,7 @@ fn the_summary_says_the_same_in_print_and_in_json() {
     let summary = Summary::of(&common::subject(&model, &run));
     let printed = summary.to_string();
     let json = serde_json::to_value(&summary).unwrap();
-    let peak = run.history.iter().map(|s| s.punch_force).fold(0.0, f64::max);
+    let peak = run.steps.iter().map(|s| s.punch_force).fold(0.0, f64::max);
     assert!((json["peak_punch_force_N"].as_f64().unwrap() - peak).abs() < 1e-6 * peak);
     assert!(printed.contains(&format!("{peak:.0} N")), "{printed}");
     assert_eq!(json["complete"], true);
@@ -131,7 +131,7 @@ fn the_summary_says_the_same_in_print_and_in_json() {
 fn a_run_without_a_step_draws_no_empty_axes() {
     let model = common::blown(Geometry::PlaneStrain);
     let mut run = common::run(&model);
-    run.history.clear();
+    run.steps.clear();
     run.frames.clear();
     let subject = common::subject(&model, &run);
     for output in OUTPUTS {
@@ -161,7 +161,7 @@ fn stale_files_of_ours_go_and_a_users_stay() {
 }
 
 /// A cup that is drawn until its rim has left the holder.
-fn cup_without_flange() -> (Model, Run) {
+fn cup_without_flange() -> (Model, StageSolution) {
     let text = find("cup").unwrap().fill(&[("height", "35 mm"), ("punch-radius", "40 mm"), ("trim", "8 %")]).unwrap();
     let model = parse(&text, "cup.toml", &[]).unwrap().model;
     let run = stampflow::run(&model, &mut ());
@@ -172,8 +172,8 @@ fn cup_without_flange() -> (Model, Run) {
 #[test]
 fn a_holder_that_the_sheet_has_left_stays_where_it_last_touched() {
     let (model, run) = cup_without_flange();
-    let lost = run.history.iter().position(|step| step.holder_force == 0.0).expect("the rim leaves the holder");
-    let (before, after) = run.history.split_at(lost);
+    let lost = run.steps.iter().position(|step| step.holder_force == 0.0).expect("the rim leaves the holder");
+    let (before, after) = run.steps.split_at(lost);
     let stands = before[lost - 1].holder_move;
     assert!(stands < 0.0 && after.len() > 5, "{stands} mm, {} steps", after.len());
     for step in after {
@@ -203,7 +203,7 @@ fn the_summary_says_what_the_part_came_out_as() {
     let last = run.frames.last().unwrap();
     let thickest = last.elements.iter().map(|element| element.thickness).fold(0.0, f64::max);
     assert!((of("thickest_mm") - thickest).abs() < 1e-8 && of("thickest_s0_mm") > 60.0, "the rim is thickest: {json}");
-    let work = run.history.last().unwrap().work.external;
+    let work = run.steps.last().unwrap().work.external;
     assert!((of("work_external_J") - 1e-3 * work).abs() < 1e-8 * work);
     assert_eq!(load_travel::table(&model, &run).column("work_external").header(), "work_external_J");
     let printed = summary.to_string();
@@ -211,13 +211,13 @@ fn the_summary_says_what_the_part_came_out_as() {
 }
 
 /// Every stage of a case.
-fn stages(text: &str) -> (Case, Vec<Pass>) {
+fn stages(text: &str) -> (Case, Vec<StageSolution>) {
     let case = parse(text, "case.toml", &[]).unwrap();
     let passes = run_stages(&case.stages(), &mut ());
     (case, passes)
 }
 
-fn v_bend() -> (Case, Vec<Pass>) {
+fn v_bend() -> (Case, Vec<StageSolution>) {
     stages(&find("v-bend").unwrap().fill(&[]).unwrap())
 }
 
@@ -225,8 +225,8 @@ fn v_bend() -> (Case, Vec<Pass>) {
 #[test]
 fn the_summary_of_a_release_has_its_spring_back_and_no_round_off() {
     let (_, passes) = v_bend();
-    let ends = [&passes[0], &passes[1]].map(|pass| Shape::of(pass.run.frames.last().unwrap()));
-    let summary = Summary::of(&common::subject(&passes[1].model, &passes[1].run));
+    let ends = [&passes[0], &passes[1]].map(|pass| Shape::of(pass.frames.last().unwrap()));
+    let summary = Summary::of(&common::subject(&passes[1].model, &passes[1]));
     let printed = summary.to_string();
     let json = serde_json::to_value(&summary).unwrap();
     let listed = json["springback"].as_array().unwrap();
@@ -246,14 +246,9 @@ fn the_summary_of_a_release_has_its_spring_back_and_no_round_off() {
     // Nothing yields as the bend opens; what the sums leave of its plastic work is 1e-14 of the others.
     assert_eq!(json["work_plastic_J_per_mm"], 0.0, "{printed}");
     assert!(json["work_elastic_J_per_mm"].as_f64().unwrap() < 0.0);
-    assert!(
-        Summary::of(&common::subject(&passes[0].model, &passes[0].run)).to_string().contains("full travel reached")
-    );
-    let lines: Vec<StageLine> = ["bend", "release"]
-        .into_iter()
-        .zip(&passes)
-        .map(|(name, pass)| (name, Some((&pass.model, &pass.run))))
-        .collect();
+    assert!(Summary::of(&common::subject(&passes[0].model, &passes[0])).to_string().contains("full travel reached"));
+    let lines: Vec<StageLine> =
+        ["bend", "release"].into_iter().zip(&passes).map(|(name, pass)| (name, Some((&pass.model, pass)))).collect();
     let report = stages_report(Geometry::PlaneStrain, &lines);
     let lines: Vec<&str> = report.lines().collect();
     assert!(lines[0].contains("full travel reached: ") && lines[1].contains("full time reached: "), "{report}");
@@ -266,7 +261,7 @@ fn a_release_has_no_plot_of_what_is_level() {
     let hat = stages(include_str!("../cases/hat_springback.toml")).1;
     for (passes, shown) in [(v_bend().1, false), (hat, true)] {
         for output in OUTPUTS.iter().filter(|output| names.contains(&output.file)) {
-            let [formed, released] = [0, 1].map(|i| output.bytes(&common::subject(&passes[i].model, &passes[i].run)));
+            let [formed, released] = [0, 1].map(|i| output.bytes(&common::subject(&passes[i].model, &passes[i])));
             assert!(formed.is_some(), "{}", output.file);
             assert_eq!(released.is_some(), shown, "{} of {}", output.file, passes[1].model.title);
         }
@@ -288,7 +283,7 @@ fn no_line_of_the_summary_is_an_orphan() {
     let (case, passes) = stages(include_str!("../cases/hat_springback.toml"));
     for pass in &passes {
         let mut parent = "";
-        for figure in Summary::of(&common::subject(&pass.model, &pass.run)).figures() {
+        for figure in Summary::of(&common::subject(&pass.model, &pass)).figures() {
             if figure.label.starts_with(' ') {
                 let own = parents.iter().find(|entry| entry.0 == parent).map_or(&[][..], |entry| entry.1);
                 assert!(own.contains(&figure.key), "{} below {parent}", figure.key);
@@ -337,7 +332,7 @@ fn plane_strain_has_no_axis_hoops_or_rings() {
 }
 
 /// A drawn reference beside the sample run, written to `dir`.
-fn comparison(dir: &Path, model: &Model, run: &Run) -> Comparison {
+fn comparison(dir: &Path, model: &Model, run: &StageSolution) -> Comparison {
     let rows: String = (1..=9).map(|i| format!("{},{}\n", 5 * i, 9.8 * f64::from(i).powf(0.98))).collect();
     fs::write(dir.join("cup.csv"), format!("travel_mm,punch_force_kN\n{rows}")).unwrap();
     let source =
@@ -355,7 +350,7 @@ fn comparison(dir: &Path, model: &Model, run: &Run) -> Comparison {
 }
 
 /// Measured thicknesses without places beside the sample run.
-fn band(dir: &Path, model: &Model, run: &Run) -> Comparison {
+fn band(dir: &Path, model: &Model, run: &StageSolution) -> Comparison {
     fs::write(dir.join("cup_thickness.csv"), "thickness_mm,error_mm\n0.84,0.01\n1.0,0.01\n1.12,0.01\n").unwrap();
     let spec = BandSpec {
         quantity: BandQuantity::Thickness,
@@ -365,7 +360,7 @@ fn band(dir: &Path, model: &Model, run: &Run) -> Comparison {
     compared(dir.join("cup_thickness.csv"), Against::Band(spec), "the edge was not measured", model, run)
 }
 
-fn compared(reference: PathBuf, against: Against, reason: &str, model: &Model, run: &Run) -> Comparison {
+fn compared(reference: PathBuf, against: Against, reason: &str, model: &Model, run: &StageSolution) -> Comparison {
     let spec = Spec { reference, against, reason: reason.to_owned(), optional: false, demonstration: false };
     let (history, profile) = (load_travel::table(model, run), profile::last(model, &run.frames));
     compare(&spec, &Computed { history: &history, profile: &profile, complete: true }).unwrap()

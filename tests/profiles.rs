@@ -1,7 +1,8 @@
 //! Tools of one's own: read from points, offset from another tool, mirrored; from the case file to the run.
 
 use proptest::prelude::*;
-use stampflow::case::{self, Case, check};
+use stampflow::assess::check;
+use stampflow::case::{self, Case};
 use stampflow::geometry::{Point, Profile};
 use stampflow::model::{Model, Role};
 use stampflow::solver;
@@ -55,7 +56,7 @@ fn difference(a: &Profile, b: &Profile) -> f64 {
     points.map(|x| (a.closest(x).distance - b.closest(x).distance).abs()).fold(0.0, f64::max)
 }
 
-fn run(model: &Model) -> stampflow::record::Run {
+fn run(model: &Model) -> stampflow::solution::StageSolution {
     let run = solver::run(model, &mut ());
     assert!(run.stop.is_complete(), "{}", run.stop);
     run
@@ -118,7 +119,7 @@ fn plane_strain_sections_may_call_their_radius_x() {
 /// which the iterations' tolerance of 1e-5 is far above).
 #[test]
 fn a_punch_read_from_points_draws_the_same_cup() {
-    let peak = |model: &Model| run(model).history.iter().map(|step| step.punch_force).fold(0.0, f64::max);
+    let peak = |model: &Model| run(model).steps.iter().map(|step| step.punch_force).fold(0.0, f64::max);
     let read_in = peak(&with_punch(&chords("mm", 1.0), "\"punch.csv\"").model);
     let standard = peak(&read(&text(FLAT, DIE, HOLDER, "25 mm")).model);
     assert!((read_in / standard - 1.0).abs() < 1e-4, "{read_in} {standard}");

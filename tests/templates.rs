@@ -1,11 +1,12 @@
 //! `stampflow new`: every template is written, checked and run without a hand on it, and its picked sizes follow their rules.
 
+use stampflow::assess::check;
+use stampflow::assess::verdict::{self, Light};
+use stampflow::author::templates::{TEMPLATES, find, list, rules};
 use stampflow::case::library::materials;
-use stampflow::case::template::{TEMPLATES, find, list, rules};
-use stampflow::case::{Case, check, parse};
+use stampflow::case::{Case, parse};
 use stampflow::model::{Motion, Role};
-use stampflow::verdict::{self, Light};
-use stampflow::{Frame, Run, Stop, run_stages};
+use stampflow::{Frame, StageSolution, Stop, run_stages};
 use std::fs;
 use std::path::Path;
 use std::process::{Command, Output};
@@ -30,8 +31,8 @@ fn case(template: &str, given: &[(&str, &str)]) -> Case {
     parse(&text, "case.toml", &[]).unwrap_or_else(|e| panic!("{template} {given:?}: {}", e.render(false)))
 }
 
-fn solved(case: &Case) -> Vec<Run> {
-    run_stages(&case.stages(), &mut ()).into_iter().map(|pass| pass.run).collect()
+fn solved(case: &Case) -> Vec<StageSolution> {
+    run_stages(&case.stages(), &mut ()).into_iter().map(|pass| pass).collect()
 }
 
 fn stampflow(dir: &Path, args: &[&str]) -> Output {
@@ -124,7 +125,7 @@ fn a_v_has_its_angle_before_it_springs_back() {
     {
         let angle = format!("{wanted} deg");
         let runs = solved(&case("v-bend", &[given, &[("angle", &angle)]].concat()));
-        let opening = |run: &Run| {
+        let opening = |run: &StageSolution| {
             let nodes = &run.frames.last().unwrap().nodes;
             let [.., a, _, b] = nodes.as_slice() else { panic!("a strip has nodes") };
             180.0 - 2.0 * ((a.z - b.z) / (b.r - a.r)).atan().to_degrees()
@@ -179,7 +180,7 @@ fn no_picked_size_is_doubted_by_the_verdict() {
 fn the_sleeve_of_a_redraw_holds_the_sheet_with_its_force() {
     let text = find("redraw").unwrap().fill(&[]).unwrap();
     let second = text.rfind("force = ").unwrap();
-    let runs: Vec<Run> = [None, Some(20e3)]
+    let runs: Vec<StageSolution> = [None, Some(20e3)]
         .into_iter()
         .map(|force: Option<f64>| {
             let held = force.map_or(text.clone(), |newtons| format!("{}force = \"{newtons} N\"\n", &text[..second]));
@@ -190,7 +191,7 @@ fn the_sleeve_of_a_redraw_holds_the_sheet_with_its_force() {
             });
             let run = solved(&case).pop().unwrap();
             assert_eq!(run.stop, Stop::FullTravel);
-            for record in &run.history {
+            for record in &run.steps {
                 let apart = (record.holder_force / wanted - 1.0).abs();
                 assert!(apart < 0.03, "{} N of {wanted} N at {} mm", record.holder_force, record.travel);
             }
@@ -198,7 +199,7 @@ fn the_sleeve_of_a_redraw_holds_the_sheet_with_its_force() {
             run
         })
         .collect();
-    let peak = |run: &Run| run.history.iter().map(|r| r.punch_force).fold(0.0, f64::max);
+    let peak = |run: &StageSolution| run.steps.iter().map(|r| r.punch_force).fold(0.0, f64::max);
     let (usual, hard) = (peak(&runs[0]), peak(&runs[1]));
     println!("redraw: {usual:.0} N, held with 20 kN {hard:.0} N");
     assert!(hard - usual > 0.08 * 19e3, "{usual} {hard}");

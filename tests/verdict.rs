@@ -5,9 +5,9 @@ mod cli;
 
 use cli::{CUP, STAGES, folder, stampflow, text};
 use serde_json::Value;
+use stampflow::assess::verdict::{Finding, Light, advice, headline, judge};
 use stampflow::case;
 use stampflow::solver::run_stages;
-use stampflow::verdict::{Finding, Light, advice, headline, judge};
 use std::path::Path;
 
 /// The findings on a shipped case with overrides.
@@ -79,7 +79,8 @@ fn force_and_work_are_held_against_the_press() {
 #[test]
 fn a_cone_tears_where_its_nose_ends() {
     let judged = |template: &str| {
-        let text = case::template::find(template).and_then(|template| template.fill(&[])).expect("a case");
+        let text =
+            stampflow::author::templates::find(template).and_then(|template| template.fill(&[])).expect("a case");
         let case = case::parse(&text, "made.toml", &["tools.punch.travel=5 mm".to_owned()]).expect("valid");
         judge(&case, &run_stages(&case.stages(), &mut ()))
     };
@@ -95,7 +96,9 @@ fn a_cone_tears_where_its_nose_ends() {
 /// Trust: by hand, 1.5 of the second punch is beyond 1.3; its wall carries π·61·1·301 N and tears in the second stage.
 #[test]
 fn later_draws_are_judged_too() {
-    let text = case::template::find("redraw").and_then(|t| t.fill(&[("first-radius", "45 mm")])).expect("a case");
+    let text = stampflow::author::templates::find("redraw")
+        .and_then(|t| t.fill(&[("first-radius", "45 mm")]))
+        .expect("a case");
     let case = case::parse(&text, "made.toml", &[]).expect("valid");
     let passes = run_stages(&case.stages(), &mut ());
     let found = judge(&case, &passes);
@@ -104,11 +107,11 @@ fn later_draws_are_judged_too() {
     let of = |key: &str| found.iter().find(|f| f.key == key).expect(key);
     assert!(of("bottom_tearing").found.ends_with("stage 2"), "{:?}", of("bottom_tearing"));
     let strength = 520.0 * 0.22_f64.powf(0.22) * (0.005_f64 - 0.22).exp();
-    let peak = passes[1].run.history.iter().map(|step| step.punch_force).fold(0.0, f64::max);
+    let peak = passes[1].steps.iter().map(|step| step.punch_force).fold(0.0, f64::max);
     // The strength is right to 1e-6, the radius exact.
     assert!((value(&found, "bottom_tearing") - 100.0 * peak / (std::f64::consts::PI * 61.0 * strength)).abs() < 1e-2);
     // One stroke's energy, not the sum of both.
-    let works = passes.iter().map(|pass| 1e-3 * pass.run.history.last().expect("steps").work.external);
+    let works = passes.iter().map(|pass| 1e-3 * pass.steps.last().expect("steps").work.external);
     assert!((value(&found, "energy") - works.fold(0.0, f64::max)).abs() < 1e-9);
 }
 

@@ -9,10 +9,10 @@ mod simple;
 mod shipped;
 
 use shipped::solve;
-use stampflow::history::History;
 use stampflow::material::hardening::{Extrapolation, Hardening, Swift, Table};
 use stampflow::model::{Edge, Face, Gas, Geometry, Model, Pressure, RateControl, Theory};
-use stampflow::record::{Frame, Stop};
+use stampflow::numerics::PiecewiseLinear;
+use stampflow::solution::{Frame, Stop};
 use stampflow::solver;
 
 /// Radius of the disc \[mm\].
@@ -67,7 +67,7 @@ fn poles(mut model: Model) -> Vec<Pole> {
     let run = solve(&model);
     let thickness = |frame: &Frame| frame.elements[0].thickness / model.blank.thickness;
     let of = |frame: &Frame| {
-        let step = run.history.iter().find(|r| r.time >= frame.time * (1.0 - 1e-12)).expect("frames are steps");
+        let step = run.steps.iter().find(|r| r.time >= frame.time * (1.0 - 1e-12)).expect("frames are steps");
         let sigma = model.material.hardening.at(-thickness(frame).ln()).stress;
         [step.pole_height / A, thickness(frame), step.pressure * A / (sigma * model.blank.thickness)]
     };
@@ -169,7 +169,7 @@ fn steel_deviates_from_hills_solution_as_it_must() {
 /// rate runs through its maximum. A tenth of the step moves either by less than 0.5 %.
 #[test]
 fn largest_pressure_is_the_same_by_load_and_by_rate() {
-    let rising = || Pressure::from(History::new(vec![(0.0, 0.0), (10.0, 30.0)]).expect("rising"));
+    let rising = || Pressure::from(PiecewiseLinear::new(vec![(0.0, 0.0), (10.0, 30.0)]).expect("rising"));
     let with_step = |theory: Theory, pressure: Pressure, step: f64| {
         let mut model = disc(theory, 1.0, 40, steel(0.22), pressure);
         (model.settings.max_step, model.settings.first_step) = (step, 0.2 * step);
@@ -180,7 +180,7 @@ fn largest_pressure_is_the_same_by_load_and_by_rate() {
             let given = with_step(theory, rising(), step);
             let Stop::PressureMaximum { pressure, height } = given.stop else { panic!("{}", given.stop) };
             let run = with_step(theory, held(0.8), step);
-            let largest = run.history.iter().max_by(|a, b| a.pressure.total_cmp(&b.pressure)).expect("steps");
+            let largest = run.steps.iter().max_by(|a, b| a.pressure.total_cmp(&b.pressure)).expect("steps");
             let end = shipped::last(&run);
             assert!(end.pole_height > 1.2 * largest.pole_height && end.pressure < 0.98 * largest.pressure);
             [(pressure, height), (largest.pressure, largest.pole_height)]

@@ -3,12 +3,12 @@
 #[path = "common/simple.rs"]
 mod simple;
 
-use stampflow::material::{Anisotropy, Rate};
+use stampflow::material::{Hill48, Rate};
 use stampflow::model::{Geometry, Settings, Theory};
-use stampflow::record::Run;
+use stampflow::solution::StageSolution;
 use stampflow::solver;
 
-fn solve(model: &stampflow::model::Model) -> Run {
+fn solve(model: &stampflow::model::Model) -> StageSolution {
     let run = solver::run(model, &mut ());
     assert!(run.stop.is_complete(), "{}", run.stop);
     run
@@ -22,7 +22,7 @@ fn plane_strain_tension_is_exact() {
         let model = simple::pulled(Geometry::PlaneStrain, theory, 12.0);
         let run = solve(&model);
         let factor = 2.0 / 3f64.sqrt();
-        for record in run.history.iter().skip(5) {
+        for record in run.steps.iter().skip(5) {
             let strain = ((40.0 + record.travel) / 40.0f64).ln();
             let tension = (-strain).exp() * factor * model.material.hardening.at(factor * strain).stress;
             let error = record.edge_force / tension - 1.0;
@@ -37,7 +37,7 @@ fn equi_biaxial_stretch_is_exact() {
     for theory in [Theory::Bending, Theory::Membrane] {
         let model = simple::pulled(Geometry::Axisymmetric, theory, 8.0);
         let run = solve(&model);
-        for record in run.history.iter().skip(5) {
+        for record in run.steps.iter().skip(5) {
             let radius = 40.0 + record.travel;
             let strain = (radius / 40.0).ln();
             let force = std::f64::consts::TAU
@@ -63,9 +63,9 @@ fn rate_and_anisotropy_enter_the_closed_forms() {
             for geometry in [Geometry::PlaneStrain, Geometry::Axisymmetric] {
                 let mut model = simple::pulled(geometry, Theory::Bending, 8.0);
                 model.material.rate = Some(rate);
-                model.material.anisotropy = Anisotropy::new(r);
+                model.material.anisotropy = Hill48::new(r);
                 let run = solve(&model);
-                for pair in run.history.windows(2).skip(5) {
+                for pair in run.steps.windows(2).skip(5) {
                     let [before, now] = [&pair[0], &pair[1]].map(|r| ((40.0 + r.travel) / 40.0f64).ln());
                     let (c, per_strain, thinning, around) = match geometry {
                         Geometry::PlaneStrain => {
@@ -94,7 +94,7 @@ fn a_higher_anisotropy_keeps_the_cup_thicker() {
     let thinnest = |r: &str| {
         let overrides = [format!("material.anisotropy={r}")];
         let case = stampflow::case::load(concat!(env!("CARGO_MANIFEST_DIR"), "/cases/quickstart.toml"), &overrides);
-        solve(&case.unwrap_or_else(|e| panic!("{e}")).model).history.last().expect("steps").thinnest
+        solve(&case.unwrap_or_else(|e| panic!("{e}")).model).steps.last().expect("steps").thinnest
     };
     let found = ["0.5", "1.0", "2.0"].map(thinnest);
     println!("thinnest place of the quickstart with r 0.5, 1, 2: {found:?} mm");
@@ -110,7 +110,7 @@ fn capstan_converges_to_the_exponential() {
         let run = solve(&simple::capstan(mu, holder, per_quarter));
         // The wall leans: wrap angle α from the common tangent of the two circles that the mid-surface follows,
         // Δr sin α − Δz cos α = 2 (R + t/2). Mean over the last 10 mm: single values tick as nodes pass the lip.
-        let ratios = run.history.iter().filter(|r| r.travel > 40.0).map(|record| {
+        let ratios = run.steps.iter().filter(|r| r.travel > 40.0).map(|record| {
             let (dr, dz) = (41.3 - 20.0, record.travel - 21.0);
             let wrap = (21.0 / f64::hypot(dr, dz)).asin() + dz.atan2(dr);
             record.punch_force / (0.2 * holder * (mu * wrap).exp() * wrap.sin())
@@ -129,14 +129,15 @@ fn capstan_converges_to_the_exponential() {
 /// a jump of the stress with an error of the order 1/n².
 #[test]
 fn plastic_moment_converges_with_the_layers() {
-    use stampflow::element::kinematics::Start;
-    use stampflow::element::{lobatto, section::Law};
-    use stampflow::material::flow::{Before, FlowLaw, Iterate, Iteration, Response};
+    use stampflow::element::kinematics::Reference;
+    use stampflow::element::section::Law;
+    use stampflow::material::flow::{FlowLaw, Iterate, Iteration, PointState, StressUpdate};
     use stampflow::material::hardening::{Hardening, Ludwik};
+    use stampflow::numerics::lobatto;
 
     let (yield_stress, t, length) = (200.0, 1.3, 0.8);
     let hardening = Hardening::Ludwik(Ludwik::new(yield_stress, 0.0, 1.0).expect("valid"));
-    let start = Start::new(Geometry::PlaneStrain, Theory::Bending, [3.0, 0.0, 0.0], [3.0 + length, 0.0, 0.0]);
+    let start = Reference::new(Geometry::PlaneStrain, Theory::Bending, [3.0, 0.0, 0.0], [3.0 + length, 0.0, 0.0]);
     let turn = 0.02;
     let end = start.end([0.0, 0.0, -0.5 * turn], [0.0, 0.0, 0.5 * turn]).expect("sound");
     let exact = 2.0 / 3f64.sqrt() * yield_stress * t * t / 4.0;
@@ -147,7 +148,7 @@ fn plastic_moment_converges_with_the_layers() {
                 hardening: &hardening,
                 rate: None,
                 softening: None,
-                anisotropy: Anisotropy::default(),
+                anisotropy: Hill48::default(),
                 voids: None,
                 matrix: Iteration::Newton,
                 cutoff: 1e-7,
@@ -158,9 +159,9 @@ fn plastic_moment_converges_with_the_layers() {
         };
         let mut iterates = vec![Iterate::default(); n];
         let mut responses =
-            vec![Response { stress: [0.0; 3], tangent: [0.0; 6], increment: 0.0, yield_stress: 0.0 }; n];
+            vec![StressUpdate { stress: [0.0; 3], tangent: [0.0; 6], increment: 0.0, yield_stress: 0.0 }; n];
         let internal =
-            law.internal(&end, start.area() * t, t, &vec![Before::at(0.0); n], &mut iterates, &mut responses);
+            law.internal(&end, start.area() * t, t, &vec![PointState::at(0.0); n], &mut iterates, &mut responses);
         (internal.force[5] / exact - 1.0).abs()
     };
     let errors: Vec<f64> = [5, 7, 11, 21, 51].iter().map(|&n| error(n)).collect();
@@ -175,7 +176,7 @@ fn homogeneous_stretch_does_not_depend_on_the_step() {
     let mut coarse = simple::pulled(Geometry::Axisymmetric, Theory::Bending, 8.0);
     coarse.settings = Settings { max_step: 0.25, first_step: 0.25, ..Settings::default() };
     let fine = simple::pulled(Geometry::Axisymmetric, Theory::Bending, 8.0);
-    let last = |model| solve(model).history.last().expect("steps").edge_force;
+    let last = |model| solve(model).steps.last().expect("steps").edge_force;
     let (a, b) = (last(&coarse), last(&fine));
     assert!((a / b - 1.0).abs() < 1e-5, "{a} {b}");
 }

@@ -3,11 +3,11 @@
 use stampflow::case::{self, Case};
 use stampflow::forming_limit::{Assessment, SHORTEST, assess};
 use stampflow::output::{OUTPUTS, Subject, Summary};
-use stampflow::record::Run;
+use stampflow::solution::StageSolution;
 use stampflow::solver;
 use std::time::Duration;
 
-fn solved(overrides: &[&str]) -> (Case, Run, Assessment) {
+fn solved(overrides: &[&str]) -> (Case, StageSolution, Assessment) {
     let path = format!("{}/cases/stretch_limit.toml", env!("CARGO_MANIFEST_DIR"));
     let overrides: Vec<String> = overrides.iter().map(|o| (*o).to_owned()).collect();
     let case = case::load(&path, &overrides).unwrap_or_else(|e| panic!("{}", e.render(false)));
@@ -22,7 +22,7 @@ fn solved(overrides: &[&str]) -> (Case, Run, Assessment) {
 #[test]
 fn a_stretched_sheet_reaches_its_limit_where_it_thins() {
     let (case, run, found) = solved(&[]);
-    assert_eq!(run.paths.instants.len(), run.history.len() + 1, "the start, and every step");
+    assert_eq!(run.paths.instants.len(), run.steps.len() + 1, "the start, and every step");
     let last = run.frames.last().expect("a frame");
     for (judged, element) in found.elements.iter().zip(&last.elements) {
         assert_eq!(judged.s0, element.s0);
@@ -31,7 +31,7 @@ fn a_stretched_sheet_reaches_its_limit_where_it_thins() {
     }
     let reached = found.reached.expect("the travel goes beyond the limit");
     assert!(reached.travel > 0.0 && reached.travel < case.model.travel, "{reached:?}");
-    let thinnest = run.history.last().expect("steps").thinnest_s0;
+    let thinnest = run.steps.last().expect("steps").thinnest_s0;
     // Within a tenth of the blank: the neck may settle a few elements from where the limit was met.
     assert!((found.worst().s0 - thinnest).abs() < 0.1 * case.model.blank.length, "{:?} {thinnest}", found.worst());
     let pole = found.elements[0];
@@ -44,7 +44,7 @@ fn another_curve_moves_the_margin_and_not_the_sheet() {
     let points = |top: f64| format!("forming_limit.points=[[-0.5, {}], [0, {top}], [0.2, {top}]]", top + 0.5);
     let of = |top: f64| solved(&["forming_limit.hill=false", &points(top), "forming_limit.strain=logarithmic"]);
     let ((_, run, low), (_, other, high)) = (of(0.25), of(0.9));
-    assert_eq!(run.history.len(), other.history.len());
+    assert_eq!(run.steps.len(), other.steps.len());
     for (low, high) in low.elements.iter().zip(&high.elements) {
         assert!((high.margin() - low.margin() - 0.65).abs() < 1e-12);
     }

@@ -5,18 +5,18 @@
 mod simple;
 
 use stampflow::geometry::Profile;
-use stampflow::history::History;
 use stampflow::material::flow::ROOM_TEMPERATURE;
-use stampflow::material::softening::Exponential;
-use stampflow::material::{Softening, Voids};
+use stampflow::material::thermal::Exponential;
+use stampflow::material::{Gtn, ThermalLaw};
 use stampflow::model::{Edge, Geometry, Heat, HeatFlow, Model, Motion, Press, Role, Settings, Theory, Tool, ToolHeat};
-use stampflow::record::{Run, Stop};
+use stampflow::numerics::PiecewiseLinear;
+use stampflow::solution::{StageSolution, Stop};
 use stampflow::solver;
 
 /// ρ c of aluminium, 2700 kg/m³ × 900 J/(kg K) [MPa/K].
 const CAPACITY: f64 = 2.43;
 
-fn solve(model: &Model) -> Run {
+fn solve(model: &Model) -> StageSolution {
     let run = solver::run(model, &mut ());
     assert!(run.stop.is_complete(), "{}", run.stop);
     run
@@ -26,13 +26,13 @@ fn flow(plastic_share: f64) -> HeatFlow {
     HeatFlow { capacity: CAPACITY, plastic_share, conductivity: 0.0, tools: vec![] }
 }
 
-fn heated(mut model: Model, initial: impl Into<History>, flow: Option<HeatFlow>) -> Model {
+fn heated(mut model: Model, initial: impl Into<PiecewiseLinear>, flow: Option<HeatFlow>) -> Model {
     model.heat = Some(Heat { initial: initial.into(), flow });
     model
 }
 
-fn softening() -> Option<Softening> {
-    Some(Softening::Exponential(Exponential { coefficient: 0.003, reference: ROOM_TEMPERATURE }))
+fn softening() -> Option<ThermalLaw> {
+    Some(ThermalLaw::Exponential(Exponential { coefficient: 0.003, reference: ROOM_TEMPERATURE }))
 }
 
 /// Trust: bookkeeping. β times the plastic work is what warms the sheet; sums of some hundred steps keep eleven digits.
@@ -43,7 +43,7 @@ fn adiabatic_heating_keeps_the_energy() {
             let mut model = heated(simple::pulled(geometry, theory, 8.0), 293.15, Some(flow(0.9)));
             model.material.softening = softening();
             let run = solve(&model);
-            let last = run.history.last().expect("steps");
+            let last = run.steps.last().expect("steps");
             let frame = run.frames.last().expect("a frame");
             let volume = model.geometry.area(model.blank.length) * model.blank.thickness / frame.elements.len() as f64;
             let rise: f64 = frame.elements.iter().map(|e| e.temperature - 293.15).sum::<f64>();
@@ -74,7 +74,7 @@ fn adiabatic_softening_follows_its_closed_form() {
         let h = strain / f64::from(n);
         let work: f64 = (0..n).map(|i| model.material.hardening.at((f64::from(i) + 0.5) * h).stress * h).sum();
         let rise = (1.0 + 0.003 * 0.9 / CAPACITY * work).ln() / 0.003;
-        (run.history.last().expect("steps").hottest - 293.15) / rise - 1.0
+        (run.steps.last().expect("steps").hottest - 293.15) / rise - 1.0
     };
     let (coarse, fine) = (error(0.01), error(0.001));
     println!("adiabatic rise: {:.3} % and {:.4} % off with 100 and 1000 steps", 100.0 * coarse, 100.0 * fine);
@@ -87,12 +87,12 @@ fn adiabatic_softening_follows_its_closed_form() {
 #[test]
 fn a_given_temperature_scales_the_strength() {
     let model = simple::pulled(Geometry::PlaneStrain, Theory::Bending, 6.0);
-    let cold = solve(&model).history.last().expect("steps").edge_force;
+    let cold = solve(&model).steps.last().expect("steps").edge_force;
     let mut warm = heated(model.clone(), 423.15, None);
     warm.material.softening = softening();
-    let force = solve(&warm).history.last().expect("steps").edge_force;
+    let force = solve(&warm).steps.last().expect("steps").edge_force;
     assert!((force / cold / (-0.39f64).exp() - 1.0).abs() < 1e-9, "{force} {cold}");
-    let field = History::new(vec![(10.0, 300.0), (30.0, 400.0)]).expect("rising");
+    let field = PiecewiseLinear::new(vec![(10.0, 300.0), (30.0, 400.0)]).expect("rising");
     let run = solve(&heated(model, field, None));
     for e in &run.frames[0].elements {
         assert!((e.temperature - (300.0 + 5.0 * (e.s0 - 10.0)).clamp(300.0, 400.0)).abs() < 1e-9, "{e:?}");
@@ -100,7 +100,7 @@ fn a_given_temperature_scales_the_strength() {
 }
 
 /// A strip that stands still between a die and a holder whose temperatures are given.
-fn pressed(seconds: f64, conductivity: f64, transfer: f64, initial: impl Into<History>) -> Model {
+fn pressed(seconds: f64, conductivity: f64, transfer: f64, initial: impl Into<PiecewiseLinear>) -> Model {
     let mut model = simple::pulled(Geometry::PlaneStrain, Theory::Membrane, 1.0);
     let tool = |role, profile, motion| Tool { role, profile, friction: 0.1.into(), motion };
     model.blank.edge = Edge::Clamped;
@@ -126,7 +126,7 @@ fn a_sheet_between_two_tools_cools_as_by_hand() {
     let transfer = 1.4; // 1.4 kW/(m² K) = 1.4 N/(mm s K)
     let seconds = 2.0 * CAPACITY / (2.0 * transfer);
     let run = solve(&pressed(seconds, 0.0, transfer, 493.15));
-    let last = run.history.last().expect("steps");
+    let last = run.steps.last().expect("steps");
     let middle = run.frames[0].elements.iter().find(|e| e.s0 > 20.0).expect("an element");
     let exact = 293.15 + 200.0 * (-2.0f64).exp();
     println!("cooled to {:.2} K, exact {exact:.2} K", middle.temperature);
@@ -143,12 +143,12 @@ fn heat_is_conducted_along_the_sheet() {
     let rate = conductivity / CAPACITY * (std::f64::consts::PI / 40.0).powi(2);
     let cosine = |s: f64| 400.0 + 50.0 * (std::f64::consts::PI * s / 40.0).cos();
     let points = (0..=400).map(|i| (0.1 * f64::from(i), cosine(0.1 * f64::from(i)))).collect();
-    let run = solve(&pressed(1.0 / rate, conductivity, 0.0, History::new(points).expect("rising")));
+    let run = solve(&pressed(1.0 / rate, conductivity, 0.0, PiecewiseLinear::new(points).expect("rising")));
     for e in &run.frames[0].elements {
         let exact = 400.0 + (cosine(e.s0) - 400.0) * (-1.0f64).exp();
         assert!((e.temperature - exact).abs() < 0.01 * 50.0, "{} {exact}", e.temperature);
     }
-    let heat = run.history.last().expect("steps").heat;
+    let heat = run.steps.last().expect("steps").heat;
     let moved = 50.0 * CAPACITY * 40.0 * 2.0 / std::f64::consts::PI;
     assert!(heat.stored.abs() < 1e-9 * moved, "{heat:?}");
 }
@@ -161,14 +161,14 @@ fn a_temperature_that_does_not_matter_changes_nothing() {
     let plain = solve(&model);
     for heat in [(293.15, None), (500.0, None), (500.0, Some(flow(0.9)))] {
         let run = solve(&heated(model.clone(), heat.0, heat.1.clone()));
-        assert_eq!(run.history.len(), plain.history.len());
-        for (a, b) in run.history.iter().zip(&plain.history) {
+        assert_eq!(run.steps.len(), plain.steps.len());
+        for (a, b) in run.steps.iter().zip(&plain.steps) {
             assert_eq!((a.edge_force, a.thinnest, a.iterations), (b.edge_force, b.thinnest, b.iterations));
         }
     }
     let mut soft = heated(model, ROOM_TEMPERATURE, None);
     soft.material.softening = softening();
-    assert_eq!(solve(&soft).history.last().expect("steps").edge_force, plain.history.last().expect("steps").edge_force);
+    assert_eq!(solve(&soft).steps.last().expect("steps").edge_force, plain.steps.last().expect("steps").edge_force);
 }
 
 /// Without voids the voided law gives the plain run to 1e-12 (it adds the same numbers in another order; the corrector
@@ -179,9 +179,9 @@ fn no_porosity_gives_the_plain_run() {
         let model = simple::pulled(geometry, theory, 6.0);
         let plain = solve(&model);
         let mut voided = model;
-        voided.material.voids = Some(Voids { q1: 1.5, q3: 2.25, ..Voids::gurson(0.0) });
+        voided.material.voids = Some(Gtn { q1: 1.5, q3: 2.25, ..Gtn::gurson(0.0) });
         let run = solve(&voided);
-        for (a, b) in run.history.iter().zip(&plain.history) {
+        for (a, b) in run.steps.iter().zip(&plain.steps) {
             assert!((a.edge_force / b.edge_force - 1.0).abs() < 1e-12, "{} {}", a.edge_force, b.edge_force);
             assert!((a.thinnest / b.thinnest - 1.0).abs() < 1e-12);
             assert_eq!(a.porosity, 0.0);
@@ -195,12 +195,12 @@ fn no_porosity_gives_the_plain_run() {
 /// ln(t/t₀) = −2 ε + ∫ ε̇_kk.
 #[test]
 fn a_pulled_disc_grows_its_voids_as_integrated() {
-    let voids = Voids::example();
+    let voids = Gtn::example();
     let mut model = simple::pulled(Geometry::Axisymmetric, Theory::Membrane, 12.0);
     model.material.voids = Some(voids);
     model.settings = Settings { max_step: 5e-4, first_step: 5e-4, ..Settings::default() };
     let run = solve(&model);
-    let last = run.history.last().expect("steps");
+    let last = run.steps.last().expect("steps");
 
     let rates = |f: f64, strain: f64| {
         let star = voids.effective(f);
@@ -246,7 +246,7 @@ fn a_pulled_disc_grows_its_voids_as_integrated() {
 #[test]
 fn coalescence_ends_the_run() {
     let mut model = simple::pulled(Geometry::Axisymmetric, Theory::Membrane, 30.0);
-    model.material.voids = Some(Voids { initial: 0.08, ..Voids::example() });
+    model.material.voids = Some(Gtn { initial: 0.08, ..Gtn::example() });
     model.stop.localised = false;
     let run = solver::run(&model, &mut ());
     assert!(matches!(run.stop, Stop::Coalesced { porosity, .. } if porosity >= 0.25), "{}", run.stop);

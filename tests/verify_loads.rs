@@ -10,12 +10,12 @@ mod shipped;
 use shipped::{DRAWN, last, peak, shipped, solve};
 use stampflow::contact::friction::Sliding;
 use stampflow::geometry::Profile;
-use stampflow::history::History;
 use stampflow::material::hardening::{Hardening, Swift};
 use stampflow::model::{
     Bead, Edge, Face, Friction, Gas, Geometry, Model, Motion, Press, Pressure, PressureCap, Role, Settings, Theory,
 };
-use stampflow::record::{Run, StepRecord, Stop};
+use stampflow::numerics::PiecewiseLinear;
+use stampflow::solution::{StageSolution, StepRecord, Stop};
 use stampflow::{case, solver};
 use std::f64::consts::PI;
 
@@ -64,7 +64,7 @@ fn capstan_with_every_friction_law() {
             let at = Sliding { pressure: 1.0 / width, slip: v, scale: 0.01, duration: 1.0, shear_yield: K };
             width * law.at(&at).value
         };
-        let ratios = run.history.windows(2).filter(|w| w[1].travel > 40.0).map(|w| {
+        let ratios = run.steps.windows(2).filter(|w| w[1].travel > 40.0).map(|w| {
             let (dr, dz) = (41.3 - 20.0, w[1].travel - 21.0);
             let wrap = (21.0 / f64::hypot(dr, dz)).asin() + dz.atan2(dr);
             let v = (w[1].draw_in - w[0].draw_in) / (w[1].time - w[0].time);
@@ -84,11 +84,11 @@ fn augmented_lagrangian_agrees_with_the_penalty() {
     for name in DRAWN.into_iter().chain(["bulge"]) {
         let penalty = solve(&shipped(name, &[]));
         let augmented = solve(&shipped(name, &["solver.contact=augmented_lagrangian"]));
-        let deepest = augmented.history.iter().map(|r| r.penetration).fold(0.0, f64::max);
+        let deepest = augmented.steps.iter().map(|r| r.penetration).fold(0.0, f64::max);
         // Under gas alone the load is given: then the height that it makes is compared.
-        let answer = |run: &Run| if name == "bulge" { last(run).pole_height } else { peak(run) };
+        let answer = |run: &StageSolution| if name == "bulge" { last(run).pole_height } else { peak(run) };
         let change = answer(&augmented) / answer(&penalty) - 1.0;
-        let iterations = |run: &Run| run.history.iter().map(|r| r.iterations).sum::<usize>();
+        let iterations = |run: &StageSolution| run.steps.iter().map(|r| r.iterations).sum::<usize>();
         println!(
             "{name}: {:+.3} %, penetration {deepest:.1e}, {} iterations against {}",
             100.0 * change,
@@ -108,15 +108,15 @@ fn holder_models_hold_what_they_promise() {
         model.tools.iter_mut().find(|t| t.role == Role::Holder).expect("a holder").motion = motion;
         solve(&model)
     };
-    let rising = History::new(vec![(0.0, 4e3), (12.0, 16e3), (20.0, 8e3)]).expect("rising");
+    let rising = PiecewiseLinear::new(vec![(0.0, 4e3), (12.0, 16e3), (20.0, 8e3)]).expect("rising");
     let run = force(Motion::Pressed(Press { force: rising.clone(), stiffness: 0.0 }));
-    for r in &run.history {
+    for r in &run.steps {
         // Trust: the corrector's residual, 1 % of the largest nodal force at worst.
         assert!((r.holder_force / rising.at(r.travel) - 1.0).abs() < 0.01, "{} at {}", r.holder_force, r.travel);
     }
     let (preload, stiffness) = (6e3, 50e3);
     let run = force(Motion::Pressed(Press { force: preload.into(), stiffness }));
-    for r in &run.history {
+    for r in &run.steps {
         let wanted = preload - stiffness * r.holder_move;
         assert!((r.holder_force / wanted - 1.0).abs() < 0.01, "{} {wanted}", r.holder_force);
     }
@@ -125,11 +125,11 @@ fn holder_models_hold_what_they_promise() {
 
     let gap = 1.05;
     let run = force(Motion::Gap(gap));
-    for r in &run.history {
-        assert_eq!(r.holder_move, run.history[0].holder_move);
+    for r in &run.steps {
+        assert_eq!(r.holder_move, run.steps[0].holder_move);
     }
     // At first the flange only leans on the holder; once it has thickened to the gap the load on the holder rises.
-    assert!(last(&run).holder_force > 5.0 * run.history[3].holder_force, "{}", last(&run).holder_force);
+    assert!(last(&run).holder_force > 5.0 * run.steps[3].holder_force, "{}", last(&run).holder_force);
 }
 
 /// Trust: the pressure times the annulus between the end of the shoulder and the blank's edge, by hand.
@@ -156,10 +156,10 @@ fn bead_restrains_while_the_sheet_passes_it() {
         r.punch_force / ((21.0 / f64::hypot(dr, dz)).asin() + dz.atan2(dr)).sin()
     };
     // The edge starts at 120 mm: 20 mm of draw-in bring it to the bead.
-    for r in run.history.iter().filter(|r| r.travel > 22.0 && r.draw_in < 16.0) {
+    for r in run.steps.iter().filter(|r| r.travel > 22.0 && r.draw_in < 16.0) {
         assert!((wall(r) / 45.0 - 1.0).abs() < 0.01, "{} N/mm at {} mm", wall(r), r.travel);
     }
-    for r in run.history.iter().filter(|r| r.draw_in > 21.0) {
+    for r in run.steps.iter().filter(|r| r.draw_in > 21.0) {
         assert!((wall(r) / 5.0 - 1.0).abs() < 0.05, "{} N/mm at {} mm", wall(r), r.travel);
     }
     assert!(last(&run).draw_in > 21.0, "the edge has to pass the bead for this test to mean something");
@@ -173,7 +173,7 @@ fn closing_a_bead_takes_force_from_the_holder() {
     let mut model = shipped("quickstart", &[]);
     let closing = 10.0;
     model.beads = vec![Bead { at: 45.0, restraining: 0.0, closing }];
-    let first = &solve(&model).history[5];
+    let first = &solve(&model).steps[5];
     let wanted = 10e3 - closing * 2.0 * PI * 45.0;
     assert!((first.holder_force / wanted - 1.0).abs() < 0.01, "{} {wanted}", first.holder_force);
 }
@@ -186,7 +186,7 @@ fn bulge(geometry: Geometry, theory: Theory, largest: f64) -> Model {
     model.blank.edge = Edge::Clamped;
     model.gas = vec![Gas {
         face: Face::Lower,
-        pressure: History::new(vec![(0.0, 0.0), (10.0, largest)]).expect("rising").into(),
+        pressure: PiecewiseLinear::new(vec![(0.0, 0.0), (10.0, largest)]).expect("rising").into(),
         within: 50.0,
     }];
     (model.travel, model.speed, model.duration) = (0.0, 5.0, 10.0);
@@ -202,7 +202,7 @@ fn plane_strain_bulge_is_a_circular_arc() {
     let law = Hardening::Swift(Swift::new(520.0, 0.22, 1e-3).expect("valid"));
     let (a, factor) = (50.0_f64, 2.0 / 3f64.sqrt());
     let mut compared = 0;
-    for r in run.history.iter().filter(|r| r.pole_height > 5.0) {
+    for r in run.steps.iter().filter(|r| r.pole_height > 5.0) {
         let h = r.pole_height;
         let rho = (a * a + h * h) / (2.0 * h);
         let strain = (rho * (a / rho).asin() / a).ln();
@@ -234,7 +234,7 @@ fn one_pressure_alone_is_raised_over_the_run() {
     assert_eq!(model.gas[0].pressure.given(5.0), Some(2.5));
     let (raised, given) = (solve(&model), solve(&shipped("bulge", &[])));
     // Trust: rate-free, so the height at a pressure is the same however fast it came; linear between steps of 0.1 MPa.
-    let after = given.history.iter().find(|r| r.pressure >= 5.0).expect("it goes to 9.5 MPa");
+    let after = given.steps.iter().find(|r| r.pressure >= 5.0).expect("it goes to 9.5 MPa");
     assert!((last(&raised).pole_height - after.pole_height).abs() < 0.5, "{}", last(&raised).pole_height);
 }
 
@@ -247,7 +247,7 @@ fn superplastic_dome_holds_its_rate_and_follows_the_closed_forms() {
         let overrides = [format!("material.rate.power.exponent={m}")];
         let model = shipped("superplastic_dome", &[&overrides[0]]);
         let run = solve(&model);
-        for r in &run.history {
+        for r in &run.steps {
             // Trust: the corrector's tolerance; 1 % would be felt in the time of the cycle.
             assert!((r.held_rate / 1e-3 - 1.0).abs() < 1e-3, "{} at {} s", r.held_rate, r.time);
         }
@@ -280,7 +280,7 @@ fn a_capped_pressure_or_the_rate_is_at_its_limit_in_every_step() {
         let run = solve(&model);
         let (mut pressure, mut time) = (0.0, 0.0);
         let mut seen = [0; 3];
-        for r in &run.history {
+        for r in &run.steps {
             let cap = f64::min(largest, pressure + rise * (r.time - time));
             let (rate, load) = (r.held_rate / 1e-3 - 1.0, r.pressure / cap - 1.0);
             // Trust: the corrector's tolerance for the rate, as without a cap; the cap's equation is linear, so round-off.
@@ -303,7 +303,7 @@ fn caps_that_are_never_reached_change_nothing() {
     let capped =
         shipped("superplastic_dome", &["gas.lower.max_pressure=10 GPa", "gas.lower.max_pressure_rate=1e6 MPa/s"]);
     assert_ne!(free.gas, capped.gas);
-    assert_eq!(solve(&free).history, solve(&capped).history);
+    assert_eq!(solve(&free).steps, solve(&capped).steps);
 }
 
 /// Trust: plane strain with a uniform stress and no friction is a circular arc of one thickness. With the half-angle α and
@@ -318,7 +318,7 @@ fn superplastic_long_box_follows_its_closed_form_before_contact() {
             include_str!("../cases/superplastic_dome.toml").replace("radius = \"50 mm\"", "half_length = \"50 mm\"");
         let model = case::parse(&text, "box.toml", &overrides).unwrap_or_else(|e| panic!("{e}")).model;
         let mut worst: f64 = 0.0;
-        for r in &solve(&model).history {
+        for r in &solve(&model).steps {
             let strain = 3f64.sqrt() / 2.0 * rate * r.time;
             let alpha = (0..200).fold((0.0, PI / 1.01), |(low, high), _| {
                 let middle: f64 = 0.5 * (low + high);
@@ -348,12 +348,12 @@ fn superplastic_box_is_blown_into_its_corner() {
     let run = solve(&model);
     let Stop::ContactShare { share, asked, .. } = run.stop else { panic!("{}", run.stop) };
     assert!(share >= asked && (asked - 0.95).abs() < 1e-12 && last(&run).contact_share == share, "{share} {asked}");
-    let rejected: usize = run.history.iter().map(|r| r.rejected).sum();
+    let rejected: usize = run.steps.iter().map(|r| r.rejected).sum();
     assert!(rejected <= 3, "{rejected} rejected tries");
     let frame = run.frames.last().expect("the end");
     assert_eq!(frame.time, last(&run).time, "the end of the run is kept");
     // Free bulge up to the bottom: contact grows on the shoulder only.
-    let free = run.history.iter().filter(|r| r.pole_height < 19.5).map(|r| r.contact_share);
+    let free = run.steps.iter().filter(|r| r.pole_height < 19.5).map(|r| r.contact_share);
     assert!(free.fold(0.0, f64::max) < 0.15);
     // Trust: what touches first is held by friction and stops thinning, so the last to touch is the thinnest (known of
     // boxes of all superplastic alloys); the corner's arc runs from (34, 20) to (40, 14) mm.
@@ -399,7 +399,7 @@ fn ironing_is_resisted_and_reported() {
     let run = solver::run(&model.model, &mut ());
     assert!(run.stop.is_complete() || run.stop.is_physical(), "{}", run.stop);
     assert!(run.warnings.iter().any(|w| w.contains("ironing from")), "{:?}", run.warnings);
-    let squeeze = run.history.iter().map(|r| r.squeeze).fold(0.0, f64::max);
+    let squeeze = run.steps.iter().map(|r| r.squeeze).fold(0.0, f64::max);
     assert!((0.01..0.5).contains(&squeeze), "{squeeze}");
 }
 

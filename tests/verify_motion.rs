@@ -11,10 +11,10 @@ mod shipped;
 use shipped::solve;
 use stampflow::case;
 use stampflow::geometry::Profile;
-use stampflow::history::History;
 use stampflow::material::rate::{PowerRate, Rate};
 use stampflow::model::{Geometry, Model, Theory};
-use stampflow::record::{Run, Stop};
+use stampflow::numerics::PiecewiseLinear;
+use stampflow::solution::{StageSolution, Stop};
 
 /// The quickstart with a history in place of its 25 mm at 1 mm/s.
 fn cup(motion: &str, overrides: &[&str]) -> Model {
@@ -24,10 +24,10 @@ fn cup(motion: &str, overrides: &[&str]) -> Model {
 }
 
 /// Largest difference of the punch forces of two runs with the same steps, over the largest force.
-fn difference(a: &Run, b: &Run) -> f64 {
-    assert_eq!(a.history.len(), b.history.len());
-    let steps = a.history.iter().zip(&b.history);
-    let largest = a.history.iter().map(|r| r.punch_force).fold(0.0, f64::max);
+fn difference(a: &StageSolution, b: &StageSolution) -> f64 {
+    assert_eq!(a.steps.len(), b.steps.len());
+    let steps = a.steps.iter().zip(&b.steps);
+    let largest = a.steps.iter().map(|r| r.punch_force).fold(0.0, f64::max);
     for (a, b) in steps.clone() {
         assert!((a.travel / b.travel - 1.0).abs() < 1e-9, "{} {}", a.travel, b.travel);
     }
@@ -73,12 +73,12 @@ fn force_follows_the_speed_to_the_power_of_the_rate() {
     slow.frames = vec![3.0, 8.0];
     let mut fast = slow.clone();
     // 1 mm/s up to 3 mm, then 20 mm/s.
-    fast.schedule = History::new(vec![(0.0, 0.0), (3.0, 3.0), (3.25, 8.0)]);
+    fast.schedule = PiecewiseLinear::new(vec![(0.0, 0.0), (3.0, 3.0), (3.25, 8.0)]);
     (fast.speed, fast.duration, fast.frames) = (8.0 / 3.25, 3.25, vec![3.0, 3.25]);
     let (slow, fast) = (solve(&slow), solve(&fast));
-    assert_eq!(slow.history.len(), fast.history.len());
+    assert_eq!(slow.steps.len(), fast.steps.len());
     let mut compared = 0;
-    for (a, b) in slow.history.iter().zip(&fast.history) {
+    for (a, b) in slow.steps.iter().zip(&fast.steps) {
         assert!((a.travel - b.travel).abs() < 1e-9, "{} {}", a.travel, b.travel);
         let ratio = if a.travel > 3.0 + 1e-9 { 20f64.powf(m) } else { 1.0 };
         // Trust: the corrector's tolerance.
@@ -103,7 +103,7 @@ fn driving_further_or_less_far_keeps_the_history() {
 /// The travel at which rigid tools meet is the geometry's, however the punch comes there.
 #[test]
 fn tools_meet_at_the_same_travel_at_any_speed() {
-    let ends = [None, History::new(vec![(0.0, 0.0), (2.0, 20.0), (42.0, 40.0)])].map(|schedule| {
+    let ends = [None, PiecewiseLinear::new(vec![(0.0, 0.0), (2.0, 20.0), (42.0, 40.0)])].map(|schedule| {
         let mut model = shipped::shipped("quickstart", &[]);
         model.tools[0].profile = Profile::crowned_punch(30.9, 60.0, 25.0, 1.0);
         model.stop.localised = false;

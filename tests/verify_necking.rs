@@ -22,8 +22,9 @@ mod simple;
 use stampflow::material::hardening::Swift;
 use stampflow::material::rate::PowerRate;
 use stampflow::material::{Hardening, Material, Rate};
+use stampflow::model::mesh;
 use stampflow::model::{Geometry, Model, Theory};
-use stampflow::{State, mesh, solver};
+use stampflow::{State, solver};
 
 const N: f64 = 0.2;
 const OFFSET: f64 = 1e-3;
@@ -58,7 +59,7 @@ fn pulled(m: f64) -> Vec<(f64, f64)> {
     let mut state = State::flat(&model, mesh::nodes(&model));
     state.thickness[0] *= 1.0 - IMPERFECTION;
     state.volume[0] *= 1.0 - IMPERFECTION;
-    let (run, _) = solver::run_from(&model, state, &mut ());
+    let run = solver::run_from(&model, state, &mut ());
     assert!(run.stop.is_complete(), "m {m}: {}", run.stop);
     let strains = run.frames.iter().map(|frame| {
         let outside = frame.elements[1..].iter().map(|e| e.strain_meridional);

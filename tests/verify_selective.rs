@@ -4,9 +4,10 @@
 mod shipped;
 
 use shipped::{DRAWN, last, peak, shipped, solve};
+use stampflow::model::mesh;
 use stampflow::model::{Model, Theory};
-use stampflow::record::Run;
-use stampflow::{State, mesh, solver};
+use stampflow::solution::StageSolution;
+use stampflow::{State, solver};
 
 fn with(theory: Theory, model: &Model) -> Model {
     let mut model = model.clone();
@@ -16,9 +17,9 @@ fn with(theory: Theory, model: &Model) -> Model {
 
 /// Largest difference of the punch force from that of `other` at equal travel, straight between its steps, over its peak;
 /// and the travel where it is.
-fn largest_difference(run: &Run, other: &Run) -> (f64, f64) {
-    let h = &other.history;
-    let differences = run.history.iter().filter(|r| r.travel >= h[0].travel).map(|r| {
+fn largest_difference(run: &StageSolution, other: &StageSolution) -> (f64, f64) {
+    let h = &other.steps;
+    let differences = run.steps.iter().filter(|r| r.travel >= h[0].travel).map(|r| {
         let after = h.partition_point(|o| o.travel < r.travel).clamp(1, h.len() - 1);
         let (a, b) = (&h[after - 1], &h[after]);
         let share = (r.travel - a.travel) / (b.travel - a.travel);
@@ -40,9 +41,9 @@ fn selective_bending_gives_the_punch_force_of_bending_everywhere() {
         assert!(difference.abs() < 0.01, "{name}: {difference:e} at {travel} mm");
         let elements = model.blank.elements;
         // Trust: before the first step nothing is in tension; then faces and flanges are flat, and radii are not.
-        assert_eq!(run.history[0].bending, elements, "{name}");
-        assert!(run.history.iter().skip(1).all(|r| (1..elements).contains(&r.bending)), "{name}");
-        assert!(full.history.iter().all(|r| r.bending == elements), "{name}");
+        assert_eq!(run.steps[0].bending, elements, "{name}");
+        assert!(run.steps.iter().skip(1).all(|r| (1..elements).contains(&r.bending)), "{name}");
+        assert!(full.steps.iter().all(|r| r.bending == elements), "{name}");
     }
 }
 
@@ -53,17 +54,18 @@ fn every_shipped_case_runs_with_selective_bending() {
     for name in DRAWN {
         let full = with(Theory::Bending, &shipped(name, &["blank.theory=\"bending\""]));
         let (full, run) = (solve(&full), solve(&with(Theory::Selective, &full)));
-        let rejected: usize = run.history.iter().map(|r| r.rejected).sum();
+        let rejected: usize = run.steps.iter().map(|r| r.rejected).sum();
         let (difference, travel) = largest_difference(&run, &full);
         let change = peak(&run) / peak(&full) - 1.0;
-        let thickness =
-            |run: &Run| run.frames[run.frames.len() - 1].elements.iter().map(|e| e.thickness).collect::<Vec<_>>();
+        let thickness = |run: &StageSolution| {
+            run.frames[run.frames.len() - 1].elements.iter().map(|e| e.thickness).collect::<Vec<_>>()
+        };
         let thicknesses = thickness(&run).into_iter().zip(thickness(&full)).map(|(a, b)| (a / b - 1.0).abs());
-        let bent: usize = run.history.iter().map(|r| r.bending).sum();
+        let bent: usize = run.steps.iter().map(|r| r.bending).sum();
         println!(
             "{name}: {:.0} % bent, {rejected} rejected, force {:+.2} % at {travel:.1} mm, peak {:+.2} %, thickness within {:.1} %, \
              thinnest {:+.2} %, balance {:+.2} %",
-            100.0 * bent as f64 / (run.history.len() * full.frames[0].elements.len()) as f64,
+            100.0 * bent as f64 / (run.steps.len() * full.frames[0].elements.len()) as f64,
             100.0 * difference,
             100.0 * change,
             100.0 * thicknesses.fold(0.0, f64::max),
@@ -92,8 +94,9 @@ fn a_sheet_that_nowhere_bends_is_a_membrane_and_its_fibres_stay_upright() {
     for point in &mut tight.layers {
         point.stress = [100.0, 100.0, 0.0];
     }
-    let (run, state) = solver::run_from(&selective, tight, &mut ());
-    assert!(run.history.iter().all(|r| r.bending == 0));
+    let run = solver::run_from(&selective, tight, &mut ());
+    let state = run.end.clone();
+    assert!(run.steps.iter().all(|r| r.bending == 0));
     let (difference, travel) = largest_difference(&run, &membrane);
     assert!(difference.abs() < 1e-4, "{difference:e} at {travel} mm");
     for (a, b) in run.frames[3].elements.iter().zip(&membrane.frames[3].elements) {

@@ -4,14 +4,15 @@
 mod shipped;
 
 use shipped::{DRAWN, last, peak, solve};
+use stampflow::model::mesh;
 use stampflow::model::{Geometry, Iteration, Motion, Role, Settings};
-use stampflow::record::{Run, Stop};
-use stampflow::{State, mesh, solver};
+use stampflow::solution::{StageSolution, Stop};
+use stampflow::{State, solver};
 
 /// Largest departure of the load from a smooth curve, over its maximum: each point against the cubic through its
 /// neighbours two and four steps away on either side.
-fn largest_tick(run: &Run) -> f64 {
-    let h = &run.history;
+fn largest_tick(run: &StageSolution) -> f64 {
+    let h = &run.steps;
     let mut worst: f64 = 0.0;
     for i in 4..h.len().saturating_sub(4) {
         let at = [i - 4, i - 2, i + 2, i + 4];
@@ -37,11 +38,11 @@ fn every_shipped_case_runs_smoothly_to_its_full_travel() {
     for name in DRAWN {
         let model = shipped::shipped(name, &[]);
         let run = solve(&model);
-        let rejected: usize = run.history.iter().map(|r| r.rejected).sum();
+        let rejected: usize = run.steps.iter().map(|r| r.rejected).sum();
         let tick = largest_tick(&run);
         println!(
             "{name}: {} steps, {rejected} rejected, largest tick {:.2} % of the peak",
-            run.history.len(),
+            run.steps.len(),
             100.0 * tick
         );
         assert!(rejected <= 3, "{name}: {rejected} rejected steps");
@@ -60,7 +61,8 @@ fn volume_is_constant() {
         let model = shipped::shipped(name, &[]);
         let flat = State::flat(&model, mesh::nodes(&model));
         let before: f64 = flat.volume.iter().sum();
-        let (_, state) = solver::run_from(&model, flat, &mut ());
+        let run = solver::run_from(&model, flat, &mut ());
+        let state = run.end.clone();
         let after: f64 = (0..state.thickness.len())
             .map(|e| {
                 let (a, b) = (state.nodes[e], state.nodes[e + 1]);
@@ -83,7 +85,7 @@ fn all_iteration_matrices_find_the_same_state() {
     for name in ["woo_hemispherical", "stretch_thin", "osu_stretch_friction"] {
         let mut model = shipped::shipped(name, &[]);
         model.drive_to(15.0);
-        let (_, start) = solver::run_from(&model, State::flat(&model, mesh::nodes(&model)), &mut ());
+        let start = solver::run_from(&model, State::flat(&model, mesh::nodes(&model)), &mut ()).end;
         let step = 0.05;
         model.drive_to(15.0 + step);
         let after = |iteration: Iteration| {
@@ -96,9 +98,10 @@ fn all_iteration_matrices_find_the_same_state() {
                 cutoff_strain: 2e-4,
                 ..model.settings
             };
-            let (run, state) = solver::run_from(&model, start.clone(), &mut ());
-            assert!(run.stop.is_complete() && run.history.len() == 1, "{name} {iteration:?}: {}", run.stop);
-            println!("{name} {iteration:?}: {} iterations", run.history[0].iterations);
+            let run = solver::run_from(&model, start.clone(), &mut ());
+            let state = run.end.clone();
+            assert!(run.stop.is_complete() && run.steps.len() == 1, "{name} {iteration:?}: {}", run.stop);
+            println!("{name} {iteration:?}: {} iterations", run.steps[0].iterations);
             (run, state)
         };
         let (reference, state) = after(Iteration::PrimalDual);
@@ -109,7 +112,7 @@ fn all_iteration_matrices_find_the_same_state() {
                     assert!((a[d] - b[d]).abs() < 1e-6 * step, "{name} {iteration:?}: {} {}", a[d], b[d]);
                 }
             }
-            let force = run.history[0].punch_force / reference.history[0].punch_force - 1.0;
+            let force = run.steps[0].punch_force / reference.steps[0].punch_force - 1.0;
             assert!(force.abs() < 1e-6, "{name} {iteration:?}: force differs by {force:e}");
         }
     }
@@ -140,7 +143,7 @@ fn doubling_elements_or_halving_steps_changes_little() {
 /// Chords rounded off are arcs again; whoever draws with chords gets the same curve at the same price.
 #[test]
 fn facets_give_the_curve_of_exact_arcs_for_as_many_iterations() {
-    let iterations = |run: &Run| run.history.iter().map(|r| r.iterations).sum::<usize>() as f64;
+    let iterations = |run: &StageSolution| run.steps.iter().map(|r| r.iterations).sum::<usize>() as f64;
     for name in DRAWN {
         let model = shipped::shipped(name, &[]);
         let exact = solve(&model);
@@ -150,9 +153,9 @@ fn facets_give_the_curve_of_exact_arcs_for_as_many_iterations() {
             let run = solve(&faceted);
             // Steps need not be the same: force at the other's travel, straight between its steps.
             let mut worst: f64 = 0.0;
-            for r in &run.history {
-                let after = exact.history.partition_point(|e| e.travel < r.travel).clamp(1, exact.history.len() - 1);
-                let (a, b) = (&exact.history[after - 1], &exact.history[after]);
+            for r in &run.steps {
+                let after = exact.steps.partition_point(|e| e.travel < r.travel).clamp(1, exact.steps.len() - 1);
+                let (a, b) = (&exact.steps[after - 1], &exact.steps[after]);
                 let share = (r.travel - a.travel) / (b.travel - a.travel);
                 let force = a.punch_force + share * (b.punch_force - a.punch_force);
                 worst = worst.max((r.punch_force - force).abs() / peak(&exact));
@@ -188,7 +191,7 @@ fn holder_force_is_held() {
         panic!("Woo's case has a holder by force")
     };
     let wanted = press.force.at(0.0);
-    for record in &solve(&model).history {
+    for record in &solve(&model).steps {
         // Trust: the corrector's residual, 1 % of the largest nodal force at worst.
         assert!((record.holder_force / wanted - 1.0).abs() < 1e-2, "{record:?}");
     }

@@ -5,10 +5,11 @@
 mod shipped;
 
 use stampflow::element::Node;
+use stampflow::model::stage::{Beginning, Stage};
 use stampflow::model::{Model, Motion, Press, Role};
-use stampflow::record::Stop;
-use stampflow::solver::{Pass, enter, run_stages};
-use stampflow::stage::{Beginning, Stage};
+use stampflow::solution::StageSolution;
+use stampflow::solution::Stop;
+use stampflow::solver::{enter, run_stages};
 use std::f64::consts::PI;
 
 /// The quickstart's cup on a coarser mesh, drawn to `travel` [mm].
@@ -36,9 +37,9 @@ fn moving(model: &Model, role: Role, axial: f64, aside: f64) -> Model {
     model
 }
 
-fn complete(passes: &[Pass], stages: usize) {
+fn complete(passes: &[StageSolution], stages: usize) {
     for pass in passes {
-        assert!(pass.run.stop.is_complete(), "{}", pass.run.stop);
+        assert!(pass.stop.is_complete(), "{}", pass.stop);
     }
     assert_eq!(passes.len(), stages);
 }
@@ -48,7 +49,7 @@ fn complete(passes: &[Pass], stages: usize) {
 fn a_stage_begins_with_the_sheet_that_the_one_before_left() {
     let draw = cup(10.0);
     let passes = run_stages(&[stage("draw", draw.clone())], &mut ());
-    let left = &passes[0].state;
+    let left = &passes[0].end;
     let entered = enter(&stage("next", moving(&draw, Role::Punch, -5.0, 0.0)), &draw, left.clone());
     assert!(left.layers.iter().any(|p| p.strain > 0.05) && left.pressure.iter().any(|p| *p > 0.0));
     assert_eq!(entered.nodes, left.nodes);
@@ -79,16 +80,16 @@ fn a_draw_in_two_stages_is_the_draw_in_one() {
     complete(&whole, 1);
     complete(&halves, 2);
     let (one, two) = (&whole[0], &halves[1]);
-    let force = |pass: &Pass| pass.run.history.last().expect("steps").punch_force;
+    let force = |pass: &StageSolution| pass.steps.last().expect("steps").punch_force;
     let apart = (force(two) / force(one) - 1.0).abs();
     let largest = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
-    let thickness = largest(&one.state.thickness, &two.state.thickness);
-    let z: Vec<f64> = one.state.nodes.iter().zip(&two.state.nodes).map(|(a, b)| (a[1] - b[1]).abs()).collect();
+    let thickness = largest(&one.end.thickness, &two.end.thickness);
+    let z: Vec<f64> = one.end.nodes.iter().zip(&two.end.nodes).map(|(a, b)| (a[1] - b[1]).abs()).collect();
     let shape = z.into_iter().fold(0.0, f64::max);
     println!("two halves: force {apart:.2e}, thickness {thickness:.2e} mm, shape {shape:.2e} mm");
-    assert!((one.state.tools[0] - two.state.tools[0]).abs() < 1e-9);
+    assert!((one.end.tools[0] - two.end.tools[0]).abs() < 1e-9);
     assert!(apart < 5e-3 && thickness < 2e-3 && shape < 2e-2);
-    let imbalance = two.run.history.last().expect("steps").work.imbalance();
+    let imbalance = two.steps.last().expect("steps").work.imbalance();
     assert!(imbalance.abs() < 0.01, "{imbalance}");
 }
 
@@ -100,17 +101,17 @@ fn a_punch_that_goes_back_leaves_the_sheet() {
     let passes = run_stages(&[stage("draw", draw), stage("back", back)], &mut ());
     complete(&passes, 2);
     let [drawn, left] = [0, 1].map(|i| &passes[i]);
-    let force = |pass: &Pass| pass.run.history.last().expect("steps").punch_force;
+    let force = |pass: &StageSolution| pass.steps.last().expect("steps").punch_force;
     assert!(force(drawn) > 1e4 && force(left).abs() < 1e-6 * force(drawn), "{} {}", force(drawn), force(left));
-    let n = left.state.nodes.len();
-    assert!(left.state.pressure[..n].iter().all(|p| *p == 0.0));
-    assert!((left.state.tools[0] - drawn.state.tools[0] + 16.0).abs() < 1e-9);
+    let n = left.end.nodes.len();
+    assert!(left.end.pressure[..n].iter().all(|p| *p == 0.0));
+    assert!((left.end.tools[0] - drawn.end.tools[0] + 16.0).abs() < 1e-9);
     let moved: Vec<f64> =
-        drawn.state.nodes.iter().zip(&left.state.nodes).map(|(a, b)| (a[0] - b[0]).hypot(a[1] - b[1])).collect();
+        drawn.end.nodes.iter().zip(&left.end.nodes).map(|(a, b)| (a[0] - b[0]).hypot(a[1] - b[1])).collect();
     let moved = moved.into_iter().fold(0.0, f64::max);
     println!("a punch goes back: force {:.1e}, the sheet moves {moved:.1e} mm", force(left));
     assert!(moved < 0.05, "{moved}");
-    assert!(left.run.warnings.is_empty(), "{:?}", left.run.warnings);
+    assert!(left.warnings.is_empty(), "{:?}", left.warnings);
 }
 
 /// Trust: a segmented die that goes aside has no node within reach at the end, and the frame says where it stands.
@@ -123,11 +124,11 @@ fn a_die_goes_aside() {
     complete(&passes, 2);
     let left = &passes[1];
     assert_eq!(left.model.travel, 10.0);
-    let frame = left.run.frames.last().expect("a frame");
+    let frame = left.frames.last().expect("a frame");
     assert_eq!(frame.tool_aside[0], 0.0);
     assert!((frame.tool_aside[1] - 8.0).abs() < 1e-9, "{:?}", frame.tool_aside);
-    assert!((left.state.tools[1] - passes[0].state.tools[1] - 6.0).abs() < 1e-9);
-    assert!(left.state.pressure[left.state.nodes.len()..].iter().all(|p| *p == 0.0));
+    assert!((left.end.tools[1] - passes[0].end.tools[1] - 6.0).abs() < 1e-9);
+    assert!(left.end.pressure[left.end.nodes.len()..].iter().all(|p| *p == 0.0));
 }
 
 /// Trust: a sheet without voids keeps its volume, so what is left is what the flat blank had within the last node.
@@ -135,7 +136,7 @@ fn a_die_goes_aside() {
 fn trimming_takes_the_rim_and_nothing_else() {
     let draw = cup(10.0);
     let passes = run_stages(&[stage("draw", draw.clone())], &mut ());
-    let left = &passes[0].state;
+    let left = &passes[0].end;
     let mut cut = stage("cut", moving(&draw, Role::Punch, 1.0, 0.0));
     cut.begin.trim = Some(45.0);
     let state = enter(&cut, &draw, left.clone());
@@ -158,7 +159,7 @@ fn trimming_takes_the_rim_and_nothing_else() {
     let passes = run_stages(&[stage("draw", draw), cut], &mut ());
     complete(&passes, 2);
     assert_eq!((passes[1].model.blank.elements, passes[1].model.blank.length), (kept, state.s0[kept]));
-    assert!(passes[1].run.warnings.iter().any(|w| w.contains("cut to r = ")), "{:?}", passes[1].run.warnings);
+    assert!(passes[1].warnings.iter().any(|w| w.contains("cut to r = ")), "{:?}", passes[1].warnings);
 }
 
 /// Trust: by definition; the shape and its strains stay, and the annealed sheet is softer.
@@ -171,10 +172,10 @@ fn annealing_takes_strain_and_stress_and_leaves_the_shape() {
     let force = |next: &Stage| {
         let passes = run_stages(&[stage("draw", draw.clone()), next.clone()], &mut ());
         complete(&passes, 2);
-        passes[1].run.history.last().expect("steps").punch_force
+        passes[1].steps.last().expect("steps").punch_force
     };
     let passes = run_stages(&[stage("draw", draw.clone())], &mut ());
-    let left = &passes[0].state;
+    let left = &passes[0].end;
     let state = enter(&soft, &draw, left.clone());
     assert!(state.layers.iter().all(|p| p.strain == 0.0 && p.stress == [0.0; 3] && p.carried == [0.0; 3]));
     assert_eq!((&state.nodes, &state.membrane, &state.thickness), (&left.nodes, &left.membrane, &left.thickness));
@@ -192,8 +193,8 @@ fn a_stage_that_stops_early_is_the_last() {
     stops.model.settings.max_iterations = 1;
     let passes = run_stages(&[stage("draw", draw), stops, stage("never", cup(1.0))], &mut ());
     assert_eq!(passes.len(), 2);
-    assert_eq!(passes[0].run.stop, Stop::FullTravel);
-    assert!(matches!(passes[1].run.stop, Stop::NoEquilibrium { .. }), "{}", passes[1].run.stop);
+    assert_eq!(passes[0].stop, Stop::FullTravel);
+    assert!(matches!(passes[1].stop, Stop::NoEquilibrium { .. }), "{}", passes[1].stop);
 }
 
 /// Trust: the gap of a tool that has been brought up is looked at node by node.
@@ -205,7 +206,7 @@ fn a_new_tool_is_brought_up_to_where_it_touches_the_sheet() {
     redraw.begin.meets = vec![Role::Punch];
     let passes = run_stages(&[stage("draw", draw.clone()), redraw.clone()], &mut ());
     complete(&passes, 2);
-    let left = &passes[0].state;
+    let left = &passes[0].end;
     let state = enter(&redraw, &draw, left.clone());
     let punch = &redraw.model.tools[0].profile;
     let gaps = left.nodes.iter().enumerate().map(|(i, x)| {
@@ -214,5 +215,5 @@ fn a_new_tool_is_brought_up_to_where_it_touches_the_sheet() {
     });
     let gap = gaps.fold(f64::INFINITY, f64::min);
     assert!(gap > 0.0 && gap < 0.05, "{gap}");
-    assert!(passes[1].run.history.last().expect("steps").punch_force > 1e3);
+    assert!(passes[1].steps.last().expect("steps").punch_force > 1e3);
 }

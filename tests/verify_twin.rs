@@ -9,18 +9,18 @@ mod simple;
 
 use shipped::{shipped, solve};
 use stampflow::case;
-use stampflow::element::kinematics::Start;
-use stampflow::element::lobatto;
+use stampflow::element::kinematics::Reference;
 use stampflow::element::section::Law;
-use stampflow::history::History;
-use stampflow::material::flow::{ROOM_TEMPERATURE, Response};
+use stampflow::material::elastoplastic::{Carried, ElastoplasticLaw, Operators, Trial};
+use stampflow::material::flow::{ROOM_TEMPERATURE, StressUpdate};
 use stampflow::material::hardening::Ludwik;
-use stampflow::material::twin::{Carried, Operators, Trial, TwinLaw};
-use stampflow::material::{Anisotropy, Elastic, Hardening};
+use stampflow::material::{Elastic, Hardening, Hill48};
 use stampflow::measure::Shape;
 use stampflow::model::{Edge, Face, Gas, Geometry, Mode, Model, Theory};
-use stampflow::record::Run;
-use stampflow::solver::{Pass, run, run_stages};
+use stampflow::numerics::PiecewiseLinear;
+use stampflow::numerics::lobatto;
+use stampflow::solution::StageSolution;
+use stampflow::solver::{run, run_stages};
 
 /// Incompressible in its elasticity too: only then does plane strain yield at (2/√3) Y and stay there, as the closed forms
 /// of an elastic-perfectly plastic strip assume.
@@ -32,7 +32,7 @@ const LENGTH: f64 = 0.7;
 /// A plane-strain element that is strained step by step.
 struct Strip {
     points: Vec<Carried>,
-    layers: Vec<lobatto::Layer>,
+    layers: Vec<lobatto::ThicknessPoint>,
 }
 
 impl Strip {
@@ -45,16 +45,16 @@ impl Strip {
     /// element is set back to its place each time, so that the closed forms' small strains hold.
     fn strain(&mut self, strain: f64, curvature: f64) -> [f64; 2] {
         let hardening = Hardening::Ludwik(Ludwik::new(YIELD, 0.0, 1.0).expect("valid"));
-        let point = TwinLaw {
+        let point = ElastoplasticLaw {
             hardening: Some(&hardening),
-            operators: Operators::new(STRIP, Anisotropy::default()),
+            operators: Operators::new(STRIP, Hill48::default()),
             kinematic: None,
             rate: None,
             softening: None,
             secant: false,
             duration: 1.0,
         };
-        let start = Start::new(Geometry::PlaneStrain, Theory::Bending, [3.0, 0.0, 0.0], [3.0 + LENGTH, 0.0, 0.0]);
+        let start = Reference::new(Geometry::PlaneStrain, Theory::Bending, [3.0, 0.0, 0.0], [3.0 + LENGTH, 0.0, 0.0]);
         let half = 0.5 * curvature * LENGTH;
         let stretch = strain.exp_m1() * LENGTH;
         let end = start.end([0.0, 0.0, -half], [stretch, 0.0, half]).expect("sound");
@@ -64,7 +64,7 @@ impl Strip {
         }
         let mut trials = vec![Trial::default(); n];
         let mut responses =
-            vec![Response { stress: [0.0; 3], tangent: [0.0; 6], increment: 0.0, yield_stress: 0.0 }; n];
+            vec![StressUpdate { stress: [0.0; 3], tangent: [0.0; 6], increment: 0.0, yield_stress: 0.0 }; n];
         let law = Law { point, layers: &self.layers, slack_tension: 0.0 };
         let internal = law.internal(&end, start.area() * T, T, &self.points, &mut trials, &mut responses);
         for (at, response) in self.points.iter_mut().zip(&responses) {
@@ -224,12 +224,12 @@ fn elastica(elements: usize) -> [f64; 2] {
     model.mode = Mode::Elastic;
     model.material.elastic = Some(Elastic { young: 206_000.0, poisson: 0.3 });
     // A breath of pressure tells it which way to go, and fades.
-    let pressure = History::new(vec![(0.0, 0.02), (shortened, 0.0)]).expect("valid");
+    let pressure = PiecewiseLinear::new(vec![(0.0, 0.02), (shortened, 0.0)]).expect("valid");
     model.gas = vec![Gas { face: Face::Upper, pressure: pressure.into(), within: length }];
     let run = run(&model, &mut ());
     assert!(run.stop.is_complete(), "{}", run.stop);
     let stiffness = 206_000.0 / (1.0 - 0.09) / 12.0;
-    let force = -run.history.last().expect("steps").edge_force / (stiffness * (first / quarter).powi(2));
+    let force = -run.steps.last().expect("steps").edge_force / (stiffness * (first / quarter).powi(2));
     let deflection = run.frames.last().expect("frames").nodes[0].z / (4.0 * k * quarter / first);
     [force - 1.0, deflection.abs() - 1.0]
 }
@@ -252,9 +252,9 @@ fn twin_of(name: &str, overrides: &[&str]) -> Model {
     model
 }
 
-fn force_at(run: &Run, travel: f64) -> f64 {
-    let after = run.history.iter().position(|r| r.travel >= travel).expect("reached");
-    let (b, a) = (&run.history[after], &run.history[after.max(1) - 1]);
+fn force_at(run: &StageSolution, travel: f64) -> f64 {
+    let after = run.steps.iter().position(|r| r.travel >= travel).expect("reached");
+    let (b, a) = (&run.steps[after], &run.steps[after.max(1) - 1]);
     let share = if b.travel > a.travel { (travel - a.travel) / (b.travel - a.travel) } else { 1.0 };
     a.punch_force + share * (b.punch_force - a.punch_force)
 }
@@ -285,14 +285,14 @@ fn twin_and_flow_agree_on_drawn_cups() {
     for name in ["woo_hemispherical", "chalmers_cup"] {
         let flow = solve(&shipped(name, &["blank.layers=15"]));
         let twin = solve(&twin_of(name, &["blank.layers=15"]));
-        let travel = flow.history.last().expect("steps").travel;
+        let travel = flow.steps.last().expect("steps").travel;
         let difference = |x: f64| force_at(&flow, x) / force_at(&twin, x) - 1.0;
         let differences = (0..=40).map(|k| (1.0 + k as f64 / 20.0) / 3.0 * travel).map(|x| (x, difference(x)));
         let (at, worst) = differences.max_by(|a, b| a.1.abs().total_cmp(&b.1.abs())).expect("some");
         println!("{name}: largest difference of the load, flow over twin {:+.2} % at {at:.1} mm", 100.0 * worst);
         assert!(worst.abs() < 0.02, "{name}: {worst} at {at}");
         for run in [&flow, &twin] {
-            assert!(run.history.last().expect("steps").work.imbalance().abs() < 0.002, "{name}");
+            assert!(run.steps.last().expect("steps").work.imbalance().abs() < 0.002, "{name}");
         }
     }
 }
@@ -303,8 +303,8 @@ fn opening(overrides: &[&str]) -> [f64; 2] {
     let overrides: Vec<String> = overrides.iter().map(|o| (*o).to_owned()).collect();
     let case = case::load(path, &overrides).unwrap_or_else(|e| panic!("{e}"));
     let passes = run_stages(&case.stages(), &mut ());
-    assert!(passes.len() == 2 && passes.iter().all(|pass| pass.run.stop.is_complete()), "{overrides:?}");
-    let angle = |pass: &Pass| Shape::of(pass.run.frames.last().expect("frames")).opening_angle().expect("a wall");
+    assert!(passes.len() == 2 && passes.iter().all(|pass| pass.stop.is_complete()), "{overrides:?}");
+    let angle = |pass: &StageSolution| Shape::of(pass.frames.last().expect("frames")).opening_angle().expect("a wall");
     [angle(&passes[0]), angle(&passes[1])]
 }
 

@@ -26,7 +26,7 @@ pub struct CaseError {
 }
 
 impl CaseError {
-    pub(super) fn at(
+    pub(crate) fn at(
         source: Arc<NamedSource<String>>,
         span: Range<usize>,
         what: String,
@@ -41,12 +41,12 @@ impl CaseError {
     }
 
     /// An error outside of any file's text.
-    pub(super) fn bare(what: String, help: String) -> Self {
+    pub(crate) fn bare(what: String, help: String) -> Self {
         let source_code = Arc::new(NamedSource::new("", String::new()));
         Self { what, label: String::new(), help: (!help.is_empty()).then_some(help), source_code, span: None }
     }
 
-    pub(super) fn unreadable(path: &Path, error: &std::io::Error) -> Self {
+    pub(crate) fn unreadable(path: &Path, error: &std::io::Error) -> Self {
         let what = match error.kind() {
             std::io::ErrorKind::NotFound => format!("there is no file {}", path.display()),
             std::io::ErrorKind::InvalidData => format!("{} is not UTF-8 text", path.display()),

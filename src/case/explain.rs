@@ -2,7 +2,7 @@
 
 use super::source::Source;
 use super::{CaseError, schema};
-use crate::quantity::{self, QuantityError, closest};
+use crate::units::{self, QuantityError, closest};
 use miette::NamedSource;
 use std::sync::Arc;
 use toml::de::Error;
@@ -33,7 +33,7 @@ fn number(line: &str, at: usize) -> Option<String> {
     if !unsigned.starts_with(|c: char| c.is_ascii_digit() || c == '.') || value.contains('"') {
         return None;
     }
-    let (rule, value) = match quantity::parse(value) {
+    let (rule, value) = match units::parse(value) {
         Err(QuantityError::DecimalComma { point, .. }) => (Some("the decimal sign is a point"), point),
         _ if unsigned.starts_with('.') || unsigned.ends_with('.') => {
             (Some("a decimal point has digits on both sides"), value.to_owned())

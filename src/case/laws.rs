@@ -156,7 +156,7 @@ fn reference(schema: &Value) -> Option<&str> {
 mod tests {
     use super::*;
     use crate::contact::friction::Friction;
-    use crate::material::{Hardening, Rate, Softening};
+    use crate::material::{Hardening, Rate, ThermalLaw};
 
     #[test]
     fn every_law_is_listed_with_a_source_and_its_parameters() {
@@ -164,7 +164,7 @@ mod tests {
         let names = |list: Vec<&'static str>| list.into_iter().map(|n| n.split([' ', ',']).next().unwrap_or(n));
         let all = names(Hardening::examples().into_iter().map(|(n, _)| n).collect())
             .chain(names(Rate::examples().into_iter().map(|(n, _)| n).collect()))
-            .chain(names(Softening::examples().into_iter().map(|(n, _)| n).collect()))
+            .chain(names(ThermalLaw::examples().into_iter().map(|(n, _)| n).collect()))
             .chain(["voids"])
             .chain(names(Friction::examples().into_iter().map(|(n, _)| n).collect()))
             .filter(|name| *name != "coulomb");

@@ -5,7 +5,7 @@ use super::{CaseError, convert, source::Source};
 use crate::forming_limit::{Curve, Hill, Kind, Sheet, uniform_strain};
 use crate::material::Material;
 use crate::material::flow::ROOM_TEMPERATURE;
-use crate::quantity::closest;
+use crate::units::closest;
 use serde::Deserialize;
 use std::fmt::Write;
 

@@ -23,31 +23,25 @@
 //! # Ok::<(), stampflow::case::CaseError>(())
 //! ```
 
-pub mod check;
 mod convert;
-mod draft;
 mod error;
 mod explain;
 pub mod file;
 mod laws;
 pub mod library;
-pub(crate) mod measure;
 mod overrides;
 mod schema;
 mod source;
-pub mod template;
 
-pub use draft::Draft;
 pub use error::CaseError;
 pub use file::CaseFile;
 pub use laws::{Law, law_list, laws};
-pub use measure::{across, extent, throat};
 pub use schema::schema;
 
 use crate::compare::Spec;
 use crate::model::Model;
-use crate::solver::Pass;
-use crate::stage::{Beginning, Stage};
+use crate::model::stage::{Beginning, Stage};
+use crate::solution::StageSolution;
 use source::Source;
 use std::fs::File;
 use std::io::Read;
@@ -97,8 +91,8 @@ impl Case {
     }
 
     /// Whether every stage was run and came to its end.
-    pub fn is_completed_by(&self, passes: &[Pass]) -> bool {
-        passes.len() == 1 + self.later.len() && passes.iter().all(|pass| pass.run.stop.is_complete())
+    pub fn is_completed_by(&self, passes: &[StageSolution]) -> bool {
+        passes.len() == 1 + self.later.len() && passes.iter().all(|pass| pass.stop.is_complete())
     }
 }
 

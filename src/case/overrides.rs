@@ -1,7 +1,7 @@
 //! `KEY=VALUE` from the command line, written into the text before it is read.
 
 use super::CaseError;
-use crate::quantity::closest;
+use crate::units::closest;
 use toml_edit::{DocumentMut, Item, Table, Value};
 
 /// The text with every override applied in order; text that is not TOML is returned as it is, to be reported later.

@@ -5,9 +5,10 @@ use super::progress::{Kept, Progress};
 use super::table::{Tone, table, wrapped};
 use super::{Code, Overrides, say};
 use serde_json::json;
-use stampflow::case::{self, check::Check};
-use stampflow::solver::Pass;
-use stampflow::verdict::{Finding, Light, advice, headline, judge};
+use stampflow::assess::check::{self, Check};
+use stampflow::assess::verdict::{Finding, Light, advice, headline, judge};
+use stampflow::case;
+use stampflow::solution::StageSolution;
 use std::fmt::Write;
 use std::path::PathBuf;
 
@@ -41,7 +42,7 @@ pub struct Args {
 
 pub fn check(args: &Args) -> anyhow::Result<Code> {
     let case = case::load(&args.case, &args.overrides.set)?;
-    let report = case::check::report(&case);
+    let report = check::report(&case);
     if !args.run {
         return if args.json.json { say_json(&report) } else { say(&wrapped(&report.to_string())) };
     }
@@ -62,11 +63,11 @@ pub fn check(args: &Args) -> anyhow::Result<Code> {
 }
 
 /// What the solver said of every stage.
-fn said(passes: &[Pass]) -> impl Iterator<Item = &str> {
-    passes.iter().flat_map(|pass| &pass.run.warnings).map(String::as_str)
+fn said(passes: &[StageSolution]) -> impl Iterator<Item = &str> {
+    passes.iter().flat_map(|pass| &pass.warnings).map(String::as_str)
 }
 
-fn printed(report: &Check, findings: &[Finding], passes: &[Pass]) -> String {
+fn printed(report: &Check, findings: &[Finding], passes: &[StageSolution]) -> String {
     let rows = findings.iter().map(row).collect();
     let headers = ["verdict", "light", "found", "limit (source)"];
     let mut text = format!("\nverdict: {}\n", headline(findings));

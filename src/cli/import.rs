@@ -5,11 +5,11 @@ use super::json::{Json, say_json};
 use super::{Code, say};
 use anyhow::Context;
 use serde_json::json;
-use stampflow::case::Draft;
+use stampflow::author::Draft;
 use stampflow::import::{self, DrawingUnit, Heading, Options, Section, Sections};
 use stampflow::model::{Geometry, Role};
 use stampflow::output::{can_write, png, sketch, svg, write};
-use stampflow::quantity::{Length, Positive, Quantity};
+use stampflow::units::{Length, Positive, Quantity};
 use std::fmt::Write;
 use std::path::PathBuf;
 

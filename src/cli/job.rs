@@ -2,14 +2,14 @@
 
 use super::progress::{Kept, Watch};
 use rayon::prelude::*;
+use stampflow::assess;
 use stampflow::case::{self, Case};
 use stampflow::compare::{CompareError, Comparison, Computed, compare};
 use stampflow::output::{
     StageLine, Subject, WriteError, film, load_travel, profile, remove_stale, residual_stress, springback,
     stage_folder, stages_report, vtk, write_all, write_comparison, write_stages,
 };
-use stampflow::record::Run;
-use stampflow::solver::Pass;
+use stampflow::solution::StageSolution;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
@@ -38,7 +38,7 @@ pub struct Solved {
     job: Job,
     /// What the results of each stage are called.
     names: Vec<String>,
-    passes: Vec<Pass>,
+    passes: Vec<StageSolution>,
     wall: Duration,
     pub comparisons: Vec<Comparison>,
     pub kept: Kept,
@@ -48,7 +48,7 @@ impl Job {
     /// Reads a case and the curves that it will be compared with, so that bad input is found before solving.
     pub fn load(path: &Path, overrides: &[String]) -> anyhow::Result<Self> {
         let case = case::load(path, overrides)?;
-        compared(&case, &Run::unsolved())?;
+        compared(&case, &StageSolution::unsolved(case.model.clone()))?;
         Ok(Self { case, overrides: overrides.to_vec() })
     }
 
@@ -61,8 +61,8 @@ impl Job {
             false => format!("{}/{}", case.name, stage_folder(i, stage)),
         };
         let names = case.stage_names().enumerate().map(name).collect();
-        passes[0].run.warnings.extend(case::check::report(case).warnings);
-        let comparisons = compared(case, &passes[0].run)?;
+        passes[0].warnings.extend(assess::check::report(case).warnings);
+        let comparisons = compared(case, &passes[0])?;
         Ok(Solved { job: self, names, passes, wall, comparisons, kept })
     }
 }
@@ -86,12 +86,12 @@ impl Solved {
     /// What outputs are made from, of every stage that was run.
     pub fn subjects(&self) -> impl Iterator<Item = Subject<'_>> {
         let case = &self.job.case;
-        self.names.iter().zip(&self.passes).map(|(name, Pass { model, run, .. })| Subject {
+        self.names.iter().zip(&self.passes).map(|(name, run)| Subject {
             name,
             case_text: &case.text,
             overrides: &self.job.overrides,
             derived: &case.derived,
-            model,
+            model: &run.model,
             run,
             wall: self.wall,
         })
@@ -110,7 +110,7 @@ impl Solved {
         }
         case.stage_names()
             .enumerate()
-            .map(|(i, name)| (name, self.passes.get(i).map(|pass| (&pass.model, &pass.run))))
+            .map(|(i, name)| (name, self.passes.get(i).map(|pass| (&pass.model, pass))))
             .collect()
     }
 
@@ -159,7 +159,7 @@ impl Solved {
     /// Writes what the sheet does as a stage takes its tools away; nothing for other stages.
     fn write_release(&self, stage: usize, dir: &Path) -> anyhow::Result<Vec<PathBuf>> {
         let Some(pass) = self.passes.get(stage) else { return Ok(Vec::new()) };
-        let Some([from, to]) = pass.run.released(&pass.model) else { return Ok(Vec::new()) };
+        let Some([from, to]) = pass.released() else { return Ok(Vec::new()) };
         let mut files = springback::write(dir, from, to, &pass.model)?;
         files.extend(residual_stress::write(dir, to, &pass.model)?);
         Ok(files)
@@ -189,7 +189,7 @@ pub fn solve_all<T: Send>(
         .collect()
 }
 
-fn compared(case: &Case, run: &Run) -> Result<Vec<Comparison>, CompareError> {
+fn compared(case: &Case, run: &StageSolution) -> Result<Vec<Comparison>, CompareError> {
     let history = load_travel::table(&case.model, run);
     let profile = profile::last(&case.model, &run.frames);
     let computed = Computed { history: &history, profile: &profile, complete: run.stop.is_complete() };

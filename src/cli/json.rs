@@ -7,7 +7,7 @@ use serde_json::{Map, Value, json};
 use stampflow::case::CaseError;
 use stampflow::compare::Comparison;
 use stampflow::import::ImportError;
-use stampflow::quantity::rounded;
+use stampflow::units::rounded;
 
 /// The option of every verb that has a result.
 #[derive(Debug, clap::Args)]

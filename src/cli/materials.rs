@@ -8,7 +8,7 @@ use serde_json::{Value, json};
 use stampflow::case::library::{self, Entry};
 use stampflow::forming_limit::{Curve, Hill, Kind, MarciniakKuczynski};
 use stampflow::output::{Chart, can_write, flow_curve, png, svg, write};
-use stampflow::quantity::rounded;
+use stampflow::units::rounded;
 use std::path::PathBuf;
 
 pub const HELP: &str = "\

@@ -5,7 +5,7 @@ use super::json::say_json;
 use super::say;
 use clap::{Arg, ArgAction, ArgMatches, Command, value_parser};
 use serde_json::{Value, json};
-use stampflow::case::template::{self, Choice, SHEET, TEMPLATES, Template};
+use stampflow::author::templates::{self as template, Choice, SHEET, TEMPLATES, Template};
 use stampflow::output::{can_write, write};
 use std::path::{Path, PathBuf};
 

@@ -4,8 +4,8 @@ use super::reel::Reels;
 use indicatif::{MultiProgress, ProgressBar, ProgressStyle};
 use stampflow::case::Case;
 use stampflow::model::Model;
-use stampflow::record::{IterationRecord, StepRecord};
-use stampflow::solver::{Observer, Pass, run_stages};
+use stampflow::solution::{IterationRecord, StepRecord};
+use stampflow::{Observer, StageSolution, run_stages};
 use stampflow::{Stage, State};
 use std::io::{self, IsTerminal};
 use std::time::{Duration, Instant};
@@ -91,7 +91,7 @@ impl Progress {
 
 impl Watch {
     /// Runs all stages of a case; also the time that it took, and what was kept.
-    pub fn solve(mut self, case: &Case) -> (Vec<Pass>, Duration, Kept) {
+    pub fn solve(mut self, case: &Case) -> (Vec<StageSolution>, Duration, Kept) {
         let start = Instant::now();
         let passes = run_stages(&case.stages(), &mut self);
         let wall = start.elapsed();

@@ -4,7 +4,7 @@
 use stampflow::State;
 use stampflow::model::Model;
 use stampflow::output::film;
-use stampflow::record::{Frame, Run};
+use stampflow::solution::{Frame, StageSolution};
 
 /// The frames of every stage, from its start, spread over it as evenly as its steps allow.
 #[derive(Clone, Debug, Default)]
@@ -29,7 +29,7 @@ impl Reels {
     }
 
     /// The frames of a stage, counted from 0, up to where its run ended.
-    pub fn of_stage(&self, stage: usize, run: &Run) -> Vec<Frame> {
+    pub fn of_stage(&self, stage: usize, run: &StageSolution) -> Vec<Frame> {
         let mut frames = self.stages.get(stage).cloned().unwrap_or_default();
         let end = run.frames.last().filter(|end| frames.last().is_none_or(|last| last.time < end.time));
         frames.extend(end.cloned());

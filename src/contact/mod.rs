@@ -16,11 +16,11 @@ pub mod penalty;
 use crate::geometry::{Closest, Point, turned};
 use friction::{Friction, Sliding};
 use nalgebra::Matrix2;
-use penalty::{Penalty, Smooth};
+use penalty::{Penalty, ValueAndSlope};
 
 /// A node as a tool sees it.
 #[derive(Clone, Copy, Debug)]
-pub struct Visitor {
+pub struct ContactNode {
     /// Position in the tool's own frame: the node's less the tool's displacement \[mm\].
     pub position: Point,
     /// Displacement in the step, relative to the tool \[mm\].
@@ -41,7 +41,7 @@ pub struct Visitor {
 
 /// Force of a tool on a node, and its derivatives.
 #[derive(Clone, Copy, Debug)]
-pub struct Touch {
+pub struct ContactForce {
     /// Force on the sheet \[N, or N/mm\].
     pub force: Point,
     /// ∂F/∂x with x the node's position; ∂F/∂(tool displacement) is its negative times e_z. Not symmetric.
@@ -51,7 +51,7 @@ pub struct Touch {
     /// Gap between tool and sheet face \[mm\]; negative when the sheet penetrates.
     pub gap: f64,
     /// Pressure \[MPa\] and the slope dp/dg of the matrix \[N/mm³\].
-    pub pressure: Smooth,
+    pub pressure: ValueAndSlope,
     /// Normal force N ≥ 0 and friction T along the normal turned by +90° \[N, or N/mm\].
     pub normal: f64,
     pub tangential: f64,
@@ -61,7 +61,7 @@ pub struct Touch {
 
 /// The force of one tool on one node whose closest point of the tool is `closest`; `None` when it is out of reach.
 #[inline]
-pub fn touch(closest: &Closest, penalty: &Penalty, friction: &Friction, node: &Visitor) -> Option<Touch> {
+pub fn touch(closest: &Closest, penalty: &Penalty, friction: &Friction, node: &ContactNode) -> Option<ContactForce> {
     let gap = closest.distance - 0.5 * node.thickness;
     let pressure = penalty.towards(gap + node.shift, node.carried)?;
     let n = closest.normal;
@@ -88,7 +88,7 @@ pub fn touch(closest: &Closest, penalty: &Penalty, friction: &Friction, node: &V
             - n * tau.transpose() * (tangential * c);
     let by_thickness = (n - tau * drag.by_pressure) * (-0.5 * stiffness);
 
-    Some(Touch {
+    Some(ContactForce {
         force: n * normal + tau * tangential,
         by_position,
         by_thickness,
@@ -124,7 +124,7 @@ mod tests {
                 for slip in [-0.2, 1e-3, 0.05] {
                     let x = position + contact.normal * (gap + 0.5 * t - contact.distance);
                     let at = |x: Point, moved: Point, thickness: f64| {
-                        let node = Visitor {
+                        let node = ContactNode {
                             position: x,
                             relative: moved,
                             thickness,

@@ -13,7 +13,7 @@ pub struct Penalty {
 
 /// A value and its derivative.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Smooth {
+pub struct ValueAndSlope {
     pub value: f64,
     pub slope: f64,
 }
@@ -48,7 +48,7 @@ impl Penalty {
 
     /// Pressure \[MPa\] and dp/dg \[N/mm³\] at the gap `gap` \[mm\]; `None` out of reach.
     #[inline]
-    pub fn at(&self, gap: f64) -> Option<Smooth> {
+    pub fn at(&self, gap: f64) -> Option<ValueAndSlope> {
         let u = -gap / self.smoothing;
         if u < -Self::REACH {
             return None;
@@ -59,7 +59,7 @@ impl Penalty {
             let e = u.exp();
             (e.ln_1p(), e / (1.0 + e))
         };
-        Some(Smooth { value: self.stiffness * self.smoothing * value, slope: -self.stiffness * share })
+        Some(ValueAndSlope { value: self.stiffness * self.smoothing * value, slope: -self.stiffness * share })
     }
 
     /// As [`Self::at`], with the slope replaced by the chord to the point where the law gives the pressure `carried` \[MPa\].
@@ -68,18 +68,18 @@ impl Penalty {
     /// is carried from iteration to iteration, as the primal-dual flow law carries its stress, goes there at once; the
     /// pressure itself, and so the answer, is the law's.
     #[inline]
-    pub fn towards(&self, gap: f64, carried: f64) -> Option<Smooth> {
+    pub fn towards(&self, gap: f64, carried: f64) -> Option<ValueAndSlope> {
         let scale = self.stiffness * self.smoothing;
         if carried < 1e-9 * scale {
             return self.at(gap);
         }
-        let here = self.at(gap).unwrap_or(Smooth { value: 0.0, slope: 0.0 });
+        let here = self.at(gap).unwrap_or(ValueAndSlope { value: 0.0, slope: 0.0 });
         let there =
             -self.smoothing * if carried > 30.0 * scale { carried / scale } else { (carried / scale).exp_m1().ln() };
         let apart = gap - there;
         if apart.abs() < 1e-3 * self.smoothing {
             return Some(here);
         }
-        Some(Smooth { value: here.value, slope: (here.value - carried) / apart })
+        Some(ValueAndSlope { value: here.value, slope: (here.value - carried) / apart })
     }
 }

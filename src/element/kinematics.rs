@@ -29,7 +29,7 @@ pub const GAMMA: usize = 4;
 
 /// An element at the start of a step.
 #[derive(Clone, Copy, Debug)]
-pub struct Start {
+pub struct Reference {
     hoop: bool,
     bending: bool,
     dr: f64,
@@ -43,8 +43,8 @@ pub struct Start {
 
 /// An element at the end of a step.
 #[derive(Clone, Copy, Debug)]
-pub struct End {
-    start: Start,
+pub struct Current {
+    start: Reference,
     cos: f64,
     sin: f64,
     length: f64,
@@ -54,7 +54,7 @@ pub struct End {
     pub strain: Generalised,
 }
 
-impl Start {
+impl Reference {
     /// The element between `a` (nearer the axis) and `b`, of its own theory: bending or membrane.
     pub fn new(geometry: Geometry, theory: Theory, a: Node, b: Node) -> Self {
         let (dr, dz) = (b[0] - a[0], b[1] - a[1]);
@@ -86,7 +86,7 @@ impl Start {
     /// Strains are formed from the moves, not from positions: where the sheet hardly flows, stress is a strain of 1e-10
     /// times a viscosity of 1e8 MPa, and the difference of two positions would be round-off.
     #[inline]
-    pub fn end(&self, a: Node, b: Node) -> Option<End> {
+    pub fn end(&self, a: Node, b: Node) -> Option<Current> {
         let (ur, uz, turn) = (b[0] - a[0], b[1] - a[1], b[2] - a[2]);
         let (dr, dz) = (self.dr + ur, self.dz + uz);
         let length = (dr * dr + dz * dz).sqrt();
@@ -114,14 +114,14 @@ impl Start {
             }
             strain[GAMMA] = (self.dr * uz - self.dz * ur).atan2(self.dr * dr + self.dz * dz) - rotation;
         }
-        Some(End { start: *self, cos: dr / length, sin: dz / length, length, radius, mean_rotation, strain })
+        Some(Current { start: *self, cos: dr / length, sin: dz / length, length, radius, mean_rotation, strain })
     }
 }
 
 /// First derivatives of the strains by the element's own five motions: the differences r₂−r₁, z₂−z₁, θ₂−θ₁ and the
 /// sums r₁+r₂, θ₁+θ₂ of its nodes. Every strain depends on one or two of them: B with its zeros left out.
 #[derive(Clone, Copy, Debug)]
-pub struct Gradient {
+pub struct StrainDisplacement {
     /// ∂ε_s/∂(r₂−r₁, z₂−z₁) = t/l.
     pub along: [f64; 2],
     /// ∂γ/∂(r₂−r₁, z₂−z₁) = n/l.
@@ -138,7 +138,7 @@ pub struct Gradient {
 
 /// Σ S ∂²strain of some resultants S by the same motions: the geometric stiffness.
 #[derive(Clone, Copy, Debug)]
-pub struct Curvature {
+pub struct GeometricStiffness {
     /// By the differences r₂−r₁, z₂−z₁: rr, rz, zz.
     pub difference: [f64; 3],
     /// By r₁+r₂ twice.
@@ -147,14 +147,14 @@ pub struct Curvature {
     pub turn: f64,
 }
 
-impl End {
+impl Current {
     /// B, without its zeros.
     #[inline]
-    pub fn gradient(&self) -> Gradient {
+    pub fn strain_displacement(&self) -> StrainDisplacement {
         let (c, s, start) = (self.cos / self.length, self.sin / self.length, &self.start);
         let bending = if start.bending { 1.0 } else { 0.0 };
         let hoop = if start.hoop { 1.0 } else { 0.0 };
-        Gradient {
+        StrainDisplacement {
             along: [c, s],
             across: [-s * bending, c * bending],
             hoop: hoop * 0.5 / self.radius,
@@ -166,13 +166,13 @@ impl End {
 
     /// Geometric stiffness of the resultants `s`.
     #[inline]
-    pub fn curvature(&self, s: &Generalised) -> Curvature {
+    pub fn geometric_stiffness(&self, s: &Generalised) -> GeometricStiffness {
         let (c, n) = (self.cos, self.sin);
         let inverse = 1.0 / (self.length * self.length);
         let along = s[EPS_S] * inverse;
         // ∂² ln l = (I − 2 ttᵀ)/l²;  ∂²φ = −(ntᵀ + tnᵀ)/l², with t = (c, n), normal (−n, c).
         let mut difference = [along * (1.0 - 2.0 * c * c), -2.0 * along * c * n, along * (1.0 - 2.0 * n * n)];
-        let mut curvature = Curvature { difference, hoop: 0.0, turn: 0.0 };
+        let mut curvature = GeometricStiffness { difference, hoop: 0.0, turn: 0.0 };
         if self.start.bending {
             let shear = s[GAMMA] * inverse;
             difference[0] += 2.0 * shear * c * n;
@@ -196,13 +196,13 @@ impl End {
 
     /// Change of the slope φ of the meridian in the step \[rad\].
     pub fn turn(&self) -> f64 {
-        let Start { dr, dz, .. } = self.start;
+        let Reference { dr, dz, .. } = self.start;
         (dr * self.sin - dz * self.cos).atan2(dr * self.cos + dz * self.sin)
     }
 
     /// Rows of Δε_s and Δε_θ by r₁, z₁, r₂, z₂ \[1/mm\].
     pub fn membrane_rows(&self) -> [[f64; 4]; 2] {
-        let gradient = self.gradient();
+        let gradient = self.strain_displacement();
         let [c, s] = gradient.along;
         [[-c, -s, c, s], [gradient.hoop, 0.0, gradient.hoop, 0.0]]
     }
@@ -223,11 +223,11 @@ mod tests {
     const A: Node = [11.0, 2.0, 0.2];
     const B: Node = [12.1, 2.7, 0.5];
 
-    fn kinds() -> Vec<Start> {
+    fn kinds() -> Vec<Reference> {
         let mut kinds = Vec::new();
         for geometry in [Geometry::Axisymmetric, Geometry::PlaneStrain] {
             for theory in [Theory::Bending, Theory::Membrane] {
-                kinds.push(Start::new(geometry, theory, A, B));
+                kinds.push(Reference::new(geometry, theory, A, B));
             }
         }
         kinds
@@ -238,8 +238,8 @@ mod tests {
     }
 
     /// B in full: rows of the strains by r₁, z₁, θ₁, r₂, z₂, θ₂.
-    fn rows_of(end: &End) -> [[f64; 6]; 5] {
-        let g = end.gradient();
+    fn rows_of(end: &Current) -> [[f64; 6]; 5] {
+        let g = end.strain_displacement();
         let [c, s] = g.along;
         let [x, y] = g.across;
         [
@@ -251,8 +251,8 @@ mod tests {
         ]
     }
 
-    fn geometric(end: &End, s: &Generalised) -> Matrix6 {
-        let c = end.curvature(s);
+    fn geometric(end: &Current, s: &Generalised) -> Matrix6 {
+        let c = end.geometric_stiffness(s);
         let [rr, rz, zz] = c.difference;
         let block = |sign: f64| {
             nalgebra::Matrix3::new(sign * rr + c.hoop, sign * rz, 0.0, sign * rz, sign * zz, 0.0, 0.0, 0.0, c.turn)
@@ -302,13 +302,15 @@ mod tests {
         for theory in [Theory::Bending, Theory::Membrane] {
             let lifted = |_: Node| [0.0, 37.0, 0.0];
             let strain =
-                Start::new(Geometry::Axisymmetric, theory, A, B).end(lifted(A), lifted(B)).expect("sound").strain;
+                Reference::new(Geometry::Axisymmetric, theory, A, B).end(lifted(A), lifted(B)).expect("sound").strain;
             assert!(strain.iter().all(|e| e.abs() < 1e-13));
             for angle in [0.3, 1.9, -2.5] {
                 let (s, c) = f64::sin_cos(angle);
                 let turned = |n: Node| [c * n[0] - s * n[1] + 3.0 - n[0], s * n[0] + c * n[1] - 8.0 - n[1], angle];
-                let strain =
-                    Start::new(Geometry::PlaneStrain, theory, A, B).end(turned(A), turned(B)).expect("sound").strain;
+                let strain = Reference::new(Geometry::PlaneStrain, theory, A, B)
+                    .end(turned(A), turned(B))
+                    .expect("sound")
+                    .strain;
                 assert!(strain.iter().all(|e| e.abs() < 1e-13), "{strain:?}");
             }
         }
@@ -321,7 +323,7 @@ mod tests {
             assert_relative_eq!(a + b, start.area(), max_relative = 1e-14);
         }
         // Axis element of a disc of radius 1: 2π∫(1−r) r dr = π/3 for the node on the axis.
-        let start = Start::new(Geometry::Axisymmetric, Theory::Bending, [0.0; 3], [1.0, 0.0, 0.0]);
+        let start = Reference::new(Geometry::Axisymmetric, Theory::Bending, [0.0; 3], [1.0, 0.0, 0.0]);
         assert_relative_eq!(start.tributary()[0], std::f64::consts::PI / 3.0, max_relative = 1e-14);
     }
 }

@@ -1,7 +1,6 @@
 //! The two-node shell element: pure functions of its nodes and of its layer points.
 
 pub mod kinematics;
-pub mod lobatto;
 pub mod section;
 
 /// Which section of the die is solved.

@@ -1,10 +1,10 @@
 //! The section: layer points integrated through the thickness into forces and the element's matrix.
 
 use super::Vector6;
-use super::kinematics::{EPS_S, EPS_T, End, GAMMA, Generalised, Gradient, KAPPA_S, KAPPA_T};
-use super::lobatto::Layer;
+use super::kinematics::{Current, EPS_S, EPS_T, GAMMA, Generalised, KAPPA_S, KAPPA_T, StrainDisplacement};
 use crate::material::PointLaw;
-use crate::material::flow::{Response, Symmetric, Triple};
+use crate::material::flow::{StressUpdate, Symmetric, Triple};
+use crate::numerics::lobatto::ThicknessPoint;
 use nalgebra::Matrix3;
 
 /// What is the same for every layer point of a step.
@@ -12,7 +12,7 @@ use nalgebra::Matrix3;
 pub struct Law<'a, L> {
     pub point: L,
     /// Of an element that bends; a membrane has one point, in the middle.
-    pub layers: &'a [Layer],
+    pub layers: &'a [ThicknessPoint],
     /// Least tension of a membrane over its yield force \[–\], in the matrix only (the residual is untouched): a flat
     /// membrane has no transverse stiffness before its first stretch.
     pub slack_tension: f64,
@@ -32,12 +32,12 @@ pub struct Internal {
 }
 
 /// The point of a membrane.
-const MIDDLE: [Layer; 1] = [Layer { xi: 0.0, share: 1.0 }];
+const MIDDLE: [ThicknessPoint; 1] = [ThicknessPoint { xi: 0.0, weight: 1.0 }];
 
 /// Bᵀ S: forces of the nodes that go with resultants. Differences count −1 at the first and +1 at the second, sums +1 at
 /// both.
 #[inline]
-fn nodal(g: &Gradient, s: &Generalised) -> Vector6 {
+fn nodal(g: &StrainDisplacement, s: &Generalised) -> Vector6 {
     let (e0, e1) = (g.along, g.across);
     let [fr, fz] = [0, 1].map(|d| s[EPS_S] * e0[d] + s[GAMMA] * e1[d]);
     let (f_sum, f_bend) = (g.hoop * s[EPS_T], g.bend * s[KAPPA_S]);
@@ -46,18 +46,24 @@ fn nodal(g: &Gradient, s: &Generalised) -> Vector6 {
 }
 
 /// Forces of an element's nodes that go with given stresses of its layers \[N, N mm\].
-pub fn forces(end: &End, volume: f64, thickness: f64, layers: &[Layer], stress: impl Fn(usize) -> Triple) -> Vector6 {
+pub fn forces(
+    end: &Current,
+    volume: f64,
+    thickness: f64,
+    layers: &[ThicknessPoint],
+    stress: impl Fn(usize) -> Triple,
+) -> Vector6 {
     let mut s: Generalised = [0.0; 5];
     let layers = if end.bends() { layers } else { &MIDDLE };
     for (i, layer) in layers.iter().enumerate() {
-        let (zeta, v, stress) = (0.5 * thickness * layer.xi, volume * layer.share, stress(i));
+        let (zeta, v, stress) = (0.5 * thickness * layer.xi, volume * layer.weight, stress(i));
         s[EPS_S] += v * stress[0];
         s[EPS_T] += v * stress[1];
         s[KAPPA_S] += zeta * v * stress[0];
         s[KAPPA_T] += zeta * v * stress[1];
         s[GAMMA] += v * stress[2];
     }
-    nodal(&end.gradient(), &s)
+    nodal(&end.strain_displacement(), &s)
 }
 
 impl<L: PointLaw> Law<'_, L> {
@@ -68,12 +74,12 @@ impl<L: PointLaw> Law<'_, L> {
     #[inline]
     pub fn internal(
         &self,
-        end: &End,
+        end: &Current,
         volume: f64,
         thickness: f64,
-        before: &[L::Before],
+        before: &[L::PointState],
         iterates: &mut [L::Iterate],
-        responses: &mut [Response],
+        responses: &mut [StressUpdate],
     ) -> Internal {
         let e = &end.strain;
         let mut s: Generalised = [0.0; 5];
@@ -84,7 +90,7 @@ impl<L: PointLaw> Law<'_, L> {
             let zeta = 0.5 * thickness * layer.xi;
             let strain = [e[EPS_S] + zeta * e[KAPPA_S], e[EPS_T] + zeta * e[KAPPA_T], e[GAMMA]];
             let response = self.point.respond(&before[i], &mut iterates[i], strain);
-            let v = volume * layer.share;
+            let v = volume * layer.weight;
             let (vs, vt) = (v * response.stress[0], v * response.stress[1]);
             s[EPS_S] += vs;
             s[EPS_T] += vt;
@@ -100,8 +106,8 @@ impl<L: PointLaw> Law<'_, L> {
             responses[i] = response;
         }
         // Forces and matrix of the element's five motions: differences d = (r, z), sum of r, difference and sum of θ.
-        let g = end.gradient();
-        let mut k = end.curvature(&s);
+        let g = end.strain_displacement();
+        let mut k = end.geometric_stiffness(&s);
         if !end.bends() && self.slack_tension > 0.0 {
             let tension = self.slack_tension * volume * responses[0].yield_stress;
             if s[EPS_S] < tension {

@@ -9,7 +9,7 @@
 //! For σ = K (ε₀ + ε̄)^n the limit is ε̄ = n/H − ε₀; here it is found for any law.
 
 use super::{LimitError, Sheet};
-use crate::material::Anisotropy;
+use crate::material::Hill48;
 
 /// Strains are searched up to this equivalent strain, in steps of [`STEP`] \[–\].
 const LARGEST: f64 = 3.0;
@@ -67,7 +67,7 @@ pub(super) struct Proportional {
 }
 
 impl Proportional {
-    pub fn new(anisotropy: Anisotropy, beta: f64) -> Self {
+    pub fn new(anisotropy: Hill48, beta: f64) -> Self {
         let unit = 1.0 / anisotropy.equivalent_increment([1.0, beta, 0.0]);
         let strain = [unit, beta * unit];
         let [s1, s2, _] = anisotropy.apply([strain[0], strain[1], 0.0]);
@@ -76,12 +76,12 @@ impl Proportional {
 }
 
 /// β of uniaxial tension \[–\].
-pub(super) fn tension(anisotropy: Anisotropy) -> f64 {
+pub(super) fn tension(anisotropy: Hill48) -> f64 {
     -anisotropy.coupling()
 }
 
 /// Ratios from tension to plane strain, and from there to equi-biaxial stretching, ends included.
-pub(super) fn left(anisotropy: Anisotropy, count: usize) -> impl Iterator<Item = f64> {
+pub(super) fn left(anisotropy: Hill48, count: usize) -> impl Iterator<Item = f64> {
     let tension = tension(anisotropy);
     (0..=count).map(move |i| tension * (1.0 - i as f64 / count as f64))
 }

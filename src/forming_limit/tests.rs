@@ -1,5 +1,5 @@
 use super::*;
-use crate::material::Anisotropy;
+use crate::material::Hill48;
 use crate::material::hardening::{Hardening, Hollomon, Swift as SwiftLaw, Voce};
 use crate::material::rate::{PowerRate, Rate};
 use approx::assert_relative_eq;
@@ -7,7 +7,7 @@ use approx::assert_relative_eq;
 /// A power law; the offset of 1e-6 shifts limits by as much.
 fn power(n: f64, r: f64) -> Material {
     let law = Hollomon::with_offset(500.0, n, 1e-6).expect("valid");
-    Material { anisotropy: Anisotropy::new(r), ..Material::plain(Hardening::Hollomon(law)) }
+    Material { anisotropy: Hill48::new(r), ..Material::plain(Hardening::Hollomon(law)) }
 }
 
 fn sheet(material: &Material) -> Sheet<'_> {

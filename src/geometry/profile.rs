@@ -28,7 +28,7 @@ pub struct Profile {
 pub struct Closest {
     /// Signed distance \[mm\]: positive on the sheet's side.
     pub distance: f64,
-    /// Gradient of the distance, a unit vector pointing from the tool to the sheet.
+    /// StrainDisplacement of the distance, a unit vector pointing from the tool to the sheet.
     pub normal: Point,
     /// ∇²d = curvature · ττᵀ \[1/mm\]; positive over a convex corner.
     pub curvature: f64,

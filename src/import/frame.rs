@@ -2,7 +2,7 @@
 
 use super::{ImportError, Options};
 use crate::geometry::Point;
-use crate::quantity::rounded;
+use crate::units::rounded;
 use dxf::Header;
 use dxf::enums::{DrawingUnits, Units};
 

@@ -7,7 +7,7 @@ use super::read::{Reading, is_curve};
 use super::{ImportError, spline};
 use crate::geometry::{Arc, Piece, Point, Segment};
 use crate::model::Role;
-use crate::quantity::{Kind, Length, Quantity, rounded};
+use crate::units::{Kind, Length, Quantity, rounded};
 use dxf::Vector;
 use dxf::entities::{Entity, EntityType, LwPolyline, Polyline};
 use std::collections::BTreeMap;

@@ -1,7 +1,7 @@
 //! The flow law of a rigid-plastic Huber-Mises sheet at one layer point.
 //!
 //! ```text
-//! A = [4/3 2/3 0; 2/3 4/3 0; 0 0 k/3],  k = 5/6       acting on Δε = (Δε_s, Δε_θ, Δγ); by r̄ in [`Anisotropy`]
+//! A = [4/3 2/3 0; 2/3 4/3 0; 0 0 k/3],  k = 5/6       acting on Δε = (Δε_s, Δε_θ, Δγ); by r̄ in [`Hill48`]
 //! Δε̄² = Δεᵀ A Δε        σ = (σ_y/Δε̄) A Δε = μ·3A ε̇,   μ = σ_y/(3 ε̄̇)
 //! ```
 //!
@@ -11,9 +11,9 @@
 //! # References
 //! Zienkiewicz, Jain, Oñate, Int. J. Solids Struct. 14 (1978) 15–38; Sosnowski (1994), equations 3 and 4.
 
-use super::voids::Voided;
-use super::{Anisotropy, Hardening, PointLaw, Rate, Softening, Voids};
-use crate::quantity::ZERO_CELSIUS;
+use super::gtn::GtnCondition;
+use super::{Gtn, Hardening, Hill48, PointLaw, Rate, ThermalLaw};
+use crate::units::ZERO_CELSIUS;
 
 /// Which matrix H the corrector iterates with (Sosnowski 1994, equation 9).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -32,9 +32,9 @@ pub struct FlowLaw<'a> {
     pub hardening: &'a Hardening,
     /// `None` for a rate-free metal, which does not feel the step's duration.
     pub rate: Option<&'a Rate>,
-    pub softening: Option<&'a Softening>,
-    pub anisotropy: Anisotropy,
-    pub voids: Option<&'a Voids>,
+    pub softening: Option<&'a ThermalLaw>,
+    pub anisotropy: Hill48,
+    pub voids: Option<&'a Gtn>,
     pub matrix: Iteration,
     /// Δε₀ > 0 of the step \[–\].
     pub cutoff: f64,
@@ -43,11 +43,11 @@ pub struct FlowLaw<'a> {
 }
 
 impl PointLaw for FlowLaw<'_> {
-    type Before = Before;
+    type PointState = PointState;
     type Iterate = Iterate;
 
     #[inline]
-    fn respond(&self, before: &Before, iterate: &mut Iterate, e: Triple) -> Response {
+    fn respond(&self, before: &PointState, iterate: &mut Iterate, e: Triple) -> StressUpdate {
         iterate.advance(self, before, e)
     }
 }
@@ -68,7 +68,7 @@ pub(super) fn dot(a: Triple, b: Triple) -> f64 {
 
 /// A layer point as the step finds it.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Before {
+pub struct PointState {
     /// ε̄ at the start of the step \[–\].
     pub strain: f64,
     /// f that the step reckons with, 0 for a sheet without voids \[–\].
@@ -77,7 +77,7 @@ pub struct Before {
     pub temperature: f64,
 }
 
-impl Before {
+impl PointState {
     /// A point of ordinary metal at room temperature.
     pub fn at(strain: f64) -> Self {
         Self { strain, porosity: 0.0, temperature: ROOM_TEMPERATURE }
@@ -119,7 +119,7 @@ pub trait YieldCondition {
 
 /// Stress, its derivative and the hardening increment that go with a strain increment.
 #[derive(Clone, Copy, Debug)]
-pub struct Response {
+pub struct StressUpdate {
     /// σ \[MPa\].
     pub stress: Triple,
     /// C = the block of the iteration matrix H, dσ/dΔε or its replacement \[MPa\].
@@ -166,7 +166,7 @@ impl Iterate {
     /// # References
     /// The carried stress: Chan, Golub, Mulet, SIAM J. Sci. Comput. 20 (1999) 1964–1977, for a potential with the same kink.
     #[inline]
-    pub fn advance(&mut self, law: &FlowLaw, before: &Before, e: Triple) -> Response {
+    pub fn advance(&mut self, law: &FlowLaw, before: &PointState, e: Triple) -> StressUpdate {
         match law.voids {
             None => self.flow(law, &law.anisotropy, before, e),
             Some(voids) => self.flow_voided(law, voids, before, e),
@@ -175,12 +175,12 @@ impl Iterate {
 
     /// Apart from the plain law, so that this one stays small where it is called.
     #[inline(never)]
-    fn flow_voided(&mut self, law: &FlowLaw, voids: &Voids, before: &Before, e: Triple) -> Response {
-        self.flow(law, &Voided::new(voids, law.anisotropy, before.porosity), before, e)
+    fn flow_voided(&mut self, law: &FlowLaw, voids: &Gtn, before: &PointState, e: Triple) -> StressUpdate {
+        self.flow(law, &GtnCondition::new(voids, law.anisotropy, before.porosity), before, e)
     }
 
     #[inline(always)]
-    fn flow(&mut self, law: &FlowLaw, condition: &impl YieldCondition, before: &Before, e: Triple) -> Response {
+    fn flow(&mut self, law: &FlowLaw, condition: &impl YieldCondition, before: &PointState, e: Triple) -> StressUpdate {
         let metric = condition.metric(e);
         let a = metric.gradient;
         let square = metric.square;
@@ -229,7 +229,7 @@ impl Iterate {
             fa[5] + a[2] * b[2],
         ];
         *self = Self { carried: self.carried, strain: e, fluidity: f, hardening: h, inverse_square };
-        Response { stress, tangent, increment: share * increment, yield_stress: yielding.stress }
+        StressUpdate { stress, tangent, increment: share * increment, yield_stress: yielding.stress }
     }
 
     /// w ← σ + C δ(Δε) with the matrix of the last iterate, scaled back onto the yield surface.
@@ -276,13 +276,13 @@ mod tests {
     }
 
     fn flow(hardening: &Hardening, matrix: Iteration) -> FlowLaw<'_> {
-        let anisotropy = Anisotropy::default();
+        let anisotropy = Hill48::default();
         let (softening, voids) = (None, None);
         FlowLaw { hardening, rate: None, softening, anisotropy, voids, matrix, cutoff: CUTOFF, duration: 0.1 }
     }
 
-    fn at(law: &FlowLaw, e: Triple) -> Response {
-        Iterate::start([0.0; 3]).advance(law, &Before::at(0.05), e)
+    fn at(law: &FlowLaw, e: Triple) -> StressUpdate {
+        Iterate::start([0.0; 3]).advance(law, &PointState::at(0.05), e)
     }
 
     fn full(c: Symmetric) -> [[f64; 3]; 3] {
@@ -296,7 +296,7 @@ mod tests {
         let rates = std::iter::once(("rate-free", None)).chain(rates.iter().map(|(name, rate)| (*name, Some(rate))));
         for (rate_name, rate) in rates {
             for ((name, hardening), r) in Hardening::examples().into_iter().zip([1.0, 0.5, 1.8].into_iter().cycle()) {
-                let law = FlowLaw { rate, anisotropy: Anisotropy::new(r), ..flow(&hardening, Iteration::Newton) };
+                let law = FlowLaw { rate, anisotropy: Hill48::new(r), ..flow(&hardening, Iteration::Newton) };
                 for e in points() {
                     let c = full(at(&law, e).tangent);
                     let h = 1e-4 * law.anisotropy.equivalent_increment(e);
@@ -339,7 +339,7 @@ mod tests {
             for e in points() {
                 let newton = at(&flow(&law, Iteration::Newton), e);
                 let dual =
-                    Iterate::start(newton.stress).advance(&flow(&law, Iteration::PrimalDual), &Before::at(0.05), e);
+                    Iterate::start(newton.stress).advance(&flow(&law, Iteration::PrimalDual), &PointState::at(0.05), e);
                 for i in 0..6 {
                     assert_relative_eq!(newton.tangent[i], dual.tangent[i], epsilon = 1e-9 * newton.tangent[0].abs());
                 }
@@ -360,7 +360,7 @@ mod tests {
                 let sy = law.at(0.05 + response.increment).stress;
                 assert_relative_eq!(response.stress[0], expected[0] * sy, max_relative = 1e-7);
                 assert_relative_eq!(response.stress[1], expected[1] * sy, max_relative = 1e-7, epsilon = 1e-6);
-                assert_relative_eq!(Anisotropy::default().equivalent_stress(response.stress), sy, max_relative = 1e-7);
+                assert_relative_eq!(Hill48::default().equivalent_stress(response.stress), sy, max_relative = 1e-7);
             }
         }
     }
@@ -372,7 +372,7 @@ mod tests {
         for (name, law) in Hardening::examples() {
             let mut iterate = Iterate::start([0.0; 3]);
             for e in points() {
-                let c = full(iterate.advance(&flow(&law, Iteration::PrimalDual), &Before::at(0.05), e).tangent);
+                let c = full(iterate.advance(&flow(&law, Iteration::PrimalDual), &PointState::at(0.05), e).tangent);
                 let m = nalgebra::Matrix3::from_fn(|i, j| c[i][j]);
                 let smallest = m.symmetric_eigenvalues().min();
                 assert!(smallest > -1e-9 * m.norm(), "{name} {smallest}");

@@ -1,30 +1,30 @@
 //! What the sheet is made of: hardening, rate and softening laws, anisotropy, voids, and the flow law.
 
-mod anisotropy;
+pub mod chaboche;
+pub mod elastoplastic;
 pub mod flow;
+pub mod gtn;
 pub mod hardening;
-pub mod kinematic;
+mod hill48;
 pub mod rate;
-pub mod softening;
-pub mod twin;
-pub mod voids;
+pub mod thermal;
 
-pub use anisotropy::Anisotropy;
+pub use chaboche::{BackStress, BackStresses};
+pub use gtn::Gtn;
 pub use hardening::{FlowStress, Hardening};
-pub use kinematic::{BackStress, Kinematic};
+pub use hill48::Hill48;
 pub use rate::Rate;
-pub use softening::Softening;
-pub use voids::Voids;
+pub use thermal::ThermalLaw;
 
 /// What a layer point answers to a strain increment: the flow law or its twin.
 pub trait PointLaw {
     /// The point as the step finds it.
-    type Before;
+    type PointState;
     /// What it remembers from one iteration to the next.
     type Iterate;
 
     /// Stress, matrix and hardening increment at the strain increment `e`; moves the iterate on.
-    fn respond(&self, before: &Self::Before, iterate: &mut Self::Iterate, e: flow::Triple) -> flow::Response;
+    fn respond(&self, before: &Self::PointState, iterate: &mut Self::Iterate, e: flow::Triple) -> flow::StressUpdate;
 }
 
 /// Isotropic elastic constants: of the twin, of unloading, and of laws that start at the elastic line; the flow law has no
@@ -61,12 +61,12 @@ pub struct Material {
     /// `None` for a rate-free metal.
     pub rate: Option<Rate>,
     /// `None` for a metal whose strength does not feel its temperature, or says so in its hardening law.
-    pub softening: Option<Softening>,
-    pub anisotropy: Anisotropy,
+    pub softening: Option<ThermalLaw>,
+    pub anisotropy: Hill48,
     /// Back-stresses; the flow law has none.
-    pub kinematic: Kinematic,
+    pub kinematic: BackStresses,
     /// `None` for a metal without voids.
-    pub voids: Option<Voids>,
+    pub voids: Option<Gtn>,
 }
 
 impl Material {
@@ -82,14 +82,14 @@ impl Material {
 
     /// An isotropic, rate-free sheet that does not feel its temperature.
     pub fn plain(hardening: Hardening) -> Self {
-        let anisotropy = Anisotropy::default();
+        let anisotropy = Hill48::default();
         Self {
             hardening,
             elastic: None,
             rate: None,
             softening: None,
             anisotropy,
-            kinematic: Kinematic::default(),
+            kinematic: BackStresses::default(),
             voids: None,
         }
     }

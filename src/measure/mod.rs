@@ -38,7 +38,7 @@ mod tests;
 pub use moment::{MomentError, moment_error};
 pub use part::{part_height, thickest};
 
-use crate::record::Frame;
+use crate::solution::Frame;
 use crate::table::Unit;
 use fit::Fit;
 use meridian::Meridian;

@@ -1,7 +1,7 @@
 //! How well the layers resolve the section's moment.
 
-use crate::element::lobatto::Layer;
-use crate::record::{Frame, PointRecord};
+use crate::numerics::lobatto::ThicknessPoint;
+use crate::solution::{Frame, PointRecord};
 
 /// What the layers may miss of a moment.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -34,12 +34,12 @@ pub fn moment_error(frame: &Frame) -> Option<MomentError> {
 }
 
 /// ½ ∫ ξ σ dξ by the rule \[MPa\].
-pub(super) fn summed(layers: &[Layer], points: &[PointRecord]) -> f64 {
-    layers.iter().zip(points).map(|(layer, point)| layer.share * layer.xi * point.stress_meridional).sum()
+pub(super) fn summed(layers: &[ThicknessPoint], points: &[PointRecord]) -> f64 {
+    layers.iter().zip(points).map(|(layer, point)| layer.weight * layer.xi * point.stress_meridional).sum()
 }
 
 /// ½ ∫ ξ σ dξ of a stress that is linear between the points \[MPa\].
-fn linear(layers: &[Layer], points: &[PointRecord]) -> f64 {
+fn linear(layers: &[ThicknessPoint], points: &[PointRecord]) -> f64 {
     let intervals = layers.windows(2).zip(points.windows(2));
     let parts = intervals.map(|(l, p)| {
         let ((a, b), (at_a, at_b)) = ((l[0].xi, l[1].xi), (p[0].stress_meridional, p[1].stress_meridional));

@@ -1,8 +1,8 @@
 //! Meridians made of known lines and arcs, and profiles of stress whose moment is known.
 
 use super::*;
-use crate::element::lobatto;
-use crate::record::{ElementRecord, NodeRecord, PointRecord, ThroughThickness};
+use crate::numerics::lobatto;
+use crate::solution::{ElementRecord, NodeRecord, PointRecord, ThroughThickness};
 
 /// A piece of a meridian: length \[mm\], turn \[°\], elements, and the last element's length over the first's.
 #[derive(Clone, Copy)]

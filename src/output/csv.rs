@@ -1,8 +1,8 @@
 //! Tables as comma-separated text.
 
 use crate::measure::Change;
-use crate::quantity::rounded;
 use crate::table::Table;
+use crate::units::rounded;
 
 /// One header row (`punch_force_N`), then one row per value, nine significant digits.
 pub fn csv(table: &Table) -> Vec<u8> {

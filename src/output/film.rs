@@ -4,7 +4,7 @@ use super::chart::{Chart, Look, Panel, Scale, Series, color};
 use super::file::{WriteError, write as write_file};
 use super::gif::gif;
 use super::{Subject, load_travel, profile, progress, reaches, shapes, svg};
-use crate::record::Frame;
+use crate::solution::Frame;
 use std::path::{Path, PathBuf};
 
 /// The file that [`write()`] makes.
@@ -76,7 +76,7 @@ pub fn picture(subject: &Subject, frames: &[Frame], i: usize) -> Chart {
 fn load(subject: &Subject, time: f64) -> Option<Panel> {
     let mut panel = load_travel::panel(subject, LOAD_HEIGHT)?;
     let acts = panel.series.iter().flat_map(|series| &series.points).any(|point| point.1 != 0.0);
-    let steps = subject.run.history.iter().take_while(|step| step.time <= time).count();
+    let steps = subject.run.steps.iter().take_while(|step| step.time <= time).count();
     let whole: Vec<Series> =
         panel.series.iter().map(|series| Series::silent(series.points.clone(), series.look.faint())).collect();
     for series in &mut panel.series {

@@ -3,25 +3,25 @@
 use super::chart::{Chart, Look, Panel, Scale, Series};
 use super::{JOULES, Subject, energy_unit, force_unit, worded};
 use crate::model::{Geometry, Model};
-use crate::quantity::ZERO_CELSIUS;
-use crate::record::{Run, StepRecord};
+use crate::solution::{StageSolution, StepRecord};
 use crate::table::{Axis, Column, Table, Unit};
+use crate::units::ZERO_CELSIUS;
 
 /// One row per accepted step.
-pub fn table(model: &Model, run: &Run) -> Table {
+pub fn table(model: &Model, run: &StageSolution) -> Table {
     let force = force_unit(model.geometry);
     let column = |key, label, unit, value: fn(&StepRecord) -> f64| {
-        Column::new(key, label, unit, run.history.iter().map(value).collect())
+        Column::new(key, label, unit, run.steps.iter().map(value).collect())
     };
     let energy = |key, label, value: fn(&StepRecord) -> f64| {
-        let values = run.history.iter().map(|step| JOULES * value(step)).collect();
+        let values = run.steps.iter().map(|step| JOULES * value(step)).collect();
         Column::new(key, label, energy_unit(model.geometry), values)
     };
     let edge = match model.geometry {
         Geometry::Axisymmetric => "Diameter at the edge",
         Geometry::PlaneStrain => "Width between the edges",
     };
-    let diameters = run.history.iter().map(|s| 2.0 * (model.blank.length - s.draw_in)).collect();
+    let diameters = run.steps.iter().map(|s| 2.0 * (model.blank.length - s.draw_in)).collect();
     let thinnest_s0 = worded(
         model.geometry,
         "Initial distance of the thinnest place from the axis",
@@ -90,7 +90,7 @@ pub(super) fn plot(subject: &Subject) -> Option<Chart> {
 /// Punch and holder force over the travel, and the held edge's force where there is one; under gas alone, its pressure
 /// over the height of the dome; nothing while the tools are taken away. One point per step in every series.
 pub(super) fn panel(subject: &Subject, height: f64) -> Option<Panel> {
-    subject.run.history.first().filter(|_| subject.model.release.is_none())?;
+    subject.run.steps.first().filter(|_| subject.model.release.is_none())?;
     let table = table(subject.model, subject.run);
     let scale = Scale::Fit { height, least: 0.0 };
     if subject.model.travel == 0.0 {

@@ -43,7 +43,7 @@ pub use summary::{Figure, Summary};
 
 use crate::forming_limit::{Assessment, assess};
 use crate::model::{Geometry, Model};
-use crate::record::{Frame, Run, Stop};
+use crate::solution::{Frame, StageSolution, Stop};
 use crate::table::{Table, Unit};
 use std::path::{Path, PathBuf};
 use std::time::Duration;
@@ -60,7 +60,7 @@ pub struct Subject<'a> {
     /// What was assumed or changed while the case was read.
     pub derived: &'a [String],
     pub model: &'a Model,
-    pub run: &'a Run,
+    pub run: &'a StageSolution,
     /// Time that the solution took.
     pub wall: Duration,
 }
@@ -221,7 +221,7 @@ pub fn remove_stale(dir: &Path, written: &[PathBuf]) -> Result<(), WriteError> {
 impl Subject<'_> {
     /// The run held against its forming limit, where it has one and took a step.
     pub fn forming_limit(&self) -> Option<Assessment> {
-        self.run.history.last()?;
+        self.run.steps.last()?;
         assess(self.model.forming_limit.as_ref()?, &self.run.paths)
     }
 

@@ -3,7 +3,7 @@
 use super::chart::{BLACK, Chart, Color, GREY, Look, Panel, Scale, Series, color};
 use super::{Subject, WriteError, csv, png, svg, write_into};
 use crate::compare::{Against, Band, BandQuantity, BandSpec, Comparison, CurveSpec, Found, Interval, Points, Quantity};
-use crate::quantity::rounded;
+use crate::units::rounded;
 use std::path::{Path, PathBuf};
 
 /// Writes `compare_<n>_<quantity>.png` and `.csv` into `dir`; nothing when there are no data.

@@ -3,16 +3,16 @@
 use super::Subject;
 use super::chart::{BLACK, Chart, GREY, Look, Panel, Scale, Series, color};
 use crate::model::{PressureCap, RateControl};
-use crate::record::{Run, StepRecord};
+use crate::solution::{StageSolution, StepRecord};
 use crate::table::{Column, Table, Unit};
 
 /// A cycle longer than this is drawn in minutes \[s\].
 const LONG: f64 = 600.0;
 
 /// One row per accepted step.
-pub fn table(run: &Run) -> Table {
+pub fn table(run: &StageSolution) -> Table {
     let column = |key, label, unit, value: fn(&StepRecord) -> f64| {
-        Column::new(key, label, unit, run.history.iter().map(value).collect())
+        Column::new(key, label, unit, run.steps.iter().map(value).collect())
     };
     Table::new(vec![
         column("time", "Time", Unit::Second, |s| s.time),
@@ -30,13 +30,13 @@ pub fn table(run: &Run) -> Table {
 }
 
 /// Time that the pressure sat on a cap \[s\].
-pub(super) fn time_on_a_cap(run: &Run) -> f64 {
-    let before = std::iter::once(0.0).chain(run.history.iter().map(|s| s.time));
-    run.history.iter().zip(before).filter(|(s, _)| s.on_cap.is_some()).map(|(s, before)| s.time - before).sum()
+pub(super) fn time_on_a_cap(run: &StageSolution) -> f64 {
+    let before = std::iter::once(0.0).chain(run.steps.iter().map(|s| s.time));
+    run.steps.iter().zip(before).filter(|(s, _)| s.on_cap.is_some()).map(|(s, before)| s.time - before).sum()
 }
 
 fn held<'a>(subject: &Subject<'a>) -> Option<&'a RateControl> {
-    subject.run.history.first()?;
+    subject.run.steps.first()?;
     subject.model.rate_control()
 }
 

@@ -2,9 +2,9 @@
 
 use super::{Subject, worded};
 use crate::model::Model;
-use crate::quantity::ZERO_CELSIUS;
-use crate::record::{ElementRecord, Frame};
+use crate::solution::{ElementRecord, Frame};
 use crate::table::{Column, Table, Unit};
+use crate::units::ZERO_CELSIUS;
 
 /// One row per frame and element, from the axis outward; porosity and temperature where the model has them.
 pub fn table(model: &Model, frames: &[Frame]) -> Table {

@@ -4,7 +4,7 @@ use super::chart::{Chart, Look, Panel, Scale, Series};
 use super::{WriteError, csv, png, profile, svg, write_into};
 use crate::measure::{Place, places};
 use crate::model::Model;
-use crate::record::{Frame, PointRecord};
+use crate::solution::{Frame, PointRecord};
 use crate::table::{Column, Table, Unit};
 use std::path::{Path, PathBuf};
 

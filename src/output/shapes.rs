@@ -4,7 +4,7 @@ use super::chart::{Chart, Color, GREY, Look, PALE, Panel, Scale, Series, color, 
 use super::{Subject, profile, progress, reached, shown};
 use crate::geometry::{Piece, Point, Profile};
 use crate::model::{Model, Role, Theory};
-use crate::record::{Frame, NodeRecord};
+use crate::solution::{Frame, NodeRecord};
 use std::ops::Range;
 
 /// Arcs are drawn with chords of at most this many radians, and that leave the arc by at most this share of the width.
@@ -137,7 +137,7 @@ pub(super) fn surface(frame: &Frame, i: usize, side: f64) -> (f64, f64) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::record::ThroughThickness;
+    use crate::solution::ThroughThickness;
 
     /// Trust: a crown of R 2800 mm over 330 mm, its points compared with the circle half-way between them.
     #[test]

@@ -5,7 +5,7 @@ use super::csv::springback as csv;
 use super::{WriteError, png, profile, shapes, svg, write_into};
 use crate::measure::{Change, Leg, Shape, changes};
 use crate::model::Model;
-use crate::record::Frame;
+use crate::solution::Frame;
 use crate::table::Unit;
 use std::path::{Path, PathBuf};
 

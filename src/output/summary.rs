@@ -6,9 +6,9 @@ use super::{JOULES, Subject, ended, energy_unit, force_unit, pressure_cycle, wor
 use crate::forming_limit::Assessment;
 use crate::measure::{Change, Shape, changes, moment_error, part_height, thickest};
 use crate::model::{Geometry, Grading, Iteration, Mode, Model, Norm, Role, Theory};
-use crate::quantity::ZERO_CELSIUS;
-use crate::record::{Ladder, Run, StepRecord, Stop};
+use crate::solution::{Effort, StageSolution, StepRecord, Stop};
 use crate::table::Unit;
+use crate::units::ZERO_CELSIUS;
 use sha2::{Digest, Sha256};
 
 /// One line of the summary.
@@ -55,10 +55,10 @@ impl Summary {
         let Subject { name, case_text, overrides, derived, model, run, wall } = *subject;
         let force = force_unit(model.geometry);
         let unmoved = StepRecord { thinnest: model.blank.thickness, ..StepRecord::default() };
-        let last = run.history.last().copied().unwrap_or(unmoved);
-        let peak = run.history.iter().copied().max_by(|a, b| a.punch_force.total_cmp(&b.punch_force));
+        let last = run.steps.last().copied().unwrap_or(unmoved);
+        let peak = run.steps.iter().copied().max_by(|a, b| a.punch_force.total_cmp(&b.punch_force));
         let peak = peak.unwrap_or_default();
-        let largest = |value: fn(&StepRecord) -> f64| run.history.iter().map(value).fold(0.0, f64::max);
+        let largest = |value: fn(&StepRecord) -> f64| run.steps.iter().map(value).fold(0.0, f64::max);
 
         let mut summary = Self { entries: Vec::new() };
         summary.text("case", "Case", name);
@@ -89,7 +89,7 @@ impl Summary {
         }
         if let Some(control) = model.rate_control() {
             summary.number("held_rate_target", "Strain rate to be held", Unit::PerSecond, control.target);
-            let least = run.history.iter().map(|s| s.held_rate).reduce(f64::min).unwrap_or(0.0);
+            let least = run.steps.iter().map(|s| s.held_rate).reduce(f64::min).unwrap_or(0.0);
             summary.number("held_rate_least", "  least", Unit::PerSecond, least);
             summary.number("held_rate_largest", "  largest", Unit::PerSecond, largest(|s| s.held_rate));
             let capped = pressure_cycle::time_on_a_cap(run);
@@ -118,8 +118,8 @@ impl Summary {
         }
         if let Some(heat) = &model.heat {
             // A run that never started has the temperature it was given.
-            let coldest = run.history.iter().map(|s| s.coldest).reduce(f64::min).unwrap_or(heat.initial.smallest());
-            let hottest = run.history.iter().map(|s| s.hottest).reduce(f64::max).unwrap_or(heat.initial.largest());
+            let coldest = run.steps.iter().map(|s| s.coldest).reduce(f64::min).unwrap_or(heat.initial.smallest());
+            let hottest = run.steps.iter().map(|s| s.hottest).reduce(f64::max).unwrap_or(heat.initial.largest());
             summary.number("coldest", "Lowest temperature", Unit::Celsius, coldest - ZERO_CELSIUS);
             summary.number("hottest", "Highest temperature", Unit::Celsius, hottest - ZERO_CELSIUS);
         }
@@ -138,12 +138,12 @@ impl Summary {
             let rim = format!("  last share on the outer {} thicknesses", StepRecord::RIM);
             let peak_force = largest(|s| s.holder_force);
             summary.number("peak_holder_force", "Largest holder force", force, peak_force);
-            let shares = run.history.iter().rev().find(|s| s.holder_force > 0.0).map_or(0.0, |s| s.rim_share);
+            let shares = run.steps.iter().rev().find(|s| s.holder_force > 0.0).map_or(0.0, |s| s.rim_share);
             summary.push("rim_share", &rim, Unit::Percent, Value::Number(100.0 * shares));
             summary.number("holder_lift", "  lifted by up to", Unit::Mm, largest(|s| -s.holder_move));
         }
         summary.number("sticking", "Contacts that stick at the end", Unit::Percent, 100.0 * last.sticking);
-        summary.count("flips", "Contacts that came or went", run.history.iter().map(|s| s.flips).sum());
+        summary.count("flips", "Contacts that came or went", run.steps.iter().map(|s| s.flips).sum());
         summary.number("strain_increment", "Largest strain of one step", Unit::None, largest(|s| s.strain_increment));
         summary.text("mesh", "Mesh", &mesh(model));
         if model.blank.theory == Theory::Selective {
@@ -152,19 +152,15 @@ impl Summary {
             summary.number("point_share", "  law points over those of full bending", Unit::Percent, 100.0 * points);
         }
         summary.text("corrector", "Corrector", &corrector(model));
-        let Ladder { predictor, secant, softened, halved, overstrained } = run.ladder;
-        summary.count("steps", "Steps", run.history.len());
+        let Effort { predictor, secant, softened, halved, overstrained, abandoned } = run.effort;
+        summary.count("steps", "Steps", run.steps.len());
         summary.count("steps_from_predictor", "  solved from the predictor", predictor);
         summary.count("steps_from_secant", "  from a secant start at rest", secant);
         summary.count("steps_from_softened", "  from a softened start", softened);
-        summary.count("iterations", "Iterations", run.history.iter().map(|s| s.iterations).sum());
+        summary.count("iterations", "Iterations", run.steps.iter().map(|s| s.iterations).sum());
         summary.number("velocity_norm", "Largest accepted velocity norm", Unit::None, largest(|s| s.velocity_norm));
         summary.number("residual_norm", "Largest accepted residual norm", Unit::None, largest(|s| s.residual_norm));
-        summary.count(
-            "rejected",
-            "Rejected tries",
-            run.history.iter().map(|s| s.rejected).sum::<usize>() + run.abandoned,
-        );
+        summary.count("rejected", "Rejected tries", run.steps.iter().map(|s| s.rejected).sum::<usize>() + abandoned);
         summary.count("steps_halved", "  steps halved", halved);
         summary.count("steps_overstrained", "  repeated for too much strain", overstrained);
         summary.number("wall_time", "Wall time", Unit::Second, wall.as_secs_f64());
@@ -178,12 +174,12 @@ impl Summary {
     }
 
     /// What the part came out as: its height, its angles and its thinnest and thickest places.
-    fn part(&mut self, model: &Model, run: &Run, last: &StepRecord) {
+    fn part(&mut self, model: &Model, run: &StageSolution, last: &StepRecord) {
         let end = run.frames.last();
         if let Some(height) = end.and_then(part_height) {
             self.number("part_height", "Part height over all", Unit::Mm, height);
         }
-        if let Some([start, end]) = run.released(model) {
+        if let Some([start, end]) = run.released() {
             let changes = changes(&Shape::of(start), &Shape::of(end));
             self.push("springback", "Spring-back", Unit::None, Value::Changes(changes));
         } else if let Some(angle) = end.and_then(|end| Shape::of(end).wall_angle()) {
@@ -287,17 +283,17 @@ fn percent(part: f64, whole: f64) -> f64 {
 }
 
 /// Smallest bending radius of the run over the thickness \[–\]; 0 when the sheet stayed flat.
-fn bend_radius(run: &Run) -> f64 {
-    let sharpest = run.history.iter().map(|s| s.sharpest_bend).fold(0.0, f64::max);
+fn bend_radius(run: &StageSolution) -> f64 {
+    let sharpest = run.steps.iter().map(|s| s.sharpest_bend).fold(0.0, f64::max);
     if sharpest > 0.0 { 1.0 / sharpest } else { 0.0 }
 }
 
 /// Share of the elements that bent, of all steps, and share of the layer points that full bending would have evaluated in
 /// as many iterations \[–\].
-fn bent(model: &Model, run: &Run) -> (f64, f64) {
+fn bent(model: &Model, run: &StageSolution) -> (f64, f64) {
     let (elements, layers) = (model.blank.elements as f64, model.blank.layers as f64);
     let (mut bent, mut all, mut points, mut full) = (0.0, 0.0, 0.0, 0.0);
-    for step in &run.history {
+    for step in &run.steps {
         let bending = step.bending as f64;
         // One more evaluation finds the step in equilibrium.
         let evaluations = step.iterations as f64 + 1.0;

@@ -1,6 +1,6 @@
 //! Every iteration of the corrector, for studying convergence.
 
-use crate::record::IterationRecord;
+use crate::solution::IterationRecord;
 use crate::table::{Column, Table, Unit};
 
 /// One row per iteration, of rejected steps too.

@@ -1,7 +1,7 @@
 //! What was given and what follows from it, as the check of a case has it.
 
 use super::document::{Block, Row, Section};
-use crate::case::check::Check;
+use crate::assess::check::Check;
 
 pub(super) fn section(check: &Check) -> Section {
     let rows =

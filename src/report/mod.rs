@@ -18,12 +18,12 @@ pub use document::{Block, Document, Picture, Row, Section};
 pub use html::html;
 pub use markdown::{figure_folder, is_figure, markdown};
 
+use crate::assess::check::{self, Check};
+use crate::assess::verdict::{Finding, judge};
 use crate::case::Case;
-use crate::case::check::{self, Check};
 use crate::output::{Dimension, Subject, Summary, stage_folder};
-use crate::quantity::rounded;
-use crate::solver::Pass;
-use crate::verdict::{Finding, judge};
+use crate::solution::StageSolution;
+use crate::units::rounded;
 use serde_json::{Value, json};
 use std::time::Duration;
 
@@ -37,7 +37,7 @@ const PROGRAM: &str = concat!(env!("CARGO_PKG_NAME"), " ", env!("CARGO_PKG_VERSI
 pub struct Report<'a> {
     case: &'a Case,
     overrides: &'a [String],
-    passes: &'a [Pass],
+    passes: &'a [StageSolution],
     wall: Duration,
     check: Check,
     dimensions: Vec<Dimension>,
@@ -46,7 +46,7 @@ pub struct Report<'a> {
 
 impl<'a> Report<'a> {
     /// Looks a run over: `passes` are the stages that were run, `wall` the time that took.
-    pub fn of(case: &'a Case, overrides: &'a [String], passes: &'a [Pass], wall: Duration) -> Self {
+    pub fn of(case: &'a Case, overrides: &'a [String], passes: &'a [StageSolution], wall: Duration) -> Self {
         Self {
             case,
             overrides,
@@ -99,7 +99,7 @@ impl<'a> Report<'a> {
             overrides: self.overrides,
             derived: &self.case.derived,
             model: &pass.model,
-            run: &pass.run,
+            run: &pass,
             wall: self.wall,
         })
     }

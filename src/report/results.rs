@@ -6,7 +6,7 @@ use super::solver::{figures, is_ours};
 use crate::measure::{Shape, changes};
 use crate::model::Model;
 use crate::output::{Chart, Make, OUTPUTS, Subject, Summary, residual_stress, springback, svg};
-use crate::record::Run;
+use crate::solution::StageSolution;
 use crate::table::four_digits;
 
 /// Lines that the section on the case has.
@@ -30,7 +30,7 @@ pub(super) fn sections(report: &Report) -> Vec<Section> {
 /// each.
 fn plots(subject: &Subject) -> Vec<Block> {
     let model = Model { notes: Vec::new(), ..subject.model.clone() };
-    let run = Run { warnings: Vec::new(), ..subject.run.clone() };
+    let run = StageSolution { warnings: Vec::new(), ..subject.run.clone() };
     let bare = Subject { model: &model, run: &run, overrides: &[], ..*subject };
     let plots = OUTPUTS.iter().filter_map(|output| match output.make {
         Make::Plot(make) => Some((output, make(&bare)?)),
@@ -42,7 +42,7 @@ fn plots(subject: &Subject) -> Vec<Block> {
 /// Spring-back and residual stress of a stage that takes its tools away.
 fn release(report: &Report, i: usize) -> Vec<Block> {
     let Some(pass) = report.passes.get(i) else { return Vec::new() };
-    let Some([from, to]) = pass.run.released(&pass.model) else { return Vec::new() };
+    let Some([from, to]) = pass.released() else { return Vec::new() };
     let model = Model { notes: Vec::new(), ..pass.model.clone() };
     let number = |value: Option<f64>| value.map_or_else(|| "none".to_owned(), four_digits);
     let rows = changes(&Shape::of(from), &Shape::of(to)).into_iter().map(|c| {

@@ -1,10 +1,10 @@
 //! The section at the start with its dimensions, drawn and in a table.
 
 use super::document::{Block, Picture, Row, Section};
-use crate::case::{across, extent, throat};
 use crate::geometry::{Arc, Point};
 use crate::model::{Model, Motion, Role, Tool};
 use crate::output::{Dimension, Mark, dimensioned, force_unit, svg};
+use crate::rules::tool_sizes::{across, extent, throat};
 use crate::table::{Unit, four_digits};
 
 /// More corners than that are a curve's: its smallest radius is given.

@@ -55,7 +55,7 @@ pub(super) fn figures(figures: impl Iterator<Item = Figure>) -> Block {
 /// What the check says before and the solver after the run.
 pub(super) fn warnings(report: &Report) -> Section {
     let runs = report.passes.iter().enumerate();
-    let of_runs = runs.flat_map(|(i, pass)| pass.run.warnings.iter().map(move |w| format!("{}{w}", report.stage(i))));
+    let of_runs = runs.flat_map(|(i, pass)| pass.warnings.iter().map(move |w| format!("{}{w}", report.stage(i))));
     let all: Vec<String> = report.check.warnings.iter().cloned().chain(of_runs).collect();
     let none = || Block::Paragraph("None.".into());
     let block = if all.is_empty() { none() } else { Block::List(all) };

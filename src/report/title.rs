@@ -12,7 +12,7 @@ pub(super) fn section(report: &Report) -> Section {
     let names = case.stage_names().collect::<Vec<_>>().join(", ");
     let ended = match report.passes.last() {
         Some(_) if report.is_complete() => "complete".to_owned(),
-        Some(last) => format!("stopped early: {}", last.run.stop),
+        Some(last) => format!("stopped early: {}", last.stop),
         None => "not begun".to_owned(),
     };
     let rows = [

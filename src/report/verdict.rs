@@ -1,7 +1,7 @@
 //! The verdict, line by line: a light as a sign, a word and a colour.
 
 use super::document::{Block, Row, Section};
-use crate::verdict::{Finding, Light, headline};
+use crate::assess::verdict::{Finding, Light, headline};
 
 pub(super) fn section(findings: &[Finding]) -> Section {
     let rows = findings.iter().map(|finding| Row {

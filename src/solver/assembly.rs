@@ -1,7 +1,6 @@
 //! Equilibrium at the end of a step: the residual r = p − f and its matrix H (Sosnowski 1994, equations 7 to 9).
 
 use super::attempt::Step;
-use super::block_tridiagonal::System;
 use super::blocks;
 use super::contacts::{ActiveTool, Contact, Far};
 use super::line_search::LineSearch;
@@ -9,14 +8,15 @@ use super::loads::BeadPlace;
 use super::selection::Selection;
 use crate::contact::penalty::Penalty;
 use crate::element::Node;
-use crate::element::kinematics::Start;
-use crate::element::lobatto::{self, Layer};
+use crate::element::kinematics::Reference;
 use crate::element::section::{self, Law};
 use crate::geometry::Point;
-use crate::material::flow::{Before, FlowLaw, Iterate, Response, Triple};
-use crate::material::twin::{Carried, Operators, Trial as TwinTrial, TwinLaw};
-use crate::material::{PointLaw, kinematic};
+use crate::material::elastoplastic::{Carried, ElastoplasticLaw, Operators, Trial as ElastoplasticTrial};
+use crate::material::flow::{FlowLaw, Iterate, PointState, StressUpdate, Triple};
+use crate::material::{PointLaw, chaboche};
 use crate::model::{Edge, Iteration, Mode, Model, Motion, Pressure, PressureCap, Role, Settings, Stiffness};
+use crate::numerics::block_tridiagonal::System;
+use crate::numerics::lobatto::{self, ThicknessPoint};
 use crate::state::{State, drawn};
 use nalgebra::Vector3;
 use std::mem::take;
@@ -42,7 +42,7 @@ pub(super) struct Trial {
 /// Everything an iteration works on, allocated once for a run.
 pub(super) struct Workspace {
     pub tools: Vec<ActiveTool>,
-    pub layers: Vec<Layer>,
+    pub layers: Vec<ThicknessPoint>,
     /// Trial moves of the nodes in the step, the velocities times its duration, and where they lead.
     pub moves: Vec<Node>,
     pub nodes: Vec<Node>,
@@ -51,8 +51,8 @@ pub(super) struct Workspace {
     pub tool_aside: Vec<f64>,
     pub iterates: Vec<Iterate>,
     /// What the twin keeps instead of an iterate; a step's first guesses are the last one's answers.
-    pub twins: Vec<TwinTrial>,
-    pub responses: Vec<Response>,
+    pub twins: Vec<ElastoplasticTrial>,
+    pub responses: Vec<StressUpdate>,
     pub thickness: Vec<f64>,
     /// Volume of each element that the step reckons with \[mm³, or mm² in plane strain\], and its growth in the step.
     pub volume: Vec<f64>,
@@ -98,13 +98,13 @@ pub(super) struct Workspace {
     /// Largest nodal residual over the largest internal or contact force of a node, and the node where it sits.
     pub residual_norm: f64,
     pub worst_node: usize,
-    pub(super) starts: Vec<Start>,
+    pub(super) starts: Vec<Reference>,
     pub(super) selection: Selection,
     pub(super) thickness_rows: Vec<[f64; 6]>,
     pub(super) areas: Vec<f64>,
     /// Shear yield stress at the nodes at the start of the step \[MPa\]; zero when no friction law asks for it.
     pub(super) shear_yield: Vec<f64>,
-    pub(super) before: Vec<Before>,
+    pub(super) before: Vec<PointState>,
     /// The layers as the twin finds them.
     pub(super) carried_points: Vec<Carried>,
     /// Forces that held the sheet before its tools were taken away \[N, N mm\]; they fade.
@@ -155,7 +155,7 @@ impl Workspace {
         let holds_rate = gas_shared.iter().any(Option::is_some);
         let t = model.blank.thickness;
         let points = state.layers.len();
-        let blank = Response { stress: [0.0; 3], tangent: [0.0; 6], increment: 0.0, yield_stress: 0.0 };
+        let blank = StressUpdate { stress: [0.0; 3], tangent: [0.0; 6], increment: 0.0, yield_stress: 0.0 };
         let pairs = n * tools.len();
         let mut work = Self {
             tool_position: state.tools.clone(),
@@ -167,7 +167,7 @@ impl Workspace {
             moves: vec![[0.0; 3]; n],
             nodes: state.nodes.clone(),
             iterates: vec![Iterate::default(); points],
-            twins: vec![TwinTrial::default(); if model.mode == Mode::Flow { 0 } else { points }],
+            twins: vec![ElastoplasticTrial::default(); if model.mode == Mode::Flow { 0 } else { points }],
             responses: vec![blank; points],
             thickness: state.thickness.clone(),
             volume: state.volume.clone(),
@@ -203,7 +203,7 @@ impl Workspace {
             thickness_rows: vec![[0.0; 6]; elements],
             areas: vec![0.0; n],
             shear_yield: vec![0.0; n],
-            before: vec![Before::at(0.0); points],
+            before: vec![PointState::at(0.0); points],
             carried_points: vec![Carried::default(); if model.mode == Mode::Flow { 0 } else { points }],
             held: vec![Vector3::zeros(); if model.release.is_some() { n } else { 0 }],
             penalty: Penalty {
@@ -227,7 +227,7 @@ impl Workspace {
         }
         for (e, pair) in state.nodes.windows(2).enumerate() {
             let theory = model.blank.theory.of_element(state.bends[e]);
-            let start = Start::new(model.geometry, theory, pair[0], pair[1]);
+            let start = Reference::new(model.geometry, theory, pair[0], pair[1]);
             let Some(end) = start.end([0.0; 3], [0.0; 3]) else { continue };
             let points = &state.layers[e * layers..(e + 1) * layers];
             let force = section::forces(&end, state.volume[e], state.thickness[e], &self.layers, |i| points[i].stress);
@@ -249,7 +249,7 @@ impl Workspace {
         self.areas.fill(0.0);
         for (e, pair) in state.nodes.windows(2).enumerate() {
             let theory = model.blank.theory.of_element(self.selection.bends[e]);
-            let start = Start::new(model.geometry, theory, pair[0], pair[1]);
+            let start = Reference::new(model.geometry, theory, pair[0], pair[1]);
             let [a, b] = start.tributary();
             self.areas[e] += a;
             self.areas[e + 1] += b;
@@ -257,7 +257,7 @@ impl Workspace {
         }
         let layers = self.layers.len();
         for (i, (before, point)) in self.before.iter_mut().zip(&state.layers).enumerate() {
-            *before = Before { strain: point.strain, porosity: 0.0, temperature: state.temperature[i / layers] };
+            *before = PointState { strain: point.strain, porosity: 0.0, temperature: state.temperature[i / layers] };
         }
         if model.mode != Mode::Flow {
             let law = twin(model, Iteration::Newton, dt);
@@ -283,7 +283,7 @@ impl Workspace {
         let (layers, last) = (self.layers.len(), self.thickness.len() - 1);
         for e in 0..=last {
             let points = &state.layers[e * layers..(e + 1) * layers];
-            let strain: f64 = points.iter().zip(&self.layers).map(|(p, l)| l.share * p.strain).sum();
+            let strain: f64 = points.iter().zip(&self.layers).map(|(p, l)| l.weight * p.strain).sum();
             let k = model.material.yield_stress(strain, state.temperature[e]) / 3f64.sqrt();
             self.shear_yield[e] += if e == 0 { k } else { 0.5 * k };
             self.shear_yield[e + 1] += if e == last { k } else { 0.5 * k };
@@ -450,7 +450,7 @@ impl Workspace {
     fn strain_sheet<L: PointLaw>(
         &mut self,
         point: L,
-        before: &[L::Before],
+        before: &[L::PointState],
         iterates: &mut [L::Iterate],
         state: &State,
         velocity_norm: f64,
@@ -554,12 +554,12 @@ impl Workspace {
 }
 
 /// The twin's law in a step.
-fn twin(model: &Model, matrix: Iteration, duration: f64) -> TwinLaw<'_> {
+fn twin(model: &Model, matrix: Iteration, duration: f64) -> ElastoplasticLaw<'_> {
     let material = &model.material;
-    TwinLaw {
+    ElastoplasticLaw {
         hardening: (model.mode == Mode::ElastoViscoplastic).then_some(&material.hardening),
         operators: Operators::new(material.elastic.expect("checked where the model is made"), material.anisotropy),
-        kinematic: kinematic::shifting(material.kinematic),
+        kinematic: chaboche::shifting(material.kinematic),
         rate: material.rate.as_ref(),
         softening: material.softening.as_ref(),
         secant: matrix == Iteration::Secant,

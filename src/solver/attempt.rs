@@ -4,7 +4,7 @@ use super::Observer;
 use super::assembly::Workspace;
 use super::corrector::{Outcome, correct, patience};
 use crate::model::{ContactMethod, Iteration, Model, Stiffness};
-use crate::record::Ladder;
+use crate::solution::Effort;
 use crate::state::State;
 
 /// A step that is to be solved.
@@ -38,11 +38,11 @@ impl Rung {
     pub const LADDER: [Rung; 3] = [Rung::Predictor, Rung::Secant, Rung::Softened];
 
     /// Counts a step that this rung brought to equilibrium.
-    pub fn count(self, ladder: &mut Ladder) {
+    pub fn count(self, effort: &mut Effort) {
         *match self {
-            Rung::Predictor => &mut ladder.predictor,
-            Rung::Secant => &mut ladder.secant,
-            Rung::Softened => &mut ladder.softened,
+            Rung::Predictor => &mut effort.predictor,
+            Rung::Secant => &mut effort.secant,
+            Rung::Softened => &mut effort.softened,
         } += 1;
     }
 }

@@ -8,7 +8,7 @@ use super::attempt::Step;
 use super::contacts::Contact;
 use crate::geometry::Point;
 use crate::model::{Edge, Mode};
-use crate::record::Energy;
+use crate::solution::Energy;
 use nalgebra::Vector3;
 
 /// A point's plastic power counts as cut off when its strain increment is below this many cut-offs.
@@ -95,7 +95,7 @@ impl Balance {
             let e = work.strain_of(i);
             let before = state.layers[i].stress;
             let power: f64 = (0..3).map(|k| 0.5 * (before[k] + response.stress[k]) * e[k]).sum();
-            let volume = work.volume[i / layers] * work.layers[i % layers].share;
+            let volume = work.volume[i / layers] * work.layers[i % layers].weight;
             let elastic = model.stored(response.stress) - model.stored(before);
             let plastic = volume * (power - elastic);
             done.elastic += volume * elastic;

@@ -2,7 +2,7 @@
 
 use crate::geometry::{Point, Profile};
 use crate::model::{Model, Role};
-use crate::record::StepRecord;
+use crate::solution::StepRecord;
 
 /// Distance over the sheet thickness at which the blocks keep holder and die apart \[–\].
 const APART: f64 = 0.5;

@@ -3,9 +3,9 @@
 use super::assembly::{Trial, Workspace};
 use super::attempt::Step;
 use crate::contact::friction::Friction;
-use crate::contact::penalty::{Penalty, Smooth};
-use crate::contact::{Visitor, touch};
-use crate::element::kinematics::Start;
+use crate::contact::penalty::{Penalty, ValueAndSlope};
+use crate::contact::{ContactNode, touch};
+use crate::element::kinematics::Reference;
 use crate::geometry::{Point, Profile};
 use crate::model::{Iteration, Model, Motion, Role, Settings};
 use crate::state::{State, thickness_at};
@@ -48,7 +48,7 @@ pub(super) struct Contact {
     pub tangential: f64,
     pub slip: f64,
     /// Pressure and slope of the last iteration, from which the carried pressure follows.
-    pub pressure: Smooth,
+    pub pressure: ValueAndSlope,
     /// Normal from the tool to the sheet.
     pub facing: Point,
 }
@@ -99,7 +99,7 @@ impl Workspace {
         let mut areas = vec![0.0; n];
         for (e, pair) in state.nodes.windows(2).enumerate() {
             let theory = model.blank.theory.of_element(state.bends[e]);
-            let [a, b] = Start::new(model.geometry, theory, pair[0], pair[1]).tributary();
+            let [a, b] = Reference::new(model.geometry, theory, pair[0], pair[1]).tributary();
             areas[e] += a;
             areas[e + 1] += b;
         }
@@ -236,7 +236,7 @@ impl Workspace {
                 } else if trial.iteration > 0 {
                     *carried = (contact.pressure.value + contact.pressure.slope * (gap - contact.gap)).max(0.0);
                 }
-                let node = Visitor {
+                let node = ContactNode {
                     carried: *carried,
                     position,
                     relative: Point::new(self.moves[i][0], self.moves[i][1]) - moved,

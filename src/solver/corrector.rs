@@ -4,7 +4,7 @@ use super::Observer;
 use super::assembly::{Trial, Workspace};
 use super::attempt::Step;
 use crate::model::{Iteration, Mode, Norm};
-use crate::record::IterationRecord;
+use crate::solution::IterationRecord;
 
 /// Largest move of a node in one iteration, over the sheet thickness \[–\].
 const LARGEST_MOVE: f64 = 0.5;

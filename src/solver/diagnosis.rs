@@ -5,7 +5,7 @@ use super::attempt::Step;
 use super::contacts::Contact;
 use super::loads::Seal;
 use crate::model::{Model, Role};
-use crate::record::StepRecord;
+use crate::solution::StepRecord;
 use crate::state::State;
 
 /// Pressure over that of touching above which a node counts as in contact \[–\].

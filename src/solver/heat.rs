@@ -14,7 +14,7 @@
 
 use super::assembly::Workspace;
 use crate::model::{Geometry, HeatFlow, Model, ToolHeat};
-use crate::record::Heat;
+use crate::solution::Heat;
 use crate::state::State;
 use std::f64::consts::TAU;
 

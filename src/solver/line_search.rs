@@ -13,7 +13,7 @@
 //! M. A. Crisfield, Non-linear finite element analysis of solids and structures, vol. 1, Wiley (1991), section 9.2 (not
 //! read).
 
-use super::block_tridiagonal::{MAX_SHARED, System};
+use crate::numerics::block_tridiagonal::{MAX_SHARED, System};
 use nalgebra::{SVector, Vector3};
 
 /// κ \[–\]. Measured on a hemispherical cup (50 and 100 elements, 5 to 15 layers): without a search 15 to 30 tries fail, with

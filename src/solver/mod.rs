@@ -3,7 +3,6 @@
 mod assembly;
 mod attempt;
 mod balance;
-pub mod block_tridiagonal;
 mod blocks;
 mod contacts;
 mod corrector;
@@ -18,10 +17,10 @@ mod stops;
 mod voids;
 pub(crate) mod warnings;
 
-use crate::mesh;
+use crate::model::mesh;
+use crate::model::stage::Stage;
 use crate::model::{Edge, Model, Role};
-use crate::record::{Energy, IterationRecord, Run, StepRecord, Stop};
-use crate::stage::Stage;
+use crate::solution::{Energy, IterationRecord, StageSolution, StepRecord, Stop};
 use crate::state::State;
 use assembly::Workspace;
 use attempt::{Rung, Step, attempt};
@@ -31,7 +30,7 @@ use heat::HeatSolver;
 use stepping::StepControl;
 use stops::StopWatch;
 
-pub use stages::{Pass, enter, run_stages};
+pub use stages::{enter, run_stages};
 
 /// Sees a run as it goes; the solver itself never prints.
 pub trait Observer {
@@ -49,19 +48,23 @@ pub trait Observer {
 impl Observer for () {}
 
 /// Solves a model from the flat blank to its full travel, or as far as equilibrium is found.
-pub fn run(model: &Model, observer: &mut dyn Observer) -> Run {
-    run_from(model, State::flat(model, mesh::nodes(model)), observer).0
+pub fn run(model: &Model, observer: &mut dyn Observer) -> StageSolution {
+    run_from(model, State::flat(model, mesh::nodes(model)), observer)
 }
 
-/// As [`run`], from a given state; also returns the last state.
-pub fn run_from(model: &Model, mut state: State, observer: &mut dyn Observer) -> (Run, State) {
+/// As [`run`], from a given state.
+pub fn run_from(model: &Model, mut state: State, observer: &mut dyn Observer) -> StageSolution {
     let mut work = Workspace::new(model, &state);
     work.resume(model, &state);
     let mut balance = Balance::new(&work);
     let mut heat = HeatSolver::new(model, &work);
     let mut watch = StopWatch::new(model, &state);
     let mut control = StepControl::new(model, watch.closes_at(model));
-    let mut run = Run { start: Some(state.frame(model)), paths: state.paths(model), ..Run::unsolved() };
+    let mut run = StageSolution {
+        start: Some(state.frame(model)),
+        paths: state.paths(model),
+        ..StageSolution::unsolved(model.clone())
+    };
     let mut last = StepRecord { thinnest: model.blank.thickness, ..StepRecord::default() };
     let mut before = state.thickness.clone();
     let strained: Vec<f64> = state.layers.iter().map(|point| point.strain).collect();
@@ -73,7 +76,7 @@ pub fn run_from(model: &Model, mut state: State, observer: &mut dyn Observer) ->
         work.begin(&step);
         let (rung, outcome) = climb(&mut work, &step, &mut rejected, observer);
         if !outcome.converged {
-            run.ladder.halved += 1;
+            run.effort.halved += 1;
             if let Some(stop) = watch.necking(model, &state) {
                 run.stop = stop;
                 break;
@@ -94,11 +97,11 @@ pub fn run_from(model: &Model, mut state: State, observer: &mut dyn Observer) ->
         }
         work.settle(model, &state);
         if control.is_overstrained(work.strain_increment()) && control.reject() {
-            run.ladder.overstrained += 1;
+            run.effort.overstrained += 1;
             rejected += 1;
             continue;
         }
-        rung.count(&mut run.ladder);
+        rung.count(&mut run.effort);
         work.measure_far();
         let approach = balance.approach(&work, dt);
         let figures = work.diagnosis(&step, balance.contacts());
@@ -122,7 +125,7 @@ pub fn run_from(model: &Model, mut state: State, observer: &mut dyn Observer) ->
         }
         observer.step(&record);
         observer.state(model, &state);
-        run.history.push(record);
+        run.steps.push(record);
         last = record;
         if let Some(contacts) = work.release(&state) {
             state.pressure[contacts.clone()].fill(0.0);
@@ -140,10 +143,11 @@ pub fn run_from(model: &Model, mut state: State, observer: &mut dyn Observer) ->
     if last.step > 0 && run.frames.last().is_none_or(|f| f.time < state.time) {
         run.frames.push(state.frame(model));
     }
-    run.abandoned = rejected;
+    run.effort.abandoned = rejected;
     run.warnings = warnings::warnings(model, &work, &state, &run);
     run.warnings.extend(warnings::yielded_again(model, &strained, &state));
-    (run, state)
+    run.end = state;
+    run
 }
 
 /// Tries a step from rung to rung until one brings it to equilibrium; counts the tries that did not.

@@ -18,11 +18,11 @@
 //! E. Oñate, C. Agelet de Saracibar, Int. J. Num. Meth. Engng. 30 (1990) 1577–1593.
 
 use super::assembly::Workspace;
-use crate::element::kinematics::Start;
-use crate::element::lobatto::{self, Layer};
+use crate::element::kinematics::Reference;
 use crate::geometry::{Arc, Point};
-use crate::material::flow::{Before, Iterate};
+use crate::material::flow::{Iterate, PointState};
 use crate::model::{Edge, Model, Theory, Tool};
+use crate::numerics::lobatto::{self, ThicknessPoint};
 use crate::state::State;
 
 /// How far an element lies from a curved node at most to bend with it, along the sheet, over the thickness \[–\]: some
@@ -45,7 +45,7 @@ pub(super) struct Selection {
     pub rotates: Vec<bool>,
     /// Tool corners that bend the sheet, and the tool of each.
     corners: Vec<(usize, Arc)>,
-    layers: Vec<Layer>,
+    layers: Vec<ThicknessPoint>,
     /// Of each node: whether it is curved, or about to be.
     curved: Vec<bool>,
 }
@@ -102,7 +102,7 @@ impl Selection {
         let anisotropy = &model.material.anisotropy;
         let strongest = state.layers.iter().map(|p| anisotropy.equivalent_stress(p.stress)).fold(0.0, f64::max);
         for (e, points) in state.layers.chunks_exact(self.layers.len()).enumerate() {
-            let tension: f64 = points.iter().zip(&self.layers).map(|(p, l)| l.share * p.stress[0]).sum();
+            let tension: f64 = points.iter().zip(&self.layers).map(|(p, l)| l.weight * p.stress[0]).sum();
             let limit = if state.bends[e] { 1.0 } else { HYSTERESIS };
             self.bends[e] = tension <= limit * SLACK * strongest;
         }
@@ -135,7 +135,7 @@ fn curvature(model: &Model, state: &State, i: usize) -> f64 {
 }
 
 impl Workspace {
-    /// Layer points of element `e`.
+    /// ThicknessPoint points of element `e`.
     fn points(&self, e: usize) -> std::ops::Range<usize> {
         e * self.layers.len()..(e + 1) * self.layers.len()
     }
@@ -150,11 +150,11 @@ impl Workspace {
     pub(super) fn average_strains(&mut self) {
         for e in self.membranes() {
             let points = self.points(e);
-            let mean = |of: fn(&Before) -> f64| {
-                self.before[points.clone()].iter().zip(&self.layers).map(|(b, l)| l.share * of(b)).sum()
+            let mean = |of: fn(&PointState) -> f64| {
+                self.before[points.clone()].iter().zip(&self.layers).map(|(b, l)| l.weight * of(b)).sum()
             };
             let temperature = self.before[points.start].temperature;
-            let mean = Before { strain: mean(|b| b.strain), porosity: mean(|b| b.porosity), temperature };
+            let mean = PointState { strain: mean(|b| b.strain), porosity: mean(|b| b.porosity), temperature };
             self.before[points].fill(mean);
         }
     }
@@ -166,8 +166,8 @@ impl Workspace {
             let points = self.points(e);
             let mut carried = [0.0; 3];
             for (point, layer) in state.layers[points.clone()].iter().zip(&self.layers) {
-                carried[0] += layer.share * point.carried[0];
-                carried[1] += layer.share * point.carried[1];
+                carried[0] += layer.weight * point.carried[0];
+                carried[1] += layer.weight * point.carried[1];
             }
             self.iterates[points.start] = Iterate::start(carried);
         }
@@ -191,7 +191,8 @@ impl Workspace {
             self.responses[points].fill(response);
         }
         let last = self.moves.len() - 1;
-        let turn = |start: &Start, e: usize| start.end(self.moves[e], self.moves[e + 1]).map_or(0.0, |end| end.turn());
+        let turn =
+            |start: &Reference, e: usize| start.end(self.moves[e], self.moves[e + 1]).map_or(0.0, |end| end.turn());
         let turns: Vec<f64> = self.starts.iter().enumerate().map(|(e, start)| turn(start, e)).collect();
         let held = usize::from(model.blank.edge != Edge::Free);
         for i in 1..=last - held {
@@ -248,7 +249,7 @@ mod tests {
 
     /// Flat and in tension.
     fn tight(model: &Model) -> State {
-        let mut state = State::flat(model, crate::mesh::nodes(model));
+        let mut state = State::flat(model, crate::model::mesh::nodes(model));
         for point in &mut state.layers {
             point.stress = [200.0, 100.0, 0.0];
         }
@@ -295,7 +296,7 @@ mod tests {
     #[test]
     fn an_element_without_tension_bends() {
         let model = strip();
-        assert_eq!(bending(&model, &State::flat(&model, crate::mesh::nodes(&model))).len(), 100);
+        assert_eq!(bending(&model, &State::flat(&model, crate::model::mesh::nodes(&model))).len(), 100);
         let mut state = tight(&model);
         for (e, tension) in [(70, 8.0), (71, 9.5), (72, -200.0)] {
             for point in &mut state.layers[5 * e..5 * e + 5] {

@@ -2,10 +2,10 @@
 
 use super::{Observer, run_from};
 use crate::geometry::Point;
-use crate::mesh;
+use crate::model::mesh;
+use crate::model::stage::Stage;
 use crate::model::{Model, Role, Tool};
-use crate::record::Run;
-use crate::stage::Stage;
+use crate::solution::StageSolution;
 use crate::state::{State, drawn, waiting};
 
 /// Fewest elements that trimming leaves.
@@ -15,36 +15,26 @@ const LEAST_ELEMENTS: usize = 2;
 const APPROACH: f64 = 0.25;
 const HALVINGS: usize = 50;
 
-/// A stage that was run.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Pass {
-    /// The stage's model, its blank cut to the sheet that the stage began with.
-    pub model: Model,
-    pub run: Run,
-    /// Where it ended.
-    pub state: State,
-}
-
 /// Runs stages after one another, the first from the flat blank, up to the first that does not come to its end.
-pub fn run_stages(stages: &[Stage], observer: &mut dyn Observer) -> Vec<Pass> {
-    let mut passes: Vec<Pass> = Vec::new();
+pub fn run_stages(stages: &[Stage], observer: &mut dyn Observer) -> Vec<StageSolution> {
+    let mut passes: Vec<StageSolution> = Vec::new();
     for stage in stages {
         let (model, state, said) = match passes.last() {
             None => (stage.model.clone(), State::flat(&stage.model, mesh::nodes(&stage.model)), None),
-            Some(Pass { run, .. }) if !run.stop.is_complete() => break,
+            Some(before) if !before.stop.is_complete() => break,
             Some(before) => begin(stage, before),
         };
         observer.stage(stage);
-        let (mut run, state) = run_from(&model, state, observer);
-        run.warnings.splice(..0, said);
-        passes.push(Pass { model, run, state });
+        let mut solved = run_from(&model, state, observer);
+        solved.warnings.splice(..0, said);
+        passes.push(solved);
     }
     passes
 }
 
 /// The model and the first state of a stage, and what is worth a word.
-fn begin(stage: &Stage, before: &Pass) -> (Model, State, Option<String>) {
-    let state = enter(stage, &before.model, before.state.clone());
+fn begin(stage: &Stage, before: &StageSolution) -> (Model, State, Option<String>) {
+    let state = enter(stage, &before.model, before.end.clone());
     let mut model = stage.model.clone();
     model.blank.elements = state.thickness.len();
     model.blank.length = state.s0[state.s0.len() - 1];
@@ -58,7 +48,7 @@ fn begin(stage: &Stage, before: &Pass) -> (Model, State, Option<String>) {
 
 /// The state that a stage begins with, from the last `state` of a stage with the model `before`.
 ///
-/// The sheet keeps its nodes, thickness, strains, stress and temperature bit for bit, less what [`Beginning`](crate::stage::Beginning) takes; time,
+/// The sheet keeps its nodes, thickness, strains, stress and temperature bit for bit, less what [`Beginning`](crate::model::stage::Beginning) takes; time,
 /// travel and velocities begin anew; a tool that stays keeps its position and the pressure it exerts, and gas its pressure.
 pub fn enter(stage: &Stage, before: &Model, mut state: State) -> State {
     let (model, begin) = (&stage.model, &stage.begin);

@@ -12,7 +12,7 @@
 
 use super::corrector::patience;
 use crate::model::Model;
-use crate::record::StepRecord;
+use crate::solution::StepRecord;
 use crate::state::State;
 
 /// A step that needed at most this many iterations was easy: the next may be longer.

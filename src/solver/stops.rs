@@ -3,7 +3,7 @@
 use super::assembly::Workspace;
 use crate::geometry::Point;
 use crate::model::{Edge, Model, Motion, Role, Settings};
-use crate::record::{Run, StepRecord, Stop};
+use crate::solution::{StageSolution, StepRecord, Stop};
 use crate::state::{State, drawn};
 
 /// Thickness strain of a neck over the mean of its surroundings \[–\].
@@ -183,8 +183,8 @@ fn why(model: &Model, state: &State, neck: &Neck) -> String {
 }
 
 /// Whether a run under gas pressure alone has come to the largest pressure: the dome rises without bound as it ends.
-pub(super) fn pressure_maximum(model: &Model, run: &Run) -> Option<Stop> {
-    let [.., before, last] = run.history.as_slice() else { return None };
+pub(super) fn pressure_maximum(model: &Model, run: &StageSolution) -> Option<Stop> {
+    let [.., before, last] = run.steps.as_slice() else { return None };
     let pushed = model.tools.iter().all(|tool| tool.role != Role::Punch) && last.pressure > before.pressure;
     let rise = (last.pole_height - before.pole_height) / (last.pressure - before.pressure);
     let mean = last.pole_height / last.pressure;

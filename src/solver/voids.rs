@@ -1,13 +1,13 @@
 //! Voids over a step: what the corrector reckons with, and what the step made of them.
 
 use super::assembly::Workspace;
-use crate::material::{Anisotropy, Voids};
+use crate::material::{Gtn, Hill48};
 use crate::state::State;
 
 impl Workspace {
     /// Porosity and volume at the end of the step, foreseen from their last rates: they stay while the corrector goes, and
     /// the step is second order in its length.
-    pub(super) fn foresee_voids(&mut self, voids: &Voids, state: &State, dt: f64) {
+    pub(super) fn foresee_voids(&mut self, voids: &Gtn, state: &State, dt: f64) {
         for (before, point) in self.before.iter_mut().zip(&state.layers) {
             before.porosity = voids.foreseen(point.porosity + point.porosity_rate * dt);
         }
@@ -20,7 +20,7 @@ impl Workspace {
 
     /// After a step: integrates the porosity of every layer point along its strain path, and corrects strain and thickness
     /// by it. `state` has moved on to the end of the step.
-    pub(super) fn grow_voids(&self, voids: &Voids, anisotropy: Anisotropy, state: &mut State, dt: f64) {
+    pub(super) fn grow_voids(&self, voids: &Gtn, anisotropy: Hill48, state: &mut State, dt: f64) {
         let layers = &self.layers;
         for (e, points) in state.layers.chunks_mut(layers.len()).enumerate() {
             let mut volume = 0.0;
@@ -31,7 +31,7 @@ impl Workspace {
                 point.porosity_rate = (now.porosity - point.porosity) / dt;
                 point.porosity = now.porosity;
                 point.strain = now.strain;
-                volume += layer.share * now.volume;
+                volume += layer.weight * now.volume;
             }
             state.thickness[e] *= volume.exp() / self.growth[e];
             state.dilation[e] += volume;

@@ -3,11 +3,11 @@
 use super::assembly::Workspace;
 use super::blocks;
 use super::stops::neck;
-use crate::element::lobatto;
 use crate::model::{ContactMethod, Mode, Model};
-use crate::quantity::ZERO_CELSIUS;
-use crate::record::{Run, Stop};
+use crate::numerics::lobatto;
+use crate::solution::{StageSolution, Stop};
 use crate::state::State;
+use crate::units::ZERO_CELSIUS;
 
 /// Power balance that a user should be able to rely on \[–\].
 pub(crate) const LARGEST_IMBALANCE: f64 = 0.01;
@@ -30,11 +30,11 @@ const YIELDED: f64 = 1e-4;
 pub(crate) const LIFTED: f64 = 0.3;
 
 /// What a user should know before trusting the result.
-pub(super) fn warnings(model: &Model, work: &Workspace, state: &State, run: &Run) -> Vec<String> {
+pub(super) fn warnings(model: &Model, work: &Workspace, state: &State, run: &StageSolution) -> Vec<String> {
     let mut warnings = Vec::new();
-    let Some(last) = run.history.last() else { return warnings };
+    let Some(last) = run.steps.last() else { return warnings };
     warnings.extend(thinned(model, state, run));
-    let largest = |value: fn(&crate::record::StepRecord) -> f64| run.history.iter().map(value).fold(0.0, f64::max);
+    let largest = |value: fn(&crate::solution::StepRecord) -> f64| run.steps.iter().map(value).fold(0.0, f64::max);
     let formed = formed(run);
     let imbalance = last.work.imbalance();
     if formed && imbalance.abs() > LARGEST_IMBALANCE {
@@ -64,7 +64,7 @@ pub(super) fn warnings(model: &Model, work: &Workspace, state: &State, run: &Run
     }
     if let Some([cold, hot]) = model.material.hardening.temperatures() {
         let hottest = largest(|r| r.hottest);
-        let coldest = run.history.iter().map(|r| r.coldest).fold(f64::INFINITY, f64::min);
+        let coldest = run.steps.iter().map(|r| r.coldest).fold(f64::INFINITY, f64::min);
         if coldest < cold - NEAR_ENOUGH || hottest > hot + NEAR_ENOUGH {
             let celsius = |kelvin: f64| kelvin - ZERO_CELSIUS;
             warnings.push(format!(
@@ -77,7 +77,7 @@ pub(super) fn warnings(model: &Model, work: &Workspace, state: &State, run: &Run
             ));
         }
     }
-    if let Some(first) = run.history.iter().find(|r| r.squeeze > IRONED) {
+    if let Some(first) = run.steps.iter().find(|r| r.squeeze > IRONED) {
         warnings.push(format!(
             "ironing from {:.2} mm of travel: the sheet is up to {:.1} % thicker than the gap between two tools; it is \
              pressed with a stiffness of {:.0} MPa over half its thickness on either face and not thinned by it, so forces \
@@ -101,7 +101,7 @@ pub(super) fn warnings(model: &Model, work: &Workspace, state: &State, run: &Run
             "the holder was lifted by up to {lifted:.2} thicknesses as the flange thickened or rose under it"
         ));
     }
-    warnings.extend(blocks::rests(model.travel, &run.history));
+    warnings.extend(blocks::rests(model.travel, &run.steps));
     if model.settings.contact == ContactMethod::AugmentedLagrangian
         && deepest > 1.01 * crate::model::Settings::PENETRATION
     {
@@ -119,12 +119,12 @@ pub(super) fn warnings(model: &Model, work: &Workspace, state: &State, run: &Run
 }
 
 /// Whether the run strains the sheet enough for shares of its work to say something.
-pub(crate) fn formed(run: &Run) -> bool {
-    run.history.iter().map(|r| r.strain_increment).sum::<f64>() > FORMED
+pub(crate) fn formed(run: &StageSolution) -> bool {
+    run.steps.iter().map(|r| r.strain_increment).sum::<f64>() > FORMED
 }
 
 /// A neck, or a sheet that is too thin to be whole; a run that ended by it has said so.
-pub(crate) fn thinned(model: &Model, state: &State, run: &Run) -> Option<String> {
+pub(crate) fn thinned(model: &Model, state: &State, run: &StageSolution) -> Option<String> {
     if matches!(run.stop, Stop::Localised { .. } | Stop::Coalesced { .. }) {
         return None;
     }
@@ -149,7 +149,7 @@ pub(super) fn yielded_again(model: &Model, before: &[f64], state: &State) -> Opt
     let (mut volume, mut total) = (0.0, 0.0);
     for (i, (point, before)) in state.layers.iter().zip(before).enumerate() {
         let e = i / layers.len();
-        let share = state.volume[e] * layers[i % layers.len()].share;
+        let share = state.volume[e] * layers[i % layers.len()].weight;
         let limit = model.material.yield_stress(point.strain, state.temperature[e]);
         let beyond = model.mode != Mode::ElastoViscoplastic
             && model.material.anisotropy.equivalent_stress(point.stress) > limit * (1.0 + YIELDED);

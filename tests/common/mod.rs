@@ -1,17 +1,19 @@
 //! A run that was not solved but drawn: a flat-bottomed cup whose shape follows the tools, for tests of what
 //! is made from runs.
 
-use stampflow::element::lobatto;
 use stampflow::forming_limit::{self as limit, Instant, Kind, Paths, Sheet};
 use stampflow::geometry::{Point, Profile};
 use stampflow::material::hardening::Swift;
-use stampflow::material::{Hardening, Material, Voids};
+use stampflow::material::{Gtn, Hardening, Material};
 use stampflow::model::{
     Blank, Edge, Face, Gas, Geometry, Grading, Heat, Mode, Model, Motion, Press, Pressure, PressureCap, RateControl,
     Role, Settings, StopRules, Theory, Tool,
 };
+use stampflow::numerics::lobatto;
 use stampflow::output::Subject;
-use stampflow::record::{ElementRecord, Energy, Frame, NodeRecord, PointRecord, Run, StepRecord, ThroughThickness};
+use stampflow::solution::{
+    ElementRecord, Energy, Frame, NodeRecord, PointRecord, StageSolution, StepRecord, ThroughThickness,
+};
 use std::f64::consts::FRAC_PI_2;
 use std::time::Duration;
 
@@ -67,14 +69,14 @@ pub fn blown(geometry: Geometry) -> Model {
     let mut model = model(geometry);
     model.gas = vec![Gas { face: Face::Lower, pressure: Pressure::Rate(rate), within: 58.25 }];
     model.heat = Some(Heat { initial: 723.15.into(), flow: None });
-    model.material.voids = Some(Voids::gurson(0.01));
+    model.material.voids = Some(Gtn::gurson(0.01));
     let sheet = Sheet { material: &model.material, thickness: 1.0, temperature: 723.15 };
     model.forming_limit = Some(Kind::Swift(limit::Swift { n: Some(0.2) }).curve(&sheet).expect("a curve"));
     model
 }
 
 /// A run of the model that reached its full travel.
-pub fn run(model: &Model) -> Run {
+pub fn run(model: &Model) -> StageSolution {
     let frames: Vec<Frame> = model.frames.iter().map(|&travel| frame(model, travel)).collect();
     let steps = 100;
     let mut history = Vec::new();
@@ -121,11 +123,11 @@ pub fn run(model: &Model) -> Run {
         let strains = |f: &Frame| f.elements.iter().map(|e| [e.strain_meridional, e.strain_hoop]).collect();
         paths.instants.extend(frames.iter().map(|f| Instant { time: f.time, travel: f.travel, strains: strains(f) }));
     }
-    Run { history, frames, paths, warnings, ..Run::unsolved() }
+    StageSolution { steps: history, frames, paths, warnings, ..StageSolution::unsolved(model.clone()) }
 }
 
 /// The subject of all outputs.
-pub fn subject<'a>(model: &'a Model, run: &'a Run) -> Subject<'a> {
+pub fn subject<'a>(model: &'a Model, run: &'a StageSolution) -> Subject<'a> {
     Subject {
         name: "cup",
         case_text: "title = \"cup\"\n",

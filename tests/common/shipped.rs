@@ -1,7 +1,7 @@
 //! The shipped cases as models, and whole runs of them.
 
 use stampflow::model::Model;
-use stampflow::record::{Run, StepRecord};
+use stampflow::solution::{StageSolution, StepRecord};
 use stampflow::{case, solver};
 
 /// Every shipped case that a punch drives.
@@ -25,18 +25,18 @@ pub fn shipped(name: &str, overrides: &[&str]) -> Model {
 }
 
 /// Runs a model that has to reach its full travel.
-pub fn solve(model: &Model) -> Run {
+pub fn solve(model: &Model) -> StageSolution {
     let run = solver::run(model, &mut ());
     assert!(run.stop.is_complete(), "{}: {}", model.title, run.stop);
     run
 }
 
 /// Largest punch force [N, or N/mm].
-pub fn peak(run: &Run) -> f64 {
-    run.history.iter().map(|r| r.punch_force).fold(0.0, f64::max)
+pub fn peak(run: &StageSolution) -> f64 {
+    run.steps.iter().map(|r| r.punch_force).fold(0.0, f64::max)
 }
 
 /// The last step.
-pub fn last(run: &Run) -> &StepRecord {
-    run.history.last().expect("steps")
+pub fn last(run: &StageSolution) -> &StepRecord {
+    run.steps.last().expect("steps")
 }

@@ -4,7 +4,7 @@ use super::{by_geometry, count};
 use crate::case::file::{self, CaseFile, Edge, Grading, Theory};
 use crate::case::{CaseError, source::Source};
 use crate::model::{self, Blank, Geometry};
-use crate::quantity::{Quantity, rounded};
+use crate::units::{Quantity, rounded};
 use std::ops::RangeInclusive;
 
 /// Thicknesses of sheet, foil to plate [mm].

@@ -2,9 +2,9 @@
 
 use super::motion::travel_key;
 use super::section::place_of;
-use crate::case::measure::{Gap, gap, room};
 use crate::case::{CaseError, source::Source};
 use crate::model::{Model, Role, Tool};
+use crate::rules::tool_sizes::{Gap, gap, room};
 
 /// Drawings are rounded: tools may overlap by this share of the thickness [–].
 const ROUNDED: f64 = 1e-3;

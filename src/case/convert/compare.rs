@@ -3,7 +3,7 @@
 use crate::case::file::{CaseFile, Compare, ComparedQuantity};
 use crate::case::{CaseError, source::Source};
 use crate::compare::{Against, BandQuantity, BandSpec, CurveSpec, Quantity, Spec};
-use crate::quantity::Quantity as _;
+use crate::units::Quantity as _;
 use std::path::Path;
 
 pub(in crate::case) fn compare(file: &CaseFile, source: &Source, case: &Path) -> Result<Vec<Spec>, CaseError> {

@@ -7,7 +7,7 @@ use crate::case::file::{Section, SectionTable};
 use crate::case::{CaseError, explain::missing};
 use crate::geometry::{CavityError, Profile};
 use crate::model::Role;
-use crate::quantity::Quantity;
+use crate::units::Quantity;
 
 /// The die's face goes on for this many blank lengths [–].
 const REACH: f64 = 20.0;

@@ -2,10 +2,10 @@
 
 use super::motion::travel_key;
 use super::section::place_of;
-use crate::case::measure::{Gap, extent, gap, room, shoulder_end, throat, widens};
 use crate::case::{CaseError, explain::missing, source::Source};
 use crate::model::{Edge, Model, Role};
-use crate::quantity::rounded;
+use crate::rules::tool_sizes::{Gap, extent, gap, room, shoulder_end, throat, widens};
+use crate::units::rounded;
 
 /// Rounded sums of decimals may miss by this share [–].
 const ROUNDED: f64 = 1e-6;

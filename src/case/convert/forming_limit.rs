@@ -6,7 +6,7 @@ use crate::forming_limit::{Curve, Hill, KeelerBrazier, Kind, MarciniakKuczynski,
 use crate::material::Material;
 use crate::material::flow::ROOM_TEMPERATURE;
 use crate::model::Heat;
-use crate::quantity::{Number, Quantity, ZERO_CELSIUS, rounded};
+use crate::units::{Number, Quantity, ZERO_CELSIUS, rounded};
 use std::ops::RangeInclusive;
 
 const PATH: &str = "forming_limit";

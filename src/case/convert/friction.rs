@@ -4,7 +4,7 @@ use crate::case::file::{self, Friction as Given};
 use crate::case::{CaseError, explain::missing, source::Source};
 use crate::contact::friction::{PressureDependent, Stribeck, Tresca};
 use crate::model::{Friction, Role};
-use crate::quantity::Quantity;
+use crate::units::Quantity;
 
 /// The law of a tool: its own, that of its side, or, for a holder, the die's.
 pub(super) fn of(

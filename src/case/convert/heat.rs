@@ -2,12 +2,12 @@
 
 use super::lines::Lines;
 use crate::case::file::{self, InitialTemperature};
-use crate::case::measure::extent;
 use crate::case::{CaseError, explain::missing, source::Source};
-use crate::history::History;
 use crate::model::{Heat, HeatFlow, Role, Tool, ToolHeat};
-use crate::quantity::{Length, Quantity, ZERO_CELSIUS};
+use crate::numerics::PiecewiseLinear;
+use crate::rules::tool_sizes::extent;
 use crate::table::Unit;
+use crate::units::{Length, Quantity, ZERO_CELSIUS};
 use std::path::Path;
 
 /// Share of the plastic work that becomes heat, in common use for metals \[–\].
@@ -73,7 +73,7 @@ fn flow(file: &file::Heat, tools: &[Tool], source: &Source) -> Result<Option<Hea
 }
 
 /// Under the punch, and from the die's throat outward.
-fn by_zones(zones: &file::Zones, tools: &[Tool], source: &Source) -> Result<History, CaseError> {
+fn by_zones(zones: &file::Zones, tools: &[Tool], source: &Source) -> Result<PiecewiseLinear, CaseError> {
     let tool = |role: Role| tools.iter().find(|t| t.role == role);
     let (Some(punch), Some(die)) = (tool(Role::Punch), tool(Role::Die)) else {
         let help = "give one temperature, or a CSV file";
@@ -81,11 +81,11 @@ fn by_zones(zones: &file::Zones, tools: &[Tool], source: &Source) -> Result<Hist
     };
     let (inner, outer) = (extent(punch).1, die.profile.least_r());
     let points = vec![(inner, zones.punch.value()), (outer.max(inner + 1e-6), zones.flange.value())];
-    Ok(History::new(points).expect("two rising places"))
+    Ok(PiecewiseLinear::new(points).expect("two rising places"))
 }
 
 /// Columns `s0_mm,temperature_C`.
-fn by_file(name: &str, source: &Source, folder: &Path) -> Result<History, CaseError> {
+fn by_file(name: &str, source: &Source, folder: &Path) -> Result<PiecewiseLinear, CaseError> {
     let lines = Lines::open(name, "temperature", KEY, folder, source)?;
     let (header, rows) = lines.records(EXAMPLE)?;
     let found = header.fields.iter().collect::<Vec<_>>().join(", ");
@@ -114,5 +114,6 @@ fn by_file(name: &str, source: &Source, folder: &Path) -> Result<History, CaseEr
         }
         points.push((place, kelvin));
     }
-    History::new(points).ok_or_else(|| lines.error(header.line, "the temperature file has no rows".into(), EXAMPLE))
+    PiecewiseLinear::new(points)
+        .ok_or_else(|| lines.error(header.line, "the temperature file has no rows".into(), EXAMPLE))
 }

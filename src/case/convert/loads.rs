@@ -2,11 +2,11 @@
 
 use super::tools::Sheet;
 use crate::case::file::{self, Given, HolderForce, Stiffness};
-use crate::case::measure::{extent, shoulder_end};
 use crate::case::{CaseError, source::Source};
-use crate::history::History;
 use crate::model::{Bead, Face, Gas, Geometry, Motion, Press, Pressure, RateControl, Role, Tool};
-use crate::quantity::{Length, NonNegative, Positive, Quantity, Stress, Time};
+use crate::numerics::PiecewiseLinear;
+use crate::rules::tool_sizes::{extent, shoulder_end};
+use crate::units::{Length, NonNegative, Positive, Quantity, Stress, Time};
 
 /// How the holder is pressed or held: exactly one of the four ways.
 pub(super) fn holder(
@@ -73,7 +73,7 @@ pub(super) fn holder_force(
     given: &Given<NonNegative<Length>, HolderForce>,
     geometry: Geometry,
     source: &Source,
-) -> Result<History, CaseError> {
+) -> Result<PiecewiseLinear, CaseError> {
     let path = "tools.holder.force";
     let points: Vec<(f64, f64)> = given
         .points()
@@ -87,7 +87,7 @@ pub(super) fn holder_force(
     history(points, path, "travels", source)
 }
 
-fn history(points: Vec<(f64, f64)>, path: &str, what: &str, source: &Source) -> Result<History, CaseError> {
+fn history(points: Vec<(f64, f64)>, path: &str, what: &str, source: &Source) -> Result<PiecewiseLinear, CaseError> {
     if points.is_empty() {
         return Err(source.error(path, "the list of points is empty", "write [x, value] pairs, or one value"));
     }
@@ -95,7 +95,7 @@ fn history(points: Vec<(f64, f64)>, path: &str, what: &str, source: &Source) -> 
         let text = format!("the {what} of the points must rise, found {} after {}", points[i + 1].0, points[i].0);
         return Err(source.error(&format!("{path}.{}", i + 1), text, "sort the points, each place once"));
     }
-    Ok(History::new(points).expect("checked above"))
+    Ok(PiecewiseLinear::new(points).expect("checked above"))
 }
 
 /// Whether a force in N or N/mm can be told from round-off; none at all is a case of its own.
@@ -138,7 +138,7 @@ fn gas_history(
     alone: Option<Positive<Time>>,
     source: &Source,
     derived: &mut Vec<String>,
-) -> Result<History, CaseError> {
+) -> Result<PiecewiseLinear, CaseError> {
     let mut points: Vec<(f64, f64)> = given.points().into_iter().map(|(t, p)| (t, p.value())).collect();
     if let (Given::Constant(pressure), Some(duration)) = (given, alone) {
         points.push((duration.value(), pressure.value()));
@@ -176,7 +176,7 @@ pub(super) fn gas(
         let pressure = match (&given.pressure, given.strain_rate) {
             (Some(pressure), None) => {
                 let alone = file.duration.filter(|_| tool(Role::Punch).is_none());
-                Pressure::History(gas_history(pressure, key, alone, source, derived)?)
+                Pressure::OverTime(gas_history(pressure, key, alone, source, derived)?)
             }
             (None, Some(target)) => {
                 let exponent = given.norm.map_or(NORM, Quantity::value);

@@ -7,9 +7,9 @@ use crate::material::hardening::{
     Branch, Extrapolation, Hollomon, Isotherms, LawError, Ludwik, PiecewisePower, Swift, Table, Voce,
 };
 use crate::material::rate::{CowperSymonds, JohnsonCook, PowerRate};
-use crate::material::{Anisotropy, BackStress, Elastic, Hardening, Kinematic, Material, Rate};
+use crate::material::{BackStress, BackStresses, Elastic, Hardening, Hill48, Material, Rate};
 use crate::model::Mode;
-use crate::quantity::Quantity;
+use crate::units::Quantity;
 use std::ops::RangeInclusive;
 
 /// Normal anisotropy of sheet metals, with room \[–\].
@@ -51,15 +51,15 @@ pub(in crate::case) fn convert(file: &file::Material, source: &Source) -> Result
         elastic,
         rate,
         softening,
-        anisotropy: Anisotropy::new(r),
+        anisotropy: Hill48::new(r),
         kinematic: kinematic(&file.kinematic, file.mode, source)?,
         voids,
     })
 }
 
 /// At most two back-stresses, of a sheet that is not left to the flow law alone.
-fn kinematic(file: &[file::BackStress], mode: Option<file::Mode>, source: &Source) -> Result<Kinematic, CaseError> {
-    let mut kinematic = Kinematic::default();
+fn kinematic(file: &[file::BackStress], mode: Option<file::Mode>, source: &Source) -> Result<BackStresses, CaseError> {
+    let mut kinematic = BackStresses::default();
     if file.len() > kinematic.len() {
         let what = format!("{} back-stresses are given, more than {}", file.len(), kinematic.len());
         return Err(source.error("material.kinematic.2", what, "keep the two that matter"));
@@ -69,7 +69,7 @@ fn kinematic(file: &[file::BackStress], mode: Option<file::Mode>, source: &Sourc
         return Err(source.error("material.kinematic.0", "the flow law has no back-stresses", help));
     }
     for (law, file) in kinematic.iter_mut().zip(file) {
-        *law = BackStress { modulus: file.modulus.value(), recall: file.recall.map_or(0.0, Quantity::value) };
+        *law = BackStress { modulus: file.modulus.value(), dynamic_recovery: file.recall.map_or(0.0, Quantity::value) };
     }
     Ok(kinematic)
 }

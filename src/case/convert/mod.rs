@@ -31,9 +31,9 @@ pub(super) use press::press;
 use super::explain::missing;
 use super::file::{self, CaseFile};
 use super::{CaseError, source::Source};
+use crate::model::stage::Stage;
 use crate::model::{Geometry, Mode, Model, Theory};
-use crate::quantity::{Length, Positive, Quantity, rounded};
-use crate::stage::Stage;
+use crate::units::{Length, Positive, Quantity, rounded};
 use std::path::Path;
 
 /// What a case means: the model of its first stage and that one's name, the stages after it, and what was assumed.

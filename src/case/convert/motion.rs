@@ -3,8 +3,8 @@
 use crate::case::explain::missing;
 use crate::case::file::{CaseFile, Punch};
 use crate::case::{CaseError, source::Source};
-use crate::history::History;
-use crate::quantity::{Length, NonNegative, Quantity, Time, rounded};
+use crate::numerics::PiecewiseLinear;
+use crate::units::{Length, NonNegative, Quantity, Time, rounded};
 
 /// Points of a history closer than this share of the whole are no motion, or a blow \[–\].
 const CLOSEST: f64 = 1e-6;
@@ -12,7 +12,7 @@ const CLOSEST: f64 = 1e-6;
 /// Travel \[mm\], its history, speed \[mm/s\] and duration \[s\] as in [`crate::model::Model`].
 pub(super) struct Drive {
     pub travel: f64,
-    pub schedule: Option<History>,
+    pub schedule: Option<PiecewiseLinear>,
     pub speed: f64,
     pub duration: f64,
 }
@@ -64,7 +64,7 @@ fn punched(punch: &Punch, source: &Source) -> Result<Drive, CaseError> {
 }
 
 /// The travel over time, checked point by point.
-fn history(points: &[(NonNegative<Time>, NonNegative<Length>)], source: &Source) -> Result<History, CaseError> {
+fn history(points: &[(NonNegative<Time>, NonNegative<Length>)], source: &Source) -> Result<PiecewiseLinear, CaseError> {
     const PATH: &str = "tools.punch.motion";
     let points: Vec<(f64, f64)> = points.iter().map(|(time, travel)| (time.value(), travel.value())).collect();
     let [first, .., last] = points.as_slice() else {
@@ -93,5 +93,5 @@ fn history(points: &[(NonNegative<Time>, NonNegative<Length>)], source: &Source)
         let help = "the punch neither rests nor returns: sort the points, and let it move from each to the next";
         return Err(source.error(&format!("{PATH}.{}", i + 1), what, help));
     }
-    Ok(History::new(points).expect("checked above"))
+    Ok(PiecewiseLinear::new(points).expect("checked above"))
 }

@@ -6,8 +6,8 @@ use super::tools::Shop;
 use crate::case::CaseError;
 use crate::geometry::{FilletTooLarge, Piece, Point, Profile, Segment, fillet};
 use crate::model::{Geometry, Role};
-use crate::quantity::{Length, Quantity};
 use crate::table::Unit;
+use crate::units::{Length, Quantity};
 
 /// Points closer than this are one \[mm\]: drawings repeat where their curves meet.
 const SAME: f64 = 1e-5;

@@ -6,7 +6,7 @@ use crate::case::file::{CaseFile, HolderForce};
 use crate::case::source::Source;
 use crate::case::{CaseError, Press};
 use crate::model::Geometry;
-use crate::quantity::Quantity;
+use crate::units::Quantity;
 
 /// The rating of the press in the units of the run's forces and work.
 pub(in crate::case) fn press(file: &CaseFile, source: &Source) -> Result<Press, CaseError> {

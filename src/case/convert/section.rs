@@ -7,7 +7,7 @@ use crate::case::file::{Section, SectionTable, ToolName};
 use crate::case::{CaseError, source::Source};
 use crate::geometry::{Fold, Point, Profile};
 use crate::model::Role;
-use crate::quantity::Quantity;
+use crate::units::Quantity;
 
 /// A section before it is placed, and where its parts were written.
 pub(super) struct Drawn {

@@ -4,7 +4,7 @@ use super::{count, motion::Drive};
 use crate::case::file::{self, ContactMethod, Iteration, Norm};
 use crate::case::{CaseError, source::Source};
 use crate::model::{self, Role, Settings, StopRules, Tool};
-use crate::quantity::{Quantity, rounded};
+use crate::units::{Quantity, rounded};
 
 pub(super) fn convert(file: &file::Solver, source: &Source) -> Result<Settings, CaseError> {
     let default = Settings::default();

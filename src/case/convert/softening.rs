@@ -2,19 +2,19 @@
 
 use crate::case::file;
 use crate::case::{CaseError, source::Source};
-use crate::material::Softening;
-use crate::material::softening::{Arrhenius, Exponential, Melting};
-use crate::quantity::Quantity;
+use crate::material::ThermalLaw;
+use crate::material::thermal::{Arrhenius, Exponential, Melting};
+use crate::units::Quantity;
 
 /// R \[N mm/(mol K)\].
 const GAS_CONSTANT: f64 = 8_314.462_618;
 
-pub(super) fn convert(file: file::Softening, source: &Source) -> Result<Softening, CaseError> {
+pub(super) fn convert(file: file::Softening, source: &Source) -> Result<ThermalLaw, CaseError> {
     let johnson_cook = file.johnson_cook.map(|l| {
         let (reference, melting) = (l.reference.value(), l.melting.value());
-        Softening::JohnsonCook(Melting { reference, melting, exponent: l.exponent.value() })
+        ThermalLaw::JohnsonCook(Melting { reference, melting, exponent: l.exponent.value() })
     });
-    if let Some(Softening::JohnsonCook(law)) = johnson_cook
+    if let Some(ThermalLaw::JohnsonCook(law)) = johnson_cook
         && law.melting <= law.reference
     {
         let what =
@@ -22,11 +22,11 @@ pub(super) fn convert(file: file::Softening, source: &Source) -> Result<Softenin
         return Err(source.error("material.softening.johnson_cook.melting", what, "600 °C or so for aluminium"));
     }
     let exponential = file.exponential.map(|l| {
-        Softening::Exponential(Exponential { coefficient: l.coefficient.value(), reference: l.reference.value() })
+        ThermalLaw::Exponential(Exponential { coefficient: l.coefficient.value(), reference: l.reference.value() })
     });
     let arrhenius = file.arrhenius.map(|l| {
         let over_gas_constant = l.activation.value() / GAS_CONSTANT;
-        Softening::Arrhenius(Arrhenius {
+        ThermalLaw::Arrhenius(Arrhenius {
             over_gas_constant,
             exponent: l.exponent.value(),
             reference: l.reference.value(),

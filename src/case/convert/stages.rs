@@ -5,10 +5,10 @@ use super::{count, friction, limits, loads, material};
 use crate::case::file::{self, CaseFile, ReleaseStiffness};
 use crate::case::{CaseError, source::Source};
 use crate::geometry::Profile;
-use crate::history::History;
+use crate::model::stage::{Beginning, Stage};
 use crate::model::{self, Edge, Model, Motion, Press, Release, Role, Stiffness, StopRules, Tool};
-use crate::quantity::{Quantity, rounded};
-use crate::stage::{Beginning, Stage};
+use crate::numerics::PiecewiseLinear;
+use crate::units::{Quantity, rounded};
 use std::path::Path;
 
 /// Name of the first stage where it has none.
@@ -175,8 +175,8 @@ impl Next<'_> {
 
     /// What is said of the tools, written into `case` as the first stage would have it.
     fn tools(&self, case: &mut CaseFile) -> Vec<Said> {
-        let way = |axial: Option<crate::quantity::Length>, aside: Option<crate::quantity::Length>| {
-            let mm = |length: Option<crate::quantity::Length>| length.map_or(0.0, Quantity::value);
+        let way = |axial: Option<crate::units::Length>, aside: Option<crate::units::Length>| {
+            let mm = |length: Option<crate::units::Length>| length.map_or(0.0, Quantity::value);
             (axial.is_some() || aside.is_some()).then(|| (mm(axial), mm(aside)))
         };
         let mut tools = Vec::new();
@@ -342,7 +342,7 @@ impl Next<'_> {
         let stays = !begin.meets.contains(&Role::Holder);
         let force = match (given, last) {
             (file::Given::Constant(_), Some(last)) if stays && travel > 0.0 => {
-                History::new(vec![(0.0, last), (RAMP * travel, force.at(0.0))]).unwrap_or(force)
+                PiecewiseLinear::new(vec![(0.0, last), (RAMP * travel, force.at(0.0))]).unwrap_or(force)
             }
             _ => force,
         };

@@ -5,7 +5,7 @@ use crate::case::file::{self, Section};
 use crate::case::{CaseError, explain::missing, source::Source};
 use crate::geometry::Profile;
 use crate::model::{Geometry, Motion, Role, Tool};
-use crate::quantity::{Length, Positive, Quantity, rounded};
+use crate::units::{Length, Positive, Quantity, rounded};
 use std::path::Path;
 
 /// No tool is sharper and no opening smaller than a micrometre [mm].

@@ -2,18 +2,18 @@
 
 use crate::case::file;
 use crate::case::{CaseError, source::Source};
-use crate::material::Voids;
-use crate::material::voids::{Coalescence, Nucleation};
-use crate::quantity::Quantity;
+use crate::material::Gtn;
+use crate::material::gtn::{Coalescence, Nucleation};
+use crate::units::Quantity;
 
 /// Largest initial porosity \[–\]: beyond it the sheet is a sieve.
 const POROUS: f64 = 0.3;
 
-pub(super) fn convert(file: file::Voids, source: &Source) -> Result<Voids, CaseError> {
+pub(super) fn convert(file: file::Voids, source: &Source) -> Result<Gtn, CaseError> {
     let fail = |key: &str, what: String, help: &str| Err(source.error(&format!("material.voids.{key}"), what, help));
     let q1 = file.q1.map_or(1.5, Quantity::value);
     let q3 = file.q3.map_or(q1 * q1, Quantity::value);
-    let voids = Voids {
+    let voids = Gtn {
         q1,
         q2: file.q2.map_or(1.0, Quantity::value),
         q3,

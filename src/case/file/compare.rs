@@ -1,6 +1,6 @@
 //! `[[compare]]`: a published curve and how well it must be met, or the band that published values span.
 
-use crate::quantity::{Number, Positive, Ratio};
+use crate::units::{Number, Positive, Ratio};
 use schemars::JsonSchema;
 use serde::Deserialize;
 

@@ -1,6 +1,6 @@
 //! `[forming_limit]`: the curve that the strains are held against.
 
-use crate::quantity::{Fraction, Length, Number, Positive, StrainRate};
+use crate::units::{Fraction, Length, Number, Positive, StrainRate};
 use schemars::JsonSchema;
 use serde::Deserialize;
 

@@ -1,6 +1,6 @@
 //! `friction` of a tool or a side of the sheet.
 
-use crate::quantity::{Fraction, NonNegative, Number, Positive, Speed, Stress};
+use crate::units::{Fraction, NonNegative, Number, Positive, Speed, Stress};
 use schemars::JsonSchema;
 use serde::de::value::MapAccessDeserializer;
 use serde::{Deserialize, Deserializer, de};

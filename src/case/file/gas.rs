@@ -1,7 +1,7 @@
 //! `[gas]`: pressure on the faces of the sheet.
 
 use super::Given;
-use crate::quantity::{Length, NonNegative, Number, Positive, StrainRate, Stress, StressRate, Time};
+use crate::units::{Length, NonNegative, Number, Positive, StrainRate, Stress, StressRate, Time};
 use schemars::JsonSchema;
 use serde::Deserialize;
 

@@ -1,6 +1,6 @@
 //! `[heat]`: the sheet's temperature and what changes it.
 
-use crate::quantity::{Conductivity, Density, Fraction, HeatTransfer, Positive, SpecificHeat, Temperature};
+use crate::units::{Conductivity, Density, Fraction, HeatTransfer, Positive, SpecificHeat, Temperature};
 use schemars::JsonSchema;
 use serde::de::value::{MapAccessDeserializer, StrDeserializer};
 use serde::de::{Error, MapAccess, Visitor};

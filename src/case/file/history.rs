@@ -1,6 +1,6 @@
 //! A quantity that stays, or one that changes from point to point.
 
-use crate::quantity::Quantity;
+use crate::units::Quantity;
 use schemars::JsonSchema;
 use serde::de::value::{SeqAccessDeserializer, StrDeserializer};
 use serde::{Deserialize, Deserializer, de};

@@ -1,7 +1,7 @@
 //! `[material]` and one table per hardening law.
 
 use super::{Mode, Rate, Softening, Voids};
-use crate::quantity::{Fraction, NonNegative, Number, Positive, Stress, Temperature};
+use crate::units::{Fraction, NonNegative, Number, Positive, Stress, Temperature};
 use schemars::JsonSchema;
 use serde::Deserialize;
 

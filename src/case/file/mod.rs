@@ -38,7 +38,7 @@ pub use stages::{FirstStage, Mode, Release, ReleaseStiffness, Stage, StageDie, S
 pub use tools::{Bead, Crowned, Die, Flat, Hemispherical, Holder, HolderForce, Punch, Spring, Stiffness, Tools};
 pub use voids::{Coalescence, Nucleation, Voids};
 
-use crate::quantity::{Length, Positive};
+use crate::units::{Length, Positive};
 use schemars::JsonSchema;
 use serde::Deserialize;
 

@@ -1,7 +1,7 @@
 //! The press's rating.
 
 use super::HolderForce;
-use crate::quantity::{Energy, Positive};
+use crate::units::{Energy, Positive};
 use schemars::JsonSchema;
 use serde::Deserialize;
 

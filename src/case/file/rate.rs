@@ -1,6 +1,6 @@
 //! `[material.rate]`: how the yield stress depends on the strain rate.
 
-use crate::quantity::{Fraction, Number, Positive, StrainRate};
+use crate::units::{Fraction, Number, Positive, StrainRate};
 use schemars::JsonSchema;
 use serde::Deserialize;
 

@@ -1,6 +1,6 @@
 //! `profile`: a tool's section of one's own.
 
-use crate::quantity::{Length, NonNegative, Positive};
+use crate::units::{Length, NonNegative, Positive};
 use schemars::JsonSchema;
 use serde::Deserialize;
 use serde::de::value::{MapAccessDeserializer, SeqAccessDeserializer};

@@ -1,6 +1,6 @@
 //! `[material.softening]`: how the yield stress depends on the temperature.
 
-use crate::quantity::{Energy, Fraction, Number, PerKelvin, Positive, Temperature};
+use crate::units::{Energy, Fraction, Number, PerKelvin, Positive, Temperature};
 use schemars::JsonSchema;
 use serde::Deserialize;
 

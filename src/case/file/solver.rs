@@ -1,6 +1,6 @@
 //! `[solver]`, `[stop]` and `[output]`: all optional.
 
-use crate::quantity::{Fraction, Length, Number, Positive, Ratio, Stress};
+use crate::units::{Fraction, Length, Number, Positive, Ratio, Stress};
 use schemars::JsonSchema;
 use serde::Deserialize;
 

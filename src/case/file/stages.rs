@@ -1,7 +1,7 @@
 //! `[stage]` and `[[stages]]`: operations after the first one.
 
 use super::{Crowned, Edge, Flat, Friction, Given, Hemispherical, HolderForce, Section, ToolName};
-use crate::quantity::{Length, NonNegative, Positive, Speed, Time};
+use crate::units::{Length, NonNegative, Positive, Speed, Time};
 use schemars::JsonSchema;
 use serde::{Deserialize, Deserializer, de};
 use std::fmt;

@@ -1,7 +1,7 @@
 //! `[tools.punch]`, `[tools.die]`, `[tools.holder]`, `[[tools.beads]]`.
 
 use super::{Friction, Given, Section};
-use crate::quantity::{Force, Length, LineForce, NonNegative, Positive, Quantity, Speed, Stress, Time};
+use crate::units::{Force, Length, LineForce, NonNegative, Positive, Quantity, Speed, Stress, Time};
 use schemars::JsonSchema;
 use serde::Deserialize;
 
@@ -184,7 +184,7 @@ macro_rules! ring_or_per_depth {
                     }
 
                     fn visit_str<E: serde::de::Error>(self, text: &str) -> Result<$type, E> {
-                        let per_depth = crate::quantity::parse(text)
+                        let per_depth = crate::units::parse(text)
                             .is_ok_and(|p| p.dimension == <$per_depth as Quantity>::KIND.dimension);
                         let read = if per_depth {
                             text.parse().map($type::PerDepth)

@@ -1,6 +1,6 @@
 //! `[material.voids]`: microscopic voids that grow, open and join.
 
-use crate::quantity::{Fraction, Number, Positive};
+use crate::units::{Fraction, Number, Positive};
 use schemars::JsonSchema;
 use serde::Deserialize;
 

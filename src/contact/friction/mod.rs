@@ -22,7 +22,7 @@ pub use pressure_dependent::PressureDependent;
 pub use stribeck::Stribeck;
 pub use tresca::Tresca;
 
-use crate::contact::penalty::Smooth;
+use crate::contact::penalty::ValueAndSlope;
 use std::fmt;
 
 /// What a law looks at.
@@ -50,9 +50,9 @@ pub struct Drag {
 
 /// φ(s) = s/√(s² + s₀²) and its derivative \[1/mm\].
 #[inline]
-pub fn direction(slip: f64, scale: f64) -> Smooth {
+pub fn direction(slip: f64, scale: f64) -> ValueAndSlope {
     let root = (slip * slip + scale * scale).sqrt();
-    Smooth { value: slip / root, slope: scale * scale / (root * root * root) }
+    ValueAndSlope { value: slip / root, slope: scale * scale / (root * root * root) }
 }
 
 /// The law of one tool.

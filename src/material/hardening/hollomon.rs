@@ -1,7 +1,7 @@
 //! Hollomon's power law, started at the elastic line.
 
 use super::{FlowStress, LawError, Swift, require};
-use crate::quantity::rounded;
+use crate::units::rounded;
 
 /// σ_y = K (ε₀ + ε̄)^n.
 ///

@@ -1,7 +1,7 @@
 //! Hardening curves measured at several temperatures.
 
 use super::{FlowStress, LawError, Table, require};
-use crate::quantity::{ZERO_CELSIUS, rounded};
+use crate::units::{ZERO_CELSIUS, rounded};
 
 /// σ_y(ε̄, T): one [`Table`] per temperature, in between interpolated straight over the temperature, held beyond the
 /// coldest and the hottest.

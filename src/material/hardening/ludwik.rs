@@ -1,7 +1,7 @@
 //! Ludwik's law.
 
 use super::{FlowStress, LawError, power, require};
-use crate::quantity::rounded;
+use crate::units::rounded;
 
 /// σ_y = σ₀ + K ε̄^n.
 ///

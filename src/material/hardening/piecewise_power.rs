@@ -1,7 +1,7 @@
 //! Offset power law in branches, as Woo (1968) gives it.
 
 use super::{FlowStress, LawError, power, require};
-use crate::quantity::rounded;
+use crate::units::rounded;
 
 /// One branch σ = σ₀ + K ε̄^n, valid up to a strain.
 #[derive(Clone, Copy, Debug, PartialEq)]

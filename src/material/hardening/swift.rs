@@ -1,7 +1,7 @@
 //! Swift's power law.
 
 use super::{FlowStress, LawError, require};
-use crate::quantity::rounded;
+use crate::units::rounded;
 
 /// σ_y = K (ε₀ + ε̄)^n.
 ///

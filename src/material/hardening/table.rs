@@ -1,7 +1,7 @@
 //! Measured stress-strain points, interpolated without overshoot.
 
 use super::{FlowStress, LawError, require};
-use crate::quantity::rounded;
+use crate::units::rounded;
 
 /// What the law does beyond the last point: a declared choice.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -1,7 +1,7 @@
 //! Voce's saturating law, with an optional exponent on the strain.
 
 use super::{FlowStress, LawError, power, require};
-use crate::quantity::rounded;
+use crate::units::rounded;
 
 /// σ_y = σ_s − (σ_s − σ₀) exp(−b ε̄^m); m = 1 is Voce's law.
 ///

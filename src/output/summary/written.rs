@@ -3,8 +3,8 @@
 use super::{Entry, Figure, Summary, Value};
 use crate::measure::Change;
 use crate::output::springback::{compared, signed};
-use crate::quantity::rounded;
 use crate::table::{Unit, four_digits};
+use crate::units::rounded;
 use serde::ser::{Serialize, SerializeMap, Serializer};
 use serde_json::json;
 use std::fmt;

@@ -19,7 +19,7 @@ mod grid;
 use super::file::{WriteError, write as write_file};
 use super::{Subject, film, profile, shapes};
 use crate::model::{Geometry, Model};
-use crate::record::Frame;
+use crate::solution::Frame;
 use crate::table::{Column, Unit};
 use grid::Grid;
 use std::fmt::Write;

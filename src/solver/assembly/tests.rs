@@ -4,7 +4,7 @@ use super::*;
 use crate::element::{Geometry, Theory};
 use crate::geometry::Profile;
 use crate::material::hardening::Swift;
-use crate::material::{Anisotropy, Hardening, Material, Rate, Softening, Voids};
+use crate::material::{Gtn, Hardening, Hill48, Material, Rate, ThermalLaw};
 use crate::model::{
     Bead, Blank, Face, Gas, Grading, Heat, Iteration, Mode, Press, Pressure, RateControl, Role, Settings, Tool,
 };
@@ -60,8 +60,9 @@ fn matrix_is_the_derivative_of_the_residual() {
         for theory in [Theory::Bending, Theory::Membrane, Theory::Selective] {
             let mut formed = model(geometry, theory);
             formed.settings.iteration = Iteration::PrimalDual;
-            let flat = State::flat(&formed, crate::mesh::nodes(&formed));
-            let (run, state) = crate::solver::run_from(&formed, flat, &mut ());
+            let flat = State::flat(&formed, crate::model::mesh::nodes(&formed));
+            let run = crate::solver::run_from(&formed, flat, &mut ());
+            let state = run.end.clone();
             assert!(run.stop.is_complete(), "{}", run.stop);
             check(&model(geometry, theory), &state);
             // The same state with the gas as an unknown that holds a strain rate, or sits on a cap far below.
@@ -79,15 +80,16 @@ fn matrix_is_the_derivative_of_the_residual() {
 fn matrix_of_a_voided_warm_sheet_is_the_derivative_of_the_residual() {
     for theory in [Theory::Bending, Theory::Membrane] {
         let mut voided = model(Geometry::Axisymmetric, theory);
-        voided.material.voids = Some(Voids { q1: 1.5, q3: 2.25, ..Voids::gurson(0.03) });
-        voided.material.anisotropy = Anisotropy::new(1.4);
+        voided.material.voids = Some(Gtn { q1: 1.5, q3: 2.25, ..Gtn::gurson(0.03) });
+        voided.material.anisotropy = Hill48::new(1.4);
         voided.material.rate = Rate::examples().into_iter().map(|(_, law)| law).next();
-        voided.material.softening = Softening::examples().into_iter().map(|(_, law)| law).next();
+        voided.material.softening = ThermalLaw::examples().into_iter().map(|(_, law)| law).next();
         voided.heat = Some(Heat { initial: 423.15.into(), flow: None });
         let mut formed = voided.clone();
         formed.settings.iteration = Iteration::PrimalDual;
-        let flat = State::flat(&formed, crate::mesh::nodes(&formed));
-        let (run, state) = crate::solver::run_from(&formed, flat, &mut ());
+        let flat = State::flat(&formed, crate::model::mesh::nodes(&formed));
+        let run = crate::solver::run_from(&formed, flat, &mut ());
+        let state = run.end.clone();
         assert!(run.stop.is_complete(), "{}", run.stop);
         assert!(state.layers.iter().any(|point| point.porosity > 0.03));
         check(&voided, &state);

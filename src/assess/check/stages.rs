@@ -1,0 +1,34 @@
+//! A later stage in a line.
+
+use crate::model::stage::Stage;
+use crate::model::{Mode, Motion};
+use crate::units::rounded;
+
+/// What happens in a stage.
+pub(super) fn describe(stage: &Stage) -> String {
+    let Stage { model, begin, .. } = stage;
+    let mut does = Vec::new();
+    does.extend(begin.trim.map(|radius| format!("cut at {} mm", rounded(radius))));
+    does.extend(begin.anneal.then(|| "annealed".to_owned()));
+    for tool in &model.tools {
+        let (name, new) = (tool.role.name(), if begin.meets.contains(&tool.role) { "new " } else { "" });
+        does.push(match &tool.motion {
+            Motion::Path { axial, aside } if *aside == 0.0 => format!("{new}{name} goes {} mm", rounded(*axial)),
+            Motion::Path { axial, aside } => {
+                format!("{new}{name} goes {} mm and {} mm aside", rounded(*axial), rounded(*aside))
+            }
+            Motion::Pressed(press) => {
+                let unit = model.geometry.force_unit();
+                format!("{new}{name} presses with {:.0} {unit} at the end", press.force.at(model.travel))
+            }
+            Motion::Fixed | Motion::Gap(_) | Motion::Travel => format!("{new}{name} stands"),
+        });
+    }
+    does.extend(model.release.map(|_| "tools taken away".to_owned()));
+    does.push(match model.mode {
+        Mode::Flow => format!("{} s", rounded(model.duration)),
+        Mode::ElastoViscoplastic => format!("elasto-viscoplastic, {} s", rounded(model.duration)),
+        Mode::Elastic => format!("elastic, {} s", rounded(model.duration)),
+    });
+    does.join("; ")
+}

@@ -1,0 +1,64 @@
+//! Whether a cup's wall carries the punch force.
+
+use super::nose::NoseEnd;
+use super::{Finding, Light, of_stage};
+use crate::model::{Edge, Geometry};
+use crate::rules::estimate::{draw_ratio, tensile_strength};
+use crate::solution::StageSolution;
+use crate::table::Unit;
+use std::f64::consts::PI;
+
+/// Tear-off factor a_R \[–\]: 1 for a metal and an edge that nothing is known of, 1.6 the largest that is measured.
+const FACTORS: [f64; 2] = [1.0, 1.6];
+/// Share of the force for which nothing is known that counts as near it \[–\].
+const NEAR: f64 = 0.9;
+
+/// The peak punch force over what a wall carries past the punch's nose, π (d₁ + s₀) s₀ R_m; where the nose ends in a
+/// leaning wall d₁ is the diameter there, and of the wall's force the part along the axis counts.
+///
+/// Of the stage of a flat-bottomed cup, drawn at room temperature without gas, that comes nearest; punches of other shapes
+/// tear elsewhere.
+///
+/// # References
+/// 4ming, Forming handbook, "Tearing force", equations 1 and 2 (4ming.de/en/forming-handbook/tearing-force):
+/// F_BR = π (d₁ + s₀) s₀ R_m a_R with a_R = 1 … 1.6. The works that it quotes were not read.
+pub(super) fn judge(passes: &[StageSolution]) -> Option<Finding> {
+    let forces = passes.iter().enumerate().filter_map(|(i, pass)| Some((i, forces(pass, i)?)));
+    let (i, [peak, tears]) = forces.max_by(|(_, [a, b]), (_, [c, d])| (a / b).total_cmp(&(c / d)))?;
+    let factor = peak / tears;
+    let light = Light::of(factor, [NEAR * FACTORS[0], FACTORS[1]]);
+    Some(Finding {
+        key: "bottom_tearing",
+        label: "Bottom tearing",
+        light,
+        value: Some(100.0 * factor),
+        unit: Unit::Percent,
+        found: format!(
+            "punch force up to {:.1} kN, {:.0} % of the limit{}",
+            1e-3 * peak,
+            100.0 * factor,
+            of_stage(passes, i)
+        ),
+        limit: format!(
+            "{:.1} kN = π (d₁ + s₀) s₀ R_m at the end of the nose, near it from {:.0} % on; some metals and noses carry up to \
+             {} times that",
+            1e-3 * tears,
+            100.0 * NEAR,
+            FACTORS[1]
+        ),
+        source: "4ming, Forming handbook, Tearing force, eqs. 1 and 2",
+        advice: light.advice(super::thinning::ADVICE),
+    })
+}
+
+/// The peak force of a stage and the one that tears its wall off \[N\].
+fn forces(pass: &StageSolution, stage: usize) -> Option<[f64; 2]> {
+    let model = &pass.model;
+    let cold = model.geometry == Geometry::Axisymmetric && model.heat.is_none() && model.gas.is_empty();
+    let drawn = if stage == 0 { draw_ratio(model).is_some() } else { model.blank.edge == Edge::Free };
+    let nose = NoseEnd::of(pass).filter(|_| cold && drawn && model.release.is_none())?;
+    let thickness = model.blank.thickness;
+    let strength = tensile_strength(&model.material.hardening);
+    let tears = PI * (2.0 * nose.radius + thickness) * thickness * strength * nose.cosine;
+    Some([pass.steps.iter().map(|step| step.punch_force).fold(0.0, f64::max), tears])
+}

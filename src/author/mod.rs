@@ -1,0 +1,6 @@
+//! Case files that the program writes: from a few sizes, or around tools that were drawn.
+
+mod from_drawing;
+pub mod templates;
+
+pub use from_drawing::Draft;

@@ -1,0 +1,170 @@
+//! What may be given to a template, and what was.
+
+use super::Template;
+use super::rules::Picked;
+use crate::case::CaseError;
+use crate::units::{
+    Angle, Fraction, Length, NonNegative, Number, Positive, Quantity, QuantityError, Ratio, Stress, closest,
+};
+
+/// What kind of value an option takes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Kind {
+    /// Above zero \[mm\].
+    Length,
+    /// Above zero \[MPa\].
+    Stress,
+    /// Above zero \[rad\].
+    Angle,
+    /// Zero or above, in percent \[–\].
+    Share,
+    /// Zero or above \[–\].
+    Number,
+    /// From 0 to 1 \[–\].
+    Fraction,
+    /// A word.
+    Name,
+}
+
+impl Kind {
+    /// What stands for the value in help texts.
+    pub fn placeholder(self) -> &'static str {
+        match self {
+            Kind::Length => "LENGTH",
+            Kind::Stress => "STRESS",
+            Kind::Angle => "ANGLE",
+            Kind::Share => "PERCENT",
+            Kind::Number => "NUMBER",
+            Kind::Fraction => "FRACTION",
+            Kind::Name => "NAME",
+        }
+    }
+
+    /// The value, numbers in solver units.
+    fn read(self, text: &str) -> Result<Value, QuantityError> {
+        fn value<Q: Quantity + std::str::FromStr<Err = QuantityError>>(text: &str) -> Result<Value, QuantityError> {
+            text.parse::<Q>().map(|quantity| Value::Number(quantity.value()))
+        }
+        match self {
+            Kind::Length => value::<Positive<Length>>(text),
+            Kind::Stress => value::<Positive<Stress>>(text),
+            Kind::Angle => value::<Positive<Angle>>(text),
+            Kind::Share => value::<NonNegative<Ratio>>(text),
+            Kind::Number => value::<NonNegative<Number>>(text),
+            Kind::Fraction => value::<Fraction>(text),
+            Kind::Name => Ok(Value::Name(text.to_owned())),
+        }
+    }
+}
+
+/// What is taken where nothing is given.
+#[derive(Clone, Copy, Debug)]
+pub enum Default {
+    /// This value.
+    Value(&'static str),
+    /// What a rule gives, in words.
+    Rule(&'static str),
+}
+
+impl Default {
+    /// The value, or the rule in words.
+    pub fn words(self) -> &'static str {
+        let (Self::Value(words) | Self::Rule(words)) = self;
+        words
+    }
+}
+
+/// An option of a template.
+#[derive(Clone, Copy, Debug)]
+pub struct Choice {
+    /// Its name, without dashes in front.
+    pub key: &'static str,
+    pub kind: Kind,
+    pub default: Default,
+    pub about: &'static str,
+}
+
+impl Choice {
+    pub(super) const fn new(key: &'static str, kind: Kind, default: Default, about: &'static str) -> Self {
+        Self { key, kind, default, about }
+    }
+}
+
+/// What an option was given as.
+enum Value {
+    /// In solver units.
+    Number(f64),
+    Name(String),
+}
+
+/// The values of a template's options.
+pub(super) struct Inputs {
+    values: Vec<(Choice, Option<Value>)>,
+}
+
+impl Inputs {
+    pub fn read(template: &Template, given: &[(&str, &str)]) -> Result<Self, CaseError> {
+        let mut values: Vec<(Choice, Option<Value>)> = template.options().map(|choice| (*choice, None)).collect();
+        for (key, text) in given {
+            let Some((choice, value)) = values.iter_mut().find(|(choice, _)| choice.key == *key) else {
+                return Err(unknown(template, key));
+            };
+            let read = choice.kind.read(text).map_err(|error| {
+                let message = error.to_string();
+                let (what, help) = message.split_once('\n').unwrap_or((&message, ""));
+                CaseError::bare(format!("--{key}: {what}"), help.to_owned())
+            })?;
+            if value.replace(read).is_some() {
+                return Err(CaseError::bare(format!("--{key} is given twice"), "keep one of them".into()));
+            }
+        }
+        Ok(Self { values })
+    }
+
+    fn entry(&self, key: &str) -> &(Choice, Option<Value>) {
+        let entry = self.values.iter().find(|(choice, _)| choice.key == key);
+        entry.unwrap_or_else(|| unreachable!("templates ask for their own options only, not for {key}"))
+    }
+
+    /// The number that was given, if any.
+    pub fn given(&self, key: &str) -> Option<f64> {
+        match self.entry(key).1 {
+            Some(Value::Number(number)) => Some(number),
+            _ => None,
+        }
+    }
+
+    /// The word that was given, if any.
+    pub fn name(&self, key: &str) -> Option<&str> {
+        match &self.entry(key).1 {
+            Some(Value::Name(name)) => Some(name),
+            _ => None,
+        }
+    }
+
+    /// The number that was given, or the option's default value.
+    pub fn value(&self, key: &str) -> f64 {
+        self.given(key).unwrap_or_else(|| {
+            let choice = &self.entry(key).0;
+            let Default::Value(text) = choice.default else { unreachable!("--{key} is picked by a rule") };
+            let Ok(Value::Number(number)) = choice.kind.read(text) else { unreachable!("defaults are well written") };
+            number
+        })
+    }
+
+    /// What was given, or what a rule picks.
+    pub fn pick(&self, key: &str, rule: impl FnOnce() -> Picked) -> Picked {
+        self.given(key).map_or_else(rule, Picked::given)
+    }
+}
+
+fn unknown(template: &Template, key: &str) -> CaseError {
+    let known: Vec<&str> = template.options().map(|choice| choice.key).collect();
+    let near = closest(key, known.iter().copied());
+    let meant = near.first().map_or(String::new(), |near| format!("did you mean --{near}? "));
+    let all: Vec<String> = known.iter().map(|key| format!("--{key}")).collect();
+    CaseError::bare(
+        format!("the template {} has no option --{key}", template.name),
+        format!("{meant}it has {}", all.join(", ")),
+    )
+}

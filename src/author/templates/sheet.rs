@@ -1,0 +1,175 @@
+//! The sheet that every template forms.
+
+use super::inputs::{self, Choice, Default, Inputs};
+use super::page::{Page, mm};
+use super::rules::{self, Picked};
+use crate::case::CaseError;
+use crate::case::library::{self, Entry};
+use crate::forming_limit::{self, Hill, Kind};
+use crate::material::flow::ROOM_TEMPERATURE;
+use crate::material::hardening::Swift;
+use crate::material::{Elastic, Hardening, Material};
+use crate::units::rounded;
+
+/// The law of a sheet that is not named, and friction \[–\] that is not known: as an option, and as a case file, has them.
+pub const K: &str = "520 MPa";
+pub const N: &str = "0.22";
+pub const OFFSET: &str = "0.005";
+pub const FRICTION: &str = "0.08";
+
+/// The options of the sheet, which every template has.
+pub const SHEET: &[Choice] = &[
+    Choice::new("thickness", inputs::Kind::Length, Default::Value("1 mm"), "sheet thickness"),
+    Choice::new(
+        "material",
+        inputs::Kind::Name,
+        Default::Rule("the law of --k, --n and --offset"),
+        "sheet of the library, see `stampflow materials`",
+    ),
+    Choice::new("k", inputs::Kind::Stress, Default::Value(K), "k of the hardening law σ = k (offset + ε)^n"),
+    Choice::new("n", inputs::Kind::Number, Default::Value(N), "its exponent"),
+    Choice::new("offset", inputs::Kind::Number, Default::Value(OFFSET), "its offset strain"),
+    Choice::new("friction", inputs::Kind::Fraction, Default::Value(FRICTION), "Coulomb's coefficient on all tools"),
+];
+
+/// Those of [`SHEET`] that write a hardening law.
+const LAW: [&str; 3] = ["k", "n", "offset"];
+/// Of steel, declared where the material does not say it \[MPa, –\].
+const STEEL: Elastic = Elastic { young: 206e3, poisson: 0.3 };
+/// What is said of the law that is taken where none is given.
+const TYPICAL: &str =
+    "declared: hardening typical of mild deep-drawing steel (tensile strength near 300 MPa), not of one coil";
+/// What is said of the forming limit.
+const LIMIT: &str = "Where the sheet necks, computed from the hardening law: Hill's localised necking on the left, Swift's \
+                     diffuse necking on the right. Measured points of the coil should replace it: points = [[-0.2, 0.5], ...] and \
+                     strain = \"logarithmic\".";
+
+/// Where the hardening comes from.
+enum Origin {
+    Library {
+        name: &'static str,
+        /// Of the sheet that the library's numbers are of.
+        thickness: Option<String>,
+    },
+    /// k \[MPa\], n and offset strain \[–\] of Swift's law, and whether any of them was given.
+    Swift { law: [f64; 3], own: bool },
+}
+
+/// Thickness, material and friction.
+pub(super) struct Sheet {
+    /// \[mm\]
+    pub thickness: f64,
+    origin: Origin,
+    material: Material,
+    pub friction: f64,
+    /// Tensile strength \[MPa\].
+    pub strength: f64,
+}
+
+impl Sheet {
+    /// # Errors
+    /// When there is no such law or material, or both are given.
+    pub fn read(inputs: &Inputs) -> Result<Self, CaseError> {
+        let own = LAW.iter().find(|key| inputs.given(key).is_some());
+        let (origin, material) = match (inputs.name("material"), own) {
+            (Some(name), Some(key)) => {
+                let what = format!("--material {name} has its own hardening law, and --{key} is of another one");
+                return Err(CaseError::bare(what, "give either --material, or --k, --n and --offset".into()));
+            }
+            (Some(name), None) => {
+                let Entry { name, thickness, material, .. } = library::material(name)?;
+                (Origin::Library { name, thickness }, material)
+            }
+            (None, own) => {
+                let law = LAW.map(|key| inputs.value(key));
+                let swift = Swift::new(law[0], law[1], law[2]).map_err(|error| {
+                    CaseError::bare(error.to_string(), "give other values of --k, --n or --offset".into())
+                })?;
+                (Origin::Swift { law, own: own.is_some() }, Material::plain(Hardening::Swift(swift)))
+            }
+        };
+        let strength = rules::tensile_strength(&material.hardening);
+        let [thickness, friction] = ["thickness", "friction"].map(|key| inputs.value(key));
+        Ok(Self { thickness, origin, material, friction, strength })
+    }
+
+    /// Yield stress at an equivalent plastic strain \[MPa\].
+    pub fn stress(&self, strain: f64) -> f64 {
+        self.material.hardening.at(strain).stress
+    }
+
+    /// Mean r-value \[–\].
+    pub fn anisotropy(&self) -> f64 {
+        self.material.anisotropy.ratio()
+    }
+
+    /// E and ν: the material's, or those of steel.
+    pub fn elastic(&self) -> Elastic {
+        self.material.elastic.unwrap_or(STEEL)
+    }
+
+    /// What is declared: the part, and where hardening and friction come from; a case says that of the library's itself.
+    pub fn notes(&self, part: &str) -> Vec<String> {
+        let law = match self.origin {
+            Origin::Library { .. } => None,
+            Origin::Swift { own: true, .. } => Some("declared: hardening as given when the case was made"),
+            Origin::Swift { own: false, .. } => Some(TYPICAL),
+        };
+        let part = format!("declared: {part}, not a published one; sizes by the rules that stand beside them");
+        let friction = format!("declared: friction {} on all tools, not measured", rounded(self.friction));
+        std::iter::once(part).chain(law.map(str::to_owned)).chain([friction]).collect()
+    }
+
+    /// `[blank]` but for its keys after the thickness.
+    pub fn blank(&self, page: &mut Page, key: &str, size: &Picked) {
+        page.table("blank", "");
+        page.length(key, size);
+        let of = match &self.origin {
+            Origin::Library { thickness: Some(of), .. } => format!("the material's numbers are of a sheet of {of}"),
+            _ => String::new(),
+        };
+        page.set("thickness", mm(self.thickness), &of);
+    }
+
+    /// `[material]`, of the elastic twin where `elastic`.
+    pub fn material(&self, page: &mut Page, elastic: bool) {
+        let named = match self.origin {
+            Origin::Library { name, .. } => Some(name),
+            Origin::Swift { .. } => None,
+        };
+        if elastic || named.is_some() {
+            page.table("material", if elastic { "Elastic and plastic, so that the sheet springs back." } else { "" });
+        }
+        if let Some(name) = named {
+            page.set("name", format!("{name:?}"), "of the library: stampflow materials");
+        }
+        if elastic {
+            page.set("mode", "\"elasto_viscoplastic\"", "");
+        }
+        if elastic && self.material.elastic.is_none() {
+            page.set("young", format!("\"{} GPa\"", 1e-3 * STEEL.young), "of steel, declared, as is ν");
+            page.set("poisson", STEEL.poisson, "");
+        }
+        if let Origin::Swift { law, .. } = self.origin {
+            let [k, n, offset] = law.map(rounded);
+            page.table("material.hardening.swift", "σ = k (offset + ε)^n");
+            page.set("k", format!("\"{k} MPa\""), "");
+            page.set("n", n, "");
+            page.set("offset", offset, "");
+        }
+    }
+
+    /// `[forming_limit]` of a part that is drawn or stretched, where the hardening law gives one.
+    pub fn forming_limit(&self, page: &mut Page) {
+        let sheet =
+            forming_limit::Sheet { material: &self.material, thickness: self.thickness, temperature: ROOM_TEMPERATURE };
+        if Kind::Hill(Hill { n: None }).curve(&sheet).is_err() {
+            page.comment(
+                "No [forming_limit]: this hardening law has no load maximum; give measured points of the coil.",
+            );
+            return;
+        }
+        page.table("forming_limit", LIMIT);
+        page.set("hill", true, "");
+    }
+}

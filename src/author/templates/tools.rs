@@ -1,0 +1,163 @@
+//! Punch, die and holder of a template, as the case file has them.
+
+use super::page::{Page, mm, plain};
+use super::rules::{self, Picked};
+use super::sheet::Sheet;
+use crate::case::CaseError;
+use crate::model::Geometry;
+use crate::units::rounded;
+
+/// A tool's shape: key, value, and why it has these sizes.
+pub(super) struct Shape {
+    pub key: &'static str,
+    pub value: String,
+    pub why: String,
+}
+
+impl Shape {
+    pub fn write(&self, page: &mut Page) {
+        page.set(self.key, &self.value, &self.why);
+    }
+}
+
+/// The tools of one draw.
+pub(super) struct Tools {
+    pub geometry: Geometry,
+    pub punch: Shape,
+    pub travel: Picked,
+    /// Radius or half-width of the die's opening, and of its shoulder \[mm\].
+    pub throat: Picked,
+    pub shoulder: Picked,
+    /// Force \[N or N/mm\] of a holder from the end of the shoulder on.
+    pub holder: Option<Picked>,
+}
+
+impl Tools {
+    /// Writes the tables of the tools.
+    pub fn write(&self, page: &mut Page, sheet: &Sheet) {
+        let friction = rounded(sheet.friction);
+        page.table(
+            "tools.punch",
+            "All tools are placed where they touch the flat sheet; the punch then moves by `travel`.",
+        );
+        self.punch.write(page);
+        page.set("friction", friction, "");
+        page.length("travel", &self.travel);
+        page.table("tools.die", "");
+        page.length("throat", &self.throat);
+        page.length("shoulder", &self.shoulder);
+        page.set("friction", friction, "");
+        let Some(force) = &self.holder else { return };
+        let inner = Picked::by(self.throat.value + self.shoulder.value, "where the die's shoulder ends");
+        page.table("tools.holder", "");
+        match self.geometry {
+            Geometry::Axisymmetric => {
+                page.length("inner_radius", &inner);
+                page.set("force", newtons(force.value), &format!("of the whole ring{}", tail(&force.why)));
+            }
+            Geometry::PlaneStrain => {
+                page.length("inner_half_width", &inner);
+                page.set("force", format!("\"{:.1} N/mm\"", force.value), &format!("of the half{}", tail(&force.why)));
+            }
+        }
+    }
+}
+
+fn tail(why: &str) -> String {
+    if why.is_empty() { String::new() } else { format!(": {why}") }
+}
+
+/// A ring force as a case file has it, rounded up: a holder that presses less than its rule asks for is doubted.
+pub(super) fn newtons(force: f64) -> String {
+    if force >= 1e4 {
+        format!("\"{:.2} kN\"", 1e-2 * (0.1 * force).ceil())
+    } else {
+        format!("\"{:.0} N\"", force.ceil())
+    }
+}
+
+/// The force of a pressure on the flat of the flange, from the end of the shoulder to the edge.
+///
+/// # Errors
+/// When no flange lies there.
+pub(super) fn force(pressure: &Picked, geometry: Geometry, shoulder_end: f64, edge: f64) -> Result<Picked, CaseError> {
+    if edge <= shoulder_end {
+        let what = format!(
+            "the blank ends at {}, where the die's shoulder still bends it (up to {}): there is nothing to hold",
+            plain(edge),
+            plain(shoulder_end)
+        );
+        return Err(CaseError::bare(what, "make the part higher, or --shoulder or --clearance smaller".into()));
+    }
+    let area = geometry.area(edge) - geometry.area(shoulder_end);
+    Ok(Picked { value: pressure.value * area, why: pressure.why.clone() })
+}
+
+/// Refuses a nose that does not fit its punch.
+///
+/// # Errors
+/// When the nose is larger than the punch's radius or half-width.
+pub(super) fn nose_fits(nose: f64, punch: f64) -> Result<(), CaseError> {
+    if nose <= punch {
+        return Ok(());
+    }
+    let what = format!("a nose radius of {} does not fit a punch of {}", plain(nose), plain(punch));
+    Err(CaseError::bare(what, "make --nose smaller (it is 6 thicknesses when not given) or the punch larger".into()))
+}
+
+/// The reason of a picked number inside of another one's.
+pub(super) fn because(picked: &Picked) -> String {
+    if picked.why.is_empty() { String::new() } else { format!(", {}", picked.why) }
+}
+
+/// A word of warning near the limit of one draw.
+pub(super) fn careful(ratio: f64) -> String {
+    if ratio <= rules::CAREFUL_RATIO {
+        return String::new();
+    }
+    format!(
+        " The draw ratio of {ratio:.2} is close to the limit of one draw ({} for DC04 with a 100 mm punch, 4ming): it may tear.",
+        rules::CAREFUL_RATIO
+    )
+}
+
+/// A punch with a flat face; `size` names its radius or half width.
+pub(super) fn flat_punch(size: &str, value: f64, nose: &Picked) -> Shape {
+    Shape {
+        key: "flat",
+        value: format!("{{ {size} = {}, nose = {} }}", mm(value), mm(nose.value)),
+        why: about("nose", nose),
+    }
+}
+
+/// A punch with a round nose.
+pub(super) fn round_punch(radius: &Picked) -> Shape {
+    Shape { key: "hemispherical", value: format!("{{ radius = {} }}", mm(radius.value)), why: radius.why.clone() }
+}
+
+/// Which of several numbers in a line a rule has picked.
+pub(super) fn about(what: &str, picked: &Picked) -> String {
+    if picked.why.is_empty() { String::new() } else { format!("{what}: {}", picked.why) }
+}
+
+/// The mesh, of which `[blank]` has the number of elements.
+pub(super) fn elements(page: &mut Page, length: f64, radius: f64) {
+    page.set(
+        "elements",
+        rules::elements(length, radius),
+        "10 per 90° of the smallest radius, were they equal; finer there",
+    );
+}
+
+/// The sheet and the tools of a strip that is bent, and the stage that takes them away.
+pub(super) fn bend(page: &mut Page, sheet: &Sheet, blank: &Picked, nose: f64, tools: &Tools) {
+    page.table("stage", "");
+    page.set("name", "\"bend\"", "");
+    sheet.blank(page, "half_length", blank);
+    elements(page, blank.value, tools.shoulder.value.min(nose));
+    sheet.material(page, true);
+    tools.write(page, sheet);
+    page.table("[stages]", "All tools are taken away at once: their forces fade, and the sheet springs back.");
+    page.set("name", "\"release\"", "");
+    page.set("release", true, "");
+}

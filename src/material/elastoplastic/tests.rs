@@ -1,0 +1,287 @@
+use super::*;
+use crate::material::BackStress;
+use crate::material::chaboche::shifting;
+use approx::assert_relative_eq;
+
+const STEEL: Elastic = Elastic { young: 206_000.0, poisson: 0.3 };
+
+const KINEMATICS: [BackStresses; 3] = [
+    [BackStress { modulus: 0.0, dynamic_recovery: 0.0 }; 2],
+    [BackStress { modulus: 2500.0, dynamic_recovery: 0.0 }, BackStress { modulus: 0.0, dynamic_recovery: 0.0 }],
+    [BackStress { modulus: 12_000.0, dynamic_recovery: 110.0 }, BackStress { modulus: 900.0, dynamic_recovery: 6.0 }],
+];
+
+fn law(hardening: &Hardening) -> ElastoplasticLaw<'_> {
+    ElastoplasticLaw {
+        hardening: Some(hardening),
+        operators: Operators::new(STEEL, Hill48::default()),
+        kinematic: shifting(KINEMATICS[0]),
+        rate: None,
+        softening: None,
+        secant: false,
+        duration: 0.1,
+    }
+}
+
+fn start(law: &ElastoplasticLaw) -> Carried {
+    let shifts = if law.kinematic.is_none() { 0.0 } else { 1.0 };
+    let at = Carried {
+        strain: 0.03,
+        temperature: crate::material::flow::ROOM_TEMPERATURE,
+        stress: [60.0, -25.0, 8.0],
+        back: [[20.0, 5.0, -3.0], [4.0, -6.0, 1.0]].map(|back| back.map(|a| shifts * a)),
+        yield_stress: 0.0,
+    };
+    Carried { yield_stress: law.yield_stress(&at), ..at }
+}
+
+const INCREMENTS: [Triple; 5] =
+    [[1e-2, -5e-3, 0.0], [3e-3, 0.0, 1e-3], [-2e-3, -2e-3, 4e-4], [-4e-2, 1e-2, -2e-3], [2.5e-3, 3e-3, -5e-3]];
+
+/// What a law of [`for_every_law`] is made of.
+#[derive(Debug)]
+struct Setting {
+    name: &'static str,
+    kinematic: BackStresses,
+    r: f64,
+}
+
+/// Every hardening law with every set of back-stresses and every rate law, or none.
+fn for_every_law(look: impl Fn(&Setting, &ElastoplasticLaw)) {
+    let rates = Rate::examples();
+    for (name, hardening) in Hardening::examples() {
+        for (kinematic, r) in KINEMATICS.into_iter().zip([1.0, 0.6, 2.0]) {
+            for rate in rates.iter().map(|(_, rate)| Some(rate)).chain([None]) {
+                let law = ElastoplasticLaw {
+                    kinematic: shifting(kinematic),
+                    rate,
+                    operators: Operators::new(STEEL, Hill48::new(r)),
+                    ..law(&hardening)
+                };
+                look(&Setting { name, kinematic, r }, &law);
+            }
+        }
+    }
+}
+
+/// Trust: the definition, to the round-off of an elastic trial stress of some GPa.
+#[test]
+fn stress_lies_on_the_yield_surface_and_follows_from_the_elastic_strain() {
+    for_every_law(|setting, law| {
+        for e in INCREMENTS {
+            let mut trial = Trial::default();
+            let response = law.respond(&start(law), &mut trial, e);
+            let xi: Triple = std::array::from_fn(|j| response.stress[j] - trial.back[0][j] - trial.back[1][j]);
+            let size = law.radius(law.hardening.expect("yields"), &start(law), response.increment).stress;
+            assert!(response.increment > 0.0, "{}", setting.name);
+            // What the last round of Newton's method, linear in Δp, leaves.
+            assert_relative_eq!(Hill48::new(setting.r).equivalent_stress(xi), size, max_relative = 1e-8);
+        }
+    });
+}
+
+/// Trust: central differences with h = 1e-5 of the increment; truncation and round-off below 1e-5 of Young's modulus.
+/// With recall the derivative is not symmetric, and its symmetric part is what is given.
+#[test]
+fn tangent_is_the_derivative_of_the_stress_for_every_law() {
+    for_every_law(|setting, law| {
+        for e in INCREMENTS.into_iter().chain([[1e-5, 2e-5, -1e-5]]) {
+            let c = law.respond(&start(law), &mut Trial::default(), e).tangent;
+            let h = 1e-5 * e[0].abs().max(e[1].abs());
+            let columns: Vec<Triple> = (0..3)
+                .map(|j| {
+                    let at = |sign: f64| {
+                        let mut e = e;
+                        e[j] += sign * h;
+                        law.respond(&start(law), &mut Trial::default(), e).stress
+                    };
+                    let (plus, minus) = (at(1.0), at(-1.0));
+                    std::array::from_fn(|i| (plus[i] - minus[i]) / (2.0 * h))
+                })
+                .collect();
+            let scale = STEEL.young;
+            for (k, (i, j)) in [(0, 0), (0, 1), (1, 1), (0, 2), (1, 2), (2, 2)].into_iter().enumerate() {
+                let difference = 0.5 * (columns[j][i] + columns[i][j]);
+                let wrong = (c[k] - difference).abs();
+                assert!(wrong < 1e-5 * scale, "{setting:?} {:?} {e:?} {i}{j}: {} {difference}", law.rate, c[k]);
+                let skew = (columns[j][i] - columns[i][j]).abs();
+                assert!(
+                    setting.kinematic[0].dynamic_recovery > 0.0 || skew < 1e-5 * scale,
+                    "{setting:?}: not symmetric without recall"
+                );
+            }
+        }
+    });
+}
+
+/// The same metal written as rates of the full three-dimensional tensors, integrated on its own.
+mod ode {
+    use super::*;
+
+    /// Diagonal and the s-normal shear: s, θ, n, sn (tensor component).
+    type Tensor = [f64; 4];
+
+    fn product(a: Tensor, b: Tensor) -> f64 {
+        a[0] * b[0] + a[1] * b[1] + a[2] * b[2] + 2.0 * a[3] * b[3]
+    }
+
+    fn deviator(a: Tensor) -> Tensor {
+        let mean = (a[0] + a[1] + a[2]) / 3.0;
+        [a[0] - mean, a[1] - mean, a[2] - mean, a[3]]
+    }
+
+    /// Rate at which stress beyond the yield surface comes back to it \[1/s\].
+    const FADING: f64 = 40.0;
+
+    #[derive(Clone, Copy)]
+    pub struct Point {
+        pub stress: Tensor,
+        pub back: [Tensor; 2],
+        pub strain: f64,
+    }
+
+    impl Point {
+        fn along(&self, rate: &Self, dt: f64) -> Self {
+            let mut next = *self;
+            for i in 0..4 {
+                next.stress[i] += dt * rate.stress[i];
+                for k in 0..2 {
+                    next.back[k][i] += dt * rate.back[k][i];
+                }
+            }
+            next.strain += dt * rate.strain;
+            next
+        }
+    }
+
+    pub struct Metal<'a> {
+        pub elastic: Elastic,
+        pub hardening: &'a Hardening,
+        pub kinematic: BackStresses,
+        /// Perzyna: C and p of the overstress.
+        pub viscous: Option<(f64, f64)>,
+    }
+
+    impl Metal<'_> {
+        /// Rates for in-plane strain rates; the normal one keeps the normal stress zero.
+        fn rates(&self, at: &Point, strain: [f64; 2]) -> Point {
+            let Elastic { young, poisson } = self.elastic;
+            let g = young / (2.0 * (1.0 + poisson));
+            let lame = young * poisson / ((1.0 + poisson) * (1.0 - 2.0 * poisson));
+            let xi: Tensor = std::array::from_fn(|i| at.stress[i] - at.back[0][i] - at.back[1][i]);
+            let s = deviator(xi);
+            let size = (1.5 * product(s, s)).sqrt();
+            let n: Tensor = s.map(|s| if size > 0.0 { 1.5 * s / size } else { 0.0 });
+            let yielding = self.hardening.at(at.strain);
+            let stress_rate = |normal: f64, p: f64| -> Tensor {
+                let e = [strain[0], strain[1], normal, 0.0];
+                let volume = e[0] + e[1] + e[2];
+                std::array::from_fn(|i| if i < 3 { lame * volume } else { 0.0 } + 2.0 * g * (e[i] - p * n[i]))
+            };
+            // The normal strain rate that leaves no normal stress, linear in both.
+            let normal_of = |p: f64| -> f64 {
+                let (zero, one) = (stress_rate(0.0, p)[2], stress_rate(1.0, p)[2]);
+                -zero / (one - zero)
+            };
+            let back_rate = |k: usize, p: f64| -> Tensor {
+                let law = &self.kinematic[k];
+                std::array::from_fn(|i| p * (2.0 / 3.0 * law.modulus * n[i] - law.dynamic_recovery * at.back[k][i]))
+            };
+            let beyond = size / yielding.stress - 1.0;
+            let p = if let Some((c, exponent)) = self.viscous {
+                c * beyond.max(0.0).powf(exponent)
+            } else if beyond < 0.0 {
+                0.0
+            } else {
+                // Consistency: d/dt(size − σ_y) is linear in p.
+                let drift = |p: f64| {
+                    let rate = stress_rate(normal_of(p), p);
+                    let (a, b) = (back_rate(0, p), back_rate(1, p));
+                    let moved: Tensor = std::array::from_fn(|i| rate[i] - a[i] - b[i]);
+                    product(n, moved) - yielding.slope * p
+                };
+                let (zero, one) = (drift(0.0), drift(1.0));
+                // What the step that began to yield overshot fades within some twenty steps.
+                (zero / (zero - one)).max(0.0) + FADING * beyond
+            };
+            Point { stress: stress_rate(normal_of(p), p), back: [back_rate(0, p), back_rate(1, p)], strain: p }
+        }
+
+        /// Along straight strain paths between corners, by the classical Runge-Kutta rule.
+        pub fn follow(&self, corners: &[[f64; 2]], duration: f64, steps: usize) -> Point {
+            let mut at = Point { stress: [0.0; 4], back: [[0.0; 4]; 2], strain: 0.0 };
+            let dt = duration / steps as f64;
+            for leg in corners.windows(2) {
+                let strain = [0, 1].map(|i| (leg[1][i] - leg[0][i]) / duration);
+                for _ in 0..steps {
+                    let a = self.rates(&at, strain);
+                    let b = self.rates(&at.along(&a, 0.5 * dt), strain);
+                    let c = self.rates(&at.along(&b, 0.5 * dt), strain);
+                    let d = self.rates(&at.along(&c, dt), strain);
+                    at = at.along(&a, dt / 6.0).along(&b, dt / 3.0).along(&c, dt / 3.0).along(&d, dt / 6.0);
+                }
+            }
+            at
+        }
+    }
+}
+
+/// The twin along the same path, in equal steps.
+fn follow(law: &ElastoplasticLaw, corners: &[[f64; 2]], steps: usize) -> Carried {
+    let mut at = Carried { temperature: crate::material::flow::ROOM_TEMPERATURE, ..Carried::default() };
+    for leg in corners.windows(2) {
+        let e = [0, 1].map(|i| (leg[1][i] - leg[0][i]) / steps as f64);
+        for _ in 0..steps {
+            let mut trial = Trial::default();
+            at.yield_stress = law.yield_stress(&at);
+            let response = law.respond(&at, &mut trial, [e[0], e[1], 0.0]);
+            at.stress = response.stress;
+            at.strain += response.increment;
+            at.back = trial.back;
+        }
+    }
+    at
+}
+
+/// Trust: an integration of the rates of the 3D tensors with steps so short that yielding in the middle of one is felt by
+/// less than 1e-7; the twin's backward Euler is first order, so two step lengths are extrapolated to none.
+#[test]
+fn a_closed_strain_cycle_is_that_of_the_rates_of_the_tensors() {
+    let voce = Hardening::Voce(crate::material::hardening::Voce::new(180.0, 400.0, 9.0, 1.0).expect("valid"));
+    let corners = [[0.0, 0.0], [0.02, 0.005], [-0.015, 0.01], [0.0, -0.02], [0.0, 0.0]];
+    let perzyna = Rate::CowperSymonds(crate::material::rate::CowperSymonds { rate: 40.0, exponent: 3.0 });
+    for kinematic in KINEMATICS {
+        for rate in [None, Some(&perzyna)] {
+            let steps = 40_000;
+            let duration = 0.5;
+            let viscous = rate.map(|_| (40.0, 3.0));
+            let metal = ode::Metal { elastic: STEEL, hardening: &voce, kinematic, viscous };
+            let expected = metal.follow(&corners, duration, 5 * steps);
+            let twin = |steps: usize| {
+                follow(
+                    &ElastoplasticLaw {
+                        kinematic: shifting(kinematic),
+                        rate,
+                        duration: duration / steps as f64,
+                        ..law(&voce)
+                    },
+                    &corners,
+                    steps,
+                )
+            };
+            let (coarse, fine) = (twin(steps / 2), twin(steps));
+            let limit = |of: fn(&Carried) -> f64| 2.0 * of(&fine) - of(&coarse);
+            let scale = 400.0;
+            let stress = [limit(|c| c.stress[0]), limit(|c| c.stress[1])];
+            // The plane-stress back-stress is 2 α'_s + α'_θ of the deviator.
+            let back = [limit(|c| c.back[0][0]), limit(|c| c.back[1][1])];
+            let deviator = expected.back;
+            let back_expected = [2.0 * deviator[0][0] + deviator[0][1], 2.0 * deviator[1][1] + deviator[1][0]];
+            for i in 0..2 {
+                assert!((stress[i] - expected.stress[i]).abs() < 1e-6 * scale, "{kinematic:?} {i}");
+                assert!((back[i] - back_expected[i]).abs() < 1e-6 * scale, "{kinematic:?} {i}");
+            }
+            assert!((limit(|c| c.strain) - expected.strain).abs() < 1e-6 * expected.strain);
+        }
+    }
+}

@@ -1,0 +1,137 @@
+//! Normal anisotropy: Hill's quadratic yield condition for a sheet that is isotropic in its plane.
+//!
+//! ```text
+//! σ̄² = σ_s² − 2 q σ_s σ_θ + σ_θ² + (3/k) σ_γ²,  q = r̄/(1 + r̄)          r̄ = 1 is Huber-Mises
+//! Δε̄² = Δεᵀ A Δε,  A = P⁻¹ = [1 q 0; q 1 0; 0 0 k (1−q²)/3]/(1 − q²)   for P = [1 −q 0; −q 1 0; 0 0 3/k]
+//! ```
+//!
+//! The transverse shear keeps the value of Huber-Mises: sheet metal is hardly ever tested in it, and it carries next to
+//! nothing.
+//!
+//! # References
+//! R. Hill, A theory of the yielding and plastic flow of anisotropic metals, Proc. R. Soc. London A 193 (1948) 281–297.
+
+use super::flow::{Metric, SHEAR_FACTOR, Symmetric, Triple, YieldCondition, dot};
+
+/// The shear's entry of P.
+const SHEAR_INVERSE: f64 = 3.0 / SHEAR_FACTOR;
+
+/// The metric of the yield condition.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Hill48 {
+    /// r̄: width strain over thickness strain in tension \[–\].
+    r: f64,
+    q: f64,
+    /// Entries of A: diagonal, off it, shear.
+    pub(super) direct: f64,
+    pub(super) coupled: f64,
+    pub(super) shear: f64,
+}
+
+impl Default for Hill48 {
+    /// Huber-Mises, r̄ = 1.
+    fn default() -> Self {
+        Self::new(1.0)
+    }
+}
+
+impl Hill48 {
+    /// For r̄ > 0.
+    pub fn new(r: f64) -> Self {
+        let q = r / (1.0 + r);
+        let direct = (1.0 + r) * (1.0 + r) / (1.0 + 2.0 * r);
+        Self { r, q, direct, coupled: q * direct, shear: SHEAR_FACTOR / 3.0 }
+    }
+
+    /// r̄ \[–\].
+    pub fn ratio(&self) -> f64 {
+        self.r
+    }
+
+    /// q = r̄/(1 + r̄), off the diagonal of P \[–\].
+    #[inline]
+    pub fn coupling(&self) -> f64 {
+        self.q
+    }
+
+    /// A Δε.
+    #[inline]
+    pub fn apply(&self, e: Triple) -> Triple {
+        [self.direct * e[0] + self.coupled * e[1], self.coupled * e[0] + self.direct * e[1], self.shear * e[2]]
+    }
+
+    /// Equivalent strain increment √(Δεᵀ A Δε) \[–\].
+    #[inline]
+    pub fn equivalent_increment(&self, e: Triple) -> f64 {
+        dot(e, self.apply(e)).sqrt()
+    }
+
+    /// Equivalent stress √(σᵀ A⁻¹ σ) \[MPa\].
+    #[inline]
+    pub fn equivalent_stress(&self, s: Triple) -> f64 {
+        self.stress_square(s).sqrt()
+    }
+
+    #[inline]
+    fn stress_square(&self, s: Triple) -> f64 {
+        s[0] * s[0] - 2.0 * self.q * s[0] * s[1] + s[1] * s[1] + SHEAR_INVERSE * s[2] * s[2]
+    }
+}
+
+impl YieldCondition for Hill48 {
+    #[inline]
+    fn metric(&self, e: Triple) -> Metric {
+        let gradient = self.apply(e);
+        let matrix = [self.direct, self.coupled, self.direct, 0.0, 0.0, self.shear];
+        Metric { gradient, matrix, square: dot(e, gradient) }
+    }
+
+    #[inline]
+    fn scaled(&self, _: &Metric, f: f64) -> Symmetric {
+        // −0 added to anything is nothing, and costs nothing.
+        [self.direct * f, self.coupled * f, self.direct * f, -0.0, -0.0, self.shear * f]
+    }
+
+    #[inline]
+    fn product(&self, _: &Metric, e: Triple) -> Triple {
+        self.apply(e)
+    }
+
+    #[inline]
+    fn stress_square(&self, _: &Metric, w: Triple) -> f64 {
+        self.stress_square(w)
+    }
+
+    #[inline]
+    fn strain_share(&self) -> f64 {
+        1.0
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use approx::assert_relative_eq;
+
+    /// Trust: Hill's closed forms. Plane strain (ε_θ = 0): σ_s/σ̄ = (1 + r̄)/√(1 + 2r̄), σ_θ/σ_s = r̄/(1 + r̄);
+    /// equi-biaxial: σ/σ̄ = √((1 + r̄)/2).
+    #[test]
+    fn plane_strain_and_equi_biaxial_factors_are_hills() {
+        for r in [0.5_f64, 1.0, 2.0] {
+            let law = Hill48::new(r);
+            let stress = |e: Triple| law.apply(e).map(|a| a / law.equivalent_increment(e));
+            let plane = stress([0.01, 0.0, 0.0]);
+            assert_relative_eq!(plane[0], (1.0 + r) / (1.0 + 2.0 * r).sqrt(), max_relative = 1e-12);
+            assert_relative_eq!(plane[1] / plane[0], r / (1.0 + r), max_relative = 1e-12);
+            let biaxial = stress([0.01, 0.01, 0.0]);
+            assert_relative_eq!(biaxial[0], ((1.0 + r) / 2.0).sqrt(), max_relative = 1e-12);
+            // Tension: the width thins r̄ times as fast as the thickness.
+            let uniaxial = stress([1.0 + r, -r, 0.0]);
+            assert_relative_eq!(uniaxial[0], 1.0, max_relative = 1e-12);
+            assert!(uniaxial[1].abs() < 1e-12);
+            for s in [plane, biaxial, uniaxial] {
+                assert_relative_eq!(law.equivalent_stress(s), 1.0, max_relative = 1e-12);
+            }
+        }
+    }
+}

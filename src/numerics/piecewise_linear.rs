@@ -1,0 +1,112 @@
+//! A value that changes along the run.
+
+/// A value over the punch travel or the time: straight between its points, held before the first and after the last.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PiecewiseLinear {
+    points: Vec<(f64, f64)>,
+}
+
+impl From<f64> for PiecewiseLinear {
+    /// A value that stays.
+    fn from(value: f64) -> Self {
+        Self { points: vec![(0.0, value)] }
+    }
+}
+
+impl PiecewiseLinear {
+    /// Through the points (x, value); `None` when there is none, or x does not rise from each to the next.
+    pub fn new(points: Vec<(f64, f64)>) -> Option<Self> {
+        let rises = points.windows(2).all(|w| w[0].0 < w[1].0);
+        (rises && !points.is_empty()).then_some(Self { points })
+    }
+
+    /// The value at `x`.
+    pub fn at(&self, x: f64) -> f64 {
+        let after = self.points.partition_point(|p| p.0 < x);
+        if after == 0 {
+            return self.points[0].1;
+        }
+        let Some(&(x1, v1)) = self.points.get(after) else { return self.points[after - 1].1 };
+        let (x0, v0) = self.points[after - 1];
+        v0 + (v1 - v0) * (x - x0) / (x1 - x0)
+    }
+
+    /// Where a value that rises from point to point is reached; before the first and after the last point as [`Self::at`].
+    pub fn reaches(&self, value: f64) -> f64 {
+        let after = self.points.partition_point(|p| p.1 < value);
+        if after == 0 {
+            return self.points[0].0;
+        }
+        let Some(&(x1, v1)) = self.points.get(after) else { return self.points[after - 1].0 };
+        let (x0, v0) = self.points[after - 1];
+        x0 + (x1 - x0) * (value - v0) / (v1 - v0)
+    }
+
+    /// Slope of the line that leads up to `x`; 0 up to the first point and beyond the last.
+    pub fn slope_before(&self, x: f64) -> f64 {
+        let after = self.points.partition_point(|p| p.0 < x);
+        if after == 0 || after == self.points.len() {
+            return 0.0;
+        }
+        let ((x0, v0), (x1, v1)) = (self.points[after - 1], self.points[after]);
+        (v1 - v0) / (x1 - x0)
+    }
+
+    /// The same up to where the rising value comes to `value`, the last line drawn out as far as it takes.
+    pub fn up_to(&self, value: f64) -> Self {
+        let kept = self.points.partition_point(|p| p.1 < value).min(self.points.len() - 1).max(1);
+        let mut points = self.points[..kept].to_vec();
+        let ((x0, v0), (x1, v1)) = (points[kept - 1], self.points[kept]);
+        points.push((x0 + (x1 - x0) * (value - v0) / (v1 - v0), value));
+        Self { points }
+    }
+
+    /// The points (x, value).
+    pub fn points(&self) -> &[(f64, f64)] {
+        &self.points
+    }
+
+    /// The largest value.
+    pub fn largest(&self) -> f64 {
+        self.points.iter().map(|p| p.1).fold(f64::NEG_INFINITY, f64::max)
+    }
+
+    /// The smallest value.
+    pub fn smallest(&self) -> f64 {
+        self.points.iter().map(|p| p.1).fold(f64::INFINITY, f64::min)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn values_are_interpolated_and_held() {
+        let history = PiecewiseLinear::new(vec![(1.0, 10.0), (3.0, 20.0), (4.0, 0.0)]).expect("rising");
+        for (x, value) in [(0.0, 10.0), (1.0, 10.0), (2.0, 15.0), (3.0, 20.0), (3.5, 10.0), (9.0, 0.0)] {
+            assert_eq!(history.at(x), value);
+        }
+        assert_eq!((history.smallest(), history.largest()), (0.0, 20.0));
+        assert_eq!(PiecewiseLinear::from(5.0).at(-1.0), 5.0);
+    }
+
+    #[test]
+    fn a_rising_value_is_found_cut_and_drawn_out() {
+        let history = PiecewiseLinear::new(vec![(0.0, 0.0), (2.0, 10.0), (3.0, 30.0)]).expect("rising");
+        for (x, value) in [(0.0, 0.0), (1.0, 5.0), (2.0, 10.0), (2.5, 20.0), (3.0, 30.0)] {
+            assert_eq!((history.at(x), history.reaches(value)), (value, x));
+        }
+        assert_eq!([0.0, 1.0, 2.0, 2.1, 3.0, 4.0].map(|x| history.slope_before(x)), [0.0, 5.0, 5.0, 20.0, 20.0, 0.0]);
+        assert_eq!(history.up_to(4.0).points(), [(0.0, 0.0), (0.8, 4.0)]);
+        assert_eq!(history.up_to(10.0).points(), [(0.0, 0.0), (2.0, 10.0)]);
+        assert_eq!(history.up_to(40.0).points(), [(0.0, 0.0), (2.0, 10.0), (3.5, 40.0)]);
+    }
+
+    #[test]
+    fn what_does_not_rise_is_no_history() {
+        assert_eq!(PiecewiseLinear::new(vec![]), None);
+        assert_eq!(PiecewiseLinear::new(vec![(1.0, 0.0), (1.0, 2.0)]), None);
+        assert_eq!(PiecewiseLinear::new(vec![(1.0, 0.0), (f64::NAN, 2.0)]), None);
+    }
+}

@@ -1,0 +1,126 @@
+//! Estimates from a model alone.
+
+use crate::geometry::Point;
+use crate::material::Hardening;
+use crate::model::mesh;
+use crate::model::{Edge, Geometry, Model, Motion, Role};
+use crate::rules::tool_sizes::{extent, gap, mouth, shoulder_end, throat, widens};
+use std::f64::consts::{FRAC_PI_2, PI};
+
+/// Tensile strength [MPa]: largest nominal stress σ exp(−ε), reached where dσ/dε = σ (A. Considère, 1885).
+pub(crate) fn tensile_strength(law: &Hardening) -> f64 {
+    let strains = (0..=2000).map(|i| f64::from(i) * 5e-4);
+    strains.map(|strain| law.at(strain).stress * (-strain).exp()).fold(0.0, f64::max)
+}
+
+/// Throat less punch [mm]; for a die with a bottom, and for a punch that is wider behind what goes in, the smallest gap at
+/// the full travel.
+pub(crate) fn clearance(model: &Model) -> Option<f64> {
+    let (punch, die) = (model.tool(Role::Punch)?, model.tool(Role::Die)?);
+    let closed = || gap(punch, die, model.travel).distance;
+    let straight = throat(die).filter(|_| !widens(punch, model.travel));
+    Some(straight.map_or_else(closed, |throat| throat - extent(punch).1))
+}
+
+/// Blank over the punch's [`mouth`], where a blank is drawn in over a punch that is smaller.
+pub(crate) fn draw_ratio(model: &Model) -> Option<f64> {
+    let punch = model.tool(Role::Punch)?;
+    // A punch and a die with a bottom, both as wide as the blank, emboss it.
+    let embossed =
+        model.tool(Role::Die).is_some_and(|die| throat(die).is_none()) && extent(punch).1 >= model.blank.length;
+    let drawn = model.geometry == Geometry::Axisymmetric && model.blank.edge == Edge::Free && !embossed;
+    let ratio = model.blank.length / mouth(punch, model.travel);
+    (drawn && ratio > 1.0 && ratio.is_finite()).then_some(ratio)
+}
+
+/// Where the flat between holder and die begins \[mm\].
+pub(crate) fn held_from(model: &Model) -> Option<f64> {
+    Some(extent(model.tool(Role::Holder)?).0.max(shoulder_end(model.tool(Role::Die)?)))
+}
+
+/// Initial area between holder and the die's flat [mm², or mm² per mm of depth].
+pub(crate) fn held_area(model: &Model) -> Option<f64> {
+    let held = model.geometry.area(model.blank.length) - model.geometry.area(held_from(model)?);
+    (held > 0.0).then_some(held)
+}
+
+/// The holder's largest force over the area that it presses on at the start [MPa].
+pub(crate) fn holder_pressure(model: &Model) -> Option<f64> {
+    match &model.tool(Role::Holder)?.motion {
+        Motion::Pressed(press) => Some(press.force.largest() / held_area(model)?),
+        _ => None,
+    }
+}
+
+/// The pressure that keeps a flange from wrinkling [MPa], usually named after Siebel, with the punch diameter d and the
+/// draw ratio β: p = 0.0025 [(β − 1)² + 0.5 d/(100 t)] R_m.
+///
+/// # References
+/// Read in: 4ming, Forming handbook, "Blankholder pressure", equation 1 (4ming.de/en/forming-handbook/blankholder-pressure),
+/// p = [(β₀ − 1)² + d₁/(200 s₀)] R_m/400, after H. Kugler, Umformtechnik, Hanser, München (2009): for steel on steel with
+/// drawing oil, and up to four times as much with drawing foil on both sides. Not read: E. Siebel, H. Beisswänger,
+/// Tiefziehen, Hanser, München (1955); H. Tschätsch, Metal Forming Practise, which is quoted with the same form; books
+/// that are said to have (β − 1)³ with factors from 0.002 to 0.003. At β = 2 both forms agree; below it the square asks
+/// for more.
+pub(crate) fn siebel(beta: f64, diameter: f64, thickness: f64, strength: f64) -> f64 {
+    0.0025 * ((beta - 1.0).powi(2) + 0.5 * diameter / (100.0 * thickness)) * strength
+}
+
+/// [`siebel`]'s pressure for the blank and the punch of a model.
+pub(crate) fn siebel_pressure(model: &Model, strength: f64) -> Option<f64> {
+    let diameter = 2.0 * mouth(model.tool(Role::Punch)?, model.travel);
+    Some(siebel(draw_ratio(model)?, diameter, model.blank.thickness, strength))
+}
+
+/// How far round the die's shoulder the edge is, by an area that stays, when it leaves the die [rad]: the rim thickens and is
+/// shorter than that. The quickstart's cup, drawn on, passes the throat at 38.4 mm; by this angle it does at 39.0.
+const LEFT: f64 = PI / 3.0;
+
+/// Area of the sheet once it lies on the punch and its edge leaves the die's shoulder, over the blank's area [–]; above 1 the
+/// blank has been drawn through the die. Thickness taken as constant.
+pub(crate) fn drawn_share(model: &Model) -> Option<f64> {
+    let (punch, die) = (model.tool(Role::Punch)?, model.tool(Role::Die)?);
+    let points = punch.profile.polyline(0.02);
+    let top = points.iter().map(|p| p.y).fold(f64::NEG_INFINITY, f64::max);
+    let end = shoulder_end(die);
+    let shoulder = end - throat(die).unwrap_or(end);
+    let bottom = top - model.travel + shoulder * (1.0 - LEFT.cos());
+    let mut used = 0.0;
+    let mut reached = 0.0;
+    for (a, b) in points.iter().zip(&points[1..]).filter(|(a, _)| a.y > bottom) {
+        let share = if b.y < bottom { (a.y - bottom) / (a.y - b.y) } else { 1.0 };
+        let end: Point = a + share * (b - a);
+        let width = match model.geometry {
+            Geometry::Axisymmetric => PI * (a.x + end.x),
+            Geometry::PlaneStrain => 1.0,
+        };
+        used += width * (end - a).norm();
+        reached = end.x;
+    }
+    let rest = model.geometry.area(end - shoulder * LEFT.sin()) - model.geometry.area(reached);
+    // A punch as wide as the blank draws nothing in.
+    if reached >= model.blank.length {
+        return None;
+    }
+    Some((used + rest) / model.geometry.area(model.blank.length))
+}
+
+/// The corner with the fewest elements per 90°.
+pub(crate) struct CornerFit {
+    pub role: Role,
+    pub radius: f64,
+    /// Initial element size there [mm].
+    pub size: f64,
+    pub per_quarter: f64,
+}
+
+pub(crate) fn coarsest_corner(model: &Model) -> Option<CornerFit> {
+    let nodes = mesh::nodes(model);
+    let corners = model.tools.iter().flat_map(|tool| tool.profile.corners().map(move |arc| (tool.role, arc)));
+    let fits = corners.map(|(role, arc)| {
+        let after = nodes.partition_point(|&r| r < arc.center.x).clamp(1, nodes.len() - 1);
+        let size = nodes[after] - nodes[after - 1];
+        CornerFit { role, radius: arc.radius, size, per_quarter: FRAC_PI_2 * arc.radius / size }
+    });
+    fits.min_by(|a, b| a.per_quarter.total_cmp(&b.per_quarter))
+}

@@ -1,0 +1,4 @@
+//! Rules of die design and sizes of tools, each with its source.
+
+pub mod estimate;
+pub mod tool_sizes;

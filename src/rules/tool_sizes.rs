@@ -1,0 +1,162 @@
+//! Sizes read off a tool's section, however it was drawn.
+
+use crate::geometry::{Piece, Point, Profile};
+use crate::model::{Geometry, Role, Tool};
+
+/// Smallest and largest r of a tool \[mm\].
+pub fn extent(tool: &Tool) -> (f64, f64) {
+    let points = tool.profile.polyline(0.01);
+    points.iter().fold((f64::INFINITY, 0.0), |(low, high), p| (p.x.min(low), p.x.max(high)))
+}
+
+/// Rounded coordinates may miss by this \[mm\].
+const ROUNDED: f64 = 1e-6;
+
+/// Largest r of a punch down to `depth` behind its foremost point \[mm\]: at the full travel, what has passed the flat
+/// sheet's lower face and makes the part's mouth. A rounding counts as a whole, so that a straight-walled punch has its wall
+/// from the start; a cone has less than its [`extent`] until all of it has passed.
+pub fn mouth(punch: &Tool, depth: f64) -> f64 {
+    let pieces = punch.profile.pieces();
+    let top = punch.profile.polyline(0.01).iter().map(|p| p.y).fold(f64::NEG_INFINITY, f64::max);
+    let level = top - depth;
+    let last = pieces.iter().rposition(|piece| piece.first().y.max(piece.last().y) >= level - ROUNDED);
+    let last = last.unwrap_or(0);
+    let roundings = pieces[last..].iter().take_while(|piece| matches!(piece, Piece::Arc(_))).count();
+    let passed = pieces[..last + roundings].iter().flat_map(|piece| piece.sample(samples(piece))).map(|p| p.x);
+    let cut = match pieces[last] {
+        Piece::Segment(line) if line.to.y < level => {
+            let share = ((line.from.y - level) / (line.from.y - line.to.y)).max(0.0);
+            line.from.x + share * (line.to.x - line.from.x).max(0.0)
+        }
+        Piece::Segment(line) => line.from.x.max(line.to.x),
+        Piece::Arc(_) => 0.0,
+    };
+    passed.fold(cut, f64::max)
+}
+
+/// Whether a punch is wider behind what goes through the flat sheet on its travel \[mm\].
+pub fn widens(punch: &Tool, travel: f64) -> bool {
+    mouth(punch, travel) < extent(punch).1 - ROUNDED
+}
+
+/// What a distance from the axis or symmetry plane is called, as a size of a part.
+pub fn across(geometry: Geometry) -> &'static str {
+    match geometry {
+        Geometry::Axisymmetric => "radius",
+        Geometry::PlaneStrain => "half-width",
+    }
+}
+
+/// Radius or half-width of the die's opening \[mm\]; `None` for a die with a bottom, which reaches the axis.
+pub fn throat(die: &Tool) -> Option<f64> {
+    (die.profile.last().x > 1e-6).then(|| extent(die).0)
+}
+
+/// How close two tools are.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Gap {
+    /// Smallest signed distance [mm], negative where one is inside the other.
+    pub distance: f64,
+    /// Where, as tools are placed [mm].
+    pub at: Point,
+}
+
+/// The gap between two tools when the punch has gone up by `travel` [mm]. Arcs and long lines are sampled: their
+/// chords are short of them by 3e-6 of the radius.
+pub(crate) fn gap(a: &Tool, b: &Tool, travel: f64) -> Gap {
+    let placed = |tool: &Tool| tool.profile.shifted(if tool.role == Role::Punch { travel } else { 0.0 });
+    let (a, b) = (placed(a), placed(b));
+    let one_way = |from: &Profile, to: &Profile| {
+        let points = from.pieces().iter().flat_map(|piece| piece.sample(samples(piece)));
+        let gaps = points.filter_map(|at| {
+            let closest = to.closest(at);
+            let foot = at - closest.distance * closest.normal;
+            // Beyond the ends of a line no side is drawn.
+            (closest.distance >= 0.0 || !to.ends_at(foot)).then_some(Gap { distance: closest.distance, at })
+        });
+        gaps.min_by(|a, b| a.distance.total_cmp(&b.distance))
+    };
+    let nearest = [one_way(&a, &b), one_way(&b, &a)].into_iter().flatten();
+    nearest.min_by(|a, b| a.distance.total_cmp(&b.distance)).unwrap_or(Gap { distance: f64::INFINITY, at: a.first() })
+}
+
+/// How far the punch goes before it is closer than `least` to another tool \[mm\], up to `most`, where it is.
+pub(crate) fn room(punch: &Tool, other: &Tool, least: f64, most: f64) -> f64 {
+    let (mut free, mut stuck) = (0.0, most);
+    for _ in 0..30 {
+        let middle = 0.5 * (free + stuck);
+        if gap(punch, other, middle).distance < least { stuck = middle } else { free = middle }
+    }
+    free
+}
+
+/// Intervals that a piece is looked at in.
+fn samples(piece: &Piece) -> usize {
+    match piece {
+        Piece::Segment(_) => 8,
+        Piece::Arc(a) => (a.sweep.abs() / 0.005).ceil().max(1.0) as usize,
+    }
+}
+
+/// Where the die's corners end and its flat begins [mm].
+pub(crate) fn shoulder_end(die: &Tool) -> f64 {
+    die.profile.corners().map(|a| a.at(0.0).x.max(a.at(1.0).x)).fold(extent(die).0, f64::max)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::geometry::{Arc, Segment};
+    use crate::model::Motion;
+    use approx::assert_relative_eq;
+    use std::f64::consts::FRAC_PI_2;
+
+    fn punch(pieces: Vec<Piece>) -> Tool {
+        let profile = Profile::new(pieces).unwrap();
+        Tool { role: Role::Punch, profile, friction: 0.0.into(), motion: Motion::Fixed }
+    }
+
+    fn line(from: [f64; 2], to: [f64; 2]) -> Piece {
+        Piece::Segment(Segment::new(from.into(), to.into()))
+    }
+
+    /// Trust: by hand: 20 mm and 0.4 mm more per mm of depth, up to the straight wall at 32 mm.
+    #[test]
+    fn the_mouth_of_a_cone_grows_with_the_travel() {
+        let cone = punch(vec![
+            line([0.0, 5.0], [20.0, 5.0]),
+            line([20.0, 5.0], [32.0, -25.0]),
+            line([32.0, -25.0], [32.0, -90.0]),
+        ]);
+        for (depth, radius) in [(0.0, 20.0), (10.0, 24.0), (25.0, 30.0), (30.0, 32.0), (60.0, 32.0)] {
+            assert_relative_eq!(mouth(&cone, depth), radius, epsilon = 1e-9);
+            assert_eq!(widens(&cone, depth), radius < 32.0, "{depth}");
+        }
+    }
+
+    /// Trust: a wall of 30 mm, however little of the rounding before it has passed.
+    #[test]
+    fn a_straight_wall_is_the_mouth_from_the_start() {
+        let nose = Piece::Arc(Arc::new([24.0, -6.0].into(), 6.0, FRAC_PI_2, -FRAC_PI_2));
+        let dome = Piece::Arc(Arc::new([0.0, -30.0].into(), 30.0, FRAC_PI_2, -FRAC_PI_2));
+        let wall = |z: f64| line([30.0, z], [30.0, -80.0]);
+        for punch in [punch(vec![line([0.0, 0.0], [24.0, 0.0]), nose, wall(-6.0)]), punch(vec![dome, wall(-30.0)])] {
+            for depth in [0.0, 1.0, 6.0, 20.0, 200.0] {
+                assert_relative_eq!(mouth(&punch, depth), 30.0, epsilon = 1e-9);
+                assert!(!widens(&punch, depth));
+            }
+        }
+    }
+
+    /// Trust: a face that is hollow about the axis by more than the travel has the mouth of its rim.
+    #[test]
+    fn a_hollow_face_has_its_rims_mouth() {
+        let hollow = punch(vec![
+            line([0.0, -20.0], [10.0, -20.0]),
+            line([10.0, -20.0], [15.0, 0.0]),
+            line([15.0, 0.0], [25.0, 0.0]),
+            line([25.0, 0.0], [45.0, -40.0]),
+        ]);
+        assert_relative_eq!(mouth(&hollow, 10.0), 30.0, epsilon = 1e-9);
+    }
+}
