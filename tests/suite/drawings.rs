@@ -1,9 +1,6 @@
 //! Drawings by other programs: each gives the profile that was drawn, a faulty one says what is wrong and where.
 
-#[path = "common/files.rs"]
-mod files;
-
-use files::files;
+use crate::common::files::files;
 use proptest::prelude::*;
 use stampflow::case;
 use stampflow::geometry::{Arc, Piece, Point, Profile, Segment};

@@ -289,7 +289,7 @@ fn the_list_and_the_help_name_every_option() {
 /// The example on the page of `stampflow::case`, read from there.
 #[test]
 fn the_smallest_case_is_twelve_lines_and_runs() {
-    let page = include_str!("../src/case/mod.rs");
+    let page = include_str!("../../src/case/mod.rs");
     let example = page.split("r#\"").nth(1).unwrap().split("\"#").next().unwrap();
     let lines: Vec<&str> =
         example.lines().map(|line| line.trim_start_matches("//!").trim()).filter(|l| !l.is_empty()).collect();

@@ -1,9 +1,6 @@
 //! Case files: the shipped ones load, broken ones say what is wrong, and no override can make the reader panic.
 
-#[path = "common/files.rs"]
-mod files;
-
-use files::files;
+use crate::common::files::files;
 use proptest::prelude::*;
 use stampflow::case::{self, Case};
 use stampflow::model::{Edge, Geometry, Grading, Mode, Motion, Press, Release, Role, Stiffness, Theory};
@@ -20,7 +17,7 @@ fn message(text: &str, overrides: &[&str]) -> String {
     case::parse(text, "case.toml", &overrides).expect_err("the case is broken").render(false)
 }
 
-const QUICKSTART: &str = include_str!("../cases/quickstart.toml");
+const QUICKSTART: &str = include_str!("../../cases/quickstart.toml");
 
 /// The case of the module's documentation: no key of it can be left out.
 const MINIMAL: &str = r#"title = "Cup"

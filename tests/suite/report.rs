@@ -1,17 +1,14 @@
 //! Reports: whole, self-contained, with units, and with no number that the JSON has not.
 
-#[path = "common/cli.rs"]
-mod cli;
-
-use cli::{CUP, STAGES, folder, stampflow, text};
+use crate::common::cli::{CUP, STAGES, folder, stampflow, text};
 use scraper::{Html, Selector};
 use serde_json::Value;
 use std::fs;
 
 const PARTS: [&str; 7] = ["Case", "Verdict", "Section", "Inputs", "Assumptions", "Warnings", "Solver"];
 
-const RELEASE: &str = include_str!("../cases/hat_springback.toml");
-const LIMIT: &str = include_str!("../cases/stretch_limit.toml");
+const RELEASE: &str = include_str!("../../cases/hat_springback.toml");
+const LIMIT: &str = include_str!("../../cases/stretch_limit.toml");
 
 /// The HTML and the JSON of a case.
 fn report(case: &str) -> (String, Value) {

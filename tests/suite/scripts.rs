@@ -1,12 +1,7 @@
 //! What programs and shells read: JSON, completions, manual pages.
 
-#[path = "common/cli.rs"]
-mod cli;
-#[path = "common/files.rs"]
-mod files;
-
-use cli::{CUP, STAGES, folder, stampflow, text};
-use files::files;
+use crate::common::cli::{CUP, STAGES, folder, stampflow, text};
+use crate::common::files::files;
 use serde_json::Value;
 use std::fs;
 use std::process::Output;

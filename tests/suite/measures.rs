@@ -1,9 +1,6 @@
 //! What is measured and drawn of single frames: legs of solved sheets, stress through the thickness, spring-back.
 
-#[path = "common/shipped.rs"]
-#[allow(dead_code, reason = "only whole runs are needed")]
-mod shipped;
-
+use crate::common::shipped;
 use resvg::tiny_skia::Pixmap;
 use stampflow::measure::{Shape, moment_error, places};
 use stampflow::model::{Geometry, Model};
