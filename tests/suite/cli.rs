@@ -184,7 +184,7 @@ fn options_are_offered_where_they_have_a_use() {
 
 #[test]
 fn validation_away_from_the_project_asks_for_its_cases() {
-    let dir = tempfile::tempdir().unwrap();
+    let dir = temp_dir::TempDir::new().unwrap();
     let done = stampflow(dir.path(), &["validate"]);
     assert_eq!(done.status.code(), Some(2));
     assert!(

@@ -222,8 +222,8 @@ fn text(bytes: &[u8]) -> &str {
 }
 
 /// A folder with one drawing.
-fn folder(drawing: &Path) -> tempfile::TempDir {
-    let dir = tempfile::tempdir().unwrap();
+fn folder(drawing: &Path) -> temp_dir::TempDir {
+    let dir = temp_dir::TempDir::new().unwrap();
     fs::copy(drawing, dir.path().join(drawing.file_name().unwrap())).unwrap();
     dir
 }

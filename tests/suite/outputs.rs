@@ -96,7 +96,7 @@ fn all_files_are_written_and_nothing_else() {
         "forming_limit.png",
     ];
     assert_eq!(none, special, "no gas, no cycle; no voids, no heat and no forming limit, no plots of them");
-    let dir = tempfile::tempdir().unwrap();
+    let dir = temp_dir::TempDir::new().unwrap();
     let written = write_all(&drawn::subject(&model, &run), &dir.path().join("cup")).unwrap();
     let mut found: Vec<_> = std::fs::read_dir(dir.path().join("cup")).unwrap().map(|e| e.unwrap().path()).collect();
     found.sort();
@@ -144,7 +144,7 @@ fn a_run_without_a_step_draws_no_empty_axes() {
 
 #[test]
 fn stale_files_of_ours_go_and_a_users_stay() {
-    let dir = tempfile::tempdir().unwrap();
+    let dir = temp_dir::TempDir::new().unwrap();
     let names = ["compare_2_punch_force.png", "compare_1_travel.csv", "strains.png", "summary.json"];
     let mine = ["compare_mine.png", "compare_1_force.csv", "notes.txt", "load_travel.csv.bak"];
     for name in names.iter().chain(&mine) {
@@ -372,7 +372,7 @@ fn compared(reference: PathBuf, against: Against, reason: &str, model: &Model, r
 fn a_comparison_is_written_as_a_plot_and_its_numbers() {
     let model = drawn::model(Geometry::Axisymmetric);
     let run = drawn::run(&model);
-    let dir = tempfile::tempdir().unwrap();
+    let dir = temp_dir::TempDir::new().unwrap();
     let mut comparison = comparison(dir.path(), &model, &run);
     let subject = drawn::subject(&model, &run);
     let out = dir.path().join("out");
@@ -391,7 +391,7 @@ fn a_comparison_is_written_as_a_plot_and_its_numbers() {
 fn a_band_is_drawn_with_its_error_and_written_in_numbers() {
     let model = drawn::model(Geometry::Axisymmetric);
     let run = drawn::run(&model);
-    let dir = tempfile::tempdir().unwrap();
+    let dir = temp_dir::TempDir::new().unwrap();
     let band = band(dir.path(), &model, &run);
     let written = write_comparison(&drawn::subject(&model, &run), 2, &band, dir.path()).unwrap();
     assert_eq!(written[1], dir.path().join("compare_2_thickness.png"));
