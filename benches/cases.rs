@@ -4,7 +4,7 @@
 //!
 //! `cargo bench --bench cases`
 
-#[path = "../tests/common/files.rs"]
+#[path = "../tests/suite/common/files.rs"]
 mod files;
 
 use files::files;

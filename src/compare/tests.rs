@@ -47,7 +47,7 @@ fn points(comparison: &Comparison) -> &Points {
 }
 
 fn compared(csv: &str, against: Against, complete: bool) -> Result<Comparison, CompareError> {
-    let dir = tempfile::tempdir().unwrap();
+    let dir = temp_dir::TempDir::new().unwrap();
     fs::write(dir.path().join("curve.csv"), csv).unwrap();
     fs::write(dir.path().join("sources.toml"), SOURCES).unwrap();
     compare(&spec(dir.path(), against), &Computed { history: &history(), profile: &profile(), complete })
@@ -192,7 +192,7 @@ fn a_peak_is_compared_wherever_it_is_and_a_band_needs_the_whole_run() {
 
 #[test]
 fn a_demonstration_shows_its_difference_and_does_not_fail() {
-    let dir = tempfile::tempdir().unwrap();
+    let dir = temp_dir::TempDir::new().unwrap();
     fs::write(dir.path().join("curve.csv"), "d_mm\n95\n96\n").unwrap();
     let against = BandSpec { quantity: BandQuantity::EdgeDiameter, columns: vec!["d_mm".to_owned()], error: None };
     let spec = Spec { demonstration: true, ..spec(dir.path(), Against::Band(against)) };

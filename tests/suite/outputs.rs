@@ -1,7 +1,6 @@
 //! What is made from a run: tables, files and plots, over the whole list of outputs.
 
-mod common;
-
+use crate::common::drawn;
 use resvg::tiny_skia::Pixmap;
 use stampflow::author::templates::find;
 use stampflow::case::{Case, parse};
@@ -17,7 +16,6 @@ use stampflow::output::{
 use stampflow::report::{Report, markdown};
 use stampflow::run_stages;
 use stampflow::solution::StageSolution;
-
 use stampflow::table::Table;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -33,8 +31,8 @@ fn load_travel_begins_with_travel_and_forces() {
         (Geometry::Axisymmetric, "travel_mm,punch_force_N,holder_force_N,edge_force_N,draw_in_mm,thinnest_mm"),
         (Geometry::PlaneStrain, "travel_mm,punch_force_N_per_mm,holder_force_N_per_mm,edge_force_N_per_mm"),
     ] {
-        let model = common::model(geometry);
-        let run = common::run(&model);
+        let model = drawn::model(geometry);
+        let run = drawn::run(&model);
         let table = load_travel::table(&model, &run);
         assert!(headers(&table).starts_with(begins), "{}", headers(&table));
         assert_eq!(table.rows(), run.steps.len());
@@ -44,8 +42,8 @@ fn load_travel_begins_with_travel_and_forces() {
 
 #[test]
 fn profile_has_one_row_per_frame_and_element_from_the_axis_outward() {
-    let model = common::model(Geometry::Axisymmetric);
-    let run = common::run(&model);
+    let model = drawn::model(Geometry::Axisymmetric);
+    let run = drawn::run(&model);
     let table = profile::table(&model, &run.frames);
     assert!(headers(&table).starts_with(
         "travel_mm,s0_mm,r_mm,z_mm,thickness_mm,strain_meridional,strain_hoop,strain_thickness,strain_equivalent,\
@@ -64,11 +62,11 @@ fn profile_has_one_row_per_frame_and_element_from_the_axis_outward() {
 #[test]
 fn every_table_names_its_units_alike_in_header_and_axis() {
     for geometry in [Geometry::Axisymmetric, Geometry::PlaneStrain] {
-        let model = common::blown(geometry);
-        let run = common::run(&model);
+        let model = drawn::blown(geometry);
+        let run = drawn::run(&model);
         for output in OUTPUTS {
             let Make::Table(make) = output.make else { continue };
-            for column in &make(&common::subject(&model, &run)).expect("a table").columns {
+            for column in &make(&drawn::subject(&model, &run)).expect("a table").columns {
                 let axis = column.axis();
                 let symbol = axis.text().rsplit_once(" [").unwrap().1.trim_end_matches(']');
                 assert_eq!(axis.text(), format!("{} [{symbol}]", column.label));
@@ -82,10 +80,10 @@ fn every_table_names_its_units_alike_in_header_and_axis() {
 
 #[test]
 fn all_files_are_written_and_nothing_else() {
-    let model = common::blown(Geometry::Axisymmetric);
-    let run = common::run(&model);
-    let drawn = common::model(Geometry::Axisymmetric);
-    let none = OUTPUTS.iter().filter(|output| output.bytes(&common::subject(&drawn, &run)).is_none());
+    let model = drawn::blown(Geometry::Axisymmetric);
+    let run = drawn::run(&model);
+    let drawn = drawn::model(Geometry::Axisymmetric);
+    let none = OUTPUTS.iter().filter(|output| output.bytes(&drawn::subject(&drawn, &run)).is_none());
     let none: Vec<&str> = none.map(|output| output.file).collect();
     let special = [
         "pressure_cycle.csv",
@@ -97,8 +95,8 @@ fn all_files_are_written_and_nothing_else() {
         "forming_limit.png",
     ];
     assert_eq!(none, special, "no gas, no cycle; no voids, no heat and no forming limit, no plots of them");
-    let dir = tempfile::tempdir().unwrap();
-    let written = write_all(&common::subject(&model, &run), &dir.path().join("cup")).unwrap();
+    let dir = temp_dir::TempDir::new().unwrap();
+    let written = write_all(&drawn::subject(&model, &run), &dir.path().join("cup")).unwrap();
     let mut found: Vec<_> = std::fs::read_dir(dir.path().join("cup")).unwrap().map(|e| e.unwrap().path()).collect();
     found.sort();
     let mut written = written;
@@ -109,9 +107,9 @@ fn all_files_are_written_and_nothing_else() {
 
 #[test]
 fn the_summary_says_the_same_in_print_and_in_json() {
-    let model = common::model(Geometry::Axisymmetric);
-    let run = common::run(&model);
-    let summary = Summary::of(&common::subject(&model, &run));
+    let model = drawn::model(Geometry::Axisymmetric);
+    let run = drawn::run(&model);
+    let summary = Summary::of(&drawn::subject(&model, &run));
     let printed = summary.to_string();
     let json = serde_json::to_value(&summary).unwrap();
     let peak = run.steps.iter().map(|s| s.punch_force).fold(0.0, f64::max);
@@ -129,11 +127,11 @@ fn the_summary_says_the_same_in_print_and_in_json() {
 /// What never started has tables, a summary, and one plot: tools and sheet where they would have begun.
 #[test]
 fn a_run_without_a_step_draws_no_empty_axes() {
-    let model = common::blown(Geometry::PlaneStrain);
-    let mut run = common::run(&model);
+    let model = drawn::blown(Geometry::PlaneStrain);
+    let mut run = drawn::run(&model);
     run.steps.clear();
     run.frames.clear();
-    let subject = common::subject(&model, &run);
+    let subject = drawn::subject(&model, &run);
     for output in OUTPUTS {
         let plotted =
             matches!(output.make, Make::Plot(_)) || ["pressure_cycle.csv", "strain_paths.csv"].contains(&output.file);
@@ -145,7 +143,7 @@ fn a_run_without_a_step_draws_no_empty_axes() {
 
 #[test]
 fn stale_files_of_ours_go_and_a_users_stay() {
-    let dir = tempfile::tempdir().unwrap();
+    let dir = temp_dir::TempDir::new().unwrap();
     let names = ["compare_2_punch_force.png", "compare_1_travel.csv", "strains.png", "summary.json"];
     let mine = ["compare_mine.png", "compare_1_force.csv", "notes.txt", "load_travel.csv.bak"];
     for name in names.iter().chain(&mine) {
@@ -195,7 +193,7 @@ fn a_holder_that_the_sheet_has_left_stays_where_it_last_touched() {
 #[test]
 fn the_summary_says_what_the_part_came_out_as() {
     let (model, run) = cup_without_flange();
-    let summary = Summary::of(&common::subject(&model, &run));
+    let summary = Summary::of(&drawn::subject(&model, &run));
     let json = serde_json::to_value(&summary).unwrap();
     let of = |key: &str| json[key].as_f64().unwrap_or_else(|| panic!("{key} in {json}"));
     assert!((of("part_height_mm") / 35.0 - 1.0).abs() < 0.03, "{json}");
@@ -226,7 +224,7 @@ fn v_bend() -> (Case, Vec<StageSolution>) {
 fn the_summary_of_a_release_has_its_spring_back_and_no_round_off() {
     let (_, passes) = v_bend();
     let ends = [&passes[0], &passes[1]].map(|pass| Shape::of(pass.frames.last().unwrap()));
-    let summary = Summary::of(&common::subject(&passes[1].model, &passes[1]));
+    let summary = Summary::of(&drawn::subject(&passes[1].model, &passes[1]));
     let printed = summary.to_string();
     let json = serde_json::to_value(&summary).unwrap();
     let listed = json["springback"].as_array().unwrap();
@@ -246,7 +244,7 @@ fn the_summary_of_a_release_has_its_spring_back_and_no_round_off() {
     // Nothing yields as the bend opens; what the sums leave of its plastic work is 1e-14 of the others.
     assert_eq!(json["work_plastic_J_per_mm"], 0.0, "{printed}");
     assert!(json["work_elastic_J_per_mm"].as_f64().unwrap() < 0.0);
-    assert!(Summary::of(&common::subject(&passes[0].model, &passes[0])).to_string().contains("full travel reached"));
+    assert!(Summary::of(&drawn::subject(&passes[0].model, &passes[0])).to_string().contains("full travel reached"));
     let lines: Vec<StageLine> =
         ["bend", "release"].into_iter().zip(&passes).map(|(name, pass)| (name, Some((&pass.model, pass)))).collect();
     let report = stages_report(Geometry::PlaneStrain, &lines);
@@ -258,10 +256,10 @@ fn the_summary_of_a_release_has_its_spring_back_and_no_round_off() {
 #[test]
 fn a_release_has_no_plot_of_what_is_level() {
     let names = ["thickness.png", "strains.png"];
-    let hat = stages(include_str!("../cases/hat_springback.toml")).1;
+    let hat = stages(include_str!("../../cases/hat_springback.toml")).1;
     for (passes, shown) in [(v_bend().1, false), (hat, true)] {
         for output in OUTPUTS.iter().filter(|output| names.contains(&output.file)) {
-            let [formed, released] = [0, 1].map(|i| output.bytes(&common::subject(&passes[i].model, &passes[i])));
+            let [formed, released] = [0, 1].map(|i| output.bytes(&drawn::subject(&passes[i].model, &passes[i])));
             assert!(formed.is_some(), "{}", output.file);
             assert_eq!(released.is_some(), shown, "{} of {}", output.file, passes[1].model.title);
         }
@@ -280,10 +278,10 @@ fn no_line_of_the_summary_is_an_orphan() {
         ("steps", &["steps_from_predictor", "steps_from_secant", "steps_from_softened"]),
         ("rejected", &["steps_halved", "steps_overstrained"]),
     ];
-    let (case, passes) = stages(include_str!("../cases/hat_springback.toml"));
+    let (case, passes) = stages(include_str!("../../cases/hat_springback.toml"));
     for pass in &passes {
         let mut parent = "";
-        for figure in Summary::of(&common::subject(&pass.model, &pass)).figures() {
+        for figure in Summary::of(&drawn::subject(&pass.model, pass)).figures() {
             if figure.label.starts_with(' ') {
                 let own = parents.iter().find(|entry| entry.0 == parent).map_or(&[][..], |entry| entry.1);
                 assert!(own.contains(&figure.key), "{} below {parent}", figure.key);
@@ -307,9 +305,9 @@ fn no_line_of_the_summary_is_an_orphan() {
 /// Trust: over every text of every table, plot and the summary.
 #[test]
 fn plane_strain_has_no_axis_hoops_or_rings() {
-    let model = common::blown(Geometry::PlaneStrain);
-    let run = common::run(&model);
-    let subject = common::subject(&model, &run);
+    let model = drawn::blown(Geometry::PlaneStrain);
+    let run = drawn::run(&model);
+    let subject = drawn::subject(&model, &run);
     let mut texts = vec![Summary::of(&subject).to_string()];
     for output in OUTPUTS {
         match output.make {
@@ -368,11 +366,11 @@ fn compared(reference: PathBuf, against: Against, reason: &str, model: &Model, r
 
 #[test]
 fn a_comparison_is_written_as_a_plot_and_its_numbers() {
-    let model = common::model(Geometry::Axisymmetric);
-    let run = common::run(&model);
-    let dir = tempfile::tempdir().unwrap();
+    let model = drawn::model(Geometry::Axisymmetric);
+    let run = drawn::run(&model);
+    let dir = temp_dir::TempDir::new().unwrap();
     let mut comparison = comparison(dir.path(), &model, &run);
-    let subject = common::subject(&model, &run);
+    let subject = drawn::subject(&model, &run);
     let out = dir.path().join("out");
     let written = write_comparison(&subject, 1, &comparison, &out).unwrap();
     assert_eq!(written, [out.join("compare_1_punch_force.csv"), out.join("compare_1_punch_force.png")]);
@@ -387,11 +385,11 @@ fn a_comparison_is_written_as_a_plot_and_its_numbers() {
 /// two tints of the band cover more than a text's worth of pixels.
 #[test]
 fn a_band_is_drawn_with_its_error_and_written_in_numbers() {
-    let model = common::model(Geometry::Axisymmetric);
-    let run = common::run(&model);
-    let dir = tempfile::tempdir().unwrap();
+    let model = drawn::model(Geometry::Axisymmetric);
+    let run = drawn::run(&model);
+    let dir = temp_dir::TempDir::new().unwrap();
     let band = band(dir.path(), &model, &run);
-    let written = write_comparison(&common::subject(&model, &run), 2, &band, dir.path()).unwrap();
+    let written = write_comparison(&drawn::subject(&model, &run), 2, &band, dir.path()).unwrap();
     assert_eq!(written[1], dir.path().join("compare_2_thickness.png"));
     let numbers = fs::read_to_string(&written[0]).unwrap();
     let (header, row) = numbers.trim().split_once('\n').unwrap();
@@ -412,11 +410,11 @@ fn a_band_is_drawn_with_its_error_and_written_in_numbers() {
 /// nothing else is drawn, and more than text of one letter must be dark there.
 #[test]
 fn every_plot_has_a_title_and_curves_without_system_fonts() {
-    let model = common::blown(Geometry::Axisymmetric);
-    let run = common::run(&model);
+    let model = drawn::blown(Geometry::Axisymmetric);
+    let run = drawn::run(&model);
     for output in OUTPUTS {
         let Make::Plot(make) = output.make else { continue };
-        let pixels = Pixmap::decode_png(&png(&svg(&make(&common::subject(&model, &run)).expect("a plot")))).unwrap();
+        let pixels = Pixmap::decode_png(&png(&svg(&make(&drawn::subject(&model, &run)).expect("a plot")))).unwrap();
         assert_eq!(pixels.width(), 1600);
         let row = |y: usize| &pixels.pixels()[y * 1600..(y + 1) * 1600];
         let title = (20..75).flat_map(row).filter(|p| p.red() < 100).count();
@@ -429,11 +427,11 @@ fn every_plot_has_a_title_and_curves_without_system_fonts() {
 /// XML cannot hold control characters, and a title can: they are left out of pictures, the rest is drawn.
 #[test]
 fn a_title_may_hold_any_character() {
-    let mut model = common::blown(Geometry::Axisymmetric);
+    let mut model = drawn::blown(Geometry::Axisymmetric);
     model.title = "Cup \u{0}\u{7}\u{1b}[1m\u{fffe} <&\"> \u{202e}".to_owned();
-    let run = common::run(&model);
+    let run = drawn::run(&model);
     for output in OUTPUTS {
-        assert!(output.bytes(&common::subject(&model, &run)).is_some(), "{}", output.file);
+        assert!(output.bytes(&drawn::subject(&model, &run)).is_some(), "{}", output.file);
     }
 }
 
@@ -441,10 +439,10 @@ fn a_title_may_hold_any_character() {
 #[test]
 #[ignore = "writes target/sample"]
 fn sample_for_looking() {
-    let model = common::model(Geometry::Axisymmetric);
-    let run = common::run(&model);
+    let model = drawn::model(Geometry::Axisymmetric);
+    let run = drawn::run(&model);
     let dir = Path::new("target/sample");
-    write_all(&common::subject(&model, &run), dir).unwrap();
-    write_comparison(&common::subject(&model, &run), 1, &comparison(dir, &model, &run), dir).unwrap();
-    write_comparison(&common::subject(&model, &run), 2, &band(dir, &model, &run), dir).unwrap();
+    write_all(&drawn::subject(&model, &run), dir).unwrap();
+    write_comparison(&drawn::subject(&model, &run), 1, &comparison(dir, &model, &run), dir).unwrap();
+    write_comparison(&drawn::subject(&model, &run), 2, &band(dir, &model, &run), dir).unwrap();
 }

@@ -15,10 +15,7 @@
 //! The long-wavelength analysis: J. W. Hutchinson, K. W. Neale, Acta Metallurgica 25 (1977) 839–846; that rate sensitivity
 //! delays necking: E. W. Hart, Acta Metallurgica 15 (1967) 351–355 (both not read; the analysis is derived here).
 
-#[path = "common/simple.rs"]
-#[allow(dead_code, reason = "shared with the tests of the closed forms")]
-mod simple;
-
+use crate::common::simple;
 use stampflow::material::hardening::Swift;
 use stampflow::material::rate::PowerRate;
 use stampflow::material::{Hardening, Material, Rate};

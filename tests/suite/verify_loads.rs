@@ -1,13 +1,7 @@
 //! Verification of contact, friction laws, holders, beads and gas against closed forms and against each other.
 
-#[path = "common/simple.rs"]
-#[allow(dead_code, reason = "shared with the tests of the closed forms")]
-mod simple;
-
-#[path = "common/shipped.rs"]
-mod shipped;
-
-use shipped::{DRAWN, last, peak, shipped, solve};
+use crate::common::shipped::{DRAWN, last, peak, shipped, solve};
+use crate::common::simple;
 use stampflow::contact::friction::Sliding;
 use stampflow::geometry::Profile;
 use stampflow::material::hardening::{Hardening, Swift};
@@ -135,7 +129,7 @@ fn holder_models_hold_what_they_promise() {
 /// Trust: the pressure times the annulus between the end of the shoulder and the blank's edge, by hand.
 #[test]
 fn holder_pressure_acts_on_the_initial_area() {
-    let text = include_str!("../cases/quickstart.toml").replace("force = \"10 kN\" ", "pressure = \"2 MPa\" ");
+    let text = include_str!("../../cases/quickstart.toml").replace("force = \"10 kN\" ", "pressure = \"2 MPa\" ");
     let model = case::parse(&text, "cup.toml", &[]).unwrap_or_else(|e| panic!("{e}")).model;
     let Motion::Pressed(press) = &model.tool(Role::Holder).expect("a holder").motion else { panic!("pressed") };
     let area = PI * (55.0_f64.powi(2) - 37.25_f64.powi(2));
@@ -315,7 +309,7 @@ fn superplastic_long_box_follows_its_closed_form_before_contact() {
     let worst_of = |elements: usize| {
         let overrides = ["geometry=plane_strain", &format!("blank.elements={elements}")].map(str::to_owned);
         let text =
-            include_str!("../cases/superplastic_dome.toml").replace("radius = \"50 mm\"", "half_length = \"50 mm\"");
+            include_str!("../../cases/superplastic_dome.toml").replace("radius = \"50 mm\"", "half_length = \"50 mm\"");
         let model = case::parse(&text, "box.toml", &overrides).unwrap_or_else(|e| panic!("{e}")).model;
         let mut worst: f64 = 0.0;
         for r in &solve(&model).steps {
@@ -394,7 +388,7 @@ fn counter_pressure_presses_the_sheet_onto_the_punch() {
 /// Clearance below the thickness of the flange that comes in: the run goes on and says that the sheet is ironed.
 #[test]
 fn ironing_is_resisted_and_reported() {
-    let text = include_str!("../cases/quickstart.toml").replace("31.25 mm", "31.0 mm");
+    let text = include_str!("../../cases/quickstart.toml").replace("31.25 mm", "31.0 mm");
     let model = case::parse(&text, "cup.toml", &["tools.punch.travel=32 mm".into()]).unwrap_or_else(|e| panic!("{e}"));
     let run = solver::run(&model.model, &mut ());
     assert!(run.stop.is_complete() || run.stop.is_physical(), "{}", run.stop);

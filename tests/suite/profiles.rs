@@ -41,7 +41,7 @@ fn read(text: &str) -> Case {
 
 /// Reads a case whose punch is the CSV file `points`.
 fn with_punch(points: &str, section: &str) -> Case {
-    let folder = tempfile::tempdir().unwrap();
+    let folder = temp_dir::TempDir::new().unwrap();
     std::fs::write(folder.path().join("punch.csv"), points).unwrap();
     read_in(folder.path(), &text(&format!("profile = {section}"), DIE, HOLDER, "25 mm"))
 }
@@ -107,7 +107,7 @@ fn a_fillet_makes_the_standard_punch_of_three_points() {
 
 #[test]
 fn plane_strain_sections_may_call_their_radius_x() {
-    let folder = tempfile::tempdir().unwrap();
+    let folder = temp_dir::TempDir::new().unwrap();
     std::fs::write(folder.path().join("punch.csv"), "x_mm,z_mm,radius_mm\n0,0,\n30,0,6\n30,-200,\n").unwrap();
     let text = text(r#"profile = "punch.csv""#, DIE, "", "25 mm");
     let text = text.replace("axisymmetric", "plane_strain").replace("radius = \"55 mm\"", "half_length = \"55 mm\"");
@@ -195,7 +195,7 @@ fn a_holder_can_be_the_mirror_image_of_the_die() {
 #[test]
 fn sharp_corners_are_warned_of_where_the_sheet_meets_them() {
     let sharp = |punch: &str, travel: &str| {
-        let folder = tempfile::tempdir().unwrap();
+        let folder = temp_dir::TempDir::new().unwrap();
         std::fs::write(folder.path().join("punch.csv"), punch).unwrap();
         let case = read_in(folder.path(), &text(r#"profile = "punch.csv""#, DIE, HOLDER, travel));
         check::report(&case).warnings.into_iter().filter(|w| w.contains("sharp corner")).collect::<Vec<_>>()
@@ -238,7 +238,7 @@ proptest! {
         die in prop::sample::select(vec![DIE, r#"profile = { offset_of = "punch", by = "1.2 mm" }"#,
             r#"profile = { offset_of = "punch", by = "0.4 mm", shoulder = "6 mm" }"#, r#"profile = "p.csv""#]),
     ) {
-        let folder = tempfile::tempdir().unwrap();
+        let folder = temp_dir::TempDir::new().unwrap();
         std::fs::write(folder.path().join("p.csv"), format!("{header}\n{}\n", rows.join("\n"))).unwrap();
         let name = folder.path().join("case.toml");
         let text = text(&format!("profile = {section}"), die, HOLDER, "25 mm");

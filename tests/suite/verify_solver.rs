@@ -1,9 +1,6 @@
 //! Verification of the solver on whole runs: invariants, refinement, and agreement between its own options.
 
-#[path = "common/shipped.rs"]
-mod shipped;
-
-use shipped::{DRAWN, last, peak, solve};
+use crate::common::shipped::{self, DRAWN, last, peak, solve};
 use stampflow::model::mesh;
 use stampflow::model::{Geometry, Iteration, Motion, Role, Settings};
 use stampflow::solution::{StageSolution, Stop};

@@ -1,9 +1,6 @@
 //! The moving picture: that it changes nothing else, and what is in it.
 
-#[path = "common/cli.rs"]
-mod cli;
-
-use cli::{CUP, STAGES, folder, stampflow, text};
+use crate::common::cli::{CUP, STAGES, folder, stampflow, text};
 use gif::DecodeOptions;
 use std::fs;
 

@@ -1,9 +1,6 @@
 //! Operations after one another: what a stage takes over from the one before, and what its tools do to the sheet.
 
-#[path = "common/shipped.rs"]
-#[allow(dead_code, reason = "shared with the tests of loads")]
-mod shipped;
-
+use crate::common::shipped;
 use stampflow::element::Node;
 use stampflow::model::stage::{Beginning, Stage};
 use stampflow::model::{Model, Motion, Press, Role};

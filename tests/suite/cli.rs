@@ -1,12 +1,7 @@
 //! The command line as a user meets it: files, exit codes, and what is left behind.
 
-#[path = "common/cli.rs"]
-mod cli;
-#[path = "common/files.rs"]
-mod files;
-
-use cli::{CUP, STAGES, folder, stampflow, text};
-use files::files;
+use crate::common::cli::{CUP, STAGES, folder, stampflow, text};
+use crate::common::files::files;
 use std::fs;
 
 const COMPARE: &str = r#"
@@ -50,7 +45,7 @@ fn a_run_writes_every_file_and_sums_up() {
 /// An end that was asked for is no early stop: exit code 0, every file, and no word of stopping early.
 #[test]
 fn a_contact_share_ends_a_run_as_wished() {
-    let dir = folder(include_str!("../cases/superplastic_box.toml"));
+    let dir = folder(include_str!("../../cases/superplastic_box.toml"));
     let done = stampflow(dir.path(), &["run", "cases/cup.toml", "--quiet"]);
     assert_eq!(done.status.code(), Some(0), "{}", text(&done.stderr));
     assert!(text(&done.stdout).contains("contact share reached"), "{}", text(&done.stdout));
@@ -189,7 +184,7 @@ fn options_are_offered_where_they_have_a_use() {
 
 #[test]
 fn validation_away_from_the_project_asks_for_its_cases() {
-    let dir = tempfile::tempdir().unwrap();
+    let dir = temp_dir::TempDir::new().unwrap();
     let done = stampflow(dir.path(), &["validate"]);
     assert_eq!(done.status.code(), Some(2));
     assert!(

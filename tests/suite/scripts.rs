@@ -1,12 +1,7 @@
 //! What programs and shells read: JSON, completions, manual pages.
 
-#[path = "common/cli.rs"]
-mod cli;
-#[path = "common/files.rs"]
-mod files;
-
-use cli::{CUP, STAGES, folder, stampflow, text};
-use files::files;
+use crate::common::cli::{CUP, STAGES, folder, stampflow, text};
+use crate::common::files::files;
 use serde_json::Value;
 use std::fs;
 use std::process::Output;
@@ -185,7 +180,7 @@ fn verbs() -> Vec<String> {
 
 #[test]
 fn completions_of_every_shell_name_every_verb() {
-    let dir = tempfile::tempdir().unwrap();
+    let dir = temp_dir::TempDir::new().unwrap();
     for shell in ["bash", "zsh", "fish", "powershell", "elvish"] {
         let done = stampflow(dir.path(), &["completions", shell]);
         assert_eq!(done.status.code(), Some(0), "{}", text(&done.stderr));
@@ -200,7 +195,7 @@ fn completions_of_every_shell_name_every_verb() {
 
 #[test]
 fn manual_pages_name_every_verb_and_its_options() {
-    let dir = tempfile::tempdir().unwrap();
+    let dir = temp_dir::TempDir::new().unwrap();
     let page = |args: &[&str]| {
         let done = stampflow(dir.path(), args);
         assert_eq!(done.status.code(), Some(0), "{}", text(&done.stderr));

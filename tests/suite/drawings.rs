@@ -1,9 +1,6 @@
 //! Drawings by other programs: each gives the profile that was drawn, a faulty one says what is wrong and where.
 
-#[path = "common/files.rs"]
-mod files;
-
-use files::files;
+use crate::common::files::files;
 use proptest::prelude::*;
 use stampflow::case;
 use stampflow::geometry::{Arc, Piece, Point, Profile, Segment};
@@ -225,8 +222,8 @@ fn text(bytes: &[u8]) -> &str {
 }
 
 /// A folder with one drawing.
-fn folder(drawing: &Path) -> tempfile::TempDir {
-    let dir = tempfile::tempdir().unwrap();
+fn folder(drawing: &Path) -> temp_dir::TempDir {
+    let dir = temp_dir::TempDir::new().unwrap();
     fs::copy(drawing, dir.path().join(drawing.file_name().unwrap())).unwrap();
     dir
 }

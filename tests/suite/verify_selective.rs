@@ -1,9 +1,6 @@
 //! Verification of selective bending: against bending everywhere, and against membrane theory where nothing bends.
 
-#[path = "common/shipped.rs"]
-mod shipped;
-
-use shipped::{DRAWN, last, peak, shipped, solve};
+use crate::common::shipped::{DRAWN, last, peak, shipped, solve};
 use stampflow::model::mesh;
 use stampflow::model::{Model, Theory};
 use stampflow::solution::StageSolution;

@@ -1,9 +1,6 @@
 //! A small part of the campaign of random dies (`cargo bench --bench campaign` runs it in full): kinds of outcome only.
 
-#[path = "common/random_die.rs"]
-#[allow(dead_code, reason = "the campaign also prints the process")]
-mod random_die;
-
+use crate::common::random_die;
 use stampflow::material::Elastic;
 use stampflow::model::{Mode, Theory};
 use stampflow::solver;

@@ -1,8 +1,6 @@
 //! Verification: the program against solutions that can be written down.
 
-#[path = "common/simple.rs"]
-mod simple;
-
+use crate::common::simple;
 use stampflow::material::{Hill48, Rate};
 use stampflow::model::{Geometry, Settings, Theory};
 use stampflow::solution::StageSolution;

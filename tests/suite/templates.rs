@@ -207,7 +207,7 @@ fn the_sleeve_of_a_redraw_holds_the_sheet_with_its_force() {
 
 #[test]
 fn what_does_not_go_together_is_refused_with_exit_code_2() {
-    let dir = tempfile::tempdir().unwrap();
+    let dir = temp_dir::TempDir::new().unwrap();
     for (args, says) in [
         (&["cup", "--nose", "31 mm"][..], "does not fit a punch of 30 mm"),
         (&["cup", "--height", "80 mm"], "above the limit of one draw"),
@@ -252,7 +252,7 @@ fn what_does_not_go_together_is_refused_with_exit_code_2() {
 
 #[test]
 fn a_new_case_is_printed_or_written_and_no_file_is_lost() {
-    let dir = tempfile::tempdir().unwrap();
+    let dir = temp_dir::TempDir::new().unwrap();
     let printed = stampflow(dir.path(), &["new", "cup", "--height", "25 mm"]);
     assert_eq!(printed.status.code(), Some(0), "{}", message(&printed));
     let target = dir.path().join("mine.toml");
@@ -273,7 +273,7 @@ fn a_new_case_is_printed_or_written_and_no_file_is_lost() {
 
 #[test]
 fn the_list_and_the_help_name_every_option() {
-    let dir = tempfile::tempdir().unwrap();
+    let dir = temp_dir::TempDir::new().unwrap();
     let listed = stampflow(dir.path(), &["new", "--list"]);
     assert_eq!(String::from_utf8_lossy(&listed.stdout), list());
     for template in TEMPLATES {
@@ -290,7 +290,7 @@ fn the_list_and_the_help_name_every_option() {
 /// The example on the page of `stampflow::case`, read from there.
 #[test]
 fn the_smallest_case_is_twelve_lines_and_runs() {
-    let page = include_str!("../src/case/mod.rs");
+    let page = include_str!("../../src/case/mod.rs");
     let example = page.split("r#\"").nth(1).unwrap().split("\"#").next().unwrap();
     let lines: Vec<&str> =
         example.lines().map(|line| line.trim_start_matches("//!").trim()).filter(|l| !l.is_empty()).collect();

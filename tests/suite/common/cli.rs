@@ -40,8 +40,8 @@ pub fn text(bytes: &[u8]) -> &str {
 }
 
 /// A folder with a case in `cases/cup.toml`.
-pub fn folder(case: &str) -> tempfile::TempDir {
-    let dir = tempfile::tempdir().unwrap();
+pub fn folder(case: &str) -> temp_dir::TempDir {
+    let dir = temp_dir::TempDir::new().unwrap();
     fs::create_dir(dir.path().join("cases")).unwrap();
     fs::write(dir.path().join("cases/cup.toml"), case).unwrap();
     dir

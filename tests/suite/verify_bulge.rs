@@ -1,14 +1,7 @@
 //! The hydraulic bulge of a clamped disc against Hill's special solution, and its largest pressure found in two ways.
 
-#[path = "common/simple.rs"]
-#[allow(dead_code, reason = "shared with the tests of the closed forms")]
-mod simple;
-
-#[path = "common/shipped.rs"]
-#[allow(dead_code, reason = "shared with the tests of loads")]
-mod shipped;
-
-use shipped::solve;
+use crate::common::shipped::{self, solve};
+use crate::common::simple;
 use stampflow::material::hardening::{Extrapolation, Hardening, Swift, Table};
 use stampflow::model::{Edge, Face, Gas, Geometry, Model, Pressure, RateControl, Theory};
 use stampflow::numerics::PiecewiseLinear;
@@ -84,7 +77,7 @@ fn at(poles: &[Pole], h: f64) -> Pole {
 
 /// The rows of the reference: h/a, thickness ratio, equivalent strain, p a/(σ t₀).
 fn reference() -> Vec<[f64; 4]> {
-    let text = include_str!("../reference_data/bulge_hill.csv");
+    let text = include_str!("../../reference_data/bulge_hill.csv");
     let rows = text.lines().filter(|line| !line.starts_with('#')).skip(1);
     rows.map(|row| {
         let values: Vec<f64> = row.split(',').map(|v| v.parse().expect("a number")).collect();

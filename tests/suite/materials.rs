@@ -109,7 +109,7 @@ fn every_kind_of_limit_makes_a_curve() {
 
 #[test]
 fn materials_are_listed_described_and_drawn() {
-    let dir = tempfile::tempdir().expect("a folder");
+    let dir = temp_dir::TempDir::new().expect("a folder");
     let run = |args: &[&str]| {
         Command::new(env!("CARGO_BIN_EXE_stampflow")).args(args).current_dir(dir.path()).output().expect("runs")
     };

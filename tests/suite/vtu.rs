@@ -1,12 +1,7 @@
 //! What is written for ParaView, read back by vtkio's reader and measured; `tests/foreign` holds other readers against it.
 
-#[path = "common/cli.rs"]
-mod cli;
-#[path = "common/files.rs"]
-mod files;
-
-use cli::{CUP, STAGES, folder, stampflow, text};
-use files::files;
+use crate::common::cli::{CUP, STAGES, folder, stampflow, text};
+use crate::common::files::files;
 use nalgebra::Vector3;
 use stampflow::output::vtk::{SECTORS, STATES};
 use std::collections::BTreeMap;
@@ -229,7 +224,7 @@ fn vtk_files_come_and_go_with_their_option() {
     }
     assert!(!out.join("section.pvd").exists());
 
-    let strip = include_str!("../cases/hat_springback.toml");
+    let strip = include_str!("../../cases/hat_springback.toml");
     fs::write(dir.path().join("cases/cup.toml"), strip).unwrap();
     stampflow(dir.path(), &["run", "cases/cup.toml", "-q", "--vtu"]);
     let first = fs::read_dir(&out).unwrap().map(|e| e.unwrap().path()).find(|p| p.join("section.pvd").is_file());

@@ -1,14 +1,7 @@
 //! A punch whose travel is given over time: where it is, what it does to sheet that feels the rate and to sheet that does not.
 
-#[path = "common/simple.rs"]
-#[allow(dead_code, reason = "shared with the tests of the closed forms")]
-mod simple;
-
-#[path = "common/shipped.rs"]
-#[allow(dead_code, reason = "shared with the tests of loads")]
-mod shipped;
-
-use shipped::solve;
+use crate::common::shipped::{self, solve};
+use crate::common::simple;
 use stampflow::case;
 use stampflow::geometry::Profile;
 use stampflow::material::rate::{PowerRate, Rate};
@@ -18,7 +11,7 @@ use stampflow::solution::{StageSolution, Stop};
 
 /// The quickstart with a history in place of its 25 mm at 1 mm/s.
 fn cup(motion: &str, overrides: &[&str]) -> Model {
-    let text = include_str!("../cases/quickstart.toml").replace("travel = \"25 mm\"", &format!("motion = {motion}"));
+    let text = include_str!("../../cases/quickstart.toml").replace("travel = \"25 mm\"", &format!("motion = {motion}"));
     let overrides: Vec<String> = overrides.iter().map(|o| (*o).to_owned()).collect();
     case::parse(&text, "cup.toml", &overrides).unwrap_or_else(|e| panic!("{}", e.render(false))).model
 }

@@ -1,13 +1,7 @@
 //! The elastic twin against closed forms, other programs and the flow law.
 
-#[path = "common/shipped.rs"]
-#[allow(dead_code, reason = "not every test runs every case")]
-mod shipped;
-#[path = "common/simple.rs"]
-#[allow(dead_code, reason = "only the plain sheet is needed")]
-mod simple;
-
-use shipped::{shipped, solve};
+use crate::common::shipped::{shipped, solve};
+use crate::common::simple;
 use stampflow::case;
 use stampflow::element::kinematics::Reference;
 use stampflow::element::section::Law;

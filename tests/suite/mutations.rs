@@ -3,10 +3,7 @@
 //!
 //! The seed is fixed, so that what fails once fails again.
 
-#[path = "common/files.rs"]
-mod files;
-
-use files::files;
+use crate::common::files::files;
 use proptest::prelude::*;
 use proptest::sample::{Index, select};
 use proptest::test_runner::RngSeed;

@@ -1,9 +1,6 @@
 //! The verdict on a run: lights, limits and advice.
 
-#[path = "common/cli.rs"]
-mod cli;
-
-use cli::{CUP, STAGES, folder, stampflow, text};
+use crate::common::cli::{CUP, STAGES, folder, stampflow, text};
 use serde_json::Value;
 use stampflow::assess::verdict::{Finding, Light, advice, headline, judge};
 use stampflow::case;

@@ -1,9 +1,6 @@
 //! Temperature and voids in whole runs: closed forms, balances, and the plain result where neither is there.
 
-#[path = "common/simple.rs"]
-#[allow(dead_code)] // each test file uses its part
-mod simple;
-
+use crate::common::simple;
 use stampflow::geometry::Profile;
 use stampflow::material::flow::ROOM_TEMPERATURE;
 use stampflow::material::thermal::Exponential;

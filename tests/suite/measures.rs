@@ -1,9 +1,6 @@
 //! What is measured and drawn of single frames: legs of solved sheets, stress through the thickness, spring-back.
 
-#[path = "common/shipped.rs"]
-#[allow(dead_code, reason = "only whole runs are needed")]
-mod shipped;
-
+use crate::common::shipped;
 use resvg::tiny_skia::Pixmap;
 use stampflow::measure::{Shape, moment_error, places};
 use stampflow::model::{Geometry, Model};
@@ -94,7 +91,7 @@ fn a_held_flange_is_level() {
 fn springback_and_residual_stress_are_written_and_nothing_else() {
     let (model, before) = cup();
     let after = sprung(&before);
-    let dir = tempfile::tempdir().unwrap();
+    let dir = temp_dir::TempDir::new().unwrap();
     let mut written = springback::write(dir.path(), &before, &after, &model).unwrap();
     written.extend(residual_stress::write(dir.path(), &after, &model).unwrap());
     let mut found: Vec<PathBuf> = fs::read_dir(dir.path()).unwrap().map(|e| e.unwrap().path()).collect();
@@ -128,7 +125,7 @@ fn springback_and_residual_stress_are_written_and_nothing_else() {
 #[test]
 fn frames_without_layers_or_nodes_are_no_reason_to_panic() {
     let (model, whole) = cup();
-    let dir = tempfile::tempdir().unwrap();
+    let dir = temp_dir::TempDir::new().unwrap();
     let mut bare = whole.clone();
     bare.through = Default::default();
     assert!(residual_stress::write(dir.path(), &bare, &model).unwrap().is_empty());

@@ -1,9 +1,6 @@
 //! Case files: the shipped ones load, broken ones say what is wrong, and no override can make the reader panic.
 
-#[path = "common/files.rs"]
-mod files;
-
-use files::files;
+use crate::common::files::files;
 use proptest::prelude::*;
 use stampflow::case::{self, Case};
 use stampflow::model::{Edge, Geometry, Grading, Mode, Motion, Press, Release, Role, Stiffness, Theory};
@@ -20,7 +17,7 @@ fn message(text: &str, overrides: &[&str]) -> String {
     case::parse(text, "case.toml", &overrides).expect_err("the case is broken").render(false)
 }
 
-const QUICKSTART: &str = include_str!("../cases/quickstart.toml");
+const QUICKSTART: &str = include_str!("../../cases/quickstart.toml");
 
 /// The case of the module's documentation: no key of it can be left out.
 const MINIMAL: &str = r#"title = "Cup"
@@ -65,7 +62,7 @@ fn a_temperature_is_given_by_zones_or_by_a_file() {
     }
     assert_eq!(heat.flow, None);
 
-    let folder = tempfile::tempdir().expect("a folder");
+    let folder = temp_dir::TempDir::new().expect("a folder");
     std::fs::write(folder.path().join("field.csv"), "# measured\ns0_in,temperature_C\n1,20\n2,120\n").expect("written");
     let path = folder.path().join("case.toml");
     std::fs::write(&path, format!("{MINIMAL}[heat]\ninitial = \"field.csv\"\n")).expect("written");
@@ -196,7 +193,7 @@ fn what_cannot_be_read_is_named() {
     let says = |path: &str| case::load(path, &[]).unwrap_err().render(false);
     assert!(says("cases/nothing.toml").contains("there is no file cases/nothing.toml"));
     assert!(says("cases").contains("cases is a folder"), "{}", says("cases"));
-    let dir = tempfile::tempdir().unwrap();
+    let dir = temp_dir::TempDir::new().unwrap();
     let path = dir.path().join("large.toml");
     std::fs::write(&path, "# a comment that goes on\n".repeat(100_000)).unwrap();
     assert!(says(path.to_str().unwrap()).contains("larger than 2 MB"));

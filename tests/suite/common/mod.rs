@@ -1,0 +1,9 @@
+//! What several files of tests use.
+
+pub mod cli;
+pub mod drawn;
+pub mod files;
+#[allow(dead_code, reason = "the benchmark of the campaign also prints the process")]
+pub mod random_die;
+pub mod shipped;
+pub mod simple;
