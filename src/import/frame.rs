@@ -1,10 +1,30 @@
 //! The drawing's unit and axis: from its coordinates to mm, and back for messages.
 
+use super::listing::Header;
 use super::{ImportError, Options};
 use crate::geometry::Point;
 use crate::units::rounded;
-use dxf::Header;
-use dxf::enums::{DrawingUnits, Units};
+
+/// Units of $INSUNITS that no tool is drawn in, by their number.
+const ODD: [(i64, &str); 17] = [
+    (3, "miles"),
+    (7, "kilometres"),
+    (8, "microinches"),
+    (10, "yards"),
+    (11, "ångströms"),
+    (12, "nanometres"),
+    (14, "decimetres"),
+    (15, "decametres"),
+    (16, "hectometres"),
+    (17, "gigametres"),
+    (18, "astronomical units"),
+    (19, "light years"),
+    (20, "parsecs"),
+    (21, "US survey feet"),
+    (22, "US survey inches"),
+    (23, "US survey yards"),
+    (24, "US survey miles"),
+];
 
 /// A unit of length that drawings are made in.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -92,24 +112,27 @@ impl Frame {
 }
 
 fn of_header(header: &Header) -> Result<(DrawingUnit, &'static str), ImportError> {
-    let unit = match (header.default_drawing_units, header.drawing_units) {
-        (Units::Millimeters, _) => DrawingUnit::Mm,
-        (Units::Centimeters, _) => DrawingUnit::Cm,
-        (Units::Meters, _) => DrawingUnit::M,
-        (Units::Microns, _) => DrawingUnit::Micrometre,
-        (Units::Mils, _) => DrawingUnit::Mil,
-        (Units::Inches, _) => DrawingUnit::Inch,
-        (Units::Feet, _) => DrawingUnit::Foot,
-        (Units::Unitless, DrawingUnits::Metric) => {
-            return Ok((DrawingUnit::Mm, "$MEASUREMENT says metric, $INSUNITS names no unit"));
-        }
-        (Units::Unitless, DrawingUnits::English) => {
-            let what = "the drawing names no unit: neither $INSUNITS nor a metric $MEASUREMENT is in its header";
-            return Err(ImportError::new(what, "say which: --units mm (or in, cm, m)"));
-        }
-        (other, _) => {
-            let what = format!("the drawing's unit is {other:?} ($INSUNITS), which no tool is drawn in");
-            return Err(ImportError::new(what, "say what it is drawn in: --units mm (or in, cm, m)"));
+    let unit = match header.unit {
+        1 => DrawingUnit::Inch,
+        2 => DrawingUnit::Foot,
+        4 => DrawingUnit::Mm,
+        5 => DrawingUnit::Cm,
+        6 => DrawingUnit::M,
+        9 => DrawingUnit::Mil,
+        13 => DrawingUnit::Micrometre,
+        number => {
+            let odd = ODD.iter().find(|(odd, _)| *odd == number);
+            if header.is_metric && odd.is_none() {
+                return Ok((DrawingUnit::Mm, "$MEASUREMENT says metric, $INSUNITS names no unit"));
+            }
+            let what = match odd {
+                Some((_, name)) => format!("the drawing's unit is {name} ($INSUNITS), which no tool is drawn in"),
+                None => {
+                    "the drawing names no unit: neither $INSUNITS nor a metric $MEASUREMENT is in its header".to_owned()
+                }
+            };
+            let say = if odd.is_some() { "say what it is drawn in" } else { "say which" };
+            return Err(ImportError::new(what, format!("{say}: --units mm (or in, cm, m)")));
         }
     };
     Ok((unit, "$INSUNITS of the drawing"))

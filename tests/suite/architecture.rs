@@ -89,7 +89,6 @@ fn outside_crates_have_one_room_each() {
         ("gif::", "output"),
         ("comfy_table::", "cli"),
         ("toml::", "case|compare"),
-        ("dxf::", "import"),
         ("maud::", "report"),
     ] {
         for file in &files {
