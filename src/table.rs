@@ -3,9 +3,7 @@
 //! A [`Column`] is the only place that knows how a quantity is called, so the header of a CSV file and the label
 //! of an axis cannot disagree.
 
-mod unit;
-
-pub use unit::{Unit, UnitError};
+pub use crate::units::{Unit, UnitError};
 
 /// One quantity, in solver units.
 #[derive(Clone, Debug, PartialEq)]
