@@ -1,7 +1,9 @@
 //! Numerical methods that know nothing of forming.
 
+mod bisection;
 pub mod block_tridiagonal;
 pub mod lobatto;
 mod piecewise_linear;
 
+pub use bisection::bisect;
 pub use piecewise_linear::PiecewiseLinear;

@@ -31,7 +31,7 @@ pub use bounds::{Fraction, NonNegative, Positive};
 pub use error::QuantityError;
 pub use header::{Unit, UnitError};
 pub use kind::Kind;
-pub use number::rounded;
+pub use number::{rounded, significant, trimmed, without_zeros};
 pub use parse::{Parsed, parse};
 pub use quantity::Quantity;
 pub(crate) use spelling::closest;
