@@ -16,6 +16,7 @@ mod materials;
 mod measures;
 mod mutations;
 mod outputs;
+mod package;
 mod profiles;
 mod report;
 mod scripts;
