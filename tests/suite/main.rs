@@ -21,6 +21,7 @@ mod profiles;
 mod report;
 mod scripts;
 mod templates;
+mod validation;
 mod verdict;
 mod verify_bulge;
 mod verify_closed_forms;
