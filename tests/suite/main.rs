@@ -7,6 +7,7 @@
 mod common;
 
 mod architecture;
+mod bad_cases;
 mod campaign;
 mod case_files;
 mod cli;
