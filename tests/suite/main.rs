@@ -7,6 +7,7 @@
 mod common;
 
 mod architecture;
+mod bad_cases;
 mod campaign;
 mod case_files;
 mod cli;
@@ -16,10 +17,12 @@ mod materials;
 mod measures;
 mod mutations;
 mod outputs;
+mod package;
 mod profiles;
 mod report;
 mod scripts;
 mod templates;
+mod validation;
 mod verdict;
 mod verify_bulge;
 mod verify_closed_forms;

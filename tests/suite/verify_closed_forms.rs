@@ -1,5 +1,6 @@
 //! Verification: the program against solutions that can be written down.
 
+use crate::common::convergence::orders;
 use crate::common::simple;
 use stampflow::material::{Hill48, Rate};
 use stampflow::model::{Geometry, Settings, Theory};
@@ -99,13 +100,16 @@ fn a_higher_anisotropy_keeps_the_cup_thicker() {
     assert!(found.is_sorted_by(|a, b| a < b), "{found:?}");
 }
 
-/// Trust: capstan, T₂ = T₁ exp(μπ/2). Nodes on the arc stand for a rope of chords: the error falls with the square
-/// of the spacing; 20 elements a quarter leave less than 0.5 %.
+/// Trust: capstan, T₂ = T₁ exp(μπ/2). Nodes on the arc stand for a rope of chords: with 2 and 4 elements a quarter the error
+/// falls with the square of the spacing or faster. Then other errors rule, the ticks of single nodes at the lip and the
+/// contact's soft foot: 0.2 % is left, 0.02 % with a foot of a sixth.
 #[test]
 fn capstan_converges_to_the_exponential() {
     let holder = 300.0;
-    let error = |mu: f64, per_quarter: usize| {
-        let run = solve(&simple::capstan(mu, holder, per_quarter));
+    let error = |mu: f64, per_quarter: usize, foot: f64| {
+        let mut model = simple::capstan(mu, holder, per_quarter);
+        model.settings.contact_smoothing = foot;
+        let run = solve(&model);
         // The wall leans: wrap angle α from the common tangent of the two circles that the mid-surface follows,
         // Δr sin α − Δz cos α = 2 (R + t/2). Mean over the last 10 mm: single values tick as nodes pass the lip.
         let ratios = run.steps.iter().filter(|r| r.travel > 40.0).map(|record| {
@@ -117,9 +121,15 @@ fn capstan_converges_to_the_exponential() {
         sum / count - 1.0
     };
     for mu in [0.05, 0.15] {
-        let errors: Vec<f64> = [5, 10, 20].iter().map(|&n| error(mu, n)).collect();
-        println!("capstan, mu {mu}: errors {errors:?} at 5, 10, 20 elements per 90 degrees");
-        assert!(errors[2].abs() < 5e-3, "{errors:?}");
+        let foot = Settings::default().contact_smoothing;
+        let errors: Vec<f64> = [5, 10, 20].iter().map(|&n| error(mu, n, foot)).collect();
+        let sharp: Vec<f64> = [2, 4, 20].iter().map(|&n| error(mu, n, foot / 6.0)).collect();
+        let order = orders(&[2.0, 1.0], &sharp[..2])[0];
+        println!(
+            "capstan, mu {mu}: errors {errors:?} at 5, 10, 20 elements per 90 degrees, {sharp:?} at 2, 4, 20: {order:.2}"
+        );
+        assert!(errors.iter().all(|e| e.abs() < 2e-3) && sharp[2].abs() < 2e-4, "{errors:?} {sharp:?}");
+        assert!(order > 1.8, "{order}");
     }
 }
 
@@ -162,9 +172,11 @@ fn plastic_moment_converges_with_the_layers() {
             law.internal(&end, start.area() * t, t, &vec![PointState::at(0.0); n], &mut iterates, &mut responses);
         (internal.force[5] / exact - 1.0).abs()
     };
-    let errors: Vec<f64> = [5, 7, 11, 21, 51].iter().map(|&n| error(n)).collect();
-    println!("plastic moment: errors {errors:?} with 5, 7, 11, 21, 51 layers");
-    assert!(errors.windows(2).all(|w| w[1] < w[0]), "{errors:?}");
+    let layers = [5, 7, 11, 21, 51];
+    let errors = layers.map(error);
+    let orders = orders(&layers.map(|n| 1.0 / n as f64), &errors);
+    println!("plastic moment: errors {errors:?} with {layers:?} layers, orders {orders:.2?}");
+    assert!(orders.iter().all(|p| (1.95..2.35).contains(p)), "{orders:?}");
     assert!(errors[4] < 1e-3, "{errors:?}");
 }
 

@@ -1,5 +1,6 @@
 //! Verification of contact, friction laws, holders, beads and gas against closed forms and against each other.
 
+use crate::common::convergence::orders;
 use crate::common::shipped::{DRAWN, last, peak, shipped, solve};
 use crate::common::simple;
 use stampflow::contact::friction::Sliding;
@@ -311,7 +312,7 @@ fn superplastic_long_box_follows_its_closed_form_before_contact() {
         let text =
             include_str!("../../cases/superplastic_dome.toml").replace("radius = \"50 mm\"", "half_length = \"50 mm\"");
         let model = case::parse(&text, "box.toml", &overrides).unwrap_or_else(|e| panic!("{e}")).model;
-        let mut worst: f64 = 0.0;
+        let (mut worst, mut end): (f64, _) = (0.0, 0.0);
         for r in &solve(&model).steps {
             let strain = 3f64.sqrt() / 2.0 * rate * r.time;
             let alpha = (0..200).fold((0.0, PI / 1.01), |(low, high), _| {
@@ -325,11 +326,15 @@ fn superplastic_long_box_follows_its_closed_form_before_contact() {
             for (found, exact) in [(r.pressure, pressure), (r.thinnest, t), (r.pole_height, height)] {
                 worst = worst.max((found / exact - 1.0).abs());
             }
+            assert!((r.thinnest / t - 1.0).abs() < 1e-6, "the thickness has no length in it");
+            end = r.pole_height / height - 1.0;
         }
-        worst
+        (worst, end)
     };
-    let errors = [25, 50, 100].map(worst_of);
-    println!("long box, 25, 50, 100 elements: {errors:?}");
+    let found = [25, 50, 100].map(worst_of);
+    let (errors, orders) = (found.map(|f| f.0), orders(&[4.0, 2.0, 1.0], &found.map(|f| f.1)));
+    println!("long box, 25, 50, 100 elements: {errors:?}, orders of the final height {orders:.3?}");
+    assert!(orders.iter().all(|p| (p - 2.0).abs() < 0.05), "{orders:?}");
     // Trust: chords for an arc are second order in the number of elements, down to the corrector's tolerance.
     assert!(errors[2] < 2e-4, "{errors:?}");
     assert!(errors[1] < 0.3 * errors[0] && errors[2] < 0.5 * errors[1], "{errors:?}");

@@ -1,6 +1,7 @@
 //! What several files of tests use.
 
 pub mod cli;
+pub mod convergence;
 pub mod drawn;
 pub mod files;
 #[allow(dead_code, reason = "the benchmark of the campaign also prints the process")]
