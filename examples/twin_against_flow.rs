@@ -3,7 +3,7 @@
 //! `cargo run --release --example twin_against_flow -- cases/woo_hemispherical.toml twin.png`
 
 use stampflow::output::chart::{BLACK, Chart, Look, Panel, Scale, Series};
-use stampflow::output::{load_travel, png, svg, write};
+use stampflow::output::{load_travel, png, write};
 use stampflow::table::{Column, Unit};
 use stampflow::{Table, case};
 use std::path::Path;
@@ -68,7 +68,7 @@ fn compare(path: &str, picture: &Path) -> Result<(), String> {
         ],
         notes: case.model.notes.clone(),
     };
-    write(picture, &png(&svg(&chart))).map_err(|error| error.to_string())
+    write(picture, &png(&chart)).map_err(|error| error.to_string())
 }
 
 /// A curve's value at `x`, in between linearly.

@@ -8,7 +8,7 @@ use serde_json::json;
 use stampflow::author::Draft;
 use stampflow::import::{self, DrawingUnit, Heading, Options, Section, Sections};
 use stampflow::model::{Geometry, Role};
-use stampflow::output::{can_write, png, sketch, svg, write};
+use stampflow::output::{can_write, png, sketch, write};
 use stampflow::units::{Length, Positive, Quantity};
 use std::fmt::Write;
 use std::path::PathBuf;
@@ -132,7 +132,7 @@ pub fn import(args: &Args) -> anyhow::Result<Code> {
     let text = draft.toml();
     let case = draft.case(&text, &drawing.to_string()).with_context(|| drawing.to_string())?;
     write(&out, text.as_bytes())?;
-    write(&picture, &png(&svg(&sketch(&name, args.geometry, &sections))))?;
+    write(&picture, &png(&sketch(&name, args.geometry, &sections)))?;
     let derived = case.map_or_else(Vec::new, |case| case.derived);
     let notes: Vec<String> = sections.notes.iter().cloned().chain(derived).chain(draft.doubts()).collect();
     if args.json.json {

@@ -1,9 +1,10 @@
 //! The draw as a moving picture: the section, true to thickness, with its tools, and how far the load has come.
 
 use super::chart::{Chart, Look, Panel, Scale, Series, color};
+use super::draw::Drawing;
 use super::file::{WriteError, write as write_file};
 use super::gif::gif;
-use super::{Subject, load_travel, profile, progress, reaches, shapes, svg};
+use super::{Subject, load_travel, profile, progress, reaches, shapes};
 use crate::solution::Frame;
 use std::path::{Path, PathBuf};
 
@@ -32,9 +33,9 @@ pub fn write(subject: &Subject, frames: &[Frame], dir: &Path) -> Result<Vec<Path
     if frames.len() < 2 {
         return Ok(Vec::new());
     }
-    let svgs: Vec<String> = (0..frames.len()).map(|i| svg(&picture(subject, frames, i))).collect();
+    let drawings = (0..frames.len()).map(|i| Drawing::of(&picture(subject, frames, i)));
     let path = dir.join(FILE);
-    write_file(&path, &gif(&svgs, &delays(subject, frames)))?;
+    write_file(&path, &gif(drawings, &delays(subject, frames)))?;
     Ok(vec![path])
 }
 

@@ -156,7 +156,7 @@ impl Output {
         match self.make {
             Make::Table(make) => make(subject).map(|table| csv(&table)),
             Make::Text(make) => Some(make(subject).into_bytes()),
-            Make::Plot(make) => make(subject).map(|chart| png(&svg(&chart))),
+            Make::Plot(make) => make(subject).map(|chart| png(&chart)),
         }
     }
 }

@@ -1,7 +1,7 @@
 //! A computed curve over a reference: points with their difference below, or a band.
 
 use super::chart::{BLACK, Chart, Color, GREY, Look, Panel, Scale, Series, color};
-use super::{Subject, WriteError, csv, png, svg, write_into};
+use super::{Subject, WriteError, csv, png, write_into};
 use crate::compare::{Against, Band, BandQuantity, BandSpec, Comparison, CurveSpec, Found, Interval, Points, Quantity};
 use crate::units::rounded;
 use std::path::{Path, PathBuf};
@@ -19,7 +19,7 @@ pub fn write_comparison(
     let Some(chart) = plot(subject, comparison) else { return Ok(Vec::new()) };
     let stem = format!("compare_{n}_{}", comparison.spec.against.name());
     let names = [format!("{stem}.csv"), format!("{stem}.png")];
-    write_into(dir, names, [csv(&comparison.table()), png(&svg(&chart))])
+    write_into(dir, names, [csv(&comparison.table()), png(&chart)])
 }
 
 /// Whether a file's name is one that [`write_comparison`] gives.

@@ -1,7 +1,7 @@
 //! Stress through the thickness of one frame: at every layer in numbers, at a few places as curves.
 
 use super::chart::{Chart, Look, Panel, Scale, Series};
-use super::{WriteError, csv, png, profile, svg, write_into};
+use super::{WriteError, csv, png, profile, write_into};
 use crate::measure::{Place, places};
 use crate::model::Model;
 use crate::solution::{Frame, PointRecord};
@@ -20,7 +20,7 @@ const LEAST: f64 = 1.0;
 /// When a file cannot be written.
 pub fn write(dir: &Path, frame: &Frame, model: &Model) -> Result<Vec<PathBuf>, WriteError> {
     let Some(chart) = plot(frame, model) else { return Ok(Vec::new()) };
-    write_into(dir, FILES, [csv(&table(frame, model)), png(&svg(&chart))])
+    write_into(dir, FILES, [csv(&table(frame, model)), png(&chart)])
 }
 
 /// One row per element and layer, from the axis outward and from the die's face to the punch's.

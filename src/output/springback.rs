@@ -2,7 +2,7 @@
 
 use super::chart::{BLACK, Chart, Look, Panel, Scale, Series, color, pale};
 use super::csv::springback as csv;
-use super::{WriteError, png, profile, shapes, svg, write_into};
+use super::{WriteError, png, profile, shapes, write_into};
 use crate::measure::{Change, Leg, Shape, changes};
 use crate::model::Model;
 use crate::solution::Frame;
@@ -24,7 +24,7 @@ const LEAST: f64 = 0.005;
 /// When a file cannot be written.
 pub fn write(dir: &Path, before: &Frame, after: &Frame, model: &Model) -> Result<Vec<PathBuf>, WriteError> {
     let changes = changes(&Shape::of(before), &Shape::of(after));
-    write_into(dir, FILES, [csv(&changes), png(&svg(&plot(before, after, model)))])
+    write_into(dir, FILES, [csv(&changes), png(&plot(before, after, model))])
 }
 
 /// Both sections, the tools where they last were, and the lines that angles were measured with.

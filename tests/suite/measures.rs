@@ -1,7 +1,6 @@
 //! What is measured and drawn of single frames: legs of solved sheets, stress through the thickness, spring-back.
 
-use crate::common::shipped;
-use resvg::tiny_skia::Pixmap;
+use crate::common::{pixels::pixels, shipped};
 use stampflow::measure::{Shape, moment_error, places};
 use stampflow::model::{Geometry, Model};
 use stampflow::output::{residual_stress, springback};
@@ -115,9 +114,9 @@ fn springback_and_residual_stress_are_written_and_nothing_else() {
     assert_eq!(text.lines().count(), 1 + after.elements.len() * after.through.layers.len());
 
     for path in found.iter().filter(|path| path.extension().is_some_and(|e| e == "png")) {
-        let pixels = Pixmap::decode_png(&fs::read(path).unwrap()).unwrap();
-        let vivid = pixels.pixels().iter().filter(|p| p.blue() > 150 && p.red() < 20).count();
-        assert!(pixels.width() == 1600 && vivid > 500, "{}: {vivid}", path.display());
+        let pixels = pixels(&fs::read(path).unwrap());
+        let vivid = pixels.rgb.iter().filter(|p| p[2] > 150 && p[0] < 20).count();
+        assert!(pixels.width == 1600 && vivid > 500, "{}: {vivid}", path.display());
     }
 }
 

@@ -1,7 +1,6 @@
 //! What is made from a run: tables, files and plots, over the whole list of outputs.
 
-use crate::common::drawn;
-use resvg::tiny_skia::Pixmap;
+use crate::common::{drawn, pixels::pixels};
 use stampflow::author::templates::find;
 use stampflow::case::{Case, parse};
 use stampflow::compare::{
@@ -10,7 +9,7 @@ use stampflow::compare::{
 use stampflow::measure::{Shape, changes};
 use stampflow::model::{Geometry, Model, Role};
 use stampflow::output::{
-    Make, OUTPUTS, StageLine, Summary, load_travel, png, profile, remove_stale, stages_report, svg, write_all,
+    Make, OUTPUTS, StageLine, Summary, load_travel, png, profile, remove_stale, stages_report, write_all,
     write_comparison,
 };
 use stampflow::report::{Report, markdown};
@@ -401,9 +400,9 @@ fn a_band_is_drawn_with_its_error_and_written_in_numbers() {
     let largest = run.frames.last().unwrap().elements.iter().map(|e| e.thickness).fold(0.0, f64::max);
     let outside: f64 = row.split(',').nth(6).unwrap().parse().unwrap();
     assert!(outside > 0.0 && (outside - (largest - 1.13)).abs() < 1e-8, "{numbers}");
-    let pixels = Pixmap::decode_png(&fs::read(&written[1]).unwrap()).unwrap();
-    let of = |(r, g, b)| pixels.pixels().iter().filter(|p| (p.red(), p.green(), p.blue()) == (r, g, b)).count();
-    assert!(of((238, 174, 132)) > 50_000 && of((249, 224, 206)) > 5_000);
+    let pixels = pixels(&fs::read(&written[1]).unwrap());
+    let of = |rgb: [u8; 3]| pixels.rgb.iter().filter(|p| **p == rgb).count();
+    assert!(of([238, 174, 132]) > 50_000 && of([249, 224, 206]) > 5_000);
 }
 
 /// Trust: no system font is loaded by the renderer; title, ticks and legend lie in parts of the picture where
@@ -414,12 +413,12 @@ fn every_plot_has_a_title_and_curves_without_system_fonts() {
     let run = drawn::run(&model);
     for output in OUTPUTS {
         let Make::Plot(make) = output.make else { continue };
-        let pixels = Pixmap::decode_png(&png(&svg(&make(&drawn::subject(&model, &run)).expect("a plot")))).unwrap();
-        assert_eq!(pixels.width(), 1600);
-        let row = |y: usize| &pixels.pixels()[y * 1600..(y + 1) * 1600];
-        let title = (20..75).flat_map(row).filter(|p| p.red() < 100).count();
+        let pixels = pixels(&png(&make(&drawn::subject(&model, &run)).expect("a plot")));
+        assert_eq!(pixels.width, 1600);
+        let row = |y: usize| &pixels.rgb[y * 1600..(y + 1) * 1600];
+        let title = (20..75).flat_map(row).filter(|p| p[0] < 100).count();
         assert!(title > 1000, "{}: {title} dark pixels in the title", output.file);
-        let vivid = pixels.pixels().iter().filter(|p| p.blue() > 150 && p.red() < 20).count();
+        let vivid = pixels.rgb.iter().filter(|p| p[2] > 150 && p[0] < 20).count();
         assert!(vivid > 1000, "{}: {vivid} pixels in the first curve's blue", output.file);
     }
 }

@@ -84,7 +84,7 @@ fn forces_and_thinnest_places_are_those_on_record() {
         for (stage, pass) in stages.iter().zip(run_stages(&stages, &mut ())) {
             let &(name, label, peak, thinnest, place) = record.next().expect("a line for every stage");
             assert_eq!((case.name.as_str(), stage.name.as_str()), (name, label));
-            let run = pass;
+            let run = &pass;
             assert!(run.stop.is_complete() || run.stop.is_physical(), "{name} {label}: {}", run.stop);
             let largest =
                 |of: fn(&stampflow::solution::StepRecord) -> f64| run.steps.iter().map(of).fold(0.0, f64::max);
