@@ -3,8 +3,10 @@
 //! A [`Column`] is the only place that knows how a quantity is called, so the header of a CSV file and the label
 //! of an axis cannot disagree.
 
+mod csv;
 mod unit;
 
+pub use csv::{Csv, CsvError, Record};
 pub use unit::{Unit, UnitError};
 
 /// One quantity, in solver units.

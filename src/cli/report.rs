@@ -7,6 +7,7 @@ use super::{Code, Overrides, say};
 use clap::ValueEnum;
 use serde_json::json;
 use stampflow::case;
+use stampflow::case::files::{self, Disk, Files};
 use stampflow::output::{can_write, remove_others, write};
 use stampflow::report::{MARKER, Report, figure_folder, html, is_figure, markdown};
 use std::path::{Path, PathBuf};
@@ -113,7 +114,7 @@ fn refuse_others(path: &Path, format: Format) -> Result<(), BadRequest> {
         )))
     };
     let is_there = path.symlink_metadata().is_ok();
-    if is_there && !path.is_dir() && !std::fs::read(path).is_ok_and(|bytes| is_report(&bytes)) {
+    if is_there && !path.is_dir() && !Disk.read(path, files::DRAWING).is_ok_and(|bytes| is_report(&bytes)) {
         return refuse(path);
     }
     let folder = figure_folder(path);
