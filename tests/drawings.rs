@@ -510,6 +510,15 @@ fn groups_that_are_no_shape_are_passed_over_and_damage_is_named_by_its_line() {
         let error = read(line(more).as_bytes(), &Options::default()).unwrap_err();
         assert!(error.to_string().contains(says) && error.line.is_some(), "{error}");
     }
+    for (unit, says) in [
+        ("3", "unit is miles ($INSUNITS)"),
+        ("24", "unit is US survey miles"),
+        ("0", "names no unit"),
+        ("-1e300", "names no unit"),
+    ] {
+        let error = read(line("").replace("70\n4\n", &format!("70\n{unit}\n")).as_bytes(), &Options::default());
+        assert!(error.unwrap_err().to_string().contains(says), "{unit}");
+    }
     // The Windows code page: ü as one byte, € among those that Unicode has elsewhere.
     let windows = line("").replace("punch", "punch F?r 5 @");
     let bytes: Vec<u8> = windows

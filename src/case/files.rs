@@ -4,7 +4,7 @@
 //! |---|---|
 //! | case file | [`CASE`] = 2 MB |
 //! | CSV of a profile, a temperature or a reference, `sources.toml` | [`CSV`] = 10 MB, 100 000 rows, 2000 points of a profile |
-//! | drawing | [`DRAWING`] = 50 MB, 5000 lines and arcs of a tool |
+//! | drawing | `import::LARGEST` = 50 MB, 5000 lines and arcs of a tool |
 //!
 //! What is larger is refused before it is read, and so is what is no file: pipes and devices may never end.
 
@@ -17,8 +17,6 @@ use std::path::{Component, Path, PathBuf};
 pub const CASE: usize = 2_000_000;
 /// The largest CSV file \[bytes\].
 pub const CSV: usize = 10_000_000;
-/// The largest drawing \[bytes\].
-pub const DRAWING: usize = crate::import::LARGEST;
 
 /// Files by their paths.
 pub trait Files {

@@ -6,7 +6,7 @@ use super::{Code, say};
 use anyhow::Context;
 use serde_json::json;
 use stampflow::case::Draft;
-use stampflow::case::files::{self, Disk, FileError, Files};
+use stampflow::case::files::{Disk, FileError, Files};
 use stampflow::import::{self, DrawingUnit, Heading, Options, Section, Sections};
 use stampflow::model::{Geometry, Role};
 use stampflow::output::{can_write, png, sketch, svg, write};
@@ -102,7 +102,7 @@ fn geometry(text: &str) -> Result<Geometry, String> {
 
 pub fn import(args: &Args) -> anyhow::Result<Code> {
     let drawing = args.drawing.display();
-    let bytes = Disk.read(&args.drawing, files::DRAWING).map_err(|error| BadPath {
+    let bytes = Disk.read(&args.drawing, import::LARGEST).map_err(|error| BadPath {
         what: format!("{drawing} cannot be read: {error}"),
         help: match error {
             FileError::TooLarge { .. } => "save the tools' layers only".into(),
