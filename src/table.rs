@@ -3,7 +3,10 @@
 //! A [`Column`] is the only place that knows how a quantity is called, so the header of a CSV file and the label
 //! of an axis cannot disagree.
 
+mod csv;
+
 pub use crate::units::{Unit, UnitError};
+pub use csv::{Csv, CsvError, Record};
 
 /// One quantity, in solver units.
 #[derive(Clone, Debug, PartialEq)]

@@ -51,7 +51,7 @@ pub fn report(case: &Case) -> Check {
         lines.push(line(format!("stage {}", i + 2), &stage.name, stages::describe(stage)));
     }
     let compare = case.compare.iter().map(|spec| {
-        let there = if spec.reference.is_file() { "" } else { " (not there: drop the CSV in to see the overlay)" };
+        let there = if spec.data.is_some() { "" } else { " (not there: drop the CSV in to see the overlay)" };
         line("compare", spec.reference.display().to_string(), format!("{}{there}", spec.against))
     });
     lines.extend(compare);

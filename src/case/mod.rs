@@ -27,6 +27,7 @@ mod convert;
 mod error;
 mod explain;
 pub mod file;
+pub mod files;
 mod laws;
 pub mod library;
 mod overrides;
@@ -42,13 +43,9 @@ use crate::compare::Spec;
 use crate::model::Model;
 use crate::model::stage::{Beginning, Stage};
 use crate::solution::StageSolution;
+use files::{Disk, FileError, Files, Folder};
 use source::Source;
-use std::fs::File;
-use std::io::Read;
 use std::path::{Path, PathBuf};
-
-/// The largest case file \[bytes\]; a thousand times the size of a long one.
-const LARGEST: usize = 2_000_000;
 
 /// A case: the problem to solve, what to compare it with, and the text it came from.
 #[derive(Clone, Debug, PartialEq)]
@@ -96,21 +93,19 @@ impl Case {
     }
 }
 
-/// Reads a case file and applies overrides such as `tools.punch.friction=0.1` or `blank.thickness=0.9 mm`.
+/// Reads a case file from the disk and applies overrides such as `tools.punch.friction=0.1` or `blank.thickness=0.9 mm`.
 ///
 /// # Errors
 /// When the file cannot be read, or as [`parse`].
 pub fn load(path: impl AsRef<Path>, overrides: &[String]) -> Result<Case, CaseError> {
     let path = path.as_ref();
-    let unreadable = |error| CaseError::unreadable(path, &error);
-    let mut text = String::new();
-    // No more than is needed to see that it is too much: a path may lead to a device that never ends.
-    File::open(path).map_err(unreadable)?.take(LARGEST as u64 + 1).read_to_string(&mut text).map_err(unreadable)?;
+    let files: &dyn Files = &Disk;
+    let text = files.text(path, files::CASE).map_err(|error| CaseError::unreadable(path, &error))?;
     parse(&text, &path.to_string_lossy(), overrides)
 }
 
-/// Reads a case from text; `name` is the path that messages show and that reference curves and profiles are
-/// looked up from.
+/// Reads a case from text; `name` is the path that messages show and that reference curves, profiles and temperatures are
+/// looked up from, on the disk.
 ///
 /// An override is `KEY=VALUE`: a dotted path of keys (array entries by index, from 0) and a TOML value; what is not a
 /// TOML value is taken as text. Optional tables such as `solver`, `output`, `press` and `forming_limit` are made when they are missing.
@@ -118,20 +113,38 @@ pub fn load(path: impl AsRef<Path>, overrides: &[String]) -> Result<Case, CaseEr
 /// # Errors
 /// When the text is not TOML, a key is unknown or missing, or a value makes no sense; the error points to its line.
 pub fn parse(text: &str, name: &str, overrides: &[String]) -> Result<Case, CaseError> {
-    if text.len() > LARGEST {
-        let what = format!("{name} is no case file: it is larger than {} MB", LARGEST / 1_000_000);
-        return Err(CaseError::bare(what, "give the path of a case file, such as cases/quickstart.toml".into()));
+    parse_with(text, name, overrides, &Disk)
+}
+
+/// Reads a case from text as [`parse`], the files beside it from elsewhere. All that a case needs is read here.
+///
+/// ```
+/// # use stampflow::case::{self, files::Memory};
+/// let mut files = Memory::default();
+/// files.insert("cases/field.csv", "s0_mm,temperature_C\n20,25\n40,150\n");
+/// let text = format!("{}[heat]\ninitial = \"field.csv\"\n", case::template::find("cup").unwrap().fill(&[])?);
+/// let case = case::parse_with(&text, "cases/cup.toml", &[], &files)?;
+/// assert_eq!(case.model.heat.unwrap().initial.at(40.0), 423.15);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
+/// # Errors
+/// As [`parse`].
+pub fn parse_with(text: &str, name: &str, overrides: &[String], files: &dyn Files) -> Result<Case, CaseError> {
+    let path = PathBuf::from(name);
+    if text.len() > files::CASE {
+        return Err(CaseError::unreadable(&path, &FileError::TooLarge { limit: files::CASE }));
     }
     let text = overrides::apply(text, overrides)?;
     let shown = if overrides.is_empty() { name.to_owned() } else { format!("{name} (with overrides)") };
     let source = Source::parse(&shown, &text)?;
     let mut file = source.read()?;
     let origin = library::complete(&mut file, &source)?;
-    let path = PathBuf::from(name);
-    let convert::Meaning { model, first, later, mut derived } = convert::meaning(&file, &source, &path)?;
+    let folder = Folder { files, path: path.parent().unwrap_or(Path::new("")) };
+    let convert::Meaning { model, first, later, mut derived } = convert::meaning(&file, &source, folder)?;
     derived.splice(0..0, origin);
-    let compare = convert::compare(&file, &source, &path)?;
+    let compare = convert::compare(&file, &source, folder)?;
     let press = convert::press(&file, &source)?;
     let name = path.file_stem().map_or_else(|| "case".into(), |stem| stem.to_string_lossy().into_owned());
-    Ok(Case { name, path, text: text.clone(), model, first, later, compare, press, derived })
+    Ok(Case { name, text: text.clone(), model, first, later, compare, press, derived, path })
 }

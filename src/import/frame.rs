@@ -5,26 +5,10 @@ use super::{ImportError, Options};
 use crate::geometry::Point;
 use crate::units::rounded;
 
-/// Units of $INSUNITS that no tool is drawn in, by their number.
-const ODD: [(i64, &str); 17] = [
-    (3, "miles"),
-    (7, "kilometres"),
-    (8, "microinches"),
-    (10, "yards"),
-    (11, "ångströms"),
-    (12, "nanometres"),
-    (14, "decimetres"),
-    (15, "decametres"),
-    (16, "hectometres"),
-    (17, "gigametres"),
-    (18, "astronomical units"),
-    (19, "light years"),
-    (20, "parsecs"),
-    (21, "US survey feet"),
-    (22, "US survey inches"),
-    (23, "US survey yards"),
-    (24, "US survey miles"),
-];
+/// What the numbers of $INSUNITS stand for, from 1.
+const UNITS: &str = "inches, feet, miles, mm, cm, m, km, microinches, mils, yards, ångströms, nanometres, micrometres, decimetres, \
+    decametres, hectometres, gigametres, astronomical units, light years, parsecs, US survey feet, US survey inches, US survey \
+    yards, US survey miles";
 
 /// A unit of length that drawings are made in.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -121,19 +105,19 @@ fn of_header(header: &Header) -> Result<(DrawingUnit, &'static str), ImportError
         9 => DrawingUnit::Mil,
         13 => DrawingUnit::Micrometre,
         number => {
-            let odd = ODD.iter().find(|(odd, _)| *odd == number);
-            if header.is_metric && odd.is_none() {
-                return Ok((DrawingUnit::Mm, "$MEASUREMENT says metric, $INSUNITS names no unit"));
-            }
-            let what = match odd {
-                Some((_, name)) => format!("the drawing's unit is {name} ($INSUNITS), which no tool is drawn in"),
-                None => {
-                    "the drawing names no unit: neither $INSUNITS nor a metric $MEASUREMENT is in its header".to_owned()
-                }
-            };
-            let say = if odd.is_some() { "say what it is drawn in" } else { "say which" };
-            return Err(ImportError::new(what, format!("{say}: --units mm (or in, cm, m)")));
+            let named = number.checked_sub(1).and_then(|i| UNITS.split(", ").nth(i));
+            let Some(unit) = named else { return of_measurement(header) };
+            let what = format!("the drawing's unit is {unit} ($INSUNITS), which no tool is drawn in");
+            return Err(ImportError::new(what, "say what it is drawn in: --units mm (or in, cm, m)"));
         }
     };
     Ok((unit, "$INSUNITS of the drawing"))
+}
+
+fn of_measurement(header: &Header) -> Result<(DrawingUnit, &'static str), ImportError> {
+    if header.is_metric {
+        return Ok((DrawingUnit::Mm, "$MEASUREMENT says metric, $INSUNITS names no unit"));
+    }
+    let what = "the drawing names no unit: neither $INSUNITS nor a metric $MEASUREMENT is in its header";
+    Err(ImportError::new(what, "say which: --units mm (or in, cm, m)"))
 }

@@ -31,7 +31,7 @@ pub(super) struct Drawing {
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Header {
     /// Number of $INSUNITS; 0 where there is none.
-    pub unit: i64,
+    pub unit: usize,
     /// Whether $MEASUREMENT is metric.
     pub is_metric: bool,
 }
@@ -201,8 +201,8 @@ impl Entity {
 }
 
 /// A whole number, which some programs write with decimals; 0 for anything else.
-fn whole(value: &str) -> i64 {
-    value.parse::<f64>().map_or(0, |value| value as i64)
+fn whole(value: &str) -> usize {
+    value.parse::<f64>().map_or(0, |value| value as usize)
 }
 
 /// A quotation that stays short.

@@ -5,7 +5,7 @@ use super::frame::Frame;
 use super::layers::Roles;
 use super::listing::{Entity, Listed};
 use super::{ImportError, spline};
-use crate::geometry::{Arc, Piece, Point, Segment};
+use crate::geometry::{Arc, Bounds, Piece, Point, Segment};
 use crate::model::Role;
 use crate::units::{Kind, Length, Quantity, rounded};
 use std::collections::BTreeMap;
@@ -30,8 +30,8 @@ const SAID: [&str; 15] = [
     "WIPEOUT",
 ];
 
-/// Lines and arcs that a tool may be drawn in, repeats and both halves counted: five times what a case's section may have.
-pub(super) const MOST: usize = 10_000;
+/// Lines and arcs that a tool may be drawn in, repeats and both halves counted: a case's section may have 2000.
+pub(super) const MOST: usize = 5000;
 
 /// Ends that are not farther apart are one point \[mm\]: no drawing is finer.
 const SHORTEST: f64 = 1e-7;
@@ -53,6 +53,11 @@ impl Stroke {
 
     pub fn last(&self) -> Point {
         self.pieces[self.pieces.len() - 1].last()
+    }
+
+    /// The box around it.
+    pub fn bounds(&self) -> Bounds {
+        Bounds::around(&self.pieces).expect("a stroke has pieces")
     }
 
     /// The same stroke drawn the other way.
@@ -97,7 +102,7 @@ pub(super) fn of_role(
         let stroke = stroke(curve, listed, frame)?;
         pieces += stroke.pieces.len();
         if pieces > MOST {
-            let what = format!("the {name} is drawn in more than {MOST} lines and arcs, as far as {listed}");
+            let what = format!("the {name} is drawn in more than {MOST} lines and arcs, {listed} among them");
             let help = "a section has a few dozen: leave only what meets the sheet, thin its points out, or give splines a \
                         larger --tolerance";
             return Err(ImportError::new(what, help).at(listed.line));

@@ -2,6 +2,7 @@
 
 use crate::common::files::files;
 use proptest::prelude::*;
+use stampflow::case::files::{Files, Memory};
 use stampflow::case::{self, Case};
 use stampflow::model::{Edge, Geometry, Grading, Mode, Motion, Press, Release, Role, Stiffness, Theory};
 use std::path::Path;
@@ -44,7 +45,8 @@ fn every_shipped_case_loads_and_names_what_it_assumes() {
         assert!(case.model.notes.iter().all(|note| report.contains(note)), "{report}");
         assert_eq!(case.model.frames.last(), Some(&case.model.duration), "{}", case.name);
         for spec in case.compare.iter().filter(|spec| !spec.optional) {
-            assert!(spec.reference.is_file(), "{}", spec.reference.display());
+            let data = spec.data.as_ref().unwrap_or_else(|| panic!("{}", spec.reference.display()));
+            assert!(data.source.is_some(), "{}", spec.reference.display());
         }
     }
 }
@@ -89,7 +91,7 @@ fn every_reference_curve_has_its_source_and_the_columns_that_cases_ask_for() {
     }
     assert_eq!(sources.len(), curves.len(), "a source without its curve");
     for path in files("cases", "toml") {
-        for spec in load(&path, &[]).compare.iter().filter(|spec| spec.reference.is_file()) {
+        for spec in load(&path, &[]).compare.iter().filter(|spec| spec.data.is_some()) {
             let text = std::fs::read_to_string(&spec.reference).unwrap();
             let header: Vec<&str> =
                 text.lines().find(|line| !line.starts_with('#')).expect("a header").split(',').collect();
@@ -197,6 +199,81 @@ fn what_cannot_be_read_is_named() {
     let path = dir.path().join("large.toml");
     std::fs::write(&path, "# a comment that goes on\n".repeat(100_000)).unwrap();
     assert!(says(path.to_str().unwrap()).contains("larger than 2 MB"));
+}
+
+/// All that is needed is read with the case: the shipped ones give the same where there is no disk.
+#[test]
+fn a_case_can_be_read_from_memory() {
+    let (mut memory, cases) = (Memory::default(), files("cases", "toml"));
+    for path in [files("cases", ""), files("reference_data", "")].concat() {
+        memory.insert(&path, std::fs::read(&path).unwrap());
+    }
+    assert!(cases.len() >= 19, "{cases:?}");
+    let mut beside = 0;
+    for path in cases {
+        let text = std::fs::read_to_string(&path).unwrap();
+        let read = |files: &dyn Files| case::parse_with(&text, path.to_str().unwrap(), &[], files);
+        let case = load(&path, &[]);
+        assert_eq!(read(&memory).unwrap_or_else(|error| panic!("{}", error.render(false))), case);
+        if read(&Memory::default()).is_err() {
+            beside += 1;
+        }
+    }
+    assert!(beside >= 6, "{beside} cases need a file beside them");
+}
+
+/// Reads a case whose punch is `a.csv`, or whose sheet's temperature or reference is.
+fn with_csv(what: &str, csv: impl Into<Vec<u8>>) -> Result<Case, String> {
+    let text = match what {
+        "profile" => MINIMAL.replace(r#"flat = { radius = "30 mm", nose = "6 mm" }"#, r#"profile = "a.csv""#),
+        "temperature" => format!("{MINIMAL}[heat]\ninitial = \"a.csv\"\n"),
+        _ => format!(
+            "{MINIMAL}[[compare]]\nreference = \"a.csv\"\nquantity = \"punch_force\"\nx = \"travel_mm\"\n\
+             y = \"punch_force_kN\"\ntolerance = \"5 %\"\nreason = \"a test\"\n"
+        ),
+    };
+    let mut files = Memory::default();
+    files.insert("cases/a.csv", csv);
+    case::parse_with(&text, "cases/cup.toml", &[], &files).map_err(|error| error.render(false).replace("\n  │ ", " "))
+}
+
+#[test]
+fn a_file_beside_a_case_that_is_no_table_is_named_and_not_shown() {
+    for what in ["profile", "temperature", "reference"] {
+        for (csv, says) in [
+            ("root:x:0:0::/root:/bin/sh\nuser:x:1:1::/home/user:/bin/sh\n".as_bytes(), "it begins with \"root\""),
+            (b"\x7fELF\0\x01secret", "is no table of numbers"),
+            (b"r\xff_mm", "cannot be read: it is not UTF-8 text"),
+            (b"", "file is empty"),
+            (b"1,2\n3,4\n", "the first line must name the columns, found numbers"),
+            (b"r_mm;z_mm\n0;0\n", "the columns are separated by semicolons"),
+            (b"r_mm\tz_mm\n0\t0\n", "the columns are separated by tabs"),
+        ] {
+            let error = with_csv(what, csv).unwrap_err();
+            assert!(error.contains(says), "{what}: {says} is not in\n{error}");
+            assert!(!error.contains("/bin") && !error.contains("secret"), "{error}");
+        }
+    }
+    let ragged = with_csv("reference", "travel_mm,punch_force_kN\n1,2\n2\n").unwrap_err();
+    assert!(ragged.contains("a row of 1 under 2 columns") && ragged.contains("a.csv:3:1"), "{ragged}");
+}
+
+/// Gone through once: from the first line anew for each line, one of these files alone would take a minute.
+#[test]
+fn long_files_beside_a_case_are_read_or_refused_by_their_length() {
+    let rows = |n: usize| (0..n).map(move |i| i as f64 * 55.0 / n as f64);
+    let points: String = rows(50_000).map(|r| format!("{r},{}\n", -0.01 * r * r)).collect();
+    let error = with_csv("profile", format!("r_mm,z_mm\n{points}")).unwrap_err();
+    assert!(error.contains("50000 points are more than the 2000") && error.contains("a.csv:50001:1"), "{error}");
+    let field: String = rows(50_000).map(|s0| format!("{s0},{}\n", 20.0 + s0)).collect();
+    let case = with_csv("temperature", format!("s0_mm,temperature_C\n{field}")).unwrap();
+    assert!((case.model.heat.unwrap().initial.at(30.0) - 273.15 - 50.0).abs() < 1e-9);
+    for what in ["profile", "temperature", "reference"] {
+        let many = with_csv(what, format!("a_mm,b_mm\n{}", "1,2\n".repeat(100_001))).unwrap_err();
+        assert!(many.contains("there are more than 100000 rows"), "{many}");
+        let large = with_csv(what, "a_mm,b_mm\n".repeat(1_000_001)).unwrap_err();
+        assert!(large.contains("\"a.csv\" cannot be read: it is larger than 10 MB"), "{large}");
+    }
 }
 
 /// A message about a text that fills the screen does not fill the screen.

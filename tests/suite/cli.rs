@@ -287,3 +287,46 @@ fn a_stage_that_stops_early_ends_the_sequence_with_code_three() {
     let table = fs::read_to_string(out.join("stages.csv")).unwrap();
     assert!(table.lines().nth(3).unwrap().starts_with("3,apart,not run,NaN"), "{table}");
 }
+
+/// Neither is read: a pipe that nobody writes into waits for ever, a device never ends. A case, a drawing, and what a case names.
+#[cfg(unix)]
+#[test]
+fn pipes_and_devices_are_refused() {
+    let dir = folder(CUP);
+    let [pipe, device] = ["pipe.csv", "device.csv"].map(|name| dir.path().join(name));
+    assert!(std::process::Command::new("mkfifo").arg(&pipe).status().unwrap().success());
+    std::os::unix::fs::symlink("/dev/zero", &device).unwrap();
+    for file in [pipe.to_str().unwrap(), device.to_str().unwrap()] {
+        let punch = format!("profile = \"{file}\"");
+        let profile = CUP.replace(r#"flat = { radius = "30 mm", nose = "6 mm" }"#, &punch);
+        let heat = format!("{CUP}[heat]\ninitial = \"{file}\"\n");
+        let reference = format!("{CUP}{}", COMPARE.replace("curve.csv", file));
+        for (name, case) in [("profile", profile), ("heat", heat), ("reference", reference)] {
+            fs::write(dir.path().join(format!("cases/{name}.toml")), case).unwrap();
+        }
+        for args in [
+            &["check", file][..],
+            &["import", file, "-o", "none.toml"],
+            &["check", "cases/profile.toml"],
+            &["check", "cases/heat.toml"],
+            &["run", "cases/reference.toml"],
+        ] {
+            let done = stampflow(dir.path(), args);
+            let said = text(&done.stderr).replace("\n  │ ", " ");
+            assert_eq!(done.status.code(), Some(2), "{args:?}: {said}");
+            assert!(said.contains("it is a pipe or a device, not a file"), "{args:?}: {said}");
+        }
+    }
+    assert!(!dir.path().join("none.toml").exists() && !dir.path().join("out").exists());
+}
+
+/// Refused by its length, which is all that is asked of it: the file is 3 GB long and takes no room.
+#[test]
+fn a_drawing_that_is_too_large_is_not_read() {
+    let dir = folder(CUP);
+    fs::File::create(dir.path().join("die.dxf")).unwrap().set_len(3_000_000_000).unwrap();
+    let done = stampflow(dir.path(), &["import", "die.dxf"]);
+    let said = text(&done.stderr);
+    assert_eq!(done.status.code(), Some(2), "{said}");
+    assert!(said.contains("die.dxf cannot be read: it is larger than 50 MB; save the tools' layers only"), "{said}");
+}

@@ -438,6 +438,97 @@ fn options_say_what_a_drawing_does_not() {
     }
 }
 
+/// A drawing in mm of entities.
+fn drawing(entities: &str) -> String {
+    format!(
+        "0\nSECTION\n2\nHEADER\n9\n$INSUNITS\n70\n4\n0\nENDSEC\n0\nSECTION\n2\nENTITIES\n{entities}0\nENDSEC\n0\nEOF\n"
+    )
+}
+
+/// The lines through points, in pieces of their own.
+fn lines(layer: &str, points: &[[f64; 2]]) -> String {
+    let line = |w: &[[f64; 2]]| {
+        format!("0\nLINE\n8\n{layer}\n10\n{}\n20\n{}\n11\n{}\n21\n{}\n", w[0][0], w[0][1], w[1][0], w[1][1])
+    };
+    points.windows(2).map(line).collect()
+}
+
+/// A bowl, its points 0.02 mm apart along x.
+fn bowl(n: u32) -> Vec<[f64; 2]> {
+    (0..=n).map(|i| 0.02 * f64::from(i)).map(|x| [x, 1e-4 * x * x]).collect()
+}
+
+/// Refused or read by their number: comparing each with all others would take minutes.
+#[test]
+fn long_drawings_are_read_or_refused_by_their_number() {
+    let points = bowl(200_000);
+    let vertices: String = points.iter().map(|[x, y]| format!("10\n{x}\n20\n{y}\n")).collect();
+    for entities in [format!("0\nLWPOLYLINE\n8\npunch\n70\n0\n{vertices}"), lines("punch", &points)] {
+        let error = read(drawing(&entities).as_bytes(), &Options::default()).unwrap_err().to_string();
+        assert!(error.contains("the punch is drawn in more than 5000 lines and arcs"), "{error}");
+    }
+    // Both halves, in any order, one of them twice.
+    let right = bowl(1_600);
+    let left: Vec<[f64; 2]> = right.iter().map(|[x, y]| [-x, *y]).collect();
+    let entities = lines("punch", &right) + &lines("punch", &left) + &lines("punch", &right);
+    let found = read(drawing(&entities).as_bytes(), &Options::default()).unwrap();
+    assert_eq!(found.tool(Role::Punch).unwrap().profile.pieces().len(), 1_600);
+    assert!(found.notes.iter().filter(|note| note.contains("it repeats LINE")).count() == 1_600);
+    let apart: String = right.chunks_exact(2).map(|pair| lines("punch", pair)).collect();
+    let error = read(drawing(&apart).as_bytes(), &Options::default()).unwrap_err().to_string();
+    assert!(error.contains("has a gap of 0.02 mm"), "{error}");
+}
+
+/// What other programs write between the entities, and what is no number where one has to be.
+#[test]
+fn groups_that_are_no_shape_are_passed_over_and_damage_is_named_by_its_line() {
+    let line = |more: &str| drawing(&format!("0\nLINE\n5\nA1\n8\npunch\n{more}10\n0\n20\n0\n11\n30\n21\n9\n"));
+    let plain = read(line("").as_bytes(), &Options::default()).unwrap();
+    for more in [
+        "999\na remark\n",
+        "100\nAcDbLine\n62\nred\n370\n-1\n",
+        "1001\nACME\n1010\nx\n1070\n1e99\n",
+        "90\n99999999999999999999\n",
+    ] {
+        assert_eq!(read(line(more).as_bytes(), &Options::default()).unwrap(), plain, "{more}");
+    }
+    let dated = line("").replace("9\n$INSUNITS", "9\n$TDCREATE\n40\n-1e300\n9\n$INSUNITS");
+    assert_eq!(read(dated.as_bytes(), &Options::default()).unwrap(), plain);
+    for (more, says) in [
+        (
+            "31\nten\n",
+            "LINE #A1 of layer \"punch\" (line 16 of the file) cannot be read: line 22 has to be a number, and is \"ten\"",
+        ),
+        ("10\n1e999\n", "line 22 has to be a number, and is \"1e999\""),
+        ("0\nSPLINE\n8\npunch\n20\n1\n", "line 26 belongs to a point that has no x before it"),
+        ("0\nLWPOLYLINE\n42\n1\n", "line 24 belongs to a point that has no x before it"),
+        ("ten\n0\n", "line 21 has to be a group code, and is \"ten\""),
+    ] {
+        let error = read(line(more).as_bytes(), &Options::default()).unwrap_err();
+        assert!(error.to_string().contains(says) && error.line.is_some(), "{error}");
+    }
+    for (unit, says) in [
+        ("3", "unit is miles ($INSUNITS)"),
+        ("24", "unit is US survey miles"),
+        ("0", "names no unit"),
+        ("-1e300", "names no unit"),
+    ] {
+        let error = read(line("").replace("70\n4\n", &format!("70\n{unit}\n")).as_bytes(), &Options::default());
+        assert!(error.unwrap_err().to_string().contains(says), "{unit}");
+    }
+    // The Windows code page: ü as one byte, € among those that Unicode has elsewhere.
+    let windows = line("").replace("punch", "punch F?r 5 @");
+    let bytes: Vec<u8> = windows
+        .bytes()
+        .map(|b| match b {
+            b'?' => 0xfc,
+            b'@' => 0x80,
+            b => b,
+        })
+        .collect();
+    assert!(read(&bytes, &Options::default()).unwrap().tools[0].made_of.contains("punch Für 5 €"));
+}
+
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(300))]
     /// Files cut short, lines lost, doubled or replaced: sections or an error, never a panic.

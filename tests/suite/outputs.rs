@@ -4,7 +4,7 @@ use crate::common::{drawn, pixels::pixels};
 use stampflow::author::templates::find;
 use stampflow::case::{Case, parse};
 use stampflow::compare::{
-    Against, BandQuantity, BandSpec, Comparison, Computed, CurveSpec, Found, Quantity, Spec, compare,
+    Against, BandQuantity, BandSpec, Comparison, Computed, CurveSpec, Data, Found, Quantity, Source, Spec, compare,
 };
 use stampflow::measure::{Shape, changes};
 use stampflow::model::{Geometry, Model, Role};
@@ -15,7 +15,7 @@ use stampflow::output::{
 use stampflow::report::{Report, markdown};
 use stampflow::run_stages;
 use stampflow::solution::StageSolution;
-use stampflow::table::Table;
+use stampflow::table::{Csv, Table};
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
@@ -328,13 +328,13 @@ fn plane_strain_has_no_axis_hoops_or_rings() {
     }
 }
 
-/// A drawn reference beside the sample run, written to `dir`.
-fn comparison(dir: &Path, model: &Model, run: &StageSolution) -> Comparison {
+/// A drawn reference beside the sample run.
+fn comparison(model: &Model, run: &StageSolution) -> Comparison {
     let rows: String = (1..=9).map(|i| format!("{},{}\n", 5 * i, 9.8 * f64::from(i).powf(0.98))).collect();
-    fs::write(dir.join("cup.csv"), format!("travel_mm,punch_force_kN\n{rows}")).unwrap();
+    let csv = format!("travel_mm,punch_force_kN\n{rows}");
     let source =
         "citation = \"A. Uthor, Drawing of cups, J. Tests 1 (1990) 1\"\nkind = \"experiment\"\ngrade = \"B\"\n";
-    fs::write(dir.join("sources.toml"), format!("[\"cup.csv\"]\n{source}")).unwrap();
+    let source = Source::of("cup.csv", &format!("[\"cup.csv\"]\n{source}")).unwrap();
     let curve = CurveSpec {
         quantity: Quantity::PunchForce,
         x: "travel_mm".to_owned(),
@@ -343,22 +343,31 @@ fn comparison(dir: &Path, model: &Model, run: &StageSolution) -> Comparison {
         tolerance: 0.05,
     };
     let reason = "reading error of the graph, 3 %, and friction known to one digit";
-    compared(dir.join("cup.csv"), Against::Curve(curve), reason, model, run)
+    compared(("cup.csv", &csv, source), Against::Curve(curve), reason, model, run)
 }
 
 /// Measured thicknesses without places beside the sample run.
-fn band(dir: &Path, model: &Model, run: &StageSolution) -> Comparison {
-    fs::write(dir.join("cup_thickness.csv"), "thickness_mm,error_mm\n0.84,0.01\n1.0,0.01\n1.12,0.01\n").unwrap();
+fn band(model: &Model, run: &StageSolution) -> Comparison {
+    let csv = "thickness_mm,error_mm\n0.84,0.01\n1.0,0.01\n1.12,0.01\n";
     let spec = BandSpec {
         quantity: BandQuantity::Thickness,
         columns: vec!["thickness_mm".to_owned()],
         error: Some("error_mm".to_owned()),
     };
-    compared(dir.join("cup_thickness.csv"), Against::Band(spec), "the edge was not measured", model, run)
+    compared(("cup_thickness.csv", csv, None), Against::Band(spec), "the edge was not measured", model, run)
 }
 
-fn compared(reference: PathBuf, against: Against, reason: &str, model: &Model, run: &StageSolution) -> Comparison {
-    let spec = Spec { reference, against, reason: reason.to_owned(), optional: false, demonstration: false };
+/// A comparison with a file of that name, text and source.
+fn compared(
+    (file, csv, source): (&str, &str, Option<Source>),
+    against: Against,
+    reason: &str,
+    model: &Model,
+    run: &StageSolution,
+) -> Comparison {
+    let (reference, data) = (PathBuf::from(file), Data { csv: Csv::read(csv, file, "").unwrap(), source });
+    let reason = reason.to_owned();
+    let spec = Spec { reference, data: Some(data), against, reason, optional: false, demonstration: false };
     let (history, profile) = (load_travel::table(model, run), profile::last(model, &run.frames));
     compare(&spec, &Computed { history: &history, profile: &profile, complete: true }).unwrap()
 }
@@ -368,7 +377,7 @@ fn a_comparison_is_written_as_a_plot_and_its_numbers() {
     let model = drawn::model(Geometry::Axisymmetric);
     let run = drawn::run(&model);
     let dir = temp_dir::TempDir::new().unwrap();
-    let mut comparison = comparison(dir.path(), &model, &run);
+    let mut comparison = comparison(&model, &run);
     let subject = drawn::subject(&model, &run);
     let out = dir.path().join("out");
     let written = write_comparison(&subject, 1, &comparison, &out).unwrap();
@@ -387,7 +396,7 @@ fn a_band_is_drawn_with_its_error_and_written_in_numbers() {
     let model = drawn::model(Geometry::Axisymmetric);
     let run = drawn::run(&model);
     let dir = temp_dir::TempDir::new().unwrap();
-    let band = band(dir.path(), &model, &run);
+    let band = band(&model, &run);
     let written = write_comparison(&drawn::subject(&model, &run), 2, &band, dir.path()).unwrap();
     assert_eq!(written[1], dir.path().join("compare_2_thickness.png"));
     let numbers = fs::read_to_string(&written[0]).unwrap();
@@ -442,6 +451,6 @@ fn sample_for_looking() {
     let run = drawn::run(&model);
     let dir = Path::new("target/sample");
     write_all(&drawn::subject(&model, &run), dir).unwrap();
-    write_comparison(&drawn::subject(&model, &run), 1, &comparison(dir, &model, &run), dir).unwrap();
-    write_comparison(&drawn::subject(&model, &run), 2, &band(dir, &model, &run), dir).unwrap();
+    write_comparison(&drawn::subject(&model, &run), 1, &comparison(&model, &run), dir).unwrap();
+    write_comparison(&drawn::subject(&model, &run), 2, &band(&model, &run), dir).unwrap();
 }

@@ -1,16 +1,19 @@
 //! `[[compare]]`.
 
+use super::lines::Named;
 use crate::case::file::{CaseFile, Compare, ComparedQuantity};
+use crate::case::files::{self, FileError, Folder};
 use crate::case::{CaseError, source::Source};
-use crate::compare::{Against, BandQuantity, BandSpec, CurveSpec, Quantity, Spec};
+use crate::compare::{Against, BandQuantity, BandSpec, CurveSpec, Data, Quantity, SOURCES, Source as Provenance, Spec};
 use crate::units::Quantity as _;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
-pub(in crate::case) fn compare(file: &CaseFile, source: &Source, case: &Path) -> Result<Vec<Spec>, CaseError> {
-    let folder = case.parent().unwrap_or(Path::new(""));
+const EXAMPLE: &str = "write for example travel_mm,punch_force_kN in the first line and 12.5,30.1 below it";
+
+pub(in crate::case) fn compare(file: &CaseFile, source: &Source, folder: Folder) -> Result<Vec<Spec>, CaseError> {
     let convert = |(i, c): (usize, &Compare)| {
-        let candidates = [folder.join("../reference_data").join(&c.reference), folder.join(&c.reference)];
-        let found = candidates.iter().find(|path| path.is_file());
+        let candidates = [folder.path.join("../reference_data").join(&c.reference), folder.path.join(&c.reference)];
+        let found = found(&candidates, i, c, source, folder)?;
         if found.is_none() && !c.optional {
             let what = format!("the reference file \"{}\" is not there", c.reference);
             let [first, second] = candidates.each_ref().map(|path| path.display());
@@ -22,8 +25,13 @@ pub(in crate::case) fn compare(file: &CaseFile, source: &Source, case: &Path) ->
             return Err(source.error(&format!("compare.{i}.reason"), what, "say what the difference may come from"));
         }
         let entry = Entry { source, i, c };
+        let (reference, data) = match found {
+            Some((path, data)) => (path, Some(data)),
+            None => (candidates[0].clone(), None),
+        };
         Ok(Spec {
-            reference: found.unwrap_or(&candidates[0]).clone(),
+            reference,
+            data,
             against: match c.quantity {
                 ComparedQuantity::PunchForce => entry.curve(Quantity::PunchForce)?,
                 ComparedQuantity::Travel => entry.curve(Quantity::Travel)?,
@@ -41,6 +49,46 @@ pub(in crate::case) fn compare(file: &CaseFile, source: &Source, case: &Path) ->
         })
     };
     file.compare.iter().enumerate().map(convert).collect()
+}
+
+/// The first of some files that is there, and what stands in it.
+fn found(
+    candidates: &[PathBuf],
+    i: usize,
+    c: &Compare,
+    source: &Source,
+    folder: Folder,
+) -> Result<Option<(PathBuf, Data)>, CaseError> {
+    let key = &format!("compare.{i}.reference");
+    let named = Named { file: &c.reference, what: "reference", example: EXAMPLE, key };
+    for path in candidates {
+        let text = match folder.files.text(path, files::CSV) {
+            Err(FileError::Missing | FileError::Folder) => continue,
+            text => text.map_err(|error| named.unreadable(&error, source))?,
+        };
+        let (lines, csv) = named.table(&text, path, source)?;
+        if let Some(row) = csv.rows.iter().find(|row| row.fields.len() != csv.header.fields.len()) {
+            let what = format!("a row of {} under {} columns", row.fields.len(), csv.header.fields.len());
+            return Err(lines.error(row.line, what, "write a comma for each field, empty ones too"));
+        }
+        return Ok(Some((path.clone(), Data { csv, source: provenance(path, key, source, folder)? })));
+    }
+    Ok(None)
+}
+
+/// What `sources.toml` beside a reference file says of it.
+fn provenance(path: &Path, key: &str, source: &Source, folder: Folder) -> Result<Option<Provenance>, CaseError> {
+    let sources = path.with_file_name(SOURCES);
+    let unreadable = |why: String| {
+        let what = format!("cannot read {}: {why}", sources.display());
+        source.error(key, what, "one table per reference file with citation, kind, grade and, if known, scatter")
+    };
+    let text = match folder.files.text(&sources, files::CSV) {
+        Err(FileError::Missing) => return Ok(None),
+        text => text.map_err(|error| unreadable(error.to_string()))?,
+    };
+    let name = path.file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned());
+    Provenance::of(&name, &text).map_err(|error| unreadable(error.message().to_owned()))
 }
 
 /// One `[[compare]]` and where it stands.

@@ -1,14 +1,14 @@
 //! `[heat]`: the temperature of the flat sheet, and what changes it.
 
-use super::lines::Lines;
+use super::lines::Named;
 use crate::case::file::{self, InitialTemperature};
+use crate::case::files::Folder;
 use crate::case::{CaseError, explain::missing, source::Source};
 use crate::model::{Heat, HeatFlow, Role, Tool, ToolHeat};
 use crate::numerics::PiecewiseLinear;
 use crate::rules::tool_sizes::extent;
 use crate::table::Unit;
 use crate::units::{Length, Quantity, ZERO_CELSIUS};
-use std::path::Path;
 
 /// Share of the plastic work that becomes heat, in common use for metals \[–\].
 const PLASTIC_SHARE: f64 = 0.9;
@@ -18,7 +18,7 @@ const SHEET: std::ops::RangeInclusive<f64> = 70.0..=2500.0;
 const KEY: &str = "heat.initial";
 const EXAMPLE: &str = "write for example s0_mm,temperature_C in the first line and 30,230 below it";
 
-pub(super) fn convert(file: &file::Heat, tools: &[Tool], source: &Source, folder: &Path) -> Result<Heat, CaseError> {
+pub(super) fn convert(file: &file::Heat, tools: &[Tool], source: &Source, folder: Folder) -> Result<Heat, CaseError> {
     let initial = match &file.initial {
         InitialTemperature::Uniform(temperature) => temperature.value().into(),
         InitialTemperature::Zones(zones) => by_zones(zones, tools, source)?,
@@ -85,22 +85,20 @@ fn by_zones(zones: &file::Zones, tools: &[Tool], source: &Source) -> Result<Piec
 }
 
 /// Columns `s0_mm,temperature_C`.
-fn by_file(name: &str, source: &Source, folder: &Path) -> Result<PiecewiseLinear, CaseError> {
-    let lines = Lines::open(name, "temperature", KEY, folder, source)?;
-    let (header, rows) = lines.records(EXAMPLE)?;
-    let found = header.fields.iter().collect::<Vec<_>>().join(", ");
-    let place = header.fields.iter().enumerate().find_map(|(i, field)| match Unit::of_header(field) {
+fn by_file(name: &str, source: &Source, folder: Folder) -> Result<PiecewiseLinear, CaseError> {
+    let (lines, csv) = Named { file: name, what: "temperature", example: EXAMPLE, key: KEY }.open(folder, source)?;
+    let missing = |name: &str| {
+        let what = format!("there is no column {name}; found {}", csv.found());
+        lines.error(csv.header.line, what, EXAMPLE)
+    };
+    let place = csv.header.fields.iter().enumerate().find_map(|(i, field)| match csv.unit(i) {
         Ok((Unit::Mm, factor)) if field.starts_with("s0_") => Some((i, factor)),
         _ => None,
     });
-    let Some((s0, factor)) = place else {
-        return Err(lines.error(header.line, format!("there is no column s0_mm; found {found}"), EXAMPLE));
-    };
-    let Some(column) = header.fields.iter().position(|field| field == "temperature_C") else {
-        return Err(lines.error(header.line, format!("there is no column temperature_C; found {found}"), EXAMPLE));
-    };
+    let (s0, factor) = place.ok_or_else(|| missing("s0_mm"))?;
+    let column = csv.column("temperature_C").ok_or_else(|| missing("temperature_C"))?;
     let mut points: Vec<(f64, f64)> = Vec::new();
-    for row in &rows {
+    for row in &csv.rows {
         let fail = |what: &str| lines.error(row.line, what.to_owned(), EXAMPLE);
         let place = lines.number(row, s0)?.ok_or_else(|| fail("s0 is missing"))? * factor;
         let place = Length::checked(place, &place.to_string()).map_err(|error| fail(&error.to_string()))?.value();
@@ -115,5 +113,5 @@ fn by_file(name: &str, source: &Source, folder: &Path) -> Result<PiecewiseLinear
         points.push((place, kelvin));
     }
     PiecewiseLinear::new(points)
-        .ok_or_else(|| lines.error(header.line, "the temperature file has no rows".into(), EXAMPLE))
+        .ok_or_else(|| lines.error(csv.header.line, "the temperature file has no rows".into(), EXAMPLE))
 }

@@ -30,11 +30,11 @@ pub(super) use press::press;
 
 use super::explain::missing;
 use super::file::{self, CaseFile};
+use super::files::Folder;
 use super::{CaseError, source::Source};
 use crate::model::stage::Stage;
 use crate::model::{Geometry, Mode, Model, Theory};
 use crate::units::{Length, Positive, Quantity, rounded};
-use std::path::Path;
 
 /// What a case means: the model of its first stage and that one's name, the stages after it, and what was assumed.
 pub(super) struct Meaning {
@@ -44,8 +44,8 @@ pub(super) struct Meaning {
     pub derived: Vec<String>,
 }
 
-/// The meaning of a case; `case` is the path that files are looked up from.
-pub(super) fn meaning(file: &CaseFile, source: &Source, case: &Path) -> Result<Meaning, CaseError> {
+/// The meaning of a case whose files are looked up from a folder.
+pub(super) fn meaning(file: &CaseFile, source: &Source, folder: Folder) -> Result<Meaning, CaseError> {
     limits::of_file(file, source)?;
     let mut derived = Vec::new();
     let geometry = geometry(file);
@@ -59,7 +59,6 @@ pub(super) fn meaning(file: &CaseFile, source: &Source, case: &Path) -> Result<M
     }
     let sheet = tools::Sheet { geometry, length: blank.length, thickness: blank.thickness };
     let drive = motion::drive(file, blank.length, source)?;
-    let folder = case.parent().unwrap_or(Path::new(""));
     let shop = tools::Shop { case: file, sheet, travel: drive.travel, source, folder };
     let tools = tools::convert(&shop, &mut derived)?;
     let sheet = shop.sheet;

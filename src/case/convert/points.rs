@@ -1,12 +1,12 @@
 //! A tool's section from a CSV file of points.
 
-use super::lines::{Lines, Record};
+use super::lines::{Lines, Named};
 use super::section::{Drawn, Origin, place_of};
 use super::tools::Shop;
 use crate::case::CaseError;
 use crate::geometry::{FilletTooLarge, Piece, Point, Profile, Segment, fillet};
 use crate::model::{Geometry, Role};
-use crate::table::Unit;
+use crate::table::{Csv, Record, Unit};
 use crate::units::{Length, Quantity};
 
 /// Points closer than this are one \[mm\]: drawings repeat where their curves meet.
@@ -50,8 +50,8 @@ pub(super) fn convert(
     derived: &mut Vec<String>,
 ) -> Result<Drawn, CaseError> {
     let name = role.name();
-    let shown = Lines::open(file, "profile", key, shop.folder, shop.source)?;
-    let rows = distinct(read(&shown, shop.sheet.geometry)?, file, derived);
+    let (shown, csv) = Named { file, what: "profile", example: EXAMPLE, key }.open(shop.folder, shop.source)?;
+    let rows = distinct(read(&shown, &csv, shop.sheet.geometry)?, file, derived);
     let [first, .., last] = &rows[..] else {
         let what = format!("a profile needs at least two points, found {}", rows.len());
         return Err(shown.error(rows.first().map_or(1, |row| row.line), what, EXAMPLE));
@@ -120,16 +120,15 @@ struct Columns {
     radius: Option<(usize, f64)>,
 }
 
-fn read(text: &Lines, geometry: Geometry) -> Result<Vec<Row>, CaseError> {
-    let (first, rows) = text.records(EXAMPLE)?;
-    let columns = header(&first, text, geometry)?;
-    rows.iter().map(|record| row(record, &columns, text, geometry)).collect()
+fn read(text: &Lines, csv: &Csv, geometry: Geometry) -> Result<Vec<Row>, CaseError> {
+    let columns = header(csv, text, geometry)?;
+    csv.rows.iter().map(|record| row(record, &columns, text, geometry)).collect()
 }
 
-fn header(Record { line, fields: record }: &Record, text: &Lines, geometry: Geometry) -> Result<Columns, CaseError> {
-    let fail = |what: String, help: &str| Err(text.error(*line, what, help));
+fn header(csv: &Csv, text: &Lines, geometry: Geometry) -> Result<Columns, CaseError> {
+    let fail = |what: String, help: &str| Err(text.error(csv.header.line, what, help));
     let (mut r, mut z, mut radius) = (None, None, None);
-    for (i, field) in record.iter().enumerate() {
+    for (i, field) in csv.header.fields.iter().enumerate() {
         let name = field.split('_').next().unwrap_or("");
         let slot = match (name, geometry) {
             ("r", _) | ("x", Geometry::PlaneStrain) => &mut r,
@@ -143,7 +142,7 @@ fn header(Record { line, fields: record }: &Record, text: &Lines, geometry: Geom
             }
             _ => return fail(format!("unknown column `{field}`"), "known columns: r_mm, z_mm, radius_mm"),
         };
-        let factor = match Unit::of_header(field) {
+        let factor = match csv.unit(i) {
             Ok((Unit::Mm, factor)) => factor,
             _ => {
                 return fail(
@@ -156,8 +155,7 @@ fn header(Record { line, fields: record }: &Record, text: &Lines, geometry: Geom
             return fail(format!("there are two columns for {name}"), "keep one");
         }
     }
-    let found: Vec<&str> = record.iter().collect();
-    let missing = |name: &str| format!("there is no column for {name}; found {}", found.join(", "));
+    let missing = |name: &str| format!("there is no column for {name}; found {}", csv.found());
     let first = if geometry == Geometry::PlaneStrain { "x" } else { "r" };
     match (r, z) {
         (Some(r), Some(z)) => Ok(Columns { r, z, radius }),

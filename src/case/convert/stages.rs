@@ -3,13 +3,13 @@
 use super::tools::{Sheet, Shop, die_profile, holder_profile, punch_profile};
 use super::{count, friction, limits, loads, material};
 use crate::case::file::{self, CaseFile, ReleaseStiffness};
+use crate::case::files::Folder;
 use crate::case::{CaseError, source::Source};
 use crate::geometry::Profile;
 use crate::model::stage::{Beginning, Stage};
 use crate::model::{self, Edge, Model, Motion, Press, Release, Role, Stiffness, StopRules, Tool};
 use crate::numerics::PiecewiseLinear;
 use crate::units::{Quantity, rounded};
-use std::path::Path;
 
 /// Name of the first stage where it has none.
 const FIRST: &str = "forming";
@@ -26,7 +26,7 @@ pub(super) fn convert(
     file: &CaseFile,
     first: &Model,
     source: &Source,
-    folder: &Path,
+    folder: Folder,
     derived: &mut Vec<String>,
 ) -> Result<(String, Vec<Stage>), CaseError> {
     let name = file.stage.name.clone().unwrap_or_else(|| FIRST.to_owned());
@@ -70,7 +70,7 @@ struct Next<'a> {
     before: &'a Model,
     first: &'a Model,
     source: &'a Source<'a>,
-    folder: &'a Path,
+    folder: Folder<'a>,
     /// Key path of the stage.
     path: String,
 }

@@ -2,11 +2,11 @@
 
 use super::{by_geometry, friction, loads, section};
 use crate::case::file::{self, Section};
+use crate::case::files::Folder;
 use crate::case::{CaseError, explain::missing, source::Source};
 use crate::geometry::Profile;
 use crate::model::{Geometry, Motion, Role, Tool};
 use crate::units::{Length, Positive, Quantity, rounded};
-use std::path::Path;
 
 /// No tool is sharper and no opening smaller than a micrometre [mm].
 const SMALLEST: f64 = 1e-3;
@@ -28,7 +28,7 @@ pub(super) struct Shop<'a> {
     pub travel: f64,
     pub source: &'a Source<'a>,
     /// Where profile files are looked up.
-    pub folder: &'a Path,
+    pub folder: Folder<'a>,
 }
 
 pub(super) fn convert(shop: &Shop, derived: &mut Vec<String>) -> Result<Vec<Tool>, CaseError> {
