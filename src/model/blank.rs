@@ -1,6 +1,8 @@
 //! The sheet before forming.
 
 use super::Theory;
+use schemars::JsonSchema;
+use serde::Deserialize;
 
 /// The sheet before forming.
 #[derive(Clone, Debug, PartialEq)]
@@ -19,22 +21,27 @@ pub struct Blank {
 }
 
 /// How element sizes are spread over the blank.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
 pub enum Grading {
     /// Equal elements.
     Uniform,
-    /// Smaller elements where the sheet meets the tools' corners.
+    /// Smaller elements where the sheet meets the tools' radii.
+    #[default]
     Radii,
 }
 
-/// How the blank's outer edge is held.
-#[derive(Clone, Copy, Debug, PartialEq)]
+/// The blank's outer edge.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
 pub enum Edge {
+    /// Draws in under the holder.
+    #[default]
     Free,
-    /// All velocities of the edge are zero.
+    /// Does not move: a locking bead.
     Clamped,
-    /// The edge moves outward in its plane at `speed` times the punch speed \[–\] and keeps its slope: for tension tests.
-    Pulled {
-        speed: f64,
-    },
+    /// Moves outward in its plane at `speed` times the punch speed \[–\] and keeps its slope: for tension tests, which no case
+    /// file asks for.
+    #[serde(skip)]
+    Pulled { speed: f64 },
 }

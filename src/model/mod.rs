@@ -1,6 +1,7 @@
 //! What is to be solved, in mm, N, s and MPa: a [`Model`] is one forming operation, a [`Stage`] a model and how it begins.
 
 mod blank;
+mod check;
 mod heat;
 mod loads;
 pub mod mesh;
@@ -10,9 +11,10 @@ pub mod stage;
 mod tools;
 
 pub use blank::{Blank, Edge, Grading};
+pub use check::ModelError;
 pub use heat::{Heat, HeatFlow, ToolHeat};
 pub use loads::{Bead, Face, Gas, Pressure, PressureCap, RateControl};
-pub use mode::{Mode, Release, Stiffness};
+pub use mode::{Mode, Release, ReleaseStiffness};
 pub use settings::{ContactMethod, Norm, Settings, StopRules};
 pub use stage::{Beginning, Stage};
 pub use tools::{Motion, Press, Role, Tool};

@@ -3,6 +3,8 @@
 use super::Friction;
 use crate::geometry::Profile;
 use crate::numerics::PiecewiseLinear;
+use schemars::JsonSchema;
+use serde::Deserialize;
 
 /// A rigid tool, drawn where it touches the flat blank (whose mid-surface is z = 0).
 #[derive(Clone, Debug, PartialEq)]
@@ -13,8 +15,9 @@ pub struct Tool {
     pub motion: Motion,
 }
 
-/// What a tool is called in tables and plots.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+/// Which tool.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
 pub enum Role {
     Punch,
     Die,
