@@ -31,7 +31,7 @@ fn compare(path: &str, picture: &Path) -> Result<(), String> {
     let [flow, twin] = ["flow", "elasto_viscoplastic"].map(|mode| {
         let settings = [format!("material.mode={mode}"), format!("blank.layers={LAYERS}")];
         let case = case::load(path, &settings).map_err(|error| error.to_string())?;
-        let run = stampflow::run(&case.model, &mut ());
+        let run = stampflow::run(case.model(), &mut ());
         Ok::<_, String>((case, run))
     });
     let ((case, flow), (twin_case, twin)) = (flow?, twin?);
@@ -39,15 +39,15 @@ fn compare(path: &str, picture: &Path) -> Result<(), String> {
         let column = |key: &str| table.column(key).values.clone();
         column("travel").into_iter().zip(column("punch_force")).collect()
     };
-    let tables = [(&case.model, &flow), (&twin_case.model, &twin)].map(|(model, run)| load_travel::table(model, run));
+    let tables = [(case.model(), &flow), (twin_case.model(), &twin)].map(|(model, run)| load_travel::table(model, run));
     let [by_flow, by_twin] = [&tables[0], &tables[1]].map(curve);
     let difference =
         by_twin.iter().filter(|p| p.1 > 0.0).map(|&(x, force)| (x, 100.0 * (at(&by_flow, x) / force - 1.0)));
     // The first tenth is off the scale: the flow law has no elastic part to go through.
-    let difference = difference.filter(|p| p.0 > 0.1 * case.model.travel).collect();
+    let difference = difference.filter(|p| p.0 > 0.1 * case.model().travel).collect();
     let [x, y] = ["travel", "punch_force"].map(|key| tables[0].column(key).axis());
     let chart = Chart {
-        title: format!("{}, twin and flow", case.model.title),
+        title: format!("{}, twin and flow", case.model().title),
         legend: "",
         panels: vec![
             Panel {
@@ -66,7 +66,7 @@ fn compare(path: &str, picture: &Path) -> Result<(), String> {
                 scale: Scale::Fit { height: 150.0, least: 0.0 },
             },
         ],
-        notes: case.model.notes.clone(),
+        notes: case.model().notes.clone(),
     };
     write(picture, &png(&chart)).map_err(|error| error.to_string())
 }

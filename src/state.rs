@@ -26,7 +26,7 @@ pub struct MaterialPoint {
 }
 
 /// The sheet and its tools at one instant.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct State {
     /// Time \[s\] and punch travel \[mm\].
     pub time: f64,

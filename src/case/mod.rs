@@ -19,11 +19,11 @@
 //!     "cup.toml",
 //!     &[],
 //! )?;
-//! assert_eq!(case.model.blank.thickness, 1.0);
+//! assert_eq!(case.model().blank.thickness, 1.0);
 //! # Ok::<(), stampflow::case::CaseError>(())
 //! ```
 
-mod convert;
+mod build;
 mod error;
 mod explain;
 pub mod file;
@@ -40,8 +40,7 @@ pub use laws::{Law, law_list, laws};
 pub use schema::schema;
 
 use crate::compare::Spec;
-use crate::model::Model;
-use crate::model::stage::{Beginning, Stage};
+use crate::model::{Model, Stage};
 use crate::solution::StageSolution;
 use files::{Disk, FileError, Files, Folder};
 use source::Source;
@@ -55,11 +54,8 @@ pub struct Case {
     pub path: PathBuf,
     /// The text that was read, overrides applied: enough to repeat the run.
     pub text: String,
-    /// The first stage, and its name.
-    pub model: Model,
-    pub first: String,
-    /// The stages after it.
-    pub later: Vec<Stage>,
+    /// What is solved, one operation after another on the same sheet; never empty.
+    pub stages: Vec<Stage>,
     pub compare: Vec<Spec>,
     pub press: Press,
     /// What was assumed or changed while reading: defaults that matter, profiles that were shifted.
@@ -76,20 +72,29 @@ pub struct Press {
 }
 
 impl Case {
-    /// All stages, the first one included.
-    pub fn stages(&self) -> Vec<Stage> {
-        let first = Stage { name: self.first.clone(), model: self.model.clone(), begin: Beginning::default() };
-        std::iter::once(first).chain(self.later.iter().cloned()).collect()
+    /// The stage that begins with the flat blank.
+    pub fn first(&self) -> &Stage {
+        &self.stages[0]
+    }
+
+    /// The stages after it.
+    pub fn later(&self) -> &[Stage] {
+        &self.stages[1..]
+    }
+
+    /// The model of the first stage.
+    pub fn model(&self) -> &Model {
+        &self.first().model
     }
 
     /// The names of all stages.
     pub fn stage_names(&self) -> impl Iterator<Item = &str> {
-        std::iter::once(self.first.as_str()).chain(self.later.iter().map(|stage| stage.name.as_str()))
+        self.stages.iter().map(|stage| stage.name.as_str())
     }
 
     /// Whether every stage was run and came to its end.
     pub fn is_completed_by(&self, passes: &[StageSolution]) -> bool {
-        passes.len() == 1 + self.later.len() && passes.iter().all(|pass| pass.stop.is_complete())
+        passes.len() == self.stages.len() && passes.iter().all(|pass| pass.stop.is_complete())
     }
 }
 
@@ -141,10 +146,10 @@ pub fn parse_with(text: &str, name: &str, overrides: &[String], files: &dyn File
     let mut file = source.read()?;
     let origin = library::complete(&mut file, &source)?;
     let folder = Folder { files, path: path.parent().unwrap_or(Path::new("")) };
-    let convert::Meaning { model, first, later, mut derived } = convert::meaning(&file, &source, folder)?;
+    let (stages, mut derived) = build::stages(&file, &source, folder)?;
     derived.splice(0..0, origin);
-    let compare = convert::compare(&file, &source, folder)?;
-    let press = convert::press(&file, &source)?;
+    let compare = build::compare(&file, &source, folder)?;
+    let press = build::press(&file, &source)?;
     let name = path.file_stem().map_or_else(|| "case".into(), |stem| stem.to_string_lossy().into_owned());
-    Ok(Case { name, text: text.clone(), model, first, later, compare, press, derived, path })
+    Ok(Case { name, text: text.clone(), stages, compare, press, derived, path })
 }

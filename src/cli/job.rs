@@ -48,7 +48,7 @@ impl Job {
     /// Reads a case and the curves that it will be compared with, so that bad input is found before solving.
     pub fn load(path: &Path, overrides: &[String]) -> anyhow::Result<Self> {
         let case = case::load(path, overrides)?;
-        compared(&case, &StageSolution::unsolved(case.model.clone()))?;
+        compared(&case, &StageSolution::unsolved(case.model().clone()))?;
         Ok(Self { case, overrides: overrides.to_vec() })
     }
 
@@ -56,7 +56,7 @@ impl Job {
     fn solve(self, watch: Watch) -> anyhow::Result<Solved> {
         let case = &self.case;
         let (mut passes, wall, kept) = watch.solve(case);
-        let name = |(i, stage): (usize, &str)| match case.later.is_empty() {
+        let name = |(i, stage): (usize, &str)| match case.later().is_empty() {
             true => case.name.clone(),
             false => format!("{}/{}", case.name, stage_folder(i, stage)),
         };
@@ -75,7 +75,7 @@ impl Solved {
 
     /// Whether the case has stages beside its first.
     pub fn has_stages(&self) -> bool {
-        !self.job.case.later.is_empty()
+        !self.job.case.later().is_empty()
     }
 
     /// Whether every stage came to its end.
@@ -105,7 +105,7 @@ impl Solved {
     /// The stages by name, with what was run of them; none where there is one only.
     fn lines(&self) -> Vec<StageLine<'_>> {
         let case = &self.job.case;
-        if case.later.is_empty() {
+        if case.later().is_empty() {
             return Vec::new();
         }
         case.stage_names()
@@ -116,7 +116,7 @@ impl Solved {
 
     /// The printed line of every stage; nothing where there is one only.
     pub fn stages(&self) -> String {
-        stages_report(self.job.case.model.geometry, &self.lines())
+        stages_report(self.job.case.model().geometry, &self.lines())
     }
 
     /// Writes tables, plots and comparisons, and what is asked for of the moving section; those of several stages into a
@@ -128,7 +128,7 @@ impl Solved {
         if lines.is_empty() {
             kept.extend(self.write_stage(0, moving, dir)?);
         } else {
-            kept.push(write_stages(self.job.case.model.geometry, &lines, dir)?);
+            kept.push(write_stages(self.job.case.model().geometry, &lines, dir)?);
         }
         for (i, (name, _)) in lines.iter().enumerate() {
             let dir = dir.join(stage_folder(i, name));
@@ -190,8 +190,8 @@ pub fn solve_all<T: Send>(
 }
 
 fn compared(case: &Case, run: &StageSolution) -> Result<Vec<Comparison>, CompareError> {
-    let history = load_travel::table(&case.model, run);
-    let profile = profile::last(&case.model, &run.frames);
+    let history = load_travel::table(case.model(), run);
+    let profile = profile::last(case.model(), &run.frames);
     let computed = Computed { history: &history, profile: &profile, complete: run.stop.is_complete() };
     case.compare.iter().map(|spec| compare(spec, &computed)).collect()
 }

@@ -65,7 +65,7 @@ impl Progress {
 
     /// A watch over the run of a case, and what it keeps.
     pub fn watch(&self, case: &Case, kept: Kept) -> Watch {
-        let Case { name, model, .. } = case;
+        let (name, model) = (&case.name, case.model());
         let shown = match self {
             Self::Bars(all) => {
                 let bar = ProgressBar::new(FULL).with_style(style()).with_prefix(name.clone());
@@ -78,7 +78,7 @@ impl Progress {
         Watch {
             case: name.clone(),
             name: name.clone(),
-            several: !case.later.is_empty(),
+            several: !case.later().is_empty(),
             begun: 0,
             duration: model.duration,
             thickness: model.blank.thickness,
@@ -93,7 +93,7 @@ impl Watch {
     /// Runs all stages of a case; also the time that it took, and what was kept.
     pub fn solve(mut self, case: &Case) -> (Vec<StageSolution>, Duration, Kept) {
         let start = Instant::now();
-        let passes = run_stages(&case.stages(), &mut self);
+        let passes = run_stages(&case.stages, &mut self);
         let wall = start.elapsed();
         if let Shown::Bar(bar) = self.shown {
             if case.is_completed_by(&passes) { bar.finish() } else { bar.abandon() }

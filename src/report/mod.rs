@@ -53,7 +53,7 @@ impl<'a> Report<'a> {
             passes,
             wall,
             check: check::report(case),
-            dimensions: sketch::dimensions(&case.model),
+            dimensions: sketch::dimensions(case.model()),
             findings: judge(case, passes),
         }
     }
@@ -63,12 +63,12 @@ impl<'a> Report<'a> {
         let mut sections = vec![
             title::section(self),
             verdict::section(&self.findings),
-            sketch::section(&self.case.model, &self.dimensions),
+            sketch::section(&self.case.model(), &self.dimensions),
             inputs::section(&self.check),
         ];
         sections.extend(results::sections(self));
         sections.extend([inputs::assumptions(&self.check), solver::warnings(self), solver::section(self)]);
-        Document { title: self.case.model.title.clone(), sections }
+        Document { title: self.case.model().title.clone(), sections }
     }
 
     /// Every number of the document, with those behind its pictures that a summary has.
@@ -107,7 +107,7 @@ impl<'a> Report<'a> {
     /// `1-draw: ` before the headings of a stage; nothing where there is one only.
     fn stage(&self, i: usize) -> String {
         match self.case.stage_names().nth(i) {
-            Some(name) if !self.case.later.is_empty() => format!("{}: ", stage_folder(i, name)),
+            Some(name) if !self.case.later().is_empty() => format!("{}: ", stage_folder(i, name)),
             _ => String::new(),
         }
     }

@@ -19,7 +19,7 @@ pub(super) fn section(report: &Report) -> Section {
         ("Case file", case.path.display().to_string()),
         ("Set on the command line", report.overrides.join(", ")),
         ("Section", said("section")),
-        ("Stages", if case.later.is_empty() { String::new() } else { names }),
+        ("Stages", if case.later().is_empty() { String::new() } else { names }),
         ("Run", ended),
         ("Program", PROGRAM.to_owned()),
         ("SHA-256 of the case, settings applied", said("case_sha256")),

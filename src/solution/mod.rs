@@ -1,7 +1,7 @@
 //! What a run leaves behind: the history of every step, the kept frames, and why it stopped.
 
 use crate::forming_limit::Paths;
-use crate::model::{Model, PressureCap, mesh};
+use crate::model::{Model, ModelError, PressureCap, mesh};
 use crate::numerics::lobatto::ThicknessPoint;
 use crate::state::State;
 
@@ -272,6 +272,8 @@ pub struct Effort {
 /// Why a run ended.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Stop {
+    /// The model is none that can be solved: nothing was tried.
+    Refused(ModelError),
     FullTravel,
     /// The load has fallen from its maximum by the share that the case asks for.
     LoadMaximum {
@@ -343,12 +345,13 @@ impl Stop {
 
     /// Whether the sheet or the tools ended the run, not the numerics.
     pub fn is_physical(&self) -> bool {
-        !self.is_complete() && !matches!(self, Stop::NoEquilibrium { .. })
+        !self.is_complete() && !matches!(self, Stop::NoEquilibrium { .. } | Stop::Refused(_))
     }
 
     /// The kind in a few words.
     pub fn kind(&self) -> &'static str {
         match self {
+            Stop::Refused(_) => "refused",
             Stop::FullTravel => "full travel",
             Stop::LoadMaximum { .. } => "load maximum passed",
             Stop::ContactShare { .. } => "contact share reached",
@@ -365,6 +368,7 @@ impl Stop {
 impl std::fmt::Display for Stop {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         match self {
+            Stop::Refused(why) => write!(f, "{why}"),
             Stop::FullTravel => write!(f, "full travel reached"),
             Stop::LoadMaximum { travel, peak, drop } => write!(
                 f,
@@ -443,13 +447,19 @@ impl StageSolution {
 
     /// A stage that has not begun.
     pub fn unsolved(model: Model) -> Self {
+        let end = State::flat(&model, mesh::nodes(&model));
+        Self { end, ..Self::refused(model, Stop::FullTravel) }
+    }
+
+    /// A stage that was not tried; its last state is empty.
+    pub fn refused(model: Model, stop: Stop) -> Self {
         Self {
             start: None,
             steps: Vec::new(),
             frames: Vec::new(),
             paths: Paths::default(),
-            end: State::flat(&model, mesh::nodes(&model)),
-            stop: Stop::FullTravel,
+            end: State::default(),
+            stop,
             effort: Effort::default(),
             warnings: Vec::new(),
             model,

@@ -14,7 +14,7 @@ use crate::geometry::Point;
 use crate::material::elastoplastic::{Carried, ElastoplasticLaw, Operators, Trial as ElastoplasticTrial};
 use crate::material::flow::{FlowLaw, Iterate, PointState, StressUpdate, Triple};
 use crate::material::{PointLaw, chaboche};
-use crate::model::{Edge, Iteration, Mode, Model, Motion, Pressure, PressureCap, Role, Settings, Stiffness};
+use crate::model::{Edge, Iteration, Mode, Model, Motion, Pressure, PressureCap, ReleaseStiffness, Role, Settings};
 use crate::numerics::block_tridiagonal::System;
 use crate::numerics::lobatto::{self, ThicknessPoint};
 use crate::state::{State, drawn};
@@ -177,7 +177,7 @@ impl Workspace {
             line: LineSearch::new(n),
             kept: model
                 .release
-                .filter(|release| release.stiffness == Stiffness::Constant)
+                .filter(|release| release.stiffness == ReleaseStiffness::Constant)
                 .map(|_| System::new(n, shared)),
             edge_reaction: Vector3::zeros(),
             far: vec![Far::default(); pairs],

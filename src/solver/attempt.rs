@@ -3,7 +3,7 @@
 use super::Observer;
 use super::assembly::Workspace;
 use super::corrector::{Outcome, correct, patience};
-use crate::model::{ContactMethod, Iteration, Model, Stiffness};
+use crate::model::{ContactMethod, Iteration, Model, ReleaseStiffness};
 use crate::solution::Effort;
 use crate::state::State;
 
@@ -58,7 +58,7 @@ const MOST_ROUNDS: usize = 20;
 pub(super) fn attempt(work: &mut Workspace, step: &Step, rung: Rung, observer: &mut dyn Observer) -> Outcome {
     let settings = &step.model.settings;
     let matrix = settings.iteration;
-    let constant = step.model.release.is_some_and(|release| release.stiffness == Stiffness::Constant);
+    let constant = step.model.release.is_some_and(|release| release.stiffness == ReleaseStiffness::Constant);
     let most = settings.max_iterations * if constant { patience(Iteration::Secant) } else { patience(matrix) };
     work.predict(step, rung != Rung::Predictor);
     let mut spent = 0;

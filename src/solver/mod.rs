@@ -48,7 +48,12 @@ pub trait Observer {
 impl Observer for () {}
 
 /// Solves a model from the flat blank to its full travel, or as far as equilibrium is found.
+///
+/// A model that [`Model::check`] refuses is not tried: the solution ends with [`Stop::Refused`].
 pub fn run(model: &Model, observer: &mut dyn Observer) -> StageSolution {
+    if let Err(error) = model.check() {
+        return StageSolution::refused(model.clone(), Stop::Refused(error));
+    }
     run_from(model, State::flat(model, mesh::nodes(model)), observer)
 }
 

@@ -5,7 +5,7 @@ use crate::geometry::Point;
 use crate::model::mesh;
 use crate::model::stage::Stage;
 use crate::model::{Model, Role, Tool};
-use crate::solution::StageSolution;
+use crate::solution::{StageSolution, Stop};
 use crate::state::{State, drawn, waiting};
 
 /// Fewest elements that trimming leaves.
@@ -15,13 +15,20 @@ const LEAST_ELEMENTS: usize = 2;
 const APPROACH: f64 = 0.25;
 const HALVINGS: usize = 50;
 
-/// Runs stages after one another, the first from the flat blank, up to the first that does not come to its end.
+/// Runs stages after one another, the first from the flat blank, up to the first that does not come to its end; one that
+/// [`Stage::check`] refuses is not tried.
 pub fn run_stages(stages: &[Stage], observer: &mut dyn Observer) -> Vec<StageSolution> {
     let mut passes: Vec<StageSolution> = Vec::new();
     for stage in stages {
+        if passes.last().is_some_and(|before| !before.stop.is_complete()) {
+            break;
+        }
+        if let Err(error) = stage.check(passes.last().map(|before| &before.model)) {
+            passes.push(StageSolution::refused(stage.model.clone(), Stop::Refused(error)));
+            break;
+        }
         let (model, state, said) = match passes.last() {
             None => (stage.model.clone(), State::flat(&stage.model, mesh::nodes(&stage.model)), None),
-            Some(before) if !before.stop.is_complete() => break,
             Some(before) => begin(stage, before),
         };
         observer.stage(stage);

@@ -34,6 +34,8 @@ pub use kind::Kind;
 pub use number::{rounded, significant, trimmed, without_zeros};
 pub use parse::{Parsed, parse};
 pub use quantity::Quantity;
+#[cfg(feature = "case")]
+pub use serde::{optional, value};
 pub(crate) use spelling::closest;
 pub use types::{
     Angle, Conductivity, Density, Energy, Force, HeatTransfer, Length, LineForce, Number, PerKelvin, Ratio,

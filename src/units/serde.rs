@@ -3,6 +3,7 @@
 use super::error::QuantityError;
 use super::kind::Kind;
 use super::quantity::{Quantity, read};
+use serde::Deserialize;
 use serde::de::{self, Deserializer, Visitor};
 use std::fmt;
 use std::marker::PhantomData;
@@ -55,4 +56,20 @@ impl<Q: Quantity> Visitor<'_> for Text<Q> {
 
 pub(super) fn deserialize<'de, Q: Quantity, D: Deserializer<'de>>(from: D) -> Result<Q, D::Error> {
     from.deserialize_any(Text(PhantomData))
+}
+
+/// Reads a quantity for a field that holds its number in solver units.
+///
+/// # Errors
+/// As the quantity's own.
+pub fn value<'de, Q: Quantity + Deserialize<'de>, D: Deserializer<'de>>(from: D) -> Result<f64, D::Error> {
+    Q::deserialize(from).map(Q::value)
+}
+
+/// As [`value`], for a field that may be left out.
+///
+/// # Errors
+/// As the quantity's own.
+pub fn optional<'de, Q: Quantity + Deserialize<'de>, D: Deserializer<'de>>(from: D) -> Result<Option<f64>, D::Error> {
+    value::<Q, D>(from).map(Some)
 }

@@ -300,8 +300,8 @@ fn an_import_says_its_size_and_picks_as_new_does() {
 
     let cup = stampflow::author::templates::find("cup").unwrap().fill(&[]).unwrap();
     let cup = case::parse(&cup, "cup.toml", &[]).unwrap();
-    assert_eq!(right.model.material, cup.model.material);
-    for (tool, picked) in right.model.tools.iter().zip(&cup.model.tools) {
+    assert_eq!(right.model().material, cup.model().material);
+    for (tool, picked) in right.model().tools.iter().zip(&cup.model().tools) {
         assert_eq!(tool.friction, picked.friction);
     }
     let report = stampflow::assess::check::report(&right);
@@ -397,7 +397,7 @@ fn the_written_case_holds_the_sections_exactly() {
         (Role::Holder, holder(32.0, -10.0, -40.0), 9.5),
     ] {
         let placed = Profile::new(expected).unwrap().shifted(moved);
-        let found = &case.model.tool(role).unwrap().profile;
+        let found = &case.model().tool(role).unwrap().profile;
         for (a, b) in found.pieces().iter().zip(placed.pieces()) {
             assert!((a.first() - b.first()).norm() < 1e-9 && (a.last() - b.last()).norm() < 1e-9, "{a:?} {b:?}");
         }

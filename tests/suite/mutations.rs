@@ -434,7 +434,7 @@ fn check_refusal(error: &CaseError, text: &str) {
 
 /// What is promised of every model, and what can be said without solving it.
 fn check_accepted(case: &Case) {
-    let model = &case.model;
+    let model = case.model();
     let blank = &model.blank;
     for (what, value) in [
         ("length", blank.length),
@@ -493,7 +493,7 @@ fn check_finite(table: &Table, file: &str) {
 
 /// Solves a reduced model and makes everything that a run leaves behind, short of files and pixels.
 fn check_solved(case: &Case) {
-    let model = &reduced(&case.model);
+    let model = &reduced(case.model());
     let run = solver::run(model, &mut ());
     let subject = Subject {
         name: &case.name,

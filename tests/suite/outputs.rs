@@ -160,7 +160,7 @@ fn stale_files_of_ours_go_and_a_users_stay() {
 /// A cup that is drawn until its rim has left the holder.
 fn cup_without_flange() -> (Model, StageSolution) {
     let text = find("cup").unwrap().fill(&[("height", "35 mm"), ("punch-radius", "40 mm"), ("trim", "8 %")]).unwrap();
-    let model = parse(&text, "cup.toml", &[]).unwrap().model;
+    let model = parse(&text, "cup.toml", &[]).unwrap().model().clone();
     let run = stampflow::run(&model, &mut ());
     (model, run)
 }
@@ -210,7 +210,7 @@ fn the_summary_says_what_the_part_came_out_as() {
 /// Every stage of a case.
 fn stages(text: &str) -> (Case, Vec<StageSolution>) {
     let case = parse(text, "case.toml", &[]).unwrap();
-    let passes = run_stages(&case.stages(), &mut ());
+    let passes = run_stages(&case.stages, &mut ());
     (case, passes)
 }
 

@@ -79,7 +79,7 @@ fn chords_of_a_punch_are_the_punch() {
     let standard = Profile::flat_punch(30.0, 6.0, 1.0);
     for (unit, mm) in [("mm", 1.0), ("in", 25.4)] {
         let case = with_punch(&chords(unit, mm), "\"punch.csv\"");
-        assert!(difference(profile(&case.model, Role::Punch), &standard) < 1e-5, "{unit}");
+        assert!(difference(profile(case.model(), Role::Punch), &standard) < 1e-5, "{unit}");
         assert!(case.derived.iter().any(|line| line.contains("punch.csv: 33 points")), "{:?}", case.derived);
         assert!(case.derived.iter().any(|line| line.contains("rounded off by tangent arcs")), "{:?}", case.derived);
         let check = check::report(&case);
@@ -98,7 +98,7 @@ fn a_fillet_makes_the_standard_punch_of_three_points() {
     let file = r#"{ file = "punch.csv", fillet = "6 mm" }"#;
     for (points, section) in [(plain, file), (marked, file), (column, "\"punch.csv\"")] {
         let case = with_punch(points, section);
-        assert!(difference(profile(&case.model, Role::Punch), &standard) < 1e-9, "{points}");
+        assert!(difference(profile(case.model(), Role::Punch), &standard) < 1e-9, "{points}");
         assert!(!case.derived.iter().any(|line| line.contains("rounded off")), "{:?}", case.derived);
         let repeated = "line 4 of punch.csv repeats the point of line 3 and is left out";
         assert_eq!(case.derived.iter().any(|line| line == repeated), points == marked, "{:?}", case.derived);
@@ -112,7 +112,7 @@ fn plane_strain_sections_may_call_their_radius_x() {
     let text = text(r#"profile = "punch.csv""#, DIE, "", "25 mm");
     let text = text.replace("axisymmetric", "plane_strain").replace("radius = \"55 mm\"", "half_length = \"55 mm\"");
     let case = read_in(folder.path(), &text);
-    assert!(difference(profile(&case.model, Role::Punch), &Profile::flat_punch(30.0, 6.0, 1.0)) < 1e-9);
+    assert!(difference(profile(case.model(), Role::Punch), &Profile::flat_punch(30.0, 6.0, 1.0)) < 1e-9);
 }
 
 /// Trust: a run with the punch read from points, against the standard one (0.01 %: the points are rounded to 1e-9 mm,
@@ -120,8 +120,8 @@ fn plane_strain_sections_may_call_their_radius_x() {
 #[test]
 fn a_punch_read_from_points_draws_the_same_cup() {
     let peak = |model: &Model| run(model).steps.iter().map(|step| step.punch_force).fold(0.0, f64::max);
-    let read_in = peak(&with_punch(&chords("mm", 1.0), "\"punch.csv\"").model);
-    let standard = peak(&read(&text(FLAT, DIE, HOLDER, "25 mm")).model);
+    let read_in = peak(with_punch(&chords("mm", 1.0), "\"punch.csv\"").model());
+    let standard = peak(read(&text(FLAT, DIE, HOLDER, "25 mm")).model());
     assert!((read_in / standard - 1.0).abs() < 1e-4, "{read_in} {standard}");
 }
 
@@ -132,7 +132,7 @@ fn a_die_around_a_punch_closes_with_the_gap_asked_for() {
     for (more, closed) in [("", 25.0), (", closed_at = \"27 mm\"", 27.0)] {
         let die = format!(r#"profile = {{ offset_of = "punch", by = "1.25 mm", shoulder = "6 mm"{more} }}"#);
         let case = read(&text(FLAT, &die, HOLDER, "25 mm"));
-        let (punch, die) = (profile(&case.model, Role::Punch).shifted(closed), profile(&case.model, Role::Die));
+        let (punch, die) = (profile(case.model(), Role::Punch).shifted(closed), profile(case.model(), Role::Die));
         let shoulder_end = 31.25;
         let cavity = die.polyline(0.02).into_iter().filter(|p| p.x <= shoulder_end + 1e-9);
         let gaps: Vec<f64> = cavity.map(|p| punch.closest(p).distance).collect();
@@ -141,7 +141,7 @@ fn a_die_around_a_punch_closes_with_the_gap_asked_for() {
         assert!((die.closest(Point::new(50.0, 0.0)).distance - 0.5).abs() < 1e-9);
         let said = format!("the die follows the punch at 1.25 mm: they have closed at a travel of {closed:.4} mm");
         assert!(case.derived.contains(&said), "{:?}", case.derived);
-        run(&case.model);
+        run(case.model());
     }
 }
 
@@ -152,7 +152,7 @@ fn a_die_as_wide_as_the_blank_touches_it_and_closes_where_it_must() {
     let die_section = r#"profile = { offset_of = "punch", by = "1.05 mm" }"#;
     let case = read(&text(r#"profile = "embossing.csv""#, die_section, "", "7.9 mm"));
     assert!(case.derived.iter().any(|line| line.contains("closed at a travel of 7.9500 mm")), "{:?}", case.derived);
-    let (punch, die) = (profile(&case.model, Role::Punch), profile(&case.model, Role::Die));
+    let (punch, die) = (profile(case.model(), Role::Punch), profile(case.model(), Role::Die));
     for p in punch.shifted(7.95).polyline(0.02) {
         assert!((die.closest(p).distance - 1.05).abs() < 1e-7, "{p:?}");
     }
@@ -161,7 +161,7 @@ fn a_die_as_wide_as_the_blank_touches_it_and_closes_where_it_must() {
     // 0.05 mm before closing, seen along the normal of the slope of 8 in 10: 1.05 + 0.05 cos 38.66°.
     assert!(report.contains("clearance         1.089 mm"), "{report}");
     assert!(!report.contains("draw ratio"), "nothing is drawn in: {report}");
-    run(&case.model);
+    run(case.model());
 
     let beyond = read(&text(r#"profile = "embossing.csv""#, die_section, "", "8.5 mm"));
     let warnings = check::report(&beyond).warnings;
@@ -173,9 +173,9 @@ fn a_die_as_wide_as_the_blank_touches_it_and_closes_where_it_must() {
 fn a_punch_made_from_the_die_made_from_it_is_the_same() {
     let die = r#"profile = { offset_of = "punch", by = "1.2 mm" }"#;
     let there = read(&text(r#"profile = "embossing.csv""#, die, "", "7 mm"));
-    let steps = profile(&there.model, Role::Die);
+    let steps = profile(there.model(), Role::Die);
     let back = steps.offset(1.2).unwrap().reversed();
-    let punch = profile(&there.model, Role::Punch);
+    let punch = profile(there.model(), Role::Punch);
     let shift = punch.first().y - back.first().y;
     assert!(difference(&back.shifted(shift), punch) < 1e-9);
 }
@@ -183,12 +183,12 @@ fn a_punch_made_from_the_die_made_from_it_is_the_same() {
 #[test]
 fn a_holder_can_be_the_mirror_image_of_the_die() {
     let case = read(&text(FLAT, DIE, r#"holder = { profile = { mirror_of = "die" }, force = "10 kN" }"#, "25 mm"));
-    let (holder, die) = (profile(&case.model, Role::Holder), profile(&case.model, Role::Die));
+    let (holder, die) = (profile(case.model(), Role::Holder), profile(case.model(), Role::Die));
     for i in 0..200 {
         let x = Point::new(20.0 + 0.2 * f64::from(i), 0.02 * f64::from(i % 7));
         assert!((holder.closest(Point::new(x.x, -x.y)).distance - die.closest(x).distance).abs() < 1e-9);
     }
-    run(&case.model);
+    run(case.model());
 }
 
 /// Trust: by hand. One corner of 90° that the sheet is bent over.

@@ -32,7 +32,7 @@ fn case(template: &str, given: &[(&str, &str)]) -> Case {
 }
 
 fn solved(case: &Case) -> Vec<StageSolution> {
-    run_stages(&case.stages(), &mut ()).into_iter().map(|pass| pass).collect()
+    run_stages(&case.stages, &mut ()).into_iter().map(|pass| pass).collect()
 }
 
 fn stampflow(dir: &Path, args: &[&str]) -> Output {
@@ -51,7 +51,7 @@ fn every_template_runs_to_its_end_and_check_has_no_doubt() {
         let warnings = check::report(&case).warnings;
         assert!(warnings.is_empty(), "{name} {given:?}: {warnings:?}");
         let runs = solved(&case);
-        assert_eq!(runs.len(), case.stages().len(), "{name} {given:?}: {}", runs.last().unwrap().stop);
+        assert_eq!(runs.len(), case.stages.len(), "{name} {given:?}: {}", runs.last().unwrap().stop);
         for run in runs {
             assert_eq!(run.stop, Stop::FullTravel, "{name} {given:?}");
         }
@@ -84,7 +84,7 @@ fn a_cup_is_as_high_as_was_wanted() {
         let reached = height(last);
         println!("{given:?}: {reached:.2} of {wanted} mm, {:+.1} %", 100.0 * (reached / wanted - 1.0));
         assert!((reached / wanted - 1.0).abs() < 0.005, "{given:?}: {reached:.2} mm instead of {wanted} mm");
-        let die = case.model.tool(stampflow::model::Role::Die).unwrap();
+        let die = case.model().tool(stampflow::model::Role::Die).unwrap();
         let shoulder_end = die.profile.corners().map(|arc| arc.center.x).fold(0.0, f64::max);
         assert!(last.nodes.last().unwrap().r < shoulder_end, "{given:?}: a flange is left");
     }
@@ -106,7 +106,7 @@ fn the_blank_is_the_textbooks() {
     let textbook = (d * d + 4.0 * d * h - (8.0 - 2.0 * std::f64::consts::PI) * r * d
         + (12.0 - 4.0 * std::f64::consts::PI) * r * r)
         .sqrt();
-    assert!((2.0 * case("cup", &[("trim", "8 %")]).model.blank.length - textbook).abs() < 1e-3);
+    assert!((2.0 * case("cup", &[("trim", "8 %")]).model().blank.length - textbook).abs() < 1e-3);
     // No nose at all: D² = d² + 4 d h.
     assert!((rules::blank_of(rules::cup_area(30.0, 0.0, 20.0)).powi(2) - (900.0 + 4.0 * 30.0 * 10.0)).abs() < 1e-9);
 }
@@ -143,8 +143,8 @@ fn the_sheet_may_be_one_of_the_library() {
     for entry in materials().unwrap() {
         for template in TEMPLATES {
             let case = case(template.name, &[("material", entry.name)]);
-            assert_eq!(case.model.material.hardening, entry.material.hardening, "{} {}", template.name, entry.name);
-            assert!(!case.model.notes.iter().any(|note| note.contains("mild deep-drawing steel")));
+            assert_eq!(case.model().material.hardening, entry.material.hardening, "{} {}", template.name, entry.name);
+            assert!(!case.model().notes.iter().any(|note| note.contains("mild deep-drawing steel")));
             assert!(case.derived.iter().any(|note| note.contains(&entry.source)), "{} {}", template.name, entry.name);
         }
         let cup = check::report(&case("cup", &[("material", entry.name)]));
@@ -161,9 +161,9 @@ fn no_picked_size_is_doubted_by_the_verdict() {
     let defaults = TEMPLATES.iter().map(|template| (template.name, &[][..]));
     for (name, given) in defaults.chain([("redraw", &[("height", "70 mm")][..]), ("cup", &[("height", "50 mm")])]) {
         let case = case(name, given);
-        let passes = run_stages(&case.stages(), &mut ());
+        let passes = run_stages(&case.stages, &mut ());
         let bent = ["v-bend", "u-bend"].contains(&name);
-        assert_eq!(case.model.forming_limit.is_none(), bent, "{name}");
+        assert_eq!(case.model().forming_limit.is_none(), bent, "{name}");
         let findings = verdict::judge(&case, &passes);
         for finding in findings {
             if ["wrinkling", "bend_radius"].contains(&finding.key) || (finding.key == "forming_limit" && !bent) {
@@ -185,7 +185,7 @@ fn the_sleeve_of_a_redraw_holds_the_sheet_with_its_force() {
         .map(|force: Option<f64>| {
             let held = force.map_or(text.clone(), |newtons| format!("{}force = \"{newtons} N\"\n", &text[..second]));
             let case = parse(&held, "case.toml", &[]).unwrap();
-            let wanted = force.unwrap_or_else(|| match &case.stages()[1].model.tool(Role::Holder).unwrap().motion {
+            let wanted = force.unwrap_or_else(|| match &case.stages[1].model.tool(Role::Holder).unwrap().motion {
                 Motion::Pressed(press) => press.force.largest(),
                 other => panic!("{other:?}"),
             });

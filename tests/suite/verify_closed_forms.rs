@@ -93,7 +93,7 @@ fn a_higher_anisotropy_keeps_the_cup_thicker() {
     let thinnest = |r: &str| {
         let overrides = [format!("material.anisotropy={r}")];
         let case = stampflow::case::load(concat!(env!("CARGO_MANIFEST_DIR"), "/cases/quickstart.toml"), &overrides);
-        solve(&case.unwrap_or_else(|e| panic!("{e}")).model).steps.last().expect("steps").thinnest
+        solve(case.unwrap_or_else(|e| panic!("{e}")).model()).steps.last().expect("steps").thinnest
     };
     let found = ["0.5", "1.0", "2.0"].map(thinnest);
     println!("thinnest place of the quickstart with r 0.5, 1, 2: {found:?} mm");

@@ -11,8 +11,8 @@ fn solved(overrides: &[&str]) -> (Case, StageSolution, Assessment) {
     let path = format!("{}/cases/stretch_limit.toml", env!("CARGO_MANIFEST_DIR"));
     let overrides: Vec<String> = overrides.iter().map(|o| (*o).to_owned()).collect();
     let case = case::load(&path, &overrides).unwrap_or_else(|e| panic!("{}", e.render(false)));
-    let run = solver::run(&case.model, &mut ());
-    let curve = case.model.forming_limit.as_ref().expect("a curve");
+    let run = solver::run(case.model(), &mut ());
+    let curve = case.model().forming_limit.as_ref().expect("a curve");
     let assessment = assess(curve, &run.paths).expect("paths");
     (case, run, assessment)
 }
@@ -30,10 +30,10 @@ fn a_stretched_sheet_reaches_its_limit_where_it_thins() {
         assert_eq!(judged.minor, element.strain_meridional.min(element.strain_hoop));
     }
     let reached = found.reached.expect("the travel goes beyond the limit");
-    assert!(reached.travel > 0.0 && reached.travel < case.model.travel, "{reached:?}");
+    assert!(reached.travel > 0.0 && reached.travel < case.model().travel, "{reached:?}");
     let thinnest = run.steps.last().expect("steps").thinnest_s0;
     // Within a tenth of the blank: the neck may settle a few elements from where the limit was met.
-    assert!((found.worst().s0 - thinnest).abs() < 0.1 * case.model.blank.length, "{:?} {thinnest}", found.worst());
+    assert!((found.worst().s0 - thinnest).abs() < 0.1 * case.model().blank.length, "{:?} {thinnest}", found.worst());
     let pole = found.elements[0];
     assert!(pole.major > SHORTEST && (pole.major - pole.minor).abs() < 0.05 * pole.major, "{pole:?}");
 }
@@ -60,7 +60,7 @@ fn the_limit_reaches_summary_and_files() {
         case_text: &case.text,
         overrides: &[],
         derived: &case.derived,
-        model: &case.model,
+        model: case.model(),
         run: &run,
         wall: Duration::ZERO,
     };
@@ -73,7 +73,7 @@ fn the_limit_reaches_summary_and_files() {
         assert!(output.bytes(&subject).is_some_and(|bytes| bytes.len() > 200), "{}", output.file);
     }
     let quick = format!("{}/cases/quickstart.toml", env!("CARGO_MANIFEST_DIR"));
-    let plain = case::load(quick, &["tools.punch.travel=2 mm".to_owned()]).expect("a case").model;
+    let plain = case::load(quick, &["tools.punch.travel=2 mm".to_owned()]).expect("a case").model().clone();
     let run = solver::run(&plain, &mut ());
     assert!(run.paths.instants.is_empty());
     let subject = Subject { model: &plain, run: &run, ..subject };

@@ -131,7 +131,7 @@ fn holder_models_hold_what_they_promise() {
 #[test]
 fn holder_pressure_acts_on_the_initial_area() {
     let text = include_str!("../../cases/quickstart.toml").replace("force = \"10 kN\" ", "pressure = \"2 MPa\" ");
-    let model = case::parse(&text, "cup.toml", &[]).unwrap_or_else(|e| panic!("{e}")).model;
+    let model = case::parse(&text, "cup.toml", &[]).unwrap_or_else(|e| panic!("{e}")).model().clone();
     let Motion::Pressed(press) = &model.tool(Role::Holder).expect("a holder").motion else { panic!("pressed") };
     let area = PI * (55.0_f64.powi(2) - 37.25_f64.powi(2));
     assert!((press.force.at(0.0) / (2.0 * area) - 1.0).abs() < 1e-9);
@@ -311,7 +311,7 @@ fn superplastic_long_box_follows_its_closed_form_before_contact() {
         let overrides = ["geometry=plane_strain", &format!("blank.elements={elements}")].map(str::to_owned);
         let text =
             include_str!("../../cases/superplastic_dome.toml").replace("radius = \"50 mm\"", "half_length = \"50 mm\"");
-        let model = case::parse(&text, "box.toml", &overrides).unwrap_or_else(|e| panic!("{e}")).model;
+        let model = case::parse(&text, "box.toml", &overrides).unwrap_or_else(|e| panic!("{e}")).model().clone();
         let (mut worst, mut end): (f64, _) = (0.0, 0.0);
         for r in &solve(&model).steps {
             let strain = 3f64.sqrt() / 2.0 * rate * r.time;
@@ -395,7 +395,7 @@ fn counter_pressure_presses_the_sheet_onto_the_punch() {
 fn ironing_is_resisted_and_reported() {
     let text = include_str!("../../cases/quickstart.toml").replace("31.25 mm", "31.0 mm");
     let model = case::parse(&text, "cup.toml", &["tools.punch.travel=32 mm".into()]).unwrap_or_else(|e| panic!("{e}"));
-    let run = solver::run(&model.model, &mut ());
+    let run = solver::run(model.model(), &mut ());
     assert!(run.stop.is_complete() || run.stop.is_physical(), "{}", run.stop);
     assert!(run.warnings.iter().any(|w| w.contains("ironing from")), "{:?}", run.warnings);
     let squeeze = run.steps.iter().map(|r| r.squeeze).fold(0.0, f64::max);

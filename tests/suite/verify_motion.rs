@@ -13,7 +13,7 @@ use stampflow::solution::{StageSolution, Stop};
 fn cup(motion: &str, overrides: &[&str]) -> Model {
     let text = include_str!("../../cases/quickstart.toml").replace("travel = \"25 mm\"", &format!("motion = {motion}"));
     let overrides: Vec<String> = overrides.iter().map(|o| (*o).to_owned()).collect();
-    case::parse(&text, "cup.toml", &overrides).unwrap_or_else(|e| panic!("{}", e.render(false))).model
+    case::parse(&text, "cup.toml", &overrides).unwrap_or_else(|e| panic!("{}", e.render(false))).model().clone()
 }
 
 /// Largest difference of the punch forces of two runs with the same steps, over the largest force.

@@ -17,7 +17,7 @@ const SQUEEZED: f64 = 0.1;
 
 /// Gap between punch and die over the thickness; wide ones matter beside a straight wall only.
 pub(super) fn gap(case: &Case, passes: &[StageSolution]) -> Option<Finding> {
-    let gap = estimate::clearance(&case.model)? / case.model.blank.thickness;
+    let gap = estimate::clearance(case.model())? / case.model().blank.thickness;
     let straight = passes.first().and_then(NoseEnd::of).is_some_and(NoseEnd::is_upright);
     let light = if gap < LEAST || straight && gap > WIDE { Light::Amber } else { Light::Green };
     let most = if straight { format!(", {WIDE} at most beside a straight wall") } else { String::new() };

@@ -21,7 +21,7 @@ pub const DRAWN: [&str; 9] = [
 pub fn shipped(name: &str, overrides: &[&str]) -> Model {
     let path = format!("{}/cases/{name}.toml", env!("CARGO_MANIFEST_DIR"));
     let overrides: Vec<String> = overrides.iter().map(|o| (*o).to_owned()).collect();
-    case::load(&path, &overrides).unwrap_or_else(|e| panic!("{e}")).model
+    case::load(&path, &overrides).unwrap_or_else(|e| panic!("{e}")).model().clone()
 }
 
 /// Runs a model that has to reach its full travel.

@@ -1,11 +1,12 @@
 //! `[tools]`: shapes placed where they touch the flat sheet.
 
-use super::{by_geometry, friction, loads, section};
+use super::friction::{self, Frictions};
+use super::{by_geometry, loads, section};
 use crate::case::file::{self, Section};
 use crate::case::files::Folder;
 use crate::case::{CaseError, explain::missing, source::Source};
 use crate::geometry::Profile;
-use crate::model::{Geometry, Motion, Role, Tool};
+use crate::model::{Blank, Geometry, Motion, Role, Tool};
 use crate::units::{Length, Positive, Quantity, rounded};
 
 /// No tool is sharper and no opening smaller than a micrometre [mm].
@@ -20,9 +21,18 @@ pub(super) struct Sheet {
     pub thickness: f64,
 }
 
+impl Sheet {
+    pub fn of(blank: &Blank, geometry: Geometry) -> Self {
+        Self { geometry, length: blank.length, thickness: blank.thickness }
+    }
+}
+
 /// What tools are made from.
-pub(super) struct Shop<'a> {
-    pub case: &'a file::CaseFile,
+pub(super) struct ToolContext<'a> {
+    /// The tools that are new.
+    pub written: &'a file::Tools,
+    /// The tools that are there from the stage before.
+    pub standing: &'a [Tool],
     pub sheet: Sheet,
     /// Punch travel of the whole run [mm].
     pub travel: f64,
@@ -31,63 +41,62 @@ pub(super) struct Shop<'a> {
     pub folder: Folder<'a>,
 }
 
-pub(super) fn convert(shop: &Shop, derived: &mut Vec<String>) -> Result<Vec<Tool>, CaseError> {
-    let Shop { case, sheet, source, .. } = shop;
-    let file = &case.tools;
-    let mut tools = Vec::new();
-    if let Some(punch) = &file.punch {
-        tools.push(Tool {
-            role: Role::Punch,
-            profile: punch_profile(punch, shop, derived)?,
-            friction: friction::of(Role::Punch, case, source, derived)?,
-            motion: Motion::Travel,
-        });
-    }
-    if let Some(die) = &file.die {
-        tools.push(Tool {
-            role: Role::Die,
-            profile: die_profile(die, shop, derived)?,
-            friction: friction::of(Role::Die, case, source, derived)?,
-            motion: Motion::Fixed,
-        });
-    }
-    if let Some(holder) = &file.holder {
-        let Some(die) = tools.iter().find(|tool| tool.role == Role::Die) else {
+/// The tools of the first stage.
+pub(super) fn convert(
+    context: &ToolContext,
+    frictions: &Frictions,
+    derived: &mut Vec<String>,
+) -> Result<Vec<Tool>, CaseError> {
+    let ToolContext { sheet, source, .. } = context;
+    let mut tools: Vec<Tool> = Vec::new();
+    for role in Role::ALL {
+        let die = tools.iter().find(|tool| tool.role == Role::Die);
+        if role == Role::Holder && context.written.holder.is_some() && die.is_none() {
             let what = "a holder needs a die to press against";
             return Err(source.error("tools.holder", what, "add [tools.die], or drop the holder and clamp the edge"));
+        }
+        let Some(profile) = context.new_profile(role, derived)? else { continue };
+        let motion = match (role, &context.written.holder, die) {
+            (Role::Punch, ..) => Motion::Travel,
+            (Role::Holder, Some(holder), Some(die)) => loads::holder(holder, &profile, die, sheet, source, derived)?,
+            _ => Motion::Fixed,
         };
-        let profile = holder_profile(holder, shop, derived)?;
-        let motion = loads::holder(holder, &profile, die, sheet, source, derived)?;
-        let friction = friction::of(Role::Holder, case, source, derived)?;
-        tools.push(Tool { role: Role::Holder, profile, friction, motion });
+        tools.push(Tool { role, profile, friction: friction::of(role, frictions, source, derived)?, motion });
     }
     Ok(tools)
 }
 
-impl Shop<'_> {
-    /// The placed section of a tool; `None` when there is no such tool.
-    pub fn profile(&self, role: Role) -> Result<Option<Profile>, CaseError> {
-        let derived = &mut Vec::new(); // said where the tool itself is made
+impl ToolContext<'_> {
+    /// The placed section of a tool that is new; `None` when there is no such tool.
+    pub fn new_profile(&self, role: Role, derived: &mut Vec<String>) -> Result<Option<Profile>, CaseError> {
+        let file::Tools { punch, die, holder, .. } = self.written;
         match role {
-            Role::Punch => self.case.tools.punch.as_ref().map(|punch| punch_profile(punch, self, derived)),
-            Role::Die => self.case.tools.die.as_ref().map(|die| die_profile(die, self, derived)),
-            Role::Holder => self.case.tools.holder.as_ref().map(|holder| holder_profile(holder, self, derived)),
+            Role::Punch => punch.as_ref().map(|punch| punch_profile(punch, self, derived)),
+            Role::Die => die.as_ref().map(|die| die_profile(die, self, derived)),
+            Role::Holder => holder.as_ref().map(|holder| holder_profile(holder, self, derived)),
         }
         .transpose()
+    }
+
+    /// The placed section of a tool, new or standing; `None` when there is no such tool.
+    pub fn profile(&self, role: Role) -> Result<Option<Profile>, CaseError> {
+        let new = self.new_profile(role, &mut Vec::new())?; // said where the tool itself is made
+        let standing = || self.standing.iter().find(|tool| tool.role == role);
+        Ok(new.or_else(|| standing().map(|tool| tool.profile.clone())))
     }
 
     /// The section that is written for a tool.
     pub fn section(&self, role: Role) -> Option<&Section> {
         match role {
-            Role::Punch => self.case.tools.punch.as_ref()?.profile.as_ref(),
-            Role::Die => self.case.tools.die.as_ref()?.profile.as_ref(),
-            Role::Holder => self.case.tools.holder.as_ref()?.profile.as_ref(),
+            Role::Punch => self.written.punch.as_ref()?.profile.as_ref(),
+            Role::Die => self.written.die.as_ref()?.profile.as_ref(),
+            Role::Holder => self.written.holder.as_ref()?.profile.as_ref(),
         }
     }
 }
 
-pub(super) fn punch_profile(punch: &file::Punch, shop: &Shop, derived: &mut Vec<String>) -> Result<Profile, CaseError> {
-    let Shop { sheet, source, .. } = shop;
+fn punch_profile(punch: &file::Punch, context: &ToolContext, derived: &mut Vec<String>) -> Result<Profile, CaseError> {
+    let ToolContext { sheet, source, .. } = context;
     let t = sheet.thickness;
     let given = [
         ("hemispherical", punch.hemispherical.is_some()),
@@ -132,7 +141,7 @@ pub(super) fn punch_profile(punch: &file::Punch, shop: &Shop, derived: &mut Vec<
         return Ok(Profile::crowned_punch(radius, face, nose, t));
     }
     let section = punch.profile.as_ref().expect("exactly one shape is given, and it is none of the above");
-    section::convert(section, Role::Punch, shop, derived)
+    section::convert(section, Role::Punch, context, derived)
 }
 
 fn punch_radius(
@@ -171,10 +180,10 @@ fn nose_within(source: &Source, shape: &str, nose: f64, radius: f64) -> Result<f
     ))
 }
 
-pub(super) fn die_profile(die: &file::Die, shop: &Shop, derived: &mut Vec<String>) -> Result<Profile, CaseError> {
-    let Shop { sheet, source, .. } = shop;
+fn die_profile(die: &file::Die, context: &ToolContext, derived: &mut Vec<String>) -> Result<Profile, CaseError> {
+    let ToolContext { sheet, source, .. } = context;
     match (&die.profile, die.throat, die.shoulder) {
-        (Some(section), None, None) => section::convert(section, Role::Die, shop, derived),
+        (Some(section), None, None) => section::convert(section, Role::Die, context, derived),
         (None, Some(throat), Some(shoulder)) => Ok(Profile::die(
             size(source, "tools.die.throat", throat.value())?,
             size(source, "tools.die.shoulder", shoulder.value())?,
@@ -189,12 +198,12 @@ pub(super) fn die_profile(die: &file::Die, shop: &Shop, derived: &mut Vec<String
     }
 }
 
-pub(super) fn holder_profile(
+fn holder_profile(
     holder: &file::Holder,
-    shop: &Shop,
+    context: &ToolContext,
     derived: &mut Vec<String>,
 ) -> Result<Profile, CaseError> {
-    let Shop { sheet, source, .. } = shop;
+    let ToolContext { sheet, source, .. } = context;
     let Some(section) = &holder.profile else {
         let radius = ("inner_radius", holder.inner_radius);
         let half_width = ("inner_half_width", holder.inner_half_width);
@@ -206,5 +215,5 @@ pub(super) fn holder_profile(
         let what = "the holder has both a profile and an inner edge";
         return Err(source.error("tools.holder.profile", what, "keep one of them"));
     }
-    section::convert(section, Role::Holder, shop, derived)
+    section::convert(section, Role::Holder, context, derived)
 }

@@ -1,9 +1,9 @@
 //! `[blank]`.
 
 use super::{by_geometry, count};
-use crate::case::file::{self, CaseFile, Edge, Grading, Theory};
+use crate::case::file::CaseFile;
 use crate::case::{CaseError, source::Source};
-use crate::model::{self, Blank, Geometry};
+use crate::model::{Blank, Geometry, Mode, Theory};
 use crate::units::{Quantity, rounded};
 use std::ops::RangeInclusive;
 
@@ -21,7 +21,7 @@ const RELEASED: i64 = 25;
 /// Points through the thickness where the case does not say.
 fn automatic(case: &CaseFile) -> i64 {
     let modes = case.stages.iter().map(|stage| stage.mode).chain([case.material.mode]);
-    let elastic = modes.flatten().any(|mode| mode != file::Mode::Flow);
+    let elastic = modes.flatten().any(|mode| mode != Mode::Flow);
     if case.stages.iter().any(|stage| stage.release.is_some_and(|release| release.0.is_some())) {
         RELEASED
     } else if elastic {
@@ -53,16 +53,11 @@ pub(super) fn convert(
             "shells are at least five thicknesses long: check the units",
         ));
     }
-    let theory = match file.theory {
-        Theory::Bending => model::Theory::Bending,
-        Theory::Membrane => model::Theory::Membrane,
-        Theory::Selective => model::Theory::Selective,
-    };
-    let layers = match theory {
-        model::Theory::Bending | model::Theory::Selective => {
+    let layers = match file.theory {
+        Theory::Bending | Theory::Selective => {
             count(source, "blank.layers", file.layers.unwrap_or_else(|| automatic(case)), 3..=101)?
         }
-        model::Theory::Membrane => {
+        Theory::Membrane => {
             derived.push("membrane theory: bending stiffness is left out, one point through the thickness".into());
             1
         }
@@ -71,15 +66,9 @@ pub(super) fn convert(
         length,
         thickness,
         elements: count(source, "blank.elements", file.elements, 2..=2000)?,
-        grading: match file.grading {
-            Grading::Uniform => model::Grading::Uniform,
-            Grading::Radii => model::Grading::Radii,
-        },
-        theory,
+        grading: file.grading,
+        theory: file.theory,
         layers,
-        edge: match file.edge {
-            Edge::Free => model::Edge::Free,
-            Edge::Clamped => model::Edge::Clamped,
-        },
+        edge: file.edge,
     })
 }

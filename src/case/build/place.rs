@@ -1,7 +1,7 @@
 //! A drawn section, moved along z to where it touches the flat sheet, the sheet on its left.
 
 use super::section::{Drawn, place_of};
-use super::tools::Shop;
+use super::tools::ToolContext;
 use crate::case::CaseError;
 use crate::geometry::{Point, Profile};
 use crate::model::Role;
@@ -16,13 +16,18 @@ pub(super) struct Placed {
     pub shift: f64,
 }
 
-pub(super) fn place(drawn: Drawn, role: Role, shop: &Shop, derived: &mut Vec<String>) -> Result<Placed, CaseError> {
-    let (sheet, name) = (&shop.sheet, role.name());
+pub(super) fn place(
+    drawn: Drawn,
+    role: Role,
+    context: &ToolContext,
+    derived: &mut Vec<String>,
+) -> Result<Placed, CaseError> {
+    let (sheet, name) = (&context.sheet, role.name());
     // The die lies above the sheet, the others below.
     let side = if role == Role::Die { 1.0 } else { -1.0 };
     let Some(first) = drawn.profile.extreme(side < 0.0, sheet.length) else {
         let what = format!("the {name} lies beyond the blank's edge at {} mm", sheet.length);
-        return Err(shop.source.error(&drawn.path, what, "check the r coordinates and the size of the blank"));
+        return Err(context.source.error(&drawn.path, what, "check the r coordinates and the size of the blank"));
     };
     let shift = side * 0.5 * sheet.thickness - first.y;
     if shift.abs() > 1e-6 {
@@ -36,13 +41,13 @@ pub(super) fn place(drawn: Drawn, role: Role, shop: &Shop, derived: &mut Vec<Str
             Some(_) => "the sheet lies on the left all along: check the order of the points there",
         };
         let place = Point::new(r, -shift);
-        return Err(drawn.error(place, shop.source, what, help));
+        return Err(drawn.error(place, context.source, what, help));
     }
     if let Some(at) = wall_into_sheet(&drawn.profile, side, sheet.length) {
         let (towards, away) = if side > 0.0 { ("down", "up") } else { ("up", "down") };
         let what = format!("the {name}'s profile ends on its way {towards} to the sheet, at {}", place_of(at));
         let help = format!("a {name}'s walls go {away}, away from the sheet: check the sign of z");
-        return Err(drawn.error(at, shop.source, what, help));
+        return Err(drawn.error(at, context.source, what, help));
     }
     Ok(Placed { profile, shift })
 }

@@ -2,7 +2,7 @@
 
 use super::place;
 use super::section::{Drawn, Origin};
-use super::tools::Shop;
+use super::tools::ToolContext;
 use crate::case::file::{Section, SectionTable};
 use crate::case::{CaseError, explain::missing};
 use crate::geometry::{CavityError, Profile};
@@ -21,7 +21,7 @@ pub(super) fn offset(
     table: &SectionTable,
     role: Role,
     path: String,
-    shop: &Shop,
+    context: &ToolContext,
     derived: &mut Vec<String>,
 ) -> Result<Profile, CaseError> {
     let (name, other) = (role.name(), of.name());
@@ -31,17 +31,17 @@ pub(super) fn offset(
             Role::Holder => "draw the holder, or write { mirror_of = \"die\" }",
             _ => "write offset_of = \"punch\" for the die, or offset_of = \"die\" for the punch",
         };
-        return Err(shop.source.error(&format!("{path}.offset_of"), what, help));
+        return Err(context.source.error(&format!("{path}.offset_of"), what, help));
     }
-    let by = table.by.ok_or_else(|| missing(shop.source, &path, "by"))?.value();
-    let original = source_of(of, role, &format!("{path}.offset_of"), shop)?;
+    let by = table.by.ok_or_else(|| missing(context.source, &path, "by"))?.value();
+    let original = source_of(of, role, &format!("{path}.offset_of"), context)?;
     if let Some(key) = [("shoulder", table.shoulder), ("closed_at", table.closed_at)].iter().find(|(_, v)| v.is_some())
     {
         if role == Role::Punch || table.shoulder.is_none() {
             let what = format!("`{}` belongs to a die made from a punch, with its shoulder", key.0);
             let help =
                 "write { offset_of = \"punch\", by = .., shoulder = .., closed_at = .. } for the die, or drop it";
-            return Err(shop.source.error(&format!("{path}.{}", key.0), what, help));
+            return Err(context.source.error(&format!("{path}.{}", key.0), what, help));
         }
     }
     let axis = match role {
@@ -51,29 +51,29 @@ pub(super) fn offset(
     if axis.x > 1e-6 {
         let what =
             format!("the {other} does not reach the axis, it begins at r = {:.4} mm: its offset is open", axis.x);
-        return Err(shop.source.error(&path, what, format!("draw the {name}, or give the {other} a bottom")));
+        return Err(context.source.error(&path, what, format!("draw the {name}, or give the {other} a bottom")));
     }
     let line = original.offset(by).map_err(|error| {
         let what = format!("the {other} has no offset of {by} mm: {error}");
         let help = format!("make `by` smaller or the hollow of the {other} wider (z = 0 is the flat sheet's middle)");
-        shop.source.error(&format!("{path}.by"), what, help)
+        context.source.error(&format!("{path}.by"), what, help)
     })?;
     if let Some(shoulder) = table.shoulder {
-        return die_with_face(&line, shoulder.value(), table, &path, shop, derived);
+        return die_with_face(&line, shoulder.value(), table, &path, context, derived);
     }
     let end = line.last();
     let tangent = line.pieces()[line.pieces().len() - 1].tangent(true);
-    if role == Role::Die && end.x < shop.sheet.length && tangent.y < -STEEP {
+    if role == Role::Die && end.x < context.sheet.length && tangent.y < -STEEP {
         let what = format!(
             "the {other}'s wall goes down inside of the blank: its offset has no face for the sheet, only a \
                             wall at r = {:.3} mm",
             end.x
         );
         let help = "give the radius of the corner between wall and face, such as shoulder = \"6 mm\"";
-        return Err(shop.source.error(&path, what, help));
+        return Err(context.source.error(&path, what, help));
     }
     let drawn = Drawn { profile: line.reversed(), path, origin: Origin::Tool };
-    let placed = place::place(drawn, role, shop, &mut Vec::new())?;
+    let placed = place::place(drawn, role, context, &mut Vec::new())?;
     let travel = if role == Role::Die { placed.shift } else { -placed.shift };
     derived.push(format!("the {name} follows the {other} at {by} mm: they have closed at a travel of {travel:.4} mm"));
     Ok(placed.profile)
@@ -85,25 +85,25 @@ fn die_with_face(
     shoulder: f64,
     table: &SectionTable,
     path: &str,
-    shop: &Shop,
+    context: &ToolContext,
     derived: &mut Vec<String>,
 ) -> Result<Profile, CaseError> {
-    let depth = table.closed_at.map_or(shop.travel, Quantity::value);
-    let reach = REACH * shop.sheet.length;
-    let die = line.shifted(depth).cavity(0.5 * shop.sheet.thickness, shoulder, reach).map_err(|error| {
+    let depth = table.closed_at.map_or(context.travel, Quantity::value);
+    let reach = REACH * context.sheet.length;
+    let die = line.shifted(depth).cavity(0.5 * context.sheet.thickness, shoulder, reach).map_err(|error| {
         let (key, help) = match error {
             CavityError::Below { .. } => ("closed_at", "a cavity needs a travel of more than the thickness less `by`"),
             CavityError::Above { .. } => ("shoulder", "draw the punch's wall further down, or close the tools earlier"),
             CavityError::Shoulder { .. } => ("shoulder", "make it smaller than the cavity is deep"),
         };
-        let key = if shop.source.has(&format!("{path}.{key}")) { key } else { "shoulder" };
-        shop.source.error(&format!("{path}.{key}"), format!("the die around the punch: {error}"), help)
+        let key = if context.source.has(&format!("{path}.{key}")) { key } else { "shoulder" };
+        context.source.error(&format!("{path}.{key}"), format!("the die around the punch: {error}"), help)
     })?;
-    let (end, edge) = (die.vertices().next().map_or(0.0, |v| v.point.x), shop.sheet.length);
+    let (end, edge) = (die.vertices().next().map_or(0.0, |v| v.point.x), context.sheet.length);
     if end > edge {
         let what = format!("the die's shoulder ends at {end:.3} mm, beyond the blank's edge at {edge} mm");
         let help = "make it smaller: the blank must reach past the shoulder to rest on the die";
-        return Err(shop.source.error(&format!("{path}.shoulder"), what, help));
+        return Err(context.source.error(&format!("{path}.shoulder"), what, help));
     }
     let by = table.by.map_or(0.0, Quantity::value);
     derived.push(format!("the die follows the punch at {by} mm: they have closed at a travel of {depth:.4} mm"));
@@ -115,7 +115,7 @@ pub(super) fn mirror(
     of: Role,
     role: Role,
     path: String,
-    shop: &Shop,
+    context: &ToolContext,
     derived: &mut Vec<String>,
 ) -> Result<Profile, CaseError> {
     let (name, other) = (role.name(), of.name());
@@ -130,26 +130,26 @@ pub(super) fn mirror(
                 "holder and die can be each other's mirror image".to_owned(),
             ),
         };
-        return Err(shop.source.error(&format!("{path}.mirror_of"), what, help));
+        return Err(context.source.error(&format!("{path}.mirror_of"), what, help));
     }
-    let original = source_of(of, role, &format!("{path}.mirror_of"), shop)?;
+    let original = source_of(of, role, &format!("{path}.mirror_of"), context)?;
     derived.push(format!("the {name} is the {other}'s mirror image"));
     let drawn = Drawn { profile: original.mirrored(), path, origin: Origin::Tool };
-    place::place(drawn, role, shop, derived).map(|placed| placed.profile)
+    place::place(drawn, role, context, derived).map(|placed| placed.profile)
 }
 
 /// The tool that another is made from, which must not be made from that other one.
-fn source_of(of: Role, role: Role, key: &str, shop: &Shop) -> Result<Profile, CaseError> {
+fn source_of(of: Role, role: Role, key: &str, context: &ToolContext) -> Result<Profile, CaseError> {
     let (name, other) = (role.name(), of.name());
-    if let Some(Section::Table(table)) = shop.section(of) {
-        let theirs = table.offset_of.or(table.mirror_of).map(Role::from);
+    if let Some(Section::Table(table)) = context.section(of) {
+        let theirs = table.offset_of.or(table.mirror_of);
         if theirs == Some(role) {
             let what = format!("the {name} is made from the {other}, which is made from the {name}");
-            return Err(shop.source.error(key, what, "give one of them a shape of its own"));
+            return Err(context.source.error(key, what, "give one of them a shape of its own"));
         }
     }
-    shop.profile(of)?.ok_or_else(|| {
+    context.profile(of)?.ok_or_else(|| {
         let what = format!("there is no {other} to make the {name} from");
-        shop.source.error(key, what, format!("add [tools.{other}]"))
+        context.source.error(key, what, format!("add [tools.{other}]"))
     })
 }

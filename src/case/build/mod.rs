@@ -28,92 +28,85 @@ pub(super) use compare::compare;
 pub(super) use material::convert as material;
 pub(super) use press::press;
 
+use friction::Frictions;
+use tools::{Sheet, ToolContext};
+
 use super::explain::missing;
-use super::file::{self, CaseFile};
+use super::file::CaseFile;
 use super::files::Folder;
 use super::{CaseError, source::Source};
-use crate::model::stage::Stage;
-use crate::model::{Geometry, Mode, Model, Theory};
+use crate::material::Material;
+use crate::model::{Blank, Geometry, Mode, Model, Stage, Theory};
 use crate::units::{Length, Positive, Quantity, rounded};
 
-/// What a case means: the model of its first stage and that one's name, the stages after it, and what was assumed.
-pub(super) struct Meaning {
-    pub model: Model,
-    pub first: String,
-    pub later: Vec<Stage>,
-    pub derived: Vec<String>,
-}
-
-/// The meaning of a case whose files are looked up from a folder.
-pub(super) fn meaning(file: &CaseFile, source: &Source, folder: Folder) -> Result<Meaning, CaseError> {
+/// What a case whose files are looked up from a folder means: its stages, and what was assumed.
+pub(super) fn stages(file: &CaseFile, source: &Source, folder: Folder) -> Result<(Vec<Stage>, Vec<String>), CaseError> {
     limits::of_file(file, source)?;
     let mut derived = Vec::new();
-    let geometry = geometry(file);
-    let blank = blank::convert(file, geometry, source, &mut derived)?;
+    let first = first(file, source, folder, &mut derived)?;
+    let stages = stages::convert(file, first, source, folder, &mut derived)?;
+    Ok((stages, derived))
+}
+
+/// The model of the first stage.
+fn first(file: &CaseFile, source: &Source, folder: Folder, derived: &mut Vec<String>) -> Result<Model, CaseError> {
+    let geometry = file.geometry;
+    let blank = blank::convert(file, geometry, source, derived)?;
     let material = material::convert(&file.material, source)?;
-    let mode = file.material.mode.map(|mode| material::mode(mode, &material, "material.mode", source)).transpose()?;
+    let mode = mode(file, &material, &blank, source)?;
+    let drive = motion::drive(file, blank.length, source)?;
+    let (sheet, travel) = (Sheet::of(&blank, geometry), drive.travel);
+    let context = ToolContext { written: &file.tools, standing: &[], sheet, travel, source, folder };
+    let tools = tools::convert(&context, &Frictions::of(file), derived)?;
+    let sheet = context.sheet;
+    let gas = file.gas.as_ref().map(|gas| loads::gas(gas, &tools, &sheet, source, derived)).transpose()?;
+    let heat = file.heat.as_ref().map(|heat| heat::convert(heat, &tools, source, folder)).transpose()?;
+    if heat.is_none() && (material.softening.is_some() || material.hardening.temperatures().is_some()) {
+        derived.push("without [heat] the sheet is at 20 °C throughout".into());
+    }
+    let limit = file.forming_limit.as_ref();
+    let limit = limit
+        .map(|limit| forming_limit::convert(limit, &material, blank.thickness, heat.as_ref(), source, derived))
+        .transpose()?;
+    let beads = loads::beads(&file.tools.beads, &tools, &sheet, source)?;
+    settings::stop(&file.stop, &tools, source)?;
+    let frames = settings::frames(&file.output, &drive, source)?;
+    settings::check(&file.solver, source)?;
+    let model = Model {
+        title: file.title.clone(),
+        notes: file.notes.clone(),
+        geometry,
+        blank,
+        material,
+        tools,
+        beads,
+        gas: gas.unwrap_or_default(),
+        heat,
+        travel,
+        schedule: drive.schedule,
+        speed: drive.speed,
+        duration: drive.duration,
+        frames,
+        stop: file.stop,
+        settings: file.solver.clone(),
+        mode,
+        release: None,
+        forming_limit: limit,
+    };
+    fit::check(&model, source)?;
+    limits::of_model(&model, source)?;
+    collide::check(&model, source)?;
+    Ok(model)
+}
+
+fn mode(file: &CaseFile, material: &Material, blank: &Blank, source: &Source) -> Result<Mode, CaseError> {
+    let mode = file.material.mode.map(|mode| material::mode(mode, material, "material.mode", source)).transpose()?;
     let mode = mode.unwrap_or_default();
     if mode != Mode::Flow && blank.theory == Theory::Selective {
         let help = "write blank.theory = \"bending\", or mode = \"flow\"";
         return Err(source.error("blank.theory", "an elastic sheet cannot change between bending and membrane", help));
     }
-    let sheet = tools::Sheet { geometry, length: blank.length, thickness: blank.thickness };
-    let drive = motion::drive(file, blank.length, source)?;
-    let shop = tools::Shop { case: file, sheet, travel: drive.travel, source, folder };
-    let tools = tools::convert(&shop, &mut derived)?;
-    let sheet = shop.sheet;
-    let gas = match &file.gas {
-        Some(gas) => loads::gas(gas, &tools, &sheet, source, &mut derived)?,
-        None => Vec::new(),
-    };
-    let heat = match &file.heat {
-        Some(heat) => Some(heat::convert(heat, &tools, source, folder)?),
-        None => {
-            if material.softening.is_some() || material.hardening.temperatures().is_some() {
-                derived.push("without [heat] the sheet is at 20 °C throughout".into());
-            }
-            None
-        }
-    };
-    let forming_limit = match &file.forming_limit {
-        Some(limit) => {
-            Some(forming_limit::convert(limit, &material, blank.thickness, heat.as_ref(), source, &mut derived)?)
-        }
-        None => None,
-    };
-    let model = Model {
-        title: file.title.clone(),
-        notes: file.notes.clone(),
-        geometry,
-        material,
-        beads: loads::beads(&file.tools.beads, &tools, &sheet, source)?,
-        stop: settings::stop(&file.stop, &tools, source)?,
-        tools,
-        gas,
-        heat,
-        travel: drive.travel,
-        schedule: drive.schedule.clone(),
-        speed: drive.speed,
-        duration: drive.duration,
-        frames: settings::frames(&file.output, &drive, source)?,
-        settings: settings::convert(&file.solver, source)?,
-        blank,
-        mode,
-        release: None,
-        forming_limit,
-    };
-    fit::check(&model, source)?;
-    limits::of_model(&model, source)?;
-    collide::check(&model, source)?;
-    let (first, later) = stages::convert(file, &model, source, folder, &mut derived)?;
-    Ok(Meaning { model, first, later, derived })
-}
-
-fn geometry(file: &CaseFile) -> Geometry {
-    match file.geometry {
-        file::Geometry::Axisymmetric => Geometry::Axisymmetric,
-        file::Geometry::PlaneStrain => Geometry::PlaneStrain,
-    }
+    Ok(mode)
 }
 
 /// A length whose key depends on the geometry; the other geometry's key is an error that says so.

@@ -6,26 +6,41 @@ use crate::contact::friction::{PressureDependent, Stribeck, Tresca};
 use crate::model::{Friction, Role};
 use crate::units::Quantity;
 
+/// The laws that are written, by tool and by side of the sheet.
+pub(super) struct Frictions {
+    tools: [Option<Given>; 3],
+    sides: file::Sides,
+}
+
+impl Frictions {
+    pub fn of(file: &file::CaseFile) -> Self {
+        let file::Tools { punch, die, holder, .. } = &file.tools;
+        let punch = punch.as_ref().and_then(|tool| tool.friction);
+        let die = die.as_ref().and_then(|tool| tool.friction);
+        let holder = holder.as_ref().and_then(|tool| tool.friction);
+        Self { tools: [punch, die, holder], sides: file.friction.clone() }
+    }
+
+    /// The law that a tool has of its own.
+    pub fn own(&mut self, role: Role) -> &mut Option<Given> {
+        &mut self.tools[role as usize]
+    }
+}
+
 /// The law of a tool: its own, that of its side, or, for a holder, the die's.
 pub(super) fn of(
     role: Role,
-    file: &file::CaseFile,
+    written: &Frictions,
     source: &Source,
     derived: &mut Vec<String>,
 ) -> Result<Friction, CaseError> {
-    let tools = &file.tools;
-    let own = match role {
-        Role::Punch => tools.punch.as_ref().and_then(|t| t.friction),
-        Role::Die => tools.die.as_ref().and_then(|t| t.friction),
-        Role::Holder => tools.holder.as_ref().and_then(|t| t.friction),
-    };
     let table = format!("tools.{}", role.name());
-    if let Some(law) = own {
+    if let Some(law) = written.tools[role as usize] {
         return convert(law, source, &format!("{table}.friction"));
     }
     let (side, key) = match role {
-        Role::Punch | Role::Holder => (file.friction.punch_side, "punch_side"),
-        Role::Die => (file.friction.die_side, "die_side"),
+        Role::Punch | Role::Holder => (written.sides.punch_side, "punch_side"),
+        Role::Die => (written.sides.die_side, "die_side"),
     };
     if let Some(law) = side {
         let law = convert(law, source, &format!("friction.{key}"))?;
@@ -33,7 +48,7 @@ pub(super) fn of(
         return Ok(law);
     }
     if role == Role::Holder {
-        let law = of(Role::Die, file, source, &mut Vec::new())?;
+        let law = of(Role::Die, written, source, &mut Vec::new())?;
         derived.push(format!("the holder's friction is the die's, {law}"));
         return Ok(law);
     }

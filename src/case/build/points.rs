@@ -2,7 +2,7 @@
 
 use super::lines::{Lines, Named};
 use super::section::{Drawn, Origin, place_of};
-use super::tools::Shop;
+use super::tools::ToolContext;
 use crate::case::CaseError;
 use crate::geometry::{FilletTooLarge, Piece, Point, Profile, Segment, fillet};
 use crate::model::{Geometry, Role};
@@ -46,7 +46,7 @@ pub(super) fn convert(
     key: &str,
     radius: Option<f64>,
     role: Role,
-    shop: &Shop,
+    shop: &ToolContext,
     derived: &mut Vec<String>,
 ) -> Result<Drawn, CaseError> {
     let name = role.name();

@@ -58,13 +58,13 @@ pub(in crate::case) fn convert(file: &file::Material, source: &Source) -> Result
 }
 
 /// At most two back-stresses, of a sheet that is not left to the flow law alone.
-fn kinematic(file: &[file::BackStress], mode: Option<file::Mode>, source: &Source) -> Result<BackStresses, CaseError> {
+fn kinematic(file: &[file::BackStress], mode: Option<Mode>, source: &Source) -> Result<BackStresses, CaseError> {
     let mut kinematic = BackStresses::default();
     if file.len() > kinematic.len() {
         let what = format!("{} back-stresses are given, more than {}", file.len(), kinematic.len());
         return Err(source.error("material.kinematic.2", what, "keep the two that matter"));
     }
-    if !file.is_empty() && mode != Some(file::Mode::ElastoViscoplastic) {
+    if !file.is_empty() && mode != Some(Mode::ElastoViscoplastic) {
         let help = "write mode = \"elasto_viscoplastic\", or drop it";
         return Err(source.error("material.kinematic.0", "the flow law has no back-stresses", help));
     }
@@ -75,16 +75,16 @@ fn kinematic(file: &[file::BackStress], mode: Option<file::Mode>, source: &Sourc
 }
 
 /// How the metal answers to strain, where it has what that takes.
-pub(super) fn mode(mode: file::Mode, material: &Material, path: &str, source: &Source) -> Result<Mode, CaseError> {
-    if mode != file::Mode::Flow && material.elastic.is_none() {
+pub(super) fn mode(mode: Mode, material: &Material, path: &str, source: &Source) -> Result<Mode, CaseError> {
+    if mode != Mode::Flow && material.elastic.is_none() {
         let help = "add young = \"210 GPa\" and poisson = 0.3 to [material]";
         return Err(source.error(path, "an elastic sheet needs Young's modulus and Poisson's ratio", help));
     }
-    if mode != file::Mode::Flow && material.voids.is_some() {
+    if mode != Mode::Flow && material.voids.is_some() {
         let help = "drop [material.voids], or write mode = \"flow\"";
         return Err(source.error(path, "a sheet with voids has no elastic strains", help));
     }
-    Ok(mode.into())
+    Ok(mode)
 }
 
 /// Exactly one rate law.

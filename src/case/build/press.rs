@@ -1,6 +1,5 @@
 //! The press's rating.
 
-use super::geometry;
 use super::loads::force;
 use crate::case::file::{CaseFile, HolderForce};
 use crate::case::source::Source;
@@ -10,7 +9,7 @@ use crate::units::Quantity;
 
 /// The rating of the press in the units of the run's forces and work.
 pub(in crate::case) fn press(file: &CaseFile, source: &Source) -> Result<Press, CaseError> {
-    let geometry = geometry(file);
+    let geometry = file.geometry;
     let rated = |given: HolderForce| match force(given, "press.force", "force", geometry, source)? {
         0.0 => {
             Err(source.error("press.force", "a press without force forms nothing", "write its rating, or leave it out"))

@@ -1,9 +1,9 @@
 //! A tool's section of its own: drawn, read from a file, or made from another tool; then placed.
 
 use super::points::{self, Points};
-use super::tools::Shop;
+use super::tools::ToolContext;
 use super::{counter, place, profile};
-use crate::case::file::{Section, SectionTable, ToolName};
+use crate::case::file::{Section, SectionTable};
 use crate::case::{CaseError, source::Source};
 use crate::geometry::{Fold, Point, Profile};
 use crate::model::Role;
@@ -29,26 +29,26 @@ pub(super) enum Origin {
 pub(super) fn convert(
     section: &Section,
     role: Role,
-    shop: &Shop,
+    context: &ToolContext,
     derived: &mut Vec<String>,
 ) -> Result<Profile, CaseError> {
     let path = format!("tools.{}.profile", role.name());
     let drawn = match section {
         Section::Steps(steps) => {
-            Drawn { profile: profile::convert(steps, &path, shop.source)?, path, origin: Origin::Steps }
+            Drawn { profile: profile::convert(steps, &path, context.source)?, path, origin: Origin::Steps }
         }
-        Section::File(file) => points::convert(file, &path, None, role, shop, derived)?,
-        Section::Table(table) => match kind(table, &path, shop.source)? {
+        Section::File(file) => points::convert(file, &path, None, role, context, derived)?,
+        Section::Table(table) => match kind(table, &path, context.source)? {
             Kind::Points(file) => {
                 let fillet = table.fillet.map(Quantity::value);
-                points::convert(file, &format!("{path}.file"), fillet, role, shop, derived)?
+                points::convert(file, &format!("{path}.file"), fillet, role, context, derived)?
             }
-            Kind::Offset(of) => return counter::offset(of, table, role, path, shop, derived),
-            Kind::Mirror(of) => return counter::mirror(of, role, path, shop, derived),
+            Kind::Offset(of) => return counter::offset(of, table, role, path, context, derived),
+            Kind::Mirror(of) => return counter::mirror(of, role, path, context, derived),
         },
     };
-    drawn.check_folds(role, shop.source)?;
-    place::place(drawn, role, shop, derived).map(|placed| placed.profile)
+    drawn.check_folds(role, context.source)?;
+    place::place(drawn, role, context, derived).map(|placed| placed.profile)
 }
 
 enum Kind<'a> {
@@ -70,11 +70,8 @@ fn kind<'a>(table: &'a SectionTable, path: &str, source: &Source) -> Result<Kind
     ];
     let kinds: [(&str, &[&str]); 3] =
         [("file", &["fillet"]), ("offset_of", &["by", "shoulder", "closed_at"]), ("mirror_of", &[])];
-    let asked = [
-        table.file.as_deref().map(Kind::Points),
-        table.offset_of.map(|of| Kind::Offset(of.into())),
-        table.mirror_of.map(|of| Kind::Mirror(of.into())),
-    ];
+    let asked =
+        [table.file.as_deref().map(Kind::Points), table.offset_of.map(Kind::Offset), table.mirror_of.map(Kind::Mirror)];
     let Some(((first, theirs), kind)) = kinds.iter().zip(asked).find_map(|(key, kind)| Some((key, kind?))) else {
         let what = "the profile says neither what to read nor what to make it from";
         let help =
@@ -86,16 +83,6 @@ fn kind<'a>(table: &'a SectionTable, path: &str, source: &Source) -> Result<Kind
         return Err(source.error(&format!("{path}.{stray}"), what, "drop one of the two"));
     }
     Ok(kind)
-}
-
-impl From<ToolName> for Role {
-    fn from(name: ToolName) -> Self {
-        match name {
-            ToolName::Punch => Role::Punch,
-            ToolName::Die => Role::Die,
-            ToolName::Holder => Role::Holder,
-        }
-    }
 }
 
 impl Drawn {
