@@ -1,4 +1,4 @@
-//! The two-node shell element: pure functions of its nodes and of its layer points.
+//! The two-node shell element: pure functions of its nodes and of its thickness points.
 
 pub mod kinematics;
 pub mod section;

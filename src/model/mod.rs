@@ -130,20 +130,21 @@ impl Model {
         }
     }
 
-    /// How long the part of the run from `time` on that takes `dt` \[s\] would take at the mean speed \[s\]: what the length
-    /// of a step is measured in, so that a punch that changes its speed goes equal ways in equal steps.
-    pub fn nominal(&self, time: f64, dt: f64) -> f64 {
+    /// Process time of the part of the run from `time` on that takes `dt` \[s\] by the clock: how long it would take at the
+    /// mean speed \[s\]. Lengths of steps are measured in it, so that a punch that changes its speed goes equal ways in
+    /// equal steps.
+    pub fn process_time(&self, time: f64, dt: f64) -> f64 {
         match &self.schedule {
             Some(schedule) => self.duration * (schedule.at(time + dt) - schedule.at(time)) / self.travel,
             None => dt,
         }
     }
 
-    /// Length \[s\] of the part from `time` on that would take `nominal` \[s\] at the mean speed.
-    pub fn real(&self, time: f64, nominal: f64) -> f64 {
+    /// Time by the clock \[s\] of the part from `time` on that has this process time \[s\].
+    pub fn clock_time(&self, time: f64, process_time: f64) -> f64 {
         match &self.schedule {
-            Some(schedule) => schedule.reaches(schedule.at(time) + self.travel * nominal / self.duration) - time,
-            None => nominal,
+            Some(schedule) => schedule.reaches(schedule.at(time) + self.travel * process_time / self.duration) - time,
+            None => process_time,
         }
     }
 

@@ -129,7 +129,7 @@ impl Summary {
             Unit::Percent,
             100.0 * largest(|s| s.penetration),
         );
-        let squeeze = largest(|s| s.squeeze);
+        let squeeze = largest(|s| s.ironing);
         if squeeze > 0.0 {
             summary.number("squeeze", "Ironing: thicker than its gap by", Unit::Percent, 100.0 * squeeze);
         }
@@ -143,7 +143,7 @@ impl Summary {
             summary.number("holder_lift", "  lifted by up to", Unit::Mm, largest(|s| -s.holder_move));
         }
         summary.number("sticking", "Contacts that stick at the end", Unit::Percent, 100.0 * last.sticking);
-        summary.count("flips", "Contacts that came or went", run.steps.iter().map(|s| s.flips).sum());
+        summary.count("flips", "Contacts that came or went", run.steps.iter().map(|s| s.contact_changes).sum());
         summary.number("strain_increment", "Largest strain of one step", Unit::None, largest(|s| s.strain_increment));
         summary.text("mesh", "Mesh", &mesh(model));
         if model.blank.theory == Theory::Selective {

@@ -178,7 +178,7 @@ fn a_holder_that_the_sheet_has_left_stays_where_it_last_touched() {
     }
     let holder = model.tools.iter().position(|tool| tool.role == Role::Holder).unwrap();
     let last = run.frames.last().unwrap();
-    assert_eq!(last.tool_displacement[holder], stands);
+    assert_eq!(last.tool_displacement[holder].y, stands);
     // Half a thickness of the blank from z = 0, each: the faces of holder and die.
     let (room, rim) = (model.blank.thickness - stands, last.elements.last().unwrap().thickness);
     assert!(room > rim, "{room} mm of room for a rim of {rim} mm");

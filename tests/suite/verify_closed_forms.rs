@@ -147,7 +147,7 @@ fn plastic_moment_converges_with_the_layers() {
     let hardening = Hardening::Ludwik(Ludwik::new(yield_stress, 0.0, 1.0).expect("valid"));
     let start = Reference::new(Geometry::PlaneStrain, Theory::Bending, [3.0, 0.0, 0.0], [3.0 + length, 0.0, 0.0]);
     let turn = 0.02;
-    let end = start.end([0.0, 0.0, -0.5 * turn], [0.0, 0.0, 0.5 * turn]).expect("sound");
+    let end = start.moved([0.0, 0.0, -0.5 * turn], [0.0, 0.0, 0.5 * turn]).expect("sound");
     let exact = 2.0 / 3f64.sqrt() * yield_stress * t * t / 4.0;
     let error = |n: usize| {
         let layers = lobatto::rule(n);
@@ -162,7 +162,7 @@ fn plastic_moment_converges_with_the_layers() {
                 cutoff: 1e-7,
                 duration: 1.0,
             },
-            layers: &layers,
+            points: &layers,
             slack_tension: 0.0,
         };
         let mut iterates = vec![Iterate::default(); n];

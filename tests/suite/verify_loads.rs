@@ -398,7 +398,7 @@ fn ironing_is_resisted_and_reported() {
     let run = solver::run(model.model(), &mut ());
     assert!(run.stop.is_complete() || run.stop.is_physical(), "{}", run.stop);
     assert!(run.warnings.iter().any(|w| w.contains("ironing from")), "{:?}", run.warnings);
-    let squeeze = run.steps.iter().map(|r| r.squeeze).fold(0.0, f64::max);
+    let squeeze = run.steps.iter().map(|r| r.ironing).fold(0.0, f64::max);
     assert!((0.01..0.5).contains(&squeeze), "{squeeze}");
 }
 

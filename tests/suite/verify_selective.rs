@@ -88,7 +88,7 @@ fn a_sheet_that_nowhere_bends_is_a_membrane_and_its_fibres_stay_upright() {
     selective.settings.bend_ratio = 1.0;
     // In tension from the start: a slack sheet would bend.
     let mut tight = State::flat(&selective, mesh::nodes(&selective));
-    for point in &mut tight.layers {
+    for point in tight.points.iter_mut() {
         point.stress = [100.0, 100.0, 0.0];
     }
     let run = solver::run_from(&selective, tight, &mut ());

@@ -52,7 +52,7 @@ impl Strip {
         let start = Reference::new(Geometry::PlaneStrain, Theory::Bending, [3.0, 0.0, 0.0], [3.0 + LENGTH, 0.0, 0.0]);
         let half = 0.5 * curvature * LENGTH;
         let stretch = strain.exp_m1() * LENGTH;
-        let end = start.end([0.0, 0.0, -half], [stretch, 0.0, half]).expect("sound");
+        let end = start.moved([0.0, 0.0, -half], [stretch, 0.0, half]).expect("sound");
         let n = self.layers.len();
         for at in &mut self.points {
             at.yield_stress = point.yield_stress(at);
@@ -60,7 +60,7 @@ impl Strip {
         let mut trials = vec![Trial::default(); n];
         let mut responses =
             vec![StressUpdate { stress: [0.0; 3], tangent: [0.0; 6], increment: 0.0, yield_stress: 0.0 }; n];
-        let law = Law { point, layers: &self.layers, slack_tension: 0.0 };
+        let law = Law { point, points: &self.layers, slack_tension: 0.0 };
         let internal = law.internal(&end, start.area() * T, T, &self.points, &mut trials, &mut responses);
         for (at, response) in self.points.iter_mut().zip(&responses) {
             at.stress = response.stress;

@@ -40,9 +40,9 @@ pub(super) fn gap(case: &Case, passes: &[StageSolution]) -> Option<Finding> {
 
 /// By how much the sheet was too thick for its gap.
 pub(super) fn ironing(passes: &[StageSolution]) -> Option<Finding> {
-    let squeeze = largest(passes, |step| step.squeeze);
+    let squeeze = largest(passes, |step| step.ironing);
     let light = Light::of(squeeze, [IRONED, SQUEEZED]);
-    let first = steps(passes).find(|step| step.squeeze > IRONED);
+    let first = steps(passes).find(|step| step.ironing > IRONED);
     let from = first.map_or(String::new(), |step| format!(", from {:.2} mm of travel", step.travel));
     passes.first()?.steps.last()?;
     Some(Finding {

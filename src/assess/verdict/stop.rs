@@ -24,7 +24,7 @@ pub(super) fn judge(case: &Case, passes: &[StageSolution]) -> Option<Finding> {
     let stages = 1 + case.later().len();
     let at = if stages > 1 { format!("stage {} of {stages}: ", passes.len()) } else { String::new() };
     let advice = match stop {
-        Stop::FullTravel | Stop::ContactShare { .. } => "",
+        Stop::FullTravel | Stop::ContactShare { .. } | Stop::Interrupted { .. } => "",
         Stop::Refused(_) => "a value that the solver can take",
         Stop::Localised { .. } | Stop::Coalesced { .. } | Stop::LoadMaximum { .. } => super::thinning::ADVICE,
         Stop::PressureMaximum { .. } => {

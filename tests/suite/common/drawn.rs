@@ -192,9 +192,9 @@ fn frame(model: &Model, travel: f64) -> Frame {
     // Bent and stretched: tension and more of it on the punch's face, in proportion to the mean stress.
     let layers = lobatto::rule(model.blank.layers);
     let points = elements.iter().flat_map(|e| layers.iter().map(|layer| point(e, layer.xi))).collect();
-    let tool_displacement = vec![travel, 0.0, -0.12 * depth];
-    let (through, tool_aside) = (ThroughThickness { layers, points }, vec![0.0; 3]);
-    Frame { time: travel, travel, elements, nodes, through, tool_displacement, tool_aside }
+    let tool_displacement = [travel, 0.0, -0.12 * depth].map(|along| Point::new(0.0, along)).to_vec();
+    let through = ThroughThickness { layers, points };
+    Frame { time: travel, travel, elements, nodes, through, tool_displacement }
 }
 
 fn point(element: &ElementRecord, xi: f64) -> PointRecord {

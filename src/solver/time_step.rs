@@ -8,9 +8,12 @@
 //! | gaps and closing speeds | no step carries a free node deep into a tool |
 //! | frames, closing of the tools, changes of the punch's speed | steps land on them |
 //!
-//! Lengths of steps are nominal: what they would be at the punch's mean speed ([`Model::nominal`]).
+//! Lengths of steps are measured in process time: what they would take at the punch's mean speed
+//! ([`Model::process_time`]).
 
 use super::corrector::patience;
+use super::equilibrium::Evaluation;
+use super::step::Converged;
 use crate::model::Model;
 use crate::solution::StepRecord;
 use crate::state::State;
@@ -22,16 +25,18 @@ const HARD: usize = 15;
 const GROWTH: f64 = 1.5;
 const SHRINK: f64 = 0.7;
 /// Changes of contact over the number of nodes above which steps do not grow \[–\].
-const MANY_FLIPS: f64 = 0.2;
+const MANY_CHANGES: f64 = 0.2;
 /// A step that strains the sheet by this many times the limit is repeated.
 const OVERSTRAINED: f64 = 2.0;
 /// Shortest step that the prediction of contact asks for, over the largest \[–\]: further down the corrector copes.
 const LEAST_APPROACH: f64 = 0.1;
+/// Predicted penetration over the thickness that a step is kept from \[–\]: what one iteration may move a node by.
+const TOO_FAR: f64 = 0.5;
 
 /// Chooses steps between the first, smallest and largest of the settings, and lands on every frame.
 pub(super) struct StepControl<'a> {
     model: &'a Model,
-    /// Wanted step, and the one that was given out \[s, nominal\].
+    /// Wanted step, and the one that was given out \[s of process time\].
     wanted: f64,
     given: f64,
     largest: f64,
@@ -59,23 +64,24 @@ impl<'a> StepControl<'a> {
     /// Length of the next step \[s\]; `None` at the end of the run.
     pub fn next(&mut self, state: &State) -> Option<f64> {
         let target = self.model.frames.get(self.next_frame)?;
-        let real = target.min(self.end).min(self.model.next_change(state.time)) - state.time;
+        let clock = target.min(self.end).min(self.model.next_change(state.time)) - state.time;
         // Equal steps up to the frame, so that none is tiny.
-        let rest = self.model.nominal(state.time, real);
+        let rest = self.model.process_time(state.time, clock);
         let steps = (rest / self.wanted - 1e-9).ceil().max(1.0);
         self.given = rest / steps;
-        Some(if steps > 1.0 { self.model.real(state.time, self.given) } else { real })
+        Some(if steps > 1.0 { self.model.clock_time(state.time, self.given) } else { clock })
     }
 
-    /// After an accepted step; `approach` is the time in which a free node would go too deep into a tool \[s\].
-    pub fn accept(&mut self, dt: f64, iterations: usize, record: &StepRecord, approach: f64) {
-        let approach = approach * self.given / dt;
+    /// After an accepted step; `before` is the evaluation of the one before.
+    pub fn accept(&mut self, before: &Evaluation, converged: &Converged, record: &StepRecord) {
+        let approach = approach(before, converged) * self.given / converged.step.dt;
         let dt = self.given;
+        let iterations = record.iterations;
         let patience = patience(self.model.settings.iteration);
-        let many_flips = record.flips as f64 > MANY_FLIPS * self.model.blank.elements as f64;
+        let many_changes = record.contact_changes as f64 > MANY_CHANGES * self.model.blank.elements as f64;
         if iterations > HARD * patience {
             self.wanted = (dt * SHRINK).max(self.smallest);
-        } else if iterations <= EASY * patience && !many_flips {
+        } else if iterations <= EASY * patience && !many_changes {
             self.wanted = (self.wanted * GROWTH).min(self.largest);
         }
         if record.strain_increment > 0.0 {
@@ -103,4 +109,20 @@ impl<'a> StepControl<'a> {
         self.next_frame += usize::from(reached);
         reached
     }
+}
+
+/// Time after which, at the speed of this step, a free node would stand [`TOO_FAR`] thicknesses inside a tool \[s\].
+fn approach(before: &Evaluation, converged: &Converged) -> f64 {
+    let Converged { step, evaluation, .. } = converged;
+    let mut soonest = f64::INFINITY;
+    for (j, _) in step.process.tools.iter().enumerate().filter(|(_, tool)| !tool.is_absent()) {
+        let pairs = before.contacts.row(j).iter().zip(evaluation.contacts.row(j)).enumerate();
+        for (i, (before, now)) in pairs.filter(|(_, (_, now))| now.normal == 0.0) {
+            let closing = (before.distance - now.distance) / step.dt;
+            let thickness = evaluation.thickness_at(i);
+            let room = now.distance - 0.5 * thickness + TOO_FAR * thickness;
+            soonest = if closing > 0.0 { soonest.min(room / closing) } else { soonest };
+        }
+    }
+    soonest
 }

@@ -6,8 +6,9 @@ use crate::geometry::Profile;
 use crate::material::hardening::Swift;
 use crate::material::{Gtn, Hardening, Hill48, Material, Rate, ThermalLaw};
 use crate::model::{
-    Bead, Blank, Face, Gas, Grading, Heat, Iteration, Mode, Press, Pressure, RateControl, Role, Settings, Tool,
+    Bead, Blank, Face, Gas, Grading, Heat, Mode, Model, Motion, Press, Pressure, RateControl, Role, Settings, Tool,
 };
+use crate::solver::retry::Start;
 
 fn model(geometry: Geometry, theory: Theory) -> Model {
     let t = 1.0;
@@ -91,46 +92,45 @@ fn matrix_of_a_voided_warm_sheet_is_the_derivative_of_the_residual() {
         let run = crate::solver::run_from(&formed, flat, &mut ());
         let state = run.end.clone();
         assert!(run.stop.is_complete(), "{}", run.stop);
-        assert!(state.layers.iter().any(|point| point.porosity > 0.03));
+        assert!(state.points.iter().any(|point| point.porosity > 0.03));
         check(&voided, &state);
     }
 }
 
 fn check(model: &Model, state: &State) {
-    let dt = 0.05;
-    let mut work = Workspace::new(model, state);
-    let step = Step { model, state, dt, number: 2 };
-    work.begin(&step);
-    work.predict(&step, false);
-    for (i, x) in work.moves.iter_mut().enumerate() {
+    let process = Process::new(model, state);
+    let mut trial = Trial::new(&process, state);
+    let mut evaluation = Evaluation::new(&process, state);
+    let step = Step::new(&process, state, 0.05, 2);
+    trial.predict(&step, Start::Predictor);
+    for (i, x) in trial.moves.iter_mut().enumerate() {
         let wave = (i as f64 * 1.7).sin();
         x[0] += if i == 0 { 0.0 } else { 2e-4 * wave };
         x[1] += 2e-4 * (i as f64 * 2.3).cos();
-        x[2] += if i == 0 || !work.selection.rotates[i] { 0.0 } else { 3e-4 * wave };
+        x[2] += if i == 0 || !step.rotates[i] { 0.0 } else { 3e-4 * wave };
     }
-    // A residual norm below SLACK_NORM's start would not matter here: Newton's H is the derivative only without
-    // the membrane's floor, which fades with the velocity norm.
-    let at = |work: &mut Workspace| {
-        assert!(work.assemble(&step, &Trial { matrix: Iteration::Newton, iteration: 0, velocity_norm: 0.0 }));
-        (work.system.rhs.clone(), work.system.corner_rhs)
+    // A velocity norm of zero: Newton's H is the derivative only without the membrane's least tension.
+    let newton = Linearisation { matrix: Iteration::Newton, iteration: 0, velocity_norm: 0.0 };
+    let mut at = |trial: &mut Trial| {
+        assert!(evaluation.update(&step, trial, &newton));
+        (evaluation.system.rhs.clone(), evaluation.system.corner_rhs, evaluation.system.clone())
     };
-    at(&mut work);
-    let exact = work.system.clone();
-    let n = work.nodes.len();
+    let (_, _, exact) = at(&mut trial);
+    let n = state.nodes.len();
     let scale = |i: usize| exact.diagonal[i].norm();
     let h = 1e-8;
     for j in 0..n {
         for d in 0..3 {
-            let held = (j == 0 && d != 1) || (d == 2 && !work.selection.rotates[j]);
+            let held = (j == 0 && d != 1) || (d == 2 && !step.rotates[j]);
             if held {
                 continue;
             }
-            let x = work.moves[j][d];
-            work.moves[j][d] = x + h;
-            let (plus, plus_border) = at(&mut work);
-            work.moves[j][d] = x - h;
-            let (minus, minus_border) = at(&mut work);
-            work.moves[j][d] = x;
+            let x = trial.moves[j][d];
+            trial.moves[j][d] = x + h;
+            let (plus, plus_border, _) = at(&mut trial);
+            trial.moves[j][d] = x - h;
+            let (minus, minus_border, _) = at(&mut trial);
+            trial.moves[j][d] = x;
             for i in 0..n {
                 let difference = -(plus[i] - minus[i]) / (2.0 * h);
                 let column = match i as isize - j as isize {
@@ -157,23 +157,23 @@ fn check(model: &Model, state: &State) {
         }
     }
     let tool = 2;
-    let z = work.tool_position[tool];
-    work.tool_position[tool] = z + h;
-    let (plus, plus_border) = at(&mut work);
-    work.tool_position[tool] = z - h;
-    let (minus, minus_border) = at(&mut work);
+    let z = trial.tools[tool].y;
+    trial.tools[tool].y = z + h;
+    let (plus, plus_border, _) = at(&mut trial);
+    trial.tools[tool].y = z - h;
+    let (minus, minus_border, _) = at(&mut trial);
     for i in 1..n {
         let difference = -(plus[i] - minus[i]) / (2.0 * h);
         assert!((difference - exact.columns[i][0]).norm() < 2e-5 * scale(i), "node {i} by the holder");
     }
-    let held = work.gas_shared[0].map(|k| (k, work.gas_pressure[0]));
+    let held = process.gas_shared[0].map(|k| (k, trial.gas[0]));
     if let Some((k, p)) = held {
-        work.tool_position[tool] = z;
+        trial.tools[tool].y = z;
         let h = 1e-6;
-        work.gas_pressure[0] = p + h;
-        let (plus, plus_border) = at(&mut work);
-        work.gas_pressure[0] = p - h;
-        let (minus, minus_border) = at(&mut work);
+        trial.gas[0] = p + h;
+        let (plus, plus_border, _) = at(&mut trial);
+        trial.gas[0] = p - h;
+        let (minus, minus_border, _) = at(&mut trial);
         let (border, corner) = (-(plus_border[k] - minus_border[k]) / (2.0 * h), exact.corner[(k, k)]);
         assert!((border - corner).abs() <= 1e-5 * corner.abs(), "the gas by itself: {border} {corner}");
         for i in 1..n {

@@ -1,10 +1,12 @@
 //! Why a run ends before its full travel, other than for want of equilibrium: what the sheet or the tools say.
 
-use super::assembly::Workspace;
+use super::corrector::Outcome;
+use super::equilibrium::Evaluation;
+use super::step::Step;
 use crate::geometry::Point;
 use crate::model::{Edge, Model, Motion, Role, Settings};
 use crate::solution::{StageSolution, StepRecord, Stop};
-use crate::state::{State, drawn};
+use crate::state::{State, waiting_displacement};
 
 /// Thickness strain of a neck over the mean of its surroundings \[–\].
 const NECK: f64 = 1.6;
@@ -46,7 +48,7 @@ struct Throat {
 }
 
 /// Looks at every accepted step.
-pub(super) struct StopWatch {
+pub(super) struct Watch {
     /// Time since which one place has taken over \[s\].
     necking_since: Option<f64>,
     peak: f64,
@@ -55,7 +57,7 @@ pub(super) struct StopWatch {
     closed: Option<(f64, Point)>,
 }
 
-impl StopWatch {
+impl Watch {
     /// At the start of a run from `state`.
     pub fn new(model: &Model, state: &State) -> Self {
         let edge = state.nodes[state.nodes.len() - 1][0];
@@ -81,16 +83,8 @@ impl StopWatch {
         (model.stop.localised && self.necking_since.is_some()).then(|| localised(model, state, &neck))
     }
 
-    /// Whether the run ends after the step that led to `state`; `thickness` is each element's before that step
-    /// \[mm\], which began at the time `since` \[s\].
-    pub fn look(
-        &mut self,
-        model: &Model,
-        state: &State,
-        record: &StepRecord,
-        thickness: &[f64],
-        since: f64,
-    ) -> Option<Stop> {
+    /// Whether the run ends after the step that led from `before` to `state`.
+    pub fn look(&mut self, model: &Model, before: &State, state: &State, record: &StepRecord) -> Option<Stop> {
         if model.release.is_some() {
             return None;
         }
@@ -100,7 +94,7 @@ impl StopWatch {
         }
         // A free leg that has swung down below the die's face stands within the throat too, and has yet to pass it.
         let [r, z, _] = state.nodes[state.nodes.len() - 1];
-        let inside = |throat: &Throat| r <= throat.radius && z - state.tools[throat.die] > throat.face;
+        let inside = |throat: &Throat| r <= throat.radius && z - state.tools[throat.die].y > throat.face;
         if self.throat.as_ref().is_some_and(inside) {
             return Some(Stop::DrawnThrough { travel });
         }
@@ -116,12 +110,11 @@ impl StopWatch {
         if self.peak > 0.0 && model.stop.load_drop.is_some_and(|limit| drop >= limit) {
             return Some(Stop::LoadMaximum { travel, peak: self.peak, drop });
         }
-        let step = model.nominal(since, state.time - since);
-        let neck = neck(model, state, Some((thickness, step)));
+        let neck = neck(model, state, Some(before));
         self.necking_since = if neck.took_over { self.necking_since.or(Some(state.time)) } else { None };
         let lasted = self
             .necking_since
-            .is_some_and(|since| model.nominal(since, state.time - since) >= LASTING * model.duration);
+            .is_some_and(|since| model.process_time(since, state.time - since) >= LASTING * model.duration);
         (model.stop.localised && (lasted || neck.share < GONE)).then(|| localised(model, state, &neck))
     }
 }
@@ -130,15 +123,16 @@ fn localised(model: &Model, state: &State, neck: &Neck) -> Stop {
     Stop::Localised { travel: state.travel, s0: neck.s0, share: neck.share, why: why(model, state, neck) }
 }
 
-/// The thinnest place and what its surroundings do; `before` is each element's thickness one step ago \[mm\] and the nominal
-/// length of that step \[s\].
-pub(super) fn neck(model: &Model, state: &State, before: Option<(&[f64], f64)>) -> Neck {
+/// The thinnest place and what its surroundings do; `before` is the state one step ago.
+pub(super) fn neck(model: &Model, state: &State, before: Option<&State>) -> Neck {
     let t0 = model.blank.thickness;
     let strain = |e: usize| (state.thickness[e] / t0).ln();
-    let rate = |e: usize| before.map_or(0.0, |(before, _)| (before[e] / state.thickness[e]).ln());
+    let rate = |e: usize| before.map_or(0.0, |before| (before.thickness[e] / state.thickness[e]).ln());
     // A sheet that does not form, while tools go back, thins by less than the cut-off.
-    let rigid =
-        before.map_or(0.0, |(_, step)| model.settings.cutoff_strain * step / (Settings::CUTOFF_STEP * model.duration));
+    let rigid = before.map_or(0.0, |before| {
+        let step = model.process_time(before.time, state.time - before.time);
+        model.settings.cutoff_strain * step / (Settings::CUTOFF_STEP * model.duration)
+    });
     let middle = |e: usize| 0.5 * (state.s0[e] + state.s0[e + 1]);
     let n = state.thickness.len();
     let thinnest = (0..n).min_by(|&a, &b| state.thickness[a].total_cmp(&state.thickness[b]));
@@ -166,10 +160,8 @@ pub(super) fn neck(model: &Model, state: &State, before: Option<(&[f64], f64)>) 
 /// Where a neck sits, and what made it.
 fn why(model: &Model, state: &State, neck: &Neck) -> String {
     let i = state.s0.partition_point(|&s| s < neck.s0).min(state.nodes.len() - 1);
-    let x = state.nodes[i];
-    let closest = model.tools.iter().zip(state.aside.iter().zip(&state.tools)).map(|(tool, moved)| {
-        let position = Point::new(x[0] - moved.0, x[1] - moved.1);
-        let distance = tool.profile.closest(position).distance - 0.5 * state.thickness_at(i);
+    let closest = model.tools.iter().enumerate().map(|(j, tool)| {
+        let distance = tool.profile.closest(state.in_frame_of(j, i)).distance - 0.5 * state.thickness_at(i);
         (tool.role, distance)
     });
     let place = match closest.min_by(|a, b| a.1.total_cmp(&b.1)) {
@@ -205,7 +197,7 @@ fn closed(model: &Model, state: &State) -> Option<(f64, Point)> {
             Motion::Path { axial, aside } => Point::new(aside, axial) * (travel / model.travel),
             _ => Point::zeros(),
         };
-        Point::new(state.aside[k], state.tools[k] - drawn(model, tool)) + way
+        state.tools[k] - Point::new(0.0, waiting_displacement(model, tool)) + way
     };
     let limit = CLOSED * model.blank.thickness;
     let apart = |travel: f64| punch.profile.distance_to(&die.profile, moved(i, travel) - moved(j, travel));
@@ -222,10 +214,25 @@ fn closed(model: &Model, state: &State) -> Option<(f64, Point)> {
     (high < model.travel).then(|| (high, apart(high).1))
 }
 
+/// No equilibrium was found for `step`, however short; `outcome` is that of its last try, `last` the step before.
+pub(super) fn no_equilibrium(step: &Step, evaluation: &Evaluation, outcome: &Outcome, last: &StepRecord) -> Stop {
+    let state = step.state;
+    Stop::NoEquilibrium {
+        travel: state.travel,
+        time: state.time,
+        step: step.dt,
+        velocity_norm: outcome.velocity_norm,
+        residual_norm: outcome.residual_norm,
+        worst_s0: state.s0[evaluation.worst_node],
+        diagnosis: diagnosis(step, evaluation, last),
+    }
+}
+
 /// What the sheet was doing where no equilibrium was found, and what to try.
-pub(super) fn diagnosis(model: &Model, work: &Workspace, state: &State, last: &StepRecord) -> String {
+fn diagnosis(step: &Step, evaluation: &Evaluation, last: &StepRecord) -> String {
+    let Step { model, state, .. } = *step;
     let mut seen = Vec::new();
-    let i = work.worst_node;
+    let i = evaluation.worst_node;
     let neck = neck(model, state, None);
     if last.step == 0 {
         seen.push(
@@ -235,17 +242,17 @@ pub(super) fn diagnosis(model: &Model, work: &Workspace, state: &State, last: &S
     if neck.stands_out {
         seen.push(format!("the sheet has necked at s0 = {:.1} mm ({:.0} % left)", neck.s0, 100.0 * neck.share));
     }
-    if last.squeeze > 0.02 {
-        seen.push(format!("two tools squeeze the sheet by {:.0} % of its thickness", 100.0 * last.squeeze));
+    if last.ironing > 0.02 {
+        seen.push(format!("two tools squeeze the sheet by {:.0} % of its thickness", 100.0 * last.ironing));
     }
-    if 8 * last.flips > work.nodes.len() {
-        seen.push(format!("{} contacts came or went in the last step", last.flips));
+    if 8 * last.contact_changes > evaluation.nodes.len() {
+        seen.push(format!("{} contacts came or went in the last step", last.contact_changes));
     }
-    if i + 2 >= work.nodes.len() && model.blank.edge == Edge::Free {
+    if i + 2 >= evaluation.nodes.len() && model.blank.edge == Edge::Free {
         seen.push("the worst place is the blank's edge".into());
     }
-    let tool = work.tools.iter().zip(work.contacts.chunks(work.nodes.len())).find(|(_, c)| c[i].normal > 0.0);
-    if let Some((tool, _)) = tool {
+    let mut tools = step.process.tools.iter().enumerate();
+    if let Some((_, tool)) = tools.find(|(j, _)| evaluation.contacts[(*j, i)].normal > 0.0) {
         seen.push(format!("the {} touches the sheet at the worst place", tool.role.name()));
     }
     let advice = "try more elements, a smaller solver.first_step, or solver.norm = \"velocity\"";
