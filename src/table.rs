@@ -5,7 +5,7 @@
 
 mod unit;
 
-pub use unit::{Unit, UnitError};
+pub use unit::{JOULES, Unit, UnitError, energy_unit, force_unit};
 
 /// One quantity, in solver units.
 #[derive(Clone, Debug, PartialEq)]

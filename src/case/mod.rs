@@ -32,11 +32,13 @@ pub mod library;
 mod overrides;
 mod schema;
 mod source;
+mod sources;
 
 pub use error::CaseError;
 pub use file::CaseFile;
 pub use laws::{Law, law_list, laws};
 pub use schema::schema;
+pub use sources::Sources;
 
 use crate::compare::Spec;
 use crate::model::Model;
@@ -65,6 +67,7 @@ pub struct Case {
     pub later: Vec<Stage>,
     pub compare: Vec<Spec>,
     pub press: Press,
+    pub sources: Sources,
     /// What was assumed or changed while reading: defaults that matter, profiles that were shifted.
     pub derived: Vec<String>,
 }
@@ -126,12 +129,14 @@ pub fn parse(text: &str, name: &str, overrides: &[String]) -> Result<Case, CaseE
     let shown = if overrides.is_empty() { name.to_owned() } else { format!("{name} (with overrides)") };
     let source = Source::parse(&shown, &text)?;
     let mut file = source.read()?;
+    sources::forget_replaced(&mut file, overrides);
     let origin = library::complete(&mut file, &source)?;
     let path = PathBuf::from(name);
     let convert::Meaning { model, first, later, mut derived } = convert::meaning(&file, &source, &path)?;
     derived.splice(0..0, origin);
     let compare = convert::compare(&file, &source, &path)?;
     let press = convert::press(&file, &source)?;
+    let sources = sources::of(&file, &source)?;
     let name = path.file_stem().map_or_else(|| "case".into(), |stem| stem.to_string_lossy().into_owned());
-    Ok(Case { name, path, text: text.clone(), model, first, later, compare, press, derived })
+    Ok(Case { name, path, text: text.clone(), model, first, later, compare, press, sources, derived })
 }

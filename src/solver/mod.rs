@@ -15,7 +15,6 @@ mod stages;
 mod stepping;
 mod stops;
 mod voids;
-pub(crate) mod warnings;
 
 use crate::model::mesh;
 use crate::model::stage::Stage;
@@ -67,7 +66,6 @@ pub fn run_from(model: &Model, mut state: State, observer: &mut dyn Observer) ->
     };
     let mut last = StepRecord { thinnest: model.blank.thickness, ..StepRecord::default() };
     let mut before = state.thickness.clone();
-    let strained: Vec<f64> = state.layers.iter().map(|point| point.strain).collect();
     let mut rejected = 0;
 
     observer.state(model, &state);
@@ -144,8 +142,9 @@ pub fn run_from(model: &Model, mut state: State, observer: &mut dyn Observer) ->
         run.frames.push(state.frame(model));
     }
     run.effort.abandoned = rejected;
-    run.warnings = warnings::warnings(model, &work, &state, &run);
-    run.warnings.extend(warnings::yielded_again(model, &strained, &state));
+    if model.release.is_none() {
+        run.left_at = work.tools.iter().map(|tool| tool.released).collect();
+    }
     run.end = state;
     run
 }

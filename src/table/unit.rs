@@ -1,5 +1,7 @@
 //! Units as they are spelled in file headers and drawn on axes.
 
+use crate::model::Geometry;
+
 /// A unit of the solver: mm, N, s, MPa and what follows from them.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Unit {
@@ -109,6 +111,25 @@ impl Unit {
                 key: header.to_owned(),
                 known: SPELLINGS.map(|(spelling, ..)| spelling).join(", "),
             })
+    }
+}
+
+/// Unit of forces: of the whole ring, or per mm of depth.
+pub fn force_unit(geometry: Geometry) -> Unit {
+    match geometry {
+        Geometry::Axisymmetric => Unit::N,
+        Geometry::PlaneStrain => Unit::NPerMm,
+    }
+}
+
+/// One N·mm, the solver's unit of work \[J\].
+pub const JOULES: f64 = 1e-3;
+
+/// Unit in which work and heat are written, after [`JOULES`]: of the whole ring, or per mm of depth.
+pub fn energy_unit(geometry: Geometry) -> Unit {
+    match geometry {
+        Geometry::Axisymmetric => Unit::Joule,
+        Geometry::PlaneStrain => Unit::JoulePerMm,
     }
 }
 
