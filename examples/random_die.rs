@@ -59,8 +59,16 @@ fn run() -> Result<(), String> {
     }
     if let Some(dir) = out {
         let name = format!("{process:?}_{seed}").to_lowercase();
-        let subject =
-            Subject { name: &name, case_text: &text, overrides: &[], derived: &[], model: &model, run: &run, wall };
+        let findings = stampflow::assess::of_stage(0, &run);
+        let subject = Subject {
+            name: &name,
+            case_text: &text,
+            overrides: &[],
+            model: &model,
+            run: &run,
+            findings: &findings,
+            wall,
+        };
         let files = write_all(&subject, Path::new(&dir)).map_err(|e| format!("{e}: {}", e.source))?;
         println!("{} files in {dir}", files.len());
     }

@@ -2,7 +2,7 @@
 
 use super::progress::{Kept, Watch};
 use rayon::prelude::*;
-use stampflow::assess;
+use stampflow::assess::{self, Finding};
 use stampflow::case::{self, Case};
 use stampflow::compare::{CompareError, Comparison, Computed, compare};
 use stampflow::output::{
@@ -39,6 +39,8 @@ pub struct Solved {
     /// What the results of each stage are called.
     names: Vec<String>,
     passes: Vec<StageSolution>,
+    /// What is told with each of them.
+    told: Vec<Vec<Finding>>,
     wall: Duration,
     pub comparisons: Vec<Comparison>,
     pub kept: Kept,
@@ -55,15 +57,15 @@ impl Job {
     /// Runs the case under a watch.
     fn solve(self, watch: Watch) -> anyhow::Result<Solved> {
         let case = &self.case;
-        let (mut passes, wall, kept) = watch.solve(case);
+        let (passes, wall, kept) = watch.solve(case);
         let name = |(i, stage): (usize, &str)| match case.later().is_empty() {
             true => case.name.clone(),
             false => format!("{}/{}", case.name, stage_folder(i, stage)),
         };
         let names = case.stage_names().enumerate().map(name).collect();
-        passes[0].warnings.extend(assess::check::report(case).warnings);
+        let told = assess::told(&assess::before(case), &passes);
         let comparisons = compared(case, &passes[0])?;
-        Ok(Solved { job: self, names, passes, wall, comparisons, kept })
+        Ok(Solved { job: self, names, passes, told, wall, comparisons, kept })
     }
 }
 
@@ -86,13 +88,13 @@ impl Solved {
     /// What outputs are made from, of every stage that was run.
     pub fn subjects(&self) -> impl Iterator<Item = Subject<'_>> {
         let case = &self.job.case;
-        self.names.iter().zip(&self.passes).map(|(name, run)| Subject {
+        self.names.iter().zip(self.passes.iter().zip(&self.told)).map(|(name, (run, findings))| Subject {
             name,
             case_text: &case.text,
             overrides: &self.job.overrides,
-            derived: &case.derived,
             model: &run.model,
             run,
+            findings,
             wall: self.wall,
         })
     }

@@ -41,6 +41,9 @@ pub use sketch::sketch;
 pub use stages::{Line as StageLine, STAGES, stage_folder, stages_report, stages_table, write_stages};
 pub use summary::{Figure, Summary};
 
+pub use crate::table::{JOULES, energy_unit, force_unit};
+
+use crate::assess::{Finding, Kind, sentences};
 use crate::forming_limit::{Assessment, assess};
 use crate::model::{Geometry, Model};
 use crate::solution::{Frame, StageSolution, Stop};
@@ -57,10 +60,10 @@ pub struct Subject<'a> {
     pub case_text: &'a str,
     /// `key=value` settings that replaced what the case file says.
     pub overrides: &'a [String],
-    /// What was assumed or changed while the case was read.
-    pub derived: &'a [String],
     pub model: &'a Model,
     pub run: &'a StageSolution,
+    /// What is told with the results: what was assumed while the case was read, and warnings.
+    pub findings: &'a [Finding],
     /// Time that the solution took.
     pub wall: Duration,
 }
@@ -238,7 +241,7 @@ impl Subject<'_> {
         let ended = (!self.run.stop.is_complete()).then(|| format!("Stopped early: {}.", self.run.stop));
         let set =
             (!self.overrides.is_empty()).then(|| format!("Set on the command line: {}.", self.overrides.join(", ")));
-        let warnings = self.run.warnings.iter().map(|w| format!("Warning: {w}."));
+        let warnings = sentences(self.findings, Kind::Warning).into_iter().map(|w| format!("Warning: {w}."));
         ended.into_iter().chain(set).chain(warnings).chain(self.model.notes.iter().cloned()).collect()
     }
 }
@@ -306,25 +309,6 @@ fn worded(geometry: Geometry, axisymmetric: &'static str, plane_strain: &'static
     match geometry {
         Geometry::Axisymmetric => axisymmetric,
         Geometry::PlaneStrain => plane_strain,
-    }
-}
-
-/// Unit of forces: of the whole ring, or per mm of depth.
-pub fn force_unit(geometry: Geometry) -> Unit {
-    match geometry {
-        Geometry::Axisymmetric => Unit::N,
-        Geometry::PlaneStrain => Unit::NPerMm,
-    }
-}
-
-/// One N·mm, the solver's unit of work \[J\].
-pub const JOULES: f64 = 1e-3;
-
-/// Unit in which work and heat are written, after [`JOULES`]: of the whole ring, or per mm of depth.
-pub fn energy_unit(geometry: Geometry) -> Unit {
-    match geometry {
-        Geometry::Axisymmetric => Unit::Joule,
-        Geometry::PlaneStrain => Unit::JoulePerMm,
     }
 }
 

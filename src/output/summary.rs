@@ -3,6 +3,7 @@
 mod written;
 
 use super::{JOULES, Subject, ended, energy_unit, force_unit, pressure_cycle, worded};
+use crate::assess::{Kind, sentences};
 use crate::forming_limit::Assessment;
 use crate::measure::{Change, Shape, changes, moment_error, part_height, thickest};
 use crate::model::{Geometry, Grading, Iteration, Mode, Model, Norm, Role, Theory};
@@ -52,7 +53,7 @@ pub struct Summary {
 impl Summary {
     /// Sums up a run.
     pub fn of(subject: &Subject) -> Self {
-        let Subject { name, case_text, overrides, derived, model, run, wall } = *subject;
+        let Subject { name, case_text, overrides, model, run, findings, wall } = *subject;
         let force = force_unit(model.geometry);
         let unmoved = StepRecord { thinnest: model.blank.thickness, ..StepRecord::default() };
         let last = run.steps.last().copied().unwrap_or(unmoved);
@@ -167,8 +168,8 @@ impl Summary {
         summary.text("program", "", concat!(env!("CARGO_PKG_NAME"), " ", env!("CARGO_PKG_VERSION")));
         summary.text("case_sha256", "", &sha256(case_text));
         summary.list("overrides", "Set on the command line", overrides);
-        summary.list("derived", "Assumed while reading", derived);
-        summary.list("warnings", "Warnings", &run.warnings);
+        summary.list("derived", "Assumed while reading", &sentences(findings, Kind::Assumption));
+        summary.list("warnings", "Warnings", &sentences(findings, Kind::Warning));
         summary.list("notes", "Declared assumptions", &model.notes);
         summary
     }

@@ -19,7 +19,7 @@ pub use html::html;
 pub use markdown::{figure_folder, is_figure, markdown};
 
 use crate::assess::check::{self, Check};
-use crate::assess::verdict::{Finding, judge};
+use crate::assess::{self, Finding, Kind};
 use crate::case::Case;
 use crate::output::{Dimension, Subject, Summary, stage_folder};
 use crate::solution::StageSolution;
@@ -42,11 +42,15 @@ pub struct Report<'a> {
     check: Check,
     dimensions: Vec<Dimension>,
     findings: Vec<Finding>,
+    /// What is told with each stage's results.
+    told: Vec<Vec<Finding>>,
 }
 
 impl<'a> Report<'a> {
     /// Looks a run over: `passes` are the stages that were run, `wall` the time that took.
     pub fn of(case: &'a Case, overrides: &'a [String], passes: &'a [StageSolution], wall: Duration) -> Self {
+        let (before, after) = (assess::before(case), assess::after(case, passes));
+        let assumed: Vec<_> = before.iter().filter(|f| f.kind == Kind::Assumption).cloned().collect();
         Self {
             case,
             overrides,
@@ -54,7 +58,8 @@ impl<'a> Report<'a> {
             wall,
             check: check::report(case),
             dimensions: sketch::dimensions(case.model()),
-            findings: judge(case, passes),
+            told: assess::told(&assumed, passes),
+            findings: before.into_iter().chain(after).collect(),
         }
     }
 
@@ -81,7 +86,7 @@ impl<'a> Report<'a> {
             "program": PROGRAM,
             "check": self.check,
             "dimensions": self.dimensions.iter().map(dimension).collect::<Vec<_>>(),
-            "verdict": self.findings,
+            "verdict": assess::judgements(&self.findings).collect::<Vec<_>>(),
             "stages": stages.collect::<Vec<_>>(),
         })
     }
@@ -93,13 +98,13 @@ impl<'a> Report<'a> {
 
     /// What outputs are made from, stage by stage.
     fn subjects(&self) -> impl Iterator<Item = Subject<'_>> {
-        self.passes.iter().map(|pass| Subject {
+        self.passes.iter().zip(&self.told).map(|(pass, findings)| Subject {
             name: &self.case.name,
             case_text: &self.case.text,
             overrides: self.overrides,
-            derived: &self.case.derived,
             model: &pass.model,
-            run: &pass,
+            run: pass,
+            findings,
             wall: self.wall,
         })
     }

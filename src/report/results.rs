@@ -6,7 +6,6 @@ use super::solver::{figures, is_ours};
 use crate::measure::{Shape, changes};
 use crate::model::Model;
 use crate::output::{Chart, Make, OUTPUTS, Subject, Summary, residual_stress, springback, svg};
-use crate::solution::StageSolution;
 use crate::table::four_digits;
 
 /// Lines that the section on the case has.
@@ -30,8 +29,7 @@ pub(super) fn sections(report: &Report) -> Vec<Section> {
 /// each.
 fn plots(subject: &Subject) -> Vec<Block> {
     let model = Model { notes: Vec::new(), ..subject.model.clone() };
-    let run = StageSolution { warnings: Vec::new(), ..subject.run.clone() };
-    let bare = Subject { model: &model, run: &run, overrides: &[], ..*subject };
+    let bare = Subject { model: &model, findings: &[], overrides: &[], ..*subject };
     let plots = OUTPUTS.iter().filter_map(|output| match output.make {
         Make::Plot(make) => Some((output, make(&bare)?)),
         Make::Table(_) | Make::Text(_) => None,

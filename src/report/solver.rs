@@ -2,6 +2,7 @@
 
 use super::Report;
 use super::document::{Block, Row, Section};
+use crate::assess::Kind;
 use crate::output::{Figure, Summary};
 
 /// Lines of the summary that are about the solution; the others are about the part.
@@ -54,9 +55,9 @@ pub(super) fn figures(figures: impl Iterator<Item = Figure>) -> Block {
 
 /// What the check says before and the solver after the run.
 pub(super) fn warnings(report: &Report) -> Section {
-    let runs = report.passes.iter().enumerate();
-    let of_runs = runs.flat_map(|(i, pass)| pass.warnings.iter().map(move |w| format!("{}{w}", report.stage(i))));
-    let all: Vec<String> = report.check.warnings.iter().cloned().chain(of_runs).collect();
+    let warnings = report.findings.iter().filter(|finding| finding.kind == Kind::Warning);
+    let stage = |i: Option<usize>| i.map_or(String::new(), |i| report.stage(i));
+    let all: Vec<String> = warnings.map(|finding| stage(finding.stage) + &finding.sentence()).collect();
     let none = || Block::Paragraph("None.".into());
     let block = if all.is_empty() { none() } else { Block::List(all) };
     Section { heading: "Warnings".into(), blocks: vec![block] }

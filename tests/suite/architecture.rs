@@ -7,10 +7,10 @@ use std::path::Path;
 const FLOORS: &[&[&str]] = &[
     &["main", "cli"],
     &["report"],
-    &["author"],
+    &["author", "output"],
     &["assess"],
     &["case"],
-    &["output", "compare", "rules"],
+    &["compare", "rules"],
     &["solver"],
     &["measure", "import"],
     &["table", "solution", "state"],
@@ -23,7 +23,6 @@ const FLOORS: &[&[&str]] = &[
 /// Sideways uses that the picture allows.
 const SIDEWAYS: &[(&str, &str)] = &[
     ("main", "cli"),
-    ("output", "compare"), // overlay plots read comparisons
     ("state", "solution"), // a state writes its frame
     ("solution", "state"), // a solution keeps its last state
 ];

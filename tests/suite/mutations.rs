@@ -495,13 +495,15 @@ fn check_finite(table: &Table, file: &str) {
 fn check_solved(case: &Case) {
     let model = &reduced(case.model());
     let run = solver::run(model, &mut ());
+    let findings: Vec<_> =
+        stampflow::assess::before(case).into_iter().chain(stampflow::assess::of_stage(0, &run)).collect();
     let subject = Subject {
         name: &case.name,
         case_text: &case.text,
         overrides: &[],
-        derived: &case.derived,
         model,
         run: &run,
+        findings: &findings,
         wall: Duration::ZERO,
     };
     for frame in &run.frames {

@@ -59,9 +59,9 @@ fn the_limit_reaches_summary_and_files() {
         name: "stretch_limit",
         case_text: &case.text,
         overrides: &[],
-        derived: &case.derived,
         model: case.model(),
         run: &run,
+        findings: &[],
         wall: Duration::ZERO,
     };
     let json: serde_json::Value = serde_json::to_value(Summary::of(&subject)).expect("a summary");
