@@ -117,11 +117,11 @@ impl Next<'_> {
             self.place(said, &mut model, case, &mut begin, derived)?;
         }
         self.press(&mut model, &mut begin)?;
-        if let (Some(_), None) = (model.tool(Role::Holder), model.tool(Role::Die)) {
-            if model.tool(Role::Holder).is_some_and(|holder| matches!(holder.motion, Motion::Pressed(_))) {
-                let help = "remove the holder too, or let it stand still or go back with `move`";
-                return Err(self.error("remove", "the holder has no die to press against", help));
-            }
+        if model.tool(Role::Holder).is_some_and(|holder| matches!(holder.motion, Motion::Pressed(_)))
+            && model.tool(Role::Die).is_none()
+        {
+            let help = "remove the holder too, or let it stand still or go back with `move`";
+            return Err(self.error("remove", "the holder has no die to press against", help));
         }
         if let Some(edge) = written.edge {
             model.blank.edge = if edge == file::Edge::Free { Edge::Free } else { Edge::Clamped };
