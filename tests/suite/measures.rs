@@ -156,7 +156,7 @@ fn plane_strain_has_no_axis_and_no_hoops() {
     }
 }
 
-/// For looking: `cargo test --test measures -- --ignored` writes every picture to target/sample.
+/// For looking: `cargo test --test suite measures:: -- --ignored` writes every picture to target/sample.
 #[test]
 #[ignore = "writes target/sample"]
 fn sample_for_looking() {

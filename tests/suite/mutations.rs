@@ -579,7 +579,8 @@ fn run(seed: u64) {
     }
 }
 
-/// Both halves at once, four times what they take now: a list or a mesh that grew with a number would be far beyond.
+/// Both halves at once and other tests beside them, well above what they take: a list or a mesh that grew with a number would
+/// be far beyond.
 const MOST_MEMORY: u64 = 512 << 20;
 
 /// Most memory that this process has held \[bytes\], where the system tells.

@@ -447,7 +447,7 @@ fn a_title_may_hold_any_character() {
     }
 }
 
-/// For looking: `cargo test --test outputs -- --ignored` writes every file to target/sample.
+/// For looking: `cargo test --test suite outputs:: -- --ignored` writes every file to target/sample.
 #[test]
 #[ignore = "writes target/sample"]
 fn sample_for_looking() {
