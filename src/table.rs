@@ -3,8 +3,11 @@
 //! A [`Column`] is the only place that knows how a quantity is called, so the header of a CSV file and the label
 //! of an axis cannot disagree.
 
+mod field;
+pub mod fields;
 mod unit;
 
+pub use field::{Field, JOULES, energy_unit, force_unit, worded};
 pub use unit::{Unit, UnitError};
 
 /// One quantity, in solver units.

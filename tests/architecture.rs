@@ -7,13 +7,14 @@ use std::path::Path;
 const FLOORS: &[&[&str]] = &[
     &["main", "cli"],
     &["report"],
-    &["author"],
+    &["output", "author"],
     &["assess"],
     &["case"],
-    &["output", "compare", "rules"],
+    &["compare", "rules"],
     &["solver"],
     &["measure", "import"],
-    &["table", "solution", "state"],
+    &["table"],
+    &["solution", "state"],
     &["model"],
     &["element", "contact", "forming_limit"],
     &["material", "geometry"],
@@ -23,7 +24,6 @@ const FLOORS: &[&[&str]] = &[
 /// Sideways uses that the picture allows.
 const SIDEWAYS: &[(&str, &str)] = &[
     ("main", "cli"),
-    ("output", "compare"), // overlay plots read comparisons
     ("state", "solution"), // a state writes its frame
     ("solution", "state"), // a solution keeps its last state
 ];

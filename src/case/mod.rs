@@ -31,17 +31,18 @@ mod laws;
 pub mod library;
 mod overrides;
 mod schema;
+mod solution;
 mod source;
 
 pub use error::CaseError;
 pub use file::CaseFile;
 pub use laws::{Law, law_list, laws};
 pub use schema::schema;
+pub use solution::Solution;
 
 use crate::compare::Spec;
 use crate::model::Model;
 use crate::model::stage::{Beginning, Stage};
-use crate::solution::StageSolution;
 use source::Source;
 use std::fs::File;
 use std::io::Read;
@@ -58,6 +59,8 @@ pub struct Case {
     pub path: PathBuf,
     /// The text that was read, overrides applied: enough to repeat the run.
     pub text: String,
+    /// `key=value` settings that replaced what the file says.
+    pub overrides: Vec<String>,
     /// The first stage, and its name.
     pub model: Model,
     pub first: String,
@@ -88,11 +91,6 @@ impl Case {
     /// The names of all stages.
     pub fn stage_names(&self) -> impl Iterator<Item = &str> {
         std::iter::once(self.first.as_str()).chain(self.later.iter().map(|stage| stage.name.as_str()))
-    }
-
-    /// Whether every stage was run and came to its end.
-    pub fn is_completed_by(&self, passes: &[StageSolution]) -> bool {
-        passes.len() == 1 + self.later.len() && passes.iter().all(|pass| pass.stop.is_complete())
     }
 }
 
@@ -133,5 +131,6 @@ pub fn parse(text: &str, name: &str, overrides: &[String]) -> Result<Case, CaseE
     let compare = convert::compare(&file, &source, &path)?;
     let press = convert::press(&file, &source)?;
     let name = path.file_stem().map_or_else(|| "case".into(), |stem| stem.to_string_lossy().into_owned());
-    Ok(Case { name, path, text: text.clone(), model, first, later, compare, press, derived })
+    let overrides = overrides.to_vec();
+    Ok(Case { name, path, text: text.clone(), overrides, model, first, later, compare, press, derived })
 }

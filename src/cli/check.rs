@@ -47,17 +47,17 @@ pub fn check(args: &Args) -> anyhow::Result<Code> {
         return if args.json.json { say_json(&report) } else { say(&wrapped(&report.to_string())) };
     }
     let watch = Progress::new(args.quiet || args.json.json).watch(&case, Kept::default());
-    let (passes, ..) = watch.solve(&case);
-    let findings = judge(&case, &passes);
-    let complete = case.is_completed_by(&passes);
+    let (solution, _) = watch.solve(case);
+    let findings = judge(&solution.case, &solution.stages);
+    let complete = solution.is_complete();
     if args.json.json {
         let mut value = serde_json::to_value(&report)?;
         value["complete"] = json!(complete);
         value["findings"] = serde_json::to_value(&findings)?;
-        value["run_warnings"] = said(&passes).collect();
+        value["run_warnings"] = said(&solution.stages).collect();
         say_json(&value)?;
     } else {
-        say(&printed(&report, &findings, &passes))?;
+        say(&printed(&report, &findings, &solution.stages))?;
     }
     Ok(if complete { Code::Done } else { Code::StoppedEarly })
 }

@@ -1,13 +1,17 @@
 //! What a run comes to, line by line: printed and as JSON from the same list.
 
+mod whole;
 mod written;
 
-use super::{JOULES, Subject, ended, energy_unit, force_unit, pressure_cycle, worded};
+pub use whole::CaseSummary;
+
+use super::stage_view::ended;
+use super::{StageView, pressure_cycle, springback};
 use crate::forming_limit::Assessment;
-use crate::measure::{Change, Shape, changes, moment_error, part_height, thickest};
+use crate::measure::{Change, Shape, moment_error, part_height, thickest};
 use crate::model::{Geometry, Grading, Iteration, Mode, Model, Norm, Role, Theory};
 use crate::solution::{Effort, StageSolution, StepRecord, Stop};
-use crate::table::Unit;
+use crate::table::{JOULES, Unit, energy_unit, force_unit, worded};
 use crate::units::ZERO_CELSIUS;
 use sha2::{Digest, Sha256};
 
@@ -50,9 +54,9 @@ pub struct Summary {
 }
 
 impl Summary {
-    /// Sums up a run.
-    pub fn of(subject: &Subject) -> Self {
-        let Subject { name, case_text, overrides, derived, model, run, wall } = *subject;
+    /// Sums up a stage.
+    pub fn of(view: &StageView) -> Self {
+        let (model, run) = (view.model(), view.stage);
         let force = force_unit(model.geometry);
         let unmoved = StepRecord { thinnest: model.blank.thickness, ..StepRecord::default() };
         let last = run.steps.last().copied().unwrap_or(unmoved);
@@ -61,19 +65,12 @@ impl Summary {
         let largest = |value: fn(&StepRecord) -> f64| run.steps.iter().map(value).fold(0.0, f64::max);
 
         let mut summary = Self { entries: Vec::new() };
-        summary.text("case", "Case", name);
-        summary.text("title", "Title", &model.title);
-        summary.text(
-            "section",
-            "Section",
-            match model.geometry {
-                Geometry::Axisymmetric => "axisymmetric; forces of the whole ring",
-                Geometry::PlaneStrain => "plane strain; forces per mm of depth, of the half that is modelled",
-            },
-        );
+        summary.text("case", "Case", &view.name);
+        summary.text("title", "Title", view.title);
+        summary.text("section", "Section", section_of(model.geometry));
         summary.text("hardening", "Hardening", &model.material.describe());
         let ended = match &run.stop {
-            Stop::FullTravel => format!("{} reached", ended(model, &run.stop)),
+            Stop::FullTravel => format!("{} reached", ended(run)),
             stop => stop.to_string(),
         };
         summary.text("stop", "Ended", &ended);
@@ -101,8 +98,8 @@ impl Summary {
             summary.number("contact_share", "Sheet on punch and die at the end", Unit::Percent, share);
         }
         summary.part(model, run, &last);
-        if let Some(assessment) = subject.forming_limit() {
-            summary.forming_limit(model, &assessment);
+        if let Some(assessment) = view.forming_limit() {
+            summary.forming_limit(model, assessment);
         }
         summary.number("draw_in", "Draw-in of the edge", Unit::Mm, last.draw_in);
         summary.balance(model, &last);
@@ -163,13 +160,15 @@ impl Summary {
         summary.count("rejected", "Rejected tries", run.steps.iter().map(|s| s.rejected).sum::<usize>() + abandoned);
         summary.count("steps_halved", "  steps halved", halved);
         summary.count("steps_overstrained", "  repeated for too much strain", overstrained);
-        summary.number("wall_time", "Wall time", Unit::Second, wall.as_secs_f64());
+        if let Some(wall) = view.wall {
+            summary.number("wall_time", "Wall time", Unit::Second, wall.as_secs_f64());
+        }
         summary.text("program", "", concat!(env!("CARGO_PKG_NAME"), " ", env!("CARGO_PKG_VERSION")));
-        summary.text("case_sha256", "", &sha256(case_text));
-        summary.list("overrides", "Set on the command line", overrides);
-        summary.list("derived", "Assumed while reading", derived);
-        summary.list("warnings", "Warnings", &run.warnings);
-        summary.list("notes", "Declared assumptions", &model.notes);
+        summary.text("case_sha256", "", &sha256(view.case_text));
+        summary.list("overrides", "Set on the command line", view.overrides);
+        summary.list("derived", "Assumed while reading", view.derived);
+        summary.list("warnings", "Warnings", &view.warnings);
+        summary.list("notes", "Declared assumptions", view.declared);
         summary
     }
 
@@ -179,8 +178,7 @@ impl Summary {
         if let Some(height) = end.and_then(part_height) {
             self.number("part_height", "Part height over all", Unit::Mm, height);
         }
-        if let Some([start, end]) = run.released() {
-            let changes = changes(&Shape::of(start), &Shape::of(end));
+        if let Some(changes) = springback::changes(run) {
             self.push("springback", "Spring-back", Unit::None, Value::Changes(changes));
         } else if let Some(angle) = end.and_then(|end| Shape::of(end).wall_angle()) {
             self.number("wall_angle", "Wall to the punch direction", Unit::Degree, angle);
@@ -337,13 +335,20 @@ fn corrector(model: &Model) -> String {
 }
 
 /// `summary.json`.
-pub(super) fn json(subject: &Subject) -> String {
-    let mut text = serde_json::to_string_pretty(&Summary::of(subject)).expect("keys are strings");
-    text.push('\n');
-    text
+pub(super) fn json(view: &StageView) -> Option<String> {
+    serde_json::to_string_pretty(&Summary::of(view)).ok().map(|text| text + "\n")
 }
 
-fn sha256(text: &str) -> String {
+/// What is modelled, and what its forces are of.
+pub fn section_of(geometry: Geometry) -> &'static str {
+    match geometry {
+        Geometry::Axisymmetric => "axisymmetric; forces of the whole ring",
+        Geometry::PlaneStrain => "plane strain; forces per mm of depth, of the half that is modelled",
+    }
+}
+
+/// Checksum of a text in hexadecimal.
+pub fn sha256(text: &str) -> String {
     Sha256::digest(text).iter().map(|byte| format!("{byte:02x}")).collect()
 }
 

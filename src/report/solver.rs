@@ -2,7 +2,7 @@
 
 use super::Report;
 use super::document::{Block, Row, Section};
-use crate::output::{Figure, Summary};
+use crate::output::Figure;
 
 /// Lines of the summary that are about the solution; the others are about the part.
 const KEYS: [&str; 17] = [
@@ -32,12 +32,12 @@ pub(super) fn is_ours(figure: &Figure) -> bool {
 
 pub(super) fn section(report: &Report) -> Section {
     let mut blocks = Vec::new();
-    for (i, subject) in report.subjects().enumerate() {
+    for (i, (_, summary)) in report.stages.iter().enumerate() {
         let stage = report.stage(i);
         if !stage.is_empty() {
             blocks.push(Block::Paragraph(format!("Stage {}", stage.trim_end_matches(": "))));
         }
-        blocks.push(figures(Summary::of(&subject).figures().filter(is_ours)));
+        blocks.push(figures(summary.figures().filter(is_ours)));
     }
     Section { heading: "Solver".into(), blocks }
 }
@@ -54,8 +54,8 @@ pub(super) fn figures(figures: impl Iterator<Item = Figure>) -> Block {
 
 /// What the check says before and the solver after the run.
 pub(super) fn warnings(report: &Report) -> Section {
-    let runs = report.passes.iter().enumerate();
-    let of_runs = runs.flat_map(|(i, pass)| pass.warnings.iter().map(move |w| format!("{}{w}", report.stage(i))));
+    let runs = report.stages.iter().enumerate();
+    let of_runs = runs.flat_map(|(i, (view, _))| view.warnings.iter().map(move |w| format!("{}{w}", report.stage(i))));
     let all: Vec<String> = report.check.warnings.iter().cloned().chain(of_runs).collect();
     let none = || Block::Paragraph("None.".into());
     let block = if all.is_empty() { none() } else { Block::List(all) };

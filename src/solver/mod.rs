@@ -121,7 +121,7 @@ pub fn run_from(model: &Model, mut state: State, observer: &mut dyn Observer) ->
         }
         (record.coldest, record.hottest) = state.temperatures();
         if model.forming_limit.is_some() {
-            run.paths.instants.push(state.instant());
+            run.paths.push(state.instant());
         }
         observer.step(&record);
         observer.state(model, &state);
@@ -133,7 +133,7 @@ pub fn run_from(model: &Model, mut state: State, observer: &mut dyn Observer) ->
             balance.forget(contacts);
         }
         if control.at_frame(&state) {
-            run.frames.push(state.frame(model));
+            run.keep(state.frame(model));
         }
         if let Some(stop) = watch.look(model, &state, &record, &before, since) {
             run.stop = stop;
@@ -141,7 +141,7 @@ pub fn run_from(model: &Model, mut state: State, observer: &mut dyn Observer) ->
         }
     }
     if last.step > 0 && run.frames.last().is_none_or(|f| f.time < state.time) {
-        run.frames.push(state.frame(model));
+        run.keep(state.frame(model));
     }
     run.effort.abandoned = rejected;
     run.warnings = warnings::warnings(model, &work, &state, &run);

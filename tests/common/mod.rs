@@ -10,7 +10,7 @@ use stampflow::model::{
     Role, Settings, StopRules, Theory, Tool,
 };
 use stampflow::numerics::lobatto;
-use stampflow::output::Subject;
+use stampflow::output::StageView;
 use stampflow::solution::{
     ElementRecord, Energy, Frame, NodeRecord, PointRecord, StageSolution, StepRecord, ThroughThickness,
 };
@@ -119,24 +119,19 @@ pub fn run(model: &Model) -> StageSolution {
     let warnings = vec!["the blank's edge came within 5 mm of the die shoulder".to_owned()];
     let mut paths = Paths::default();
     if let (Some(_), Some(first)) = (&model.forming_limit, frames.first()) {
-        paths.s0 = first.elements.iter().map(|e| e.s0).collect();
+        paths = Paths::starting(first.elements.iter().map(|e| e.s0).collect());
         let strains = |f: &Frame| f.elements.iter().map(|e| [e.strain_meridional, e.strain_hoop]).collect();
-        paths.instants.extend(frames.iter().map(|f| Instant { time: f.time, travel: f.travel, strains: strains(f) }));
+        frames.iter().for_each(|f| paths.push(Instant { time: f.time, travel: f.travel, strains: strains(f) }));
     }
     StageSolution { steps: history, frames, paths, warnings, ..StageSolution::unsolved(model.clone()) }
 }
 
-/// The subject of all outputs.
-pub fn subject<'a>(model: &'a Model, run: &'a StageSolution) -> Subject<'a> {
-    Subject {
-        name: "cup",
-        case_text: "title = \"cup\"\n",
-        overrides: &[],
-        derived: &[],
-        model,
-        run,
-        wall: Duration::from_millis(312),
-    }
+/// What all outputs are made from.
+pub fn view(run: &StageSolution) -> StageView<'_> {
+    let mut view = StageView::alone("cup", run);
+    view.case_text = "title = \"cup\"\n";
+    view.wall = Some(Duration::from_millis(312));
+    view
 }
 
 /// The sheet wrapped around punch nose and die shoulder with volume kept, thinned at the nose.

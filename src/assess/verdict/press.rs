@@ -3,9 +3,8 @@
 use super::{Finding, Light, of_stage};
 use crate::case::Case;
 use crate::model::Geometry;
-use crate::output::{JOULES, energy_unit, force_unit};
 use crate::solution::StageSolution;
-use crate::table::{Unit, four_digits};
+use crate::table::{JOULES, Unit, energy_unit, force_unit, four_digits};
 
 /// Largest punch force and its travel, over all stages.
 pub(super) fn force(case: &Case, passes: &[StageSolution]) -> Option<Finding> {
