@@ -100,11 +100,6 @@ impl Table {
     pub fn column(&self, key: &str) -> &Column {
         self.columns.iter().find(|c| c.key == key).unwrap_or_else(|| panic!("the table has no column {key}"))
     }
-
-    /// Pairs of two columns, for curves.
-    pub fn pairs(&self, x: &str, y: &str) -> Vec<(f64, f64)> {
-        self.column(x).values.iter().copied().zip(self.column(y).values.iter().copied()).collect()
-    }
 }
 
 /// A number for readers: four significant digits, all digits of larger whole parts.
@@ -163,10 +158,10 @@ mod tests {
     }
 
     #[test]
-    fn columns_are_found_and_paired() {
+    fn columns_are_found() {
         let table = Table::new(vec![column("a", "A", Unit::N), column("b", "B", Unit::Mm)]);
         assert_eq!(table.rows(), 2);
-        assert_eq!(table.pairs("a", "b"), [(1.0, 1.0), (2.0, 2.0)]);
+        assert_eq!(table.column("b").label, "B");
     }
 
     #[test]

@@ -9,6 +9,7 @@ use super::{Code, Overrides, Threads, say};
 use serde_json::{Value, json};
 use stampflow::case::{Case, Solution};
 use stampflow::compare::Comparison;
+use stampflow::output::summary::Group;
 use stampflow::output::{
     CaseSummary, Extra, FrameRecorder, OUTPUTS, Summary, can_write, can_write_all, csv, trace, write,
 };
@@ -169,18 +170,14 @@ fn report(solution: &Solution, comparisons: &[Comparison], dir: &Path, files: us
 
 /// The summary as a table.
 fn printed(summary: &Summary, complete: bool) -> String {
-    let mut below = String::new();
-    let rows = summary.rows().into_iter().map(|(label, value)| {
-        if !label.is_empty() {
-            below.clone_from(&label);
-        }
-        let tone = match below.as_str() {
-            "Ended" if complete => Tone::Good,
-            "Ended" => Tone::Bad,
-            "Warnings" => Tone::Warning,
+    let rows = summary.rows().into_iter().map(|(group, row)| {
+        let tone = match group {
+            Group::End if complete => Tone::Good,
+            Group::End => Tone::Bad,
+            Group::Warnings => Tone::Warning,
             _ => Tone::Plain,
         };
-        ([label, value], tone)
+        (row, tone)
     });
     table(None, rows.collect(), 1)
 }

@@ -79,8 +79,8 @@ pub struct Output {
     /// What it holds, for help texts and below pictures.
     pub about: &'static str,
     pub make: Make,
-    /// Whether a file's name is one of the family; `None` of a single file.
-    pub family: Option<fn(&str) -> bool>,
+    /// Whether the second name is one of the family that the first, [`Output::file`], stands for; `None` of a single file.
+    pub family: Option<fn(&str, &str) -> bool>,
 }
 
 impl Output {
@@ -98,7 +98,7 @@ impl Output {
 
     /// Whether a file of this name is written here.
     pub fn is_named(&self, name: &str) -> bool {
-        self.file == name || self.family.is_some_and(|is_one| is_one(name))
+        self.file == name || self.family.is_some_and(|is_one| is_one(self.file, name))
     }
 
     /// The content of a single file of a stage; none for a plot or a table of nothing.
@@ -144,19 +144,19 @@ pub const OUTPUTS: &[Output] = &[
         file: "section.pvd",
         about: "with --vtu: some 25 states from the start to the end, for ParaView",
         make: Make::Moving(Extra::Vtu, vtk::section_files),
-        family: Some(vtk::is_section),
+        family: Some(vtk::is_of),
     },
     Output {
         file: "revolved.pvd",
         about: "with --vtu: the same turned about the axis, of axisymmetric cases",
         make: Make::Moving(Extra::Vtu, vtk::revolved_files),
-        family: Some(vtk::is_revolved),
+        family: Some(vtk::is_of),
     },
     Output {
         file: "tools.pvd",
         about: "with --vtu: the tools beside them",
         make: Make::Moving(Extra::Vtu, vtk::tool_files),
-        family: Some(vtk::is_tools),
+        family: Some(vtk::is_of),
     },
     Output {
         file: "shapes.gif",

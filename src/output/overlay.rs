@@ -40,7 +40,7 @@ pub(super) fn files<'a>(solution: &'a Solution, comparisons: &'a [Comparison]) -
 }
 
 /// Whether a file's name is one that [`files`] gives.
-pub(super) fn is_comparison(name: &str) -> bool {
+pub(super) fn is_comparison(_: &str, name: &str) -> bool {
     let stem = name.strip_suffix(".csv").or(name.strip_suffix(".png"));
     let parts = stem.and_then(|stem| stem.strip_prefix("compare_")).and_then(|rest| rest.split_once('_'));
     parts.is_some_and(|(n, quantity)| n.parse::<usize>().is_ok() && is_quantity(quantity))

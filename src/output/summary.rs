@@ -15,9 +15,22 @@ use crate::table::{JOULES, Unit, energy_unit, force_unit, worded};
 use crate::units::ZERO_CELSIUS;
 use sha2::{Digest, Sha256};
 
+/// What a line of the summary is about.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Group {
+    Case,
+    /// How the stage ended.
+    End,
+    Part,
+    /// How the numbers were found.
+    Solution,
+    Warnings,
+}
+
 /// One line of the summary.
 #[derive(Clone, Debug)]
 struct Entry {
+    group: Group,
     key: &'static str,
     /// Empty for what only a program wants to know.
     label: String,
@@ -38,6 +51,7 @@ enum Value {
 /// A line for readers, its number apart from its unit.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Figure {
+    pub group: Group,
     /// Name in JSON, without the unit.
     pub key: &'static str,
     /// Begins with spaces where it belongs to the line above.
@@ -51,6 +65,8 @@ pub struct Figure {
 #[derive(Clone, Debug)]
 pub struct Summary {
     entries: Vec<Entry>,
+    /// Of the entries to come.
+    group: Group,
 }
 
 impl Summary {
@@ -64,16 +80,19 @@ impl Summary {
         let peak = peak.unwrap_or_default();
         let largest = |value: fn(&StepRecord) -> f64| run.steps.iter().map(value).fold(0.0, f64::max);
 
-        let mut summary = Self { entries: Vec::new() };
+        let mut summary = Self { entries: Vec::new(), group: Group::Case };
         summary.text("case", "Case", &view.name);
         summary.text("title", "Title", view.title);
         summary.text("section", "Section", section_of(model.geometry));
+        summary.group = Group::Part;
         summary.text("hardening", "Hardening", &model.material.describe());
         let ended = match &run.stop {
             Stop::FullTravel => format!("{} reached", ended(run)),
             stop => stop.to_string(),
         };
+        summary.group = Group::End;
         summary.text("stop", "Ended", &ended);
+        summary.group = Group::Part;
         summary.push("complete", "", Unit::None, Value::Flag(run.stop.is_complete()));
         if model.travel > 0.0 {
             summary.number("travel", "Punch travel reached", Unit::Mm, last.travel);
@@ -107,8 +126,10 @@ impl Summary {
             run.frames.last().filter(|_| model.mode != Mode::Flow && model.release.is_none()).and_then(moment_error)
         {
             let share = 100.0 * error.share;
+            summary.group = Group::Solution;
             summary.number("moment_error", "Moment missed by the layers, estimated", Unit::Percent, share);
         }
+        summary.group = Group::Part;
         if model.material.voids.is_some() {
             summary.number("porosity", "Largest porosity", Unit::Percent, 100.0 * last.porosity);
             summary.number("porous_s0", "  at an initial distance of", Unit::Mm, last.porous_s0);
@@ -120,12 +141,14 @@ impl Summary {
             summary.number("coldest", "Lowest temperature", Unit::Celsius, coldest - ZERO_CELSIUS);
             summary.number("hottest", "Highest temperature", Unit::Celsius, hottest - ZERO_CELSIUS);
         }
+        summary.group = Group::Solution;
         summary.number(
             "penetration",
             "Largest penetration over thickness",
             Unit::Percent,
             100.0 * largest(|s| s.penetration),
         );
+        summary.group = Group::Part;
         let squeeze = largest(|s| s.squeeze);
         if squeeze > 0.0 {
             summary.number("squeeze", "Ironing: thicker than its gap by", Unit::Percent, 100.0 * squeeze);
@@ -139,6 +162,7 @@ impl Summary {
             summary.push("rim_share", &rim, Unit::Percent, Value::Number(100.0 * shares));
             summary.number("holder_lift", "  lifted by up to", Unit::Mm, largest(|s| -s.holder_move));
         }
+        summary.group = Group::Solution;
         summary.number("sticking", "Contacts that stick at the end", Unit::Percent, 100.0 * last.sticking);
         summary.count("flips", "Contacts that came or went", run.steps.iter().map(|s| s.flips).sum());
         summary.number("strain_increment", "Largest strain of one step", Unit::None, largest(|s| s.strain_increment));
@@ -165,9 +189,12 @@ impl Summary {
         }
         summary.text("program", "", concat!(env!("CARGO_PKG_NAME"), " ", env!("CARGO_PKG_VERSION")));
         summary.text("case_sha256", "", &sha256(view.case_text));
+        summary.group = Group::Case;
         summary.list("overrides", "Set on the command line", view.overrides);
         summary.list("derived", "Assumed while reading", view.derived);
+        summary.group = Group::Warnings;
         summary.list("warnings", "Warnings", &view.warnings);
+        summary.group = Group::Case;
         summary.list("notes", "Declared assumptions", view.declared);
         summary
     }
@@ -212,8 +239,10 @@ impl Summary {
         }
         self.number("work_friction", "  friction", unit, work.friction);
         self.number("work_contact", "  stored in contact", unit, work.contact);
+        self.group = Group::Solution;
         self.number("imbalance", "Work missing in the balance", Unit::Percent, 100.0 * last.work.imbalance());
         self.number("cutoff_share", "Plastic work in cut-off", Unit::Percent, percent(work.cutoff, work.plastic));
+        self.group = Group::Part;
         if model.heat.as_ref().is_some_and(|heat| heat.flow.is_some()) {
             self.number("heat_stored", "Heat stored in the sheet", unit, JOULES * last.heat.stored);
             self.number("heat_plastic", "  from plastic work", unit, JOULES * last.heat.plastic);
@@ -255,7 +284,7 @@ impl Summary {
     }
 
     fn push(&mut self, key: &'static str, label: &str, unit: Unit, value: Value) {
-        self.entries.push(Entry { key, label: label.to_owned(), unit, value });
+        self.entries.push(Entry { group: self.group, key, label: label.to_owned(), unit, value });
     }
 
     fn number(&mut self, key: &'static str, label: &'static str, unit: Unit, value: f64) {

@@ -60,6 +60,16 @@ impl Solution {
     }
 }
 
+impl StageView<'_> {
+    /// Writes every table and plot of this stage into `dir`; returns what was written.
+    ///
+    /// # Errors
+    /// When a folder or file cannot be written: each file appears complete or not at all.
+    pub fn write(&self, dir: &Path) -> Result<Vec<PathBuf>, WriteError> {
+        write_stage(self, 0, &FrameRecorder::default(), dir)
+    }
+}
+
 /// Writes what a stage has.
 fn write_stage(view: &StageView, i: usize, recorder: &FrameRecorder, dir: &Path) -> Result<Vec<PathBuf>, WriteError> {
     let frames = recorder.of_stage(i, view.stage);

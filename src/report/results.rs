@@ -2,19 +2,17 @@
 
 use super::Report;
 use super::document::{Block, Picture, Row, Section};
-use super::solver::{figures, is_ours};
+use super::solver::figures;
+use crate::output::summary::Group;
 use crate::output::{Make, OUTPUTS, StageView, springback, svg};
 use crate::table::four_digits;
-
-/// Lines that the section on the case has.
-const SAID: [&str; 3] = ["case", "title", "section"];
 
 pub(super) fn sections(report: &Report) -> Vec<Section> {
     let stages = report.stages.iter().enumerate();
     stages
         .map(|(i, (view, summary))| {
-            let lines = summary.figures().filter(|figure| !is_ours(figure) && !SAID.contains(&figure.key));
-            let blocks = std::iter::once(figures(lines)).chain(released(view)).chain(plots(view));
+            let part = figures(summary, |group| matches!(group, Group::End | Group::Part));
+            let blocks = std::iter::once(part).chain(released(view)).chain(plots(view));
             Section { heading: format!("{}Results", report.stage(i)), blocks: blocks.collect() }
         })
         .collect()

@@ -7,7 +7,7 @@ use crate::model::Geometry;
 pub const JOULES: f64 = 1e-3;
 
 /// A quantity of a record `R`, such as a step or an element at an instant.
-#[derive(Debug)]
+#[derive(Clone, Copy, Debug)]
 pub struct Field<R> {
     /// Name in file headers and JSON, without the unit.
     pub key: &'static str,
@@ -17,14 +17,6 @@ pub struct Field<R> {
     /// The number in that unit.
     pub value: fn(&R) -> f64,
 }
-
-impl<R> Clone for Field<R> {
-    fn clone(&self) -> Self {
-        *self
-    }
-}
-
-impl<R> Copy for Field<R> {}
 
 impl<R> Field<R> {
     /// A quantity that is called the same in every section.

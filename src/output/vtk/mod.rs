@@ -27,11 +27,6 @@ use std::fmt::Write;
 /// Sectors of a full turn, of 5° each: the volume of the turned sheet is 0.13 % below that of the round one.
 pub const SECTORS: usize = 72;
 
-/// The collections' names.
-const SECTION: &str = "section";
-const REVOLVED: &str = "revolved";
-const TOOLS: &str = "tools";
-
 /// Chords of tools leave their arcs by at most this share of the blank's length \[–\].
 const SAGITTA: f64 = 1e-4;
 
@@ -43,7 +38,7 @@ pub const STATES: usize = animation::PICTURES / EVERY;
 
 /// `section.pvd` and its files: of these frames every second, the first and the last.
 pub(super) fn section_files<'a>(view: &'a StageView, frames: &'a [&Frame]) -> Files<'a> {
-    collection(SECTION, view.model(), frames, |frame| section(view.model(), frame))
+    collection("section", view.model(), frames, |frame| section(view.model(), frame))
 }
 
 /// `revolved.pvd` and its files; none in plane strain.
@@ -51,7 +46,7 @@ pub(super) fn revolved_files<'a>(view: &'a StageView, frames: &'a [&Frame]) -> F
     match view.geometry() {
         Geometry::PlaneStrain => Box::new(std::iter::empty()),
         Geometry::Axisymmetric => {
-            collection(REVOLVED, view.model(), frames, |frame| section(view.model(), frame).turned(SECTORS))
+            collection("revolved", view.model(), frames, |frame| section(view.model(), frame).turned(SECTORS))
         }
     }
 }
@@ -60,29 +55,15 @@ pub(super) fn revolved_files<'a>(view: &'a StageView, frames: &'a [&Frame]) -> F
 pub(super) fn tool_files<'a>(view: &'a StageView, frames: &'a [&Frame]) -> Files<'a> {
     match view.model().tools.is_empty() {
         true => Box::new(std::iter::empty()),
-        false => collection(TOOLS, view.model(), frames, |frame| tools(view.model(), frame)),
+        false => collection("tools", view.model(), frames, |frame| tools(view.model(), frame)),
     }
 }
 
-/// Whether a file's name is one that [`section_files`] gives.
-pub(super) fn is_section(name: &str) -> bool {
-    is_of(SECTION, name)
-}
-
-/// The same of [`revolved_files`].
-pub(super) fn is_revolved(name: &str) -> bool {
-    is_of(REVOLVED, name)
-}
-
-/// The same of [`tool_files`].
-pub(super) fn is_tools(name: &str) -> bool {
-    is_of(TOOLS, name)
-}
-
-fn is_of(stem: &str, name: &str) -> bool {
-    let number = name.strip_prefix(stem).and_then(|rest| rest.strip_prefix('_')?.strip_suffix(".vtu"));
-    name.strip_prefix(stem) == Some(".pvd")
-        || number.is_some_and(|n| n.len() >= 4 && n.bytes().all(|b| b.is_ascii_digit()))
+/// Whether a file's name is one of the collection that a `.pvd` file names.
+pub(super) fn is_of(collection: &str, name: &str) -> bool {
+    let rest = collection.strip_suffix("pvd").and_then(|stem| name.strip_prefix(stem.trim_end_matches('.')));
+    let number = rest.and_then(|rest| rest.strip_prefix('_')?.strip_suffix(".vtu"));
+    number.is_some_and(|n| n.len() >= 4 && n.bytes().all(|b| b.is_ascii_digit()))
 }
 
 /// One file per frame, and as the last one, so that what it names is there, the file that says when each is.
@@ -140,17 +121,13 @@ fn tools(model: &Model, frame: &Frame) -> Grid {
 mod tests {
     use super::*;
 
-    fn is_ours(name: &str) -> bool {
-        is_section(name) || is_revolved(name) || is_tools(name)
-    }
-
     #[test]
     fn only_names_that_are_given_are_taken_for_ours() {
-        for name in ["section.pvd", "revolved_0001.vtu", "tools_12345.vtu"] {
-            assert!(is_ours(name), "{name}");
+        for name in ["section_0001.vtu", "section_12345.vtu"] {
+            assert!(is_of("section.pvd", name), "{name}");
         }
-        for name in ["section_1.vtu", "section_mine.vtu", "section.vtu", "my_section.pvd", "tools.pvd.bak"] {
-            assert!(!is_ours(name), "{name}");
+        for name in ["section_1.vtu", "section_mine.vtu", "section.vtu", "tools_0001.vtu", "section_0001.vtu.bak"] {
+            assert!(!is_of("section.pvd", name), "{name}");
         }
     }
 }
