@@ -6,7 +6,8 @@
 mod random_die;
 
 use random_die::{RandomDie, random_die};
-use stampflow::output::{Subject, force_unit, write_all};
+use stampflow::output::StageView;
+use stampflow::table::force_unit;
 use std::path::Path;
 use std::process::ExitCode;
 use std::time::Instant;
@@ -59,17 +60,9 @@ fn run() -> Result<(), String> {
     }
     if let Some(dir) = out {
         let name = format!("{process:?}_{seed}").to_lowercase();
-        let findings = stampflow::assess::of_stage(0, &run);
-        let subject = Subject {
-            name: &name,
-            case_text: &text,
-            overrides: &[],
-            model: &model,
-            run: &run,
-            findings: &findings,
-            wall,
-        };
-        let files = write_all(&subject, Path::new(&dir)).map_err(|e| format!("{e}: {}", e.source))?;
+        let mut view = StageView::alone(&name, &run);
+        (view.case_text, view.wall) = (&text, Some(wall));
+        let files = view.write(Path::new(&dir)).map_err(|e| format!("{e}: {}", e.source))?;
         println!("{} files in {dir}", files.len());
     }
     Ok(())

@@ -2,10 +2,11 @@
 //!
 //! `cargo run --release --example twin_against_flow -- cases/woo_hemispherical.toml twin.png`
 
+use stampflow::case;
 use stampflow::output::chart::{BLACK, Chart, Look, Panel, Scale, Series};
-use stampflow::output::{load_travel, png, write};
+use stampflow::output::{png, write};
+use stampflow::table::fields::step::{PUNCH_FORCE, TRAVEL};
 use stampflow::table::{Column, Unit};
-use stampflow::{Table, case};
 use std::path::Path;
 use std::process::ExitCode;
 
@@ -34,18 +35,13 @@ fn compare(path: &str, picture: &Path) -> Result<(), String> {
         let run = stampflow::run(case.model(), &mut ());
         Ok::<_, String>((case, run))
     });
-    let ((case, flow), (twin_case, twin)) = (flow?, twin?);
-    let curve = |table: &Table| -> Vec<(f64, f64)> {
-        let column = |key: &str| table.column(key).values.clone();
-        column("travel").into_iter().zip(column("punch_force")).collect()
-    };
-    let tables = [(case.model(), &flow), (twin_case.model(), &twin)].map(|(model, run)| load_travel::table(model, run));
-    let [by_flow, by_twin] = [&tables[0], &tables[1]].map(curve);
+    let ((case, flow), (_, twin)) = (flow?, twin?);
+    let [by_flow, by_twin] = [&flow, &twin].map(|stage| TRAVEL.against(&PUNCH_FORCE, &stage.steps));
     let difference =
         by_twin.iter().filter(|p| p.1 > 0.0).map(|&(x, force)| (x, 100.0 * (at(&by_flow, x) / force - 1.0)));
     // The first tenth is off the scale: the flow law has no elastic part to go through.
     let difference = difference.filter(|p| p.0 > 0.1 * case.model().travel).collect();
-    let [x, y] = ["travel", "punch_force"].map(|key| tables[0].column(key).axis());
+    let [x, y] = [TRAVEL, PUNCH_FORCE].map(|field| field.axis(case.model().geometry));
     let chart = Chart {
         title: format!("{}, twin and flow", case.model().title),
         legend: "",

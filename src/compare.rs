@@ -11,7 +11,9 @@ pub use curve::{CurveSpec, Point, Points, Quantity};
 pub use error::CompareError;
 pub use source::{SOURCES, Source};
 
-use crate::table::{Axis, Column, Csv, Table};
+use crate::model::{Geometry, Model};
+use crate::solution::{ElementRecord, StageSolution, StepRecord};
+use crate::table::{Axis, Column, Csv, Field, Table};
 use crate::units::rounded;
 use reference::Reference;
 use std::fmt;
@@ -48,15 +50,42 @@ pub enum Against {
     Band(BandSpec),
 }
 
-/// What a run offers for comparison.
+/// What a stage offers for comparison.
 #[derive(Clone, Copy, Debug)]
 pub struct Computed<'a> {
-    /// One row per step: `travel`, `punch_force`, `edge_diameter`, `draw_in`, `thinnest`.
-    pub history: &'a Table,
-    /// The last frame from the axis outward: `s0`, `r`, `thickness`.
-    pub profile: &'a Table,
-    /// Whether the run reached its full travel.
+    pub geometry: Geometry,
+    /// Length of the undeformed blank from the axis or symmetry plane \[mm\].
+    pub length: f64,
+    pub steps: &'a [StepRecord],
+    /// The elements of the last frame from the axis outward.
+    pub elements: &'a [ElementRecord],
+    /// Whether the stage came to its end.
     pub complete: bool,
+}
+
+impl<'a> Computed<'a> {
+    /// What a solved stage offers.
+    pub fn of(stage: &'a StageSolution) -> Self {
+        Self {
+            steps: &stage.steps,
+            elements: stage.frames.last().map_or(&[], |frame| &frame.elements),
+            complete: stage.stop.is_complete(),
+            ..Self::nothing(&stage.model)
+        }
+    }
+
+    /// Nothing yet, to find out whether references fit before anything is solved.
+    pub fn nothing(model: &Model) -> Self {
+        Self { geometry: model.geometry, length: model.blank.length, steps: &[], elements: &[], complete: true }
+    }
+
+    fn step(&self, field: Field<StepRecord>) -> Column {
+        field.column(self.geometry, self.steps)
+    }
+
+    fn element(&self, field: Field<ElementRecord>) -> Column {
+        field.column(self.geometry, self.elements)
+    }
 }
 
 /// Whether a run agrees with a reference.
@@ -111,7 +140,8 @@ impl Against {
         }
     }
 
-    fn columns<'a>(&self, computed: &Computed<'a>) -> (&'a Column, &'a Column) {
+    /// The computed columns that are compared: abscissa and ordinate.
+    fn columns(&self, computed: &Computed) -> (Column, Column) {
         match self {
             Self::Curve(curve) => curve.quantity.columns(computed),
             Self::Band(band) => band.quantity.columns(computed),
@@ -190,6 +220,11 @@ impl Comparison {
         (self.x.axis(), self.y.axis())
     }
 
+    /// Axis of the relative difference.
+    pub fn difference_axis() -> Axis {
+        curve::difference(Vec::new()).axis()
+    }
+
     /// An interval of the compared quantity in words, with its unit.
     pub fn text(&self, interval: Interval) -> String {
         interval.text(self.y.unit)
@@ -220,12 +255,12 @@ pub fn compare(spec: &Spec, computed: &Computed) -> Result<Comparison, CompareEr
     let (found, verdict) = match (Reference::of(spec)?, &spec.against) {
         (None, _) => (Found::NoData, Verdict::NoData),
         (Some(reference), Against::Curve(against)) => {
-            let points = curve::compare(against, reference, (x, y), &curve)?;
+            let points = curve::compare(against, reference, (&x, &y), &curve)?;
             let verdict = points.verdict(against, computed.complete);
             (Found::Points(points), verdict)
         }
         (Some(reference), Against::Band(against)) => {
-            let band = band::compare(against, reference, y, computed.complete)?;
+            let band = band::compare(against, reference, &y, computed.complete)?;
             (Found::Band(band), band.verdict())
         }
     };
@@ -235,8 +270,8 @@ pub fn compare(spec: &Spec, computed: &Computed) -> Result<Comparison, CompareEr
         found,
         curve,
         verdict,
-        x: Column { values: Vec::new(), ..x.clone() },
-        y: Column { values: Vec::new(), ..y.clone() },
+        x: Column { values: Vec::new(), ..x },
+        y: Column { values: Vec::new(), ..y },
     })
 }
 

@@ -7,14 +7,24 @@
 //! drawing (DXF)
 //!    │ import::read               Sections            a Profile for each tool; case::Draft writes a case file with them
 //! case file (TOML, quantities with units)
-//!    │ case::load                 CaseFile → Model     mm, N, s; validated, immutable
+//!    │ Case::load                 CaseFile → Model     mm, N, s; validated, immutable
 //!    │ mesh, State::flat          State                one instant: positions, velocities, layers, tools
-//!    │ solver::run_stages         one Stage after another, each a Model of its own on the sheet of the one before
+//!    │ Case::solve                one Stage after another, each a Model of its own on the sheet of the one before
 //!    │ solver::run                predictor → corrector → accepted step, or a shorter one
 //!    │ Observer                   sees each StepRecord and IterationRecord
-//!    │ StageSolution { history, frames, stop, warnings }
+//!    │ Solution                   the Case, and a StageSolution for every stage: steps, frames, stop, warnings
 //!    │ measure                    angles, curl and places of a Frame, as a person would measure them
-//!    └ Table                      CSV, plots and comparisons all read the same tables
+//!    └ Solution::write            every table, plot and comparison of output::OUTPUTS
+//! ```
+//!
+//! ```
+//! # let dir = tempfile::tempdir()?;
+//! # let out = dir.path().join("quickstart");
+//! let solution = stampflow::Case::load("cases/quickstart.toml")?.solve(&mut ());
+//! println!("{}", solution.summary());
+//! solution.write(&out)?; // or a path of yours, such as "out/quickstart"
+//! # assert!(solution.is_complete() && out.join("load_travel.png").is_file());
+//! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
 //! # Notation
@@ -62,7 +72,7 @@ pub mod state;
 pub mod table;
 pub mod units;
 
-pub use case::Case;
+pub use case::{Case, Solution};
 pub use model::{Model, Stage};
 pub use solution::{Frame, StageSolution, StepRecord, Stop};
 pub use solver::{Observer, run, run_stages};

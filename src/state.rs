@@ -163,11 +163,11 @@ impl State {
 
     /// Paths that begin with this instant; none where the model has no forming limit.
     pub fn paths(&self, model: &Model) -> Paths {
-        let mut paths = Paths::default();
-        if model.forming_limit.is_some() {
-            paths.s0 = self.s0.windows(2).map(|w| 0.5 * (w[0] + w[1])).collect();
-            paths.instants.push(self.instant());
+        if model.forming_limit.is_none() {
+            return Paths::default();
         }
+        let mut paths = Paths::starting(self.s0.windows(2).map(|w| 0.5 * (w[0] + w[1])).collect());
+        paths.push(self.instant());
         paths
     }
 

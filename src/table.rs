@@ -4,30 +4,12 @@
 //! of an axis cannot disagree.
 
 mod csv;
+mod field;
+pub mod fields;
 
 pub use crate::units::{Unit, UnitError};
 pub use csv::{Csv, CsvError, Record};
-
-use crate::model::Geometry;
-
-/// Unit of forces: of the whole ring, or per mm of depth.
-pub fn force_unit(geometry: Geometry) -> Unit {
-    match geometry {
-        Geometry::Axisymmetric => Unit::N,
-        Geometry::PlaneStrain => Unit::NPerMm,
-    }
-}
-
-/// One N·mm, the solver's unit of work \[J\].
-pub const JOULES: f64 = 1e-3;
-
-/// Unit in which work and heat are written, after [`JOULES`]: of the whole ring, or per mm of depth.
-pub fn energy_unit(geometry: Geometry) -> Unit {
-    match geometry {
-        Geometry::Axisymmetric => Unit::Joule,
-        Geometry::PlaneStrain => Unit::JoulePerMm,
-    }
-}
+pub use field::{Field, JOULES, energy_unit, force_unit, worded};
 
 /// One quantity, in solver units.
 #[derive(Clone, Debug, PartialEq)]
@@ -119,11 +101,6 @@ impl Table {
     pub fn column(&self, key: &str) -> &Column {
         self.columns.iter().find(|c| c.key == key).unwrap_or_else(|| panic!("the table has no column {key}"))
     }
-
-    /// Pairs of two columns, for curves.
-    pub fn pairs(&self, x: &str, y: &str) -> Vec<(f64, f64)> {
-        self.column(x).values.iter().copied().zip(self.column(y).values.iter().copied()).collect()
-    }
 }
 
 /// A number for readers: four significant digits, all digits of larger whole parts.
@@ -182,10 +159,10 @@ mod tests {
     }
 
     #[test]
-    fn columns_are_found_and_paired() {
+    fn columns_are_found() {
         let table = Table::new(vec![column("a", "A", Unit::N), column("b", "B", Unit::Mm)]);
         assert_eq!(table.rows(), 2);
-        assert_eq!(table.pairs("a", "b"), [(1.0, 1.0), (2.0, 2.0)]);
+        assert_eq!(table.column("b").label, "B");
     }
 
     #[test]

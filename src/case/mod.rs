@@ -32,6 +32,7 @@ mod laws;
 pub mod library;
 mod overrides;
 mod schema;
+mod solution;
 mod source;
 mod sources;
 
@@ -39,11 +40,11 @@ pub use error::CaseError;
 pub use file::CaseFile;
 pub use laws::{Law, law_list, laws};
 pub use schema::schema;
+pub use solution::Solution;
 pub use sources::Sources;
 
 use crate::compare::Spec;
 use crate::model::{Model, Stage};
-use crate::solution::StageSolution;
 use files::{Disk, FileError, Files, Folder};
 use source::Source;
 use std::path::{Path, PathBuf};
@@ -56,6 +57,8 @@ pub struct Case {
     pub path: PathBuf,
     /// The text that was read, overrides applied: enough to repeat the run.
     pub text: String,
+    /// `key=value` settings that replaced what the file says.
+    pub overrides: Vec<String>,
     /// What is solved, one operation after another on the same sheet; never empty.
     pub stages: Vec<Stage>,
     pub compare: Vec<Spec>,
@@ -93,11 +96,6 @@ impl Case {
     /// The names of all stages.
     pub fn stage_names(&self) -> impl Iterator<Item = &str> {
         self.stages.iter().map(|stage| stage.name.as_str())
-    }
-
-    /// Whether every stage was run and came to its end.
-    pub fn is_completed_by(&self, passes: &[StageSolution]) -> bool {
-        passes.len() == self.stages.len() && passes.iter().all(|pass| pass.stop.is_complete())
     }
 }
 
@@ -156,5 +154,6 @@ pub fn parse_with(text: &str, name: &str, overrides: &[String], files: &dyn File
     let press = build::press(&file, &source)?;
     let sources = sources::of(&file, &source)?;
     let name = path.file_stem().map_or_else(|| "case".into(), |stem| stem.to_string_lossy().into_owned());
-    Ok(Case { name, text: text.clone(), stages, compare, press, sources, derived, path })
+    let overrides = overrides.to_vec();
+    Ok(Case { name, text: text.clone(), overrides, stages, compare, press, sources, derived, path })
 }

@@ -46,9 +46,9 @@ pub fn check(args: &Args) -> anyhow::Result<Code> {
         return if args.json.json { say_json(&report) } else { say(&wrapped(&report.to_string())) };
     }
     let watch = Progress::new(args.quiet || args.json.json).watch(&case, Kept::default());
-    let (passes, ..) = watch.solve(&case);
-    let findings = assess::after(&case, &passes);
-    let complete = case.is_completed_by(&passes);
+    let (solution, _) = watch.solve(case);
+    let findings = assess::after(&solution.case, &solution.stages);
+    let complete = solution.is_complete();
     if args.json.json {
         let mut value = serde_json::to_value(&report)?;
         value["complete"] = json!(complete);

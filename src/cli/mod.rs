@@ -8,7 +8,6 @@ mod json;
 mod materials;
 mod new;
 mod progress;
-mod reel;
 mod report;
 mod run;
 mod shell;
@@ -82,8 +81,8 @@ struct Overrides {
 
 #[derive(Debug, clap::Args)]
 struct Threads {
-    /// Threads for cases that run side by side [default: one per core]
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
+    /// Threads for cases that run side by side, at most 256 [default: one per core]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=256))]
     threads: Option<u16>,
 }
 

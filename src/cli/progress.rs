@@ -1,12 +1,12 @@
 //! How far runs have come: bars on a terminal, a line for every tenth of the travel elsewhere, or nothing.
 
-use super::reel::Reels;
 use indicatif::{MultiProgress, ProgressBar, ProgressStyle};
-use stampflow::case::Case;
+use stampflow::case::{Case, Solution};
 use stampflow::model::Model;
+use stampflow::output::FrameRecorder;
 use stampflow::solution::{IterationRecord, StepRecord};
-use stampflow::{Observer, StageSolution, run_stages};
-use stampflow::{Stage, State};
+use stampflow::table::force_unit;
+use stampflow::{Observer, Stage, State};
 use std::io::{self, IsTerminal};
 use std::time::{Duration, Instant};
 
@@ -24,12 +24,9 @@ pub enum Progress {
 
 /// Watches one run.
 pub struct Watch {
-    case: String,
     name: String,
-    /// Whether the case has stages beside its first.
-    several: bool,
-    /// Stages that were begun.
-    begun: usize,
+    /// What results of the stages to come are called; nothing in a case of one stage.
+    to_come: std::vec::IntoIter<String>,
     duration: f64,
     thickness: f64,
     force_unit: &'static str,
@@ -42,8 +39,8 @@ pub struct Watch {
 pub struct Kept {
     /// Every iteration.
     pub trace: Option<Vec<IterationRecord>>,
-    /// Frames for a film.
-    pub reels: Option<Reels>,
+    /// Frames for what is asked for of the moving section.
+    pub recorder: FrameRecorder,
 }
 
 enum Shown {
@@ -74,12 +71,11 @@ impl Progress {
             Self::Lines => Shown::Lines(0, Instant::now()),
             Self::Silent => Shown::Nothing,
         };
-        let force_unit = stampflow::output::force_unit(model.geometry).symbol();
+        let labels = (0..).map_while(|i| case.stage_label(i));
+        let force_unit = force_unit(model.geometry).symbol();
         Watch {
-            case: name.clone(),
             name: name.clone(),
-            several: !case.later().is_empty(),
-            begun: 0,
+            to_come: labels.map(|label| format!("{name}/{label}")).collect::<Vec<_>>().into_iter(),
             duration: model.duration,
             thickness: model.blank.thickness,
             force_unit,
@@ -90,15 +86,15 @@ impl Progress {
 }
 
 impl Watch {
-    /// Runs all stages of a case; also the time that it took, and what was kept.
-    pub fn solve(mut self, case: &Case) -> (Vec<StageSolution>, Duration, Kept) {
+    /// Runs all stages of a case against the clock; also what was kept.
+    pub fn solve(mut self, case: Case) -> (Solution, Kept) {
         let start = Instant::now();
-        let passes = run_stages(&case.stages, &mut self);
-        let wall = start.elapsed();
+        let mut solution = case.solve(&mut self);
+        solution.wall = Some(start.elapsed());
         if let Shown::Bar(bar) = self.shown {
-            if case.is_completed_by(&passes) { bar.finish() } else { bar.abandon() }
+            if solution.is_complete() { bar.finish() } else { bar.abandon() }
         }
-        (passes, wall, self.kept)
+        (solution, self.kept)
     }
 }
 
@@ -134,12 +130,9 @@ impl Observer for Watch {
     }
 
     fn stage(&mut self, stage: &Stage) {
-        if !self.several {
-            return;
-        }
-        self.begun += 1;
+        let Some(name) = self.to_come.next() else { return };
         self.duration = stage.model.duration;
-        self.name = format!("{}/{}-{}", self.case, self.begun, stage.name);
+        self.name = name;
         match &mut self.shown {
             Shown::Bar(bar) => {
                 bar.set_prefix(self.name.clone());
@@ -157,9 +150,7 @@ impl Observer for Watch {
     }
 
     fn state(&mut self, model: &Model, state: &State) {
-        if let Some(reels) = &mut self.kept.reels {
-            reels.see(model, state);
-        }
+        self.kept.recorder.state(model, state);
     }
 }
 

@@ -68,8 +68,8 @@ pub fn report(args: &Args) -> anyhow::Result<Code> {
     }
 
     let watch = Progress::new(args.quiet || args.json.json).watch(&case, Kept::default());
-    let (passes, wall, _) = watch.solve(&case);
-    let report = Report::of(&case, &args.overrides.set, &passes, wall);
+    let (solution, _) = watch.solve(case);
+    let report = Report::of(&solution);
     let files = save(&report, &path, format)?;
     if args.json.json {
         let mut value = report.json();
@@ -78,7 +78,7 @@ pub fn report(args: &Args) -> anyhow::Result<Code> {
     } else {
         say(&format!("{} is written", path.display()))?;
     }
-    Ok(if case.is_completed_by(&passes) { Code::Done } else { Code::StoppedEarly })
+    Ok(if solution.is_complete() { Code::Done } else { Code::StoppedEarly })
 }
 
 /// Writes the pictures first: a text that is there has all of them. An earlier report's go.

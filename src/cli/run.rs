@@ -1,14 +1,18 @@
 //! `stampflow run`: from case files to folders of results.
 
 use super::code::{BadRequest, unusable};
-use super::job::{Job, Moving, Solved, solve_all};
+use super::job::{self, solve_all};
 use super::json::{self, Json, say_json};
 use super::progress::{Kept, Progress};
-use super::reel::Reels;
 use super::table::{Tone, table};
 use super::{Code, Overrides, Threads, say};
 use serde_json::{Value, json};
-use stampflow::output::{OUTPUTS, Summary, can_write, can_write_all, csv, trace, write};
+use stampflow::case::{Case, Solution};
+use stampflow::compare::Comparison;
+use stampflow::output::summary::Group;
+use stampflow::output::{
+    CaseSummary, Extra, FrameRecorder, OUTPUTS, Summary, can_write, can_write_all, csv, trace, write,
+};
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 
@@ -48,10 +52,7 @@ pub fn help() -> String {
     for output in OUTPUTS {
         let _ = writeln!(help, "  {:<18} {}", output.file, output.about);
     }
-    help + "  section.pvd, ...   with --vtu: some 25 states from the start to the end for ParaView, with tools and, axisymmetric, turned about the axis\n  \
-            shapes.gif         with --animate: the section and the load as they move\n\
-            \x20 compare_*.png, csv overlay and differences for every reference the case is compared with\n\
-            Of a case with several stages each has a folder of its own, 1-draw, 2-retract, ..., and stages.csv sums them up\n\n\
+    help + "Of a case with several stages each has a folder of its own, 1-draw, 2-retract, ..., and stages.csv sums them up\n\n\
             Examples:\n  \
             stampflow run cases/quickstart.toml\n  \
             stampflow run cases/quickstart.toml --set tools.punch.friction=0.1 --out out/friction-0.1\n  \
@@ -63,35 +64,36 @@ pub fn run(args: &Args) -> anyhow::Result<Code> {
     if args.trace.is_some() && args.cases.len() > 1 {
         return Err(BadRequest("--trace writes the iterations of one case: give one case".to_owned()).into());
     }
-    let jobs = load(args)?;
-    let several = jobs.len() > 1;
-    for job in &jobs {
-        can_write_all(&folder(args, several, &job.case.name)).map_err(unusable("--out"))?;
+    let cases = load(args)?;
+    let several = cases.len() > 1;
+    for case in &cases {
+        can_write_all(&folder(args, several, &case.name)).map_err(unusable("--out"))?;
     }
     if let Some(path) = &args.trace {
         can_write(path).map_err(unusable("--trace"))?;
     }
     args.threads.apply()?;
     let progress = Progress::new(args.quiet || args.json.json);
-    let moving = Moving { vtu: args.vtu, film: args.animate };
+    let asked = [(args.vtu, Extra::Vtu), (args.animate, Extra::Animation)];
+    let extras: Vec<Extra> = asked.into_iter().filter_map(|(is_asked, extra)| is_asked.then_some(extra)).collect();
     let reports = solve_all(
-        jobs,
+        cases,
         |case| {
             let trace = args.trace.as_ref().map(|_| Vec::new());
-            let kept = Kept { trace, reels: moving.needs_frames().then(Reels::default) };
-            progress.watch(case, kept)
+            progress.watch(case, Kept { trace, recorder: FrameRecorder::new(extras.clone()) })
         },
-        |solved| {
-            let dir = folder(args, several, solved.name());
-            let files = solved.write(&dir, moving)?;
-            if let (Some(path), Some(iterations)) = (&args.trace, &solved.kept.trace) {
+        |solution, kept| {
+            let dir = folder(args, several, &solution.case.name);
+            let comparisons = solution.comparisons()?;
+            let files = solution.write_with(&comparisons, &kept.recorder, &dir)?;
+            if let (Some(path), Some(iterations)) = (&args.trace, &kept.trace) {
                 write(path, &csv(&trace::table(iterations)))?;
             }
             let report = match args.json.json {
-                true => Report::Json(as_json(&solved, &dir, &files)?),
-                false => Report::Text(report(&solved, &dir, files.len())),
+                true => Report::Json(as_json(&solution, &comparisons, &dir, &files)?),
+                false => Report::Text(report(&solution, &comparisons, &dir, files.len())),
             };
-            Ok((report, solved.is_complete()))
+            Ok((report, solution.is_complete()))
         },
     );
     let mut code = Code::Done;
@@ -124,21 +126,21 @@ enum Report {
 }
 
 /// All cases, or the first thing that is wrong with one of them.
-fn load(args: &Args) -> anyhow::Result<Vec<Job>> {
-    let mut jobs: Vec<Job> = Vec::new();
+fn load(args: &Args) -> anyhow::Result<Vec<Case>> {
+    let mut cases: Vec<Case> = Vec::new();
     for path in &args.cases {
-        let job = Job::load(path, &args.overrides.set)?;
-        if let Some(other) = jobs.iter().find(|other| other.case.name == job.case.name) {
+        let case = job::load(path, &args.overrides.set)?;
+        if let Some(other) = cases.iter().find(|other| other.name == case.name) {
             return Err(BadRequest(format!(
                 "{} and {} would write into one folder: run them one by one with --out",
-                other.case.path.display(),
+                other.path.display(),
                 path.display()
             ))
             .into());
         }
-        jobs.push(job);
+        cases.push(case);
     }
-    Ok(jobs)
+    Ok(cases)
 }
 
 fn folder(args: &Args, several: bool, name: &str) -> PathBuf {
@@ -149,14 +151,14 @@ fn folder(args: &Args, several: bool, name: &str) -> PathBuf {
     }
 }
 
-fn report(solved: &Solved, dir: &Path, files: usize) -> String {
-    let summaries = solved.subjects().map(|subject| printed(&Summary::of(&subject), subject.run.stop.is_complete()));
-    let mut text = summaries.collect::<Vec<_>>().join("\n");
-    let stages = solved.stages();
-    if !stages.is_empty() {
-        let _ = writeln!(text, "\nStages\n{stages}");
+fn report(solution: &Solution, comparisons: &[Comparison], dir: &Path, files: usize) -> String {
+    let CaseSummary { stages, lines, .. } = solution.summary();
+    let stages = stages.iter().zip(&solution.stages);
+    let mut text = stages.map(|(s, stage)| printed(s, stage.stop.is_complete())).collect::<Vec<_>>().join("\n");
+    if !lines.is_empty() {
+        let _ = writeln!(text, "\nStages\n{lines}");
     }
-    for comparison in &solved.comparisons {
+    for comparison in comparisons {
         let _ = writeln!(text, "{}", comparison.sentence());
     }
     let _ = writeln!(text, "{files} files in {}", dir.display());
@@ -168,32 +170,23 @@ fn report(solved: &Solved, dir: &Path, files: usize) -> String {
 
 /// The summary as a table.
 fn printed(summary: &Summary, complete: bool) -> String {
-    let mut below = String::new();
-    let rows = summary.rows().into_iter().map(|(label, value)| {
-        if !label.is_empty() {
-            below.clone_from(&label);
-        }
-        let tone = match below.as_str() {
-            "Ended" if complete => Tone::Good,
-            "Ended" => Tone::Bad,
-            "Warnings" => Tone::Warning,
+    let rows = summary.rows().into_iter().map(|(group, row)| {
+        let tone = match group {
+            Group::End if complete => Tone::Good,
+            Group::End => Tone::Bad,
+            Group::Warnings => Tone::Warning,
             _ => Tone::Plain,
         };
-        ([label, value], tone)
+        (row, tone)
     });
     table(None, rows.collect(), 1)
 }
 
 /// What `summary.json` says of the case, or of each of its stages, and what was compared and written.
-fn as_json(solved: &Solved, dir: &Path, files: &[PathBuf]) -> anyhow::Result<Value> {
-    let summaries = solved.subjects().map(|subject| serde_json::to_value(Summary::of(&subject)));
-    let mut summaries = summaries.collect::<Result<Vec<_>, _>>()?;
-    let mut value = match summaries.as_mut_slice() {
-        [one] if !solved.has_stages() => one.take(),
-        stages => json!({ "case": solved.name(), "complete": solved.is_complete(), "stages": stages }),
-    };
-    let comparisons: Vec<Value> = solved.comparisons.iter().map(|c| json::comparison(solved.name(), c)).collect();
-    value["comparisons"] = comparisons.into();
+fn as_json(solution: &Solution, comparisons: &[Comparison], dir: &Path, files: &[PathBuf]) -> anyhow::Result<Value> {
+    let mut value = serde_json::to_value(solution.summary())?;
+    let comparisons = comparisons.iter().map(|comparison| json::comparison(&solution.case.name, comparison));
+    value["comparisons"] = comparisons.collect();
     value["folder"] = json!(dir);
     value["files"] = json!(files);
     Ok(value)

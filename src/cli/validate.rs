@@ -1,14 +1,14 @@
 //! `stampflow validate`: every case against its published curves.
 
 use super::code::{BadRequest, unusable};
-use super::job::{Job, solve_all};
+use super::job::{self, solve_all};
 use super::json::{self, Json, say_json};
 use super::progress::{Kept, Progress};
 use super::table::{Tone, table};
 use super::{Code, Threads, say};
 use anyhow::Context;
 use stampflow::compare::{Comparison, Verdict};
-use stampflow::output::can_write_all;
+use stampflow::output::{can_write_all, write_comparisons};
 use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 
@@ -46,27 +46,28 @@ const HEADERS: [&str; 8] = ["case", "quantity", "reference", "kind, grade", "wor
 const VERDICT: usize = 6;
 
 pub fn validate(args: &Args) -> anyhow::Result<Code> {
-    let mut jobs = Vec::new();
+    let mut cases = Vec::new();
     for path in case_files(&args.cases)? {
-        let job = Job::load(&path, &[])?;
-        if !job.case.compare.is_empty() {
-            jobs.push(job);
+        let case = job::load(&path, &[])?;
+        if !case.compare.is_empty() {
+            cases.push(case);
         }
     }
-    if jobs.is_empty() {
+    if cases.is_empty() {
         return Err(BadRequest(format!("no case in {} has a [[compare]] table", args.cases.display())).into());
     }
-    for job in &jobs {
-        can_write_all(&args.out.join(&job.case.name)).map_err(unusable("--out"))?;
+    for case in &cases {
+        can_write_all(&args.out.join(&case.name)).map_err(unusable("--out"))?;
     }
     args.threads.apply()?;
     let progress = Progress::new(args.quiet || args.json.json);
     let outcomes = solve_all(
-        jobs,
+        cases,
         |case| progress.watch(case, Kept::default()),
-        |solved| {
-            solved.write_comparisons(&args.out.join(solved.name()))?;
-            Ok((solved.name().to_owned(), solved.comparisons))
+        |solution, _| {
+            let comparisons = solution.comparisons()?;
+            write_comparisons(&solution, &comparisons, &args.out.join(&solution.case.name))?;
+            Ok((solution.case.name, comparisons))
         },
     );
     let outcomes = outcomes.into_iter().collect::<anyhow::Result<Vec<_>>>()?;

@@ -1,8 +1,10 @@
 //! A reference that is an interval: values of one quantity without places, such as the diameters of a drawn part
 //! along two lines, or thicknesses measured at points whose positions are not known.
 
+use super::curve::difference;
 use super::reference::Reference;
 use super::{CompareError, Computed, Verdict};
+use crate::table::fields::{element, step};
 use crate::table::{Column, Table, Unit, four_digits};
 
 /// What is compared with a band.
@@ -70,15 +72,14 @@ impl BandQuantity {
         }
     }
 
-    /// The computed columns that the values are taken from: abscissa and ordinate.
-    pub(super) fn columns<'a>(self, computed: &Computed<'a>) -> (&'a Column, &'a Column) {
-        let Computed { history, profile, .. } = computed;
+    pub(super) fn columns(self, computed: &Computed) -> (Column, Column) {
+        let over_travel = |values| (computed.step(step::TRAVEL), values);
         match self {
-            Self::EdgeDiameter => (history.column("travel"), history.column("edge_diameter")),
-            Self::DrawIn => (history.column("travel"), history.column("draw_in")),
-            Self::Thinnest => (history.column("travel"), history.column("thinnest")),
-            Self::Thickness => (profile.column("r"), profile.column("thickness")),
-            Self::PeakForce => (history.column("travel"), history.column("punch_force")),
+            Self::EdgeDiameter => over_travel(step::edge_diameter(computed.geometry, computed.length, computed.steps)),
+            Self::DrawIn => over_travel(computed.step(step::DRAW_IN)),
+            Self::Thinnest => over_travel(computed.step(step::THINNEST)),
+            Self::Thickness => (computed.element(element::R), computed.element(element::THICKNESS)),
+            Self::PeakForce => over_travel(computed.step(step::PUNCH_FORCE)),
         }
     }
 
@@ -164,7 +165,7 @@ impl Band {
             column("computed_low", "Least computed", computed.low),
             column("computed_high", "Largest computed", computed.high),
             column("outside", "Outside the band", self.outside().unwrap_or(f64::NAN)),
-            Column::new("difference", "Difference", Unit::Percent, vec![100.0 * self.difference().unwrap_or(f64::NAN)]),
+            difference(vec![100.0 * self.difference().unwrap_or(f64::NAN)]),
         ])
     }
 

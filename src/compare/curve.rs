@@ -2,6 +2,7 @@
 
 use super::reference::Reference;
 use super::{CompareError, Computed, Verdict};
+use crate::table::fields::{element, step};
 use crate::table::{Column, Table, Unit};
 
 /// What is compared along a curve.
@@ -60,14 +61,12 @@ impl Quantity {
         }
     }
 
-    /// The computed columns that are compared: abscissa and ordinate.
-    pub(super) fn columns<'a>(self, computed: &Computed<'a>) -> (&'a Column, &'a Column) {
-        let Computed { history, profile, .. } = computed;
+    pub(super) fn columns(self, computed: &Computed) -> (Column, Column) {
         match self {
-            Self::PunchForce => (history.column("travel"), history.column("punch_force")),
-            Self::Travel => (history.column("punch_force"), history.column("travel")),
-            Self::ThicknessAtS0 => (profile.column("s0"), profile.column("thickness")),
-            Self::ThicknessAtRadius => (profile.column("r"), profile.column("thickness")),
+            Self::PunchForce => (computed.step(step::TRAVEL), computed.step(step::PUNCH_FORCE)),
+            Self::Travel => (computed.step(step::PUNCH_FORCE), computed.step(step::TRAVEL)),
+            Self::ThicknessAtS0 => (computed.element(element::S0), computed.element(element::THICKNESS)),
+            Self::ThicknessAtRadius => (computed.element(element::R), computed.element(element::THICKNESS)),
         }
     }
 
@@ -102,7 +101,7 @@ impl Points {
             Column::new(x.key, x.label, x.unit, of(|p| p.x)),
             Column::new("reference", "Reference", y.unit, of(|p| p.reference)),
             Column::new("computed", "Computed", y.unit, of(|p| p.computed.unwrap_or(f64::NAN))),
-            Column::new("difference", "Difference", Unit::Percent, of(|p| 100.0 * p.difference().unwrap_or(f64::NAN))),
+            difference(of(|p| 100.0 * p.difference().unwrap_or(f64::NAN))),
         ])
     }
 
@@ -118,6 +117,11 @@ impl Points {
             Verdict::In
         }
     }
+}
+
+/// Computed minus reference, over the reference \[%\].
+pub(super) fn difference(values: Vec<f64>) -> Column {
+    Column::new("difference", "Difference", Unit::Percent, values)
 }
 
 /// The reference's points with what was computed there; `curve` is the computed one.

@@ -1,33 +1,32 @@
 //! Comparisons of synthetic curves whose answer is known.
 
 use super::*;
-use crate::table::Unit;
 
 const PROVENANCE: &str = "[\"curve.csv\"]\ncitation = \"A. Uthor, A title, 1990.\"\nkind = \"experiment\"\ngrade = \"A\"\n\
                        scatter = \"5 %\"\n";
 
 /// Force 2 t up to t = 10, then falling; edge diameter 90, draw-in 5 and thinnest 0.8 mm at the end; thickness 1 + s0/100 on elements of 2 mm.
-fn history() -> Table {
-    let travel: Vec<f64> = (1..=16).map(f64::from).collect();
-    let force = travel.iter().map(|t| if *t <= 10.0 { 2000.0 * t } else { 40_000.0 - 2000.0 * t }).collect();
-    let rows = travel.len();
-    let falling = |from: f64, to: f64| (1..=rows).map(|i| from + (to - from) * i as f64 / rows as f64).collect();
-    Table::new(vec![
-        Column::new("travel", "Punch travel", Unit::Mm, travel),
-        Column::new("punch_force", "Punch force", Unit::N, force),
-        Column::new("edge_diameter", "Diameter at the edge", Unit::Mm, falling(100.0, 90.0)),
-        Column::new("draw_in", "Draw-in of the edge", Unit::Mm, falling(0.0, 5.0)),
-        Column::new("thinnest", "Least thickness", Unit::Mm, falling(1.0, 0.8)),
-    ])
+fn history() -> Vec<StepRecord> {
+    let falling = |from: f64, to: f64, i: usize| from + (to - from) * i as f64 / 16.0;
+    let step = |i: usize| StepRecord {
+        travel: i as f64,
+        punch_force: if i <= 10 { 2000.0 * i as f64 } else { 40_000.0 - 2000.0 * i as f64 },
+        draw_in: falling(0.0, 5.0, i),
+        thinnest: falling(1.0, 0.8, i),
+        ..StepRecord::default()
+    };
+    (1..=16).map(step).collect()
 }
 
-fn profile() -> Table {
-    let s0: Vec<f64> = (0..10).map(|i| 1.0 + 2.0 * f64::from(i)).collect();
-    Table::new(vec![
-        Column::new("r", "Radius", Unit::Mm, s0.iter().map(|s| 0.9 * s).collect()),
-        Column::new("thickness", "Thickness", Unit::Mm, s0.iter().map(|s| 1.0 + s / 100.0).collect()),
-        Column::new("s0", "Initial radius", Unit::Mm, s0),
-    ])
+fn profile() -> Vec<ElementRecord> {
+    let element = |s0: f64| ElementRecord { s0, r: 0.9 * s0, thickness: 1.0 + s0 / 100.0, ..ElementRecord::default() };
+    (0..10).map(|i| element(1.0 + 2.0 * f64::from(i))).collect()
+}
+
+/// Of a blank of 50 mm.
+fn against_drawn(spec: &Spec, complete: bool) -> Result<Comparison, CompareError> {
+    let (steps, elements) = (&history()[..], &profile()[..]);
+    compare(spec, &Computed { geometry: Geometry::Axisymmetric, length: 50.0, steps, elements, complete })
 }
 
 /// A comparison with the text of a CSV file.
@@ -50,7 +49,7 @@ fn points(comparison: &Comparison) -> &Points {
 }
 
 fn compared(csv: &str, against: Against, complete: bool) -> Result<Comparison, CompareError> {
-    compare(&spec(Some(csv), against), &Computed { history: &history(), profile: &profile(), complete })
+    against_drawn(&spec(Some(csv), against), complete)
 }
 
 fn along(csv: &str, spec: CurveSpec, complete: bool) -> Result<Comparison, CompareError> {
@@ -100,9 +99,8 @@ fn thickness_needs_the_whole_run_and_is_held_at_the_ends() {
 #[test]
 fn a_missing_file_is_an_error_unless_it_is_optional() {
     let strict = spec(None, Against::Curve(curve("travel_mm", "punch_force_N", Quantity::PunchForce)));
-    let computed = Computed { history: &history(), profile: &profile(), complete: true };
-    assert!(compare(&strict, &computed).unwrap_err().to_string().contains("nowhere/curve.csv is not there"));
-    let c = compare(&Spec { optional: true, ..strict }, &computed).unwrap();
+    assert!(against_drawn(&strict, true).unwrap_err().to_string().contains("nowhere/curve.csv is not there"));
+    let c = against_drawn(&Spec { optional: true, ..strict }, true).unwrap();
     assert_eq!((c.verdict, &c.found, c.worst()), (Verdict::NoData, &Found::NoData, None));
     assert!(!c.is_failure());
 }
@@ -136,8 +134,7 @@ fn mistakes_in_the_file_are_named() {
 /// Trust: the curve itself is the reference, so every difference is rounding.
 #[test]
 fn a_curve_agrees_with_itself() {
-    let (x, y) = (history().column("travel").values.clone(), history().column("punch_force").values.clone());
-    let rows: String = x.iter().zip(&y).map(|(x, y)| format!("{x},{y}\n")).collect();
+    let rows: String = history().iter().map(|step| format!("{},{}\n", step.travel, step.punch_force)).collect();
     let csv = format!("travel_mm,punch_force_N\n{rows}");
     let c = along(&csv, curve("travel_mm", "punch_force_N", Quantity::PunchForce), true).unwrap();
     assert!(points(&c).0.iter().all(|p| p.difference().unwrap().abs() < 1e-14));
@@ -188,7 +185,7 @@ fn a_peak_is_compared_wherever_it_is_and_a_band_needs_the_whole_run() {
 fn a_demonstration_shows_its_difference_and_does_not_fail() {
     let against = BandSpec { quantity: BandQuantity::EdgeDiameter, columns: vec!["d_mm".to_owned()], error: None };
     let spec = Spec { demonstration: true, ..spec(Some("d_mm\n95\n96\n"), Against::Band(against)) };
-    let c = compare(&spec, &Computed { history: &history(), profile: &profile(), complete: true }).unwrap();
+    let c = against_drawn(&spec, true).unwrap();
     assert_eq!((c.verdict, c.is_failure()), (Verdict::Out, false));
     assert_eq!(c.outcome(), "OUT, demonstration");
     assert_eq!((c.worst().unwrap(), c.accepted()), ("5.00 mm below (-5.3 %)".to_owned(), "95 to 96 mm".to_owned()));

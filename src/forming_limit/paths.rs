@@ -10,15 +10,49 @@ pub struct Instant {
     pub strains: Vec<[f64; 2]>,
 }
 
-/// The strains of a run after every accepted step, the first instant being its start.
-#[derive(Clone, Debug, Default, PartialEq)]
+/// The strains of a run, the first instant being its start and the last one its end.
+///
+/// At most [`Paths::MOST`] instants are held, so that memory does not grow with the number of steps: up to as many steps
+/// each is kept, then every second one, every fourth, and so on, evenly over the run so far.
+#[derive(Clone, Debug, PartialEq)]
 pub struct Paths {
     /// Initial distance of the elements' middles from the axis \[mm\].
     pub s0: Vec<f64>,
     pub instants: Vec<Instant>,
+    /// Every how many steps an instant is kept, and how many were given.
+    stride: usize,
+    given: usize,
+}
+
+impl Default for Paths {
+    fn default() -> Self {
+        Self::starting(Vec::new())
+    }
 }
 
 impl Paths {
+    /// Instants that are held at most; 16 bytes each for an element.
+    pub const MOST: usize = 2000;
+
+    /// Paths without an instant, of elements at these initial distances from the axis \[mm\].
+    pub fn starting(s0: Vec<f64>) -> Self {
+        Self { s0, instants: Vec::new(), stride: 1, given: 0 }
+    }
+
+    /// Adds the instant after a step: it is the end until another one follows.
+    pub fn push(&mut self, instant: Instant) {
+        if self.given > 0 && (self.given - 1) % self.stride != 0 {
+            self.instants.pop();
+        }
+        if self.instants.len() == Self::MOST {
+            self.stride *= 2;
+            let mut number = 0..;
+            self.instants.retain(|_| number.next().is_some_and(|i| i % 2 == 0));
+        }
+        self.instants.push(instant);
+        self.given += 1;
+    }
+
     /// The path of an element: minor and major strain at every instant \[–\].
     ///
     /// The direction that is the major one at the end is the major one throughout, so that a path does not fold over

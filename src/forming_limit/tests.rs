@@ -212,14 +212,10 @@ fn the_groove_is_monotone_and_has_its_rate_free_limit() {
 fn paths_are_judged_by_their_ends_their_bends_and_when_they_cross() {
     let curve = Curve::new("level", vec![[-1.0, 0.3], [1.0, 0.3]], vec![]).expect("a curve");
     let at = |time: f64, strains: [[f64; 2]; 2]| Instant { time, travel: 10.0 * time, strains: strains.to_vec() };
-    let paths = Paths {
-        s0: vec![1.0, 2.0],
-        instants: vec![
-            at(0.0, [[0.0, 0.0], [0.0, 0.0]]),
-            at(1.0, [[0.1, 0.05], [0.0, 0.1]]),
-            at(2.0, [[0.4, 0.2], [0.1, 0.1]]),
-        ],
-    };
+    let mut paths = Paths::starting(vec![1.0, 2.0]);
+    paths.push(at(0.0, [[0.0, 0.0], [0.0, 0.0]]));
+    paths.push(at(1.0, [[0.1, 0.05], [0.0, 0.1]]));
+    paths.push(at(2.0, [[0.4, 0.2], [0.1, 0.1]]));
     let found = assess(&curve, &paths).expect("paths");
     let [straight, bent] = [found.elements[0], found.elements[1]];
     assert_relative_eq!(straight.margin(), -0.1, epsilon = 1e-15);
@@ -233,4 +229,21 @@ fn paths_are_judged_by_their_ends_their_bends_and_when_they_cross() {
     assert_relative_eq!(reached.travel, 10.0 * reached.time, epsilon = 1e-12);
     assert_eq!(reached.s0, 1.0);
     assert!(assess(&curve, &Paths::default()).is_none());
+}
+
+/// Trust: counted. Whatever the number of steps, the start, the end and evenly spaced instants between are held, every one
+/// up to the limit.
+#[test]
+fn paths_of_any_length_are_thinned_evenly() {
+    for steps in [1, 7, Paths::MOST, Paths::MOST + 1, 3 * Paths::MOST + 5, 100_000] {
+        let mut paths = Paths::starting(vec![1.0]);
+        (0..steps).for_each(|i| paths.push(Instant { time: i as f64, travel: 0.0, strains: vec![[0.0, 0.0]] }));
+        let times: Vec<f64> = paths.instants.iter().map(|instant| instant.time).collect();
+        assert!(times.len() == steps || (Paths::MOST / 2..=Paths::MOST).contains(&times.len()), "{steps}");
+        assert_eq!((times[0], times[times.len() - 1]), (0.0, steps as f64 - 1.0));
+        if let [first, second, .., last] = times[..] {
+            let even = times[..times.len() - 1].windows(2).all(|pair| pair[1] - pair[0] == second - first);
+            assert!(even && last - times[times.len() - 2] <= second - first, "{steps}");
+        }
+    }
 }

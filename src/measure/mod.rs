@@ -89,13 +89,18 @@ pub struct Quantity {
     pub of: fn(&Shape) -> Option<f64>,
 }
 
+pub const WALL_ANGLE: Quantity =
+    Quantity { key: "wall_angle", label: "Wall to the punch direction", unit: Unit::Degree, of: Shape::wall_angle };
+pub const FLANGE_ANGLE: Quantity =
+    Quantity { key: "flange_angle", label: "Flange to the horizontal", unit: Unit::Degree, of: Shape::flange_angle };
+
 /// Everything that is measured, in the order of tables.
 pub const QUANTITIES: &[Quantity] = &[
-    Quantity { key: "wall_angle", label: "Wall to the punch direction", unit: Unit::Degree, of: Shape::wall_angle },
+    WALL_ANGLE,
     Quantity { key: "opening_angle", label: "Opening angle", unit: Unit::Degree, of: Shape::opening_angle },
     Quantity { key: "bottom_to_wall", label: "Bottom to wall, θ₁", unit: Unit::Degree, of: Shape::bottom_to_wall },
     Quantity { key: "wall_to_flange", label: "Wall to flange, θ₂", unit: Unit::Degree, of: Shape::wall_to_flange },
-    Quantity { key: "flange_angle", label: "Flange to the horizontal", unit: Unit::Degree, of: Shape::flange_angle },
+    FLANGE_ANGLE,
     Quantity { key: "curl_radius", label: "Radius of the wall's curl, ρ", unit: Unit::Mm, of: Shape::curl_radius },
     Quantity { key: "height", label: "Height of the middle over the edge", unit: Unit::Mm, of: |shape| shape.height },
     Quantity { key: "edge", label: "Distance of the edge", unit: Unit::Mm, of: |shape| shape.edge },

@@ -3,6 +3,7 @@
 use crate::measure::Change;
 use crate::table::Table;
 use crate::units::rounded;
+use std::fmt::Write;
 
 /// One header row (`punch_force_N`), then one row per value, nine significant digits.
 pub fn csv(table: &Table) -> Vec<u8> {
@@ -28,16 +29,14 @@ pub(super) fn with_texts(texts: &[(&str, Vec<String>)], table: &Table) -> Vec<u8
 }
 
 /// One row per quantity that was measured on two sheets; what one of them has not is left empty.
-pub fn springback(changes: &[Change]) -> Vec<u8> {
-    let mut writer = csv::Writer::from_writer(Vec::new());
-    let never = "memory does not refuse a row";
-    writer.write_record(["quantity", "unit", "before", "after", "change"]).expect(never);
+pub(super) fn springback(changes: &[Change]) -> String {
+    let mut text = "quantity,unit,before,after,change\n".to_owned();
     for change in changes {
-        let words = [change.quantity.key, change.quantity.unit.spelled()].map(str::to_owned);
-        let values = [change.before, change.after, change.change()].map(|v| v.map_or(String::new(), number));
-        writer.write_record(words.iter().chain(&values)).expect(never);
+        let [before, after, by] =
+            [change.before, change.after, change.change()].map(|v| v.map_or(String::new(), number));
+        let _ = writeln!(text, "{},{},{before},{after},{by}", change.quantity.key, change.quantity.unit.spelled());
     }
-    writer.into_inner().expect(never)
+    text
 }
 
 fn number(value: f64) -> String {

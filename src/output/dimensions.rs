@@ -2,11 +2,11 @@
 
 use super::chart::{BLACK, Chart, Color, GREY, Look, PALE, Panel, Scale, Series, color};
 use super::outline::clipped;
-use super::shapes::{body, flat};
-use super::worded;
+use super::sections::{body, flat};
 use crate::geometry::Point;
 use crate::model::Model;
-use crate::table::{Column, Unit, four_digits};
+use crate::table::fields::element::{R, Z};
+use crate::table::{Unit, four_digits};
 
 /// A size of the section, and where it is drawn.
 #[derive(Clone, Debug, PartialEq)]
@@ -108,14 +108,12 @@ pub fn dimensioned(model: &Model, dimensions: &[Dimension]) -> Chart {
             series.push(Series::new(dimension.text(), vec![(r + 8.0 * px, middle)], Look::Text));
         }
     }
-    let axis = |key, label| Column::new(key, label, Unit::Mm, Vec::new()).axis();
-    let r = worded(model.geometry, "Distance from the axis", "Distance from the symmetry plane");
     Chart {
         title: "Section at the start".to_owned(),
         legend: "",
         panels: vec![Panel {
-            x: axis("r", r),
-            y: axis("z", "z, along punch travel"),
+            x: R.axis(model.geometry),
+            y: Z.axis(model.geometry),
             series,
             scale: Scale::Section { x: (0.0, width + beside * px), y: (top, bottom + px * below) },
         }],

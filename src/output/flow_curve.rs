@@ -1,7 +1,7 @@
 //! A material by itself: its flow curve, and the forming limits that follow from it.
 
 use super::chart::{Chart, Look, Panel, Scale, Series};
-use super::forming_limit::curve;
+use super::forming_limit::axes;
 use crate::forming_limit::Curve;
 use crate::material::Material;
 use crate::table::{Column, Unit};
@@ -24,18 +24,13 @@ pub fn chart(title: &str, material: &Material, limits: &[Curve], notes: Vec<Stri
         series: vec![Series::new(material.hardening.describe(), points, Look::curve(0))],
         scale: Scale::Fit { height: 260.0, least: 10.0 },
     }];
-    if let Some(first) = limits.first() {
-        let table = curve(first);
+    if !limits.is_empty() {
+        let [x, y] = axes();
         let series = limits.iter().enumerate().map(|(i, limit)| {
             let points = limit.points().iter().map(|p| (p[0], p[1])).collect();
             Series::new(format!("{}, computed", limit.name), points, Look::curve(i + 1))
         });
-        panels.push(Panel {
-            x: table.column("strain_minor").axis(),
-            y: table.column("strain_major").axis(),
-            series: series.collect(),
-            scale: Scale::Fit { height: 260.0, least: 0.1 },
-        });
+        panels.push(Panel { x, y, series: series.collect(), scale: Scale::Fit { height: 260.0, least: 0.1 } });
     }
     Chart { title: title.to_owned(), legend: "", panels, notes }
 }

@@ -1,9 +1,11 @@
 //! The forming limit diagram: the curve, and the way that every element takes below it or through it.
 
+use super::StageView;
 use super::chart::{BLACK, Chart, GREY, Look, Panel, Scale, Series, color, pale};
-use super::{Subject, worded};
 use crate::forming_limit::{Assessment, CROOKED, Curve};
-use crate::table::{Column, Table, Unit};
+use crate::table::fields::element::{S0, STRAIN_HOOP, STRAIN_MERIDIONAL};
+use crate::table::fields::step::TRAVEL;
+use crate::table::{Axis, Column, Table, Unit, worded};
 
 /// Points of a drawn path: more than the eye follows.
 const DRAWN: usize = 60;
@@ -18,22 +20,27 @@ fn major(values: Vec<f64>) -> Column {
     Column::new("strain_major", "Major true strain, mid-surface", Unit::None, values)
 }
 
+/// The axes of a forming limit diagram: minor and major strain.
+pub(super) fn axes() -> [Axis; 2] {
+    [minor(Vec::new()).axis(), major(Vec::new()).axis()]
+}
+
 /// The points of a curve.
 pub fn curve(curve: &Curve) -> Table {
     let column = |i: usize| curve.points().iter().map(|point| point[i]).collect();
     Table::new(vec![minor(column(0)), major(column(1))])
 }
 
-pub(super) fn curve_of(subject: &Subject) -> Option<Table> {
-    subject.model.forming_limit.as_ref().map(curve)
+pub(super) fn curve_of(view: &StageView) -> Option<Table> {
+    view.model().forming_limit.as_ref().map(curve)
 }
 
 /// One row per element and accepted step: its strains and its distance to the curve; the crookedness is that of the whole
 /// path.
-pub(super) fn paths_of(subject: &Subject) -> Option<Table> {
-    let assessment = subject.forming_limit()?;
-    let curve = subject.model.forming_limit.as_ref()?;
-    let paths = &subject.run.paths;
+pub(super) fn paths_of(view: &StageView) -> Option<Table> {
+    let assessment = view.forming_limit()?;
+    let curve = view.model().forming_limit.as_ref()?;
+    let paths = &view.stage.paths;
     let mut columns: [Vec<f64>; 10] = Default::default();
     for (e, judged) in assessment.elements.iter().enumerate() {
         for (instant, [minor, major]) in paths.instants.iter().zip(paths.of(e)) {
@@ -54,19 +61,16 @@ pub(super) fn paths_of(subject: &Subject) -> Option<Table> {
             columns.iter_mut().zip(row).for_each(|(column, value)| column.push(value));
         }
     }
-    let worded = |axisymmetric, plane_strain| worded(subject.model.geometry, axisymmetric, plane_strain);
-    let from = worded("Initial distance from the axis", "Initial distance from the symmetry plane");
-    let along = worded("Meridional strain", "In-plane strain");
-    let across = worded("Hoop strain", "Out-of-plane strain");
+    let geometry = view.geometry();
     let [s0, time, travel, minors, majors, meridional, hoop, limit, margin, crookedness] = columns;
     Some(Table::new(vec![
-        Column::new("s0", from, Unit::Mm, s0),
+        S0.filled(geometry, s0),
         Column::new("time", "Time", Unit::Second, time),
-        Column::new("travel", "Punch travel", Unit::Mm, travel),
+        TRAVEL.filled(geometry, travel),
         minor(minors),
         major(majors),
-        Column::new("strain_meridional", along, Unit::None, meridional),
-        Column::new("strain_hoop", across, Unit::None, hoop),
+        STRAIN_MERIDIONAL.filled(geometry, meridional),
+        STRAIN_HOOP.filled(geometry, hoop),
         Column::new("limit_major", "Major strain of the limit", Unit::None, limit),
         Column::new("margin", "Margin in major strain", Unit::None, margin),
         Column::new(
@@ -79,18 +83,18 @@ pub(super) fn paths_of(subject: &Subject) -> Option<Table> {
 }
 
 /// The diagram.
-pub(super) fn plot(subject: &Subject) -> Option<Chart> {
-    let assessment = subject.forming_limit()?;
-    let limit = subject.model.forming_limit.as_ref()?;
+pub(super) fn plot(view: &StageView) -> Option<Chart> {
+    let assessment = view.forming_limit()?;
+    let limit = view.model().forming_limit.as_ref()?;
     let worst = assessment.worst();
     let thin = Look::Line { color: pale(GREY), width: 0.8, dash: &[] };
-    let paths = (0..assessment.elements.len()).map(|e| Series::silent(drawn(&subject.run.paths.of(e)), thin));
+    let paths = (0..assessment.elements.len()).map(|e| Series::silent(drawn(&view.stage.paths.of(e)), thin));
     let ends = |hoop: bool| -> Vec<(f64, f64)> {
         let of_one = assessment.elements.iter().filter(|element| element.hoop_is_major == hoop);
         of_one.map(|element| (element.minor, element.major)).collect()
     };
     let (along, across) = (ends(false), ends(true));
-    let worded = |axisymmetric, plane_strain| worded(subject.model.geometry, axisymmetric, plane_strain);
+    let worded = |axisymmetric, plane_strain| worded(view.geometry(), axisymmetric, plane_strain);
     let places = [
         (worded("Elements at the end, major strain along the meridian", "Elements at the end"), along, 0),
         (worded("Elements at the end, major strain along the hoop", "Elements at the end, shortened"), across, 2),
@@ -100,28 +104,28 @@ pub(super) fn plot(subject: &Subject) -> Option<Chart> {
     let e = assessment.elements.iter().position(|element| element == worst)?;
     let path = Series::new(
         format!("Path of the least margin, s0 = {:.1} mm", worst.s0),
-        drawn(&subject.run.paths.of(e)),
+        drawn(&view.stage.paths.of(e)),
         Look::Line { color: color(0), width: 1.8, dash: &[] },
     );
     let curve = Series::new(
         format!("Forming limit: {}", limit.name),
-        shown(limit, &assessment),
+        shown(limit, assessment),
         Look::Line { color: color(1), width: 2.8, dash: &[] },
     );
     // The origin and plane strain.
     let top = limit.plane_strain();
     let axis = Series::silent(vec![(0.0, 0.0), (0.0, top)], Look::Line { color: BLACK, width: 0.8, dash: &[2.5, 3.0] });
-    let table = self::curve(limit);
+    let [x, y] = axes();
     Some(Chart {
-        title: format!("{}: forming limit diagram", subject.model.title),
+        title: view.titled("forming limit diagram"),
         legend: "",
         panels: vec![Panel {
-            x: table.column("strain_minor").axis(),
-            y: table.column("strain_major").axis(),
+            x,
+            y,
             series: paths.chain([axis, path]).chain(places).chain([curve]).collect(),
             scale: Scale::Fit { height: 450.0, least: LEAST },
         }],
-        notes: std::iter::once(words(&assessment)).chain(limit.notes.iter().cloned()).chain(subject.notes()).collect(),
+        notes: std::iter::once(words(assessment)).chain(limit.notes.iter().cloned()).chain(view.notes()).collect(),
     })
 }
 

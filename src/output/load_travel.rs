@@ -1,110 +1,112 @@
 //! The history of every accepted step over the punch travel.
 
+use super::StageView;
 use super::chart::{Chart, Look, Panel, Scale, Series};
-use super::{JOULES, Subject, energy_unit, force_unit, worded};
-use crate::model::{Geometry, Model};
 use crate::solution::{StageSolution, StepRecord};
-use crate::table::{Axis, Column, Table, Unit};
+use crate::table::fields::step::{
+    self, DRAW_IN, EDGE_FORCE, HOLDER_FORCE, POLE_HEIGHT, PRESSURE, PUNCH_FORCE, THINNEST, TRAVEL,
+};
+use crate::table::{Field, JOULES, Table, Unit};
 use crate::units::ZERO_CELSIUS;
 
+/// Columns before and behind the diameter at the edge.
+const BEFORE: [Field<StepRecord>; 7] = [
+    TRAVEL,
+    PUNCH_FORCE,
+    HOLDER_FORCE,
+    EDGE_FORCE,
+    DRAW_IN,
+    THINNEST,
+    Field::worded(
+        "thinnest_s0",
+        [
+            "Initial distance of the thinnest place from the axis",
+            "Initial distance of the thinnest place from the symmetry plane",
+        ],
+        Unit::Mm,
+        |s| s.thinnest_s0,
+    ),
+];
+const BEHIND: [Field<StepRecord>; 22] = [
+    Field::energy("work_external", "External work", |s| JOULES * s.work.external),
+    Field::energy("work_plastic", "Plastic work", |s| JOULES * s.work.plastic),
+    Field::energy("work_friction", "Friction work", |s| JOULES * s.work.friction),
+    Field::energy("work_contact", "Contact work", |s| JOULES * s.work.contact),
+    Field::energy("work_cutoff", "Work in cut-off points", |s| JOULES * s.work.cutoff),
+    POLE_HEIGHT,
+    PRESSURE,
+    Field::new("holder_move", "Move of the holder towards the die", Unit::Mm, |s| s.holder_move),
+    Field::new("penetration", "Penetration over thickness", Unit::None, |s| s.penetration),
+    Field::new("squeeze", "Squeeze between two tools over thickness", Unit::None, |s| s.ironing),
+    Field::new("rim_share", "Share of the holder force on the rim", Unit::None, |s| s.rim_share),
+    Field::new("sticking", "Share of the nodes in contact that stick", Unit::None, |s| s.sticking),
+    Field::new("flips", "Contacts that came or went", Unit::None, |s| s.contact_changes as f64),
+    Field::new("sharpest_bend", "Thickness over the smallest bending radius", Unit::None, |s| s.sharpest_bend),
+    Field::new("strain_increment", "Largest strain of the step", Unit::None, |s| s.strain_increment),
+    Field::new("contact_share", "Contact share: the sheet on punch and die", Unit::None, |s| s.contact_share),
+    Field::new("step", "Step", Unit::None, |s| s.step as f64),
+    Field::new("time", "Time", Unit::Second, |s| s.time),
+    Field::new("iterations", "Iterations", Unit::None, |s| s.iterations as f64),
+    Field::new("rejected", "Rejected tries", Unit::None, |s| s.rejected as f64),
+    Field::new("velocity_norm", "Relative velocity increment", Unit::None, |s| s.velocity_norm),
+    Field::new("residual_norm", "Relative residual", Unit::None, |s| s.residual_norm),
+];
+/// Of a sheet with voids.
+const VOIDS: [Field<StepRecord>; 1] = [Field::new("porosity", "Largest porosity", Unit::None, |s| s.porosity)];
+/// Of a sheet whose temperature is given.
+const HEAT: [Field<StepRecord>; 5] = [
+    Field::new("coldest", "Lowest temperature", Unit::Celsius, |s| s.coldest - ZERO_CELSIUS),
+    Field::new("hottest", "Highest temperature", Unit::Celsius, |s| s.hottest - ZERO_CELSIUS),
+    Field::energy("heat_plastic", "Heat from plastic work", |s| JOULES * s.heat.plastic),
+    Field::energy("heat_tools", "Heat from the tools", |s| JOULES * s.heat.tools),
+    Field::energy("heat_stored", "Heat stored in the sheet", |s| JOULES * s.heat.stored),
+];
+
 /// One row per accepted step.
-pub fn table(model: &Model, run: &StageSolution) -> Table {
-    let force = force_unit(model.geometry);
-    let column = |key, label, unit, value: fn(&StepRecord) -> f64| {
-        Column::new(key, label, unit, run.steps.iter().map(value).collect())
-    };
-    let energy = |key, label, value: fn(&StepRecord) -> f64| {
-        let values = run.steps.iter().map(|step| JOULES * value(step)).collect();
-        Column::new(key, label, energy_unit(model.geometry), values)
-    };
-    let edge = match model.geometry {
-        Geometry::Axisymmetric => "Diameter at the edge",
-        Geometry::PlaneStrain => "Width between the edges",
-    };
-    let diameters = run.steps.iter().map(|s| 2.0 * (model.blank.length - s.draw_in)).collect();
-    let thinnest_s0 = worded(
-        model.geometry,
-        "Initial distance of the thinnest place from the axis",
-        "Initial distance of the thinnest place from the symmetry plane",
-    );
-    let mut columns = vec![
-        column("travel", "Punch travel", Unit::Mm, |s| s.travel),
-        column("punch_force", "Punch force", force, |s| s.punch_force),
-        column("holder_force", "Holder force", force, |s| s.holder_force),
-        column("edge_force", "Edge force", force, |s| s.edge_force),
-        column("draw_in", "Draw-in of the edge", Unit::Mm, |s| s.draw_in),
-        column("thinnest", "Least thickness", Unit::Mm, |s| s.thinnest),
-        column("thinnest_s0", thinnest_s0, Unit::Mm, |s| s.thinnest_s0),
-        Column::new("edge_diameter", edge, Unit::Mm, diameters),
-        energy("work_external", "External work", |s| s.work.external),
-        energy("work_plastic", "Plastic work", |s| s.work.plastic),
-        energy("work_friction", "Friction work", |s| s.work.friction),
-        energy("work_contact", "Contact work", |s| s.work.contact),
-        energy("work_cutoff", "Work in cut-off points", |s| s.work.cutoff),
-        column("pole_height", "Height of the middle", Unit::Mm, |s| s.pole_height),
-        column("pressure", "Gas pressure", Unit::MPa, |s| s.pressure),
-        column("holder_move", "Move of the holder towards the die", Unit::Mm, |s| s.holder_move),
-        column("penetration", "Penetration over thickness", Unit::None, |s| s.penetration),
-        column("squeeze", "Squeeze between two tools over thickness", Unit::None, |s| s.ironing),
-        column("rim_share", "Share of the holder force on the rim", Unit::None, |s| s.rim_share),
-        column("sticking", "Share of the nodes in contact that stick", Unit::None, |s| s.sticking),
-        column("flips", "Contacts that came or went", Unit::None, |s| s.contact_changes as f64),
-        column("sharpest_bend", "Thickness over the smallest bending radius", Unit::None, |s| s.sharpest_bend),
-        column("strain_increment", "Largest strain of the step", Unit::None, |s| s.strain_increment),
-        column("contact_share", "Contact share: the sheet on punch and die", Unit::None, |s| s.contact_share),
-        column("step", "Step", Unit::None, |s| s.step as f64),
-        column("time", "Time", Unit::Second, |s| s.time),
-        column("iterations", "Iterations", Unit::None, |s| s.iterations as f64),
-        column("rejected", "Rejected tries", Unit::None, |s| s.rejected as f64),
-        column("velocity_norm", "Relative velocity increment", Unit::None, |s| s.velocity_norm),
-        column("residual_norm", "Relative residual", Unit::None, |s| s.residual_norm),
-    ];
+pub fn table(stage: &StageSolution) -> Table {
+    let (model, geometry) = (&stage.model, stage.model.geometry);
+    let column = |field: &Field<StepRecord>| field.column(geometry, &stage.steps);
+    let edge = step::edge_diameter(geometry, model.blank.length, &stage.steps);
+    let mut columns: Vec<_> = BEFORE.iter().map(column).chain([edge]).chain(BEHIND.iter().map(column)).collect();
     if model.material.voids.is_some() {
-        columns.push(column("porosity", "Largest porosity", Unit::None, |s| s.porosity));
+        columns.extend(VOIDS.iter().map(column));
     }
     if model.heat.is_some() {
-        columns.push(column("coldest", "Lowest temperature", Unit::Celsius, |s| s.coldest - ZERO_CELSIUS));
-        columns.push(column("hottest", "Highest temperature", Unit::Celsius, |s| s.hottest - ZERO_CELSIUS));
-        columns.push(energy("heat_plastic", "Heat from plastic work", |s| s.heat.plastic));
-        columns.push(energy("heat_tools", "Heat from the tools", |s| s.heat.tools));
-        columns.push(energy("heat_stored", "Heat stored in the sheet", |s| s.heat.stored));
+        columns.extend(HEAT.iter().map(column));
     }
     Table::new(columns)
 }
 
-pub(super) fn of(subject: &Subject) -> Option<Table> {
-    Some(table(subject.model, subject.run))
+pub(super) fn of(view: &StageView) -> Option<Table> {
+    Some(table(view.stage))
 }
 
-pub(super) fn plot(subject: &Subject) -> Option<Chart> {
-    let panel = panel(subject, 350.0)?;
-    let what = if subject.model.travel == 0.0 { "pressure" } else { "forces" };
-    Some(Chart {
-        title: format!("{}: {what}", subject.model.title),
-        legend: "",
-        panels: vec![panel],
-        notes: subject.notes(),
-    })
+pub(super) fn plot(view: &StageView) -> Option<Chart> {
+    let panel = panel(view, 350.0)?;
+    let what = if view.model().travel == 0.0 { "pressure" } else { "forces" };
+    Some(Chart { title: view.titled(what), legend: "", panels: vec![panel], notes: view.notes() })
 }
 
 /// Punch and holder force over the travel, and the held edge's force where there is one; under gas alone, its pressure
 /// over the height of the dome; nothing while the tools are taken away. One point per step in every series.
-pub(super) fn panel(subject: &Subject, height: f64) -> Option<Panel> {
-    subject.run.steps.first().filter(|_| subject.model.release.is_none())?;
-    let table = table(subject.model, subject.run);
-    let scale = Scale::Fit { height, least: 0.0 };
-    if subject.model.travel == 0.0 {
-        let (x, pressure) = (table.column("pole_height"), table.column("pressure"));
-        let series = vec![Series::new(pressure.label, table.pairs(x.key, pressure.key), Look::curve(0))];
-        return Some(Panel { x: x.axis(), y: pressure.axis(), series, scale });
-    }
-    let acts = |key: &str| key == "punch_force" || table.column(key).values.iter().any(|v| *v != 0.0);
-    let keys: Vec<&str> = ["punch_force", "holder_force", "edge_force"].into_iter().filter(|k| acts(k)).collect();
-    let columns: Vec<&Column> = keys.iter().map(|key| table.column(key)).collect();
-    let series = columns
-        .iter()
-        .enumerate()
-        .map(|(i, column)| Series::new(column.label, table.pairs("travel", column.key), Look::curve(i)))
-        .collect();
-    Some(Panel { x: table.column("travel").axis(), y: Axis::shared(&columns), series, scale })
+pub(super) fn panel(view: &StageView, height: f64) -> Option<Panel> {
+    let (geometry, steps) = (view.geometry(), &view.stage.steps);
+    steps.first().filter(|_| view.model().release.is_none())?;
+    let (over, fields) = match view.model().travel == 0.0 {
+        true => (POLE_HEIGHT, vec![PRESSURE]),
+        false => {
+            let acts = |field: &Field<StepRecord>| steps.iter().any(|step| (field.value)(step) != 0.0);
+            let others = [HOLDER_FORCE, EDGE_FORCE].into_iter().filter(acts);
+            (TRAVEL, std::iter::once(PUNCH_FORCE).chain(others).collect())
+        }
+    };
+    let curve = |(i, field): (usize, &Field<StepRecord>)| {
+        Series::new(field.label(geometry), over.against(field, steps), Look::curve(i))
+    };
+    Some(Panel {
+        x: over.axis(geometry),
+        y: Field::shared_axis(&fields, geometry),
+        series: fields.iter().enumerate().map(curve).collect(),
+        scale: Scale::Fit { height, least: 0.0 },
+    })
 }

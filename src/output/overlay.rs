@@ -1,29 +1,46 @@
 //! A computed curve over a reference: points with their difference below, or a band.
 
 use super::chart::{BLACK, Chart, Color, GREY, Look, Panel, Scale, Series, color};
-use super::{Subject, WriteError, csv, png, write_into};
-use crate::compare::{Against, Band, BandQuantity, BandSpec, Comparison, CurveSpec, Found, Interval, Points, Quantity};
+use super::{Files, StageView, csv, picture};
+use crate::case::{Case, Solution};
+use crate::compare::{
+    Against, Band, BandQuantity, BandSpec, CompareError, Comparison, Computed, CurveSpec, Found, Interval, Points,
+    Quantity, compare,
+};
 use crate::units::rounded;
-use std::path::{Path, PathBuf};
 
-/// Writes `compare_<n>_<quantity>.png` and `.csv` into `dir`; nothing when there are no data.
-///
-/// # Errors
-/// When a file cannot be written.
-pub fn write_comparison(
-    subject: &Subject,
-    n: usize,
-    comparison: &Comparison,
-    dir: &Path,
-) -> Result<Vec<PathBuf>, WriteError> {
-    let Some(chart) = plot(subject, comparison) else { return Ok(Vec::new()) };
-    let stem = format!("compare_{n}_{}", comparison.spec.against.name());
-    let names = [format!("{stem}.csv"), format!("{stem}.png")];
-    write_into(dir, names, [csv(&comparison.table()), png(&chart)])
+impl Solution {
+    /// What the case is compared with beside what its first stage computed.
+    ///
+    /// # Errors
+    /// When a reference cannot be read or does not fit.
+    pub fn comparisons(&self) -> Result<Vec<Comparison>, CompareError> {
+        self.stages.first().map_or(Ok(Vec::new()), |first| comparisons(&self.case, &Computed::of(first)))
+    }
 }
 
-/// Whether a file's name is one that [`write_comparison`] gives.
-pub(super) fn is_comparison(name: &str) -> bool {
+/// What a case is compared with beside what was computed.
+///
+/// # Errors
+/// When a reference cannot be read or does not fit.
+pub fn comparisons(case: &Case, computed: &Computed) -> Result<Vec<Comparison>, CompareError> {
+    case.compare.iter().map(|spec| compare(spec, computed)).collect()
+}
+
+/// `compare_<n>_<quantity>.csv` and `.png` of every comparison, counted from 1; nothing of those without data.
+pub(super) fn files<'a>(solution: &'a Solution, comparisons: &'a [Comparison]) -> Files<'a> {
+    let view = solution.views().into_iter().next();
+    let charts = comparisons.iter().enumerate().filter_map(move |(i, comparison)| {
+        let stem = format!("compare_{}_{}", i + 1, comparison.spec.against.name());
+        Some((stem, comparison, plot(view.as_ref()?, comparison)?))
+    });
+    Box::new(charts.flat_map(|(stem, comparison, chart)| {
+        [(format!("{stem}.csv"), csv(&comparison.table())), (format!("{stem}.png"), picture(&chart))]
+    }))
+}
+
+/// Whether a file's name is one that [`files`] gives.
+pub(super) fn is_comparison(_: &str, name: &str) -> bool {
     let stem = name.strip_suffix(".csv").or(name.strip_suffix(".png"));
     let parts = stem.and_then(|stem| stem.strip_prefix("compare_")).and_then(|rest| rest.split_once('_'));
     parts.is_some_and(|(n, quantity)| n.parse::<usize>().is_ok() && is_quantity(quantity))
@@ -34,7 +51,7 @@ fn is_quantity(name: &str) -> bool {
 }
 
 /// The picture of a comparison; `None` without data.
-pub fn plot(subject: &Subject, comparison: &Comparison) -> Option<Chart> {
+pub fn plot(view: &StageView, comparison: &Comparison) -> Option<Chart> {
     let (panels, notes) = match (&comparison.spec.against, &comparison.found) {
         (Against::Curve(spec), Found::Points(points)) => {
             (over_points(comparison, spec, points), notes_on_points(comparison, spec, points))
@@ -45,10 +62,10 @@ pub fn plot(subject: &Subject, comparison: &Comparison) -> Option<Chart> {
         _ => return None,
     };
     Some(Chart {
-        title: format!("{}: computed and reference", subject.model.title),
+        title: view.titled("computed and reference"),
         legend: "",
         panels,
-        notes: notes.into_iter().chain(subject.notes()).collect(),
+        notes: notes.into_iter().chain(view.notes()).collect(),
     })
 }
 
@@ -82,10 +99,9 @@ fn over_points(comparison: &Comparison, spec: &CurveSpec, Points(points): &Point
         Series::silent(differences.clone(), Look::Line { color: BLACK, width: 1.6, dash: &[] }),
         Series::silent(differences, Look::Circles { color: BLACK }),
     ];
-    let difference = comparison.table().column("difference").axis();
     vec![
         Panel { x: x.clone(), y, series: above, scale: Scale::Fit { height: 270.0, least: 0.0 } },
-        Panel { x, y: difference, series: below, scale: Scale::Fit { height: 150.0, least: 0.0 } },
+        Panel { x, y: Comparison::difference_axis(), series: below, scale: Scale::Fit { height: 150.0, least: 0.0 } },
     ]
 }
 

@@ -1,52 +1,42 @@
 //! Shape, thickness, strains and stresses over the blank at the kept frames.
 
-use super::{Subject, worded};
+use super::StageView;
 use crate::model::Model;
 use crate::solution::{ElementRecord, Frame};
-use crate::table::{Column, Table, Unit};
-use crate::units::ZERO_CELSIUS;
+use crate::table::fields::element::{
+    BENDING, POROSITY, R, S0, STRAIN_EQUIVALENT, STRAIN_EQUIVALENT_MAX, STRAIN_HOOP, STRAIN_MERIDIONAL,
+    STRAIN_THICKNESS, STRESS_HOOP, STRESS_MERIDIONAL, TEMPERATURE, THICKNESS, Z,
+};
+use crate::table::fields::step::TRAVEL;
+use crate::table::{Field, Table};
 
-/// One row per frame and element, from the axis outward; porosity and temperature where the model has them.
-pub fn table(model: &Model, frames: &[Frame]) -> Table {
-    let geometry = model.geometry;
-    let travel = frames.iter().flat_map(|f| std::iter::repeat_n(f.travel, f.elements.len())).collect();
-    let column = |key, label, unit, value: fn(&ElementRecord) -> f64| {
-        Column::new(key, label, unit, frames.iter().flat_map(|f| &f.elements).map(value).collect())
-    };
-    let worded = |axisymmetric, plane_strain| worded(geometry, axisymmetric, plane_strain);
-    let s0 = worded("Initial distance from the axis", "Initial distance from the symmetry plane");
-    let r = worded("Distance from the axis", "Distance from the symmetry plane");
-    let along = [worded("Meridional strain", "In-plane strain"), worded("Meridional stress", "In-plane stress")];
-    let across = [worded("Hoop strain", "Out-of-plane strain"), worded("Hoop stress", "Out-of-plane stress")];
-    let mut columns = vec![
-        Column::new("travel", "Punch travel", Unit::Mm, travel),
-        column("s0", s0, Unit::Mm, |e| e.s0),
-        column("r", r, Unit::Mm, |e| e.r),
-        column("z", "z, along punch travel", Unit::Mm, |e| e.z),
-        column("thickness", "Thickness", Unit::Mm, |e| e.thickness),
-        column("strain_meridional", along[0], Unit::None, |e| e.strain_meridional),
-        column("strain_hoop", across[0], Unit::None, |e| e.strain_hoop),
-        column("strain_thickness", "Thickness strain", Unit::None, |e| e.strain_thickness),
-        column("strain_equivalent", "Equivalent strain", Unit::None, |e| e.strain_equivalent),
-        column("stress_meridional", along[1], Unit::MPa, |e| e.stress_meridional),
-        column("stress_hoop", across[1], Unit::MPa, |e| e.stress_hoop),
-        column("strain_equivalent_max", "Largest equivalent strain", Unit::None, |e| e.strain_equivalent_max),
-        column("bending", "Bending (1) or membrane (0)", Unit::None, |e| f64::from(u8::from(e.bends))),
+/// What an element has beside its place: porosity and temperature where the model has them.
+pub(super) fn fields(model: &Model) -> Vec<Field<ElementRecord>> {
+    let mut fields = vec![
+        THICKNESS,
+        STRAIN_MERIDIONAL,
+        STRAIN_HOOP,
+        STRAIN_THICKNESS,
+        STRAIN_EQUIVALENT,
+        STRESS_MERIDIONAL,
+        STRESS_HOOP,
+        STRAIN_EQUIVALENT_MAX,
+        BENDING,
     ];
-    if model.material.voids.is_some() {
-        columns.push(column("porosity", "Porosity", Unit::None, |e| e.porosity));
-    }
-    if model.heat.is_some() {
-        columns.push(column("temperature", "Temperature", Unit::Celsius, |e| e.temperature - ZERO_CELSIUS));
-    }
-    Table::new(columns)
+    fields.extend(model.material.voids.map(|_| POROSITY));
+    fields.extend(model.heat.as_ref().map(|_| TEMPERATURE));
+    fields
 }
 
-/// The last frame's rows; none when no frame was kept.
-pub fn last(model: &Model, frames: &[Frame]) -> Table {
-    table(model, &frames[frames.len().saturating_sub(1)..])
+/// One row per frame and element, from the axis outward.
+pub fn table(model: &Model, frames: &[Frame]) -> Table {
+    let travel = frames.iter().flat_map(|f| std::iter::repeat_n(f.travel, f.elements.len())).collect();
+    let column =
+        |field: Field<ElementRecord>| field.column(model.geometry, frames.iter().flat_map(|frame| &frame.elements));
+    let columns = [S0, R, Z].into_iter().chain(fields(model)).map(column);
+    Table::new(std::iter::once(TRAVEL.filled(model.geometry, travel)).chain(columns).collect())
 }
 
-pub(super) fn of(subject: &Subject) -> Option<Table> {
-    Some(table(subject.model, &subject.run.frames))
+pub(super) fn of(view: &StageView) -> Option<Table> {
+    Some(table(view.model(), &view.stage.frames))
 }

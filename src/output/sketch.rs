@@ -1,12 +1,12 @@
 //! What was understood of a drawing: the tools' sections as drawn, and where their lines end.
 
 use super::chart::{Chart, Look, Panel, Scale, Series, color, pale};
-use super::shapes::body;
-use super::worded;
+use super::sections::body;
 use crate::geometry::{Piece, Point};
 use crate::import::{Section, Sections};
 use crate::model::Geometry;
-use crate::table::{Column, Unit, capitalised};
+use crate::table::capitalised;
+use crate::table::fields::element::{R, Z};
 
 /// What is shown around the tools, over their width.
 const AROUND: f64 = 0.1;
@@ -30,16 +30,14 @@ pub fn sketch(name: &str, geometry: Geometry, sections: &Sections) -> Chart {
         let inside = tool.ends.iter().filter(|p| (y.0..=y.1).contains(&p.y));
         Series::silent(inside.map(|p| (p.x, p.y)).collect(), Look::Circles { color: color(i) })
     });
-    let axis = |key, label| Column::new(key, label, Unit::Mm, Vec::new()).axis();
-    let r = worded(geometry, "Distance from the axis", "Distance from the symmetry plane");
     let caption = "Circles: where drawn lines, arcs and splines begin and end. The tools are where they are drawn; the case moves \
                    each along z to where it touches the flat sheet.";
     Chart {
         title: format!("{name}: the tools that were read"),
         legend: "",
         panels: vec![Panel {
-            x: axis("r", r),
-            y: axis("z", "z, along punch travel"),
+            x: R.axis(geometry),
+            y: Z.axis(geometry),
             series: bodies.chain(ends).collect(),
             scale: Scale::Section { x, y },
         }],

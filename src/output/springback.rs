@@ -1,16 +1,11 @@
 //! The sheet before and after the tools are taken away: both shapes in one picture, and what was measured on them.
 
 use super::chart::{BLACK, Chart, Look, Panel, Scale, Series, color, pale};
-use super::csv::springback as csv;
-use super::{WriteError, png, profile, shapes, write_into};
-use crate::measure::{Change, Leg, Shape, changes};
-use crate::model::Model;
-use crate::solution::Frame;
+use super::{StageView, sections};
+use crate::measure::{self, Change, FLANGE_ANGLE, Leg, Quantity, Shape, WALL_ANGLE};
+use crate::solution::StageSolution;
 use crate::table::Unit;
-use std::path::{Path, PathBuf};
-
-/// The files that [`write`] makes.
-pub(super) const FILES: [&str; 2] = ["springback.csv", "springback.png"];
+use crate::table::fields::element::{R, Z};
 
 /// How much farther than they were fitted the measured lines are drawn, over their length.
 const LONGER: f64 = 0.25;
@@ -18,30 +13,33 @@ const LONGER: f64 = 0.25;
 /// What is rounded to 0 hundredths \[mm or °\].
 const LEAST: f64 = 0.005;
 
-/// Writes `springback.csv`, what was measured before and after, and `springback.png`, the two shapes, into `dir`.
-///
-/// # Errors
-/// When a file cannot be written.
-pub fn write(dir: &Path, before: &Frame, after: &Frame, model: &Model) -> Result<Vec<PathBuf>, WriteError> {
-    let changes = changes(&Shape::of(before), &Shape::of(after));
-    write_into(dir, FILES, [csv(&changes), png(&plot(before, after, model))])
+/// What was measured before and after, of a stage that takes its tools away.
+pub fn changes(stage: &StageSolution) -> Option<Vec<Change>> {
+    let [before, after] = stage.released()?;
+    Some(measure::changes(&Shape::of(before), &Shape::of(after)))
+}
+
+pub(super) fn csv(view: &StageView) -> Option<String> {
+    changes(view.stage).map(|changes| super::csv::springback(&changes))
 }
 
 /// Both sections, the tools where they last were, and the lines that angles were measured with.
-pub fn plot(before: &Frame, after: &Frame, model: &Model) -> Chart {
+pub fn plot(view: &StageView) -> Option<Chart> {
+    let [before, after] = view.stage.released()?;
+    let model = view.model();
     let shapes = [Shape::of(before), Shape::of(after)];
-    let found = changes(&shapes[0], &shapes[1]);
+    let found = measure::changes(&shapes[0], &shapes[1]);
     let nodes = || before.nodes.iter().chain(&after.nodes);
-    let (x, y) = shapes::window(nodes(), model.blank.thickness);
-    let [first, second] = [before, after].map(|frame| shapes::sheet(frame, 0..frame.elements.len()));
+    let (x, y) = sections::window(nodes(), model.blank.thickness);
+    let [first, second] = [before, after].map(|frame| sections::sheet(frame, 0..frame.elements.len()));
     let outline = second.iter().chain(second.first()).copied().collect();
     let sheets = [
         Series::new("Before", first, Look::Area { fill: pale(color(0)), edge: Some(color(0)) }),
         Series::new("After", outline, Look::Line { color: color(1), width: 2.0, dash: &[] }),
     ];
-    let measured = |key: &str, of: fn(&Shape) -> Option<&Leg>, dash| {
+    let measured = |quantity: Quantity, of: fn(&Shape) -> Option<&Leg>, dash| {
         let look = Look::Line { color: BLACK, width: 1.4, dash };
-        let label = found.iter().find(|change| change.quantity.key == key).map(worded);
+        let label = found.iter().find(|change| change.quantity.key == quantity.key).map(worded);
         let lines = shapes.iter().filter_map(of).map(|leg| Series::silent(longer(leg), look)).collect::<Vec<_>>();
         lines
             .into_iter()
@@ -49,31 +47,30 @@ pub fn plot(before: &Frame, after: &Frame, model: &Model) -> Chart {
             .enumerate()
             .map(move |(i, line)| Series { label: label.clone().filter(|_| i == 0), ..line })
     };
-    let lines = measured("wall_angle", |shape| shape.wall.as_ref(), &[7.0, 3.5]).chain(measured(
-        "flange_angle",
+    let lines = measured(WALL_ANGLE, |shape| shape.wall.as_ref(), &[7.0, 3.5]).chain(measured(
+        FLANGE_ANGLE,
         |shape| shape.flange.as_ref(),
         &[2.0, 3.0],
     ));
-    let in_legend = ["wall_angle", "flange_angle"];
+    let in_legend = [WALL_ANGLE.key, FLANGE_ANGLE.key];
     let others =
         found.iter().filter(|change| !in_legend.contains(&change.quantity.key)).map(|c| format!("{}.", worded(c)));
-    let table = profile::table(model, std::slice::from_ref(after));
-    Chart {
-        title: format!("{}: spring-back", model.title),
+    Some(Chart {
+        title: view.titled("spring-back"),
         legend: "",
         panels: vec![Panel {
-            x: table.column("r").axis(),
-            y: table.column("z").axis(),
-            series: shapes::tools(model, Some(before), x.1).chain(sheets).chain(lines).collect(),
+            x: R.axis(model.geometry),
+            y: Z.axis(model.geometry),
+            series: sections::tools(model, Some(before), x.1).chain(sheets).chain(lines).collect(),
             scale: Scale::Section { x, y },
         }],
         notes: std::iter::once(
             "The sheet is true to thickness. Grey: the tools before they were taken away.".to_owned(),
         )
         .chain(others)
-        .chain(model.notes.iter().cloned())
+        .chain(view.assumptions())
         .collect(),
-    }
+    })
 }
 
 /// The fitted line, drawn beyond both of its ends.

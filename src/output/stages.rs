@@ -1,69 +1,64 @@
 //! One line for every stage of a sequence: `stages.csv` and what is printed.
 
+use super::Files;
 use super::csv::with_texts;
-use super::file::{WriteError, write};
-use super::{ended, force_unit};
-use crate::model::{Geometry, Model};
-use crate::solution::{StageSolution, Stop};
-use crate::table::{Column, Table, Unit};
-use std::path::{Path, PathBuf};
+use super::stage_view::ended;
+use crate::case::Solution;
+use crate::compare::Comparison;
+use crate::solution::{StageSolution, StepRecord, Stop};
+use crate::table::fields::step::{HOLDER_FORCE, POLE_HEIGHT, PUNCH_FORCE, THINNEST};
+use crate::table::{Column, Field, Table, Unit, force_unit};
 
-/// The file of a sequence.
-pub const STAGES: &str = "stages.csv";
-
-/// A stage of a sequence: its name, and its model and run where it was run.
-pub type Line<'a> = (&'a str, Option<(&'a Model, &'a StageSolution)>);
-
-/// The folder of a stage, counted from 0, inside that of its case.
-pub fn stage_folder(number: usize, name: &str) -> String {
-    format!("{}-{name}", number + 1)
+/// Names of all stages, with those that were run.
+fn lines(solution: &Solution) -> impl Iterator<Item = (&str, Option<&StageSolution>)> {
+    solution.case.stage_names().enumerate().map(|(i, name)| (name, solution.stages.get(i)))
 }
 
 /// Where every stage ended; NaN for those that were not run.
-pub fn stages_table(geometry: Geometry, lines: &[Line]) -> Table {
-    let force = force_unit(geometry);
-    let column = |key, label, unit, value: fn(&Model, &StageSolution) -> Option<f64>| {
-        let of = |line: &Line| line.1.and_then(|(model, run)| value(model, run)).unwrap_or(f64::NAN);
-        Column::new(key, label, unit, lines.iter().map(of).collect())
+fn table(solution: &Solution) -> Table {
+    let geometry = solution.case.model().geometry;
+    let at_end = |value: &dyn Fn(&StageSolution, &StepRecord) -> f64| {
+        let of = |stage: &StageSolution| Some(value(stage, stage.steps.last()?));
+        lines(solution).map(|(_, stage)| stage.and_then(of).unwrap_or(f64::NAN)).collect::<Vec<f64>>()
     };
+    let field = |field: Field<StepRecord>| field.filled(geometry, at_end(&|_, step| (field.value)(step)));
+    let edge = at_end(&|stage, step| stage.model.blank.length - step.draw_in);
     Table::new(vec![
-        Column::new("stage", "Stage", Unit::None, (1..=lines.len()).map(|i| i as f64).collect()),
-        column("end_time", "Time at the end", Unit::Second, |_, run| Some(run.steps.last()?.time)),
-        column("travel", "Travel", Unit::Mm, |_, run| Some(run.steps.last()?.travel)),
-        column("punch_force", "Punch force", force, |_, run| Some(run.steps.last()?.punch_force)),
-        column("holder_force", "Holder force", force, |_, run| Some(run.steps.last()?.holder_force)),
-        column("thinnest", "Least thickness", Unit::Mm, |_, run| Some(run.steps.last()?.thinnest)),
-        column("edge_r", "Distance of the edge from the axis", Unit::Mm, |model, run| {
-            Some(model.blank.length - run.steps.last()?.draw_in)
-        }),
-        column("pole_height", "Height of the middle", Unit::Mm, |_, run| Some(run.steps.last()?.pole_height)),
+        Column::new("stage", "Stage", Unit::None, (1..=lines(solution).count()).map(|i| i as f64).collect()),
+        Column::new("end_time", "Time at the end", Unit::Second, at_end(&|_, step| step.time)),
+        Column::new("travel", "Travel", Unit::Mm, at_end(&|_, step| step.travel)),
+        field(PUNCH_FORCE),
+        field(HOLDER_FORCE),
+        field(THINNEST),
+        Column::new("edge_r", "Distance of the edge from the axis", Unit::Mm, edge),
+        field(POLE_HEIGHT),
     ])
 }
 
 /// How a stage ended, in a few words.
-fn stop(line: &Line) -> &'static str {
-    line.1.map_or("not run", |(model, run)| ended(model, &run.stop))
+fn stop(stage: Option<&StageSolution>) -> &'static str {
+    stage.map_or("not run", ended)
 }
 
-/// Writes [`STAGES`] into a folder.
-///
-/// # Errors
-/// As [`write()`].
-pub fn write_stages(geometry: Geometry, lines: &[Line], dir: &Path) -> Result<PathBuf, WriteError> {
-    let names = lines.iter().map(|line| line.0.to_owned()).collect();
-    let stops = lines.iter().map(|line| stop(line).to_owned()).collect();
-    let path = dir.join(STAGES);
-    write(&path, &with_texts(&[("name", names), ("stop", stops)], &stages_table(geometry, lines)))?;
-    Ok(path)
+/// `stages.csv`, of a case with several stages.
+pub(super) fn files<'a>(solution: &'a Solution, _: &'a [Comparison]) -> Files<'a> {
+    let several = lines(solution).nth(1).is_some();
+    Box::new(several.then_some(()).into_iter().map(|()| {
+        let names = lines(solution).map(|line| line.0.to_owned()).collect();
+        let stops = lines(solution).map(|line| stop(line.1).to_owned()).collect();
+        ("stages.csv".to_owned(), with_texts(&[("name", names), ("stop", stops)], &table(solution)))
+    }))
 }
 
-/// One printed line for every stage.
-pub fn stages_report(geometry: Geometry, lines: &[Line]) -> String {
-    let unit = force_unit(geometry).symbol();
-    let width = lines.iter().map(|line| line.0.len()).max().unwrap_or(0);
-    let text = lines.iter().enumerate().map(|(i, line)| {
-        let last = line.1.and_then(|(model, run)| Some((model, run.steps.last()?)));
-        let figures = last.map_or(String::new(), |(model, last)| {
+/// One printed line for every stage; nothing where there is one only.
+pub(super) fn printed(solution: &Solution) -> String {
+    if lines(solution).nth(1).is_none() {
+        return String::new();
+    }
+    let unit = force_unit(solution.case.model().geometry).symbol();
+    let width = lines(solution).map(|line| line.0.len()).max().unwrap_or(0);
+    let text = lines(solution).enumerate().map(|(i, (name, stage))| {
+        let figures = stage.and_then(|stage| Some((stage, stage.steps.last()?))).map_or(String::new(), |(stage, last)| {
             format!(
                 ": {:.3} s, travel {:.2} mm, punch {:.0} {unit}, holder {:.0} {unit}, thinnest {:.4} mm, edge at {:.2} \
                  mm, middle at {:.2} mm",
@@ -72,13 +67,12 @@ pub fn stages_report(geometry: Geometry, lines: &[Line]) -> String {
                 last.punch_force,
                 last.holder_force,
                 last.thinnest,
-                model.blank.length - last.draw_in,
+                stage.model.blank.length - last.draw_in,
                 last.pole_height
             )
         });
-        let reached = line.1.is_some_and(|(_, run)| run.stop == Stop::FullTravel);
-        let reached = if reached { " reached" } else { "" };
-        format!("{:>2} {:<width$}  {}{reached}{figures}\n", i + 1, line.0, stop(line))
+        let reached = if stage.is_some_and(|stage| stage.stop == Stop::FullTravel) { " reached" } else { "" };
+        format!("{:>2} {:<width$}  {}{reached}{figures}\n", i + 1, name, stop(stage))
     });
     text.collect()
 }

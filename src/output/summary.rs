@@ -1,20 +1,36 @@
 //! What a run comes to, line by line: printed and as JSON from the same list.
 
+mod whole;
 mod written;
 
-use super::{JOULES, Subject, ended, energy_unit, force_unit, pressure_cycle, worded};
-use crate::assess::{Kind, sentences};
+pub use whole::CaseSummary;
+
+use super::stage_view::ended;
+use super::{StageView, pressure_cycle, springback};
 use crate::forming_limit::Assessment;
-use crate::measure::{Change, Shape, changes, moment_error, part_height, thickest};
+use crate::measure::{Change, Shape, moment_error, part_height, thickest};
 use crate::model::{Geometry, Grading, Iteration, Mode, Model, Norm, Role, Theory};
 use crate::solution::{Effort, StageSolution, StepRecord, Stop};
-use crate::table::Unit;
+use crate::table::{JOULES, Unit, energy_unit, force_unit, worded};
 use crate::units::ZERO_CELSIUS;
 use sha2::{Digest, Sha256};
+
+/// What a line of the summary is about.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Group {
+    Case,
+    /// How the stage ended.
+    End,
+    Part,
+    /// How the numbers were found.
+    Solution,
+    Warnings,
+}
 
 /// One line of the summary.
 #[derive(Clone, Debug)]
 struct Entry {
+    group: Group,
     key: &'static str,
     /// Empty for what only a program wants to know.
     label: String,
@@ -35,6 +51,7 @@ enum Value {
 /// A line for readers, its number apart from its unit.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Figure {
+    pub group: Group,
     /// Name in JSON, without the unit.
     pub key: &'static str,
     /// Begins with spaces where it belongs to the line above.
@@ -48,12 +65,14 @@ pub struct Figure {
 #[derive(Clone, Debug)]
 pub struct Summary {
     entries: Vec<Entry>,
+    /// Of the entries to come.
+    group: Group,
 }
 
 impl Summary {
-    /// Sums up a run.
-    pub fn of(subject: &Subject) -> Self {
-        let Subject { name, case_text, overrides, model, run, findings, wall } = *subject;
+    /// Sums up a stage.
+    pub fn of(view: &StageView) -> Self {
+        let (model, run) = (view.model(), view.stage);
         let force = force_unit(model.geometry);
         let unmoved = StepRecord { thinnest: model.blank.thickness, ..StepRecord::default() };
         let last = run.steps.last().copied().unwrap_or(unmoved);
@@ -61,23 +80,19 @@ impl Summary {
         let peak = peak.unwrap_or_default();
         let largest = |value: fn(&StepRecord) -> f64| run.steps.iter().map(value).fold(0.0, f64::max);
 
-        let mut summary = Self { entries: Vec::new() };
-        summary.text("case", "Case", name);
-        summary.text("title", "Title", &model.title);
-        summary.text(
-            "section",
-            "Section",
-            match model.geometry {
-                Geometry::Axisymmetric => "axisymmetric; forces of the whole ring",
-                Geometry::PlaneStrain => "plane strain; forces per mm of depth, of the half that is modelled",
-            },
-        );
+        let mut summary = Self { entries: Vec::new(), group: Group::Case };
+        summary.text("case", "Case", &view.name);
+        summary.text("title", "Title", view.title);
+        summary.text("section", "Section", section_of(model.geometry));
+        summary.group = Group::Part;
         summary.text("hardening", "Hardening", &model.material.describe());
         let ended = match &run.stop {
-            Stop::FullTravel => format!("{} reached", ended(model, &run.stop)),
+            Stop::FullTravel => format!("{} reached", ended(run)),
             stop => stop.to_string(),
         };
+        summary.group = Group::End;
         summary.text("stop", "Ended", &ended);
+        summary.group = Group::Part;
         summary.push("complete", "", Unit::None, Value::Flag(run.stop.is_complete()));
         if model.travel > 0.0 {
             summary.number("travel", "Punch travel reached", Unit::Mm, last.travel);
@@ -102,8 +117,8 @@ impl Summary {
             summary.number("contact_share", "Sheet on punch and die at the end", Unit::Percent, share);
         }
         summary.part(model, run, &last);
-        if let Some(assessment) = subject.forming_limit() {
-            summary.forming_limit(model, &assessment);
+        if let Some(assessment) = view.forming_limit() {
+            summary.forming_limit(model, assessment);
         }
         summary.number("draw_in", "Draw-in of the edge", Unit::Mm, last.draw_in);
         summary.balance(model, &last);
@@ -111,8 +126,10 @@ impl Summary {
             run.frames.last().filter(|_| model.mode != Mode::Flow && model.release.is_none()).and_then(moment_error)
         {
             let share = 100.0 * error.share;
+            summary.group = Group::Solution;
             summary.number("moment_error", "Moment missed by the layers, estimated", Unit::Percent, share);
         }
+        summary.group = Group::Part;
         if model.material.voids.is_some() {
             summary.number("porosity", "Largest porosity", Unit::Percent, 100.0 * last.porosity);
             summary.number("porous_s0", "  at an initial distance of", Unit::Mm, last.porous_s0);
@@ -124,12 +141,14 @@ impl Summary {
             summary.number("coldest", "Lowest temperature", Unit::Celsius, coldest - ZERO_CELSIUS);
             summary.number("hottest", "Highest temperature", Unit::Celsius, hottest - ZERO_CELSIUS);
         }
+        summary.group = Group::Solution;
         summary.number(
             "penetration",
             "Largest penetration over thickness",
             Unit::Percent,
             100.0 * largest(|s| s.penetration),
         );
+        summary.group = Group::Part;
         let squeeze = largest(|s| s.ironing);
         if squeeze > 0.0 {
             summary.number("squeeze", "Ironing: thicker than its gap by", Unit::Percent, 100.0 * squeeze);
@@ -143,6 +162,7 @@ impl Summary {
             summary.push("rim_share", &rim, Unit::Percent, Value::Number(100.0 * shares));
             summary.number("holder_lift", "  lifted by up to", Unit::Mm, largest(|s| -s.holder_move));
         }
+        summary.group = Group::Solution;
         summary.number("sticking", "Contacts that stick at the end", Unit::Percent, 100.0 * last.sticking);
         summary.count("flips", "Contacts that came or went", run.steps.iter().map(|s| s.contact_changes).sum());
         summary.number("strain_increment", "Largest strain of one step", Unit::None, largest(|s| s.strain_increment));
@@ -164,13 +184,18 @@ impl Summary {
         summary.count("rejected", "Rejected tries", run.steps.iter().map(|s| s.rejected).sum::<usize>() + abandoned);
         summary.count("steps_halved", "  steps halved", halved);
         summary.count("steps_overstrained", "  repeated for too much strain", overstrained);
-        summary.number("wall_time", "Wall time", Unit::Second, wall.as_secs_f64());
+        if let Some(wall) = view.wall {
+            summary.number("wall_time", "Wall time", Unit::Second, wall.as_secs_f64());
+        }
         summary.text("program", "", concat!(env!("CARGO_PKG_NAME"), " ", env!("CARGO_PKG_VERSION")));
-        summary.text("case_sha256", "", &sha256(case_text));
-        summary.list("overrides", "Set on the command line", overrides);
-        summary.list("derived", "Assumed while reading", &sentences(findings, Kind::Assumption));
-        summary.list("warnings", "Warnings", &sentences(findings, Kind::Warning));
-        summary.list("notes", "Declared assumptions", &model.notes);
+        summary.text("case_sha256", "", &sha256(view.case_text));
+        summary.group = Group::Case;
+        summary.list("overrides", "Set on the command line", view.overrides);
+        summary.list("derived", "Assumed while reading", view.derived);
+        summary.group = Group::Warnings;
+        summary.list("warnings", "Warnings", &view.warnings);
+        summary.group = Group::Case;
+        summary.list("notes", "Declared assumptions", view.declared);
         summary
     }
 
@@ -180,8 +205,7 @@ impl Summary {
         if let Some(height) = end.and_then(part_height) {
             self.number("part_height", "Part height over all", Unit::Mm, height);
         }
-        if let Some([start, end]) = run.released() {
-            let changes = changes(&Shape::of(start), &Shape::of(end));
+        if let Some(changes) = springback::changes(run) {
             self.push("springback", "Spring-back", Unit::None, Value::Changes(changes));
         } else if let Some(angle) = end.and_then(|end| Shape::of(end).wall_angle()) {
             self.number("wall_angle", "Wall to the punch direction", Unit::Degree, angle);
@@ -215,8 +239,10 @@ impl Summary {
         }
         self.number("work_friction", "  friction", unit, work.friction);
         self.number("work_contact", "  stored in contact", unit, work.contact);
+        self.group = Group::Solution;
         self.number("imbalance", "Work missing in the balance", Unit::Percent, 100.0 * last.work.imbalance());
         self.number("cutoff_share", "Plastic work in cut-off", Unit::Percent, percent(work.cutoff, work.plastic));
+        self.group = Group::Part;
         if model.heat.as_ref().is_some_and(|heat| heat.flow.is_some()) {
             self.number("heat_stored", "Heat stored in the sheet", unit, JOULES * last.heat.stored);
             self.number("heat_plastic", "  from plastic work", unit, JOULES * last.heat.plastic);
@@ -258,7 +284,7 @@ impl Summary {
     }
 
     fn push(&mut self, key: &'static str, label: &str, unit: Unit, value: Value) {
-        self.entries.push(Entry { key, label: label.to_owned(), unit, value });
+        self.entries.push(Entry { group: self.group, key, label: label.to_owned(), unit, value });
     }
 
     fn number(&mut self, key: &'static str, label: &'static str, unit: Unit, value: f64) {
@@ -338,13 +364,20 @@ fn corrector(model: &Model) -> String {
 }
 
 /// `summary.json`.
-pub(super) fn json(subject: &Subject) -> String {
-    let mut text = serde_json::to_string_pretty(&Summary::of(subject)).expect("keys are strings");
-    text.push('\n');
-    text
+pub(super) fn json(view: &StageView) -> Option<String> {
+    serde_json::to_string_pretty(&Summary::of(view)).ok().map(|text| text + "\n")
 }
 
-fn sha256(text: &str) -> String {
+/// What is modelled, and what its forces are of.
+pub fn section_of(geometry: Geometry) -> &'static str {
+    match geometry {
+        Geometry::Axisymmetric => "axisymmetric; forces of the whole ring",
+        Geometry::PlaneStrain => "plane strain; forces per mm of depth, of the half that is modelled",
+    }
+}
+
+/// Checksum of a text in hexadecimal.
+pub fn sha256(text: &str) -> String {
     Sha256::digest(text).iter().map(|byte| format!("{byte:02x}")).collect()
 }
 

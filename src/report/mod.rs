@@ -19,13 +19,11 @@ pub use html::html;
 pub use markdown::{figure_folder, is_figure, markdown};
 
 use crate::assess::check::{self, Check};
-use crate::assess::{self, Finding, Kind};
-use crate::case::Case;
-use crate::output::{Dimension, Subject, Summary, stage_folder};
-use crate::solution::StageSolution;
+use crate::assess::{self, Finding};
+use crate::case::Solution;
+use crate::output::{Dimension, StageView, Summary};
 use crate::units::rounded;
 use serde_json::{Value, json};
-use std::time::Duration;
 
 /// What a file that is one of our reports contains.
 pub const MARKER: &str = concat!(env!("CARGO_PKG_NAME"), " report, version");
@@ -35,85 +33,58 @@ const PROGRAM: &str = concat!(env!("CARGO_PKG_NAME"), " ", env!("CARGO_PKG_VERSI
 /// A solved case with all that is said of it.
 #[derive(Clone, Debug)]
 pub struct Report<'a> {
-    case: &'a Case,
-    overrides: &'a [String],
-    passes: &'a [StageSolution],
-    wall: Duration,
+    solution: &'a Solution,
+    /// Every stage that was run, and its summary.
+    stages: Vec<(StageView<'a>, Summary)>,
     check: Check,
     dimensions: Vec<Dimension>,
     findings: Vec<Finding>,
-    /// What is told with each stage's results.
-    told: Vec<Vec<Finding>>,
 }
 
 impl<'a> Report<'a> {
-    /// Looks a run over: `passes` are the stages that were run, `wall` the time that took.
-    pub fn of(case: &'a Case, overrides: &'a [String], passes: &'a [StageSolution], wall: Duration) -> Self {
-        let (before, after) = (assess::before(case), assess::after(case, passes));
-        let assumed: Vec<_> = before.iter().filter(|f| f.kind == Kind::Assumption).cloned().collect();
+    /// Looks a solution over.
+    pub fn of(solution: &'a Solution) -> Self {
+        let (case, stages) = (&solution.case, &solution.stages);
+        let views = (0..stages.len()).map(|i| StageView::of(solution, i).without_captions());
         Self {
-            case,
-            overrides,
-            passes,
-            wall,
+            solution,
+            stages: views.map(|view| (view.clone(), Summary::of(&view))).collect(),
             check: check::report(case),
             dimensions: sketch::dimensions(case.model()),
-            told: assess::told(&assumed, passes),
-            findings: before.into_iter().chain(after).collect(),
+            findings: assess::before(case).into_iter().chain(assess::after(case, stages)).collect(),
         }
     }
 
     /// All sections.
     pub fn document(&self) -> Document {
+        let model = self.solution.case.model();
         let mut sections = vec![
             title::section(self),
             verdict::section(&self.findings),
-            sketch::section(&self.case.model(), &self.dimensions),
+            sketch::section(model, &self.dimensions),
             inputs::section(&self.check),
         ];
         sections.extend(results::sections(self));
         sections.extend([inputs::assumptions(&self.check), solver::warnings(self), solver::section(self)]);
-        Document { title: self.case.model().title.clone(), sections }
+        Document { title: model.title.clone(), sections }
     }
 
     /// Every number of the document, with those behind its pictures that a summary has.
     pub fn json(&self) -> Value {
         let dimension = |d: &Dimension| json!({"label": d.label, "value": rounded(d.value), "unit": d.unit.symbol()});
-        let stages = self.subjects().map(|subject| json!(Summary::of(&subject)));
         json!({
-            "case": self.case.name,
-            "complete": self.is_complete(),
+            "case": self.solution.case.name,
+            "complete": self.solution.is_complete(),
             "program": PROGRAM,
             "check": self.check,
             "dimensions": self.dimensions.iter().map(dimension).collect::<Vec<_>>(),
             "verdict": assess::judgements(&self.findings).collect::<Vec<_>>(),
-            "stages": stages.collect::<Vec<_>>(),
-        })
-    }
-
-    /// Whether every stage came to its end.
-    pub fn is_complete(&self) -> bool {
-        self.case.is_completed_by(self.passes)
-    }
-
-    /// What outputs are made from, stage by stage.
-    fn subjects(&self) -> impl Iterator<Item = Subject<'_>> {
-        self.passes.iter().zip(&self.told).map(|(pass, findings)| Subject {
-            name: &self.case.name,
-            case_text: &self.case.text,
-            overrides: self.overrides,
-            model: &pass.model,
-            run: pass,
-            findings,
-            wall: self.wall,
+            "stages": self.stages.iter().map(|(_, summary)| summary).collect::<Vec<_>>(),
         })
     }
 
     /// `1-draw: ` before the headings of a stage; nothing where there is one only.
     fn stage(&self, i: usize) -> String {
-        match self.case.stage_names().nth(i) {
-            Some(name) if !self.case.later().is_empty() => format!("{}: ", stage_folder(i, name)),
-            _ => String::new(),
-        }
+        self.solution.case.stage_label(i).map_or_else(String::new, |label| format!("{label}: "))
     }
 }

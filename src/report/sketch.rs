@@ -3,9 +3,9 @@
 use super::document::{Block, Picture, Row, Section};
 use crate::geometry::{Arc, Point};
 use crate::model::{Model, Motion, Role, Tool};
-use crate::output::{Dimension, Mark, dimensioned, force_unit, svg};
+use crate::output::{Dimension, Mark, dimensioned, svg};
 use crate::rules::tool_sizes::{across, extent, throat};
-use crate::table::{Unit, four_digits};
+use crate::table::{Unit, force_unit, four_digits};
 
 /// More corners than that are a curve's: its smallest radius is given.
 const CORNERS: usize = 3;

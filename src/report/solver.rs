@@ -3,54 +3,29 @@
 use super::Report;
 use super::document::{Block, Row, Section};
 use crate::assess::Kind;
-use crate::output::{Figure, Summary};
-
-/// Lines of the summary that are about the solution; the others are about the part.
-const KEYS: [&str; 17] = [
-    "imbalance",
-    "cutoff_share",
-    "penetration",
-    "flips",
-    "strain_increment",
-    "mesh",
-    "bending_share",
-    "point_share",
-    "corrector",
-    "steps",
-    "iterations",
-    "velocity_norm",
-    "residual_norm",
-    "rejected",
-    "wall_time",
-    "moment_error",
-    "sticking",
-];
-
-/// Whether a line of the summary is about the solution.
-pub(super) fn is_ours(figure: &Figure) -> bool {
-    KEYS.contains(&figure.key) || figure.key.starts_with("steps_")
-}
+use crate::output::summary::{Figure, Group, Summary};
 
 pub(super) fn section(report: &Report) -> Section {
     let mut blocks = Vec::new();
-    for (i, subject) in report.subjects().enumerate() {
+    for (i, (_, summary)) in report.stages.iter().enumerate() {
         let stage = report.stage(i);
         if !stage.is_empty() {
             blocks.push(Block::Paragraph(format!("Stage {}", stage.trim_end_matches(": "))));
         }
-        blocks.push(figures(Summary::of(&subject).figures().filter(is_ours)));
+        blocks.push(figures(summary, |group| group == Group::Solution));
     }
     Section { heading: "Solver".into(), blocks }
 }
 
-/// A table of the summary's lines; what belongs to the line above is indented.
-pub(super) fn figures(figures: impl Iterator<Item = Figure>) -> Block {
+/// A table of the summary's lines that are about something; what belongs to the line above is indented.
+pub(super) fn figures(summary: &Summary, is_wanted: fn(Group) -> bool) -> Block {
     let row = |f: Figure| {
         let label = f.label.trim_start();
         let indent = "\u{2003}".repeat((f.label.len() - label.len()) / 2);
         Row::plain([format!("{indent}{label}"), f.value, f.unit.to_owned()])
     };
-    Block::Table { head: vec!["Quantity", "Value", "Unit"], rows: figures.map(row).collect() }
+    let wanted = summary.figures().filter(|figure| is_wanted(figure.group));
+    Block::Table { head: vec!["Quantity", "Value", "Unit"], rows: wanted.map(row).collect() }
 }
 
 /// What the check says before and the solver after the run.

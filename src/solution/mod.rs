@@ -9,7 +9,7 @@ use crate::numerics::lobatto::ThicknessPoint;
 use crate::state::State;
 
 /// One element at one instant.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct ElementRecord {
     /// Initial distance of the element's middle from the axis \[mm\].
     pub s0: f64,
@@ -60,7 +60,7 @@ pub struct PointRecord {
     pub strain_equivalent: f64,
 }
 
-/// The sheet through its thickness at one instant; empty in a frame without layers.
+/// The sheet through its thickness at one instant; empty in a frame that does not look there.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct ThroughThickness {
     /// Where the points of every element lie: ξ = ζ/(t/2) from −1 on the die's face to 1 on the punch's, because ζ goes
@@ -441,8 +441,9 @@ pub struct StageSolution {
     /// The sheet and its tools before the first step; `None` of a stage that has not begun.
     pub start: Option<Frame>,
     pub steps: Vec<StepRecord>,
+    /// In the order of time; only the last one looks through the thickness.
     pub frames: Vec<Frame>,
-    /// Strains after every step, where the model has a forming limit; empty without.
+    /// Strains over the steps, where the model has a forming limit; empty without.
     pub paths: Paths,
     /// Where it ended.
     pub end: State,
@@ -466,6 +467,14 @@ pub struct Trimmed {
 }
 
 impl StageSolution {
+    /// Keeps another frame; only the last one keeps what lies through the thickness, many times the rest of it.
+    pub fn keep(&mut self, frame: Frame) {
+        if let Some(before) = self.frames.last_mut() {
+            before.through = ThroughThickness::default();
+        }
+        self.frames.push(frame);
+    }
+
     /// The sheet before and after a stage that takes its tools away; `None` of other stages, and where nothing was kept.
     pub fn released(&self) -> Option<[&Frame; 2]> {
         self.model.release?;

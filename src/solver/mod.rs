@@ -104,7 +104,7 @@ pub fn run_from(model: &Model, mut state: State, observer: &mut dyn Observer) ->
         }
         (record.coldest, record.hottest) = next.temperatures();
         if model.forming_limit.is_some() {
-            run.paths.instants.push(next.instant());
+            run.paths.push(next.instant());
         }
         observer.step(&record);
         observer.state(model, &next);
@@ -116,7 +116,7 @@ pub fn run_from(model: &Model, mut state: State, observer: &mut dyn Observer) ->
             before.release(tool);
         }
         if control.at_frame(&next) {
-            run.frames.push(next.frame(model));
+            run.keep(next.frame(model));
         }
         let stop = watch.look(model, &state, &next, &record);
         state = next;
@@ -126,7 +126,7 @@ pub fn run_from(model: &Model, mut state: State, observer: &mut dyn Observer) ->
         }
     }
     if last.step > 0 && run.frames.last().is_none_or(|f| f.time < state.time) {
-        run.frames.push(state.frame(model));
+        run.keep(state.frame(model));
     }
     run.effort.abandoned = rejected;
     if model.release.is_none() {

@@ -2,9 +2,9 @@
 
 use crate::common::{pixels::pixels, shipped};
 use stampflow::measure::{Shape, moment_error, places};
-use stampflow::model::{Geometry, Model};
-use stampflow::output::{residual_stress, springback};
-use stampflow::solution::Frame;
+use stampflow::model::{Geometry, Model, Release};
+use stampflow::output::{OUTPUTS, StageView, residual_stress, springback, write};
+use stampflow::solution::{Frame, StageSolution};
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -34,6 +34,20 @@ fn sprung(before: &Frame) -> Frame {
         point.stress_hoop *= 0.3;
     }
     after
+}
+
+/// A stage that takes the tools away between these frames.
+fn release(model: &Model, before: &Frame, after: &Frame) -> StageSolution {
+    let model = Model { release: Some(Release::default()), ..model.clone() };
+    StageSolution { start: Some(before.clone()), frames: vec![after.clone()], ..StageSolution::unsolved(model) }
+}
+
+/// Writes what only a release has, of the names that begin so.
+fn written(stage: &StageSolution, begin: &str, dir: &Path) -> Vec<PathBuf> {
+    let view = StageView::alone("release", stage);
+    let made = OUTPUTS.iter().filter(|output| output.file.starts_with(begin));
+    let made = made.filter_map(|output| Some((dir.join(output.file), output.bytes(&view)?)));
+    made.map(|(path, bytes)| write(&path, &bytes).map(|()| path).unwrap()).collect()
 }
 
 /// Trust: what a frame says of an element is the mean of what it says of the element's layers, by the layers' rule.
@@ -91,8 +105,8 @@ fn springback_and_residual_stress_are_written_and_nothing_else() {
     let (model, before) = cup();
     let after = sprung(&before);
     let dir = temp_dir::TempDir::new().unwrap();
-    let mut written = springback::write(dir.path(), &before, &after, &model).unwrap();
-    written.extend(residual_stress::write(dir.path(), &after, &model).unwrap());
+    let stage = release(&model, &before, &after);
+    let mut written = [written(&stage, "springback", dir.path()), written(&stage, "residual", dir.path())].concat();
     let mut found: Vec<PathBuf> = fs::read_dir(dir.path()).unwrap().map(|e| e.unwrap().path()).collect();
     found.sort();
     written.sort();
@@ -127,16 +141,16 @@ fn frames_without_layers_or_nodes_are_no_reason_to_panic() {
     let dir = temp_dir::TempDir::new().unwrap();
     let mut bare = whole.clone();
     bare.through = Default::default();
-    assert!(residual_stress::write(dir.path(), &bare, &model).unwrap().is_empty());
+    assert!(written(&release(&model, &bare, &bare), "residual", dir.path()).is_empty());
     let mut empty = bare.clone();
     empty.nodes.clear();
     empty.elements.clear();
     let mut short = whole.clone();
     short.through.points.truncate(7);
     for frame in [&bare, &empty, &short] {
-        springback::write(dir.path(), frame, &whole, &model).unwrap();
-        springback::write(dir.path(), frame, frame, &model).unwrap();
-        residual_stress::write(dir.path(), frame, &model).unwrap();
+        assert_eq!(written(&release(&model, frame, &whole), "springback", dir.path()).len(), 2);
+        assert_eq!(written(&release(&model, frame, frame), "springback", dir.path()).len(), 2);
+        written(&release(&model, frame, frame), "residual", dir.path());
         moment_error(frame);
     }
 }
@@ -146,7 +160,9 @@ fn plane_strain_has_no_axis_and_no_hoops() {
     let (mut model, before) = cup();
     model.geometry = Geometry::PlaneStrain;
     let after = sprung(&before);
-    let charts = [residual_stress::plot(&after, &model).unwrap(), springback::plot(&before, &after, &model)];
+    let stage = release(&model, &before, &after);
+    let view = StageView::alone("release", &stage);
+    let charts = [residual_stress::plot(&view).unwrap(), springback::plot(&view).unwrap()];
     for chart in &charts {
         for panel in &chart.panels {
             for text in [panel.x.text(), panel.y.text()] {
@@ -171,8 +187,8 @@ fn sample_for_looking() {
         let before = run.frames.last().expect("a frame");
         let after = sprung(before);
         let dir = Path::new("target/sample").join(name);
-        springback::write(&dir, before, &after, &model).unwrap();
-        residual_stress::write(&dir, before, &model).unwrap();
+        written(&release(&model, before, &after), "springback", &dir);
+        written(&release(&model, before, before), "residual", &dir);
         println!("{name}: {:?} {:#?}", moment_error(before), Shape::of(before));
     }
 }

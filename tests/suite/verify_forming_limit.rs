@@ -2,10 +2,9 @@
 
 use stampflow::case::{self, Case};
 use stampflow::forming_limit::{Assessment, SHORTEST, assess};
-use stampflow::output::{OUTPUTS, Subject, Summary};
+use stampflow::output::{OUTPUTS, StageView, Summary};
 use stampflow::solution::StageSolution;
 use stampflow::solver;
-use std::time::Duration;
 
 fn solved(overrides: &[&str]) -> (Case, StageSolution, Assessment) {
     let path = format!("{}/cases/stretch_limit.toml", env!("CARGO_MANIFEST_DIR"));
@@ -55,15 +54,7 @@ fn another_curve_moves_the_margin_and_not_the_sheet() {
 #[test]
 fn the_limit_reaches_summary_and_files() {
     let (case, run, found) = solved(&["tools.punch.travel=10 mm"]);
-    let subject = Subject {
-        name: "stretch_limit",
-        case_text: &case.text,
-        overrides: &[],
-        model: case.model(),
-        run: &run,
-        findings: &[],
-        wall: Duration::ZERO,
-    };
+    let subject = StageView::alone(&case.name, &run);
     let json: serde_json::Value = serde_json::to_value(Summary::of(&subject)).expect("a summary");
     assert!((json["forming_margin"].as_f64().expect("a number") - found.worst().margin()).abs() < 1e-8);
     assert_eq!(json["forming_limit_reached"], found.reached.is_some());
@@ -76,6 +67,6 @@ fn the_limit_reaches_summary_and_files() {
     let plain = case::load(quick, &["tools.punch.travel=2 mm".to_owned()]).expect("a case").model().clone();
     let run = solver::run(&plain, &mut ());
     assert!(run.paths.instants.is_empty());
-    let subject = Subject { model: &plain, run: &run, ..subject };
+    let subject = StageView::alone("quickstart", &run);
     assert!(OUTPUTS.iter().filter(|o| files.contains(&o.file)).all(|output| output.bytes(&subject).is_none()));
 }

@@ -1,6 +1,6 @@
 //! The summary as text and as JSON.
 
-use super::{Entry, Figure, Summary, Value};
+use super::{Entry, Figure, Group, Summary, Value};
 use crate::measure::Change;
 use crate::output::springback::{compared, signed};
 use crate::table::{Unit, four_digits};
@@ -38,16 +38,16 @@ impl Summary {
                 Value::Text(v) => (v.clone(), ""),
                 Value::List(_) | Value::Changes(_) => return None,
             };
-            Some(Figure { key: entry.key, label: entry.label.clone(), value, unit })
+            Some(Figure { group: entry.group, key: entry.key, label: entry.label.clone(), value, unit })
         })
     }
 
     /// Labels and values of the printed lines; the entries of a list stand below each other, the first at its label.
-    pub fn rows(&self) -> Vec<(String, String)> {
+    pub fn rows(&self) -> Vec<(Group, [String; 2])> {
         let printed = self.entries.iter().filter(|entry| !entry.label.is_empty());
-        let rows = printed.flat_map(|Entry { label, unit, value, .. }| {
+        let rows = printed.flat_map(|Entry { group, label, unit, value, .. }| {
             let one = |text: String| vec![(label.clone(), text)];
-            match value {
+            let rows = match value {
                 Value::Number(v) => one(with_unit(*v, *unit)),
                 Value::Count(v) => one(v.to_string()),
                 Value::Flag(v) => one(if *v { "yes" } else { "no" }.to_owned()),
@@ -61,7 +61,8 @@ impl Summary {
                     let head = (label.clone(), "before → after (change)".to_owned());
                     std::iter::once(head).chain(changes.iter().map(row_of_change)).collect()
                 }
-            }
+            };
+            rows.into_iter().map(|(label, value)| (*group, [label, value]))
         });
         rows.collect()
     }
@@ -92,7 +93,7 @@ fn of_change(change: &Change) -> serde_json::Value {
 impl fmt::Display for Summary {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let rows = self.rows();
-        let width = rows.iter().map(|(label, _)| label.chars().count()).max().unwrap_or(0);
-        rows.iter().try_for_each(|(label, value)| writeln!(f, "{label:<width$}  {value}"))
+        let width = rows.iter().map(|(_, [label, _])| label.chars().count()).max().unwrap_or(0);
+        rows.iter().try_for_each(|(_, [label, value])| writeln!(f, "{label:<width$}  {value}"))
     }
 }

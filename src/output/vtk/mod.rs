@@ -17,90 +17,76 @@
 mod base64;
 mod grid;
 
-use super::file::{WriteError, write as write_file};
-use super::{Subject, film, profile, shapes};
+use super::{Files, StageView, animation, profile, sections};
 use crate::model::{Geometry, Model};
-use crate::solution::Frame;
-use crate::table::{Column, Unit};
+use crate::solution::{ElementRecord, Frame};
+use crate::table::fields::element::S0;
+use crate::table::{Column, Field, Unit};
 use grid::Grid;
 use std::fmt::Write;
-use std::path::{Path, PathBuf};
 
 /// Sectors of a full turn, of 5° each: the volume of the turned sheet is 0.13 % below that of the round one.
 pub const SECTORS: usize = 72;
 
-/// The collections' names.
-const SECTION: &str = "section";
-const REVOLVED: &str = "revolved";
-const TOOLS: &str = "tools";
-
-/// The files to open.
-pub(super) const COLLECTIONS: [&str; 3] = ["section.pvd", "revolved.pvd", "tools.pvd"];
-
 /// Chords of tools leave their arcs by at most this share of the blank's length \[–\].
 const SAGITTA: f64 = 1e-4;
 
-/// Of the pictures of a film one in so many is written: the files of the turned sheet take a megabyte or more each.
+/// Of the pictures of an animation one in so many is written: the files of the turned sheet take a megabyte or more each.
 const EVERY: usize = 2;
 
-/// How many states are wanted of a run after its start: half the pictures of its film.
-pub const STATES: usize = film::PICTURES / EVERY;
+/// How many states are wanted of a run after its start: half the pictures of its animation.
+pub const STATES: usize = animation::PICTURES / EVERY;
 
-/// Writes the collections and their files into `dir`: of these frames, rising in time and about [`film::PICTURES`], every
-/// second, the first and the last; nothing of a run that never started.
-///
-/// # Errors
-/// When a file cannot be written.
-pub fn write(subject: &Subject, frames: &[Frame], dir: &Path) -> Result<Vec<PathBuf>, WriteError> {
-    let model = subject.model;
-    if frames.len() < 2 {
-        return Ok(Vec::new());
-    }
-    let last = frames.len() - 1;
-    let frames: Vec<&Frame> = (0..=last).filter(|i| i % EVERY == 0 || *i == last).map(|i| &frames[i]).collect();
-    let mut written = collection(SECTION, dir, model, &frames, |frame| section(model, frame))?;
-    if model.geometry == Geometry::Axisymmetric {
-        written.extend(collection(REVOLVED, dir, model, &frames, |frame| section(model, frame).turned(SECTORS))?);
-    }
-    if !model.tools.is_empty() {
-        written.extend(collection(TOOLS, dir, model, &frames, |frame| tools(model, frame))?);
-    }
-    Ok(written)
+/// `section.pvd` and its files: of these frames every second, the first and the last.
+pub(super) fn section_files<'a>(view: &'a StageView, frames: &'a [&Frame]) -> Files<'a> {
+    collection("section", view.model(), frames, |frame| section(view.model(), frame))
 }
 
-/// Whether a file's name is one that [`write`] gives.
-pub(super) fn is_ours(name: &str) -> bool {
-    [SECTION, REVOLVED, TOOLS].iter().filter_map(|stem| name.strip_prefix(stem)).any(|rest| {
-        let number = rest.strip_prefix('_').and_then(|rest| rest.strip_suffix(".vtu"));
-        rest == ".pvd" || number.is_some_and(|n| n.len() >= 4 && n.bytes().all(|b| b.is_ascii_digit()))
-    })
+/// `revolved.pvd` and its files; none in plane strain.
+pub(super) fn revolved_files<'a>(view: &'a StageView, frames: &'a [&Frame]) -> Files<'a> {
+    match view.geometry() {
+        Geometry::PlaneStrain => Box::new(std::iter::empty()),
+        Geometry::Axisymmetric => {
+            collection("revolved", view.model(), frames, |frame| section(view.model(), frame).turned(SECTORS))
+        }
+    }
 }
 
-/// One file per frame, and the file that says when each is.
-fn collection(
-    stem: &str,
-    dir: &Path,
-    model: &Model,
-    frames: &[&Frame],
-    grid: impl Fn(&Frame) -> Grid,
-) -> Result<Vec<PathBuf>, WriteError> {
-    let mut written = Vec::new();
+/// `tools.pvd` and its files; none without a tool.
+pub(super) fn tool_files<'a>(view: &'a StageView, frames: &'a [&Frame]) -> Files<'a> {
+    match view.model().tools.is_empty() {
+        true => Box::new(std::iter::empty()),
+        false => collection("tools", view.model(), frames, |frame| tools(view.model(), frame)),
+    }
+}
+
+/// Whether a file's name is one of the collection that a `.pvd` file names.
+pub(super) fn is_of(collection: &str, name: &str) -> bool {
+    let rest = collection.strip_suffix("pvd").and_then(|stem| name.strip_prefix(stem.trim_end_matches('.')));
+    let number = rest.and_then(|rest| rest.strip_prefix('_')?.strip_suffix(".vtu"));
+    number.is_some_and(|n| n.len() >= 4 && n.bytes().all(|b| b.is_ascii_digit()))
+}
+
+/// One file per frame, and as the last one, so that what it names is there, the file that says when each is.
+fn collection<'a>(
+    stem: &'static str,
+    model: &'a Model,
+    frames: &'a [&Frame],
+    grid: impl Fn(&Frame) -> Grid + 'a,
+) -> Files<'a> {
+    let last = frames.len().saturating_sub(1);
+    let frames: Vec<&Frame> = (0..frames.len()).filter(|i| i % EVERY == 0 || *i == last).map(|i| frames[i]).collect();
+    let name = move |i: usize| format!("{stem}_{:04}.vtu", i + 1);
     let mut sets = String::new();
     for (i, frame) in frames.iter().enumerate() {
-        let name = format!("{stem}_{:04}.vtu", i + 1);
-        write_file(&dir.join(&name), &grid(frame).bytes())?;
-        let _ = writeln!(sets, "    <DataSet timestep=\"{}\" part=\"0\" file=\"{name}\"/>", when(model, frame));
-        written.push(dir.join(name));
+        let _ = writeln!(sets, "    <DataSet timestep=\"{}\" part=\"0\" file=\"{}\"/>", when(model, frame), name(i));
     }
-    let path = dir.join(format!("{stem}.pvd"));
     let text = format!(
         "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\" byte_order=\"LittleEndian\">\n  \
          <Collection>\n{sets}  </Collection>\n</VTKFile>\n"
     );
-    // The last one: what it names is there.
-    write_file(&path, text.as_bytes())?;
-    written.push(path);
-    Ok(written)
+    let states = frames.into_iter().enumerate().map(move |(i, frame)| (name(i), grid(frame).bytes()));
+    Box::new(states.chain([(format!("{stem}.pvd"), text.into_bytes())]))
 }
 
 /// The travel \[mm\], or the time \[s\] where nothing travels.
@@ -110,26 +96,24 @@ fn when(model: &Model, frame: &Frame) -> f64 {
 
 /// A quadrilateral for every element, from face to face.
 fn section(model: &Model, frame: &Frame) -> Grid {
-    let faces = (0..frame.nodes.len()).flat_map(|i| [1.0, -1.0].map(|side| shapes::surface(frame, i, side)));
+    let faces = (0..frame.nodes.len()).flat_map(|i| [1.0, -1.0].map(|side| sections::surface(frame, i, side)));
     Grid::strip(faces.collect(), fields(model, frame))
 }
 
-/// The columns of `profile.csv` that are no places and no times, and how much thinner the sheet is.
+/// The columns of `profile.csv` that are no places of the section and no times, and how much thinner the sheet is.
 fn fields(model: &Model, frame: &Frame) -> Vec<Column> {
-    let table = profile::table(model, std::slice::from_ref(frame));
-    let thinning = |t: &f64| 100.0 * (1.0 - t / model.blank.thickness);
-    let thinning = table.column("thickness").values.iter().map(thinning).collect();
-    let mut fields = table.columns;
-    fields.retain(|column| !["travel", "r", "z"].contains(&column.key));
-    fields.push(Column::new("thinning", "Thinning", Unit::Percent, thinning));
-    fields
+    let column = |field: Field<ElementRecord>| field.column(model.geometry, &frame.elements);
+    let thinning = |element: &ElementRecord| 100.0 * (1.0 - element.thickness / model.blank.thickness);
+    let thinning = frame.elements.iter().map(thinning).collect();
+    let thinning = Column::new("thinning", "Thinning", Unit::Percent, thinning);
+    std::iter::once(S0).chain(profile::fields(model)).map(column).chain([thinning]).collect()
 }
 
 /// A line for every tool, where it stands in the frame; its number is that of the role: punch 0, die 1, holder 2.
 fn tools(model: &Model, frame: &Frame) -> Grid {
     let sagitta = SAGITTA * model.blank.length;
     let lines = model.tools.iter().enumerate();
-    let lines = lines.map(|(i, tool)| shapes::outline(&tool.profile, shapes::place(frame, i), sagitta)).collect();
+    let lines = lines.map(|(i, tool)| sections::outline(&tool.profile, sections::place(frame, i), sagitta)).collect();
     let roles = model.tools.iter().map(|tool| tool.role as usize as f64).collect();
     Grid::lines(lines, vec![Column::new("role", "Punch 0, die 1, holder 2", Unit::None, roles)])
 }
@@ -140,11 +124,11 @@ mod tests {
 
     #[test]
     fn only_names_that_are_given_are_taken_for_ours() {
-        for name in ["section.pvd", "revolved_0001.vtu", "tools_12345.vtu"] {
-            assert!(is_ours(name), "{name}");
+        for name in ["section_0001.vtu", "section_12345.vtu"] {
+            assert!(is_of("section.pvd", name), "{name}");
         }
-        for name in ["section_1.vtu", "section_mine.vtu", "section.vtu", "my_section.pvd", "tools.pvd.bak"] {
-            assert!(!is_ours(name), "{name}");
+        for name in ["section_1.vtu", "section_mine.vtu", "section.vtu", "tools_0001.vtu", "section_0001.vtu.bak"] {
+            assert!(!is_of("section.pvd", name), "{name}");
         }
     }
 }

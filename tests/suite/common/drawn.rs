@@ -1,7 +1,6 @@
 //! A run that was not solved but drawn: a flat-bottomed cup whose shape follows the tools, for tests of what
 //! is made from runs.
 
-use stampflow::assess;
 use stampflow::forming_limit::{self as limit, Instant, Kind, Paths, Sheet};
 use stampflow::geometry::{Point, Profile};
 use stampflow::material::hardening::Swift;
@@ -11,7 +10,7 @@ use stampflow::model::{
     Role, Settings, StopRules, Theory, Tool,
 };
 use stampflow::numerics::lobatto;
-use stampflow::output::Subject;
+use stampflow::output::StageView;
 use stampflow::solution::{
     ElementRecord, Energy, Frame, NodeRecord, PointRecord, StageSolution, StepRecord, ThroughThickness,
 };
@@ -119,24 +118,19 @@ pub fn run(model: &Model) -> StageSolution {
     }
     let mut paths = Paths::default();
     if let (Some(_), Some(first)) = (&model.forming_limit, frames.first()) {
-        paths.s0 = first.elements.iter().map(|e| e.s0).collect();
+        paths = Paths::starting(first.elements.iter().map(|e| e.s0).collect());
         let strains = |f: &Frame| f.elements.iter().map(|e| [e.strain_meridional, e.strain_hoop]).collect();
-        paths.instants.extend(frames.iter().map(|f| Instant { time: f.time, travel: f.travel, strains: strains(f) }));
+        frames.iter().for_each(|f| paths.push(Instant { time: f.time, travel: f.travel, strains: strains(f) }));
     }
     StageSolution { steps: history, frames, paths, ..StageSolution::unsolved(model.clone()) }
 }
 
-/// The subject of all outputs.
-pub fn subject<'a>(model: &'a Model, run: &'a StageSolution) -> Subject<'a> {
-    Subject {
-        name: "cup",
-        case_text: "title = \"cup\"\n",
-        overrides: &[],
-        model,
-        run,
-        findings: assess::of_stage(0, run).leak(),
-        wall: Duration::from_millis(312),
-    }
+/// What all outputs are made from.
+pub fn view(run: &StageSolution) -> StageView<'_> {
+    let mut view = StageView::alone("cup", run);
+    view.case_text = "title = \"cup\"\n";
+    view.wall = Some(Duration::from_millis(312));
+    view
 }
 
 /// The sheet wrapped around punch nose and die shoulder with volume kept, thinned at the nose.

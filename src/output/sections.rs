@@ -1,10 +1,11 @@
 //! The section of the sheet, true to thickness, at the kept frames, and the tools where the run ended.
 
+use super::StageView;
 use super::chart::{Chart, Color, GREY, Look, PALE, Panel, Scale, Series, color, pale};
-use super::{Subject, profile, progress, reached, shown};
 use crate::geometry::{Piece, Point, Profile};
 use crate::model::{Model, Role, Theory};
 use crate::solution::{Frame, NodeRecord};
+use crate::table::fields::element::{R, Z};
 use std::ops::Range;
 
 /// Arcs are drawn with chords of at most this many radians, and that leave the arc by at most this share of the width.
@@ -13,14 +14,13 @@ const SAGITTA: f64 = 1e-4;
 /// What is shown around the sheet, over the section's width.
 const AROUND: f64 = 0.06;
 
-pub(super) fn plot(subject: &Subject) -> Option<Chart> {
-    let Subject { model, run, .. } = subject;
-    let table = profile::last(model, &run.frames);
-    let (x, y) = window(run.frames.iter().flat_map(|f| &f.nodes), model.blank.length);
-    let last = run.frames.last();
+pub(super) fn plot(view: &StageView) -> Option<Chart> {
+    let (model, frames) = (view.model(), &view.stage.frames);
+    let (x, y) = window(frames.iter().flat_map(|f| &f.nodes), model.blank.length);
+    let last = frames.last();
     let selective = model.blank.theory == Theory::Selective;
-    let sheets = shown(&run.frames).enumerate().flat_map(|(i, frame)| {
-        let whole = Series::new(reached(model, frame), sheet(frame, 0..frame.elements.len()), filled(color(i)));
+    let sheets = view.shown().enumerate().flat_map(|(i, frame)| {
+        let whole = Series::new(view.reached(frame), sheet(frame, 0..frame.elements.len()), filled(color(i)));
         let membranes = if selective { membranes(frame) } else { Vec::new() };
         let paler = membranes.into_iter().map(move |part| Series::silent(sheet(frame, part), filled(pale(color(i)))));
         std::iter::once(whole).chain(paler)
@@ -29,17 +29,17 @@ pub(super) fn plot(subject: &Subject) -> Option<Chart> {
     let flat = last.is_none().then(|| Series::new("0 mm", flat(model), filled(color(0))));
     let tools_at = if last.is_some() { "the end" } else { "the start" };
     Some(Chart {
-        title: format!("{}: sections", model.title),
-        legend: progress(subject.model),
+        title: view.titled("sections"),
+        legend: view.progress(),
         panels: vec![Panel {
-            x: table.column("r").axis(),
-            y: table.column("z").axis(),
+            x: R.axis(model.geometry),
+            y: Z.axis(model.geometry),
             series: tools(model, last, x.1).chain(sheets).chain(flat).collect(),
             scale: Scale::Section { x, y },
         }],
         notes: std::iter::once(format!("The sheet is true to thickness. Grey: the tools at {tools_at}."))
             .chain(selective.then(|| "Pale: elements that were membranes; the others bent.".to_owned()))
-            .chain(subject.notes_of_frames())
+            .chain(view.notes_of_frames())
             .collect(),
     })
 }

@@ -1,0 +1,206 @@
+//! What outputs are made from: a solved stage, borrowed, with what its files say of the case that it belongs to.
+
+use super::chart::COLORS;
+use crate::assess::{self, Kind, sentences};
+use crate::case::Solution;
+use crate::forming_limit::{Assessment, assess};
+use crate::model::{Geometry, Model};
+use crate::solution::{Frame, StageSolution, Stop};
+use crate::table::{Unit, capitalised};
+use std::sync::OnceLock;
+use std::time::Duration;
+
+/// What takes less than this share of an axis of the least height looks level \[–\].
+const LEVEL: f64 = 0.1;
+
+/// A stage of a solution and the words for it.
+#[derive(Clone, Debug)]
+pub struct StageView<'a> {
+    /// What its results are called: the case, and of several stages the stage too: `cup/1-draw`.
+    pub name: String,
+    pub title: &'a str,
+    /// The case file's text: its SHA-256 ties results to their input.
+    pub case_text: &'a str,
+    /// `key=value` settings that replaced what the case file says.
+    pub overrides: &'a [String],
+    /// Assumptions that the case declares.
+    pub declared: &'a [String],
+    /// What was assumed or changed while the case was read.
+    pub derived: &'a [String],
+    pub warnings: Vec<String>,
+    pub stage: &'a StageSolution,
+    /// Time that the solution of the whole case took, where a clock was at hand.
+    pub wall: Option<Duration>,
+    /// Whether charts say by themselves what a page has above all of them: title, settings, warnings and assumptions.
+    pub captions: bool,
+    assessment: OnceLock<Option<Assessment>>,
+}
+
+impl Solution {
+    /// What outputs are made from, of every stage that was run; what the check of the case warns of is said of the first.
+    pub fn views(&self) -> Vec<StageView<'_>> {
+        let mut views: Vec<_> = (0..self.stages.len()).map(|i| StageView::of(self, i)).collect();
+        if let Some(first) = views.first_mut() {
+            first.warnings.extend(sentences(&assess::before(&self.case), Kind::Warning));
+        }
+        views
+    }
+}
+
+impl<'a> StageView<'a> {
+    /// A stage by itself.
+    pub fn alone(name: &str, stage: &'a StageSolution) -> Self {
+        Self {
+            name: name.to_owned(),
+            title: &stage.model.title,
+            case_text: "",
+            overrides: &[],
+            declared: &stage.model.notes,
+            derived: &[],
+            warnings: assess::warnings(stage),
+            stage,
+            wall: None,
+            captions: true,
+            assessment: OnceLock::new(),
+        }
+    }
+
+    /// Stage `i` of a solution, counted from 0, with what the solver warns of.
+    pub fn of(solution: &'a Solution, i: usize) -> Self {
+        let case = &solution.case;
+        let name = case.stage_label(i).map_or_else(|| case.name.clone(), |label| format!("{}/{label}", case.name));
+        Self {
+            case_text: &case.text,
+            overrides: &case.overrides,
+            derived: &case.derived,
+            wall: solution.wall,
+            ..Self::alone(&name, &solution.stages[i])
+        }
+    }
+
+    /// The same for a page that has all captions above: charts say only what is their own.
+    pub fn without_captions(self) -> Self {
+        Self { captions: false, ..self }
+    }
+
+    /// The model that was solved.
+    pub fn model(&self) -> &'a Model {
+        &self.stage.model
+    }
+
+    pub(super) fn geometry(&self) -> Geometry {
+        self.stage.model.geometry
+    }
+
+    /// The stage held against its forming limit, where it has one and took a step.
+    pub fn forming_limit(&self) -> Option<&Assessment> {
+        let assessed = || {
+            self.stage.steps.last()?;
+            assess(self.model().forming_limit.as_ref()?, &self.stage.paths)
+        };
+        self.assessment.get_or_init(assessed).as_ref()
+    }
+
+    /// The title of a chart: `Cup: sections`, or `Sections` without captions.
+    pub(super) fn titled(&self, what: &str) -> String {
+        if self.captions { format!("{}: {what}", self.title) } else { capitalised(what) }
+    }
+
+    /// Small print of every plot: why an incomplete stage ended, what was set and warned of, what was assumed.
+    pub(super) fn notes(&self) -> Vec<String> {
+        let stop = &self.stage.stop;
+        let mut notes: Vec<String> =
+            (!stop.is_complete()).then(|| format!("Stopped early: {stop}.")).into_iter().collect();
+        if self.captions && !self.overrides.is_empty() {
+            notes.push(format!("Set on the command line: {}.", self.overrides.join(", ")));
+        }
+        if self.captions {
+            notes.extend(self.warnings.iter().map(|warning| format!("Warning: {warning}.")));
+        }
+        notes.extend(self.assumptions());
+        notes
+    }
+
+    /// The declared assumptions, as far as charts say them.
+    pub(super) fn assumptions(&self) -> impl Iterator<Item = String> {
+        self.declared.iter().filter(|_| self.captions).cloned()
+    }
+
+    /// As [`Self::notes`], after a word on frames that a plot leaves out.
+    pub(super) fn notes_of_frames(&self) -> Vec<String> {
+        let kept = self.stage.frames.len();
+        let some =
+            (kept > COLORS).then(|| format!("{COLORS} of {kept} kept frames are shown; profile.csv has them all."));
+        some.into_iter().chain(self.notes()).collect()
+    }
+
+    /// The frames that plots show: all of them, or as many as there are colours, spread evenly up to the last.
+    pub(super) fn shown(&self) -> impl DoubleEndedIterator<Item = &'a Frame> {
+        let frames = &self.stage.frames;
+        let most = frames.len().min(COLORS);
+        (1..=most).map(move |i| &frames[i * frames.len() / most - 1])
+    }
+
+    /// Whether a plot with an axis of the least height `least` would show the flat blank's value only: while the tools are
+    /// taken away nothing happens to a sheet that forming has left as it was, and the plots of that have shown it.
+    pub(super) fn is_level(&self, flat: f64, values: impl Iterator<Item = f64>, least: f64) -> bool {
+        let (low, high) = values.fold((flat, flat), |(low, high), v| (low.min(v), high.max(v)));
+        self.model().release.is_some() && high - low < LEVEL * least
+    }
+
+    /// What frames are named by.
+    pub(super) fn progress(&self) -> &'static str {
+        match self.model().rate_control() {
+            _ if self.model().travel > 0.0 => "Punch travel",
+            _ if self.model().release.is_some() => "Tools' forces gone",
+            Some(_) => "Time",
+            None => "Dome height",
+        }
+    }
+
+    /// How plots name a frame.
+    pub(super) fn reached(&self, frame: &Frame) -> String {
+        let (value, unit) = self.reaches(frame);
+        format!("{} {}", shortened(value), unit.symbol())
+    }
+
+    /// What a frame is named by: its travel; while the tools are taken away by the share of their forces that is gone;
+    /// without a punch the time where a strain rate is held, or else the height of the dome.
+    pub(super) fn reaches(&self, frame: &Frame) -> (f64, Unit) {
+        match self.model().rate_control() {
+            _ if self.model().travel > 0.0 => (frame.travel, Unit::Mm),
+            _ if self.model().release.is_some() => (100.0 * frame.time / self.model().duration, Unit::Percent),
+            Some(_) => (frame.time, Unit::Second),
+            None => (frame.nodes.first().map_or(0.0, |pole| pole.z.abs()), Unit::Mm),
+        }
+    }
+}
+
+/// How a stage ended, in a few words: one that has no travel to reach ends at its full time.
+pub(super) fn ended(stage: &StageSolution) -> &'static str {
+    match &stage.stop {
+        Stop::FullTravel if stage.model.travel == 0.0 => "full time",
+        stop => stop.kind(),
+    }
+}
+
+/// A number with as many decimals as it needs, at most two, more below 1.
+fn shortened(value: f64) -> String {
+    let decimals = (2.0 - value.log10().floor().clamp(-12.0, 0.0)) as usize;
+    let text = format!("{value:.decimals$}");
+    text.trim_end_matches('0').trim_end_matches('.').to_owned()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn frames_are_named_by_as_many_digits_as_tell_them_apart() {
+        for (value, text) in
+            [(25.0, "25"), (16.75, "16.75"), (6.333_333, "6.33"), (0.000_25, "0.00025"), (600.0, "600")]
+        {
+            assert_eq!(shortened(value), text);
+        }
+    }
+}

@@ -1,0 +1,54 @@
+//! The summaries of all stages of a case together.
+
+use super::Summary;
+use crate::case::Solution;
+use crate::output::stages;
+use serde::ser::{Serialize, SerializeMap, Serializer};
+use std::fmt;
+
+/// What a solved case comes to: displays as aligned text; serialises as its one stage, or with a list of them.
+#[derive(Clone, Debug)]
+pub struct CaseSummary {
+    /// Name of the case.
+    pub case: String,
+    /// Whether every stage came to its end.
+    pub complete: bool,
+    /// Of every stage that was run.
+    pub stages: Vec<Summary>,
+    /// A line for every stage; empty in a case of one stage.
+    pub lines: String,
+}
+
+impl Solution {
+    /// Sums up every stage.
+    pub fn summary(&self) -> CaseSummary {
+        CaseSummary {
+            case: self.case.name.clone(),
+            complete: self.is_complete(),
+            stages: self.views().iter().map(Summary::of).collect(),
+            lines: stages::printed(self),
+        }
+    }
+}
+
+impl Serialize for CaseSummary {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        if let ([one], "") = (&self.stages[..], &self.lines[..]) {
+            return one.serialize(serializer);
+        }
+        let mut map = serializer.serialize_map(Some(3))?;
+        map.serialize_entry("case", &self.case)?;
+        map.serialize_entry("complete", &self.complete)?;
+        map.serialize_entry("stages", &self.stages)?;
+        map.end()
+    }
+}
+
+impl fmt::Display for CaseSummary {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        for (i, stage) in self.stages.iter().enumerate() {
+            write!(f, "{}{stage}", if i > 0 { "\n" } else { "" })?;
+        }
+        if self.lines.is_empty() { Ok(()) } else { write!(f, "\nStages\n{}", self.lines) }
+    }
+}

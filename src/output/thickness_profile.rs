@@ -1,0 +1,48 @@
+//! Thickness over the blank at the kept frames, and in the same way porosity and temperature.
+
+use super::StageView;
+use super::chart::{Chart, Look, Panel, Scale, Series};
+use crate::solution::ElementRecord;
+use crate::table::Field;
+use crate::table::fields::element::{POROSITY, S0, TEMPERATURE, THICKNESS};
+
+/// Least height of the thickness axis over the initial thickness: smaller differences are noise or nothing to look at [–].
+const LEAST: f64 = 0.02;
+/// Least height of the porosity axis [–] and of the temperature axis [K].
+const LEAST_POROSITY: f64 = 1e-4;
+const LEAST_TEMPERATURE: f64 = 1.0;
+
+pub(super) fn thickness(view: &StageView) -> Option<Chart> {
+    let initial = view.model().blank.thickness;
+    let values = view.stage.frames.iter().flat_map(|frame| &frame.elements).map(|element| element.thickness);
+    let is_level = view.is_level(initial, values, LEAST * initial);
+    if is_level { None } else { plot(view, &THICKNESS, LEAST * initial) }
+}
+
+pub(super) fn porosity(view: &StageView) -> Option<Chart> {
+    view.model().material.voids.and_then(|_| plot(view, &POROSITY, LEAST_POROSITY))
+}
+
+pub(super) fn temperature(view: &StageView) -> Option<Chart> {
+    view.model().heat.as_ref().and_then(|_| plot(view, &TEMPERATURE, LEAST_TEMPERATURE))
+}
+
+fn plot(view: &StageView, field: &Field<ElementRecord>, least: f64) -> Option<Chart> {
+    view.stage.frames.last()?;
+    let geometry = view.geometry();
+    let curves = view
+        .shown()
+        .enumerate()
+        .map(|(i, frame)| Series::new(view.reached(frame), S0.against(field, &frame.elements), Look::curve(i)));
+    Some(Chart {
+        title: view.titled(&field.label(geometry).to_lowercase()),
+        legend: view.progress(),
+        panels: vec![Panel {
+            x: S0.axis(geometry),
+            y: field.axis(geometry),
+            series: curves.collect(),
+            scale: Scale::Fit { height: 350.0, least },
+        }],
+        notes: view.notes_of_frames(),
+    })
+}

@@ -1,0 +1,120 @@
+//! Every output of a solution, written to its folder.
+
+use super::{FrameRecorder, Make, OUTPUTS, StageView, WriteError, can_write, overlay, remove_others, write};
+use crate::case::Solution;
+use crate::compare::{CompareError, Comparison};
+use std::path::{Path, PathBuf};
+
+/// Why results could not be written.
+#[derive(Debug, thiserror::Error)]
+pub enum OutputError {
+    #[error(transparent)]
+    Write(#[from] WriteError),
+    /// A reference that the case is compared with cannot be used.
+    #[error(transparent)]
+    Compare(#[from] CompareError),
+}
+
+impl Solution {
+    /// Writes every table and plot of [`OUTPUTS`] into `dir`, those of several stages into a folder each, and removes what
+    /// an earlier run left there; returns what was written.
+    ///
+    /// # Errors
+    /// When a folder or file cannot be written, or a reference of the case cannot be read.
+    pub fn write(&self, dir: impl AsRef<Path>) -> Result<Vec<PathBuf>, OutputError> {
+        Ok(self.write_with(&self.comparisons()?, &FrameRecorder::default(), dir.as_ref())?)
+    }
+
+    /// The same with comparisons that were made before, and with what a recorder was asked for.
+    ///
+    /// # Errors
+    /// When a folder or file cannot be written: each file appears complete or not at all.
+    pub fn write_with(
+        &self,
+        comparisons: &[Comparison],
+        recorder: &FrameRecorder,
+        dir: &Path,
+    ) -> Result<Vec<PathBuf>, WriteError> {
+        let mut written = Vec::new();
+        let mut here = Vec::new();
+        for output in OUTPUTS {
+            if let Make::OfCase(make) = output.make {
+                here.extend(write_files(make(self, comparisons), dir)?);
+            }
+        }
+        let views = self.views();
+        for (i, _) in self.case.stage_names().enumerate() {
+            let label = self.case.stage_label(i);
+            let folder = label.as_ref().map_or_else(|| dir.to_owned(), |label| dir.join(label));
+            let files = views.get(i).map_or(Ok(Vec::new()), |view| write_stage(view, i, recorder, &folder))?;
+            if label.is_none() {
+                here.extend(files);
+            } else {
+                remove_stale(&folder, &files)?;
+                written.extend(files);
+            }
+        }
+        remove_stale(dir, &here)?;
+        written.extend(here);
+        Ok(written)
+    }
+}
+
+impl StageView<'_> {
+    /// Writes every table and plot of this stage into `dir`; returns what was written.
+    ///
+    /// # Errors
+    /// When a folder or file cannot be written: each file appears complete or not at all.
+    pub fn write(&self, dir: &Path) -> Result<Vec<PathBuf>, WriteError> {
+        write_stage(self, 0, &FrameRecorder::default(), dir)
+    }
+}
+
+/// Writes what a stage has.
+fn write_stage(view: &StageView, i: usize, recorder: &FrameRecorder, dir: &Path) -> Result<Vec<PathBuf>, WriteError> {
+    let frames = recorder.of_stage(i, view.stage);
+    let mut written = Vec::new();
+    for output in OUTPUTS {
+        if let Make::Moving(extra, make) = output.make {
+            if recorder.extras.contains(&extra) && frames.len() > 1 {
+                written.extend(write_files(make(view, &frames), dir)?);
+            }
+        } else if let Some(bytes) = output.bytes(view) {
+            written.extend(write_files(std::iter::once((output.file.to_owned(), bytes)), dir)?);
+        }
+    }
+    Ok(written)
+}
+
+/// Writes comparisons only.
+///
+/// # Errors
+/// When a folder or file cannot be written.
+pub fn write_comparisons(
+    solution: &Solution,
+    comparisons: &[Comparison],
+    dir: &Path,
+) -> Result<Vec<PathBuf>, WriteError> {
+    write_files(overlay::files(solution, comparisons), dir)
+}
+
+fn write_files(files: impl Iterator<Item = (String, Vec<u8>)>, dir: &Path) -> Result<Vec<PathBuf>, WriteError> {
+    files.map(|(name, bytes)| write(&dir.join(&name), &bytes).map(|()| dir.join(name))).collect()
+}
+
+/// Whether every output could be written into `dir`; nothing is left behind.
+///
+/// # Errors
+/// As [`can_write`].
+pub fn can_write_all(dir: &Path) -> Result<(), WriteError> {
+    OUTPUTS.iter().try_for_each(|output| can_write(&dir.join(output.file)))
+}
+
+/// Removes what an earlier run wrote into `dir` and this one did not, so that no plot of another run stands beside
+/// `written`; files of names that this program does not give are left alone.
+///
+/// # Errors
+/// When a file cannot be removed.
+pub fn remove_stale(dir: &Path, written: &[PathBuf]) -> Result<(), WriteError> {
+    remove_others(dir, written, |name| OUTPUTS.iter().any(|output| output.is_named(name)))
+}

@@ -1,0 +1,68 @@
+//! What is written of a step and of an element, by name; quantities of one table only stand with that table.
+
+/// Of an accepted step.
+pub mod step {
+    use crate::model::Geometry;
+    use crate::solution::StepRecord;
+    use crate::table::{Column, Field, Unit, worded};
+
+    pub const TRAVEL: Field<StepRecord> = Field::new("travel", "Punch travel", Unit::Mm, |s| s.travel);
+    pub const PUNCH_FORCE: Field<StepRecord> = Field::force("punch_force", "Punch force", |s| s.punch_force);
+    pub const HOLDER_FORCE: Field<StepRecord> = Field::force("holder_force", "Holder force", |s| s.holder_force);
+    pub const EDGE_FORCE: Field<StepRecord> = Field::force("edge_force", "Edge force", |s| s.edge_force);
+    pub const DRAW_IN: Field<StepRecord> = Field::new("draw_in", "Draw-in of the edge", Unit::Mm, |s| s.draw_in);
+    pub const THINNEST: Field<StepRecord> = Field::new("thinnest", "Least thickness", Unit::Mm, |s| s.thinnest);
+    pub const POLE_HEIGHT: Field<StepRecord> =
+        Field::new("pole_height", "Height of the middle", Unit::Mm, |s| s.pole_height);
+    pub const PRESSURE: Field<StepRecord> = Field::new("pressure", "Gas pressure", Unit::MPa, |s| s.pressure);
+
+    /// Diameter at the edge of a blank of this length \[mm\]; in plane strain the width between both edges.
+    pub fn edge_diameter(geometry: Geometry, length: f64, steps: &[StepRecord]) -> Column {
+        let label = worded(geometry, "Diameter at the edge", "Width between the edges");
+        let values = steps.iter().map(|s| 2.0 * (length - s.draw_in)).collect();
+        Column::new("edge_diameter", label, Unit::Mm, values)
+    }
+}
+
+/// Of an element at an instant.
+pub mod element {
+    use crate::solution::ElementRecord;
+    use crate::table::{Field, Unit};
+    use crate::units::ZERO_CELSIUS;
+
+    pub const S0: Field<ElementRecord> = Field::worded(
+        "s0",
+        ["Initial distance from the axis", "Initial distance from the symmetry plane"],
+        Unit::Mm,
+        |e| e.s0,
+    );
+    pub const R: Field<ElementRecord> =
+        Field::worded("r", ["Distance from the axis", "Distance from the symmetry plane"], Unit::Mm, |e| e.r);
+    pub const Z: Field<ElementRecord> = Field::new("z", "z, along punch travel", Unit::Mm, |e| e.z);
+    pub const THICKNESS: Field<ElementRecord> = Field::new("thickness", "Thickness", Unit::Mm, |e| e.thickness);
+    pub const STRAIN_MERIDIONAL: Field<ElementRecord> =
+        Field::worded("strain_meridional", ["Meridional strain", "In-plane strain"], Unit::None, |e| {
+            e.strain_meridional
+        });
+    pub const STRAIN_HOOP: Field<ElementRecord> =
+        Field::worded("strain_hoop", ["Hoop strain", "Out-of-plane strain"], Unit::None, |e| e.strain_hoop);
+    pub const STRAIN_THICKNESS: Field<ElementRecord> =
+        Field::new("strain_thickness", "Thickness strain", Unit::None, |e| e.strain_thickness);
+    pub const STRAIN_EQUIVALENT: Field<ElementRecord> =
+        Field::new("strain_equivalent", "Equivalent strain", Unit::None, |e| e.strain_equivalent);
+    pub const STRESS_MERIDIONAL: Field<ElementRecord> =
+        Field::worded("stress_meridional", ["Meridional stress", "In-plane stress"], Unit::MPa, |e| {
+            e.stress_meridional
+        });
+    pub const STRESS_HOOP: Field<ElementRecord> =
+        Field::worded("stress_hoop", ["Hoop stress", "Out-of-plane stress"], Unit::MPa, |e| e.stress_hoop);
+    pub const STRAIN_EQUIVALENT_MAX: Field<ElementRecord> =
+        Field::new("strain_equivalent_max", "Largest equivalent strain", Unit::None, |e| e.strain_equivalent_max);
+    pub const BENDING: Field<ElementRecord> =
+        Field::new("bending", "Bending (1) or membrane (0)", Unit::None, |e| f64::from(u8::from(e.bends)));
+    /// Of a sheet with voids.
+    pub const POROSITY: Field<ElementRecord> = Field::new("porosity", "Porosity", Unit::None, |e| e.porosity);
+    /// Of a sheet whose temperature is given.
+    pub const TEMPERATURE: Field<ElementRecord> =
+        Field::new("temperature", "Temperature", Unit::Celsius, |e| e.temperature - ZERO_CELSIUS);
+}
