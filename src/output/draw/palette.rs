@@ -3,18 +3,24 @@
 use crate::output::chart::{Color, WHITE};
 
 /// Steps in which a pixel is covered, from nothing to all of it; finer ones are not seen at an edge.
-pub(super) const LEVELS: usize = 16;
+const FULL: usize = 15;
+const LEVELS: usize = FULL + 1;
+
+/// Blends that differ by no more than this take the same colour: the sum of squares over red, green and blue.
+const ALIKE: i32 = 32;
 
 /// Colours that a byte tells apart.
 const MOST: usize = 256;
+
+const UNKNOWN: u16 = u16::MAX;
 
 /// The colours of a picture, in the order in which they came; the first is white.
 ///
 /// Once there are as many as a byte can tell apart, new blends take the nearest of them.
 pub struct Palette {
     colors: Vec<[u8; 3]>,
-    /// What was blended before, by the colour on top, the one below and the level.
-    known: Vec<Option<Box<[Option<u8>; MOST * LEVELS]>>>,
+    /// What was blended before, by the colour on top, the one below and the level, or [`UNKNOWN`].
+    known: Vec<u16>,
 }
 
 impl Default for Palette {
@@ -37,38 +43,46 @@ impl Palette {
 
     /// The number of a colour, or of the nearest where there is no room for it.
     pub(super) fn number(&mut self, color: Color) -> u8 {
-        self.nearest(color.into())
+        let color = color.into();
+        // Flat colours come first.
+        let found = self.colors.iter().position(|known| *known == color);
+        found.map_or_else(|| self.nearest(color, 0), |number| number as u8)
     }
 
-    /// The number of a colour of which `level` out of `LEVELS − 1` parts lie on another.
-    pub(super) fn blended(&mut self, over: u8, below: u8, level: usize) -> u8 {
-        let (over, below) = (usize::from(over), usize::from(below));
-        if self.known.len() <= over {
-            self.known.resize(over + 1, None);
+    /// Lays a colour over pixels, all of which it covers to this share, by its magnitude and 1 at most.
+    pub(super) fn paint(&mut self, pixels: &mut [u8], over: u8, cover: f32) {
+        match (cover.abs().min(1.0) * FULL as f32 + 0.5) as usize {
+            0 => {}
+            FULL => pixels.fill(over),
+            level => pixels.iter_mut().for_each(|pixel| *pixel = self.blended(over, *pixel, level)),
         }
-        let known = self.known[over].get_or_insert_with(|| Box::new([None; MOST * LEVELS]));
-        if let Some(known) = known[below * LEVELS + level] {
-            return known;
+    }
+
+    /// The number of a colour of which `level` out of [`FULL`] parts lie on another.
+    fn blended(&mut self, over: u8, below: u8, level: usize) -> u8 {
+        let (over, below) = (usize::from(over), usize::from(below));
+        let key = (over * MOST + below) * LEVELS + level;
+        match self.known.get(key) {
+            Some(&known) if known != UNKNOWN => return known as u8,
+            Some(_) => {}
+            None => self.known.resize((over + 1) * MOST * LEVELS, UNKNOWN),
         }
         let (top, base) = (self.colors[over], self.colors[below]);
-        let full = LEVELS - 1;
         let mix = |i: usize| {
             let (top, base) = (usize::from(top[i]), usize::from(base[i]));
-            ((top * level + base * (full - level) + full / 2) / full) as u8
+            ((top * level + base * (FULL - level) + FULL / 2) / FULL) as u8
         };
-        let found = self.nearest([mix(0), mix(1), mix(2)]);
-        if let Some(known) = &mut self.known[over] {
-            known[below * LEVELS + level] = Some(found);
-        }
+        let found = self.nearest([mix(0), mix(1), mix(2)], ALIKE);
+        self.known[key] = found.into();
         found
     }
 
-    /// The colour itself, which is added while there is room, or else the nearest.
-    fn nearest(&mut self, color: [u8; 3]) -> u8 {
+    /// A colour that there is where one is `alike` enough or there is no room, or else the colour itself, which is added.
+    fn nearest(&mut self, color: [u8; 3], alike: i32) -> u8 {
         let apart = |other: &[u8; 3]| (0..3).map(|i| i32::from(color[i].abs_diff(other[i])).pow(2)).sum::<i32>();
         let found = self.colors.iter().map(apart).enumerate().min_by_key(|(_, apart)| *apart);
         match found {
-            Some((number, apart)) if apart == 0 || self.colors.len() == MOST => number as u8,
+            Some((number, apart)) if apart <= alike || self.colors.len() == MOST => number as u8,
             _ => {
                 self.colors.push(color);
                 (self.colors.len() - 1) as u8
@@ -86,7 +100,7 @@ mod tests {
     fn blends_are_between_their_colours_and_a_full_palette_takes_the_nearest() {
         let mut palette = Palette::default();
         let black = palette.number((0, 0, 0));
-        assert_eq!((palette.blended(black, 0, 0), palette.blended(black, 0, LEVELS - 1)), (0, black));
+        assert_eq!((palette.blended(black, 0, 0), palette.blended(black, 0, FULL)), (0, black));
         let third = palette.blended(black, 0, 5);
         assert_eq!(palette.colors()[usize::from(third)], [170; 3]);
         for red in 0..=255 {

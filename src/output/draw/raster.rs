@@ -1,13 +1,13 @@
 //! Marks as pixels, antialiased by the area that they cover.
 
-use super::palette::{LEVELS, Palette};
+use super::palette::Palette;
 use super::stroke::{circle, outline};
 use super::{Anchor, Mark, Point};
 use crate::output::chart::{Color, WHITE};
 use crate::output::font;
 
 /// Chords of letters leave their curves by about so much \[pixels\].
-const SAGITTA: f64 = 0.1;
+const SAGITTA: f64 = 0.15;
 
 /// What lies further away is drawn as if it lay there \[pixels\].
 const FAR: f64 = 1e7;
@@ -28,6 +28,14 @@ impl Picture {
     }
 }
 
+/// By how much the cover of a row rises where an edge crosses a pixel: there, and from the next one on.
+#[derive(Clone, Copy)]
+struct Crossing {
+    pixel: u32,
+    here: f32,
+    later: f32,
+}
+
 /// A picture while it is drawn.
 ///
 /// # References
@@ -38,9 +46,9 @@ pub struct Raster<'a> {
     density: f64,
     picture: Picture,
     palette: &'a mut Palette,
-    /// By how much the cover of a row rises at a pixel and stays so to its right; empty between marks.
-    rises: Vec<Vec<(u32, f32)>>,
-    /// Rows with rises: from the first to before the last.
+    /// Where edges cross each row; empty between marks.
+    crossings: Vec<Vec<Crossing>>,
+    /// Rows with crossings: from the first to before the last.
     touched: (usize, usize),
 }
 
@@ -50,7 +58,7 @@ impl<'a> Raster<'a> {
         let (width, height) = ((density * width).ceil() as usize, (density * height).ceil() as usize);
         let white = palette.number(WHITE);
         let picture = Picture { width, pixels: vec![white; width * height] };
-        Self { density, picture, palette, rises: vec![Vec::new(); height], touched: (height, 0) }
+        Self { density, picture, palette, crossings: vec![Vec::new(); height], touched: (height, 0) }
     }
 
     pub fn picture(self) -> Picture {
@@ -105,7 +113,7 @@ impl<'a> Raster<'a> {
         let (sign, (from, to)) = if from.1 < to.1 { (1.0, (from, to)) } else { (-1.0, (to, from)) };
         let place = |v: f64| (v * self.density).clamp(-FAR, FAR);
         let [(x, top), (end, bottom)] = [from, to].map(|p| (place(p.0), place(p.1)));
-        let (first, last) = (top.max(0.0), bottom.min(self.rises.len() as f64));
+        let (first, last) = (top.max(0.0), bottom.min(self.crossings.len() as f64));
         if !(first < last && (x + end).is_finite()) {
             return;
         }
@@ -122,16 +130,16 @@ impl<'a> Raster<'a> {
 
     /// Cover that rises by `by` within a row, evenly from x to x \[pixels\].
     fn rise(&mut self, row: usize, by: f64, from: f64, to: f64) {
-        let rises = &mut self.rises[row];
-        let (mut x, mut pixel) = (from, from as u32);
+        let crossings = &mut self.crossings[row];
+        let (whole, mut x, mut pixel) = (to - from, from, from as u32);
         loop {
             let end = to.min(f64::from(pixel) + 1.0);
-            let share = if to > from { by * (end - x) / (to - from) } else { by };
-            // A pixel is covered from where the edge crosses it; all those to its right are covered wholly.
-            let later = share * (0.5 * (x + end) - f64::from(pixel));
-            rises.push((pixel, (share - later) as f32));
-            if later != 0.0 {
-                rises.push((pixel + 1, later as f32));
+            let share = if end - x < whole { by * (end - x) / whole } else { by };
+            // The pixel is covered from the edge on.
+            let (here, later) = ((share * (f64::from(pixel) + 1.0 - 0.5 * (x + end))) as f32, share as f32);
+            match crossings.last_mut() {
+                Some(last) if last.pixel == pixel => (last.here, last.later) = (last.here + here, last.later + later),
+                _ => crossings.push(Crossing { pixel, here, later }),
             }
             if end >= to {
                 break;
@@ -142,29 +150,28 @@ impl<'a> Raster<'a> {
 
     /// Fills what the edges since the last call enclose, where their turns do not cancel.
     fn fill(&mut self, color: Color) {
-        let full = LEVELS - 1;
         let (width, ink) = (self.picture.width, self.palette.number(color));
-        let (first, last) = std::mem::replace(&mut self.touched, (self.rises.len(), 0));
+        let (first, last) = std::mem::replace(&mut self.touched, (self.crossings.len(), 0));
         for row in first..last {
             let pixels = &mut self.picture.pixels[row * width..(row + 1) * width];
-            let rises = &mut self.rises[row];
-            rises.sort_unstable_by_key(|rise| rise.0);
-            let mut cover = 0.0;
-            for (i, rise) in rises.iter().enumerate() {
-                cover += rise.1;
-                let to = rises.get(i + 1).map_or(width, |next| (next.0 as usize).min(width));
-                if rise.0 as usize >= to {
-                    continue;
+            let crossings = &mut self.crossings[row];
+            crossings.sort_unstable_by_key(|crossing| crossing.pixel);
+            let (mut cover, mut rest) = (0.0, &crossings[..]);
+            while let Some(&Crossing { pixel, .. }) = rest.first() {
+                let mut here = cover;
+                while let Some(crossing) = rest.first().filter(|crossing| crossing.pixel == pixel) {
+                    (here, cover) = (here + crossing.here, cover + crossing.later);
+                    rest = &rest[1..];
                 }
-                let level = (cover.abs().min(1.0) * full as f32 + 0.5) as usize;
-                let pixels = &mut pixels[rise.0 as usize..to];
-                if level == full {
-                    pixels.fill(ink);
-                } else if level > 0 {
-                    pixels.iter_mut().for_each(|pixel| *pixel = self.palette.blended(ink, *pixel, level));
+                let (pixel, next) = (pixel as usize, rest.first().map_or(width, |next| width.min(next.pixel as usize)));
+                if pixel < width {
+                    self.palette.paint(&mut pixels[pixel..=pixel], ink, here);
+                    if pixel + 1 < next {
+                        self.palette.paint(&mut pixels[pixel + 1..next], ink, cover);
+                    }
                 }
             }
-            rises.clear();
+            crossings.clear();
         }
     }
 }
@@ -210,7 +217,7 @@ mod tests {
             drawn(&[Mark::Line { pieces, color: BLACK, width: 2.0 }]).iter().sum::<f64>()
         };
         assert!((line(0.0) - 20.0).abs() < 1e-9, "{}", line(0.0));
-        assert!((line(1.0) - 2.0 * (8.0 * 2_f64.sqrt() + 2.0)).abs() < 0.5, "{}", line(1.0));
+        assert!((line(0.6) - 2.0 * (8.0 * 1.36_f64.sqrt() + 2.0)).abs() < 0.4, "{}", line(0.6));
         let ring = drawn(&[Mark::Circle { at: (10.0, 6.0), radius: 4.0, color: BLACK, width: 2.0 }]);
         let area = std::f64::consts::PI * (25.0 - 9.0);
         let dark = ring.iter().sum::<f64>();

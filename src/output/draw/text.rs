@@ -22,13 +22,19 @@ const ROOM: f64 = 1.065;
 /// Lines no wider than `width`, broken between words, and within a word that is wider than a line.
 pub(super) fn wrapped(paragraph: &str, size: f64, width: f64) -> Vec<String> {
     let mut lines = vec![String::new()];
+    let (mut end, space) = (0.0, text_width(" ", size));
     for word in paragraph.split_whitespace().flat_map(|word| pieces(word, size, width)) {
         let line = lines.last_mut().expect("there is a line");
-        let longer = if line.is_empty() { word.to_owned() } else { format!("{line} {word}") };
-        if line.is_empty() || text_width(&longer, size) <= width {
-            *line = longer;
+        let wide = text_width(&word, size);
+        if line.is_empty() {
+            (*line, end) = (word, wide);
+        } else if end + space + wide <= width {
+            line.push(' ');
+            line.push_str(&word);
+            end += space + wide;
         } else {
-            lines.push(word.to_owned());
+            lines.push(word);
+            end = wide;
         }
     }
     lines
@@ -36,6 +42,9 @@ pub(super) fn wrapped(paragraph: &str, size: f64, width: f64) -> Vec<String> {
 
 /// A word in pieces no wider than `width`.
 fn pieces(word: &str, size: f64, width: f64) -> Vec<String> {
+    if text_width(word, size) <= width {
+        return vec![word.to_owned()];
+    }
     let mut pieces = vec![String::new()];
     for letter in word.chars() {
         let piece = pieces.last_mut().expect("there is a piece");
