@@ -42,7 +42,8 @@ fn every_material_loads_runs_and_cites_its_source() {
         if entry.name == "woo-1968" {
             assert!(limit.expect_err("no curve").contains("have no solution beyond"));
         } else {
-            let top = limit.unwrap_or_else(|e| panic!("{e}")).model().forming_limit.as_ref().expect("a curve").plane_strain();
+            let top =
+                limit.unwrap_or_else(|e| panic!("{e}")).model().forming_limit.as_ref().expect("a curve").plane_strain();
             assert!((0.5 * n..n).contains(&top), "{}: a groove necks before the load maximum: {top} {n}", entry.name);
         }
         let check = stampflow::assess::check::report(&named).to_string();

@@ -4,8 +4,7 @@ mod sharp;
 mod stages;
 mod warn;
 
-pub(crate) use warn::LIMITING_RATIO;
-pub(crate) use warn::THIN;
+pub(crate) use crate::rules::design::THIN;
 
 use crate::case::Case;
 use crate::model::{Face, Geometry, Model, Motion, Pressure, Role, Theory, Tool};

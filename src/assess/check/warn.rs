@@ -2,14 +2,11 @@
 
 use super::{mm, sharp};
 use crate::model::{Edge, Model, Motion, Theory};
+use crate::rules::design::{LIMITING_RATIO, THIN};
 use crate::rules::estimate;
 
-/// Radius over thickness below which shells are no longer thin [–].
-pub(crate) const THIN: f64 = 5.0;
 /// Elements per 90° below which the load ticks as nodes pass a corner.
 const FINE: f64 = 8.0;
-/// Draw ratio that one draw of good steel reaches [–].
-pub(crate) const LIMITING_RATIO: f64 = 2.2;
 /// Friction above that of dry steel on steel, or a slip of the decimal point [–].
 const DRY: f64 = 0.3;
 

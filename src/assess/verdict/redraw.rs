@@ -1,8 +1,8 @@
 //! Whether a later draw narrows the cup by no more than a draw can.
 
 use super::{Finding, Light, of_stage};
-use crate::author::templates::rules::REDRAW_RATIO;
 use crate::model::{Geometry, Role};
+use crate::rules::design::REDRAW_RATIO;
 use crate::rules::tool_sizes::extent;
 use crate::solution::StageSolution;
 use crate::table::Unit;
