@@ -3,7 +3,7 @@
 use super::check::mm;
 use super::{Finding, Light, Run};
 use crate::model::{Model, Theory, Tool};
-use crate::rules::limits::THIN;
+use crate::rules::design::THIN;
 use crate::table::Unit;
 
 /// Bending radius over the thickness at which a fibre's strain is as large as plastic ones in deep draws, and a shell is none

@@ -2,8 +2,8 @@
 
 use super::Finding;
 use crate::model::Model;
+use crate::rules::design::LIMITING_RATIO;
 use crate::rules::estimate;
-use crate::rules::limits::LIMITING_RATIO;
 use crate::table::Unit;
 
 /// A blank that is too large for one draw over its punch.

@@ -2,7 +2,7 @@
 
 use super::{Finding, Light, Run, thinning};
 use crate::forming_limit::{Assessment, CROOKED, Judged, assess};
-use crate::rules::limits::THIN;
+use crate::rules::design::THIN;
 use crate::solution::StageSolution;
 use crate::table::Unit;
 

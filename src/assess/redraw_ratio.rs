@@ -2,7 +2,7 @@
 
 use super::{Finding, Light, Run};
 use crate::model::{Geometry, Role};
-use crate::rules::limits::REDRAW_RATIO;
+use crate::rules::design::REDRAW_RATIO;
 use crate::rules::tool_sizes::extent;
 use crate::solution::StageSolution;
 use crate::table::Unit;

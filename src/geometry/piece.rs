@@ -184,6 +184,14 @@ impl Piece {
             .collect()
     }
 
+    /// Points along the piece, both ends included: of an arc every `step` \[rad\] or finer.
+    pub fn polyline(&self, step: f64) -> Vec<Point> {
+        self.sample(match self {
+            Piece::Segment(_) => 1,
+            Piece::Arc(a) => (a.sweep.abs() / step).ceil().max(1.0) as usize,
+        })
+    }
+
     /// The point of the piece that is closest to `x` \[mm\].
     pub fn closest_point(&self, x: Point) -> Point {
         match self.foot(x) {

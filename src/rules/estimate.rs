@@ -1,17 +1,11 @@
 //! Estimates from a model alone.
 
 use crate::geometry::Point;
-use crate::material::Hardening;
 use crate::model::mesh;
 use crate::model::{Edge, Geometry, Model, Motion, Role};
+pub(crate) use crate::rules::design::{siebel, tensile_strength};
 use crate::rules::tool_sizes::{extent, gap, mouth, shoulder_end, throat, widens};
 use std::f64::consts::{FRAC_PI_2, PI};
-
-/// Tensile strength [MPa]: largest nominal stress σ exp(−ε), reached where dσ/dε = σ (A. Considère, 1885).
-pub(crate) fn tensile_strength(law: &Hardening) -> f64 {
-    let strains = (0..=2000).map(|i| f64::from(i) * 5e-4);
-    strains.map(|strain| law.at(strain).stress * (-strain).exp()).fold(0.0, f64::max)
-}
 
 /// Throat less punch [mm]; for a die with a bottom, and for a punch that is wider behind what goes in, the smallest gap at
 /// the full travel.
@@ -50,20 +44,6 @@ pub(crate) fn holder_pressure(model: &Model) -> Option<f64> {
         Motion::Pressed(press) => Some(press.force.largest() / held_area(model)?),
         _ => None,
     }
-}
-
-/// The pressure that keeps a flange from wrinkling [MPa], usually named after Siebel, with the punch diameter d and the
-/// draw ratio β: p = 0.0025 [(β − 1)² + 0.5 d/(100 t)] R_m.
-///
-/// # References
-/// Read in: 4ming, Forming handbook, "Blankholder pressure", equation 1 (4ming.de/en/forming-handbook/blankholder-pressure),
-/// p = [(β₀ − 1)² + d₁/(200 s₀)] R_m/400, after H. Kugler, Umformtechnik, Hanser, München (2009): for steel on steel with
-/// drawing oil, and up to four times as much with drawing foil on both sides. Not read: E. Siebel, H. Beisswänger,
-/// Tiefziehen, Hanser, München (1955); H. Tschätsch, Metal Forming Practise, which is quoted with the same form; books
-/// that are said to have (β − 1)³ with factors from 0.002 to 0.003. At β = 2 both forms agree; below it the square asks
-/// for more.
-pub(crate) fn siebel(beta: f64, diameter: f64, thickness: f64, strength: f64) -> f64 {
-    0.0025 * ((beta - 1.0).powi(2) + 0.5 * diameter / (100.0 * thickness)) * strength
 }
 
 /// [`siebel`]'s pressure for the blank and the punch of a model.

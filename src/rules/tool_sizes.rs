@@ -1,6 +1,6 @@
 //! Sizes read off a tool's section, however it was drawn.
 
-use crate::geometry::{Piece, Point, Profile};
+use crate::geometry::{Piece, Point};
 use crate::model::{Geometry, Role, Tool};
 
 /// Smallest and largest r of a tool \[mm\].
@@ -8,6 +8,11 @@ pub fn extent(tool: &Tool) -> (f64, f64) {
     let points = tool.profile.polyline(0.01);
     points.iter().fold((f64::INFINITY, 0.0), |(low, high), p| (p.x.min(low), p.x.max(high)))
 }
+
+/// Points of an arc that are looked at are this far apart [rad].
+const FINE: f64 = 0.005;
+/// Parts of a line that are looked at.
+const PARTS: usize = 8;
 
 /// Rounded coordinates may miss by this \[mm\].
 const ROUNDED: f64 = 1e-6;
@@ -22,7 +27,7 @@ pub fn mouth(punch: &Tool, depth: f64) -> f64 {
     let last = pieces.iter().rposition(|piece| piece.first().y.max(piece.last().y) >= level - ROUNDED);
     let last = last.unwrap_or(0);
     let roundings = pieces[last..].iter().take_while(|piece| matches!(piece, Piece::Arc(_))).count();
-    let passed = pieces[..last + roundings].iter().flat_map(|piece| piece.sample(samples(piece))).map(|p| p.x);
+    let passed = pieces[..last + roundings].iter().flat_map(|piece| piece.polyline(FINE)).map(|p| p.x);
     let cut = match pieces[last] {
         Piece::Segment(line) if line.to.y < level => {
             let share = ((line.from.y - level) / (line.from.y - line.to.y)).max(0.0);
@@ -61,23 +66,12 @@ pub(crate) struct Gap {
     pub at: Point,
 }
 
-/// The gap between two tools when the punch has gone up by `travel` [mm]. Arcs and long lines are sampled: their
-/// chords are short of them by 3e-6 of the radius.
+/// The gap between two tools when the punch has gone up by `travel` [mm].
 pub(crate) fn gap(a: &Tool, b: &Tool, travel: f64) -> Gap {
-    let placed = |tool: &Tool| tool.profile.shifted(if tool.role == Role::Punch { travel } else { 0.0 });
-    let (a, b) = (placed(a), placed(b));
-    let one_way = |from: &Profile, to: &Profile| {
-        let points = from.pieces().iter().flat_map(|piece| piece.sample(samples(piece)));
-        let gaps = points.filter_map(|at| {
-            let closest = to.closest(at);
-            let foot = at - closest.distance * closest.normal;
-            // Beyond the ends of a line no side is drawn.
-            (closest.distance >= 0.0 || !to.ends_at(foot)).then_some(Gap { distance: closest.distance, at })
-        });
-        gaps.min_by(|a, b| a.distance.total_cmp(&b.distance))
-    };
-    let nearest = [one_way(&a, &b), one_way(&b, &a)].into_iter().flatten();
-    nearest.min_by(|a, b| a.distance.total_cmp(&b.distance)).unwrap_or(Gap { distance: f64::INFINITY, at: a.first() })
+    let up = |tool: &Tool| if tool.role == Role::Punch { travel } else { 0.0 };
+    let shift = Point::new(0.0, up(a) - up(b));
+    let (distance, at) = a.profile.distance_by(&b.profile, shift, FINE, PARTS);
+    Gap { distance, at: at + Point::new(0.0, up(b)) }
 }
 
 /// How far the punch goes before it is closer than `least` to another tool \[mm\], up to `most`, where it is.
@@ -90,14 +84,6 @@ pub(crate) fn room(punch: &Tool, other: &Tool, least: f64, most: f64) -> f64 {
     free
 }
 
-/// Intervals that a piece is looked at in.
-fn samples(piece: &Piece) -> usize {
-    match piece {
-        Piece::Segment(_) => 8,
-        Piece::Arc(a) => (a.sweep.abs() / 0.005).ceil().max(1.0) as usize,
-    }
-}
-
 /// Where the die's corners end and its flat begins [mm].
 pub(crate) fn shoulder_end(die: &Tool) -> f64 {
     die.profile.corners().map(|a| a.at(0.0).x.max(a.at(1.0).x)).fold(extent(die).0, f64::max)
@@ -106,7 +92,7 @@ pub(crate) fn shoulder_end(die: &Tool) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::geometry::{Arc, Segment};
+    use crate::geometry::{Arc, Profile, Segment};
     use crate::model::Motion;
     use approx::assert_relative_eq;
     use std::f64::consts::FRAC_PI_2;

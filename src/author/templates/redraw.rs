@@ -9,7 +9,7 @@ use super::sheet::Sheet;
 use super::tools::{Tools, about, because, careful, flat_punch, force, newtons};
 use crate::case::CaseError;
 use crate::model::Geometry;
-use crate::rules::limits::REDRAW_RATIO;
+use crate::rules::design::REDRAW_RATIO;
 use crate::units::rounded;
 use std::f64::consts::PI;
 

@@ -5,7 +5,7 @@ use super::rules::{self, Picked};
 use super::sheet::Sheet;
 use crate::case::CaseError;
 use crate::model::Geometry;
-use crate::rules::limits::CAREFUL_RATIO;
+use crate::rules::design::CAREFUL_RATIO;
 use crate::units::rounded;
 
 /// A tool's shape: key, value, and why it has these sizes.

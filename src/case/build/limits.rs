@@ -3,7 +3,8 @@
 use crate::case::file::{CaseFile, Section};
 use crate::case::{CaseError, source::Source};
 use crate::geometry::Piece;
-use crate::model::Model;
+use crate::model::{Model, Stage};
+use crate::solution::{ElementRecord, NodeRecord, PointRecord, StepRecord};
 use std::f64::consts::FRAC_PI_2;
 
 /// Characters of a title and of other texts, which every plot repeats.
@@ -11,6 +12,8 @@ const TITLE: usize = 200;
 const TEXT: usize = 1000;
 /// Rows of `profile.csv`: kept frames times elements.
 const ROWS: usize = 500_000;
+/// What a run keeps, all stages together \[bytes\].
+const MEMORY: usize = 1_000_000_000;
 /// Chords that replace the arcs of one tool.
 const CHORDS: f64 = 20_000.0;
 
@@ -61,13 +64,61 @@ pub(super) fn of_file(file: &CaseFile, source: &Source) -> Result<(), CaseError>
     Ok(())
 }
 
+/// The key that says how many frames of a stage are kept, the first one being stage 0.
+pub(super) fn frames_key(stage: usize, source: &Source) -> String {
+    match stage {
+        0 if source.has("output.frames") => "output.frames".into(),
+        0 => "output.count".into(),
+        later => format!("stages.{}.frames", later - 1),
+    }
+}
+
+/// What a run keeps in memory, all stages together: frames with every point through the thickness, and the path of every
+/// element where there is a forming limit. A run takes no fewer steps than are counted here.
+pub(super) fn of_stages(stages: &[Stage], source: &Source) -> Result<(), CaseError> {
+    let mut total = 0;
+    let mut largest = (0, String::new(), String::new(), "");
+    for (i, Stage { name, model, .. }) in stages.iter().enumerate() {
+        let (frames, elements, layers) = (model.frames.len(), model.blank.elements, model.blank.layers);
+        let steps = frames + (1.0 / model.settings.max_step) as usize;
+        let element = size_of::<ElementRecord>() + size_of::<NodeRecord>() + layers * size_of::<PointRecord>();
+        let pathed = if model.forming_limit.is_some() { elements } else { 0 };
+        let kept = [
+            (
+                frames * elements * element,
+                frames_key(i, source),
+                format!("{frames} frames of {elements} elements with {layers} points through the thickness"),
+                "keep fewer frames, or take fewer elements or points (blank.layers)",
+            ),
+            (
+                steps * (size_of::<StepRecord>() + pathed * size_of::<[f64; 2]>()),
+                "solver.max_step".into(),
+                format!("{steps} steps or more, with the strains of {pathed} elements for the forming limit"),
+                "take longer steps, or fewer elements",
+            ),
+        ];
+        for (bytes, key, what, help) in kept {
+            total += bytes;
+            if bytes > largest.0 {
+                largest = (bytes, key, format!("stage `{name}` keeps {what}"), help);
+            }
+        }
+    }
+    let (_, key, what, help) = largest;
+    if total <= MEMORY {
+        return Ok(());
+    }
+    let gigabytes = |bytes: usize| bytes as f64 / 1e9;
+    let what = format!("the run fills {:.1} GB, more than {:.0} GB: {what}", gigabytes(total), gigabytes(MEMORY));
+    Err(source.error(&key, what, help))
+}
+
 /// What follows from the numbers together.
-pub(super) fn of_model(model: &Model, source: &Source) -> Result<(), CaseError> {
+pub(super) fn of_model(model: &Model, frames_key: &str, source: &Source) -> Result<(), CaseError> {
     let (frames, elements) = (model.frames.len(), model.blank.elements);
     if frames * elements > ROWS {
         let what = format!("{frames} frames of {elements} elements are {} rows, more than {ROWS}", frames * elements);
-        let path = if source.has("output.frames") { "output.frames" } else { "output.count" };
-        return Err(source.error(path, what, format!("keep at most {} frames", ROWS / elements)));
+        return Err(source.error(frames_key, what, format!("keep at most {} frames", ROWS / elements)));
     }
     let Some(facets) = model.settings.facets else { return Ok(()) };
     for tool in &model.tools {

@@ -1,4 +1,4 @@
-//! [`CaseFile`] → [`Model`]: what the keys mean together, checked against each other.
+//! [`CaseFile`] → [`Stage`]s: what the keys mean together, checked against each other.
 
 mod blank;
 mod collide;
@@ -13,6 +13,7 @@ mod lines;
 mod loads;
 mod material;
 mod motion;
+mod patch;
 mod place;
 mod points;
 mod press;
@@ -45,6 +46,15 @@ pub(super) fn stages(file: &CaseFile, source: &Source, folder: Folder) -> Result
     let mut derived = Vec::new();
     let first = first(file, source, folder, &mut derived)?;
     let stages = stages::convert(file, first, source, folder, &mut derived)?;
+    limits::of_stages(&stages, source)?;
+    for (i, stage) in stages.iter().enumerate() {
+        let before = i.checked_sub(1).map(|before| &stages[before].model);
+        // What is said of a value of the case has been said above: this is the border of the solver.
+        stage.check(before).map_err(|error| {
+            let path = if i == 0 { String::new() } else { format!("stages.{}", i - 1) };
+            source.error(&path, error.to_string(), "the solver cannot take this: change what makes it so")
+        })?;
+    }
     Ok((stages, derived))
 }
 
@@ -94,7 +104,7 @@ fn first(file: &CaseFile, source: &Source, folder: Folder, derived: &mut Vec<Str
         forming_limit: limit,
     };
     fit::check(&model, source)?;
-    limits::of_model(&model, source)?;
+    limits::of_model(&model, &limits::frames_key(0, source), source)?;
     collide::check(&model, source)?;
     Ok(model)
 }

@@ -1,6 +1,6 @@
 //! `[solver]`, `[stop]` and `[output]`.
 
-use super::{count, motion::Drive, stages::equally_spaced};
+use super::{count, motion::Drive, patch::equally_spaced};
 use crate::case::file;
 use crate::case::{CaseError, source::Source};
 use crate::model::{ModelError, Role, Settings, StopRules, Tool};

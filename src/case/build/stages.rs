@@ -1,13 +1,14 @@
 //! `[[stages]]`: each a patch on the model of the stage before.
 
 use super::friction::{self, Frictions};
+use super::patch::{Pace, StagePatch, ToolPatch, at_rest};
 use super::tools::{Sheet, ToolContext};
 use super::{count, limits, loads, material};
 use crate::case::file::{self, CaseFile, Given};
 use crate::case::files::Folder;
 use crate::case::{CaseError, source::Source};
 use crate::geometry::Profile;
-use crate::model::{Beginning, Edge, Friction, Mode, Model, Motion, Press, Release, Role, Stage, StopRules, Tool};
+use crate::model::{Beginning, Mode, Model, Motion, Press, Release, Role, Stage, Tool};
 use crate::numerics::PiecewiseLinear;
 use crate::units::{Length, Quantity, rounded};
 
@@ -63,90 +64,6 @@ fn check_name(name: &str, path: &str, source: &Source) -> Result<(), CaseError> 
     Err(source.error(path, what, format!("at most {LONGEST} letters, digits, - and _, such as \"redraw\"")))
 }
 
-/// What a stage changes of the model before it; what is `None` stays.
-struct StagePatch {
-    tools: Vec<ToolPatch>,
-    pace: Pace,
-    edge: Option<Edge>,
-    mode: Option<Mode>,
-    release: Option<Release>,
-    /// Number of equally spaced instants that are kept.
-    frames: usize,
-    begin: Beginning,
-}
-
-/// What a stage changes of a tool.
-struct ToolPatch {
-    role: Role,
-    /// The section of a new tool.
-    profile: Option<Profile>,
-    friction: Option<Friction>,
-    motion: Option<Motion>,
-}
-
-/// How far the tools of a stage go, and how fast.
-struct Pace {
-    /// The longest path of a tool \[mm\].
-    travel: f64,
-    /// \[s\]
-    duration: f64,
-    /// \[mm/s\]
-    speed: f64,
-}
-
-impl StagePatch {
-    /// The model with the patch.
-    fn applied_to(&self, mut model: Model) -> Model {
-        let Pace { travel, duration, speed } = self.pace;
-        (model.travel, model.duration, model.speed) = (travel, duration, speed);
-        for patch in &self.tools {
-            patch.apply_to(&mut model.tools);
-        }
-        if self.release.is_some() {
-            model.tools.iter_mut().for_each(|tool| tool.motion = Motion::Fixed);
-        }
-        model.release = self.release;
-        model.mode = self.mode.unwrap_or(model.mode);
-        model.blank.edge = self.edge.unwrap_or(model.blank.edge);
-        model.frames = equally_spaced(duration, self.frames);
-        model
-    }
-}
-
-impl ToolPatch {
-    fn apply_to(&self, tools: &mut Vec<Tool>) {
-        if let (Some(profile), Some(friction)) = (self.profile.clone(), self.friction) {
-            tools.retain(|tool| tool.role != self.role);
-            tools.push(Tool { role: self.role, profile, friction, motion: Motion::Fixed });
-            tools.sort_by_key(|tool| Role::ALL.iter().position(|role| *role == tool.role));
-        }
-        for tool in tools.iter_mut().filter(|tool| tool.role == self.role) {
-            tool.friction = self.friction.unwrap_or(tool.friction);
-            tool.motion = self.motion.clone().unwrap_or(tool.motion.clone());
-        }
-    }
-}
-
-/// Instants of a run \[s\], the last one its end.
-pub(super) fn equally_spaced(duration: f64, count: usize) -> Vec<f64> {
-    (1..count).map(|i| duration * i as f64 / count as f64).chain([duration]).collect()
-}
-
-/// What stays of the model before where a stage says nothing: tools that went stand still, and a holder keeps the force that
-/// it had at the end.
-fn at_rest(before: &Model, first: &Model, standing: Vec<Tool>) -> Model {
-    let mut model = Model { tools: standing, gas: Vec::new(), schedule: None, ..before.clone() };
-    for tool in &mut model.tools {
-        match &mut tool.motion {
-            Motion::Pressed(press) => press.force = press.force.at(before.travel).into(),
-            Motion::Gap(_) => {}
-            motion => *motion = Motion::Fixed,
-        }
-    }
-    model.stop = StopRules { localised: first.stop.localised, ..StopRules::default() };
-    model
-}
-
 /// The table of a stage, and what it is read against.
 struct StageContext<'a> {
     written: &'a file::Stage,
@@ -186,7 +103,7 @@ impl StageContext<'_> {
             let help = "remove the holder too, or let it stand still or go back with `move`";
             return Err(self.error("remove", "the holder has no die to press against", help));
         }
-        limits::of_model(&model, self.source)?;
+        limits::of_model(&model, &format!("{}.frames", self.path), self.source)?;
         Ok(Stage { name: self.written.name.clone(), model, begin: patch.begin })
     }
 
