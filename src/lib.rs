@@ -5,14 +5,15 @@
 //!
 //! ```text
 //! drawing (DXF)
-//!    │ import::read               Sections            a Profile for each tool; case::Draft writes a case file with them
+//!    │ import::read               Sections            a Profile for each tool; author::Draft writes a case file with them
 //! case file (TOML, quantities with units)
 //!    │ case::load                 CaseFile → Model     mm, N, s; validated, immutable
 //!    │ mesh, State::flat          State                one instant: positions, velocities, layers, tools
 //!    │ solver::run_stages         one Stage after another, each a Model of its own on the sheet of the one before
 //!    │ solver::run                predictor → corrector → accepted step, or a shorter one
 //!    │ Observer                   sees each StepRecord and IterationRecord
-//!    │ StageSolution { history, frames, stop, warnings }
+//!    │ StageSolution { steps, frames, end, stop, effort }
+//!    │ assess::before, after      Finding             what a user should know, before the run and after it
 //!    │ measure                    angles, curl and places of a Frame, as a person would measure them
 //!    └ Table                      CSV, plots and comparisons all read the same tables
 //! ```

@@ -1,29 +1,51 @@
-//! The text of a case file as it grows: tables, keys, and a comment for every picked number.
+//! The text of a case file as it grows: tables, keys, and a comment for every number that was picked.
 
-use super::rules::Picked;
+use crate::geometry::{Piece, Point, Profile};
 use std::fmt::{Display, Write};
 
 /// A comment that would make its line longer than this stands above it \[characters\].
 const WIDE: usize = 100;
 
+/// A number and the rule that picked it; no rule where it was given.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Picked {
+    pub value: f64,
+    pub why: String,
+}
+
+impl Picked {
+    /// By a rule; lengths and forces are kept to a thousandth, as the case file has them.
+    pub fn by(value: f64, why: impl Into<String>) -> Self {
+        Self { value: (value * 1e3).round() / 1e3, why: why.into() }
+    }
+
+    pub fn given(value: f64) -> Self {
+        Self { value, why: String::new() }
+    }
+}
+
 /// A case file being written.
 pub(super) struct Page(String);
 
 impl Page {
-    /// Begins with what is said of the case as a whole.
-    pub fn new(about: &str, title: &str, geometry: &str, notes: &[String]) -> Self {
+    /// Begins with comments on the case as a whole, its title, its geometry and what is declared.
+    pub fn new<T: AsRef<str>>(
+        about: impl IntoIterator<Item = T>,
+        title: &str,
+        geometry: &str,
+        notes: &[String],
+    ) -> Self {
         let mut page = Self(String::new());
-        page.comment(about);
-        page.comment("Every quantity is text with its unit; mm, in, N, kN, MPa, ksi ... are understood.");
-        let _ = writeln!(page.0, "\ntitle = {title:?}\ngeometry = {geometry:?}\nnotes = [");
+        about.into_iter().for_each(|text| page.comment(text.as_ref()));
+        let _ = writeln!(page.0, "\ntitle = {}\ngeometry = {geometry:?}\nnotes = [", toml_edit::Value::from(title));
         for note in notes {
-            let _ = writeln!(page.0, "    {note:?},");
+            let _ = writeln!(page.0, "    {},", toml_edit::Value::from(note));
         }
         page.0.push_str("]\n");
         page
     }
 
-    /// A comment, wrapped into lines.
+    /// A comment, wrapped into lines; characters that may not stand in one are left out.
     pub fn comment(&mut self, text: &str) {
         let mut line = String::from("#");
         for word in text.split_whitespace() {
@@ -32,9 +54,15 @@ impl Page {
                 line = String::from("#");
             }
             line.push(' ');
-            line.push_str(word);
+            line.extend(word.chars().filter(|c| !c.is_control()));
         }
         let _ = writeln!(self.0, "{line}");
+    }
+
+    /// Lines for someone to uncomment.
+    pub fn proposal(&mut self, lines: &[&str]) {
+        self.0.push('\n');
+        lines.iter().for_each(|line| self.comment(line));
     }
 
     /// Begins a table, `tools.punch` or `[stages]`, with a comment above it where there is one.
@@ -64,6 +92,31 @@ impl Page {
         self.set(key, mm(picked.value), &picked.why);
     }
 
+    /// `[material.hardening.swift]`: k \[MPa\], n and offset strain \[–\].
+    pub fn swift(&mut self, law: [f64; 3], why: &str) {
+        let [k, n, offset] = law;
+        self.table("material.hardening.swift", why);
+        self.set("k", format!("\"{k} MPa\""), "");
+        self.set("n", n, "");
+        self.set("offset", offset, "");
+    }
+
+    /// A profile as steps.
+    pub fn profile(&mut self, profile: &Profile) {
+        let mut steps = format!("[\n    {{ from = {} }},\n", point(profile.first()));
+        for piece in profile.pieces() {
+            let end = point(piece.last());
+            let _ = match piece {
+                Piece::Segment(_) => writeln!(steps, "    {{ to = {end} }},"),
+                Piece::Arc(arc) => {
+                    let turn = if arc.sweep > 0.0 { "left" } else { "right" };
+                    writeln!(steps, "    {{ arc_to = {end}, center = {}, turn = \"{turn}\" }},", point(arc.center))
+                }
+            };
+        }
+        self.set("profile", steps + "]", "");
+    }
+
     pub fn text(self) -> String {
         self.0
     }
@@ -77,4 +130,14 @@ pub(super) fn plain(length: f64) -> String {
 /// A length as a case file has it.
 pub(super) fn mm(length: f64) -> String {
     format!("\"{}\"", plain(length))
+}
+
+/// A length as it was drawn, to a millionth of a micrometre: `"30.5 mm"`.
+pub(super) fn exact(length: f64) -> String {
+    let text = format!("{:.9}", (length * 1e9).round() / 1e9 + 0.0);
+    format!("\"{} mm\"", text.trim_end_matches('0').trim_end_matches('.'))
+}
+
+fn point(p: Point) -> String {
+    format!("[{}, {}]", exact(p.x), exact(p.y))
 }

@@ -7,12 +7,13 @@
 //! procedures, table "Die V-width selection" (amada.de). What has no source that could be read is called a declared rule of
 //! thumb.
 
-use super::page::plain;
+use crate::author::page::plain;
 use crate::case::CaseError;
 use crate::rules::estimate;
 use crate::rules::limits::{LIMITING_RATIO, THIN};
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
 
+pub use crate::author::page::Picked;
 pub(super) use estimate::tensile_strength;
 
 /// Radius over thickness of tools [–]: see [`tool_radius`].
@@ -25,24 +26,6 @@ pub const TRIM: f64 = 0.08;
 pub const TRIMMED: &str = "because the rim thickens (declared)";
 /// How far a rim has gone round the die's shoulder when a cup counts as drawn [rad].
 const RIM: f64 = FRAC_PI_4;
-
-/// A number and the rule that picked it; no rule where it was given.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Picked {
-    pub value: f64,
-    pub why: String,
-}
-
-impl Picked {
-    /// By a rule; lengths and forces are kept to a thousandth, as the case file has them.
-    pub fn by(value: f64, why: impl Into<String>) -> Self {
-        Self { value: (value * 1e3).round() / 1e3, why: why.into() }
-    }
-
-    pub fn given(value: f64) -> Self {
-        Self { value, why: String::new() }
-    }
-}
 
 /// Radius of a punch's nose or a die's shoulder, 6 t: above the 4 to 5 thicknesses that 4ming asks of a punch ("Punch
 /// radius", equation 1), and above the 5 below which shells are no longer thin. For the shoulder a declared rule of thumb.
