@@ -5,7 +5,7 @@
 //!
 //! ```text
 //! drawing (DXF)
-//!    │ import::read               Sections            a Profile for each tool; case::Draft writes a case file with them
+//!    │ import::read               Sections            a Profile for each tool; author::Draft writes a case file with them
 //! case file (TOML, quantities with units)
 //!    │ Case::load                 CaseFile → Model     mm, N, s; validated, immutable
 //!    │ mesh, State::flat          State                one instant: positions, velocities, layers, tools
@@ -13,12 +13,13 @@
 //!    │ solver::run                predictor → corrector → accepted step, or a shorter one
 //!    │ Observer                   sees each StepRecord and IterationRecord
 //!    │ Solution                   the Case, and a StageSolution for every stage: steps, frames, stop, warnings
+//!    │ assess::before, after      Finding             what a user should know, before the run and after it
 //!    │ measure                    angles, curl and places of a Frame, as a person would measure them
 //!    └ Solution::write            every table, plot and comparison of output::OUTPUTS
 //! ```
 //!
 //! ```
-//! # let dir = tempfile::tempdir()?;
+//! # let dir = temp_dir::TempDir::new()?;
 //! # let out = dir.path().join("quickstart");
 //! let solution = stampflow::Case::load("cases/quickstart.toml")?.solve(&mut ());
 //! println!("{}", solution.summary());

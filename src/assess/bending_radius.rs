@@ -24,9 +24,11 @@ pub(super) fn small(model: &Model, tool: &Tool) -> Option<Finding> {
             tool.role.name(),
             mm(smallest.radius)
         );
-        Finding::warning("tool_radius", "Tool radius", found)
-            .value(ratio, Unit::None)
-            .limit(format!("{THIN} thicknesses at least"))
+        Finding::warning("tool_radius", "Tool radius", found).against(
+            ratio,
+            Unit::None,
+            format!("{THIN} thicknesses at least"),
+        )
     })
 }
 
@@ -42,8 +44,11 @@ pub(super) fn judge(run: &Run) -> Option<Finding> {
     let found = format!("{ratio:.2} thicknesses at the sharpest");
     Some(
         Finding::judged("bend_radius", "Bending radius", light, found)
-            .value(ratio, Unit::None)
-            .limit(format!("{THIN} thicknesses at least, refused below {SHARP}: thin-shell theory"))
+            .against(
+                ratio,
+                Unit::None,
+                format!("{THIN} thicknesses at least, refused below {SHARP}: thin-shell theory"),
+            )
             .advice("larger radii; else take strains and spring-back there with care"),
     )
 }

@@ -15,8 +15,7 @@ pub(super) fn drawn_through(model: &Model) -> Option<Finding> {
     );
     Some(
         Finding::warning("drawn_share", "Blank", found)
-            .value(100.0 * share, Unit::Percent)
-            .limit("below 100 %")
+            .against(100.0 * share, Unit::Percent, "below 100 %")
             .source("the sheet keeps its area, its mean thickness hardly changing"),
     )
 }

@@ -38,8 +38,7 @@ pub(super) fn judge(run: &Run) -> Option<Finding> {
     );
     Some(
         Finding::judged("bottom_tearing", "Bottom tearing", light, found)
-            .value(100.0 * factor, Unit::Percent)
-            .limit(limit)
+            .against(100.0 * factor, Unit::Percent, limit)
             .source("4ming, Forming handbook, Tearing force, eqs. 1 and 2")
             .advice(thinning::ADVICE),
     )

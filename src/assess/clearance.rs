@@ -22,7 +22,7 @@ pub(super) fn narrow(model: &Model) -> Option<Finding> {
         mm(gap),
         mm(t)
     );
-    Some(Finding::warning("narrow_clearance", "Clearance", found).value(gap, Unit::Mm).limit("one thickness at least"))
+    Some(Finding::warning("narrow_clearance", "Clearance", found).against(gap, Unit::Mm, "one thickness at least"))
 }
 
 /// Gap between punch and die over the thickness; wide ones matter beside a straight wall only.
@@ -33,8 +33,7 @@ pub(super) fn judge(run: &Run) -> Option<Finding> {
     let most = if straight { format!(", {WIDE} at most beside a straight wall") } else { String::new() };
     Some(
         Finding::judged("clearance", "Clearance", light, format!("{gap:.2} thicknesses between punch and die"))
-            .value(gap, Unit::None)
-            .limit(format!("one thickness at least{most}"))
+            .against(gap, Unit::None, format!("one thickness at least{most}"))
             .source("a sheet that does not thin is squeezed in less; the upper one is a declared rule of thumb")
             .advice(match gap < LEAST {
                 true => "a larger throat, a smaller punch or a shorter travel",

@@ -14,8 +14,7 @@ pub(super) fn missed(stage: &StageSolution) -> Option<Finding> {
     );
     Some(
         Finding::warning("contact_share", "Contact", found)
-            .value(share, Unit::Percent)
-            .limit(format!("{:.1} %", 100.0 * asked))
+            .against(share, Unit::Percent, format!("{:.1} %", 100.0 * asked))
             .source("the case's stop.contact_share")
             .advice("more time, travel or pressure gets further"),
     )

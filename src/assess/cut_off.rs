@@ -1,12 +1,11 @@
 //! Whether much of the sheet strains so slowly that its stress is the cut-off's.
 
+use super::finding::ACCURACY;
 use super::{Finding, Light, Run, formed};
 use crate::solution::StageSolution;
-use crate::table::Unit;
 
 /// Plastic work in cut-off zones, over all of it, that puts stresses in doubt \[–\].
 const LARGEST: f64 = 0.05;
-const SOURCE: &str = "declared accuracy of the solver";
 
 /// The share of the plastic work of a stage that formed the sheet.
 fn share(stage: &StageSolution) -> Option<f64> {
@@ -21,9 +20,8 @@ pub(super) fn judge(run: &Run) -> Option<Finding> {
     let found = format!("{:.2} % of the plastic work where the strain rate is cut off", 100.0 * share);
     Some(
         Finding::judged("cutoff", "Cut-off", Light::within(share, LARGEST), found)
-            .value(100.0 * share, Unit::Percent)
-            .limit(format!("{:.0} %", 100.0 * LARGEST))
-            .source(SOURCE)
+            .share(share, LARGEST)
+            .source(ACCURACY)
             .advice("a smaller solver.cutoff_strain: stresses there are not the true ones"),
     )
 }
@@ -35,10 +33,5 @@ pub(super) fn large(stage: &StageSolution) -> Option<Finding> {
         "{:.1} % of the plastic work is done where the strain rate is cut off: stresses there are not the true ones",
         100.0 * share
     );
-    Some(
-        Finding::warning("cut_off", "Cut-off", found)
-            .value(100.0 * share, Unit::Percent)
-            .limit(format!("{:.0} %", 100.0 * LARGEST))
-            .source(SOURCE),
-    )
+    Some(Finding::warning("cut_off", "Cut-off", found).share(share, LARGEST).source(ACCURACY))
 }

@@ -10,9 +10,9 @@ use crate::table::Unit;
 pub(super) fn large(model: &Model) -> Option<Finding> {
     let ratio = estimate::draw_ratio(model).filter(|ratio| *ratio > LIMITING_RATIO)?;
     let found = format!("the draw ratio of {ratio:.2} is above {LIMITING_RATIO}: one draw will hardly reach it");
-    Some(
-        Finding::warning("draw_ratio", "Draw ratio", found)
-            .value(ratio, Unit::None)
-            .limit(format!("{LIMITING_RATIO} at most")),
-    )
+    Some(Finding::warning("draw_ratio", "Draw ratio", found).against(
+        ratio,
+        Unit::None,
+        format!("{LIMITING_RATIO} at most"),
+    ))
 }

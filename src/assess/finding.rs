@@ -103,6 +103,8 @@ fn spelled<S: Serializer>(unit: &Unit, serializer: S) -> Result<S::Ok, S::Error>
     serializer.serialize_str(unit.spelled())
 }
 
+/// The source of what the solver should keep to.
+pub(super) const ACCURACY: &str = "declared accuracy of the solver";
 /// What a limit without a source that could be read is called.
 const DECLARED: &str = "declared rule of thumb";
 
@@ -140,10 +142,14 @@ impl Finding {
         Self { limit, ..Self::new(Kind::Assumption, "assumed", "Assumed", Light::Grey, found.to_owned()) }
     }
 
-    /// With its number.
-    pub(super) fn value(mut self, value: impl Into<Option<f64>>, unit: Unit) -> Self {
-        (self.value, self.unit) = (value.into(), unit);
-        self
+    /// With its number and the limit that it is held against.
+    pub(super) fn against(self, value: impl Into<Option<f64>>, unit: Unit, limit: impl Into<String>) -> Self {
+        Self { value: value.into(), unit, ..self }.limit(limit)
+    }
+
+    /// With a share and its limit, both \[–\], told in percent.
+    pub(super) fn share(self, share: f64, limit: f64) -> Self {
+        self.against(100.0 * share, Unit::Percent, format!("{:.0} %", 100.0 * limit))
     }
 
     /// With its limit, a declared rule of thumb until a source is given.

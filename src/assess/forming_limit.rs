@@ -68,8 +68,7 @@ pub(super) fn margin(run: &Run) -> Option<Finding> {
     );
     Some(
         Finding::judged("forming_limit", "Forming limit", light, found)
-            .value(worst.margin(), Unit::None)
-            .limit(format!("{name}: not reached, below {:.0} % of it", 100.0 * CAREFUL))
+            .against(worst.margin(), Unit::None, format!("{name}: not reached, below {:.0} % of it", 100.0 * CAREFUL))
             .source("the case's curve; the share is a declared rule of thumb")
             .advice(match light == Light::Amber && bent {
                 true => "larger radii: a limit of stretched sheet says nothing of the faces of sharp bends",
@@ -101,8 +100,7 @@ pub(super) fn path(run: &Run) -> Option<Finding> {
         format!("within {:.0} % of a straight line, or below {:.0} % of the limit", 100.0 * CROOKED, 100.0 * BENT);
     Some(
         Finding::judged("strain_paths", "Strain paths", Light::within(used, BENT), found)
-            .value(crooked as f64, Unit::None)
-            .limit(limit)
+            .against(crooked as f64, Unit::None, limit)
             .source("limit curves are measured on straight paths; the shares are declared rules of thumb")
             .advice("keep more margin there: look at strain_paths.csv of `run`"),
     )

@@ -14,7 +14,7 @@ pub(super) fn dry(_: &Model, tool: &Tool) -> Option<Finding> {
     let (friction, dry) = (tool.friction.largest_coefficient(), USUAL.end());
     (friction > *dry && !tool.friction.needs_shear_yield()).then(|| {
         let found = format!("the {}'s friction of {friction} is above that of dry steel, {dry}", tool.role.name());
-        Finding::warning("dry_friction", "Friction", found).value(friction, Unit::None).limit(format!("{dry} at most"))
+        Finding::warning("dry_friction", "Friction", found).against(friction, Unit::None, format!("{dry} at most"))
     })
 }
 
@@ -30,8 +30,7 @@ pub(super) fn judge(run: &Run) -> Option<Finding> {
     };
     Some(
         Finding::judged("friction", "Friction", light, format!("{most} at most{said}"))
-            .value(most, Unit::None)
-            .limit(format!("a measured or cited number, {} to {}", USUAL.start(), USUAL.end()))
+            .against(most, Unit::None, format!("a measured or cited number, {} to {}", USUAL.start(), USUAL.end()))
             .advice(
                 "run it with 0.02 more and less (--set) to see what hangs on it; write as `source` of [friction] where it was \
                  measured, or author and year",

@@ -11,18 +11,13 @@ const FAR: f64 = 0.5;
 /// How far a temperature may lie beyond the curves given without a word \[K\].
 const NEAR_ENOUGH: f64 = 10.0;
 
-/// What the case says of its material, where it gives no source.
 const OWN: &str = "the case's material";
 
 /// A table that ends at a small strain.
 pub(super) fn short(model: &Model) -> Option<Finding> {
     let strain = model.material.hardening.valid_up_to().filter(|strain| *strain < FAR)?;
     let found = format!("the hardening table ends at a strain of {strain}; beyond it the law is extrapolated");
-    Some(
-        Finding::warning("short_table", "Hardening law", found)
-            .value(strain, Unit::None)
-            .limit(format!("{FAR} at least")),
-    )
+    Some(Finding::warning("short_table", "Hardening law", found).against(strain, Unit::None, format!("{FAR} at least")))
 }
 
 /// The largest equivalent strain of a layer.
@@ -47,12 +42,10 @@ pub(super) fn judge(run: &Run) -> Option<Finding> {
             "hold that strain against the range of the fit in the law's source",
         ),
     };
-    let source = run.case.sources.material.clone().unwrap_or_else(|| OWN.to_owned());
     Some(
         Finding::judged("hardening_range", "Hardening law", light, format!("used up to a true strain of {strain:.3}"))
-            .value(strain, Unit::None)
-            .limit(limit)
-            .source(source)
+            .against(strain, Unit::None, limit)
+            .source(OWN)
             .advice(advice),
     )
 }
@@ -66,8 +59,7 @@ pub(super) fn beyond(stage: &StageSolution) -> Option<Finding> {
         format!("the hardening table ends at a strain of {end:.3}; the run reaches {strain:.3} on its extrapolation");
     Some(
         Finding::warning("extrapolated", "Hardening law", found)
-            .value(strain, Unit::None)
-            .limit(format!("{end:.3}"))
+            .against(strain, Unit::None, format!("{end:.3}"))
             .source(OWN),
     )
 }
@@ -85,8 +77,7 @@ pub(super) fn other_temperatures(stage: &StageSolution) -> Option<Finding> {
              curves are held beyond"
         );
         Finding::warning("temperature_range", "Hardening law", found)
-            .value(if hottest > hot { hottest } else { coldest }, Unit::Celsius)
-            .limit(format!("{cold:.0} to {hot:.0} °C"))
+            .against(if hottest > hot { hottest } else { coldest }, Unit::Celsius, format!("{cold:.0} to {hot:.0} °C"))
             .source(OWN)
     })
 }

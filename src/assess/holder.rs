@@ -22,7 +22,7 @@ pub(super) fn idle(model: &Model) -> Option<Finding> {
     let idle = |motion: &Motion| matches!(motion, Motion::Pressed(press) if press.is_idle());
     model.tools.iter().any(|tool| idle(&tool.motion)).then(|| {
         let found = "the holder has no force and takes no part: the flange may swing up through where it is drawn";
-        Finding::warning("holder_force", "Holder", found).value(0.0, Unit::None).limit("above 0")
+        Finding::warning("holder_force", "Holder", found).against(0.0, Unit::None, "above 0")
     })
 }
 
@@ -35,8 +35,7 @@ pub(super) fn crushing(model: &Model) -> Option<Finding> {
     );
     Some(
         Finding::warning("holder_pressure", "Holder pressure", found)
-            .value(pressure, Unit::MPa)
-            .limit(format!("{strength:.0} MPa"))
+            .against(pressure, Unit::MPa, format!("{strength:.0} MPa"))
             .advice("check its force"),
     )
 }
@@ -74,12 +73,7 @@ pub(super) fn judge(run: &Run) -> Option<Finding> {
          strength",
         100.0 * PRESSURE
     );
-    Some(
-        Finding::judged("holder", "Holder", lifts.max(presses), found)
-            .value(lift, Unit::None)
-            .limit(limit)
-            .advice(advice),
-    )
+    Some(Finding::judged("holder", "Holder", lifts.max(presses), found).against(lift, Unit::None, limit).advice(advice))
 }
 
 /// How far the holder was lifted, over the thickness.
@@ -88,7 +82,7 @@ pub(super) fn lifted(stage: &StageSolution) -> Option<Finding> {
     (lift > LIFTED).then(|| {
         let found =
             format!("the holder was lifted by up to {lift:.2} thicknesses as the flange thickened or rose under it");
-        Finding::warning("holder_lift", "Holder", found).value(lift, Unit::None).limit(format!("{LIFTED} thicknesses"))
+        Finding::warning("holder_lift", "Holder", found).against(lift, Unit::None, format!("{LIFTED} thicknesses"))
     })
 }
 
@@ -100,7 +94,7 @@ pub(super) fn rests(stage: &StageSolution) -> Option<Finding> {
          there, whatever its force"
     );
     let limit = format!("{:.0} % of the travel", 100.0 * RESTS);
-    Some(Finding::warning("holder_rests", "Distance blocks", found).value(to - from, Unit::Mm).limit(limit))
+    Some(Finding::warning("holder_rests", "Distance blocks", found).against(to - from, Unit::Mm, limit))
 }
 
 /// Where in the travel the holder rests on its blocks \[mm\], if it does for a good part of it.
@@ -125,7 +119,7 @@ pub(super) fn lost(stage: &StageSolution) -> Option<Finding> {
     let mut tools = stage.model.tools.iter().zip(&stage.left_at);
     let (tool, travel) = tools.find_map(|(tool, left)| Some((tool.role.name(), (*left)?)))?;
     let found = format!("the sheet left the {tool} at {travel:.2} mm of travel; the {tool} stands still from there on");
-    Some(Finding::warning("holder_lost", "Holder", found).value(travel, Unit::Mm).limit("the whole travel"))
+    Some(Finding::warning("holder_lost", "Holder", found).against(travel, Unit::Mm, "the whole travel"))
 }
 
 #[cfg(test)]

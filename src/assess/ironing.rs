@@ -18,8 +18,11 @@ pub(super) fn judge(run: &Run) -> Option<Finding> {
     let found = format!("thicker than its gap by up to {:.1} %{from}", 100.0 * squeeze);
     Some(
         Finding::judged("ironing", "Ironing", light, found)
-            .value(100.0 * squeeze, Unit::Percent)
-            .limit(format!("{:.0} %, refused above {:.0} %: a shell is not ironed", 100.0 * IRONED, 100.0 * SQUEEZED))
+            .against(
+                100.0 * squeeze,
+                Unit::Percent,
+                format!("{:.0} %, refused above {:.0} %: a shell is not ironed", 100.0 * IRONED, 100.0 * SQUEEZED),
+            )
             .advice("a clearance of t √β, the thickness of the rim (4ming), or forces there as an indication only"),
     )
 }
@@ -35,5 +38,5 @@ pub(super) fn begins(stage: &StageSolution) -> Option<Finding> {
         first.travel, stage.model.settings.contact_stiffness
     );
     let limit = format!("{:.0} %", 100.0 * IRONED);
-    Some(Finding::warning("ironed", "Ironing", found).value(squeeze, Unit::Percent).limit(limit))
+    Some(Finding::warning("ironed", "Ironing", found).against(squeeze, Unit::Percent, limit))
 }

@@ -21,5 +21,5 @@ pub(super) fn coarse(model: &Model) -> Option<Finding> {
         fit.role.name(),
         mm(fit.radius)
     );
-    Some(Finding::warning("mesh", "Mesh", found).value(fit.per_quarter, Unit::None).limit(format!("{FINE} at least")))
+    Some(Finding::warning("mesh", "Mesh", found).against(fit.per_quarter, Unit::None, format!("{FINE} at least")))
 }

@@ -1,9 +1,9 @@
 //! Whether the layers resolve the moments that spring the sheet back.
 
+use super::finding::ACCURACY;
 use super::{Finding, Light, Run};
 use crate::measure::moment_error;
 use crate::model::Mode;
-use crate::table::Unit;
 
 /// Error of a section's moment that a spring-back may carry \[–\].
 const LARGEST: f64 = 0.05;
@@ -17,9 +17,8 @@ pub(super) fn judge(run: &Run) -> Option<Finding> {
     let found = format!("{:.2} % of the largest moment missed, estimated", 100.0 * missed);
     Some(
         Finding::judged("moment_error", "Moment of the layers", Light::within(missed, LARGEST), found)
-            .value(100.0 * missed, Unit::Percent)
-            .limit(format!("{:.0} %", 100.0 * LARGEST))
-            .source("declared accuracy of the solver")
+            .share(missed, LARGEST)
+            .source(ACCURACY)
             .advice("more layers (blank.layers)"),
     )
 }

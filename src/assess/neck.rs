@@ -48,5 +48,5 @@ pub(super) fn seen(stage: &StageSolution) -> Option<Finding> {
     } else {
         return None;
     };
-    Some(Finding::warning("neck", "Neck", found).value(left, Unit::Percent).limit(LIMIT).source(SOURCE))
+    Some(Finding::warning("neck", "Neck", found).against(left, Unit::Percent, LIMIT).source(SOURCE))
 }

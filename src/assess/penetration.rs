@@ -1,5 +1,6 @@
 //! Whether the tools stay out of the sheet.
 
+use super::finding::ACCURACY;
 use super::{Finding, Light, Run, largest};
 use crate::model::{ContactMethod, Settings};
 use crate::solution::StageSolution;
@@ -7,7 +8,6 @@ use crate::table::Unit;
 
 /// Penetration that would show in the result, over the thickness \[–\].
 const LARGEST: f64 = 0.05;
-const SOURCE: &str = "declared accuracy of the solver";
 
 /// The deepest of all stages.
 pub(super) fn judge(run: &Run) -> Option<Finding> {
@@ -15,9 +15,8 @@ pub(super) fn judge(run: &Run) -> Option<Finding> {
     let found = format!("{:.2} % of the thickness", 100.0 * deepest);
     Some(
         Finding::judged("penetration", "Penetration", Light::within(deepest, LARGEST), found)
-            .value(100.0 * deepest, Unit::Percent)
-            .limit(format!("{:.0} %", 100.0 * LARGEST))
-            .source(SOURCE)
+            .share(deepest, LARGEST)
+            .source(ACCURACY)
             .advice("a larger solver.contact_stiffness, or contact by the augmented Lagrangian"),
     )
 }
@@ -28,9 +27,8 @@ pub(super) fn deep(stage: &StageSolution) -> Option<Finding> {
     (deepest > LARGEST).then(|| {
         let found = format!("a tool penetrates the sheet by {:.1} % of its thickness", 100.0 * deepest);
         Finding::warning("deep_penetration", "Penetration", found)
-            .value(100.0 * deepest, Unit::Percent)
-            .limit(format!("{:.0} %", 100.0 * LARGEST))
-            .source(SOURCE)
+            .share(deepest, LARGEST)
+            .source(ACCURACY)
             .advice("raise solver.contact_stiffness")
     })
 }
@@ -42,8 +40,7 @@ pub(super) fn left(stage: &StageSolution) -> Option<Finding> {
     (augmented && deepest > 1.01 * Settings::PENETRATION).then(|| {
         let found = format!("the augmented Lagrangian left a penetration of {deepest:.1e} thicknesses");
         Finding::warning("penetration_left", "Penetration", found)
-            .value(100.0 * deepest, Unit::Percent)
-            .limit(format!("{:e} thicknesses", Settings::PENETRATION))
-            .source(SOURCE)
+            .against(100.0 * deepest, Unit::Percent, format!("{:e} thicknesses", Settings::PENETRATION))
+            .source(ACCURACY)
     })
 }

@@ -62,8 +62,7 @@ fn rated(
         None => "give [press] force, and energy of an axisymmetric part: the ratings on its data sheet",
     };
     Finding::judged(key, label, light, written(value) + &at)
-        .value(value, unit)
-        .limit(rating.map_or_else(|| "the press's rating, not in the case".into(), written))
+        .against(value, unit, rating.map_or_else(|| "the press's rating, not in the case".into(), written))
         .source("the press's data sheet")
         .advice(advice)
 }

@@ -20,8 +20,7 @@ pub(super) fn judge(run: &Run) -> Option<Finding> {
     let found = format!("{ratio:.2} from punch to punch{}", run.of_stage(i));
     Some(
         Finding::judged("redraw_ratio", "Redraw ratio", light, found)
-            .value(ratio, Unit::None)
-            .limit(format!("{REDRAW_RATIO}, of DC04 in a second draw without annealing"))
+            .against(ratio, Unit::None, format!("{REDRAW_RATIO}, of DC04 in a second draw without annealing"))
             .source("4ming, Forming handbook, table of draw ratios")
             .advice("a wider punch in the later draw, one more draw, or `anneal = true` before it"),
     )

@@ -26,8 +26,7 @@ pub(super) fn met(model: &Model, tool: &Tool) -> Option<Finding> {
     );
     Some(
         Finding::warning("sharp_corner", "Sharp corner", found)
-            .value(first.turn.abs().to_degrees(), Unit::Degree)
-            .limit(format!("{:.0}°", CORNER.to_degrees()))
+            .against(first.turn.abs().to_degrees(), Unit::Degree, format!("{:.0}°", CORNER.to_degrees()))
             .source("the radius that a shell follows"),
     )
 }

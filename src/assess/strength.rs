@@ -30,8 +30,7 @@ pub(super) fn unusual(model: &Model) -> Option<Finding> {
     };
     Some(
         Finding::warning("strength", "Tensile strength", found)
-            .value(strength, Unit::MPa)
-            .limit(format!("{WEAKEST} to {STRONGEST} MPa"))
+            .against(strength, Unit::MPa, format!("{WEAKEST} to {STRONGEST} MPa"))
             .advice(advice),
     )
 }

@@ -28,8 +28,7 @@ pub(super) fn judge(run: &Run) -> Option<Finding> {
     let found = format!("{:.1} % at s0 = {:.1} mm", 100.0 * thinning, last.thinnest_s0);
     Some(
         Finding::judged("thinning", "Thinning", light, found)
-            .value(100.0 * thinning, Unit::Percent)
-            .limit(format!("below {:.0} %{refused}", 100.0 * LIMITS[0]))
+            .against(100.0 * thinning, Unit::Percent, format!("below {:.0} %{refused}", 100.0 * LIMITS[0]))
             .advice(ADVICE),
     )
 }

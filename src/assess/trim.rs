@@ -13,8 +13,7 @@ pub(super) fn cut(stage: &StageSolution) -> Option<Finding> {
     );
     Some(
         Finding::warning("trim", "Trim", found)
-            .value(cut.edge, Unit::Mm)
-            .limit(format!("{} mm", cut.asked))
+            .against(cut.edge, Unit::Mm, format!("{} mm", cut.asked))
             .source("the case's trim"),
     )
 }

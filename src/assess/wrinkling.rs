@@ -59,8 +59,7 @@ fn pressed(model: &Model, least: f64) -> Option<Finding> {
     );
     Some(
         Finding::judged("wrinkling", "Wrinkle index", light, found)
-            .value(index.is_finite().then_some(index), Unit::None)
-            .limit(format!("{:.0}, refused above {}", LIMITS[0], LIMITS[1]))
+            .against(index.is_finite().then_some(index), Unit::None, format!("{:.0}, refused above {}", LIMITS[0], LIMITS[1]))
             .source("Siebel's holder pressure, after Kugler (2009) in 4ming; red is a declared rule of thumb")
             .advice(format!(
                 "a holder force of {force:.1} kN or more; where the sheet tears too, a thicker sheet, a smaller blank or one \
@@ -72,8 +71,7 @@ fn pressed(model: &Model, least: f64) -> Option<Finding> {
 fn fixed(gap: f64) -> Finding {
     let found = format!("holder fixed at {gap:.2} thicknesses; an axisymmetric run itself cannot wrinkle");
     Finding::judged("wrinkling", "Wrinkle room", Light::within(gap, GAP), found)
-        .value(gap, Unit::None)
-        .limit(format!("at most {GAP} thicknesses"))
+        .against(gap, Unit::None, format!("at most {GAP} thicknesses"))
         .advice("a smaller holder gap, or a holder force")
 }
 
@@ -86,7 +84,6 @@ fn free(model: &Model) -> Finding {
          wrinkle"
     );
     Finding::judged("wrinkling", "Wrinkle index", Light::of(thicknesses, FREE), found)
-        .value(thicknesses, Unit::None)
-        .limit(format!("{} thicknesses, refused above {}", FREE[0], FREE[1]))
+        .against(thicknesses, Unit::None, format!("{} thicknesses, refused above {}", FREE[0], FREE[1]))
         .advice("give tools.holder a force; `check` says what Siebel's rule advises")
 }

@@ -33,8 +33,10 @@ pub(super) fn again(stage: &StageSolution) -> Option<Finding> {
         _ => "yields again as the tools are taken away",
     };
     (share > LEAST).then(|| {
-        Finding::warning("yields_again", "Unloading", format!("{share:.1} % of the sheet {what}"))
-            .value(share, Unit::Percent)
-            .limit(format!("{LEAST} %"))
+        Finding::warning("yields_again", "Unloading", format!("{share:.1} % of the sheet {what}")).against(
+            share,
+            Unit::Percent,
+            format!("{LEAST} %"),
+        )
     })
 }

@@ -76,6 +76,17 @@ impl CaseError {
         Some((before.matches('\n').count() + 1, before[line_start..].chars().count() + 1))
     }
 
+    /// The key that is wrong, `tools.punch.travel`; "here" where there is none, empty outside of any file's text.
+    pub fn key(&self) -> &str {
+        &self.label
+    }
+
+    /// The line of the place.
+    pub fn line(&self) -> Option<&str> {
+        let (line, _) = self.position()?;
+        self.source_code.inner().lines().nth(line - 1)
+    }
+
     /// The whole message with the line and a caret, 100 columns wide; without colours the same everywhere.
     pub fn render(&self, colours: bool) -> String {
         if let Some((line, column)) = self.position().filter(|(line, _)| self.is_long_around(*line)) {

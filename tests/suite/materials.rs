@@ -34,6 +34,7 @@ fn every_material_loads_runs_and_cites_its_source() {
         assert!((0.05..0.5).contains(&n), "{}: {n}", entry.name);
         let named = parsed(&format!("name = \"{}\"", entry.name), "").unwrap_or_else(|e| panic!("{e}"));
         assert_eq!(named.model().material, entry.material);
+        assert_eq!(named.sources.material.as_ref(), Some(&entry.source));
         assert!(named.derived[0].contains(&entry.source), "{:?}", named.derived);
         let pasted = parsed(entry.text.trim_start_matches("[material]"), "");
         assert_eq!(pasted.unwrap_or_else(|e| panic!("{e}")).model().material, entry.material);
@@ -62,6 +63,7 @@ fn a_case_replaces_what_it_says_itself() {
     let law = "name = \"aa6016-t4\"\nhardening.voce = { initial = \"100 MPa\", saturation = \"300 MPa\", rate = 9 }";
     let own = parsed(law, "").unwrap_or_else(|e| panic!("{e}"));
     assert!(own.model().material.hardening.describe().starts_with("Voce"));
+    assert_eq!(own.sources.material, None, "another law is not the library's");
     assert_eq!(own.model().material.elastic, plain.model().material.elastic);
 }
 

@@ -141,6 +141,9 @@ fn what_a_run_cannot_say_is_grey_and_what_is_implausible_amber() {
     let (light, found) = of(&[source], "friction");
     assert!(light == Light::Green && found.contains("Woo (1968)"), "{found}");
     assert_eq!(of(&[source, "tools.die.friction=0.5"], "friction").0, Light::Amber);
+    let quickstart = Path::new(env!("CARGO_MANIFEST_DIR")).join("cases/quickstart.toml");
+    let empty = case::load(quickstart, &["friction.source=\" \"".to_owned()]).expect_err("a source that is none");
+    assert!(empty.to_string().contains("says nothing"), "{empty}");
     let wide = ["tools.die.throat=40 mm", "tools.holder.inner_radius=46 mm"];
     assert_eq!(of(&wide, "clearance").0, Light::Amber);
 }

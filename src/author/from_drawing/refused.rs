@@ -14,24 +14,21 @@ impl Draft<'_> {
             return Ok(None);
         }
         case::parse(text, drawing, &[]).map(Some).map_err(|error| {
-            let help = [error.remedy().map(str::to_owned), self.place(text, &error)].into_iter().flatten();
+            let help = [error.remedy().map(str::to_owned), self.place(&error)].into_iter().flatten();
             let what = format!("the case made from {drawing} is refused, and no file is written: {error}");
             CaseError::bare(what, help.chain(self.doubts()).collect::<Vec<_>>().join("; "))
         })
     }
 
-    /// The option or the tool of the drawing that makes the line of an error.
-    fn place(&self, text: &str, error: &CaseError) -> Option<String> {
-        let (line, _) = error.position()?;
-        let key = text.lines().nth(line - 1)?.split(" =").next()?;
-        let option = match key {
-            "travel" => "--travel",
-            "thickness" => "--thickness",
-            "radius" | "half_length" => "--blank-radius",
-            _ => {
-                let table = text.lines().take(line).filter(|line| line.starts_with('[')).last()?;
-                let (_, _, made_of) =
-                    self.tools.iter().find(|(role, ..)| table == format!("[tools.{}]", role.name()))?;
+    /// The option or the tool of the drawing that makes the key of an error.
+    fn place(&self, error: &CaseError) -> Option<String> {
+        let option = match error.key() {
+            "tools.punch.travel" => "--travel",
+            "blank.thickness" => "--thickness",
+            "blank.radius" | "blank.half_length" => "--blank-radius",
+            key => {
+                let of = |role: Role| key.split('.').take(2).eq(["tools", role.name()]);
+                let (_, _, made_of) = self.tools.iter().find(|(role, ..)| of(*role))?;
                 return Some(format!("it is drawn in {made_of}, r is x from the axis"));
             }
         };

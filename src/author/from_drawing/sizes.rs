@@ -48,7 +48,7 @@ impl Chosen {
 
     /// What stands behind the value.
     pub fn comment(&self) -> String {
-        self.placeholder.map_or(String::new(), |from| format!("   # placeholder: {from}; change it"))
+        self.placeholder.map_or(String::new(), |from| format!("placeholder: {from}; change it"))
     }
 }
 

@@ -1,11 +1,12 @@
 //! A clamped disc bulged by oil.
 
 use super::Template;
+use super::begin;
 use super::inputs::{Choice, Default, Inputs, Kind};
-use super::page::{Page, mm, plain};
 use super::rules::{self, Picked};
 use super::sheet::Sheet;
 use super::tools::elements;
+use crate::author::page::{mm, plain};
 use crate::case::CaseError;
 use crate::units::rounded;
 
@@ -46,7 +47,7 @@ fn write(inputs: &Inputs) -> Result<String, CaseError> {
     }
     let blank = Picked::by(opening + shoulder.value, "clamped where the die's shoulder ends");
 
-    let mut page = Page::new(
+    let mut page = begin(
         "Oil alone: a clamped disc bulges under a pressure that rises. There is no punch, so the run has a duration.",
         &format!("Bulge, opening diameter {}", plain(2.0 * opening)),
         "axisymmetric",

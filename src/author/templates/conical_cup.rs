@@ -1,11 +1,12 @@
 //! A conical cup with a flat bottom and a flange.
 
 use super::Template;
+use super::begin;
 use super::inputs::{Choice, Default, Inputs, Kind};
-use super::page::{Page, mm, plain};
 use super::rules::{self, Picked};
 use super::sheet::Sheet;
 use super::tools::{Shape, Tools, about, because, careful, elements, force};
+use crate::author::page::{mm, plain};
 use crate::case::CaseError;
 use crate::model::Geometry;
 use std::f64::consts::{FRAC_PI_2, PI};
@@ -83,7 +84,7 @@ fn write(inputs: &Inputs) -> Result<String, CaseError> {
         holder: Some(holder),
     };
 
-    let mut page = Page::new(
+    let mut page = begin(
         &format!("A conical cup with a flange left to hold.{}", careful(ratio)),
         &format!("Conical cup, mouth diameter {}", plain(2.0 * mouth)),
         "axisymmetric",

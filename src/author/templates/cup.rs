@@ -1,11 +1,12 @@
 //! A flat-bottomed cup, drawn until no flange is left.
 
 use super::Template;
+use super::begin;
 use super::inputs::{Choice, Default, Inputs, Kind};
-use super::page::{Page, plain};
 use super::rules::{self, Picked};
 use super::sheet::Sheet;
 use super::tools::{Tools, because, careful, elements, flat_punch, force, nose_fits};
+use crate::author::page::plain;
 use crate::case::{CaseError, parse};
 use crate::measure::part_height;
 use crate::model::Geometry;
@@ -144,7 +145,7 @@ fn page(inputs: &Inputs, trim: Picked) -> Result<String, CaseError> {
         holder: Some(holder),
     };
 
-    let mut page = Page::new(
+    let mut page = begin(
         &format!("A cup, {} high from the outside of its bottom to its rim.{}", plain(cup.height), careful(ratio)),
         &format!("Cup, punch diameter {}", plain(2.0 * cup.radius)),
         "axisymmetric",

@@ -1,11 +1,12 @@
 //! A hat section drawn with a holder.
 
 use super::Template;
+use super::begin;
 use super::inputs::{Choice, Default, Inputs, Kind};
-use super::page::{Page, plain};
 use super::rules::{self, Picked};
 use super::sheet::Sheet;
 use super::tools::{Tools, because, elements, flat_punch, force, nose_fits};
+use crate::author::page::plain;
 use crate::case::CaseError;
 use crate::model::Geometry;
 
@@ -65,7 +66,7 @@ fn write(inputs: &Inputs) -> Result<String, CaseError> {
         holder: Some(holder),
     };
 
-    let mut page = Page::new(
+    let mut page = begin(
         "One half of a hat section, drawn. By the flow law, which does not spring back: for that see cases/hat_springback.toml, \
          which takes longer, or stampflow new u-bend.",
         &format!("Hat section, punch {} wide", plain(2.0 * half_width)),

@@ -1,11 +1,12 @@
 //! A cup with a hemispherical bottom and a flange.
 
 use super::Template;
+use super::begin;
 use super::inputs::{Choice, Default, Inputs, Kind};
-use super::page::{Page, plain};
 use super::rules::{self, Picked};
 use super::sheet::Sheet;
 use super::tools::{Tools, because, careful, elements, force, round_punch};
+use crate::author::page::plain;
 use crate::case::CaseError;
 use crate::model::Geometry;
 use std::f64::consts::PI;
@@ -65,7 +66,7 @@ fn write(inputs: &Inputs) -> Result<String, CaseError> {
         holder: Some(holder),
     };
 
-    let mut page = Page::new(
+    let mut page = begin(
         &format!("A cup with a hemispherical bottom, with a flange left to hold.{}", careful(ratio)),
         &format!("Hemispherical cup, punch diameter {}", plain(2.0 * radius)),
         "axisymmetric",

@@ -15,7 +15,6 @@ mod cup;
 mod hat_section;
 mod hemispherical_cup;
 mod inputs;
-mod page;
 mod redraw;
 pub mod rules;
 mod sheet;
@@ -25,8 +24,9 @@ mod u_bend;
 mod v_bend;
 
 pub use inputs::{Choice, Default, Kind};
-pub use sheet::{FRICTION, K, N, OFFSET, SHEET};
+pub use sheet::{FRICTION, SHEET, typical};
 
+use crate::author::page::Page;
 use crate::case::CaseError;
 use crate::units::closest;
 use inputs::Inputs;
@@ -41,6 +41,12 @@ pub struct Template {
     /// Its own options; those of the sheet, [`SHEET`], come on top.
     pub own: &'static [Choice],
     write: fn(&Inputs) -> Result<String, CaseError>,
+}
+
+/// The page of a template's case.
+fn begin(about: &str, title: &str, geometry: &str, notes: &[String]) -> Page {
+    let units = "Every quantity is text with its unit; mm, in, N, kN, MPa, ksi ... are understood.";
+    Page::new([about, units], title, geometry, notes)
 }
 
 /// Every template.
@@ -84,16 +90,15 @@ impl Template {
         // What the rules above let pass and a case does not.
         match crate::case::parse(&text, &format!("{}.toml", self.name), &[]) {
             Ok(_) => Ok(text),
-            Err(error) => Err(self.refused(given, &text, &error)),
+            Err(error) => Err(self.refused(given, &error)),
         }
     }
 
     /// An error of a case that nobody has seen yet, as one of the options that make it.
-    fn refused(&self, given: &[(&str, &str)], text: &str, error: &CaseError) -> CaseError {
+    fn refused(&self, given: &[(&str, &str)], error: &CaseError) -> CaseError {
         let options: Vec<String> = given.iter().map(|(key, value)| format!("--{key} {value:?}")).collect();
         let with = if options.is_empty() { "its defaults".to_owned() } else { options.join(" ") };
-        let line = error.position().and_then(|(line, _)| text.lines().nth(line - 1));
-        let line = line.map_or(String::new(), |line| format!(" (it would have the line: {})", line.trim()));
+        let line = error.line().map_or(String::new(), |line| format!(" (it would have the line: {})", line.trim()));
         let what = format!("the template {} with {with} makes a case that is refused: {error}{line}", self.name);
         CaseError::bare(what, error.remedy().unwrap_or_default().to_owned())
     }

@@ -1,12 +1,13 @@
 //! A cup drawn twice: a wider one first, then through a smaller die.
 
 use super::Template;
+use super::begin;
 use super::cup::Cup;
 use super::inputs::{Choice, Default, Inputs, Kind};
-use super::page::{Page, mm, plain};
 use super::rules::{self, Picked};
 use super::sheet::Sheet;
 use super::tools::{Tools, about, because, careful, flat_punch, force, newtons};
+use crate::author::page::{mm, plain};
 use crate::case::CaseError;
 use crate::model::Geometry;
 use crate::rules::design::REDRAW_RATIO;
@@ -123,7 +124,7 @@ fn write(inputs: &Inputs) -> Result<String, CaseError> {
         holder: Some(holder),
     };
 
-    let mut page = Page::new(
+    let mut page = begin(
         &format!(
             "A cup, {} high, drawn twice: to {} inside radius, then to {}.{}",
             plain(cup.height),

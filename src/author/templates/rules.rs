@@ -1,6 +1,6 @@
 //! The rules that pick what is not given, and the refusal of what no single draw reaches.
 
-use super::page::plain;
+use crate::author::page::plain;
 use crate::case::CaseError;
 
 pub use crate::rules::design::*;

@@ -1,21 +1,26 @@
 //! The sheet that every template forms.
 
 use super::inputs::{self, Choice, Default, Inputs};
-use super::page::{Page, mm};
 use super::rules::{self, Picked};
+use crate::author::page::{Page, mm};
 use crate::case::CaseError;
 use crate::case::library::{self, Entry};
 use crate::forming_limit::{self, Hill, Kind};
 use crate::material::flow::ROOM_TEMPERATURE;
 use crate::material::hardening::Swift;
 use crate::material::{Elastic, Hardening, Material};
-use crate::units::rounded;
+use crate::units::{parse, rounded};
 
 /// The law of a sheet that is not named, and friction \[–\] that is not known: as an option, and as a case file, has them.
-pub const K: &str = "520 MPa";
-pub const N: &str = "0.22";
-pub const OFFSET: &str = "0.005";
+const K: &str = "520 MPa";
+const N: &str = "0.22";
+const OFFSET: &str = "0.005";
 pub const FRICTION: &str = "0.08";
+
+/// k \[MPa\], n and offset strain \[–\] of the law of a sheet that is not named.
+pub fn typical() -> [f64; 3] {
+    [K, N, OFFSET].map(|text| parse(text).expect("the law is well written").value)
+}
 
 /// The options of the sheet, which every template has.
 pub const SHEET: &[Choice] = &[
@@ -151,11 +156,7 @@ impl Sheet {
             page.set("poisson", STEEL.poisson, "");
         }
         if let Origin::Swift { law, .. } = self.origin {
-            let [k, n, offset] = law.map(rounded);
-            page.table("material.hardening.swift", "σ = k (offset + ε)^n");
-            page.set("k", format!("\"{k} MPa\""), "");
-            page.set("n", n, "");
-            page.set("offset", offset, "");
+            page.swift(law.map(rounded), "σ = k (offset + ε)^n");
         }
     }
 

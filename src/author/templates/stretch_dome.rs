@@ -1,11 +1,12 @@
 //! A clamped sheet stretched over a hemispherical punch.
 
 use super::Template;
+use super::begin;
 use super::inputs::{Choice, Default, Inputs, Kind};
-use super::page::{Page, plain};
 use super::rules::{self, Picked};
 use super::sheet::Sheet;
 use super::tools::{Tools, because, elements, round_punch};
+use crate::author::page::plain;
 use crate::case::CaseError;
 use crate::model::Geometry;
 
@@ -57,7 +58,7 @@ fn write(inputs: &Inputs) -> Result<String, CaseError> {
         holder: None,
     };
 
-    let mut page = Page::new(
+    let mut page = begin(
         "A sheet clamped at its edge and stretched over a hemisphere, as in a test of its formability.",
         &format!("Stretched dome, punch diameter {}", plain(2.0 * radius)),
         "axisymmetric",

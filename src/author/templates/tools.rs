@@ -1,8 +1,8 @@
 //! Punch, die and holder of a template, as the case file has them.
 
-use super::page::{Page, mm, plain};
 use super::rules::{self, Picked};
 use super::sheet::Sheet;
+use crate::author::page::{Page, mm, plain};
 use crate::case::CaseError;
 use crate::model::Geometry;
 use crate::rules::design::CAREFUL_RATIO;

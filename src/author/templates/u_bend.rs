@@ -1,11 +1,12 @@
 //! A strip bent into a U between punch and die, and let go.
 
 use super::Template;
+use super::begin;
 use super::inputs::{Choice, Default, Inputs, Kind};
-use super::page::{Page, plain};
 use super::rules::{self, Picked};
 use super::sheet::Sheet;
 use super::tools::{Tools, because, bend, flat_punch, nose_fits};
+use crate::author::page::plain;
 use crate::case::CaseError;
 use crate::model::Geometry;
 
@@ -65,7 +66,7 @@ fn write(inputs: &Inputs) -> Result<String, CaseError> {
         holder: None,
     };
 
-    let mut page = Page::new(
+    let mut page = begin(
         "One half of a strip that is bent into a U and then let go.",
         &format!("U-bend, punch {} wide", plain(2.0 * half_width)),
         "plane_strain",

@@ -2,11 +2,12 @@
 
 use super::Template;
 use super::air_bend::{self, Strip};
+use super::begin;
 use super::inputs::{Choice, Default, Inputs, Kind};
-use super::page::{Page, plain};
 use super::rules::{self, Picked};
 use super::sheet::Sheet;
 use super::tools::{Tools, because, bend, round_punch};
+use crate::author::page::plain;
 use crate::case::CaseError;
 use crate::model::Geometry;
 use crate::units::rounded;
@@ -83,7 +84,7 @@ fn write(inputs: &Inputs) -> Result<String, CaseError> {
     let tools =
         Tools { geometry: Geometry::PlaneStrain, punch: round_punch(&nose), travel, throat, shoulder, holder: None };
 
-    let mut page = Page::new(
+    let mut page = begin(
         "One half of a strip that is bent in air over a V and then let go. The punch is a blade with a round nose.",
         &format!("V-bend, {:.0}°", angle.to_degrees()),
         "plane_strain",

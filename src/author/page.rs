@@ -1,0 +1,126 @@
+//! The text of a case file as it grows: tables, keys, and a comment for every number that was picked.
+
+use crate::geometry::{Piece, Point, Profile};
+use std::fmt::{Display, Write};
+
+/// A comment that would make its line longer than this stands above it \[characters\].
+const WIDE: usize = 100;
+use crate::rules::design::Picked;
+
+/// A case file being written.
+pub(super) struct Page(String);
+
+impl Page {
+    /// Begins with comments on the case as a whole, its title, its geometry and what is declared.
+    pub fn new<T: AsRef<str>>(
+        about: impl IntoIterator<Item = T>,
+        title: &str,
+        geometry: &str,
+        notes: &[String],
+    ) -> Self {
+        let mut page = Self(String::new());
+        about.into_iter().for_each(|text| page.comment(text.as_ref()));
+        let _ = writeln!(page.0, "\ntitle = {}\ngeometry = {geometry:?}\nnotes = [", toml_edit::Value::from(title));
+        for note in notes {
+            let _ = writeln!(page.0, "    {},", toml_edit::Value::from(note));
+        }
+        page.0.push_str("]\n");
+        page
+    }
+
+    /// A comment, wrapped into lines; characters that may not stand in one are left out.
+    pub fn comment(&mut self, text: &str) {
+        let mut line = String::from("#");
+        for word in text.split_whitespace() {
+            if line.chars().count() + 1 + word.chars().count() > WIDE {
+                let _ = writeln!(self.0, "{line}");
+                line = String::from("#");
+            }
+            line.push(' ');
+            line.extend(word.chars().filter(|c| !c.is_control()));
+        }
+        let _ = writeln!(self.0, "{line}");
+    }
+
+    /// Lines for someone to uncomment.
+    pub fn proposal(&mut self, lines: &[&str]) {
+        self.0.push('\n');
+        lines.iter().for_each(|line| self.comment(line));
+    }
+
+    /// Begins a table, `tools.punch` or `[stages]`, with a comment above it where there is one.
+    pub fn table(&mut self, name: &str, why: &str) {
+        self.0.push('\n');
+        if !why.is_empty() {
+            self.comment(why);
+        }
+        let _ = writeln!(self.0, "[{name}]");
+    }
+
+    /// A key and its value as TOML, with why it is so.
+    pub fn set(&mut self, key: &str, value: impl Display, why: &str) {
+        let line = format!("{key} = {value}");
+        if why.is_empty() {
+            let _ = writeln!(self.0, "{line}");
+        } else if line.chars().count() + 3 + why.chars().count() <= WIDE {
+            let _ = writeln!(self.0, "{line}   # {why}");
+        } else {
+            self.comment(why);
+            let _ = writeln!(self.0, "{line}");
+        }
+    }
+
+    /// A picked length.
+    pub fn length(&mut self, key: &str, picked: &Picked) {
+        self.set(key, mm(picked.value), &picked.why);
+    }
+
+    /// `[material.hardening.swift]`: k \[MPa\], n and offset strain \[–\].
+    pub fn swift(&mut self, law: [f64; 3], why: &str) {
+        let [k, n, offset] = law;
+        self.table("material.hardening.swift", why);
+        self.set("k", format!("\"{k} MPa\""), "");
+        self.set("n", n, "");
+        self.set("offset", offset, "");
+    }
+
+    /// A profile as steps.
+    pub fn profile(&mut self, profile: &Profile) {
+        let mut steps = format!("[\n    {{ from = {} }},\n", point(profile.first()));
+        for piece in profile.pieces() {
+            let end = point(piece.last());
+            let _ = match piece {
+                Piece::Segment(_) => writeln!(steps, "    {{ to = {end} }},"),
+                Piece::Arc(arc) => {
+                    let turn = if arc.sweep > 0.0 { "left" } else { "right" };
+                    writeln!(steps, "    {{ arc_to = {end}, center = {}, turn = \"{turn}\" }},", point(arc.center))
+                }
+            };
+        }
+        self.set("profile", steps + "]", "");
+    }
+
+    pub fn text(self) -> String {
+        self.0
+    }
+}
+
+/// A length as a sentence has it.
+pub(super) fn plain(length: f64) -> String {
+    format!("{} mm", crate::assess::check::mm(length))
+}
+
+/// A length as a case file has it.
+pub(super) fn mm(length: f64) -> String {
+    format!("\"{}\"", plain(length))
+}
+
+/// A length as it was drawn, to a millionth of a micrometre: `"30.5 mm"`.
+pub(super) fn exact(length: f64) -> String {
+    let text = format!("{:.9}", (length * 1e9).round() / 1e9 + 0.0);
+    format!("\"{} mm\"", text.trim_end_matches('0').trim_end_matches('.'))
+}
+
+fn point(p: Point) -> String {
+    format!("[{}, {}]", exact(p.x), exact(p.y))
+}
