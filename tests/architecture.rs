@@ -17,6 +17,7 @@ const FLOORS: &[&[&str]] = &[
     &["model"],
     &["element", "contact", "forming_limit"],
     &["material", "geometry"],
+    &["law"],
     &["units", "numerics"],
 ];
 

@@ -21,6 +21,7 @@ pub use bounds::{Fraction, NonNegative, Positive};
 pub use error::QuantityError;
 pub(crate) use error::closest;
 pub use parse::{Parsed, parse};
+pub use text::As;
 pub use unit::{Dimension, ZERO_CELSIUS};
 
 use unit::{ANGLE, FORCE, LENGTH, MASS, NONE, POWER, STRESS, TEMPERATURE, TIME};
