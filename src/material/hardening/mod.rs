@@ -2,6 +2,7 @@
 //!
 //! One law, one file, as [`law`](crate::law) says: a new one is a file and two lines here, `mod` and its line in the family.
 
+mod hockett_sherby;
 mod hollomon;
 mod isotherms;
 mod ludwik;
@@ -55,6 +56,7 @@ family! {
     table: Table,
     piecewise_power: PiecewisePower,
     isotherms: Isotherms,
+    hockett_sherby: HockettSherby,
 }
 
 impl Hardening {
