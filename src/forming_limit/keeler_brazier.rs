@@ -32,8 +32,9 @@ pub struct KeelerBrazier {
 }
 
 impl KeelerBrazier {
-    /// Largest n that it counts with \[–\], and largest thickness it was given for \[mm\].
+    /// Largest n that it counts with \[–\].
     pub const N: f64 = 0.21;
+    /// Largest thickness it was given for \[mm\].
     pub const THICKNESS: f64 = 3.1;
 
     /// Engineering strain at plane strain \[–\]; `thickness` \[mm\].

@@ -53,7 +53,9 @@ fn strain_rate() -> f64 {
 /// A point of the curve, and the groove that made it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Limit {
+    /// Minor strain \[–\].
     pub minor: f64,
+    /// Major strain \[–\].
     pub major: f64,
     /// Between the groove's normal and the major strain, at the start \[rad\].
     pub angle: f64,

@@ -27,10 +27,13 @@ use std::f64::consts::FRAC_1_SQRT_2;
 pub struct ElastoplasticLaw<'a> {
     /// `None` for metal that does not yield: the unloading of a sheet that the flow law has formed.
     pub hardening: Option<&'a Hardening>,
+    /// D and P of the sheet.
     pub operators: Operators,
     /// By [`chaboche::shifting`](super::chaboche::shifting).
     pub kinematic: Option<BackStresses>,
+    /// `None` for a rate-free metal.
     pub rate: Option<&'a Rate>,
+    /// `None` for a metal that does not feel its temperature.
     pub softening: Option<&'a ThermalLaw>,
     /// Leaves the tangent's last term out, which follows the flow: sturdier far from the answer.
     pub secant: bool,

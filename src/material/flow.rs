@@ -29,12 +29,17 @@ pub enum Iteration {
 /// What is the same for every layer point in an iteration.
 #[derive(Clone, Copy, Debug)]
 pub struct FlowLaw<'a> {
+    /// σ_y(ε̄), slow and cold.
     pub hardening: &'a Hardening,
     /// `None` for a rate-free metal, which does not feel the step's duration.
     pub rate: Option<&'a Rate>,
+    /// `None` for a metal that does not feel its temperature.
     pub softening: Option<&'a ThermalLaw>,
+    /// Hill's yield condition.
     pub anisotropy: Hill48,
+    /// `None` for a metal without voids.
     pub voids: Option<&'a Gtn>,
+    /// The matrix to iterate with.
     pub matrix: Iteration,
     /// Δε₀ > 0 of the step \[–\].
     pub cutoff: f64,

@@ -57,12 +57,15 @@ impl Elastic {
 /// The sheet's material.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Material {
+    /// σ_y(ε̄) of tension, slow and cold.
     pub hardening: Hardening,
+    /// Elastic constants; `None` where the case gives none.
     pub elastic: Option<Elastic>,
     /// `None` for a rate-free metal.
     pub rate: Option<Rate>,
     /// `None` for a metal whose strength does not feel its temperature, or says so in its hardening law.
     pub softening: Option<ThermalLaw>,
+    /// Hill's normal anisotropy.
     pub anisotropy: Hill48,
     /// Back-stresses; the flow law has none.
     pub kinematic: BackStresses,
