@@ -60,6 +60,7 @@ pub mod element;
 pub mod forming_limit;
 pub mod geometry;
 pub mod import;
+pub mod law;
 pub mod material;
 pub mod measure;
 pub mod model;

@@ -10,20 +10,20 @@ const KINDS: [(&str, &str, &str); 4] = [
     ("Hardening: yield stress over equivalent plastic strain", "Hardening", "[material.hardening.NAME]"),
     ("Rate: a factor on the yield stress", "Rate", "[material.rate] NAME = { .. }"),
     (
-        "Softening: a factor on the yield stress by the temperature of [heat]",
-        "Softening",
+        "Thermal: a factor on the yield stress by the temperature of [heat]",
+        "ThermalLaw",
         "[material.softening] NAME = { .. }",
     ),
     (
         "Friction, beside a plain coefficient (Coulomb): friction stress over pressure and sliding",
-        "FrictionLaw",
+        "Friction",
         "friction = { NAME = { .. } } of a tool, or by side in [friction]",
     ),
 ];
 
 /// Laws without alternatives: heading, name, the schema's definition, where a case names it.
 const SINGLE: [(&str, &str, &str, &str); 3] = [
-    ("Voids: a yield condition that feels the mean stress", "voids", "Voids", "[material.voids]"),
+    ("Voids: a yield condition that feels the mean stress", "voids", "Gtn", "[material.voids]"),
     (
         "Forming limit: the major strain at which the sheet necks, over the minor strain; beside points, hill and swift",
         "keeler_brazier",
@@ -74,7 +74,7 @@ pub fn law_list() -> Vec<Law> {
 /// How stress follows the sheet's motion.
 fn modes() -> impl Iterator<Item = Law> {
     definition("Mode")["oneOf"].as_array().into_iter().flatten().map(|mode| Law {
-        kind: "Stress of the sheet's motion: by the flow approach, or by its elastic twin",
+        kind: "Stress of the sheet's motion: by the flow approach, or elastoplastic",
         place: "[material] mode = \"NAME\"",
         name: mode["const"].as_str().unwrap_or_default().to_owned(),
         description: description(mode).to_owned(),
@@ -146,10 +146,10 @@ fn description(schema: &Value) -> &str {
     schema["description"].as_str().unwrap_or_default()
 }
 
-/// The definition that an optional key refers to.
+/// The definition that a key refers to, which may be optional.
 fn reference(schema: &Value) -> Option<&str> {
-    let choices = schema["anyOf"].as_array()?;
-    choices.iter().find_map(|choice| choice["$ref"].as_str()?.rsplit('/').next())
+    let mut choices = std::iter::once(schema).chain(schema["anyOf"].as_array().into_iter().flatten());
+    choices.find_map(|choice| choice["$ref"].as_str()?.rsplit('/').next())
 }
 
 #[cfg(test)]

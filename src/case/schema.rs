@@ -4,7 +4,12 @@ use super::CaseFile;
 use serde_json::Value;
 use std::sync::LazyLock;
 
-static SCHEMA: LazyLock<Value> = LazyLock::new(|| schemars::schema_for!(CaseFile).to_value());
+static SCHEMA: LazyLock<Value> = LazyLock::new(|| {
+    let text = schemars::schema_for!(CaseFile).to_value().to_string();
+    // Documentation has units as rustdoc wants them, \[MPa\].
+    serde_json::from_str(&text.replace(r"\\[", "[").replace(r"\\]", "]"))
+        .expect("a JSON value is read as it was written")
+});
 
 /// The JSON schema of a case file, indented.
 pub fn schema() -> String {

@@ -1,30 +1,40 @@
-//! The empirical curve of steels.
+//! The empirical curve of steels, of Keeler and Brazier: a point at plane strain from thickness and hardening exponent, and
+//! a fixed shape.
+//!
+//! ```text
+//! FLC₀ = (23.3 + 14.13 t) n/0.21   engineering strain in percent, t in mm, n at most 0.21
+//! left    ε₁ + ε₂ = ln(1 + FLC₀)   constant thickness strain
+//! right   ε₁ = ln(1 + FLC₀) + 0.6 ε₂   up to an engineering minor strain of 20 %
+//! ```
+//!
+//! # References
+//! S. P. Keeler, W. G. Brazier, Relationship between laboratory material characterization and press-shop formability,
+//! Micro Alloying 75 (1977) 517–530 (not read). The shape on both sides: AHSS Insights, Forming Limit Curves, WorldAutoSteel
+//! (ahssinsights.org); the formula, the cap of n and the range of t as public programs quote them.
 
 use super::{Curve, LimitError, Sheet, uniform_strain};
+use crate::law::prelude::*;
 
-/// The curve of Keeler and Brazier: a point at plane strain from thickness and hardening exponent, and a fixed shape.
+/// FLC₀ = (23.3 + 14.13 t/mm) n/0.21 percent (engineering) at plane strain; left ε₁ + ε₂ = const, right a slope of 0.6.
 ///
-/// ```text
-/// FLC₀ = (23.3 + 14.13 t) n/0.21   engineering strain in percent, t in mm, n at most 0.21
-/// left    ε₁ + ε₂ = ln(1 + FLC₀)   constant thickness strain
-/// right   ε₁ = ln(1 + FLC₀) + 0.6 ε₂   up to an engineering minor strain of 20 %
-/// ```
-///
-/// For mild and conventional high-strength steels up to 3.1 mm; not for aluminium.
-///
-/// # References
-/// S. P. Keeler, W. G. Brazier, Relationship between laboratory material characterization and press-shop formability,
-/// Micro Alloying 75 (1977) 517–530 (not read). The shape on both sides: AHSS Insights, Forming Limit Curves, WorldAutoSteel
-/// (ahssinsights.org); the formula, the cap of n and the range of t as public programs quote them.
-#[derive(Clone, Copy, Debug, PartialEq)]
+/// Valid for mild and conventional high-strength steel up to 3.1 mm, not for aluminium; n counts as 0.21 at most.
+/// Source: S. P. Keeler, W. G. Brazier, Micro Alloying 75 (1977) 517–530 (not read; as AHSS Insights and programs quote it).
+#[derive(Clone, Copy, Debug, Default, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
 pub struct KeelerBrazier {
     /// Hardening exponent; `None` takes the uniform strain of the sheet's law \[–\].
+    #[serde(skip)]
     pub n: Option<f64>,
+    /// Thickness that counts, 3.1 mm at most; that of the blank when not given \[mm\].
+    #[serde(default, with = "As::<Option<Positive<Length>>>")]
+    #[schemars(example = "1 mm")]
+    pub thickness: Option<f64>,
 }
 
 impl KeelerBrazier {
-    /// Largest n that it counts with \[–\], and largest thickness it was given for \[mm\].
+    /// Largest n that it counts with \[–\].
     pub const N: f64 = 0.21;
+    /// Largest thickness it was given for \[mm\].
     pub const THICKNESS: f64 = 3.1;
 
     /// Engineering strain at plane strain \[–\]; `thickness` \[mm\].
@@ -33,21 +43,21 @@ impl KeelerBrazier {
     }
 
     pub(super) fn curve(&self, sheet: &Sheet) -> Result<Curve, LimitError> {
-        if sheet.thickness > Self::THICKNESS {
-            let what =
-                format!("keeler_brazier holds up to {} mm of thickness, found {} mm", Self::THICKNESS, sheet.thickness);
+        let thickness = self.thickness.unwrap_or(sheet.thickness);
+        if thickness > Self::THICKNESS {
+            let what = format!("keeler_brazier holds up to {} mm of thickness, found {thickness} mm", Self::THICKNESS);
             return Err(LimitError::new(what, "use measured points, hill or marciniak_kuczynski"));
         }
         let (n, origin) = match self.n {
             Some(n) => (n, "given"),
             None => (uniform_strain(sheet)?, "the uniform strain of the hardening law"),
         };
-        let flc0 = Self::plane_strain(n, sheet.thickness).ln_1p();
+        let flc0 = Self::plane_strain(n, thickness).ln_1p();
         let capped = if n > Self::N { format!(", counted as {}", Self::N) } else { String::new() };
         let right = 0.2_f64.ln_1p();
         let notes = vec![format!(
-            "Forming limit: Keeler and Brazier, for steel, with n = {n:.4} ({origin}{capped}) and t = {} mm; FLC₀ = {flc0:.4}.",
-            sheet.thickness
+            "Forming limit: Keeler and Brazier, for steel, with n = {n:.4} ({origin}{capped}) and t = {thickness} mm; \
+             FLC₀ = {flc0:.4}."
         )];
         Curve::new("Keeler-Brazier", vec![[-0.5 * flc0, 1.5 * flc0], [0.0, flc0], [right, flc0 + 0.6 * right]], notes)
     }

@@ -1,36 +1,61 @@
 //! A groove that thins before the sheet around it does.
+//!
+//! The analysis of Marciniak and Kuczyński: the sheet carries a groove of f₀ times its thickness, which is strained along
+//! with it, thins faster, and in the end alone. The limit is the strain of the sheet around it when the groove strains
+//! [`MarciniakKuczynski::CRITICAL`] times as fast.
+//!
+//! Hardening, rate and normal anisotropy are those of the sheet. On the left the groove lies as it hurts most; it turns with
+//! the sheet. f₀ is no measured thickness: it stands for all that is uneven in a sheet, and has to be fitted to one measured
+//! point where there is one. With β > 0 the limit of a rate-free sheet is sensitive to f₀ and high by Hill's
+//! condition, most of all for r̄ < 1: for AA6016-T4 (r̄ = 0.36) it is 1.2 in equi-biaxial stretching, beyond what sheet bears.
+//!
+//! # References
+//! Z. Marciniak, K. Kuczyński, Int. J. Mech. Sci. 9 (1967) 609–620; Z. Marciniak, K. Kuczyński, T. Pokora, Int. J. Mech. Sci.
+//! 15 (1973) 789–805; J. W. Hutchinson, K. W. Neale, Sheet necking, in: Mechanics of Sheet Metal Forming (1978) 127–153 (all
+//! not read; the equations are derived beside this).
 
 use super::instability::{Proportional, left, right};
 use super::{Curve, LimitError, Sheet};
+use crate::law::prelude::*;
 use groove::{Failure, Groove};
+use std::ops::RangeInclusive;
 
 mod groove;
 
-/// The analysis of Marciniak and Kuczyński: the sheet carries a groove of f₀ times its thickness, which is strained along
-/// with it, thins faster, and in the end alone. The limit is the strain of the sheet around it when the groove strains
-/// [`Self::CRITICAL`] times as fast.
+/// Grooves that make sense \[–\]: nearer to 1 a step cannot tell them from none.
+const GROOVES: RangeInclusive<f64> = 0.9..=0.9999;
+
+/// A groove of `imperfection` times the sheet's thickness takes over.
 ///
-/// Hardening, rate and normal anisotropy are those of the sheet. On the left the groove lies as it hurts most; it turns with
-/// the sheet. f₀ is no measured thickness: it stands for all that is uneven in a sheet, and has to be fitted to one measured
-/// point where there is one. With β > 0 the limit of a rate-free sheet is sensitive to f₀ and high by Hill's
-/// condition, most of all for r̄ < 1: for AA6016-T4 (r̄ = 0.36) it is 1.2 in equi-biaxial stretching, beyond what sheet bears.
-///
-/// # References
-/// Z. Marciniak, K. Kuczyński, Int. J. Mech. Sci. 9 (1967) 609–620; Z. Marciniak, K. Kuczyński, T. Pokora, Int. J. Mech. Sci.
-/// 15 (1973) 789–805; J. W. Hutchinson, K. W. Neale, Sheet necking, in: Mechanics of Sheet Metal Forming (1978) 127–153 (all
-/// not read; the equations are derived beside this).
-#[derive(Clone, Copy, Debug, PartialEq)]
+/// Valid for straight strain paths; with β > 0 it is high by Hill's condition where r̄ is below 1.
+/// Source: Z. Marciniak, K. Kuczyński, Int. J. Mech. Sci. 9 (1967) 609–620 (not read; derived in the program).
+#[derive(Clone, Copy, Debug, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
 pub struct MarciniakKuczynski {
-    /// f₀: thickness of the groove over that around it, below 1 \[–\].
+    /// f₀, 0.9 to 0.9999: thickness of the groove over that around it; 0.995 when not given, an assumption.
+    #[serde(default = "imperfection", with = "As::<Fraction>")]
+    #[schemars(example = 0.995)]
     pub imperfection: f64,
-    /// Equivalent strain rate of the sheet around the groove \[1/s\]; a power law of the rate does not feel it.
+    /// Strain rate of the sheet \[1/s\]; 1 /s when not given, an assumption. A power law of the rate does not feel it.
+    #[serde(default = "strain_rate", with = "As::<Positive<StrainRate>>")]
+    #[schemars(example = "1 /s")]
     pub strain_rate: f64,
+}
+
+fn imperfection() -> f64 {
+    MarciniakKuczynski::IMPERFECTION
+}
+
+fn strain_rate() -> f64 {
+    MarciniakKuczynski::STRAIN_RATE
 }
 
 /// A point of the curve, and the groove that made it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Limit {
+    /// Minor strain \[–\].
     pub minor: f64,
+    /// Major strain \[–\].
     pub major: f64,
     /// Between the groove's normal and the major strain, at the start \[rad\].
     pub angle: f64,
@@ -51,6 +76,18 @@ impl MarciniakKuczynski {
     /// Steepest groove that is tried \[rad\], and how many.
     const STEEPEST: f64 = 1.05;
     const ANGLES: usize = 12;
+
+    /// Checks what was read.
+    ///
+    /// # Errors
+    /// When the groove is none that makes sense.
+    pub fn check(&self) -> Result<(), LawError> {
+        let help = "it is the groove's thickness over the sheet's: 0.98 to 0.999 is usual";
+        require_or("imperfection", GROOVES.contains(&self.imperfection), help, || {
+            let (least, most) = (GROOVES.start(), GROOVES.end());
+            format!("`imperfection` must lie between {least} and {most}, found {}", self.imperfection)
+        })
+    }
 
     pub(super) fn curve(&self, sheet: &Sheet) -> Result<Curve, LimitError> {
         let ratios = left(sheet.material.anisotropy, 8).chain(right(10));

@@ -34,6 +34,7 @@ use crate::material::Material;
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[error("{message}")]
 pub struct LimitError {
+    /// What is wrong.
     pub message: String,
     /// What to try.
     pub help: String,
@@ -48,6 +49,7 @@ impl LimitError {
 /// The sheet that a curve is for.
 #[derive(Clone, Copy, Debug)]
 pub struct Sheet<'a> {
+    /// What it is made of.
     pub material: &'a Material,
     /// Initial thickness \[mm\].
     pub thickness: f64,
@@ -65,10 +67,15 @@ impl Sheet<'_> {
 /// Where a curve comes from.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Kind {
+    /// Measured.
     Points(Points),
+    /// Empirical, of steels.
     KeelerBrazier(KeelerBrazier),
+    /// Localised necking.
     Hill(Hill),
+    /// Diffuse necking.
     Swift(Swift),
+    /// A groove that takes over.
     MarciniakKuczynski(MarciniakKuczynski),
 }
 

@@ -1,12 +1,15 @@
 //! A measured curve.
 
 use super::{Curve, LimitError};
+use crate::law::prelude::*;
 
-/// How strains are measured.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+/// Strains of a measured curve.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
 pub enum Strain {
-    /// Logarithmic.
-    True,
+    /// True strain.
+    #[serde(alias = "true")]
+    Logarithmic,
     /// Change of length over the initial length.
     Engineering,
 }
@@ -15,7 +18,7 @@ impl Strain {
     /// The logarithmic strain; NaN for an engineering strain of −1 or less.
     pub fn logarithmic(self, value: f64) -> f64 {
         match self {
-            Self::True => value,
+            Self::Logarithmic => value,
             Self::Engineering if value > -1.0 => value.ln_1p(),
             Self::Engineering => f64::NAN,
         }
@@ -27,6 +30,7 @@ impl Strain {
 pub struct Points {
     /// Minor and major strain \[–\], from left to right.
     pub points: Vec<[f64; 2]>,
+    /// How they are measured.
     pub strain: Strain,
 }
 
@@ -44,7 +48,7 @@ impl Points {
             return Err(LimitError::new(what, help));
         }
         let measure = match self.strain {
-            Strain::True => "logarithmic as given",
+            Strain::Logarithmic => "logarithmic as given",
             Strain::Engineering => "logarithmic from the engineering strains given",
         };
         Curve::new("Points", points, vec![format!("Forming limit: points of the case, {measure}.")])

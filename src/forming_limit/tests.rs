@@ -75,7 +75,7 @@ fn keeler_brazier_takes_millimetres_and_gives_true_strain() {
     let material = power(0.21, 1.0);
     let at = |n: f64, thickness: f64| {
         let sheet = Sheet { thickness, ..sheet(&material) };
-        Kind::KeelerBrazier(KeelerBrazier { n: Some(n) }).curve(&sheet)
+        Kind::KeelerBrazier(KeelerBrazier { n: Some(n), thickness: None }).curve(&sheet)
     };
     let curve = at(0.21, 1.0).expect("a curve");
     assert_relative_eq!(curve.plane_strain(), 1.3743_f64.ln(), epsilon = 1e-12);
@@ -94,12 +94,12 @@ fn points_are_made_logarithmic_and_continued() {
     let material = power(0.2, 1.0);
     let engineering = curve(Strain::Engineering, &points).curve(&sheet(&material)).expect("a curve");
     assert_relative_eq!(engineering.plane_strain(), 1.3_f64.ln(), epsilon = 1e-15);
-    let given = curve(Strain::True, &points).curve(&sheet(&material)).expect("a curve");
+    let given = curve(Strain::Logarithmic, &points).curve(&sheet(&material)).expect("a curve");
     for (minor, major) in [(-0.3, 0.6), (-0.2, 0.5), (-0.1, 0.4), (0.15, 0.35), (0.3, 0.4), (0.5, 0.4)] {
         assert_relative_eq!(given.major_at(minor), major, epsilon = 1e-15);
     }
     for wrong in [&points[..1], &[[0.1, 0.3], [0.0, 0.4]], &[[0.0, -0.1], [0.1, 0.3]], &[[0.0, f64::NAN], [0.1, 0.3]]] {
-        assert!(curve(Strain::True, wrong).curve(&sheet(&material)).is_err(), "{wrong:?}");
+        assert!(curve(Strain::Logarithmic, wrong).curve(&sheet(&material)).is_err(), "{wrong:?}");
     }
 }
 
@@ -193,7 +193,7 @@ fn the_groove_in_biaxial_stretching_is_what_small_steps_give() {
 #[test]
 fn the_groove_is_monotone_and_has_its_rate_free_limit() {
     let limit = |n: f64, m: f64, f: f64, beta: f64| {
-        let rate = (m > 0.0).then_some(Rate::Power(PowerRate { exponent: m, reference: 1e-3 }));
+        let rate = (m > 0.0).then_some(Rate::PowerRate(PowerRate { exponent: m, reference: 1e-3 }));
         let material = Material { rate, ..power(n, 1.3) };
         groove(f).limit(&sheet(&material), beta).expect("a limit").major
     };

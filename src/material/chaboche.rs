@@ -11,12 +11,19 @@
 //! J. L. Chaboche, Int. J. Plasticity 2 (1986) 149–188; the form with one back-stress: P. J. Armstrong, C. O. Frederick,
 //! CEGB report RD/B/N731 (1966) (both not read; the form is in common use).
 
-/// One back-stress.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+use crate::law::prelude::*;
+
+/// A back-stress.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
 pub struct BackStress {
-    /// C ≥ 0 \[MPa\].
+    /// C: its first slope over the plastic strain \[MPa\].
+    #[serde(with = "As::<Positive<Stress>>")]
+    #[schemars(example = "2500 MPa")]
     pub modulus: f64,
-    /// γ ≥ 0, the recall \[–\]; 0 is Prager's linear hardening.
+    /// γ, its dynamic recovery: it comes to C/γ; 0 when not given, which is Prager's linear hardening.
+    #[serde(default, rename = "recall", with = "As::<NonNegative<Number>>")]
+    #[schemars(example = 30)]
     pub dynamic_recovery: f64,
 }
 

@@ -1,4 +1,4 @@
-//! The twin of the flow law: large-strain elasto-(visco)plastic metal at one layer point.
+//! The elastoplastic law: large-strain elasto-(visco)plastic metal at one layer point.
 //!
 //! ```text
 //! σ = σ₀ + D (Δε − Δε_p),   D = E/(1−ν²) [1 ν 0; ν 1 0; 0 0 k(1−ν)/2],  k = 5/6
@@ -27,10 +27,13 @@ use std::f64::consts::FRAC_1_SQRT_2;
 pub struct ElastoplasticLaw<'a> {
     /// `None` for metal that does not yield: the unloading of a sheet that the flow law has formed.
     pub hardening: Option<&'a Hardening>,
+    /// D and P of the sheet.
     pub operators: Operators,
     /// By [`chaboche::shifting`](super::chaboche::shifting).
     pub kinematic: Option<BackStresses>,
+    /// `None` for a rate-free metal.
     pub rate: Option<&'a Rate>,
+    /// `None` for a metal that does not feel its temperature.
     pub softening: Option<&'a ThermalLaw>,
     /// Leaves the tangent's last term out, which follows the flow: sturdier far from the answer.
     pub secant: bool,
@@ -119,27 +122,27 @@ impl PointLaw for ElastoplasticLaw<'_> {
     type PointState = Carried;
     type Iterate = Trial;
 
-    /// Stress, tangent and Δp that go with the strain increment `e`; the tangent is symmetric but for the recall of
+    /// Stress, tangent and Δp that go with the strain increment `e`; the tangent is symmetric but for the dynamic recovery of
     /// back-stresses, of which its symmetric part is given.
     #[inline]
-    fn respond(&self, before: &Carried, trial: &mut Trial, e: Triple) -> StressUpdate {
+    fn respond(&self, point: &Carried, trial: &mut Trial, e: Triple) -> StressUpdate {
         let Operators { elastic: d, both, .. } = self.operators;
-        let (strain, start) = (turned(e), turned(before.stress));
+        let (strain, start) = (turned(e), turned(point.stress));
         let tried: Triple = each(|j| start[j] + d[j] * strain[j]);
-        let back = if self.kinematic.is_some() { before.back.map(turned) } else { [[0.0; 3]; 2] };
+        let back = if self.kinematic.is_some() { point.back.map(turned) } else { [[0.0; 3]; 2] };
         let (last, f) = (turned(trial.strain), trial.follows);
         let moved = f[0] * (strain[0] - last[0]) + f[1] * (strain[1] - last[1]) + f[2] * (strain[2] - last[2]);
         let guess = if trial.increment + moved > 0.0 { trial.increment + moved } else { trial.increment };
-        let found = self.hardening.and_then(|hardening| self.solve(hardening, before, tried, &back, guess));
+        let found = self.hardening.and_then(|hardening| self.solve(hardening, point, tried, &back, guess));
         let Some(at) = found else {
-            *trial = Trial { strain: e, back: before.back, ..Trial::default() };
+            *trial = Trial { strain: e, back: point.back, ..Trial::default() };
             let sum = 0.5 * (d[0] + d[1]);
             let tangent = [sum, d[0] - sum, sum, 0.0, 0.0, d[2]];
-            return StressUpdate { stress: turned(tried), tangent, increment: 0.0, yield_stress: before.yield_stress };
+            return StressUpdate { stress: turned(tried), tangent, increment: 0.0, yield_stress: point.yield_stress };
         };
         let (x, n, m) = (at.increment, at.direction, at.measure);
         let stress = turned(each(|j| tried[j] - x * both[j] * n[j]));
-        let back = self.kinematic.map_or(before.back, |kinematic| {
+        let back = self.kinematic.map_or(point.back, |kinematic| {
             std::array::from_fn(|i| {
                 let law = &kinematic[i];
                 let theta = 1.0 / (1.0 + law.dynamic_recovery * x);
@@ -169,14 +172,14 @@ impl PointLaw for ElastoplasticLaw<'_> {
 
 impl ElastoplasticLaw<'_> {
     /// Size of the yield surface where the step finds it \[MPa\]; infinite where nothing yields.
-    pub fn yield_stress(&self, before: &Carried) -> f64 {
-        self.hardening.map_or(f64::INFINITY, |hardening| self.radius(hardening, before, 0.0).stress)
+    pub fn yield_stress(&self, point: &Carried) -> f64 {
+        self.hardening.map_or(f64::INFINITY, |hardening| self.radius(hardening, point, 0.0).stress)
     }
 
     /// Size of the yield surface once Δp has been added, and its slope.
     #[inline]
-    fn radius(&self, hardening: &Hardening, before: &Carried, increment: f64) -> FlowStress {
-        let mut yielding = hardening.at_temperature(before.strain + increment, before.temperature);
+    fn radius(&self, hardening: &Hardening, point: &Carried, increment: f64) -> FlowStress {
+        let mut yielding = hardening.at_temperature(point.strain + increment, point.temperature);
         if let Some(rate) = self.rate {
             // A rate of zero has no logarithm and no power: what is slower than this bears the same.
             let factor = rate.at((increment / self.duration).max(SLOWEST));
@@ -187,7 +190,7 @@ impl ElastoplasticLaw<'_> {
             yielding.stress *= factor.value;
         }
         if let Some(softening) = self.softening {
-            let factor = softening.at(before.temperature);
+            let factor = softening.at(point.temperature);
             yielding.slope *= factor;
             yielding.stress *= factor;
         }
@@ -200,7 +203,7 @@ impl ElastoplasticLaw<'_> {
     fn solve(
         &self,
         hardening: &Hardening,
-        before: &Carried,
+        point: &Carried,
         tried: Triple,
         back: &[Triple; 2],
         guess: f64,
@@ -209,13 +212,13 @@ impl ElastoplasticLaw<'_> {
         let shifted: Triple = each(|j| tried[j] - back[0][j] - back[1][j]);
         let size =
             (p[0] * shifted[0] * shifted[0] + p[1] * shifted[1] * shifted[1] + p[2] * shifted[2] * shifted[2]).sqrt();
-        if size <= before.yield_stress {
+        if size <= point.yield_stress {
             return None;
         }
         let (mut low, mut high) = (0.0, f64::INFINITY);
-        let mut x = if guess > 0.0 { guess } else { (size - before.yield_stress) / both[1] };
+        let mut x = if guess > 0.0 { guess } else { (size - point.yield_stress) / both[1] };
         for round in 0.. {
-            let radius = self.radius(hardening, before, x);
+            let radius = self.radius(hardening, point, x);
             let (mut modulus, mut modulus_slope, mut recovered, mut eta) = (0.0, 0.0, [0.0; 3], shifted);
             if let Some(kinematic) = &self.kinematic {
                 eta = tried;

@@ -33,12 +33,17 @@ pub enum Iteration {
 /// What is the same for every layer point in an iteration.
 #[derive(Clone, Copy, Debug)]
 pub struct FlowLaw<'a> {
+    /// σ_y(ε̄), slow and cold.
     pub hardening: &'a Hardening,
     /// `None` for a rate-free metal, which does not feel the step's duration.
     pub rate: Option<&'a Rate>,
+    /// `None` for a metal that does not feel its temperature.
     pub softening: Option<&'a ThermalLaw>,
+    /// Hill's yield condition.
     pub anisotropy: Hill48,
+    /// `None` for a metal without voids.
     pub voids: Option<&'a Gtn>,
+    /// The matrix to iterate with.
     pub matrix: Iteration,
     /// Δε₀ > 0 of the step \[–\].
     pub cutoff: f64,
@@ -51,8 +56,8 @@ impl PointLaw for FlowLaw<'_> {
     type Iterate = Iterate;
 
     #[inline]
-    fn respond(&self, before: &PointState, iterate: &mut Iterate, e: Triple) -> StressUpdate {
-        iterate.advance(self, before, e)
+    fn respond(&self, point: &PointState, iterate: &mut Iterate, e: Triple) -> StressUpdate {
+        iterate.advance(self, point, e)
     }
 }
 
@@ -158,7 +163,7 @@ impl Iterate {
 
     /// Evaluates the law at the strain increment `e` and moves on to it.
     ///
-    /// With a rate law and a softening law σ_y = σ_s(ε̄) g(Δε̄_reg/Δt) h(T). The matrices are
+    /// With a rate law and a thermal law σ_y = σ_s(ε̄) g(Δε̄_reg/Δt) h(T). The matrices are
     ///
     /// ```text
     /// secant       C = f A                                                   f = σ_y/Δε̄_reg
@@ -170,21 +175,21 @@ impl Iterate {
     /// # References
     /// The carried stress: Chan, Golub, Mulet, SIAM J. Sci. Comput. 20 (1999) 1964–1977, for a potential with the same kink.
     #[inline]
-    pub fn advance(&mut self, law: &FlowLaw, before: &PointState, e: Triple) -> StressUpdate {
+    pub fn advance(&mut self, law: &FlowLaw, point: &PointState, e: Triple) -> StressUpdate {
         match law.voids {
-            None => self.flow(law, &law.anisotropy, before, e),
-            Some(voids) => self.flow_voided(law, voids, before, e),
+            None => self.flow(law, &law.anisotropy, point, e),
+            Some(voids) => self.flow_voided(law, voids, point, e),
         }
     }
 
     /// Apart from the plain law, so that this one stays small where it is called.
     #[inline(never)]
-    fn flow_voided(&mut self, law: &FlowLaw, voids: &Gtn, before: &PointState, e: Triple) -> StressUpdate {
-        self.flow(law, &GtnCondition::new(voids, law.anisotropy, before.porosity), before, e)
+    fn flow_voided(&mut self, law: &FlowLaw, voids: &Gtn, point: &PointState, e: Triple) -> StressUpdate {
+        self.flow(law, &GtnCondition::new(voids, law.anisotropy, point.porosity), point, e)
     }
 
     #[inline(always)]
-    fn flow(&mut self, law: &FlowLaw, condition: &impl YieldCondition, before: &PointState, e: Triple) -> StressUpdate {
+    fn flow(&mut self, law: &FlowLaw, condition: &impl YieldCondition, point: &PointState, e: Triple) -> StressUpdate {
         let metric = condition.metric(e);
         let a = metric.gradient;
         let square = metric.square;
@@ -192,7 +197,7 @@ impl Iterate {
         let inverse_square = 1.0 / (square + law.cutoff * law.cutoff);
         let inverse = inverse_square.sqrt();
         let share = condition.strain_share();
-        let mut yielding = law.hardening.at_temperature(before.strain + share * increment, before.temperature);
+        let mut yielding = law.hardening.at_temperature(point.strain + share * increment, point.temperature);
         if let Some(rate) = law.rate {
             let factor = rate.at(share / (inverse * law.duration));
             yielding.slope *= factor.value;
@@ -201,7 +206,7 @@ impl Iterate {
         }
         yielding.slope *= share;
         if let Some(softening) = law.softening {
-            let factor = softening.at(before.temperature);
+            let factor = softening.at(point.temperature);
             yielding.slope *= factor;
             yielding.stress *= factor;
         }

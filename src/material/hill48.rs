@@ -12,6 +12,11 @@
 //! R. Hill, A theory of the yielding and plastic flow of anisotropic metals, Proc. R. Soc. London A 193 (1948) 281–297.
 
 use super::flow::{Metric, SHEAR_FACTOR, Symmetric, Triple, YieldCondition, dot};
+use crate::law::{LawError, require_or};
+use std::ops::RangeInclusive;
+
+/// Normal anisotropy of sheet metals, with room \[–\].
+const RATIO: RangeInclusive<f64> = 0.1..=10.0;
 
 /// The shear's entry of P.
 const SHEAR_INVERSE: f64 = 3.0 / SHEAR_FACTOR;
@@ -41,6 +46,17 @@ impl Hill48 {
         let q = r / (1.0 + r);
         let direct = (1.0 + r) * (1.0 + r) / (1.0 + 2.0 * r);
         Self { r, q, direct, coupled: q * direct, shear: SHEAR_FACTOR / 3.0 }
+    }
+
+    /// For r̄ of sheet metals, with room: 0.1 to 10.
+    ///
+    /// # Errors
+    /// When it lies beyond.
+    pub fn checked(r: f64) -> Result<Self, LawError> {
+        require_or("", RATIO.contains(&r), "0.6 to 0.8 for aluminium, 1 to 2 for steel", || {
+            format!("`anisotropy` must lie between {} and {}, found {r}", RATIO.start(), RATIO.end())
+        })?;
+        Ok(Self::new(r))
     }
 
     /// r̄ \[–\].

@@ -1,4 +1,5 @@
-//! What the sheet is made of: hardening, rate and softening laws, anisotropy, voids, and the flow law.
+//! What the sheet is made of: laws of hardening, rate and temperature, Hill's anisotropy, back-stresses, voids, and the laws
+//! that give the stress at a point.
 
 pub mod chaboche;
 pub mod elastoplastic;
@@ -16,7 +17,7 @@ pub use hill48::Hill48;
 pub use rate::Rate;
 pub use thermal::ThermalLaw;
 
-/// What a layer point answers to a strain increment: the flow law or its twin.
+/// What a layer point answers to a strain increment: the flow law or the elastoplastic one.
 pub trait PointLaw {
     /// The point as the step finds it.
     type PointState;
@@ -24,10 +25,10 @@ pub trait PointLaw {
     type Iterate;
 
     /// Stress, matrix and hardening increment at the strain increment `e`; moves the iterate on.
-    fn respond(&self, before: &Self::PointState, iterate: &mut Self::Iterate, e: flow::Triple) -> flow::StressUpdate;
+    fn respond(&self, point: &Self::PointState, iterate: &mut Self::Iterate, e: flow::Triple) -> flow::StressUpdate;
 }
 
-/// Isotropic elastic constants: of the twin, of unloading, and of laws that start at the elastic line; the flow law has no
+/// Isotropic elastic constants: of the elastoplastic law, of unloading, and of laws that start at the elastic line; the flow law has no
 /// elasticity.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Elastic {
@@ -56,12 +57,15 @@ impl Elastic {
 /// The sheet's material.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Material {
+    /// σ_y(ε̄) of tension, slow and cold.
     pub hardening: Hardening,
+    /// Elastic constants; `None` where the case gives none.
     pub elastic: Option<Elastic>,
     /// `None` for a rate-free metal.
     pub rate: Option<Rate>,
     /// `None` for a metal whose strength does not feel its temperature, or says so in its hardening law.
     pub softening: Option<ThermalLaw>,
+    /// Hill's normal anisotropy.
     pub anisotropy: Hill48,
     /// Back-stresses; the flow law has none.
     pub kinematic: BackStresses,

@@ -1,6 +1,8 @@
 //! Quantities in the JSON schema of a case file.
 
 use super::quantity::Quantity;
+use super::serde::As;
+use schemars::JsonSchema;
 
 /// The schema of a quantity: a number with its bounds, or text with examples.
 pub(super) fn of<Q: Quantity>() -> schemars::Schema {
@@ -17,4 +19,18 @@ pub(super) fn of<Q: Quantity>() -> schemars::Schema {
         }
     }
     schema
+}
+
+impl<Q: JsonSchema> JsonSchema for As<Q> {
+    fn inline_schema() -> bool {
+        Q::inline_schema()
+    }
+
+    fn schema_name() -> std::borrow::Cow<'static, str> {
+        Q::schema_name()
+    }
+
+    fn json_schema(generator: &mut schemars::SchemaGenerator) -> schemars::Schema {
+        Q::json_schema(generator)
+    }
 }

@@ -4,6 +4,7 @@ use super::error::QuantityError;
 use super::kind::Kind;
 use super::quantity::{Quantity, read};
 use serde::Deserialize;
+use serde::Serializer;
 use serde::de::{self, Deserializer, Visitor};
 use std::fmt;
 use std::marker::PhantomData;
@@ -72,4 +73,73 @@ pub fn value<'de, Q: Quantity + Deserialize<'de>, D: Deserializer<'de>>(from: D)
 /// As the quantity's own.
 pub fn optional<'de, Q: Quantity + Deserialize<'de>, D: Deserializer<'de>>(from: D) -> Result<Option<f64>, D::Error> {
     value::<Q, D>(from).map(Some)
+}
+
+/// Reads and writes a plain number in the solver's unit as a quantity is written, for fields of solver types:
+/// `#[serde(with = "As::<Positive<Stress>>")] k: f64`; an `Option<f64>` as an `Option` of a quantity.
+pub struct As<Q>(PhantomData<Q>);
+
+/// A quantity that may be left out, or not.
+pub trait Plain {
+    type Number;
+
+    /// The number in the solver's unit.
+    fn plain(self) -> Self::Number;
+
+    /// Writes the number with its unit.
+    ///
+    /// # Errors
+    /// As the serializer's.
+    fn write<S: Serializer>(number: &Self::Number, to: S) -> Result<S::Ok, S::Error>;
+}
+
+impl<Q: Quantity> Plain for Q {
+    type Number = f64;
+
+    fn plain(self) -> f64 {
+        self.value()
+    }
+
+    fn write<S: Serializer>(number: &f64, to: S) -> Result<S::Ok, S::Error> {
+        match Q::KIND.unit {
+            "" => to.serialize_f64(*number),
+            unit => to.collect_str(&format_args!("{number} {unit}")),
+        }
+    }
+}
+
+impl<Q: Quantity> Plain for Option<Q> {
+    type Number = Option<f64>;
+
+    fn plain(self) -> Option<f64> {
+        self.map(Q::value)
+    }
+
+    fn write<S: Serializer>(number: &Option<f64>, to: S) -> Result<S::Ok, S::Error> {
+        match number {
+            Some(number) => Q::write(number, to),
+            None => to.serialize_none(),
+        }
+    }
+}
+
+impl<Q: Plain> As<Q> {
+    /// Reads the number.
+    ///
+    /// # Errors
+    /// When it is not such a quantity.
+    pub fn deserialize<'de, D: Deserializer<'de>>(from: D) -> Result<Q::Number, D::Error>
+    where
+        Q: Deserialize<'de>,
+    {
+        Q::deserialize(from).map(Q::plain)
+    }
+
+    /// Writes the number.
+    ///
+    /// # Errors
+    /// As the serializer's.
+    pub fn serialize<S: Serializer>(number: &Q::Number, to: S) -> Result<S::Ok, S::Error> {
+        Q::write(number, to)
+    }
 }

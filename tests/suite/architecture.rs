@@ -18,6 +18,7 @@ const FLOORS: &[&[&str]] = &[
     &["model"],
     &["element", "contact", "forming_limit"],
     &["material", "geometry"],
+    &["law"],
     &["units", "numerics"],
 ];
 

@@ -15,6 +15,7 @@ mod drawings;
 mod film;
 mod materials;
 mod measures;
+mod model_check;
 mod mutations;
 mod outputs;
 mod package;

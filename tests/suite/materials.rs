@@ -94,6 +94,47 @@ fn limits_are_one_and_say_what_is_wrong() {
     }
 }
 
+/// Trust: over the whole list: a law written with the examples of its own schema is accepted and named by the summary's
+/// formula, and each parameter that is none is refused at its key.
+#[test]
+fn every_law_is_read_as_its_schema_says_and_refuses_what_is_no_parameter() {
+    let schema: serde_json::Value = serde_json::from_str(&case::schema()).expect("JSON");
+    let definition = |reference: &serde_json::Value| {
+        schema["$defs"][reference.as_str().expect("a reference").rsplit('/').next().expect("a name")].clone()
+    };
+    let mut tried = Vec::new();
+    for (family, key) in [("Hardening", "hardening"), ("Rate", "rate"), ("ThermalLaw", "softening")] {
+        for (name, law) in schema["$defs"][family]["properties"].as_object().expect("laws") {
+            let law = definition(&law["$ref"]);
+            let parameters = law["properties"].as_object().expect("parameters");
+            // Lists have no example.
+            let Some(given) =
+                parameters.iter().map(|(key, p)| Some((key, p["examples"].get(0)?))).collect::<Option<Vec<_>>>()
+            else {
+                continue;
+            };
+            let text = |wrong: Option<&str>| {
+                let value = |key: &str, value: &serde_json::Value| match (wrong == Some(key), value.is_string()) {
+                    (false, _) => value.to_string(),
+                    (true, true) => "\"1 kg\"".to_owned(),
+                    (true, false) => "-1".to_owned(),
+                };
+                let listed: Vec<_> = given.iter().map(|(key, v)| format!("{key} = {}", value(key, v))).collect();
+                let hardening = "hardening.ludwik = { initial = \"150 MPa\", k = \"400 MPa\", n = 0.5 }";
+                let hardening = if family == "Hardening" { "" } else { hardening };
+                format!("{key}.{name} = {{ {} }}\n{hardening}", listed.join(", "))
+            };
+            parsed(&text(None), "").unwrap_or_else(|e| panic!("{name}: {e}"));
+            for (parameter, _) in &given {
+                let error = parsed(&text(Some(parameter)), "").expect_err(parameter);
+                assert!(error.contains(&format!("material.{key}.{name}.{parameter}")), "{name}: {error}");
+            }
+            tried.push(name.clone());
+        }
+    }
+    assert!(tried.len() >= 11 && tried.contains(&"swift".to_owned()), "{tried:?}");
+}
+
 /// Trust: thickness in inches is the same sheet; 0.21 for n and 1 mm give 37.43 %.
 #[test]
 fn every_kind_of_limit_makes_a_curve() {

@@ -62,7 +62,7 @@ fn rate_free_sheet_does_not_feel_the_speed() {
 fn force_follows_the_speed_to_the_power_of_the_rate() {
     let m = 0.05;
     let mut slow = simple::pulled(Geometry::PlaneStrain, Theory::Membrane, 8.0);
-    slow.material.rate = Some(Rate::Power(PowerRate { exponent: m, reference: 1e-3 }));
+    slow.material.rate = Some(Rate::PowerRate(PowerRate { exponent: m, reference: 1e-3 }));
     slow.frames = vec![3.0, 8.0];
     let mut fast = slow.clone();
     // 1 mm/s up to 3 mm, then 20 mm/s.

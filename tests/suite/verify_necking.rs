@@ -39,7 +39,7 @@ fn bar(m: f64) -> Model {
     model.blank.length = 400.0;
     model.blank.elements = 40;
     let hardening = Hardening::Swift(Swift::new(500.0, N, OFFSET).expect("valid"));
-    let rate = (m > 0.0).then_some(Rate::Power(PowerRate { exponent: m, reference: 1e-3 }));
+    let rate = (m > 0.0).then_some(Rate::PowerRate(PowerRate { exponent: m, reference: 1e-3 }));
     model.material = Material { rate, ..Material::plain(hardening) };
     model.stop.localised = false;
     model.settings.max_step = 2.5e-4;

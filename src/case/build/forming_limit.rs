@@ -1,18 +1,15 @@
 //! `[forming_limit]`: exactly one curve, computed once.
 
-use crate::case::file::{self, StrainMeasure};
+use super::{blame, not_one};
+use crate::case::file;
 use crate::case::{CaseError, source::Source};
-use crate::forming_limit::{Curve, Hill, KeelerBrazier, Kind, MarciniakKuczynski, Points, Sheet, Strain, Swift};
+use crate::forming_limit::{Curve, Hill, KeelerBrazier, Kind, Points, Sheet, Strain, Swift};
 use crate::material::Material;
 use crate::material::flow::ROOM_TEMPERATURE;
 use crate::model::Heat;
 use crate::units::{Number, Quantity, ZERO_CELSIUS, rounded};
-use std::ops::RangeInclusive;
 
 const PATH: &str = "forming_limit";
-
-/// Grooves that make sense \[–\]: nearer to 1 a step cannot tell them from none.
-const IMPERFECTION: RangeInclusive<f64> = 0.9..=0.9999;
 
 pub(super) fn convert(
     file: &file::FormingLimit,
@@ -24,16 +21,22 @@ pub(super) fn convert(
 ) -> Result<Curve, CaseError> {
     let n = file.n.map(Quantity::value);
     let points = file.points.as_ref().map(|points| self::points(points, file.strain, source)).transpose()?;
-    let groove = file.marciniak_kuczynski.map(|groove| self::groove(groove, source)).transpose()?;
+    if let Some(groove) = &file.marciniak_kuczynski {
+        groove.check().map_err(|error| blame(error, "forming_limit.marciniak_kuczynski", source))?;
+    }
     let kinds = [
         points.map(|kind| ("points", Kind::Points(kind))),
-        file.keeler_brazier.map(|_| ("keeler_brazier", Kind::KeelerBrazier(KeelerBrazier { n }))),
+        file.keeler_brazier.map(|kind| ("keeler_brazier", Kind::KeelerBrazier(KeelerBrazier { n, ..kind }))),
         file.hill.filter(|on| *on).map(|_| ("hill", Kind::Hill(Hill { n }))),
         file.swift.filter(|on| *on).map(|_| ("swift", Kind::Swift(Swift { n }))),
-        groove.map(|kind| ("marciniak_kuczynski", Kind::MarciniakKuczynski(kind))),
+        file.marciniak_kuczynski.map(|kind| ("marciniak_kuczynski", Kind::MarciniakKuczynski(kind))),
     ];
     let names = "points, keeler_brazier, hill, swift, marciniak_kuczynski";
-    let (name, kind) = super::only_one(kinds, PATH, names, source)?;
+    let mut given = kinds.into_iter().flatten();
+    let (name, kind) = match (given.next(), given.next()) {
+        (Some(only), None) => only,
+        (first, _) => return Err(not_one(first.iter().count(), PATH, names, source)),
+    };
     if n.is_some() && matches!(kind, Kind::Points(_) | Kind::MarciniakKuczynski(_)) {
         let what = format!("`n` has no part in `{name}`");
         return Err(source.error("forming_limit.n", what, "drop it"));
@@ -46,8 +49,7 @@ pub(super) fn convert(
         return Err(source.error("forming_limit.strain", what, "drop it"));
     }
     let temperature = heat.map_or(ROOM_TEMPERATURE, |heat| heat.initial.smallest());
-    let counted = file.keeler_brazier.and_then(|k| k.thickness).map_or(thickness, Quantity::value);
-    let sheet = Sheet { material, thickness: counted, temperature };
+    let sheet = Sheet { material, thickness, temperature };
     let curve = kind.curve(&sheet).map_err(|e| source.error(&format!("{PATH}.{name}"), e.message, e.help))?;
     derived.extend(curve.notes.iter().cloned());
     if heat.is_some() && !matches!(kind, Kind::Points(_)) {
@@ -57,30 +59,11 @@ pub(super) fn convert(
     Ok(curve)
 }
 
-fn points(points: &[(Number, Number)], strain: Option<StrainMeasure>, source: &Source) -> Result<Points, CaseError> {
+fn points(points: &[(Number, Number)], strain: Option<Strain>, source: &Source) -> Result<Points, CaseError> {
     let Some(strain) = strain else {
         let what = "`points` do not say which strains they are";
         let help = "add strain = \"logarithmic\" (true strain) or strain = \"engineering\"";
         return Err(source.error("forming_limit.points", what, help));
     };
-    let strain = match strain {
-        StrainMeasure::Logarithmic => Strain::True,
-        StrainMeasure::Engineering => Strain::Engineering,
-    };
     Ok(Points { points: points.iter().map(|(minor, major)| [minor.value(), major.value()]).collect(), strain })
-}
-
-fn groove(file: file::MarciniakKuczynski, source: &Source) -> Result<MarciniakKuczynski, CaseError> {
-    let imperfection = file.imperfection.map_or(MarciniakKuczynski::IMPERFECTION, Quantity::value);
-    if !IMPERFECTION.contains(&imperfection) {
-        let what = format!(
-            "`imperfection` must lie between {} and {}, found {imperfection}",
-            IMPERFECTION.start(),
-            IMPERFECTION.end()
-        );
-        let help = "it is the groove's thickness over the sheet's: 0.98 to 0.999 is usual";
-        return Err(source.error("forming_limit.marciniak_kuczynski.imperfection", what, help));
-    }
-    let strain_rate = file.strain_rate.map_or(MarciniakKuczynski::STRAIN_RATE, Quantity::value);
-    Ok(MarciniakKuczynski { imperfection, strain_rate })
 }

@@ -1,14 +1,14 @@
 //! `friction` of a tool, or of its side of the sheet.
 
-use crate::case::file::{self, Friction as Given};
+use super::prepared;
+use crate::case::file;
 use crate::case::{CaseError, explain::missing, source::Source};
-use crate::contact::friction::{PressureDependent, Stribeck, Tresca};
+use crate::law::Family;
 use crate::model::{Friction, Role};
-use crate::units::Quantity;
 
 /// The laws that are written, by tool and by side of the sheet.
 pub(super) struct Frictions {
-    tools: [Option<Given>; 3],
+    tools: [Option<file::Friction>; 3],
     sides: file::Sides,
 }
 
@@ -22,7 +22,7 @@ impl Frictions {
     }
 
     /// The law that a tool has of its own.
-    pub fn own(&mut self, role: Role) -> &mut Option<Given> {
+    pub fn own(&mut self, role: Role) -> &mut Option<file::Friction> {
         &mut self.tools[role as usize]
     }
 }
@@ -55,42 +55,14 @@ pub(super) fn of(
     Err(missing(source, &table, "friction"))
 }
 
-fn convert(given: Given, source: &Source, path: &str) -> Result<Friction, CaseError> {
-    let laws = match given {
-        Given::Coulomb(coefficient) => return Ok(coefficient.value().into()),
-        Given::Law(laws) => laws,
+fn convert(given: file::Friction, source: &Source, path: &str) -> Result<Friction, CaseError> {
+    let (what, help) = match given.only() {
+        Ok(law) => return prepared(law, None, path, source),
+        Err(given) if given.is_empty() => {
+            let names = Friction::NAMES.join(", ");
+            ("names no law", format!("write a coefficient, such as friction = 0.1, or one of {names}"))
+        }
+        Err(_) => ("names more than one law", "keep one of them".into()),
     };
-    let found = [
-        laws.pressure_dependent.map(|l| {
-            Friction::PressureDependent(PressureDependent {
-                coefficient: l.coefficient.value(),
-                reference: l.reference.value(),
-                exponent: l.exponent.value(),
-            })
-        }),
-        laws.stribeck.map(|l| {
-            Friction::Stribeck(Stribeck {
-                at_rest: l.at_rest.value(),
-                sliding: l.sliding.value(),
-                speed: l.speed.value(),
-                viscous: l.viscous.map_or(0.0, Quantity::value),
-            })
-        }),
-        laws.tresca.map(|l| {
-            Friction::Tresca(Tresca {
-                factor: l.factor.value(),
-                coefficient: l.coefficient.map_or(Tresca::BOUND, Quantity::value),
-            })
-        }),
-    ];
-    let mut found = found.into_iter().flatten();
-    match (found.next(), found.next()) {
-        (Some(law), None) => Ok(law),
-        (None, _) => Err(source.error(
-            path,
-            "`friction` names no law",
-            "write a coefficient, such as friction = 0.1, or one of pressure_dependent, stribeck, tresca",
-        )),
-        (Some(_), Some(_)) => Err(source.error(path, "`friction` names more than one law", "keep one of them")),
-    }
+    Err(source.error(path, format!("`friction` {what}"), help))
 }

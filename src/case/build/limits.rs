@@ -19,8 +19,6 @@ const CHORDS: f64 = 20_000.0;
 
 /// Lists and texts of what was written.
 pub(super) fn of_file(file: &CaseFile, source: &Source) -> Result<(), CaseError> {
-    let hardening = &file.material.hardening;
-    let table = hardening.table.as_ref();
     let tools = &file.tools;
     let steps = |section: Option<&Section>| match section {
         Some(Section::Steps(steps)) => Some(steps.len()),
@@ -33,14 +31,6 @@ pub(super) fn of_file(file: &CaseFile, source: &Source) -> Result<(), CaseError>
         ("compare", Some(file.compare.len()), 50),
         ("forming_limit.points", file.forming_limit.as_ref().and_then(|f| f.points.as_ref()).map(Vec::len), 1000),
         ("output.frames", file.output.frames.as_ref().map(Vec::len), 1000),
-        ("material.hardening.table.points", table.and_then(|t| t.points.as_ref()).map(Vec::len), 1000),
-        ("material.hardening.table.strain", table.and_then(|t| t.strain.as_ref()).map(Vec::len), 1000),
-        ("material.hardening.table.stress", table.and_then(|t| t.stress.as_ref()).map(Vec::len), 1000),
-        (
-            "material.hardening.piecewise_power.branches",
-            hardening.piecewise_power.as_ref().map(|law| law.branches.len()),
-            100,
-        ),
         ("tools.punch.profile", steps(tools.punch.as_ref().and_then(|t| t.profile.as_ref())), 2000),
         ("tools.die.profile", steps(tools.die.as_ref().and_then(|t| t.profile.as_ref())), 2000),
         ("tools.holder.profile", steps(tools.holder.as_ref().and_then(|t| t.profile.as_ref())), 2000),

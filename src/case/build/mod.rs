@@ -20,10 +20,8 @@ mod press;
 mod profile;
 mod section;
 mod settings;
-mod softening;
 mod stages;
 mod tools;
-mod voids;
 
 pub(super) use compare::compare;
 pub(super) use material::convert as material;
@@ -36,6 +34,7 @@ use super::explain::missing;
 use super::file::CaseFile;
 use super::files::Folder;
 use super::{CaseError, source::Source};
+use crate::law::{Family, LawError, Named};
 use crate::material::Material;
 use crate::model::{Blank, Geometry, Mode, Model, Stage, Theory};
 use crate::units::{Length, Positive, Quantity, rounded};
@@ -142,22 +141,34 @@ fn by_geometry(
     }
 }
 
-/// The one law of a table that must name exactly one.
-fn only_one<L>(
-    laws: impl IntoIterator<Item = Option<L>>,
-    path: &str,
-    names: &str,
-    source: &Source,
-) -> Result<L, CaseError> {
-    let mut laws = laws.into_iter().flatten();
-    match (laws.next(), laws.next()) {
-        (Some(law), None) => Ok(law),
-        (None, _) => {
-            let help = format!("give one of {names}, or drop [{path}]");
-            Err(source.error(path, format!("[{path}] names no law"), help))
-        }
-        (Some(_), Some(_)) => Err(source.error(path, format!("[{path}] names more than one law"), "keep one of them")),
+/// The one law of a table that must name exactly one, ready for use.
+fn only<F: Family>(named: Named<F>, path: &str, source: &Source) -> Result<F, CaseError> {
+    match named.only() {
+        Ok(law) => prepared(law, None, path, source),
+        Err(given) => Err(not_one(given.len(), path, &F::NAMES.join(", "), source)),
     }
+}
+
+/// A law made ready for use.
+fn prepared<F: Family>(law: F, young: Option<f64>, path: &str, source: &Source) -> Result<F, CaseError> {
+    let name = law.name();
+    law.prepared(young).map_err(|error| {
+        let message = format!("{name}: {}", error.message);
+        blame(LawError { message, ..error }, &format!("{path}.{name}"), source)
+    })
+}
+
+/// What is wrong with a law, shown at its key.
+fn blame(error: LawError, path: &str, source: &Source) -> CaseError {
+    source.error(format!("{path}.{}", error.key).trim_end_matches('.'), error.message, error.help)
+}
+
+/// Not one law where there must be exactly one.
+fn not_one(found: usize, path: &str, names: &str, source: &Source) -> CaseError {
+    if found > 0 {
+        return source.error(path, format!("[{path}] names more than one law"), "keep one of them");
+    }
+    source.error(path, format!("[{path}] names no law"), format!("give one of {names}, or drop [{path}]"))
 }
 
 /// A whole number within limits.

@@ -1,8 +1,9 @@
-//! `[material]` and one table per hardening law.
+//! `[material]`.
 
-use super::{Rate, Softening, Voids};
+use crate::law::Named;
+use crate::material::{BackStress, Gtn, Hardening, Rate, ThermalLaw};
 use crate::model::Mode;
-use crate::units::{Fraction, NonNegative, Number, Positive, Stress, Temperature};
+use crate::units::{Fraction, Number, Positive, Stress};
 use schemars::JsonSchema;
 use serde::Deserialize;
 
@@ -34,9 +35,9 @@ pub struct Material {
     #[schemars(example = &"elasto_viscoplastic")]
     pub mode: Option<Mode>,
     /// Strain-rate dependence; none when not given. The punch's `speed` then matters.
-    pub rate: Option<Rate>,
+    pub rate: Option<Named<Rate>>,
     /// Dependence on the temperature; none when not given. `[heat]` says what the temperature is.
-    pub softening: Option<Softening>,
+    pub softening: Option<Named<ThermalLaw>>,
     /// Back-stresses of an elasto-viscoplastic sheet, at most two; none when not given. The hardening law is then what is
     /// left of the yield stress without them.
     ///
@@ -46,175 +47,7 @@ pub struct Material {
     #[schemars(length(max = 2))]
     pub kinematic: Vec<BackStress>,
     /// Microscopic voids; none when not given.
-    pub voids: Option<Voids>,
+    pub voids: Option<Gtn>,
     /// Exactly one law, such as `[material.hardening.swift]`.
-    #[serde(default)]
-    pub hardening: Hardening,
-}
-
-/// A back-stress.
-#[derive(Clone, Debug, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct BackStress {
-    /// C: its first slope over the plastic strain.
-    #[schemars(example = "2500 MPa")]
-    pub modulus: Positive<Stress>,
-    /// γ: it comes to C/γ; 0 when not given, which is linear.
-    #[schemars(example = 30)]
-    pub recall: Option<NonNegative<Number>>,
-}
-
-/// Yield stress σ over equivalent plastic strain ε of uniaxial tension: exactly one law.
-#[derive(Clone, Debug, Default, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct Hardening {
-    pub swift: Option<Swift>,
-    pub hollomon: Option<Hollomon>,
-    pub ludwik: Option<Ludwik>,
-    pub voce: Option<Voce>,
-    pub table: Option<Table>,
-    pub piecewise_power: Option<PiecewisePower>,
-    pub isotherms: Option<Isotherms>,
-}
-
-/// σ = k (offset + ε)^n.
-///
-/// Valid up to large strains for most steels; it hardens without end.
-/// Source: H. W. Swift, J. Mech. Phys. Solids 1 (1952) 1–18.
-#[derive(Clone, Debug, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct Swift {
-    #[schemars(example = "520 MPa")]
-    pub k: Positive<Stress>,
-    #[schemars(example = 0.22)]
-    pub n: Fraction,
-    /// Offset strain, 1e-6 to 1.
-    #[schemars(example = 0.005)]
-    pub offset: Positive<Number>,
-}
-
-/// σ = k ε^n, started at the elastic line or at a declared offset strain.
-///
-/// Valid beyond a strain of some per cent; at yield it says little.
-/// Source: J. H. Hollomon, Trans. AIME 162 (1945) 268–290.
-#[derive(Clone, Debug, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct Hollomon {
-    #[schemars(example = "547 MPa")]
-    pub k: Positive<Stress>,
-    #[schemars(example = 0.18)]
-    pub n: Fraction,
-    /// Offset strain; without it `young` must be given, and the law starts where it meets the elastic line.
-    #[schemars(example = 0.001)]
-    pub offset: Option<Positive<Number>>,
-}
-
-/// σ = initial + k ε^n.
-///
-/// Valid for metals with a marked yield stress; just beyond yield its slope is infinite, a chord over 1e-6 takes its place.
-/// Source: P. Ludwik, Elemente der technologischen Mechanik, Springer, Berlin (1909).
-#[derive(Clone, Debug, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct Ludwik {
-    #[schemars(example = "150 MPa")]
-    pub initial: Positive<Stress>,
-    #[schemars(example = "400 MPa")]
-    pub k: NonNegative<Stress>,
-    #[schemars(example = 0.5)]
-    pub n: Fraction,
-}
-
-/// σ = saturation − (saturation − initial) exp(−rate ε^exponent).
-///
-/// Valid for metals whose hardening comes to an end, such as aluminium.
-/// Source: E. Voce, J. Inst. Metals 74 (1948) 537–562; the exponent: J. E. Hockett, O. D. Sherby (1975).
-#[derive(Clone, Debug, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct Voce {
-    #[schemars(example = "125 MPa")]
-    pub initial: Positive<Stress>,
-    #[schemars(example = "320 MPa")]
-    pub saturation: Positive<Stress>,
-    #[schemars(example = 7.5)]
-    pub rate: NonNegative<Number>,
-    /// Power of the strain; 1 when not given.
-    #[schemars(example = 1.0)]
-    pub exponent: Option<Fraction>,
-}
-
-/// Measured points, interpolated smoothly: `points`, or `strain` and `stress`.
-///
-/// Valid up to the last point; beyond it the case says what is assumed, and the run warns.
-/// Source: monotone cubics of F. N. Fritsch, R. E. Carlson, SIAM J. Numer. Anal. 17 (1980) 238–246.
-#[derive(Clone, Debug, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct Table {
-    /// Pairs of strain and stress, the first at strain 0: `[[0, "150 MPa"], [0.1, "290 MPa"]]`.
-    pub points: Option<Vec<(NonNegative<Number>, Positive<Stress>)>>,
-    /// Strains, when not given as `points`.
-    pub strain: Option<Vec<NonNegative<Number>>>,
-    /// Stresses, when not given as `points`.
-    pub stress: Option<Vec<Positive<Stress>>>,
-    /// What the law does beyond the last point: a choice that has to be made.
-    #[schemars(example = &"slope")]
-    pub extrapolation: Beyond,
-}
-
-/// Beyond the last point of a table.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
-pub enum Beyond {
-    /// Keeps the last stress.
-    Hold,
-    /// Goes on along the last two points.
-    Slope,
-}
-
-/// Measured points at several temperatures, interpolated straight over the temperature.
-///
-/// Valid between the coldest and the hottest curve; beyond them these are held.
-/// Source: each curve as `table`.
-#[derive(Clone, Debug, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct Isotherms {
-    /// At rising temperatures.
-    pub curves: Vec<Isotherm>,
-    /// What the curves do beyond their last point: a choice that has to be made.
-    #[schemars(example = &"slope")]
-    pub extrapolation: Beyond,
-}
-
-/// One curve.
-#[derive(Clone, Debug, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct Isotherm {
-    #[schemars(example = "150 °C")]
-    pub temperature: Positive<Temperature>,
-    /// Pairs of strain and stress, the first at strain 0: `[[0, "90 MPa"], [0.1, "170 MPa"]]`.
-    pub points: Vec<(NonNegative<Number>, Positive<Stress>)>,
-}
-
-/// σ = initial + k ε^n with other constants on each range of strain.
-///
-/// Valid where the branches were fitted; they must meet within 0.5 %.
-/// Source: D. M. Woo, Int. J. Mech. Sci. 10 (1968) 83–94.
-#[derive(Clone, Debug, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct PiecewisePower {
-    pub branches: Vec<Branch>,
-}
-
-/// One branch; it must meet the next one.
-#[derive(Clone, Debug, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct Branch {
-    /// Strain where the branch ends; left out in the last one.
-    #[schemars(example = 0.36)]
-    pub up_to: Option<Positive<Number>>,
-    #[schemars(example = "5.4 tonf_uk/in^2")]
-    pub initial: Positive<Stress>,
-    #[schemars(example = "27.8 tonf_uk/in^2")]
-    pub k: NonNegative<Stress>,
-    #[schemars(example = 0.504)]
-    pub n: Fraction,
+    pub hardening: Option<Named<Hardening>>,
 }

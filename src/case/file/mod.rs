@@ -12,31 +12,22 @@ mod history;
 mod material;
 mod output;
 mod press;
-mod rate;
 mod section;
-mod softening;
 mod stages;
 mod tools;
-mod voids;
 
 pub use compare::{Compare, ComparedQuantity};
-pub use forming_limit::{FormingLimit, KeelerBrazier, MarciniakKuczynski, StrainMeasure};
-pub use friction::{Friction, FrictionLaw, PressureDependent, Sides, Stribeck, Tresca};
+pub use forming_limit::FormingLimit;
+pub use friction::{Friction, Sides};
 pub use gas::{Gas, GasFace};
 pub use heat::{Heat, InitialTemperature, ToolHeat, Zones};
 pub use history::Given;
-pub use material::{
-    BackStress, Beyond, Branch, Hardening, Hollomon, Isotherm, Isotherms, Ludwik, Material, PiecewisePower, Swift,
-    Table, Voce,
-};
+pub use material::Material;
 pub use output::Output;
 pub use press::Press;
-pub use rate::{CowperSymonds, JohnsonCook, PowerRate, Rate};
 pub use section::{ProfileStep, Section, SectionTable, Turn};
-pub use softening::{Arrhenius, Exponential, Melting, Softening};
 pub use stages::{FirstStage, Release, Stage, StageDie, StageHolder, StagePunch};
 pub use tools::{Bead, Crowned, Die, Flat, Hemispherical, Holder, HolderForce, Punch, Spring, Stiffness, Tools};
-pub use voids::{Coalescence, Nucleation, Voids};
 
 use crate::model::{Edge, Geometry, Grading, Settings, StopRules, Theory};
 use crate::units::{Length, Positive};

@@ -1,20 +1,40 @@
 //! Coulomb's friction: the stress is a fixed share of the pressure.
 
-use super::{Drag, Sliding, direction};
+use super::{Drag, FrictionLaw, Sliding, direction};
+use crate::law::prelude::*;
 
-/// τ = μ p φ(s).
+/// τ = μ p φ(s). A case writes it as a plain number, μ.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Coulomb {
     /// μ \[–\].
     pub coefficient: f64,
 }
 
-impl Coulomb {
-    /// The friction stress and its derivatives.
+impl From<f64> for Coulomb {
+    fn from(coefficient: f64) -> Self {
+        Self { coefficient }
+    }
+}
+
+impl Law for Coulomb {
+    fn examples() -> Vec<Self> {
+        vec![Self { coefficient: 0.12 }]
+    }
+
+    fn formula(&self) -> String {
+        self.coefficient.to_string()
+    }
+}
+
+impl FrictionLaw for Coulomb {
     #[inline]
-    pub fn at(&self, at: &Sliding) -> Drag {
+    fn at(&self, at: &Sliding) -> Drag {
         let phi = direction(at.slip, at.scale);
         let full = self.coefficient * at.pressure;
         Drag { value: full * phi.value, by_pressure: self.coefficient * phi.value, by_slip: full * phi.slope }
+    }
+
+    fn largest_coefficient(&self) -> f64 {
+        self.coefficient
     }
 }

@@ -1,4 +1,4 @@
-//! Friction laws: one law, one file.
+//! Friction laws: one law, one file, as [`law`](crate::law) says.
 //!
 //! Every law gives the friction stress τ that opposes sliding, from the contact pressure p, the slip s of the step
 //! relative to the tool and the step's duration. All are regularised alike: a node that should stick creeps instead,
@@ -17,13 +17,8 @@ mod pressure_dependent;
 mod stribeck;
 mod tresca;
 
-pub use coulomb::Coulomb;
-pub use pressure_dependent::PressureDependent;
-pub use stribeck::Stribeck;
-pub use tresca::Tresca;
-
 use crate::contact::penalty::ValueAndSlope;
-use std::fmt;
+use crate::law::{Law, family};
 
 /// What a law looks at.
 #[derive(Clone, Copy, Debug)]
@@ -40,11 +35,14 @@ pub struct Sliding {
     pub shear_yield: f64,
 }
 
-/// Friction stress against the slip \[MPa\], and its derivatives by pressure \[–\] and slip \[MPa/mm\].
+/// Friction stress against the slip, and its derivatives.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Drag {
+    /// τ \[MPa\].
     pub value: f64,
+    /// ∂τ/∂p \[–\].
     pub by_pressure: f64,
+    /// ∂τ/∂s \[MPa/mm\].
     pub by_slip: f64,
 }
 
@@ -55,14 +53,32 @@ pub fn direction(slip: f64, scale: f64) -> ValueAndSlope {
     ValueAndSlope { value: slip / root, slope: scale * scale / (root * root * root) }
 }
 
-/// The law of one tool.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Friction {
-    Coulomb(Coulomb),
-    PressureDependent(PressureDependent),
-    Stribeck(Stribeck),
-    Tresca(Tresca),
+/// What a friction law says beside its parameters.
+trait FrictionLaw: Law {
+    /// The friction stress and its derivatives.
+    fn at(&self, sliding: &Sliding) -> Drag;
+
+    /// Largest coefficient τ/p that the law gives while sliding slowly \[–\].
+    fn largest_coefficient(&self) -> f64;
+
+    /// Whether the law asks for the sheet's shear yield stress.
+    fn needs_shear_yield(&self) -> bool {
+        false
+    }
 }
+
+family! {
+    /// The friction law of one tool: Coulomb's coefficient, 0 to 1, or exactly one other law.
+    pub enum Friction: FrictionLaw;
+    /// The friction stress and its derivatives.
+    fn at(sliding: &Sliding) -> Drag;
+    [coulomb: Coulomb, "a plain number, such as 0.1, or a law, such as { tresca = { factor = 0.2 } }"]
+    pressure_dependent: PressureDependent,
+    stribeck: Stribeck,
+    tresca: Tresca,
+}
+
+impl Copy for Friction {}
 
 impl From<f64> for Friction {
     /// Coulomb's law with this coefficient \[–\].
@@ -72,55 +88,14 @@ impl From<f64> for Friction {
 }
 
 impl Friction {
-    /// The friction stress and its derivatives.
-    #[inline]
-    pub fn at(&self, sliding: &Sliding) -> Drag {
-        match self {
-            Self::Coulomb(law) => law.at(sliding),
-            Self::PressureDependent(law) => law.at(sliding),
-            Self::Stribeck(law) => law.at(sliding),
-            Self::Tresca(law) => law.at(sliding),
-        }
-    }
-
     /// Whether the law asks for the sheet's shear yield stress.
     pub fn needs_shear_yield(&self) -> bool {
-        matches!(self, Self::Tresca(_))
+        self.law().needs_shear_yield()
     }
 
     /// Largest coefficient τ/p that the law gives while sliding slowly \[–\].
     pub fn largest_coefficient(&self) -> f64 {
-        match self {
-            Self::Coulomb(law) => law.coefficient,
-            Self::PressureDependent(law) => law.largest(),
-            Self::Stribeck(law) => law.at_rest.max(law.sliding),
-            Self::Tresca(law) => law.coefficient,
-        }
-    }
-
-    /// One example of every law, named: for tests and lists.
-    pub fn examples() -> Vec<(&'static str, Self)> {
-        vec![
-            ("coulomb", Self::from(0.12)),
-            (
-                "pressure_dependent",
-                Self::PressureDependent(PressureDependent { coefficient: 0.12, reference: 10.0, exponent: 0.85 }),
-            ),
-            ("stribeck", Self::Stribeck(Stribeck { at_rest: 0.15, sliding: 0.05, speed: 2.0, viscous: 0.002 })),
-            ("tresca", Self::Tresca(Tresca { factor: 0.2, coefficient: Tresca::BOUND })),
-        ]
-    }
-}
-
-impl fmt::Display for Friction {
-    /// The law in words and numbers with units; Coulomb's coefficient alone.
-    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
-        match self {
-            Self::Coulomb(law) => write!(f, "{}", law.coefficient),
-            Self::PressureDependent(law) => f.write_str(&law.describe()),
-            Self::Stribeck(law) => f.write_str(&law.describe()),
-            Self::Tresca(law) => f.write_str(&law.describe()),
-        }
+        self.law().largest_coefficient()
     }
 }
 

@@ -1,37 +1,51 @@
-//! Coulomb's friction with a coefficient that falls as the pressure rises.
+//! Coulomb's friction with a coefficient that falls as the pressure rises: lubricated sheet, whose pockets of lubricant
+//! carry more as they are pressed.
+//!
+//! τ = μ(p) p φ(s) with μ(p) = μ₀ (p/p₀)^(e−1). Below a hundredth of p₀ the coefficient levels off, so that it stays finite
+//! where the pressure sets in: p is replaced there by √(p² + (0.01 p₀)²).
 
-use super::{Drag, Sliding, direction};
+use super::{Drag, FrictionLaw, Sliding, direction};
+use crate::law::prelude::*;
 
-/// τ = μ(p) p φ(s) with μ(p) = μ₀ (p/p₀)^(e−1): lubricated sheet, whose pockets of lubricant carry more as they are pressed.
+/// Coefficient that falls with pressure: μ = coefficient (p/reference)^(exponent − 1).
 ///
-/// Below [`Self::LIGHT`] p₀ the coefficient levels off, so that it stays finite where the pressure sets in:
-/// p is replaced there by √(p² + (0.01 p₀)²).
-///
-/// # References
-/// The form in common use for lubricated sheet; not read: I. Gil, J. Mendiguren, L. Galdos, E. Mugarra, E. Saenz de Argandoña, Influence of the pressure dependent coefficient
-/// of friction on deep drawing springback predictions, Tribology International 103 (2016) 266–273.
-#[derive(Clone, Copy, Debug, PartialEq)]
+/// Source: in common use for lubricated sheet; I. Gil, J. Mendiguren, L. Galdos, E. Mugarra, E. Saenz de Argandoña,
+/// Tribology International 103 (2016) 266–273 (not read).
+#[derive(Clone, Copy, Debug, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
 pub struct PressureDependent {
-    /// μ₀ at the reference pressure \[–\].
+    /// At the reference pressure, 0 to 1.
+    #[serde(with = "As::<Fraction>")]
+    #[schemars(example = 0.12)]
     pub coefficient: f64,
-    /// p₀ \[MPa\].
+    /// Reference pressure \[MPa\].
+    #[serde(with = "As::<Positive<Stress>>")]
+    #[schemars(example = "5 MPa")]
     pub reference: f64,
-    /// e, 0 to 1: 1 is Coulomb's law, 0 a friction stress that does not depend on the pressure \[–\].
+    /// 0 to 1; 1 is Coulomb's law, 0 a friction stress that does not depend on the pressure.
+    #[serde(with = "As::<Fraction>")]
+    #[schemars(example = 0.9)]
     pub exponent: f64,
 }
 
 impl PressureDependent {
     /// Share of the reference pressure below which the coefficient levels off \[–\].
     pub const LIGHT: f64 = 0.01;
+}
 
-    /// The coefficient without pressure, its largest \[–\].
-    pub fn largest(&self) -> f64 {
-        self.coefficient * Self::LIGHT.powf(self.exponent - 1.0)
+impl Law for PressureDependent {
+    fn examples() -> Vec<Self> {
+        vec![Self { coefficient: 0.12, reference: 10.0, exponent: 0.85 }]
     }
 
-    /// The friction stress and its derivatives.
+    fn formula(&self) -> String {
+        format!("{} (p/{} MPa)^({} − 1)", self.coefficient, self.reference, self.exponent)
+    }
+}
+
+impl FrictionLaw for PressureDependent {
     #[inline]
-    pub fn at(&self, at: &Sliding) -> Drag {
+    fn at(&self, at: &Sliding) -> Drag {
         let phi = direction(at.slip, at.scale);
         let q = at.pressure / self.reference;
         let square = q * q + Self::LIGHT * Self::LIGHT;
@@ -44,8 +58,8 @@ impl PressureDependent {
         }
     }
 
-    /// The law in words and numbers.
-    pub fn describe(&self) -> String {
-        format!("{} (p/{} MPa)^({} − 1)", self.coefficient, self.reference, self.exponent)
+    /// That without pressure.
+    fn largest_coefficient(&self) -> f64 {
+        self.coefficient * Self::LIGHT.powf(self.exponent - 1.0)
     }
 }

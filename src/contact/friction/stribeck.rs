@@ -1,22 +1,31 @@
-//! Kinematic friction: the coefficient depends on the sliding speed, in Stribeck's form.
+//! Friction whose coefficient depends on the sliding speed v = s/Δt, in Stribeck's form:
+//! τ = p \[(μ_k + (μ_s − μ_k) exp(−(v/v_s)²)) φ(s) + c v\].
 
-use super::{Drag, Sliding, direction};
+use super::{Drag, FrictionLaw, Sliding, direction};
+use crate::law::prelude::*;
 
-/// τ = p \[(μ_k + (μ_s − μ_k) exp(−(v/v_s)²)) φ(s) + c v\] with the sliding speed v = s/Δt.
+/// Coefficient that depends on the sliding speed v: sliding + (at_rest − sliding) exp(−(v/speed)²) + viscous v.
 ///
-/// # References
-/// The Gaussian form in common use (as in MathWorks, Simscape, Translational Friction, but for its smoothing); not read:
-/// B. Armstrong-Hélouvry, P. Dupont, C. Canudas de Wit, A survey of models, analysis tools and compensation methods for
-/// the control of machines with friction, Automatica 30 (1994) 1083–1138.
-#[derive(Clone, Copy, Debug, PartialEq)]
+/// Source: in common use (as in MathWorks, Simscape, Translational Friction, but for its smoothing);
+/// B. Armstrong-Hélouvry, P. Dupont, C. Canudas de Wit, Automatica 30 (1994) 1083–1138 (not read).
+#[derive(Clone, Copy, Debug, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
 pub struct Stribeck {
-    /// μ_s of the slowest sliding \[–\].
+    /// Of the slowest sliding, 0 to 1.
+    #[serde(with = "As::<Fraction>")]
+    #[schemars(example = 0.15)]
     pub at_rest: f64,
-    /// μ_k of fast sliding \[–\].
+    /// Of fast sliding, 0 to 1.
+    #[serde(with = "As::<Fraction>")]
+    #[schemars(example = 0.05)]
     pub sliding: f64,
-    /// Stribeck's speed v_s \[mm/s\].
+    /// Stribeck's speed \[mm/s\].
+    #[serde(with = "As::<Positive<Speed>>")]
+    #[schemars(example = "10 mm/s")]
     pub speed: f64,
-    /// c \[s/mm\].
+    /// Rise of the coefficient with the speed, per mm/s; none when not given.
+    #[serde(default, with = "As::<NonNegative<Number>>")]
+    #[schemars(example = 0.0001)]
     pub viscous: f64,
 }
 
@@ -25,10 +34,23 @@ impl Stribeck {
     pub fn coefficient(&self, v: f64) -> f64 {
         self.sliding + (self.at_rest - self.sliding) * (-(v / self.speed).powi(2)).exp() + self.viscous * v
     }
+}
 
-    /// The friction stress and its derivatives.
+impl Law for Stribeck {
+    fn examples() -> Vec<Self> {
+        vec![Self { at_rest: 0.15, sliding: 0.05, speed: 2.0, viscous: 0.002 }]
+    }
+
+    fn formula(&self) -> String {
+        let Self { at_rest, sliding, speed, viscous } = self;
+        let viscous = if *viscous == 0.0 { String::new() } else { format!(", + {viscous} s/mm times the speed") };
+        format!("{at_rest} at rest, {sliding} sliding well beyond {speed} mm/s{viscous}")
+    }
+}
+
+impl FrictionLaw for Stribeck {
     #[inline]
-    pub fn at(&self, at: &Sliding) -> Drag {
+    fn at(&self, at: &Sliding) -> Drag {
         let phi = direction(at.slip, at.scale);
         let v = at.slip / at.duration;
         let x = v / self.speed;
@@ -43,10 +65,7 @@ impl Stribeck {
         }
     }
 
-    /// The law in words and numbers.
-    pub fn describe(&self) -> String {
-        let viscous =
-            if self.viscous == 0.0 { String::new() } else { format!(", + {} s/mm times the speed", self.viscous) };
-        format!("{} at rest, {} sliding well beyond {} mm/s{viscous}", self.at_rest, self.sliding, self.speed)
+    fn largest_coefficient(&self) -> f64 {
+        self.at_rest.max(self.sliding)
     }
 }

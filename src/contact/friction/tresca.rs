@@ -1,30 +1,50 @@
 //! Friction limited by the sheet's shear strength.
+//!
+//! τ = m k tanh(μ p/(m k)) φ(s): Coulomb's law under light pressure, never more than the share m of the sheet's shear yield
+//! stress k = σ_y/√3, which is that of the start of the step.
 
-use super::{Drag, Sliding, direction};
+use super::{Drag, FrictionLaw, Sliding, direction};
+use crate::law::prelude::*;
 
-/// τ = m k tanh(μ p/(m k)) φ(s): Coulomb's law under light pressure, never more than the share m of the sheet's shear
-/// yield stress k = σ_y/√3.
+/// Friction stress of at most a share of the sheet's shear yield stress k.
 ///
-/// k is that of the start of the step.
-///
-/// # References
-/// The combined law of Coulomb and constant shear friction, as I. Bobrovskij et al., Metals 12 (2022) 239, describes it; not
-/// read: E. Orowan, Proc. Inst. Mech. Engrs. 150 (1943) 140–167, for min(μ p, k). The smooth passage between is ours.
-#[derive(Clone, Copy, Debug, PartialEq)]
+/// Source: the combined law of Coulomb and constant shear friction, as I. Bobrovskij et al., Metals 12 (2022) 239, describes
+/// it; E. Orowan, Proc. Inst. Mech. Engrs. 150 (1943) 140–167 (not read), for min(μ p, k). The smooth passage is ours.
+#[derive(Clone, Copy, Debug, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
 pub struct Tresca {
-    /// m, 0 to 1 \[–\].
+    /// Share m of k, 0 to 1.
+    #[serde(with = "As::<Fraction>")]
+    #[schemars(example = 0.2)]
     pub factor: f64,
-    /// μ under light pressure \[–\].
+    /// Coulomb's coefficient under light pressure; 1/√3, the largest that makes sense, when not given.
+    #[serde(default = "bound", with = "As::<Fraction>")]
+    #[schemars(example = 0.1)]
     pub coefficient: f64,
+}
+
+fn bound() -> f64 {
+    Tresca::BOUND
 }
 
 impl Tresca {
     /// 1/√3: the coefficient at which the friction stress reaches k when the pressure reaches σ_y.
     pub const BOUND: f64 = 0.577_350_269_189_625_8;
+}
 
-    /// The friction stress and its derivatives.
+impl Law for Tresca {
+    fn examples() -> Vec<Self> {
+        vec![Self { factor: 0.2, coefficient: Self::BOUND }]
+    }
+
+    fn formula(&self) -> String {
+        format!("{:.3} under light pressure, at most {} k", self.coefficient, self.factor)
+    }
+}
+
+impl FrictionLaw for Tresca {
     #[inline]
-    pub fn at(&self, at: &Sliding) -> Drag {
+    fn at(&self, at: &Sliding) -> Drag {
         let phi = direction(at.slip, at.scale);
         let limit = self.factor * at.shear_yield;
         if limit <= 0.0 {
@@ -38,8 +58,11 @@ impl Tresca {
         }
     }
 
-    /// The law in words and numbers.
-    pub fn describe(&self) -> String {
-        format!("{:.3} under light pressure, at most {} k", self.coefficient, self.factor)
+    fn largest_coefficient(&self) -> f64 {
+        self.coefficient
+    }
+
+    fn needs_shear_yield(&self) -> bool {
+        true
     }
 }

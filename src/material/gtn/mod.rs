@@ -16,52 +16,91 @@ pub use condition::GtnCondition;
 
 use super::Hill48;
 use super::flow::Triple;
+use crate::law::prelude::*;
 use std::f64::consts::TAU;
 use std::fmt;
 
 /// Strain increment that one stage of the integration of f takes \[–\]: fourth order, so its error is near 1e-10.
 const STRAIN_STEP: f64 = 0.005;
+/// Largest initial porosity \[–\]: beyond it the sheet is a sieve.
+const POROUS: f64 = 0.3;
 /// Share of the porosity of fracture up to which stress is reckoned: there the metal is as good as gone \[–\].
 const LARGEST: f64 = 0.99;
 
-/// Voids that open where particles break: strain-controlled.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Nucleation {
-    /// f_N: porosity that all particles make \[–\].
-    pub fraction: f64,
-    /// ε_N: mean strain at which they break \[–\].
-    pub strain: f64,
-    /// s_N: its standard deviation \[–\].
-    pub deviation: f64,
-}
-
-/// Voids that grow together.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Coalescence {
-    /// f_c: porosity from which on \[–\].
-    pub critical: f64,
-    /// f_F: porosity at which the metal bears nothing any more \[–\].
-    pub fracture: f64,
-}
-
-/// The model's parameters.
-#[derive(Clone, Copy, Debug, PartialEq)]
+/// σ̄²/σ_y² + 2 q1 f* cosh(3 q2 p/2σ_y) = 1 + q3 f*² with the mean stress p: Gurson's yield condition.
+///
+/// Valid for small, spread-out voids under tension; without shear it says little about compression.
+/// Source: in common use; A. L. Gurson (1977), V. Tvergaard, A. Needleman (1984), nucleation C. C. Chu, A. Needleman
+/// (1980) (not read).
+#[derive(Clone, Copy, Debug, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
 pub struct Gtn {
-    /// Tvergaard's factors \[–\].
-    pub q1: f64,
-    pub q2: f64,
-    pub q3: f64,
-    /// f₀ \[–\].
+    /// Initial porosity f₀, below 0.3.
+    #[serde(with = "As::<Fraction>")]
+    #[schemars(example = 0.01)]
     pub initial: f64,
+    /// 1.5 when not given (Tvergaard).
+    #[serde(default = "tvergaard", with = "As::<Positive<Number>>")]
+    #[schemars(example = 1.5)]
+    pub q1: f64,
+    /// 1 when not given.
+    #[serde(default = "one", with = "As::<Positive<Number>>")]
+    #[schemars(example = 1.0)]
+    pub q2: f64,
+    /// q1² when not given, which 0 stands for until [`Gtn::prepare`].
+    #[serde(default, with = "As::<Positive<Number>>")]
+    #[schemars(!default, with = "Option<Positive<Number>>", example = 2.25)]
+    pub q3: f64,
+    /// Voids that open at particles as the sheet strains; none when not given.
     pub nucleation: Option<Nucleation>,
+    /// Voids that join; they keep apart when not given.
     pub coalescence: Option<Coalescence>,
 }
 
-/// Porosity, strain of the metal and the strain of the volume since the start of a step \[–\].
+/// Strain-controlled nucleation, spread normally.
+#[derive(Clone, Copy, Debug, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Nucleation {
+    /// Porosity f_N that all particles make.
+    #[serde(with = "As::<Fraction>")]
+    #[schemars(example = 0.04)]
+    pub fraction: f64,
+    /// Mean strain ε_N.
+    #[serde(with = "As::<Positive<Number>>")]
+    #[schemars(example = 0.3)]
+    pub strain: f64,
+    /// Standard deviation s_N.
+    #[serde(with = "As::<Positive<Number>>")]
+    #[schemars(example = 0.1)]
+    pub deviation: f64,
+}
+
+/// Faster loss of strength from a critical porosity on.
+#[derive(Clone, Copy, Debug, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Coalescence {
+    /// f_c.
+    #[serde(with = "As::<Fraction>")]
+    #[schemars(example = 0.15)]
+    pub critical: f64,
+    /// f_F, at which the sheet bears nothing any more: the run ends there.
+    #[serde(with = "As::<Fraction>")]
+    #[schemars(example = 0.25)]
+    pub fracture: f64,
+}
+
+fn tvergaard() -> f64 {
+    1.5
+}
+
+/// What the voids come to \[–\].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Evolution {
+    /// f.
     pub porosity: f64,
+    /// ε̄ of the metal.
     pub strain: f64,
+    /// ε_kk of the volume since the start of the step.
     pub volume: f64,
 }
 
@@ -81,6 +120,45 @@ impl Gtn {
             nucleation: Some(Nucleation { fraction: 0.04, strain: 0.3, deviation: 0.1 }),
             coalescence: Some(Coalescence { critical: 0.15, fracture: 0.25 }),
         }
+    }
+
+    /// Checks the parameters against each other, once after they were read; q₃ that was not given becomes q₁².
+    ///
+    /// # Errors
+    /// When they do not go together.
+    pub fn prepare(&mut self) -> Result<(), LawError> {
+        let Self { initial, q1, q2, .. } = *self;
+        if self.q3 == 0.0 {
+            self.q3 = q1 * q1;
+        }
+        let q3 = self.q3;
+        for (key, value, least, most) in [("q1", q1, 0.5, 5.0), ("q2", q2, 0.1, 5.0), ("q3", q3, 0.1, 25.0)] {
+            require_or(key, (least..=most).contains(&value), "1.5, 1 and 2.25 are usual", || {
+                format!("`{key}` must lie between {least} and {most}, found {value}")
+            })?;
+        }
+        let square = q1 * q1;
+        require_or("q3", q3 <= square * (1.0 + 1e-9), "leave it out: it is q1² then", || {
+            format!("`q3` must not exceed q1² = {square}, found {q3}")
+        })?;
+        if let Some(Coalescence { critical, fracture }) = self.coalescence {
+            let key = "coalescence.fracture";
+            require_or(key, critical < fracture, "fracture must lie above critical: 0.15 and 0.25 are usual", || {
+                format!("voids join from {critical} on and the sheet is gone at {fracture}")
+            })?;
+            let gone = "there the sheet bears nothing without coalescence either";
+            require_or(key, fracture <= 1.0 / q1, gone, || {
+                format!("`fracture` must not exceed 1/q1 = {:.3}, found {fracture}", 1.0 / q1)
+            })?;
+        }
+        let most = self.coalescence.map_or(POROUS, |c| c.critical.min(POROUS));
+        require_or("initial", initial <= most, "sheet metal has 0 to 0.02", || {
+            format!("an initial porosity of {initial} is more than {most}")
+        })?;
+        let Some(Nucleation { strain, deviation, .. }) = self.nucleation else { return Ok(()) };
+        require_or("nucleation.deviation", deviation <= strain, "strain = 0.3 and deviation = 0.1 are usual", || {
+            format!("a deviation of {deviation} is wider than the mean strain of {strain}")
+        })
     }
 
     /// f_U, the effective porosity at which the metal bears nothing \[–\].

@@ -1,19 +1,33 @@
 //! Hollomon's power law, started at the elastic line.
+//!
+//! σ = K ε^n is zero with an infinite slope at ε = 0. The law is therefore σ_y = K (ε₀ + ε̄)^n, whose offset ε₀ is either
+//! given, or is the strain where the law meets the elastic line, K ε₀^n = E ε₀.
 
-use super::{FlowStress, LawError, Swift, require};
-use crate::units::rounded;
+use super::{FlowStress, HardeningLaw};
+use crate::law::prelude::*;
 
-/// σ_y = K (ε₀ + ε̄)^n.
+/// σ = k ε^n, started at the elastic line or at a declared offset strain.
 ///
-/// Hollomon's σ = K ε^n is zero with an infinite slope at ε = 0. The offset ε₀ is either given, or is the strain
-/// where the law meets the elastic line, K ε₀^n = E ε₀.
-///
-/// # References
-/// J. H. Hollomon, Tensile deformation, Trans. AIME 162 (1945) 268–290.
-#[derive(Clone, Copy, Debug, PartialEq)]
+/// Valid beyond a strain of some per cent; at yield it says little.
+/// Source: J. H. Hollomon, Tensile deformation, Trans. AIME 162 (1945) 268–290.
+#[derive(Clone, Copy, Debug, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
 pub struct Hollomon {
-    law: Swift,
-    from_elastic_line: bool,
+    /// K, the stress at a strain of 1 \[MPa\].
+    #[serde(with = "As::<Positive<Stress>>")]
+    #[schemars(example = "547 MPa")]
+    k: f64,
+    /// Hardening exponent, 0 to 1.
+    #[serde(with = "As::<Fraction>")]
+    #[schemars(example = 0.18)]
+    n: f64,
+    /// Offset strain; without it `young` must be given, and the law starts where it meets the elastic line.
+    #[serde(default, with = "As::<Option<Positive<Number>>>")]
+    #[schemars(example = 0.001)]
+    offset: Option<f64>,
+    /// ε₀, declared or of the elastic line.
+    #[serde(skip)]
+    start: f64,
 }
 
 impl Hollomon {
@@ -22,7 +36,8 @@ impl Hollomon {
     /// # Errors
     /// When a parameter is out of range.
     pub fn with_offset(k: f64, n: f64, offset: f64) -> Result<Self, LawError> {
-        Ok(Self { law: Swift::new(k, n, offset)?, from_elastic_line: false })
+        let mut law = Self { k, n, offset: Some(offset), start: 0.0 };
+        law.prepare(None).map(|()| law)
     }
 
     /// Law whose offset is its intersection with the elastic line of modulus `young` \[MPa\].
@@ -30,27 +45,56 @@ impl Hollomon {
     /// # Errors
     /// When a parameter is out of range, or the intersection lies at a strain above 0.05 (then K or E has a wrong unit).
     pub fn from_elastic_line(k: f64, n: f64, young: f64) -> Result<Self, LawError> {
-        require("", young > 0.0 && (0.0..1.0).contains(&n), || {
-            format!("hollomon: needs young > 0 and 0 <= n < 1, found young = {young} MPa, n = {n}")
-        })?;
-        let offset = (k / young).powf(1.0 / (1.0 - n));
-        require("k", offset < 0.05, || {
-            format!(
-                "hollomon: K = {} MPa meets the elastic line of E = {} MPa at a strain of {offset:.3}; check their units",
-                rounded(k),
-                rounded(young)
-            )
-        })?;
-        Ok(Self { law: Swift::new(k, n, offset)?, from_elastic_line: true })
+        let mut law = Self { k, n, offset: None, start: 0.0 };
+        law.prepare(Some(young)).map(|()| law)
+    }
+}
+
+impl Law for Hollomon {
+    fn examples() -> Vec<Self> {
+        vec![Self::from_elastic_line(547.0, 0.18, 210_000.0).expect("valid")]
     }
 
+    fn prepare(&mut self, young: Option<f64>) -> Result<(), LawError> {
+        let Self { k, n, .. } = *self;
+        self.start = match (self.offset, young) {
+            (Some(offset), _) => offset,
+            (None, Some(young)) => {
+                require("", young > 0.0 && (0.0..1.0).contains(&n), || {
+                    format!("needs young > 0 and 0 <= n < 1, found young = {young} MPa, n = {n}")
+                })?;
+                let start = (k / young).powf(1.0 / (1.0 - n));
+                require("k", start < 0.05, || {
+                    format!(
+                        "K = {} MPa meets the elastic line of E = {} MPa at a strain of {start:.3}; check their units",
+                        rounded(k),
+                        rounded(young)
+                    )
+                })?;
+                start
+            }
+            (None, None) => {
+                let message = "k ε^n has no stress at ε = 0; it needs an `offset`, or `young` to start from".to_owned();
+                let help = "add offset = 0.001 to the law, or young = \"210 GPa\" and poisson = 0.3 to [material]";
+                return Err(LawError { message, key: String::new(), help });
+            }
+        };
+        // From here on it is Swift's.
+        super::Swift::new(k, n, self.start).map(drop)
+    }
+
+    fn formula(&self) -> String {
+        let origin = if self.offset.is_some() { "declared offset" } else { "offset from the elastic line" };
+        let [k, start, n] = [self.k, self.start, self.n].map(rounded);
+        format!("Hollomon, σ = {k} ({start} + ε)^{n} MPa ({origin})")
+    }
+}
+
+impl HardeningLaw for Hollomon {
     #[inline]
-    pub(super) fn at(&self, strain: f64) -> FlowStress {
-        self.law.at(strain)
-    }
-
-    pub(super) fn describe(&self) -> String {
-        let origin = if self.from_elastic_line { "offset from the elastic line" } else { "declared offset" };
-        format!("Hollomon, {} ({origin})", self.law.formula())
+    fn at_temperature(&self, strain: f64, _: f64) -> FlowStress {
+        let total = self.start + strain;
+        let stress = self.k * total.powf(self.n);
+        FlowStress { stress, slope: self.n * stress / total }
     }
 }

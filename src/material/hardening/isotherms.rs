@@ -1,15 +1,38 @@
 //! Hardening curves measured at several temperatures.
+//!
+//! σ_y(ε̄, T): one curve per temperature, in between interpolated straight over the temperature, held beyond the coldest
+//! and the hottest.
 
-use super::{FlowStress, LawError, Table, require};
-use crate::units::{ZERO_CELSIUS, rounded};
+use super::table::few;
+use super::{Extrapolation, FlowStress, HardeningLaw, Monotone, Table};
+use crate::law::prelude::*;
 
-/// σ_y(ε̄, T): one [`Table`] per temperature, in between interpolated straight over the temperature, held beyond the
-/// coldest and the hottest.
-#[derive(Clone, Debug, PartialEq)]
+/// Measured points at several temperatures, interpolated straight over the temperature.
+///
+/// Valid between the coldest and the hottest curve; beyond them these are held.
+/// Source: each curve as `table`.
+#[derive(Clone, Debug, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
 pub struct Isotherms {
-    /// T \[K\], rising.
-    temperature: Vec<f64>,
-    curves: Vec<Table>,
+    /// At rising temperatures.
+    curves: Vec<Isotherm>,
+    /// What the curves do beyond their last point: a choice that has to be made.
+    #[schemars(example = &"slope")]
+    extrapolation: Extrapolation,
+}
+
+/// One curve.
+#[derive(Clone, Debug, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+struct Isotherm {
+    #[serde(with = "As::<Positive<Temperature>>")]
+    #[schemars(example = "150 °C")]
+    temperature: f64,
+    /// Pairs of strain and stress, the first at strain 0: `[[0, "90 MPa"], [0.1, "170 MPa"]]`.
+    points: Vec<(NonNegative<Number>, Positive<Stress>)>,
+    /// Takes the place of the points that were read.
+    #[serde(skip)]
+    curve: Monotone,
 }
 
 impl Isotherms {
@@ -17,54 +40,101 @@ impl Isotherms {
     ///
     /// # Errors
     /// When there are fewer than two, or the temperatures do not rise.
-    pub fn new(temperature: Vec<f64>, curves: Vec<Table>) -> Result<Self, LawError> {
-        require("", curves.len() == temperature.len() && curves.len() >= 2, || {
-            format!("needs curves at two temperatures or more, found {}", curves.len())
+    pub fn new(curves: impl IntoIterator<Item = (f64, Table)>) -> Result<Self, LawError> {
+        let curve = |(temperature, Table { curve, .. })| Isotherm { temperature, points: vec![], curve };
+        let mut law = Self { curves: curves.into_iter().map(curve).collect(), extrapolation: Extrapolation::Slope };
+        law.prepare(None).map(|()| law)
+    }
+
+    fn range(&self) -> [f64; 2] {
+        [self.curves[0].temperature, self.curves[self.curves.len() - 1].temperature]
+    }
+}
+
+impl Law for Isotherms {
+    fn examples() -> Vec<Self> {
+        let curve = |temperature, factor| (temperature, Monotone::example(factor).into());
+        vec![Self::new([curve(293.15, 1.0), curve(503.15, 0.6)]).expect("valid")]
+    }
+
+    fn prepare(&mut self, _: Option<f64>) -> Result<(), LawError> {
+        for (i, isotherm) in self.curves.iter_mut().enumerate() {
+            if isotherm.curve != Monotone::default() {
+                continue;
+            }
+            let points = std::mem::take(&mut isotherm.points);
+            let pairs = points.iter().map(|(strain, stress)| (strain.value(), stress.value()));
+            let curve = few("points", points.len(), 1000).and_then(|()| Monotone::of_pairs(pairs, self.extrapolation));
+            isotherm.curve = curve.map_err(|error| {
+                let key = if error.key.is_empty() { "points" } else { &error.key };
+                let (key, message) = (format!("curves.{i}.{key}"), format!("curve {}: {}", i + 1, error.message));
+                LawError { key, message, ..error }
+            })?;
+        }
+        require("", self.curves.len() >= 2, || {
+            format!("needs curves at two temperatures or more, found {}", self.curves.len())
         })?;
-        for i in 1..temperature.len() {
-            require(&format!("curves.{i}.temperature"), temperature[i] > temperature[i - 1], || {
+        for i in 1..self.curves.len() {
+            let [before, this] = [i - 1, i].map(|i| self.curves[i].temperature);
+            require(&format!("curves.{i}.temperature"), this > before, || {
                 format!("curve {}: its temperature does not rise above that of the one before", i + 1)
             })?;
         }
-        Ok(Self { temperature, curves })
+        Ok(())
     }
 
-    /// The coldest and the hottest temperature \[K\].
-    pub fn range(&self) -> [f64; 2] {
-        [self.temperature[0], self.temperature[self.temperature.len() - 1]]
+    fn formula(&self) -> String {
+        let [cold, hot] = self.range().map(|t| rounded(t - ZERO_CELSIUS));
+        let (n, coldest) = (self.curves.len(), &self.curves[0].curve);
+        format!("{n} hardening curves from {cold} to {hot} °C, the coldest a {coldest}")
     }
+}
 
-    pub(super) fn last_strain(&self) -> f64 {
-        self.curves.iter().map(Table::last_strain).fold(f64::INFINITY, f64::min)
-    }
-
-    /// The coldest curve.
-    #[inline(never)]
-    pub(super) fn at(&self, strain: f64) -> FlowStress {
-        self.curves[0].at(strain)
-    }
-
+impl HardeningLaw for Isotherms {
     #[inline(never)] // the other laws stay small where they are called
-    pub(super) fn at_temperature(&self, strain: f64, temperature: f64) -> FlowStress {
-        let after = self.temperature.partition_point(|&t| t < temperature);
-        if after == 0 || after == self.temperature.len() {
-            return self.curves[after.min(self.curves.len() - 1)].at(strain);
+    fn at_temperature(&self, strain: f64, temperature: f64) -> FlowStress {
+        let after = self.curves.partition_point(|isotherm| isotherm.temperature < temperature);
+        if after == 0 || after == self.curves.len() {
+            return self.curves[after.min(self.curves.len() - 1)].curve.at(strain);
         }
-        let (cold, hot) = (self.curves[after - 1].at(strain), self.curves[after].at(strain));
-        let [t0, t1] = [self.temperature[after - 1], self.temperature[after]];
-        let x = (temperature - t0) / (t1 - t0);
+        let [before, after] = [&self.curves[after - 1], &self.curves[after]];
+        let (cold, hot) = (before.curve.at(strain), after.curve.at(strain));
+        let x = (temperature - before.temperature) / (after.temperature - before.temperature);
         FlowStress {
             stress: cold.stress + x * (hot.stress - cold.stress),
             slope: cold.slope + x * (hot.slope - cold.slope),
         }
     }
 
-    pub(super) fn describe(&self) -> String {
-        let [cold, hot] = self.range().map(|t| rounded(t - ZERO_CELSIUS));
-        format!(
-            "{} hardening curves from {cold} to {hot} °C, the coldest a {}",
-            self.curves.len(),
-            self.curves[0].describe()
-        )
+    fn valid_up_to(&self) -> Option<f64> {
+        Some(self.curves.iter().map(|isotherm| isotherm.curve.last_strain()).fold(f64::INFINITY, f64::min))
+    }
+
+    fn temperatures(&self) -> Option<[f64; 2]> {
+        Some(self.range())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use approx::assert_relative_eq;
+
+    /// Trust: by hand, the mean of the two curves half-way between them, the outer ones beyond.
+    #[test]
+    fn isotherms_are_interpolated_and_held() {
+        let [cold, hot] = [1.0, 0.6].map(|factor| Monotone::example(factor).at(0.07));
+        let curves = |temperatures: [f64; 2]| {
+            temperatures.into_iter().zip([1.0, 0.6]).map(|(t, factor)| (t, Monotone::example(factor).into()))
+        };
+        let law = Isotherms::new(curves([300.0, 400.0])).expect("valid");
+        let middle = law.at_temperature(0.07, 350.0);
+        assert_relative_eq!(middle.stress, 0.5 * (cold.stress + hot.stress), max_relative = 1e-14);
+        assert_relative_eq!(middle.slope, 0.5 * (cold.slope + hot.slope), max_relative = 1e-14);
+        assert_eq!(law.at_temperature(0.07, 200.0), cold);
+        assert_eq!(law.at_temperature(0.07, 300.0), cold);
+        assert_eq!(law.at_temperature(0.07, 500.0), hot);
+        assert_eq!(law.temperatures(), Some([300.0, 400.0]));
+        assert!(Isotherms::new(curves([300.0, 300.0])).is_err());
     }
 }

@@ -1,32 +1,23 @@
 //! Hardening laws: the yield stress σ_y(ε̄) of uniaxial tension over the equivalent plastic strain ε̄ ≥ 0.
 //!
-//! One law, one file. A new law is a file here and a line in [`Hardening`]; the compiler then names every other
-//! place, and the property tests below run over [`Hardening::examples`].
+//! One law, one file, as [`law`](crate::law) says: a new one is a file and two lines here, `mod` and its line in the family.
 
+mod hockett_sherby;
 mod hollomon;
 mod isotherms;
 mod ludwik;
+mod monotone;
 mod piecewise_power;
 mod swift;
 mod table;
 mod voce;
 
-pub use hollomon::Hollomon;
-pub use isotherms::Isotherms;
-pub use ludwik::Ludwik;
-pub use piecewise_power::{Branch, PiecewisePower};
-pub use swift::Swift;
-pub use table::{Extrapolation, Table};
-pub use voce::Voce;
+pub use crate::law::LawError;
+pub use monotone::Extrapolation;
+pub use piecewise_power::Branch;
 
-/// Why a set of parameters is not a hardening law.
-#[derive(Clone, Debug, PartialEq, thiserror::Error)]
-#[error("{message}")]
-pub struct LawError {
-    pub message: String,
-    /// The key that is wrong, as a path inside the law's table, entries by index from 0; empty for the whole law.
-    pub key: String,
-}
+use crate::law::{Law, family};
+use monotone::Monotone;
 
 /// Yield stress and its slope at one strain.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -37,87 +28,57 @@ pub struct FlowStress {
     pub slope: f64,
 }
 
-/// A hardening law, parameters in MPa.
-#[derive(Clone, Debug, PartialEq)]
-pub enum Hardening {
-    PiecewisePower(PiecewisePower),
-    Hollomon(Hollomon),
-    Swift(Swift),
-    Ludwik(Ludwik),
-    Voce(Voce),
-    Table(Table),
-    Isotherms(Isotherms),
+/// What a hardening law says beside its parameters.
+trait HardeningLaw: Law {
+    /// σ_y and dσ_y/dε̄ at the equivalent plastic strain `strain` ≥ 0 and a temperature \[K\]; continuous and finite.
+    fn at_temperature(&self, strain: f64, temperature: f64) -> FlowStress;
+
+    /// Largest strain the law was given for, where it says so.
+    fn valid_up_to(&self) -> Option<f64> {
+        None
+    }
+
+    /// The coldest and the hottest temperature the law was given for, where it depends on it \[K\].
+    fn temperatures(&self) -> Option<[f64; 2]> {
+        None
+    }
+}
+
+family! {
+    /// Yield stress σ over equivalent plastic strain ε of uniaxial tension: exactly one law.
+    pub enum Hardening: HardeningLaw;
+    /// σ_y and dσ_y/dε̄ at the equivalent plastic strain `strain` ≥ 0 \[–\] and a temperature \[K\].
+    fn at_temperature(strain: f64, temperature: f64) -> FlowStress;
+    swift: Swift,
+    hollomon: Hollomon,
+    ludwik: Ludwik,
+    voce: Voce,
+    table: Table,
+    piecewise_power: PiecewisePower,
+    isotherms: Isotherms,
+    hockett_sherby: HockettSherby,
 }
 
 impl Hardening {
-    /// σ_y and dσ_y/dε̄ at the equivalent plastic strain `strain` ≥ 0 \[–\] and a temperature \[K\].
-    #[inline]
-    pub fn at_temperature(&self, strain: f64, temperature: f64) -> FlowStress {
-        if let Self::Isotherms(law) = self { law.at_temperature(strain, temperature) } else { self.at(strain) }
-    }
-
     /// σ_y and dσ_y/dε̄ at the equivalent plastic strain `strain` ≥ 0 \[–\]; of the coldest curve where there are several.
     #[inline]
     pub fn at(&self, strain: f64) -> FlowStress {
-        match self {
-            Self::PiecewisePower(law) => law.at(strain),
-            Self::Hollomon(law) => law.at(strain),
-            Self::Swift(law) => law.at(strain),
-            Self::Ludwik(law) => law.at(strain),
-            Self::Voce(law) => law.at(strain),
-            Self::Table(law) => law.at(strain),
-            Self::Isotherms(law) => law.at(strain),
-        }
+        self.at_temperature(strain, 0.0)
     }
 
     /// The formula with its numbers, in MPa, for summaries and plots.
     pub fn describe(&self) -> String {
-        match self {
-            Self::PiecewisePower(law) => law.describe(),
-            Self::Hollomon(law) => law.describe(),
-            Self::Swift(law) => law.describe(),
-            Self::Ludwik(law) => law.describe(),
-            Self::Voce(law) => law.describe(),
-            Self::Table(law) => law.describe(),
-            Self::Isotherms(law) => law.describe(),
-        }
+        self.to_string()
     }
 
-    /// Largest strain the law was given for, where it says so (tables).
+    /// Largest strain the law was given for, where it says so (tables) \[–\].
     pub fn valid_up_to(&self) -> Option<f64> {
-        match self {
-            Self::Table(law) => Some(law.last_strain()),
-            Self::Isotherms(law) => Some(law.last_strain()),
-            _ => None,
-        }
+        self.law().valid_up_to()
     }
 
     /// The coldest and the hottest temperature the law was given for, where it depends on it \[K\].
     pub fn temperatures(&self) -> Option<[f64; 2]> {
-        match self {
-            Self::Isotherms(law) => Some(law.range()),
-            _ => None,
-        }
-    }
-
-    /// One example of every law, for tests and benchmarks that must hold for the whole list.
-    pub fn examples() -> Vec<(&'static str, Hardening)> {
-        vec![
-            ("piecewise_power", Self::PiecewisePower(PiecewisePower::woo())),
-            ("hollomon", Self::Hollomon(Hollomon::from_elastic_line(547.0, 0.18, 210_000.0).expect("valid"))),
-            ("swift", Self::Swift(Swift::new(589.0, 0.216, 1e-4).expect("valid"))),
-            ("ludwik", Self::Ludwik(Ludwik::new(150.0, 400.0, 0.5).expect("valid"))),
-            ("voce", Self::Voce(Voce::new(180.0, 400.0, 9.0, 1.0).expect("valid"))),
-            ("voce with exponent", Self::Voce(Voce::new(125.0, 320.0, 7.5, 0.97).expect("valid"))),
-            ("table", Self::Table(Table::example(1.0))),
-            (
-                "isotherms",
-                Self::Isotherms(
-                    Isotherms::new(vec![293.15, 503.15], vec![Table::example(1.0), Table::example(0.6)])
-                        .expect("valid"),
-                ),
-            ),
-        ]
+        self.law().temperatures()
     }
 }
 
@@ -139,10 +100,6 @@ fn power(strain: f64, n: f64) -> (f64, f64) {
     }
 }
 
-fn require(key: &str, ok: bool, message: impl FnOnce() -> String) -> Result<(), LawError> {
-    if ok { Ok(()) } else { Err(LawError { message: message(), key: key.to_owned() }) }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -159,29 +116,6 @@ mod tests {
                 assert!(law.at(strain).stress.is_finite(), "{name}");
             }
         }
-    }
-
-    /// Trust: by hand, the mean of the two curves half-way between them, the outer ones beyond.
-    #[test]
-    fn isotherms_are_interpolated_and_held() {
-        let [cold, hot] = [1.0, 0.6].map(|factor| Table::example(factor).at(0.07));
-        let law = Isotherms::new(vec![300.0, 400.0], [1.0, 0.6].map(Table::example).to_vec()).expect("valid");
-        let law = Hardening::Isotherms(law);
-        assert_relative_eq!(
-            law.at_temperature(0.07, 350.0).stress,
-            0.5 * (cold.stress + hot.stress),
-            max_relative = 1e-14
-        );
-        assert_relative_eq!(
-            law.at_temperature(0.07, 350.0).slope,
-            0.5 * (cold.slope + hot.slope),
-            max_relative = 1e-14
-        );
-        assert_eq!(law.at_temperature(0.07, 200.0), cold);
-        assert_eq!(law.at_temperature(0.07, 300.0), cold);
-        assert_eq!(law.at_temperature(0.07, 500.0), hot);
-        assert_eq!(law.temperatures(), Some([300.0, 400.0]));
-        assert!(Isotherms::new(vec![300.0, 300.0], [1.0, 0.6].map(Table::example).to_vec()).is_err());
     }
 
     #[test]

@@ -1,42 +1,80 @@
 //! Offset power law in branches, as Woo (1968) gives it.
+//!
+//! The gap that rounded constants leave where branches meet is closed by shifting the later branch, so that σ_y is
+//! continuous.
+//!
+//! # References
+//! D. M. Woo, On the complete solution of the deep drawing problem, Int. J. Mech. Sci. 10 (1968) 83–94;
+//! Sosnowski (1994) equations 14 and 15, where the second exponent is misprinted.
 
-use super::{FlowStress, LawError, power, require};
-use crate::units::rounded;
+use super::table::few;
+use super::{FlowStress, HardeningLaw, power};
+use crate::law::prelude::*;
 
-/// One branch σ = σ₀ + K ε̄^n, valid up to a strain.
-#[derive(Clone, Copy, Debug, PartialEq)]
+/// σ = initial + k ε^n with other constants on each range of strain.
+///
+/// Valid where the branches were fitted; they must meet within 0.5 %.
+/// Source: D. M. Woo, Int. J. Mech. Sci. 10 (1968) 83–94.
+#[derive(Clone, Debug, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct PiecewisePower {
+    /// In order of strain.
+    branches: Vec<Branch>,
+}
+
+/// One branch; it must meet the next one.
+#[derive(Clone, Copy, Debug, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
 pub struct Branch {
-    /// The branch ends here; infinite for the last one.
+    /// Strain where the branch ends; left out in the last one.
+    #[serde(default = "without_end", with = "As::<Positive<Number>>")]
+    #[schemars(example = 0.36)]
     pub up_to: f64,
-    /// σ₀ \[MPa\].
+    /// Yield stress σ₀ of the branch at ε = 0 \[MPa\].
+    #[serde(with = "As::<Positive<Stress>>")]
+    #[schemars(example = "5.4 tonf_uk/in^2")]
     pub initial: f64,
     /// K \[MPa\].
+    #[serde(with = "As::<NonNegative<Stress>>")]
+    #[schemars(example = "27.8 tonf_uk/in^2")]
     pub k: f64,
+    /// Exponent, above 0 and up to 1.
+    #[serde(with = "As::<Fraction>")]
+    #[schemars(example = 0.504)]
     pub n: f64,
 }
 
-/// σ_y = σ₀ + K ε̄^n with other constants on each range of strain.
-///
-/// Branches must meet within [`PiecewisePower::LARGEST_JUMP`]; the gap that is left by rounded constants is closed by
-/// shifting the later branch, so that σ_y is continuous.
-///
-/// # References
-/// D. M. Woo, On the complete solution of the deep drawing problem, Int. J. Mech. Sci. 10 (1968) 83–94;
-/// Sosnowski (1994) equations 14 and 15, where the second exponent is misprinted.
-#[derive(Clone, Debug, PartialEq)]
-pub struct PiecewisePower {
-    branches: Vec<Branch>,
+/// The end of the last branch.
+fn without_end() -> f64 {
+    f64::INFINITY
 }
 
 impl PiecewisePower {
     /// Largest accepted relative jump of the stress between two branches: rounded constants leave about 0.1 %.
     pub const LARGEST_JUMP: f64 = 0.005;
 
-    /// Joins branches, in order of strain; the last must have no end.
+    /// Joins branches, in order of strain; the last must have no end (infinite).
     ///
     /// # Errors
     /// When a parameter is out of range, the ends do not rise, or two branches do not meet.
-    pub fn new(mut branches: Vec<Branch>) -> Result<Self, LawError> {
+    pub fn new(branches: Vec<Branch>) -> Result<Self, LawError> {
+        let mut law = Self { branches };
+        law.prepare(None).map(|()| law)
+    }
+}
+
+impl Law for PiecewisePower {
+    /// Woo's law (1 ton/in² = 15.4443 MPa).
+    fn examples() -> Vec<Self> {
+        const TON: f64 = 15.444_256;
+        let branch = |up_to, k, n| Branch { up_to, initial: 5.4 * TON, k: k * TON, n };
+        let branches = vec![branch(0.36, 27.8, 0.504), branch(f64::INFINITY, 24.4, 0.375)];
+        vec![Self::new(branches).expect("Woo's branches meet")]
+    }
+
+    fn prepare(&mut self, _: Option<f64>) -> Result<(), LawError> {
+        few("branches", self.branches.len(), 100)?;
+        let branches = &mut self.branches;
         require("branches", !branches.is_empty(), || "needs at least one branch".into())?;
         let last = branches.len() - 1;
         let mut start = 0.0;
@@ -76,33 +114,24 @@ impl PiecewisePower {
             })?;
             branches[i + 1].initial -= after - before;
         }
-        Ok(Self { branches })
+        Ok(())
     }
 
-    /// Woo's law in MPa (1 ton/in² = 15.4443 MPa).
-    pub(super) fn woo() -> Self {
-        const TON: f64 = 15.444_256;
-        let branch = |up_to, k, n| Branch { up_to, initial: 5.4 * TON, k: k * TON, n };
-        Self::new(vec![branch(0.36, 27.8, 0.504), branch(f64::INFINITY, 24.4, 0.375)]).expect("Woo's branches meet")
+    fn formula(&self) -> String {
+        let branches = self.branches.iter().map(|b| {
+            let end = if b.up_to.is_finite() { format!(" (ε < {:.4})", b.up_to) } else { String::new() };
+            format!("{:.2} + {:.2} ε^{:.4}{end}", b.initial, b.k, b.n)
+        });
+        format!("power law in branches, σ = {} MPa", branches.collect::<Vec<_>>().join("; "))
     }
+}
 
+impl HardeningLaw for PiecewisePower {
     #[inline]
-    pub(super) fn at(&self, strain: f64) -> FlowStress {
+    fn at_temperature(&self, strain: f64, _: f64) -> FlowStress {
         let last = self.branches.len() - 1;
         let branch = self.branches[..last].iter().find(|b| strain < b.up_to).unwrap_or(&self.branches[last]);
         let (value, slope) = power(strain, branch.n);
         FlowStress { stress: branch.initial + branch.k * value, slope: branch.k * slope }
-    }
-
-    pub(super) fn describe(&self) -> String {
-        let branches: Vec<String> = self
-            .branches
-            .iter()
-            .map(|b| {
-                let end = if b.up_to.is_finite() { format!(" (ε < {:.4})", b.up_to) } else { String::new() };
-                format!("{:.2} + {:.2} ε^{:.4}{end}", b.initial, b.k, b.n)
-            })
-            .collect();
-        format!("power law in branches, σ = {} MPa", branches.join("; "))
     }
 }

@@ -1,16 +1,26 @@
 //! Swift's power law.
 
-use super::{FlowStress, LawError, require};
-use crate::units::rounded;
+use super::{FlowStress, HardeningLaw};
+use crate::law::prelude::*;
 
-/// σ_y = K (ε₀ + ε̄)^n.
+/// σ = k (offset + ε)^n.
 ///
-/// # References
-/// H. W. Swift, Plastic instability under plane stress, J. Mech. Phys. Solids 1 (1952) 1–18.
-#[derive(Clone, Copy, Debug, PartialEq)]
+/// Valid up to large strains for most steels; it hardens without end.
+/// Source: H. W. Swift, Plastic instability under plane stress, J. Mech. Phys. Solids 1 (1952) 1–18.
+#[derive(Clone, Copy, Debug, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
 pub struct Swift {
+    /// K, the stress at a total strain of 1 \[MPa\].
+    #[serde(with = "As::<Positive<Stress>>")]
+    #[schemars(example = "520 MPa")]
     k: f64,
+    /// Hardening exponent, 0 to 1.
+    #[serde(with = "As::<Fraction>")]
+    #[schemars(example = 0.22)]
     n: f64,
+    /// Offset strain, 1e-6 to 1.
+    #[serde(with = "As::<Positive<Number>>")]
+    #[schemars(example = 0.005)]
     offset: f64,
 }
 
@@ -20,26 +30,35 @@ impl Swift {
     /// # Errors
     /// When a parameter is out of range.
     pub fn new(k: f64, n: f64, offset: f64) -> Result<Self, LawError> {
+        let mut law = Self { k, n, offset };
+        law.prepare(None).map(|()| law)
+    }
+}
+
+impl Law for Swift {
+    fn examples() -> Vec<Self> {
+        vec![Self { k: 589.0, n: 0.216, offset: 1e-4 }]
+    }
+
+    fn prepare(&mut self, _: Option<f64>) -> Result<(), LawError> {
+        let Self { k, n, offset } = *self;
         require("k", k > 0.0 && k.is_finite(), || format!("k must be positive, found {k} MPa"))?;
         require("n", (0.0..=1.0).contains(&n), || format!("n must lie between 0 and 1, found {n}"))?;
         require("offset", (1e-6..=1.0).contains(&offset), || {
             format!("the offset strain must lie between 1e-6 and 1, found {offset:e}; 1e-4 to 1e-2 is usual")
-        })?;
-        Ok(Self { k, n, offset })
+        })
     }
 
+    fn formula(&self) -> String {
+        format!("Swift, σ = {} ({} + ε)^{} MPa", rounded(self.k), rounded(self.offset), rounded(self.n))
+    }
+}
+
+impl HardeningLaw for Swift {
     #[inline]
-    pub(super) fn at(&self, strain: f64) -> FlowStress {
+    fn at_temperature(&self, strain: f64, _: f64) -> FlowStress {
         let total = self.offset + strain;
         let stress = self.k * total.powf(self.n);
         FlowStress { stress, slope: self.n * stress / total }
-    }
-
-    pub(super) fn formula(&self) -> String {
-        format!("σ = {} ({} + ε)^{} MPa", rounded(self.k), rounded(self.offset), rounded(self.n))
-    }
-
-    pub(super) fn describe(&self) -> String {
-        format!("Swift, {}", self.formula())
     }
 }

@@ -1,118 +1,101 @@
-//! Measured stress-strain points, interpolated without overshoot.
+//! Measured stress-strain points.
 
-use super::{FlowStress, LawError, require};
-use crate::units::rounded;
+use super::{Extrapolation, FlowStress, HardeningLaw, Monotone};
+use crate::law::prelude::*;
 
-/// What the law does beyond the last point: a declared choice.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Extrapolation {
-    /// Keeps the last stress.
-    Hold,
-    /// Goes on along the chord of the last two points.
-    Slope,
-}
-
-/// Monotone cubic interpolation of (ε̄, σ_y) points; it never rises or falls where the points do not.
+/// Measured points, interpolated smoothly: `points`, or `strain` and `stress`.
 ///
-/// # References
-/// F. N. Fritsch, R. E. Carlson, Monotone piecewise cubic interpolation, SIAM J. Numer. Anal. 17 (1980) 238–246;
-/// slopes by the harmonic mean of F. N. Fritsch, J. Butland, SIAM J. Sci. Stat. Comput. 5 (1984) 300–304.
-#[derive(Clone, Debug, PartialEq)]
+/// Valid up to the last point; beyond it the case says what is assumed, and the run warns.
+/// Source: monotone cubics of F. N. Fritsch, R. E. Carlson, SIAM J. Numer. Anal. 17 (1980) 238–246.
+#[derive(Clone, Debug, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
 pub struct Table {
-    strain: Vec<f64>,
-    stress: Vec<f64>,
-    slope: Vec<f64>,
-    beyond: Extrapolation,
+    /// Pairs of strain and stress, the first at strain 0: `[[0, "150 MPa"], [0.1, "290 MPa"]]`.
+    points: Option<Vec<(NonNegative<Number>, Positive<Stress>)>>,
+    /// Strains, when not given as `points`.
+    strain: Option<Vec<NonNegative<Number>>>,
+    /// Stresses, when not given as `points`.
+    stress: Option<Vec<Positive<Stress>>>,
+    /// What the law does beyond the last point: a choice that has to be made.
+    #[schemars(example = &"slope")]
+    extrapolation: Extrapolation,
+    /// Takes the place of the points that were read.
+    #[serde(skip)]
+    pub(super) curve: Monotone,
 }
 
 impl Table {
-    /// Points with rising strain from 0 and stress > 0 that does not fall.
+    /// Most points.
+    const MOST: usize = 1000;
+
+    /// Points with rising strain from 0 and stress > 0 \[MPa\] that does not fall.
     ///
     /// # Errors
     /// When there are fewer than two points or they are not of that kind.
     pub fn new(strain: Vec<f64>, stress: Vec<f64>, beyond: Extrapolation) -> Result<Self, LawError> {
-        require("", strain.len() == stress.len() && strain.len() >= 2, || {
-            format!(
-                "needs at least two points, each with a strain and a stress; found {} strains and {} stresses",
-                strain.len(),
-                stress.len()
-            )
-        })?;
-        require("strain.0", strain[0] == 0.0, || format!("the first strain must be 0, found {}", strain[0]))?;
-        for i in 0..strain.len() {
-            let (strain_key, stress_key) = (format!("strain.{i}"), format!("stress.{i}"));
-            require(&stress_key, stress[i] > 0.0 && stress[i].is_finite(), || {
-                format!("point {}: the stress must be positive, found {} MPa", i + 1, stress[i])
-            })?;
-            require(&strain_key, i == 0 || strain[i] > strain[i - 1], || {
-                format!("point {}: the strain {} does not rise above {}", i + 1, strain[i], strain[i - 1])
-            })?;
-            require(&stress_key, i == 0 || stress[i] >= stress[i - 1], || {
-                format!(
-                    "point {}: the stress falls from {} to {} MPa",
-                    i + 1,
-                    rounded(stress[i - 1]),
-                    rounded(stress[i])
-                )
-            })?;
+        Monotone::new(strain, stress, beyond).map(Self::from)
+    }
+}
+
+impl From<Monotone> for Table {
+    fn from(curve: Monotone) -> Self {
+        Self { points: None, strain: None, stress: None, extrapolation: curve.beyond(), curve }
+    }
+}
+
+impl Law for Table {
+    fn examples() -> Vec<Self> {
+        vec![Monotone::example(1.0).into()]
+    }
+
+    fn prepare(&mut self, _: Option<f64>) -> Result<(), LawError> {
+        let lengths = [
+            ("points", self.points.as_ref().map_or(0, Vec::len)),
+            ("strain", self.strain.as_ref().map_or(0, Vec::len)),
+            ("stress", self.stress.as_ref().map_or(0, Vec::len)),
+        ];
+        for (key, length) in lengths {
+            few(key, length, Self::MOST)?;
         }
-        let n = strain.len();
-        let chord: Vec<f64> = (0..n - 1).map(|i| (stress[i + 1] - stress[i]) / (strain[i + 1] - strain[i])).collect();
-        let slope = (0..n)
-            .map(|i| match i {
-                0 => chord[0],
-                i if i == n - 1 => match beyond {
-                    Extrapolation::Hold => 0.0,
-                    Extrapolation::Slope => chord[n - 2],
-                },
-                i if chord[i - 1] * chord[i] <= 0.0 => 0.0,
-                i => 2.0 * chord[i - 1] * chord[i] / (chord[i - 1] + chord[i]),
-            })
-            .collect();
-        Ok(Self { strain, stress, slope, beyond })
-    }
-
-    /// Five points of a steel, its stresses times `factor`.
-    pub(super) fn example(factor: f64) -> Self {
-        let stress = [150.0, 210.0, 290.0, 360.0, 420.0].map(|stress| factor * stress);
-        Self::new(vec![0.0, 0.02, 0.1, 0.3, 0.8], stress.to_vec(), Extrapolation::Slope).expect("valid")
-    }
-
-    pub(super) fn last_strain(&self) -> f64 {
-        self.strain[self.strain.len() - 1]
-    }
-
-    pub(super) fn at(&self, strain: f64) -> FlowStress {
-        let n = self.strain.len();
-        let i = self.strain.partition_point(|&s| s <= strain);
-        if i == n {
-            let slope = self.slope[n - 1];
-            return FlowStress { stress: self.stress[n - 1] + slope * (strain - self.strain[n - 1]), slope };
-        }
-        let (a, b) = (i.max(1) - 1, i.max(1));
-        let h = self.strain[b] - self.strain[a];
-        let x = (strain - self.strain[a]) / h;
-        let rise = self.stress[b] - self.stress[a];
-        let (sa, sb) = (h * self.slope[a], h * self.slope[b]);
-        // Hermite cubic y = y_a + s_a x + c x² + d x³ on the unit interval.
-        let (c, d) = (3.0 * rise - 2.0 * sa - sb, sa + sb - 2.0 * rise);
-        FlowStress {
-            stress: self.stress[a] + x * (sa + x * (c + x * d)),
-            slope: (sa + x * (2.0 * c + 3.0 * d * x)) / h,
-        }
-    }
-
-    pub(super) fn describe(&self) -> String {
-        let n = self.strain.len();
-        let beyond = match self.beyond {
-            Extrapolation::Hold => "the last stress held",
-            Extrapolation::Slope => "the last slope kept",
+        self.curve = match (self.points.take(), self.strain.take(), self.stress.take()) {
+            (None, None, None) if self.curve != Monotone::default() => return Ok(()),
+            (Some(points), None, None) => {
+                let pairs = points.iter().map(|(strain, stress)| (strain.value(), stress.value()));
+                Monotone::of_pairs(pairs, self.extrapolation)?
+            }
+            (None, Some(strain), Some(stress)) => {
+                let strain = strain.into_iter().map(Quantity::value).collect();
+                let stress = stress.into_iter().map(Quantity::value).collect();
+                Monotone::new(strain, stress, self.extrapolation)?
+            }
+            _ => {
+                let help =
+                    "write points = [[0, \"150 MPa\"], [0.1, \"290 MPa\"]], or both strain = [..] and stress = [..]";
+                let message = "needs `points`, or `strain` and `stress`".to_owned();
+                return Err(LawError { message, key: String::new(), help });
+            }
         };
-        format!(
-            "table of {n} points, {:.1} MPa at ε = 0 to {:.1} MPa at ε = {}, beyond it {beyond}",
-            self.stress[0],
-            self.stress[n - 1],
-            self.last_strain()
-        )
+        Ok(())
+    }
+
+    fn formula(&self) -> String {
+        self.curve.to_string()
+    }
+}
+
+/// No more entries than `most`.
+pub(super) fn few(key: &str, length: usize, most: usize) -> Result<(), LawError> {
+    require_or(&format!("{key}.{most}"), length <= most, "leave out what is not needed", || {
+        format!("`{key}` has {length} entries, more than {most}")
+    })
+}
+
+impl HardeningLaw for Table {
+    fn at_temperature(&self, strain: f64, _: f64) -> FlowStress {
+        self.curve.at(strain)
+    }
+
+    fn valid_up_to(&self) -> Option<f64> {
+        Some(self.curve.last_strain())
     }
 }

@@ -1,20 +1,32 @@
 //! Voce's saturating law, with an optional exponent on the strain.
+//!
+//! The BRITE steels of Sosnowski (1994, figure 6) are given in this form: 320 − 195 exp(−7.5 ε^0.97) MPa.
 
-use super::{FlowStress, LawError, power, require};
-use crate::units::rounded;
+use super::{FlowStress, HardeningLaw, power};
+use crate::law::prelude::*;
 
-/// σ_y = σ_s − (σ_s − σ₀) exp(−b ε̄^m); m = 1 is Voce's law.
+/// σ = saturation − (saturation − initial) exp(−rate ε^exponent).
 ///
-/// The BRITE steels of Sosnowski (1994, figure 6) are given in this form: 320 − 195 exp(−7.5 ε^0.97) MPa.
-///
-/// # References
-/// E. Voce, The relationship between stress and strain for homogeneous deformation, J. Inst. Metals 74 (1948) 537–562;
-/// the exponent: J. E. Hockett, O. D. Sherby, J. Mech. Phys. Solids 23 (1975) 87–98.
-#[derive(Clone, Copy, Debug, PartialEq)]
+/// Valid for metals whose hardening comes to an end, such as aluminium.
+/// Source: E. Voce, J. Inst. Metals 74 (1948) 537–562; the exponent: J. E. Hockett, O. D. Sherby (1975).
+#[derive(Clone, Copy, Debug, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
 pub struct Voce {
+    /// Yield stress σ₀ \[MPa\].
+    #[serde(with = "As::<Positive<Stress>>")]
+    #[schemars(example = "125 MPa")]
     initial: f64,
+    /// Stress σ_s that hardening comes to \[MPa\].
+    #[serde(with = "As::<Positive<Stress>>")]
+    #[schemars(example = "320 MPa")]
     saturation: f64,
+    /// b: how fast it comes there.
+    #[serde(with = "As::<NonNegative<Number>>")]
+    #[schemars(example = 7.5)]
     rate: f64,
+    /// Power of the strain; 1 when not given.
+    #[serde(default = "one", with = "As::<Fraction>")]
+    #[schemars(example = 1.0)]
     exponent: f64,
 }
 
@@ -24,30 +36,42 @@ impl Voce {
     /// # Errors
     /// When a parameter is out of range.
     pub fn new(initial: f64, saturation: f64, rate: f64, exponent: f64) -> Result<Self, LawError> {
+        let mut law = Self { initial, saturation, rate, exponent };
+        law.prepare(None).map(|()| law)
+    }
+}
+
+impl Law for Voce {
+    fn examples() -> Vec<Self> {
+        vec![
+            Self { initial: 180.0, saturation: 400.0, rate: 9.0, exponent: 1.0 },
+            Self { initial: 125.0, saturation: 320.0, rate: 7.5, exponent: 0.97 },
+        ]
+    }
+
+    fn prepare(&mut self, _: Option<f64>) -> Result<(), LawError> {
+        let Self { initial, saturation, rate, exponent } = *self;
         require("saturation", initial > 0.0 && saturation >= initial && saturation.is_finite(), || {
             format!("needs 0 < initial <= saturation, found {} and {} MPa", rounded(initial), rounded(saturation))
         })?;
         require("rate", rate >= 0.0 && rate.is_finite(), || format!("rate must not be negative, found {rate}"))?;
         require("exponent", exponent > 0.0 && exponent <= 1.0, || {
             format!("exponent must lie above 0 and up to 1, found {exponent}")
-        })?;
-        Ok(Self { initial, saturation, rate, exponent })
+        })
     }
 
+    fn formula(&self) -> String {
+        let exponent = if self.exponent == 1.0 { String::new() } else { format!("^{}", rounded(self.exponent)) };
+        let [saturation, span, rate] = [self.saturation, self.saturation - self.initial, self.rate].map(rounded);
+        format!("Voce, σ = {saturation} − {span} exp(−{rate} ε{exponent}) MPa")
+    }
+}
+
+impl HardeningLaw for Voce {
     #[inline]
-    pub(super) fn at(&self, strain: f64) -> FlowStress {
+    fn at_temperature(&self, strain: f64, _: f64) -> FlowStress {
         let (value, slope) = if self.exponent == 1.0 { (strain, 1.0) } else { power(strain, self.exponent) };
         let rest = (self.saturation - self.initial) * (-self.rate * value).exp();
         FlowStress { stress: self.saturation - rest, slope: rest * self.rate * slope }
-    }
-
-    pub(super) fn describe(&self) -> String {
-        let exponent = if self.exponent == 1.0 { String::new() } else { format!("^{}", rounded(self.exponent)) };
-        format!(
-            "Voce, σ = {} − {} exp(−{} ε{exponent}) MPa",
-            rounded(self.saturation),
-            rounded(self.saturation - self.initial),
-            rounded(self.rate)
-        )
     }
 }

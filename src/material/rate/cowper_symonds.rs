@@ -1,24 +1,39 @@
 //! Overstress with a threshold: the law of Cowper and Symonds, which is Perzyna's with a power of the overstress.
 
-use super::Factor;
+use super::{Factor, RateLaw};
+use crate::law::prelude::*;
 
-/// g = 1 + (ε̄̇/C)^(1/p); inverted it is Perzyna's ε̄̇ = C ⟨σ̄/σ_s − 1⟩^p with the fluidity C.
+/// 1 + (rate/C)^(1/p), which is Perzyna's law ε̄̇ = C ⟨σ̄/σ_s − 1⟩^p with the fluidity C.
 ///
-/// # References
-/// G. R. Cowper, P. S. Symonds, Brown University Tech. Rep. 28 (1957); P. Perzyna, Adv. Appl. Mech. 9 (1966) 243–377
-/// (not read; the forms are in common use).
-#[derive(Clone, Copy, Debug, PartialEq)]
+/// Valid for the strong rate dependence of mild steel at press speeds and beyond.
+/// Source: in common use; G. R. Cowper, P. S. Symonds, Brown University Tech. Rep. 28 (1957), P. Perzyna, Adv. Appl. Mech.
+/// 9 (1966) 243–377 (not read).
+#[derive(Clone, Copy, Debug, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
 pub struct CowperSymonds {
     /// C \[1/s\].
+    #[serde(with = "As::<Positive<StrainRate>>")]
+    #[schemars(example = "40 /s")]
     pub rate: f64,
-    /// p \[–\].
+    /// p.
+    #[serde(with = "As::<Positive<Number>>")]
+    #[schemars(example = 5.0)]
     pub exponent: f64,
 }
 
-impl CowperSymonds {
-    /// The factor and its slope.
+impl Law for CowperSymonds {
+    fn examples() -> Vec<Self> {
+        vec![Self { rate: 40.0, exponent: 5.0 }]
+    }
+
+    fn formula(&self) -> String {
+        format!("[1 + (ε̄̇/{} 1/s)^(1/{})]", self.rate, self.exponent)
+    }
+}
+
+impl RateLaw for CowperSymonds {
     #[inline]
-    pub fn at(&self, rate: f64) -> Factor {
+    fn at(&self, rate: f64) -> Factor {
         let over = (rate / self.rate).powf(1.0 / self.exponent);
         Factor { value: 1.0 + over, slope: over / (self.exponent * rate) }
     }

@@ -1,65 +1,48 @@
-//! Rate dependence: a factor on the yield stress, g(ε̄̇) with σ_y = σ_s(ε̄) g(ε̄̇). One law, one file.
+//! Rate dependence: a factor on the yield stress, g(ε̄̇) with σ_y = σ_s(ε̄) g(ε̄̇). One law, one file, as
+//! [`law`](crate::law) says.
 
 mod cowper_symonds;
 mod johnson_cook;
 mod power;
 
-pub use cowper_symonds::CowperSymonds;
-pub use johnson_cook::JohnsonCook;
-pub use power::PowerRate;
+use crate::law::{Law, family};
 
-use std::fmt;
-
-/// The factor g \[–\] and its derivative by the rate \[s\].
+/// A factor and its derivative by the rate.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Factor {
+    /// g \[–\].
     pub value: f64,
+    /// dg/dε̄̇ \[s\].
     pub slope: f64,
 }
 
-/// A rate law.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Rate {
-    Power(PowerRate),
-    CowperSymonds(CowperSymonds),
-    JohnsonCook(JohnsonCook),
+/// What a rate law says beside its parameters.
+trait RateLaw: Law {
+    /// g and dg/dε̄̇ at the equivalent strain rate `rate` > 0 \[1/s\].
+    fn at(&self, rate: f64) -> Factor;
+
+    /// Whether the sheet resists necking by its rate alone.
+    fn is_superplastic(&self) -> bool {
+        false
+    }
 }
+
+family! {
+    /// A factor on the hardening law: exactly one.
+    pub enum Rate: RateLaw;
+    /// g and dg/dε̄̇ at the equivalent strain rate `rate` > 0 \[1/s\].
+    fn at(rate: f64) -> Factor;
+    power: PowerRate,
+    cowper_symonds: CowperSymonds,
+    johnson_cook: JohnsonCook,
+}
+
+impl Copy for Rate {}
 
 impl Rate {
-    /// g and dg/dε̄̇ at the equivalent strain rate `rate` > 0 \[1/s\].
-    #[inline]
-    pub fn at(&self, rate: f64) -> Factor {
-        match self {
-            Self::Power(law) => law.at(rate),
-            Self::CowperSymonds(law) => law.at(rate),
-            Self::JohnsonCook(law) => law.at(rate),
-        }
-    }
-
     /// Whether the sheet resists necking by its rate alone: a power of 0.3 or more, as superplastic alloys have.
     pub fn is_superplastic(&self) -> bool {
-        matches!(self, Self::Power(law) if law.exponent >= 0.3)
-    }
-
-    /// One example of every law, named: for tests and lists.
-    pub fn examples() -> Vec<(&'static str, Self)> {
-        vec![
-            ("power", Self::Power(PowerRate { exponent: 0.02, reference: 1e-3 })),
-            ("power, superplastic", Self::Power(PowerRate { exponent: 0.5, reference: 1.0 })),
-            ("cowper_symonds", Self::CowperSymonds(CowperSymonds { rate: 40.0, exponent: 5.0 })),
-            ("johnson_cook", Self::JohnsonCook(JohnsonCook { coefficient: 0.015, reference: 1e-3 })),
-        ]
-    }
-}
-
-impl fmt::Display for Rate {
-    /// The factor as a formula with numbers and units.
-    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
-        match self {
-            Self::Power(l) => write!(f, "(ε̄̇/{} 1/s)^{}", l.reference, l.exponent),
-            Self::CowperSymonds(l) => write!(f, "[1 + (ε̄̇/{} 1/s)^(1/{})]", l.rate, l.exponent),
-            Self::JohnsonCook(l) => write!(f, "[1 + {} ln(ε̄̇/{} 1/s)]", l.coefficient, l.reference),
-        }
+        self.law().is_superplastic()
     }
 }
 

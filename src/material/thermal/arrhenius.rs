@@ -1,25 +1,54 @@
-//! Softening of hot metal whose flow is thermally activated.
+//! Strength of hot metal whose flow is thermally activated.
 
-/// h = exp(m Q/R (1/T − 1/T_r)).
+use super::TemperatureLaw;
+use crate::law::prelude::*;
+
+/// R \[N mm/(mol K)\].
+const GAS_CONSTANT: f64 = 8_314.462_618;
+
+/// exp(exponent activation/R (1/T − 1/reference)): with a power of the strain rate of the same exponent the stress
+/// depends on the Zener-Hollomon parameter Z = ε̄̇ exp(Q/RT) alone.
 ///
-/// With a power m of the strain rate the flow stress depends on the Zener-Hollomon parameter Z = ε̄̇ exp(Q/RT) alone.
-///
-/// # References
-/// C. Zener, J. H. Hollomon, J. Appl. Phys. 15 (1944) 22–32 (not read; the form is in common use).
-#[derive(Clone, Copy, Debug, PartialEq)]
+/// Valid for hot metal, above half its absolute melting point.
+/// Source: in common use; C. Zener, J. H. Hollomon, J. Appl. Phys. 15 (1944) 22–32 (not read).
+#[derive(Clone, Copy, Debug, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
 pub struct Arrhenius {
-    /// Q/R: activation energy over the gas constant \[K\].
-    pub over_gas_constant: f64,
-    /// m \[–\].
+    /// Activation energy Q \[N mm/mol\].
+    #[serde(with = "As::<Positive<Energy>>")]
+    #[schemars(example = "150 kJ/mol")]
+    pub activation: f64,
+    /// m, 0 to 1.
+    #[serde(with = "As::<Fraction>")]
+    #[schemars(example = 0.1)]
     pub exponent: f64,
-    /// T_r \[K\].
+    /// Temperature at which the hardening law was measured \[K\].
+    #[serde(with = "As::<Positive<Temperature>>")]
+    #[schemars(example = "420 °C")]
     pub reference: f64,
 }
 
 impl Arrhenius {
-    /// The factor.
+    /// Q/R \[K\].
+    fn over_gas_constant(&self) -> f64 {
+        self.activation / GAS_CONSTANT
+    }
+}
+
+impl Law for Arrhenius {
+    fn examples() -> Vec<Self> {
+        vec![Self { activation: 18_000.0 * GAS_CONSTANT, exponent: 0.1, reference: 693.15 }]
+    }
+
+    fn formula(&self) -> String {
+        let Self { exponent, reference, .. } = self;
+        format!("exp({exponent} × {:.0} K (1/T − 1/{reference} K))", self.over_gas_constant())
+    }
+}
+
+impl TemperatureLaw for Arrhenius {
     #[inline]
-    pub fn at(&self, temperature: f64) -> f64 {
-        (self.exponent * self.over_gas_constant * (1.0 / temperature - 1.0 / self.reference)).exp()
+    fn at(&self, temperature: f64) -> f64 {
+        (self.exponent * self.over_gas_constant() * (1.0 / temperature - 1.0 / self.reference)).exp()
     }
 }

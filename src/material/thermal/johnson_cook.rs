@@ -1,28 +1,54 @@
-//! Softening towards the melting point: the thermal term of Johnson and Cook.
+//! Strength that goes towards the melting point: the thermal term of Johnson and Cook.
 
-/// h = 1 − ((T − T_r)/(T_m − T_r))^q, 1 below the reference; held at a thousandth just below the melting point, where the
-/// law has no stress.
+use super::{TemperatureLaw, celsius};
+use crate::law::prelude::*;
+
+/// What is left at the melting point, where the law has no stress \[–\].
+const LEAST: f64 = 1e-3;
+
+/// 1 − ((T − reference)/(melting − reference))^exponent; 1 below the reference.
 ///
-/// # References
-/// G. R. Johnson, W. H. Cook, Proc. 7th Int. Symp. on Ballistics, The Hague (1983) 541–547 (not read; the form is in
-/// common use).
-#[derive(Clone, Copy, Debug, PartialEq)]
+/// Valid up to some tenths of the way to the melting point; held at a thousandth just below it.
+/// Source: in common use; G. R. Johnson, W. H. Cook, Proc. 7th Int. Symp. on Ballistics, The Hague (1983) 541–547 (not
+/// read).
+#[derive(Clone, Copy, Debug, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
 pub struct Melting {
-    /// T_r \[K\].
+    /// Temperature at which the hardening law was measured \[K\].
+    #[serde(with = "As::<Positive<Temperature>>")]
+    #[schemars(example = "20 °C")]
     pub reference: f64,
-    /// T_m \[K\].
+    /// Melting point \[K\].
+    #[serde(with = "As::<Positive<Temperature>>")]
+    #[schemars(example = "600 °C")]
     pub melting: f64,
-    /// q \[–\].
+    /// Thermal exponent.
+    #[serde(with = "As::<Positive<Number>>")]
+    #[schemars(example = 1.0)]
     pub exponent: f64,
 }
 
-/// What is left at the melting point \[–\].
-const LEAST: f64 = 1e-3;
+impl Law for Melting {
+    fn examples() -> Vec<Self> {
+        vec![Self { reference: 293.15, melting: 893.15, exponent: 1.03 }]
+    }
 
-impl Melting {
-    /// The factor.
+    fn prepare(&mut self, _: Option<f64>) -> Result<(), LawError> {
+        let Self { reference, melting, .. } = *self;
+        require_or("melting", melting > reference, "600 °C or so for aluminium", || {
+            format!("melting at {melting} K is not above the reference of {reference} K")
+        })
+    }
+
+    fn formula(&self) -> String {
+        let (from, span) = (celsius(self.reference), rounded(self.melting - self.reference));
+        format!("[1 − ((T − {from} °C)/{span} K)^{}]", self.exponent)
+    }
+}
+
+impl TemperatureLaw for Melting {
     #[inline]
-    pub fn at(&self, temperature: f64) -> f64 {
+    fn at(&self, temperature: f64) -> f64 {
         let x = ((temperature - self.reference) / (self.melting - self.reference)).max(0.0);
         (1.0 - x.powf(self.exponent)).max(LEAST)
     }

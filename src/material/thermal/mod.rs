@@ -1,60 +1,34 @@
-//! Thermal softening: a factor on the yield stress, h(T) with σ_y = σ_s(ε̄) g(ε̄̇) h(T). One law, one file.
+//! Dependence on the temperature: a factor on the yield stress, h(T) with σ_y = σ_s(ε̄) g(ε̄̇) h(T). One law, one file, as
+//! [`law`](crate::law) says.
 
 mod arrhenius;
 mod exponential;
 mod johnson_cook;
 
-pub use arrhenius::Arrhenius;
-pub use exponential::Exponential;
-pub use johnson_cook::Melting;
-
+use crate::law::{Law, family};
 use crate::units::{ZERO_CELSIUS, rounded};
-use std::fmt;
 
-/// A softening law; temperatures in K.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum ThermalLaw {
-    JohnsonCook(Melting),
-    Exponential(Exponential),
-    Arrhenius(Arrhenius),
-}
-
-impl ThermalLaw {
+/// What a law of the temperature says beside its parameters.
+trait TemperatureLaw: Law {
     /// h at a temperature \[K\].
-    #[inline]
-    pub fn at(&self, temperature: f64) -> f64 {
-        match self {
-            Self::JohnsonCook(law) => law.at(temperature),
-            Self::Exponential(law) => law.at(temperature),
-            Self::Arrhenius(law) => law.at(temperature),
-        }
-    }
-
-    /// One example of every law, named: for tests and lists.
-    pub fn examples() -> Vec<(&'static str, Self)> {
-        vec![
-            ("johnson_cook", Self::JohnsonCook(Melting { reference: 293.15, melting: 893.15, exponent: 1.03 })),
-            ("exponential", Self::Exponential(Exponential { coefficient: 0.003, reference: 293.15 })),
-            ("arrhenius", Self::Arrhenius(Arrhenius { over_gas_constant: 18_000.0, exponent: 0.1, reference: 693.15 })),
-        ]
-    }
+    fn at(&self, temperature: f64) -> f64;
 }
 
-impl fmt::Display for ThermalLaw {
-    /// The factor as a formula with numbers, in °C.
-    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
-        let celsius = |kelvin: f64| rounded(kelvin - ZERO_CELSIUS);
-        match self {
-            Self::JohnsonCook(l) => {
-                let (from, span) = (celsius(l.reference), rounded(l.melting - l.reference));
-                write!(f, "[1 − ((T − {from} °C)/{span} K)^{}]", l.exponent)
-            }
-            Self::Exponential(l) => write!(f, "exp(−{} /K (T − {} °C))", l.coefficient, celsius(l.reference)),
-            Self::Arrhenius(l) => {
-                write!(f, "exp({} × {:.0} K (1/T − 1/{} K))", l.exponent, l.over_gas_constant, l.reference)
-            }
-        }
-    }
+family! {
+    /// A factor on the hardening law: exactly one. A table of curves by temperature is `[material.hardening.isotherms]`.
+    pub enum ThermalLaw: TemperatureLaw;
+    /// h at a temperature \[K\].
+    fn at(temperature: f64) -> f64;
+    johnson_cook: Melting,
+    exponential: Exponential,
+    arrhenius: Arrhenius,
+}
+
+impl Copy for ThermalLaw {}
+
+/// A temperature \[K\] in °C, for captions.
+fn celsius(kelvin: f64) -> f64 {
+    rounded(kelvin - ZERO_CELSIUS)
 }
 
 #[cfg(test)]

@@ -31,10 +31,20 @@ fn between(rng: &mut Rng, low: f64, high: f64) -> f64 {
     low + (high - low) * rng.f64()
 }
 
+/// From this seed on the dies are of the second series, whose hardening law is any example of the family: a law that joins
+/// the family occurs there, and the dies of the first series, which figures are compared with, stay as they are.
+pub const SECOND_SERIES: u64 = 1 << 40;
+
 /// σ in MPa with a tensile strength from mild aluminium to high-strength steel, n from 0.02 to 0.5.
-fn hardening(rng: &mut Rng) -> (Hardening, String) {
+fn hardening(rng: &mut Rng, seed: u64) -> (Hardening, String) {
     let k = between(rng, 150.0, 1200.0);
     let n = between(rng, 0.02, 0.5);
+    if seed >= SECOND_SERIES {
+        let mut laws = Hardening::examples();
+        let (_, law) = laws.swap_remove(rng.usize(0..laws.len()));
+        let text = law.describe();
+        return (law, text);
+    }
     let law = match rng.usize(0..6) {
         0 => Hardening::Swift(Swift::new(k, n, between(rng, 1e-4, 2e-2)).expect("in range")),
         1 => Hardening::Hollomon(Hollomon::with_offset(k, n, 2e-3).expect("in range")),
@@ -104,7 +114,7 @@ pub fn random_die(seed: u64) -> RandomDie {
     let clearance = t * between(rng, 1.05, 1.6);
     let siebels = between(rng, 0.0, 3.0);
     let radius = (corner * between(rng, 1.5, 6.0)).max(20.0 * t);
-    let (law, law_text) = hardening(rng);
+    let (law, law_text) = hardening(rng, seed);
 
     let throat = radius + clearance;
     let plane = process == Process::Hat;

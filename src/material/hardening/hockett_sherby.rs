@@ -1,0 +1,75 @@
+//! The saturating law of Hockett and Sherby.
+//!
+//! With p < 1 the slope at ε̄ = 0 is infinite, which no iteration matrix can carry: the chord over the first 1e-6 of strain
+//! takes the place of ε̄^p there, and changes nothing beyond. With p = 1 the law is Voce's.
+
+use super::{FlowStress, HardeningLaw, power};
+use crate::law::prelude::*;
+
+/// σ = saturation − (saturation − initial) exp(−rate ε^exponent).
+///
+/// Valid for metals whose hardening comes to an end at large strains, such as aluminium and deep-drawing steel; just beyond
+/// yield its slope is infinite for an exponent below 1, a chord over 1e-6 takes its place.
+/// Source: J. E. Hockett, O. D. Sherby, J. Mech. Phys. Solids 23 (1975) 87–98 (not read; the form is in common use).
+#[derive(Clone, Copy, Debug, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct HockettSherby {
+    /// σ₀ at the start of yield \[MPa\].
+    #[serde(with = "As::<Positive<Stress>>")]
+    #[schemars(example = "130 MPa")]
+    initial: f64,
+    /// σ_s at large strains \[MPa\].
+    #[serde(with = "As::<Positive<Stress>>")]
+    #[schemars(example = "390 MPa")]
+    saturation: f64,
+    /// N.
+    #[serde(with = "As::<NonNegative<Number>>")]
+    #[schemars(example = 5.0)]
+    rate: f64,
+    /// p, above 0 and up to 1.
+    #[serde(with = "As::<Fraction>")]
+    #[schemars(example = 0.75)]
+    exponent: f64,
+}
+
+impl HockettSherby {
+    /// `initial` σ₀ > 0 and `saturation` σ_s ≥ σ₀ \[MPa\], `rate` N ≥ 0 \[–\], `exponent` 0 < p ≤ 1.
+    ///
+    /// # Errors
+    /// When a parameter is out of range.
+    pub fn new(initial: f64, saturation: f64, rate: f64, exponent: f64) -> Result<Self, LawError> {
+        let mut law = Self { initial, saturation, rate, exponent };
+        law.prepare(None).map(|()| law)
+    }
+}
+
+impl Law for HockettSherby {
+    fn examples() -> Vec<Self> {
+        vec![Self { initial: 130.0, saturation: 390.0, rate: 5.0, exponent: 0.75 }]
+    }
+
+    fn prepare(&mut self, _: Option<f64>) -> Result<(), LawError> {
+        let Self { initial, saturation, rate, exponent } = *self;
+        require("saturation", initial > 0.0 && saturation >= initial && saturation.is_finite(), || {
+            format!("needs 0 < initial <= saturation, found {} and {} MPa", rounded(initial), rounded(saturation))
+        })?;
+        require("rate", rate >= 0.0 && rate.is_finite(), || format!("rate must not be negative, found {rate}"))?;
+        require("exponent", exponent > 0.0 && exponent <= 1.0, || {
+            format!("exponent must lie above 0 and up to 1, found {exponent}")
+        })
+    }
+
+    fn formula(&self) -> String {
+        let [saturation, span, rate] = [self.saturation, self.saturation - self.initial, self.rate].map(rounded);
+        format!("Hockett-Sherby, σ = {saturation} − {span} exp(−{rate} ε^{}) MPa", rounded(self.exponent))
+    }
+}
+
+impl HardeningLaw for HockettSherby {
+    #[inline]
+    fn at_temperature(&self, strain: f64, _: f64) -> FlowStress {
+        let (value, slope) = power(strain, self.exponent);
+        let rest = (self.saturation - self.initial) * (-self.rate * value).exp();
+        FlowStress { stress: self.saturation - rest, slope: rest * self.rate * slope }
+    }
+}
