@@ -3,7 +3,7 @@
 //! `cargo bench --bench campaign -- --count 1000 --seed 7`, with `--selective 1` for selective bending, `--twin 1` for
 //! the elasto-viscoplastic twin
 
-#[path = "../tests/common/random_die.rs"]
+#[path = "../tests/suite/common/random_die.rs"]
 mod random_die;
 
 use random_die::{Process, random_die};

@@ -4,7 +4,7 @@
 //!
 //! `cargo bench --bench cases`
 
-#[path = "../tests/common/files.rs"]
+#[path = "../tests/suite/common/files.rs"]
 mod files;
 
 use files::files;
@@ -56,7 +56,7 @@ fn main() {
     );
     for path in files("cases", "toml") {
         let case = case::load(&path, &[]).unwrap_or_else(|e| panic!("{e}"));
-        let model = &case.model;
+        let model = case.model();
         let mut count = Count::default();
         let run = solver::run(model, &mut count);
         let time = fastest(|| {
@@ -92,7 +92,8 @@ fn twin() {
         let settings = ["blank.elements=50".to_owned(), format!("blank.layers={layers}")];
         let flow = case::load(std::path::Path::new("cases/woo_hemispherical.toml"), &settings)
             .unwrap_or_else(|e| panic!("{e}"))
-            .model;
+            .model()
+            .clone();
         let mut twin = flow.clone();
         twin.mode = Mode::ElastoViscoplastic;
         let mut best = [Duration::MAX; 2];
@@ -125,7 +126,7 @@ fn selective() {
     );
     for path in files("cases", "toml") {
         let case = case::load(&path, &["blank.theory=\"bending\"".to_owned()]).unwrap_or_else(|e| panic!("{e}"));
-        let full = case.model;
+        let full = case.model();
         if full.mode != Mode::Flow {
             continue;
         }

@@ -2,7 +2,7 @@
 //!
 //! `cargo run --release --example random_die -- --seed 3 [--out DIR]`; without `--out` nothing is written.
 
-#[path = "../tests/common/random_die.rs"]
+#[path = "../tests/suite/common/random_die.rs"]
 mod random_die;
 
 use random_die::{RandomDie, random_die};

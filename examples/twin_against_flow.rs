@@ -4,7 +4,7 @@
 
 use stampflow::case;
 use stampflow::output::chart::{BLACK, Chart, Look, Panel, Scale, Series};
-use stampflow::output::{png, svg, write};
+use stampflow::output::{png, write};
 use stampflow::table::fields::step::{PUNCH_FORCE, TRAVEL};
 use stampflow::table::{Column, Unit};
 use std::path::Path;
@@ -32,7 +32,7 @@ fn compare(path: &str, picture: &Path) -> Result<(), String> {
     let [flow, twin] = ["flow", "elasto_viscoplastic"].map(|mode| {
         let settings = [format!("material.mode={mode}"), format!("blank.layers={LAYERS}")];
         let case = case::load(path, &settings).map_err(|error| error.to_string())?;
-        let run = stampflow::run(&case.model, &mut ());
+        let run = stampflow::run(case.model(), &mut ());
         Ok::<_, String>((case, run))
     });
     let ((case, flow), (_, twin)) = (flow?, twin?);
@@ -40,10 +40,10 @@ fn compare(path: &str, picture: &Path) -> Result<(), String> {
     let difference =
         by_twin.iter().filter(|p| p.1 > 0.0).map(|&(x, force)| (x, 100.0 * (at(&by_flow, x) / force - 1.0)));
     // The first tenth is off the scale: the flow law has no elastic part to go through.
-    let difference = difference.filter(|p| p.0 > 0.1 * case.model.travel).collect();
-    let [x, y] = [TRAVEL, PUNCH_FORCE].map(|field| field.axis(case.model.geometry));
+    let difference = difference.filter(|p| p.0 > 0.1 * case.model().travel).collect();
+    let [x, y] = [TRAVEL, PUNCH_FORCE].map(|field| field.axis(case.model().geometry));
     let chart = Chart {
-        title: format!("{}, twin and flow", case.model.title),
+        title: format!("{}, twin and flow", case.model().title),
         legend: "",
         panels: vec![
             Panel {
@@ -62,9 +62,9 @@ fn compare(path: &str, picture: &Path) -> Result<(), String> {
                 scale: Scale::Fit { height: 150.0, least: 0.0 },
             },
         ],
-        notes: case.model.notes.clone(),
+        notes: case.model().notes.clone(),
     };
-    write(picture, &png(&svg(&chart))).map_err(|error| error.to_string())
+    write(picture, &png(&chart)).map_err(|error| error.to_string())
 }
 
 /// A curve's value at `x`, in between linearly.

@@ -9,12 +9,13 @@ mod source;
 pub use band::{Band, BandQuantity, BandSpec, Interval};
 pub use curve::{CurveSpec, Point, Points, Quantity};
 pub use error::CompareError;
-pub use source::Source;
+pub use source::{SOURCES, Source};
 
 use crate::model::{Geometry, Model};
 use crate::solution::{ElementRecord, StageSolution, StepRecord};
-use crate::table::{Axis, Column, Field, Table};
+use crate::table::{Axis, Column, Csv, Field, Table};
 use crate::units::rounded;
+use reference::Reference;
 use std::fmt;
 use std::path::PathBuf;
 
@@ -23,6 +24,8 @@ use std::path::PathBuf;
 pub struct Spec {
     /// CSV file of the reference, units at the end of its headers.
     pub reference: PathBuf,
+    /// What stands in it; `None` where it is optional and not there.
+    pub data: Option<Data>,
     pub against: Against,
     /// Why the tolerance or the band is what it is, or what a difference comes from.
     pub reason: String,
@@ -30,6 +33,14 @@ pub struct Spec {
     pub optional: bool,
     /// Whether the difference is shown without being held against the program: the input is not that of the reference.
     pub demonstration: bool,
+}
+
+/// What a reference file holds.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Data {
+    pub csv: Csv,
+    /// Where it comes from, if its folder says so.
+    pub source: Option<Source>,
 }
 
 /// The kind of reference.
@@ -237,29 +248,25 @@ impl Comparison {
 /// were measured, each with its error; the computed values lie inside or outside by so much.
 ///
 /// # Errors
-/// When the reference cannot be read or does not fit the quantity; a missing file that is optional is no error.
+/// When the reference does not fit the quantity, or is not there and not optional.
 pub fn compare(spec: &Spec, computed: &Computed) -> Result<Comparison, CompareError> {
     let (x, y) = spec.against.columns(computed);
     let curve: Vec<_> = x.values.iter().copied().zip(y.values.iter().copied()).collect();
-    let path = &spec.reference;
-    let (found, verdict) = if spec.optional && !path.exists() {
-        (Found::NoData, Verdict::NoData)
-    } else {
-        match &spec.against {
-            Against::Curve(against) => {
-                let points = curve::compare(against, path, (&x, &y), &curve)?;
-                let verdict = points.verdict(against, computed.complete);
-                (Found::Points(points), verdict)
-            }
-            Against::Band(against) => {
-                let band = band::compare(against, path, &y, computed.complete)?;
-                (Found::Band(band), band.verdict())
-            }
+    let (found, verdict) = match (Reference::of(spec)?, &spec.against) {
+        (None, _) => (Found::NoData, Verdict::NoData),
+        (Some(reference), Against::Curve(against)) => {
+            let points = curve::compare(against, reference, (&x, &y), &curve)?;
+            let verdict = points.verdict(against, computed.complete);
+            (Found::Points(points), verdict)
+        }
+        (Some(reference), Against::Band(against)) => {
+            let band = band::compare(against, reference, &y, computed.complete)?;
+            (Found::Band(band), band.verdict())
         }
     };
     Ok(Comparison {
         spec: spec.clone(),
-        source: if verdict == Verdict::NoData { None } else { source::of(path)? },
+        source: spec.data.as_ref().and_then(|data| data.source.clone()),
         found,
         curve,
         verdict,

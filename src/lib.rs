@@ -18,7 +18,7 @@
 //! ```
 //!
 //! ```
-//! # let dir = tempfile::tempdir()?;
+//! # let dir = temp_dir::TempDir::new()?;
 //! # let out = dir.path().join("quickstart");
 //! let solution = stampflow::Case::load("cases/quickstart.toml")?.solve(&mut ());
 //! println!("{}", solution.summary());

@@ -4,12 +4,14 @@ use crate::contact::penalty::Penalty;
 use crate::element::Node;
 use crate::element::kinematics::Reference;
 use crate::forming_limit::{Instant, Paths};
+use crate::geometry::Point;
 use crate::material::flow::{ROOM_TEMPERATURE, Triple};
 use crate::model::{Model, Motion, Role, Theory, Tool};
+use crate::numerics::Grid;
 use crate::numerics::lobatto::{self, ThicknessPoint};
 use crate::solution::{ElementRecord, Frame, NodeRecord, PointRecord, ThroughThickness};
 
-/// One layer point of an element.
+/// One thickness point of an element.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct MaterialPoint {
     /// Equivalent plastic strain ε̄ \[–\].
@@ -26,7 +28,7 @@ pub struct MaterialPoint {
 }
 
 /// The sheet and its tools at one instant.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct State {
     /// Time \[s\] and punch travel \[mm\].
     pub time: f64,
@@ -46,17 +48,16 @@ pub struct State {
     pub membrane: Vec<[f64; 2]>,
     /// Whether each element bent in the last step, or was a membrane.
     pub bends: Vec<bool>,
-    /// ThicknessPoint points, element by element.
-    pub layers: Vec<MaterialPoint>,
-    /// Axial displacement of each tool from where it is drawn \[mm\], and its velocity \[mm/s\].
-    pub tools: Vec<f64>,
+    /// Elements by thickness points.
+    pub points: Grid<MaterialPoint>,
+    /// Displacement of each tool (away from the axis, along z) from where it is drawn \[mm\].
+    pub tools: Vec<Point>,
+    /// Velocity of each tool along z \[mm/s\].
     pub tool_velocity: Vec<f64>,
-    /// Displacement of each tool away from the axis \[mm\].
-    pub aside: Vec<f64>,
-    /// Contact pressure of every tool on every node, tool by tool \[MPa\].
-    pub pressure: Vec<f64>,
+    /// Contact pressure of tools by nodes \[MPa\].
+    pub pressure: Grid<f64>,
     /// The augmented Lagrangian's shift λ ≤ 0 of the same pairs \[mm\]; zero with a penalty.
-    pub shift: Vec<f64>,
+    pub shift: Grid<f64>,
     /// Pressure of each gas \[MPa\].
     pub gas: Vec<f64>,
     /// Initial distances of the nodes from the axis \[mm\].
@@ -74,8 +75,8 @@ pub fn waiting(model: &Model) -> f64 {
     Penalty::WAITING * model.settings.contact_smoothing * model.blank.thickness
 }
 
-/// Axial displacement at which a tool waits where it is drawn, just off the flat sheet \[mm\].
-pub fn drawn(model: &Model, tool: &Tool) -> f64 {
+/// Axial displacement at which a tool waits just off the flat sheet \[mm\].
+pub fn waiting_displacement(model: &Model, tool: &Tool) -> f64 {
     match (tool.role, &tool.motion) {
         // Exactly this far from the die.
         (_, Motion::Gap(gap)) => model.blank.thickness - gap + waiting(model),
@@ -100,32 +101,38 @@ impl State {
             volume: volume.collect(),
             membrane: vec![[0.0; 2]; elements],
             bends: vec![model.blank.theory == Theory::Bending; elements],
-            layers: vec![
+            points: Grid::new(
+                elements,
+                model.blank.layers,
                 MaterialPoint {
                     porosity: model.material.voids.map_or(0.0, |voids| voids.initial),
                     ..MaterialPoint::default()
-                };
-                elements * model.blank.layers
-            ],
+                },
+            ),
             dilation: vec![0.0; elements],
             dilation_rate: vec![0.0; elements],
             temperature: s0
                 .windows(2)
                 .map(|w| model.heat.as_ref().map_or(ROOM_TEMPERATURE, |heat| heat.initial.at(0.5 * (w[0] + w[1]))))
                 .collect(),
-            tools: model.tools.iter().map(|tool| drawn(model, tool)).collect(),
+            tools: model.tools.iter().map(|tool| Point::new(0.0, waiting_displacement(model, tool))).collect(),
             tool_velocity: model
                 .tools
                 .iter()
                 .map(|t| if t.motion == Motion::Travel { model.speed } else { 0.0 })
                 .collect(),
-            aside: vec![0.0; model.tools.len()],
-            pressure: vec![0.0; nodes.len() * model.tools.len()],
-            shift: vec![0.0; nodes.len() * model.tools.len()],
+            pressure: Grid::new(model.tools.len(), nodes.len(), 0.0),
+            shift: Grid::new(model.tools.len(), nodes.len(), 0.0),
             gas: vec![0.0; model.gas.len()],
             nodes,
             s0,
         }
+    }
+
+    /// Position of node `i` in the frame of tool `j`, where the tool is as it is drawn \[mm\].
+    #[inline]
+    pub fn in_frame_of(&self, j: usize, i: usize) -> Point {
+        Point::new(self.nodes[i][0] - self.tools[j].x, self.nodes[i][1] - self.tools[j].y)
     }
 
     /// Thickness that contact sees at node `i` \[mm\]: the mean of its elements'.
@@ -133,10 +140,16 @@ impl State {
         thickness_at(&self.thickness, i)
     }
 
+    /// A tool that lets go presses no more.
+    pub fn release(&mut self, tool: usize) {
+        self.pressure.row_mut(tool).fill(0.0);
+        self.shift.row_mut(tool).fill(0.0);
+    }
+
     /// Largest porosity, mean over the thickness \[–\], and where, initially from the axis \[mm\].
-    pub fn largest_porosity(&self, layers: &[ThicknessPoint]) -> (f64, f64) {
-        let means = self.layers.chunks(layers.len()).enumerate().map(|(e, points)| {
-            let mean: f64 = points.iter().zip(layers).map(|(p, l)| l.weight * p.porosity).sum();
+    pub fn largest_porosity(&self, rule: &[ThicknessPoint]) -> (f64, f64) {
+        let means = self.points.rows().enumerate().map(|(e, points)| {
+            let mean: f64 = points.iter().zip(rule).map(|(p, at)| at.weight * p.porosity).sum();
             (mean, 0.5 * (self.s0[e] + self.s0[e + 1]))
         });
         means.fold((0.0, 0.0), |largest, now| if now.0 > largest.0 { now } else { largest })
@@ -168,7 +181,7 @@ impl State {
         let layers = lobatto::rule(model.blank.layers);
         let elements = (0..self.thickness.len())
             .map(|e| {
-                let points = &self.layers[e * layers.len()..(e + 1) * layers.len()];
+                let points = self.points.row(e);
                 let mean =
                     |of: fn(&MaterialPoint) -> f64| points.iter().zip(&layers).map(|(p, l)| l.weight * of(p)).sum();
                 let (a, b) = (self.nodes[e], self.nodes[e + 1]);
@@ -196,7 +209,7 @@ impl State {
                 NodeRecord { r, z, theta, thickness: self.thickness_at(i) }
             })
             .collect();
-        let points = self.layers.iter().map(|p| PointRecord {
+        let points = self.points.iter().map(|p| PointRecord {
             stress_meridional: p.stress[0],
             stress_hoop: p.stress[1],
             strain_equivalent: p.strain,
@@ -208,7 +221,6 @@ impl State {
             nodes,
             through: ThroughThickness { points: points.collect(), layers },
             tool_displacement: self.tools.clone(),
-            tool_aside: self.aside.clone(),
         }
     }
 }

@@ -3,12 +3,13 @@
 //! A [`Column`] is the only place that knows how a quantity is called, so the header of a CSV file and the label
 //! of an axis cannot disagree.
 
+mod csv;
 mod field;
 pub mod fields;
-mod unit;
 
+pub use crate::units::{Unit, UnitError};
+pub use csv::{Csv, CsvError, Record};
 pub use field::{Field, JOULES, energy_unit, force_unit, worded};
-pub use unit::{Unit, UnitError};
 
 /// One quantity, in solver units.
 #[derive(Clone, Debug, PartialEq)]

@@ -38,7 +38,7 @@ pub struct Check {
 
 /// Looks a case over without solving it.
 pub fn report(case: &Case) -> Check {
-    let model = &case.model;
+    let model = case.model();
     let mut lines = Vec::new();
     blank(model, &mut lines);
     lines.push(line("material", model.material.describe(), ""));
@@ -47,11 +47,11 @@ pub fn report(case: &Case) -> Check {
     tools(model, &mut lines);
     holder(model, strength, &mut lines);
     mesh(model, &mut lines);
-    for (i, stage) in case.later.iter().enumerate() {
+    for (i, stage) in case.later().iter().enumerate() {
         lines.push(line(format!("stage {}", i + 2), &stage.name, stages::describe(stage)));
     }
     let compare = case.compare.iter().map(|spec| {
-        let there = if spec.reference.is_file() { "" } else { " (not there: drop the CSV in to see the overlay)" };
+        let there = if spec.data.is_some() { "" } else { " (not there: drop the CSV in to see the overlay)" };
         line("compare", spec.reference.display().to_string(), format!("{}{there}", spec.against))
     });
     lines.extend(compare);

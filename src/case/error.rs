@@ -1,5 +1,6 @@
 //! What is wrong with a case file, where, and what to write instead.
 
+use super::files::FileError;
 use miette::{Diagnostic, GraphicalReportHandler, GraphicalTheme, NamedSource, SourceSpan};
 use std::ops::Range;
 use std::path::Path;
@@ -46,12 +47,14 @@ impl CaseError {
         Self { what, label: String::new(), help: (!help.is_empty()).then_some(help), source_code, span: None }
     }
 
-    pub(crate) fn unreadable(path: &Path, error: &std::io::Error) -> Self {
-        let what = match error.kind() {
-            std::io::ErrorKind::NotFound => format!("there is no file {}", path.display()),
-            std::io::ErrorKind::InvalidData => format!("{} is not UTF-8 text", path.display()),
-            std::io::ErrorKind::IsADirectory => format!("{} is a folder", path.display()),
-            _ => format!("{} cannot be read: {error}", path.display()),
+    pub(super) fn unreadable(path: &Path, error: &FileError) -> Self {
+        let path = path.display();
+        let what = match error {
+            FileError::Missing => format!("there is no file {path}"),
+            FileError::NotText => format!("{path} is not UTF-8 text"),
+            FileError::Folder => format!("{path} is a folder"),
+            FileError::TooLarge { .. } => format!("{path} is no case file: {error}"),
+            _ => format!("{path} cannot be read: {error}"),
         };
         Self::bare(what, "give the path of a case file, such as cases/quickstart.toml".into())
     }

@@ -110,7 +110,7 @@ fn proposal(word: &str, known: &[&str], kind: &str) -> String {
 fn plain(message: &str) -> String {
     let Some((found, wanted)) = message.rsplit_once(", expected ") else { return message.to_owned() };
     let wanted = match wanted {
-        "i64" => "a whole number",
+        "i64" | "usize" => "a whole number",
         "a string" => "text in quotes",
         "a boolean" => "true or false",
         "a sequence" => "a list in square brackets",

@@ -1,7 +1,7 @@
 //! The built-in materials: one file of `library/` each, every number with its source.
 
 use super::file::{self, CaseFile};
-use super::{CaseError, convert, source::Source};
+use super::{CaseError, build, source::Source};
 use crate::forming_limit::{Curve, Hill, Kind, Sheet, uniform_strain};
 use crate::material::Material;
 use crate::material::flow::ROOM_TEMPERATURE;
@@ -196,7 +196,7 @@ fn unknown(name: &str) -> (String, String) {
 
 fn entry(name: &'static str, text: &'static str) -> Result<Entry, CaseError> {
     let EntryFile { title, source, grade, licence, thickness, notes, material } = read(name, text)?;
-    let material = convert::material(&material, &Source::parse(name, text)?)?;
+    let material = build::material(&material, &Source::parse(name, text)?)?;
     let table = text.find("[material").map_or("", |at| &text[at..]);
     Ok(Entry { name, title, source, grade, licence, thickness, notes, material, text: table })
 }

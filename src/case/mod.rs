@@ -19,14 +19,15 @@
 //!     "cup.toml",
 //!     &[],
 //! )?;
-//! assert_eq!(case.model.blank.thickness, 1.0);
+//! assert_eq!(case.model().blank.thickness, 1.0);
 //! # Ok::<(), stampflow::case::CaseError>(())
 //! ```
 
-mod convert;
+mod build;
 mod error;
 mod explain;
 pub mod file;
+pub mod files;
 mod laws;
 pub mod library;
 mod overrides;
@@ -41,15 +42,10 @@ pub use schema::schema;
 pub use solution::Solution;
 
 use crate::compare::Spec;
-use crate::model::Model;
-use crate::model::stage::{Beginning, Stage};
+use crate::model::{Model, Stage};
+use files::{Disk, FileError, Files, Folder};
 use source::Source;
-use std::fs::File;
-use std::io::Read;
 use std::path::{Path, PathBuf};
-
-/// The largest case file \[bytes\]; a thousand times the size of a long one.
-const LARGEST: usize = 2_000_000;
 
 /// A case: the problem to solve, what to compare it with, and the text it came from.
 #[derive(Clone, Debug, PartialEq)]
@@ -61,11 +57,8 @@ pub struct Case {
     pub text: String,
     /// `key=value` settings that replaced what the file says.
     pub overrides: Vec<String>,
-    /// The first stage, and its name.
-    pub model: Model,
-    pub first: String,
-    /// The stages after it.
-    pub later: Vec<Stage>,
+    /// What is solved, one operation after another on the same sheet; never empty.
+    pub stages: Vec<Stage>,
     pub compare: Vec<Spec>,
     pub press: Press,
     /// What was assumed or changed while reading: defaults that matter, profiles that were shifted.
@@ -82,33 +75,40 @@ pub struct Press {
 }
 
 impl Case {
-    /// All stages, the first one included.
-    pub fn stages(&self) -> Vec<Stage> {
-        let first = Stage { name: self.first.clone(), model: self.model.clone(), begin: Beginning::default() };
-        std::iter::once(first).chain(self.later.iter().cloned()).collect()
+    /// The stage that begins with the flat blank.
+    pub fn first(&self) -> &Stage {
+        &self.stages[0]
+    }
+
+    /// The stages after it.
+    pub fn later(&self) -> &[Stage] {
+        &self.stages[1..]
+    }
+
+    /// The model of the first stage.
+    pub fn model(&self) -> &Model {
+        &self.first().model
     }
 
     /// The names of all stages.
     pub fn stage_names(&self) -> impl Iterator<Item = &str> {
-        std::iter::once(self.first.as_str()).chain(self.later.iter().map(|stage| stage.name.as_str()))
+        self.stages.iter().map(|stage| stage.name.as_str())
     }
 }
 
-/// Reads a case file and applies overrides such as `tools.punch.friction=0.1` or `blank.thickness=0.9 mm`.
+/// Reads a case file from the disk and applies overrides such as `tools.punch.friction=0.1` or `blank.thickness=0.9 mm`.
 ///
 /// # Errors
 /// When the file cannot be read, or as [`parse`].
 pub fn load(path: impl AsRef<Path>, overrides: &[String]) -> Result<Case, CaseError> {
     let path = path.as_ref();
-    let unreadable = |error| CaseError::unreadable(path, &error);
-    let mut text = String::new();
-    // No more than is needed to see that it is too much: a path may lead to a device that never ends.
-    File::open(path).map_err(unreadable)?.take(LARGEST as u64 + 1).read_to_string(&mut text).map_err(unreadable)?;
+    let files: &dyn Files = &Disk;
+    let text = files.text(path, files::CASE).map_err(|error| CaseError::unreadable(path, &error))?;
     parse(&text, &path.to_string_lossy(), overrides)
 }
 
-/// Reads a case from text; `name` is the path that messages show and that reference curves and profiles are
-/// looked up from.
+/// Reads a case from text; `name` is the path that messages show and that reference curves, profiles and temperatures are
+/// looked up from, on the disk.
 ///
 /// An override is `KEY=VALUE`: a dotted path of keys (array entries by index, from 0) and a TOML value; what is not a
 /// TOML value is taken as text. Optional tables such as `solver`, `output`, `press` and `forming_limit` are made when they are missing.
@@ -116,21 +116,39 @@ pub fn load(path: impl AsRef<Path>, overrides: &[String]) -> Result<Case, CaseEr
 /// # Errors
 /// When the text is not TOML, a key is unknown or missing, or a value makes no sense; the error points to its line.
 pub fn parse(text: &str, name: &str, overrides: &[String]) -> Result<Case, CaseError> {
-    if text.len() > LARGEST {
-        let what = format!("{name} is no case file: it is larger than {} MB", LARGEST / 1_000_000);
-        return Err(CaseError::bare(what, "give the path of a case file, such as cases/quickstart.toml".into()));
+    parse_with(text, name, overrides, &Disk)
+}
+
+/// Reads a case from text as [`parse`], the files beside it from elsewhere. All that a case needs is read here.
+///
+/// ```
+/// # use stampflow::case::{self, files::Memory};
+/// let mut files = Memory::default();
+/// files.insert("cases/field.csv", "s0_mm,temperature_C\n20,25\n40,150\n");
+/// let text = format!("{}[heat]\ninitial = \"field.csv\"\n", case::template::find("cup").unwrap().fill(&[])?);
+/// let case = case::parse_with(&text, "cases/cup.toml", &[], &files)?;
+/// assert_eq!(case.model.heat.unwrap().initial.at(40.0), 423.15);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
+/// # Errors
+/// As [`parse`].
+pub fn parse_with(text: &str, name: &str, overrides: &[String], files: &dyn Files) -> Result<Case, CaseError> {
+    let path = PathBuf::from(name);
+    if text.len() > files::CASE {
+        return Err(CaseError::unreadable(&path, &FileError::TooLarge { limit: files::CASE }));
     }
     let text = overrides::apply(text, overrides)?;
     let shown = if overrides.is_empty() { name.to_owned() } else { format!("{name} (with overrides)") };
     let source = Source::parse(&shown, &text)?;
     let mut file = source.read()?;
     let origin = library::complete(&mut file, &source)?;
-    let path = PathBuf::from(name);
-    let convert::Meaning { model, first, later, mut derived } = convert::meaning(&file, &source, &path)?;
+    let folder = Folder { files, path: path.parent().unwrap_or(Path::new("")) };
+    let (stages, mut derived) = build::stages(&file, &source, folder)?;
     derived.splice(0..0, origin);
-    let compare = convert::compare(&file, &source, &path)?;
-    let press = convert::press(&file, &source)?;
+    let compare = build::compare(&file, &source, folder)?;
+    let press = build::press(&file, &source)?;
     let name = path.file_stem().map_or_else(|| "case".into(), |stem| stem.to_string_lossy().into_owned());
     let overrides = overrides.to_vec();
-    Ok(Case { name, path, text: text.clone(), overrides, model, first, later, compare, press, derived })
+    Ok(Case { name, text: text.clone(), overrides, stages, compare, press, derived, path })
 }

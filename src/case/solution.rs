@@ -27,13 +27,13 @@ impl Case {
 
     /// Runs the stages after one another, each on the sheet that the one before left.
     pub fn solve(self, observer: &mut dyn Observer) -> Solution {
-        let stages = run_stages(&self.stages(), observer);
+        let stages = run_stages(&self.stages, observer);
         Solution { case: self, stages, wall: None }
     }
 
     /// What stage `i`, counted from 0, is called in folders and headings: `1-draw`; `None` in a case of one stage.
     pub fn stage_label(&self, i: usize) -> Option<String> {
-        let name = self.stage_names().nth(i).filter(|_| !self.later.is_empty())?;
+        let name = self.stage_names().nth(i).filter(|_| self.stages.len() > 1)?;
         Some(format!("{}-{name}", i + 1))
     }
 }
@@ -41,6 +41,6 @@ impl Case {
 impl Solution {
     /// Whether every stage was run and came to its end.
     pub fn is_complete(&self) -> bool {
-        self.stages.len() == 1 + self.case.later.len() && self.stages.iter().all(|stage| stage.stop.is_complete())
+        self.stages.len() == self.case.stages.len() && self.stages.iter().all(|stage| stage.stop.is_complete())
     }
 }

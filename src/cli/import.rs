@@ -6,9 +6,10 @@ use super::{Code, say};
 use anyhow::Context;
 use serde_json::json;
 use stampflow::author::Draft;
+use stampflow::case::files::{Disk, FileError, Files};
 use stampflow::import::{self, DrawingUnit, Heading, Options, Section, Sections};
 use stampflow::model::{Geometry, Role};
-use stampflow::output::{can_write, png, sketch, svg, write};
+use stampflow::output::{can_write, png, sketch, write};
 use stampflow::units::{Length, Positive, Quantity};
 use std::fmt::Write;
 use std::path::PathBuf;
@@ -101,9 +102,12 @@ fn geometry(text: &str) -> Result<Geometry, String> {
 
 pub fn import(args: &Args) -> anyhow::Result<Code> {
     let drawing = args.drawing.display();
-    let bytes = std::fs::read(&args.drawing).map_err(|error| BadPath {
+    let bytes = Disk.read(&args.drawing, import::LARGEST).map_err(|error| BadPath {
         what: format!("{drawing} cannot be read: {error}"),
-        help: "give the path of a DXF file".into(),
+        help: match error {
+            FileError::TooLarge { .. } => "save the tools' layers only".into(),
+            _ => "give the path of a DXF file".into(),
+        },
         path: args.drawing.clone(),
     })?;
     let out = args.out.clone().unwrap_or_else(|| args.drawing.with_extension("toml"));
@@ -132,7 +136,7 @@ pub fn import(args: &Args) -> anyhow::Result<Code> {
     let text = draft.toml();
     let case = draft.case(&text, &drawing.to_string()).with_context(|| drawing.to_string())?;
     write(&out, text.as_bytes())?;
-    write(&picture, &png(&svg(&sketch(&name, args.geometry, &sections))))?;
+    write(&picture, &png(&sketch(&name, args.geometry, &sections)))?;
     let derived = case.map_or_else(Vec::new, |case| case.derived);
     let notes: Vec<String> = sections.notes.iter().cloned().chain(derived).chain(draft.doubts()).collect();
     if args.json.json {

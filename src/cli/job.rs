@@ -10,7 +10,7 @@ use std::path::Path;
 /// Reads a case, and the curves that it will be compared with, so that bad input is found before solving.
 pub fn load(path: &Path, overrides: &[String]) -> anyhow::Result<Case> {
     let case = case::load(path, overrides)?;
-    comparisons(&case, &Computed::nothing(&case.model))?;
+    comparisons(&case, &Computed::nothing(case.model()))?;
     Ok(case)
 }
 

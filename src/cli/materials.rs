@@ -7,7 +7,7 @@ use anyhow::Result;
 use serde_json::{Value, json};
 use stampflow::case::library::{self, Entry};
 use stampflow::forming_limit::{Curve, Hill, Kind, MarciniakKuczynski};
-use stampflow::output::{Chart, can_write, flow_curve, png, svg, write};
+use stampflow::output::{Chart, can_write, flow_curve, png, write};
 use stampflow::units::rounded;
 use std::path::PathBuf;
 
@@ -41,7 +41,7 @@ pub fn materials(args: &Args) -> Result<Code> {
     let mut text = entry.describe();
     if let Some(path) = &args.plot {
         can_write(path).map_err(unusable("--plot"))?;
-        write(path, &png(&svg(&chart(&entry))))?;
+        write(path, &png(&chart(&entry)))?;
         text += &format!("\n{} written\n", path.display());
     }
     if args.json.json { say_json(&of(&entry)) } else { say(&text) }

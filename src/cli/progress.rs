@@ -62,7 +62,7 @@ impl Progress {
 
     /// A watch over the run of a case, and what it keeps.
     pub fn watch(&self, case: &Case, kept: Kept) -> Watch {
-        let Case { name, model, .. } = case;
+        let (name, model) = (&case.name, case.model());
         let shown = match self {
             Self::Bars(all) => {
                 let bar = ProgressBar::new(FULL).with_style(style()).with_prefix(name.clone());

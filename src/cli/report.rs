@@ -7,6 +7,7 @@ use super::{Code, Overrides, say};
 use clap::ValueEnum;
 use serde_json::json;
 use stampflow::case;
+use stampflow::case::files::{Disk, Files};
 use stampflow::output::{can_write, remove_others, write};
 use stampflow::report::{MARKER, Report, figure_folder, html, is_figure, markdown};
 use std::path::{Path, PathBuf};
@@ -104,6 +105,9 @@ fn save(report: &Report, path: &Path, format: Format) -> anyhow::Result<Vec<Path
     Ok(files)
 }
 
+/// A report is a few MB \[bytes\].
+const LARGEST: usize = 100_000_000;
+
 /// A file of someone else's stays, and so does a folder where our pictures would go without a report beside it.
 fn refuse_others(path: &Path, format: Format) -> Result<(), BadRequest> {
     let refuse = |what: &Path| {
@@ -113,7 +117,7 @@ fn refuse_others(path: &Path, format: Format) -> Result<(), BadRequest> {
         )))
     };
     let is_there = path.symlink_metadata().is_ok();
-    if is_there && !path.is_dir() && !std::fs::read(path).is_ok_and(|bytes| is_report(&bytes)) {
+    if is_there && !path.is_dir() && !Disk.read(path, LARGEST).is_ok_and(|bytes| is_report(&bytes)) {
         return refuse(path);
     }
     let folder = figure_folder(path);

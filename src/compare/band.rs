@@ -6,7 +6,6 @@ use super::reference::Reference;
 use super::{CompareError, Computed, Verdict};
 use crate::table::fields::{element, step};
 use crate::table::{Column, Table, Unit, four_digits};
-use std::path::Path;
 
 /// What is compared with a band.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -180,13 +179,19 @@ impl Band {
 }
 
 /// The band of the reference with what was computed; an unfinished run has no value at the end.
-pub(super) fn compare(spec: &BandSpec, path: &Path, computed: &Column, complete: bool) -> Result<Band, CompareError> {
-    let reference = Reference::read(path)?;
+pub(super) fn compare(
+    spec: &BandSpec,
+    reference: Reference,
+    computed: &Column,
+    complete: bool,
+) -> Result<Band, CompareError> {
+    let path = || reference.path.to_owned();
     let errors = spec.error.as_ref().map(|header| reference.column(header, computed)).transpose()?;
     let errors = errors.map(|column| column.values).unwrap_or_default();
     let negative = errors.iter().position(|e| e.is_some_and(|e| e < 0.0));
     if let (Some(row), Some(column)) = (negative, &spec.error) {
-        return Err(CompareError::NegativeError { path: path.to_owned(), row: row + 1, column: column.clone() });
+        let line = reference.csv.rows[row].line;
+        return Err(CompareError::NegativeError { path: path(), line, column: column.clone() });
     }
     let mut values = Vec::new();
     for header in &spec.columns {
@@ -198,7 +203,7 @@ pub(super) fn compare(spec: &BandSpec, path: &Path, computed: &Column, complete:
     let measured = Interval::of(values.iter().map(|v| v.0));
     let accepted = Interval::of(values.iter().flat_map(|(value, error)| [value - error, value + error]));
     let (Some(measured), Some(accepted)) = (measured, accepted) else {
-        return Err(CompareError::NoBand { path: path.to_owned(), columns: spec.columns.join(", ") });
+        return Err(CompareError::NoBand { path: path(), columns: spec.columns.join(", ") });
     };
     let all = || computed.values.iter().copied();
     let compared = match spec.quantity.of() {

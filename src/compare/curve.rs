@@ -4,7 +4,6 @@ use super::reference::Reference;
 use super::{CompareError, Computed, Verdict};
 use crate::table::fields::{element, step};
 use crate::table::{Column, Table, Unit};
-use std::path::Path;
 
 /// What is compared along a curve.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -128,11 +127,11 @@ pub(super) fn difference(values: Vec<f64>) -> Column {
 /// The reference's points with what was computed there; `curve` is the computed one.
 pub(super) fn compare(
     spec: &CurveSpec,
-    path: &Path,
+    reference: Reference,
     (x, y): (&Column, &Column),
     curve: &[(f64, f64)],
 ) -> Result<Points, CompareError> {
-    let reference = Reference::read(path)?;
+    let path = || reference.path.to_owned();
     let (xs, ys) = (reference.column(&spec.x, x)?, reference.column(&spec.y, y)?);
     let (low, high) = spec.range.unwrap_or((f64::NEG_INFINITY, f64::INFINITY));
     let range = low * xs.factor..=high * xs.factor;
@@ -141,12 +140,12 @@ pub(super) fn compare(
     for (x, reference) in xs.values.into_iter().zip(ys.values).filter_map(|(x, y)| Some((x?, y?))) {
         let judged = range.contains(&x);
         if reference == 0.0 && judged {
-            return Err(CompareError::Zero { path: path.to_owned(), x });
+            return Err(CompareError::Zero { path: path(), x });
         }
         points.push(Point { x, reference, computed: interpolated(&rising, x), judged });
     }
     if !points.iter().any(|point| point.judged) {
-        return Err(CompareError::Empty { path: path.to_owned(), x: spec.x.clone(), y: spec.y.clone() });
+        return Err(CompareError::Empty { path: path(), x: spec.x.clone(), y: spec.y.clone() });
     }
     Ok(Points(points))
 }

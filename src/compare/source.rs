@@ -1,10 +1,11 @@
 //! Where reference curves come from: `sources.toml` in their folder, one table per file name.
 
-use super::CompareError;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::fmt;
-use std::path::Path;
+
+/// The file of a folder that names the sources of the others.
+pub const SOURCES: &str = "sources.toml";
 
 /// Provenance of one reference file.
 #[derive(Clone, Debug, PartialEq, Deserialize, Serialize)]
@@ -20,17 +21,14 @@ pub struct Source {
     pub scatter: Option<String>,
 }
 
-/// The source of a reference file; `None` when its folder does not tell.
-pub(super) fn of(reference: &Path) -> Result<Option<Source>, CompareError> {
-    let path = reference.with_file_name("sources.toml");
-    let text = match std::fs::read_to_string(&path) {
-        Ok(text) => text,
-        Err(error) if error.kind() == std::io::ErrorKind::NotFound => return Ok(None),
-        Err(source) => return Err(CompareError::Read { path, source }),
-    };
-    let mut sources: BTreeMap<String, Source> =
-        toml::from_str(&text).map_err(|source| CompareError::Sources { path, source })?;
-    Ok(reference.file_name().and_then(|name| sources.remove(name.to_string_lossy().as_ref())))
+impl Source {
+    /// The source of a reference file, of those that the text of a `sources.toml` names; `None` where it is not among them.
+    ///
+    /// # Errors
+    /// When the text is not one table per file with citation, kind, grade and, if known, scatter.
+    pub fn of(file: &str, sources: &str) -> Result<Option<Self>, toml::de::Error> {
+        toml::from_str(sources).map(|mut sources: BTreeMap<String, Self>| sources.remove(file))
+    }
 }
 
 impl fmt::Display for Source {

@@ -9,7 +9,7 @@
 //! Δγ   = Δ(φ − θ_m)                                     φ: slope of the meridian
 //! ```
 //!
-//! A layer sits at ζ from the mid-surface along −n, n = (−sin φ, cos φ): then ε(ζ) = ε + ζ κ in both directions.
+//! A thickness point sits at ζ from the mid-surface along −n, n = (−sin φ, cos φ): then ε(ζ) = ε + ζ κ in both directions.
 //!
 //! # References
 //! Oñate, Agelet de Saracibar, Int. J. Num. Meth. Engng. 30 (1990) 1577–1593; Zienkiewicz, Taylor,
@@ -27,7 +27,7 @@ pub const KAPPA_S: usize = 2;
 pub const KAPPA_T: usize = 3;
 pub const GAMMA: usize = 4;
 
-/// An element at the start of a step.
+/// An element in its reference configuration: as a step begins.
 #[derive(Clone, Copy, Debug)]
 pub struct Reference {
     hoop: bool,
@@ -41,10 +41,10 @@ pub struct Reference {
     pub radius: f64,
 }
 
-/// An element at the end of a step.
+/// The element in its current configuration: as it is tried at the end of the step.
 #[derive(Clone, Copy, Debug)]
 pub struct Current {
-    start: Reference,
+    reference: Reference,
     cos: f64,
     sin: f64,
     length: f64,
@@ -86,7 +86,7 @@ impl Reference {
     /// Strains are formed from the moves, not from positions: where the sheet hardly flows, stress is a strain of 1e-10
     /// times a viscosity of 1e8 MPa, and the difference of two positions would be round-off.
     #[inline]
-    pub fn end(&self, a: Node, b: Node) -> Option<Current> {
+    pub fn moved(&self, a: Node, b: Node) -> Option<Current> {
         let (ur, uz, turn) = (b[0] - a[0], b[1] - a[1], b[2] - a[2]);
         let (dr, dz) = (self.dr + ur, self.dz + uz);
         let length = (dr * dr + dz * dz).sqrt();
@@ -114,7 +114,7 @@ impl Reference {
             }
             strain[GAMMA] = (self.dr * uz - self.dz * ur).atan2(self.dr * dr + self.dz * dz) - rotation;
         }
-        Some(Current { start: *self, cos: dr / length, sin: dz / length, length, radius, mean_rotation, strain })
+        Some(Current { reference: *self, cos: dr / length, sin: dz / length, length, radius, mean_rotation, strain })
     }
 }
 
@@ -151,15 +151,15 @@ impl Current {
     /// B, without its zeros.
     #[inline]
     pub fn strain_displacement(&self) -> StrainDisplacement {
-        let (c, s, start) = (self.cos / self.length, self.sin / self.length, &self.start);
-        let bending = if start.bending { 1.0 } else { 0.0 };
-        let hoop = if start.hoop { 1.0 } else { 0.0 };
+        let (c, s, reference) = (self.cos / self.length, self.sin / self.length, &self.reference);
+        let bending = if reference.bending { 1.0 } else { 0.0 };
+        let hoop = if reference.hoop { 1.0 } else { 0.0 };
         StrainDisplacement {
             along: [c, s],
             across: [-s * bending, c * bending],
             hoop: hoop * 0.5 / self.radius,
-            bend: bending / start.length,
-            turn: bending * hoop * 0.5 * self.mean_rotation.cos() / start.radius,
+            bend: bending / reference.length,
+            turn: bending * hoop * 0.5 * self.mean_rotation.cos() / reference.radius,
             shear: -0.5 * bending,
         }
     }
@@ -172,39 +172,38 @@ impl Current {
         let along = s[EPS_S] * inverse;
         // ∂² ln l = (I − 2 ttᵀ)/l²;  ∂²φ = −(ntᵀ + tnᵀ)/l², with t = (c, n), normal (−n, c).
         let mut difference = [along * (1.0 - 2.0 * c * c), -2.0 * along * c * n, along * (1.0 - 2.0 * n * n)];
-        let mut curvature = GeometricStiffness { difference, hoop: 0.0, turn: 0.0 };
-        if self.start.bending {
+        let mut stiffness = GeometricStiffness { difference, hoop: 0.0, turn: 0.0 };
+        if self.reference.bending {
             let shear = s[GAMMA] * inverse;
             difference[0] += 2.0 * shear * c * n;
             difference[1] += shear * (n * n - c * c);
             difference[2] -= 2.0 * shear * c * n;
-            curvature.difference = difference;
+            stiffness.difference = difference;
         }
-        if self.start.hoop {
-            curvature.hoop = -0.25 * s[EPS_T] / (self.radius * self.radius);
-            if self.start.bending {
-                curvature.turn = -0.25 * s[KAPPA_T] * self.mean_rotation.sin() / self.start.radius;
+        if self.reference.hoop {
+            stiffness.hoop = -0.25 * s[EPS_T] / (self.radius * self.radius);
+            if self.reference.bending {
+                stiffness.turn = -0.25 * s[KAPPA_T] * self.mean_rotation.sin() / self.reference.radius;
             }
         }
-        curvature
+        stiffness
     }
 
     /// Whether the element bends, or is a membrane.
     pub fn bends(&self) -> bool {
-        self.start.bending
+        self.reference.bending
     }
 
     /// Change of the slope φ of the meridian in the step \[rad\].
     pub fn turn(&self) -> f64 {
-        let Reference { dr, dz, .. } = self.start;
+        let Reference { dr, dz, .. } = self.reference;
         (dr * self.sin - dz * self.cos).atan2(dr * self.cos + dz * self.sin)
     }
 
     /// Rows of Δε_s and Δε_θ by r₁, z₁, r₂, z₂ \[1/mm\].
     pub fn membrane_rows(&self) -> [[f64; 4]; 2] {
-        let gradient = self.strain_displacement();
-        let [c, s] = gradient.along;
-        [[-c, -s, c, s], [gradient.hoop, 0.0, gradient.hoop, 0.0]]
+        let StrainDisplacement { along: [c, s], hoop, .. } = self.strain_displacement();
+        [[-c, -s, c, s], [hoop, 0.0, hoop, 0.0]]
     }
 
     /// Unit normal over the length: the transverse direction of the element.
@@ -238,8 +237,8 @@ mod tests {
     }
 
     /// B in full: rows of the strains by r₁, z₁, θ₁, r₂, z₂, θ₂.
-    fn rows_of(end: &Current) -> [[f64; 6]; 5] {
-        let g = end.strain_displacement();
+    fn rows_of(current: &Current) -> [[f64; 6]; 5] {
+        let g = current.strain_displacement();
         let [c, s] = g.along;
         let [x, y] = g.across;
         [
@@ -251,8 +250,8 @@ mod tests {
         ]
     }
 
-    fn geometric(end: &Current, s: &Generalised) -> Matrix6 {
-        let c = end.geometric_stiffness(s);
+    fn geometric(current: &Current, s: &Generalised) -> Matrix6 {
+        let c = current.geometric_stiffness(s);
         let [rr, rz, zz] = c.difference;
         let block = |sign: f64| {
             nalgebra::Matrix3::new(sign * rr + c.hoop, sign * rz, 0.0, sign * rz, sign * zz, 0.0, 0.0, 0.0, c.turn)
@@ -270,10 +269,10 @@ mod tests {
     #[test]
     fn rows_and_geometric_stiffness_are_derivatives() {
         let h = 1e-5;
-        for start in kinds() {
+        for reference in kinds() {
             let at = |delta: &[f64; 6]| {
                 let (a, b) = moved(delta);
-                start.end(a, b).expect("sound")
+                reference.moved(a, b).expect("sound")
             };
             let rows = rows_of(&at(&STEP));
             let s = [3.0, -2.0, 0.7, 1.3, -0.9];
@@ -302,13 +301,13 @@ mod tests {
         for theory in [Theory::Bending, Theory::Membrane] {
             let lifted = |_: Node| [0.0, 37.0, 0.0];
             let strain =
-                Reference::new(Geometry::Axisymmetric, theory, A, B).end(lifted(A), lifted(B)).expect("sound").strain;
+                Reference::new(Geometry::Axisymmetric, theory, A, B).moved(lifted(A), lifted(B)).expect("sound").strain;
             assert!(strain.iter().all(|e| e.abs() < 1e-13));
             for angle in [0.3, 1.9, -2.5] {
                 let (s, c) = f64::sin_cos(angle);
                 let turned = |n: Node| [c * n[0] - s * n[1] + 3.0 - n[0], s * n[0] + c * n[1] - 8.0 - n[1], angle];
                 let strain = Reference::new(Geometry::PlaneStrain, theory, A, B)
-                    .end(turned(A), turned(B))
+                    .moved(turned(A), turned(B))
                     .expect("sound")
                     .strain;
                 assert!(strain.iter().all(|e| e.abs() < 1e-13), "{strain:?}");
@@ -318,12 +317,12 @@ mod tests {
 
     #[test]
     fn tributary_areas_sum_to_the_area() {
-        for start in kinds() {
-            let [a, b] = start.tributary();
-            assert_relative_eq!(a + b, start.area(), max_relative = 1e-14);
+        for reference in kinds() {
+            let [a, b] = reference.tributary();
+            assert_relative_eq!(a + b, reference.area(), max_relative = 1e-14);
         }
         // Axis element of a disc of radius 1: 2π∫(1−r) r dr = π/3 for the node on the axis.
-        let start = Reference::new(Geometry::Axisymmetric, Theory::Bending, [0.0; 3], [1.0, 0.0, 0.0]);
-        assert_relative_eq!(start.tributary()[0], std::f64::consts::PI / 3.0, max_relative = 1e-14);
+        let reference = Reference::new(Geometry::Axisymmetric, Theory::Bending, [0.0; 3], [1.0, 0.0, 0.0]);
+        assert_relative_eq!(reference.tributary()[0], std::f64::consts::PI / 3.0, max_relative = 1e-14);
     }
 }

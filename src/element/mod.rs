@@ -1,25 +1,31 @@
-//! The two-node shell element: pure functions of its nodes and of its layer points.
+//! The two-node shell element: pure functions of its nodes and of its thickness points.
 
 pub mod kinematics;
 pub mod section;
 
-/// Which section of the die is solved.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+use schemars::JsonSchema;
+use serde::Deserialize;
+
+/// Which section is solved.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
 pub enum Geometry {
-    /// Body of revolution about r = 0; forces are totals over the whole ring.
+    /// Body of revolution; forces are those of the whole ring.
     Axisymmetric,
-    /// Unit depth, symmetric about r = 0; forces are per mm of depth of the half that is modelled.
+    /// Unit depth, one half of a symmetric section; forces are per length of depth of that half.
     PlaneStrain,
 }
 
-/// Shell theory of the sheet.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+/// Shell theory.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
 pub enum Theory {
-    /// Mindlin shell: membrane, bending and transverse shear.
+    /// Membrane, bending and transverse shear.
+    #[default]
     Bending,
     /// Membrane only.
     Membrane,
-    /// Each element the one or the other, chosen anew in every step: bending where the sheet is curved.
+    /// Bending where the sheet is curved, chosen in every step, membrane elsewhere.
     Selective,
 }
 

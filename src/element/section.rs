@@ -1,4 +1,4 @@
-//! The section: layer points integrated through the thickness into forces and the element's matrix.
+//! The section: thickness points integrated through the thickness into forces and the element's matrix.
 
 use super::Vector6;
 use super::kinematics::{Current, EPS_S, EPS_T, GAMMA, Generalised, KAPPA_S, KAPPA_T, StrainDisplacement};
@@ -7,12 +7,12 @@ use crate::material::flow::{StressUpdate, Symmetric, Triple};
 use crate::numerics::lobatto::ThicknessPoint;
 use nalgebra::Matrix3;
 
-/// What is the same for every layer point of a step.
+/// What is the same for every thickness point of a step.
 #[derive(Clone, Copy, Debug)]
 pub struct Law<'a, L> {
     pub point: L,
     /// Of an element that bends; a membrane has one point, in the middle.
-    pub layers: &'a [ThicknessPoint],
+    pub points: &'a [ThicknessPoint],
     /// Least tension of a membrane over its yield force \[–\], in the matrix only (the residual is untouched): a flat
     /// membrane has no transverse stiffness before its first stretch.
     pub slack_tension: f64,
@@ -45,73 +45,73 @@ fn nodal(g: &StrainDisplacement, s: &Generalised) -> Vector6 {
     Vector6::new(f_sum - fr, -fz, f_turn - f_bend, f_sum + fr, fz, f_turn + f_bend)
 }
 
-/// Forces of an element's nodes that go with given stresses of its layers \[N, N mm\].
+/// Forces of an element's nodes that go with given stresses of its points \[N, N mm\].
 pub fn forces(
-    end: &Current,
+    current: &Current,
     volume: f64,
     thickness: f64,
-    layers: &[ThicknessPoint],
+    points: &[ThicknessPoint],
     stress: impl Fn(usize) -> Triple,
 ) -> Vector6 {
     let mut s: Generalised = [0.0; 5];
-    let layers = if end.bends() { layers } else { &MIDDLE };
-    for (i, layer) in layers.iter().enumerate() {
-        let (zeta, v, stress) = (0.5 * thickness * layer.xi, volume * layer.weight, stress(i));
+    let points = if current.bends() { points } else { &MIDDLE };
+    for (i, at) in points.iter().enumerate() {
+        let (zeta, v, stress) = (0.5 * thickness * at.xi, volume * at.weight, stress(i));
         s[EPS_S] += v * stress[0];
         s[EPS_T] += v * stress[1];
         s[KAPPA_S] += zeta * v * stress[0];
         s[KAPPA_T] += zeta * v * stress[1];
         s[GAMMA] += v * stress[2];
     }
-    nodal(&end.strain_displacement(), &s)
+    nodal(&current.strain_displacement(), &s)
 }
 
 impl<L: PointLaw> Law<'_, L> {
     /// Forces and matrix of an element of `volume` \[mm³\] whose thickness was `thickness` \[mm\] at the start of the step.
     ///
-    /// `before` are the layers as the step finds them, `iterates` their iterates (moved on), `responses` their results
+    /// `before` are the points as the step finds them, `iterates` what they remember (moved on), `updates` their results
     /// (written); of a membrane's the first.
     #[inline]
     pub fn internal(
         &self,
-        end: &Current,
+        current: &Current,
         volume: f64,
         thickness: f64,
         before: &[L::PointState],
         iterates: &mut [L::Iterate],
-        responses: &mut [StressUpdate],
+        updates: &mut [StressUpdate],
     ) -> Internal {
-        let e = &end.strain;
+        let e = &current.strain;
         let mut s: Generalised = [0.0; 5];
         // C integrated with 1, ζ, ζ²: membrane, coupling, bending.
         let (mut c0, mut c1, mut c2): (Symmetric, Symmetric, Symmetric) = ([0.0; 6], [0.0; 6], [0.0; 6]);
-        let layers = if end.bends() { self.layers } else { &MIDDLE };
-        for (i, layer) in layers.iter().enumerate() {
-            let zeta = 0.5 * thickness * layer.xi;
+        let points = if current.bends() { self.points } else { &MIDDLE };
+        for (i, at) in points.iter().enumerate() {
+            let zeta = 0.5 * thickness * at.xi;
             let strain = [e[EPS_S] + zeta * e[KAPPA_S], e[EPS_T] + zeta * e[KAPPA_T], e[GAMMA]];
-            let response = self.point.respond(&before[i], &mut iterates[i], strain);
-            let v = volume * layer.weight;
-            let (vs, vt) = (v * response.stress[0], v * response.stress[1]);
+            let update = self.point.respond(&before[i], &mut iterates[i], strain);
+            let v = volume * at.weight;
+            let (vs, vt) = (v * update.stress[0], v * update.stress[1]);
             s[EPS_S] += vs;
             s[EPS_T] += vt;
             s[KAPPA_S] += zeta * vs;
             s[KAPPA_T] += zeta * vt;
-            s[GAMMA] += v * response.stress[2];
+            s[GAMMA] += v * update.stress[2];
             for j in 0..6 {
-                let c = v * response.tangent[j];
+                let c = v * update.tangent[j];
                 c0[j] += c;
                 c1[j] += zeta * c;
                 c2[j] += zeta * zeta * c;
             }
-            responses[i] = response;
+            updates[i] = update;
         }
         // Forces and matrix of the element's five motions: differences d = (r, z), sum of r, difference and sum of θ.
-        let g = end.strain_displacement();
-        let mut k = end.geometric_stiffness(&s);
-        if !end.bends() && self.slack_tension > 0.0 {
-            let tension = self.slack_tension * volume * responses[0].yield_stress;
+        let g = current.strain_displacement();
+        let mut k = current.geometric_stiffness(&s);
+        if !current.bends() && self.slack_tension > 0.0 {
+            let tension = self.slack_tension * volume * updates[0].yield_stress;
             if s[EPS_S] < tension {
-                let [x, y] = end.transverse();
+                let [x, y] = current.transverse();
                 let missing = tension - s[EPS_S];
                 k.difference[0] += missing * x * x;
                 k.difference[1] += missing * x * y;

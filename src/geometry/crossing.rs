@@ -1,6 +1,6 @@
 //! Where pieces meet, and whether a profile runs into itself.
 
-use super::{Piece, Point, Profile};
+use super::{Bounds, Piece, Point, Profile};
 use std::f64::consts::PI;
 
 /// Pieces that come this close touch \[mm\].
@@ -35,23 +35,32 @@ impl Profile {
         if let Some(v) = back {
             return Some(Fold::Back { at: v.point, after: v.after, turn: v.turn });
         }
-        let boxes: Vec<[Point; 2]> = self.pieces().iter().map(bounds).collect();
-        for (i, a) in self.pieces().iter().enumerate() {
-            for (j, b) in self.pieces().iter().enumerate().skip(i + 1) {
-                let [(a_low, a_high), (b_low, b_high)] = [(boxes[i][0], boxes[i][1]), (boxes[j][0], boxes[j][1])];
-                if a_low.x > b_high.x || b_low.x > a_high.x || a_low.y > b_high.y || b_low.y > a_high.y {
-                    continue;
-                }
-                let vertex = a.last();
-                // Round-off δ of the distance moves the point where a line touches an arc by √(2 R δ).
-                let radius = radius(a).max(radius(b));
-                let near = if j == i + 1 { ROUNDED + (8.0 * radius * TOUCH).sqrt() } else { 0.0 };
-                if let Some(at) = common(a, b).into_iter().find(|p| j > i + 1 || (p - vertex).norm() > near) {
-                    return Some(Fold::Crossing { at, pieces: [i, j] });
+        // In the order of their boxes along the chain's longer way, a piece meets only those that begin before it ends.
+        let boxes: Vec<Bounds> = self.pieces().iter().map(Piece::bounds).collect();
+        let size = Bounds::around(self.pieces()).map_or(Point::zeros(), |all| all.high - all.low);
+        let way = if size.x >= size.y { 0 } else { 1 };
+        let mut order: Vec<usize> = (0..boxes.len()).collect();
+        order.sort_by(|a, b| boxes[*a].low[way].total_cmp(&boxes[*b].low[way]));
+        let mut first: Option<([usize; 2], Point)> = None;
+        for (k, &a) in order.iter().enumerate() {
+            let reach = boxes[a].high[way] + 2.0 * TOUCH;
+            for &b in order[k + 1..].iter().take_while(|b| boxes[**b].low[way] <= reach) {
+                let pair = [a.min(b), a.max(b)];
+                if !boxes[a].is_apart(&boxes[b], 2.0 * TOUCH) && first.is_none_or(|(found, _)| pair < found) {
+                    first = self.meeting(pair).map(|at| (pair, at)).or(first);
                 }
             }
         }
-        None
+        first.map(|(pieces, at)| Fold::Crossing { at, pieces })
+    }
+
+    /// Where two pieces meet, neighbours away from their vertex.
+    fn meeting(&self, [i, j]: [usize; 2]) -> Option<Point> {
+        let (a, b) = (&self.pieces()[i], &self.pieces()[j]);
+        // Round-off δ of the distance moves the point where a line touches an arc by √(2 R δ).
+        let radius = radius(a).max(radius(b));
+        let near = ROUNDED + (8.0 * radius * TOUCH).sqrt();
+        common(a, b).into_iter().find(|p| j > i + 1 || (p - a.last()).norm() > near)
     }
 }
 
@@ -107,18 +116,6 @@ fn radius(piece: &Piece) -> f64 {
     match piece {
         Piece::Segment(_) => 0.0,
         Piece::Arc(a) => a.radius,
-    }
-}
-
-/// A box around a piece, of an arc around its whole circle.
-fn bounds(piece: &Piece) -> [Point; 2] {
-    let margin = Point::new(TOUCH, TOUCH);
-    match piece {
-        Piece::Segment(s) => [s.from.inf(&s.to) - margin, s.from.sup(&s.to) + margin],
-        Piece::Arc(a) => {
-            let reach = Point::new(a.radius, a.radius) + margin;
-            [a.center - reach, a.center + reach]
-        }
     }
 }
 
@@ -189,6 +186,21 @@ mod tests {
             panic!("the crossing is missed");
         };
         assert!((at - Point::new(7.0, 0.0)).norm() < 1e-9);
+    }
+
+    /// A million million pairs of pieces would take hours.
+    #[test]
+    fn a_long_chain_is_gone_through_piece_by_piece() {
+        let at = |i: u32, n: u32| f64::from(i) * f64::from(n).recip();
+        let wave = |n: u32| (0..=n).map(move |i| [100.0 * at(i, n), (40.0 * at(i, n)).sin()]);
+        let points: Vec<[f64; 2]> = wave(1_000_000).collect();
+        assert_eq!(chain(&points).fold(), None);
+        // A wall is gone through along its height.
+        let wall: Vec<[f64; 2]> = points.iter().map(|[x, y]| [*y, *x]).collect();
+        assert_eq!(chain(&wall).fold(), None);
+        let back = [[100.0, 8.0], [50.0, 8.0], [50.000_05, -8.0]];
+        let crossing: Vec<[f64; 2]> = points.into_iter().chain(back).collect();
+        assert!(matches!(chain(&crossing).fold(), Some(Fold::Crossing { pieces: [500_000, 1_000_002], .. })));
     }
 
     #[test]

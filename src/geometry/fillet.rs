@@ -50,7 +50,7 @@ pub fn fillet(points: &[Point], radii: &[f64]) -> Result<Vec<Piece>, FilletTooLa
     let mut pieces = Vec::new();
     let mut here = points[0];
     let go_to = |to: Point, here: Point, pieces: &mut Vec<Piece>| {
-        if (to - here).norm() > super::profile::SHORTEST {
+        if (to - here).norm() > super::piece::SHORTEST {
             pieces.push(Piece::Segment(Segment::new(here, to)));
         }
     };

@@ -5,6 +5,7 @@
 //! sheet lies on the left**: the outward normal is the tangent turned by +90°, and the signed distance is
 //! positive on the sheet's side, negative inside the tool.
 
+mod bounds;
 mod cavity;
 mod crossing;
 mod cut;
@@ -17,6 +18,7 @@ mod profile;
 mod rounding;
 mod shapes;
 
+pub(crate) use bounds::Bounds;
 pub use cavity::CavityError;
 pub use crossing::Fold;
 pub use fillet::{FilletTooLarge, fillet};

@@ -3,6 +3,9 @@
 use super::{Point, turned};
 use std::f64::consts::TAU;
 
+/// A piece that is not longer has no direction \[mm\].
+pub(super) const SHORTEST: f64 = 1e-9;
+
 /// A straight piece from `from` to `to` \[mm\].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Segment {
@@ -206,7 +209,7 @@ impl Piece {
                 .map(Piece::Arc)
             }
         };
-        halves.map(|half| (half.length() > super::profile::SHORTEST).then_some(half))
+        halves.map(|half| (half.length() > SHORTEST).then_some(half))
     }
 
     /// The piece at the distance `by` on its left (negative: right) \[mm\]; `None` when an arc's radius is used up.

@@ -1,10 +1,7 @@
 //! A tool's section: a chain of pieces with signed distance, normal and curvature.
 
-use super::piece::Foot;
+use super::piece::{Foot, SHORTEST};
 use super::{Arc, Piece, Point, Segment, turn, turned};
-
-/// A piece that is not longer has no direction \[mm\].
-pub(super) const SHORTEST: f64 = 1e-9;
 
 /// How far apart consecutive pieces may be \[mm\].
 pub(super) const GAP: f64 = 1e-6;

@@ -2,8 +2,9 @@
 
 use super::ImportError;
 use super::frame::Frame;
+use super::listing::Listed;
 use super::stroke::Stroke;
-use crate::geometry::{Arc, Piece, Point, Segment, turn};
+use crate::geometry::{Arc, Bounds, Piece, Point, Segment, turn};
 use crate::model::Role;
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -77,9 +78,11 @@ pub(super) fn join(
 fn without_repeats(strokes: Vec<Stroke>, frame: &Frame, notes: &mut Vec<String>) -> Vec<Stroke> {
     let looks = |stroke: &Stroke| stroke.pieces.iter().flat_map(|piece| piece.sample(4)).collect::<Vec<_>>();
     let within = |a: &Stroke, b: &Stroke| looks(a).iter().all(|p| away(b, *p) <= frame.join);
-    let mut kept: Vec<Stroke> = Vec::new();
+    let mut kept: Vec<(Bounds, Stroke)> = Vec::new();
     for stroke in strokes {
-        match kept.iter().find(|other| within(&stroke, other) && within(other, &stroke)) {
+        let around = stroke.bounds();
+        let near = kept.iter().filter(|(other, _)| !around.is_apart(other, frame.join)).map(|(_, other)| other);
+        match near.into_iter().find(|other| within(&stroke, other) && within(other, &stroke)) {
             Some(other) => notes.push(format!(
                 "{} is left out: it repeats {}, from {} to {}",
                 stroke.from,
@@ -87,10 +90,10 @@ fn without_repeats(strokes: Vec<Stroke>, frame: &Frame, notes: &mut Vec<String>)
                 frame.place(stroke.first()),
                 frame.place(stroke.last())
             )),
-            None => kept.push(stroke),
+            None => kept.push((around, stroke)),
         }
     }
-    kept
+    kept.into_iter().map(|(_, stroke)| stroke).collect()
 }
 
 /// Distance of a point from a stroke \[mm\].
@@ -114,12 +117,14 @@ fn corners(strokes: &[Stroke], join: f64) -> Vec<(Point, Vec<End>)> {
 
 /// Ends that lie on the inside of another stroke: overlaps and side branches.
 fn touching(strokes: &[Stroke], role: Role, frame: &Frame) -> Result<(), ImportError> {
+    let boxes: Vec<Bounds> = strokes.iter().map(Stroke::bounds).collect();
     for (i, stroke) in strokes.iter().enumerate() {
         for (at, along) in [
             (stroke.first(), stroke.pieces[0].tangent(false)),
             (stroke.last(), stroke.pieces[stroke.pieces.len() - 1].tangent(true)),
         ] {
-            for other in strokes.iter().enumerate().filter(|(j, _)| *j != i).map(|(_, other)| other) {
+            let near = |j: &usize| *j != i && !boxes[*j].is_beyond(at, frame.join);
+            for other in (0..strokes.len()).filter(near).map(|j| &strokes[j]) {
                 let at_end = [other.first(), other.last()].iter().any(|end| (end - at).norm() <= frame.join);
                 let on = other.pieces.iter().find(|piece| (piece.closest_point(at) - at).norm() <= frame.join);
                 let Some(piece) = on.filter(|_| !at_end) else { continue };
@@ -161,6 +166,11 @@ fn walk(
 ) -> Result<Vec<Vec<Stroke>>, ImportError> {
     let mut done = vec![false; strokes.len()];
     let mut lines = Vec::new();
+    // The corner of either end of each stroke.
+    let mut corner = vec![[0; 2]; strokes.len()];
+    for (k, (i, last)) in corners.iter().enumerate().flat_map(|(k, (_, ends))| ends.iter().map(move |end| (k, *end))) {
+        corner[i][usize::from(last)] = k;
+    }
     let starts = corners.iter().filter(|(_, ends)| ends.len() == 1).map(|(_, ends)| ends[0]);
     for start in starts {
         let mut next = Some(start).filter(|(i, _)| !done[*i]);
@@ -169,8 +179,8 @@ fn walk(
             done[i] = true;
             line.push(if from_last { strokes[i].reversed() } else { strokes[i].clone() });
             let far = (i, !from_last);
-            let there = corners.iter().find(|(_, ends)| ends.contains(&far)).map(|(_, ends)| ends);
-            next = there.and_then(|ends| ends.iter().copied().find(|end| *end != far && !done[end.0]));
+            let (_, there) = &corners[corner[i][usize::from(!from_last)]];
+            next = there.iter().copied().find(|end| *end != far && !done[end.0]);
         }
         if !line.is_empty() {
             lines.push(line);
@@ -191,25 +201,19 @@ fn gap(lines: &[Vec<Stroke>], role: Role, frame: &Frame) -> ImportError {
         let (first, last) = (&line[0], &line[line.len() - 1]);
         [(first.first(), first.from.clone()), (last.last(), last.from.clone())]
     };
-    let mut closest: Option<(f64, String, usize)> = None;
-    for (i, line) in lines.iter().enumerate() {
-        for ((a, from_a), (b, from_b)) in lines[i + 1..]
-            .iter()
-            .flat_map(|other| ends(other).into_iter())
-            .flat_map(|b| ends(line).into_iter().map(move |a| (a, b.clone())))
-        {
-            let distance = (b - a).norm();
-            if closest.as_ref().is_none_or(|(least, ..)| distance < *least) {
-                let (a, b) = (frame.place(a), frame.place(b));
-                let words = format!("{from_a} ends at {a} and {from_b} at {b}");
-                closest = Some((distance, words, from_a.line));
-            }
-        }
-    }
-    let (distance, words, line) = closest.expect("there is more than one line");
+    let ends: Vec<_> = lines.iter().map(|line| ends(line)).collect();
+    let pairs = ends.iter().enumerate().flat_map(|(i, line)| ends[i + 1..].iter().map(move |other| (line, other)));
+    let pairs = pairs.flat_map(|(line, other)| other.iter().flat_map(move |b| line.iter().map(move |a| (a, b))));
+    let distance = |((a, _), (b, _)): &(&(Point, Listed), &(Point, Listed))| (b - a).norm();
+    let closest = pairs.min_by(|a, b| distance(a).total_cmp(&distance(b)));
+    let closest = closest.expect("there is more than one line");
+    let (distance, ((a, from_a), (b, from_b))) = (distance(&closest), closest);
+    let (a, b) = (frame.place(*a), frame.place(*b));
+    let words = format!("{from_a} ends at {a} and {from_b} at {b}");
     let what = format!("the {}'s line has a gap of {} mm: {words}", role.name(), shown(distance));
     let more = (1.2 * distance * 1e4).ceil() / 1e4;
-    ImportError::new(what, format!("close it in the drawing, or let such ends meet with --join \"{more} mm\"")).at(line)
+    ImportError::new(what, format!("close it in the drawing, or let such ends meet with --join \"{more} mm\""))
+        .at(from_a.line)
 }
 
 /// A length in four significant digits.

@@ -1,10 +1,14 @@
 //! The drawing's unit and axis: from its coordinates to mm, and back for messages.
 
+use super::listing::Header;
 use super::{ImportError, Options};
 use crate::geometry::Point;
 use crate::units::rounded;
-use dxf::Header;
-use dxf::enums::{DrawingUnits, Units};
+
+/// What the numbers of $INSUNITS stand for, from 1.
+const UNITS: &str = "inches, feet, miles, mm, cm, m, km, microinches, mils, yards, ångströms, nanometres, micrometres, decimetres, \
+    decametres, hectometres, gigametres, astronomical units, light years, parsecs, US survey feet, US survey inches, US survey \
+    yards, US survey miles";
 
 /// A unit of length that drawings are made in.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -92,25 +96,28 @@ impl Frame {
 }
 
 fn of_header(header: &Header) -> Result<(DrawingUnit, &'static str), ImportError> {
-    let unit = match (header.default_drawing_units, header.drawing_units) {
-        (Units::Millimeters, _) => DrawingUnit::Mm,
-        (Units::Centimeters, _) => DrawingUnit::Cm,
-        (Units::Meters, _) => DrawingUnit::M,
-        (Units::Microns, _) => DrawingUnit::Micrometre,
-        (Units::Mils, _) => DrawingUnit::Mil,
-        (Units::Inches, _) => DrawingUnit::Inch,
-        (Units::Feet, _) => DrawingUnit::Foot,
-        (Units::Unitless, DrawingUnits::Metric) => {
-            return Ok((DrawingUnit::Mm, "$MEASUREMENT says metric, $INSUNITS names no unit"));
-        }
-        (Units::Unitless, DrawingUnits::English) => {
-            let what = "the drawing names no unit: neither $INSUNITS nor a metric $MEASUREMENT is in its header";
-            return Err(ImportError::new(what, "say which: --units mm (or in, cm, m)"));
-        }
-        (other, _) => {
-            let what = format!("the drawing's unit is {other:?} ($INSUNITS), which no tool is drawn in");
+    let unit = match header.unit {
+        1 => DrawingUnit::Inch,
+        2 => DrawingUnit::Foot,
+        4 => DrawingUnit::Mm,
+        5 => DrawingUnit::Cm,
+        6 => DrawingUnit::M,
+        9 => DrawingUnit::Mil,
+        13 => DrawingUnit::Micrometre,
+        number => {
+            let named = number.checked_sub(1).and_then(|i| UNITS.split(", ").nth(i));
+            let Some(unit) = named else { return of_measurement(header) };
+            let what = format!("the drawing's unit is {unit} ($INSUNITS), which no tool is drawn in");
             return Err(ImportError::new(what, "say what it is drawn in: --units mm (or in, cm, m)"));
         }
     };
     Ok((unit, "$INSUNITS of the drawing"))
+}
+
+fn of_measurement(header: &Header) -> Result<(DrawingUnit, &'static str), ImportError> {
+    if header.is_metric {
+        return Ok((DrawingUnit::Mm, "$MEASUREMENT says metric, $INSUNITS names no unit"));
+    }
+    let what = "the drawing names no unit: neither $INSUNITS nor a metric $MEASUREMENT is in its header";
+    Err(ImportError::new(what, "say which: --units mm (or in, cm, m)"))
 }

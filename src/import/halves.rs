@@ -4,7 +4,7 @@ use super::ImportError;
 use super::chain::{Chain, join, with_ends};
 use super::frame::Frame;
 use super::stroke::Stroke;
-use crate::geometry::{Piece, Point};
+use crate::geometry::{Bounds, Piece, Point};
 use crate::model::Role;
 
 /// The chain at x ≥ 0.
@@ -85,9 +85,11 @@ fn mirrored(stroke: &Stroke) -> Stroke {
 fn compare(right: &Chain, image: &Chain, name: &str, frame: &Frame) -> Result<(), ImportError> {
     let worst = [(right, image, 1.0), (image, right, -1.0)].into_iter().flat_map(|(these, others, side)| {
         let points = these.pieces().flat_map(|(piece, stroke)| piece.sample(8).into_iter().map(move |p| (p, stroke)));
+        let others: Vec<(Bounds, &Piece)> = others.pieces().map(|(piece, _)| (piece.bounds(), piece)).collect();
         points.map(move |(p, stroke)| {
-            let away =
-                others.pieces().map(|(other, _)| (other.closest_point(p) - p).norm()).fold(f64::INFINITY, f64::min);
+            let away = others.iter().fold(f64::INFINITY, |least, (around, other)| {
+                if around.is_beyond(p, least) { least } else { least.min((other.closest_point(p) - p).norm()) }
+            });
             (away, Point::new(side * p.x, p.y), &these.strokes[stroke].from)
         })
     });

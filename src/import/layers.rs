@@ -1,6 +1,6 @@
 //! Which layer draws which tool.
 
-use super::listing::Listed;
+use super::listing::Entity;
 use super::{ImportError, Options};
 use crate::model::Role;
 use std::collections::BTreeMap;
@@ -9,10 +9,10 @@ use std::collections::BTreeMap;
 pub(super) type Roles = BTreeMap<String, Role>;
 
 /// Which layers are tools: those named with `--layer`, then those whose names hold punch, die or holder.
-pub(super) fn roles(listed: &[Listed], options: &Options, notes: &mut Vec<String>) -> Result<Roles, ImportError> {
+pub(super) fn roles(found: &[Entity], options: &Options, notes: &mut Vec<String>) -> Result<Roles, ImportError> {
     let mut layers: BTreeMap<&str, usize> = BTreeMap::new();
-    for entry in listed.iter().filter(|entry| !entry.on_paper && !is_part(entry)) {
-        *layers.entry(&entry.layer).or_default() += 1;
+    for Entity { listed, .. } in found.iter().filter(|entity| !entity.listed.on_paper) {
+        *layers.entry(&listed.layer).or_default() += 1;
     }
     if layers.is_empty() {
         let what = "the drawing is empty: there is no entity in its model space";
@@ -59,11 +59,6 @@ pub(super) fn nothing_drawn(roles: &Roles) -> ImportError {
 /// `1 entity`, `4 entities`.
 pub(super) fn entities(count: usize) -> String {
     if count == 1 { "1 entity".to_owned() } else { format!("{count} entities") }
-}
-
-/// Parts of the entity before, which the file lists on their own.
-pub(super) fn is_part(entry: &Listed) -> bool {
-    ["VERTEX", "SEQEND", "ATTRIB"].contains(&entry.kind.as_str())
 }
 
 fn same(layer: &str, name: &str) -> bool {

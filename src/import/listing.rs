@@ -1,13 +1,47 @@
-//! What a DXF file names in its ENTITIES section, line by line: kinds, layers, handles and places in the file.
+//! A DXF file, read once from its first line to its last: pairs of a group code and a value, each on a line of its own.
 //!
-//! The dxf crate drops entities that it does not know and stops at one that it cannot read; this listing says what
-//! was there.
+//! # References
+//! Autodesk, DXF Reference (group codes of the HEADER and ENTITIES sections; not read: codes as commonly used).
 
 use super::ImportError;
+use super::curve::{Curve, Group, Vertex};
+use std::borrow::Cow;
 use std::fmt;
 
 /// More of a file is no drawing of a few tools \[bytes\].
-const LARGEST: usize = 50_000_000;
+pub const LARGEST: usize = 50_000_000;
+
+const AGAIN: &str = "open the drawing in a CAD program and save it as DXF again";
+
+/// Characters of the Windows code page 1252 from 0x80 to 0x9F; all others are those of Unicode.
+const WINDOWS: [char; 32] = [
+    '€', '\u{81}', '‚', 'ƒ', '„', '…', '†', '‡', 'ˆ', '‰', 'Š', '‹', 'Œ', '\u{8d}', 'Ž', '\u{8f}', '\u{90}', '‘', '’',
+    '“', '”', '•', '–', '—', '˜', '™', 'š', '›', 'œ', '\u{9d}', 'ž', 'Ÿ',
+];
+
+/// What is read of a drawing.
+#[derive(Debug, Default)]
+pub(super) struct Drawing {
+    pub header: Header,
+    /// The entities of the model and of paper sheets; those inside blocks are not among them.
+    pub entities: Vec<Entity>,
+}
+
+/// What a drawing says about its unit.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Header {
+    /// Number of $INSUNITS; 0 where there is none.
+    pub unit: usize,
+    /// Whether $MEASUREMENT is metric.
+    pub is_metric: bool,
+}
+
+/// An entity, and its shape where it is one that tools are drawn with.
+#[derive(Debug)]
+pub(super) struct Entity {
+    pub listed: Listed,
+    pub curve: Option<Curve>,
+}
 
 /// An entity as the file names it.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -21,7 +55,7 @@ pub(super) struct Listed {
     pub line: usize,
     /// Drawn on a sheet of paper, not in the model.
     pub on_paper: bool,
-    /// Its first point, in drawing units: where a circle's centre, a text or a block is.
+    /// Its point, in drawing units: where a circle's centre, a text or a block is.
     pub at: [f64; 2],
 }
 
@@ -34,7 +68,7 @@ impl fmt::Display for Listed {
 }
 
 /// The file's text: UTF-8, or the Windows code page of older files.
-pub(super) fn decode(bytes: &[u8]) -> Result<String, ImportError> {
+pub(super) fn decode(bytes: &[u8]) -> Result<Cow<'_, str>, ImportError> {
     let text_help = "save the drawing as DXF in text form (ASCII), version R12 or later";
     if bytes.len() > LARGEST {
         let what = format!("the file is larger than {} MB", LARGEST / 1_000_000);
@@ -46,20 +80,37 @@ pub(super) fn decode(bytes: &[u8]) -> Result<String, ImportError> {
     if bytes.starts_with(b"AC10") {
         return Err(ImportError::new("the file is a DWG, not a DXF", text_help));
     }
-    let text = match std::str::from_utf8(bytes) {
-        Ok(text) => text.trim_start_matches('\u{feff}').to_owned(),
-        Err(_) => encoding_rs::WINDOWS_1252.decode(bytes).0.into_owned(),
+    let windows = |byte: &u8| match byte {
+        0x80..=0x9f => WINDOWS[usize::from(byte - 0x80)],
+        _ => char::from(*byte),
     };
-    Ok(text)
+    Ok(match std::str::from_utf8(bytes) {
+        Ok(text) => text.trim_start_matches('\u{feff}').into(),
+        Err(_) => bytes.iter().map(windows).collect::<String>().into(),
+    })
 }
 
-/// The entities of the model and of paper sheets; vertices and ends of sequences are parts of others.
-pub(super) fn entities(text: &str) -> Result<Vec<Listed>, ImportError> {
-    let mut found: Vec<Listed> = Vec::new();
-    let (mut section, mut opens, mut is_dxf) = (String::new(), false, false);
+/// What the pairs that follow belong to, inside the ENTITIES section.
+enum Part {
+    Entity,
+    /// The last vertex of the last entity, a POLYLINE.
+    Vertex,
+    /// An attribute of a block, the end of a list of vertices: no part of any shape.
+    Other,
+}
+
+/// Reads a drawing's text.
+///
+/// # Errors
+/// When it is no DXF, ends inside a section, or has something else where a group code or a curve's number has to be.
+pub(super) fn drawing(text: &str) -> Result<Drawing, ImportError> {
+    let Drawing { mut header, entities: mut found } = Drawing::default();
+    let (mut section, mut opens, mut is_dxf) = ("", false, false);
+    let (mut variable, mut part, mut last_line) = ("", Part::Other, 0);
     let mut lines = text.lines().map(str::trim).enumerate();
     while let Some((i, code)) = lines.next() {
         let Some((_, value)) = lines.next() else { break };
+        last_line = i + 2;
         let Ok(code) = code.parse::<i32>() else {
             let what = match is_dxf {
                 true => format!("the file is damaged: line {} has to be a group code, and is \"{}\"", i + 1, cut(code)),
@@ -67,24 +118,21 @@ pub(super) fn entities(text: &str) -> Result<Vec<Listed>, ImportError> {
             };
             return Err(ImportError::new(what, "save it as DXF in text form (ASCII) again").at(i + 1));
         };
-        is_dxf |= code == 0 && value == "SECTION";
         match (code, value) {
-            (0, "SECTION") => opens = true,
-            (2, name) if opens => (section, opens) = (name.to_owned(), false),
-            (0, "ENDSEC") => section.clear(),
-            (0, kind) if section == "ENTITIES" => {
-                let kind = kind.to_owned();
-                found.push(Listed { kind, layer: "0".to_owned(), line: i + 2, ..Listed::default() });
-            }
+            (0, "EOF") => break,
+            (0, "SECTION") => (opens, is_dxf) = (true, true),
+            (2, name) if opens => (section, opens) = (name, false),
+            (0, "ENDSEC") => section = "",
+            (9, name) if section == "HEADER" => variable = name,
+            (70, value) if section == "HEADER" => match variable {
+                "$INSUNITS" => header.unit = whole(value),
+                "$MEASUREMENT" => header.is_metric = whole(value) == 1,
+                _ => {}
+            },
+            (0, kind) if section == "ENTITIES" => part = begun(kind, last_line, &mut found),
             _ if section == "ENTITIES" => {
-                if let Some(last) = found.last_mut() {
-                    match code {
-                        5 => last.handle = value.to_owned(),
-                        8 => last.layer = value.to_owned(),
-                        10 | 20 => last.at[usize::from(code == 20)] = value.parse().unwrap_or(0.0),
-                        67 => last.on_paper = value == "1",
-                        _ => {}
-                    }
+                if let Some(entity) = found.last_mut() {
+                    entity.take(&part, code, value, last_line)?;
                 }
             }
             _ => {}
@@ -94,7 +142,67 @@ pub(super) fn entities(text: &str) -> Result<Vec<Listed>, ImportError> {
         let what = "the file is not a DXF drawing: it has no section";
         return Err(ImportError::new(what, "give a DXF file in text form (ASCII)"));
     }
-    Ok(found)
+    if !section.is_empty() {
+        let what =
+            format!("the drawing is cut short: it ends inside its {} section, at line {last_line}", cut(section));
+        return Err(ImportError::new(what, AGAIN).at(last_line));
+    }
+    Ok(Drawing { header, entities: found })
+}
+
+/// Begins an entity, or a part of the last one.
+fn begun(kind: &str, line: usize, found: &mut Vec<Entity>) -> Part {
+    match (kind, found.last_mut()) {
+        ("VERTEX", Some(Entity { curve: Some(Curve::Old(polyline)), .. })) => {
+            polyline.vertices.push(Vertex::default());
+            Part::Vertex
+        }
+        ("VERTEX" | "SEQEND" | "ATTRIB", _) => Part::Other,
+        _ => {
+            let listed = Listed { kind: kind.to_owned(), layer: "0".to_owned(), line, ..Listed::default() };
+            found.push(Entity { listed, curve: Curve::new(kind) });
+            Part::Entity
+        }
+    }
+}
+
+impl Entity {
+    fn take(&mut self, part: &Part, code: i32, value: &str, line: usize) -> Result<(), ImportError> {
+        let Self { listed, curve } = self;
+        let group = match (part, curve) {
+            (Part::Other, _) => return Ok(()),
+            (Part::Vertex, Some(Curve::Old(polyline))) => {
+                polyline.vertices.last_mut().map_or(Group::Other, |vertex| vertex.group(code))
+            }
+            (Part::Entity, Some(curve)) => curve.group(code),
+            _ => Group::Other,
+        };
+        match (group, part, code) {
+            (Group::Number(number), ..) => match value.parse::<f64>() {
+                Ok(value) if value.is_finite() => *number = value,
+                _ => {
+                    let what =
+                        format!("{listed} cannot be read: line {line} has to be a number, and is \"{}\"", cut(value));
+                    return Err(ImportError::new(what, AGAIN).at(line));
+                }
+            },
+            (Group::NoPoint, ..) => {
+                let what = format!("{listed} cannot be read: line {line} belongs to a point that has no x before it");
+                return Err(ImportError::new(what, AGAIN).at(line));
+            }
+            (Group::Other, Part::Entity, 5) => listed.handle = value.to_owned(),
+            (Group::Other, Part::Entity, 8) => listed.layer = value.to_owned(),
+            (Group::Other, Part::Entity, 10 | 20) => listed.at[usize::from(code == 20)] = value.parse().unwrap_or(0.0),
+            (Group::Other, Part::Entity, 67) => listed.on_paper = value == "1",
+            _ => {}
+        }
+        Ok(())
+    }
+}
+
+/// A whole number, which some programs write with decimals; 0 for anything else.
+fn whole(value: &str) -> usize {
+    value.parse::<f64>().map_or(0, |value| value as usize)
 }
 
 /// A quotation that stays short.

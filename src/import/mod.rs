@@ -1,7 +1,8 @@
 //! Tool sections from a drawing (DXF): lines, arcs, polylines and splines joined into oriented chains, one per tool.
 //!
 //! ```text
-//! text → listing (what the file names, line by line) + the dxf crate's reading of the same entities
+//! text → listing               what the file holds, line by line: the header's unit, entities and where they stand
+//!    │ curve                      the shape of those that tools are drawn with
 //!    │ layers                     which layer is which tool
 //!    │ stroke, spline             entity → Stroke: pieces in mm, and where they were drawn
 //!    │ halves                     cut at the axis; a second half is compared and left out
@@ -16,18 +17,19 @@
 //! file's reader moves each to where it touches the flat sheet.
 
 mod chain;
+mod curve;
 mod error;
 mod frame;
 mod halves;
 mod layers;
 mod listing;
 mod orient;
-mod read;
 mod spline;
 mod stroke;
 
 pub use error::ImportError;
 pub use frame::DrawingUnit;
+pub use listing::LARGEST;
 pub use orient::Heading;
 
 use crate::geometry::{Point, Profile};
@@ -90,15 +92,13 @@ impl Sections {
 /// When the bytes are no DXF, the unit is not known, no layer is a tool, or a tool's lines do not make one open chain;
 /// the message names the entities and the place in the drawing's own unit.
 pub fn read(bytes: &[u8], options: &Options) -> Result<Sections, ImportError> {
-    let text = listing::decode(bytes)?;
-    let listed = listing::entities(&text)?;
+    let drawing = listing::drawing(&listing::decode(bytes)?)?;
     let mut notes = Vec::new();
-    let drawing = read::drawing(&text, &listed)?;
     let frame = frame::Frame::of(&drawing.header, options, &mut notes)?;
-    let roles = layers::roles(&listed, options, &mut notes)?;
+    let roles = layers::roles(&drawing.entities, options, &mut notes)?;
     let mut chains = Vec::new();
     for role in Role::ALL {
-        let strokes = stroke::of_role(&drawing, &listed, &roles, role, &frame, &mut notes)?;
+        let strokes = stroke::of_role(&drawing.entities, &roles, role, &frame, &mut notes)?;
         if !strokes.is_empty() {
             chains.push((role, halves::right(strokes, role, &frame, &mut notes)?));
         }

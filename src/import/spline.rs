@@ -3,8 +3,9 @@
 //! # References
 //! C. de Boor, J. Approx. Theory 6 (1972) 50–62 (the algorithm, as commonly given; not read).
 
+use super::curve::Spline;
+use super::stroke::MOST;
 use crate::geometry::{Piece, Point, biarc, turn};
-use dxf::entities::Spline;
 use nalgebra::Vector3;
 
 /// Most halvings of one span: 2^12 pairs of arcs.
@@ -42,7 +43,8 @@ pub(super) fn pieces(spline: &Spline, control: &[Point], tolerance: f64) -> Resu
     let mut pieces = Vec::new();
     for span in curve.degree..curve.control.len() {
         let [from, to] = [curve.knots[span], curve.knots[span + 1]];
-        if to > from {
+        // More than a tool may have is refused, whatever follows.
+        if to > from && pieces.len() <= MOST {
             curve.arcs(span, [from, to], tolerance, DEEPEST, &mut pieces)?;
         }
     }
@@ -51,11 +53,11 @@ pub(super) fn pieces(spline: &Spline, control: &[Point], tolerance: f64) -> Resu
 
 impl Curve {
     fn new(spline: &Spline, control: &[Point]) -> Result<Self, String> {
-        let (knots, weights) = (&spline.knot_values, &spline.weight_values);
+        let (knots, weights) = (&spline.knots, &spline.weights);
         if control.is_empty() {
             return Err("has fit points only, and what runs between them is not in the file".to_owned());
         }
-        let degree = usize::try_from(spline.degree_of_curve).unwrap_or(0);
+        let degree = spline.degree as usize;
         if degree == 0 || degree > DEGREE || control.len() <= degree || knots.len() != control.len() + degree + 1 {
             let (points, knots) = (control.len(), knots.len());
             return Err(format!(

@@ -1,15 +1,13 @@
 //! Entities as strokes: pieces in mm, x from the axis, in the drawing's sense of y.
 
+use super::curve::{self, Curve, Place, Polyline, Vertex};
 use super::frame::Frame;
-use super::layers::{Roles, is_part};
-use super::listing::Listed;
-use super::read::{Reading, is_curve};
+use super::layers::Roles;
+use super::listing::{Entity, Listed};
 use super::{ImportError, spline};
-use crate::geometry::{Arc, Piece, Point, Segment};
+use crate::geometry::{Arc, Bounds, Piece, Point, Segment};
 use crate::model::Role;
 use crate::units::{Kind, Length, Quantity, rounded};
-use dxf::Vector;
-use dxf::entities::{Entity, EntityType, LwPolyline, Polyline};
 use std::collections::BTreeMap;
 use std::f64::consts::{PI, TAU};
 
@@ -31,6 +29,9 @@ const SAID: [&str; 15] = [
     "IMAGE",
     "WIPEOUT",
 ];
+
+/// Lines and arcs that a tool may be drawn in, repeats and both halves counted: a case's section may have 2000.
+pub(super) const MOST: usize = 5000;
 
 /// Ends that are not farther apart are one point \[mm\]: no drawing is finer.
 const SHORTEST: f64 = 1e-7;
@@ -54,6 +55,11 @@ impl Stroke {
         self.pieces[self.pieces.len() - 1].last()
     }
 
+    /// The box around it.
+    pub fn bounds(&self) -> Bounds {
+        Bounds::around(&self.pieces).expect("a stroke has pieces")
+    }
+
     /// The same stroke drawn the other way.
     pub fn reversed(&self) -> Self {
         Self { pieces: self.pieces.iter().rev().map(Piece::reversed).collect(), from: self.from.clone() }
@@ -62,57 +68,67 @@ impl Stroke {
 
 /// The strokes of a tool, from all of its layers.
 pub(super) fn of_role(
-    drawing: &Reading,
-    listed: &[Listed],
+    entities: &[Entity],
     roles: &Roles,
     role: Role,
     frame: &Frame,
     notes: &mut Vec<String>,
 ) -> Result<Vec<Stroke>, ImportError> {
-    let ours = |entry: &Listed| roles.get(&entry.layer) == Some(&role);
+    let ours = |entity: &&Entity| !entity.listed.on_paper && roles.get(&entity.listed.layer) == Some(&role);
+    let name = role.name();
     let mut said: BTreeMap<&str, usize> = BTreeMap::new();
-    for entry in listed.iter().filter(|entry| ours(entry) && !is_curve(entry) && !is_part(entry) && !entry.on_paper) {
-        if !SAID.contains(&entry.kind.as_str()) {
+    for Entity { listed, .. } in entities.iter().filter(ours).filter(|entity| entity.curve.is_none()) {
+        if !SAID.contains(&listed.kind.as_str()) {
             let help = "redraw or explode it to lines, arcs and polylines, or move it to another layer";
-            let place = frame.place(frame.point(entry.at[0], entry.at[1]));
-            let what = format!("{entry} at {place} cannot be part of the {}'s profile", role.name());
-            return Err(ImportError::new(what, help).at(entry.line));
+            let place = frame.place(frame.point(listed.at[0], listed.at[1]));
+            let what = format!("{listed} at {place} cannot be part of the {name}'s profile");
+            return Err(ImportError::new(what, help).at(listed.line));
         }
-        *said.entry(&entry.kind).or_default() += 1;
+        *said.entry(&listed.kind).or_default() += 1;
     }
     if !said.is_empty() {
         let said: Vec<String> = said.iter().map(|(kind, count)| format!("{count} {kind}")).collect();
-        notes.push(format!("left out of the {}'s layer: {}", role.name(), said.join(", ")));
+        notes.push(format!("left out of the {name}'s layer: {}", said.join(", ")));
     }
-    let ours: Vec<_> = drawing.curves(listed).filter(|(_, entry)| ours(entry)).collect();
-    let splines = ours.iter().filter(|(_, entry)| entry.kind == "SPLINE").count();
+    let curves = || entities.iter().filter(ours).filter_map(|Entity { listed, curve }| Some((curve.as_ref()?, listed)));
+    let splines = curves().filter(|(_, listed)| listed.kind == "SPLINE").count();
     if splines > 0 {
-        let (name, tolerance) = (role.name(), rounded(frame.tolerance));
+        let tolerance = rounded(frame.tolerance);
         notes
             .push(format!("SPLINE in the {name}'s line ({splines}) is followed by tangent arcs within {tolerance} mm"));
     }
-    ours.into_iter().map(|(entity, entry)| stroke(entity, entry, frame)).collect()
+    let (mut strokes, mut pieces) = (Vec::new(), 0);
+    for (curve, listed) in curves() {
+        let stroke = stroke(curve, listed, frame)?;
+        pieces += stroke.pieces.len();
+        if pieces > MOST {
+            let what = format!("the {name} is drawn in more than {MOST} lines and arcs, {listed} among them");
+            let help = "a section has a few dozen: leave only what meets the sheet, thin its points out, or give splines a \
+                        larger --tolerance";
+            return Err(ImportError::new(what, help).at(listed.line));
+        }
+        strokes.push(stroke);
+    }
+    Ok(strokes)
 }
 
-fn stroke(entity: &Entity, entry: &Listed, frame: &Frame) -> Result<Stroke, ImportError> {
-    let pen = Pen { entry, frame };
-    let pieces = match &entity.specific {
-        EntityType::Line(line) => {
-            pen.flat([line.p1.z, line.p2.z])?;
-            pen.polyline(&[pen.point(1.0, line.p1.x, line.p1.y)?, pen.point(1.0, line.p2.x, line.p2.y)?], &[0.0])?
+fn stroke(curve: &Curve, from: &Listed, frame: &Frame) -> Result<Stroke, ImportError> {
+    let pen = Pen { entry: from, frame };
+    let pieces = match curve {
+        Curve::Line([from, to]) => {
+            pen.flat([from[2], to[2]])?;
+            pen.polyline(&[pen.point(1.0, *from)?, pen.point(1.0, *to)?], &[0.0])?
         }
-        EntityType::Arc(arc) => pen.arc(arc)?,
-        EntityType::LwPolyline(line) => pen.light(line)?,
-        EntityType::Polyline(line) => pen.old(line)?,
-        EntityType::Spline(curve) => {
-            pen.flat(curve.control_points.iter().map(|p| p.z))?;
-            let control =
-                curve.control_points.iter().map(|p| pen.point(1.0, p.x, p.y)).collect::<Result<Vec<_>, _>>()?;
+        Curve::Arc(arc) => pen.arc(arc)?,
+        Curve::Light(line) => pen.vertices(line, line.vertices.iter())?,
+        Curve::Old(line) => pen.old(line)?,
+        Curve::Spline(curve) => {
+            pen.flat(curve.control.iter().map(|p| p[2]))?;
+            let control = curve.control.iter().map(|p| pen.point(1.0, *p)).collect::<Result<Vec<_>, _>>()?;
             spline::pieces(curve, &control, frame.tolerance).map_err(|what| pen.error(what))?
         }
-        _ => unreachable!("only curves are read"),
     };
-    Ok(Stroke { pieces, from: entry.clone() })
+    Ok(Stroke { pieces, from: from.clone() })
 }
 
 /// Draws the pieces of one entity, and names it where it cannot.
@@ -128,7 +144,7 @@ impl Pen<'_> {
     }
 
     /// A point in mm; `side` is −1 in a coordinate system seen from behind.
-    fn point(&self, side: f64, x: f64, y: f64) -> Result<Point, ImportError> {
+    fn point(&self, side: f64, [x, y, _]: Place) -> Result<Point, ImportError> {
         let point = self.frame.point(side * x, y);
         let Kind { largest, .. } = Length::KIND;
         if point.iter().all(|c| c.abs() <= *largest) {
@@ -149,20 +165,18 @@ impl Pen<'_> {
     }
 
     /// +1 for an entity that is drawn in the plane of the drawing, −1 for one that is seen from behind.
-    fn side(&self, normal: &Vector) -> Result<f64, ImportError> {
-        if normal.x.abs() > 1e-9 || normal.y.abs() > 1e-9 || normal.z == 0.0 {
-            let what =
-                format!("does not lie in the x-y plane: its normal is ({}, {}, {})", normal.x, normal.y, normal.z);
-            return Err(self.error(what));
+    fn side(&self, [x, y, z]: Place) -> Result<f64, ImportError> {
+        if x.abs() > 1e-9 || y.abs() > 1e-9 || z == 0.0 {
+            return Err(self.error(format!("does not lie in the x-y plane: its normal is ({x}, {y}, {z})")));
         }
-        Ok(normal.z.signum())
+        Ok(z.signum())
     }
 
-    fn arc(&self, arc: &dxf::entities::Arc) -> Result<Vec<Piece>, ImportError> {
-        let side = self.side(&arc.normal)?;
-        let center = self.point(side, arc.center.x, arc.center.y)?;
+    fn arc(&self, arc: &curve::Arc) -> Result<Vec<Piece>, ImportError> {
+        let side = self.side(arc.normal)?;
+        let center = self.point(side, arc.center)?;
         let radius = self.frame.length(arc.radius);
-        let (start, end) = (arc.start_angle.to_radians(), arc.end_angle.to_radians());
+        let [start, end] = arc.angles.map(f64::to_radians);
         let sweep = (end - start).rem_euclid(TAU);
         if !(radius > SHORTEST && radius <= Length::KIND.largest && sweep.is_finite()) {
             let place = self.frame.place(center);
@@ -175,29 +189,26 @@ impl Pen<'_> {
         Ok(vec![if side > 0.0 { piece } else { Piece::Arc(Arc::new(center, radius, PI - start, -sweep)) }])
     }
 
-    fn light(&self, line: &LwPolyline) -> Result<Vec<Piece>, ImportError> {
-        let side = self.side(&line.extrusion_direction)?;
-        let points = line.vertices.iter().map(|v| self.point(side, v.x, v.y)).collect::<Result<Vec<_>, _>>()?;
-        let bulges: Vec<f64> = line.vertices.iter().map(|v| side * v.bulge).collect();
-        self.closed_or_open(points, &bulges, line.is_closed())
-    }
-
     fn old(&self, line: &Polyline) -> Result<Vec<Piece>, ImportError> {
-        if line.is_3d_polygon_mesh() || line.is_polyface_mesh() {
+        if line.is_mesh() {
             return Err(self.error("is a mesh, not a line".to_owned()));
         }
-        let side = self.side(&line.normal)?;
-        // The frame of a spline-fit polyline is not on the curve.
-        let vertices: Vec<_> = line.vertices().filter(|v| !v.is_spline_frame_control_point()).collect();
-        self.flat(vertices.iter().map(|v| v.location.z))?;
-        let points = vertices.iter().map(|v| self.point(side, v.location.x, v.location.y));
-        let bulges: Vec<f64> = vertices.iter().map(|v| side * v.bulge).collect();
-        self.closed_or_open(points.collect::<Result<Vec<_>, _>>()?, &bulges, line.is_closed())
+        let vertices = line.vertices.iter().filter(|vertex| !vertex.is_off_the_curve());
+        self.flat(vertices.clone().map(|vertex| vertex.at[2]))?;
+        self.vertices(line, vertices)
     }
 
-    fn closed_or_open(&self, mut points: Vec<Point>, bulges: &[f64], closed: bool) -> Result<Vec<Piece>, ImportError> {
-        points.extend(points.first().copied().filter(|_| closed));
-        self.polyline(&points, bulges)
+    /// The line through some of a polyline's vertices.
+    fn vertices<'v>(
+        &self,
+        line: &Polyline,
+        vertices: impl Iterator<Item = &'v Vertex> + Clone,
+    ) -> Result<Vec<Piece>, ImportError> {
+        let side = self.side(line.normal)?;
+        let mut points = vertices.clone().map(|v| self.point(side, v.at)).collect::<Result<Vec<_>, _>>()?;
+        let bulges: Vec<f64> = vertices.map(|v| side * v.bulge).collect();
+        points.extend(points.first().copied().filter(|_| line.is_closed()));
+        self.polyline(&points, &bulges)
     }
 
     /// Lines and arcs through points; the bulge of each point but the last is the tangent of a quarter of the angle

@@ -14,15 +14,19 @@
 use super::gtn::GtnCondition;
 use super::{Gtn, Hardening, Hill48, PointLaw, Rate, ThermalLaw};
 use crate::units::ZERO_CELSIUS;
+use schemars::JsonSchema;
+use serde::Deserialize;
 
-/// Which matrix H the corrector iterates with (Sosnowski 1994, equation 9).
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+/// Matrix of the corrector.
+// H of Sosnowski (1994), equation 9.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
 pub enum Iteration {
-    /// Primal-dual Newton: Newton's matrix with an independently carried stress.
+    /// Newton's matrix with an independently carried stress.
     PrimalDual,
     /// Newton's consistent tangent.
     Newton,
-    /// Secant (Picard): the viscosity frozen.
+    /// Secant (Picard): slow, hardly ever fails.
     Secant,
 }
 

@@ -54,7 +54,7 @@ fn of_points(points: &[(f64, f64)]) -> Frame {
     let nodes: Vec<NodeRecord> = points.iter().map(|&(r, z)| NodeRecord { r, z, theta: 0.0, thickness: 1.0 }).collect();
     let elements = nodes.windows(2).map(|pair| element(0.5 * (pair[0].r + pair[1].r))).collect();
     let (through, tool_displacement) = (ThroughThickness::default(), vec![]);
-    Frame { time: 1.0, travel: 1.0, elements, nodes, through, tool_displacement, tool_aside: vec![] }
+    Frame { time: 1.0, travel: 1.0, elements, nodes, through, tool_displacement }
 }
 
 fn element(s0: f64) -> ElementRecord {

@@ -31,14 +31,19 @@ pub fn nodes(model: &Model) -> Vec<f64> {
     // Density = 1/size: the zones' own, a floor elsewhere, blended linearly over a few elements; the floor is
     // raised or everything scaled until the density integrates to n.
     const SAMPLES: usize = 4000;
-    let place = |k: usize| length * (k as f64 + 0.5) / SAMPLES as f64;
-    let density_at = |s: f64, coarse: f64| {
-        zones.iter().fold(1.0 / coarse, |density: f64, z| {
+    let of_zones = |k: usize| {
+        let s = length * (k as f64 + 0.5) / SAMPLES as f64;
+        zones.iter().fold(f64::NEG_INFINITY, |density, z| {
             let away = (z.from - s).max(s - z.to).max(0.0);
             density.max((1.0 - away / (6.0 * z.size)) / z.size)
         })
     };
-    let count = |coarse: f64| (0..SAMPLES).map(|k| density_at(place(k), coarse)).sum::<f64>() * length / SAMPLES as f64;
+    // Zones do not know the floor: each sample is held against them once.
+    let of_zones: Vec<f64> = (0..SAMPLES).map(of_zones).collect();
+    let count = |coarse: f64| {
+        let floor = 1.0 / coarse;
+        of_zones.iter().map(|density| density.max(floor)).sum::<f64>() * length / SAMPLES as f64
+    };
     let (mut low, mut high) = (finest, LARGEST_RATIO * finest);
     for _ in 0..60 {
         let middle = 0.5 * (low + high);
@@ -49,8 +54,8 @@ pub fn nodes(model: &Model) -> Vec<f64> {
 
     let mut nodes = vec![0.0];
     let mut passed = 0.0;
-    for k in 0..SAMPLES {
-        let step = scale * density_at(place(k), coarse) * length / SAMPLES as f64;
+    for (k, density) in of_zones.iter().enumerate() {
+        let step = scale * density.max(1.0 / coarse) * length / SAMPLES as f64;
         while nodes.len() < n && passed + step >= nodes.len() as f64 {
             let share = (nodes.len() as f64 - passed) / step;
             nodes.push(length * (k as f64 + share) / SAMPLES as f64);

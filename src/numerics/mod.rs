@@ -1,7 +1,11 @@
 //! Numerical methods that know nothing of forming.
 
+mod bisection;
 pub mod block_tridiagonal;
+mod grid;
 pub mod lobatto;
 mod piecewise_linear;
 
+pub use bisection::bisect;
+pub use grid::Grid;
 pub use piecewise_linear::PiecewiseLinear;

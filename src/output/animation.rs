@@ -1,8 +1,9 @@
 //! The draw as a moving picture: the section, true to thickness, with its tools, and how far the load has come.
 
 use super::chart::{Chart, Look, Panel, Scale, Series, color};
+use super::draw::Drawing;
 use super::gif::gif;
-use super::{Files, StageView, load_travel, sections, svg};
+use super::{Files, StageView, load_travel, sections};
 use crate::solution::Frame;
 use crate::table::fields::element::{R, Z};
 
@@ -20,8 +21,8 @@ const LOAD_HEIGHT: f64 = 130.0;
 
 /// `shapes.gif`: each picture is shown for as long as its frame lasts, so that the tools move evenly.
 pub(super) fn files<'a>(view: &'a StageView, frames: &'a [&Frame]) -> Files<'a> {
-    let svgs: Vec<String> = (0..frames.len()).map(|i| svg(&picture(view, frames, i))).collect();
-    Box::new(std::iter::once(("shapes.gif".to_owned(), gif(&svgs, &delays(view, frames)))))
+    let drawings = (0..frames.len()).map(|i| Drawing::of(&picture(view, frames, i)));
+    Box::new(std::iter::once(("shapes.gif".to_owned(), gif(drawings, &delays(view, frames)))))
 }
 
 /// How long each picture is shown \[hundredths of a second\].

@@ -64,6 +64,7 @@ pub enum Look {
 /// Red, green, blue.
 pub type Color = (u8, u8, u8);
 
+pub const WHITE: Color = (255, 255, 255);
 pub const BLACK: Color = (0, 0, 0);
 pub const GREY: Color = (120, 120, 120);
 /// Tool bodies.

@@ -93,7 +93,7 @@ mod tests {
 
     #[test]
     fn a_file_is_replaced_and_its_neighbours_are_left_alone() {
-        let dir = tempfile::tempdir().unwrap();
+        let dir = temp_dir::TempDir::new().unwrap();
         let path = dir.path().join("deep/er/a.csv");
         write(&path, b"old").unwrap();
         fs::write(path.with_file_name("mine.txt"), "mine").unwrap();
@@ -105,7 +105,7 @@ mod tests {
     /// Trust: the rename is made to fail (a folder stands where the file should go) after the bytes were written.
     #[test]
     fn a_failure_leaves_neither_half_a_file_nor_a_changed_one() {
-        let dir = tempfile::tempdir().unwrap();
+        let dir = temp_dir::TempDir::new().unwrap();
         let taken = dir.path().join("a.csv");
         fs::create_dir(&taken).unwrap();
         fs::write(taken.join("inside"), "old").unwrap();
@@ -117,7 +117,7 @@ mod tests {
 
     #[test]
     fn what_cannot_be_written_is_known_before() {
-        let dir = tempfile::tempdir().unwrap();
+        let dir = temp_dir::TempDir::new().unwrap();
         fs::write(dir.path().join("file"), "mine").unwrap();
         for (path, can) in
             [("a.csv", true), ("deep/er/a.csv", true), ("file", true), ("file/a.csv", false), ("", false)]
@@ -129,7 +129,7 @@ mod tests {
 
     #[test]
     fn a_temporary_file_that_cannot_be_made_leaves_the_old_file_intact() {
-        let dir = tempfile::tempdir().unwrap();
+        let dir = temp_dir::TempDir::new().unwrap();
         let path = dir.path().join("a.csv");
         write(&path, b"old").unwrap();
         fs::create_dir(dir.path().join(format!(".a.csv.{}.part", std::process::id()))).unwrap();

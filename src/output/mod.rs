@@ -180,5 +180,5 @@ pub const OUTPUTS: &[Output] = &[
 
 /// A chart as it is written.
 fn picture(chart: &Chart) -> Vec<u8> {
-    png(&svg(chart))
+    png(chart)
 }

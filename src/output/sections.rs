@@ -63,8 +63,7 @@ pub(super) fn tools<'a>(model: &'a Model, at: Option<&'a Frame>, width: f64) -> 
 
 /// How far tool `i` has moved from where it is drawn in the model \[mm\].
 pub(super) fn place(frame: &Frame, i: usize) -> Point {
-    let along = |list: &[f64]| list.get(i).copied().unwrap_or_default();
-    Point::new(along(&frame.tool_aside), along(&frame.tool_displacement))
+    frame.tool_displacement.get(i).copied().unwrap_or_default()
 }
 
 /// The tool's profile, moved, as chords that leave its arcs by at most `sagitta` \[mm\].
@@ -160,7 +159,6 @@ mod tests {
             nodes: vec![node(0.0), node(5.0)],
             through: ThroughThickness::default(),
             tool_displacement: vec![],
-            tool_aside: vec![],
         };
         assert_eq!(sheet(&frame, 0..1), [(0.0, 3.4), (5.0, 3.4), (5.0, 2.6), (0.0, 2.6)]);
     }

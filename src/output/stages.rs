@@ -16,7 +16,7 @@ fn lines(solution: &Solution) -> impl Iterator<Item = (&str, Option<&StageSoluti
 
 /// Where every stage ended; NaN for those that were not run.
 fn table(solution: &Solution) -> Table {
-    let geometry = solution.case.model.geometry;
+    let geometry = solution.case.model().geometry;
     let at_end = |value: &dyn Fn(&StageSolution, &StepRecord) -> f64| {
         let of = |stage: &StageSolution| Some(value(stage, stage.steps.last()?));
         lines(solution).map(|(_, stage)| stage.and_then(of).unwrap_or(f64::NAN)).collect::<Vec<f64>>()
@@ -55,7 +55,7 @@ pub(super) fn printed(solution: &Solution) -> String {
     if lines(solution).nth(1).is_none() {
         return String::new();
     }
-    let unit = force_unit(solution.case.model.geometry).symbol();
+    let unit = force_unit(solution.case.model().geometry).symbol();
     let width = lines(solution).map(|line| line.0.len()).max().unwrap_or(0);
     let text = lines(solution).enumerate().map(|(i, (name, stage))| {
         let figures = stage.and_then(|stage| Some((stage, stage.steps.last()?))).map_or(String::new(), |(stage, last)| {

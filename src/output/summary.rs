@@ -149,7 +149,7 @@ impl Summary {
             100.0 * largest(|s| s.penetration),
         );
         summary.group = Group::Part;
-        let squeeze = largest(|s| s.squeeze);
+        let squeeze = largest(|s| s.ironing);
         if squeeze > 0.0 {
             summary.number("squeeze", "Ironing: thicker than its gap by", Unit::Percent, 100.0 * squeeze);
         }
@@ -164,7 +164,7 @@ impl Summary {
         }
         summary.group = Group::Solution;
         summary.number("sticking", "Contacts that stick at the end", Unit::Percent, 100.0 * last.sticking);
-        summary.count("flips", "Contacts that came or went", run.steps.iter().map(|s| s.flips).sum());
+        summary.count("flips", "Contacts that came or went", run.steps.iter().map(|s| s.contact_changes).sum());
         summary.number("strain_increment", "Largest strain of one step", Unit::None, largest(|s| s.strain_increment));
         summary.text("mesh", "Mesh", &mesh(model));
         if model.blank.theory == Theory::Selective {

@@ -49,14 +49,14 @@ impl<'a> Report<'a> {
             solution,
             stages: views.map(|view| (view.clone(), Summary::of(&view))).collect(),
             check: check::report(&solution.case),
-            dimensions: sketch::dimensions(&solution.case.model),
+            dimensions: sketch::dimensions(solution.case.model()),
             findings: judge(&solution.case, &solution.stages),
         }
     }
 
     /// All sections.
     pub fn document(&self) -> Document {
-        let model = &self.solution.case.model;
+        let model = self.solution.case.model();
         let mut sections = vec![
             title::section(self),
             verdict::section(&self.findings),

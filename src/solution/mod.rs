@@ -1,7 +1,8 @@
 //! What a run leaves behind: the history of every step, the kept frames, and why it stopped.
 
 use crate::forming_limit::Paths;
-use crate::model::{Model, PressureCap, mesh};
+use crate::geometry::Point;
+use crate::model::{Model, ModelError, PressureCap, mesh};
 use crate::numerics::lobatto::ThicknessPoint;
 use crate::state::State;
 
@@ -84,10 +85,9 @@ pub struct Frame {
     pub elements: Vec<ElementRecord>,
     pub nodes: Vec<NodeRecord>,
     pub through: ThroughThickness,
-    /// Axial displacement of each tool from where it is drawn in the model \[mm\], in the model's order.
-    pub tool_displacement: Vec<f64>,
-    /// The same away from the axis \[mm\].
-    pub tool_aside: Vec<f64>,
+    /// Displacement of each tool (away from the axis, along z) from where it is drawn in the model \[mm\], in the model's
+    /// order.
+    pub tool_displacement: Vec<Point>,
 }
 
 /// Mean powers of a step, or the work done since the start \[mW or mJ, per ring or per mm of depth\].
@@ -213,16 +213,16 @@ pub struct StepRecord {
     pub holder_move: f64,
     /// Force of the holder that its distance blocks bear in place of the sheet \[N, or N/mm\].
     pub block_force: f64,
-    /// Largest penetration of a tool over the sheet's thickness, where the sheet is not squeezed \[–\].
+    /// Largest penetration of a tool over the sheet's thickness, where the sheet is not ironed \[–\].
     pub penetration: f64,
     /// Largest share of the thickness by which the sheet is too thick for the gap between two tools \[–\]: ironing.
-    pub squeeze: f64,
+    pub ironing: f64,
     /// Share of the holder's force on the rim, the outermost [`StepRecord::RIM`] thicknesses of the blank \[–\].
     pub rim_share: f64,
     /// Share of the nodes in contact that stick: they slide slower than the regularisation speed \[–\].
     pub sticking: f64,
     /// Pairs of node and tool that came into contact or left it in the step.
-    pub flips: usize,
+    pub contact_changes: usize,
     /// Largest equivalent strain that the step added at a layer point \[–\].
     pub strain_increment: f64,
     /// Thickness over the smallest bending radius of the mid-surface \[–\]; 0 while the sheet is flat.
@@ -252,7 +252,7 @@ impl StepRecord {
     pub const RIM: f64 = 3.0;
 }
 
-/// How the steps of a run came to equilibrium: counts of steps by the rung that did it, and of steps cut short.
+/// How the steps of a run came to equilibrium: counts of steps by the start that did it, and of steps cut short.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Effort {
     /// From the velocities of the last step.
@@ -261,7 +261,7 @@ pub struct Effort {
     pub secant: usize,
     /// From the answer with a larger cut-off.
     pub softened: usize,
-    /// Steps that no rung solved and that were halved.
+    /// Steps that no start solved and that were halved.
     pub halved: usize,
     /// Steps in equilibrium that strained the sheet too much and were repeated shorter.
     pub overstrained: usize,
@@ -272,6 +272,8 @@ pub struct Effort {
 /// Why a run ended.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Stop {
+    /// The model is none that can be solved: nothing was tried.
+    Refused(ModelError),
     FullTravel,
     /// The load has fallen from its maximum by the share that the case asks for.
     LoadMaximum {
@@ -320,6 +322,11 @@ pub enum Stop {
         r: f64,
         z: f64,
     },
+    /// An observer wanted no more of it.
+    Interrupted {
+        travel: f64,
+        time: f64,
+    },
     /// No equilibrium was found down to the smallest step.
     NoEquilibrium {
         travel: f64,
@@ -341,14 +348,16 @@ impl Stop {
         matches!(self, Stop::FullTravel | Stop::ContactShare { .. })
     }
 
-    /// Whether the sheet or the tools ended the run, not the numerics.
+    /// Whether the sheet or the tools ended the run, not the numerics or the user.
     pub fn is_physical(&self) -> bool {
-        !self.is_complete() && !matches!(self, Stop::NoEquilibrium { .. })
+        let ours = matches!(self, Stop::Interrupted { .. } | Stop::NoEquilibrium { .. } | Stop::Refused(_));
+        !self.is_complete() && !ours
     }
 
     /// The kind in a few words.
     pub fn kind(&self) -> &'static str {
         match self {
+            Stop::Refused(_) => "refused",
             Stop::FullTravel => "full travel",
             Stop::LoadMaximum { .. } => "load maximum passed",
             Stop::ContactShare { .. } => "contact share reached",
@@ -357,6 +366,7 @@ impl Stop {
             Stop::Coalesced { .. } => "voids coalesced",
             Stop::DrawnThrough { .. } => "drawn through",
             Stop::ToolsClosed { .. } => "tools closed",
+            Stop::Interrupted { .. } => "interrupted",
             Stop::NoEquilibrium { .. } => "no equilibrium",
         }
     }
@@ -365,6 +375,7 @@ impl Stop {
 impl std::fmt::Display for Stop {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         match self {
+            Stop::Refused(why) => write!(f, "{why}"),
             Stop::FullTravel => write!(f, "full travel reached"),
             Stop::LoadMaximum { travel, peak, drop } => write!(
                 f,
@@ -404,6 +415,11 @@ impl std::fmt::Display for Stop {
                 f,
                 "travel limit by geometry: at {travel:.2} mm of travel punch and die come closer than half the sheet's \
                  thickness, near r = {r:.2} mm, z = {z:.2} mm"
+            ),
+            Stop::Interrupted { travel, time } => write!(
+                f,
+                "interrupted at {travel:.2} mm of travel (time {time:.4} s): what was computed up to there is kept, but the \
+                 run has not come to its end"
             ),
             Stop::NoEquilibrium { travel, time, step, velocity_norm, residual_norm, worst_s0, diagnosis } => write!(
                 f,
@@ -452,13 +468,19 @@ impl StageSolution {
 
     /// A stage that has not begun.
     pub fn unsolved(model: Model) -> Self {
+        let end = State::flat(&model, mesh::nodes(&model));
+        Self { end, ..Self::refused(model, Stop::FullTravel) }
+    }
+
+    /// A stage that was not tried; its last state is empty.
+    pub fn refused(model: Model, stop: Stop) -> Self {
         Self {
             start: None,
             steps: Vec::new(),
             frames: Vec::new(),
             paths: Paths::default(),
-            end: State::flat(&model, mesh::nodes(&model)),
-            stop: Stop::FullTravel,
+            end: State::default(),
+            stop,
             effort: Effort::default(),
             warnings: Vec::new(),
             model,

@@ -1,9 +1,11 @@
 //! The implicit corrector: iterates with H until the step is in equilibrium (Sosnowski 1994, equation 9).
 
-use super::Observer;
-use super::assembly::{Trial, Workspace};
-use super::attempt::Step;
-use crate::model::{Iteration, Mode, Norm};
+use super::equilibrium::{Evaluation, Linearisation};
+use super::process::Process;
+use super::step::Step;
+use super::trial::Trial;
+use super::{Iterate, Observer};
+use crate::model::{Iteration, Mode, Model, Norm};
 use crate::solution::IterationRecord;
 
 /// Largest move of a node in one iteration, over the sheet thickness \[–\].
@@ -31,80 +33,126 @@ pub(super) fn patience(matrix: Iteration) -> usize {
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Outcome {
     pub converged: bool,
+    /// Whether the observer wanted to stop.
+    pub interrupted: bool,
     pub iterations: usize,
     pub velocity_norm: f64,
     pub residual_norm: f64,
 }
 
-/// Corrects the prediction in `work` to equilibrium at the end of a step with one matrix and at most so many iterations.
+impl Outcome {
+    /// Of a try that has not begun.
+    pub const BEGUN: Self = Self {
+        converged: false,
+        interrupted: false,
+        iterations: 0,
+        velocity_norm: f64::INFINITY,
+        residual_norm: f64::INFINITY,
+    };
+}
+
+/// Corrects a trial to equilibrium at the end of its step with one matrix and at most so many iterations.
 pub(super) fn correct(
-    work: &mut Workspace,
     step: &Step,
+    trial: &mut Trial,
+    evaluation: &mut Evaluation,
     matrix: Iteration,
     most: usize,
     observer: &mut dyn Observer,
 ) -> Outcome {
-    let Step { model, state, dt, number } = *step;
-    let settings = &model.settings;
-    let t = model.blank.thickness;
-    let mut outcome =
-        Outcome { converged: false, iterations: 0, velocity_norm: f64::INFINITY, residual_norm: f64::INFINITY };
-    let searches = model.mode != Mode::Flow && work.kept.is_none();
+    let model = step.model;
+    let mut outcome = Outcome::BEGUN;
+    let searches = model.mode != Mode::Flow && trial.kept.is_none();
+    let watched = observer.wants_iterates();
     loop {
-        let trial = Trial { matrix, iteration: outcome.iterations, velocity_norm: outcome.velocity_norm };
-        if !work.assemble(step, &trial) {
+        let at = Linearisation { matrix, iteration: outcome.iterations, velocity_norm: outcome.velocity_norm };
+        if !evaluation.update(step, trial, &at) {
             return outcome;
         }
-        outcome.residual_norm = work.residual_norm;
-        let small = |norm: f64| norm <= settings.tolerance;
-        outcome.converged = match settings.norm {
-            Norm::Velocity => small(outcome.velocity_norm) && outcome.residual_norm <= LOOSE_RESIDUAL,
-            Norm::Residual => small(outcome.residual_norm),
-            Norm::Both => small(outcome.velocity_norm) && small(outcome.residual_norm),
-        };
-        outcome.converged &= work.beyond_cap <= CAP;
+        outcome.residual_norm = evaluation.residual_norm;
+        outcome.converged = is_converged(model, evaluation, &outcome);
+        if watched {
+            observer.iterate(&Iterate {
+                step: step.number,
+                iteration: outcome.iterations,
+                time: step.end(),
+                nodes: &evaluation.nodes,
+                imbalance: &evaluation.system.rhs,
+                thickness: &evaluation.thickness,
+                updates: &evaluation.updates,
+                tools: &trial.tools,
+            });
+        }
         let looks_back = searches && (1..most).contains(&outcome.iterations);
-        if let Some(back) = looks_back.then(|| work.line.back(&work.system)).flatten() {
-            work.advance(-back);
+        if let Some(back) = looks_back.then(|| trial.line.back(&evaluation.system)).flatten() {
+            trial.advance(step.process, -back);
             outcome.iterations += 1;
             outcome.velocity_norm = f64::INFINITY;
             continue;
         }
-        if outcome.converged || outcome.iterations == most || !work.line.aim(&mut work.system) {
+        if outcome.converged || outcome.iterations == most || !trial.line.aim(&mut evaluation.system) {
             return outcome;
         }
         outcome.iterations += 1;
-
-        let reach = if model.release.is_some() { LARGEST_SWING } else { LARGEST_MOVE };
-        let mut cut: f64 = 1.0;
-        for d in &work.line.direction {
-            cut = cut.min(reach * t / d.xy().norm()).min(LARGEST_TURN / d.z.abs());
-        }
-        for k in work.tools.iter().filter_map(|tool| tool.shared) {
-            cut = cut.min(LARGEST_MOVE * t / work.line.shared[k].abs());
-        }
-        work.line.go(cut);
-        work.advance(cut);
-        let (mut change, mut total) = (0.0, 0.0);
-        for (d, u) in work.line.direction.iter().zip(&work.moves) {
-            let weight = [1.0, 1.0, t]; // a turn counts by what it moves a thickness away
-            for k in 0..3 {
-                change += (weight[k] * cut * d[k]).powi(2);
-                total += (weight[k] * u[k]).powi(2);
-            }
-        }
-        let still = (STILL * t).powi(2) * work.moves.len() as f64;
-        let velocity_norm = (change / total.max(still)).sqrt();
+        let share = allowed_share(step.process, trial);
+        trial.line.go(share);
+        trial.advance(step.process, share);
+        let velocity_norm = velocity_norm(model, trial, share);
         // A capped increment says nothing of how far the answer still is.
-        outcome.velocity_norm = if cut < 1.0 { f64::INFINITY } else { velocity_norm };
+        outcome.velocity_norm = if share < 1.0 { f64::INFINITY } else { velocity_norm };
         observer.iteration(&IterationRecord {
-            step: number,
-            travel: model.travel_at(state.time + dt),
+            step: step.number,
+            travel: step.travel(),
             iteration: outcome.iterations,
             velocity_norm,
             residual_norm: outcome.residual_norm,
-            cut,
-            active_contacts: work.active_contacts,
+            cut: share,
+            active_contacts: evaluation.active_contacts,
         });
+        if observer.wants_to_stop() {
+            outcome.interrupted = true;
+            return outcome;
+        }
     }
+}
+
+/// Whether the norms that the settings ask for are small.
+fn is_converged(model: &Model, evaluation: &Evaluation, outcome: &Outcome) -> bool {
+    let small = |norm: f64| norm <= model.settings.tolerance;
+    let converged = match model.settings.norm {
+        Norm::Velocity => small(outcome.velocity_norm) && outcome.residual_norm <= LOOSE_RESIDUAL,
+        Norm::Residual => small(outcome.residual_norm),
+        Norm::Both => small(outcome.velocity_norm) && small(outcome.residual_norm),
+    };
+    converged && evaluation.held_rate.beyond_cap <= CAP
+}
+
+/// The share of the direction that moves nothing too far.
+fn allowed_share(process: &Process, trial: &Trial) -> f64 {
+    let (model, line) = (process.model, &trial.line);
+    let t = model.blank.thickness;
+    let reach = if model.release.is_some() { LARGEST_SWING } else { LARGEST_MOVE };
+    let mut share: f64 = 1.0;
+    for d in &line.direction {
+        share = share.min(reach * t / d.xy().norm()).min(LARGEST_TURN / d.z.abs());
+    }
+    for k in process.tools.iter().filter_map(|tool| tool.shared) {
+        share = share.min(LARGEST_MOVE * t / line.shared[k].abs());
+    }
+    share
+}
+
+/// Relative increment of the velocities by a share of the direction \[–\].
+fn velocity_norm(model: &Model, trial: &Trial, share: f64) -> f64 {
+    let t = model.blank.thickness;
+    let (mut change, mut total) = (0.0, 0.0);
+    for (d, u) in trial.line.direction.iter().zip(&trial.moves) {
+        let weight = [1.0, 1.0, t]; // a turn counts by what it moves a thickness away
+        for k in 0..3 {
+            change += (weight[k] * share * d[k]).powi(2);
+            total += (weight[k] * u[k]).powi(2);
+        }
+    }
+    let still = (STILL * t).powi(2) * trial.moves.len() as f64;
+    (change / total.max(still)).sqrt()
 }

@@ -12,7 +12,7 @@
 //! # References
 //! β: G. I. Taylor, H. Quinney, Proc. R. Soc. London A 143 (1934) 307–326 (not read).
 
-use super::assembly::Workspace;
+use super::step::Converged;
 use crate::model::{Geometry, HeatFlow, Model, ToolHeat};
 use crate::solution::Heat;
 use crate::state::State;
@@ -34,11 +34,11 @@ pub(super) struct HeatSolver<'a> {
 
 impl<'a> HeatSolver<'a> {
     /// `None` where the temperature stays.
-    pub fn new(model: &'a Model, work: &Workspace) -> Option<Self> {
+    pub fn new(model: &'a Model, state: &State) -> Option<Self> {
         let flow = model.heat.as_ref()?.flow.as_ref()?;
         let index = |role| model.tools.iter().position(|tool| tool.role == role);
         let tools = flow.tools.iter().filter_map(|tool| Some((index(tool.role)?, *tool))).collect();
-        let n = work.thickness.len();
+        let n = state.thickness.len();
         Some(Self {
             flow,
             geometry: model.geometry,
@@ -51,9 +51,10 @@ impl<'a> HeatSolver<'a> {
     }
 
     /// Brings the temperatures of `state`, at the end of a step, up to date; `plastic` is each element's plastic work.
-    pub fn advance(&mut self, work: &Workspace, plastic: &[f64], state: &mut State, dt: f64) -> Heat {
+    pub fn advance(&mut self, converged: &Converged, plastic: &[f64], state: &mut State) -> Heat {
         let n = plastic.len();
-        self.meet_tools(work, dt);
+        let dt = converged.step.dt;
+        self.meet_tools(converged);
         for e in 0..n {
             let stored = self.flow.capacity * state.volume[e];
             let [by_tools, heat] = self.exchange[e];
@@ -84,14 +85,15 @@ impl<'a> HeatSolver<'a> {
     }
 
     /// What every tool exchanges with the elements whose nodes lie on it, each by its part of the node's area.
-    fn meet_tools(&mut self, work: &Workspace, dt: f64) {
+    fn meet_tools(&mut self, converged: &Converged) {
+        let Converged { step, evaluation, .. } = converged;
         let n = self.exchange.len();
         self.exchange.fill([0.0; 2]);
         for &(j, tool) in &self.tools {
             for e in 0..n {
-                for (node, area) in [e, e + 1].into_iter().zip(work.tributary(e)) {
-                    if work.lies_on(&work.contacts[j * (n + 1) + node]) {
-                        let exchanged = dt * tool.transfer * area;
+                for (node, area) in [e, e + 1].into_iter().zip(step.references[e].tributary()) {
+                    if evaluation.contacts[(j, node)].lies_on(&step.process.penalty) {
+                        let exchanged = step.dt * tool.transfer * area;
                         self.exchange[e][0] += exchanged;
                         self.exchange[e][1] += exchanged * tool.temperature;
                     }

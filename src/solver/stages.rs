@@ -5,8 +5,9 @@ use crate::geometry::Point;
 use crate::model::mesh;
 use crate::model::stage::Stage;
 use crate::model::{Model, Role, Tool};
-use crate::solution::StageSolution;
-use crate::state::{State, drawn, waiting};
+use crate::numerics::Grid;
+use crate::solution::{StageSolution, Stop};
+use crate::state::{State, waiting, waiting_displacement};
 
 /// Fewest elements that trimming leaves.
 const LEAST_ELEMENTS: usize = 2;
@@ -15,13 +16,20 @@ const LEAST_ELEMENTS: usize = 2;
 const APPROACH: f64 = 0.25;
 const HALVINGS: usize = 50;
 
-/// Runs stages after one another, the first from the flat blank, up to the first that does not come to its end.
+/// Runs stages after one another, the first from the flat blank, up to the first that does not come to its end; one that
+/// [`Stage::check`] refuses is not tried.
 pub fn run_stages(stages: &[Stage], observer: &mut dyn Observer) -> Vec<StageSolution> {
     let mut passes: Vec<StageSolution> = Vec::new();
     for stage in stages {
+        if passes.last().is_some_and(|before| !before.stop.is_complete()) {
+            break;
+        }
+        if let Err(error) = stage.check(passes.last().map(|before| &before.model)) {
+            passes.push(StageSolution::refused(stage.model.clone(), Stop::Refused(error)));
+            break;
+        }
         let (model, state, said) = match passes.last() {
             None => (stage.model.clone(), State::flat(&stage.model, mesh::nodes(&stage.model)), None),
-            Some(before) if !before.stop.is_complete() => break,
             Some(before) => begin(stage, before),
         };
         observer.stage(stage);
@@ -55,10 +63,10 @@ pub fn enter(stage: &Stage, before: &Model, mut state: State) -> State {
     (state.time, state.travel) = (0.0, 0.0);
     state.velocity.fill([0.0; 3]);
     if let Some(radius) = begin.trim {
-        trim(&mut state, before, radius);
+        trim(&mut state, radius);
     }
     if begin.anneal {
-        for point in &mut state.layers {
+        for point in state.points.iter_mut() {
             (point.strain, point.stress, point.carried) = (0.0, Default::default(), Default::default());
             point.back = Default::default();
         }
@@ -66,29 +74,27 @@ pub fn enter(stage: &Stage, before: &Model, mut state: State) -> State {
     let carried = model.gas.iter().map(|gas| before.gas.iter().position(|old| old.face == gas.face));
     state.gas = carried.map(|old| old.map_or(0.0, |k| state.gas[k])).collect();
 
-    let n = state.nodes.len();
     let old = state.clone();
-    state.pressure = vec![0.0; n * model.tools.len()];
+    state.pressure = Grid::new(model.tools.len(), state.nodes.len(), 0.0);
     state.shift = state.pressure.clone();
     state.tool_velocity = vec![0.0; model.tools.len()];
-    state.aside = state.tool_velocity.clone();
-    state.tools = model.tools.iter().map(|tool| drawn(model, tool)).collect();
+    state.tools = model.tools.iter().map(|tool| Point::new(0.0, waiting_displacement(model, tool))).collect();
     for (j, tool) in model.tools.iter().enumerate() {
         let stays = |other: &Tool| other.role == tool.role && other.profile == tool.profile;
         if let Some(k) = before.tools.iter().position(stays) {
-            (state.tools[j], state.aside[j]) = (old.tools[k], old.aside[k]);
-            state.pressure[j * n..(j + 1) * n].copy_from_slice(&old.pressure[k * n..(k + 1) * n]);
-            state.shift[j * n..(j + 1) * n].copy_from_slice(&old.shift[k * n..(k + 1) * n]);
+            state.tools[j] = old.tools[k];
+            state.pressure.row_mut(j).copy_from_slice(old.pressure.row(k));
+            state.shift.row_mut(j).copy_from_slice(old.shift.row(k));
         }
         if begin.meets.contains(&tool.role) {
-            state.tools[j] = met(model, &state, j);
+            state.tools[j].y = met(model, &state, j);
         }
     }
     state
 }
 
 /// Cuts the sheet at a distance from the axis: from the edge inward, elements go whose middle lies beyond it.
-fn trim(state: &mut State, model: &Model, radius: f64) {
+fn trim(state: &mut State, radius: f64) {
     let middle = |w: &[crate::element::Node]| 0.5 * (w[0][0] + w[1][0]);
     let inside = state.nodes.windows(2).rposition(|w| middle(w) <= radius).map_or(0, |e| e + 1);
     let (elements, nodes) = (inside.max(LEAST_ELEMENTS), state.nodes.len());
@@ -106,9 +112,9 @@ fn trim(state: &mut State, model: &Model, radius: f64) {
     }
     state.membrane.truncate(elements);
     state.bends.truncate(elements);
-    state.layers.truncate(elements * model.blank.layers);
+    state.points.truncate_rows(elements);
     for per_pair in [&mut state.pressure, &mut state.shift] {
-        *per_pair = per_pair.chunks(nodes).flat_map(|tool| &tool[..=elements]).copied().collect();
+        per_pair.truncate_columns(elements + 1);
     }
 }
 
@@ -128,7 +134,7 @@ fn met(model: &Model, state: &State, j: usize) -> f64 {
     let touches = |way: f64| {
         let moved = from + towards * way;
         (0..state.nodes.len()).any(|i| {
-            let x = Point::new(state.nodes[i][0] - state.aside[j], state.nodes[i][1] - moved);
+            let x = Point::new(state.nodes[i][0] - state.tools[j].x, state.nodes[i][1] - moved);
             let closest = tool.profile.closest(x);
             let off_its_end = tool.profile.ends_at(x - closest.distance * closest.normal);
             closest.distance.abs() - 0.5 * state.thickness_at(i) < waiting(model)

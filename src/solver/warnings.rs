@@ -1,8 +1,8 @@
 //! What a user should know before trusting a result.
 
-use super::assembly::Workspace;
-use super::blocks;
-use super::stops::neck;
+use super::distance_blocks;
+use super::process::Process;
+use super::termination::neck;
 use crate::model::{ContactMethod, Mode, Model};
 use crate::numerics::lobatto;
 use crate::solution::{StageSolution, Stop};
@@ -30,7 +30,8 @@ const YIELDED: f64 = 1e-4;
 pub(crate) const LIFTED: f64 = 0.3;
 
 /// What a user should know before trusting the result.
-pub(super) fn warnings(model: &Model, work: &Workspace, state: &State, run: &StageSolution) -> Vec<String> {
+pub(super) fn warnings(process: &Process, state: &State, run: &StageSolution) -> Vec<String> {
+    let model = process.model;
     let mut warnings = Vec::new();
     let Some(last) = run.steps.last() else { return warnings };
     warnings.extend(thinned(model, state, run));
@@ -56,7 +57,7 @@ pub(super) fn warnings(model: &Model, work: &Workspace, state: &State, run: &Sta
             100.0 * last.work.cutoff / last.work.plastic
         ));
     }
-    let strain = state.layers.iter().map(|p| p.strain).fold(0.0, f64::max);
+    let strain = state.points.iter().map(|p| p.strain).fold(0.0, f64::max);
     if let Some(end) = model.material.hardening.valid_up_to().filter(|&end| strain > end) {
         warnings.push(format!(
             "the hardening table ends at a strain of {end:.3}; the run reaches {strain:.3} on its extrapolation"
@@ -77,13 +78,13 @@ pub(super) fn warnings(model: &Model, work: &Workspace, state: &State, run: &Sta
             ));
         }
     }
-    if let Some(first) = run.steps.iter().find(|r| r.squeeze > IRONED) {
+    if let Some(first) = run.steps.iter().find(|r| r.ironing > IRONED) {
         warnings.push(format!(
             "ironing from {:.2} mm of travel: the sheet is up to {:.1} % thicker than the gap between two tools; it is \
              pressed with a stiffness of {:.0} MPa over half its thickness on either face and not thinned by it, so forces \
              there are an indication only",
             first.travel,
-            100.0 * largest(|r| r.squeeze),
+            100.0 * largest(|r| r.ironing),
             model.settings.contact_stiffness
         ));
     }
@@ -101,19 +102,17 @@ pub(super) fn warnings(model: &Model, work: &Workspace, state: &State, run: &Sta
             "the holder was lifted by up to {lifted:.2} thicknesses as the flange thickened or rose under it"
         ));
     }
-    warnings.extend(blocks::rests(model.travel, &run.steps));
+    warnings.extend(distance_blocks::rests(model.travel, &run.steps));
     if model.settings.contact == ContactMethod::AugmentedLagrangian
         && deepest > 1.01 * crate::model::Settings::PENETRATION
     {
         warnings.push(format!("the augmented Lagrangian left a penetration of {deepest:.1e} thicknesses"));
     }
-    for (tool, active) in model.tools.iter().zip(&work.tools) {
-        if let Some(travel) = active.released.filter(|_| model.release.is_none()) {
-            warnings.push(format!(
-                "the sheet left the {tool} at {travel:.2} mm of travel; the {tool} stands still from there on",
-                tool = tool.role.name()
-            ));
-        }
+    for (role, travel) in process.released() {
+        warnings.push(format!(
+            "the sheet left the {tool} at {travel:.2} mm of travel; the {tool} stands still from there on",
+            tool = role.name()
+        ));
     }
     warnings
 }
@@ -145,11 +144,11 @@ pub(crate) fn thinned(model: &Model, state: &State, run: &StageSolution) -> Opti
 /// By D(E, ν) alone that is where the stress that is left lies beyond the yield stress.
 pub(super) fn yielded_again(model: &Model, before: &[f64], state: &State) -> Option<String> {
     model.release?;
-    let layers = lobatto::rule(model.blank.layers);
+    let rule = lobatto::rule(model.blank.layers);
     let (mut volume, mut total) = (0.0, 0.0);
-    for (i, (point, before)) in state.layers.iter().zip(before).enumerate() {
-        let e = i / layers.len();
-        let share = state.volume[e] * layers[i % layers.len()].weight;
+    for (i, (point, before)) in state.points.iter().zip(before).enumerate() {
+        let (e, k) = (i / rule.len(), i % rule.len());
+        let share = state.volume[e] * rule[k].weight;
         let limit = model.material.yield_stress(point.strain, state.temperature[e]);
         let beyond = model.mode != Mode::ElastoViscoplastic
             && model.material.anisotropy.equivalent_stress(point.stress) > limit * (1.0 + YIELDED);

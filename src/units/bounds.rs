@@ -1,6 +1,10 @@
 //! Ranges as types: a wrong value cannot be built.
 
-use super::{Kind, Number, Quantity, QuantityError, text};
+use super::error::QuantityError;
+use super::kind::Kind;
+use super::quantity::Quantity;
+use super::text;
+use super::types::Number;
 
 macro_rules! bounds {
     ($($(#[$doc:meta])* $type:ident: $ok:expr, $error:ident, $keyword:literal;)*) => {$(

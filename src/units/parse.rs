@@ -1,6 +1,6 @@
 //! The grammar: number, then factors joined by `*`, `·`, a space or `/`, each with an optional power.
 
-use super::QuantityError;
+use super::error::QuantityError;
 use super::unit::{self, Dimension};
 
 /// A number in solver units and what it measures.

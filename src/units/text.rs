@@ -1,101 +1,13 @@
-//! A quantity as text: from a string, from serde, in a JSON schema, and back.
+//! `FromStr`, `Display`, and by feature serde and schema of a quantity.
 
-use super::{Kind, Quantity, QuantityError, parse};
-use serde::de::{self, Deserializer, Visitor};
-use std::fmt;
-use std::marker::PhantomData;
-
-/// Checks text against a type: number, unit, dimension, range.
-pub(super) fn read<Q: Quantity>(text: &str) -> Result<Q, QuantityError> {
-    let (parsed, kind) = (parse(text)?, Q::KIND);
-    let found = text.trim();
-    // A bare 8 would be 800 %: who writes a percentage says so.
-    let is_bare_share = kind.unit == "%" && !parsed.has_unit;
-    if parsed.dimension == kind.dimension && !is_bare_share {
-        return Q::checked(parsed.value, found);
-    }
-    let found = found.into();
-    Err(match parsed.has_unit {
-        true => QuantityError::WrongDimension { found, is: parsed.dimension, kind },
-        false => QuantityError::MissingUnit { found, kind },
-    })
-}
-
-struct Text<Q>(PhantomData<Q>);
-
-impl<Q: Quantity> Text<Q> {
-    fn number<E: de::Error>(&self, value: f64) -> Result<Q, E> {
-        let (found, kind) = (format!("{value:?}"), Q::KIND);
-        let found = found.strip_suffix(".0").unwrap_or(&found).to_owned();
-        if kind.unit.is_empty() {
-            Q::checked(value, &found).map_err(E::custom)
-        } else {
-            Err(E::custom(QuantityError::MissingUnit { found, kind }))
-        }
-    }
-}
-
-impl<Q: Quantity> Visitor<'_> for Text<Q> {
-    type Value = Q;
-
-    fn expecting(&self, f: &mut fmt::Formatter) -> fmt::Result {
-        let Kind { name, unit, .. } = Q::KIND;
-        if unit.is_empty() {
-            write!(f, "{name}, such as {}", Q::KIND.written())
-        } else {
-            write!(f, "{name} with its unit, such as {}", Q::KIND.written())
-        }
-    }
-
-    fn visit_str<E: de::Error>(self, text: &str) -> Result<Q, E> {
-        if Q::KIND.unit.is_empty() {
-            return Err(E::invalid_type(de::Unexpected::Str(text), &self));
-        }
-        read(text).map_err(E::custom)
-    }
-
-    fn visit_i64<E: de::Error>(self, value: i64) -> Result<Q, E> {
-        self.number(value as f64)
-    }
-
-    fn visit_u64<E: de::Error>(self, value: u64) -> Result<Q, E> {
-        self.number(value as f64)
-    }
-
-    fn visit_f64<E: de::Error>(self, value: f64) -> Result<Q, E> {
-        self.number(value)
-    }
-}
-
-pub(super) fn deserialize<'de, Q: Quantity, D: Deserializer<'de>>(from: D) -> Result<Q, D::Error> {
-    from.deserialize_any(Text(PhantomData))
-}
-
-/// The schema of a quantity: a number with its bounds, or text with examples.
-pub(super) fn schema<Q: Quantity>() -> schemars::Schema {
-    let kind = Q::KIND;
-    let mut schema = if kind.unit.is_empty() {
-        schemars::json_schema!({ "type": "number" })
-    } else {
-        let note = format!("{} with its unit; solved in {}", kind.name, kind.unit);
-        schemars::json_schema!({ "type": "string", "description": note, "examples": kind.examples })
-    };
-    if kind.unit.is_empty() {
-        for (keyword, bound) in Q::BOUND {
-            schema.insert((*keyword).into(), (*bound).into());
-        }
-    }
-    schema
-}
-
-/// `FromStr`, `Display`, serde and schema of a quantity type.
+/// `FromStr`, `Display`, and by feature serde and schema of a quantity type.
 macro_rules! implement {
     ([$($generic:tt)*] $type:ty) => {
         impl<$($generic)*> std::str::FromStr for $type {
             type Err = $crate::units::QuantityError;
 
             fn from_str(text: &str) -> Result<Self, Self::Err> {
-                $crate::units::text::read(text)
+                $crate::units::quantity::read(text)
             }
         }
 
@@ -110,12 +22,14 @@ macro_rules! implement {
             }
         }
 
+        #[cfg(feature = "case")]
         impl<'de, $($generic)*> serde::Deserialize<'de> for $type {
             fn deserialize<D: serde::Deserializer<'de>>(from: D) -> Result<Self, D::Error> {
-                $crate::units::text::deserialize(from)
+                $crate::units::serde::deserialize(from)
             }
         }
 
+        #[cfg(feature = "schema")]
         impl<$($generic)*> schemars::JsonSchema for $type {
             fn inline_schema() -> bool {
                 true
@@ -126,7 +40,7 @@ macro_rules! implement {
             }
 
             fn json_schema(_: &mut schemars::SchemaGenerator) -> schemars::Schema {
-                $crate::units::text::schema::<Self>()
+                $crate::units::schema::of::<Self>()
             }
         }
     };

@@ -69,12 +69,14 @@ const LBF: f64 = 4.448_221_615_260_5;
 const INCH: f64 = 25.4;
 
 /// Every unit that may be written.
-pub(super) const UNITS: [Unit; 33] = [
+pub(super) const UNITS: [Unit; 36] = [
     Unit("mm", 1.0, LENGTH),
     Unit("cm", 10.0, LENGTH),
     Unit("m", 1000.0, LENGTH),
     Unit("um", 1e-3, LENGTH),
     Unit("in", INCH, LENGTH),
+    Unit("mil", 1e-3 * INCH, LENGTH),
+    Unit("ft", 12.0 * INCH, LENGTH),
     Unit("N", 1.0, FORCE),
     Unit("kN", 1e3, FORCE),
     Unit("MN", 1e6, FORCE),
@@ -97,6 +99,7 @@ pub(super) const UNITS: [Unit; 33] = [
     Unit("K", 1.0, TEMPERATURE),
     Unit("kg", 1e-3, MASS), // 1 kg = 1 N s²/m
     Unit("g", 1e-6, MASS),
+    Unit("mJ", 1.0, FORCE.times(LENGTH, 1)),
     Unit("J", 1e3, FORCE.times(LENGTH, 1)),
     Unit("kJ", 1e6, FORCE.times(LENGTH, 1)),
     Unit("W", 1e3, POWER),

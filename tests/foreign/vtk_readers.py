@@ -3,7 +3,7 @@
     pip install meshio vtk
     python tests/foreign/vtk_readers.py out/quickstart
 
-Run by hand; tests/vtu.rs measures the same without Python. A sheet that keeps its volume has that of its flat blank.
+Run by hand; tests/suite/vtu.rs measures the same without Python. A sheet that keeps its volume has that of its flat blank.
 """
 import glob, math, os, sys
 import meshio, vtk

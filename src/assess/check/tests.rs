@@ -36,7 +36,7 @@ fn the_advised_pressure_is_that_of_the_handbooks_example() {
         "tools.die.throat=51.25 mm",
         "tools.holder.inner_radius=57.25 mm",
     ];
-    let pressure = estimate::siebel_pressure(&quickstart(&overrides).model, 310.0).unwrap();
+    let pressure = estimate::siebel_pressure(quickstart(&overrides).model(), 310.0).unwrap();
     assert_relative_eq!(pressure, 1.1625, epsilon = 1e-9);
     assert_relative_eq!(pressure, 1.16, epsilon = 5e-3);
 }
@@ -45,7 +45,7 @@ fn the_advised_pressure_is_that_of_the_handbooks_example() {
 #[test]
 fn drawn_share_is_the_area_of_a_sharp_cup() {
     let sharp = ["tools.punch.flat.nose=0.01 mm", "tools.die.shoulder=0.01 mm"];
-    let model = quickstart(&sharp).model;
+    let model = quickstart(&sharp).model().clone();
     let cup = 30.0 * 30.0 + 2.0 * 30.0 * 25.0 + 31.26 * 31.26 - 30.0 * 30.0;
     assert_relative_eq!(estimate::drawn_share(&model).unwrap(), cup / (55.0 * 55.0), epsilon = 1e-3);
 }

@@ -17,7 +17,7 @@ const SQUEEZED: f64 = 0.1;
 
 /// Gap between punch and die over the thickness; wide ones matter beside a straight wall only.
 pub(super) fn gap(case: &Case, passes: &[StageSolution]) -> Option<Finding> {
-    let gap = estimate::clearance(&case.model)? / case.model.blank.thickness;
+    let gap = estimate::clearance(case.model())? / case.model().blank.thickness;
     let straight = passes.first().and_then(NoseEnd::of).is_some_and(NoseEnd::is_upright);
     let light = if gap < LEAST || straight && gap > WIDE { Light::Amber } else { Light::Green };
     let most = if straight { format!(", {WIDE} at most beside a straight wall") } else { String::new() };
@@ -40,9 +40,9 @@ pub(super) fn gap(case: &Case, passes: &[StageSolution]) -> Option<Finding> {
 
 /// By how much the sheet was too thick for its gap.
 pub(super) fn ironing(passes: &[StageSolution]) -> Option<Finding> {
-    let squeeze = largest(passes, |step| step.squeeze);
+    let squeeze = largest(passes, |step| step.ironing);
     let light = Light::of(squeeze, [IRONED, SQUEEZED]);
-    let first = steps(passes).find(|step| step.squeeze > IRONED);
+    let first = steps(passes).find(|step| step.ironing > IRONED);
     let from = first.map_or(String::new(), |step| format!(", from {:.2} mm of travel", step.travel));
     passes.first()?.steps.last()?;
     Some(Finding {

@@ -12,9 +12,9 @@ const USUAL: RangeInclusive<f64> = 0.01..=0.3;
 
 /// Amber unless a note of the case says where the friction was measured or read, and the coefficients are sheet metal's.
 pub(super) fn judge(case: &Case) -> Option<Finding> {
-    let coefficients = || case.model.tools.iter().map(|tool| tool.friction.largest_coefficient());
+    let coefficients = || case.model().tools.iter().map(|tool| tool.friction.largest_coefficient());
     let most = coefficients().reduce(f64::max)?;
-    let mut naming = case.model.notes.iter().filter(|note| note.contains("friction"));
+    let mut naming = case.model().notes.iter().filter(|note| note.contains("friction"));
     let known = naming.clone().any(|note| !note.trim_start().starts_with(ASSUMED) && is_sourced(note));
     let usual = coefficients().all(|mu| USUAL.contains(&mu));
     let said = if !usual {

@@ -7,7 +7,7 @@ use crate::table::Unit;
 /// The largest equivalent strain of a layer, against the last point of a table; a formula does not say its range.
 pub(super) fn judge(passes: &[StageSolution]) -> Option<Finding> {
     let last = passes.last()?;
-    let strain = passes.iter().flat_map(|pass| &pass.end.layers).map(|point| point.strain).fold(0.0, f64::max);
+    let strain = passes.iter().flat_map(|pass| pass.end.points.iter()).map(|point| point.strain).fold(0.0, f64::max);
     let range = last.model.material.hardening.valid_up_to();
     let light = range.map_or(Light::Grey, |end| Light::within(strain, end));
     let advice = match range {

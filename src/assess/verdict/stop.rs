@@ -21,10 +21,11 @@ pub(super) fn judge(case: &Case, passes: &[StageSolution]) -> Option<Finding> {
         stop if stop.is_complete() => Light::Green,
         _ => Light::Red,
     };
-    let stages = 1 + case.later.len();
+    let stages = 1 + case.later().len();
     let at = if stages > 1 { format!("stage {} of {stages}: ", passes.len()) } else { String::new() };
     let advice = match stop {
-        Stop::FullTravel | Stop::ContactShare { .. } => "",
+        Stop::FullTravel | Stop::ContactShare { .. } | Stop::Interrupted { .. } => "",
+        Stop::Refused(_) => "a value that the solver can take",
         Stop::Localised { .. } | Stop::Coalesced { .. } | Stop::LoadMaximum { .. } => super::thinning::ADVICE,
         Stop::PressureMaximum { .. } => {
             "a lower pressure, or a slower one with a rate-sensitive metal; a smaller height"

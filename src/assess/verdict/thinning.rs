@@ -16,10 +16,10 @@ pub(super) const ADVICE: &str =
 /// The least thickness of the last stage over that of the blank.
 pub(super) fn judge(case: &Case, passes: &[StageSolution], nearest: Option<&Nearest>) -> Option<Finding> {
     let last = passes.last()?.steps.last()?;
-    let thinning = 1.0 - last.thinnest / case.model.blank.thickness;
+    let thinning = 1.0 - last.thinnest / case.model().blank.thickness;
     // A forming limit that is kept, or a metal that stretches without a neck, allows more.
     let allowed =
-        nearest.is_some_and(Nearest::is_kept) || case.model.material.rate.is_some_and(|r| r.is_superplastic());
+        nearest.is_some_and(Nearest::is_kept) || case.model().material.rate.is_some_and(|r| r.is_superplastic());
     let most = if allowed { f64::INFINITY } else { LIMITS[1] };
     let light = Light::of(thinning, [LIMITS[0], most]);
     let refused = if allowed {

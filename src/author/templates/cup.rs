@@ -113,7 +113,7 @@ fn write(inputs: &Inputs) -> Result<String, CaseError> {
         let text = page(inputs, trim.clone())?;
         // What is refused is shown as it is.
         let Ok(case) = parse(&text, "cup.toml", &[]) else { return Ok(text) };
-        let run = solver::run(&case.model, &mut ());
+        let run = solver::run(case.model(), &mut ());
         let end = run.frames.last().filter(|_| run.stop.is_complete());
         let Some(height) = end.and_then(part_height) else { return page(inputs, declared) };
         let value = trim.value + 1.0 - height / inputs.value("height");

@@ -4,7 +4,7 @@
 //! let cup = stampflow::author::templates::find("cup")?;
 //! let text = cup.fill(&[("punch-radius", "40 mm"), ("height", "35 mm")])?;
 //! let case = stampflow::case::parse(&text, "cup.toml", &[])?;
-//! assert_eq!(case.model.blank.thickness, 1.0);
+//! assert_eq!(case.model().blank.thickness, 1.0);
 //! # Ok::<(), stampflow::case::CaseError>(())
 //! ```
 

@@ -1,6 +1,7 @@
 //! `[material]` and one table per hardening law.
 
-use super::{Mode, Rate, Softening, Voids};
+use super::{Rate, Softening, Voids};
+use crate::model::Mode;
 use crate::units::{Fraction, NonNegative, Number, Positive, Stress, Temperature};
 use schemars::JsonSchema;
 use serde::Deserialize;

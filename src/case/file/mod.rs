@@ -10,11 +10,11 @@ mod gas;
 mod heat;
 mod history;
 mod material;
+mod output;
 mod press;
 mod rate;
 mod section;
 mod softening;
-mod solver;
 mod stages;
 mod tools;
 mod voids;
@@ -29,15 +29,16 @@ pub use material::{
     BackStress, Beyond, Branch, Hardening, Hollomon, Isotherm, Isotherms, Ludwik, Material, PiecewisePower, Swift,
     Table, Voce,
 };
+pub use output::Output;
 pub use press::Press;
 pub use rate::{CowperSymonds, JohnsonCook, PowerRate, Rate};
-pub use section::{ProfileStep, Section, SectionTable, ToolName, Turn};
+pub use section::{ProfileStep, Section, SectionTable, Turn};
 pub use softening::{Arrhenius, Exponential, Melting, Softening};
-pub use solver::{ContactMethod, Iteration, Norm, Output, Solver, Stop};
-pub use stages::{FirstStage, Mode, Release, ReleaseStiffness, Stage, StageDie, StageHolder, StagePunch};
+pub use stages::{FirstStage, Release, Stage, StageDie, StageHolder, StagePunch};
 pub use tools::{Bead, Crowned, Die, Flat, Hemispherical, Holder, HolderForce, Punch, Spring, Stiffness, Tools};
 pub use voids::{Coalescence, Nucleation, Voids};
 
+use crate::model::{Edge, Geometry, Grading, Settings, StopRules, Theory};
 use crate::units::{Length, Positive};
 use schemars::JsonSchema;
 use serde::Deserialize;
@@ -69,9 +70,9 @@ pub struct CaseFile {
     #[serde(default)]
     pub press: Press,
     #[serde(default)]
-    pub solver: Solver,
+    pub solver: Settings,
     #[serde(default)]
-    pub stop: Stop,
+    pub stop: StopRules,
     #[serde(default)]
     pub output: Output,
     /// The first stage, where there are several.
@@ -83,16 +84,6 @@ pub struct CaseFile {
     /// Published curves and values to hold the result against.
     #[serde(default)]
     pub compare: Vec<Compare>,
-}
-
-/// Which section is solved.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
-pub enum Geometry {
-    /// Body of revolution; forces are those of the whole ring.
-    Axisymmetric,
-    /// Unit depth, one half of a symmetric section; forces are per length of depth of that half.
-    PlaneStrain,
 }
 
 /// The flat sheet before forming.
@@ -125,41 +116,6 @@ pub struct Blank {
     /// How the outer edge is held.
     #[serde(default)]
     pub edge: Edge,
-}
-
-/// How element sizes are spread over the blank.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
-pub enum Grading {
-    /// Equal elements.
-    Uniform,
-    /// Smaller elements where the sheet meets the tools' radii.
-    #[default]
-    Radii,
-}
-
-/// Shell theory.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
-pub enum Theory {
-    /// Membrane, bending and transverse shear.
-    #[default]
-    Bending,
-    /// Membrane only.
-    Membrane,
-    /// Bending where the sheet is curved, chosen in every step, membrane elsewhere.
-    Selective,
-}
-
-/// The blank's outer edge.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
-pub enum Edge {
-    /// Draws in under the holder.
-    #[default]
-    Free,
-    /// Does not move: a locking bead.
-    Clamped,
 }
 
 mod default {

@@ -1,5 +1,6 @@
 //! `profile`: a tool's section of one's own.
 
+use crate::model::Role;
 use crate::units::{Length, NonNegative, Positive};
 use schemars::JsonSchema;
 use serde::Deserialize;
@@ -35,7 +36,7 @@ pub struct SectionTable {
     /// The punch or the die whose outline this tool follows, so that the two close on each other: every point of this
     /// tool then lies `by` away from the other. A sharp corner of the other becomes an arc of radius `by`.
     #[schemars(example = &"punch")]
-    pub offset_of: Option<ToolName>,
+    pub offset_of: Option<Role>,
     /// The gap between the two tools when they have closed: the sheet's thickness and the clearance.
     #[schemars(example = "1.2 mm")]
     pub by: Option<Positive<Length>>,
@@ -50,16 +51,7 @@ pub struct SectionTable {
     /// The tool on the other side of the flat sheet of which this one is the mirror image: a holder of the die's form,
     /// or a die of the holder's.
     #[schemars(example = &"die")]
-    pub mirror_of: Option<ToolName>,
-}
-
-/// A tool that another is made from.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
-pub enum ToolName {
-    Punch,
-    Die,
-    Holder,
+    pub mirror_of: Option<Role>,
 }
 
 /// One step of a drawn section: `from` first, then `to` for straight lines, `arc_to` with `center` and `turn` for arcs.

@@ -1,6 +1,7 @@
 //! `[stage]` and `[[stages]]`: operations after the first one.
 
-use super::{Crowned, Edge, Flat, Friction, Given, Hemispherical, HolderForce, Section, ToolName};
+use super::{Crowned, Die, Flat, Friction, Given, Hemispherical, Holder, HolderForce, Punch, Section};
+use crate::model::{Edge, Mode, ReleaseStiffness, Role};
 use crate::units::{Length, NonNegative, Positive, Speed, Time};
 use schemars::JsonSchema;
 use serde::{Deserialize, Deserializer, de};
@@ -28,7 +29,7 @@ pub struct Stage {
     /// Tools that are no longer there.
     #[serde(default)]
     #[schemars(example = &["holder"])]
-    pub remove: Vec<ToolName>,
+    pub remove: Vec<Role>,
     /// How the outer edge is held.
     pub edge: Option<Edge>,
     /// Sets equivalent strain and stress back to nothing before the stage.
@@ -126,40 +127,25 @@ pub struct StageHolder {
     pub profile: Option<Section>,
 }
 
-/// How the metal answers to strain.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
-pub enum Mode {
-    /// The flow approach, rigid-viscoplastic: σ = 3 μ A ε̇ with the flow viscosity μ = σ_y/(3 ε̄̇) and ε̄̇² = ε̇ᵀ A ε̇, all at the
-    /// end of the step; where the sheet hardly flows ε̄̇² + ε̇₀² takes the place of ε̄̇² (`solver.cutoff_strain`).
-    ///
-    /// Valid where plastic strains are many times the elastic ones; nothing springs back.
-    ///
-    /// Source: O. C. Zienkiewicz, P. C. Jain, E. Oñate, Int. J. Solids Struct. 14 (1978) 15–38; W. Sosnowski (1994),
-    /// equations 3 and 4.
-    Flow,
-    /// Elastic and plastic strains on the same elements: Δσ = D(E, ν) (Δε − Δε_p), with Δε_p normal to the yield surface
-    /// σ̄(σ − Σ α) = σ_y(ε̄, ε̄̇) at the end of the step.
-    ///
-    /// Valid for loads from the first contact on, for bending and spring-back; the elastic change of volume is left out of
-    /// the thickness.
-    ///
-    /// Source: J. C. Simo, R. L. Taylor, Int. J. Num. Meth. Engng. 22 (1986) 649–670.
-    ElastoViscoplastic,
-    /// Elastic on the stress that the sheet carries, without yield: Δσ = D(E, ν) Δε.
-    ///
-    /// Valid for the release of a sheet that the flow law formed, as a first guess.
-    ///
-    /// Source: W. Sosnowski (1994), equations 10 to 13.
-    Elastic,
+impl From<StagePunch> for Punch {
+    fn from(new: StagePunch) -> Self {
+        let StagePunch { hemispherical, flat, crowned, profile, friction, .. } = new;
+        Self { hemispherical, flat, crowned, profile, friction, ..Self::default() }
+    }
 }
 
-/// Which stiffness a release iterates with.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
-pub enum ReleaseStiffness {
-    Updated,
-    Constant,
+impl From<StageDie> for Die {
+    fn from(new: StageDie) -> Self {
+        let StageDie { throat, shoulder, profile, friction, .. } = new;
+        Self { throat, shoulder, profile, friction }
+    }
+}
+
+impl From<StageHolder> for Holder {
+    fn from(new: StageHolder) -> Self {
+        let StageHolder { inner_radius, inner_half_width, profile, force, friction, .. } = new;
+        Self { inner_radius, inner_half_width, profile, force, friction, ..Self::default() }
+    }
 }
 
 /// Whether the tools are taken away, and how.

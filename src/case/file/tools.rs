@@ -33,7 +33,7 @@ pub struct Bead {
 }
 
 /// The punch moves towards +z; exactly one of the shapes is given.
-#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, Default, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Punch {
     pub hemispherical: Option<Hemispherical>,
@@ -98,7 +98,7 @@ pub struct Crowned {
 }
 
 /// The die stands still above the sheet: `throat` and `shoulder`, or a `profile`.
-#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, Default, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Die {
     /// Radius of the opening (plane strain: half width).
@@ -115,7 +115,7 @@ pub struct Die {
 }
 
 /// The blank holder presses the sheet against the die: a flat ring from its inner radius outward, or a `profile`.
-#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, Default, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Holder {
     /// Inner radius (axisymmetric).

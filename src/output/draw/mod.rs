@@ -1,57 +1,100 @@
-//! Draws a [`Chart`] as SVG; the only place that knows plotters.
+//! Draws a [`Chart`]: it is laid out once as [`Mark`]s, and these become SVG or pixels.
 //!
-//! plotters rounds to whole units, so the canvas is [`FINE`] times larger than the picture, and the SVG's size is
-//! then written back with a view box. Lengths in this folder are in px of the picture unless they say "units".
+//! Lengths in this folder are in px of a picture 800 wide, from its upper left corner, y down.
 
 mod page;
+mod palette;
 mod panel;
+mod raster;
 mod shape;
+mod stroke;
+mod svg;
 mod text;
 mod ticks;
 
-use super::chart::Chart;
-use super::font::FAMILY;
+use super::chart::{Chart, Color};
 use page::Page;
-use plotters::coord::Shift;
-use plotters::prelude::*;
+pub(super) use palette::Palette;
+use raster::{Picture, Raster};
 
-/// Canvas units per px.
-const FINE: f64 = 8.0;
 /// Width of every picture; its height follows from what it holds.
 const WIDTH: f64 = 800.0;
 /// Around every picture.
 const MARGIN: f64 = 14.0;
 
-type Canvas<'a> = DrawingArea<SVGBackend<'a>, Shift>;
+type Point = (f64, f64);
 
-/// Nothing fails on the way into a string with a font that is built in.
-const NEVER: &str = "drawing into memory with a built-in font";
+/// A chart laid out: what is drawn on white, one mark over the other.
+pub(super) struct Drawing {
+    pub height: f64,
+    pub marks: Vec<Mark>,
+}
+
+/// What is drawn with one pen.
+pub(super) enum Mark {
+    Area {
+        outline: Vec<Point>,
+        fill: Color,
+    },
+    /// The pieces of one line; joins are round, ends are not.
+    Line {
+        pieces: Vec<Vec<Point>>,
+        color: Color,
+        width: f64,
+    },
+    /// White inside.
+    Circle {
+        at: Point,
+        radius: f64,
+        color: Color,
+        width: f64,
+    },
+    /// A line of text; `at` is on its baseline, and it goes up the page where it is turned.
+    Text {
+        text: String,
+        size: f64,
+        color: Color,
+        at: Point,
+        anchor: Anchor,
+        turned: bool,
+    },
+}
+
+/// Which part of a text is where it is placed.
+#[derive(Clone, Copy)]
+pub(super) enum Anchor {
+    Start,
+    Middle,
+    End,
+}
+
+impl Drawing {
+    pub fn of(chart: &Chart) -> Self {
+        let page = Page::of(chart);
+        let mut marks = Vec::new();
+        page.draw(chart, &mut marks);
+        Self { height: page.height, marks }
+    }
+
+    /// The drawing with so many pixels per px.
+    pub fn pixels(&self, density: f64, palette: &mut Palette) -> Picture {
+        palette.reserve(self.marks.iter().map(Mark::color));
+        let mut raster = Raster::new(WIDTH, self.height, density, palette);
+        self.marks.iter().for_each(|mark| raster.draw(mark));
+        raster.picture()
+    }
+}
+
+impl Mark {
+    fn color(&self) -> Color {
+        match self {
+            Self::Area { fill, .. } => *fill,
+            Self::Line { color, .. } | Self::Circle { color, .. } | Self::Text { color, .. } => *color,
+        }
+    }
+}
 
 /// The picture as a standalone SVG, 800 px wide.
 pub fn svg(chart: &Chart) -> String {
-    text::register();
-    let page = Page::of(chart);
-    let mut svg = String::new();
-    {
-        let canvas = SVGBackend::with_string(&mut svg, (units(WIDTH) as u32, units(page.height) as u32));
-        let canvas = canvas.into_drawing_area();
-        canvas.fill(&WHITE).expect(NEVER);
-        page.draw(chart, &canvas);
-        canvas.present().expect(NEVER);
-    }
-    // The first tag states the size in units: state it in px, and let lines join and fonts fall back smoothly.
-    let body = svg.split_once('>').map_or("", |(_, body)| body);
-    let family = format!("font-family=\"{FAMILY}\"");
-    format!(
-        "<svg width=\"{WIDTH}\" height=\"{}\" viewBox=\"0 0 {} {}\" stroke-linejoin=\"round\" \
-         xmlns=\"http://www.w3.org/2000/svg\">{}",
-        page.height,
-        units(WIDTH),
-        units(page.height),
-        body.replace(&family, &format!("font-family=\"{FAMILY}, Verdana, sans-serif\""))
-    )
-}
-
-fn units(px: f64) -> i32 {
-    (px * FINE).round() as i32
+    svg::svg(&Drawing::of(chart))
 }

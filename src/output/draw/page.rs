@@ -3,7 +3,7 @@
 use super::panel::{Frame, x_labels_height, y_labels_width};
 use super::shape::sample;
 use super::text::{NOTE, SPACING, TICK, TITLE, text, text_width, wrapped};
-use super::{Canvas, MARGIN, WIDTH, units};
+use super::{MARGIN, Mark, WIDTH};
 use crate::output::chart::{BLACK, Chart, GREY, Look, Series};
 
 /// Width of a line sample in the legend.
@@ -38,30 +38,29 @@ impl<'a> Page<'a> {
         Self { title, legend, left, frames, notes, height: height.ceil() }
     }
 
-    pub(super) fn draw(&self, chart: &Chart, canvas: &Canvas) {
+    pub(super) fn draw(&self, chart: &Chart, marks: &mut Vec<Mark>) {
         let mut y = MARGIN;
         for line in &self.title {
-            text(canvas, line, TITLE, BLACK, (MARGIN, y));
+            marks.push(text(line, TITLE, BLACK, (MARGIN, y)));
             y += SPACING * TITLE;
         }
         y += 0.5 * MARGIN;
-        text(canvas, chart.legend, TICK, BLACK, (MARGIN, y));
+        marks.push(text(chart.legend, TICK, BLACK, (MARGIN, y)));
         for row in &self.legend {
             for (series, x) in row {
-                sample(canvas, series.look, (*x, y + 0.5 * TICK), (SAMPLE, 0.3 * TICK));
-                text(canvas, series.label.as_deref().unwrap_or(""), TICK, BLACK, (x + SAMPLE + 8.0, y));
+                sample(marks, series.look, (*x, y + 0.5 * TICK), (SAMPLE, 0.3 * TICK));
+                let label = series.label.as_deref().unwrap_or("");
+                marks.push(text(label, TICK, BLACK, (x + SAMPLE + 8.0, y)));
             }
             y += SPACING * TICK;
         }
         y += 0.5 * MARGIN;
         for (panel, frame) in chart.panels.iter().zip(&self.frames) {
-            let height = frame.height + x_labels_height();
-            let area = canvas.clone().shrink((units(MARGIN), units(y)), (units(WIDTH - 2.0 * MARGIN), units(height)));
-            frame.draw(panel, canvas, &area, self.left);
-            y += height + GAP;
+            frame.draw(panel, marks, (MARGIN + self.left, y));
+            y += frame.height + x_labels_height() + GAP;
         }
         for line in &self.notes {
-            text(canvas, line, NOTE, GREY, (MARGIN, y));
+            marks.push(text(line, NOTE, GREY, (MARGIN, y)));
             y += SPACING * NOTE;
         }
     }

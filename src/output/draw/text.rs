@@ -1,13 +1,8 @@
-//! Text: sizes, widths, line breaks, and the built-in font that plotters measures with.
+//! Text: sizes, widths and line breaks.
 
-use super::shape::rgb;
-use super::{Canvas, FINE, NEVER, units};
+use super::{Anchor, Mark, Point};
 use crate::output::chart::{BLACK, Color};
-use crate::output::font::{DATA, FAMILY};
-use plotters::prelude::*;
-use plotters::style::register_font;
-use plotters::style::text_anchor::{HPos, Pos, VPos};
-use std::sync::Once;
+use crate::output::font;
 
 pub(super) const TITLE: f64 = 21.0;
 /// Axes.
@@ -19,16 +14,10 @@ pub(super) const NOTE: f64 = 13.5;
 pub(super) const MARK: f64 = 15.0;
 /// Line spacing over font size.
 pub(super) const SPACING: f64 = 1.3;
-
-/// Makes the font known to plotters; once is enough, more does no harm.
-pub(super) fn register() {
-    static DONE: Once = Once::new();
-    DONE.call_once(|| {
-        if register_font(FAMILY, FontStyle::Normal, DATA).is_err() {
-            unreachable!("the built-in font is a font");
-        }
-    });
-}
+/// Top of a line above its baseline, over the font size.
+pub(super) const CAP: f64 = 0.76;
+/// How much wider text may come out than in the built-in font: a browser that has not got it takes another.
+const ROOM: f64 = 1.065;
 
 /// Lines no wider than `width`, broken between words, and within a word that is wider than a line.
 pub(super) fn wrapped(paragraph: &str, size: f64, width: f64) -> Vec<String> {
@@ -60,20 +49,29 @@ fn pieces(word: &str, size: f64, width: f64) -> Vec<String> {
 }
 
 pub(super) fn text_width(text: &str, size: f64) -> f64 {
-    let (width, _) = style(size, BLACK).font.box_size(text).expect(NEVER);
-    f64::from(width) / FINE
+    ROOM * size * font::width(text)
 }
 
-pub(super) fn text(canvas: &Canvas, text: &str, size: f64, color: Color, at: (f64, f64)) {
+/// A line of text by its upper left corner.
+pub(super) fn text(text: &str, size: f64, color: Color, (x, top): Point) -> Mark {
     // What XML cannot hold, escape sequences for example, is left out.
     let text = text.replace(|c: char| c.is_control() || matches!(c, '\u{fffe}' | '\u{ffff}'), "");
-    let style = style(size, color).pos(Pos::new(HPos::Left, VPos::Top));
-    canvas.draw(&Text::new(text, (units(at.0), units(at.1)), style)).expect(NEVER);
+    Mark::Text { text, size, color, at: (x, top + CAP * size), anchor: Anchor::Start, turned: false }
 }
 
-/// plotters sizes a font by its line, 1.24 times the em that is meant here.
-pub(super) fn style(size: f64, color: Color) -> TextStyle<'static> {
-    FontDesc::new(FontFamily::Name(FAMILY), 1.24 * size * FINE, FontStyle::Normal).color(&rgb(color))
+/// A black label by a point of its baseline.
+pub(super) fn label(text: &str, size: f64, at: Point, anchor: Anchor) -> Mark {
+    Mark::Text { text: text.to_owned(), size, color: BLACK, at, anchor, turned: false }
+}
+
+impl Mark {
+    /// The same text up the page.
+    pub(super) fn turned(mut self) -> Self {
+        if let Self::Text { turned, .. } = &mut self {
+            *turned = true;
+        }
+        self
+    }
 }
 
 #[cfg(test)]
@@ -82,7 +80,6 @@ mod tests {
 
     #[test]
     fn long_notes_are_wrapped_between_words() {
-        register();
         let note = "word ".repeat(60);
         let lines = wrapped(&note, NOTE, 300.0);
         assert!(lines.len() > 3 && lines.iter().all(|line| text_width(line, NOTE) <= 300.0));
@@ -91,7 +88,6 @@ mod tests {
 
     #[test]
     fn a_word_wider_than_a_line_is_broken() {
-        register();
         let path = format!("see {}", "/a/long/path".repeat(20));
         let lines = wrapped(&path, NOTE, 300.0);
         assert!(lines.len() > 3 && lines.iter().all(|line| text_width(line, NOTE) <= 300.0), "{lines:?}");

@@ -1,10 +1,18 @@
-//! Points and cells with numbers on them, and the file they become; the only place that knows vtkio.
+//! Points and cells with numbers on them, and the file they become.
 
+use super::base64::base64;
 use crate::table::Column;
 use std::f64::consts::TAU;
-use vtkio::model::{
-    Attribute, Attributes, ByteOrder, CellType, Cells, DataSet, UnstructuredGridPiece, Version, VertexNumbers, Vtk,
-};
+use std::fmt::Write;
+
+/// Cells by their numbers in VTK.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum CellType {
+    Line = 3,
+    Quad = 9,
+    Hexahedron = 12,
+    Wedge = 13,
+}
 
 /// An unstructured grid with one entry of every field per cell.
 #[derive(Clone, Debug, PartialEq)]
@@ -75,37 +83,47 @@ impl Grid {
         Self { points, cells, fields }
     }
 
-    /// A `.vtu` file.
-    pub fn bytes(self) -> Vec<u8> {
-        let field = |column: Column| {
-            let unit = column.unit.spelled();
-            let unit = match unit {
+    /// A `.vtu` file: XML with little-endian arrays in base64.
+    pub fn bytes(&self) -> Vec<u8> {
+        let doubles = |values: &[f64]| values.iter().flat_map(|v| v.to_le_bytes()).collect::<Vec<u8>>();
+        let counts = |counts: &mut dyn Iterator<Item = u64>| counts.flat_map(u64::to_le_bytes).collect::<Vec<u8>>();
+        let corners = counts(&mut self.cells.iter().flat_map(|(_, corners)| corners.iter().copied()));
+        let ends = counts(&mut self.cells.iter().scan(0, |end, (_, corners)| {
+            *end += corners.len() as u64;
+            Some(*end)
+        }));
+        let types: Vec<u8> = self.cells.iter().map(|(kind, _)| *kind as u8).collect();
+        let mut text = format!(
+            "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" \
+             header_type=\"UInt64\">\n<UnstructuredGrid>\n<Piece NumberOfPoints=\"{}\" NumberOfCells=\"{}\">\n<Points>\n",
+            self.points.len(),
+            self.cells.len()
+        );
+        array(
+            &mut text,
+            "type=\"Float64\" Name=\"Points\" NumberOfComponents=\"3\"",
+            &doubles(self.points.as_flattened()),
+        );
+        text.push_str("</Points>\n<Cells>\n");
+        array(&mut text, "type=\"Int64\" Name=\"connectivity\"", &corners);
+        array(&mut text, "type=\"Int64\" Name=\"offsets\"", &ends);
+        array(&mut text, "type=\"UInt8\" Name=\"types\"", &types);
+        text.push_str("</Cells>\n<CellData>\n");
+        for column in &self.fields {
+            let unit = match column.unit.spelled() {
                 "" => "-",
                 "percent" => "%",
                 unit => unit,
             };
-            Attribute::scalars(format!("{} [{unit}]", column.key), 1).with_data(column.values)
-        };
-        let (types, corners): (Vec<_>, Vec<_>) = self.cells.into_iter().unzip();
-        let ends = corners.iter().scan(0, |end, cell| {
-            *end += cell.len() as u64;
-            Some(*end)
-        });
-        let offsets = ends.collect();
-        let piece = UnstructuredGridPiece {
-            points: self.points.concat().into(),
-            cells: Cells { cell_verts: VertexNumbers::XML { connectivity: corners.concat(), offsets }, types },
-            data: Attributes { point: Vec::new(), cell: self.fields.into_iter().map(field).collect() },
-        };
-        let vtk = Vtk {
-            version: Version::new_xml(1, 0),
-            title: String::new(),
-            byte_order: ByteOrder::LittleEndian,
-            data: DataSet::inline(piece),
-            file_path: None,
-        };
-        let mut bytes = Vec::new();
-        vtk.write_xml(&mut bytes).expect("a grid that is complete is written into memory");
-        bytes
+            array(&mut text, &format!("type=\"Float64\" Name=\"{} [{unit}]\"", column.key), &doubles(&column.values));
+        }
+        text.push_str("</CellData>\n</Piece>\n</UnstructuredGrid>\n</VTKFile>\n");
+        text.into_bytes()
     }
+}
+
+/// One array: how many bytes it has, and the bytes.
+fn array(text: &mut String, attributes: &str, bytes: &[u8]) {
+    let counted = [&(bytes.len() as u64).to_le_bytes(), bytes].concat();
+    let _ = writeln!(text, "<DataArray {attributes} format=\"binary\">{}</DataArray>", base64(&counted));
 }

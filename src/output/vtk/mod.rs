@@ -12,8 +12,9 @@
 //! section; the turned sheet's axis is z.
 //!
 //! # References
-//! VTK XML file formats: Kitware, VTK File Formats (<https://docs.vtk.org>).
+//! VTK XML file formats: Kitware, VTK File Formats (<https://docs.vtk.org>); S. Josefsson, RFC 4648 (2006).
 
+mod base64;
 mod grid;
 
 use super::{Files, StageView, animation, profile, sections};

@@ -1,0 +1,74 @@
+//! `[blank]`.
+
+use super::{by_geometry, count};
+use crate::case::file::CaseFile;
+use crate::case::{CaseError, source::Source};
+use crate::model::{Blank, Geometry, Mode, Theory};
+use crate::units::{Quantity, rounded};
+use std::ops::RangeInclusive;
+
+/// Thicknesses of sheet, foil to plate [mm].
+const THICKNESS: RangeInclusive<f64> = 1e-3..=50.0;
+/// A blank shorter than this many thicknesses is no sheet [–].
+const SLENDER: f64 = 5.0;
+/// Points through the thickness by the flow law, whose moments hardly matter; where the sheet is elastic too: with few, each
+/// that yields lets the moment jump, and the sheet snaps; and for spring-back: the moment of an elastic-perfectly plastic
+/// strip is then within 0.3 %.
+const FLOWING: i64 = 5;
+const ELASTIC: i64 = 15;
+const RELEASED: i64 = 25;
+
+/// Points through the thickness where the case does not say.
+fn automatic(case: &CaseFile) -> i64 {
+    let modes = case.stages.iter().map(|stage| stage.mode).chain([case.material.mode]);
+    let elastic = modes.flatten().any(|mode| mode != Mode::Flow);
+    if case.stages.iter().any(|stage| stage.release.is_some_and(|release| release.0.is_some())) {
+        RELEASED
+    } else if elastic {
+        ELASTIC
+    } else {
+        FLOWING
+    }
+}
+
+pub(super) fn convert(
+    case: &CaseFile,
+    geometry: Geometry,
+    source: &Source,
+    derived: &mut Vec<String>,
+) -> Result<Blank, CaseError> {
+    let file = &case.blank;
+    let length = by_geometry(source, "blank", geometry, ("radius", file.radius), ("half_length", file.half_length))?;
+    let thickness = file.thickness.value();
+    if !THICKNESS.contains(&thickness) {
+        let what = format!("`thickness` must lie between 0.001 and 50 mm, found {} mm", rounded(thickness));
+        return Err(source.error("blank.thickness", what, "check the unit: sheet is 0.1 to 10 mm thick"));
+    }
+    if length < SLENDER * thickness {
+        let what =
+            format!("a blank of {} mm is too small for a thickness of {} mm", rounded(length), rounded(thickness));
+        return Err(source.error(
+            "blank.thickness",
+            what,
+            "shells are at least five thicknesses long: check the units",
+        ));
+    }
+    let layers = match file.theory {
+        Theory::Bending | Theory::Selective => {
+            count(source, "blank.layers", file.layers.unwrap_or_else(|| automatic(case)), 3..=101)?
+        }
+        Theory::Membrane => {
+            derived.push("membrane theory: bending stiffness is left out, one point through the thickness".into());
+            1
+        }
+    };
+    Ok(Blank {
+        length,
+        thickness,
+        elements: count(source, "blank.elements", file.elements, 2..=2000)?,
+        grading: file.grading,
+        theory: file.theory,
+        layers,
+        edge: file.edge,
+    })
+}

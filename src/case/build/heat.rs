@@ -1,0 +1,117 @@
+//! `[heat]`: the temperature of the flat sheet, and what changes it.
+
+use super::lines::Named;
+use crate::case::file::{self, InitialTemperature};
+use crate::case::files::Folder;
+use crate::case::{CaseError, explain::missing, source::Source};
+use crate::model::{Heat, HeatFlow, Role, Tool, ToolHeat};
+use crate::numerics::PiecewiseLinear;
+use crate::rules::tool_sizes::extent;
+use crate::table::Unit;
+use crate::units::{Length, Quantity, ZERO_CELSIUS};
+
+/// Share of the plastic work that becomes heat, in common use for metals \[–\].
+const PLASTIC_SHARE: f64 = 0.9;
+/// Temperatures that a sheet can have \[K\].
+const SHEET: std::ops::RangeInclusive<f64> = 70.0..=2500.0;
+
+const KEY: &str = "heat.initial";
+const EXAMPLE: &str = "write for example s0_mm,temperature_C in the first line and 30,230 below it";
+
+pub(super) fn convert(file: &file::Heat, tools: &[Tool], source: &Source, folder: Folder) -> Result<Heat, CaseError> {
+    let initial = match &file.initial {
+        InitialTemperature::Uniform(temperature) => temperature.value().into(),
+        InitialTemperature::Zones(zones) => by_zones(zones, tools, source)?,
+        InitialTemperature::File(name) => by_file(name, source, folder)?,
+    };
+    for temperature in [initial.smallest(), initial.largest()] {
+        if !SHEET.contains(&temperature) {
+            let what =
+                format!("the sheet cannot be at {temperature:.0} K: between {} and {} K", SHEET.start(), SHEET.end());
+            return Err(source.error(KEY, what, "write \"230 °C\" for degrees Celsius"));
+        }
+    }
+    Ok(Heat { initial, flow: flow(file, tools, source)? })
+}
+
+fn flow(file: &file::Heat, tools: &[Tool], source: &Source) -> Result<Option<HeatFlow>, CaseError> {
+    let given = [(Role::Punch, file.punch), (Role::Die, file.die), (Role::Holder, file.holder)];
+    let (density, specific_heat) = match (file.density, file.specific_heat) {
+        (Some(density), Some(specific_heat)) => (density, specific_heat),
+        (Some(_), None) => return Err(missing(source, "heat", "specific_heat")),
+        (None, Some(_)) => return Err(missing(source, "heat", "density")),
+        (None, None) => {
+            let others =
+                [("plastic_share", file.plastic_share.is_some()), ("conductivity", file.conductivity.is_some())];
+            let tools = given.iter().map(|(role, tool)| (role.name(), tool.is_some()));
+            return match others.into_iter().chain(tools).find(|(_, given)| *given) {
+                Some((key, _)) => {
+                    let what =
+                        format!("`{key}` changes the temperature only of a sheet with a density and a specific heat");
+                    let help = "add density = \"2700 kg/m^3\" and specific_heat = \"900 J/kg/K\", or drop it";
+                    Err(source.error(&format!("heat.{key}"), what, help))
+                }
+                None => Ok(None),
+            };
+        }
+    };
+    let mut exchanging = Vec::new();
+    for (role, tool) in given {
+        let Some(tool) = tool else { continue };
+        if !tools.iter().any(|t| t.role == role) {
+            let what = format!("there is no {} to exchange heat with", role.name());
+            return Err(source.error(&format!("heat.{}", role.name()), what, "drop it, or add the tool"));
+        }
+        exchanging.push(ToolHeat { role, temperature: tool.temperature.value(), transfer: tool.transfer.value() });
+    }
+    Ok(Some(HeatFlow {
+        capacity: density.value() * specific_heat.value(),
+        plastic_share: file.plastic_share.map_or(PLASTIC_SHARE, Quantity::value),
+        conductivity: file.conductivity.map_or(0.0, Quantity::value),
+        tools: exchanging,
+    }))
+}
+
+/// Under the punch, and from the die's throat outward.
+fn by_zones(zones: &file::Zones, tools: &[Tool], source: &Source) -> Result<PiecewiseLinear, CaseError> {
+    let tool = |role: Role| tools.iter().find(|t| t.role == role);
+    let (Some(punch), Some(die)) = (tool(Role::Punch), tool(Role::Die)) else {
+        let help = "give one temperature, or a CSV file";
+        return Err(source.error(KEY, "temperatures by zones need a punch and a die", help));
+    };
+    let (inner, outer) = (extent(punch).1, die.profile.least_r());
+    let points = vec![(inner, zones.punch.value()), (outer.max(inner + 1e-6), zones.flange.value())];
+    Ok(PiecewiseLinear::new(points).expect("two rising places"))
+}
+
+/// Columns `s0_mm,temperature_C`.
+fn by_file(name: &str, source: &Source, folder: Folder) -> Result<PiecewiseLinear, CaseError> {
+    let (lines, csv) = Named { file: name, what: "temperature", example: EXAMPLE, key: KEY }.open(folder, source)?;
+    let missing = |name: &str| {
+        let what = format!("there is no column {name}; found {}", csv.found());
+        lines.error(csv.header.line, what, EXAMPLE)
+    };
+    let place = csv.header.fields.iter().enumerate().find_map(|(i, field)| match csv.unit(i) {
+        Ok((Unit::Mm, factor)) if field.starts_with("s0_") => Some((i, factor)),
+        _ => None,
+    });
+    let (s0, factor) = place.ok_or_else(|| missing("s0_mm"))?;
+    let column = csv.column("temperature_C").ok_or_else(|| missing("temperature_C"))?;
+    let mut points: Vec<(f64, f64)> = Vec::new();
+    for row in &csv.rows {
+        let fail = |what: &str| lines.error(row.line, what.to_owned(), EXAMPLE);
+        let place = lines.number(row, s0)?.ok_or_else(|| fail("s0 is missing"))? * factor;
+        let place = Length::checked(place, &place.to_string()).map_err(|error| fail(&error.to_string()))?.value();
+        let celsius = lines.number(row, column)?.ok_or_else(|| fail("the temperature is missing"))?;
+        let kelvin = celsius + ZERO_CELSIUS;
+        if !SHEET.contains(&kelvin) {
+            return Err(fail(&format!("the sheet cannot be at {celsius} °C")));
+        }
+        if points.last().is_some_and(|last| place <= last.0) {
+            return Err(fail("s0 must rise from row to row"));
+        }
+        points.push((place, kelvin));
+    }
+    PiecewiseLinear::new(points)
+        .ok_or_else(|| lines.error(csv.header.line, "the temperature file has no rows".into(), EXAMPLE))
+}

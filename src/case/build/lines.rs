@@ -1,0 +1,79 @@
+//! A CSV file that a case names: its rows, and errors that show their lines.
+
+use crate::case::files::{self, FileError, Folder};
+use crate::case::{CaseError, source::Source};
+use crate::table::{Csv, CsvError, Record};
+use miette::NamedSource;
+use std::path::Path;
+use std::sync::Arc;
+
+/// A file of a case, and how messages call it.
+pub(super) struct Named<'a> {
+    /// As the case names it.
+    pub file: &'a str,
+    /// What it holds, as in "the profile file".
+    pub what: &'static str,
+    /// What to write into it.
+    pub example: &'static str,
+    /// The key that names it.
+    pub key: &'a str,
+}
+
+/// The text of a file, and the key that names it.
+pub(super) struct Lines {
+    shown: Arc<NamedSource<String>>,
+    key: String,
+}
+
+impl Named<'_> {
+    /// Reads the file from the case's folder.
+    pub fn open(&self, folder: Folder, source: &Source) -> Result<(Lines, Csv), CaseError> {
+        let path = folder.path.join(self.file);
+        match folder.files.text(&path, files::CSV) {
+            Ok(text) => self.table(&text, &path, source),
+            Err(FileError::Missing | FileError::Folder) => {
+                let what = format!("the {} file \"{}\" is not there", self.what, self.file);
+                Err(source.error(self.key, what, format!("put it at {}", path.display())))
+            }
+            Err(error) => Err(self.unreadable(&error, source)),
+        }
+    }
+
+    /// The table that the text of a file is.
+    pub fn table(&self, text: &str, path: &Path, source: &Source) -> Result<(Lines, Csv), CaseError> {
+        let text = text.trim_start_matches('\u{feff}').replace("\r\n", "\n");
+        let shown = Arc::new(NamedSource::new(path.display().to_string(), text));
+        let lines = Lines { shown: shown.clone(), key: self.key.to_owned() };
+        let name = format!("the {} file", self.what);
+        match Csv::read(shown.inner(), &name, self.example) {
+            Ok(csv) => Ok((lines, csv)),
+            Err(CsvError { line: None, what, help }) => Err(source.error(self.key, what, help)),
+            Err(error) => Err(lines.refuse(error)),
+        }
+    }
+
+    pub fn unreadable(&self, error: &FileError, source: &Source) -> CaseError {
+        let what = format!("the {} file \"{}\" cannot be read: {error}", self.what, self.file);
+        source.error(self.key, what, "save it as CSV in UTF-8")
+    }
+}
+
+impl Lines {
+    /// An error at a line, from 1.
+    pub fn error(&self, line: usize, what: String, help: impl Into<String>) -> CaseError {
+        let inner = self.shown.inner();
+        let start = inner.split_inclusive('\n').take(line - 1).map(str::len).sum::<usize>();
+        let length = inner[start..].lines().next().map_or(0, str::len);
+        let label = format!("line {line} of {}", self.key);
+        CaseError::at(self.shown.clone(), start..start + length, what, label, help.into())
+    }
+
+    fn refuse(&self, CsvError { line, what, help }: CsvError) -> CaseError {
+        self.error(line.unwrap_or(1), what, help)
+    }
+
+    /// The number in a column of a row; `None` when it is empty.
+    pub fn number(&self, row: &Record, column: usize) -> Result<Option<f64>, CaseError> {
+        row.number(column).map_err(|error| self.refuse(error))
+    }
+}

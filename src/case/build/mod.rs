@@ -1,0 +1,162 @@
+//! [`CaseFile`] → [`Model`]: what the keys mean together, checked against each other.
+
+mod blank;
+mod collide;
+mod compare;
+mod counter;
+mod fit;
+mod forming_limit;
+mod friction;
+mod heat;
+mod limits;
+mod lines;
+mod loads;
+mod material;
+mod motion;
+mod place;
+mod points;
+mod press;
+mod profile;
+mod section;
+mod settings;
+mod softening;
+mod stages;
+mod tools;
+mod voids;
+
+pub(super) use compare::compare;
+pub(super) use material::convert as material;
+pub(super) use press::press;
+
+use friction::Frictions;
+use tools::{Sheet, ToolContext};
+
+use super::explain::missing;
+use super::file::CaseFile;
+use super::files::Folder;
+use super::{CaseError, source::Source};
+use crate::material::Material;
+use crate::model::{Blank, Geometry, Mode, Model, Stage, Theory};
+use crate::units::{Length, Positive, Quantity, rounded};
+
+/// What a case whose files are looked up from a folder means: its stages, and what was assumed.
+pub(super) fn stages(file: &CaseFile, source: &Source, folder: Folder) -> Result<(Vec<Stage>, Vec<String>), CaseError> {
+    limits::of_file(file, source)?;
+    let mut derived = Vec::new();
+    let first = first(file, source, folder, &mut derived)?;
+    let stages = stages::convert(file, first, source, folder, &mut derived)?;
+    Ok((stages, derived))
+}
+
+/// The model of the first stage.
+fn first(file: &CaseFile, source: &Source, folder: Folder, derived: &mut Vec<String>) -> Result<Model, CaseError> {
+    let geometry = file.geometry;
+    let blank = blank::convert(file, geometry, source, derived)?;
+    let material = material::convert(&file.material, source)?;
+    let mode = mode(file, &material, &blank, source)?;
+    let drive = motion::drive(file, blank.length, source)?;
+    let (sheet, travel) = (Sheet::of(&blank, geometry), drive.travel);
+    let context = ToolContext { written: &file.tools, standing: &[], sheet, travel, source, folder };
+    let tools = tools::convert(&context, &Frictions::of(file), derived)?;
+    let sheet = context.sheet;
+    let gas = file.gas.as_ref().map(|gas| loads::gas(gas, &tools, &sheet, source, derived)).transpose()?;
+    let heat = file.heat.as_ref().map(|heat| heat::convert(heat, &tools, source, folder)).transpose()?;
+    if heat.is_none() && (material.softening.is_some() || material.hardening.temperatures().is_some()) {
+        derived.push("without [heat] the sheet is at 20 °C throughout".into());
+    }
+    let limit = file.forming_limit.as_ref();
+    let limit = limit
+        .map(|limit| forming_limit::convert(limit, &material, blank.thickness, heat.as_ref(), source, derived))
+        .transpose()?;
+    let beads = loads::beads(&file.tools.beads, &tools, &sheet, source)?;
+    settings::stop(&file.stop, &tools, source)?;
+    let frames = settings::frames(&file.output, &drive, source)?;
+    settings::check(&file.solver, source)?;
+    let model = Model {
+        title: file.title.clone(),
+        notes: file.notes.clone(),
+        geometry,
+        blank,
+        material,
+        tools,
+        beads,
+        gas: gas.unwrap_or_default(),
+        heat,
+        travel,
+        schedule: drive.schedule,
+        speed: drive.speed,
+        duration: drive.duration,
+        frames,
+        stop: file.stop,
+        settings: file.solver.clone(),
+        mode,
+        release: None,
+        forming_limit: limit,
+    };
+    fit::check(&model, source)?;
+    limits::of_model(&model, source)?;
+    collide::check(&model, source)?;
+    Ok(model)
+}
+
+fn mode(file: &CaseFile, material: &Material, blank: &Blank, source: &Source) -> Result<Mode, CaseError> {
+    let mode = file.material.mode.map(|mode| material::mode(mode, material, "material.mode", source)).transpose()?;
+    let mode = mode.unwrap_or_default();
+    if mode != Mode::Flow && blank.theory == Theory::Selective {
+        let help = "write blank.theory = \"bending\", or mode = \"flow\"";
+        return Err(source.error("blank.theory", "an elastic sheet cannot change between bending and membrane", help));
+    }
+    Ok(mode)
+}
+
+/// A length whose key depends on the geometry; the other geometry's key is an error that says so.
+fn by_geometry(
+    source: &Source,
+    table: &str,
+    geometry: Geometry,
+    axisymmetric: (&str, Option<Positive<Length>>),
+    plane_strain: (&str, Option<Positive<Length>>),
+) -> Result<f64, CaseError> {
+    let (name, (key, value), (other_name, (other, wrong))) = match geometry {
+        Geometry::Axisymmetric => ("axisymmetric", axisymmetric, ("plane strain", plane_strain)),
+        Geometry::PlaneStrain => ("plane strain", plane_strain, ("axisymmetric", axisymmetric)),
+    };
+    match (value, wrong) {
+        (_, Some(wrong)) => Err(source.error(
+            &format!("{table}.{other}"),
+            format!("`{other}` belongs to {other_name} cases, this one is {name}"),
+            format!("write {key} = \"{} mm\", or change `geometry`", rounded(wrong.value())),
+        )),
+        (Some(value), None) => Ok(value.value()),
+        (None, None) => Err(missing(source, table, key)),
+    }
+}
+
+/// The one law of a table that must name exactly one.
+fn only_one<L>(
+    laws: impl IntoIterator<Item = Option<L>>,
+    path: &str,
+    names: &str,
+    source: &Source,
+) -> Result<L, CaseError> {
+    let mut laws = laws.into_iter().flatten();
+    match (laws.next(), laws.next()) {
+        (Some(law), None) => Ok(law),
+        (None, _) => {
+            let help = format!("give one of {names}, or drop [{path}]");
+            Err(source.error(path, format!("[{path}] names no law"), help))
+        }
+        (Some(_), Some(_)) => Err(source.error(path, format!("[{path}] names more than one law"), "keep one of them")),
+    }
+}
+
+/// A whole number within limits.
+fn count(source: &Source, path: &str, value: i64, range: std::ops::RangeInclusive<i64>) -> Result<usize, CaseError> {
+    if range.contains(&value) {
+        return Ok(value as usize);
+    }
+    let key = path.rsplit('.').next().unwrap_or(path);
+    let what = format!("`{key}` must lie between {} and {}, found {value}", range.start(), range.end());
+    let help = if value < *range.start() { range.start() } else { range.end() };
+    Err(source.error(path, what, format!("the nearest that can be solved: {key} = {help}")))
+}

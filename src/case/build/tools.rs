@@ -1,0 +1,219 @@
+//! `[tools]`: shapes placed where they touch the flat sheet.
+
+use super::friction::{self, Frictions};
+use super::{by_geometry, loads, section};
+use crate::case::file::{self, Section};
+use crate::case::files::Folder;
+use crate::case::{CaseError, explain::missing, source::Source};
+use crate::geometry::Profile;
+use crate::model::{Blank, Geometry, Motion, Role, Tool};
+use crate::units::{Length, Positive, Quantity, rounded};
+
+/// No tool is sharper and no opening smaller than a micrometre [mm].
+const SMALLEST: f64 = 1e-3;
+
+/// What tools are placed against.
+pub(super) struct Sheet {
+    pub geometry: Geometry,
+    /// Radius or half-length [mm].
+    pub length: f64,
+    /// Thickness [mm].
+    pub thickness: f64,
+}
+
+impl Sheet {
+    pub fn of(blank: &Blank, geometry: Geometry) -> Self {
+        Self { geometry, length: blank.length, thickness: blank.thickness }
+    }
+}
+
+/// What tools are made from.
+pub(super) struct ToolContext<'a> {
+    /// The tools that are new.
+    pub written: &'a file::Tools,
+    /// The tools that are there from the stage before.
+    pub standing: &'a [Tool],
+    pub sheet: Sheet,
+    /// Punch travel of the whole run [mm].
+    pub travel: f64,
+    pub source: &'a Source<'a>,
+    /// Where profile files are looked up.
+    pub folder: Folder<'a>,
+}
+
+/// The tools of the first stage.
+pub(super) fn convert(
+    context: &ToolContext,
+    frictions: &Frictions,
+    derived: &mut Vec<String>,
+) -> Result<Vec<Tool>, CaseError> {
+    let ToolContext { sheet, source, .. } = context;
+    let mut tools: Vec<Tool> = Vec::new();
+    for role in Role::ALL {
+        let die = tools.iter().find(|tool| tool.role == Role::Die);
+        if role == Role::Holder && context.written.holder.is_some() && die.is_none() {
+            let what = "a holder needs a die to press against";
+            return Err(source.error("tools.holder", what, "add [tools.die], or drop the holder and clamp the edge"));
+        }
+        let Some(profile) = context.new_profile(role, derived)? else { continue };
+        let motion = match (role, &context.written.holder, die) {
+            (Role::Punch, ..) => Motion::Travel,
+            (Role::Holder, Some(holder), Some(die)) => loads::holder(holder, &profile, die, sheet, source, derived)?,
+            _ => Motion::Fixed,
+        };
+        tools.push(Tool { role, profile, friction: friction::of(role, frictions, source, derived)?, motion });
+    }
+    Ok(tools)
+}
+
+impl ToolContext<'_> {
+    /// The placed section of a tool that is new; `None` when there is no such tool.
+    pub fn new_profile(&self, role: Role, derived: &mut Vec<String>) -> Result<Option<Profile>, CaseError> {
+        let file::Tools { punch, die, holder, .. } = self.written;
+        match role {
+            Role::Punch => punch.as_ref().map(|punch| punch_profile(punch, self, derived)),
+            Role::Die => die.as_ref().map(|die| die_profile(die, self, derived)),
+            Role::Holder => holder.as_ref().map(|holder| holder_profile(holder, self, derived)),
+        }
+        .transpose()
+    }
+
+    /// The placed section of a tool, new or standing; `None` when there is no such tool.
+    pub fn profile(&self, role: Role) -> Result<Option<Profile>, CaseError> {
+        let new = self.new_profile(role, &mut Vec::new())?; // said where the tool itself is made
+        let standing = || self.standing.iter().find(|tool| tool.role == role);
+        Ok(new.or_else(|| standing().map(|tool| tool.profile.clone())))
+    }
+
+    /// The section that is written for a tool.
+    pub fn section(&self, role: Role) -> Option<&Section> {
+        match role {
+            Role::Punch => self.written.punch.as_ref()?.profile.as_ref(),
+            Role::Die => self.written.die.as_ref()?.profile.as_ref(),
+            Role::Holder => self.written.holder.as_ref()?.profile.as_ref(),
+        }
+    }
+}
+
+fn punch_profile(punch: &file::Punch, context: &ToolContext, derived: &mut Vec<String>) -> Result<Profile, CaseError> {
+    let ToolContext { sheet, source, .. } = context;
+    let t = sheet.thickness;
+    let given = [
+        ("hemispherical", punch.hemispherical.is_some()),
+        ("flat", punch.flat.is_some()),
+        ("crowned", punch.crowned.is_some()),
+        ("profile", punch.profile.is_some()),
+    ];
+    let given: Vec<&str> = given.iter().filter(|(_, given)| *given).map(|(name, _)| *name).collect();
+    let [_] = given[..] else {
+        let what = match given.len() {
+            0 => "the punch has no shape".to_owned(),
+            _ => format!("the punch has {} shapes: {}", given.len(), given.join(" and ")),
+        };
+        let help = "give one of hemispherical = { radius }, flat = { radius, nose }, crowned = { radius, face, nose }, \
+                    profile = [..] or \"punch.csv\"";
+        let path = given.get(1).map_or("tools.punch".to_owned(), |shape| format!("tools.punch.{shape}"));
+        return Err(source.error(&path, what, help));
+    };
+    if let Some(shape) = &punch.hemispherical {
+        let radius = size(source, "tools.punch.hemispherical.radius", shape.radius.value())?;
+        return Ok(Profile::hemispherical_punch(radius, t));
+    }
+    if let Some(shape) = &punch.flat {
+        let radius = punch_radius(source, "flat", sheet, shape.radius, shape.half_width)?;
+        let nose = nose_within(source, "flat", shape.nose.value(), radius)?;
+        return Ok(Profile::flat_punch(radius, nose, t));
+    }
+    if let Some(shape) = &punch.crowned {
+        let radius = punch_radius(source, "crowned", sheet, shape.radius, shape.half_width)?;
+        let nose = nose_within(source, "crowned", shape.nose.value(), radius)?;
+        let face = shape.face.value();
+        if face < radius + SMALLEST || nose > radius - SMALLEST {
+            let what = format!(
+                "a crowned face of radius {} mm does not fit a punch of {} mm, nose {} mm",
+                rounded(face),
+                rounded(radius),
+                rounded(nose)
+            );
+            let help = "the face must be larger than the punch and the nose smaller; else use flat or hemispherical";
+            return Err(source.error("tools.punch.crowned.face", what, help));
+        }
+        return Ok(Profile::crowned_punch(radius, face, nose, t));
+    }
+    let section = punch.profile.as_ref().expect("exactly one shape is given, and it is none of the above");
+    section::convert(section, Role::Punch, context, derived)
+}
+
+fn punch_radius(
+    source: &Source,
+    shape: &str,
+    sheet: &Sheet,
+    radius: Option<Positive<Length>>,
+    half_width: Option<Positive<Length>>,
+) -> Result<f64, CaseError> {
+    let table = format!("tools.punch.{shape}");
+    let found = by_geometry(source, &table, sheet.geometry, ("radius", radius), ("half_width", half_width))?;
+    size(source, &format!("{table}.{}", if radius.is_some() { "radius" } else { "half_width" }), found)
+}
+
+/// A radius or width that can be drawn.
+fn size(source: &Source, path: &str, value: f64) -> Result<f64, CaseError> {
+    if value >= SMALLEST {
+        return Ok(value);
+    }
+    let key = path.rsplit('.').next().unwrap_or(path);
+    let what = format!("`{key}` must be at least {SMALLEST} mm, found {value:e} mm");
+    Err(source.error(path, what, "check the unit; thin-shell theory wants radii above five thicknesses"))
+}
+
+fn nose_within(source: &Source, shape: &str, nose: f64, radius: f64) -> Result<f64, CaseError> {
+    let nose = size(source, &format!("tools.punch.{shape}.nose"), nose)?;
+    if nose <= radius {
+        // What is left of the flat beside a nose that is all but the whole radius is round-off.
+        return Ok(if radius - nose < 1e-3 * SMALLEST { radius } else { nose });
+    }
+    let what = format!("a nose of {} mm is larger than the punch of {} mm", rounded(nose), rounded(radius));
+    Err(source.error(
+        &format!("tools.punch.{shape}.nose"),
+        what,
+        format!("at most {} mm: then it is hemispherical", rounded(radius)),
+    ))
+}
+
+fn die_profile(die: &file::Die, context: &ToolContext, derived: &mut Vec<String>) -> Result<Profile, CaseError> {
+    let ToolContext { sheet, source, .. } = context;
+    match (&die.profile, die.throat, die.shoulder) {
+        (Some(section), None, None) => section::convert(section, Role::Die, context, derived),
+        (None, Some(throat), Some(shoulder)) => Ok(Profile::die(
+            size(source, "tools.die.throat", throat.value())?,
+            size(source, "tools.die.shoulder", shoulder.value())?,
+            sheet.thickness,
+        )),
+        (Some(_), ..) => {
+            let what = "the die has both a profile and a throat or shoulder";
+            Err(source.error("tools.die.profile", what, "keep the profile, or throat and shoulder"))
+        }
+        (None, None, _) => Err(missing(source, "tools.die", "throat")),
+        (None, _, None) => Err(missing(source, "tools.die", "shoulder")),
+    }
+}
+
+fn holder_profile(
+    holder: &file::Holder,
+    context: &ToolContext,
+    derived: &mut Vec<String>,
+) -> Result<Profile, CaseError> {
+    let ToolContext { sheet, source, .. } = context;
+    let Some(section) = &holder.profile else {
+        let radius = ("inner_radius", holder.inner_radius);
+        let half_width = ("inner_half_width", holder.inner_half_width);
+        let inner = by_geometry(source, "tools.holder", sheet.geometry, radius, half_width)?;
+        let key = if holder.inner_radius.is_some() { "inner_radius" } else { "inner_half_width" };
+        return Ok(Profile::holder(size(source, &format!("tools.holder.{key}"), inner)?, sheet.thickness));
+    };
+    if holder.inner_radius.or(holder.inner_half_width).is_some() {
+        let what = "the holder has both a profile and an inner edge";
+        return Err(source.error("tools.holder.profile", what, "keep one of them"));
+    }
+    section::convert(section, Role::Holder, context, derived)
+}

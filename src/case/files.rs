@@ -1,0 +1,161 @@
+//! Where a case's text and the files beside it come from: the disk, or a list in memory where there is none.
+//!
+//! | what is read | at most |
+//! |---|---|
+//! | case file | [`CASE`] = 2 MB |
+//! | CSV of a profile, a temperature or a reference, `sources.toml` | [`CSV`] = 10 MB, 100 000 rows, 2000 points of a profile |
+//! | drawing | `import::LARGEST` = 50 MB, 5000 lines and arcs of a tool |
+//!
+//! What is larger is refused before it is read, and so is what is no file: pipes and devices may never end.
+
+use std::collections::BTreeMap;
+use std::fs::{self, File};
+use std::io::{ErrorKind, Read};
+use std::path::{Component, Path, PathBuf};
+
+/// The largest case file \[bytes\]; a thousand times the size of a long one.
+pub const CASE: usize = 2_000_000;
+/// The largest CSV file \[bytes\].
+pub const CSV: usize = 10_000_000;
+
+/// Files by their paths.
+pub trait Files {
+    /// The whole of a file, of `limit` bytes at most.
+    ///
+    /// # Errors
+    /// When there is no such file, it is not a file, or it is larger.
+    fn read(&self, path: &Path, limit: usize) -> Result<Vec<u8>, FileError>;
+}
+
+/// Why a file is not read.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum FileError {
+    #[error("there is no such file")]
+    Missing,
+    #[error("it is a folder")]
+    Folder,
+    #[error("it is a pipe or a device, not a file")]
+    Special,
+    #[error("it is larger than {} MB", limit / 1_000_000)]
+    TooLarge { limit: usize },
+    #[error("it is not UTF-8 text")]
+    NotText,
+    /// In the words of the system.
+    #[error("{0}")]
+    Other(String),
+}
+
+impl FileError {
+    fn of(error: &std::io::Error) -> Self {
+        match error.kind() {
+            ErrorKind::NotFound => Self::Missing,
+            _ => Self::Other(error.to_string()),
+        }
+    }
+}
+
+impl dyn Files + '_ {
+    /// The whole of a text file.
+    ///
+    /// # Errors
+    /// As [`Files::read`], and when it is not UTF-8.
+    pub fn text(&self, path: &Path, limit: usize) -> Result<String, FileError> {
+        String::from_utf8(self.read(path, limit)?).map_err(|_| FileError::NotText)
+    }
+}
+
+/// The files of the disk.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Disk;
+
+impl Files for Disk {
+    fn read(&self, path: &Path, limit: usize) -> Result<Vec<u8>, FileError> {
+        // Opening a pipe waits for someone to write into it.
+        let about = fs::metadata(path).map_err(|error| FileError::of(&error))?;
+        if about.is_dir() {
+            return Err(FileError::Folder);
+        }
+        if !about.is_file() {
+            return Err(FileError::Special);
+        }
+        if about.len() > limit as u64 {
+            return Err(FileError::TooLarge { limit });
+        }
+        let mut bytes = Vec::new();
+        // Some files are longer than they say.
+        let reader = File::open(path).map(|file| file.take(limit as u64 + 1));
+        reader.and_then(|mut reader| reader.read_to_end(&mut bytes)).map_err(|error| FileError::of(&error))?;
+        if bytes.len() > limit { Err(FileError::TooLarge { limit }) } else { Ok(bytes) }
+    }
+}
+
+/// Files in memory. `cases/../a.csv` is `a.csv`.
+#[derive(Clone, Debug, Default)]
+pub struct Memory(BTreeMap<PathBuf, Vec<u8>>);
+
+impl Memory {
+    /// Adds a file, or replaces the one of that path.
+    pub fn insert(&mut self, path: impl AsRef<Path>, bytes: impl Into<Vec<u8>>) {
+        self.0.insert(plain(path.as_ref()), bytes.into());
+    }
+}
+
+impl Files for Memory {
+    fn read(&self, path: &Path, limit: usize) -> Result<Vec<u8>, FileError> {
+        let bytes = self.0.get(&plain(path)).ok_or(FileError::Missing)?;
+        if bytes.len() > limit { Err(FileError::TooLarge { limit }) } else { Ok(bytes.clone()) }
+    }
+}
+
+/// A path without `.` and `..`.
+fn plain(path: &Path) -> PathBuf {
+    let mut plain = PathBuf::new();
+    for component in path.components() {
+        match component {
+            Component::CurDir => {}
+            Component::ParentDir if plain.file_name().is_some() => {
+                plain.pop();
+            }
+            other => plain.push(other),
+        }
+    }
+    plain
+}
+
+/// Files, and the folder that those of a case are looked up from.
+#[derive(Clone, Copy)]
+pub(super) struct Folder<'a> {
+    pub files: &'a dyn Files,
+    pub path: &'a Path,
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn paths_in_memory_are_the_same_however_they_are_written() {
+        let mut files = Memory::default();
+        files.insert("cases/../data/./a.csv", "1");
+        files.insert("../up.csv", "2");
+        for (path, found) in [("data/a.csv", "1"), ("./data/b/../a.csv", "1"), ("x/../../up.csv", "2")] {
+            assert_eq!(files.read(Path::new(path), 1), Ok(found.into()), "{path}");
+        }
+        assert_eq!(files.read(Path::new("up.csv"), 1), Err(FileError::Missing));
+        assert_eq!(files.read(Path::new("../up.csv"), 0), Err(FileError::TooLarge { limit: 0 }));
+    }
+
+    #[test]
+    fn the_disk_gives_whole_files_and_refuses_the_rest() {
+        let folder = temp_dir::TempDir::new().unwrap();
+        let path = folder.path().join("a");
+        fs::write(&path, "12345").unwrap();
+        assert_eq!(Disk.read(&path, 5).unwrap(), b"12345");
+        assert_eq!(Disk.read(&path, 4), Err(FileError::TooLarge { limit: 4 }));
+        assert_eq!(Disk.read(folder.path(), 4), Err(FileError::Folder));
+        assert_eq!(Disk.read(&folder.path().join("b"), 4), Err(FileError::Missing));
+        // Nothing of it is read: its length is enough.
+        File::create(&path).and_then(|file| file.set_len(1 << 42)).unwrap();
+        assert_eq!(Disk.read(&path, 50_000_000), Err(FileError::TooLarge { limit: 50_000_000 }));
+    }
+}

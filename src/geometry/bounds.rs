@@ -1,0 +1,64 @@
+//! Boxes around pieces: what lies apart need not be compared any closer.
+
+use super::{Piece, Point};
+
+/// A box with its sides along the axes \[mm\].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Bounds {
+    pub low: Point,
+    pub high: Point,
+}
+
+impl Bounds {
+    /// The box around pieces; `None` around nothing.
+    pub fn around(pieces: &[Piece]) -> Option<Self> {
+        pieces.iter().map(Piece::bounds).reduce(|a, b| Self { low: a.low.inf(&b.low), high: a.high.sup(&b.high) })
+    }
+
+    fn with(self, p: Point) -> Self {
+        Self { low: self.low.inf(&p), high: self.high.sup(&p) }
+    }
+
+    /// Whether a point lies farther away than `margin` \[mm\] along an axis.
+    pub fn is_beyond(&self, p: Point, margin: f64) -> bool {
+        let out = (self.low - p).sup(&(p - self.high));
+        out.x > margin || out.y > margin
+    }
+
+    /// Whether two boxes lie farther apart than `margin` \[mm\] along an axis.
+    pub fn is_apart(&self, other: &Self, margin: f64) -> bool {
+        let out = (self.low - other.high).sup(&(other.low - self.high));
+        out.x > margin || out.y > margin
+    }
+}
+
+impl Piece {
+    /// The least box around the piece.
+    pub(crate) fn bounds(&self) -> Bounds {
+        let ends = Bounds { low: self.first(), high: self.first() }.with(self.last());
+        let Piece::Arc(arc) = self else { return ends };
+        let poles = [Point::x(), Point::y(), -Point::x(), -Point::y()].map(|way| arc.center + arc.radius * way);
+        poles.into_iter().filter(|pole| arc.faces(*pole)).fold(ends, Bounds::with)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::Arc;
+    use super::*;
+    use proptest::prelude::*;
+
+    proptest! {
+        /// Trust: brute force. No point of an arc lies outside of its box, and the box is not larger than those points need
+        /// (1e-3 of the radius: chords of at most 2π/400 rad leave the arc by 3e-5 of it).
+        #[test]
+        fn an_arc_fills_its_box(start in -7.0..7.0_f64, sweep in -6.2..6.2_f64, radius in 0.1..100.0_f64) {
+            prop_assume!(sweep.abs() > 0.01);
+            let piece = Piece::Arc(Arc::new(Point::new(3.0, -2.0), radius, start, sweep));
+            let (found, points) = (piece.bounds(), piece.sample(400));
+            prop_assert!(points.iter().all(|p| !found.is_beyond(*p, 1e-9 * radius)));
+            let needed = points.iter().fold(Bounds { low: points[0], high: points[0] }, |b, p| b.with(*p));
+            prop_assert!((needed.low - found.low).amax().max((needed.high - found.high).amax()) < 1e-3 * radius);
+        }
+    }
+}

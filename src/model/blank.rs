@@ -1,0 +1,47 @@
+//! The sheet before forming.
+
+use super::Theory;
+use schemars::JsonSchema;
+use serde::Deserialize;
+
+/// The sheet before forming.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Blank {
+    /// Radius, or half-length in plane strain \[mm\].
+    pub length: f64,
+    /// Initial thickness \[mm\].
+    pub thickness: f64,
+    /// Number of elements from the axis to the edge.
+    pub elements: usize,
+    pub grading: Grading,
+    pub theory: Theory,
+    /// Gauss-Lobatto points through the thickness (1 when the theory is membrane).
+    pub layers: usize,
+    pub edge: Edge,
+}
+
+/// How element sizes are spread over the blank.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum Grading {
+    /// Equal elements.
+    Uniform,
+    /// Smaller elements where the sheet meets the tools' radii.
+    #[default]
+    Radii,
+}
+
+/// The blank's outer edge.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum Edge {
+    /// Draws in under the holder.
+    #[default]
+    Free,
+    /// Does not move: a locking bead.
+    Clamped,
+    /// Moves outward in its plane at `speed` times the punch speed \[–\] and keeps its slope: for tension tests, which no case
+    /// file asks for.
+    #[serde(skip)]
+    Pulled { speed: f64 },
+}

@@ -1,0 +1,374 @@
+//! What may be solved: [`Model::check`] and [`Stage::check`] are the border between what is asked for and the solver.
+//!
+//! Laws are checked by what they answer at a few places, so that a new law needs nothing here.
+
+use super::{Blank, Edge, Friction, Gas, Heat, Mode, Model, Motion, Pressure, Role, Settings, Stage, Theory, Tool};
+use crate::contact::friction::Sliding;
+use crate::material::Material;
+use crate::numerics::PiecewiseLinear;
+use std::ops::RangeInclusive;
+
+/// Strains at which a hardening law is asked \[–\].
+const STRAINS: [f64; 6] = [0.0, 1e-4, 1e-2, 0.1, 1.0, 5.0];
+/// Strain rates at which a rate law is asked \[1/s\].
+const RATES: [f64; 4] = [1e-6, 1e-3, 1.0, 1e3];
+/// Most elements, and most points through their thickness.
+const ELEMENTS: RangeInclusive<usize> = 2..=100_000;
+const POINTS: RangeInclusive<usize> = 2..=1000;
+/// Difference between two numbers that must agree, over the larger one \[–\].
+const SAME: f64 = 1e-6;
+
+/// Why a model cannot be solved: which value, what it is and what it may be.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum ModelError {
+    #[error("`{what}` must lie between {least:?} and {most:?}, found {value:?}")]
+    Range { what: String, value: f64, least: f64, most: f64 },
+    #[error("`{what}` must lie between {least} and {most}, found {value}")]
+    Count { what: String, value: usize, least: usize, most: usize },
+    #[error("`{what}` must be positive and finite, found {value:?}")]
+    NotPositive { what: String, value: f64 },
+    #[error("`{what}` must be zero or positive and finite, found {value:?}")]
+    Negative { what: String, value: f64 },
+    #[error("`{what}` must be finite, found {value:?}")]
+    NotFinite { what: String, value: f64 },
+    #[error("`{what}` must rise from entry to entry, found {value:?} after {before:?}")]
+    NotRising { what: String, before: f64, value: f64 },
+    #[error("`{what}` is {value:?} and must agree with `{other}`, {wanted:?}")]
+    Differs { what: String, value: f64, other: &'static str, wanted: f64 },
+    #[error("`{what}` is empty")]
+    Empty { what: &'static str },
+    #[error("`{what}` needs `{other}`")]
+    Needs { what: String, other: String },
+    #[error("`{what}` and `{other}` exclude each other")]
+    Excludes { what: &'static str, other: &'static str },
+    #[error("there is more than one {what}")]
+    Twice { what: String },
+}
+
+type Checked = Result<(), ModelError>;
+
+impl Model {
+    /// Whether the solver can take the model: every number finite and in its range, every part there that another needs.
+    ///
+    /// # Errors
+    /// The first value that is not, with its bounds.
+    pub fn check(&self) -> Checked {
+        self.blank.check()?;
+        self.material.check()?;
+        self.check_mode()?;
+        self.check_tools()?;
+        self.check_beads()?;
+        self.check_gas()?;
+        if let Some(heat) = &self.heat {
+            heat.check(self)?;
+        }
+        self.check_motion()?;
+        self.check_stop()?;
+        self.settings.check()
+    }
+
+    /// Elasticity where it is asked for, and nothing that one of the modes cannot do.
+    fn check_mode(&self) -> Checked {
+        let material = &self.material;
+        let shifts = material.kinematic.iter().any(|law| law.modulus != 0.0);
+        if self.mode == Mode::Flow {
+            excludes(shifts, "mode flow", "material.kinematic")?;
+            return excludes(self.release.is_some(), "mode flow", "release");
+        }
+        needs("mode", material.elastic.is_some(), "material.elastic")?;
+        excludes(material.voids.is_some(), "elastic mode", "material.voids")?;
+        excludes(self.blank.theory == Theory::Selective, "elastic mode", "selective theory")
+    }
+
+    fn check_tools(&self) -> Checked {
+        for (i, tool) in self.tools.iter().enumerate() {
+            if self.tools[..i].iter().any(|other| other.role == tool.role) {
+                return Err(ModelError::Twice { what: tool.role.name().into() });
+            }
+            tool.check()?;
+            if matches!(tool.motion, Motion::Pressed(_) | Motion::Gap(_)) {
+                needs(tool.role.name(), tool.role == Role::Holder, "the role of a holder")?;
+                needs("holder", self.tool(Role::Die).is_some(), "die")?;
+            }
+        }
+        Ok(())
+    }
+
+    fn check_beads(&self) -> Checked {
+        for (i, bead) in self.beads.iter().enumerate() {
+            within(&format!("beads.{i}.at"), bead.at, 0.0, self.blank.length)?;
+            not_negative(&format!("beads.{i}.restraining"), bead.restraining)?;
+            not_negative(&format!("beads.{i}.closing"), bead.closing)?;
+        }
+        Ok(())
+    }
+
+    fn check_gas(&self) -> Checked {
+        for (i, gas) in self.gas.iter().enumerate() {
+            if self.gas[..i].iter().any(|other| other.face == gas.face) {
+                return Err(ModelError::Twice { what: "gas on one face".into() });
+            }
+            gas.check(&format!("gas.{i}"))?;
+        }
+        if self.gas.iter().filter(|gas| matches!(gas.pressure, Pressure::Rate(_))).count() > 1 {
+            return Err(ModelError::Twice { what: "gas that holds a strain rate".into() });
+        }
+        Ok(())
+    }
+
+    /// Travel, speed, duration, schedule and frames, which say the same run.
+    fn check_motion(&self) -> Checked {
+        positive("duration", self.duration)?;
+        positive("speed", self.speed)?;
+        not_negative("travel", self.travel)?;
+        if self.tools.iter().any(|tool| tool.motion == Motion::Travel) {
+            positive("travel", self.travel)?;
+            agree("speed", self.speed, "travel over duration", self.travel / self.duration)?;
+        }
+        if let Some(schedule) = &self.schedule {
+            positive("travel", self.travel)?;
+            curve("schedule", schedule, not_negative)?;
+            let (first, last) = (schedule.points()[0], schedule.points()[schedule.points().len() - 1]);
+            agree("first time of the schedule", first.0, "zero", 0.0)?;
+            agree("first travel of the schedule", first.1, "zero", 0.0)?;
+            agree("last time of the schedule", last.0, "duration", self.duration)?;
+            agree("last travel of the schedule", last.1, "travel", self.travel)?;
+            rising("travels of the schedule", 0.0, schedule.points()[1..].iter().map(|point| point.1))?;
+        }
+        let last = self.frames.last().ok_or(ModelError::Empty { what: "frames" })?;
+        rising("frames", 0.0, self.frames.iter().copied())?;
+        agree("last of the frames", *last, "duration", self.duration)
+    }
+
+    fn check_stop(&self) -> Checked {
+        let (load_drop, contact_share) = (self.stop.load_drop, self.stop.contact_share);
+        load_drop.map_or(Ok(()), |share| positive("stop.load_drop", share))?;
+        contact_share.map_or(Ok(()), |share| within("stop.contact_share", share, 0.0, 1.0))
+    }
+}
+
+impl Stage {
+    /// As [`Model::check`], and whether the stage can go on with the sheet of the one before.
+    ///
+    /// # Errors
+    /// As [`Model::check`].
+    pub fn check(&self, before: Option<&Model>) -> Checked {
+        self.model.check()?;
+        self.begin.trim.map_or(Ok(()), |radius| positive("begin.trim", radius))?;
+        for role in &self.begin.meets {
+            needs("begin.meets", self.model.tool(*role).is_some(), role.name())?;
+        }
+        let Some(before) = before else { return Ok(()) };
+        let (mine, theirs) = (&self.model.blank, &before.blank);
+        agree("blank.layers", mine.layers as f64, "blank.layers of the stage before", theirs.layers as f64)?;
+        agree("blank.thickness", mine.thickness, "blank.thickness of the stage before", theirs.thickness)?;
+        excludes(self.model.geometry != before.geometry, "geometry", "that of the stage before")?;
+        excludes(self.model.heat.is_some() != before.heat.is_some(), "heat", "that of the stage before")
+    }
+}
+
+impl Blank {
+    fn check(&self) -> Checked {
+        positive("blank.thickness", self.thickness)?;
+        positive("blank.length", self.length)?;
+        count("blank.elements", self.elements, ELEMENTS)?;
+        match self.theory {
+            Theory::Membrane => count("blank.layers", self.layers, 1..=1)?,
+            Theory::Bending | Theory::Selective => count("blank.layers", self.layers, POINTS)?,
+        }
+        match self.edge {
+            Edge::Pulled { speed } => finite("blank.edge.speed", speed),
+            Edge::Free | Edge::Clamped => Ok(()),
+        }
+    }
+}
+
+impl Material {
+    fn check(&self) -> Checked {
+        let mut before = 0.0;
+        for strain in STRAINS {
+            let found = self.hardening.at(strain);
+            let at = format!("material.hardening at a strain of {strain}");
+            not_negative(&at, found.stress)?;
+            within(&at, found.stress, before, f64::MAX)?;
+            before = found.stress;
+        }
+        positive("material.hardening", before)?;
+        for rate in RATES.iter().filter_map(|rate| Some(self.rate?.at(*rate))) {
+            not_negative("material.rate", rate.value)?;
+        }
+        if let Some(elastic) = self.elastic {
+            positive("material.elastic.young", elastic.young)?;
+            // Beyond it the volume shrinks under tension, or does not change: D has no inverse at 0.5.
+            within("material.elastic.poisson", elastic.poisson, 0.0, 0.499)?;
+        }
+        positive("material.anisotropy", self.anisotropy.ratio())?;
+        for law in &self.kinematic {
+            not_negative("material.kinematic.modulus", law.modulus)?;
+            not_negative("material.kinematic.dynamic_recovery", law.dynamic_recovery)?;
+        }
+        self.voids.as_ref().map_or(Ok(()), |voids| {
+            for (what, value) in [("q1", voids.q1), ("q2", voids.q2), ("q3", voids.q3)] {
+                positive(&format!("material.voids.{what}"), value)?;
+            }
+            if let Some(law) = voids.coalescence {
+                not_negative("material.voids.coalescence.critical", law.critical)?;
+                rising("material.voids.coalescence", law.critical, [law.fracture].into_iter())?;
+            }
+            if let Some(law) = voids.nucleation {
+                not_negative("material.voids.nucleation.fraction", law.fraction)?;
+                not_negative("material.voids.nucleation.strain", law.strain)?;
+                positive("material.voids.nucleation.deviation", law.deviation)?;
+            }
+            within("material.voids.initial", voids.initial, 0.0, voids.fracture())
+        })
+    }
+}
+
+impl Tool {
+    fn check(&self) -> Checked {
+        let name = self.role.name();
+        for place in self.profile.pieces().iter().flat_map(|piece| [piece.first(), piece.last()]) {
+            finite(&format!("{name}.profile"), place.x)?;
+            finite(&format!("{name}.profile"), place.y)?;
+        }
+        slides(&format!("{name}.friction"), &self.friction)?;
+        let motion = format!("{name}.motion");
+        match &self.motion {
+            Motion::Fixed | Motion::Travel => Ok(()),
+            Motion::Path { axial, aside } => finite(&motion, *axial).and(finite(&motion, *aside)),
+            Motion::Gap(gap) => positive(&motion, *gap),
+            Motion::Pressed(press) => {
+                curve(&motion, &press.force, not_negative).and(not_negative(&motion, press.stiffness))
+            }
+        }
+    }
+}
+
+impl Gas {
+    fn check(&self, at: &str) -> Checked {
+        positive(&format!("{at}.within"), self.within)?;
+        let pressure = format!("{at}.pressure");
+        match &self.pressure {
+            Pressure::OverTime(history) => curve(&pressure, history, not_negative),
+            Pressure::Rate(control) => {
+                positive(&format!("{pressure}.target"), control.target)?;
+                within(&format!("{pressure}.exponent"), control.exponent, 1.0, 1000.0)?;
+                // Without a cap both are infinite.
+                within(&format!("{pressure}.max_pressure"), control.max_pressure, f64::MIN_POSITIVE, f64::INFINITY)?;
+                within(&format!("{pressure}.max_rise"), control.max_rise, f64::MIN_POSITIVE, f64::INFINITY)
+            }
+        }
+    }
+}
+
+impl Heat {
+    fn check(&self, model: &Model) -> Checked {
+        curve("heat.initial", &self.initial, positive)?;
+        for (_, temperature) in self.initial.points() {
+            model.material.softening.map_or(Ok(()), |law| not_negative("material.softening", law.at(*temperature)))?;
+        }
+        let Some(flow) = &self.flow else { return Ok(()) };
+        positive("heat.flow.capacity", flow.capacity)?;
+        within("heat.flow.plastic_share", flow.plastic_share, 0.0, 1.0)?;
+        not_negative("heat.flow.conductivity", flow.conductivity)?;
+        for tool in &flow.tools {
+            needs("heat.flow.tools", model.tool(tool.role).is_some(), tool.role.name())?;
+            positive("heat.flow.tools.temperature", tool.temperature)?;
+            not_negative("heat.flow.tools.transfer", tool.transfer)?;
+        }
+        Ok(())
+    }
+}
+
+impl Settings {
+    /// Whether every parameter is in its range and the steps in their order.
+    ///
+    /// # Errors
+    /// The first that is not; `what` is its key behind `settings.`.
+    pub fn check(&self) -> Checked {
+        count("settings.max_iterations", self.max_iterations, 1..=10_000)?;
+        self.facets.map_or(Ok(()), |facets| count("settings.facets", facets, 1..=1000))?;
+        for (key, value, least, most) in [
+            ("tolerance", self.tolerance, 1e-12, 0.1),
+            ("min_step", self.min_step, 1e-12, 0.1),
+            ("max_step", self.max_step, 1e-5, 0.5),
+            ("cutoff_strain", self.cutoff_strain, 1e-10, 1e-2),
+            ("contact_stiffness", self.contact_stiffness, 1.0, 1e7),
+            ("contact_smoothing", self.contact_smoothing, 1e-6, 0.1),
+            ("slip_speed", self.slip_speed, 1e-6, 1.0),
+            ("strain_step", self.strain_step, 1e-3, 1.0),
+            ("bend_ratio", self.bend_ratio, 1e-4, 1.0),
+        ] {
+            within(&format!("settings.{key}"), value, least, most)?;
+        }
+        within("settings.first_step", self.first_step, self.min_step, self.max_step)
+    }
+}
+
+fn finite(what: &str, value: f64) -> Checked {
+    if value.is_finite() { Ok(()) } else { Err(ModelError::NotFinite { what: what.into(), value }) }
+}
+
+fn positive(what: &str, value: f64) -> Checked {
+    if value > 0.0 && value.is_finite() { Ok(()) } else { Err(ModelError::NotPositive { what: what.into(), value }) }
+}
+
+fn not_negative(what: &str, value: f64) -> Checked {
+    if value >= 0.0 && value.is_finite() { Ok(()) } else { Err(ModelError::Negative { what: what.into(), value }) }
+}
+
+/// A number from `least` to `most`, both included.
+fn within(what: &str, value: f64, least: f64, most: f64) -> Checked {
+    if (least..=most).contains(&value) {
+        return Ok(());
+    }
+    Err(ModelError::Range { what: what.into(), value, least, most })
+}
+
+fn count(what: &str, value: usize, range: RangeInclusive<usize>) -> Checked {
+    let (least, most) = (*range.start(), *range.end());
+    if range.contains(&value) { Ok(()) } else { Err(ModelError::Count { what: what.into(), value, least, most }) }
+}
+
+/// Finite numbers that rise, the first above `before`.
+fn rising(what: &str, mut before: f64, values: impl Iterator<Item = f64>) -> Checked {
+    for value in values {
+        finite(what, value)?;
+        if value <= before {
+            return Err(ModelError::NotRising { what: what.into(), before, value });
+        }
+        before = value;
+    }
+    Ok(())
+}
+
+/// Finite places and values that pass `check`; that the places rise is the curve's own promise.
+fn curve(what: &str, curve: &PiecewiseLinear, check: fn(&str, f64) -> Checked) -> Checked {
+    curve.points().iter().try_for_each(|(x, value)| finite(what, *x).and_then(|()| check(what, *value)))
+}
+
+/// Friction that holds the sheet back, and no more than a multiple of the pressure.
+fn slides(what: &str, law: &Friction) -> Checked {
+    not_negative(what, law.largest_coefficient())?;
+    let sliding = Sliding { pressure: 1.0, slip: 1e-3, scale: 1e-3, duration: 1.0, shear_yield: 100.0 };
+    let drag = law.at(&sliding);
+    not_negative(what, drag.value)?;
+    finite(what, drag.by_pressure)?;
+    finite(what, drag.by_slip)
+}
+
+fn agree(what: &str, value: f64, other: &'static str, wanted: f64) -> Checked {
+    if (value - wanted).abs() <= SAME * value.abs().max(wanted.abs()) {
+        return Ok(());
+    }
+    Err(ModelError::Differs { what: what.into(), value, other, wanted })
+}
+
+fn needs(what: &str, given: bool, other: &str) -> Checked {
+    if given { Ok(()) } else { Err(ModelError::Needs { what: what.into(), other: other.into() }) }
+}
+
+fn excludes(both: bool, what: &'static str, other: &'static str) -> Checked {
+    if both { Err(ModelError::Excludes { what, other }) } else { Ok(()) }
+}

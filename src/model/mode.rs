@@ -1,0 +1,51 @@
+//! How the metal answers to strain, and how the tools let go of it.
+
+use schemars::JsonSchema;
+use serde::Deserialize;
+
+/// How the metal answers to strain.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum Mode {
+    /// The flow approach, rigid-viscoplastic: σ = 3 μ A ε̇ with the flow viscosity μ = σ_y/(3 ε̄̇) and ε̄̇² = ε̇ᵀ A ε̇, all at the
+    /// end of the step; where the sheet hardly flows ε̄̇² + ε̇₀² takes the place of ε̄̇² (`solver.cutoff_strain`).
+    ///
+    /// Valid where plastic strains are many times the elastic ones; nothing springs back.
+    ///
+    /// Source: O. C. Zienkiewicz, P. C. Jain, E. Oñate, Int. J. Solids Struct. 14 (1978) 15–38; W. Sosnowski (1994),
+    /// equations 3 and 4.
+    #[default]
+    Flow,
+    /// Elastic and plastic strains on the same elements: Δσ = D(E, ν) (Δε − Δε_p), with Δε_p normal to the yield surface
+    /// σ̄(σ − Σ α) = σ_y(ε̄, ε̄̇) at the end of the step.
+    ///
+    /// Valid for loads from the first contact on, for bending and spring-back; the elastic change of volume is left out of
+    /// the thickness.
+    ///
+    /// Source: J. C. Simo, R. L. Taylor, Int. J. Num. Meth. Engng. 22 (1986) 649–670.
+    ElastoViscoplastic,
+    /// Elastic on the stress that the sheet carries, without yield: Δσ = D(E, ν) Δε.
+    ///
+    /// Valid for the release of a sheet that the flow law formed, as a first guess.
+    ///
+    /// Source: W. Sosnowski (1994), equations 10 to 13.
+    Elastic,
+}
+
+/// Tools are taken away: the forces of contact become equal external loads that fade to zero over the run.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Release {
+    pub stiffness: ReleaseStiffness,
+}
+
+/// Which stiffness a release iterates with.
+// Sosnowski (1994), equations 10 to 13.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum ReleaseStiffness {
+    /// Formed anew in every iteration, with the geometric stiffness.
+    #[default]
+    Updated,
+    /// The one at the start of each increment.
+    Constant,
+}

@@ -1,0 +1,77 @@
+//! Rigid tools: sections, friction and what moves them.
+
+use super::Friction;
+use crate::geometry::Profile;
+use crate::numerics::PiecewiseLinear;
+use schemars::JsonSchema;
+use serde::Deserialize;
+
+/// A rigid tool, drawn where it touches the flat blank (whose mid-surface is z = 0).
+#[derive(Clone, Debug, PartialEq)]
+pub struct Tool {
+    pub role: Role,
+    pub profile: Profile,
+    pub friction: Friction,
+    pub motion: Motion,
+}
+
+/// Which tool.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum Role {
+    Punch,
+    Die,
+    Holder,
+}
+
+impl Role {
+    pub const ALL: [Role; 3] = [Role::Punch, Role::Die, Role::Holder];
+
+    /// The word used in tables, plots and case files.
+    pub fn name(self) -> &'static str {
+        match self {
+            Role::Punch => "punch",
+            Role::Die => "die",
+            Role::Holder => "holder",
+        }
+    }
+}
+
+/// What moves a tool.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Motion {
+    Fixed,
+    /// Moves along z with the travel.
+    Travel,
+    /// Goes this far along z and away from the axis over the run \[mm\], in proportion to its travel, or to its time where
+    /// there is no travel.
+    Path {
+        axial: f64,
+        aside: f64,
+    },
+    /// Stands still at this distance between its face and the die's \[mm\]: a holder on distance blocks.
+    Gap(f64),
+    /// Pressed towards the die; its position is an unknown.
+    Pressed(Press),
+}
+
+/// How a holder is pressed: F = F₀(travel) − c w, with w its move towards the die.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Press {
+    /// F₀ over the punch travel \[N, or N/mm in plane strain, over mm\].
+    pub force: PiecewiseLinear,
+    /// Stiffness c of the springs or the cushion \[N/mm, or N/mm²\]; 0 for a force that does not feel the position.
+    pub stiffness: f64,
+}
+
+impl Press {
+    /// A force that stays.
+    pub fn constant(force: f64) -> Self {
+        Self { force: force.into(), stiffness: 0.0 }
+    }
+
+    /// Whether nothing ever presses.
+    pub fn is_idle(&self) -> bool {
+        self.force.largest() <= 0.0 && self.stiffness == 0.0
+    }
+}

@@ -1,0 +1,66 @@
+//! The balance of power: external = plastic + elastic + friction + contact.
+//!
+//! Each term is integrated over the step by the trapezoidal rule from forces and stresses at both ends, along the
+//! path that was really taken. The corrector never uses these sums, so what they miss measures the steps.
+
+use super::equilibrium::Evaluation;
+use super::step::Converged;
+use crate::geometry::Point;
+use crate::model::{Edge, Mode};
+use crate::solution::Energy;
+use nalgebra::Vector3;
+
+/// A point's plastic power counts as cut off when its strain increment is below this many cut-offs.
+const CUT_OFF_ZONE: f64 = 10.0;
+
+/// Work of a converged step, and the plastic work in each of its elements \[mJ, per ring or per mm of depth\]; `before` is the
+/// evaluation of the step before.
+pub(super) fn work(before: &Evaluation, converged: &Converged) -> (Energy, Vec<f64>) {
+    let Converged { step, trial, evaluation: now, .. } = *converged;
+    let (model, state) = (step.model, step.state);
+    let mut done = Energy::default();
+    for (j, moved) in trial.tools.iter().enumerate() {
+        let (force, way) = (before.tool_force[j] + now.tool_force[j], moved - state.tools[j]);
+        done.external += 0.5 * force.y * way.y;
+        done.external += 0.5 * force.x * way.x;
+    }
+    if let Edge::Pulled { speed } = model.blank.edge {
+        let force = before.edge_reaction.x + now.edge_reaction.x;
+        done.external += 0.5 * force * speed * model.speed * step.process_time;
+    }
+    for ((before, now), u) in before.gas_force.iter().zip(&now.gas_force).zip(&trial.moves) {
+        done.external += 0.5 * (before + now).dot(&Point::new(u[0], u[1]));
+    }
+    let left = |time: f64| 1.0 - time / model.duration;
+    let fading = 0.5 * (left(state.time) + left(step.end()));
+    for (force, u) in step.process.unloading.iter().zip(&trial.moves) {
+        done.external += fading * force.dot(&Vector3::from(*u));
+    }
+    let cutoff = step.cutoff(trial.softening);
+    let mut plastic_of = vec![0.0; now.thickness.len()];
+    for (e, updates) in now.updates.rows().enumerate() {
+        for (k, (update, at)) in updates.iter().zip(&step.process.rule).enumerate() {
+            let (strain, before) = (trial.strain(e, k), state.points[(e, k)].stress);
+            let power: f64 = (0..3).map(|d| 0.5 * (before[d] + update.stress[d]) * strain[d]).sum();
+            let volume = step.volume[e] * at.weight;
+            let elastic = model.stored(update.stress) - model.stored(before);
+            let plastic = volume * (power - elastic);
+            done.elastic += volume * elastic;
+            done.plastic += plastic;
+            plastic_of[e] += plastic;
+            if model.mode == Mode::Flow && update.increment < CUT_OFF_ZONE * cutoff {
+                done.cutoff += plastic;
+            }
+        }
+    }
+    for (before, now) in before.contacts.iter().zip(now.contacts.iter()) {
+        done.friction -= 0.5 * (before.tangential + now.tangential) * now.slip;
+        if before.normal + now.normal > 0.0 {
+            done.contact -= 0.5 * (before.normal + now.normal) * (now.distance - before.distance);
+        }
+    }
+    for (before, now) in before.bead_force.iter().zip(&now.bead_force) {
+        done.friction -= 0.5 * (before.force + now.force) * now.slip;
+    }
+    (done, plastic_of)
+}

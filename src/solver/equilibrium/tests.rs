@@ -1,0 +1,189 @@
+//! The whole matrix against differences.
+
+use super::*;
+use crate::element::{Geometry, Theory};
+use crate::geometry::Profile;
+use crate::material::hardening::Swift;
+use crate::material::{Gtn, Hardening, Hill48, Material, Rate, ThermalLaw};
+use crate::model::{
+    Bead, Blank, Face, Gas, Grading, Heat, Mode, Model, Motion, Press, Pressure, RateControl, Role, Settings, Tool,
+};
+use crate::solver::retry::Start;
+
+fn model(geometry: Geometry, theory: Theory) -> Model {
+    let t = 1.0;
+    let tool = |role, profile, motion| Tool { role, profile, friction: 0.12.into(), motion };
+    let holder = if geometry == Geometry::Axisymmetric { 9e3 } else { 60.0 };
+    Model {
+        title: "small cup".into(),
+        notes: vec![],
+        geometry,
+        blank: Blank {
+            length: 24.0,
+            thickness: t,
+            elements: 12,
+            grading: Grading::Uniform,
+            theory,
+            layers: if theory == Theory::Membrane { 1 } else { 5 },
+            edge: Edge::Free,
+        },
+        material: Material::plain(Hardening::Swift(Swift::new(500.0, 0.2, 1e-3).expect("valid"))),
+        tools: vec![
+            tool(Role::Punch, Profile::flat_punch(12.0, 4.0, t), Motion::Travel),
+            tool(Role::Die, Profile::die(13.3, 4.0, t), Motion::Fixed),
+            tool(
+                Role::Holder,
+                Profile::holder(17.3, t),
+                Motion::Pressed(Press { force: holder.into(), stiffness: 30.0 }),
+            ),
+        ],
+        beads: vec![Bead { at: 21.0, restraining: 20.0, closing: 5.0 }],
+        gas: vec![Gas { face: Face::Upper, pressure: 3.0.into(), within: 15.0 }],
+        heat: None,
+        travel: 6.0,
+        schedule: None,
+        speed: 1.0,
+        duration: 6.0,
+        stop: Default::default(),
+        frames: vec![6.0],
+        settings: Settings { iteration: Iteration::Newton, ..Settings::default() },
+        mode: Mode::default(),
+        release: None,
+        forming_limit: None,
+    }
+}
+
+/// Trust: central differences of the whole residual, at a state in the middle of a draw that is disturbed off
+/// equilibrium: elements, contact, friction, thinning under contact and the holder's border all in one.
+#[test]
+fn matrix_is_the_derivative_of_the_residual() {
+    for geometry in [Geometry::Axisymmetric, Geometry::PlaneStrain] {
+        for theory in [Theory::Bending, Theory::Membrane, Theory::Selective] {
+            let mut formed = model(geometry, theory);
+            formed.settings.iteration = Iteration::PrimalDual;
+            let flat = State::flat(&formed, crate::model::mesh::nodes(&formed));
+            let run = crate::solver::run_from(&formed, flat, &mut ());
+            let state = run.end.clone();
+            assert!(run.stop.is_complete(), "{}", run.stop);
+            check(&model(geometry, theory), &state);
+            // The same state with the gas as an unknown that holds a strain rate, or sits on a cap far below.
+            for max_pressure in [f64::INFINITY, 1e-3] {
+                let mut held = model(geometry, theory);
+                held.gas[0].pressure = Pressure::Rate(RateControl { max_pressure, ..RateControl::new(0.02, 6.0) });
+                check(&held, &state);
+            }
+        }
+    }
+}
+
+/// Trust: as above, for a porous sheet with a rate, r̄ and a softening law at 150 °C.
+#[test]
+fn matrix_of_a_voided_warm_sheet_is_the_derivative_of_the_residual() {
+    for theory in [Theory::Bending, Theory::Membrane] {
+        let mut voided = model(Geometry::Axisymmetric, theory);
+        voided.material.voids = Some(Gtn { q1: 1.5, q3: 2.25, ..Gtn::gurson(0.03) });
+        voided.material.anisotropy = Hill48::new(1.4);
+        voided.material.rate = Rate::examples().into_iter().map(|(_, law)| law).next();
+        voided.material.softening = ThermalLaw::examples().into_iter().map(|(_, law)| law).next();
+        voided.heat = Some(Heat { initial: 423.15.into(), flow: None });
+        let mut formed = voided.clone();
+        formed.settings.iteration = Iteration::PrimalDual;
+        let flat = State::flat(&formed, crate::model::mesh::nodes(&formed));
+        let run = crate::solver::run_from(&formed, flat, &mut ());
+        let state = run.end.clone();
+        assert!(run.stop.is_complete(), "{}", run.stop);
+        assert!(state.points.iter().any(|point| point.porosity > 0.03));
+        check(&voided, &state);
+    }
+}
+
+fn check(model: &Model, state: &State) {
+    let process = Process::new(model, state);
+    let mut trial = Trial::new(&process, state);
+    let mut evaluation = Evaluation::new(&process, state);
+    let step = Step::new(&process, state, 0.05, 2);
+    trial.predict(&step, Start::Predictor);
+    for (i, x) in trial.moves.iter_mut().enumerate() {
+        let wave = (i as f64 * 1.7).sin();
+        x[0] += if i == 0 { 0.0 } else { 2e-4 * wave };
+        x[1] += 2e-4 * (i as f64 * 2.3).cos();
+        x[2] += if i == 0 || !step.rotates[i] { 0.0 } else { 3e-4 * wave };
+    }
+    // A velocity norm of zero: Newton's H is the derivative only without the membrane's least tension.
+    let newton = Linearisation { matrix: Iteration::Newton, iteration: 0, velocity_norm: 0.0 };
+    let mut at = |trial: &mut Trial| {
+        assert!(evaluation.update(&step, trial, &newton));
+        (evaluation.system.rhs.clone(), evaluation.system.corner_rhs, evaluation.system.clone())
+    };
+    let (_, _, exact) = at(&mut trial);
+    let n = state.nodes.len();
+    let scale = |i: usize| exact.diagonal[i].norm();
+    let h = 1e-8;
+    for j in 0..n {
+        for d in 0..3 {
+            let held = (j == 0 && d != 1) || (d == 2 && !step.rotates[j]);
+            if held {
+                continue;
+            }
+            let x = trial.moves[j][d];
+            trial.moves[j][d] = x + h;
+            let (plus, plus_border, _) = at(&mut trial);
+            trial.moves[j][d] = x - h;
+            let (minus, minus_border, _) = at(&mut trial);
+            trial.moves[j][d] = x;
+            for i in 0..n {
+                let difference = -(plus[i] - minus[i]) / (2.0 * h);
+                let column = match i as isize - j as isize {
+                    0 => exact.diagonal[i].column(d).into_owned(),
+                    1 => exact.lower[i].column(d).into_owned(),
+                    -1 => exact.upper[i].column(d).into_owned(),
+                    _ => Vector3::zeros(),
+                };
+                for k in 0..3 {
+                    if i == 0 && k != 1 {
+                        continue;
+                    }
+                    let error = (difference[k] - column[k]).abs();
+                    assert!(error < 2e-5 * scale(i), "node {i}.{k} by {j}.{d}: {} {}", difference[k], column[k]);
+                }
+            }
+            let border = -(plus_border[0] - minus_border[0]) / (2.0 * h);
+            let row = exact.rows[j][0][d];
+            assert!((border - row).abs() < 2e-5 * scale(n - 1), "holder by {j}.{d}: {border} {row}");
+            let border = -(plus_border[1] - minus_border[1]) / (2.0 * h);
+            let row = exact.rows[j][1][d];
+            let largest = exact.rows.iter().map(|r| r[1].norm()).fold(0.0, f64::max);
+            assert!((border - row).abs() <= 1e-4 * largest, "held rate by {j}.{d}: {border} {row}");
+        }
+    }
+    let tool = 2;
+    let z = trial.tools[tool].y;
+    trial.tools[tool].y = z + h;
+    let (plus, plus_border, _) = at(&mut trial);
+    trial.tools[tool].y = z - h;
+    let (minus, minus_border, _) = at(&mut trial);
+    for i in 1..n {
+        let difference = -(plus[i] - minus[i]) / (2.0 * h);
+        assert!((difference - exact.columns[i][0]).norm() < 2e-5 * scale(i), "node {i} by the holder");
+    }
+    let held = process.gas_shared[0].map(|k| (k, trial.gas[0]));
+    if let Some((k, p)) = held {
+        trial.tools[tool].y = z;
+        let h = 1e-6;
+        trial.gas[0] = p + h;
+        let (plus, plus_border, _) = at(&mut trial);
+        trial.gas[0] = p - h;
+        let (minus, minus_border, _) = at(&mut trial);
+        let (border, corner) = (-(plus_border[k] - minus_border[k]) / (2.0 * h), exact.corner[(k, k)]);
+        assert!((border - corner).abs() <= 1e-5 * corner.abs(), "the gas by itself: {border} {corner}");
+        for i in 1..n {
+            let difference = -(plus[i] - minus[i]) / (2.0 * h);
+            assert!(
+                (difference - exact.columns[i][k]).norm() < 1e-5 * difference.norm().max(1e-3),
+                "node {i} by the gas"
+            );
+        }
+    }
+    let corner = -(plus_border[0] - minus_border[0]) / (2.0 * h);
+    assert!((corner - exact.corner[(0, 0)]).abs() < 2e-5 * corner.abs().max(1.0), "{corner}");
+}

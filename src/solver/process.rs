@@ -1,0 +1,116 @@
+//! What stays the same through a run: the rigid tools, the thickness points, the shared unknowns, the forces that fade.
+
+use super::distance_blocks;
+use super::selective_bending;
+use super::terms::unloading;
+use crate::contact::friction::Friction;
+use crate::contact::penalty::Penalty;
+use crate::geometry::{Arc, Profile};
+use crate::model::{Model, Motion, Pressure, Role};
+use crate::numerics::lobatto::{self, ThicknessPoint};
+use crate::state::State;
+use nalgebra::Vector3;
+
+/// A tool as the solver uses it.
+#[derive(Clone, Debug)]
+pub(super) struct ActiveTool {
+    pub role: Role,
+    pub profile: Profile,
+    pub friction: Friction,
+    pub motion: Motion,
+    /// Index among the shared unknowns, for a tool whose position is one.
+    pub shared: Option<usize>,
+    /// Travel at which the sheet left this tool's reach for good \[mm\]; it takes no part and stands still from then on.
+    pub released: Option<f64>,
+}
+
+impl ActiveTool {
+    /// Whether the tool takes no part: the sheet has left it, or it is a holder without force.
+    pub fn is_absent(&self) -> bool {
+        self.released.is_some() || (matches!(self.motion, Motion::Pressed(_)) && self.shared.is_none())
+    }
+}
+
+/// A model made ready to be solved.
+pub(super) struct Process<'a> {
+    pub model: &'a Model,
+    /// In the model's order.
+    pub tools: Vec<ActiveTool>,
+    /// Thickness points of an element that bends.
+    pub rule: Vec<ThicknessPoint>,
+    /// Index of each gas pressure among the shared unknowns, where it is one.
+    pub gas_shared: Vec<Option<usize>>,
+    /// Number of shared unknowns.
+    pub shared: usize,
+    pub penalty: Penalty,
+    /// Move of the holder at which it stands on its distance blocks \[mm\], relative to the die; none without a holder.
+    pub blocks: Option<f64>,
+    /// Nodal forces that held the sheet before its tools were taken away \[N, N mm\]; empty while they act.
+    pub unloading: Vec<Vector3<f64>>,
+    /// Tool corners that bend a selective sheet, and the tool of each.
+    pub sharp_corners: Vec<(usize, Arc)>,
+}
+
+impl<'a> Process<'a> {
+    /// A run of `model` that begins with `state`.
+    pub fn new(model: &'a Model, state: &State) -> Self {
+        let mut shared = 0;
+        let mut index = |unknown: bool| {
+            let index = unknown.then_some(shared);
+            shared += usize::from(unknown);
+            index
+        };
+        let tools = model.tools.iter().map(|tool| ActiveTool {
+            profile: match model.settings.facets {
+                Some(n) if model.settings.round_facets => tool.profile.faceted(n).rounded(),
+                Some(n) => tool.profile.faceted(n),
+                None => tool.profile.clone(),
+            },
+            friction: tool.friction,
+            motion: tool.motion.clone(),
+            role: tool.role,
+            shared: index(matches!(&tool.motion, Motion::Pressed(press) if !press.is_idle())),
+            released: model.release.map(|_| 0.0),
+        });
+        let tools = tools.collect();
+        let gas_shared = model.gas.iter().map(|gas| index(matches!(gas.pressure, Pressure::Rate(_)))).collect();
+        let rule = lobatto::rule(model.blank.layers);
+        Self {
+            model,
+            tools,
+            gas_shared,
+            shared,
+            penalty: Penalty {
+                stiffness: model.settings.contact_stiffness / model.blank.thickness,
+                smoothing: model.settings.contact_smoothing * model.blank.thickness,
+            },
+            blocks: distance_blocks::of_holder(model),
+            unloading: model.release.map_or(Vec::new(), |_| unloading::forces(model, state, &rule)),
+            sharp_corners: selective_bending::sharp_corners(model),
+            rule,
+        }
+    }
+
+    /// Whether a gas pressure holds a strain rate.
+    pub fn holds_rate(&self) -> bool {
+        self.gas_shared.iter().any(Option::is_some)
+    }
+
+    /// Lifts a pressed tool off once the blank's edge has run out from under it: what is left to press on is a corner,
+    /// from which the sheet would snap. Returns that tool.
+    pub fn release(&mut self, state: &State) -> Option<usize> {
+        let edge = state.nodes[state.nodes.len() - 1][0];
+        let lost = self.tools.iter().enumerate().position(|(j, tool)| {
+            let inner = tool.profile.pieces().iter().map(|p| p.first().x.min(p.last().x)).fold(f64::INFINITY, f64::min);
+            !tool.is_absent() && tool.shared.is_some() && edge < inner + state.tools[j].x
+        })?;
+        self.tools[lost].released = Some(state.travel);
+        Some(lost)
+    }
+
+    /// Tools that the sheet has left, and the travel at which \[mm\].
+    pub fn released(&self) -> impl Iterator<Item = (Role, f64)> {
+        let formed = self.model.release.is_none();
+        self.tools.iter().filter(move |_| formed).filter_map(|tool| Some((tool.role, tool.released?)))
+    }
+}

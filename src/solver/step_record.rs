@@ -1,0 +1,117 @@
+//! What is written down of a converged step: forces, work, and what tells the run's health.
+
+use super::equilibrium::Evaluation;
+use super::step::Converged;
+use super::terms::gas::Seal;
+use crate::model::{Edge, Role};
+use crate::solution::{Energy, StepRecord};
+
+/// The record of a step that took the work `done` and `rejected` tries before it, after `last`; `before` is the evaluation
+/// of the step before.
+pub(super) fn record(
+    converged: &Converged,
+    before: &Evaluation,
+    done: Energy,
+    rejected: usize,
+    last: &StepRecord,
+) -> StepRecord {
+    let Converged { step, trial, evaluation, outcome, .. } = converged;
+    let model = step.model;
+    let tool = |role: Role| model.tools.iter().position(|tool| tool.role == role);
+    let force_of = |role: Role| tool(role).map_or(0.0, |j| evaluation.tool_force[j].y);
+    let thickness = &evaluation.thickness;
+    let thinner = |a: usize, b: usize| if thickness[b] < thickness[a] { b } else { a };
+    let thinnest = (0..thickness.len()).fold(0, thinner);
+    let gas = model.gas.iter().zip(&trial.gas).map(|(gas, pressure)| gas.face.sign() * pressure);
+    let n = evaluation.nodes.len();
+    let ironing = (0..n).filter_map(|i| Some(evaluation.ironing(step.process, i)? / evaluation.thickness_at(i)));
+    StepRecord {
+        step: step.number,
+        time: step.end(),
+        travel: step.travel(),
+        punch_force: force_of(Role::Punch),
+        holder_force: force_of(Role::Holder),
+        edge_force: if model.blank.edge == Edge::Free { 0.0 } else { evaluation.edge_reaction.x },
+        draw_in: model.blank.length - evaluation.nodes[n - 1][0],
+        thinnest: thickness[thinnest],
+        thinnest_s0: 0.5 * (step.state.s0[thinnest] + step.state.s0[thinnest + 1]),
+        pole_height: evaluation.nodes[0][1],
+        pressure: gas.sum(),
+        held_rate: model.rate_control().map_or(0.0, |control| control.target * evaluation.held_rate.norm),
+        on_cap: evaluation.held_rate.on_cap,
+        contact_share: contact_share(converged),
+        holder_move: tool(Role::Holder).filter(|_| model.release.is_none()).map_or(0.0, |j| trial.tools[j].y),
+        block_force: evaluation.block_force,
+        penetration: evaluation.penetration(step.process),
+        ironing: ironing.fold(0.0, f64::max),
+        strain_increment: converged.strain_increment(),
+        sharpest_bend: sharpest_bend(evaluation),
+        bending: step.bends.iter().filter(|bends| **bends).count(),
+        iterations: outcome.iterations,
+        rejected,
+        velocity_norm: outcome.velocity_norm,
+        residual_norm: outcome.residual_norm,
+        power: done.scaled(1.0 / step.dt),
+        work: last.work.plus(done),
+        ..contact_shares(converged, before)
+    }
+}
+
+/// Changes of contact, and shares of the nodes in contact and of the holder's force.
+fn contact_shares(converged: &Converged, before: &Evaluation) -> StepRecord {
+    let Converged { step, evaluation, .. } = converged;
+    let (model, penalty) = (step.model, &step.process.penalty);
+    let rim = model.blank.length - StepRecord::RIM * model.blank.thickness;
+    let (mut touching, mut sticking, mut contact_changes) = (0_usize, 0_usize, 0_usize);
+    let (mut held, mut on_rim) = (0.0, 0.0);
+    for (j, tool) in step.process.tools.iter().enumerate() {
+        for (i, (now, then)) in evaluation.contacts.row(j).iter().zip(before.contacts.row(j)).enumerate() {
+            let active = now.is_active(penalty);
+            contact_changes += usize::from(active != then.is_active(penalty));
+            touching += usize::from(active);
+            sticking += usize::from(active && now.slip.abs() < step.slip_scale);
+            if tool.role == Role::Holder {
+                held += now.normal;
+                on_rim += if step.state.s0[i] >= rim { now.normal } else { 0.0 };
+            }
+        }
+    }
+    let share = |part: f64, whole: f64| if whole > 0.0 { part / whole } else { 0.0 };
+    StepRecord {
+        rim_share: share(on_rim, held),
+        sticking: share(sticking as f64, touching as f64),
+        contact_changes,
+        ..StepRecord::default()
+    }
+}
+
+/// Share of the current area inside the seal that lies on the punch or the die \[–\]; an element lies there by halves,
+/// with each of its nodes.
+fn contact_share(converged: &Converged) -> f64 {
+    let Converged { step, evaluation, .. } = converged;
+    let within = step.model.gas.iter().map(|gas| gas.within).reduce(f64::max).unwrap_or(f64::INFINITY);
+    let seal = Seal::find(step.state, within);
+    let tools = &step.process.tools;
+    let forms = |j: usize| matches!(tools[j].role, Role::Punch | Role::Die);
+    let lies_on = |j: usize, i: usize| evaluation.contacts[(j, i)].lies_on(&step.process.penalty);
+    let touches = |i: usize| (0..tools.len()).any(|j| forms(j) && lies_on(j, i));
+    let (mut touching, mut whole) = (0.0, 0.0);
+    for (e, thickness) in evaluation.thickness.iter().enumerate() {
+        // Volume over thickness is the current area.
+        let area = seal.inside(e) * step.state.volume[e] / thickness;
+        whole += area;
+        touching += 0.5 * area * f64::from(u8::from(touches(e)) + u8::from(touches(e + 1)));
+    }
+    touching / whole
+}
+
+/// Thickness over the smallest radius of the mid-surface, from the angle between neighbouring elements \[–\].
+fn sharpest_bend(evaluation: &Evaluation) -> f64 {
+    let bends = evaluation.nodes.windows(3).zip(&evaluation.thickness).map(|(w, thickness)| {
+        let (a, b) = ([w[1][0] - w[0][0], w[1][1] - w[0][1]], [w[2][0] - w[1][0], w[2][1] - w[1][1]]);
+        let (la, lb) = (a[0].hypot(a[1]), b[0].hypot(b[1]));
+        let sine = ((a[0] * b[1] - a[1] * b[0]) / (la * lb)).clamp(-1.0, 1.0);
+        sine.abs().asin() / (0.5 * (la + lb)) * thickness
+    });
+    bends.fold(0.0, f64::max)
+}

@@ -1,0 +1,260 @@
+//! Why a run ends before its full travel, other than for want of equilibrium: what the sheet or the tools say.
+
+use super::corrector::Outcome;
+use super::equilibrium::Evaluation;
+use super::step::Step;
+use crate::geometry::Point;
+use crate::model::{Edge, Model, Motion, Role, Settings};
+use crate::solution::{StageSolution, StepRecord, Stop};
+use crate::state::{State, waiting_displacement};
+
+/// Thickness strain of a neck over the mean of its surroundings \[–\].
+const NECK: f64 = 1.6;
+/// Rate at which the surroundings still thin, over the neck's, once the neck has taken over \[–\].
+const STOPPED: f64 = 0.1;
+/// Thickness left over the initial one above which no neck is looked for \[–\].
+const THINNED: f64 = 0.8;
+/// Thickness left at which the sheet has gone, whatever its surroundings do \[–\].
+const GONE: f64 = 0.2;
+/// Surroundings of a neck: this many thicknesses away, on either side.
+const NEAR: f64 = 3.0;
+const AWAY: f64 = 8.0;
+/// Share of the run over which a neck must have kept its lead \[–\].
+const LASTING: f64 = 0.01;
+/// Distance of two rigid tools over the initial thickness at which the run ends \[–\].
+const CLOSED: f64 = 0.5;
+/// Rise of the dome per pressure over its mean so far that tells a pressure maximum from a failure to converge \[–\].
+const RUNAWAY: f64 = 5.0;
+
+/// A place of the sheet that is thinner than its surroundings.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Neck {
+    /// Initial distance from the axis \[mm\].
+    pub s0: f64,
+    /// Thickness over the initial one \[–\].
+    pub share: f64,
+    /// Whether it is a neck, and whether its surroundings have stopped thinning.
+    pub stands_out: bool,
+    pub took_over: bool,
+}
+
+/// What a free edge may be drawn through.
+struct Throat {
+    /// Which of the model's tools the die is.
+    die: usize,
+    /// Least distance of the die from the axis, and its lowest place as drawn \[mm\].
+    radius: f64,
+    face: f64,
+}
+
+/// Looks at every accepted step.
+pub(super) struct Watch {
+    /// Time since which one place has taken over \[s\].
+    necking_since: Option<f64>,
+    peak: f64,
+    throat: Option<Throat>,
+    /// Travel at which punch and die are closed, and where \[mm\].
+    closed: Option<(f64, Point)>,
+}
+
+impl Watch {
+    /// At the start of a run from `state`.
+    pub fn new(model: &Model, state: &State) -> Self {
+        let edge = state.nodes[state.nodes.len() - 1][0];
+        let drawn_in = |throat: &Throat| model.blank.edge == Edge::Free && edge > throat.radius;
+        let die = model.tools.iter().position(|tool| tool.role == Role::Die);
+        let throat = die.map(|die| {
+            let profile = &model.tools[die].profile;
+            let face = profile.polyline(0.01).iter().map(|p| p.y).fold(f64::INFINITY, f64::min);
+            Throat { die, radius: profile.least_r(), face }
+        });
+        let throat = throat.filter(drawn_in);
+        Self { necking_since: None, peak: 0.0, throat, closed: closed(model, state) }
+    }
+
+    /// Time at which punch and die are closed \[s\], where they ever are.
+    pub fn closes_at(&self, model: &Model) -> Option<f64> {
+        self.closed.map(|(travel, _)| model.time_at(travel))
+    }
+
+    /// The end of a run whose steps fail while one place takes over: shorter steps would only follow it further.
+    pub fn necking(&self, model: &Model, state: &State) -> Option<Stop> {
+        let neck = neck(model, state, None);
+        (model.stop.localised && self.necking_since.is_some()).then(|| localised(model, state, &neck))
+    }
+
+    /// Whether the run ends after the step that led from `before` to `state`.
+    pub fn look(&mut self, model: &Model, before: &State, state: &State, record: &StepRecord) -> Option<Stop> {
+        if model.release.is_some() {
+            return None;
+        }
+        let travel = state.travel;
+        if let Some((limit, at)) = self.closed.filter(|(limit, _)| travel >= limit * (1.0 - 1e-12)) {
+            return Some(Stop::ToolsClosed { travel: limit, r: at.x, z: at.y });
+        }
+        // A free leg that has swung down below the die's face stands within the throat too, and has yet to pass it.
+        let [r, z, _] = state.nodes[state.nodes.len() - 1];
+        let inside = |throat: &Throat| r <= throat.radius && z - state.tools[throat.die].y > throat.face;
+        if self.throat.as_ref().is_some_and(inside) {
+            return Some(Stop::DrawnThrough { travel });
+        }
+        let gone = model.material.voids.is_some_and(|voids| record.porosity >= voids.fracture());
+        if gone {
+            return Some(Stop::Coalesced { travel, s0: record.porous_s0, porosity: record.porosity });
+        }
+        if let Some(asked) = model.stop.contact_share.filter(|asked| record.contact_share >= *asked) {
+            return Some(Stop::ContactShare { share: record.contact_share, asked, time: state.time, travel });
+        }
+        self.peak = self.peak.max(record.punch_force);
+        let drop = 1.0 - record.punch_force / self.peak;
+        if self.peak > 0.0 && model.stop.load_drop.is_some_and(|limit| drop >= limit) {
+            return Some(Stop::LoadMaximum { travel, peak: self.peak, drop });
+        }
+        let neck = neck(model, state, Some(before));
+        self.necking_since = if neck.took_over { self.necking_since.or(Some(state.time)) } else { None };
+        let lasted = self
+            .necking_since
+            .is_some_and(|since| model.process_time(since, state.time - since) >= LASTING * model.duration);
+        (model.stop.localised && (lasted || neck.share < GONE)).then(|| localised(model, state, &neck))
+    }
+}
+
+fn localised(model: &Model, state: &State, neck: &Neck) -> Stop {
+    Stop::Localised { travel: state.travel, s0: neck.s0, share: neck.share, why: why(model, state, neck) }
+}
+
+/// The thinnest place and what its surroundings do; `before` is the state one step ago.
+pub(super) fn neck(model: &Model, state: &State, before: Option<&State>) -> Neck {
+    let t0 = model.blank.thickness;
+    let strain = |e: usize| (state.thickness[e] / t0).ln();
+    let rate = |e: usize| before.map_or(0.0, |before| (before.thickness[e] / state.thickness[e]).ln());
+    // A sheet that does not form, while tools go back, thins by less than the cut-off.
+    let rigid = before.map_or(0.0, |before| {
+        let step = model.process_time(before.time, state.time - before.time);
+        model.settings.cutoff_strain * step / (Settings::CUTOFF_STEP * model.duration)
+    });
+    let middle = |e: usize| 0.5 * (state.s0[e] + state.s0[e + 1]);
+    let n = state.thickness.len();
+    let thinnest = (0..n).min_by(|&a, &b| state.thickness[a].total_cmp(&state.thickness[b]));
+    let e = thinnest.expect("a blank has elements");
+    let mut neck = Neck { s0: middle(e), share: state.thickness[e] / t0, stands_out: false, took_over: false };
+    if neck.share > THINNED {
+        return neck;
+    }
+    let (mut strains, mut rates, mut count) = (0.0, 0.0, 0.0);
+    for other in 0..n {
+        let away = (middle(other) - neck.s0).abs();
+        // On a coarse mesh the next but one stands for the surroundings.
+        let near = (NEAR * t0..AWAY * t0).contains(&away) || (other.abs_diff(e) == 2 && away >= AWAY * t0);
+        if near {
+            strains += strain(other);
+            rates += rate(other).abs();
+            count += 1.0;
+        }
+    }
+    neck.stands_out = count > 0.0 && strain(e) < NECK * (strains / count).min(0.0);
+    neck.took_over = neck.stands_out && before.is_some() && rate(e) > rigid && rates / count < STOPPED * rate(e);
+    neck
+}
+
+/// Where a neck sits, and what made it.
+fn why(model: &Model, state: &State, neck: &Neck) -> String {
+    let i = state.s0.partition_point(|&s| s < neck.s0).min(state.nodes.len() - 1);
+    let closest = model.tools.iter().enumerate().map(|(j, tool)| {
+        let distance = tool.profile.closest(state.in_frame_of(j, i)).distance - 0.5 * state.thickness_at(i);
+        (tool.role, distance)
+    });
+    let place = match closest.min_by(|a, b| a.1.total_cmp(&b.1)) {
+        Some((role, distance)) if distance < 0.5 * model.blank.thickness => format!("on the {}", role.name()),
+        _ => "where no tool supports it".into(),
+    };
+    format!(
+        "{place}, one place takes all the stretching while the sheet {NEAR} to {AWAY} thicknesses away has stopped: hardening \
+         no longer makes up for thinning. Less holder force or friction, or a larger radius there, lets it go deeper"
+    )
+}
+
+/// Whether a run under gas pressure alone has come to the largest pressure: the dome rises without bound as it ends.
+pub(super) fn pressure_maximum(model: &Model, run: &StageSolution) -> Option<Stop> {
+    let [.., before, last] = run.steps.as_slice() else { return None };
+    let pushed = model.tools.iter().all(|tool| tool.role != Role::Punch) && last.pressure > before.pressure;
+    let rise = (last.pole_height - before.pole_height) / (last.pressure - before.pressure);
+    let mean = last.pole_height / last.pressure;
+    (pushed && rise > RUNAWAY * mean)
+        .then_some(Stop::PressureMaximum { pressure: last.pressure, height: last.pole_height })
+}
+
+/// The travel at which punch and die come to [`CLOSED`] thicknesses on their way to each other, and where.
+fn closed(model: &Model, state: &State) -> Option<(f64, Point)> {
+    let index = |role: Role| model.tools.iter().position(|tool| tool.role == role);
+    let (i, j) = (index(Role::Punch)?, index(Role::Die)?);
+    let (punch, die) = (&model.tools[i], &model.tools[j]);
+    // From where it is drawn: the little that it waits off the flat sheet does not count.
+    let moved = |k: usize, travel: f64| {
+        let tool = &model.tools[k];
+        let way = match tool.motion {
+            Motion::Travel => Point::new(0.0, travel),
+            Motion::Path { axial, aside } => Point::new(aside, axial) * (travel / model.travel),
+            _ => Point::zeros(),
+        };
+        state.tools[k] - Point::new(0.0, waiting_displacement(model, tool)) + way
+    };
+    let limit = CLOSED * model.blank.thickness;
+    let apart = |travel: f64| punch.profile.distance_to(&die.profile, moved(i, travel) - moved(j, travel));
+    // Looked at in a few places first: most punches never come close.
+    const LOOKS: usize = 8;
+    let travel_of = |k: usize| model.travel * k as f64 / LOOKS as f64;
+    let nears = |k: usize| apart(travel_of(k)).0 < apart(travel_of(k - 1)).0;
+    let hit = (1..=LOOKS).find(|&k| apart(travel_of(k)).0 < limit && nears(k))?;
+    let (mut low, mut high) = (travel_of(hit - 1), travel_of(hit));
+    for _ in 0..40 {
+        let middle = 0.5 * (low + high);
+        if apart(middle).0 < limit { high = middle } else { low = middle }
+    }
+    (high < model.travel).then(|| (high, apart(high).1))
+}
+
+/// No equilibrium was found for `step`, however short; `outcome` is that of its last try, `last` the step before.
+pub(super) fn no_equilibrium(step: &Step, evaluation: &Evaluation, outcome: &Outcome, last: &StepRecord) -> Stop {
+    let state = step.state;
+    Stop::NoEquilibrium {
+        travel: state.travel,
+        time: state.time,
+        step: step.dt,
+        velocity_norm: outcome.velocity_norm,
+        residual_norm: outcome.residual_norm,
+        worst_s0: state.s0[evaluation.worst_node],
+        diagnosis: diagnosis(step, evaluation, last),
+    }
+}
+
+/// What the sheet was doing where no equilibrium was found, and what to try.
+fn diagnosis(step: &Step, evaluation: &Evaluation, last: &StepRecord) -> String {
+    let Step { model, state, .. } = *step;
+    let mut seen = Vec::new();
+    let i = evaluation.worst_node;
+    let neck = neck(model, state, None);
+    if last.step == 0 {
+        seen.push(
+            "the first step did not converge: the tools may not meet the sheet as drawn (see `stampflow check`)".into(),
+        );
+    }
+    if neck.stands_out {
+        seen.push(format!("the sheet has necked at s0 = {:.1} mm ({:.0} % left)", neck.s0, 100.0 * neck.share));
+    }
+    if last.ironing > 0.02 {
+        seen.push(format!("two tools squeeze the sheet by {:.0} % of its thickness", 100.0 * last.ironing));
+    }
+    if 8 * last.contact_changes > evaluation.nodes.len() {
+        seen.push(format!("{} contacts came or went in the last step", last.contact_changes));
+    }
+    if i + 2 >= evaluation.nodes.len() && model.blank.edge == Edge::Free {
+        seen.push("the worst place is the blank's edge".into());
+    }
+    let mut tools = step.process.tools.iter().enumerate();
+    if let Some((_, tool)) = tools.find(|(j, _)| evaluation.contacts[(*j, i)].normal > 0.0) {
+        seen.push(format!("the {} touches the sheet at the worst place", tool.role.name()));
+    }
+    let advice = "try more elements, a smaller solver.first_step, or solver.norm = \"velocity\"";
+    if seen.is_empty() { advice.into() } else { format!("{}; {advice}", seen.join(", ")) }
+}

@@ -1,0 +1,177 @@
+//! Gas pressure on the faces of the sheet, given over time or as much as holds a strain rate.
+
+use crate::element::Node;
+use crate::geometry::Point;
+use crate::model::{Geometry, Pressure, PressureCap};
+use crate::solver::equilibrium::Evaluation;
+use crate::solver::step::Step;
+use crate::solver::trial::Trial;
+use crate::state::State;
+use nalgebra::{Matrix3, Vector3};
+use std::cmp::Ordering;
+use std::f64::consts::TAU;
+
+/// Where a seal cuts the sheet as it stands at the start of a step: looked for from the edge inward, for a dome may bulge
+/// out over its seal.
+#[derive(Clone, Copy, Debug)]
+pub struct Seal {
+    /// All elements before this one are inside, all after it outside.
+    element: usize,
+    /// Share of it that is inside \[–\].
+    share: f64,
+}
+
+impl Seal {
+    /// The seal at the distance `within` from the axis or symmetry plane \[mm\].
+    pub fn find(state: &State, within: f64) -> Self {
+        for (e, w) in state.nodes.windows(2).enumerate().rev() {
+            let (from, to) = (w[0][0], w[1][0]);
+            if to <= within {
+                return Self { element: e + 1, share: 0.0 };
+            }
+            if from < within {
+                return Self { element: e, share: (within - from) / (to - from) };
+            }
+        }
+        Self { element: 0, share: 0.0 }
+    }
+
+    /// Share of an element that is inside \[–\].
+    pub fn inside(&self, e: usize) -> f64 {
+        match e.cmp(&self.element) {
+            Ordering::Less => 1.0,
+            Ordering::Equal => self.share,
+            Ordering::Greater => 0.0,
+        }
+    }
+}
+
+/// How a pressure that holds a strain rate stands.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct HeldRate {
+    /// Norm of the strain rate over its target \[–\].
+    pub norm: f64,
+    /// The cap that the pressure sits on, and by what share it misses or exceeds it \[–\].
+    pub on_cap: Option<PressureCap>,
+    pub beyond_cap: f64,
+}
+
+/// Gas pressure at the end of the step on the current area, normal to the current meridian; returns the largest force on a
+/// node.
+///
+/// ```text
+/// f = p ∫ N n dA,  n l = (−Δz, Δr): exact on straight elements; 2π r inside the integral when axisymmetric
+/// ```
+pub fn add(step: &Step, trial: &Trial, out: &mut Evaluation) -> f64 {
+    out.gas_force.fill(Point::zeros());
+    for (k, (gas, seal)) in step.model.gas.iter().zip(&step.seals).enumerate() {
+        for e in 0..out.thickness.len() {
+            let inside = seal.inside(e);
+            if inside > 0.0 {
+                let (side, shared) = (gas.face.sign() * inside, step.process.gas_shared[k]);
+                press_element(step.model.geometry, e, side, trial.gas[k], shared, out);
+            }
+        }
+    }
+    out.gas_force.iter().map(|f| f.norm()).fold(0.0, f64::max)
+}
+
+/// `gas` \[MPa\] on one side (1 or −1, times the share inside the seal) of element `e`; `column` is its index where it is
+/// an unknown.
+fn press_element(geometry: Geometry, e: usize, side: f64, gas: f64, column: Option<usize>, out: &mut Evaluation) {
+    let pressure = side * gas;
+    let [a, b] = [out.nodes[e], out.nodes[e + 1]];
+    let m = Point::new(a[1] - b[1], b[0] - a[0]); // n l
+    // Areas of both nodes, over l, and their derivatives by r of both.
+    let (share, by_r) = match geometry {
+        Geometry::Axisymmetric => {
+            let c = TAU / 6.0;
+            ([c * (2.0 * a[0] + b[0]), c * (a[0] + 2.0 * b[0])], [[2.0 * c, c], [c, 2.0 * c]])
+        }
+        Geometry::PlaneStrain => ([0.5; 2], [[0.0; 2]; 2]),
+    };
+    let system = &mut out.system;
+    for i in 0..2 {
+        let force = m * (pressure * share[i]);
+        if let Some(column) = column {
+            let by_pressure = m * (side * share[i]);
+            system.columns[e + i][column] -= Vector3::new(by_pressure.x, by_pressure.y, 0.0);
+        }
+        out.gas_force[e + i] += force;
+        let rhs = &mut system.rhs[e + i];
+        rhs.x += force.x;
+        rhs.y += force.y;
+        for j in 0..2 {
+            // ∂m/∂x of node j: first node (0, 1; −1, 0), second its negative.
+            let turn = pressure * if j == 0 { share[i] } else { -share[i] };
+            let mut block = Matrix3::zeros();
+            block[(0, 0)] = pressure * m.x * by_r[i][j];
+            block[(1, 0)] = pressure * m.y * by_r[i][j] - turn;
+            block[(0, 1)] = turn;
+            match (i, j) {
+                (0, 0) | (1, 1) => system.diagonal[e + i] -= block,
+                (0, 1) => system.upper[e] -= block,
+                _ => system.lower[e + 1] -= block,
+            }
+        }
+    }
+}
+
+/// A shallow dome that strains at about the rate that is held: where the first step starts from.
+pub fn guess_dome(step: &Step, moves: &mut [Node]) {
+    let Some((gas, control)) = step.model.held_gas() else { return };
+    let a = gas.within.min(step.model.blank.length);
+    let height = a * (control.target * step.dt).sqrt() * gas.face.sign();
+    for (u, x) in moves.iter_mut().zip(&step.state.nodes) {
+        let x = (x[0] / a).min(1.0);
+        *u = [0.0, height * (1.0 - x * x), if x < 1.0 { -2.0 * height * x / a } else { 0.0 }];
+    }
+}
+
+/// The equations of pressures that hold a strain rate: max(‖Δε̄‖/(target Δt) − 1, p/cap − 1) = 0, of which the larger
+/// one is solved (semi-smooth): either the rate is at its target, or it is below and the pressure on its cap.
+///
+/// Δε̄ is that of the mid-surface, regularised like the flow law's, so that its derivative is finite in rigid zones.
+pub fn hold_rate(step: &Step, trial: &Trial, out: &mut Evaluation) {
+    let Step { process, model, state, dt, .. } = *step;
+    let anisotropy = &model.material.anisotropy;
+    let cutoff = step.cutoff(trial.softening);
+    for (k, gas) in model.gas.iter().enumerate() {
+        let (Some(row), Pressure::Rate(control)) = (process.gas_shared[k], &gas.pressure) else { continue };
+        let (q, wanted) = (control.exponent, control.target * dt);
+        let total: f64 = state.volume.iter().sum();
+        // In units of the target, so that large powers stay in range.
+        let share = |e: &[f64; 2]| {
+            let strain = [e[0], e[1], 0.0];
+            let regular = anisotropy.equivalent_increment(strain).hypot(cutoff);
+            (regular / wanted, anisotropy.apply(strain).map(|a| a / (regular * wanted)))
+        };
+        let elements = out.membrane_increment.iter().zip(&state.volume);
+        let sum: f64 = elements.map(|(e, v)| v / total * share(e).0.powf(q)).sum();
+        let norm = sum.powf(1.0 / q);
+        let system = &mut out.system;
+        out.held_rate = HeldRate { norm, ..HeldRate::default() };
+        if let Some((cap, which)) = control.cap(state.gas[k], dt) {
+            let beyond = trial.gas[k] / cap - 1.0;
+            out.held_rate.beyond_cap = beyond.max(0.0);
+            if beyond >= norm - 1.0 {
+                out.held_rate = HeldRate { norm, on_cap: Some(which), beyond_cap: beyond.abs() };
+                system.corner_rhs[row] = -beyond;
+                system.corner[(row, row)] += 1.0 / cap;
+                continue;
+            }
+        }
+        system.corner_rhs[row] = 1.0 - norm;
+        for (e, increment) in out.membrane_increment.iter().enumerate() {
+            let (value, slope) = share(increment);
+            let weight = norm.powf(1.0 - q) * state.volume[e] / total * value.powf(q - 1.0);
+            let rows = &out.membrane_rows[e];
+            for node in 0..2 {
+                for d in 0..2 {
+                    let by = slope[0] * rows[0][2 * node + d] + slope[1] * rows[1][2 * node + d];
+                    system.rows[e + node][row][d] += weight * by;
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,50 @@
+//! The equations of tools that are pressed by a force: their positions are shared unknowns.
+//!
+//! ```text
+//! F₀(travel) − c w − F_beads − F_blocks(w) − F_sheet = 0
+//! ```
+//!
+//! with the tool's move w towards the die, springs or a cushion of stiffness c, and what its distance blocks bear.
+
+use super::bead;
+use super::sheet::STABILISATION;
+use crate::model::{Motion, Role};
+use crate::solver::equilibrium::Evaluation;
+use crate::solver::step::Step;
+use crate::solver::trial::Trial;
+use crate::state::waiting_displacement;
+
+/// The holder's equation and its matrix; what its blocks bear.
+pub fn add(step: &Step, trial: &Trial, out: &mut Evaluation) {
+    let (process, model) = (step.process, step.model);
+    let closing = bead::closing_force(step);
+    // The blocks stand on the die and go with it.
+    let die = model.tools.iter().position(|tool| tool.role == Role::Die);
+    let die = die.map_or(0.0, |j| trial.tools[j].y - waiting_displacement(model, &model.tools[j]));
+    let block_area = model.geometry.area(model.blank.length);
+    let system = &mut out.system;
+    for (j, tool) in process.tools.iter().enumerate() {
+        let (Some(k), Motion::Pressed(press)) = (tool.shared, &tool.motion) else { continue };
+        if tool.released.is_some() {
+            out.block_force = 0.0;
+            system.corner[(k, k)] = 1.0;
+            continue;
+        }
+        let moved = trial.tools[j].y;
+        let mut force = press.force.at(step.travel()) - press.stiffness * moved;
+        if tool.role == Role::Holder {
+            force -= closing;
+        }
+        system.corner[(k, k)] += press.stiffness;
+        let block = process.blocks.and_then(|height| process.penalty.at(height + die - moved));
+        out.block_force = block.map_or(0.0, |block| block_area * block.value);
+        if let Some(block) = block {
+            system.corner_rhs[k] -= block_area * block.value;
+            system.corner[(k, k)] -= block_area * block.slope;
+        }
+        let stabilisation = STABILISATION * block_area * process.penalty.stiffness;
+        system.corner_rhs[k] -= stabilisation * (moved - step.state.tools[j].y);
+        system.corner[(k, k)] += stabilisation;
+        system.corner_rhs[k] -= out.tool_force[j].y - force;
+    }
+}

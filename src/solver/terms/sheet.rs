@@ -1,0 +1,105 @@
+//! Internal forces of the sheet: every element strained to the trial positions by the law of its metal.
+
+use crate::element::Node;
+use crate::element::section::Law;
+use crate::material::elastoplastic::{ElastoplasticLaw, Operators};
+use crate::material::flow::FlowLaw;
+use crate::material::{PointLaw, chaboche};
+use crate::model::{Iteration, Mode, Model};
+use crate::solver::equilibrium::{Evaluation, Linearisation};
+use crate::solver::step::Step;
+use crate::solver::trial::Trial;
+
+/// Least tension of a membrane in its matrix, over its yield force \[–\]; it fades once the velocity norm is below [`SLACK_NORM`].
+const SLACK_TENSION: f64 = 0.5;
+const SLACK_NORM: f64 = 0.05;
+
+/// A holder that neither sheet nor block holds, and a sheet that tools going back leave free, are kept in place by this
+/// share of a block's stiffness \[–\]: a force of millionths of those that form the sheet.
+pub const STABILISATION: f64 = 1e-7;
+
+/// Internal forces p and their matrix, strains and thickness; `false` when an element has collapsed.
+pub fn add(step: &Step, trial: &mut Trial, at: &Linearisation, out: &mut Evaluation) -> bool {
+    let Step { model, dt, .. } = *step;
+    if model.mode != Mode::Flow {
+        let law = elastoplastic_law(model, at.matrix, dt);
+        return strain(law, step, &step.elastoplastic_points, &trial.moves, &mut trial.elastoplastic, at, out);
+    }
+    let material = &model.material;
+    let law = FlowLaw {
+        hardening: &material.hardening,
+        rate: material.rate.as_ref(),
+        softening: material.softening.as_ref(),
+        anisotropy: material.anisotropy,
+        voids: material.voids.as_ref(),
+        matrix: at.matrix,
+        cutoff: step.cutoff(trial.softening),
+        duration: dt,
+    };
+    strain(law, step, &step.flow_points, &trial.moves, &mut trial.iterates, at, out)
+}
+
+fn strain<L: PointLaw>(
+    point: L,
+    step: &Step,
+    before: &[L::PointState],
+    moves: &[Node],
+    iterates: &mut [L::Iterate],
+    at: &Linearisation,
+    out: &mut Evaluation,
+) -> bool {
+    let rule = &step.process.rule;
+    let law = Law { point, points: rule, slack_tension: SLACK_TENSION * (at.velocity_norm / SLACK_NORM).min(1.0) };
+    let system = &mut out.system;
+    for (e, reference) in step.references.iter().enumerate() {
+        let Some(current) = reference.moved(moves[e], moves[e + 1]) else { return false };
+        let points = e * rule.len()..(e + 1) * rule.len();
+        let internal = law.internal(
+            &current,
+            step.volume[e],
+            step.state.thickness[e],
+            &before[points.clone()],
+            &mut iterates[points],
+            out.updates.row_mut(e),
+        );
+        system.diagonal[e] += internal.matrix[0][0];
+        system.upper[e] += internal.matrix[0][1];
+        system.lower[e + 1] += internal.matrix[1][0];
+        system.diagonal[e + 1] += internal.matrix[1][1];
+        system.rhs[e] -= internal.force.fixed_rows::<3>(0);
+        system.rhs[e + 1] -= internal.force.fixed_rows::<3>(3);
+        out.thickness[e] = internal.thickness * step.growth[e];
+        out.thickness_rows[e] = internal.thickness_row.map(|by| by * step.growth[e]);
+        out.membrane_increment[e] = [current.strain[0], current.strain[1]];
+        if let Some(rows) = out.membrane_rows.get_mut(e) {
+            *rows = current.membrane_rows();
+        }
+    }
+    true
+}
+
+/// The law of elastoplastic metal in a step of `duration` \[s\].
+pub fn elastoplastic_law(model: &Model, matrix: Iteration, duration: f64) -> ElastoplasticLaw<'_> {
+    let material = &model.material;
+    ElastoplasticLaw {
+        hardening: (model.mode == Mode::ElastoViscoplastic).then_some(&material.hardening),
+        operators: Operators::new(material.elastic.expect("checked where the model is made"), material.anisotropy),
+        kinematic: chaboche::shifting(material.kinematic),
+        rate: material.rate.as_ref(),
+        softening: material.softening.as_ref(),
+        secant: matrix == Iteration::Secant,
+        duration,
+    }
+}
+
+/// Keeps a sheet from floating along z once the tools that go away have left it.
+pub fn stabilise(step: &Step, trial: &Trial, out: &mut Evaluation) {
+    if !step.model.has_paths() {
+        return;
+    }
+    for (i, area) in step.areas.iter().enumerate() {
+        let stiffness = STABILISATION * step.process.penalty.stiffness * area;
+        out.system.rhs[i].y -= stiffness * trial.moves[i][1];
+        out.system.diagonal[i][(1, 1)] += stiffness;
+    }
+}

@@ -1,0 +1,145 @@
+//! The unknowns of an iteration, and what one iteration remembers for the next.
+
+use super::line_search::LineSearch;
+use super::process::Process;
+use super::retry::Start;
+use super::selective_bending;
+use super::step::Step;
+use super::terms::gas;
+use crate::contact::penalty::ValueAndSlope;
+use crate::element::Node;
+use crate::geometry::Point;
+use crate::material::elastoplastic::Trial as PointMemory;
+use crate::material::flow::{Iterate, Triple};
+use crate::model::{Edge, Mode, Motion, ReleaseStiffness};
+use crate::numerics::Grid;
+use crate::numerics::block_tridiagonal::System;
+use crate::state::State;
+
+/// What a pair of tool and node remembers of its last evaluation.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct ContactMemory {
+    /// Where the node was last measured against the tool, in the tool's frame, and how far away it was \[mm\].
+    pub position: Point,
+    pub distance: f64,
+    /// Pressure carried from iteration to iteration \[MPa\].
+    pub carried: f64,
+    /// Gap \[mm\], pressure \[MPa\] and slope, from which the carried pressure follows.
+    pub gap: f64,
+    pub pressure: ValueAndSlope,
+    /// The augmented Lagrangian's shift λ ≤ 0, and the gap in its last round \[mm\].
+    pub shift: f64,
+    pub round_gap: f64,
+}
+
+/// The unknowns at the end of a step, and what the iterations remember of each other. Allocated once for a run.
+pub(super) struct Trial {
+    /// Moves of the nodes in the step, the velocities times its duration.
+    pub moves: Vec<Node>,
+    /// Displacement of each tool (away from the axis, along z) from where it is drawn \[mm\].
+    pub tools: Vec<Point>,
+    /// Pressure of each gas \[MPa\].
+    pub gas: Vec<f64>,
+    /// Elements by thickness points: what the flow law remembers.
+    pub iterates: Grid<Iterate>,
+    /// What the elastoplastic law remembers in its place; the answers of a step are the first guesses of the next.
+    pub elastoplastic: Grid<PointMemory>,
+    /// Tools by nodes.
+    pub contacts: Grid<ContactMemory>,
+    /// Factor ≥ 1 on the cut-off while a hard step looks for a start \[–\].
+    pub softening: f64,
+    pub line: LineSearch,
+    /// The stiffness that an unloading keeps through an increment.
+    pub kept: Option<System>,
+}
+
+impl Trial {
+    /// Room for the trials of a run that begins with `state`.
+    pub fn new(process: &Process, state: &State) -> Self {
+        let (model, n) = (process.model, state.nodes.len());
+        let constant = model.release.is_some_and(|release| release.stiffness == ReleaseStiffness::Constant);
+        let elastoplastic = if model.mode == Mode::Flow { 0 } else { state.thickness.len() };
+        Self {
+            moves: vec![[0.0; 3]; n],
+            tools: state.tools.clone(),
+            gas: state.gas.clone(),
+            iterates: Grid::new(state.thickness.len(), process.rule.len(), Iterate::default()),
+            elastoplastic: Grid::new(elastoplastic, process.rule.len(), PointMemory::default()),
+            contacts: Grid::new(process.tools.len(), n, ContactMemory::default()),
+            softening: 1.0,
+            line: LineSearch::new(n),
+            kept: constant.then(|| System::new(n, process.shared)),
+        }
+    }
+
+    /// Takes a first guess of a step: moves at the last velocities or from rest, prescribed motions imposed.
+    pub fn predict(&mut self, step: &Step, start: Start) {
+        let Step { process, model, state, dt, .. } = *step;
+        let pairs = state.pressure.iter().zip(state.shift.iter());
+        for (memory, (pressure, shift)) in self.contacts.iter_mut().zip(pairs) {
+            (memory.carried, memory.shift) = (*pressure, *shift);
+        }
+        for (pressure, (gas, before)) in self.gas.iter_mut().zip(model.gas.iter().zip(&state.gas)) {
+            *pressure = gas.pressure.given(step.end()).unwrap_or(*before);
+        }
+        // A held strain rate has no meaning at rest.
+        let holds_rate = process.holds_rate();
+        // The velocities of the last step, in proportion to the punch's where that has changed.
+        let before = model.schedule.as_ref().map_or(0.0, |schedule| schedule.slope_before(state.time));
+        let faster = if before > 0.0 { (step.travel() - state.travel) / (before * dt) } else { 1.0 };
+        let share = if start != Start::Predictor && !holds_rate { 0.0 } else { faster * dt };
+        for (u, velocity) in self.moves.iter_mut().zip(&state.velocity) {
+            *u = velocity.map(|velocity| share * velocity);
+        }
+        if holds_rate && state.time == 0.0 {
+            gas::guess_dome(step, &mut self.moves);
+        }
+        let last = self.moves.len() - 1;
+        match model.blank.edge {
+            Edge::Free => {}
+            Edge::Clamped => self.moves[last] = [0.0; 3],
+            Edge::Pulled { speed } => self.moves[last] = [speed * model.speed * step.process_time, 0.0, 0.0],
+        }
+        self.moves[0][0] = 0.0;
+        let progress = model.progress(step.end()) - model.progress(state.time);
+        for (j, tool) in process.tools.iter().enumerate() {
+            let (axial, aside) = match tool.motion {
+                Motion::Fixed | Motion::Gap(_) => (0.0, 0.0),
+                Motion::Travel => (step.travel() - state.travel, 0.0),
+                Motion::Path { axial, aside } => (axial * progress, aside * progress),
+                // What the sheet has left stands still.
+                Motion::Pressed(_) if tool.released.is_some() => (0.0, 0.0),
+                Motion::Pressed(_) => (share * state.tool_velocity[j], 0.0),
+            };
+            self.tools[j] = state.tools[j] + Point::new(aside, axial);
+        }
+        for (iterate, point) in self.iterates.iter_mut().zip(state.points.iter()) {
+            *iterate = Iterate::start(point.carried);
+        }
+        selective_bending::average(step, self);
+    }
+
+    /// Goes a share of the direction of the iteration.
+    pub fn advance(&mut self, process: &Process, share: f64) {
+        for (u, d) in self.moves.iter_mut().zip(&self.line.direction) {
+            for k in 0..3 {
+                u[k] += share * d[k];
+            }
+        }
+        for (displacement, tool) in self.tools.iter_mut().zip(&process.tools) {
+            if let Some(k) = tool.shared {
+                displacement.y += share * self.line.shared[k];
+            }
+        }
+        for (pressure, shared) in self.gas.iter_mut().zip(&process.gas_shared) {
+            if let Some(k) = shared {
+                *pressure += share * self.line.shared[*k];
+            }
+        }
+    }
+
+    /// Strain increment of thickness point `k` of element `e` in the last evaluation \[–\].
+    pub fn strain(&self, e: usize, k: usize) -> Triple {
+        if self.elastoplastic.is_empty() { self.iterates[(e, k)].strain() } else { self.elastoplastic[(e, k)].strain }
+    }
+}

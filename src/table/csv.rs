@@ -1,0 +1,201 @@
+//! CSV files that are read: `#` comments, a line of column names that end in their units, rows of numbers.
+
+use super::{Unit, UnitError};
+use csv::StringRecord;
+
+/// The most rows a file may have: a hundred times what a curve that is drawn needs.
+const MOST: usize = 100_000;
+
+/// Longest quotation from a file, in characters.
+const LONGEST: usize = 40;
+
+/// A file's column names and rows.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Csv {
+    /// At least one name.
+    pub header: Record,
+    pub rows: Vec<Record>,
+}
+
+/// The fields of one line.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Record {
+    /// From 1.
+    pub line: usize,
+    pub fields: StringRecord,
+}
+
+/// Why a text is no table.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[error("{what}")]
+pub struct CsvError {
+    /// Line of the text, from 1; `None` where the text is something else altogether, and no line of it says more.
+    pub line: Option<usize>,
+    pub what: String,
+    /// What to write instead.
+    pub help: String,
+}
+
+impl CsvError {
+    fn at(line: usize, what: impl Into<String>, help: impl Into<String>) -> Self {
+        Self { line: Some(line), what: what.into(), help: help.into() }
+    }
+}
+
+impl Csv {
+    /// Reads a text, once from its first line to its last; messages call it by `name`, as in "the profile file", and end
+    /// with `example`, what to write.
+    ///
+    /// # Errors
+    /// When there is nothing but comments, the first line does not name columns, a row is longer than it, or there are
+    /// more than a hundred thousand rows.
+    pub fn read(text: &str, name: &str, example: &str) -> Result<Self, CsvError> {
+        let reader = csv::ReaderBuilder::new()
+            .comment(Some(b'#'))
+            .trim(csv::Trim::All)
+            .flexible(true)
+            .has_headers(false)
+            .from_reader(text.as_bytes());
+        let mut records = reader.into_records().map(|fields| {
+            fields.map(|fields| Record { line: line_of(&fields, text), fields }).map_err(|error| {
+                let line = error.position().map_or(1, |p| p.line() as usize);
+                CsvError::at(line, format!("this is not CSV: {error}"), example)
+            })
+        });
+        let header = records.next().ok_or_else(|| CsvError::at(1, format!("{name} is empty"), example))??;
+        header.names_columns(name, example)?;
+        let mut rows = Vec::new();
+        for row in records {
+            let row = row?;
+            if row.fields.len() > header.fields.len() {
+                let what = format!("{} numbers stand under {} columns", row.fields.len(), header.fields.len());
+                return Err(CsvError::at(row.line, what, "write decimals with a point, not a comma: 30.5"));
+            }
+            if rows.len() == MOST {
+                return Err(CsvError::at(row.line, format!("there are more than {MOST} rows"), "thin them out"));
+            }
+            rows.push(row);
+        }
+        Ok(Self { header, rows })
+    }
+
+    /// The column of that name.
+    pub fn column(&self, name: &str) -> Option<usize> {
+        self.header.fields.iter().position(|field| field == name)
+    }
+
+    /// The names of all columns.
+    pub fn found(&self) -> String {
+        quoted(&self.header.fields.iter().collect::<Vec<_>>().join(", "), 10 * LONGEST)
+    }
+
+    /// The unit that a column's name ends in, and the factor to it from the numbers below.
+    ///
+    /// # Errors
+    /// When it ends in no known unit.
+    pub fn unit(&self, column: usize) -> Result<(Unit, f64), UnitError> {
+        Unit::of_header(self.header.fields.get(column).unwrap_or(""))
+    }
+}
+
+impl Record {
+    /// The number in a column, as it is written; `None` when it is empty.
+    ///
+    /// # Errors
+    /// When something else stands there.
+    pub fn number(&self, column: usize) -> Result<Option<f64>, CsvError> {
+        let field = self.fields.get(column).unwrap_or("");
+        if field.is_empty() {
+            return Ok(None);
+        }
+        let help = match field.contains(',') {
+            true => "write decimals with a point, not a comma: 30.5",
+            false => "write a plain number; its unit stands in the header",
+        };
+        let refused = |_| CsvError::at(self.line, format!("\"{}\" is not a number", quoted(field, LONGEST)), help);
+        field.parse().map(Some).map_err(refused)
+    }
+
+    /// Whether this is a line of column names.
+    fn names_columns(&self, name: &str, example: &str) -> Result<(), CsvError> {
+        let fields = || self.fields.iter();
+        if fields().all(|field| field.parse::<f64>().is_ok()) {
+            return Err(CsvError::at(self.line, "the first line must name the columns, found numbers", example));
+        }
+        let separators = [';', '\t'];
+        let is_name = |text: &str| text.chars().all(|c| c.is_alphanumeric() || c == '_');
+        if !fields().flat_map(|field| field.split(separators)).all(|text| is_name(text.trim())) {
+            // Nothing of a file that is something else is shown but its first word.
+            let text: String = fields().collect();
+            let word: String = text.chars().take_while(|c| c.is_alphanumeric()).take(LONGEST / 2).collect();
+            let what =
+                format!("{name} is no table of numbers: its first line names no columns, it begins with \"{word}\"");
+            return Err(CsvError { line: None, what, help: example.to_owned() });
+        }
+        if let Some(separator) = fields().flat_map(str::chars).find(|c| separators.contains(c)) {
+            let separator = if separator == ';' { "semicolons" } else { "tabs" };
+            let help = format!("separate columns by commas and write decimals with a point; {example}");
+            return Err(CsvError::at(self.line, format!("the columns are separated by {separator}"), help));
+        }
+        Ok(())
+    }
+}
+
+/// The line that a record stands in: its position is that of the comments before it.
+fn line_of(fields: &StringRecord, text: &str) -> usize {
+    let Some(position) = fields.position() else { return 1 };
+    let skipped = |line: &str| line.trim().is_empty() || line.starts_with('#');
+    let before = text.get(position.byte() as usize..).unwrap_or("");
+    position.line().max(1) as usize + before.lines().take_while(|line| skipped(line)).count()
+}
+
+/// The beginning of a text.
+fn quoted(text: &str, most: usize) -> String {
+    text.chars().take(most).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn read(text: &str) -> Result<Csv, CsvError> {
+        Csv::read(text, "the file", "write r_mm,z_mm")
+    }
+
+    #[test]
+    fn rows_know_their_lines_between_comments_and_empty_lines() {
+        let text = "# of a test\n\nr_mm , z_in\n0,1\n\n# between\n# two\n\"2\",\n  3 , 4\n";
+        let csv = read(text).unwrap();
+        assert_eq!(csv.header.line, 3);
+        let rows: Vec<_> = csv.rows.iter().map(|row| (row.line, row.number(0), row.number(1))).collect();
+        assert_eq!(
+            rows,
+            [(4, Ok(Some(0.0)), Ok(Some(1.0))), (8, Ok(Some(2.0)), Ok(None)), (9, Ok(Some(3.0)), Ok(Some(4.0)))]
+        );
+        assert_eq!((csv.column("z_in"), csv.unit(1)), (Some(1), Ok((Unit::Mm, 25.4))));
+    }
+
+    /// Looking for each line from the first one would take minutes.
+    #[test]
+    fn a_long_file_is_gone_through_once() {
+        let text = format!("# long\nr_mm,z_mm\n{}", "#\n1,2\n".repeat(MOST));
+        assert_eq!(read(&text).unwrap().rows.last().unwrap().line, 2 + 2 * MOST);
+        let error = read(&format!("{text}3,4\n")).unwrap_err();
+        assert_eq!((error.line, error.to_string()), (Some(3 + 2 * MOST), format!("there are more than {MOST} rows")));
+    }
+
+    #[test]
+    fn what_is_no_table_is_named_by_a_word() {
+        for (text, says) in [
+            ("root:x:0:0:root:/root:/bin/bash\ndaemon:x:1:1\n", "begins with \"root\""),
+            ("Dear Sir, we write to you\nabout secrets\n", "begins with \"Dear\""),
+            ("\u{0}\u{1}\u{2}", "begins with \"\""),
+            ("{\"a\": 1}", "no table"),
+        ] {
+            let error = read(text).unwrap_err();
+            assert!(error.line.is_none() && error.to_string().contains(says), "{error}");
+        }
+        let word = read(&format!("r_mm\n{}\n", "x".repeat(5000))).unwrap().rows[0].number(0).unwrap_err();
+        assert!(word.to_string().len() < 100, "{word}");
+    }
+}

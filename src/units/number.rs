@@ -1,0 +1,43 @@
+//! Numbers as text: each way of writing one, once.
+
+/// Nine significant digits: more than anyone measures, and no binary noise at the end (31.4 mm, not
+/// 31.400000000000002 mm).
+pub fn rounded(value: f64) -> f64 {
+    significant(value, 9)
+}
+
+/// The value to so many significant digits.
+pub fn significant(value: f64, digits: usize) -> f64 {
+    let decimals = digits.max(1) - 1;
+    format!("{value:.decimals$e}").parse::<f64>().map_or(value, |v| v + 0.0) // −0 becomes 0
+}
+
+/// At most so many decimals, without zeros at the end and without a minus before 0: `30.5`, `0`.
+pub fn trimmed(value: f64, decimals: i32) -> String {
+    let scale = 10f64.powi(decimals);
+    let text = format!("{:.*}", decimals.max(0) as usize, (value * scale).round() / scale + 0.0);
+    without_zeros(&text).to_owned()
+}
+
+/// A decimal number without zeros at the end of its decimals.
+pub fn without_zeros(text: &str) -> &str {
+    if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.') } else { text }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Trust: by hand.
+    #[test]
+    fn numbers_are_written_without_noise() {
+        assert_eq!([rounded(31.400000000000002), rounded(-0.0), significant(0.0123456, 4)], [31.4, 0.0, 0.01235]);
+        assert!(rounded(-0.0).is_sign_positive());
+        for (value, decimals, text) in
+            [(30.5, 3, "30.5"), (-0.0001, 3, "0"), (100.0, 0, "100"), (1.23456, 3, "1.235"), (120.0, 2, "120")]
+        {
+            assert_eq!(trimmed(value, decimals), text);
+        }
+        assert_eq!([without_zeros("10.500"), without_zeros("100")], ["10.5", "100"]);
+    }
+}

@@ -1,0 +1,264 @@
+//! No model that can be built in code ends in a panic: it is refused with the value that is wrong, or it runs.
+
+use stampflow::case;
+use stampflow::contact::friction::{PressureDependent, Stribeck, Tresca};
+use stampflow::material::gtn::{Coalescence, Nucleation};
+use stampflow::material::rate::PowerRate;
+use stampflow::material::{Elastic, Gtn, Hill48, Rate};
+use stampflow::model::{
+    Bead, Edge, Face, Friction, Gas, Heat, HeatFlow, Mode, Model, ModelError, Motion, Press, Pressure, RateControl,
+    Release, Role, Stage, Theory, ToolHeat,
+};
+use stampflow::numerics::PiecewiseLinear;
+use stampflow::solution::Stop;
+use stampflow::solver::{run, run_stages};
+
+const NUMBERS: [f64; 8] = [f64::NAN, 0.0, -0.0, -1.0, f64::INFINITY, f64::NEG_INFINITY, 1e300, 1e-300];
+const COUNTS: [usize; 4] = [0, 1, 2, usize::MAX];
+
+/// A cup drawn by 0.5 mm: everything is there that a check may ask for, and it is solved in a moment.
+fn cup() -> Model {
+    let text = r#"
+        title = "Cup"
+        geometry = "axisymmetric"
+        [blank]
+        radius = "20 mm"
+        thickness = "1 mm"
+        elements = 12
+        layers = 3
+        [material]
+        young = "210 GPa"
+        poisson = 0.3
+        hardening.swift = { k = "520 MPa", n = 0.22, offset = 0.005 }
+        [tools]
+        punch = { flat = { radius = "10 mm", nose = "3 mm" }, friction = 0.08, motion = [["0 s", "0 mm"], ["1 s", "0.2 mm"], ["2 s", "0.5 mm"]] }
+        die = { throat = "11.2 mm", shoulder = "3 mm", friction = 0.08 }
+        holder = { inner_radius = "12 mm", force = "1 kN" }
+    "#;
+    let mut model = case::parse(text, "cup.toml", &[]).expect("a case").stages.remove(0).model;
+    model.settings.max_step = 0.2;
+    model.settings.min_step = 1e-3;
+    model.settings.first_step = 0.05;
+    model.beads = vec![Bead { at: 16.0, restraining: 10.0, closing: 1.0 }];
+    model.gas = vec![Gas { face: Face::Lower, pressure: 0.1.into(), within: 9.0 }];
+    let flow = HeatFlow {
+        capacity: 3.6,
+        plastic_share: 0.9,
+        conductivity: 50.0,
+        tools: vec![ToolHeat { role: Role::Punch, temperature: 300.0, transfer: 1.0 }],
+    };
+    model.heat = Some(Heat { initial: 300.0.into(), flow: Some(flow) });
+    model
+}
+
+fn holder(model: &mut Model) -> &mut Motion {
+    &mut model.tools.iter_mut().find(|tool| tool.role == Role::Holder).expect("a holder").motion
+}
+
+/// Whether the model is refused; where it is not, that it runs.
+fn refused(name: &str, model: &Model) -> bool {
+    let checked = model.check();
+    let solution = run(model, &mut ());
+    match &checked {
+        Err(error) => {
+            assert_eq!(solution.stop, Stop::Refused(error.clone()), "{name}");
+            assert!(!error.to_string().is_empty() && solution.steps.is_empty());
+        }
+        Ok(()) => assert!(!matches!(solution.stop, Stop::Refused(_)), "{name}"),
+    }
+    checked.is_err()
+}
+
+type Mutation = (&'static str, fn(&mut Model, f64));
+
+/// Every number of a model: NaN and both infinities are refused in each.
+const MUTATIONS: &[Mutation] = &[
+    ("length", |m, x| m.blank.length = x),
+    ("thickness", |m, x| m.blank.thickness = x),
+    ("pulled", |m, x| m.blank.edge = Edge::Pulled { speed: x }),
+    ("travel", |m, x| m.travel = x),
+    ("travel without schedule", |m, x| (m.schedule, m.travel) = (None, x)),
+    ("speed", |m, x| m.speed = x),
+    ("duration", |m, x| m.duration = x),
+    ("duration and frames", |m, x| (m.duration, m.frames) = (x, vec![x])),
+    ("first frame", |m, x| m.frames[0] = x),
+    ("last frame", |m, x| m.frames = vec![1.0, x]),
+    ("schedule", |m, x| m.schedule = PiecewiseLinear::new(vec![(0.0, 0.0), (2.0, x)])),
+    ("load drop", |m, x| m.stop.load_drop = Some(x)),
+    ("contact share", |m, x| m.stop.contact_share = Some(x)),
+    ("young", |m, x| {
+        (m.mode, m.material.elastic) = (Mode::ElastoViscoplastic, Some(Elastic { young: x, poisson: 0.3 }))
+    }),
+    ("poisson", |m, x| {
+        (m.mode, m.material.elastic) = (Mode::ElastoViscoplastic, Some(Elastic { young: 2e5, poisson: x }));
+    }),
+    ("anisotropy", |m, x| m.material.anisotropy = Hill48::new(x)),
+    ("back-stress", |m, x| (m.mode, m.material.kinematic[0].modulus) = (Mode::ElastoViscoplastic, x)),
+    ("recovery", |m, x| (m.mode, m.material.kinematic[0].dynamic_recovery) = (Mode::ElastoViscoplastic, x)),
+    ("rate exponent", |m, x| m.material.rate = Some(Rate::Power(PowerRate { exponent: x, reference: 1.0 }))),
+    ("rate reference", |m, x| m.material.rate = Some(Rate::Power(PowerRate { exponent: 0.1, reference: x }))),
+    ("q1", |m, x| m.material.voids = Some(Gtn { q1: x, ..Gtn::example() })),
+    ("q2", |m, x| m.material.voids = Some(Gtn { q2: x, ..Gtn::example() })),
+    ("q3", |m, x| m.material.voids = Some(Gtn { q3: x, ..Gtn::example() })),
+    ("porosity", |m, x| m.material.voids = Some(Gtn { initial: x, ..Gtn::example() })),
+    ("nucleation", |m, x| {
+        let nucleation = Some(Nucleation { fraction: x, strain: 0.3, deviation: 0.1 });
+        m.material.voids = Some(Gtn { nucleation, ..Gtn::example() });
+    }),
+    ("deviation", |m, x| {
+        let nucleation = Some(Nucleation { fraction: 0.04, strain: 0.3, deviation: x });
+        m.material.voids = Some(Gtn { nucleation, ..Gtn::example() });
+    }),
+    ("critical", |m, x| {
+        let coalescence = Some(Coalescence { critical: x, fracture: 0.25 });
+        m.material.voids = Some(Gtn { coalescence, ..Gtn::example() });
+    }),
+    ("fracture", |m, x| {
+        let coalescence = Some(Coalescence { critical: 0.15, fracture: x });
+        m.material.voids = Some(Gtn { coalescence, ..Gtn::example() });
+    }),
+    ("friction", |m, x| m.tools[0].friction = x.into()),
+    ("friction at rest", |m, x| {
+        m.tools[0].friction = Friction::Stribeck(Stribeck { at_rest: x, sliding: 0.05, speed: 2.0, viscous: 0.0 });
+    }),
+    ("friction, viscous", |m, x| {
+        m.tools[0].friction = Friction::Stribeck(Stribeck { at_rest: 0.1, sliding: 0.05, speed: 2.0, viscous: x });
+    }),
+    ("friction factor", |m, x| m.tools[0].friction = Friction::Tresca(Tresca { factor: x, coefficient: 0.1 })),
+    ("friction exponent", |m, x| {
+        let law = PressureDependent { coefficient: 0.1, reference: 10.0, exponent: x };
+        m.tools[0].friction = Friction::PressureDependent(law);
+    }),
+    ("path", |m, x| m.tools[0].motion = Motion::Path { axial: x, aside: 0.0 }),
+    ("path aside", |m, x| m.tools[0].motion = Motion::Path { axial: 0.1, aside: x }),
+    ("holder's force", |m, x| *holder(m) = Motion::Pressed(Press::constant(x))),
+    ("holder's spring", |m, x| *holder(m) = Motion::Pressed(Press { force: 1e3.into(), stiffness: x })),
+    ("holder's gap", |m, x| *holder(m) = Motion::Gap(x)),
+    ("bead", |m, x| m.beads[0].at = x),
+    ("restraint", |m, x| m.beads[0].restraining = x),
+    ("closing", |m, x| m.beads[0].closing = x),
+    ("pressure", |m, x| m.gas[0].pressure = x.into()),
+    ("seal", |m, x| m.gas[0].within = x),
+    ("strain rate", |m, x| m.gas[0].pressure = Pressure::Rate(RateControl::new(x, 10.0))),
+    ("norm", |m, x| m.gas[0].pressure = Pressure::Rate(RateControl::new(0.1, x))),
+    ("temperature", |m, x| m.heat.as_mut().expect("heat").initial = x.into()),
+    ("capacity", |m, x| flow(m).capacity = x),
+    ("plastic share", |m, x| flow(m).plastic_share = x),
+    ("conductivity", |m, x| flow(m).conductivity = x),
+    ("tool's temperature", |m, x| flow(m).tools[0].temperature = x),
+    ("transfer", |m, x| flow(m).tools[0].transfer = x),
+    ("tolerance", |m, x| m.settings.tolerance = x),
+    ("max_step", |m, x| m.settings.max_step = x),
+    ("first_step", |m, x| m.settings.first_step = x),
+    ("min_step", |m, x| m.settings.min_step = x),
+    ("cutoff_strain", |m, x| m.settings.cutoff_strain = x),
+    ("contact_stiffness", |m, x| m.settings.contact_stiffness = x),
+    ("contact_smoothing", |m, x| m.settings.contact_smoothing = x),
+    ("slip_speed", |m, x| m.settings.slip_speed = x),
+    ("strain_step", |m, x| m.settings.strain_step = x),
+    ("bend_ratio", |m, x| m.settings.bend_ratio = x),
+];
+
+fn flow(model: &mut Model) -> &mut HeatFlow {
+    model.heat.as_mut().and_then(|heat| heat.flow.as_mut()).expect("a flow of heat")
+}
+
+#[test]
+fn every_number_is_refused_or_runs() {
+    assert!(!refused("the cup itself", &cup()));
+    for (name, mutate) in MUTATIONS {
+        for value in NUMBERS {
+            let mut model = cup();
+            mutate(&mut model, value);
+            let refused = refused(&format!("{name} = {value}"), &model);
+            assert!(refused || value.is_finite(), "{name} = {value} is accepted");
+        }
+    }
+}
+
+#[test]
+fn every_count_is_refused_or_runs() {
+    let counts: [(&str, fn(&mut Model, usize)); 4] = [
+        ("elements", |m, n| m.blank.elements = n),
+        ("layers", |m, n| m.blank.layers = n),
+        ("max_iterations", |m, n| m.settings.max_iterations = n),
+        ("facets", |m, n| m.settings.facets = Some(n)),
+    ];
+    for (name, mutate) in counts {
+        for n in COUNTS {
+            let mut model = cup();
+            mutate(&mut model, n);
+            let refused = refused(&format!("{name} = {n}"), &model);
+            assert!(refused || (1..1000).contains(&n), "{name} = {n} is accepted");
+        }
+    }
+}
+
+/// Trust: each is a contradiction by the documentation of the field.
+#[test]
+fn what_does_not_go_together_is_refused() {
+    let contradictions: [(&str, fn(&mut Model)); 12] = [
+        ("no frames", |m| m.frames.clear()),
+        ("frames that fall", |m| m.frames = vec![1.5, 1.0, 2.0]),
+        ("two punches", |m| m.tools.push(m.tools[0].clone())),
+        ("a holder without a die", |m| m.tools.retain(|tool| tool.role != Role::Die)),
+        ("a pressed punch", |m| m.tools[0].motion = Motion::Pressed(Press::constant(1.0))),
+        ("gas twice on a face", |m| m.gas.push(m.gas[0].clone())),
+        ("no elasticity", |m| (m.mode, m.material.elastic) = (Mode::Elastic, None)),
+        ("elastic voids", |m| (m.mode, m.material.voids) = (Mode::ElastoViscoplastic, Some(Gtn::example()))),
+        ("elastic selection", |m| (m.mode, m.blank.theory) = (Mode::ElastoViscoplastic, Theory::Selective)),
+        ("a membrane of three points", |m| m.blank.theory = Theory::Membrane),
+        ("a release that cannot spring back", |m| m.release = Some(Release::default())),
+        ("heat to a tool that is not there", |m| m.tools.retain(|tool| tool.role != Role::Punch)),
+    ];
+    for (name, contradict) in contradictions {
+        let mut model = cup();
+        contradict(&mut model);
+        assert!(refused(name, &model), "{name} is accepted");
+    }
+}
+
+#[test]
+fn lists_may_be_empty() {
+    let empties: [(&str, fn(&mut Model)); 3] = [
+        ("no tools", |m| {
+            m.tools.clear();
+            flow(m).tools.clear();
+        }),
+        ("no beads and gas", |m| (m.beads, m.gas) = (Vec::new(), Vec::new())),
+        ("no heat", |m| m.heat = None),
+    ];
+    for (name, empty) in empties {
+        let mut model = cup();
+        empty(&mut model);
+        assert!(!refused(name, &model), "{name}: {:?}", model.check());
+    }
+}
+
+/// A later stage goes on with the points and the section of the one before.
+#[test]
+fn a_stage_that_cannot_go_on_is_refused() {
+    let first = Stage { name: "first".into(), model: cup(), begin: Default::default() };
+    let changes: [fn(&mut Stage); 4] = [
+        |stage| stage.model.blank.layers = 5,
+        |stage| stage.begin.trim = Some(f64::NAN),
+        |stage| stage.model.geometry = stampflow::model::Geometry::PlaneStrain,
+        |stage| stage.model.blank.thickness = -1.0,
+    ];
+    for change in changes {
+        let mut second = first.clone();
+        change(&mut second);
+        let solutions = run_stages(&[first.clone(), second], &mut ());
+        assert_eq!(solutions.len(), 2);
+        assert!(matches!(solutions[1].stop, Stop::Refused(_)), "{}", solutions[1].stop);
+    }
+}
+
+#[test]
+fn an_error_names_the_value_and_its_bounds() {
+    let mut model = cup();
+    model.settings.tolerance = 5.0;
+    let error = model.check().expect_err("out of range");
+    assert_eq!(error, ModelError::Range { what: "settings.tolerance".into(), value: 5.0, least: 1e-12, most: 0.1 });
+    assert_eq!(error.to_string(), "`settings.tolerance` must lie between 1e-12 and 0.1, found 5.0");
+}

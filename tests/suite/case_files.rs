@@ -1,0 +1,406 @@
+//! Case files: the shipped ones load, broken ones say what is wrong, and no override can make the reader panic.
+
+use crate::common::files::files;
+use proptest::prelude::*;
+use stampflow::case::files::{Files, Memory};
+use stampflow::case::{self, Case};
+use stampflow::model::{Edge, Geometry, Grading, Mode, Motion, Press, Release, ReleaseStiffness, Role, Theory};
+use std::path::Path;
+
+fn load(path: impl AsRef<Path>, overrides: &[&str]) -> Case {
+    let overrides: Vec<String> = overrides.iter().map(|o| (*o).to_owned()).collect();
+    case::load(path, &overrides).unwrap_or_else(|error| panic!("{}", error.render(false)))
+}
+
+/// The rendered error of a case in `text`; panics when there is none.
+fn message(text: &str, overrides: &[&str]) -> String {
+    let overrides: Vec<String> = overrides.iter().map(|o| (*o).to_owned()).collect();
+    case::parse(text, "case.toml", &overrides).expect_err("the case is broken").render(false)
+}
+
+const QUICKSTART: &str = include_str!("../../cases/quickstart.toml");
+
+/// The case of the module's documentation: no key of it can be left out.
+const MINIMAL: &str = r#"title = "Cup"
+geometry = "axisymmetric"
+[blank]
+radius = "55 mm"
+thickness = "1 mm"
+[material.hardening]
+swift = { k = "520 MPa", n = 0.22, offset = 0.005 }
+[tools]
+punch = { flat = { radius = "30 mm", nose = "6 mm" }, friction = 0.08, travel = "25 mm" }
+die = { throat = "31.25 mm", shoulder = "6 mm", friction = 0.08 }
+holder = { inner_radius = "32 mm", force = "10 kN" }
+"#;
+
+#[test]
+fn every_shipped_case_loads_and_names_what_it_assumes() {
+    let cases = files("cases", "toml");
+    assert!(cases.len() >= 8, "{cases:?}");
+    for path in cases {
+        let case = load(&path, &[]);
+        assert!(!case.model().notes.is_empty(), "{}: no notes", case.name);
+        let report = stampflow::assess::check::report(&case).to_string();
+        assert!(case.model().notes.iter().all(|note| report.contains(note)), "{report}");
+        assert_eq!(case.model().frames.last(), Some(&case.model().duration), "{}", case.name);
+        for spec in case.compare.iter().filter(|spec| !spec.optional) {
+            let data = spec.data.as_ref().unwrap_or_else(|| panic!("{}", spec.reference.display()));
+            assert!(data.source.is_some(), "{}", spec.reference.display());
+        }
+    }
+}
+
+/// Trust: by hand. A temperature by the tools' zones, and one from a file of the case's folder.
+#[test]
+fn a_temperature_is_given_by_zones_or_by_a_file() {
+    let at = |heat: &stampflow::model::Heat, places: [f64; 4]| places.map(|s0| heat.initial.at(s0) - 273.15);
+    let zones = format!("{MINIMAL}[heat]\ninitial = {{ punch = \"25 °C\", flange = \"225 °C\" }}\n");
+    let case = case::parse(&zones, "case.toml", &[]).unwrap_or_else(|error| panic!("{}", error.render(false)));
+    let heat = case.model().heat.as_ref().expect("given");
+    let found = at(&heat, [10.0, 30.0, 30.625, 50.0]);
+    for (found, expected) in found.into_iter().zip([25.0, 25.0, 125.0, 225.0]) {
+        assert!((found - expected).abs() < 1e-9, "{found} {expected}");
+    }
+    assert_eq!(heat.flow, None);
+
+    let folder = temp_dir::TempDir::new().expect("a folder");
+    std::fs::write(folder.path().join("field.csv"), "# measured\ns0_in,temperature_C\n1,20\n2,120\n").expect("written");
+    let path = folder.path().join("case.toml");
+    std::fs::write(&path, format!("{MINIMAL}[heat]\ninitial = \"field.csv\"\n")).expect("written");
+    let heat = load(&path, &[]).model().heat.clone().expect("given");
+    for (found, expected) in at(&heat, [0.0, 25.4, 38.1, 54.0]).into_iter().zip([20.0, 20.0, 70.0, 120.0]) {
+        assert!((found - expected).abs() < 1e-9, "{found} {expected}");
+    }
+}
+
+/// Trust: every CSV is walked; its columns are those of the cases that compare with it.
+#[test]
+fn every_reference_curve_has_its_source_and_the_columns_that_cases_ask_for() {
+    let sources: toml::Table = std::fs::read_to_string("reference_data/sources.toml").unwrap().parse().unwrap();
+    let curves = files("reference_data", "csv");
+    for path in &curves {
+        let name = path.file_name().unwrap().to_str().unwrap();
+        let source = sources.get(name).unwrap_or_else(|| panic!("{name} is not in sources.toml"));
+        for key in ["citation", "kind", "grade", "scatter"] {
+            assert!(
+                source.get(key).and_then(toml::Value::as_str).is_some_and(|text| !text.is_empty()),
+                "{name}: {key}"
+            );
+        }
+    }
+    assert_eq!(sources.len(), curves.len(), "a source without its curve");
+    for path in files("cases", "toml") {
+        for spec in load(&path, &[]).compare.iter().filter(|spec| spec.data.is_some()) {
+            let text = std::fs::read_to_string(&spec.reference).unwrap();
+            let header: Vec<&str> =
+                text.lines().find(|line| !line.starts_with('#')).expect("a header").split(',').collect();
+            for wanted in spec.against.headers() {
+                assert!(header.contains(&wanted), "{}: {wanted}", path.display());
+            }
+        }
+    }
+}
+
+#[test]
+fn a_twelve_line_case_is_enough_and_its_defaults_are_the_documented_ones() {
+    assert!(MINIMAL.lines().count() <= 12);
+    let case = case::parse(MINIMAL, "cup.toml", &[]).unwrap_or_else(|e| panic!("{}", e.render(false)));
+    let model = case.model();
+    assert_eq!(case.name, "cup");
+    assert_eq!((model.blank.elements, model.blank.layers), (100, 5));
+    assert_eq!((model.blank.grading, model.blank.theory), (Grading::Radii, Theory::Bending));
+    assert_eq!(model.settings, stampflow::model::Settings::default());
+    assert_eq!(model.frames, [6.25, 12.5, 18.75, 25.0]);
+    assert_eq!(model.speed, 1.0);
+    let holder = model.tool(Role::Holder).unwrap();
+    assert_eq!((holder.friction, &holder.motion), (0.08.into(), &Motion::Pressed(Press::constant(10_000.0))));
+}
+
+/// Trust: hand conversion, 1 UK ton-force/in² = 2240 × 4.44822 N / 645.16 mm² = 15.4443 MPa.
+#[test]
+fn inches_and_tons_of_the_paper_become_millimetres_and_megapascals() {
+    let case = load("cases/woo_hemispherical.toml", &[]);
+    assert!((case.model().blank.length - 56.388).abs() < 1e-9);
+    assert!((case.model().blank.thickness - 0.889).abs() < 1e-9);
+    let start = case.model().material.hardening.at(0.0).stress;
+    assert!((start - 5.4 * 15.444_256).abs() < 1e-3, "{start}");
+}
+
+#[test]
+fn plane_strain_takes_the_holder_force_per_depth_and_membrane_theory_one_layer() {
+    let model = load("cases/strip_draw.toml", &[]).model().clone();
+    assert_eq!(model.geometry, Geometry::PlaneStrain);
+    assert_eq!(model.tool(Role::Holder).unwrap().motion, Motion::Pressed(Press::constant(1300.0)));
+    assert_eq!((model.blank.theory, model.blank.layers), (Theory::Membrane, 1));
+}
+
+#[test]
+fn selective_bending_keeps_its_layers_and_takes_a_threshold() {
+    let overrides = ["blank.theory=selective", "solver.bend_ratio=0.02", "blank.layers=7"];
+    let model = load("cases/quickstart.toml", &overrides).model().clone();
+    assert_eq!((model.blank.theory, model.blank.layers), (Theory::Selective, 7));
+    assert_eq!(model.settings.bend_ratio, 0.02);
+}
+
+#[test]
+fn overrides_take_toml_values_and_bare_text() {
+    let overrides = [
+        "tools.punch.friction=0.1",
+        "blank.thickness=0.9 mm",
+        "blank.radius=\"52 mm\"",
+        "solver.iteration=newton",
+        "output.count = 2",
+        "title=Another cup",
+    ];
+    let case = load("cases/quickstart.toml", &overrides);
+    let model = case.model();
+    assert_eq!(model.tool(Role::Punch).unwrap().friction, 0.1.into());
+    assert_eq!((model.blank.thickness, model.blank.length), (0.9, 52.0));
+    assert_eq!(model.settings.iteration, stampflow::model::Iteration::Newton);
+    assert_eq!(model.frames.len(), 2);
+    assert_eq!(model.title, "Another cup");
+    assert_eq!(
+        case::parse(&case.text, "cases/quickstart.toml", &[]).unwrap().model().clone(),
+        *case.model(),
+        "the text repeats the run"
+    );
+    let woo = load("cases/woo_hemispherical.toml", &["material.hardening.piecewise_power.branches.0.n=0.5045"]);
+    assert_ne!(woo.model().material, load("cases/woo_hemispherical.toml", &[]).model().material);
+}
+
+#[test]
+fn broken_overrides_say_what_to_write() {
+    let cases = [
+        ("tools.punh.friction=0.1", "there is no table [tools.punh]"),
+        ("tools.punh.friction=0.1", "did you mean `punch`?"),
+        ("friction", "there is no `=`"),
+        ("=3", "names no key"),
+        ("tools.punch.friction.x=3", "there is no table [tools.punch.friction]"),
+        ("blank.thicknes=1 mm", "unknown key `thicknes` in [blank]"),
+        ("blank.thickness=0.9", "0.9 needs a unit"),
+        ("blank.thickness=0.9", "case.toml (with overrides):13:13"),
+        ("tools.punch.friction=nan", "must lie between 0 and 1, found NaN"),
+        ("blank=3", "found number `3`, wanted a table of keys"),
+        ("output.count=0", "`count` must lie between 1 and 1000"),
+    ];
+    for (written, wanted) in cases {
+        let message = message(QUICKSTART, &[written]);
+        assert!(message.contains(wanted), "{written}\n{message}");
+    }
+}
+
+#[test]
+fn what_cannot_be_read_is_named() {
+    let says = |path: &str| case::load(path, &[]).unwrap_err().render(false);
+    assert!(says("cases/nothing.toml").contains("there is no file cases/nothing.toml"));
+    assert!(says("cases").contains("cases is a folder"), "{}", says("cases"));
+    let dir = temp_dir::TempDir::new().unwrap();
+    let path = dir.path().join("large.toml");
+    std::fs::write(&path, "# a comment that goes on\n".repeat(100_000)).unwrap();
+    assert!(says(path.to_str().unwrap()).contains("larger than 2 MB"));
+}
+
+/// All that is needed is read with the case: the shipped ones give the same where there is no disk.
+#[test]
+fn a_case_can_be_read_from_memory() {
+    let (mut memory, cases) = (Memory::default(), files("cases", "toml"));
+    for path in [files("cases", ""), files("reference_data", "")].concat() {
+        memory.insert(&path, std::fs::read(&path).unwrap());
+    }
+    assert!(cases.len() >= 19, "{cases:?}");
+    let mut beside = 0;
+    for path in cases {
+        let text = std::fs::read_to_string(&path).unwrap();
+        let read = |files: &dyn Files| case::parse_with(&text, path.to_str().unwrap(), &[], files);
+        let case = load(&path, &[]);
+        assert_eq!(read(&memory).unwrap_or_else(|error| panic!("{}", error.render(false))), case);
+        if read(&Memory::default()).is_err() {
+            beside += 1;
+        }
+    }
+    assert!(beside >= 6, "{beside} cases need a file beside them");
+}
+
+/// Reads a case whose punch is `a.csv`, or whose sheet's temperature or reference is.
+fn with_csv(what: &str, csv: impl Into<Vec<u8>>) -> Result<Case, String> {
+    let text = match what {
+        "profile" => MINIMAL.replace(r#"flat = { radius = "30 mm", nose = "6 mm" }"#, r#"profile = "a.csv""#),
+        "temperature" => format!("{MINIMAL}[heat]\ninitial = \"a.csv\"\n"),
+        _ => format!(
+            "{MINIMAL}[[compare]]\nreference = \"a.csv\"\nquantity = \"punch_force\"\nx = \"travel_mm\"\n\
+             y = \"punch_force_kN\"\ntolerance = \"5 %\"\nreason = \"a test\"\n"
+        ),
+    };
+    let mut files = Memory::default();
+    files.insert("cases/a.csv", csv);
+    case::parse_with(&text, "cases/cup.toml", &[], &files).map_err(|error| error.render(false).replace("\n  │ ", " "))
+}
+
+#[test]
+fn a_file_beside_a_case_that_is_no_table_is_named_and_not_shown() {
+    for what in ["profile", "temperature", "reference"] {
+        for (csv, says) in [
+            ("root:x:0:0::/root:/bin/sh\nuser:x:1:1::/home/user:/bin/sh\n".as_bytes(), "it begins with \"root\""),
+            (b"\x7fELF\0\x01secret", "is no table of numbers"),
+            (b"r\xff_mm", "cannot be read: it is not UTF-8 text"),
+            (b"", "file is empty"),
+            (b"1,2\n3,4\n", "the first line must name the columns, found numbers"),
+            (b"r_mm;z_mm\n0;0\n", "the columns are separated by semicolons"),
+            (b"r_mm\tz_mm\n0\t0\n", "the columns are separated by tabs"),
+        ] {
+            let error = with_csv(what, csv).unwrap_err();
+            assert!(error.contains(says), "{what}: {says} is not in\n{error}");
+            assert!(!error.contains("/bin") && !error.contains("secret"), "{error}");
+        }
+    }
+    let ragged = with_csv("reference", "travel_mm,punch_force_kN\n1,2\n2\n").unwrap_err();
+    assert!(ragged.contains("a row of 1 under 2 columns") && ragged.contains("a.csv:3:1"), "{ragged}");
+}
+
+/// Gone through once: from the first line anew for each line, one of these files alone would take a minute.
+#[test]
+fn long_files_beside_a_case_are_read_or_refused_by_their_length() {
+    let rows = |n: usize| (0..n).map(move |i| i as f64 * 55.0 / n as f64);
+    let points: String = rows(50_000).map(|r| format!("{r},{}\n", -0.01 * r * r)).collect();
+    let error = with_csv("profile", format!("r_mm,z_mm\n{points}")).unwrap_err();
+    assert!(error.contains("50000 points are more than the 2000") && error.contains("a.csv:50001:1"), "{error}");
+    let field: String = rows(50_000).map(|s0| format!("{s0},{}\n", 20.0 + s0)).collect();
+    let case = with_csv("temperature", format!("s0_mm,temperature_C\n{field}")).unwrap();
+    assert!((case.model().heat.as_ref().unwrap().initial.at(30.0) - 273.15 - 50.0).abs() < 1e-9);
+    for what in ["profile", "temperature", "reference"] {
+        let many = with_csv(what, format!("a_mm,b_mm\n{}", "1,2\n".repeat(100_001))).unwrap_err();
+        assert!(many.contains("there are more than 100000 rows"), "{many}");
+        let large = with_csv(what, "a_mm,b_mm\n".repeat(1_000_001)).unwrap_err();
+        assert!(large.contains("\"a.csv\" cannot be read: it is larger than 10 MB"), "{large}");
+    }
+}
+
+/// A message about a text that fills the screen does not fill the screen.
+#[test]
+fn long_texts_are_quoted_in_part() {
+    let text = QUICKSTART.replace("\"1.0 mm\"", &format!("\"{} mm\"", "9".repeat(50_000)));
+    let shown = message(&text, &[]);
+    assert!(shown.len() < 2_000 && shown.contains("line 13, column 13"), "{shown}");
+}
+
+/// Trust: 1.236 in are 31.3944 mm, and 1.236 × 25.4 is 31.394399999999997 in binary.
+#[test]
+fn numbers_are_said_without_binary_noise() {
+    let shown = message(QUICKSTART, &["tools.punch.flat.nose=1.5 in", "tools.punch.flat.radius=1.236 in"]);
+    assert!(shown.contains("at most 31.3944 mm"), "{shown}");
+}
+
+/// A profile drawn anywhere along z is the standard shape, moved to where it touches the sheet.
+#[test]
+fn a_drawn_punch_equals_the_standard_one() {
+    let drawn = r#"profile = [
+        { from = ["0 mm", "100 mm"] }, { to = ["24 mm", "100 mm"] },
+        { arc_to = ["30 mm", "94 mm"], center = ["24 mm", "94 mm"], turn = "right" }, { to = ["30 mm", "-506 mm"] },
+    ]"#;
+    let text = QUICKSTART.replace(r#"flat = { radius = "30 mm", nose = "6 mm" }"#, drawn);
+    let case = case::parse(&text, "drawn.toml", &[]).unwrap_or_else(|e| panic!("{}", e.render(false)));
+    let standard = load("cases/quickstart.toml", &[]);
+    let (a, b) = (case.model().tool(Role::Punch).unwrap(), standard.model().tool(Role::Punch).unwrap());
+    for i in 0..200 {
+        let x = stampflow::geometry::Point::new(0.2 * f64::from(i), 3.0 - 0.07 * f64::from(i));
+        assert!((a.profile.closest(x).distance - b.profile.closest(x).distance).abs() < 1e-9);
+    }
+    assert!(case.derived.iter().any(|line| line.contains("moved by -100.5")), "{:?}", case.derived);
+}
+
+#[test]
+fn schema_documents_every_table_and_gives_examples() {
+    let schema: serde_json::Value = serde_json::from_str(&case::schema()).unwrap();
+    for table in ["title", "geometry", "blank", "material", "tools", "solver", "output", "compare"] {
+        assert!(schema["properties"][table].is_object(), "{table}");
+    }
+    assert_eq!(schema["$defs"]["Blank"]["properties"]["thickness"]["examples"][0], "0.9 mm");
+    assert_eq!(schema["$defs"]["Blank"]["additionalProperties"], false);
+}
+
+/// Trust: by hand; what a stage does not say is that of the stage before, except that tools which went stand still.
+#[test]
+fn stages_say_what_changes() {
+    let elastic = ["material.young=\"210 GPa\"", "material.poisson=0.3", "blank.layers=25"];
+    let text = format!(
+        r#"{QUICKSTART}
+[[stages]]
+name = "back"
+punch.move = "-30 mm"
+holder = {{ force = "20 N", friction = 0.2 }}
+[[stages]]
+name = "open"
+trim = "40 mm"
+anneal = true
+die = {{ move = "3 mm", aside = "4 mm" }}
+remove = ["holder"]
+edge = "clamped"
+duration = "2 s"
+frames = 2
+[[stages]]
+name = "redraw"
+punch = {{ hemispherical = {{ radius = "20 mm" }}, move = "5 mm" }}
+speed = "10 mm/s"
+edge = "free"
+[[stages]]
+name = "free"
+release = "constant"
+"#
+    );
+    let case = case::parse(&text, "cup.toml", &elastic.map(str::to_owned)[..2])
+        .unwrap_or_else(|e| panic!("{}", e.render(false)));
+    let stages = case.stages;
+    let names: Vec<&str> = stages.iter().map(|stage| stage.name.as_str()).collect();
+    assert_eq!(names, ["forming", "back", "open", "redraw", "free"]);
+    // Spring-back asks for more points through the thickness than the flow law alone.
+    assert_eq!(stages[0].model, *load("cases/quickstart.toml", &elastic).model());
+    let motion = |i: usize, role| stages[i].model.tool(role).map(|tool| tool.motion.clone());
+    let path = |axial, aside| Some(Motion::Path { axial, aside });
+
+    assert_eq!(motion(1, Role::Punch), path(-30.0, 0.0));
+    assert_eq!(motion(1, Role::Die), Some(Motion::Fixed));
+    let Some(Motion::Pressed(press)) = motion(1, Role::Holder) else { panic!("a pressed holder") };
+    assert_eq!([0.0, 3.0, 6.0, 30.0].map(|travel| press.force.at(travel)), [10_000.0, 5010.0, 20.0, 20.0]);
+    assert_eq!(stages[1].model.tool(Role::Holder).unwrap().friction, 0.2.into());
+    assert_eq!((stages[1].model.travel, stages[1].model.duration, stages[1].model.speed), (30.0, 30.0, 1.0));
+
+    let open = &stages[2];
+    assert_eq!((motion(2, Role::Punch), motion(2, Role::Die)), (Some(Motion::Fixed), path(3.0, 4.0)));
+    assert_eq!(motion(2, Role::Holder), None);
+    assert_eq!((open.begin.trim, open.begin.anneal, open.model.blank.edge), (Some(40.0), true, Edge::Clamped));
+    assert_eq!((open.model.travel, open.model.duration, &open.model.frames[..]), (5.0, 2.0, &[1.0, 2.0][..]));
+
+    let redraw = &stages[3];
+    assert_eq!((&redraw.begin.meets[..], redraw.begin.trim, redraw.begin.anneal), (&[Role::Punch][..], None, false));
+    assert_eq!((redraw.model.duration, redraw.model.blank.edge), (0.5, Edge::Free));
+    assert_ne!(redraw.model.tools[0].profile, stages[0].model.tools[0].profile);
+    assert_eq!(redraw.model.tools[0].friction, 0.08.into());
+
+    assert_eq!(stages[4].model.release, Some(Release { stiffness: ReleaseStiffness::Constant }));
+    assert_eq!(stages[4].model.mode, Mode::Elastic);
+    assert!(stages[4].model.tools.iter().all(|tool| tool.motion == Motion::Fixed));
+    assert_eq!((stages[4].model.travel, stages[4].model.duration), (0.0, 1.0));
+    assert!(stages[..4].iter().all(|stage| stage.model.release.is_none() && stage.model.mode == Mode::Flow));
+
+    let elastic = text.replace(
+        "[material.hardening",
+        "[material]\nyoung = \"210 GPa\"\npoisson = 0.3\nmode = \"elasto_viscoplastic\"\n[material.hardening",
+    );
+    let elastic = elastic.replace("name = \"redraw\"", "name = \"redraw\"\nmode = \"elastic\"");
+    let case = case::parse(&elastic, "cup.toml", &[]).unwrap_or_else(|e| panic!("{}", e.render(false)));
+    let modes: Vec<Mode> = case.stages.iter().map(|stage| stage.model.mode).collect();
+    let twin = Mode::ElastoViscoplastic;
+    assert_eq!(modes, [twin, twin, twin, Mode::Elastic, Mode::Elastic]);
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(400))]
+
+    #[test]
+    fn overrides_never_panic(key in "[a-z.]{0,12}|tools.punch.[a-z]{0,8}", value in "\\PC{0,12}") {
+        if let Err(error) = case::parse(QUICKSTART, "case.toml", &[format!("{key}={value}")]) {
+            let _ = error.render(false);
+        }
+    }
+}

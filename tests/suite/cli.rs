@@ -1,0 +1,332 @@
+//! The command line as a user meets it: files, exit codes, and what is left behind.
+
+use crate::common::cli::{CUP, STAGES, folder, stampflow, text};
+use crate::common::files::files;
+use std::fs;
+
+const COMPARE: &str = r#"
+[[compare]]
+reference = "curve.csv"
+x = "travel_mm"
+y = "punch_force_kN"
+quantity = "punch_force"
+tolerance = "5 %"
+reason = "for the test"
+"#;
+
+#[test]
+fn a_run_writes_every_file_and_sums_up() {
+    let dir = folder(CUP);
+    let done = stampflow(dir.path(), &["run", "cases/cup.toml", "--trace", "trace.csv"]);
+    assert_eq!(done.status.code(), Some(0), "{}", text(&done.stderr));
+    for output in stampflow::output::OUTPUTS {
+        let path = dir.path().join("out/cup").join(output.file);
+        if ["pressure_cycle", "porosity", "temperature", "forming_limit", "strain_paths"]
+            .iter()
+            .any(|special| output.file.starts_with(special))
+        {
+            assert!(!path.exists(), "a plain cup has no {}", output.file);
+            continue;
+        }
+        let size = fs::metadata(path).unwrap().len();
+        assert!(size > 200, "{}: {size} bytes", output.file);
+    }
+    let summary = text(&done.stdout);
+    for says in ["Peak punch force", "full travel reached", "declared: all of it", "out/cup"] {
+        assert!(summary.contains(says), "{summary}");
+    }
+    let progress = text(&done.stderr);
+    // One line at least: others come a second apart.
+    assert!(progress.contains("cup: 100 %"), "{progress}");
+    let trace = fs::read_to_string(dir.path().join("trace.csv")).unwrap();
+    assert!(trace.starts_with("step,travel_mm,iteration,velocity_norm") && trace.lines().count() > 50);
+}
+
+/// An end that was asked for is no early stop: exit code 0, every file, and no word of stopping early.
+#[test]
+fn a_contact_share_ends_a_run_as_wished() {
+    let dir = folder(include_str!("../../cases/superplastic_box.toml"));
+    let done = stampflow(dir.path(), &["run", "cases/cup.toml", "--quiet"]);
+    assert_eq!(done.status.code(), Some(0), "{}", text(&done.stderr));
+    assert!(text(&done.stdout).contains("contact share reached"), "{}", text(&done.stdout));
+    for file in ["summary.json", "pressure_cycle.csv", "pressure_cycle.png"] {
+        let size = fs::metadata(dir.path().join("out/cup").join(file)).unwrap().len();
+        assert!(size > 200, "{file}: {size} bytes");
+    }
+    let summary = fs::read_to_string(dir.path().join("out/cup/summary.json")).unwrap();
+    assert!(summary.contains("\"complete\": true"), "{summary}");
+}
+
+#[test]
+fn several_cases_go_to_folders_of_their_own_without_progress_when_quiet() {
+    let dir = folder(CUP);
+    fs::copy(dir.path().join("cases/cup.toml"), dir.path().join("cases/bowl.toml")).unwrap();
+    let done = stampflow(dir.path(), &["run", "cases/cup.toml", "cases/bowl.toml", "--out", "r", "--quiet"]);
+    assert_eq!((done.status.code(), text(&done.stderr)), (Some(0), ""));
+    assert!(dir.path().join("r/cup/shapes.png").exists() && dir.path().join("r/bowl/shapes.png").exists());
+    let summary = text(&done.stdout);
+    assert!(summary.find("in r/cup").unwrap() < summary.find("in r/bowl").unwrap(), "in the order asked for");
+}
+
+#[test]
+fn an_override_reaches_the_run_and_its_summary() {
+    let dir = folder(CUP);
+    let done = stampflow(dir.path(), &["run", "cases/cup.toml", "-q", "--set", "tools.punch.travel=3 mm"]);
+    assert_eq!(done.status.code(), Some(0), "{}", text(&done.stderr));
+    let json = fs::read_to_string(dir.path().join("out/cup/summary.json")).unwrap();
+    assert!(json.contains("\"travel_mm\": 3.0") && json.contains("tools.punch.travel=3 mm"), "{json}");
+}
+
+#[test]
+fn bad_input_ends_with_2_and_writes_nothing() {
+    let dir = folder(CUP);
+    fs::write(dir.path().join("cases/curveless.toml"), format!("{CUP}{COMPARE}")).unwrap();
+    for args in [
+        &["run", "cases/none.toml"][..],
+        &["run", "cases/cup.toml", "--set", "blank.thickness=thin"],
+        &["run", "cases/cup.toml", "--set", "no equals sign"],
+        &["run", "cases/cup.toml", "cases/none.toml"],
+        &["run", "cases/cup.toml", "cases/cup.toml"],
+        &["run", "cases/curveless.toml"],
+        &["run", "cases/cup.toml", "cases/curveless.toml", "--trace", "t.csv"],
+        &["check", "cases/none.toml"],
+        &["validate", "--cases", "none"],
+        &["run"],
+        &["fly"],
+    ] {
+        let done = stampflow(dir.path(), args);
+        assert_eq!(done.status.code(), Some(2), "{args:?}: {}", text(&done.stderr));
+        assert!(!done.stderr.is_empty() && done.stdout.is_empty(), "{args:?}");
+        assert_eq!(files(dir.path(), "").len(), 1, "{args:?} left something behind");
+    }
+}
+
+/// Trust: three iterations do not find equilibrium, and steps may not be made smaller.
+#[test]
+fn an_early_end_is_3_and_keeps_its_results() {
+    let dir = folder(CUP);
+    let args = ["run", "cases/cup.toml", "-q", "--set", "solver.max_iterations=3", "--set", "solver.min_step=0.002"];
+    let done = stampflow(dir.path(), &args);
+    assert_eq!(done.status.code(), Some(3), "{}{}", text(&done.stdout), text(&done.stderr));
+    assert!(text(&done.stdout).contains("no equilibrium"));
+    let json = fs::read_to_string(dir.path().join("out/cup/summary.json")).unwrap();
+    assert!(json.contains("\"complete\": false"));
+}
+
+/// Found before solving: the progress, which the run would show, is not there.
+#[test]
+fn a_place_that_cannot_be_written_to_is_2_before_anything_is_solved() {
+    let dir = folder(&format!("{CUP}{COMPARE}optional = true\n"));
+    fs::write(dir.path().join("taken"), "mine").unwrap();
+    fs::create_dir(dir.path().join("folder")).unwrap();
+    fs::create_dir_all(dir.path().join("half/summary.json")).unwrap();
+    for (args, says) in [
+        (&["run", "cases/cup.toml", "--out", "taken"][..], "cannot write taken/summary.json"),
+        (&["run", "cases/cup.toml", "--out", "taken/deeper"], "--out"),
+        (&["run", "cases/cup.toml", "--out", "half"], "cannot write half/summary.json: is a directory"),
+        (&["run", "cases/cup.toml", "--trace", "folder"], "another place with --trace"),
+        (&["run", "cases/cup.toml", "--trace", "taken/t.csv"], "cannot write taken/t.csv"),
+        (&["validate", "--out", "taken"], "--out"),
+    ] {
+        let done = stampflow(dir.path(), args);
+        assert_eq!(done.status.code(), Some(2), "{args:?}: {}", text(&done.stderr));
+        assert!(text(&done.stderr).contains(says), "{args:?}: {}", text(&done.stderr));
+        assert!(!text(&done.stderr).contains("10 %"), "{args:?} was solved first");
+        assert_eq!(files(dir.path(), "").len(), 4, "{args:?} left something behind");
+    }
+    assert_eq!(fs::read_to_string(dir.path().join("taken")).unwrap(), "mine");
+}
+
+/// Trust: one iteration does not find a first step, and steps may not be made smaller.
+#[test]
+fn a_run_that_never_starts_leaves_tables_and_where_it_would_have_started() {
+    let dir = folder(CUP);
+    stampflow(dir.path(), &["run", "cases/cup.toml", "-q"]);
+    let out = dir.path().join("out/cup");
+    fs::write(out.join("compare_1_punch_force.png"), "of an earlier case").unwrap();
+    fs::write(out.join("mine.txt"), "mine").unwrap();
+    let set = ["--set", "solver.max_iterations=1", "--set", "solver.min_step=0.002"];
+    let done = stampflow(dir.path(), &[&["run", "cases/cup.toml", "-q"], &set[..]].concat());
+    assert_eq!(done.status.code(), Some(3), "{}{}", text(&done.stdout), text(&done.stderr));
+    let names: Vec<_> =
+        files(&out, "").iter().map(|path| path.file_name().unwrap().to_str().unwrap().to_owned()).collect();
+    assert_eq!(names, ["load_travel.csv", "mine.txt", "profile.csv", "shapes.png", "summary.json"]);
+    assert!(text(&done.stdout).contains("4 files"), "{}", text(&done.stdout));
+}
+
+/// One spelling is as good as the other.
+#[test]
+fn out_and_output_are_one_option() {
+    let dir = folder(CUP);
+    let drawing = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/drawings/ezdxf_lines_and_arcs.dxf");
+    for (args, file) in [
+        (&["run", "cases/cup.toml", "-q", "--output", "a"][..], "a/summary.json"),
+        (&["report", "cases/cup.toml", "-q", "--out", "b.html"], "b.html"),
+        (&["new", "cup", "--out", "c.toml"], "c.toml"),
+        (&["import", drawing, "--output", "d.toml"], "d.toml"),
+    ] {
+        let done = stampflow(dir.path(), args);
+        assert_eq!(done.status.code(), Some(0), "{args:?}: {}", text(&done.stderr));
+        assert!(dir.path().join(file).is_file(), "{args:?}");
+    }
+}
+
+#[test]
+fn options_are_offered_where_they_have_a_use() {
+    let dir = folder(CUP);
+    for (verb, threads) in [("run", true), ("validate", true), ("check", false), ("schema", false)] {
+        let help = stampflow(dir.path(), &[verb, "--help"]);
+        assert_eq!(text(&help.stdout).contains("--json"), verb != "schema", "{verb}");
+        assert_eq!(text(&help.stdout).contains("--threads"), threads, "{verb}");
+    }
+    assert_eq!(stampflow(dir.path(), &["run", "cases/cup.toml", "-q", "--threads", "1"]).status.code(), Some(0));
+}
+
+#[test]
+fn validation_away_from_the_project_asks_for_its_cases() {
+    let dir = temp_dir::TempDir::new().unwrap();
+    let done = stampflow(dir.path(), &["validate"]);
+    assert_eq!(done.status.code(), Some(2));
+    assert!(
+        text(&done.stderr).contains("there is no folder cases: give the folder of the case files with --cases DIR")
+    );
+}
+
+/// The computed curve is made the reference, once as it is and once 10 % off.
+#[test]
+fn validation_passes_on_its_own_curve_and_fails_on_another() {
+    let dir = folder(&format!("{CUP}{COMPARE}"));
+    let reference = dir.path().join("reference_data");
+    fs::create_dir(&reference).unwrap();
+    let first = folder(CUP);
+    stampflow(first.path(), &["run", "cases/cup.toml", "-q"]);
+    let table = fs::read_to_string(first.path().join("out/cup/load_travel.csv")).unwrap();
+    for (factor, code, verdict) in [(1.0, 0, " in "), (1.1, 1, " OUT ")] {
+        let mut curve = String::from("travel_mm,punch_force_kN\n");
+        for row in table.lines().skip(20).step_by(20) {
+            let cells: Vec<f64> = row.split(',').take(2).map(|cell| cell.parse().unwrap()).collect();
+            curve += &format!("{},{}\n", cells[0], factor * cells[1] / 1000.0);
+        }
+        fs::write(reference.join("curve.csv"), curve).unwrap();
+        let done = stampflow(dir.path(), &["validate", "-q"]);
+        assert_eq!(done.status.code(), Some(code), "{}{}", text(&done.stdout), text(&done.stderr));
+        assert!(text(&done.stdout).contains(verdict), "{}", text(&done.stdout));
+        assert!(dir.path().join("out/validate/cup/compare_1_punch_force.png").exists());
+    }
+}
+
+#[test]
+fn an_optional_curve_may_be_missing() {
+    let dir = folder(&format!("{CUP}{COMPARE}optional = true\n"));
+    let done = stampflow(dir.path(), &["validate", "-q"]);
+    assert_eq!(done.status.code(), Some(0), "{}", text(&done.stderr));
+    assert!(text(&done.stdout).contains("no data"));
+}
+
+#[test]
+fn schema_and_check_only_print() {
+    let dir = folder(CUP);
+    let schema = stampflow(dir.path(), &["schema"]);
+    assert!(serde_json::from_slice::<serde_json::Value>(&schema.stdout).unwrap().is_object());
+    let check = stampflow(dir.path(), &["check", "cases/cup.toml"]);
+    assert_eq!(check.status.code(), Some(0), "{}", text(&check.stderr));
+    assert!(!check.stdout.is_empty());
+    assert_eq!(files(dir.path(), "").len(), 1);
+}
+
+const APART: &str = r#"
+[[stages]]
+name = "apart"
+die = { move = "3 mm", aside = "4 mm" }
+remove = ["holder"]
+"#;
+
+#[test]
+fn every_stage_has_its_folder_and_its_line() {
+    let dir = folder(&format!("{CUP}{STAGES}{APART}"));
+    let done = stampflow(dir.path(), &["run", "cases/cup.toml"]);
+    assert_eq!(done.status.code(), Some(0), "{}{}", text(&done.stderr), text(&done.stdout));
+    let out = dir.path().join("out/cup");
+    for stage in ["1-draw", "2-retract", "3-apart"] {
+        for file in ["summary.json", "load_travel.csv", "profile.csv", "shapes.png"] {
+            assert!(out.join(stage).join(file).is_file(), "{stage}/{file}");
+        }
+        assert!(text(&done.stderr).contains(&format!("cup/{stage}: 100 %")), "{}", text(&done.stderr));
+    }
+    assert!(!out.join("summary.json").exists());
+    let table = fs::read_to_string(out.join("stages.csv")).unwrap();
+    let lines: Vec<&str> = table.lines().collect();
+    assert_eq!(
+        lines[0],
+        "stage,name,stop,end_time_s,travel_mm,punch_force_N,holder_force_N,thinnest_mm,edge_r_mm,pole_height_mm"
+    );
+    assert_eq!(lines.len(), 4, "{table}");
+    assert!(lines[1].starts_with("1,draw,full travel,5,5,"), "{table}");
+    assert!(lines[2].starts_with("2,retract,full travel,6,6,0,19.99"), "{table}");
+    assert!(lines[3].starts_with("3,apart,full travel,5,5,0,0,"), "{table}");
+    for says in [" 1 draw", " 2 retract", " 3 apart", "cup/2-retract"] {
+        assert!(text(&done.stdout).contains(says), "{says}: {}", text(&done.stdout));
+    }
+    let checked = stampflow(dir.path(), &["check", "cases/cup.toml"]);
+    assert!(text(&checked.stdout).contains("punch goes -6 mm"), "{}", text(&checked.stdout));
+
+    // A case of one stage leaves nothing of several beside it.
+    fs::write(dir.path().join("cases/cup.toml"), CUP).unwrap();
+    assert_eq!(stampflow(dir.path(), &["run", "cases/cup.toml", "--quiet"]).status.code(), Some(0));
+    assert!(out.join("summary.json").is_file() && !out.join("stages.csv").exists());
+}
+
+/// The punch comes up to the die's bottom: what was computed is kept, the rest is said not to have been run.
+#[test]
+fn a_stage_that_stops_early_ends_the_sequence_with_code_three() {
+    let dir = folder(&format!("{CUP}{STAGES}{APART}"));
+    let done = stampflow(dir.path(), &["run", "cases/cup.toml", "--quiet", "--set", "stages.0.punch.move=80 mm"]);
+    assert_eq!(done.status.code(), Some(3), "{}{}", text(&done.stderr), text(&done.stdout));
+    let out = dir.path().join("out/cup");
+    assert!(out.join("2-retract/summary.json").is_file() && !out.join("3-apart").exists());
+    let table = fs::read_to_string(out.join("stages.csv")).unwrap();
+    assert!(table.lines().nth(3).unwrap().starts_with("3,apart,not run,NaN"), "{table}");
+}
+
+/// Neither is read: a pipe that nobody writes into waits for ever, a device never ends. A case, a drawing, and what a case names.
+#[cfg(unix)]
+#[test]
+fn pipes_and_devices_are_refused() {
+    let dir = folder(CUP);
+    let [pipe, device] = ["pipe.csv", "device.csv"].map(|name| dir.path().join(name));
+    assert!(std::process::Command::new("mkfifo").arg(&pipe).status().unwrap().success());
+    std::os::unix::fs::symlink("/dev/zero", &device).unwrap();
+    for file in [pipe.to_str().unwrap(), device.to_str().unwrap()] {
+        let punch = format!("profile = \"{file}\"");
+        let profile = CUP.replace(r#"flat = { radius = "30 mm", nose = "6 mm" }"#, &punch);
+        let heat = format!("{CUP}[heat]\ninitial = \"{file}\"\n");
+        let reference = format!("{CUP}{}", COMPARE.replace("curve.csv", file));
+        for (name, case) in [("profile", profile), ("heat", heat), ("reference", reference)] {
+            fs::write(dir.path().join(format!("cases/{name}.toml")), case).unwrap();
+        }
+        for args in [
+            &["check", file][..],
+            &["import", file, "-o", "none.toml"],
+            &["check", "cases/profile.toml"],
+            &["check", "cases/heat.toml"],
+            &["run", "cases/reference.toml"],
+        ] {
+            let done = stampflow(dir.path(), args);
+            let said = text(&done.stderr).replace("\n  │ ", " ");
+            assert_eq!(done.status.code(), Some(2), "{args:?}: {said}");
+            assert!(said.contains("it is a pipe or a device, not a file"), "{args:?}: {said}");
+        }
+    }
+    assert!(!dir.path().join("none.toml").exists() && !dir.path().join("out").exists());
+}
+
+/// Refused by its length, which is all that is asked of it: the file is 3 GB long and takes no room.
+#[test]
+fn a_drawing_that_is_too_large_is_not_read() {
+    let dir = folder(CUP);
+    fs::File::create(dir.path().join("die.dxf")).unwrap().set_len(3_000_000_000).unwrap();
+    let done = stampflow(dir.path(), &["import", "die.dxf"]);
+    let said = text(&done.stderr);
+    assert_eq!(done.status.code(), Some(2), "{said}");
+    assert!(said.contains("die.dxf cannot be read: it is larger than 50 MB; save the tools' layers only"), "{said}");
+}

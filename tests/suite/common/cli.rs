@@ -1,0 +1,48 @@
+//! The program as a user calls it, and a small case for it.
+
+use std::fs;
+use std::path::Path;
+use std::process::{Command, Output};
+
+pub const CUP: &str = r#"
+title = "Cup"
+geometry = "axisymmetric"
+notes = ["declared: all of it"]
+[blank]
+radius = "55 mm"
+thickness = "1 mm"
+elements = 30
+[material.hardening]
+swift = { k = "520 MPa", n = 0.22, offset = 0.005 }
+[tools]
+punch = { flat = { radius = "30 mm", nose = "6 mm" }, friction = 0.08, travel = "5 mm" }
+die = { throat = "31.25 mm", shoulder = "6 mm", friction = 0.08 }
+holder = { inner_radius = "38 mm", force = "10 kN" }
+"#;
+
+pub const STAGES: &str = r#"
+[stage]
+name = "draw"
+[[stages]]
+name = "retract"
+punch.move = "-6 mm"
+holder.force = "20 N"
+frames = 2
+"#;
+
+/// Calls the program in a folder.
+pub fn stampflow(dir: &Path, args: &[&str]) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_stampflow")).args(args).current_dir(dir).output().unwrap()
+}
+
+pub fn text(bytes: &[u8]) -> &str {
+    std::str::from_utf8(bytes).unwrap()
+}
+
+/// A folder with a case in `cases/cup.toml`.
+pub fn folder(case: &str) -> temp_dir::TempDir {
+    let dir = temp_dir::TempDir::new().unwrap();
+    fs::create_dir(dir.path().join("cases")).unwrap();
+    fs::write(dir.path().join("cases/cup.toml"), case).unwrap();
+    dir
+}

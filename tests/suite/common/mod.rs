@@ -1,0 +1,11 @@
+//! What several files of tests use.
+
+pub mod cli;
+pub mod convergence;
+pub mod drawn;
+pub mod files;
+pub mod pixels;
+#[allow(dead_code, reason = "the benchmark of the campaign also prints the process")]
+pub mod random_die;
+pub mod shipped;
+pub mod simple;

@@ -1,0 +1,42 @@
+//! The shipped cases as models, and whole runs of them.
+
+use stampflow::model::Model;
+use stampflow::solution::{StageSolution, StepRecord};
+use stampflow::{case, solver};
+
+/// Every shipped case that a punch drives.
+pub const DRAWN: [&str; 9] = [
+    "quickstart",
+    "woo_hemispherical",
+    "chalmers_cup",
+    "osu_stretch",
+    "osu_stretch_friction",
+    "stretch_thin",
+    "strip_draw",
+    "brite_cylindrical",
+    "hydroform",
+];
+
+/// A case of `cases/`, with overrides such as `tools.punch.friction=0.1`.
+pub fn shipped(name: &str, overrides: &[&str]) -> Model {
+    let path = format!("{}/cases/{name}.toml", env!("CARGO_MANIFEST_DIR"));
+    let overrides: Vec<String> = overrides.iter().map(|o| (*o).to_owned()).collect();
+    case::load(&path, &overrides).unwrap_or_else(|e| panic!("{e}")).model().clone()
+}
+
+/// Runs a model that has to reach its full travel.
+pub fn solve(model: &Model) -> StageSolution {
+    let run = solver::run(model, &mut ());
+    assert!(run.stop.is_complete(), "{}: {}", model.title, run.stop);
+    run
+}
+
+/// Largest punch force [N, or N/mm].
+pub fn peak(run: &StageSolution) -> f64 {
+    run.steps.iter().map(|r| r.punch_force).fold(0.0, f64::max)
+}
+
+/// The last step.
+pub fn last(run: &StageSolution) -> &StepRecord {
+    run.steps.last().expect("steps")
+}

@@ -1,0 +1,38 @@
+//! All tests of the program but the unit tests beside its parts, in one program so that the library is linked once.
+//!
+//! `cargo test --test suite outputs::` runs one file of it, `cargo test --test suite verify_` all comparisons with closed forms
+//! and experiments. The tests share a process: none changes its folder, its environment or its panic hook, and each
+//! writes into a temporary folder of its own.
+
+mod common;
+
+mod architecture;
+mod bad_cases;
+mod campaign;
+mod case_files;
+mod cli;
+mod drawings;
+mod film;
+mod materials;
+mod measures;
+mod mutations;
+mod outputs;
+mod package;
+mod profiles;
+mod report;
+mod scripts;
+mod templates;
+mod validation;
+mod verdict;
+mod verify_bulge;
+mod verify_closed_forms;
+mod verify_forming_limit;
+mod verify_heat_and_voids;
+mod verify_loads;
+mod verify_motion;
+mod verify_necking;
+mod verify_selective;
+mod verify_solver;
+mod verify_stages;
+mod verify_twin;
+mod vtu;

@@ -1,0 +1,472 @@
+//! What is made from a run: tables, files and plots, over the whole list of outputs.
+
+use crate::common::{drawn, pixels::pixels};
+use stampflow::assess;
+use stampflow::author::templates::find;
+use stampflow::case::{Solution, parse};
+use stampflow::compare::{
+    Against, BandQuantity, BandSpec, Comparison, Computed, CurveSpec, Data, Found, Quantity, Source, Spec, compare,
+};
+use stampflow::measure::{Shape, changes};
+use stampflow::model::{Geometry, Model, Role};
+use stampflow::output::{
+    FrameRecorder, Make, OUTPUTS, Summary, load_travel, png, profile, remove_stale, write_comparisons,
+};
+use stampflow::report::{Report, markdown};
+use stampflow::solution::StageSolution;
+use stampflow::table::{Csv, Table};
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::time::Duration;
+
+fn headers(table: &Table) -> String {
+    table.columns.iter().map(|c| c.header()).collect::<Vec<_>>().join(",")
+}
+
+#[test]
+fn load_travel_begins_with_travel_and_forces() {
+    for (geometry, begins) in [
+        (Geometry::Axisymmetric, "travel_mm,punch_force_N,holder_force_N,edge_force_N,draw_in_mm,thinnest_mm"),
+        (Geometry::PlaneStrain, "travel_mm,punch_force_N_per_mm,holder_force_N_per_mm,edge_force_N_per_mm"),
+    ] {
+        let model = drawn::model(geometry);
+        let run = drawn::run(&model);
+        let table = load_travel::table(&run);
+        assert!(headers(&table).starts_with(begins), "{}", headers(&table));
+        assert_eq!(table.rows(), run.steps.len());
+        assert_eq!(table.column("punch_force").values[41], run.steps[41].punch_force);
+    }
+}
+
+#[test]
+fn profile_has_one_row_per_frame_and_element_from_the_axis_outward() {
+    let model = drawn::model(Geometry::Axisymmetric);
+    let run = drawn::run(&model);
+    let table = profile::table(&model, &run.frames);
+    assert!(headers(&table).starts_with(
+        "travel_mm,s0_mm,r_mm,z_mm,thickness_mm,strain_meridional,strain_hoop,strain_thickness,strain_equivalent,\
+         stress_meridional_MPa,stress_hoop_MPa"
+    ));
+    let n = model.blank.elements;
+    assert_eq!(table.rows(), run.frames.len() * n);
+    let element = run.frames[2].elements[3];
+    assert_eq!(table.column("travel").values[2 * n + 3], run.frames[2].travel);
+    assert_eq!(table.column("thickness").values[2 * n + 3], element.thickness);
+    assert_eq!(profile::table(&model, &run.frames[4..]).column("travel").values, vec![50.0; n]);
+    assert_eq!(profile::table(&model, &[]).rows(), 0);
+}
+
+/// Trust: over the whole list. Both texts end in a unit, and it must be the same one.
+#[test]
+fn every_table_names_its_units_alike_in_header_and_axis() {
+    for geometry in [Geometry::Axisymmetric, Geometry::PlaneStrain] {
+        let model = drawn::blown(geometry);
+        let run = drawn::run(&model);
+        for output in OUTPUTS {
+            let Make::Table(make) = output.make else { continue };
+            let Some(table) = make(&drawn::view(&run)) else { continue };
+            for column in &table.columns {
+                let axis = column.axis();
+                let symbol = axis.text().rsplit_once(" [").unwrap().1.trim_end_matches(']');
+                assert_eq!(axis.text(), format!("{} [{symbol}]", column.label));
+                let spelled = symbol.replace('/', "_per_").replace('°', ""); // 1/s: 1_per_s, °C: C
+                let header = if symbol == "–" { column.key.to_owned() } else { format!("{}_{spelled}", column.key) };
+                assert_eq!(column.header(), header, "{}", output.file);
+            }
+        }
+    }
+}
+
+#[test]
+fn all_files_are_written_and_nothing_else() {
+    let model = drawn::blown(Geometry::Axisymmetric);
+    let run = drawn::run(&model);
+    let plain = StageSolution { model: drawn::model(Geometry::Axisymmetric), ..run.clone() };
+    let none = OUTPUTS.iter().filter(|output| output.bytes(&drawn::view(&plain)).is_none());
+    let none: Vec<&str> = none.map(|output| output.file).collect();
+    let special = [
+        "springback.csv",
+        "springback.png",
+        "residual_stress.csv",
+        "residual_stress.png",
+        "pressure_cycle.csv",
+        "pressure_cycle.png",
+        "porosity.png",
+        "temperature.png",
+        "forming_limit.csv",
+        "strain_paths.csv",
+        "forming_limit.png",
+        "section.pvd",
+        "revolved.pvd",
+        "tools.pvd",
+        "shapes.gif",
+        "compare_*.png, csv",
+        "stages.csv",
+    ];
+    assert_eq!(
+        none, special,
+        "no release, no spring-back; no gas, no cycle; no voids, no heat and no forming limit, no plots of them; and what \
+         is not of one stage and its kept frames"
+    );
+    let dir = temp_dir::TempDir::new().unwrap();
+    let mut written = solution(run).write(dir.path().join("cup")).unwrap();
+    let mut found: Vec<_> = std::fs::read_dir(dir.path().join("cup")).unwrap().map(|e| e.unwrap().path()).collect();
+    found.sort();
+    written.sort();
+    assert_eq!(found, written);
+    assert_eq!(found.len(), OUTPUTS.len() - 10, "all but those of a release, of several frames and of a whole case");
+}
+
+/// The drawn run as that of a case.
+fn solution(run: StageSolution) -> Solution {
+    let mut case = parse(&find("cup").unwrap().fill(&[]).unwrap(), "cup.toml", &[]).unwrap();
+    case.stages[0].model = run.model.clone();
+    Solution { case, stages: vec![run], wall: Some(Duration::from_millis(312)) }
+}
+
+#[test]
+fn the_summary_says_the_same_in_print_and_in_json() {
+    let model = drawn::model(Geometry::Axisymmetric);
+    let run = drawn::run(&model);
+    let summary = Summary::of(&drawn::view(&run));
+    let printed = summary.to_string();
+    let json = serde_json::to_value(&summary).unwrap();
+    let peak = run.steps.iter().map(|s| s.punch_force).fold(0.0, f64::max);
+    assert!((json["peak_punch_force_N"].as_f64().unwrap() - peak).abs() < 1e-6 * peak);
+    assert!(printed.contains(&format!("{peak:.0} N")), "{printed}");
+    assert_eq!(json["complete"], true);
+    assert_eq!(json["steps"], 100);
+    assert_eq!(json["case_sha256"].as_str().unwrap().len(), 64);
+    let warnings = assess::warnings(&run);
+    assert_eq!(warnings.len(), 1, "a tool that penetrates: {warnings:?}");
+    for line in model.notes.iter().chain(&warnings) {
+        assert!(printed.contains(line));
+        assert!(json["notes"].to_string().contains(&line[..20]) || json["warnings"].to_string().contains(&line[..20]));
+    }
+}
+
+/// What never started has tables, a summary, and one plot: tools and sheet where they would have begun.
+#[test]
+fn a_run_without_a_step_draws_no_empty_axes() {
+    let model = drawn::blown(Geometry::PlaneStrain);
+    let mut run = drawn::run(&model);
+    run.steps.clear();
+    run.frames.clear();
+    let subject = drawn::view(&run);
+    for output in OUTPUTS {
+        let made = output.bytes(&subject);
+        let expected = ["summary.json", "load_travel.csv", "profile.csv", "forming_limit.csv", "shapes.png"];
+        assert_eq!(made.is_some(), expected.contains(&output.file), "{}", output.file);
+        assert!(made.is_none_or(|bytes| !bytes.is_empty()), "{}", output.file);
+    }
+}
+
+#[test]
+fn stale_files_of_ours_go_and_a_users_stay() {
+    let dir = temp_dir::TempDir::new().unwrap();
+    let names = ["compare_2_punch_force.png", "compare_1_travel.csv", "strains.png", "summary.json"];
+    let mine = ["compare_mine.png", "compare_1_force.csv", "notes.txt", "load_travel.csv.bak"];
+    for name in names.iter().chain(&mine) {
+        fs::write(dir.path().join(name), "old").unwrap();
+    }
+    remove_stale(dir.path(), &[dir.path().join("summary.json")]).unwrap();
+    let mut left: Vec<_> =
+        fs::read_dir(dir.path()).unwrap().map(|e| e.unwrap().file_name().into_string().unwrap()).collect();
+    left.sort();
+    let mut expected = [&["summary.json"], &mine[..]].concat();
+    expected.sort_unstable();
+    assert_eq!(left, expected);
+}
+
+/// A cup that is drawn until its rim has left the holder.
+fn cup_without_flange() -> (Model, StageSolution) {
+    let text = find("cup").unwrap().fill(&[("height", "35 mm"), ("punch-radius", "40 mm"), ("trim", "8 %")]).unwrap();
+    let model = parse(&text, "cup.toml", &[]).unwrap().model().clone();
+    let run = stampflow::run(&model, &mut ());
+    (model, run)
+}
+
+/// Trust: what touches nothing has no reason to move, and what last lay between holder and die had the sheet's thickness.
+#[test]
+fn a_holder_that_the_sheet_has_left_stays_where_it_last_touched() {
+    let (model, run) = cup_without_flange();
+    let lost = run.steps.iter().position(|step| step.holder_force == 0.0).expect("the rim leaves the holder");
+    let (before, after) = run.steps.split_at(lost);
+    let stands = before[lost - 1].holder_move;
+    assert!(stands < 0.0 && after.len() > 5, "{stands} mm, {} steps", after.len());
+    for step in after {
+        assert_eq!(step.holder_move, stands, "at {} mm of travel", step.travel);
+    }
+    let holder = model.tools.iter().position(|tool| tool.role == Role::Holder).unwrap();
+    let last = run.frames.last().unwrap();
+    assert_eq!(last.tool_displacement[holder].y, stands);
+    // Half a thickness of the blank from z = 0, each: the faces of holder and die.
+    let (room, rim) = (model.blank.thickness - stands, last.elements.last().unwrap().thickness);
+    assert!(room > rim, "{room} mm of room for a rim of {rim} mm");
+    let column = load_travel::table(&run).column("holder_move").values.clone();
+    assert_eq!(column[lost..], vec![stands; after.len()]);
+    let warnings = assess::warnings(&run);
+    assert!(warnings.iter().any(|w| w.contains("the sheet left the holder at 30.8")), "{warnings:?}");
+}
+
+/// Trust: the template's own height, to the 3 % that its test asks for; energies are the run's in N mm, a thousandth of
+/// which is a joule.
+#[test]
+fn the_summary_says_what_the_part_came_out_as() {
+    let (_, run) = cup_without_flange();
+    let summary = Summary::of(&drawn::view(&run));
+    let json = serde_json::to_value(&summary).unwrap();
+    let of = |key: &str| json[key].as_f64().unwrap_or_else(|| panic!("{key} in {json}"));
+    assert!((of("part_height_mm") / 35.0 - 1.0).abs() < 0.03, "{json}");
+    assert!(of("wall_angle_deg").abs() < 2.0, "the wall of a cup is upright: {json}");
+    let last = run.frames.last().unwrap();
+    let thickest = last.elements.iter().map(|element| element.thickness).fold(0.0, f64::max);
+    assert!((of("thickest_mm") - thickest).abs() < 1e-8 && of("thickest_s0_mm") > 60.0, "the rim is thickest: {json}");
+    let work = run.steps.last().unwrap().work.external;
+    assert!((of("work_external_J") - 1e-3 * work).abs() < 1e-8 * work);
+    assert_eq!(load_travel::table(&run).column("work_external").header(), "work_external_J");
+    let printed = summary.to_string();
+    assert!(printed.contains(" J\n") && !printed.contains("mJ"), "{printed}");
+}
+
+/// Every stage of a case.
+fn stages(text: &str) -> Solution {
+    parse(text, "case.toml", &[]).unwrap().solve(&mut ())
+}
+
+fn v_bend() -> Solution {
+    stages(&find("v-bend").unwrap().fill(&[]).unwrap())
+}
+
+/// Trust: what is measured on the last frames of both stages; the sheet of a release is that of the stage before.
+#[test]
+fn the_summary_of_a_release_has_its_spring_back_and_no_round_off() {
+    let solution = v_bend();
+    let passes = &solution.stages;
+    let ends = [&passes[0], &passes[1]].map(|pass| Shape::of(pass.frames.last().unwrap()));
+    let summary = Summary::of(&drawn::view(&passes[1]));
+    let printed = summary.to_string();
+    let json = serde_json::to_value(&summary).unwrap();
+    let listed = json["springback"].as_array().unwrap();
+    let expected = changes(&ends[0], &ends[1]);
+    assert_eq!(listed.len(), expected.len());
+    for (found, change) in listed.iter().zip(expected) {
+        assert_eq!(
+            (&found["key"], &found["unit"]),
+            (&change.quantity.key.into(), &change.quantity.unit.spelled().into())
+        );
+        assert!((found["after"].as_f64().unwrap() - change.after.unwrap()).abs() < 1e-6);
+        assert!(printed.contains(change.quantity.label), "{printed}");
+    }
+    let angle = ends[1].opening_angle().unwrap();
+    assert!(printed.contains(&format!("→ {angle:.2}° (+")), "{printed}");
+    assert!(printed.contains("full time reached") && !printed.contains("Largest holder force"), "{printed}");
+    // Nothing yields as the bend opens; what the sums leave of its plastic work is 1e-14 of the others.
+    assert_eq!(json["work_plastic_J_per_mm"], 0.0, "{printed}");
+    assert!(json["work_elastic_J_per_mm"].as_f64().unwrap() < 0.0);
+    assert!(Summary::of(&drawn::view(&passes[0])).to_string().contains("full travel reached"));
+    let report = solution.summary().lines;
+    let lines: Vec<&str> = report.lines().collect();
+    assert!(lines[0].contains("full travel reached: ") && lines[1].contains("full time reached: "), "{report}");
+}
+
+/// Trust: a bend without tension leaves the sheet as thick as it was, a stretched hat's wall is a hundredth thinner.
+#[test]
+fn a_release_has_no_plot_of_what_is_level() {
+    let names = ["thickness.png", "strains.png"];
+    let hat = stages(include_str!("../../cases/hat_springback.toml")).stages;
+    for (passes, shown) in [(v_bend().stages, false), (hat, true)] {
+        for output in OUTPUTS.iter().filter(|output| names.contains(&output.file)) {
+            let [formed, released] = [0, 1].map(|i| output.bytes(&drawn::view(&passes[i])));
+            assert!(formed.is_some(), "{}", output.file);
+            assert_eq!(released.is_some(), shown, "{} of {}", output.file, passes[1].model.title);
+        }
+    }
+}
+
+/// Trust: a line that belongs to another is printed below it, in the summary and in each part of it that a report shows.
+#[test]
+fn no_line_of_the_summary_is_an_orphan() {
+    let parents = [
+        ("peak_punch_force", &["peak_travel"][..]),
+        ("thinnest", &["thinnest_over_initial", "thinnest_s0"]),
+        ("thickest", &["thickest_over_initial", "thickest_s0"]),
+        ("work_external", &["work_plastic", "work_elastic", "work_friction", "work_contact"]),
+        ("peak_holder_force", &["rim_share", "holder_lift"]),
+        ("steps", &["steps_from_predictor", "steps_from_secant", "steps_from_softened"]),
+        ("rejected", &["steps_halved", "steps_overstrained"]),
+    ];
+    let solution = stages(include_str!("../../cases/hat_springback.toml"));
+    for pass in &solution.stages {
+        let mut parent = "";
+        for figure in Summary::of(&drawn::view(pass)).figures() {
+            if figure.label.starts_with(' ') {
+                let own = parents.iter().find(|entry| entry.0 == parent).map_or(&[][..], |entry| entry.1);
+                assert!(own.contains(&figure.key), "{} below {parent}", figure.key);
+            } else {
+                parent = figure.key;
+            }
+        }
+    }
+    let report = Report::of(&solution);
+    let (page, _) = markdown(&report.document(), "figures");
+    let mut lines = page.lines().peekable();
+    while let Some(line) = lines.next() {
+        if line.starts_with("|--") || line.starts_with("| --") {
+            let first = lines.peek().copied().unwrap_or_default();
+            assert!(!first.contains('\u{2003}'), "{first}");
+        }
+    }
+    assert!(page.contains('\u{2003}'));
+}
+
+/// Trust: over every text of every table, plot and the summary.
+#[test]
+fn plane_strain_has_no_axis_hoops_or_rings() {
+    let model = drawn::blown(Geometry::PlaneStrain);
+    let run = drawn::run(&model);
+    let subject = drawn::view(&run);
+    let mut texts = vec![Summary::of(&subject).to_string()];
+    for output in OUTPUTS {
+        match output.make {
+            Make::Table(make) => {
+                texts.extend(make(&subject).iter().flat_map(|table| &table.columns).map(|c| c.label.to_owned()))
+            }
+            Make::Plot(make) => {
+                let Some(chart) = make(&subject) else { continue };
+                texts.extend(chart.panels.iter().flat_map(|p| [p.x.text().to_owned(), p.y.text().to_owned()]));
+                texts.extend(chart.panels.iter().flat_map(|p| &p.series).filter_map(|s| s.label.clone()));
+                texts.extend(chart.notes);
+            }
+            Make::Text(_) | Make::Moving(..) | Make::OfCase(_) => {}
+        }
+    }
+    for text in texts.iter().flat_map(|text| text.lines()) {
+        let words: Vec<String> = text.split(|c: char| !c.is_alphabetic()).map(str::to_lowercase).collect();
+        assert!(!["axis", "hoop", "ring", "meridional"].iter().any(|w| words.iter().any(|word| word == w)), "{text}");
+    }
+}
+
+/// A drawn reference beside the sample run.
+fn comparison(run: &StageSolution) -> Comparison {
+    let rows: String = (1..=9).map(|i| format!("{},{}\n", 5 * i, 9.8 * f64::from(i).powf(0.98))).collect();
+    let csv = format!("travel_mm,punch_force_kN\n{rows}");
+    let source =
+        "citation = \"A. Uthor, Drawing of cups, J. Tests 1 (1990) 1\"\nkind = \"experiment\"\ngrade = \"B\"\n";
+    let source = Source::of("cup.csv", &format!("[\"cup.csv\"]\n{source}")).unwrap();
+    let curve = CurveSpec {
+        quantity: Quantity::PunchForce,
+        x: "travel_mm".to_owned(),
+        y: "punch_force_kN".to_owned(),
+        range: None,
+        tolerance: 0.05,
+    };
+    let reason = "reading error of the graph, 3 %, and friction known to one digit";
+    compared(("cup.csv", &csv, source), Against::Curve(curve), reason, run)
+}
+
+/// Measured thicknesses without places beside the sample run.
+fn band(run: &StageSolution) -> Comparison {
+    let csv = "thickness_mm,error_mm\n0.84,0.01\n1.0,0.01\n1.12,0.01\n";
+    let spec = BandSpec {
+        quantity: BandQuantity::Thickness,
+        columns: vec!["thickness_mm".to_owned()],
+        error: Some("error_mm".to_owned()),
+    };
+    compared(("cup_thickness.csv", csv, None), Against::Band(spec), "the edge was not measured", run)
+}
+
+/// A comparison with a file of that name, text and source.
+fn compared(
+    (file, csv, source): (&str, &str, Option<Source>),
+    against: Against,
+    reason: &str,
+    run: &StageSolution,
+) -> Comparison {
+    let (reference, data) = (PathBuf::from(file), Data { csv: Csv::read(csv, file, "").unwrap(), source });
+    let reason = reason.to_owned();
+    let spec = Spec { reference, data: Some(data), against, reason, optional: false, demonstration: false };
+    compare(&spec, &Computed::of(run)).unwrap()
+}
+
+#[test]
+fn a_comparison_is_written_as_a_plot_and_its_numbers() {
+    let model = drawn::model(Geometry::Axisymmetric);
+    let run = drawn::run(&model);
+    let dir = temp_dir::TempDir::new().unwrap();
+    let mut comparison = comparison(&run);
+    let out = dir.path().join("out");
+    let solution = solution(run);
+    let written = write_comparisons(&solution, std::slice::from_ref(&comparison), &out).unwrap();
+    assert_eq!(written, [out.join("compare_1_punch_force.csv"), out.join("compare_1_punch_force.png")]);
+    assert!(
+        fs::read_to_string(&written[0]).unwrap().starts_with("travel_mm,reference_N,computed_N,difference_percent")
+    );
+    comparison.found = Found::NoData;
+    assert!(write_comparisons(&solution, &[comparison], &out).unwrap().is_empty());
+}
+
+/// Trust: the sample's flange thickens beyond the 1.12 mm that were measured, so the plot has to show it outside; the
+/// two tints of the band cover more than a text's worth of pixels.
+#[test]
+fn a_band_is_drawn_with_its_error_and_written_in_numbers() {
+    let model = drawn::model(Geometry::Axisymmetric);
+    let run = drawn::run(&model);
+    let dir = temp_dir::TempDir::new().unwrap();
+    let band = band(&run);
+    let largest = run.frames.last().unwrap().elements.iter().map(|e| e.thickness).fold(0.0, f64::max);
+    let written = write_comparisons(&solution(run), &[band], dir.path()).unwrap();
+    assert_eq!(written[1], dir.path().join("compare_1_thickness.png"));
+    let numbers = fs::read_to_string(&written[0]).unwrap();
+    let (header, row) = numbers.trim().split_once('\n').unwrap();
+    assert_eq!(
+        header,
+        "measured_low_mm,measured_high_mm,accepted_low_mm,accepted_high_mm,computed_low_mm,computed_high_mm,outside_mm,\
+         difference_percent"
+    );
+    let outside: f64 = row.split(',').nth(6).unwrap().parse().unwrap();
+    assert!(outside > 0.0 && (outside - (largest - 1.13)).abs() < 1e-8, "{numbers}");
+    let pixels = pixels(&fs::read(&written[1]).unwrap());
+    let of = |rgb: [u8; 3]| pixels.rgb.iter().filter(|p| **p == rgb).count();
+    assert!(of([238, 174, 132]) > 50_000 && of([249, 224, 206]) > 5_000);
+}
+
+/// Trust: no system font is loaded by the renderer; title, ticks and legend lie in parts of the picture where
+/// nothing else is drawn, and more than text of one letter must be dark there.
+#[test]
+fn every_plot_has_a_title_and_curves_without_system_fonts() {
+    let model = drawn::blown(Geometry::Axisymmetric);
+    let run = drawn::run(&model);
+    for output in OUTPUTS {
+        let Make::Plot(make) = output.make else { continue };
+        let Some(chart) = make(&drawn::view(&run)) else { continue };
+        let pixels = pixels(&png(&chart));
+        assert_eq!(pixels.width, 1600);
+        let row = |y: usize| &pixels.rgb[y * 1600..(y + 1) * 1600];
+        let title = (20..75).flat_map(row).filter(|p| p[0] < 100).count();
+        assert!(title > 1000, "{}: {title} dark pixels in the title", output.file);
+        let vivid = pixels.rgb.iter().filter(|p| p[2] > 150 && p[0] < 20).count();
+        assert!(vivid > 1000, "{}: {vivid} pixels in the first curve's blue", output.file);
+    }
+}
+
+/// XML cannot hold control characters, and a title can: they are left out of pictures, the rest is drawn.
+#[test]
+fn a_title_may_hold_any_character() {
+    let mut model = drawn::blown(Geometry::Axisymmetric);
+    model.title = "Cup \u{0}\u{7}\u{1b}[1m\u{fffe} <&\"> \u{202e}".to_owned();
+    let run = drawn::run(&model);
+    let made = OUTPUTS.iter().filter(|output| output.bytes(&drawn::view(&run)).is_some());
+    assert_eq!(made.count(), OUTPUTS.len() - 10, "all but those of a release, of several frames and of a whole case");
+}
+
+/// For looking: `cargo test --test suite outputs:: -- --ignored` writes every file to target/sample.
+#[test]
+#[ignore = "writes target/sample"]
+fn sample_for_looking() {
+    let model = drawn::model(Geometry::Axisymmetric);
+    let run = drawn::run(&model);
+    let dir = Path::new("target/sample");
+    let comparisons = [comparison(&run), band(&run)];
+    solution(run).write_with(&comparisons, &FrameRecorder::default(), dir).unwrap();
+}

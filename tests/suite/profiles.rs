@@ -1,0 +1,249 @@
+//! Tools of one's own: read from points, offset from another tool, mirrored; from the case file to the run.
+
+use proptest::prelude::*;
+use stampflow::assess::check;
+use stampflow::case::{self, Case};
+use stampflow::geometry::{Point, Profile};
+use stampflow::model::{Model, Role};
+use stampflow::solver;
+use std::fmt::Write;
+use std::path::Path;
+
+const BLANK: &str = r#"title = "Cup"
+geometry = "axisymmetric"
+[blank]
+radius = "55 mm"
+thickness = "1 mm"
+elements = 40
+[material.hardening]
+swift = { k = "520 MPa", n = 0.22, offset = 0.005 }
+"#;
+
+const FLAT: &str = r#"flat = { radius = "30 mm", nose = "6 mm" }"#;
+const DIE: &str = r#"throat = "31.25 mm", shoulder = "6 mm""#;
+const HOLDER: &str = r#"holder = { inner_radius = "32 mm", force = "10 kN" }"#;
+
+fn text(punch: &str, die: &str, holder: &str, travel: &str) -> String {
+    format!(
+        "{BLANK}[tools]\npunch = {{ {punch}, friction = 0.08, travel = \"{travel}\" }}\ndie = {{ {die}, friction = 0.08 }}\n{holder}\n"
+    )
+}
+
+/// Reads a case that stands in `folder`.
+fn read_in(folder: &Path, text: &str) -> Case {
+    let name = folder.join("case.toml");
+    case::parse(text, &name.to_string_lossy(), &[]).unwrap_or_else(|e| panic!("{}", e.render(false)))
+}
+
+fn read(text: &str) -> Case {
+    read_in(Path::new("tests/profiles"), text)
+}
+
+/// Reads a case whose punch is the CSV file `points`.
+fn with_punch(points: &str, section: &str) -> Case {
+    let folder = temp_dir::TempDir::new().unwrap();
+    std::fs::write(folder.path().join("punch.csv"), points).unwrap();
+    read_in(folder.path(), &text(&format!("profile = {section}"), DIE, HOLDER, "25 mm"))
+}
+
+fn profile(model: &Model, role: Role) -> &Profile {
+    &model.tool(role).unwrap().profile
+}
+
+/// Largest difference of the distances to two profiles around the punch's nose [mm].
+fn difference(a: &Profile, b: &Profile) -> f64 {
+    let points = (0..400).map(|i| Point::new(0.1 * f64::from(i), 3.0 - 0.04 * f64::from(i)));
+    points.map(|x| (a.closest(x).distance - b.closest(x).distance).abs()).fold(0.0, f64::max)
+}
+
+fn run(model: &Model) -> stampflow::solution::StageSolution {
+    let run = solver::run(model, &mut ());
+    assert!(run.stop.is_complete(), "{}", run.stop);
+    run
+}
+
+/// The quickstart's punch as points: chords of 3° around the nose, in a unit.
+fn chords(unit: &str, mm: f64) -> String {
+    let mut csv = format!("r_{unit},z_{unit}\n0,0\n");
+    for i in 0..=30 {
+        let angle = (3.0 * f64::from(i)).to_radians();
+        writeln!(csv, "{:.9},{:.9}", (24.0 + 6.0 * angle.sin()) / mm, (-6.0 + 6.0 * angle.cos()) / mm).unwrap();
+    }
+    writeln!(csv, "{:.9},{:.9}", 30.0 / mm, -200.0 / mm).unwrap();
+    csv
+}
+
+/// Trust: the standard shape. Tangent arcs through points of an arc are that arc (1e-5 mm: points rounded to 1e-9 in).
+#[test]
+fn chords_of_a_punch_are_the_punch() {
+    let standard = Profile::flat_punch(30.0, 6.0, 1.0);
+    for (unit, mm) in [("mm", 1.0), ("in", 25.4)] {
+        let case = with_punch(&chords(unit, mm), "\"punch.csv\"");
+        assert!(difference(profile(case.model(), Role::Punch), &standard) < 1e-5, "{unit}");
+        assert!(case.derived.iter().any(|line| line.contains("punch.csv: 33 points")), "{:?}", case.derived);
+        assert!(case.derived.iter().any(|line| line.contains("rounded off by tangent arcs")), "{:?}", case.derived);
+        let check = check::report(&case);
+        assert!(check.warnings.iter().all(|w| w.contains("elements per 90°")), "{:?}", check.warnings);
+        assert!(check.to_string().contains("30 mm radius to the wall, R 6 (6.0 t), friction"), "{check}");
+    }
+}
+
+/// Trust: the standard shape, from three points with a fillet; spreadsheets add a mark, CR LF and repeated points.
+#[test]
+fn a_fillet_makes_the_standard_punch_of_three_points() {
+    let standard = Profile::flat_punch(30.0, 6.0, 1.0);
+    let plain = "r_mm,z_mm\n0,0\n30,0\n30,-200\n";
+    let marked = "\u{feff}r_mm,z_mm\r\n0,0\r\n30,0\r\n30,0\r\n30,-200\r\n";
+    let column = "# a punch\nz_mm, r_mm, radius_mm\n0,0,\n0,30,6\n-200,30,\n";
+    let file = r#"{ file = "punch.csv", fillet = "6 mm" }"#;
+    for (points, section) in [(plain, file), (marked, file), (column, "\"punch.csv\"")] {
+        let case = with_punch(points, section);
+        assert!(difference(profile(case.model(), Role::Punch), &standard) < 1e-9, "{points}");
+        assert!(!case.derived.iter().any(|line| line.contains("rounded off")), "{:?}", case.derived);
+        let repeated = "line 4 of punch.csv repeats the point of line 3 and is left out";
+        assert_eq!(case.derived.iter().any(|line| line == repeated), points == marked, "{:?}", case.derived);
+    }
+}
+
+#[test]
+fn plane_strain_sections_may_call_their_radius_x() {
+    let folder = temp_dir::TempDir::new().unwrap();
+    std::fs::write(folder.path().join("punch.csv"), "x_mm,z_mm,radius_mm\n0,0,\n30,0,6\n30,-200,\n").unwrap();
+    let text = text(r#"profile = "punch.csv""#, DIE, "", "25 mm");
+    let text = text.replace("axisymmetric", "plane_strain").replace("radius = \"55 mm\"", "half_length = \"55 mm\"");
+    let case = read_in(folder.path(), &text);
+    assert!(difference(profile(case.model(), Role::Punch), &Profile::flat_punch(30.0, 6.0, 1.0)) < 1e-9);
+}
+
+/// Trust: a run with the punch read from points, against the standard one (0.01 %: the points are rounded to 1e-9 mm,
+/// which the iterations' tolerance of 1e-5 is far above).
+#[test]
+fn a_punch_read_from_points_draws_the_same_cup() {
+    let peak = |model: &Model| run(model).steps.iter().map(|step| step.punch_force).fold(0.0, f64::max);
+    let read_in = peak(with_punch(&chords("mm", 1.0), "\"punch.csv\"").model());
+    let standard = peak(read(&text(FLAT, DIE, HOLDER, "25 mm")).model());
+    assert!((read_in / standard - 1.0).abs() < 1e-4, "{read_in} {standard}");
+}
+
+/// Trust: the definition. At the travel of closing every point of the die's cavity is `by` away from the punch
+/// (1e-7 mm: round-off of arcs).
+#[test]
+fn a_die_around_a_punch_closes_with_the_gap_asked_for() {
+    for (more, closed) in [("", 25.0), (", closed_at = \"27 mm\"", 27.0)] {
+        let die = format!(r#"profile = {{ offset_of = "punch", by = "1.25 mm", shoulder = "6 mm"{more} }}"#);
+        let case = read(&text(FLAT, &die, HOLDER, "25 mm"));
+        let (punch, die) = (profile(case.model(), Role::Punch).shifted(closed), profile(case.model(), Role::Die));
+        let shoulder_end = 31.25;
+        let cavity = die.polyline(0.02).into_iter().filter(|p| p.x <= shoulder_end + 1e-9);
+        let gaps: Vec<f64> = cavity.map(|p| punch.closest(p).distance).collect();
+        assert!(gaps.len() > 50 && gaps.iter().all(|gap| (gap - 1.25).abs() < 1e-7), "{gaps:?}");
+        // The flat sheet lies on its face.
+        assert!((die.closest(Point::new(50.0, 0.0)).distance - 0.5).abs() < 1e-9);
+        let said = format!("the die follows the punch at 1.25 mm: they have closed at a travel of {closed:.4} mm");
+        assert!(case.derived.contains(&said), "{:?}", case.derived);
+        run(case.model());
+    }
+}
+
+/// Trust: by hand. The punch's flange lies 8 mm below its top: it reaches the flat sheet's lower face after 8 mm, and
+/// the gap is then the thickness; it is `by` after 8 + 1 − 1.05 mm.
+#[test]
+fn a_die_as_wide_as_the_blank_touches_it_and_closes_where_it_must() {
+    let die_section = r#"profile = { offset_of = "punch", by = "1.05 mm" }"#;
+    let case = read(&text(r#"profile = "embossing.csv""#, die_section, "", "7.9 mm"));
+    assert!(case.derived.iter().any(|line| line.contains("closed at a travel of 7.9500 mm")), "{:?}", case.derived);
+    let (punch, die) = (profile(case.model(), Role::Punch), profile(case.model(), Role::Die));
+    for p in punch.shifted(7.95).polyline(0.02) {
+        assert!((die.closest(p).distance - 1.05).abs() < 1e-7, "{p:?}");
+    }
+    let report = check::report(&case).to_string();
+    assert!(report.contains("closed by a bottom that reaches the axis"), "{report}");
+    // 0.05 mm before closing, seen along the normal of the slope of 8 in 10: 1.05 + 0.05 cos 38.66°.
+    assert!(report.contains("clearance         1.089 mm"), "{report}");
+    assert!(!report.contains("draw ratio"), "nothing is drawn in: {report}");
+    run(case.model());
+
+    let beyond = read(&text(r#"profile = "embossing.csv""#, die_section, "", "8.5 mm"));
+    let warnings = check::report(&beyond).warnings;
+    assert!(warnings.iter().any(|w| w.contains("punch and die are 0.5 mm apart")), "{warnings:?}");
+}
+
+/// Trust: the way back. The offset of the offset die is the punch (convex arcs only: a sharp corner would be rounded).
+#[test]
+fn a_punch_made_from_the_die_made_from_it_is_the_same() {
+    let die = r#"profile = { offset_of = "punch", by = "1.2 mm" }"#;
+    let there = read(&text(r#"profile = "embossing.csv""#, die, "", "7 mm"));
+    let steps = profile(there.model(), Role::Die);
+    let back = steps.offset(1.2).unwrap().reversed();
+    let punch = profile(there.model(), Role::Punch);
+    let shift = punch.first().y - back.first().y;
+    assert!(difference(&back.shifted(shift), punch) < 1e-9);
+}
+
+#[test]
+fn a_holder_can_be_the_mirror_image_of_the_die() {
+    let case = read(&text(FLAT, DIE, r#"holder = { profile = { mirror_of = "die" }, force = "10 kN" }"#, "25 mm"));
+    let (holder, die) = (profile(case.model(), Role::Holder), profile(case.model(), Role::Die));
+    for i in 0..200 {
+        let x = Point::new(20.0 + 0.2 * f64::from(i), 0.02 * f64::from(i % 7));
+        assert!((holder.closest(Point::new(x.x, -x.y)).distance - die.closest(x).distance).abs() < 1e-9);
+    }
+    run(case.model());
+}
+
+/// Trust: by hand. One corner of 90° that the sheet is bent over.
+#[test]
+fn sharp_corners_are_warned_of_where_the_sheet_meets_them() {
+    let sharp = |punch: &str, travel: &str| {
+        let folder = temp_dir::TempDir::new().unwrap();
+        std::fs::write(folder.path().join("punch.csv"), punch).unwrap();
+        let case = read_in(folder.path(), &text(r#"profile = "punch.csv""#, DIE, HOLDER, travel));
+        check::report(&case).warnings.into_iter().filter(|w| w.contains("sharp corner")).collect::<Vec<_>>()
+    };
+    let found = sharp("r_mm,z_mm\n0,0\n30,0\n30,-200\n", "25 mm");
+    assert!(found.len() == 1 && found[0].contains("of 90° at r = 30 mm, z = -0.5 mm"), "{found:?}");
+    // A foot 50 mm below the face is out of the sheet's reach.
+    let foot = "r_mm,z_mm,radius_mm\n0,0,\n28,0,6\n28,-50,\n29.5,-50,\n29.5,-90,\n";
+    assert_eq!(sharp(foot, "25 mm"), Vec::<String>::new());
+    assert!(sharp(foot, "52 mm")[0].contains("and at 1 more"));
+}
+
+#[test]
+fn an_override_can_name_a_profile_file() {
+    let plain = text(r#"profile = "missing.csv""#, DIE, "", "5 mm");
+    let overrides = ["tools.punch.profile=embossing.csv".to_owned(), "tools.die.throat=71 mm".to_owned()];
+    let error = case::parse(&plain, "tests/profiles/case.toml", &overrides).unwrap_err().render(false);
+    assert!(
+        error.contains("the die's shoulder ends at 77.000 mm"),
+        "the file is read, the die is another matter: {error}"
+    );
+}
+
+proptest! {
+    /// Points, headers and fillets of all kinds: a case or an error, never a panic.
+    #[test]
+    fn no_profile_file_makes_the_reader_panic(
+        header in prop::sample::select(vec!["r_mm,z_mm", "r_mm,z_mm,radius_mm", "x_in,z_in", "z_mm", "r;z", "\"r_mm,z_mm", ""]),
+        rows in prop::collection::vec(
+            prop_oneof![
+                (0.0..60.0_f64, -30.0..30.0_f64, 0.0..9.0_f64).prop_map(|(r, z, radius)| format!("{r},{z},{radius}")),
+                (0..60_i32, -9..9_i32).prop_map(|(r, z)| format!("{r},{z}")),
+                "\\PC{0,12}",
+            ],
+            0..9,
+        ),
+        section in prop::sample::select(vec![
+            r#""p.csv""#, r#"{ file = "p.csv", fillet = "0 mm" }"#, r#"{ file = "p.csv", fillet = "1 mm" }"#,
+        ]),
+        die in prop::sample::select(vec![DIE, r#"profile = { offset_of = "punch", by = "1.2 mm" }"#,
+            r#"profile = { offset_of = "punch", by = "0.4 mm", shoulder = "6 mm" }"#, r#"profile = "p.csv""#]),
+    ) {
+        let folder = temp_dir::TempDir::new().unwrap();
+        std::fs::write(folder.path().join("p.csv"), format!("{header}\n{}\n", rows.join("\n"))).unwrap();
+        let name = folder.path().join("case.toml");
+        let text = text(&format!("profile = {section}"), die, HOLDER, "25 mm");
+        if let Err(error) = case::parse(&text, &name.to_string_lossy(), &[]) {
+            prop_assert!(!error.render(false).is_empty());
+        }
+    }
+}

@@ -1,0 +1,161 @@
+//! Reports: whole, self-contained, with units, and with no number that the JSON has not.
+
+use crate::common::cli::{CUP, STAGES, folder, stampflow, text};
+use roxmltree::{Document, Node};
+use serde_json::Value;
+use std::fs;
+
+const PARTS: [&str; 7] = ["Case", "Verdict", "Section", "Inputs", "Assumptions", "Warnings", "Solver"];
+
+const RELEASE: &str = include_str!("../../cases/hat_springback.toml");
+const LIMIT: &str = include_str!("../../cases/stretch_limit.toml");
+
+/// The HTML and the JSON of a case.
+fn report(case: &str) -> (String, Value) {
+    let dir = folder(case);
+    let done = stampflow(dir.path(), &["report", "cases/cup.toml", "--json"]);
+    assert!(matches!(done.status.code(), Some(0 | 3)), "{}", text(&done.stderr));
+    let html = fs::read_to_string(dir.path().join("out/cup/report.html")).unwrap();
+    (html, serde_json::from_slice(&done.stdout).unwrap())
+}
+
+/// The page as XML, with its elements that have no content closed: more than HTML asks of well-formedness.
+fn as_xml(html: &str) -> String {
+    let mut xml = String::new();
+    let mut rest = html.strip_prefix("<!DOCTYPE html>").expect("a document type");
+    while let Some(start) = ["<meta", "<br", "<hr", "<img", "<col>"].iter().filter_map(|tag| rest.find(tag)).min() {
+        let end = start + rest[start..].find('>').expect("a whole tag");
+        xml.push_str(&rest[..end]);
+        xml.push('/');
+        rest = &rest[end..];
+    }
+    xml + rest
+}
+
+fn elements<'a>(page: &'a Document, name: &str) -> impl Iterator<Item = Node<'a, 'a>> {
+    page.descendants().filter(move |node| node.has_tag_name(name))
+}
+
+fn is_inside(node: &Node, name: &str) -> bool {
+    node.ancestors().skip(1).any(|outer| outer.has_tag_name(name))
+}
+
+fn text_of(node: Node) -> String {
+    node.descendants().filter(Node::is_text).filter_map(|text| text.text()).collect()
+}
+
+/// Numbers written in a text, as they are written.
+fn numbers(text: &str) -> Vec<String> {
+    let is_part = |c: char| c.is_ascii_digit() || matches!(c, '.' | '-' | 'e');
+    text.split(|c| !is_part(c))
+        .map(|t| t.trim_matches(['.', 'e']))
+        .filter(|t| t.parse::<f64>().is_ok())
+        .map(str::to_owned)
+        .collect()
+}
+
+fn collect(value: &Value, found: &mut Vec<f64>) {
+    match value {
+        Value::Number(n) => found.extend(n.as_f64()),
+        Value::String(s) => found.extend(numbers(s).iter().filter_map(|n| n.parse::<f64>().ok())),
+        Value::Array(a) => a.iter().for_each(|v| collect(v, found)),
+        Value::Object(o) => o.values().for_each(|v| collect(v, found)),
+        _ => {}
+    }
+}
+
+/// Half of the last digit that is written: what rounding may take.
+fn rounding(written: &str) -> f64 {
+    let (mantissa, exponent) = written.split_once('e').unwrap_or((written, "0"));
+    let decimals = mantissa.split_once('.').map_or(0, |(_, d)| d.len() as i32);
+    0.5001 * 10f64.powi(exponent.parse::<i32>().unwrap() - decimals)
+}
+
+#[test]
+fn a_report_is_whole_self_contained_and_agrees_with_its_json() {
+    let staged = format!("{CUP}{STAGES}");
+    for (case, extra) in [(CUP, ""), (&staged, "Stage 2-retract"), (RELEASE, "Spring-back"), (LIMIT, "Forming limit")] {
+        let (html, json) = report(case);
+        let xml = as_xml(&html);
+        let page = Document::parse(&xml).unwrap_or_else(|e| panic!("{e}"));
+        for name in ["html", "head", "title", "body", "main"] {
+            assert_eq!(elements(&page, name).count(), 1, "{name}");
+        }
+        let blocks = ["p", "div", "table", "ul", "section", "figure", "h1", "h2"];
+        for paragraph in elements(&page, "p") {
+            let inside =
+                paragraph.descendants().skip(1).find(|node| blocks.iter().any(|&name| node.has_tag_name(name)));
+            assert!(inside.is_none(), "a paragraph ends where {inside:?} begins");
+        }
+        for outside in ["http:", "https:", "src=", "url(", "@import", "<script", "<link", "xlink", " id="] {
+            assert!(!html.contains(outside), "{outside}");
+        }
+        let headings: Vec<String> = elements(&page, "h2").map(text_of).collect();
+        for part in PARTS.iter().chain(&["Results"]) {
+            assert!(headings.iter().any(|h| h.ends_with(part)), "{part} in {headings:?}");
+        }
+        let pictures = elements(&page, "svg").filter(|svg| is_inside(svg, "figure")).count();
+        let main = elements(&page, "main").map(text_of).collect::<String>();
+        assert!(pictures >= 5 && main.contains(extra), "{pictures} {extra}");
+        // The title block's table holds names only; the verdict's sentences have their units inside.
+        let heads = elements(&page, "tr").filter(|row| is_inside(row, "thead")).map(text_of);
+        for head in heads.skip(2) {
+            assert!(head.to_lowercase().contains("unit"), "{head}");
+        }
+        let mut known = Vec::new();
+        collect(&json, &mut known);
+        // The first column has names: SHA-256.
+        for cell in elements(&page, "td").filter(|cell| cell.prev_sibling_element().is_some()).map(text_of) {
+            for written in numbers(&cell) {
+                let value: f64 = written.parse().unwrap();
+                let near = known.iter().any(|k| (k - value).abs() <= rounding(&written) || *k == value);
+                assert!(near, "{written} of {cell:?} is not in the JSON");
+            }
+        }
+    }
+}
+
+#[test]
+fn text_of_a_case_is_escaped() {
+    let (html, _) = report(&CUP.replace("title = \"Cup\"", "title = \"<b>Cup</b> & <script>\""));
+    assert!(html.contains("&lt;b&gt;Cup&lt;/b&gt; &amp; &lt;script&gt;") && !html.contains("<script"));
+}
+
+#[test]
+fn markdown_has_all_parts_and_its_pictures_beside_it() {
+    let dir = folder(CUP);
+    let figures = dir.path().join("cup_figures");
+    for again in [false, true] {
+        if again {
+            // An earlier report's picture goes, a file of one's own stays.
+            fs::write(figures.join("99-porosity.svg"), "<svg/>").unwrap();
+            fs::write(figures.join("photo.svg"), "<svg/>").unwrap();
+        }
+        let done = stampflow(dir.path(), &["report", "cases/cup.toml", "-q", "-o", "cup.md"]);
+        assert_eq!(done.status.code(), Some(0), "{}", text(&done.stderr));
+    }
+    assert!(!figures.join("99-porosity.svg").exists() && figures.join("photo.svg").exists());
+    let md = fs::read_to_string(dir.path().join("cup.md")).unwrap();
+    for part in PARTS {
+        assert!(md.contains(&format!("## {part}\n")), "{part}");
+    }
+    let targets: Vec<&str> = md.split("](").skip(1).filter_map(|rest| rest.split(')').next()).collect();
+    assert!(targets.len() >= 5);
+    for target in targets {
+        assert!(fs::read_to_string(dir.path().join(target)).unwrap().starts_with("<svg"), "{target}");
+    }
+}
+
+#[test]
+fn files_of_others_are_left_alone() {
+    let dir = folder(CUP);
+    let path = dir.path().join("mine.html");
+    fs::write(&path, "mine").unwrap();
+    let args = ["report", "cases/cup.toml", "-q", "-o", "mine.html"];
+    let done = stampflow(dir.path(), &args);
+    assert_eq!(done.status.code(), Some(2));
+    assert!(text(&done.stderr).contains("--force"), "{}", text(&done.stderr));
+    assert_eq!(fs::read_to_string(&path).unwrap(), "mine");
+    assert_eq!(stampflow(dir.path(), &[&args[..], &["--force"]].concat()).status.code(), Some(0));
+    assert_eq!(stampflow(dir.path(), &args).status.code(), Some(0), "a report of ours is replaced");
+}

@@ -1,0 +1,215 @@
+//! What programs and shells read: JSON, completions, manual pages.
+
+use crate::common::cli::{CUP, STAGES, folder, stampflow, text};
+use crate::common::files::files;
+use serde_json::Value;
+use std::fs;
+use std::process::Output;
+
+fn json(bytes: &[u8]) -> Value {
+    serde_json::from_slice(bytes).unwrap_or_else(|error| panic!("{error}: {}", text(bytes)))
+}
+
+/// The output of a call that has nothing to say on the error stream.
+fn silent(done: &Output, code: i32) -> Value {
+    assert_eq!((done.status.code(), text(&done.stderr)), (Some(code), ""), "{}", text(&done.stdout));
+    json(&done.stdout)
+}
+
+#[test]
+fn a_run_prints_its_summary_as_json_an_array_for_several() {
+    let dir = folder(CUP);
+    let one = silent(&stampflow(dir.path(), &["run", "cases/cup.toml", "--json"]), 0);
+    let written = json(&fs::read(dir.path().join("out/cup/summary.json")).unwrap());
+    for (key, value) in written.as_object().unwrap() {
+        assert_eq!(&one[key], value, "{key}");
+    }
+    assert_eq!(one["folder"], "out/cup");
+    let listed = one["files"].as_array().unwrap();
+    assert_eq!(listed.len(), files(dir.path().join("out/cup"), "").len());
+    assert!(listed.iter().all(|file| dir.path().join(file.as_str().unwrap()).is_file()), "{listed:?}");
+
+    fs::write(dir.path().join("cases/bowl.toml"), format!("{CUP}{STAGES}")).unwrap();
+    let both = silent(&stampflow(dir.path(), &["run", "cases/cup.toml", "cases/bowl.toml", "--json"]), 0);
+    assert_eq!((both[0]["case"].as_str(), both[1]["case"].as_str()), (Some("cup"), Some("bowl")));
+    assert_eq!(both[0]["peak_punch_force_N"], one["peak_punch_force_N"]);
+    let stages = both[1]["stages"].as_array().unwrap();
+    assert_eq!(stages.len(), 2);
+    assert_eq!(stages[1]["case"], "bowl/2-retract");
+    assert_eq!(both[1]["complete"], true);
+}
+
+#[test]
+fn materials_templates_and_drawings_answer_in_json() {
+    let dir = folder(CUP);
+    let all = silent(&stampflow(dir.path(), &["materials", "--json"]), 0);
+    let first = &all.as_array().unwrap()[0];
+    assert_eq!(&silent(&stampflow(dir.path(), &["materials", first["name"].as_str().unwrap(), "--json"]), 0), first);
+    assert!(first["source"].as_str().is_some_and(|source| !source.is_empty()), "{first}");
+
+    let templates = silent(&stampflow(dir.path(), &["new", "--list", "--json"]), 0);
+    for template in templates.as_array().unwrap() {
+        let name = template["name"].as_str().unwrap();
+        let printed = stampflow(dir.path(), &["new", name]);
+        assert_eq!(
+            silent(&stampflow(dir.path(), &["new", name, "--json"]), 0)["case"],
+            text(&printed.stdout),
+            "{name}"
+        );
+    }
+    let drawing = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/drawings/ezdxf_lines_and_arcs.dxf");
+    let said = silent(&stampflow(dir.path(), &["import", drawing, "-o", "drawn.toml", "--json"]), 0);
+    assert!(["case", "picture"].iter().all(|key| dir.path().join(said[key].as_str().unwrap()).is_file()), "{said}");
+    assert!(said["tools"].as_array().is_some_and(|tools| tools.len() >= 2), "{said}");
+}
+
+#[test]
+fn an_early_end_is_json_with_code_three() {
+    let dir = folder(CUP);
+    let set = ["--set", "solver.max_iterations=3", "--set", "solver.min_step=0.002"];
+    let args = [&["run", "cases/cup.toml", "--json"], &set[..]].concat();
+    assert_eq!(silent(&stampflow(dir.path(), &args), 3)["complete"], false);
+}
+
+#[test]
+fn check_and_laws_are_json_with_all_that_is_printed() {
+    let dir = folder(CUP);
+    let check = silent(&stampflow(dir.path(), &["check", "cases/cup.toml", "--json"]), 0);
+    assert_eq!(check["title"], "Cup");
+    let printed = stampflow(dir.path(), &["check", "cases/cup.toml"]);
+    for line in check["lines"].as_array().unwrap() {
+        let said = format!("{} {}", line["value"].as_str().unwrap(), line["meaning"].as_str().unwrap());
+        assert!(text(&printed.stdout).contains(said.trim_end()), "{said}");
+    }
+    let laws = silent(&stampflow(dir.path(), &["laws", "--json"]), 0);
+    let printed = stampflow(dir.path(), &["laws"]);
+    for law in laws.as_array().unwrap() {
+        for parameter in law["parameters"].as_array().unwrap() {
+            let meaning = parameter["meaning"].as_str().unwrap();
+            assert!(text(&printed.stdout).contains(meaning), "{meaning}");
+        }
+    }
+    assert!(laws.as_array().unwrap().iter().any(|law| law["name"] == "flow"));
+    assert!(laws.as_array().unwrap().iter().any(|law| law["name"] == "swift" && law["parameters"][0]["key"] == "k"));
+}
+
+/// The computed curve, 10 % off, is the reference: the worst difference is −1/11.
+#[test]
+fn a_validation_is_json_with_its_numbers() {
+    let compare = "[[compare]]\nreference = \"curve.csv\"\nx = \"travel_mm\"\ny = \"punch_force_kN\"\n\
+                   quantity = \"punch_force\"\ntolerance = \"5 %\"\nreason = \"for the test\"\n";
+    let first = folder(CUP);
+    stampflow(first.path(), &["run", "cases/cup.toml", "-q"]);
+    let table = fs::read_to_string(first.path().join("out/cup/load_travel.csv")).unwrap();
+    let mut curve = String::from("travel_mm,punch_force_kN\n");
+    for row in table.lines().skip(20).step_by(20) {
+        let cells: Vec<f64> = row.split(',').take(2).map(|cell| cell.parse().unwrap()).collect();
+        curve += &format!("{},{}\n", cells[0], 1.1 * cells[1] / 1000.0);
+    }
+    let dir = folder(&format!("{CUP}{compare}"));
+    fs::create_dir(dir.path().join("reference_data")).unwrap();
+    fs::write(dir.path().join("reference_data/curve.csv"), &curve).unwrap();
+    let found = silent(&stampflow(dir.path(), &["validate", "--json"]), 1);
+    assert_eq!((&found[0]["verdict"], &found[0]["failure"]), (&Value::from("OUT"), &Value::from(true)));
+    let differences = found[0]["values"]["difference_percent"].as_array().unwrap();
+    assert_eq!(differences.len(), curve.lines().count() - 1);
+    // The CSV of the computed curve has nine digits.
+    assert!(differences.iter().all(|d| (d.as_f64().unwrap() + 100.0 / 11.0).abs() < 1e-5), "{differences:?}");
+    let run = silent(&stampflow(dir.path(), &["run", "cases/cup.toml", "--json"]), 0);
+    assert_eq!(run["comparisons"], found);
+}
+
+#[test]
+fn errors_are_json_where_it_is_asked_for() {
+    let dir = folder(&CUP.replace("thickness =", "thicknes ="));
+    let error = |args: &[&str]| {
+        let done = stampflow(dir.path(), args);
+        assert_eq!((done.status.code(), text(&done.stdout)), (Some(2), ""), "{args:?}");
+        json(&done.stderr)
+    };
+    let case = error(&["run", "cases/cup.toml", "--json"]);
+    assert!(case["error"].as_str().unwrap().contains("thicknes"), "{case}");
+    assert_eq!((&case["file"], &case["line"]), (&Value::from("cases/cup.toml"), &Value::from(7)), "{case}");
+    assert!(case["help"].is_string() && case["column"].is_u64(), "{case}");
+    let missing = error(&["check", "cases/none.toml", "--json"]);
+    assert!(missing["error"].as_str().unwrap().contains("there is no file") && missing["line"].is_null());
+    let drawing = |name: &str| format!("{}/tests/drawings/{name}.dxf", env!("CARGO_MANIFEST_DIR"));
+    let gap = error(&["import", &drawing("faulty/gap"), "-o", "gap.toml", "--json"]);
+    // The line that the message names.
+    assert_eq!((&gap["file"], &gap["line"]), (&Value::from(drawing("faulty/gap")), &Value::from(2122)), "{gap}");
+    assert!(gap["help"].as_str().unwrap().contains("--join"), "{gap}");
+    assert!(!gap["error"].as_str().unwrap().contains("--join"), "{gap}");
+    let refused = error(&["import", &drawing("ezdxf_cone_inches"), "-o", "cone.toml", "--travel", "49 mm", "--json"]);
+    assert_eq!(
+        (&refused["file"], &refused["line"]),
+        (&Value::from(drawing("ezdxf_cone_inches")), &Value::Null),
+        "{refused}"
+    );
+    assert!(refused["help"].as_str().unwrap().contains("--travel"), "{refused}");
+    fs::write(dir.path().join("taken"), "mine").unwrap();
+    fs::write(dir.path().join("cases/good.toml"), CUP).unwrap();
+    let lines = drawing("ezdxf_lines_and_arcs");
+    for (args, file) in [
+        (&["run", "cases/good.toml", "--out", "taken", "--json"][..], "taken/summary.json"),
+        (&["new", "cup", "-o", "taken/cup.toml", "--json"], "taken/cup.toml"),
+        (&["new", "cup", "-o", "taken", "--json"], "taken"),
+        (&["import", "none.dxf", "--json"], "none.dxf"),
+        (&["import", &lines, "-o", "taken", "--json"], "taken"),
+        (&["import", &lines, "-o", "taken/a.toml", "--json"], "taken/a.toml"),
+    ] {
+        let error = error(args);
+        assert_eq!(error["file"], file, "{error}");
+        assert!(error["help"].is_string() && error["line"].is_null(), "{error}");
+    }
+    for args in [&["validate", "--cases", "none", "--json"][..], &["run", "--json"], &["check", "--fly", "--json"]] {
+        assert!(error(args)["error"].is_string(), "{args:?}");
+    }
+    let help = stampflow(dir.path(), &["run", "--json", "--help"]);
+    assert_eq!(help.status.code(), Some(0));
+    assert!(text(&help.stdout).contains("Usage"));
+}
+
+/// The verbs that the help names.
+fn verbs() -> Vec<String> {
+    let help = stampflow(std::env::temp_dir().as_path(), &["--help"]);
+    let commands = text(&help.stdout).split("Commands:\n").nth(1).unwrap().split("\n\n").next().unwrap();
+    let verbs: Vec<String> = commands.lines().map(|l| l.split_whitespace().next().unwrap().to_owned()).collect();
+    assert!(verbs.len() > 6 && verbs.iter().any(|verb| verb == "run"), "{verbs:?}");
+    verbs
+}
+
+#[test]
+fn completions_of_every_shell_name_every_verb() {
+    let dir = temp_dir::TempDir::new().unwrap();
+    for shell in ["bash", "zsh", "fish", "powershell", "elvish"] {
+        let done = stampflow(dir.path(), &["completions", shell]);
+        assert_eq!(done.status.code(), Some(0), "{}", text(&done.stderr));
+        let script = text(&done.stdout);
+        assert!(script.contains("friction") || script.contains("--set") || script.contains("-l set"), "{shell}");
+        for verb in verbs() {
+            assert!(script.contains(&verb), "{shell}: {verb}");
+        }
+    }
+    assert_eq!(stampflow(dir.path(), &["completions", "dos"]).status.code(), Some(2));
+}
+
+#[test]
+fn manual_pages_name_every_verb_and_its_options() {
+    let dir = temp_dir::TempDir::new().unwrap();
+    let page = |args: &[&str]| {
+        let done = stampflow(dir.path(), args);
+        assert_eq!(done.status.code(), Some(0), "{}", text(&done.stderr));
+        text(&done.stdout).replace("\\-", "-")
+    };
+    let whole = page(&["man"]);
+    assert!(whole.contains(".TH stampflow 1"), "{whole}");
+    for verb in verbs().iter().filter(|verb| *verb != "help") {
+        assert!(whole.contains(&format!("stampflow-{verb}")), "{verb}: {whole}");
+        let own = page(&["man", verb]);
+        assert!(own.contains(&format!(".TH stampflow-{verb} 1")) && own.contains("--help"), "{own}");
+    }
+    assert!(page(&["man", "run"]).contains("--animate"));
+    let none = stampflow(dir.path(), &["man", "fly"]);
+    assert_eq!(none.status.code(), Some(2));
+    assert!(text(&none.stderr).contains("no verb `fly`"), "{}", text(&none.stderr));
+}

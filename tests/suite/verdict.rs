@@ -1,0 +1,218 @@
+//! The verdict on a run: lights, limits and advice.
+
+use crate::common::cli::{CUP, STAGES, folder, stampflow, text};
+use serde_json::Value;
+use stampflow::assess::verdict::{Finding, Light, advice, headline, judge};
+use stampflow::case;
+use stampflow::solver::run_stages;
+use std::path::Path;
+
+/// The findings on a shipped case with overrides.
+fn findings(name: &str, overrides: &[&str]) -> Vec<Finding> {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("cases").join(name);
+    let overrides: Vec<String> = overrides.iter().map(|o| (*o).to_owned()).collect();
+    let case = case::load(path, &overrides).expect("valid");
+    let findings = judge(&case, &run_stages(&case.stages, &mut ()));
+    for finding in &findings {
+        assert!(
+            ![finding.key, finding.label, &finding.found, &finding.limit, finding.source].contains(&""),
+            "{finding:?}"
+        );
+        assert_eq!(finding.light != Light::Green, !finding.advice.is_empty(), "{finding:?}");
+    }
+    findings
+}
+
+fn light(findings: &[Finding], key: &str) -> Light {
+    findings.iter().find(|f| f.key == key).unwrap_or_else(|| panic!("no {key}: {findings:?}")).light
+}
+
+fn value(findings: &[Finding], key: &str) -> f64 {
+    findings.iter().find(|f| f.key == key).and_then(|f| f.value).unwrap_or_else(|| panic!("no {key}"))
+}
+
+/// Trust: the quickstart draws a whole cup; the source of its friction is not given, and it has nothing to hold the strains,
+/// the force, the work and the law's range against, which is said.
+#[test]
+fn the_quickstart_is_a_good_cup_with_a_guess_and_open_questions() {
+    let found = findings("quickstart.toml", &[]);
+    assert!(found.iter().all(|f| f.light != Light::Red), "{found:?}");
+    let lit = |light| found.iter().filter(|f| f.light == light).map(|f| f.key).collect::<Vec<_>>();
+    assert_eq!(lit(Light::Amber), ["friction"]);
+    assert_eq!(lit(Light::Grey), ["forming_limit", "punch_force", "energy", "hardening_range"]);
+    let said = headline(&found);
+    assert!(said.starts_with("1 amber (Friction), 4 not judged (Forming limit, Punch force, "), "{said}");
+    let told = advice(&found, |light| light == Light::Grey);
+    assert!(told.iter().any(|(labels, _)| labels == "Punch force, Energy"), "advice is given once: {told:?}");
+    // By hand, as in `check`: Siebel's 0.0025 [(β − 1)² + 0.3] R_m with R_m = 520 n^n exp(offset − n), over 10 kN on the flat.
+    let strength = 520.0 * 0.22_f64.powf(0.22) * (0.005_f64 - 0.22).exp();
+    let advised = 0.0025 * ((55.0_f64 / 30.0 - 1.0).powi(2) + 0.3) * strength;
+    let held = std::f64::consts::PI * (55.0_f64.powi(2) - 37.25_f64.powi(2));
+    // The strength is the largest of steps of 5e-4 in strain: flat at the maximum, so right to 1e-6.
+    assert!((value(&found, "wrinkling") / (advised * held / 10_000.0) - 1.0).abs() < 1e-4);
+    let tears = std::f64::consts::PI * 61.0 * strength;
+    let share = value(&found, "punch_force") / tears;
+    assert!((value(&found, "bottom_tearing") / (100.0 * share) - 1.0).abs() < 1e-4);
+}
+
+#[test]
+fn force_and_work_are_held_against_the_press() {
+    let short = ["tools.punch.travel=3 mm"];
+    for (force, energy, lights) in [("1 MN", "1 kJ", Light::Green), ("1 kN", "1 J", Light::Red)] {
+        let press = [&format!("press.force={force}") as &str, &format!("press.energy={energy}"), short[0]];
+        let found = findings("quickstart.toml", &press);
+        assert_eq!([light(&found, "punch_force"), light(&found, "energy")], [lights; 2], "{found:?}");
+    }
+    let wrong = |name: &str, given: &str| {
+        let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("cases").join(name);
+        case::load(path, &[given.to_owned()]).expect_err(given).to_string()
+    };
+    assert!(wrong("quickstart.toml", "press.force=80 N/mm").contains("whole ring"));
+    assert!(wrong("quickstart.toml", "press.force=0 N").contains("forms nothing"));
+    assert!(wrong("strip_draw.toml", "press.energy=2 kJ").contains("length of the part"));
+}
+
+/// Trust: by hand. A nose of 6 mm that ends at 27.338 mm in a wall leaning by 20°; a hemisphere has no bottom to tear off.
+#[test]
+fn a_cone_tears_where_its_nose_ends() {
+    let judged = |template: &str| {
+        let text =
+            stampflow::author::templates::find(template).and_then(|template| template.fill(&[])).expect("a case");
+        let case = case::parse(&text, "made.toml", &["tools.punch.travel=5 mm".to_owned()]).expect("valid");
+        judge(&case, &run_stages(&case.stages, &mut ()))
+    };
+    let cone = judged("conical-cup");
+    let strength = 520.0 * 0.22_f64.powf(0.22) * (0.005_f64 - 0.22).exp();
+    let tears = std::f64::consts::PI * (2.0 * 27.338 + 1.0) * strength * 20_f64.to_radians().cos();
+    // The sizes are written to 1e-3 mm.
+    let share = value(&cone, "punch_force") / tears;
+    assert!((value(&cone, "bottom_tearing") / (100.0 * share) - 1.0).abs() < 1e-4, "{cone:?}");
+    assert!(judged("hemispherical-cup").iter().all(|f| f.key != "bottom_tearing"));
+}
+
+/// Trust: by hand, 1.5 of the second punch is beyond 1.3; its wall carries π·61·1·301 N and tears in the second stage.
+#[test]
+fn later_draws_are_judged_too() {
+    let text = stampflow::author::templates::find("redraw")
+        .and_then(|t| t.fill(&[("first-radius", "45 mm")]))
+        .expect("a case");
+    let case = case::parse(&text, "made.toml", &[]).expect("valid");
+    let passes = run_stages(&case.stages, &mut ());
+    let found = judge(&case, &passes);
+    assert_eq!(light(&found, "redraw_ratio"), Light::Amber, "{found:?}");
+    assert!((value(&found, "redraw_ratio") - 1.5).abs() < 1e-9);
+    let of = |key: &str| found.iter().find(|f| f.key == key).expect(key);
+    assert!(of("bottom_tearing").found.ends_with("stage 2"), "{:?}", of("bottom_tearing"));
+    let strength = 520.0 * 0.22_f64.powf(0.22) * (0.005_f64 - 0.22).exp();
+    let peak = passes[1].steps.iter().map(|step| step.punch_force).fold(0.0, f64::max);
+    // The strength is right to 1e-6, the radius exact.
+    assert!((value(&found, "bottom_tearing") - 100.0 * peak / (std::f64::consts::PI * 61.0 * strength)).abs() < 1e-2);
+    // One stroke's energy, not the sum of both.
+    let works = passes.iter().map(|pass| 1e-3 * pass.steps.last().expect("steps").work.external);
+    assert!((value(&found, "energy") - works.fold(0.0, f64::max)).abs() < 1e-9);
+}
+
+#[test]
+fn what_a_run_cannot_say_is_grey_and_what_is_implausible_amber() {
+    let grey = |name: &str, key: &str| assert_eq!(light(&findings(name, &[]), key), Light::Grey, "{name} {key}");
+    grey("strip_draw.toml", "springback");
+    grey("woo_hemispherical.toml", "wall_wrinkles");
+    let short = "tools.punch.travel=3 mm";
+    let of = |given: &[&str], key: &str| {
+        let found = findings("quickstart.toml", &[&[short], given].concat());
+        let it = found.iter().find(|f| f.key == key).unwrap_or_else(|| panic!("no {key}"));
+        (it.light, it.found.clone())
+    };
+    // No holder is no better than a weak one: 50 mm of blank beyond the punch.
+    assert_eq!(of(&["tools.holder.force=0 N"], "wrinkling").0, Light::Red);
+    let noted =
+        |note: &str, mu: &str| of(&[&format!("notes=[\"{note}\"]"), &format!("tools.die.friction={mu}")], "friction");
+    assert_eq!(noted("friction guessed", "0.08").0, Light::Amber);
+    assert_eq!(noted("friction measured on a strip", "0.08").0, Light::Green);
+    assert_eq!(noted("friction after Woo (1968)", "0.08").0, Light::Green);
+    assert_eq!(noted("friction after Woo (1968)", "0.5").0, Light::Amber);
+    let wide = ["tools.die.throat=40 mm", "tools.holder.inner_radius=46 mm"];
+    assert_eq!(of(&wide, "clearance").0, Light::Amber);
+}
+
+#[test]
+fn a_holder_that_squeezes_is_said() {
+    let squeezed = ["tools.holder.force=600 kN", "tools.punch.travel=1 mm"];
+    let found = findings("quickstart.toml", &squeezed);
+    let holder = found.iter().find(|f| f.key == "holder").unwrap();
+    assert!(holder.light == Light::Amber && holder.advice.contains("squeezed"), "{holder:?}");
+}
+
+#[test]
+fn too_much_friction_and_holder_force_tear_the_cup() {
+    let torn =
+        ["tools.holder.force=150 kN", "tools.die.friction=0.2", "tools.holder.friction=0.2", "forming_limit.hill=true"];
+    let found = findings("quickstart.toml", &torn);
+    assert_eq!(light(&found, "forming_limit"), Light::Red, "{found:?}");
+    assert_eq!(light(&found, "stop"), Light::Red, "{found:?}");
+    let stop = found.iter().find(|f| f.key == "stop").unwrap();
+    assert!(stop.advice.contains("less holder force"), "{stop:?}");
+    assert_eq!(light(&found, "wrinkling"), Light::Green);
+}
+
+#[test]
+fn a_weak_holder_lets_the_flange_wrinkle() {
+    let found = findings("quickstart.toml", &["tools.holder.force=3 kN", "tools.punch.travel=3 mm"]);
+    assert_eq!(light(&found, "wrinkling"), Light::Amber, "{found:?}");
+    let found = findings("quickstart.toml", &["tools.holder.force=1 kN", "tools.punch.travel=3 mm"]);
+    assert_eq!(light(&found, "wrinkling"), Light::Red, "{found:?}");
+}
+
+/// Tables, isotherms, gas, plane strain, stages: whatever a case has, its findings are whole sentences.
+#[test]
+fn other_kinds_of_cases_are_judged_too() {
+    for (name, overrides) in
+        [("bulge.toml", &[][..]), ("hat_springback.toml", &["blank.elements=60"][..]), ("strip_draw.toml", &[][..])]
+    {
+        assert!(findings(name, overrides).len() > 5, "{name}");
+    }
+}
+
+#[test]
+fn check_run_prints_its_table_and_its_json_and_writes_nothing() {
+    let dir = folder(CUP);
+    let printed = stampflow(dir.path(), &["check", "cases/cup.toml", "--run", "--quiet"]);
+    assert_eq!(printed.status.code(), Some(0), "{}", text(&printed.stderr));
+    let out = text(&printed.stdout);
+    for word in ["what to change", "green", "amber", "Thinning", "no forming limit given"] {
+        assert!(out.contains(word), "no {word}: {out}");
+    }
+    assert!(!out.contains('\u{1b}'), "no terminal, no colours");
+    let json = stampflow(dir.path(), &["check", "cases/cup.toml", "--run", "--json"]);
+    let value: Value = serde_json::from_slice(&json.stdout).expect("JSON");
+    assert_eq!(value["complete"], true);
+    let found = value["findings"].as_array().expect("an array");
+    assert!(found.len() > 10 && found.iter().all(|f| f["light"].is_string() && f["unit"].is_string()));
+    assert!(value["lines"].is_array(), "the check is there too");
+    let left: Vec<_> = std::fs::read_dir(dir.path()).unwrap().map(|entry| entry.unwrap().file_name()).collect();
+    assert_eq!(left, ["cases"]);
+}
+
+#[test]
+fn a_run_that_stops_early_and_bad_input_have_their_exit_codes() {
+    let dir = folder(CUP);
+    let torn =
+        ["--set", "tools.holder.force=400 kN", "--set", "tools.die.friction=0.3", "--set", "tools.punch.travel=25 mm"];
+    let run = |more: &[&str]| stampflow(dir.path(), &[&["check", "cases/cup.toml", "--run", "--quiet"], more].concat());
+    let stopped = run(&torn);
+    assert_eq!(stopped.status.code(), Some(3), "{}", text(&stopped.stdout));
+    assert!(text(&stopped.stdout).contains("red"));
+    assert_eq!(run(&["--set", "blank.thickness=-1 mm"]).status.code(), Some(2));
+}
+
+#[test]
+fn stages_are_judged_together() {
+    let dir = folder(&(CUP.to_owned() + STAGES));
+    let json = stampflow(dir.path(), &["check", "cases/cup.toml", "--run", "--json"]);
+    assert_eq!(json.status.code(), Some(0), "{}", text(&json.stderr));
+    let value: Value = serde_json::from_slice(&json.stdout).expect("JSON");
+    let found = value["findings"].as_array().expect("an array");
+    let of = |key: &str| found.iter().find(|f| f["key"] == key).and_then(|f| f["found"].as_str()).expect("a finding");
+    assert!(of("stop").starts_with("stage 2 of 2: "), "{}", of("stop"));
+    assert!(of("punch_force").ends_with("stage 1"), "{}", of("punch_force"));
+}

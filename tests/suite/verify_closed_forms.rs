@@ -1,0 +1,192 @@
+//! Verification: the program against solutions that can be written down.
+
+use crate::common::convergence::orders;
+use crate::common::simple;
+use stampflow::material::{Hill48, Rate};
+use stampflow::model::{Geometry, Settings, Theory};
+use stampflow::solution::StageSolution;
+use stampflow::solver;
+
+fn solve(model: &stampflow::model::Model) -> StageSolution {
+    let run = solver::run(model, &mut ());
+    assert!(run.stop.is_complete(), "{}", run.stop);
+    run
+}
+
+/// Trust: plane-strain tension, T = t (2/√3) σ_y(2/√3 ε). The strain is homogeneous, so neither mesh nor step
+/// enters; what is left is the cut-off, (Δε₀/Δε̄)²/2 below 1e-6, and the corrector's tolerance 1e-5.
+#[test]
+fn plane_strain_tension_is_exact() {
+    for theory in [Theory::Bending, Theory::Membrane] {
+        let model = simple::pulled(Geometry::PlaneStrain, theory, 12.0);
+        let run = solve(&model);
+        let factor = 2.0 / 3f64.sqrt();
+        for record in run.steps.iter().skip(5) {
+            let strain = ((40.0 + record.travel) / 40.0f64).ln();
+            let tension = (-strain).exp() * factor * model.material.hardening.at(factor * strain).stress;
+            let error = record.edge_force / tension - 1.0;
+            assert!(error.abs() < 2e-5, "{theory:?} at {} mm: {error:e}", record.travel);
+        }
+    }
+}
+
+/// Trust: equi-biaxial stretching of a disc, F = 2πr t σ_y(2ε); homogeneous, as above.
+#[test]
+fn equi_biaxial_stretch_is_exact() {
+    for theory in [Theory::Bending, Theory::Membrane] {
+        let model = simple::pulled(Geometry::Axisymmetric, theory, 8.0);
+        let run = solve(&model);
+        for record in run.steps.iter().skip(5) {
+            let radius = 40.0 + record.travel;
+            let strain = (radius / 40.0).ln();
+            let force = std::f64::consts::TAU
+                * radius
+                * (-2.0 * strain).exp()
+                * model.material.hardening.at(2.0 * strain).stress;
+            let error = record.edge_force / force - 1.0;
+            assert!(error.abs() < 2e-5, "{theory:?} at {} mm: {error:e}", record.travel);
+        }
+        let last = run.frames.last().expect("the last frame is kept");
+        for element in &last.elements {
+            assert!((element.strain_meridional - element.strain_hoop).abs() < 1e-6);
+        }
+    }
+}
+
+/// Trust: the same two closed forms with a rate law and Hill's factors for r̄: plane strain σ_s = c σ_y(c ε), c =
+/// (1 + r̄)/√(1 + 2r̄); equi-biaxial σ = c σ_y(2c ε), c = √((1 + r̄)/2). The rate is the step's own, Δε̄/Δt.
+#[test]
+fn rate_and_anisotropy_enter_the_closed_forms() {
+    for (name, rate) in Rate::examples() {
+        for r in [0.6_f64, 1.0, 1.8] {
+            for geometry in [Geometry::PlaneStrain, Geometry::Axisymmetric] {
+                let mut model = simple::pulled(geometry, Theory::Bending, 8.0);
+                model.material.rate = Some(rate);
+                model.material.anisotropy = Hill48::new(r);
+                let run = solve(&model);
+                for pair in run.steps.windows(2).skip(5) {
+                    let [before, now] = [&pair[0], &pair[1]].map(|r| ((40.0 + r.travel) / 40.0f64).ln());
+                    let (c, per_strain, thinning, around) = match geometry {
+                        Geometry::PlaneStrain => {
+                            let c = (1.0 + r) / (1.0 + 2.0 * r).sqrt();
+                            (c, c, 1.0, 1.0)
+                        }
+                        Geometry::Axisymmetric => {
+                            let c = (0.5 * (1.0 + r)).sqrt();
+                            (c, 2.0 * c, 2.0, std::f64::consts::TAU * (40.0 + pair[1].travel))
+                        }
+                    };
+                    let speed = per_strain * (now - before) / (pair[1].time - pair[0].time);
+                    let flow = model.material.hardening.at(per_strain * now).stress * rate.at(speed).value;
+                    let force = around * (-thinning * now).exp() * c * flow;
+                    let error = pair[1].edge_force / force - 1.0;
+                    assert!(error.abs() < 2e-5, "{name}, r {r}, {geometry:?} at {} mm: {error:e}", pair[1].travel);
+                }
+            }
+        }
+    }
+}
+
+/// A cup's wall thins less the more the sheet resists thinning: that is what deep-drawing grades are chosen for.
+#[test]
+fn a_higher_anisotropy_keeps_the_cup_thicker() {
+    let thinnest = |r: &str| {
+        let overrides = [format!("material.anisotropy={r}")];
+        let case = stampflow::case::load(concat!(env!("CARGO_MANIFEST_DIR"), "/cases/quickstart.toml"), &overrides);
+        solve(case.unwrap_or_else(|e| panic!("{e}")).model()).steps.last().expect("steps").thinnest
+    };
+    let found = ["0.5", "1.0", "2.0"].map(thinnest);
+    println!("thinnest place of the quickstart with r 0.5, 1, 2: {found:?} mm");
+    assert!(found.is_sorted_by(|a, b| a < b), "{found:?}");
+}
+
+/// Trust: capstan, T₂ = T₁ exp(μπ/2). Nodes on the arc stand for a rope of chords: with 2 and 4 elements a quarter the error
+/// falls with the square of the spacing or faster. Then other errors rule, the ticks of single nodes at the lip and the
+/// contact's soft foot: 0.2 % is left, 0.02 % with a foot of a sixth.
+#[test]
+fn capstan_converges_to_the_exponential() {
+    let holder = 300.0;
+    let error = |mu: f64, per_quarter: usize, foot: f64| {
+        let mut model = simple::capstan(mu, holder, per_quarter);
+        model.settings.contact_smoothing = foot;
+        let run = solve(&model);
+        // The wall leans: wrap angle α from the common tangent of the two circles that the mid-surface follows,
+        // Δr sin α − Δz cos α = 2 (R + t/2). Mean over the last 10 mm: single values tick as nodes pass the lip.
+        let ratios = run.steps.iter().filter(|r| r.travel > 40.0).map(|record| {
+            let (dr, dz) = (41.3 - 20.0, record.travel - 21.0);
+            let wrap = (21.0 / f64::hypot(dr, dz)).asin() + dz.atan2(dr);
+            record.punch_force / (0.2 * holder * (mu * wrap).exp() * wrap.sin())
+        });
+        let (sum, count) = ratios.fold((0.0, 0.0), |(sum, count), ratio| (sum + ratio, count + 1.0));
+        sum / count - 1.0
+    };
+    for mu in [0.05, 0.15] {
+        let foot = Settings::default().contact_smoothing;
+        let errors: Vec<f64> = [5, 10, 20].iter().map(|&n| error(mu, n, foot)).collect();
+        let sharp: Vec<f64> = [2, 4, 20].iter().map(|&n| error(mu, n, foot / 6.0)).collect();
+        let order = orders(&[2.0, 1.0], &sharp[..2])[0];
+        println!(
+            "capstan, mu {mu}: errors {errors:?} at 5, 10, 20 elements per 90 degrees, {sharp:?} at 2, 4, 20: {order:.2}"
+        );
+        assert!(errors.iter().all(|e| e.abs() < 2e-3) && sharp[2].abs() < 2e-4, "{errors:?} {sharp:?}");
+        assert!(order > 1.8, "{order}");
+    }
+}
+
+/// Trust: moment of a fully plastic plane-strain section, M = S t²/4 with S = (2/√3) Y. The Lobatto rule integrates
+/// a jump of the stress with an error of the order 1/n².
+#[test]
+fn plastic_moment_converges_with_the_layers() {
+    use stampflow::element::kinematics::Reference;
+    use stampflow::element::section::Law;
+    use stampflow::material::flow::{FlowLaw, Iterate, Iteration, PointState, StressUpdate};
+    use stampflow::material::hardening::{Hardening, Ludwik};
+    use stampflow::numerics::lobatto;
+
+    let (yield_stress, t, length) = (200.0, 1.3, 0.8);
+    let hardening = Hardening::Ludwik(Ludwik::new(yield_stress, 0.0, 1.0).expect("valid"));
+    let start = Reference::new(Geometry::PlaneStrain, Theory::Bending, [3.0, 0.0, 0.0], [3.0 + length, 0.0, 0.0]);
+    let turn = 0.02;
+    let end = start.moved([0.0, 0.0, -0.5 * turn], [0.0, 0.0, 0.5 * turn]).expect("sound");
+    let exact = 2.0 / 3f64.sqrt() * yield_stress * t * t / 4.0;
+    let error = |n: usize| {
+        let layers = lobatto::rule(n);
+        let law = Law {
+            point: FlowLaw {
+                hardening: &hardening,
+                rate: None,
+                softening: None,
+                anisotropy: Hill48::default(),
+                voids: None,
+                matrix: Iteration::Newton,
+                cutoff: 1e-7,
+                duration: 1.0,
+            },
+            points: &layers,
+            slack_tension: 0.0,
+        };
+        let mut iterates = vec![Iterate::default(); n];
+        let mut responses =
+            vec![StressUpdate { stress: [0.0; 3], tangent: [0.0; 6], increment: 0.0, yield_stress: 0.0 }; n];
+        let internal =
+            law.internal(&end, start.area() * t, t, &vec![PointState::at(0.0); n], &mut iterates, &mut responses);
+        (internal.force[5] / exact - 1.0).abs()
+    };
+    let layers = [5, 7, 11, 21, 51];
+    let errors = layers.map(error);
+    let orders = orders(&layers.map(|n| 1.0 / n as f64), &errors);
+    println!("plastic moment: errors {errors:?} with {layers:?} layers, orders {orders:.2?}");
+    assert!(orders.iter().all(|p| (1.95..2.35).contains(p)), "{orders:?}");
+    assert!(errors[4] < 1e-3, "{errors:?}");
+}
+
+/// Trust: with no physical length in the problem, the flow form must not feel the step (logarithmic increments).
+#[test]
+fn homogeneous_stretch_does_not_depend_on_the_step() {
+    let mut coarse = simple::pulled(Geometry::Axisymmetric, Theory::Bending, 8.0);
+    coarse.settings = Settings { max_step: 0.25, first_step: 0.25, ..Settings::default() };
+    let fine = simple::pulled(Geometry::Axisymmetric, Theory::Bending, 8.0);
+    let last = |model| solve(model).steps.last().expect("steps").edge_force;
+    let (a, b) = (last(&coarse), last(&fine));
+    assert!((a / b - 1.0).abs() < 1e-5, "{a} {b}");
+}

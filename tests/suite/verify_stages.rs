@@ -1,0 +1,214 @@
+//! Operations after one another: what a stage takes over from the one before, and what its tools do to the sheet.
+
+use crate::common::shipped;
+use stampflow::element::Node;
+use stampflow::model::stage::{Beginning, Stage};
+use stampflow::model::{Model, Motion, Press, Role};
+use stampflow::solution::StageSolution;
+use stampflow::solution::Stop;
+use stampflow::solver::{enter, run_stages};
+use std::f64::consts::PI;
+
+/// The quickstart's cup on a coarser mesh, drawn to `travel` [mm].
+fn cup(travel: f64) -> Model {
+    let mut model = shipped::shipped("quickstart", &["blank.elements=60", "blank.grading=uniform"]);
+    model.drive_to(travel);
+    model
+}
+
+fn stage(name: &str, model: Model) -> Stage {
+    Stage { name: name.into(), model, begin: Beginning::default() }
+}
+
+/// The same tools, of which only `role` moves, by `axial` and `aside` [mm].
+fn moving(model: &Model, role: Role, axial: f64, aside: f64) -> Model {
+    let mut model = model.clone();
+    for tool in &mut model.tools {
+        if tool.role == role {
+            tool.motion = Motion::Path { axial, aside };
+        } else if tool.motion == Motion::Travel {
+            tool.motion = Motion::Fixed;
+        }
+    }
+    model.drive_to(axial.hypot(aside));
+    model
+}
+
+fn complete(passes: &[StageSolution], stages: usize) {
+    for pass in passes {
+        assert!(pass.stop.is_complete(), "{}", pass.stop);
+    }
+    assert_eq!(passes.len(), stages);
+}
+
+/// Trust: nothing is computed between two stages, so every number is compared bit for bit; what begins anew is zero.
+#[test]
+fn a_stage_begins_with_the_sheet_that_the_one_before_left() {
+    let draw = cup(10.0);
+    let passes = run_stages(&[stage("draw", draw.clone())], &mut ());
+    let left = &passes[0].end;
+    let entered = enter(&stage("next", moving(&draw, Role::Punch, -5.0, 0.0)), &draw, left.clone());
+    assert!(left.points.iter().any(|p| p.strain > 0.05) && left.pressure.iter().any(|p| *p > 0.0));
+    assert_eq!(entered.nodes, left.nodes);
+    assert_eq!(entered.thickness, left.thickness);
+    assert_eq!((&entered.volume, &entered.s0), (&left.volume, &left.s0));
+    assert_eq!((&entered.membrane, &entered.points), (&left.membrane, &left.points));
+    assert_eq!((&entered.temperature, &entered.bends), (&left.temperature, &left.bends));
+    assert_eq!((&entered.tools, &entered.pressure), (&left.tools, &left.pressure));
+    assert_eq!((entered.time, entered.travel), (0.0, 0.0));
+    assert!(entered.velocity.iter().all(|v: &Node| *v == [0.0; 3]));
+    // A new punch begins where it is drawn, without pressure.
+    let mut other = moving(&draw, Role::Punch, 1.0, 0.0);
+    other.tools[0].profile = stampflow::geometry::Profile::hemispherical_punch(20.0, 1.0);
+    let entered = enter(&stage("other", other), &draw, left.clone());
+    assert!(entered.tools[0].norm() < 0.1 && entered.tools[1..] == left.tools[1..]);
+    assert!(entered.pressure.row(0).iter().all(|p| *p == 0.0));
+    assert!((1..left.tools.len()).all(|j| entered.pressure.row(j) == left.pressure.row(j)));
+}
+
+/// Trust: the same path in other steps. The second half begins from rest with the short first step of a run, and steps are
+/// fractions of a travel half as long, so both differ by what the lengths of the steps make: a tenth of a percent of the
+/// force, and less of the shape.
+#[test]
+fn a_draw_in_two_stages_is_the_draw_in_one() {
+    let whole = run_stages(&[stage("whole", cup(20.0))], &mut ());
+    let halves = run_stages(&[stage("first", cup(10.0)), stage("second", cup(10.0))], &mut ());
+    complete(&whole, 1);
+    complete(&halves, 2);
+    let (one, two) = (&whole[0], &halves[1]);
+    let force = |pass: &StageSolution| pass.steps.last().expect("steps").punch_force;
+    let apart = (force(two) / force(one) - 1.0).abs();
+    let largest = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+    let thickness = largest(&one.end.thickness, &two.end.thickness);
+    let z: Vec<f64> = one.end.nodes.iter().zip(&two.end.nodes).map(|(a, b)| (a[1] - b[1]).abs()).collect();
+    let shape = z.into_iter().fold(0.0, f64::max);
+    println!("two halves: force {apart:.2e}, thickness {thickness:.2e} mm, shape {shape:.2e} mm");
+    assert!((one.end.tools[0] - two.end.tools[0]).norm() < 1e-9);
+    assert!(apart < 5e-3 && thickness < 2e-3 && shape < 2e-2);
+    let imbalance = two.steps.last().expect("steps").work.imbalance();
+    assert!(imbalance.abs() < 0.01, "{imbalance}");
+}
+
+/// Trust: a rigid-plastic sheet does not follow a punch that goes back; the holder keeps the flange.
+#[test]
+fn a_punch_that_goes_back_leaves_the_sheet() {
+    let draw = cup(15.0);
+    let back = moving(&draw, Role::Punch, -16.0, 0.0);
+    let passes = run_stages(&[stage("draw", draw), stage("back", back)], &mut ());
+    complete(&passes, 2);
+    let [drawn, left] = [0, 1].map(|i| &passes[i]);
+    let force = |pass: &StageSolution| pass.steps.last().expect("steps").punch_force;
+    assert!(force(drawn) > 1e4 && force(left).abs() < 1e-6 * force(drawn), "{} {}", force(drawn), force(left));
+    assert!(left.end.pressure.row(0).iter().all(|p| *p == 0.0));
+    assert!((left.end.tools[0].y - drawn.end.tools[0].y + 16.0).abs() < 1e-9);
+    let moved: Vec<f64> =
+        drawn.end.nodes.iter().zip(&left.end.nodes).map(|(a, b)| (a[0] - b[0]).hypot(a[1] - b[1])).collect();
+    let moved = moved.into_iter().fold(0.0, f64::max);
+    println!("a punch goes back: force {:.1e}, the sheet moves {moved:.1e} mm", force(left));
+    assert!(moved < 0.05, "{moved}");
+    assert!(left.warnings.is_empty(), "{:?}", left.warnings);
+}
+
+/// Trust: a segmented die that goes aside has no node within reach at the end, and the frame says where it stands.
+#[test]
+fn a_die_goes_aside() {
+    let draw = cup(15.0);
+    let mut aside = moving(&draw, Role::Die, 6.0, 8.0);
+    aside.tools.retain(|tool| tool.role != Role::Holder);
+    let passes = run_stages(&[stage("draw", draw), stage("aside", aside)], &mut ());
+    complete(&passes, 2);
+    let left = &passes[1];
+    assert_eq!(left.model.travel, 10.0);
+    let frame = left.frames.last().expect("a frame");
+    assert_eq!(frame.tool_displacement[0].x, 0.0);
+    assert!((frame.tool_displacement[1].x - 8.0).abs() < 1e-9, "{:?}", frame.tool_displacement);
+    assert!((left.end.tools[1].y - passes[0].end.tools[1].y - 6.0).abs() < 1e-9);
+    assert!((1..left.end.tools.len()).all(|j| left.end.pressure.row(j).iter().all(|p| *p == 0.0)));
+}
+
+/// Trust: a sheet without voids keeps its volume, so what is left is what the flat blank had within the last node.
+#[test]
+fn trimming_takes_the_rim_and_nothing_else() {
+    let draw = cup(10.0);
+    let passes = run_stages(&[stage("draw", draw.clone())], &mut ());
+    let left = &passes[0].end;
+    let mut cut = stage("cut", moving(&draw, Role::Punch, 1.0, 0.0));
+    cut.begin.trim = Some(45.0);
+    let state = enter(&cut, &draw, left.clone());
+    let (kept, all) = (state.thickness.len(), left.thickness.len());
+    assert!(kept < all && state.nodes.len() == kept + 1);
+    assert_eq!(state.points.len(), kept * draw.blank.layers);
+    assert_eq!(state.pressure.len(), (kept + 1) * draw.tools.len());
+    for (j, of_tool) in state.pressure.rows().enumerate() {
+        assert_eq!(of_tool, &left.pressure.row(j)[..=kept]);
+    }
+    let middle = |e: usize| 0.5 * (left.nodes[e][0] + left.nodes[e + 1][0]);
+    assert!(middle(kept - 1) <= 45.0 && middle(kept) > 45.0);
+    let volume: f64 = state.volume.iter().sum();
+    let flat = PI * state.s0[kept].powi(2) * draw.blank.thickness;
+    assert!((volume / flat - 1.0).abs() < 1e-12, "{volume} {flat}");
+    let gone: f64 = left.volume[kept..].iter().sum();
+    let whole = PI * draw.blank.length.powi(2) * draw.blank.thickness;
+    assert!(((volume + gone) / whole - 1.0).abs() < 1e-12);
+
+    let passes = run_stages(&[stage("draw", draw), cut], &mut ());
+    complete(&passes, 2);
+    assert_eq!((passes[1].model.blank.elements, passes[1].model.blank.length), (kept, state.s0[kept]));
+    assert!(passes[1].warnings.iter().any(|w| w.contains("cut to r = ")), "{:?}", passes[1].warnings);
+}
+
+/// Trust: by definition; the shape and its strains stay, and the annealed sheet is softer.
+#[test]
+fn annealing_takes_strain_and_stress_and_leaves_the_shape() {
+    let draw = cup(10.0);
+    let mut soft = stage("soft", cup(2.0));
+    let hard = soft.clone();
+    soft.begin.anneal = true;
+    let force = |next: &Stage| {
+        let passes = run_stages(&[stage("draw", draw.clone()), next.clone()], &mut ());
+        complete(&passes, 2);
+        passes[1].steps.last().expect("steps").punch_force
+    };
+    let passes = run_stages(&[stage("draw", draw.clone())], &mut ());
+    let left = &passes[0].end;
+    let state = enter(&soft, &draw, left.clone());
+    assert!(state.points.iter().all(|p| p.strain == 0.0 && p.stress == [0.0; 3] && p.carried == [0.0; 3]));
+    assert_eq!((&state.nodes, &state.membrane, &state.thickness), (&left.nodes, &left.membrane, &left.thickness));
+    let (annealed, as_drawn) = (force(&soft), force(&hard));
+    assert!(annealed < 0.9 * as_drawn, "{annealed} {as_drawn}");
+}
+
+/// Trust: nothing can be formed after a stage that did not come to its end; what came before is kept.
+#[test]
+fn a_stage_that_stops_early_is_the_last() {
+    let draw = cup(10.0);
+    let mut stops = stage("stops", cup(10.0));
+    stops.model.stop.load_drop = Some(1e-3);
+    stops.model.tools[2].motion = Motion::Pressed(Press::constant(10.0));
+    stops.model.settings.max_iterations = 1;
+    let passes = run_stages(&[stage("draw", draw), stops, stage("never", cup(1.0))], &mut ());
+    assert_eq!(passes.len(), 2);
+    assert_eq!(passes[0].stop, Stop::FullTravel);
+    assert!(matches!(passes[1].stop, Stop::NoEquilibrium { .. }), "{}", passes[1].stop);
+}
+
+/// Trust: the gap of a tool that has been brought up is looked at node by node.
+#[test]
+fn a_new_tool_is_brought_up_to_where_it_touches_the_sheet() {
+    let draw = cup(15.0);
+    let mut redraw = stage("redraw", cup(5.0));
+    redraw.model.tools[0].profile = stampflow::geometry::Profile::flat_punch(20.0, 5.0, 1.0);
+    redraw.begin.meets = vec![Role::Punch];
+    let passes = run_stages(&[stage("draw", draw.clone()), redraw.clone()], &mut ());
+    complete(&passes, 2);
+    let left = &passes[0].end;
+    let state = enter(&redraw, &draw, left.clone());
+    let punch = &redraw.model.tools[0].profile;
+    let gaps = left.nodes.iter().enumerate().map(|(i, x)| {
+        let position = stampflow::geometry::Point::new(x[0], x[1] - state.tools[0].y);
+        punch.closest(position).distance - 0.5 * left.thickness_at(i)
+    });
+    let gap = gaps.fold(f64::INFINITY, f64::min);
+    assert!(gap > 0.0 && gap < 0.05, "{gap}");
+    assert!(passes[1].steps.last().expect("steps").punch_force > 1e3);
+}
