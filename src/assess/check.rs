@@ -1,15 +1,12 @@
 //! What can be said of a case before it is solved: its numbers in solver units, rules of thumb, and warnings.
 
-mod sharp;
 mod stages;
-mod warn;
 
-pub(crate) use warn::LIMITING_RATIO;
-pub(crate) use warn::THIN;
-
+use super::{Kind, before, sentences};
 use crate::case::Case;
 use crate::model::{Face, Geometry, Model, Motion, Pressure, Role, Theory, Tool};
 use crate::rules::estimate;
+use crate::rules::limits::LIMITING_RATIO;
 use crate::rules::tool_sizes::{across, extent, mouth, throat, widens};
 use crate::units::{ZERO_CELSIUS, rounded};
 use serde::Serialize;
@@ -42,9 +39,11 @@ pub fn report(case: &Case) -> Check {
     let mut lines = Vec::new();
     blank(model, &mut lines);
     lines.push(line("material", model.material.describe(), ""));
+    lines.extend(case.sources.material.as_ref().map(|source| line("material source", source, "")));
     let strength = estimate::tensile_strength(&model.material.hardening);
     lines.push(line("tensile strength", format!("{strength:.0}"), "MPa, from the law at Considère's load maximum"));
     tools(model, &mut lines);
+    lines.extend(case.sources.friction.as_ref().map(|source| line("friction source", source, "")));
     holder(model, strength, &mut lines);
     mesh(model, &mut lines);
     for (i, stage) in case.later().iter().enumerate() {
@@ -55,8 +54,9 @@ pub fn report(case: &Case) -> Check {
         line("compare", spec.reference.display().to_string(), format!("{}{there}", spec.against))
     });
     lines.extend(compare);
-    let notes = model.notes.iter().chain(&case.derived).cloned().collect();
-    Check { title: model.title.clone(), lines, warnings: warn::all(model), notes }
+    let findings = before(case);
+    let notes = model.notes.iter().cloned().chain(sentences(&findings, Kind::Assumption)).collect();
+    Check { title: model.title.clone(), lines, warnings: sentences(&findings, Kind::Warning), notes }
 }
 
 fn line(label: impl Into<String>, value: impl Into<String>, meaning: impl Into<String>) -> Line {
@@ -162,7 +162,11 @@ fn tools(model: &Model, lines: &mut Vec<Line>) {
         lines.push(line("clearance", mm(clearance), format!("mm, {over_t:.2} thicknesses")));
     }
     if let Some(ratio) = estimate::draw_ratio(model) {
-        lines.push(line("draw ratio", format!("{ratio:.3}"), "blank over punch; about 2.2 is the limit of one draw"));
+        lines.push(line(
+            "draw ratio",
+            format!("{ratio:.3}"),
+            format!("blank over punch; about {LIMITING_RATIO} is the limit of one draw"),
+        ));
     }
 }
 

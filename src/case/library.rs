@@ -27,7 +27,6 @@ const TEXTS: [(&str, &str); 9] = [
 #[serde(deny_unknown_fields)]
 struct EntryFile {
     title: String,
-    source: String,
     grade: String,
     licence: String,
     thickness: Option<String>,
@@ -159,7 +158,9 @@ pub(super) fn complete(file: &mut CaseFile, source: &Source) -> Result<Vec<Strin
         let (what, help) = unknown(&name);
         return Err(source.error("material.name", what, help));
     };
-    let EntryFile { source: origin, material: known, .. } = read(&name, text)?;
+    let EntryFile { material: known, .. } = read(&name, text)?;
+    let origin = known.source.unwrap_or_default();
+    let mut notes = vec![format!("material {name}: {origin}")];
     let own = &mut file.material;
     let mut replaced = Vec::new();
     let mut keep = |key: &'static str, given: bool| replaced.extend(given.then_some(key));
@@ -176,8 +177,8 @@ pub(super) fn complete(file: &mut CaseFile, source: &Source) -> Result<Vec<Strin
     own.softening = own.softening.or(known.softening);
     if !source.has("material.hardening") {
         own.hardening = known.hardening;
+        own.source.get_or_insert(origin);
     }
-    let mut notes = vec![format!("material {name}: {origin}")];
     if !replaced.is_empty() {
         notes.push(format!("material {name}: {} as this case has it, not as its source", replaced.join(", ")));
     }
@@ -195,7 +196,8 @@ fn unknown(name: &str) -> (String, String) {
 }
 
 fn entry(name: &'static str, text: &'static str) -> Result<Entry, CaseError> {
-    let EntryFile { title, source, grade, licence, thickness, notes, material } = read(name, text)?;
+    let EntryFile { title, grade, licence, thickness, notes, material } = read(name, text)?;
+    let source = material.source.clone().unwrap_or_default();
     let material = build::material(&material, &Source::parse(name, text)?)?;
     let table = text.find("[material").map_or("", |at| &text[at..]);
     Ok(Entry { name, title, source, grade, licence, thickness, notes, material, text: table })

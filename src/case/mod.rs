@@ -34,12 +34,14 @@ mod overrides;
 mod schema;
 mod solution;
 mod source;
+mod sources;
 
 pub use error::CaseError;
 pub use file::CaseFile;
 pub use laws::{Law, law_list, laws};
 pub use schema::schema;
 pub use solution::Solution;
+pub use sources::Sources;
 
 use crate::compare::Spec;
 use crate::model::{Model, Stage};
@@ -61,6 +63,7 @@ pub struct Case {
     pub stages: Vec<Stage>,
     pub compare: Vec<Spec>,
     pub press: Press,
+    pub sources: Sources,
     /// What was assumed or changed while reading: defaults that matter, profiles that were shifted.
     pub derived: Vec<String>,
 }
@@ -127,7 +130,7 @@ pub fn parse(text: &str, name: &str, overrides: &[String]) -> Result<Case, CaseE
 /// files.insert("cases/field.csv", "s0_mm,temperature_C\n20,25\n40,150\n");
 /// let text = format!("{}[heat]\ninitial = \"field.csv\"\n", case::template::find("cup").unwrap().fill(&[])?);
 /// let case = case::parse_with(&text, "cases/cup.toml", &[], &files)?;
-/// assert_eq!(case.model.heat.unwrap().initial.at(40.0), 423.15);
+/// assert_eq!(case.model().heat.as_ref().unwrap().initial.at(40.0), 423.15);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 ///
@@ -142,13 +145,15 @@ pub fn parse_with(text: &str, name: &str, overrides: &[String], files: &dyn File
     let shown = if overrides.is_empty() { name.to_owned() } else { format!("{name} (with overrides)") };
     let source = Source::parse(&shown, &text)?;
     let mut file = source.read()?;
+    sources::forget_replaced(&mut file, overrides);
     let origin = library::complete(&mut file, &source)?;
     let folder = Folder { files, path: path.parent().unwrap_or(Path::new("")) };
     let (stages, mut derived) = build::stages(&file, &source, folder)?;
     derived.splice(0..0, origin);
     let compare = build::compare(&file, &source, folder)?;
     let press = build::press(&file, &source)?;
+    let sources = sources::of(&file, &source)?;
     let name = path.file_stem().map_or_else(|| "case".into(), |stem| stem.to_string_lossy().into_owned());
     let overrides = overrides.to_vec();
-    Ok(Case { name, text: text.clone(), overrides, stages, compare, press, derived, path })
+    Ok(Case { name, text: text.clone(), overrides, stages, compare, press, sources, derived, path })
 }

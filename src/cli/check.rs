@@ -6,9 +6,8 @@ use super::table::{Tone, table, wrapped};
 use super::{Code, Overrides, say};
 use serde_json::json;
 use stampflow::assess::check::{self, Check};
-use stampflow::assess::verdict::{Finding, Light, advice, headline, judge};
+use stampflow::assess::{self, Finding, Kind, Light, advice, headline, judgements, sentences};
 use stampflow::case;
-use stampflow::solution::StageSolution;
 use std::fmt::Write;
 use std::path::PathBuf;
 
@@ -48,34 +47,29 @@ pub fn check(args: &Args) -> anyhow::Result<Code> {
     }
     let watch = Progress::new(args.quiet || args.json.json).watch(&case, Kept::default());
     let (solution, _) = watch.solve(case);
-    let findings = judge(&solution.case, &solution.stages);
+    let findings = assess::after(&solution.case, &solution.stages);
     let complete = solution.is_complete();
     if args.json.json {
         let mut value = serde_json::to_value(&report)?;
         value["complete"] = json!(complete);
-        value["findings"] = serde_json::to_value(&findings)?;
-        value["run_warnings"] = said(&solution.stages).collect();
+        value["findings"] = judgements(&findings).map(serde_json::to_value).collect::<Result<_, _>>()?;
+        value["run_warnings"] = sentences(&findings, Kind::Warning).into();
         say_json(&value)?;
     } else {
-        say(&printed(&report, &findings, &solution.stages))?;
+        say(&printed(&report, &findings))?;
     }
     Ok(if complete { Code::Done } else { Code::StoppedEarly })
 }
 
-/// What the solver said of every stage.
-fn said(passes: &[StageSolution]) -> impl Iterator<Item = &str> {
-    passes.iter().flat_map(|pass| &pass.warnings).map(String::as_str)
-}
-
-fn printed(report: &Check, findings: &[Finding], passes: &[StageSolution]) -> String {
-    let rows = findings.iter().map(row).collect();
+fn printed(report: &Check, findings: &[Finding]) -> String {
+    let rows = judgements(findings).map(row).collect();
     let headers = ["verdict", "light", "found", "limit (source)"];
     let mut text = format!("\nverdict: {}\n", headline(findings));
     let told =
         |is: fn(Light) -> bool| advice(findings, is).into_iter().map(|(labels, advice)| format!("{labels}: {advice}"));
     list(&mut text, "what to change", told(|light| light != Light::Grey));
     list(&mut text, "not judged", told(|light| light == Light::Grey));
-    list(&mut text, "warnings of the run", said(passes).map(str::to_owned));
+    list(&mut text, "warnings of the run", sentences(findings, Kind::Warning).into_iter());
     format!("{}\n{}{}", wrapped(&report.to_string()), table(Some(headers), rows, 1), wrapped(&text))
 }
 

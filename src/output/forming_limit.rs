@@ -167,6 +167,6 @@ fn shown(curve: &Curve, assessment: &Assessment) -> Vec<(f64, f64)> {
 
 fn drawn(path: &[[f64; 2]]) -> Vec<(f64, f64)> {
     let every = path.len().div_ceil(DRAWN).max(1);
-    let last = path.last().filter(|_| (path.len() - 1) % every != 0);
+    let last = path.last().filter(|_| !(path.len() - 1).is_multiple_of(every));
     path.iter().step_by(every).chain(last).map(|p| (p[0], p[1])).collect()
 }

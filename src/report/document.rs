@@ -1,6 +1,6 @@
 //! What a report says, whatever file it goes to.
 
-use crate::assess::verdict::Light;
+use crate::assess::Light;
 
 /// A report: its title and its sections in order.
 #[derive(Clone, Debug, PartialEq)]

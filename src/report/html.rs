@@ -2,7 +2,7 @@
 
 use super::document::{Block, Document, Picture, Row};
 use super::{MARKER, PROGRAM};
-use crate::assess::verdict::Light;
+use crate::assess::Light;
 use maud::{DOCTYPE, Markup, PreEscaped, html as markup};
 
 const STYLE: &str = include_str!("style.css");

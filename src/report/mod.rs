@@ -19,7 +19,7 @@ pub use html::html;
 pub use markdown::{figure_folder, is_figure, markdown};
 
 use crate::assess::check::{self, Check};
-use crate::assess::verdict::{Finding, judge};
+use crate::assess::{self, Finding, Kind};
 use crate::case::Solution;
 use crate::output::{Dimension, StageView, Summary};
 use crate::units::rounded;
@@ -44,13 +44,15 @@ pub struct Report<'a> {
 impl<'a> Report<'a> {
     /// Looks a solution over.
     pub fn of(solution: &'a Solution) -> Self {
-        let views = (0..solution.stages.len()).map(|i| StageView::of(solution, i).without_captions());
+        let (before, after) = (assess::before(&solution.case), assess::after(&solution.case, &solution.stages));
+        let assumed: Vec<_> = before.iter().filter(|f| f.kind == Kind::Assumption).cloned().collect();
+        let views = solution.views_telling(&assumed).into_iter().map(StageView::without_captions);
         Self {
             solution,
             stages: views.map(|view| (view.clone(), Summary::of(&view))).collect(),
             check: check::report(&solution.case),
             dimensions: sketch::dimensions(solution.case.model()),
-            findings: judge(&solution.case, &solution.stages),
+            findings: before.into_iter().chain(after).collect(),
         }
     }
 
@@ -77,7 +79,7 @@ impl<'a> Report<'a> {
             "program": PROGRAM,
             "check": self.check,
             "dimensions": self.dimensions.iter().map(dimension).collect::<Vec<_>>(),
-            "verdict": self.findings,
+            "verdict": assess::judgements(&self.findings).collect::<Vec<_>>(),
             "stages": self.stages.iter().map(|(_, summary)| summary).collect::<Vec<_>>(),
         })
     }

@@ -2,6 +2,7 @@
 
 use super::Report;
 use super::document::{Block, Row, Section};
+use crate::assess::Kind;
 use crate::output::summary::{Figure, Group, Summary};
 
 pub(super) fn section(report: &Report) -> Section {
@@ -29,9 +30,9 @@ pub(super) fn figures(summary: &Summary, is_wanted: fn(Group) -> bool) -> Block 
 
 /// What the check says before and the solver after the run.
 pub(super) fn warnings(report: &Report) -> Section {
-    let runs = report.stages.iter().enumerate();
-    let of_runs = runs.flat_map(|(i, (view, _))| view.warnings.iter().map(move |w| format!("{}{w}", report.stage(i))));
-    let all: Vec<String> = report.check.warnings.iter().cloned().chain(of_runs).collect();
+    let warnings = report.findings.iter().filter(|finding| finding.kind == Kind::Warning);
+    let stage = |i: Option<usize>| i.map_or(String::new(), |i| report.stage(i));
+    let all: Vec<String> = warnings.map(|finding| stage(finding.stage) + &finding.sentence()).collect();
     let none = || Block::Paragraph("None.".into());
     let block = if all.is_empty() { none() } else { Block::List(all) };
     Section { heading: "Warnings".into(), blocks: vec![block] }

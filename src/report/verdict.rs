@@ -1,10 +1,10 @@
 //! The verdict, line by line: a light as a sign, a word and a colour.
 
 use super::document::{Block, Row, Section};
-use crate::assess::verdict::{Finding, Light, headline};
+use crate::assess::{Finding, Light, headline, judgements};
 
 pub(super) fn section(findings: &[Finding]) -> Section {
-    let rows = findings.iter().map(|finding| Row {
+    let rows = judgements(findings).map(|finding| Row {
         cells: vec![
             word(finding.light).to_owned(),
             finding.label.to_owned(),

@@ -1,5 +1,7 @@
 //! What a run leaves behind: the history of every step, the kept frames, and why it stopped.
 
+pub mod neck;
+
 use crate::forming_limit::Paths;
 use crate::geometry::Point;
 use crate::model::{Model, ModelError, PressureCap, mesh};
@@ -447,8 +449,21 @@ pub struct StageSolution {
     pub end: State,
     pub stop: Stop,
     pub effort: Effort,
-    /// Things a user should know before trusting the result.
-    pub warnings: Vec<String>,
+    /// What was cut off before the stage began; `None` where nothing was asked for.
+    pub trimmed: Option<Trimmed>,
+    /// Travel at which the sheet left each of the model's tools \[mm\], which stands still from there on; `None` of those
+    /// that it has not left.
+    pub left_at: Vec<Option<f64>>,
+}
+
+/// A rim that was cut off before a stage.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Trimmed {
+    /// Distance from the axis or symmetry plane that was asked for, and where the edge is: whole elements go \[mm\].
+    pub asked: f64,
+    pub edge: f64,
+    /// Elements that were cut off.
+    pub elements: usize,
 }
 
 impl StageSolution {
@@ -482,7 +497,8 @@ impl StageSolution {
             end: State::default(),
             stop,
             effort: Effort::default(),
-            warnings: Vec::new(),
+            trimmed: None,
+            left_at: vec![None; model.tools.len()],
             model,
         }
     }

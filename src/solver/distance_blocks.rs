@@ -2,7 +2,6 @@
 
 use crate::geometry::{Point, Profile};
 use crate::model::{Model, Role};
-use crate::solution::StepRecord;
 
 /// Distance over the sheet thickness at which the blocks keep holder and die apart \[–\].
 const APART: f64 = 0.5;
@@ -10,38 +9,11 @@ const APART: f64 = 0.5;
 const RISES: usize = 200;
 const LAST_RISE: f64 = 1e-6;
 
-/// Share of the travel from which it is worth a word that the holder rests on its blocks, and of its force \[–\].
-const RESTS: f64 = 0.1;
-const BORNE: f64 = 0.5;
-
 /// As [`height`], of a model's holder; `None` without one.
 pub(super) fn of_holder(model: &Model) -> Option<f64> {
     let (holder, thickness) = (model.tool(Role::Holder)?, model.blank.thickness);
     let flat = (1.0 - APART) * thickness;
     Some(model.tool(Role::Die).map_or(flat, |die| height(&holder.profile, &die.profile, thickness)))
-}
-
-/// Where the holder rests on its blocks for a good part of the travel: it presses no sheet there, however hard it is pressed.
-pub(super) fn rests(travel: f64, history: &[StepRecord]) -> Option<String> {
-    let rests = |i: usize| {
-        let record = &history[i];
-        record.block_force > BORNE * (record.block_force + record.holder_force)
-    };
-    let begins = |i: usize| i.checked_sub(1).map_or(0.0, |before| history[before].travel);
-    let (mut longest, mut since) = ([0.0; 2], None);
-    for (i, record) in history.iter().enumerate() {
-        since = if rests(i) { since.or(Some(begins(i))) } else { None };
-        if let Some(from) = since.filter(|from| record.travel - from > longest[1] - longest[0]) {
-            longest = [from, record.travel];
-        }
-    }
-    let [from, to] = longest;
-    (to - from > RESTS * travel).then(|| {
-        format!(
-            "the holder rests on its distance blocks from {from:.2} to {to:.2} mm of travel, not on the sheet: it does not \
-             hold it there, whatever its force"
-        )
-    })
 }
 
 /// Move of a holder, from where it touches the flat sheet and relative to the die, at which it stands on its blocks \[mm\]:
@@ -110,24 +82,6 @@ mod tests {
         // 0.02 rad apart: within 6 × 0.02²/8 mm.
         assert_relative_eq!(rise, nose + shoulder + T - centers.sqrt(), epsilon = 1e-3);
         assert!(rise > T, "{rise}");
-    }
-
-    /// Trust: by construction.
-    #[test]
-    fn a_holder_that_rests_on_its_blocks_for_long_is_said() {
-        let history = |borne: [f64; 4]| {
-            let record = |(i, block_force)| StepRecord {
-                travel: (i + 1) as f64,
-                block_force,
-                holder_force: 100.0 - block_force,
-                ..StepRecord::default()
-            };
-            borne.into_iter().enumerate().map(record).collect::<Vec<_>>()
-        };
-        let said = rests(4.0, &history([90.0, 0.0, 100.0, 60.0])).expect("half of the travel");
-        assert!(said.contains("from 2.00 to 4.00 mm"), "{said}");
-        assert_eq!(rests(4.0, &history([40.0, 0.0, 10.0, 0.0])), None);
-        assert_eq!(rests(20.0, &history([100.0, 0.0, 0.0, 100.0])), None);
     }
 
     /// Trust: by construction; nothing of it comes near the die's wall.

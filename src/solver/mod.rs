@@ -19,7 +19,6 @@ mod termination;
 mod terms;
 mod time_step;
 mod trial;
-pub(crate) mod warnings;
 
 use crate::model::{Model, mesh};
 use crate::solution::{StageSolution, StepRecord, Stop};
@@ -60,7 +59,6 @@ pub fn run_from(model: &Model, mut state: State, observer: &mut dyn Observer) ->
         ..StageSolution::unsolved(model.clone())
     };
     let mut last = StepRecord { thinnest: model.blank.thickness, ..StepRecord::default() };
-    let strained: Vec<f64> = state.points.iter().map(|point| point.strain).collect();
     let mut rejected = 0;
 
     observer.state(model, &state);
@@ -131,8 +129,9 @@ pub fn run_from(model: &Model, mut state: State, observer: &mut dyn Observer) ->
         run.keep(state.frame(model));
     }
     run.effort.abandoned = rejected;
-    run.warnings = warnings::warnings(&process, &state, &run);
-    run.warnings.extend(warnings::yielded_again(model, &strained, &state));
+    if model.release.is_none() {
+        run.left_at = process.left_at();
+    }
     run.end = state;
     run
 }

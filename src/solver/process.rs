@@ -108,9 +108,8 @@ impl<'a> Process<'a> {
         Some(lost)
     }
 
-    /// Tools that the sheet has left, and the travel at which \[mm\].
-    pub fn released(&self) -> impl Iterator<Item = (Role, f64)> {
-        let formed = self.model.release.is_none();
-        self.tools.iter().filter(move |_| formed).filter_map(|tool| Some((tool.role, tool.released?)))
+    /// Travel at which the sheet left each tool \[mm\]; `None` of those that it has not left.
+    pub fn left_at(&self) -> Vec<Option<f64>> {
+        self.tools.iter().map(|tool| tool.released).collect()
     }
 }

@@ -6,7 +6,7 @@ use crate::model::mesh;
 use crate::model::stage::Stage;
 use crate::model::{Model, Role, Tool};
 use crate::numerics::Grid;
-use crate::solution::{StageSolution, Stop};
+use crate::solution::{StageSolution, Stop, Trimmed};
 use crate::state::{State, waiting, waiting_displacement};
 
 /// Fewest elements that trimming leaves.
@@ -28,30 +28,28 @@ pub fn run_stages(stages: &[Stage], observer: &mut dyn Observer) -> Vec<StageSol
             passes.push(StageSolution::refused(stage.model.clone(), Stop::Refused(error)));
             break;
         }
-        let (model, state, said) = match passes.last() {
+        let (model, state, trimmed) = match passes.last() {
             None => (stage.model.clone(), State::flat(&stage.model, mesh::nodes(&stage.model)), None),
             Some(before) => begin(stage, before),
         };
         observer.stage(stage);
-        let mut solved = run_from(&model, state, observer);
-        solved.warnings.splice(..0, said);
-        passes.push(solved);
+        passes.push(StageSolution { trimmed, ..run_from(&model, state, observer) });
     }
     passes
 }
 
-/// The model and the first state of a stage, and what is worth a word.
-fn begin(stage: &Stage, before: &StageSolution) -> (Model, State, Option<String>) {
+/// The model and the first state of a stage, and what is cut off.
+fn begin(stage: &Stage, before: &StageSolution) -> (Model, State, Option<Trimmed>) {
     let state = enter(stage, &before.model, before.end.clone());
     let mut model = stage.model.clone();
     model.blank.elements = state.thickness.len();
     model.blank.length = state.s0[state.s0.len() - 1];
-    let said = stage.begin.trim.map(|asked| {
-        let cut = before.model.blank.elements - model.blank.elements;
-        let edge = state.nodes[state.nodes.len() - 1][0];
-        format!("the sheet is cut to r = {edge:.3} mm ({asked} mm asked for): whole elements go, {cut} of them")
+    let trimmed = stage.begin.trim.map(|asked| Trimmed {
+        asked,
+        edge: state.nodes[state.nodes.len() - 1][0],
+        elements: before.model.blank.elements - model.blank.elements,
     });
-    (model, state, said)
+    (model, state, trimmed)
 }
 
 /// The state that a stage begins with, from the last `state` of a stage with the model `before`.

@@ -4,39 +4,19 @@ use super::corrector::Outcome;
 use super::equilibrium::Evaluation;
 use super::step::Step;
 use crate::geometry::Point;
-use crate::model::{Edge, Model, Motion, Role, Settings};
+use crate::model::{Edge, Model, Motion, Role};
+use crate::solution::neck::{AWAY, NEAR, Neck, neck};
 use crate::solution::{StageSolution, StepRecord, Stop};
 use crate::state::{State, waiting_displacement};
 
-/// Thickness strain of a neck over the mean of its surroundings \[–\].
-const NECK: f64 = 1.6;
-/// Rate at which the surroundings still thin, over the neck's, once the neck has taken over \[–\].
-const STOPPED: f64 = 0.1;
-/// Thickness left over the initial one above which no neck is looked for \[–\].
-const THINNED: f64 = 0.8;
 /// Thickness left at which the sheet has gone, whatever its surroundings do \[–\].
 const GONE: f64 = 0.2;
-/// Surroundings of a neck: this many thicknesses away, on either side.
-const NEAR: f64 = 3.0;
-const AWAY: f64 = 8.0;
 /// Share of the run over which a neck must have kept its lead \[–\].
 const LASTING: f64 = 0.01;
 /// Distance of two rigid tools over the initial thickness at which the run ends \[–\].
 const CLOSED: f64 = 0.5;
 /// Rise of the dome per pressure over its mean so far that tells a pressure maximum from a failure to converge \[–\].
 const RUNAWAY: f64 = 5.0;
-
-/// A place of the sheet that is thinner than its surroundings.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Neck {
-    /// Initial distance from the axis \[mm\].
-    pub s0: f64,
-    /// Thickness over the initial one \[–\].
-    pub share: f64,
-    /// Whether it is a neck, and whether its surroundings have stopped thinning.
-    pub stands_out: bool,
-    pub took_over: bool,
-}
 
 /// What a free edge may be drawn through.
 struct Throat {
@@ -121,40 +101,6 @@ impl Watch {
 
 fn localised(model: &Model, state: &State, neck: &Neck) -> Stop {
     Stop::Localised { travel: state.travel, s0: neck.s0, share: neck.share, why: why(model, state, neck) }
-}
-
-/// The thinnest place and what its surroundings do; `before` is the state one step ago.
-pub(super) fn neck(model: &Model, state: &State, before: Option<&State>) -> Neck {
-    let t0 = model.blank.thickness;
-    let strain = |e: usize| (state.thickness[e] / t0).ln();
-    let rate = |e: usize| before.map_or(0.0, |before| (before.thickness[e] / state.thickness[e]).ln());
-    // A sheet that does not form, while tools go back, thins by less than the cut-off.
-    let rigid = before.map_or(0.0, |before| {
-        let step = model.process_time(before.time, state.time - before.time);
-        model.settings.cutoff_strain * step / (Settings::CUTOFF_STEP * model.duration)
-    });
-    let middle = |e: usize| 0.5 * (state.s0[e] + state.s0[e + 1]);
-    let n = state.thickness.len();
-    let thinnest = (0..n).min_by(|&a, &b| state.thickness[a].total_cmp(&state.thickness[b]));
-    let e = thinnest.expect("a blank has elements");
-    let mut neck = Neck { s0: middle(e), share: state.thickness[e] / t0, stands_out: false, took_over: false };
-    if neck.share > THINNED {
-        return neck;
-    }
-    let (mut strains, mut rates, mut count) = (0.0, 0.0, 0.0);
-    for other in 0..n {
-        let away = (middle(other) - neck.s0).abs();
-        // On a coarse mesh the next but one stands for the surroundings.
-        let near = (NEAR * t0..AWAY * t0).contains(&away) || (other.abs_diff(e) == 2 && away >= AWAY * t0);
-        if near {
-            strains += strain(other);
-            rates += rate(other).abs();
-            count += 1.0;
-        }
-    }
-    neck.stands_out = count > 0.0 && strain(e) < NECK * (strains / count).min(0.0);
-    neck.took_over = neck.stands_out && before.is_some() && rate(e) > rigid && rates / count < STOPPED * rate(e);
-    neck
 }
 
 /// Where a neck sits, and what made it.

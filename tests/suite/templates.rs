@@ -1,7 +1,6 @@
 //! `stampflow new`: every template is written, checked and run without a hand on it, and its picked sizes follow their rules.
 
-use stampflow::assess::check;
-use stampflow::assess::verdict::{self, Light};
+use stampflow::assess::{self, Light, check};
 use stampflow::author::templates::{TEMPLATES, find, list, rules};
 use stampflow::case::library::materials;
 use stampflow::case::{Case, parse};
@@ -164,7 +163,7 @@ fn no_picked_size_is_doubted_by_the_verdict() {
         let passes = run_stages(&case.stages, &mut ());
         let bent = ["v-bend", "u-bend"].contains(&name);
         assert_eq!(case.model().forming_limit.is_none(), bent, "{name}");
-        let findings = verdict::judge(&case, &passes);
+        let findings = assess::after(&case, &passes);
         for finding in findings {
             if ["wrinkling", "bend_radius"].contains(&finding.key) || (finding.key == "forming_limit" && !bent) {
                 assert_eq!(finding.light, Light::Green, "{name} {given:?}: {} {}", finding.key, finding.found);
@@ -195,7 +194,8 @@ fn the_sleeve_of_a_redraw_holds_the_sheet_with_its_force() {
                 let apart = (record.holder_force / wanted - 1.0).abs();
                 assert!(apart < 0.03, "{} N of {wanted} N at {} mm", record.holder_force, record.travel);
             }
-            assert!(run.warnings.iter().all(|warning| !warning.contains("rests")), "{:?}", run.warnings);
+            let warnings = assess::warnings(&run);
+            assert!(warnings.iter().all(|warning| !warning.contains("rests")), "{warnings:?}");
             run
         })
         .collect();

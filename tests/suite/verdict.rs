@@ -2,8 +2,9 @@
 
 use crate::common::cli::{CUP, STAGES, folder, stampflow, text};
 use serde_json::Value;
-use stampflow::assess::verdict::{Finding, Light, advice, headline, judge};
-use stampflow::case;
+use stampflow::assess::{self, Finding, Kind, Light, advice, headline};
+use stampflow::case::{self, Case};
+use stampflow::solution::StageSolution;
 use stampflow::solver::run_stages;
 use std::path::Path;
 
@@ -12,14 +13,21 @@ fn findings(name: &str, overrides: &[&str]) -> Vec<Finding> {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("cases").join(name);
     let overrides: Vec<String> = overrides.iter().map(|o| (*o).to_owned()).collect();
     let case = case::load(path, &overrides).expect("valid");
-    let findings = judge(&case, &run_stages(&case.stages, &mut ()));
-    for finding in &findings {
+    judged(&case, &run_stages(&case.stages, &mut ()))
+}
+
+/// The verdict's rows, all findings made sure to be whole.
+fn judged(case: &Case, passes: &[StageSolution]) -> Vec<Finding> {
+    let mut findings = assess::after(case, passes);
+    for finding in findings.iter().chain(&assess::before(case)) {
         assert!(
-            ![finding.key, finding.label, &finding.found, &finding.limit, finding.source].contains(&""),
+            ![finding.key, finding.label, &finding.found, &finding.limit, &finding.source].contains(&""),
             "{finding:?}"
         );
-        assert_eq!(finding.light != Light::Green, !finding.advice.is_empty(), "{finding:?}");
+        let row = finding.kind == Kind::Judgement;
+        assert!(!row || (finding.light != Light::Green) != finding.advice.is_empty(), "{finding:?}");
     }
+    findings.retain(|finding| finding.kind == Kind::Judgement);
     findings
 }
 
@@ -79,7 +87,7 @@ fn a_cone_tears_where_its_nose_ends() {
         let text =
             stampflow::author::templates::find(template).and_then(|template| template.fill(&[])).expect("a case");
         let case = case::parse(&text, "made.toml", &["tools.punch.travel=5 mm".to_owned()]).expect("valid");
-        judge(&case, &run_stages(&case.stages, &mut ()))
+        judged(&case, &run_stages(&case.stages, &mut ()))
     };
     let cone = judged("conical-cup");
     let strength = 520.0 * 0.22_f64.powf(0.22) * (0.005_f64 - 0.22).exp();
@@ -98,7 +106,7 @@ fn later_draws_are_judged_too() {
         .expect("a case");
     let case = case::parse(&text, "made.toml", &[]).expect("valid");
     let passes = run_stages(&case.stages, &mut ());
-    let found = judge(&case, &passes);
+    let found = judged(&case, &passes);
     assert_eq!(light(&found, "redraw_ratio"), Light::Amber, "{found:?}");
     assert!((value(&found, "redraw_ratio") - 1.5).abs() < 1e-9);
     let of = |key: &str| found.iter().find(|f| f.key == key).expect(key);
@@ -125,12 +133,14 @@ fn what_a_run_cannot_say_is_grey_and_what_is_implausible_amber() {
     };
     // No holder is no better than a weak one: 50 mm of blank beyond the punch.
     assert_eq!(of(&["tools.holder.force=0 N"], "wrinkling").0, Light::Red);
-    let noted =
-        |note: &str, mu: &str| of(&[&format!("notes=[\"{note}\"]"), &format!("tools.die.friction={mu}")], "friction");
-    assert_eq!(noted("friction guessed", "0.08").0, Light::Amber);
-    assert_eq!(noted("friction measured on a strip", "0.08").0, Light::Green);
-    assert_eq!(noted("friction after Woo (1968)", "0.08").0, Light::Green);
-    assert_eq!(noted("friction after Woo (1968)", "0.5").0, Light::Amber);
+    // Only the key for it says where a number comes from; prose may say anything, and another number is not the source's.
+    for note in ["friction was not measured", "friction for a plate 2000 mm wide", "friction measured on a strip"] {
+        assert_eq!(of(&[&format!("notes=[\"{note}\"]")], "friction").0, Light::Amber, "{note}");
+    }
+    let source = "friction.source=Woo (1968)";
+    let (light, found) = of(&[source], "friction");
+    assert!(light == Light::Green && found.contains("Woo (1968)"), "{found}");
+    assert_eq!(of(&[source, "tools.die.friction=0.5"], "friction").0, Light::Amber);
     let wide = ["tools.die.throat=40 mm", "tools.holder.inner_radius=46 mm"];
     assert_eq!(of(&wide, "clearance").0, Light::Amber);
 }

@@ -3,6 +3,7 @@
 use crate::common::convergence::orders;
 use crate::common::shipped::{DRAWN, last, peak, shipped, solve};
 use crate::common::simple;
+use stampflow::assess;
 use stampflow::contact::friction::Sliding;
 use stampflow::geometry::Profile;
 use stampflow::material::hardening::{Hardening, Swift};
@@ -372,7 +373,8 @@ fn superplastic_box_is_blown_into_its_corner() {
 fn a_contact_share_that_is_not_reached_is_said() {
     let run = solve(&shipped("superplastic_box", &["gas.duration=200 s"]));
     assert_eq!(run.stop, Stop::FullTravel);
-    assert!(run.warnings.iter().any(|w| w.contains("not the 95.0 % that were to end the run")), "{:?}", run.warnings);
+    let warnings = assess::warnings(&run);
+    assert!(warnings.iter().any(|w| w.contains("not the 95.0 % that were to end the run")), "{warnings:?}");
 }
 
 /// Pressure from above on a sheet over a punch that draws it in: the sheet wraps the punch more closely than without.
@@ -397,7 +399,8 @@ fn ironing_is_resisted_and_reported() {
     let model = case::parse(&text, "cup.toml", &["tools.punch.travel=32 mm".into()]).unwrap_or_else(|e| panic!("{e}"));
     let run = solver::run(model.model(), &mut ());
     assert!(run.stop.is_complete() || run.stop.is_physical(), "{}", run.stop);
-    assert!(run.warnings.iter().any(|w| w.contains("ironing from")), "{:?}", run.warnings);
+    let warnings = assess::warnings(&run);
+    assert!(warnings.iter().any(|w| w.contains("ironing from")), "{warnings:?}");
     let squeeze = run.steps.iter().map(|r| r.ironing).fold(0.0, f64::max);
     assert!((0.01..0.5).contains(&squeeze), "{squeeze}");
 }

@@ -9,6 +9,7 @@ use super::sheet::Sheet;
 use super::tools::{Tools, about, because, careful, flat_punch, force, newtons};
 use crate::case::CaseError;
 use crate::model::Geometry;
+use crate::rules::limits::REDRAW_RATIO;
 use crate::units::rounded;
 use std::f64::consts::PI;
 
@@ -66,8 +67,8 @@ fn write(inputs: &Inputs) -> Result<String, CaseError> {
     let blank = cup.blank(t);
     let first = inputs.pick("first-radius", || {
         Picked::by(
-            rules::REDRAW_RATIO * cup.radius,
-            format!("{} times the second punch: what DC04 takes in a second draw (4ming)", rules::REDRAW_RATIO),
+            REDRAW_RATIO * cup.radius,
+            format!("{} times the second punch: what DC04 takes in a second draw (4ming)", REDRAW_RATIO),
         )
     });
     let or = "a smaller --trim; more than two draws are not written here";

@@ -8,19 +8,13 @@
 //! thumb.
 
 use super::page::plain;
-use crate::assess::check::THIN;
 use crate::case::CaseError;
 use crate::rules::estimate;
+use crate::rules::limits::{LIMITING_RATIO, THIN};
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
 
 pub(super) use estimate::tensile_strength;
 
-/// Blank over punch that one draw of good steel reaches: what `check` warns above.
-pub const LIMITING_RATIO: f64 = crate::assess::check::LIMITING_RATIO;
-/// A draw ratio above this is close to the limit: that of DC04 for a punch of 100 mm (4ming, table of draw ratios).
-pub const CAREFUL_RATIO: f64 = 2.0;
-/// First cup over redrawn cup, of DC04 in the second draw (4ming, table of draw ratios).
-pub const REDRAW_RATIO: f64 = 1.3;
 /// Radius over thickness of tools [–]: see [`tool_radius`].
 const RADIUS: f64 = 6.0;
 /// Elements per 90° of the sharpest corner that a blank of equal elements would have [–].

@@ -5,6 +5,7 @@ use super::rules::{self, Picked};
 use super::sheet::Sheet;
 use crate::case::CaseError;
 use crate::model::Geometry;
+use crate::rules::limits::CAREFUL_RATIO;
 use crate::units::rounded;
 
 /// A tool's shape: key, value, and why it has these sizes.
@@ -112,12 +113,12 @@ pub(super) fn because(picked: &Picked) -> String {
 
 /// A word of warning near the limit of one draw.
 pub(super) fn careful(ratio: f64) -> String {
-    if ratio <= rules::CAREFUL_RATIO {
+    if ratio <= CAREFUL_RATIO {
         return String::new();
     }
     format!(
         " The draw ratio of {ratio:.2} is close to the limit of one draw ({} for DC04 with a 100 mm punch, 4ming): it may tear.",
-        rules::CAREFUL_RATIO
+        CAREFUL_RATIO
     )
 }
 

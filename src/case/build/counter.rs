@@ -36,13 +36,11 @@ pub(super) fn offset(
     let by = table.by.ok_or_else(|| missing(context.source, &path, "by"))?.value();
     let original = source_of(of, role, &format!("{path}.offset_of"), context)?;
     if let Some(key) = [("shoulder", table.shoulder), ("closed_at", table.closed_at)].iter().find(|(_, v)| v.is_some())
+        && (role == Role::Punch || table.shoulder.is_none())
     {
-        if role == Role::Punch || table.shoulder.is_none() {
-            let what = format!("`{}` belongs to a die made from a punch, with its shoulder", key.0);
-            let help =
-                "write { offset_of = \"punch\", by = .., shoulder = .., closed_at = .. } for the die, or drop it";
-            return Err(context.source.error(&format!("{path}.{}", key.0), what, help));
-        }
+        let what = format!("`{}` belongs to a die made from a punch, with its shoulder", key.0);
+        let help = "write { offset_of = \"punch\", by = .., shoulder = .., closed_at = .. } for the die, or drop it";
+        return Err(context.source.error(&format!("{path}.{}", key.0), what, help));
     }
     let axis = match role {
         Role::Punch => original.last(),

@@ -73,8 +73,8 @@ pub struct Tresca {
     pub coefficient: Option<Fraction>,
 }
 
-/// Friction by the face of the sheet, for tools that do not name their own.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Deserialize, JsonSchema)]
+/// Friction by the face of the sheet, for tools that do not name their own, and where all of the case's friction comes from.
+#[derive(Clone, Debug, Default, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Sides {
     /// Of the face that punch and holder touch: a coefficient, 0 to 1, or a law.
@@ -83,6 +83,10 @@ pub struct Sides {
     /// Of the face that the die touches: a coefficient, 0 to 1, or a law.
     #[schemars(example = 0.08)]
     pub die_side: Option<Friction>,
+    /// Where the coefficients of all tools come from: how they were measured, or author and year; left out where they are
+    /// assumed.
+    #[schemars(example = &"strip drawing with this oil")]
+    pub source: Option<String>,
 }
 
 impl<'de> Deserialize<'de> for Friction {

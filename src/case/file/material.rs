@@ -14,6 +14,9 @@ pub struct Material {
     /// library says.
     #[schemars(example = &"aa6016-t4")]
     pub name: Option<String>,
+    /// Where the numbers come from: author and year, or how they were measured; left out where they are assumed.
+    #[schemars(example = &"tension tests of this coil")]
+    pub source: Option<String>,
     /// Young's modulus; given together with `poisson`.
     #[schemars(example = "210 GPa")]
     pub young: Option<Positive<Stress>>,

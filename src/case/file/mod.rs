@@ -59,7 +59,7 @@ pub struct CaseFile {
     pub material: Material,
     #[serde(default)]
     pub tools: Tools,
-    /// Friction by the face of the sheet, for tools that do not name their own.
+    /// Friction by the face of the sheet, for tools that do not name their own, and where all of it comes from.
     #[serde(default)]
     pub friction: Sides,
     pub gas: Option<Gas>,

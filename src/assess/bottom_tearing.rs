@@ -1,7 +1,7 @@
 //! Whether a cup's wall carries the punch force.
 
 use super::nose::NoseEnd;
-use super::{Finding, Light, of_stage};
+use super::{Finding, Light, Run, thinning};
 use crate::model::{Edge, Geometry};
 use crate::rules::estimate::{draw_ratio, tensile_strength};
 use crate::solution::StageSolution;
@@ -22,33 +22,27 @@ const NEAR: f64 = 0.9;
 /// # References
 /// 4ming, Forming handbook, "Tearing force", equations 1 and 2 (4ming.de/en/forming-handbook/tearing-force):
 /// F_BR = π (d₁ + s₀) s₀ R_m a_R with a_R = 1 … 1.6. The works that it quotes were not read.
-pub(super) fn judge(passes: &[StageSolution]) -> Option<Finding> {
-    let forces = passes.iter().enumerate().filter_map(|(i, pass)| Some((i, forces(pass, i)?)));
+pub(super) fn judge(run: &Run) -> Option<Finding> {
+    let forces = run.stages.iter().enumerate().filter_map(|(i, pass)| Some((i, forces(pass, i)?)));
     let (i, [peak, tears]) = forces.max_by(|(_, [a, b]), (_, [c, d])| (a / b).total_cmp(&(c / d)))?;
     let factor = peak / tears;
     let light = Light::of(factor, [NEAR * FACTORS[0], FACTORS[1]]);
-    Some(Finding {
-        key: "bottom_tearing",
-        label: "Bottom tearing",
-        light,
-        value: Some(100.0 * factor),
-        unit: Unit::Percent,
-        found: format!(
-            "punch force up to {:.1} kN, {:.0} % of the limit{}",
-            1e-3 * peak,
-            100.0 * factor,
-            of_stage(passes, i)
-        ),
-        limit: format!(
-            "{:.1} kN = π (d₁ + s₀) s₀ R_m at the end of the nose, near it from {:.0} % on; some metals and noses carry up to \
-             {} times that",
-            1e-3 * tears,
-            100.0 * NEAR,
-            FACTORS[1]
-        ),
-        source: "4ming, Forming handbook, Tearing force, eqs. 1 and 2",
-        advice: light.advice(super::thinning::ADVICE),
-    })
+    let found =
+        format!("punch force up to {:.1} kN, {:.0} % of the limit{}", 1e-3 * peak, 100.0 * factor, run.of_stage(i));
+    let limit = format!(
+        "{:.1} kN = π (d₁ + s₀) s₀ R_m at the end of the nose, near it from {:.0} % on; some metals and noses carry up to {} \
+         times that",
+        1e-3 * tears,
+        100.0 * NEAR,
+        FACTORS[1]
+    );
+    Some(
+        Finding::judged("bottom_tearing", "Bottom tearing", light, found)
+            .value(100.0 * factor, Unit::Percent)
+            .limit(limit)
+            .source("4ming, Forming handbook, Tearing force, eqs. 1 and 2")
+            .advice(thinning::ADVICE),
+    )
 }
 
 /// The peak force of a stage and the one that tears its wall off \[N\].

@@ -1,15 +1,14 @@
 //! What a bent section does when its tools are taken away.
 
-use super::{DECLARED, Finding, Light};
+use super::{Finding, Light, Run};
 use crate::measure::{Shape, changes};
 use crate::model::{Geometry, Mode};
-use crate::solution::StageSolution;
 use crate::table::{Unit, four_digits};
 
 /// The angles' changes of a stage that takes the tools away, which only the wanted part can judge; and of a section in plane
 /// strain by the flow law, that there are none.
-pub(super) fn judge(passes: &[StageSolution]) -> Option<Finding> {
-    let last = passes.last()?;
+pub(super) fn judge(run: &Run) -> Option<Finding> {
+    let last = run.stages.last()?;
     let (found, advice) = match last.released() {
         Some([before, after]) => (
             angles(&Shape::of(before), &Shape::of(after))?,
@@ -21,17 +20,11 @@ pub(super) fn judge(passes: &[StageSolution]) -> Option<Finding> {
         ),
         None => return None,
     };
-    Some(Finding {
-        key: "springback",
-        label: "Spring-back",
-        light: Light::Grey,
-        value: None,
-        unit: Unit::None,
-        found,
-        limit: "the part's tolerance, not in the case".into(),
-        source: DECLARED,
-        advice: advice.into(),
-    })
+    Some(
+        Finding::judged("springback", "Spring-back", Light::Grey, found)
+            .limit("the part's tolerance, not in the case")
+            .advice(advice),
+    )
 }
 
 /// `wall to the punch direction 44.98° → 47.43°`; `None` where no angle was found.

@@ -1,14 +1,12 @@
 //! What the press must give, against its rating where the case names it.
 
-use super::{Finding, Light, of_stage};
-use crate::case::Case;
+use super::{Finding, Light, Run};
 use crate::model::Geometry;
-use crate::solution::StageSolution;
 use crate::table::{JOULES, Unit, energy_unit, force_unit, four_digits};
 
 /// Largest punch force and its travel, over all stages.
-pub(super) fn force(case: &Case, passes: &[StageSolution]) -> Option<Finding> {
-    let steps = passes.iter().enumerate().filter(|(_, pass)| pass.model.release.is_none());
+pub(super) fn force(run: &Run) -> Option<Finding> {
+    let steps = run.stages.iter().enumerate().filter(|(_, pass)| pass.model.release.is_none());
     let steps = steps.flat_map(|(i, pass)| pass.steps.iter().map(move |step| (i, pass, step)));
     let (i, pass, peak) = steps.max_by(|a, b| a.2.punch_force.total_cmp(&b.2.punch_force))?;
     if peak.punch_force <= 0.0 {
@@ -19,30 +17,30 @@ pub(super) fn force(case: &Case, passes: &[StageSolution]) -> Option<Finding> {
         "punch_force",
         "Punch force",
         (peak.punch_force, unit),
-        case.press.force,
+        run.case.press.force,
         |force| match unit {
             Unit::N => format!("{} kN", four_digits(1e-3 * force)),
             other => format!("{} {}", four_digits(force), other.symbol()),
         },
-        format!("{} at {:.2} mm of travel{}", half(passes), peak.travel, of_stage(passes, i)),
+        format!("{} at {:.2} mm of travel{}", half(run), peak.travel, run.of_stage(i)),
     ))
 }
 
 /// External work of the stroke that needs most of it.
-pub(super) fn energy(case: &Case, passes: &[StageSolution]) -> Option<Finding> {
-    let unit = energy_unit(passes.first()?.model.geometry);
-    let strokes = passes.iter().enumerate().filter(|(_, pass)| pass.model.release.is_none());
+pub(super) fn energy(run: &Run) -> Option<Finding> {
+    let unit = energy_unit(run.stages.first()?.model.geometry);
+    let strokes = run.stages.iter().enumerate().filter(|(_, pass)| pass.model.release.is_none());
     let work = strokes.filter_map(|(i, pass)| Some((i, JOULES * pass.steps.last()?.work.external)));
     let (i, work) = work.max_by(|a, b| a.1.total_cmp(&b.1))?;
     let per = if unit == Unit::Joule { "J" } else { "J per mm of depth" };
     let written = |work: f64| format!("{} {per}", four_digits(work));
-    let at = format!("{}{}", half(passes), of_stage(passes, i));
-    Some(rated("energy", "Energy", (work, unit), case.press.energy.map(|energy| JOULES * energy), written, at))
+    let at = format!("{}{}", half(run), run.of_stage(i));
+    Some(rated("energy", "Energy", (work, unit), run.case.press.energy.map(|energy| JOULES * energy), written, at))
 }
 
 /// What forces and work of a plane-strain section are of.
-fn half(passes: &[StageSolution]) -> &'static str {
-    match passes.first().map(|pass| pass.model.geometry) {
+fn half(run: &Run) -> &'static str {
+    match run.stages.first().map(|pass| pass.model.geometry) {
         Some(Geometry::PlaneStrain) => " of the modelled half: the press sees twice that",
         _ => "",
     }
@@ -63,15 +61,9 @@ fn rated(
         None if unit == Unit::JoulePerMm => "times twice the part's depth, against the press's work of a stroke",
         None => "give [press] force, and energy of an axisymmetric part: the ratings on its data sheet",
     };
-    Finding {
-        key,
-        label,
-        light,
-        value: Some(value),
-        unit,
-        found: written(value) + &at,
-        limit: rating.map_or_else(|| "the press's rating, not in the case".into(), written),
-        source: "the press's data sheet",
-        advice: light.advice(advice),
-    }
+    Finding::judged(key, label, light, written(value) + &at)
+        .value(value, unit)
+        .limit(rating.map_or_else(|| "the press's rating, not in the case".into(), written))
+        .source("the press's data sheet")
+        .advice(advice)
 }

@@ -1,16 +1,14 @@
 //! Corners without a radius where the sheet meets them.
 
-use super::mm;
+use super::Finding;
+use super::check::mm;
 use crate::geometry::{CORNER, Point};
 use crate::model::{Model, Role, Tool};
 use crate::rules::tool_sizes::extent;
+use crate::table::Unit;
 
-/// A warning for each tool with a sharp corner in the sheet's reach.
-pub(super) fn warnings(model: &Model) -> Vec<String> {
-    model.tools.iter().filter_map(|tool| warning(model, tool)).collect()
-}
-
-fn warning(model: &Model, tool: &Tool) -> Option<String> {
+/// A tool with a sharp corner in the sheet's reach.
+pub(super) fn met(model: &Model, tool: &Tool) -> Option<Finding> {
     let sharp: Vec<_> =
         tool.profile.vertices().filter(|v| v.turn.abs() > CORNER && meets(model, tool, v.point)).collect();
     let first = sharp.first()?;
@@ -18,14 +16,20 @@ fn warning(model: &Model, tool: &Tool) -> Option<String> {
         1 => String::new(),
         n => format!(" and at {} more", n - 1),
     };
-    Some(format!(
-        "the {}'s profile has a sharp corner, radius 0, of {:.0}° at r = {} mm, z = {} mm (as placed, z = 0 is the flat \
-         sheet's middle){others}: no shell can follow it; draw an arc, or give `fillet`",
+    let found = format!(
+        "the {}'s profile has a sharp corner, radius 0, of {:.0}° at r = {} mm, z = {} mm (as placed, z = 0 is the flat sheet's \
+         middle){others}: no shell can follow it; draw an arc, or give `fillet`",
         tool.role.name(),
         first.turn.abs().to_degrees(),
         mm(first.point.x),
         mm(first.point.y)
-    ))
+    );
+    Some(
+        Finding::warning("sharp_corner", "Sharp corner", found)
+            .value(first.turn.abs().to_degrees(), Unit::Degree)
+            .limit(format!("{:.0}°", CORNER.to_degrees()))
+            .source("the radius that a shell follows"),
+    )
 }
 
 /// Whether the sheet can come to a point of a tool.

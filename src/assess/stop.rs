@@ -1,16 +1,12 @@
 //! Whether the run came to its end.
 
-use super::{Finding, Light};
-use crate::case::Case;
-use crate::solution::StageSolution;
+use super::{Finding, Light, Run, thinning};
 use crate::solution::Stop;
-use crate::table::Unit;
 
 /// Red where a stage stopped early, amber where the cup left the die; the stop says why.
-pub(super) fn judge(case: &Case, passes: &[StageSolution]) -> Option<Finding> {
-    let run = passes.last()?;
-    let model = &run.model;
-    let stop = &run.stop;
+pub(super) fn judge(run: &Run) -> Option<Finding> {
+    let last = run.stages.last()?;
+    let (model, stop) = (&last.model, &last.stop);
     let words = match stop {
         Stop::FullTravel if model.release.is_some() => "the tools are taken away".to_owned(),
         stop => stop.to_string(),
@@ -21,12 +17,12 @@ pub(super) fn judge(case: &Case, passes: &[StageSolution]) -> Option<Finding> {
         stop if stop.is_complete() => Light::Green,
         _ => Light::Red,
     };
-    let stages = 1 + case.later().len();
-    let at = if stages > 1 { format!("stage {} of {stages}: ", passes.len()) } else { String::new() };
+    let stages = 1 + run.case.later().len();
+    let at = if stages > 1 { format!("stage {} of {stages}: ", run.stages.len()) } else { String::new() };
     let advice = match stop {
         Stop::FullTravel | Stop::ContactShare { .. } | Stop::Interrupted { .. } => "",
         Stop::Refused(_) => "a value that the solver can take",
-        Stop::Localised { .. } | Stop::Coalesced { .. } | Stop::LoadMaximum { .. } => super::thinning::ADVICE,
+        Stop::Localised { .. } | Stop::Coalesced { .. } | Stop::LoadMaximum { .. } => thinning::ADVICE,
         Stop::PressureMaximum { .. } => {
             "a lower pressure, or a slower one with a rate-sensitive metal; a smaller height"
         }
@@ -34,15 +30,7 @@ pub(super) fn judge(case: &Case, passes: &[StageSolution]) -> Option<Finding> {
         Stop::ToolsClosed { .. } => "a shorter travel, or a larger gap between punch and die",
         Stop::NoEquilibrium { .. } => "what the stop names; else a finer mesh at the radii (blank.elements)",
     };
-    Some(Finding {
-        key: "stop",
-        label: "Run",
-        light,
-        value: None,
-        unit: Unit::None,
-        found: format!("{at}{words}"),
-        limit: "reaches its end".into(),
-        source: "the solver",
-        advice: advice.into(),
-    })
+    Some(
+        Finding::judged("stop", "Run", light, at + &words).limit("reaches its end").source("the solver").advice(advice),
+    )
 }

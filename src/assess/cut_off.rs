@@ -1,0 +1,44 @@
+//! Whether much of the sheet strains so slowly that its stress is the cut-off's.
+
+use super::{Finding, Light, Run, formed};
+use crate::solution::StageSolution;
+use crate::table::Unit;
+
+/// Plastic work in cut-off zones, over all of it, that puts stresses in doubt \[–\].
+const LARGEST: f64 = 0.05;
+const SOURCE: &str = "declared accuracy of the solver";
+
+/// The share of the plastic work of a stage that formed the sheet.
+fn share(stage: &StageSolution) -> Option<f64> {
+    let work = stage.steps.last().filter(|_| formed(stage))?.work;
+    (work.plastic > 0.0).then(|| work.cutoff / work.plastic)
+}
+
+/// The largest share of a stage.
+pub(super) fn judge(run: &Run) -> Option<Finding> {
+    run.steps().next()?;
+    let share = run.stages.iter().filter_map(share).fold(0.0, f64::max);
+    let found = format!("{:.2} % of the plastic work where the strain rate is cut off", 100.0 * share);
+    Some(
+        Finding::judged("cutoff", "Cut-off", Light::within(share, LARGEST), found)
+            .value(100.0 * share, Unit::Percent)
+            .limit(format!("{:.0} %", 100.0 * LARGEST))
+            .source(SOURCE)
+            .advice("a smaller solver.cutoff_strain: stresses there are not the true ones"),
+    )
+}
+
+/// A stage with more.
+pub(super) fn large(stage: &StageSolution) -> Option<Finding> {
+    let share = share(stage).filter(|share| *share > LARGEST)?;
+    let found = format!(
+        "{:.1} % of the plastic work is done where the strain rate is cut off: stresses there are not the true ones",
+        100.0 * share
+    );
+    Some(
+        Finding::warning("cut_off", "Cut-off", found)
+            .value(100.0 * share, Unit::Percent)
+            .limit(format!("{:.0} %", 100.0 * LARGEST))
+            .source(SOURCE),
+    )
+}

@@ -1,0 +1,211 @@
+//! The one way in which the program tells a user what to know.
+
+use crate::table::Unit;
+use serde::{Serialize, Serializer};
+use std::borrow::Cow;
+
+/// How a finding stands to its limit.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Light {
+    /// Not judged: the case does not hold what it would be held against.
+    Grey,
+    /// Within the limit.
+    Green,
+    /// Near it, or a guess that matters.
+    Amber,
+    /// Beyond it.
+    Red,
+}
+
+impl Light {
+    /// The word that stands for it without colours.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Grey => "grey",
+            Self::Green => "green",
+            Self::Amber => "amber",
+            Self::Red => "red",
+        }
+    }
+
+    /// Green up to the first limit, amber up to the second, red beyond.
+    pub(super) fn of(value: f64, limits: [f64; 2]) -> Self {
+        match value {
+            v if v <= limits[0] => Self::Green,
+            v if v <= limits[1] => Self::Amber,
+            _ => Self::Red,
+        }
+    }
+
+    /// Green up to a limit, amber beyond.
+    pub(super) fn within(value: f64, limit: f64) -> Self {
+        Self::of(value, [limit, f64::INFINITY])
+    }
+
+    /// Amber where something is in doubt.
+    pub(super) fn doubtful(doubtful: bool) -> Self {
+        if doubtful { Self::Amber } else { Self::Green }
+    }
+}
+
+/// When a finding can be made.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum When {
+    /// From the case alone.
+    Before,
+    /// From what came out.
+    After,
+}
+
+/// Where a finding is told.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Kind {
+    /// A row of the verdict, whatever its light.
+    Judgement,
+    /// A sentence among the warnings, made only where something is wrong.
+    Warning,
+    /// A sentence among the notes: what was assumed or changed while the case was read.
+    Assumption,
+}
+
+/// Something that a user should know.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Finding {
+    /// Name in JSON: `thinning`.
+    pub key: &'static str,
+    /// Name in tables: `Thinning`.
+    pub label: &'static str,
+    pub light: Light,
+    /// The number, in `unit`; `None` where words say it.
+    pub value: Option<f64>,
+    /// In JSON as at the end of a header: `percent`; empty for plain numbers.
+    #[serde(serialize_with = "spelled")]
+    pub unit: Unit,
+    /// The number or the words, with the unit, and where.
+    pub found: String,
+    /// The limit in words, with its unit.
+    pub limit: String,
+    /// Where the limit comes from; a declared rule of thumb is called so.
+    pub source: Cow<'static, str>,
+    /// What to change; empty where all is well.
+    pub advice: String,
+    pub when: When,
+    #[serde(skip)]
+    pub kind: Kind,
+    /// The stage that it is of, counted from 0; `None` of the case or of all stages.
+    #[serde(skip)]
+    pub stage: Option<usize>,
+}
+
+fn spelled<S: Serializer>(unit: &Unit, serializer: S) -> Result<S::Ok, S::Error> {
+    serializer.serialize_str(unit.spelled())
+}
+
+/// What a limit without a source that could be read is called.
+const DECLARED: &str = "declared rule of thumb";
+
+impl Finding {
+    fn new(kind: Kind, key: &'static str, label: &'static str, light: Light, found: String) -> Self {
+        Self {
+            key,
+            label,
+            light,
+            value: None,
+            unit: Unit::None,
+            found,
+            limit: String::new(),
+            source: DECLARED.into(),
+            advice: String::new(),
+            when: When::After,
+            kind,
+            stage: None,
+        }
+    }
+
+    /// A row of the verdict.
+    pub(super) fn judged(key: &'static str, label: &'static str, light: Light, found: impl Into<String>) -> Self {
+        Self::new(Kind::Judgement, key, label, light, found.into())
+    }
+
+    /// A warning; with [`Self::advice`] its sentence is `found: advice`.
+    pub(super) fn warning(key: &'static str, label: &'static str, found: impl Into<String>) -> Self {
+        Self::new(Kind::Warning, key, label, Light::Amber, found.into())
+    }
+
+    /// What was assumed while a case was read.
+    pub(super) fn assumption(found: &str) -> Self {
+        let limit = "what the case says".into();
+        Self { limit, ..Self::new(Kind::Assumption, "assumed", "Assumed", Light::Grey, found.to_owned()) }
+    }
+
+    /// With its number.
+    pub(super) fn value(mut self, value: impl Into<Option<f64>>, unit: Unit) -> Self {
+        (self.value, self.unit) = (value.into(), unit);
+        self
+    }
+
+    /// With its limit, a declared rule of thumb until a source is given.
+    pub(super) fn limit(mut self, limit: impl Into<String>) -> Self {
+        self.limit = limit.into();
+        self
+    }
+
+    /// With the source of its limit.
+    pub(super) fn source(mut self, source: impl Into<Cow<'static, str>>) -> Self {
+        self.source = source.into();
+        self
+    }
+
+    /// With what to change, unless all is well.
+    pub(super) fn advice(mut self, advice: impl Into<String>) -> Self {
+        if self.light != Light::Green {
+            self.advice = advice.into();
+        }
+        self
+    }
+
+    /// As one sentence: what was found, and of a warning what to change.
+    pub fn sentence(&self) -> String {
+        if self.advice.is_empty() { self.found.clone() } else { format!("{}: {}", self.found, self.advice) }
+    }
+}
+
+/// The rows of the verdict.
+pub fn judgements(findings: &[Finding]) -> impl Iterator<Item = &Finding> {
+    findings.iter().filter(|finding| finding.kind == Kind::Judgement)
+}
+
+/// The sentences of a kind.
+pub fn sentences(findings: &[Finding], kind: Kind) -> Vec<String> {
+    findings.iter().filter(|finding| finding.kind == kind).map(Finding::sentence).collect()
+}
+
+/// One sentence on the verdict, the worst first: `2 amber (Holder, Friction), 1 not judged (Energy), 14 green`.
+pub fn headline(findings: &[Finding]) -> String {
+    let of = |light: Light, word: &str, named: bool| {
+        let labels: Vec<&str> = judgements(findings).filter(|f| f.light == light).map(|f| f.label).collect();
+        let names = if named { format!(" ({})", labels.join(", ")) } else { String::new() };
+        (!labels.is_empty()).then(|| format!("{} {word}{names}", labels.len()))
+    };
+    let parts = [
+        of(Light::Red, "red", true),
+        of(Light::Amber, "amber", true),
+        of(Light::Grey, "not judged", true),
+        of(Light::Green, "green", false),
+    ];
+    parts.into_iter().flatten().collect::<Vec<_>>().join(", ")
+}
+
+/// The advice of the verdict's rows of a light, rows of one advice together: their labels, and what to change.
+pub fn advice(findings: &[Finding], is: impl Fn(Light) -> bool) -> Vec<(String, &str)> {
+    let mut given: Vec<(String, &str)> = Vec::new();
+    for finding in judgements(findings).filter(|f| is(f.light) && !f.advice.is_empty()) {
+        match given.iter_mut().find(|(_, advice)| *advice == finding.advice) {
+            Some((labels, _)) => *labels += &format!(", {}", finding.label),
+            None => given.push((finding.label.to_owned(), &finding.advice)),
+        }
+    }
+    given
+}

@@ -1,0 +1,92 @@
+//! How far the hardening law is used beyond what it was measured for.
+
+use super::{Finding, Light, Run, largest};
+use crate::model::Model;
+use crate::solution::StageSolution;
+use crate::table::Unit;
+use crate::units::ZERO_CELSIUS;
+
+/// Strain at which a table should not have ended \[–\]: draws strain the sheet by as much.
+const FAR: f64 = 0.5;
+/// How far a temperature may lie beyond the curves given without a word \[K\].
+const NEAR_ENOUGH: f64 = 10.0;
+
+/// What the case says of its material, where it gives no source.
+const OWN: &str = "the case's material";
+
+/// A table that ends at a small strain.
+pub(super) fn short(model: &Model) -> Option<Finding> {
+    let strain = model.material.hardening.valid_up_to().filter(|strain| *strain < FAR)?;
+    let found = format!("the hardening table ends at a strain of {strain}; beyond it the law is extrapolated");
+    Some(
+        Finding::warning("short_table", "Hardening law", found)
+            .value(strain, Unit::None)
+            .limit(format!("{FAR} at least")),
+    )
+}
+
+/// The largest equivalent strain of a layer.
+fn reached(stage: &StageSolution) -> f64 {
+    stage.end.points.iter().map(|point| point.strain).fold(0.0, f64::max)
+}
+
+/// The largest equivalent strain of a layer, against the last point of a table; a formula does not say its range.
+pub(super) fn judge(run: &Run) -> Option<Finding> {
+    let last = run.stages.last()?;
+    let strain = run.stages.iter().map(reached).fold(0.0, f64::max);
+    let range = last.model.material.hardening.valid_up_to();
+    let (light, limit, advice) = match range {
+        Some(end) => (
+            Light::within(strain, end),
+            format!("its table ends at {end:.3}"),
+            "points at larger strains, from a bulge test; else the stress is extrapolated",
+        ),
+        None => (
+            Light::Grey,
+            "a formula: the range of its fit is not in the case".to_owned(),
+            "hold that strain against the range of the fit in the law's source",
+        ),
+    };
+    let source = run.case.sources.material.clone().unwrap_or_else(|| OWN.to_owned());
+    Some(
+        Finding::judged("hardening_range", "Hardening law", light, format!("used up to a true strain of {strain:.3}"))
+            .value(strain, Unit::None)
+            .limit(limit)
+            .source(source)
+            .advice(advice),
+    )
+}
+
+/// A stage that strains the sheet beyond the last point of its table.
+pub(super) fn beyond(stage: &StageSolution) -> Option<Finding> {
+    stage.steps.last()?;
+    let strain = reached(stage);
+    let end = stage.model.material.hardening.valid_up_to().filter(|end| strain > *end)?;
+    let found =
+        format!("the hardening table ends at a strain of {end:.3}; the run reaches {strain:.3} on its extrapolation");
+    Some(
+        Finding::warning("extrapolated", "Hardening law", found)
+            .value(strain, Unit::None)
+            .limit(format!("{end:.3}"))
+            .source(OWN),
+    )
+}
+
+/// A sheet that is colder or hotter than its curves.
+pub(super) fn other_temperatures(stage: &StageSolution) -> Option<Finding> {
+    stage.steps.last()?;
+    let [cold, hot] = stage.model.material.hardening.temperatures()?;
+    let hottest = largest(stage, |step| step.hottest);
+    let coldest = stage.steps.iter().map(|step| step.coldest).fold(f64::INFINITY, f64::min);
+    (coldest < cold - NEAR_ENOUGH || hottest > hot + NEAR_ENOUGH).then(|| {
+        let [cold, hot, coldest, hottest] = [cold, hot, coldest, hottest].map(|kelvin| kelvin - ZERO_CELSIUS);
+        let found = format!(
+            "hardening is given from {cold:.0} to {hot:.0} °C; the sheet has {coldest:.0} to {hottest:.0} °C, and the outermost \
+             curves are held beyond"
+        );
+        Finding::warning("temperature_range", "Hardening law", found)
+            .value(if hottest > hot { hottest } else { coldest }, Unit::Celsius)
+            .limit(format!("{cold:.0} to {hot:.0} °C"))
+            .source(OWN)
+    })
+}

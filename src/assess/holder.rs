@@ -1,0 +1,151 @@
+//! Whether the holder holds the sheet.
+
+use super::{Finding, Light, Run, largest, strength};
+use crate::model::{Model, Motion, Role};
+use crate::rules::estimate::{held_from, holder_pressure, tensile_strength};
+use crate::solution::{StageSolution, StepRecord};
+use crate::table::Unit;
+
+/// Lift over the thickness that is worth a word, and at which the holder has left the flange to itself \[–\].
+const LIFTED: f64 = 0.3;
+const OFF: f64 = 1.0;
+/// Width of a flange that no longer buckles as it runs out over the shoulder, its rim tilting, over the thickness \[–\].
+const RUN_OUT: f64 = 2.0 * StepRecord::RIM;
+/// Normal pressure over the tensile strength that a shell, which yields without one, can overlook \[–\].
+const PRESSURE: f64 = 0.1;
+/// Share of the travel from which it is worth a word that the holder rests on its blocks, and of its force \[–\].
+const RESTS: f64 = 0.1;
+const BORNE: f64 = 0.5;
+
+/// A holder without a force.
+pub(super) fn idle(model: &Model) -> Option<Finding> {
+    let idle = |motion: &Motion| matches!(motion, Motion::Pressed(press) if press.is_idle());
+    model.tools.iter().any(|tool| idle(&tool.motion)).then(|| {
+        let found = "the holder has no force and takes no part: the flange may swing up through where it is drawn";
+        Finding::warning("holder_force", "Holder", found).value(0.0, Unit::None).limit("above 0")
+    })
+}
+
+/// A holder that presses harder than the sheet is strong; where that is weaker than any, the law is to blame.
+pub(super) fn crushing(model: &Model) -> Option<Finding> {
+    let strength = tensile_strength(&model.material.hardening);
+    let pressure = holder_pressure(model).filter(|pressure| !strength::is_weak(model) && *pressure > strength)?;
+    let found = format!(
+        "the holder presses with {pressure:.0} MPa, more than the sheet's tensile strength of {strength:.0} MPa"
+    );
+    Some(
+        Finding::warning("holder_pressure", "Holder pressure", found)
+            .value(pressure, Unit::MPa)
+            .limit(format!("{strength:.0} MPa"))
+            .advice("check its force"),
+    )
+}
+
+/// How far the holder is lifted, over the thickness, until the flange runs out; how hard it presses at first, and how much
+/// of its force the rim takes at the end.
+pub(super) fn judge(run: &Run) -> Option<Finding> {
+    let first = run.stages.first()?;
+    let model = &first.model;
+    let holder = model.tool(Role::Holder)?;
+    if !matches!(&holder.motion, Motion::Pressed(press) if !press.is_idle()) {
+        return None;
+    }
+    let last = first.steps.iter().rev().find(|step| step.holder_force > 0.0)?;
+    let thickness = model.blank.thickness;
+    let width = model.blank.length - held_from(model).unwrap_or(0.0);
+    let held = first.steps.iter().filter(|step| width - step.draw_in > RUN_OUT * thickness);
+    let lift = held.map(|step| -step.holder_move / thickness).fold(0.0, f64::max);
+    let pressed = holder_pressure(model).unwrap_or(0.0) / tensile_strength(&model.material.hardening);
+    let (lifts, presses) = (Light::of(lift, [LIFTED, OFF]), Light::within(pressed, PRESSURE));
+    let advice = match presses {
+        Light::Green => "more holder force; a larger die shoulder raises the flange less",
+        _ => "less holder force: the sheet is squeezed, which the shell does not see",
+    };
+    let found = format!(
+        "lifted by up to {lift:.2} t; at first {:.1} % of the tensile strength; in the end {:.0} % of its force on the outer \
+         {} t{}",
+        100.0 * pressed,
+        100.0 * last.rim_share,
+        StepRecord::RIM,
+        run.of_stage(0)
+    );
+    let limit = format!(
+        "lifted by at most {LIFTED} t, refused above {OFF} t, until the flange is {RUN_OUT} t wide; {:.0} % of the tensile \
+         strength",
+        100.0 * PRESSURE
+    );
+    Some(
+        Finding::judged("holder", "Holder", lifts.max(presses), found)
+            .value(lift, Unit::None)
+            .limit(limit)
+            .advice(advice),
+    )
+}
+
+/// How far the holder was lifted, over the thickness.
+pub(super) fn lifted(stage: &StageSolution) -> Option<Finding> {
+    let lift = largest(stage, |step| -step.holder_move) / stage.model.blank.thickness;
+    (lift > LIFTED).then(|| {
+        let found =
+            format!("the holder was lifted by up to {lift:.2} thicknesses as the flange thickened or rose under it");
+        Finding::warning("holder_lift", "Holder", found).value(lift, Unit::None).limit(format!("{LIFTED} thicknesses"))
+    })
+}
+
+/// A holder that rests on its distance blocks presses no sheet there, however hard it is pressed.
+pub(super) fn rests(stage: &StageSolution) -> Option<Finding> {
+    let [from, to] = resting(stage.model.travel, &stage.steps)?;
+    let found = format!(
+        "the holder rests on its distance blocks from {from:.2} to {to:.2} mm of travel, not on the sheet: it does not hold it \
+         there, whatever its force"
+    );
+    let limit = format!("{:.0} % of the travel", 100.0 * RESTS);
+    Some(Finding::warning("holder_rests", "Distance blocks", found).value(to - from, Unit::Mm).limit(limit))
+}
+
+/// Where in the travel the holder rests on its blocks \[mm\], if it does for a good part of it.
+fn resting(travel: f64, history: &[StepRecord]) -> Option<[f64; 2]> {
+    let rests = |i: usize| {
+        let record = &history[i];
+        record.block_force > BORNE * (record.block_force + record.holder_force)
+    };
+    let begins = |i: usize| i.checked_sub(1).map_or(0.0, |before| history[before].travel);
+    let (mut longest, mut since) = ([0.0; 2], None);
+    for (i, record) in history.iter().enumerate() {
+        since = if rests(i) { since.or(Some(begins(i))) } else { None };
+        if let Some(from) = since.filter(|from| record.travel - from > longest[1] - longest[0]) {
+            longest = [from, record.travel];
+        }
+    }
+    (longest[1] - longest[0] > RESTS * travel).then_some(longest)
+}
+
+/// A tool that the sheet has left, and that stands still from there on.
+pub(super) fn lost(stage: &StageSolution) -> Option<Finding> {
+    let mut tools = stage.model.tools.iter().zip(&stage.left_at);
+    let (tool, travel) = tools.find_map(|(tool, left)| Some((tool.role.name(), (*left)?)))?;
+    let found = format!("the sheet left the {tool} at {travel:.2} mm of travel; the {tool} stands still from there on");
+    Some(Finding::warning("holder_lost", "Holder", found).value(travel, Unit::Mm).limit("the whole travel"))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Trust: by construction.
+    #[test]
+    fn a_holder_that_rests_on_its_blocks_for_long_is_said() {
+        let history = |borne: [f64; 4]| {
+            let record = |(i, block_force)| StepRecord {
+                travel: (i + 1) as f64,
+                block_force,
+                holder_force: 100.0 - block_force,
+                ..StepRecord::default()
+            };
+            borne.into_iter().enumerate().map(record).collect::<Vec<_>>()
+        };
+        assert_eq!(resting(4.0, &history([90.0, 0.0, 100.0, 60.0])), Some([2.0, 4.0]));
+        assert_eq!(resting(4.0, &history([40.0, 0.0, 10.0, 0.0])), None);
+        assert_eq!(resting(20.0, &history([100.0, 0.0, 0.0, 100.0])), None);
+    }
+}

@@ -1,0 +1,25 @@
+//! Whether the layers resolve the moments that spring the sheet back.
+
+use super::{Finding, Light, Run};
+use crate::measure::moment_error;
+use crate::model::Mode;
+use crate::table::Unit;
+
+/// Error of a section's moment that a spring-back may carry \[–\].
+const LARGEST: f64 = 0.05;
+
+/// The largest error of a stage that bends an elastic sheet.
+pub(super) fn judge(run: &Run) -> Option<Finding> {
+    run.steps().next()?;
+    let bent = run.stages.iter().filter(|stage| stage.model.mode != Mode::Flow && stage.model.release.is_none());
+    let errors = bent.filter_map(|stage| moment_error(stage.frames.last()?)).map(|error| error.share);
+    let missed = errors.reduce(f64::max)?;
+    let found = format!("{:.2} % of the largest moment missed, estimated", 100.0 * missed);
+    Some(
+        Finding::judged("moment_error", "Moment of the layers", Light::within(missed, LARGEST), found)
+            .value(100.0 * missed, Unit::Percent)
+            .limit(format!("{:.0} %", 100.0 * LARGEST))
+            .source("declared accuracy of the solver")
+            .advice("more layers (blank.layers)"),
+    )
+}

@@ -1,0 +1,52 @@
+//! Whether one place of the sheet takes all the stretching.
+
+use super::{Finding, Light, Run, thinning};
+use crate::solution::neck::neck;
+use crate::solution::{StageSolution, Stop};
+use crate::table::Unit;
+
+/// Thickness over the initial one that no sheet metal, superplastic alloys apart, is drawn to in one piece \[–\].
+const TORN: f64 = 0.5;
+const LIMIT: &str = "no place thins alone";
+const SOURCE: &str = "the solver's watch for necks; declared thresholds";
+
+/// Red where the solver saw a neck or grown-together voids, or where the sheet is too thin to be whole.
+pub(super) fn judge(run: &Run) -> Option<Finding> {
+    let last = run.stages.last()?;
+    last.steps.last()?;
+    let seen = match &last.stop {
+        stop @ (Stop::Localised { .. } | Stop::Coalesced { .. }) => {
+            Some(format!("the run ended by it: {}", stop.kind()))
+        }
+        _ => seen(last).map(|finding| finding.found),
+    };
+    let light = if seen.is_some() { Light::Red } else { Light::Green };
+    Some(
+        Finding::judged("localisation", "Neck", light, seen.unwrap_or_else(|| "none".into()))
+            .limit(LIMIT)
+            .source(SOURCE)
+            .advice(thinning::ADVICE),
+    )
+}
+
+/// A neck, or a sheet that is too thin to be whole; a run that ended by it has said so.
+pub(super) fn seen(stage: &StageSolution) -> Option<Finding> {
+    stage.steps.last()?;
+    if matches!(stage.stop, Stop::Localised { .. } | Stop::Coalesced { .. }) {
+        return None;
+    }
+    let neck = neck(&stage.model, &stage.end, None);
+    let (place, left) = (neck.s0, 100.0 * neck.share);
+    let superplastic = stage.model.material.rate.is_some_and(|rate| rate.is_superplastic());
+    let found = if neck.stands_out {
+        format!(
+            "thinning has localised at s0 = {place:.1} mm, down to {left:.0} % of the thickness: the sheet tears there, and \
+             what is computed after that depends on the mesh"
+        )
+    } else if neck.share < TORN && !superplastic {
+        format!("the sheet is down to {left:.0} % of its thickness at s0 = {place:.1} mm: it has torn before")
+    } else {
+        return None;
+    };
+    Some(Finding::warning("neck", "Neck", found).value(left, Unit::Percent).limit(LIMIT).source(SOURCE))
+}

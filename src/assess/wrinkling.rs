@@ -1,0 +1,92 @@
+//! Whether the flange would wrinkle: an index, for an axisymmetric run cannot.
+
+use super::nose::NoseEnd;
+use super::{Finding, Light, Run};
+use crate::model::{Model, Motion, Role};
+use crate::rules::estimate::{draw_ratio, held_area, siebel_pressure, tensile_strength};
+use crate::rules::tool_sizes::extent;
+use crate::table::Unit;
+
+/// Advised pressure over the holder's \[–\]: 1 by the rule; above 2 even a factor of 0.002, the least that the rule is said
+/// to be quoted with, would ask for more. A force that was rounded after the rule may miss it by a percent.
+const LIMITS: [f64; 2] = [1.01, 2.0];
+/// Diameter of a blank less that of the punch, over the thickness, up to which a cup is drawn without a holder \[–\].
+const FREE: [f64; 2] = [15.0, 20.0];
+/// Room between a fixed holder and the die, in thicknesses, above which waves have a height to grow to \[–\].
+const GAP: f64 = 1.2;
+
+/// Siebel's pressure over the least that the holder exerts on the flange's first area, beads' closing force taken off; of a
+/// fixed holder its gap. Of the first stage of an axisymmetric draw.
+pub(super) fn judge(run: &Run) -> Option<Finding> {
+    let model = &run.stages.first()?.model;
+    draw_ratio(model)?;
+    match model.tool(Role::Holder).map(|holder| &holder.motion) {
+        Some(Motion::Pressed(press)) if !press.is_idle() => pressed(model, press.force.smallest()),
+        Some(Motion::Gap(gap)) => Some(fixed(gap / model.blank.thickness)),
+        _ => Some(free(model)),
+    }
+}
+
+/// A wall that hangs free between nose and shoulder, of a punch without a straight one: it may pucker, which no index here
+/// says. Of the first stage of an axisymmetric draw.
+pub(super) fn wall(run: &Run) -> Option<Finding> {
+    let first = run.stages.first()?;
+    draw_ratio(&first.model)?;
+    if NoseEnd::of(first).is_some_and(NoseEnd::is_upright) {
+        return None;
+    }
+    Some(
+        Finding::judged(
+            "wall_wrinkles",
+            "Wall wrinkles",
+            Light::Grey,
+            "part of the wall hangs free between punch and die",
+        )
+        .limit("an axisymmetric run cannot wrinkle, and no rule for it could be read")
+        .advice("more holder force, or beads, keep a free wall in tension; a thicker sheet puckers later"),
+    )
+}
+
+fn pressed(model: &Model, least: f64) -> Option<Finding> {
+    let beads: f64 = model.beads.iter().map(|bead| bead.closing * bead.line(model.geometry)).sum();
+    let pressure = (least - beads).max(0.0) / held_area(model)?;
+    let advised = siebel_pressure(model, tensile_strength(&model.material.hardening))?;
+    let index = advised / pressure;
+    let light = Light::of(index, LIMITS);
+    let force = 1e-3 * (advised * held_area(model)? + beads);
+    let found = format!(
+        "{index:.2}: {advised:.2} MPa advised over {pressure:.2} MPa; an axisymmetric run itself cannot wrinkle"
+    );
+    Some(
+        Finding::judged("wrinkling", "Wrinkle index", light, found)
+            .value(index.is_finite().then_some(index), Unit::None)
+            .limit(format!("{:.0}, refused above {}", LIMITS[0], LIMITS[1]))
+            .source("Siebel's holder pressure, after Kugler (2009) in 4ming; red is a declared rule of thumb")
+            .advice(format!(
+                "a holder force of {force:.1} kN or more; where the sheet tears too, a thicker sheet, a smaller blank or one \
+                 more draw"
+            )),
+    )
+}
+
+fn fixed(gap: f64) -> Finding {
+    let found = format!("holder fixed at {gap:.2} thicknesses; an axisymmetric run itself cannot wrinkle");
+    Finding::judged("wrinkling", "Wrinkle room", Light::within(gap, GAP), found)
+        .value(gap, Unit::None)
+        .limit(format!("at most {GAP} thicknesses"))
+        .advice("a smaller holder gap, or a holder force")
+}
+
+/// A blank that nothing holds: how far it stands beyond the punch, in thicknesses.
+fn free(model: &Model) -> Finding {
+    let beyond = model.tool(Role::Punch).map_or(0.0, |punch| 2.0 * (model.blank.length - extent(punch).1));
+    let thicknesses = beyond / model.blank.thickness;
+    let found = format!(
+        "nothing holds the flange: blank less punch diameter is {thicknesses:.0} thicknesses; an axisymmetric run itself cannot \
+         wrinkle"
+    );
+    Finding::judged("wrinkling", "Wrinkle index", Light::of(thicknesses, FREE), found)
+        .value(thicknesses, Unit::None)
+        .limit(format!("{} thicknesses, refused above {}", FREE[0], FREE[1]))
+        .advice("give tools.holder a force; `check` says what Siebel's rule advises")
+}

@@ -1,0 +1,60 @@
+//! Whether one place of the sheet thins alone.
+
+use crate::model::{Model, Settings};
+use crate::state::State;
+
+/// Thickness strain of a neck over the mean of its surroundings \[–\].
+const NECK: f64 = 1.6;
+/// Rate at which the surroundings still thin, over the neck's, once the neck has taken over \[–\].
+const STOPPED: f64 = 0.1;
+/// Thickness left over the initial one above which no neck is looked for \[–\].
+const THINNED: f64 = 0.8;
+/// Surroundings of a neck: this many thicknesses away, on either side.
+pub(crate) const NEAR: f64 = 3.0;
+pub(crate) const AWAY: f64 = 8.0;
+
+/// A place of the sheet that is thinner than its surroundings.
+#[derive(Clone, Copy, Debug)]
+pub struct Neck {
+    /// Initial distance from the axis \[mm\].
+    pub s0: f64,
+    /// Thickness over the initial one \[–\].
+    pub share: f64,
+    /// Whether it is a neck, and whether its surroundings have stopped thinning.
+    pub stands_out: bool,
+    pub took_over: bool,
+}
+
+/// The thinnest place and what its surroundings do; `before` is the state one step ago.
+pub fn neck(model: &Model, state: &State, before: Option<&State>) -> Neck {
+    let t0 = model.blank.thickness;
+    let strain = |e: usize| (state.thickness[e] / t0).ln();
+    let rate = |e: usize| before.map_or(0.0, |before| (before.thickness[e] / state.thickness[e]).ln());
+    // A sheet that does not form, while tools go back, thins by less than the cut-off.
+    let rigid = before.map_or(0.0, |before| {
+        let step = model.process_time(before.time, state.time - before.time);
+        model.settings.cutoff_strain * step / (Settings::CUTOFF_STEP * model.duration)
+    });
+    let middle = |e: usize| 0.5 * (state.s0[e] + state.s0[e + 1]);
+    let n = state.thickness.len();
+    let thinnest = (0..n).min_by(|&a, &b| state.thickness[a].total_cmp(&state.thickness[b]));
+    let e = thinnest.expect("a blank has elements");
+    let mut neck = Neck { s0: middle(e), share: state.thickness[e] / t0, stands_out: false, took_over: false };
+    if neck.share > THINNED {
+        return neck;
+    }
+    let (mut strains, mut rates, mut count) = (0.0, 0.0, 0.0);
+    for other in 0..n {
+        let away = (middle(other) - neck.s0).abs();
+        // On a coarse mesh the next but one stands for the surroundings.
+        let near = (NEAR * t0..AWAY * t0).contains(&away) || (other.abs_diff(e) == 2 && away >= AWAY * t0);
+        if near {
+            strains += strain(other);
+            rates += rate(other).abs();
+            count += 1.0;
+        }
+    }
+    neck.stands_out = count > 0.0 && strain(e) < NECK * (strains / count).min(0.0);
+    neck.took_over = neck.stands_out && before.is_some() && rate(e) > rigid && rates / count < STOPPED * rate(e);
+    neck
+}
