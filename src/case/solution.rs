@@ -33,7 +33,7 @@ impl Case {
 
     /// What stage `i`, counted from 0, is called in folders and headings: `1-draw`; `None` in a case of one stage.
     pub fn stage_label(&self, i: usize) -> Option<String> {
-        let name = self.stage_names().nth(i).filter(|_| !self.later().is_empty())?;
+        let name = self.stage_names().nth(i).filter(|_| self.stages.len() > 1)?;
         Some(format!("{}-{name}", i + 1))
     }
 }

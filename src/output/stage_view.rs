@@ -1,7 +1,7 @@
 //! What outputs are made from: a solved stage, borrowed, with what its files say of the case that it belongs to.
 
 use super::chart::COLORS;
-use crate::assess::{self, Kind, sentences};
+use crate::assess::{self, Finding, Kind, sentences};
 use crate::case::Solution;
 use crate::forming_limit::{Assessment, assess};
 use crate::model::{Geometry, Model};
@@ -25,9 +25,8 @@ pub struct StageView<'a> {
     pub overrides: &'a [String],
     /// Assumptions that the case declares.
     pub declared: &'a [String],
-    /// What was assumed or changed while the case was read.
-    pub derived: &'a [String],
-    pub warnings: Vec<String>,
+    /// What is told with the results: what was assumed while the case was read, and warnings.
+    pub findings: Vec<Finding>,
     pub stage: &'a StageSolution,
     /// Time that the solution of the whole case took, where a clock was at hand.
     pub wall: Option<Duration>,
@@ -37,27 +36,32 @@ pub struct StageView<'a> {
 }
 
 impl Solution {
-    /// What outputs are made from, of every stage that was run; what the check of the case warns of is said of the first.
+    /// What outputs are made from, of every stage that was run; what was found before the run is told with the first.
     pub fn views(&self) -> Vec<StageView<'_>> {
-        let mut views: Vec<_> = (0..self.stages.len()).map(|i| StageView::of(self, i)).collect();
-        if let Some(first) = views.first_mut() {
-            first.warnings.extend(sentences(&assess::before(&self.case), Kind::Warning));
-        }
-        views
+        self.views_telling(&assess::before(&self.case))
+    }
+
+    /// The same with these findings from before the run.
+    pub(crate) fn views_telling(&self, before: &[Finding]) -> Vec<StageView<'_>> {
+        let told = assess::told(before, &self.stages).into_iter().enumerate();
+        told.map(|(i, findings)| StageView::of(self, i, findings)).collect()
     }
 }
 
 impl<'a> StageView<'a> {
-    /// A stage by itself.
+    /// A stage by itself, with what is found on it.
     pub fn alone(name: &str, stage: &'a StageSolution) -> Self {
+        Self { findings: assess::of_stage(0, stage), ..Self::plain(name, stage) }
+    }
+
+    fn plain(name: &str, stage: &'a StageSolution) -> Self {
         Self {
             name: name.to_owned(),
             title: &stage.model.title,
             case_text: "",
             overrides: &[],
             declared: &stage.model.notes,
-            derived: &[],
-            warnings: assess::warnings(stage),
+            findings: Vec::new(),
             stage,
             wall: None,
             captions: true,
@@ -65,16 +69,16 @@ impl<'a> StageView<'a> {
         }
     }
 
-    /// Stage `i` of a solution, counted from 0, with what the solver warns of.
-    pub fn of(solution: &'a Solution, i: usize) -> Self {
+    /// Stage `i` of a solution, counted from 0, with what is told of it.
+    fn of(solution: &'a Solution, i: usize, findings: Vec<Finding>) -> Self {
         let case = &solution.case;
         let name = case.stage_label(i).map_or_else(|| case.name.clone(), |label| format!("{}/{label}", case.name));
         Self {
             case_text: &case.text,
             overrides: &case.overrides,
-            derived: &case.derived,
+            findings,
             wall: solution.wall,
-            ..Self::alone(&name, &solution.stages[i])
+            ..Self::plain(&name, &solution.stages[i])
         }
     }
 
@@ -115,7 +119,7 @@ impl<'a> StageView<'a> {
             notes.push(format!("Set on the command line: {}.", self.overrides.join(", ")));
         }
         if self.captions {
-            notes.extend(self.warnings.iter().map(|warning| format!("Warning: {warning}.")));
+            notes.extend(sentences(&self.findings, Kind::Warning).into_iter().map(|w| format!("Warning: {w}.")));
         }
         notes.extend(self.assumptions());
         notes

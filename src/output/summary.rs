@@ -7,6 +7,7 @@ pub use whole::CaseSummary;
 
 use super::stage_view::ended;
 use super::{StageView, pressure_cycle, springback};
+use crate::assess::{Kind, sentences};
 use crate::forming_limit::Assessment;
 use crate::measure::{Change, Shape, moment_error, part_height, thickest};
 use crate::model::{Geometry, Grading, Iteration, Mode, Model, Norm, Role, Theory};
@@ -191,9 +192,9 @@ impl Summary {
         summary.text("case_sha256", "", &sha256(view.case_text));
         summary.group = Group::Case;
         summary.list("overrides", "Set on the command line", view.overrides);
-        summary.list("derived", "Assumed while reading", view.derived);
+        summary.list("derived", "Assumed while reading", &sentences(&view.findings, Kind::Assumption));
         summary.group = Group::Warnings;
-        summary.list("warnings", "Warnings", &view.warnings);
+        summary.list("warnings", "Warnings", &sentences(&view.findings, Kind::Warning));
         summary.group = Group::Case;
         summary.list("notes", "Declared assumptions", view.declared);
         summary

@@ -19,7 +19,7 @@ pub use html::html;
 pub use markdown::{figure_folder, is_figure, markdown};
 
 use crate::assess::check::{self, Check};
-use crate::assess::{self, Finding};
+use crate::assess::{self, Finding, Kind};
 use crate::case::Solution;
 use crate::output::{Dimension, StageView, Summary};
 use crate::units::rounded;
@@ -44,14 +44,15 @@ pub struct Report<'a> {
 impl<'a> Report<'a> {
     /// Looks a solution over.
     pub fn of(solution: &'a Solution) -> Self {
-        let (case, stages) = (&solution.case, &solution.stages);
-        let views = (0..stages.len()).map(|i| StageView::of(solution, i).without_captions());
+        let (before, after) = (assess::before(&solution.case), assess::after(&solution.case, &solution.stages));
+        let assumed: Vec<_> = before.iter().filter(|f| f.kind == Kind::Assumption).cloned().collect();
+        let views = solution.views_telling(&assumed).into_iter().map(StageView::without_captions);
         Self {
             solution,
             stages: views.map(|view| (view.clone(), Summary::of(&view))).collect(),
-            check: check::report(case),
-            dimensions: sketch::dimensions(case.model()),
-            findings: assess::before(case).into_iter().chain(assess::after(case, stages)).collect(),
+            check: check::report(&solution.case),
+            dimensions: sketch::dimensions(solution.case.model()),
+            findings: before.into_iter().chain(after).collect(),
         }
     }
 

@@ -3,9 +3,6 @@
 use super::{Axis, Column, Unit};
 use crate::model::Geometry;
 
-/// One N·mm, the solver's unit of work \[J\].
-pub const JOULES: f64 = 1e-3;
-
 /// A quantity of a record `R`, such as a step or an element at an instant.
 #[derive(Clone, Copy, Debug)]
 pub struct Field<R> {
@@ -29,7 +26,7 @@ impl<R> Field<R> {
         Self { key, labels: [label; 2], units: [Unit::N, Unit::NPerMm], value }
     }
 
-    /// Work or heat, whose values are converted with [`JOULES`]: of the whole ring, or per mm of depth.
+    /// Work or heat, whose values are converted with [`JOULES`](super::JOULES): of the whole ring, or per mm of depth.
     pub const fn energy(key: &'static str, label: &'static str, value: fn(&R) -> f64) -> Self {
         Self { key, labels: [label; 2], units: [Unit::Joule, Unit::JoulePerMm], value }
     }
@@ -83,21 +80,5 @@ pub fn worded(geometry: Geometry, axisymmetric: &'static str, plane_strain: &'st
     match geometry {
         Geometry::Axisymmetric => axisymmetric,
         Geometry::PlaneStrain => plane_strain,
-    }
-}
-
-/// Unit of forces: of the whole ring, or per mm of depth.
-pub fn force_unit(geometry: Geometry) -> Unit {
-    match geometry {
-        Geometry::Axisymmetric => Unit::N,
-        Geometry::PlaneStrain => Unit::NPerMm,
-    }
-}
-
-/// Unit in which work and heat are written, after [`JOULES`]: of the whole ring, or per mm of depth.
-pub fn energy_unit(geometry: Geometry) -> Unit {
-    match geometry {
-        Geometry::Axisymmetric => Unit::Joule,
-        Geometry::PlaneStrain => Unit::JoulePerMm,
     }
 }

@@ -7,7 +7,7 @@ use std::path::Path;
 const FLOORS: &[&[&str]] = &[
     &["main", "cli"],
     &["report"],
-    &["author", "output"],
+    &["output", "author"],
     &["assess"],
     &["case"],
     &["compare", "rules"],

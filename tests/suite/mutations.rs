@@ -496,7 +496,8 @@ fn check_solved(case: &Case) {
     let model = &reduced(case.model());
     let run = solver::run(model, &mut ());
     let mut subject = StageView::alone(&case.name, &run);
-    (subject.case_text, subject.derived) = (&case.text, &case.derived);
+    subject.case_text = &case.text;
+    subject.findings.extend(stampflow::assess::before(case));
     for frame in &run.frames {
         assert!(frame.nodes.iter().all(|n| n.r.is_finite() && n.z.is_finite() && n.thickness > 0.0));
     }

@@ -81,8 +81,8 @@ fn every_table_names_its_units_alike_in_header_and_axis() {
 fn all_files_are_written_and_nothing_else() {
     let model = drawn::blown(Geometry::Axisymmetric);
     let run = drawn::run(&model);
-    let drawn = StageSolution { model: drawn::model(Geometry::Axisymmetric), ..run.clone() };
-    let none = OUTPUTS.iter().filter(|output| output.bytes(&drawn::view(&drawn)).is_none());
+    let plain = StageSolution { model: drawn::model(Geometry::Axisymmetric), ..run.clone() };
+    let none = OUTPUTS.iter().filter(|output| output.bytes(&drawn::view(&plain)).is_none());
     let none: Vec<&str> = none.map(|output| output.file).collect();
     let special = [
         "springback.csv",
@@ -114,7 +114,7 @@ fn all_files_are_written_and_nothing_else() {
     found.sort();
     written.sort();
     assert_eq!(found, written);
-    assert_eq!(found.len(), OUTPUTS.len() - 10, "what is listed above, but the special sheets' own");
+    assert_eq!(found.len(), OUTPUTS.len() - 10, "all but those of a release, of several frames and of a whole case");
 }
 
 /// The drawn run as that of a case.
