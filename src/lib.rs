@@ -8,10 +8,10 @@
 //!    │ import::read               Sections            a Profile for each tool; case::Draft writes a case file with them
 //! case file (TOML, quantities with units)
 //!    │ case::load                 CaseFile → Model     mm, N, s; validated, immutable
-//!    │ mesh, State::flat          State                one instant: positions, velocities, layers, tools
+//!    │ mesh, State::flat          State                one instant: positions, velocities, thickness points, tools
 //!    │ solver::run_stages         one Stage after another, each a Model of its own on the sheet of the one before
 //!    │ solver::run                predictor → corrector → accepted step, or a shorter one
-//!    │ Observer                   sees each StepRecord and IterationRecord
+//!    │ Observer                   sees each StepRecord and IterationRecord; may end the run
 //!    │ StageSolution { history, frames, stop, warnings }
 //!    │ measure                    angles, curl and places of a Frame, as a person would measure them
 //!    └ Table                      CSV, plots and comparisons all read the same tables

@@ -16,7 +16,7 @@ pub use hill48::Hill48;
 pub use rate::Rate;
 pub use thermal::ThermalLaw;
 
-/// What a layer point answers to a strain increment: the flow law or its twin.
+/// What a thickness point answers to a strain increment: the flow law or the elastoplastic law.
 pub trait PointLaw {
     /// The point as the step finds it.
     type PointState;
@@ -27,7 +27,7 @@ pub trait PointLaw {
     fn respond(&self, before: &Self::PointState, iterate: &mut Self::Iterate, e: flow::Triple) -> flow::StressUpdate;
 }
 
-/// Isotropic elastic constants: of the twin, of unloading, and of laws that start at the elastic line; the flow law has no
+/// Isotropic elastic constants: of the elastoplastic law, of unloading, and of laws that start at the elastic line; the flow law has no
 /// elasticity.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Elastic {

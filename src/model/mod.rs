@@ -373,7 +373,7 @@ pub enum Mode {
     /// The flow approach: rigid-viscoplastic.
     #[default]
     Flow,
-    /// The twin: large-strain elasto-(visco)plastic on the same elements.
+    /// Large-strain elasto-(visco)plastic on the same elements.
     ElastoViscoplastic,
     /// D(E, ν) on the stress that the sheet carries, without yield: the flow approach's spring-back.
     Elastic,

@@ -27,8 +27,9 @@ use crate::state::State;
 use equilibrium::Evaluation;
 use heat::HeatSolver;
 use process::Process;
-use step::Step;
-use termination::Watch;
+use std::mem::{swap, take};
+use step::{Converged, Step};
+use termination::{Termination, no_equilibrium};
 use time_step::StepControl;
 use trial::Trial;
 
@@ -47,8 +48,8 @@ pub fn run_from(model: &Model, mut state: State, observer: &mut dyn Observer) ->
     // Of the step that is tried, and of the one before it.
     let (mut evaluation, mut before) = (Evaluation::new(&process, &state), Evaluation::new(&process, &state));
     let mut heat = HeatSolver::new(model, &state);
-    let mut watch = Watch::new(model, &state);
-    let mut control = StepControl::new(model, watch.closes_at(model));
+    let mut termination = Termination::new(model, &state);
+    let mut control = StepControl::new(model, termination.closes_at(model));
     let mut run = StageSolution {
         start: Some(state.frame(model)),
         paths: state.paths(model),
@@ -61,24 +62,23 @@ pub fn run_from(model: &Model, mut state: State, observer: &mut dyn Observer) ->
     observer.state(model, &state);
     while let Some(dt) = control.next(&state) {
         if observer.wants_to_stop() {
-            run.stop = Stop::Interrupted { travel: state.travel, time: state.time };
+            run.stop = interrupted(&state);
             break;
         }
         let step = Step::new(&process, &state, dt, last.step + 1);
         let converged = match retry::solve(&step, &mut trial, &mut evaluation, &mut rejected, observer) {
             Ok(converged) => converged,
             Err(outcome) if outcome.interrupted => {
-                run.stop = Stop::Interrupted { travel: state.travel, time: state.time };
+                run.stop = interrupted(&state);
                 break;
             }
             Err(outcome) => {
                 run.effort.halved += 1;
-                let necking = watch.necking(model, &state);
+                let necking = termination.necking(model, &state);
                 if necking.is_none() && control.reject() {
                     continue;
                 }
-                let physical = necking.or_else(|| termination::pressure_maximum(model, &run));
-                run.stop = physical.unwrap_or_else(|| termination::no_equilibrium(&step, &evaluation, &outcome, &last));
+                run.stop = necking.unwrap_or_else(|| no_equilibrium(&step, &evaluation, &outcome, &run.steps));
                 break;
             }
         };
@@ -88,18 +88,8 @@ pub fn run_from(model: &Model, mut state: State, observer: &mut dyn Observer) ->
             continue;
         }
         converged.start.count(&mut run.effort);
-        let (work, plastic) = energy_balance::work(&before, &converged);
-        let mut record = step_record::record(&converged, &before, work, rejected, &last);
-        rejected = 0;
+        let (mut next, record) = advance(&before, &converged, heat.as_mut(), take(&mut rejected), &last);
         control.accept(&before, &converged, &record);
-        let mut next = converged.advanced();
-        if model.material.voids.is_some() {
-            (record.porosity, record.porous_s0) = next.largest_porosity(&process.rule);
-        }
-        if let Some(heat) = &mut heat {
-            record.heat = last.heat.plus(heat.advance(&converged, &plastic, &mut next));
-        }
-        (record.coldest, record.hottest) = next.temperatures();
         if model.forming_limit.is_some() {
             run.paths.instants.push(next.instant());
         }
@@ -107,7 +97,7 @@ pub fn run_from(model: &Model, mut state: State, observer: &mut dyn Observer) ->
         observer.state(model, &next);
         run.steps.push(record);
         last = record;
-        std::mem::swap(&mut before, &mut evaluation);
+        swap(&mut before, &mut evaluation);
         if let Some(tool) = process.release(&next) {
             next.release(tool);
             before.release(tool);
@@ -115,7 +105,7 @@ pub fn run_from(model: &Model, mut state: State, observer: &mut dyn Observer) ->
         if control.at_frame(&next) {
             run.frames.push(next.frame(model));
         }
-        let stop = watch.look(model, &state, &next, &record);
+        let stop = termination.look(model, &state, &next, &record);
         state = next;
         if let Some(stop) = stop {
             run.stop = stop;
@@ -130,4 +120,29 @@ pub fn run_from(model: &Model, mut state: State, observer: &mut dyn Observer) ->
     run.warnings.extend(warnings::yielded_again(model, &strained, &state));
     run.end = state;
     run
+}
+
+/// The state that a converged step leads to, with its porosity and temperatures, and its record.
+fn advance(
+    before: &Evaluation,
+    converged: &Converged,
+    heat: Option<&mut HeatSolver>,
+    rejected: usize,
+    last: &StepRecord,
+) -> (State, StepRecord) {
+    let (work, plastic) = energy_balance::work(before, converged);
+    let mut record = step_record::record(converged, before, work, rejected, last);
+    let mut next = converged.advanced();
+    if converged.step.model.material.voids.is_some() {
+        (record.porosity, record.porous_s0) = next.largest_porosity(&converged.step.process.rule);
+    }
+    if let Some(heat) = heat {
+        record.heat = last.heat.plus(heat.advance(converged, &plastic, &mut next));
+    }
+    (record.coldest, record.hottest) = next.temperatures();
+    (next, record)
+}
+
+fn interrupted(state: &State) -> Stop {
+    Stop::Interrupted { travel: state.travel, time: state.time }
 }

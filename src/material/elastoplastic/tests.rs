@@ -226,7 +226,7 @@ mod ode {
     }
 }
 
-/// The twin along the same path, in equal steps.
+/// The elastoplastic law along the same path, in equal steps.
 fn follow(law: &ElastoplasticLaw, corners: &[[f64; 2]], steps: usize) -> Carried {
     let mut at = Carried { temperature: crate::material::flow::ROOM_TEMPERATURE, ..Carried::default() };
     for leg in corners.windows(2) {
@@ -244,7 +244,7 @@ fn follow(law: &ElastoplasticLaw, corners: &[[f64; 2]], steps: usize) -> Carried
 }
 
 /// Trust: an integration of the rates of the 3D tensors with steps so short that yielding in the middle of one is felt by
-/// less than 1e-7; the twin's backward Euler is first order, so two step lengths are extrapolated to none.
+/// less than 1e-7; the elastoplastic law's backward Euler is first order, so two step lengths are extrapolated to none.
 #[test]
 fn a_closed_strain_cycle_is_that_of_the_rates_of_the_tensors() {
     let voce = Hardening::Voce(crate::material::hardening::Voce::new(180.0, 400.0, 9.0, 1.0).expect("valid"));
@@ -257,7 +257,7 @@ fn a_closed_strain_cycle_is_that_of_the_rates_of_the_tensors() {
             let viscous = rate.map(|_| (40.0, 3.0));
             let metal = ode::Metal { elastic: STEEL, hardening: &voce, kinematic, viscous };
             let expected = metal.follow(&corners, duration, 5 * steps);
-            let twin = |steps: usize| {
+            let elastoplastic = |steps: usize| {
                 follow(
                     &ElastoplasticLaw {
                         kinematic: shifting(kinematic),
@@ -269,7 +269,7 @@ fn a_closed_strain_cycle_is_that_of_the_rates_of_the_tensors() {
                     steps,
                 )
             };
-            let (coarse, fine) = (twin(steps / 2), twin(steps));
+            let (coarse, fine) = (elastoplastic(steps / 2), elastoplastic(steps));
             let limit = |of: fn(&Carried) -> f64| 2.0 * of(&fine) - of(&coarse);
             let scale = 400.0;
             let stress = [limit(|c| c.stress[0]), limit(|c| c.stress[1])];
