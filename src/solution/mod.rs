@@ -1,5 +1,7 @@
 //! What a run leaves behind: the history of every step, the kept frames, and why it stopped.
 
+mod frame;
+
 use crate::forming_limit::Paths;
 use crate::geometry::Point;
 use crate::model::{Model, PressureCap, mesh};

@@ -1,13 +1,16 @@
 //! The flow approach: explicit predictor, implicit corrector, from the flat blank to the full travel.
 
 mod augmented_lagrangian;
+mod converged;
 mod corrector;
 mod distance_blocks;
 mod energy_balance;
 mod equilibrium;
+mod evaluation;
 mod heat;
 mod line_search;
 mod observer;
+mod places;
 mod porosity;
 mod process;
 mod retry;
@@ -24,11 +27,12 @@ pub(crate) mod warnings;
 use crate::model::{Model, mesh};
 use crate::solution::{StageSolution, StepRecord, Stop};
 use crate::state::State;
-use equilibrium::Evaluation;
+use converged::Converged;
+use evaluation::Evaluation;
 use heat::HeatSolver;
 use process::Process;
 use std::mem::{swap, take};
-use step::{Converged, Step};
+use step::Step;
 use termination::{Termination, no_equilibrium};
 use time_step::StepControl;
 use trial::Trial;
@@ -66,8 +70,8 @@ pub fn run_from(model: &Model, mut state: State, observer: &mut dyn Observer) ->
             break;
         }
         let step = Step::new(&process, &state, dt, last.step + 1);
-        let converged = match retry::solve(&step, &mut trial, &mut evaluation, &mut rejected, observer) {
-            Ok(converged) => converged,
+        let (start, converged) = match retry::solve(&step, &mut trial, &mut evaluation, &mut rejected, observer) {
+            Ok(solved) => solved,
             Err(outcome) if outcome.interrupted => {
                 run.stop = interrupted(&state);
                 break;
@@ -87,7 +91,7 @@ pub fn run_from(model: &Model, mut state: State, observer: &mut dyn Observer) ->
             rejected += 1;
             continue;
         }
-        converged.start.count(&mut run.effort);
+        start.count(&mut run.effort);
         let (mut next, record) = advance(&before, &converged, heat.as_mut(), take(&mut rejected), &last);
         control.accept(&before, &converged, &record);
         if model.forming_limit.is_some() {

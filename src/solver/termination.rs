@@ -1,7 +1,7 @@
 //! Why a run ends before its full travel, other than for want of equilibrium: what the sheet or the tools say.
 
 use super::corrector::Outcome;
-use super::equilibrium::Evaluation;
+use super::evaluation::Evaluation;
 use super::step::Step;
 use crate::geometry::Point;
 use crate::model::{Edge, Model, Motion, Role, Settings};
