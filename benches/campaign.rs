@@ -1,7 +1,7 @@
 //! Random dies: how they end, and what they cost.
 //!
-//! `cargo bench --bench campaign -- --count 1000 --seed 7`, with `--selective 1` for selective bending, `--twin 1` for
-//! the elasto-viscoplastic twin
+//! `cargo bench --bench campaign -- --count 1000 --seed 7`, with `--selective 1` for selective bending, `--elastoplastic 1` for
+//! the elastoplastic law
 
 #[path = "../tests/suite/common/random_die.rs"]
 mod random_die;
@@ -36,8 +36,8 @@ fn main() {
     let (count, seed) = (argument("--count", 200), argument("--seed", 7));
     let theory = if argument("--selective", 0) == 0 { Theory::Bending } else { Theory::Selective };
     let seeds = (0..count).into_par_iter().map(|i| seed.wrapping_mul(1_000_003) + i);
-    let twin = argument("--twin", 0) != 0;
-    let outcomes: Vec<Outcome> = seeds.map(|seed| one(seed, theory, twin)).collect();
+    let elastoplastic = argument("--elastoplastic", 0) != 0;
+    let outcomes: Vec<Outcome> = seeds.map(|seed| one(seed, theory, elastoplastic)).collect();
 
     println!("{count} random dies, seed {seed}; worth a look:");
     for o in &outcomes {
@@ -96,10 +96,10 @@ fn print_figures(outcomes: &[Outcome]) {
     }
 }
 
-fn one(seed: u64, theory: Theory, twin: bool) -> Outcome {
+fn one(seed: u64, theory: Theory, elastoplastic: bool) -> Outcome {
     let mut die = random_die(seed);
     die.model.blank.theory = theory;
-    if twin {
+    if elastoplastic {
         die.model.mode = Mode::ElastoViscoplastic;
         die.model.material.elastic = Some(Elastic { young: 206_000.0, poisson: 0.3 });
         die.model.blank.layers = 15;

@@ -79,14 +79,14 @@ fn main() {
         );
     }
     selective();
-    twin();
+    elastoplastic();
 }
 
-/// Time and iterations of the elastic twin over those of the flow law on Woo's cup, runs of both in turn.
-fn twin() {
+/// Time and iterations of the elastoplastic law over those of the flow law on Woo's cup, runs of both in turn.
+fn elastoplastic() {
     println!(
         "\n{:<24} {:>11} {:>16} {:>10} {:>10}",
-        "twin / flow, Woo", "wall ratio", "iterations", "flow ms", "twin ms"
+        "elastoplastic / flow, Woo", "wall ratio", "iterations", "flow ms", "elastoplastic ms"
     );
     for layers in [5, 9, 15] {
         let settings = ["blank.elements=50".to_owned(), format!("blank.layers={layers}")];
@@ -94,26 +94,26 @@ fn twin() {
             .unwrap_or_else(|e| panic!("{e}"))
             .model()
             .clone();
-        let mut twin = flow.clone();
-        twin.mode = Mode::ElastoViscoplastic;
+        let mut elastoplastic = flow.clone();
+        elastoplastic.mode = Mode::ElastoViscoplastic;
         let mut best = [Duration::MAX; 2];
         for _ in 0..15 {
-            for (best, model) in best.iter_mut().zip([&flow, &twin]) {
+            for (best, model) in best.iter_mut().zip([&flow, &elastoplastic]) {
                 let start = Instant::now();
                 black_box(solver::run(black_box(model), &mut ()));
                 *best = start.elapsed().min(*best);
             }
         }
-        let [of_flow, of_twin] = [&flow, &twin].map(|model| {
+        let [of_flow, of_elastoplastic] = [&flow, &elastoplastic].map(|model| {
             let mut count = Count::default();
             solver::run(model, &mut count);
             count.0
         });
-        let [flow, twin] = best.map(|best| best.as_secs_f64() * 1e3);
+        let [flow, elastoplastic] = best.map(|best| best.as_secs_f64() * 1e3);
         println!(
-            "{:<24} {:>11.2} {of_twin:>7} of {of_flow:>5} {flow:>10.1} {twin:>10.1}",
+            "{:<24} {:>11.2} {of_elastoplastic:>7} of {of_flow:>5} {flow:>10.1} {elastoplastic:>10.1}",
             format!("{layers} layers"),
-            twin / flow
+            elastoplastic / flow
         );
     }
 }

@@ -8,10 +8,10 @@
 //!    │ import::read               Sections            a Profile for each tool; author::Draft writes a case file with them
 //! case file (TOML, quantities with units)
 //!    │ Case::load                 CaseFile → Model     mm, N, s; validated, immutable
-//!    │ mesh, State::flat          State                one instant: positions, velocities, layers, tools
+//!    │ mesh, State::flat          State                one instant: positions, velocities, thickness points, tools
 //!    │ Case::solve                one Stage after another, each a Model of its own on the sheet of the one before
 //!    │ solver::run                predictor → corrector → accepted step, or a shorter one
-//!    │ Observer                   sees each StepRecord and IterationRecord
+//!    │ Observer                   sees each StepRecord and IterationRecord; may end the run
 //!    │ Solution                   the Case, and a StageSolution for every stage: steps, frames, stop, warnings
 //!    │ assess::before, after      Finding             what a user should know, before the run and after it
 //!    │ measure                    angles, curl and places of a Frame, as a person would measure them

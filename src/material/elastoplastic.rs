@@ -1,4 +1,4 @@
-//! The elastoplastic law: large-strain elasto-(visco)plastic metal at one layer point.
+//! Large-strain elasto-(visco)plastic metal at one thickness point.
 //!
 //! ```text
 //! σ = σ₀ + D (Δε − Δε_p),   D = E/(1−ν²) [1 ν 0; ν 1 0; 0 0 k(1−ν)/2],  k = 5/6

@@ -17,7 +17,7 @@ pub use hill48::Hill48;
 pub use rate::Rate;
 pub use thermal::ThermalLaw;
 
-/// What a layer point answers to a strain increment: the flow law or the elastoplastic one.
+/// What a thickness point answers to a strain increment: the flow law or the elastoplastic law.
 pub trait PointLaw {
     /// The point as the step finds it.
     type PointState;

@@ -1,5 +1,6 @@
 //! What a run leaves behind: the history of every step, the kept frames, and why it stopped.
 
+mod frame;
 pub mod neck;
 
 use crate::forming_limit::Paths;

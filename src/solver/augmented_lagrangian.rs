@@ -4,7 +4,7 @@
 //! M. R. Hestenes, Multiplier and gradient methods, J. Optim. Theory Appl. 4 (1969) 303–320; contact: J. C. Simo,
 //! T. A. Laursen, Computers & Structures 42 (1992) 97–116.
 
-use super::equilibrium::Evaluation;
+use super::evaluation::Evaluation;
 use super::process::Process;
 use super::trial::Trial;
 use crate::model::Settings;

@@ -1,6 +1,7 @@
 //! The implicit corrector: iterates with H until the step is in equilibrium (Sosnowski 1994, equation 9).
 
-use super::equilibrium::{Evaluation, Linearisation};
+use super::equilibrium::evaluate;
+use super::evaluation::{Evaluation, Linearisation};
 use super::process::Process;
 use super::step::Step;
 use super::trial::Trial;
@@ -66,7 +67,7 @@ pub(super) fn correct(
     let watched = observer.wants_iterates();
     loop {
         let at = Linearisation { matrix, iteration: outcome.iterations, velocity_norm: outcome.velocity_norm };
-        if !evaluation.update(step, trial, &at) {
+        if !evaluate(step, trial, &at, evaluation) {
             return outcome;
         }
         outcome.residual_norm = evaluation.residual_norm;

@@ -3,8 +3,8 @@
 //! Each term is integrated over the step by the trapezoidal rule from forces and stresses at both ends, along the
 //! path that was really taken. The corrector never uses these sums, so what they miss measures the steps.
 
-use super::equilibrium::Evaluation;
-use super::step::Converged;
+use super::converged::Converged;
+use super::evaluation::Evaluation;
 use crate::geometry::Point;
 use crate::model::{Edge, Mode};
 use crate::solution::Energy;

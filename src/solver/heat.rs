@@ -12,7 +12,7 @@
 //! # References
 //! β: G. I. Taylor, H. Quinney, Proc. R. Soc. London A 143 (1934) 307–326 (not read).
 
-use super::step::Converged;
+use super::converged::Converged;
 use crate::model::{Geometry, HeatFlow, Model, ToolHeat};
 use crate::solution::Heat;
 use crate::state::State;

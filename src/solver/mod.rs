@@ -1,13 +1,16 @@
 //! The flow approach: explicit predictor, implicit corrector, from the flat blank to the full travel.
 
 mod augmented_lagrangian;
+mod converged;
 mod corrector;
 mod distance_blocks;
 mod energy_balance;
 mod equilibrium;
+mod evaluation;
 mod heat;
 mod line_search;
 mod observer;
+mod places;
 mod porosity;
 mod process;
 mod retry;
@@ -23,11 +26,13 @@ mod trial;
 use crate::model::{Model, mesh};
 use crate::solution::{StageSolution, StepRecord, Stop};
 use crate::state::State;
-use equilibrium::Evaluation;
+use converged::Converged;
+use evaluation::Evaluation;
 use heat::HeatSolver;
 use process::Process;
+use std::mem::{swap, take};
 use step::Step;
-use termination::Watch;
+use termination::{Termination, no_equilibrium};
 use time_step::StepControl;
 use trial::Trial;
 
@@ -51,8 +56,8 @@ pub fn run_from(model: &Model, mut state: State, observer: &mut dyn Observer) ->
     // Of the step that is tried, and of the one before it.
     let (mut evaluation, mut before) = (Evaluation::new(&process, &state), Evaluation::new(&process, &state));
     let mut heat = HeatSolver::new(model, &state);
-    let mut watch = Watch::new(model, &state);
-    let mut control = StepControl::new(model, watch.closes_at(model));
+    let mut termination = Termination::new(model, &state);
+    let mut control = StepControl::new(model, termination.closes_at(model));
     let mut run = StageSolution {
         start: Some(state.frame(model)),
         paths: state.paths(model),
@@ -64,24 +69,23 @@ pub fn run_from(model: &Model, mut state: State, observer: &mut dyn Observer) ->
     observer.state(model, &state);
     while let Some(dt) = control.next(&state) {
         if observer.wants_to_stop() {
-            run.stop = Stop::Interrupted { travel: state.travel, time: state.time };
+            run.stop = interrupted(&state);
             break;
         }
         let step = Step::new(&process, &state, dt, last.step + 1);
-        let converged = match retry::solve(&step, &mut trial, &mut evaluation, &mut rejected, observer) {
-            Ok(converged) => converged,
+        let (start, converged) = match retry::solve(&step, &mut trial, &mut evaluation, &mut rejected, observer) {
+            Ok(solved) => solved,
             Err(outcome) if outcome.interrupted => {
-                run.stop = Stop::Interrupted { travel: state.travel, time: state.time };
+                run.stop = interrupted(&state);
                 break;
             }
             Err(outcome) => {
                 run.effort.halved += 1;
-                let necking = watch.necking(model, &state);
+                let necking = termination.necking(model, &state);
                 if necking.is_none() && control.reject() {
                     continue;
                 }
-                let physical = necking.or_else(|| termination::pressure_maximum(model, &run));
-                run.stop = physical.unwrap_or_else(|| termination::no_equilibrium(&step, &evaluation, &outcome, &last));
+                run.stop = necking.unwrap_or_else(|| no_equilibrium(&step, &evaluation, &outcome, &run.steps));
                 break;
             }
         };
@@ -90,19 +94,9 @@ pub fn run_from(model: &Model, mut state: State, observer: &mut dyn Observer) ->
             rejected += 1;
             continue;
         }
-        converged.start.count(&mut run.effort);
-        let (work, plastic) = energy_balance::work(&before, &converged);
-        let mut record = step_record::record(&converged, &before, work, rejected, &last);
-        rejected = 0;
+        start.count(&mut run.effort);
+        let (mut next, record) = advance(&before, &converged, heat.as_mut(), take(&mut rejected), &last);
         control.accept(&before, &converged, &record);
-        let mut next = converged.advanced();
-        if model.material.voids.is_some() {
-            (record.porosity, record.porous_s0) = next.largest_porosity(&process.rule);
-        }
-        if let Some(heat) = &mut heat {
-            record.heat = last.heat.plus(heat.advance(&converged, &plastic, &mut next));
-        }
-        (record.coldest, record.hottest) = next.temperatures();
         if model.forming_limit.is_some() {
             run.paths.push(next.instant());
         }
@@ -110,7 +104,7 @@ pub fn run_from(model: &Model, mut state: State, observer: &mut dyn Observer) ->
         observer.state(model, &next);
         run.steps.push(record);
         last = record;
-        std::mem::swap(&mut before, &mut evaluation);
+        swap(&mut before, &mut evaluation);
         if let Some(tool) = process.release(&next) {
             next.release(tool);
             before.release(tool);
@@ -118,7 +112,7 @@ pub fn run_from(model: &Model, mut state: State, observer: &mut dyn Observer) ->
         if control.at_frame(&next) {
             run.keep(next.frame(model));
         }
-        let stop = watch.look(model, &state, &next, &record);
+        let stop = termination.look(model, &state, &next, &record);
         state = next;
         if let Some(stop) = stop {
             run.stop = stop;
@@ -134,4 +128,29 @@ pub fn run_from(model: &Model, mut state: State, observer: &mut dyn Observer) ->
     }
     run.end = state;
     run
+}
+
+/// The state that a converged step leads to, with its porosity and temperatures, and its record.
+fn advance(
+    before: &Evaluation,
+    converged: &Converged,
+    heat: Option<&mut HeatSolver>,
+    rejected: usize,
+    last: &StepRecord,
+) -> (State, StepRecord) {
+    let (work, plastic) = energy_balance::work(before, converged);
+    let mut record = step_record::record(converged, before, work, rejected, last);
+    let mut next = converged.advanced();
+    if converged.step.model.material.voids.is_some() {
+        (record.porosity, record.porous_s0) = next.largest_porosity(&converged.step.process.rule);
+    }
+    if let Some(heat) = heat {
+        record.heat = last.heat.plus(heat.advance(converged, &plastic, &mut next));
+    }
+    (record.coldest, record.hottest) = next.temperatures();
+    (next, record)
+}
+
+fn interrupted(state: &State) -> Stop {
+    Stop::Interrupted { travel: state.travel, time: state.time }
 }

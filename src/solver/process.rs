@@ -1,11 +1,12 @@
 //! What stays the same through a run: the rigid tools, the thickness points, the shared unknowns, the forces that fade.
 
 use super::distance_blocks;
-use super::selective_bending;
-use super::terms::unloading;
+use super::selective_bending::Selection;
 use crate::contact::friction::Friction;
 use crate::contact::penalty::Penalty;
-use crate::geometry::{Arc, Profile};
+use crate::element::kinematics::Reference;
+use crate::element::section;
+use crate::geometry::Profile;
 use crate::model::{Model, Motion, Pressure, Role};
 use crate::numerics::lobatto::{self, ThicknessPoint};
 use crate::state::State;
@@ -47,8 +48,7 @@ pub(super) struct Process<'a> {
     pub blocks: Option<f64>,
     /// Nodal forces that held the sheet before its tools were taken away \[N, N mm\]; empty while they act.
     pub unloading: Vec<Vector3<f64>>,
-    /// Tool corners that bend a selective sheet, and the tool of each.
-    pub sharp_corners: Vec<(usize, Arc)>,
+    pub selection: Selection,
 }
 
 impl<'a> Process<'a> {
@@ -85,8 +85,8 @@ impl<'a> Process<'a> {
                 smoothing: model.settings.contact_smoothing * model.blank.thickness,
             },
             blocks: distance_blocks::of_holder(model),
-            unloading: model.release.map_or(Vec::new(), |_| unloading::forces(model, state, &rule)),
-            sharp_corners: selective_bending::sharp_corners(model),
+            unloading: model.release.map_or(Vec::new(), |_| unloading_forces(model, state, &rule)),
+            selection: Selection::new(model),
             rule,
         }
     }
@@ -112,4 +112,41 @@ impl<'a> Process<'a> {
     pub fn left_at(&self) -> Vec<Option<f64>> {
         self.tools.iter().map(|tool| tool.released).collect()
     }
+}
+
+/// Elements of a sheet in their reference configuration, each bending or not.
+pub(super) fn references<'a>(
+    model: &'a Model,
+    state: &'a State,
+    bends: &'a [bool],
+) -> impl Iterator<Item = Reference> + 'a {
+    state
+        .nodes
+        .windows(2)
+        .zip(bends)
+        .map(|(pair, &bends)| Reference::new(model.geometry, model.blank.theory.of_element(bends), pair[0], pair[1]))
+}
+
+/// Area that belongs to each node \[mm², or mm per mm of depth\].
+pub(super) fn nodal_areas(references: impl Iterator<Item = Reference>, nodes: usize) -> Vec<f64> {
+    let mut areas = vec![0.0; nodes];
+    for (e, reference) in references.enumerate() {
+        let [a, b] = reference.tributary();
+        areas[e] += a;
+        areas[e + 1] += b;
+    }
+    areas
+}
+
+/// What the stress in the sheet asks for at every node to be in equilibrium \[N, N mm\].
+fn unloading_forces(model: &Model, state: &State, rule: &[ThicknessPoint]) -> Vec<Vector3<f64>> {
+    let mut forces = vec![Vector3::zeros(); state.nodes.len()];
+    for (e, reference) in references(model, state, &state.bends).enumerate() {
+        let Some(current) = reference.moved([0.0; 3], [0.0; 3]) else { continue };
+        let points = state.points.row(e);
+        let force = section::forces(&current, state.volume[e], state.thickness[e], rule, |k| points[k].stress);
+        forces[e] += force.fixed_rows::<3>(0);
+        forces[e + 1] += force.fixed_rows::<3>(3);
+    }
+    forces
 }

@@ -2,11 +2,10 @@
 
 use super::Observer;
 use super::augmented_lagrangian;
+use super::converged::Converged;
 use super::corrector::{Outcome, correct, patience};
-use super::equilibrium::Evaluation;
-use super::selective_bending;
-use super::step::{Converged, Step};
-use super::terms::contact;
+use super::evaluation::Evaluation;
+use super::step::Step;
 use super::trial::Trial;
 use crate::model::{ContactMethod, Iteration};
 use crate::solution::Effort;
@@ -53,16 +52,14 @@ pub(super) fn solve<'s>(
     evaluation: &'s mut Evaluation,
     rejected: &mut usize,
     observer: &mut dyn Observer,
-) -> Result<Converged<'s>, Outcome> {
+) -> Result<(Start, Converged<'s>), Outcome> {
     // Nothing has moved yet: the first step has no velocities to start from.
     let starts = &Start::ALL[usize::from(step.number == 1)..];
     let mut last = None;
     for &start in starts {
         let outcome = attempt(step, trial, evaluation, start, observer);
         if outcome.converged {
-            selective_bending::settle(step, trial, evaluation);
-            contact::measure_far(step.process, trial, evaluation);
-            return Ok(Converged { step, trial, evaluation, outcome, start });
+            return Ok((start, Converged::new(step, trial, evaluation, outcome)));
         }
         *rejected += 1;
         last = Some(outcome);
@@ -88,7 +85,7 @@ fn attempt(
     let mut correct = |trial: &mut Trial, evaluation: &mut Evaluation, matrix, most| {
         correct(step, trial, evaluation, matrix, most, observer)
     };
-    trial.predict(step, start);
+    trial.predict(step, start != Start::Predictor);
     let mut spent = 0;
     if start == Start::Softened {
         trial.softening = SOFTENING;

@@ -17,14 +17,9 @@
 //! # References
 //! E. Oñate, C. Agelet de Saracibar, Int. J. Num. Meth. Engng. 30 (1990) 1577–1593.
 
-use super::equilibrium::Evaluation;
-use super::process::Process;
-use super::step::Step;
-use super::trial::Trial;
-use crate::element::kinematics::Reference;
 use crate::geometry::{Arc, Point};
-use crate::material::flow::Iterate;
 use crate::model::{Edge, Model, Theory, Tool};
+use crate::numerics::lobatto::ThicknessPoint;
 use crate::state::State;
 
 /// How far an element lies from a curved node at most to bend with it, along the sheet, over the thickness \[–\]: some
@@ -38,42 +33,59 @@ const SLACK: f64 = 0.05;
 /// What bends, or is a membrane, goes on until t/R, or the tension, is below this share of its limit \[–\]: no flicker.
 const HYSTERESIS: f64 = 0.7;
 
-/// Tool corners that bend the sheet, and the tool of each.
-pub(super) fn sharp_corners(model: &Model) -> Vec<(usize, Arc)> {
-    let (t, limit) = (model.blank.thickness, model.settings.bend_ratio);
-    let sharp = |tool: &Tool| tool.profile.corners().filter(|arc| t > limit * (arc.radius + 0.5 * t)).collect();
-    let corners = model.tools.iter().map(sharp).enumerate();
-    corners.flat_map(|(j, arcs): (_, Vec<Arc>)| arcs.into_iter().map(move |arc| (j, arc))).collect()
+/// What the choice needs of a model's tools.
+pub(super) struct Selection {
+    /// Tool corners that bend the sheet, and the tool of each.
+    corners: Vec<(usize, Arc)>,
 }
 
-/// Which elements bend in a step from `state`.
-pub(super) fn bending(process: &Process, state: &State) -> Vec<bool> {
-    let model = process.model;
-    if model.blank.theory != Theory::Selective {
-        return vec![model.blank.theory == Theory::Bending; state.thickness.len()];
+impl Selection {
+    /// Of a model that is run.
+    pub fn new(model: &Model) -> Self {
+        let (t, limit) = (model.blank.thickness, model.settings.bend_ratio);
+        let sharp = |tool: &Tool| tool.profile.corners().filter(|arc| t > limit * (arc.radius + 0.5 * t)).collect();
+        let corners = model.tools.iter().map(sharp).enumerate();
+        let of_tool = |(j, arcs): (usize, Vec<Arc>)| arcs.into_iter().map(move |arc| (j, arc));
+        Self { corners: corners.flat_map(of_tool).collect() }
     }
-    let last = state.nodes.len() - 1;
-    let curved = |i: usize| {
-        let before = state.bends[i.max(1) - 1] || state.bends[i.min(last - 1)];
-        let limit = model.settings.bend_ratio * if before { HYSTERESIS } else { 1.0 };
-        state.thickness_at(i) * curvature(model, state, i) > limit || is_near_corner(process, state, i)
-    };
-    let curved: Vec<bool> = (0..=last).map(curved).collect();
-    let ring = RING * model.blank.thickness;
-    let mut bends = slack(process, state);
-    let (mut from, mut back) = (f64::INFINITY, f64::INFINITY);
-    for e in 0..last {
-        let f = last - 1 - e;
-        let length =
-            |e: usize| (state.nodes[e + 1][0] - state.nodes[e][0]).hypot(state.nodes[e + 1][1] - state.nodes[e][1]);
-        from = if curved[e] { 0.0 } else { from };
-        back = if curved[f + 1] { 0.0 } else { back };
-        bends[e] |= from < ring;
-        bends[f] |= back < ring;
-        from += length(e);
-        back += length(f);
+
+    /// Which elements bend in a step from `state`.
+    pub fn bending(&self, model: &Model, state: &State, rule: &[ThicknessPoint]) -> Vec<bool> {
+        if model.blank.theory != Theory::Selective {
+            return vec![model.blank.theory == Theory::Bending; state.thickness.len()];
+        }
+        let last = state.nodes.len() - 1;
+        let curved = |i: usize| {
+            let before = state.bends[i.max(1) - 1] || state.bends[i.min(last - 1)];
+            let limit = model.settings.bend_ratio * if before { HYSTERESIS } else { 1.0 };
+            state.thickness_at(i) * curvature(model, state, i) > limit || self.is_near_corner(state, i)
+        };
+        let curved: Vec<bool> = (0..=last).map(curved).collect();
+        let ring = RING * model.blank.thickness;
+        let mut bends = slack(model, state, rule);
+        let (mut from, mut back) = (f64::INFINITY, f64::INFINITY);
+        for e in 0..last {
+            let f = last - 1 - e;
+            let length =
+                |e: usize| (state.nodes[e + 1][0] - state.nodes[e][0]).hypot(state.nodes[e + 1][1] - state.nodes[e][1]);
+            from = if curved[e] { 0.0 } else { from };
+            back = if curved[f + 1] { 0.0 } else { back };
+            bends[e] |= from < ring;
+            bends[f] |= back < ring;
+            from += length(e);
+            back += length(f);
+        }
+        bends
     }
-    bends
+
+    fn is_near_corner(&self, state: &State, i: usize) -> bool {
+        let t = state.thickness_at(i);
+        self.corners.iter().any(|(tool, arc)| {
+            let x = state.in_frame_of(*tool, i);
+            let gap = (x - arc.center).norm() - arc.radius - 0.5 * t;
+            gap < NEAR * t && arc.faces(x)
+        })
+    }
 }
 
 /// At which nodes an element resists their rotation.
@@ -83,23 +95,14 @@ pub(super) fn rotating(bends: &[bool]) -> Vec<bool> {
 }
 
 /// Elements without tension.
-fn slack(process: &Process, state: &State) -> Vec<bool> {
-    let anisotropy = &process.model.material.anisotropy;
+fn slack(model: &Model, state: &State, rule: &[ThicknessPoint]) -> Vec<bool> {
+    let anisotropy = &model.material.anisotropy;
     let strongest = state.points.iter().map(|p| anisotropy.equivalent_stress(p.stress)).fold(0.0, f64::max);
     let slack = state.points.rows().zip(&state.bends).map(|(points, bends)| {
-        let tension: f64 = points.iter().zip(&process.rule).map(|(p, at)| at.weight * p.stress[0]).sum();
+        let tension: f64 = points.iter().zip(rule).map(|(p, at)| at.weight * p.stress[0]).sum();
         tension <= if *bends { 1.0 } else { HYSTERESIS } * SLACK * strongest
     });
     slack.collect()
-}
-
-fn is_near_corner(process: &Process, state: &State, i: usize) -> bool {
-    let t = state.thickness_at(i);
-    process.sharp_corners.iter().any(|(tool, arc)| {
-        let x = state.in_frame_of(*tool, i);
-        let gap = (x - arc.center).norm() - arc.radius - 0.5 * t;
-        gap < NEAR * t && arc.faces(x)
-    })
 }
 
 /// Curvature of the meridian at a node \[1/mm\], from the angle between its elements; the sheet goes on beyond the axis
@@ -118,49 +121,6 @@ fn curvature(model: &Model, state: &State, i: usize) -> f64 {
     angle.abs() / (0.5 * (a.norm() + b.norm()))
 }
 
-/// First iterates of membranes: the mean of their points', without the transverse shear, which they do not feel. Nodes
-/// that nothing turns wait for the end of the step.
-pub(super) fn average(step: &Step, trial: &mut Trial) {
-    for e in step.membranes() {
-        let mut carried = [0.0; 3];
-        for (point, at) in step.state.points.row(e).iter().zip(&step.process.rule) {
-            carried[0] += at.weight * point.carried[0];
-            carried[1] += at.weight * point.carried[1];
-        }
-        trial.iterates[(e, 0)] = Iterate::start(carried);
-    }
-    if step.model.blank.theory == Theory::Selective {
-        for (u, _) in trial.moves.iter_mut().zip(&step.rotates).filter(|(_, rotates)| !**rotates) {
-            u[2] = 0.0;
-        }
-    }
-}
-
-/// After a step has come to equilibrium: the points of membranes take what their one point found, and fibres that nothing
-/// resists turn with the sheet, so that an element that bends later starts with its fibres upright.
-pub(super) fn settle(step: &Step, trial: &mut Trial, evaluation: &mut Evaluation) {
-    if step.model.blank.theory != Theory::Selective {
-        return;
-    }
-    for e in step.membranes() {
-        let (iterate, update) = (trial.iterates[(e, 0)], evaluation.updates[(e, 0)]);
-        trial.iterates.row_mut(e).fill(iterate);
-        evaluation.updates.row_mut(e).fill(update);
-    }
-    let last = trial.moves.len() - 1;
-    let turn = |(e, reference): (usize, &Reference)| {
-        reference.moved(trial.moves[e], trial.moves[e + 1]).map_or(0.0, |current| current.turn())
-    };
-    let turns: Vec<f64> = step.references.iter().enumerate().map(turn).collect();
-    let held = usize::from(step.model.blank.edge != Edge::Free);
-    for i in 1..=last - held {
-        if !step.rotates[i] {
-            trial.moves[i][2] = 0.5 * (turns[i - 1] + turns[i.min(last - 1)]);
-            evaluation.nodes[i][2] = step.state.nodes[i][2] + trial.moves[i][2];
-        }
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -168,6 +128,7 @@ mod tests {
     use crate::material::hardening::Swift;
     use crate::material::{Hardening, Material};
     use crate::model::{Blank, Grading, Mode, Settings, StopRules};
+    use crate::numerics::lobatto;
 
     const T: f64 = 1.05;
 
@@ -225,7 +186,7 @@ mod tests {
     }
 
     fn bending(model: &Model, state: &State) -> Vec<usize> {
-        let bends = super::bending(&Process::new(model, state), state);
+        let bends = Selection::new(model).bending(model, state, &lobatto::rule(model.blank.layers));
         (0..100).filter(|&e| bends[e]).collect()
     }
 

@@ -1,25 +1,19 @@
-//! A step: what is given, and the state that a converged one leads to.
+//! A step: what is given, and what follows from that alone.
 //!
 //! ```text
 //! Step::new(process, state, Δt)                     everything that the iterations of a step share, computed once
-//! Trial::predict(step, start)                       the unknowns, and what the iterations remember of each other
-//! Evaluation::update(step, trial)                   residual and matrix: a function of both
-//! retry::solve(step, ..) -> Converged               the only way to a Converged
+//! Trial::predict(step, ..)                          the unknowns, and what the iterations remember of each other
+//! equilibrium::evaluate(step, trial, ..)            the Evaluation, residual and matrix: a function of both
+//! retry::solve(step, ..) -> Converged               what a step in equilibrium is
 //! Converged::advanced() -> State                    the next state; a step that failed is dropped
 //! ```
 
-use super::corrector::Outcome;
-use super::equilibrium::Evaluation;
-use super::porosity;
-use super::process::Process;
-use super::retry::Start;
-use super::selective_bending;
-use super::terms::bead::BeadPlace;
-use super::terms::gas::Seal;
-use super::terms::sheet;
-use super::trial::Trial;
+use super::places::{BeadPlace, Seal};
+use super::process::{Process, nodal_areas, references};
+use super::selective_bending::rotating;
 use crate::element::kinematics::Reference;
-use crate::material::elastoplastic::Carried;
+use crate::material::chaboche;
+use crate::material::elastoplastic::{Carried, ElastoplasticLaw, Operators};
 use crate::material::flow::PointState;
 use crate::model::{Iteration, Mode, Model, Settings};
 use crate::numerics::Grid;
@@ -57,39 +51,15 @@ pub(super) struct Step<'a> {
     pub seals: Vec<Seal>,
 }
 
-/// Elements of a sheet in their reference configuration, each bending or not.
-pub(super) fn references<'a>(
-    model: &'a Model,
-    state: &'a State,
-    bends: &'a [bool],
-) -> impl Iterator<Item = Reference> + 'a {
-    state
-        .nodes
-        .windows(2)
-        .zip(bends)
-        .map(|(pair, &bends)| Reference::new(model.geometry, model.blank.theory.of_element(bends), pair[0], pair[1]))
-}
-
-/// Area that belongs to each node \[mm², or mm per mm of depth\].
-pub(super) fn nodal_areas(references: impl Iterator<Item = Reference>, nodes: usize) -> Vec<f64> {
-    let mut areas = vec![0.0; nodes];
-    for (e, reference) in references.enumerate() {
-        let [a, b] = reference.tributary();
-        areas[e] += a;
-        areas[e + 1] += b;
-    }
-    areas
-}
-
 impl<'a> Step<'a> {
     /// A step of `dt` \[s\] from `state`, the `number`-th of its run.
     pub fn new(process: &'a Process<'a>, state: &'a State, dt: f64, number: usize) -> Self {
         let model = process.model;
         let process_time = model.process_time(state.time, dt);
-        let bends = selective_bending::bending(process, state);
+        let bends = process.selection.bending(model, state, &process.rule);
         let references: Vec<Reference> = references(model, state, &bends).collect();
         let (volume, growth) = match &model.material.voids {
-            Some(_) => porosity::foreseen_volume(state, dt),
+            Some(_) => foreseen_volume(state, dt),
             None => (state.volume.clone(), vec![1.0; state.volume.len()]),
         };
         let asks = process.tools.iter().any(|tool| tool.friction.needs_shear_yield());
@@ -105,7 +75,7 @@ impl<'a> Step<'a> {
             process_time,
             number,
             slip_scale: model.settings.slip_speed * model.speed * process_time,
-            rotates: selective_bending::rotating(&bends),
+            rotates: rotating(&bends),
             areas: nodal_areas(references.iter().copied(), state.nodes.len()),
             references,
             bends,
@@ -142,6 +112,18 @@ impl<'a> Step<'a> {
     }
 }
 
+/// Volume of each element at the end of a step of `dt` \[s\] \[mm³, or mm² in plane strain\] and its growth \[–\], foreseen
+/// from the last rates like the porosity itself: they stay while the corrector goes, and the step is second order in its
+/// length.
+fn foreseen_volume(state: &State, dt: f64) -> (Vec<f64>, Vec<f64>) {
+    let elements = state.volume.iter().zip(state.dilation.iter().zip(&state.dilation_rate));
+    let volumes = elements.map(|(volume, (dilation, rate))| {
+        let growth = rate * dt;
+        (volume * (dilation + growth).exp(), growth.exp())
+    });
+    volumes.unzip()
+}
+
 /// The flow law's points; of a membrane the mean of its points.
 fn flow_points(process: &Process, state: &State, dt: f64, bends: &[bool]) -> Grid<PointState> {
     let (rule, columns) = (&process.rule, state.points.columns());
@@ -164,7 +146,7 @@ fn flow_points(process: &Process, state: &State, dt: f64, bends: &[bool]) -> Gri
 }
 
 fn elastoplastic_points(model: &Model, state: &State, dt: f64) -> Grid<Carried> {
-    let law = sheet::elastoplastic_law(model, Iteration::Newton, dt);
+    let law = elastoplastic_law(model, Iteration::Newton, dt);
     let columns = state.points.columns();
     let points = state.points.iter().enumerate().map(|(i, point)| {
         let temperature = state.temperature[i / columns];
@@ -188,67 +170,16 @@ fn shear_yield(process: &Process, state: &State) -> Vec<f64> {
     shear_yield
 }
 
-/// A step in equilibrium.
-pub(super) struct Converged<'a> {
-    pub step: &'a Step<'a>,
-    pub trial: &'a Trial,
-    pub evaluation: &'a Evaluation,
-    pub outcome: Outcome,
-    /// What the corrector came to equilibrium from.
-    pub start: Start,
-}
-
-impl Converged<'_> {
-    /// Largest equivalent strain that the step adds at a thickness point \[–\].
-    pub fn strain_increment(&self) -> f64 {
-        self.evaluation.updates.iter().map(|update| update.increment).fold(0.0, f64::max)
-    }
-
-    /// The state at the end of the step, at the temperatures of its start.
-    pub fn advanced(&self) -> State {
-        let Self { step, trial, evaluation, .. } = self;
-        let Step { model, state, dt, .. } = **step;
-        let points = state.points.iter().zip(evaluation.updates.iter().zip(trial.iterates.iter())).enumerate();
-        let points = points.map(|(i, (point, (update, iterate)))| {
-            let (carried, back) = match trial.elastoplastic.get(i) {
-                None => (iterate.carried, point.back),
-                Some(memory) => (update.stress, memory.back),
-            };
-            MaterialPoint {
-                strain: point.strain + update.increment,
-                stress: update.stress,
-                carried,
-                back,
-                porosity: point.porosity,
-                porosity_rate: point.porosity_rate,
-            }
-        });
-        let nodes = state.nodes.len();
-        let strains = state.membrane.iter().zip(&evaluation.membrane_increment);
-        let tool_moves = trial.tools.iter().zip(&state.tools);
-        let mut next = State {
-            time: step.end(),
-            travel: step.travel(),
-            nodes: evaluation.nodes.clone(),
-            velocity: trial.moves.iter().map(|u| u.map(|u| u / dt)).collect(),
-            thickness: evaluation.thickness.clone(),
-            volume: state.volume.clone(),
-            dilation: state.dilation.clone(),
-            dilation_rate: state.dilation_rate.clone(),
-            temperature: state.temperature.clone(),
-            membrane: strains.map(|(total, e)| [total[0] + e[0], total[1] + e[1]]).collect(),
-            bends: step.bends.clone(),
-            points: Grid::from_values(state.points.columns(), points),
-            tools: trial.tools.clone(),
-            tool_velocity: tool_moves.map(|(now, before)| (now.y - before.y) / dt).collect(),
-            pressure: Grid::from_values(nodes, evaluation.contacts.iter().map(|contact| contact.pressure.value)),
-            shift: Grid::from_values(nodes, trial.contacts.iter().map(|memory| memory.shift)),
-            gas: trial.gas.clone(),
-            s0: state.s0.clone(),
-        };
-        if let Some(voids) = &model.material.voids {
-            porosity::grow(voids, self, &mut next);
-        }
-        next
+/// The law of elastoplastic metal in a step of `duration` \[s\].
+pub(super) fn elastoplastic_law(model: &Model, matrix: Iteration, duration: f64) -> ElastoplasticLaw<'_> {
+    let material = &model.material;
+    ElastoplasticLaw {
+        hardening: (model.mode == Mode::ElastoViscoplastic).then_some(&material.hardening),
+        operators: Operators::new(material.elastic.expect("checked where the model is made"), material.anisotropy),
+        kinematic: chaboche::shifting(material.kinematic),
+        rate: material.rate.as_ref(),
+        softening: material.softening.as_ref(),
+        secant: matrix == Iteration::Secant,
+        duration,
     }
 }

@@ -1,8 +1,8 @@
 //! What is written down of a converged step: forces, work, and what tells the run's health.
 
-use super::equilibrium::Evaluation;
-use super::step::Converged;
-use super::terms::gas::Seal;
+use super::converged::Converged;
+use super::evaluation::Evaluation;
+use super::places::Seal;
 use crate::model::{Edge, Role};
 use crate::solution::{Energy, StepRecord};
 

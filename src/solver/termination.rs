@@ -1,12 +1,12 @@
 //! Why a run ends before its full travel, other than for want of equilibrium: what the sheet or the tools say.
 
 use super::corrector::Outcome;
-use super::equilibrium::Evaluation;
+use super::evaluation::Evaluation;
 use super::step::Step;
 use crate::geometry::Point;
 use crate::model::{Edge, Model, Motion, Role};
 use crate::solution::neck::{AWAY, NEAR, Neck, neck};
-use crate::solution::{StageSolution, StepRecord, Stop};
+use crate::solution::{StepRecord, Stop};
 use crate::state::{State, waiting_displacement};
 
 /// Thickness left at which the sheet has gone, whatever its surroundings do \[–\].
@@ -27,8 +27,8 @@ struct Throat {
     face: f64,
 }
 
-/// Looks at every accepted step.
-pub(super) struct Watch {
+/// Looks at every accepted step for what ends the run.
+pub(super) struct Termination {
     /// Time since which one place has taken over \[s\].
     necking_since: Option<f64>,
     peak: f64,
@@ -37,7 +37,7 @@ pub(super) struct Watch {
     closed: Option<(f64, Point)>,
 }
 
-impl Watch {
+impl Termination {
     /// At the start of a run from `state`.
     pub fn new(model: &Model, state: &State) -> Self {
         let edge = state.nodes[state.nodes.len() - 1][0];
@@ -121,8 +121,8 @@ fn why(model: &Model, state: &State, neck: &Neck) -> String {
 }
 
 /// Whether a run under gas pressure alone has come to the largest pressure: the dome rises without bound as it ends.
-pub(super) fn pressure_maximum(model: &Model, run: &StageSolution) -> Option<Stop> {
-    let [.., before, last] = run.steps.as_slice() else { return None };
+fn pressure_maximum(model: &Model, steps: &[StepRecord]) -> Option<Stop> {
+    let [.., before, last] = steps else { return None };
     let pushed = model.tools.iter().all(|tool| tool.role != Role::Punch) && last.pressure > before.pressure;
     let rise = (last.pole_height - before.pole_height) / (last.pressure - before.pressure);
     let mean = last.pole_height / last.pressure;
@@ -160,18 +160,18 @@ fn closed(model: &Model, state: &State) -> Option<(f64, Point)> {
     (high < model.travel).then(|| (high, apart(high).1))
 }
 
-/// No equilibrium was found for `step`, however short; `outcome` is that of its last try, `last` the step before.
-pub(super) fn no_equilibrium(step: &Step, evaluation: &Evaluation, outcome: &Outcome, last: &StepRecord) -> Stop {
+/// Why no equilibrium was found for `step`, however short, after `steps`; `outcome` is that of its last try.
+pub(super) fn no_equilibrium(step: &Step, evaluation: &Evaluation, outcome: &Outcome, steps: &[StepRecord]) -> Stop {
     let state = step.state;
-    Stop::NoEquilibrium {
+    pressure_maximum(step.model, steps).unwrap_or_else(|| Stop::NoEquilibrium {
         travel: state.travel,
         time: state.time,
         step: step.dt,
         velocity_norm: outcome.velocity_norm,
         residual_norm: outcome.residual_norm,
         worst_s0: state.s0[evaluation.worst_node],
-        diagnosis: diagnosis(step, evaluation, last),
-    }
+        diagnosis: diagnosis(step, evaluation, &steps.last().copied().unwrap_or_default()),
+    })
 }
 
 /// What the sheet was doing where no equilibrium was found, and what to try.

@@ -11,9 +11,9 @@
 //! Lengths of steps are measured in process time: what they would take at the punch's mean speed
 //! ([`Model::process_time`]).
 
+use super::converged::Converged;
 use super::corrector::patience;
-use super::equilibrium::Evaluation;
-use super::step::Converged;
+use super::evaluation::Evaluation;
 use crate::model::Model;
 use crate::solution::StepRecord;
 use crate::state::State;

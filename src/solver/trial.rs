@@ -2,16 +2,13 @@
 
 use super::line_search::LineSearch;
 use super::process::Process;
-use super::retry::Start;
-use super::selective_bending;
 use super::step::Step;
-use super::terms::gas;
 use crate::contact::penalty::ValueAndSlope;
 use crate::element::Node;
 use crate::geometry::Point;
 use crate::material::elastoplastic::Trial as PointMemory;
 use crate::material::flow::{Iterate, Triple};
-use crate::model::{Edge, Mode, Motion, ReleaseStiffness};
+use crate::model::{Edge, Mode, Motion, ReleaseStiffness, Theory};
 use crate::numerics::Grid;
 use crate::numerics::block_tridiagonal::System;
 use crate::state::State;
@@ -73,7 +70,7 @@ impl Trial {
     }
 
     /// Takes a first guess of a step: moves at the last velocities or from rest, prescribed motions imposed.
-    pub fn predict(&mut self, step: &Step, start: Start) {
+    pub fn predict(&mut self, step: &Step, from_rest: bool) {
         let Step { process, model, state, dt, .. } = *step;
         let pairs = state.pressure.iter().zip(state.shift.iter());
         for (memory, (pressure, shift)) in self.contacts.iter_mut().zip(pairs) {
@@ -87,12 +84,12 @@ impl Trial {
         // The velocities of the last step, in proportion to the punch's where that has changed.
         let before = model.schedule.as_ref().map_or(0.0, |schedule| schedule.slope_before(state.time));
         let faster = if before > 0.0 { (step.travel() - state.travel) / (before * dt) } else { 1.0 };
-        let share = if start != Start::Predictor && !holds_rate { 0.0 } else { faster * dt };
+        let share = if from_rest && !holds_rate { 0.0 } else { faster * dt };
         for (u, velocity) in self.moves.iter_mut().zip(&state.velocity) {
             *u = velocity.map(|velocity| share * velocity);
         }
         if holds_rate && state.time == 0.0 {
-            gas::guess_dome(step, &mut self.moves);
+            guess_dome(step, &mut self.moves);
         }
         let last = self.moves.len() - 1;
         match model.blank.edge {
@@ -116,7 +113,25 @@ impl Trial {
         for (iterate, point) in self.iterates.iter_mut().zip(state.points.iter()) {
             *iterate = Iterate::start(point.carried);
         }
-        selective_bending::average(step, self);
+        self.average(step);
+    }
+
+    /// First iterates of membranes: the mean of their points', without the transverse shear, which they do not feel. Nodes
+    /// that nothing turns wait for the end of the step.
+    fn average(&mut self, step: &Step) {
+        for e in step.membranes() {
+            let mut carried = [0.0; 3];
+            for (point, at) in step.state.points.row(e).iter().zip(&step.process.rule) {
+                carried[0] += at.weight * point.carried[0];
+                carried[1] += at.weight * point.carried[1];
+            }
+            self.iterates[(e, 0)] = Iterate::start(carried);
+        }
+        if step.model.blank.theory == Theory::Selective {
+            for (u, _) in self.moves.iter_mut().zip(&step.rotates).filter(|(_, rotates)| !**rotates) {
+                u[2] = 0.0;
+            }
+        }
     }
 
     /// Goes a share of the direction of the iteration.
@@ -141,5 +156,16 @@ impl Trial {
     /// Strain increment of thickness point `k` of element `e` in the last evaluation \[–\].
     pub fn strain(&self, e: usize, k: usize) -> Triple {
         if self.elastoplastic.is_empty() { self.iterates[(e, k)].strain() } else { self.elastoplastic[(e, k)].strain }
+    }
+}
+
+/// A shallow dome that strains at about the rate that is held: where the first step starts from.
+fn guess_dome(step: &Step, moves: &mut [Node]) {
+    let Some((gas, control)) = step.model.held_gas() else { return };
+    let a = gas.within.min(step.model.blank.length);
+    let height = a * (control.target * step.dt).sqrt() * gas.face.sign();
+    for (u, x) in moves.iter_mut().zip(&step.state.nodes) {
+        let x = (x[0] / a).min(1.0);
+        *u = [0.0, height * (1.0 - x * x), if x < 1.0 { -2.0 * height * x / a } else { 0.0 }];
     }
 }

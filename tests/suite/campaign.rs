@@ -36,9 +36,9 @@ fn eighty_random_dies_run_to_their_full_travel_or_a_physical_stop() {
     }
 }
 
-/// Trust: as above, with the metal elastic too; the twin's usual number of points through the thickness.
+/// Trust: as above, with the metal elastic too; the elastoplastic law's usual number of points through the thickness.
 #[test]
-fn thirty_random_dies_of_the_twin_run_to_their_full_travel_or_a_physical_stop() {
+fn thirty_random_elastoplastic_dies_run_to_their_full_travel_or_a_physical_stop() {
     for seed in 0..30 {
         let mut die = random_die::random_die(40_000 + seed);
         die.model.mode = Mode::ElastoViscoplastic;

@@ -390,8 +390,8 @@ release = "constant"
     let elastic = elastic.replace("name = \"redraw\"", "name = \"redraw\"\nmode = \"elastic\"");
     let case = case::parse(&elastic, "cup.toml", &[]).unwrap_or_else(|e| panic!("{}", e.render(false)));
     let modes: Vec<Mode> = case.stages.iter().map(|stage| stage.model.mode).collect();
-    let twin = Mode::ElastoViscoplastic;
-    assert_eq!(modes, [twin, twin, twin, Mode::Elastic, Mode::Elastic]);
+    let elastoplastic = Mode::ElastoViscoplastic;
+    assert_eq!(modes, [elastoplastic, elastoplastic, elastoplastic, Mode::Elastic, Mode::Elastic]);
 }
 
 proptest! {

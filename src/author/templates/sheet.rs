@@ -136,7 +136,7 @@ impl Sheet {
         page.set("thickness", mm(self.thickness), &of);
     }
 
-    /// `[material]`, of the elastic twin where `elastic`.
+    /// `[material]`, of elastoplastic metal where `elastic`.
     pub fn material(&self, page: &mut Page, elastic: bool) {
         let named = match self.origin {
             Origin::Library { name, .. } => Some(name),

@@ -6,9 +6,12 @@ use crate::geometry::Profile;
 use crate::material::hardening::Swift;
 use crate::material::{Gtn, Hardening, Hill48, Material, Rate, ThermalLaw};
 use crate::model::{
-    Bead, Blank, Face, Gas, Grading, Heat, Mode, Model, Motion, Press, Pressure, RateControl, Role, Settings, Tool,
+    Bead, Blank, Face, Gas, Grading, Heat, Iteration, Mode, Model, Motion, Press, Pressure, RateControl, Role,
+    Settings, Tool,
 };
-use crate::solver::retry::Start;
+use crate::solver::process::Process;
+use crate::state::State;
+use nalgebra::Vector3;
 
 fn model(geometry: Geometry, theory: Theory) -> Model {
     let t = 1.0;
@@ -102,7 +105,7 @@ fn check(model: &Model, state: &State) {
     let mut trial = Trial::new(&process, state);
     let mut evaluation = Evaluation::new(&process, state);
     let step = Step::new(&process, state, 0.05, 2);
-    trial.predict(&step, Start::Predictor);
+    trial.predict(&step, false);
     for (i, x) in trial.moves.iter_mut().enumerate() {
         let wave = (i as f64 * 1.7).sin();
         x[0] += if i == 0 { 0.0 } else { 2e-4 * wave };
@@ -112,7 +115,7 @@ fn check(model: &Model, state: &State) {
     // A velocity norm of zero: Newton's H is the derivative only without the membrane's least tension.
     let newton = Linearisation { matrix: Iteration::Newton, iteration: 0, velocity_norm: 0.0 };
     let mut at = |trial: &mut Trial| {
-        assert!(evaluation.update(&step, trial, &newton));
+        assert!(evaluate(&step, trial, &newton, &mut evaluation));
         (evaluation.system.rhs.clone(), evaluation.system.corner_rhs, evaluation.system.clone())
     };
     let (_, _, exact) = at(&mut trial);

@@ -1,43 +1,9 @@
 //! Draw beads across the flange: a line restraint against the sheet's move, regularised like friction.
 
 use crate::contact::friction::direction;
-use crate::model::{Bead, Model};
-use crate::solver::equilibrium::Evaluation;
+use crate::solver::evaluation::{BeadForce, Evaluation};
 use crate::solver::step::Step;
 use crate::solver::trial::Trial;
-use crate::state::State;
-
-/// A bead's restraint fades over the last stretch of the sheet that passes it, this many thicknesses long.
-const FADE: f64 = 3.0;
-
-/// Where a bead acts in a step: on the two nodes around it, by these shares of its force.
-#[derive(Clone, Copy, Debug)]
-pub struct BeadPlace {
-    element: usize,
-    weights: [f64; 2],
-    /// Length of the line times the share of the bead that still holds the sheet \[mm, or – per depth\].
-    length: f64,
-}
-
-/// Force of a bead on the sheet along r \[N, or N/mm\], and the sheet's slip through it in the step \[mm\].
-#[derive(Clone, Copy, Debug, Default)]
-pub struct BeadForce {
-    pub force: f64,
-    pub slip: f64,
-}
-
-impl BeadPlace {
-    /// The bead on the sheet at the start of a step; `None` when the sheet has left it.
-    pub fn find(bead: &Bead, model: &Model, state: &State) -> Option<Self> {
-        let nodes = &state.nodes;
-        let element = (0..nodes.len() - 1).rev().find(|&e| (nodes[e][0]..nodes[e + 1][0]).contains(&bead.at))?;
-        let share = (bead.at - nodes[element][0]) / (nodes[element + 1][0] - nodes[element][0]);
-        let beyond = nodes[nodes.len() - 1][0] - bead.at;
-        let fade = (beyond / (FADE * model.blank.thickness)).min(1.0);
-        let length = fade * bead.line(model.geometry);
-        Some(Self { element, weights: [1.0 - share, share], length })
-    }
-}
 
 /// What the beads take from the holder's force to stay closed \[N, or N/mm\].
 pub fn closing_force(step: &Step) -> f64 {

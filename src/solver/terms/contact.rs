@@ -1,60 +1,15 @@
 //! Contact of the sheet with its tools: which node touches which tool, with what pressure, and what that adds.
 
-use crate::contact::penalty::{Penalty, ValueAndSlope};
+use crate::contact::penalty::ValueAndSlope;
 use crate::contact::{ContactNode, touch};
 use crate::geometry::Point;
 use crate::model::Iteration;
-use crate::solver::equilibrium::{Evaluation, Linearisation};
+use crate::solver::evaluation::{Contact, Evaluation, Linearisation};
 use crate::solver::process::Process;
 use crate::solver::step::Step;
 use crate::solver::trial::{ContactMemory, Trial};
 use crate::state::thickness_at;
 use nalgebra::{Matrix3, Vector3};
-
-/// Cosine between the normals of two tools below which they press on opposite faces \[–\].
-const OPPOSED: f64 = -0.5;
-
-/// Pressure over that of touching above which a node counts as in contact \[–\].
-const LIGHT: f64 = 0.01;
-
-/// One node against one tool at the end of the step under trial; forces are zero when it is out of reach.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Contact {
-    /// Distance of the mid-surface from the tool \[mm\]; infinite until measured when far away.
-    pub distance: f64,
-    /// Gap between the tool and the sheet's face \[mm\]; infinite when far away.
-    pub gap: f64,
-    /// Normal force and friction \[N, or N/mm\], and the slip that goes with it \[mm\].
-    pub normal: f64,
-    pub tangential: f64,
-    pub slip: f64,
-    /// Pressure \[MPa\] and slope.
-    pub pressure: ValueAndSlope,
-    /// Normal from the tool to the sheet.
-    pub facing: Point,
-}
-
-impl Contact {
-    /// A node that nothing presses, `distance` \[mm\] away.
-    pub fn free(distance: f64) -> Self {
-        Self { distance, gap: f64::INFINITY, ..Self::default() }
-    }
-
-    /// Whether the tool presses: the sheet's face is in it, or held at it.
-    fn is_pressed(&self, penalty: &Penalty) -> bool {
-        self.pressure.value > penalty.at_touch()
-    }
-
-    /// Whether the tool presses at all, however lightly.
-    pub fn is_active(&self, penalty: &Penalty) -> bool {
-        self.pressure.value > LIGHT * penalty.at_touch()
-    }
-
-    /// Whether the sheet lies on the tool, pressed or not.
-    pub fn lies_on(&self, penalty: &Penalty) -> bool {
-        self.gap < penalty.lying()
-    }
-}
 
 /// Contact and friction of every tool with every node it reaches; returns the largest force of one on one.
 pub fn add(step: &Step, trial: &mut Trial, at: &Linearisation, out: &mut Evaluation) -> f64 {
@@ -165,29 +120,5 @@ pub fn measure_far(process: &Process, trial: &mut Trial, out: &mut Evaluation) {
             *distance = tool.profile.closest(*position).distance;
             contact.distance = *distance;
         }
-    }
-}
-
-impl Evaluation {
-    /// By how much the sheet at node `i` is too thick for the gap between two tools that do not give way and press it from
-    /// both faces \[mm\]; `None` where there are no such two.
-    pub fn ironing(&self, process: &Process, i: usize) -> Option<f64> {
-        let held = |j: usize| {
-            let contact = &self.contacts[(j, i)];
-            (process.tools[j].shared.is_none() && contact.is_pressed(&process.penalty)).then_some(contact)
-        };
-        let pairs = (0..process.tools.len()).flat_map(|j| (0..j).map(move |k| (j, k)));
-        let ironed = pairs.filter_map(|(j, k)| {
-            let (a, b) = (held(j)?, held(k)?);
-            (a.facing.dot(&b.facing) < OPPOSED).then_some(-(a.gap + b.gap))
-        });
-        ironed.max_by(f64::total_cmp)
-    }
-
-    /// Largest penetration over the thickness where the sheet is not ironed \[–\]: what the contact method lets through.
-    pub fn penetration(&self, process: &Process) -> f64 {
-        let pairs = self.contacts.rows().flat_map(|row| row.iter().enumerate());
-        let deep = pairs.filter(|(i, contact)| contact.gap < 0.0 && self.ironing(process, *i).is_none());
-        deep.map(|(i, contact)| -contact.gap / self.thickness_at(i)).fold(0.0, f64::max)
     }
 }

@@ -1,60 +1,12 @@
 //! Gas pressure on the faces of the sheet, given over time or as much as holds a strain rate.
 
-use crate::element::Node;
 use crate::geometry::Point;
-use crate::model::{Geometry, Pressure, PressureCap};
-use crate::solver::equilibrium::Evaluation;
+use crate::model::{Geometry, Pressure};
+use crate::solver::evaluation::{Evaluation, HeldRate};
 use crate::solver::step::Step;
 use crate::solver::trial::Trial;
-use crate::state::State;
 use nalgebra::{Matrix3, Vector3};
-use std::cmp::Ordering;
 use std::f64::consts::TAU;
-
-/// Where a seal cuts the sheet as it stands at the start of a step: looked for from the edge inward, for a dome may bulge
-/// out over its seal.
-#[derive(Clone, Copy, Debug)]
-pub struct Seal {
-    /// All elements before this one are inside, all after it outside.
-    element: usize,
-    /// Share of it that is inside \[–\].
-    share: f64,
-}
-
-impl Seal {
-    /// The seal at the distance `within` from the axis or symmetry plane \[mm\].
-    pub fn find(state: &State, within: f64) -> Self {
-        for (e, w) in state.nodes.windows(2).enumerate().rev() {
-            let (from, to) = (w[0][0], w[1][0]);
-            if to <= within {
-                return Self { element: e + 1, share: 0.0 };
-            }
-            if from < within {
-                return Self { element: e, share: (within - from) / (to - from) };
-            }
-        }
-        Self { element: 0, share: 0.0 }
-    }
-
-    /// Share of an element that is inside \[–\].
-    pub fn inside(&self, e: usize) -> f64 {
-        match e.cmp(&self.element) {
-            Ordering::Less => 1.0,
-            Ordering::Equal => self.share,
-            Ordering::Greater => 0.0,
-        }
-    }
-}
-
-/// How a pressure that holds a strain rate stands.
-#[derive(Clone, Copy, Debug, Default)]
-pub struct HeldRate {
-    /// Norm of the strain rate over its target \[–\].
-    pub norm: f64,
-    /// The cap that the pressure sits on, and by what share it misses or exceeds it \[–\].
-    pub on_cap: Option<PressureCap>,
-    pub beyond_cap: f64,
-}
 
 /// Gas pressure at the end of the step on the current area, normal to the current meridian; returns the largest force on a
 /// node.
@@ -114,17 +66,6 @@ fn press_element(geometry: Geometry, e: usize, side: f64, gas: f64, column: Opti
                 _ => system.lower[e + 1] -= block,
             }
         }
-    }
-}
-
-/// A shallow dome that strains at about the rate that is held: where the first step starts from.
-pub fn guess_dome(step: &Step, moves: &mut [Node]) {
-    let Some((gas, control)) = step.model.held_gas() else { return };
-    let a = gas.within.min(step.model.blank.length);
-    let height = a * (control.target * step.dt).sqrt() * gas.face.sign();
-    for (u, x) in moves.iter_mut().zip(&step.state.nodes) {
-        let x = (x[0] / a).min(1.0);
-        *u = [0.0, height * (1.0 - x * x), if x < 1.0 { -2.0 * height * x / a } else { 0.0 }];
     }
 }
 

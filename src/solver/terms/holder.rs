@@ -9,7 +9,7 @@
 use super::bead;
 use super::sheet::STABILISATION;
 use crate::model::{Motion, Role};
-use crate::solver::equilibrium::Evaluation;
+use crate::solver::evaluation::Evaluation;
 use crate::solver::step::Step;
 use crate::solver::trial::Trial;
 use crate::state::waiting_displacement;

@@ -2,12 +2,11 @@
 
 use crate::element::Node;
 use crate::element::section::Law;
-use crate::material::elastoplastic::{ElastoplasticLaw, Operators};
+use crate::material::PointLaw;
 use crate::material::flow::FlowLaw;
-use crate::material::{PointLaw, chaboche};
-use crate::model::{Iteration, Mode, Model};
-use crate::solver::equilibrium::{Evaluation, Linearisation};
-use crate::solver::step::Step;
+use crate::model::Mode;
+use crate::solver::evaluation::{Evaluation, Linearisation};
+use crate::solver::step::{Step, elastoplastic_law};
 use crate::solver::trial::Trial;
 
 /// Least tension of a membrane in its matrix, over its yield force \[–\]; it fades once the velocity norm is below [`SLACK_NORM`].
@@ -76,20 +75,6 @@ fn strain<L: PointLaw>(
         }
     }
     true
-}
-
-/// The law of elastoplastic metal in a step of `duration` \[s\].
-pub fn elastoplastic_law(model: &Model, matrix: Iteration, duration: f64) -> ElastoplasticLaw<'_> {
-    let material = &model.material;
-    ElastoplasticLaw {
-        hardening: (model.mode == Mode::ElastoViscoplastic).then_some(&material.hardening),
-        operators: Operators::new(material.elastic.expect("checked where the model is made"), material.anisotropy),
-        kinematic: chaboche::shifting(material.kinematic),
-        rate: material.rate.as_ref(),
-        softening: material.softening.as_ref(),
-        secant: matrix == Iteration::Secant,
-        duration,
-    }
 }
 
 /// Keeps a sheet from floating along z once the tools that go away have left it.

@@ -1,4 +1,4 @@
-//! The elastic twin against closed forms, other programs and the flow law.
+//! The elastoplastic law against closed forms, other programs and the flow law.
 
 use crate::common::convergence::{orders, orders_of_changes};
 use crate::common::shipped::{shipped, solve};
@@ -249,7 +249,7 @@ fn a_strip_that_turns_by_sixty_degrees_is_the_elastica() {
     }
 }
 
-fn twin_of(name: &str, overrides: &[&str]) -> Model {
+fn elastoplastic_of(name: &str, overrides: &[&str]) -> Model {
     let mut model = shipped(name, overrides);
     model.mode = Mode::ElastoViscoplastic;
     model
@@ -266,7 +266,7 @@ fn force_at(run: &StageSolution, travel: f64) -> f64 {
 /// what shells and solids of this t/R differ by.
 #[test]
 fn thin_stretch_follows_the_continuum() {
-    let run = solve(&twin_of("stretch_thin", &[]));
+    let run = solve(&elastoplastic_of("stretch_thin", &[]));
     let file = concat!(env!("CARGO_MANIFEST_DIR"), "/reference_data/stretch_solid_fe.csv");
     let text = std::fs::read_to_string(file).expect("shipped");
     let points = text.lines().filter_map(|line| {
@@ -277,24 +277,27 @@ fn thin_stretch_follows_the_continuum() {
         .filter(|(travel, _)| (2.6..=33.0).contains(travel))
         .map(|(travel, force)| (travel, 100.0 * (force_at(&run, travel) / force - 1.0)))
         .collect();
-    println!("twin against continuum [mm, %]: {misses:.2?}");
+    println!("elastoplastic against continuum [mm, %]: {misses:.2?}");
     assert!(misses.len() > 20 && misses.iter().all(|(_, miss)| miss.abs() < 1.0), "{misses:.2?}");
 }
 
-/// Trust: once the sheet is plastic everywhere elasticity is a detail: 2 % beyond a third of the travel. The twin has the
+/// Trust: once the sheet is plastic everywhere elasticity is a detail: 2 % beyond a third of the travel. The elastoplastic law has the
 /// points through the thickness that it needs to stand: with few of them the moment of an element falls in jumps.
 #[test]
-fn twin_and_flow_agree_on_drawn_cups() {
+fn elastoplastic_law_and_flow_law_agree_on_drawn_cups() {
     for name in ["woo_hemispherical", "chalmers_cup"] {
         let flow = solve(&shipped(name, &["blank.layers=15"]));
-        let twin = solve(&twin_of(name, &["blank.layers=15"]));
+        let elastoplastic = solve(&elastoplastic_of(name, &["blank.layers=15"]));
         let travel = flow.steps.last().expect("steps").travel;
-        let difference = |x: f64| force_at(&flow, x) / force_at(&twin, x) - 1.0;
+        let difference = |x: f64| force_at(&flow, x) / force_at(&elastoplastic, x) - 1.0;
         let differences = (0..=40).map(|k| (1.0 + k as f64 / 20.0) / 3.0 * travel).map(|x| (x, difference(x)));
         let (at, worst) = differences.max_by(|a, b| a.1.abs().total_cmp(&b.1.abs())).expect("some");
-        println!("{name}: largest difference of the load, flow over twin {:+.2} % at {at:.1} mm", 100.0 * worst);
+        println!(
+            "{name}: largest difference of the load, flow over elastoplastic {:+.2} % at {at:.1} mm",
+            100.0 * worst
+        );
         assert!(worst.abs() < 0.02, "{name}: {worst} at {at}");
-        for run in [&flow, &twin] {
+        for run in [&flow, &elastoplastic] {
             assert!(run.steps.last().expect("steps").work.imbalance().abs() < 0.002, "{name}");
         }
     }

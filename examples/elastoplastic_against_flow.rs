@@ -1,6 +1,6 @@
-//! The elastic twin against the flow law on one case: both load curves, and their difference below.
+//! The elastoplastic law against the flow law on one case: both load curves, and their difference below.
 //!
-//! `cargo run --release --example twin_against_flow -- cases/woo_hemispherical.toml twin.png`
+//! `cargo run --release --example elastoplastic_against_flow -- cases/woo_hemispherical.toml elastoplastic.png`
 
 use stampflow::case;
 use stampflow::output::chart::{BLACK, Chart, Look, Panel, Scale, Series};
@@ -10,7 +10,7 @@ use stampflow::table::{Column, Unit};
 use std::path::Path;
 use std::process::ExitCode;
 
-/// Points through the thickness, for both: what the twin needs (its moment grows in jumps with few).
+/// Points through the thickness, for both: what the elastoplastic law needs (its moment grows in jumps with few).
 const LAYERS: usize = 15;
 
 fn main() -> ExitCode {
@@ -29,21 +29,21 @@ fn main() -> ExitCode {
 }
 
 fn compare(path: &str, picture: &Path) -> Result<(), String> {
-    let [flow, twin] = ["flow", "elasto_viscoplastic"].map(|mode| {
+    let [flow, elastoplastic] = ["flow", "elasto_viscoplastic"].map(|mode| {
         let settings = [format!("material.mode={mode}"), format!("blank.layers={LAYERS}")];
         let case = case::load(path, &settings).map_err(|error| error.to_string())?;
         let run = stampflow::run(case.model(), &mut ());
         Ok::<_, String>((case, run))
     });
-    let ((case, flow), (_, twin)) = (flow?, twin?);
-    let [by_flow, by_twin] = [&flow, &twin].map(|stage| TRAVEL.against(&PUNCH_FORCE, &stage.steps));
+    let ((case, flow), (_, elastoplastic)) = (flow?, elastoplastic?);
+    let [by_flow, by_elastoplastic] = [&flow, &elastoplastic].map(|stage| TRAVEL.against(&PUNCH_FORCE, &stage.steps));
     let difference =
-        by_twin.iter().filter(|p| p.1 > 0.0).map(|&(x, force)| (x, 100.0 * (at(&by_flow, x) / force - 1.0)));
+        by_elastoplastic.iter().filter(|p| p.1 > 0.0).map(|&(x, force)| (x, 100.0 * (at(&by_flow, x) / force - 1.0)));
     // The first tenth is off the scale: the flow law has no elastic part to go through.
     let difference = difference.filter(|p| p.0 > 0.1 * case.model().travel).collect();
     let [x, y] = [TRAVEL, PUNCH_FORCE].map(|field| field.axis(case.model().geometry));
     let chart = Chart {
-        title: format!("{}, twin and flow", case.model().title),
+        title: format!("{}, elastoplastic and flow", case.model().title),
         legend: "",
         panels: vec![
             Panel {
@@ -51,13 +51,13 @@ fn compare(path: &str, picture: &Path) -> Result<(), String> {
                 y,
                 series: vec![
                     Series::new("Flow law", by_flow, Look::curve(0)),
-                    Series::new("Elastic twin", by_twin, Look::curve(1)),
+                    Series::new("Elastoplastic", by_elastoplastic, Look::curve(1)),
                 ],
                 scale: Scale::Fit { height: 270.0, least: 0.0 },
             },
             Panel {
                 x,
-                y: Column::new("difference", "Flow over twin", Unit::Percent, vec![]).axis(),
+                y: Column::new("difference", "Flow over elastoplastic", Unit::Percent, vec![]).axis(),
                 series: vec![Series::silent(difference, Look::Line { color: BLACK, width: 1.6, dash: &[] })],
                 scale: Scale::Fit { height: 150.0, least: 0.0 },
             },

@@ -1,0 +1,107 @@
+//! A step in equilibrium, and the state that it leads to.
+
+use super::corrector::Outcome;
+use super::evaluation::Evaluation;
+use super::porosity;
+use super::step::Step;
+use super::terms::contact;
+use super::trial::Trial;
+use crate::element::kinematics::Reference;
+use crate::model::{Edge, Theory};
+use crate::numerics::Grid;
+use crate::state::{MaterialPoint, State};
+
+/// A step in equilibrium.
+pub(super) struct Converged<'a> {
+    pub step: &'a Step<'a>,
+    pub trial: &'a Trial,
+    pub evaluation: &'a Evaluation,
+    pub outcome: Outcome,
+}
+
+impl<'a> Converged<'a> {
+    /// A step that has come to equilibrium by its norms.
+    pub fn new(step: &'a Step, trial: &'a mut Trial, evaluation: &'a mut Evaluation, outcome: Outcome) -> Self {
+        settle(step, trial, evaluation);
+        contact::measure_far(step.process, trial, evaluation);
+        Self { step, trial, evaluation, outcome }
+    }
+
+    /// Largest equivalent strain that the step adds at a thickness point \[–\].
+    pub fn strain_increment(&self) -> f64 {
+        self.evaluation.updates.iter().map(|update| update.increment).fold(0.0, f64::max)
+    }
+
+    /// The state at the end of the step, at the temperatures of its start.
+    pub fn advanced(&self) -> State {
+        let Self { step, trial, evaluation, .. } = self;
+        let Step { model, state, dt, .. } = **step;
+        let points = state.points.iter().zip(evaluation.updates.iter().zip(trial.iterates.iter())).enumerate();
+        let points = points.map(|(i, (point, (update, iterate)))| {
+            let (carried, back) = match trial.elastoplastic.get(i) {
+                None => (iterate.carried, point.back),
+                Some(memory) => (update.stress, memory.back),
+            };
+            MaterialPoint {
+                strain: point.strain + update.increment,
+                stress: update.stress,
+                carried,
+                back,
+                porosity: point.porosity,
+                porosity_rate: point.porosity_rate,
+            }
+        });
+        let nodes = state.nodes.len();
+        let strains = state.membrane.iter().zip(&evaluation.membrane_increment);
+        let tool_moves = trial.tools.iter().zip(&state.tools);
+        let mut next = State {
+            time: step.end(),
+            travel: step.travel(),
+            nodes: evaluation.nodes.clone(),
+            velocity: trial.moves.iter().map(|u| u.map(|u| u / dt)).collect(),
+            thickness: evaluation.thickness.clone(),
+            volume: state.volume.clone(),
+            dilation: state.dilation.clone(),
+            dilation_rate: state.dilation_rate.clone(),
+            temperature: state.temperature.clone(),
+            membrane: strains.map(|(total, e)| [total[0] + e[0], total[1] + e[1]]).collect(),
+            bends: step.bends.clone(),
+            points: Grid::from_values(state.points.columns(), points),
+            tools: trial.tools.clone(),
+            tool_velocity: tool_moves.map(|(now, before)| (now.y - before.y) / dt).collect(),
+            pressure: Grid::from_values(nodes, evaluation.contacts.iter().map(|contact| contact.pressure.value)),
+            shift: Grid::from_values(nodes, trial.contacts.iter().map(|memory| memory.shift)),
+            gas: trial.gas.clone(),
+            s0: state.s0.clone(),
+        };
+        if let Some(voids) = &model.material.voids {
+            porosity::grow(voids, step, trial, evaluation, &mut next);
+        }
+        next
+    }
+}
+
+/// After a step has come to equilibrium: the points of membranes take what their one point found, and fibres that nothing
+/// resists turn with the sheet, so that an element that bends later starts with its fibres upright.
+fn settle(step: &Step, trial: &mut Trial, evaluation: &mut Evaluation) {
+    if step.model.blank.theory != Theory::Selective {
+        return;
+    }
+    for e in step.membranes() {
+        let (iterate, update) = (trial.iterates[(e, 0)], evaluation.updates[(e, 0)]);
+        trial.iterates.row_mut(e).fill(iterate);
+        evaluation.updates.row_mut(e).fill(update);
+    }
+    let last = trial.moves.len() - 1;
+    let turn = |(e, reference): (usize, &Reference)| {
+        reference.moved(trial.moves[e], trial.moves[e + 1]).map_or(0.0, |current| current.turn())
+    };
+    let turns: Vec<f64> = step.references.iter().enumerate().map(turn).collect();
+    let held = usize::from(step.model.blank.edge != Edge::Free);
+    for i in 1..=last - held {
+        if !step.rotates[i] {
+            trial.moves[i][2] = 0.5 * (turns[i - 1] + turns[i.min(last - 1)]);
+            evaluation.nodes[i][2] = step.state.nodes[i][2] + trial.moves[i][2];
+        }
+    }
+}

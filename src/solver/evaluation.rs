@@ -1,0 +1,198 @@
+//! What follows from a step and a trial of it: residual, matrix, stress, contacts.
+
+use super::process::{Process, nodal_areas, references};
+use crate::contact::penalty::{Penalty, ValueAndSlope};
+use crate::element::Node;
+use crate::geometry::Point;
+use crate::material::flow::StressUpdate;
+use crate::model::{Iteration, PressureCap};
+use crate::numerics::Grid;
+use crate::numerics::block_tridiagonal::System;
+use crate::state::{State, thickness_at};
+use nalgebra::Vector3;
+
+/// Cosine between the normals of two tools below which they press on opposite faces \[–\].
+const OPPOSED: f64 = -0.5;
+
+/// Pressure over that of touching above which a node counts as in contact \[–\].
+const LIGHT: f64 = 0.01;
+
+/// How an iteration linearises the equilibrium.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Linearisation {
+    pub matrix: Iteration,
+    /// Counts from 0.
+    pub iteration: usize,
+    /// Of the last iteration \[–\].
+    pub velocity_norm: f64,
+}
+
+/// One node against one tool at the end of the step under trial; forces are zero when it is out of reach.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(super) struct Contact {
+    /// Distance of the mid-surface from the tool \[mm\]; infinite until measured when far away.
+    pub distance: f64,
+    /// Gap between the tool and the sheet's face \[mm\]; infinite when far away.
+    pub gap: f64,
+    /// Normal force and friction \[N, or N/mm\], and the slip that goes with it \[mm\].
+    pub normal: f64,
+    pub tangential: f64,
+    pub slip: f64,
+    /// Pressure \[MPa\] and slope.
+    pub pressure: ValueAndSlope,
+    /// Normal from the tool to the sheet.
+    pub facing: Point,
+}
+
+impl Contact {
+    /// A node that nothing presses, `distance` \[mm\] away.
+    pub fn free(distance: f64) -> Self {
+        Self { distance, gap: f64::INFINITY, ..Self::default() }
+    }
+
+    /// Whether the tool presses: the sheet's face is in it, or held at it.
+    fn is_pressed(&self, penalty: &Penalty) -> bool {
+        self.pressure.value > penalty.at_touch()
+    }
+
+    /// Whether the tool presses at all, however lightly.
+    pub fn is_active(&self, penalty: &Penalty) -> bool {
+        self.pressure.value > LIGHT * penalty.at_touch()
+    }
+
+    /// Whether the sheet lies on the tool, pressed or not.
+    pub fn lies_on(&self, penalty: &Penalty) -> bool {
+        self.gap < penalty.lying()
+    }
+}
+
+/// Force of a bead on the sheet along r \[N, or N/mm\], and the sheet's slip through it in the step \[mm\].
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct BeadForce {
+    pub force: f64,
+    pub slip: f64,
+}
+
+/// How a pressure that holds a strain rate stands.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct HeldRate {
+    /// Norm of the strain rate over its target \[–\].
+    pub norm: f64,
+    /// The cap that the pressure sits on, and by what share it misses or exceeds it \[–\].
+    pub on_cap: Option<PressureCap>,
+    pub beyond_cap: f64,
+}
+
+/// All that goes with a trial: a function of the step and the trial. Allocated once for a run.
+pub(super) struct Evaluation {
+    /// H, and −r on its right-hand side: ready for δx = −H⁻¹ r.
+    pub system: System,
+    pub nodes: Vec<Node>,
+    /// Elements by thickness points.
+    pub updates: Grid<StressUpdate>,
+    /// Of each element \[mm\], and its derivative by r, z, θ of both nodes.
+    pub thickness: Vec<f64>,
+    pub thickness_rows: Vec<[f64; 6]>,
+    /// Membrane strains Δε_s, Δε_θ of each element \[–\].
+    pub membrane_increment: Vec<[f64; 2]>,
+    /// Their derivatives by r, z of both nodes; empty where no gas holds a strain rate.
+    pub membrane_rows: Vec<[[f64; 4]; 2]>,
+    /// Tools by nodes.
+    pub contacts: Grid<Contact>,
+    /// Force of each tool on the sheet \[N, or N/mm\].
+    pub tool_force: Vec<Point>,
+    /// Pairs of node and tool that penetrate.
+    pub active_contacts: usize,
+    pub bead_force: Vec<BeadForce>,
+    /// Force of the gas on every node \[N, or N/mm\].
+    pub gas_force: Vec<Point>,
+    pub held_rate: HeldRate,
+    /// What of the holder's force its distance blocks bear \[N, or N/mm\].
+    pub block_force: f64,
+    /// Residual of the edge before boundary conditions: the reaction where a freedom is held.
+    pub edge_reaction: Vector3<f64>,
+    /// Largest nodal residual over the largest internal or contact force of a node, and the node where it sits.
+    pub residual_norm: f64,
+    pub worst_node: usize,
+}
+
+/// The largest force in the plane of the section \[N, or N/mm\].
+pub(super) fn largest(forces: &[Vector3<f64>]) -> f64 {
+    forces.iter().map(|f| f.xy().norm()).fold(0.0, f64::max)
+}
+
+impl Evaluation {
+    /// What a state begins with: its pressures, and what they push with; friction has to set in anew.
+    pub fn new(process: &Process, state: &State) -> Self {
+        let (n, elements) = (state.nodes.len(), state.thickness.len());
+        let blank = StressUpdate { stress: [0.0; 3], tangent: [0.0; 6], increment: 0.0, yield_stress: 0.0 };
+        let mut start = Self {
+            system: System::new(n, process.shared),
+            nodes: state.nodes.clone(),
+            updates: Grid::new(elements, process.rule.len(), blank),
+            thickness: state.thickness.clone(),
+            thickness_rows: vec![[0.0; 6]; elements],
+            membrane_increment: vec![[0.0; 2]; elements],
+            membrane_rows: vec![[[0.0; 4]; 2]; if process.holds_rate() { elements } else { 0 }],
+            contacts: Grid::new(process.tools.len(), n, Contact::free(f64::INFINITY)),
+            tool_force: vec![Point::zeros(); process.tools.len()],
+            active_contacts: 0,
+            bead_force: vec![BeadForce::default(); process.model.beads.len()],
+            gas_force: vec![Point::zeros(); n],
+            held_rate: HeldRate::default(),
+            block_force: 0.0,
+            edge_reaction: Vector3::zeros(),
+            residual_norm: 0.0,
+            worst_node: 0,
+        };
+        let areas = nodal_areas(references(process.model, state, &state.bends), n);
+        for (j, tool) in process.tools.iter().enumerate().filter(|(_, tool)| !tool.is_absent()) {
+            for (i, contact) in start.contacts.row_mut(j).iter_mut().enumerate() {
+                let closest = tool.profile.closest(state.in_frame_of(j, i));
+                contact.distance = closest.distance;
+                let pressure = state.pressure[(j, i)];
+                if pressure > 0.0 {
+                    contact.pressure.value = pressure;
+                    contact.normal = areas[i] * pressure;
+                    contact.facing = closest.normal;
+                    start.tool_force[j] += closest.normal * contact.normal;
+                }
+            }
+        }
+        start
+    }
+
+    /// Thickness that contact sees at node `i` \[mm\].
+    pub fn thickness_at(&self, i: usize) -> f64 {
+        thickness_at(&self.thickness, i)
+    }
+
+    /// A tool that lets go: what its springs stored is lost.
+    pub fn release(&mut self, tool: usize) {
+        for contact in self.contacts.row_mut(tool) {
+            (contact.normal, contact.tangential) = (0.0, 0.0);
+        }
+    }
+
+    /// By how much the sheet at node `i` is too thick for the gap between two tools that do not give way and press it from
+    /// both faces \[mm\]; `None` where there are no such two.
+    pub fn ironing(&self, process: &Process, i: usize) -> Option<f64> {
+        let held = |j: usize| {
+            let contact = &self.contacts[(j, i)];
+            (process.tools[j].shared.is_none() && contact.is_pressed(&process.penalty)).then_some(contact)
+        };
+        let pairs = (0..process.tools.len()).flat_map(|j| (0..j).map(move |k| (j, k)));
+        let ironed = pairs.filter_map(|(j, k)| {
+            let (a, b) = (held(j)?, held(k)?);
+            (a.facing.dot(&b.facing) < OPPOSED).then_some(-(a.gap + b.gap))
+        });
+        ironed.max_by(f64::total_cmp)
+    }
+
+    /// Largest penetration over the thickness where the sheet is not ironed \[–\]: what the contact method lets through.
+    pub fn penetration(&self, process: &Process) -> f64 {
+        let pairs = self.contacts.rows().flat_map(|row| row.iter().enumerate());
+        let deep = pairs.filter(|(i, contact)| contact.gap < 0.0 && self.ironing(process, *i).is_none());
+        deep.map(|(i, contact)| -contact.gap / self.thickness_at(i)).fold(0.0, f64::max)
+    }
+}

@@ -1,0 +1,166 @@
+//! What an observer sees of a run and can do to it, and that the solver allocates nothing while it iterates.
+
+use stampflow::case;
+use stampflow::element::Node;
+use stampflow::material::Elastic;
+use stampflow::model::{ContactMethod, Iteration, Mode, Model, Theory};
+use stampflow::solution::{IterationRecord, StageSolution, StepRecord, Stop};
+use stampflow::solver::{self, Iterate, Observer};
+use std::alloc::{GlobalAlloc, Layout, System};
+use std::cell::Cell;
+
+thread_local! {
+    /// Allocations of this thread.
+    static ALLOCATIONS: Cell<usize> = const { Cell::new(0) };
+}
+
+/// The system's allocator, counted.
+struct Counted;
+
+// SAFETY: every call goes to the system's allocator as it is.
+unsafe impl GlobalAlloc for Counted {
+    unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
+        ALLOCATIONS.set(ALLOCATIONS.get() + 1);
+        unsafe { System.alloc(layout) }
+    }
+    unsafe fn dealloc(&self, at: *mut u8, layout: Layout) {
+        unsafe { System.dealloc(at, layout) }
+    }
+}
+
+#[global_allocator]
+static COUNTED: Counted = Counted;
+
+/// Quickstart's cup, a tenth of it.
+fn cup() -> Model {
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/cases/quickstart.toml");
+    let mut model = case::load(path, &[]).unwrap_or_else(|e| panic!("{e}")).model().clone();
+    model.drive_to(0.1 * model.travel);
+    model
+}
+
+/// Counts what is allocated from one iteration of a try to the next.
+#[derive(Default)]
+struct Allocations {
+    last: Option<(IterationRecord, usize)>,
+    compared: usize,
+}
+
+impl Observer for Allocations {
+    fn iteration(&mut self, record: &IterationRecord) {
+        let now = ALLOCATIONS.get();
+        if let Some((last, before)) = self.last.filter(|(last, _)| last.step == record.step)
+            && record.iteration > last.iteration
+        {
+            assert_eq!(now - before, 0, "allocated in iteration {} of step {}", record.iteration, record.step);
+            self.compared += 1;
+        }
+        self.last = Some((*record, ALLOCATIONS.get()));
+    }
+}
+
+/// Trust: every allocation of the thread is counted.
+#[test]
+fn an_iteration_allocates_nothing() {
+    let plain = cup();
+    let mut secant = plain.clone();
+    secant.settings.iteration = Iteration::Secant;
+    let mut augmented = plain.clone();
+    augmented.settings.contact = ContactMethod::AugmentedLagrangian;
+    let mut selective = plain.clone();
+    selective.blank.theory = Theory::Selective;
+    let mut elastoplastic = plain.clone();
+    elastoplastic.mode = Mode::ElastoViscoplastic;
+    elastoplastic.material.elastic = Some(Elastic { young: 206_000.0, poisson: 0.3 });
+    for (name, model) in [
+        ("primal-dual", plain),
+        ("secant", secant),
+        ("augmented Lagrangian", augmented),
+        ("selective", selective),
+        ("elastoplastic", elastoplastic),
+    ] {
+        let mut seen = Allocations::default();
+        let run = solver::run(&model, &mut seen);
+        assert!(run.stop.is_complete(), "{name}: {}", run.stop);
+        println!("{name}: {} pairs of iterations", seen.compared);
+        assert!(seen.compared > 2 * run.steps.len(), "{name}: {} pairs of iterations", seen.compared);
+    }
+}
+
+/// Ends a run after so many steps and iterations.
+struct Stopper {
+    steps: usize,
+    iterations: usize,
+}
+
+impl Observer for Stopper {
+    fn step(&mut self, _record: &StepRecord) {
+        self.steps -= 1;
+    }
+    fn iteration(&mut self, _record: &IterationRecord) {
+        self.iterations -= 1;
+    }
+    fn wants_to_stop(&mut self) -> bool {
+        self.steps == 0 || self.iterations == 0
+    }
+}
+
+/// Trust: the same program on the same numbers, so what was computed is the beginning of the whole run bit for bit.
+#[test]
+fn an_interrupted_run_keeps_what_it_has_computed() {
+    let model = cup();
+    let whole = solver::run(&model, &mut ());
+    assert!(whole.stop.is_complete(), "{}", whole.stop);
+    let of_steps = |n: usize| whole.steps[..n].iter().map(|step| step.iterations).sum::<usize>();
+    let check = |run: StageSolution, steps: usize| {
+        let Stop::Interrupted { travel, time } = run.stop else { panic!("{}", run.stop) };
+        assert!(!run.stop.is_complete() && !run.stop.is_physical() && run.stop.kind() == "interrupted");
+        assert_eq!(run.steps, whole.steps[..steps]);
+        assert_eq!((run.end.travel, run.end.time), (travel, time));
+        assert_eq!(run.frames.last().map(|frame| frame.time), run.steps.last().map(|step| step.time));
+    };
+    check(solver::run(&model, &mut Stopper { steps: 5, iterations: usize::MAX }), 5);
+    // In the middle of the fourth step, and of the first.
+    check(solver::run(&model, &mut Stopper { steps: usize::MAX, iterations: of_steps(3) + 2 }), 3);
+    check(solver::run(&model, &mut Stopper { steps: usize::MAX, iterations: 1 }), 0);
+}
+
+/// Keeps the last iterate of every step.
+#[derive(Default)]
+struct Iterates {
+    nodes: Vec<Node>,
+    residual: f64,
+    thinnest: f64,
+    steps: usize,
+}
+
+impl Observer for Iterates {
+    fn wants_iterates(&self) -> bool {
+        true
+    }
+    fn iterate(&mut self, iterate: &Iterate<'_>) {
+        self.nodes.clear();
+        self.nodes.extend_from_slice(iterate.nodes);
+        self.residual = iterate.imbalance.iter().map(|force| force.xy().norm()).fold(0.0, f64::max);
+        self.thinnest = iterate.thickness.iter().copied().fold(f64::INFINITY, f64::min);
+        assert_eq!(iterate.updates.rows().len(), iterate.thickness.len());
+    }
+    fn step(&mut self, record: &StepRecord) {
+        assert_eq!(self.thinnest, record.thinnest);
+        assert!(self.residual < 0.01 * record.punch_force.max(1.0), "{} N", self.residual);
+        self.steps += 1;
+    }
+    fn state(&mut self, _model: &Model, state: &stampflow::State) {
+        assert!(self.steps == 0 || self.nodes == state.nodes);
+    }
+}
+
+/// Trust: the last iterate of a step is what the step leads to, and looking on changes no bit.
+#[test]
+fn iterates_are_seen_and_change_nothing() {
+    let model = cup();
+    let mut seen = Iterates::default();
+    let run = solver::run(&model, &mut seen);
+    assert!(seen.steps > 5 && seen.steps == run.steps.len());
+    assert_eq!(run.steps, solver::run(&model, &mut ()).steps);
+}
