@@ -63,7 +63,7 @@ impl<'a> Report<'a> {
         let mut sections = vec![
             title::section(self),
             verdict::section(&self.findings),
-            sketch::section(&self.case.model(), &self.dimensions),
+            sketch::section(self.case.model(), &self.dimensions),
             inputs::section(&self.check),
         ];
         sections.extend(results::sections(self));

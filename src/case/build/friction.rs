@@ -18,7 +18,7 @@ impl Frictions {
         let punch = punch.as_ref().and_then(|tool| tool.friction);
         let die = die.as_ref().and_then(|tool| tool.friction);
         let holder = holder.as_ref().and_then(|tool| tool.friction);
-        Self { tools: [punch, die, holder], sides: file.friction.clone() }
+        Self { tools: [punch, die, holder], sides: file.friction }
     }
 
     /// The law that a tool has of its own.
