@@ -134,13 +134,13 @@ fn selective() {
         chosen.blank.theory = Theory::Selective;
         let mut best = [Duration::MAX; 2];
         for _ in 0..7 {
-            for (best, model) in best.iter_mut().zip([&full, &chosen]) {
+            for (best, model) in best.iter_mut().zip([full, &chosen]) {
                 let start = Instant::now();
                 black_box(solver::run(black_box(model), &mut ()));
                 *best = start.elapsed().min(*best);
             }
         }
-        let [before, after] = [&full, &chosen].map(|model| {
+        let [before, after] = [full, &chosen].map(|model| {
             let mut count = Count::default();
             let run = solver::run(model, &mut count);
             let bent: usize = run.steps.iter().map(|step| step.bending).sum();

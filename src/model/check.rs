@@ -14,6 +14,8 @@ use std::ops::RangeInclusive;
 const STRAINS: [f64; 6] = [0.0, 1e-4, 1e-2, 0.1, 1.0, 5.0];
 /// Strain rates at which a rate law is asked \[1/s\].
 const RATES: [f64; 4] = [1e-6, 1e-3, 1.0, 1e3];
+/// Contact pressures at which a friction law is asked \[MPa\].
+const PRESSURES: [f64; 3] = [1e-2, 1.0, 1e3];
 /// Most elements, and most points through their thickness.
 const ELEMENTS: RangeInclusive<usize> = 2..=100_000;
 const POINTS: RangeInclusive<usize> = 2..=1000;
@@ -165,7 +167,7 @@ impl Material {
         }
         positive("material.hardening", before)?;
         for rate in RATES.iter().filter_map(|rate| Some(self.rate?.at(*rate))) {
-            finite("material.rate", rate.value)?;
+            positive("material.rate", rate.value)?;
         }
         if let Some(elastic) = self.elastic {
             positive("material.elastic.young", elastic.young)?;
@@ -278,9 +280,14 @@ impl Settings {
 /// Friction that holds the sheet back, and no more than a multiple of the pressure.
 fn slides(what: &str, law: &Friction) -> Checked {
     not_negative(what, law.largest_coefficient())?;
-    let sliding = Sliding { pressure: 1.0, slip: 1e-3, scale: 1e-3, duration: 1.0, shear_yield: 100.0 };
-    let drag = law.at(&sliding);
-    not_negative(what, drag.value)?;
-    finite(what, drag.by_pressure)?;
-    finite(what, drag.by_slip)
+    if let Friction::Tresca(law) = law {
+        not_negative(what, law.factor)?;
+    }
+    for pressure in PRESSURES {
+        let drag = law.at(&Sliding { pressure, slip: 1e-3, scale: 1e-3, duration: 1.0, shear_yield: 100.0 });
+        not_negative(what, drag.value)?;
+        finite(what, drag.by_pressure)?;
+        finite(what, drag.by_slip)?;
+    }
+    Ok(())
 }

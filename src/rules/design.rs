@@ -29,13 +29,13 @@ pub const TRIMMED: &str = "because the rim thickens (declared)";
 /// How far a rim has gone round the die's shoulder when a cup counts as drawn [rad].
 const RIM: f64 = FRAC_PI_4;
 
-/// Tensile strength [MPa]: largest nominal stress σ exp(−ε), reached where dσ/dε = σ (A. Considère, 1885).
-pub(crate) fn tensile_strength(law: &Hardening) -> f64 {
+/// Tensile strength \[MPa\]: largest nominal stress σ exp(−ε), reached where dσ/dε = σ (A. Considère, 1885).
+pub fn tensile_strength(law: &Hardening) -> f64 {
     let strains = (0..=2000).map(|i| f64::from(i) * 5e-4);
     strains.map(|strain| law.at(strain).stress * (-strain).exp()).fold(0.0, f64::max)
 }
 
-/// The pressure that keeps a flange from wrinkling [MPa], usually named after Siebel, with the punch diameter d and the
+/// The pressure that keeps a flange from wrinkling \[MPa\], usually named after Siebel, with the punch diameter d and the
 /// draw ratio β: p = 0.0025 [(β − 1)² + 0.5 d/(100 t)] R_m.
 ///
 /// # References
@@ -45,7 +45,7 @@ pub(crate) fn tensile_strength(law: &Hardening) -> f64 {
 /// Tiefziehen, Hanser, München (1955); H. Tschätsch, Metal Forming Practise, which is quoted with the same form; books
 /// that are said to have (β − 1)³ with factors from 0.002 to 0.003. At β = 2 both forms agree; below it the square asks
 /// for more.
-pub(crate) fn siebel(beta: f64, diameter: f64, thickness: f64, strength: f64) -> f64 {
+pub fn siebel(beta: f64, diameter: f64, thickness: f64, strength: f64) -> f64 {
     0.0025 * ((beta - 1.0).powi(2) + 0.5 * diameter / (100.0 * thickness)) * strength
 }
 

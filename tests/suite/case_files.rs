@@ -58,7 +58,7 @@ fn a_temperature_is_given_by_zones_or_by_a_file() {
     let zones = format!("{MINIMAL}[heat]\ninitial = {{ punch = \"25 °C\", flange = \"225 °C\" }}\n");
     let case = case::parse(&zones, "case.toml", &[]).unwrap_or_else(|error| panic!("{}", error.render(false)));
     let heat = case.model().heat.as_ref().expect("given");
-    let found = at(&heat, [10.0, 30.0, 30.625, 50.0]);
+    let found = at(heat, [10.0, 30.0, 30.625, 50.0]);
     for (found, expected) in found.into_iter().zip([25.0, 25.0, 125.0, 225.0]) {
         assert!((found - expected).abs() < 1e-9, "{found} {expected}");
     }
