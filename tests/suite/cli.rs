@@ -21,10 +21,11 @@ fn a_run_writes_every_file_and_sums_up() {
     assert_eq!(done.status.code(), Some(0), "{}", text(&done.stderr));
     for output in stampflow::output::OUTPUTS {
         let path = dir.path().join("out/cup").join(output.file);
-        if ["pressure_cycle", "porosity", "temperature", "forming_limit", "strain_paths"]
-            .iter()
-            .any(|special| output.file.starts_with(special))
-        {
+        let sheets = ["pressure_cycle", "porosity", "temperature", "forming_limit", "strain_paths"];
+        let releases_and_stages = ["springback", "residual_stress", "stages.csv", "compare_"];
+        let asked_for = ["section.pvd", "revolved.pvd", "tools.pvd", "shapes.gif"];
+        let mut special = sheets.iter().chain(&releases_and_stages).chain(&asked_for);
+        if special.any(|special| output.file.starts_with(special)) {
             assert!(!path.exists(), "a plain cup has no {}", output.file);
             continue;
         }
@@ -180,6 +181,8 @@ fn options_are_offered_where_they_have_a_use() {
         assert_eq!(text(&help.stdout).contains("--threads"), threads, "{verb}");
     }
     assert_eq!(stampflow(dir.path(), &["run", "cases/cup.toml", "-q", "--threads", "1"]).status.code(), Some(0));
+    let many = stampflow(dir.path(), &["run", "cases/cup.toml", "-q", "--threads", "65535"]);
+    assert!(many.status.code() == Some(2) && text(&many.stderr).contains("1..=256"), "{}", text(&many.stderr));
 }
 
 #[test]
