@@ -4,7 +4,7 @@
 //! M. R. Hestenes, Multiplier and gradient methods, J. Optim. Theory Appl. 4 (1969) 303–320; contact: J. C. Simo,
 //! T. A. Laursen, Computers & Structures 42 (1992) 97–116.
 
-use super::evaluation::Evaluation;
+use super::evaluation::{Contact, Evaluation};
 use super::process::Process;
 use super::trial::Trial;
 use crate::model::Settings;
@@ -20,25 +20,26 @@ const LONGEST_SERIES: f64 = 20.0;
 ///
 /// Between two tools that do not give way there is no gap to find; there the penalty stays.
 pub(super) fn shift(process: &Process, trial: &mut Trial, evaluation: &Evaluation, round: usize) -> bool {
-    let n = evaluation.nodes.len();
     let mut worst: f64 = 0.0;
-    for (pair, (contact, memory)) in evaluation.contacts.iter().zip(trial.contacts.iter()).enumerate() {
-        let (gap, i) = (contact.gap, pair % n);
-        if (gap < 0.0 || memory.shift < 0.0) && gap.is_finite() && evaluation.ironing(process, i).is_none() {
-            worst = worst.max(gap.abs() / evaluation.thickness_at(i));
+    for (contacts, memories) in evaluation.contacts.rows().zip(trial.contacts.rows()) {
+        for (i, (&Contact { gap, .. }, memory)) in contacts.iter().zip(memories).enumerate() {
+            if (gap < 0.0 || memory.shift < 0.0) && gap.is_finite() && evaluation.ironing(process, i).is_none() {
+                worst = worst.max(gap.abs() / evaluation.thickness_at(i));
+            }
         }
     }
     if worst <= Settings::PENETRATION {
         return false;
     }
-    for (pair, (contact, memory)) in evaluation.contacts.iter().zip(trial.contacts.iter_mut()).enumerate() {
-        let gap = contact.gap;
-        if gap.is_finite() && evaluation.ironing(process, pair % n).is_none() {
-            let ratio = if round > 0 { gap / memory.round_gap } else { 0.0 };
-            let series = if (0.0..1.0).contains(&ratio) { (1.0 / (1.0 - ratio)).min(LONGEST_SERIES) } else { 1.0 };
-            memory.round_gap = gap;
-            memory.shift = (memory.shift + series * gap).min(0.0);
-            memory.carried = contact.pressure.value;
+    for (contacts, memories) in evaluation.contacts.rows().zip(trial.contacts.rows_mut()) {
+        for (i, (&Contact { gap, pressure, .. }, memory)) in contacts.iter().zip(memories).enumerate() {
+            if gap.is_finite() && evaluation.ironing(process, i).is_none() {
+                let ratio = if round > 0 { gap / memory.round_gap } else { 0.0 };
+                let series = if (0.0..1.0).contains(&ratio) { (1.0 / (1.0 - ratio)).min(LONGEST_SERIES) } else { 1.0 };
+                memory.round_gap = gap;
+                memory.shift = (memory.shift + series * gap).min(0.0);
+                memory.carried = pressure.value;
+            }
         }
     }
     true

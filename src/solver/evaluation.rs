@@ -45,9 +45,9 @@ pub(super) struct Contact {
 }
 
 impl Contact {
-    /// A node that nothing presses, `distance` \[mm\] away.
-    pub fn free(distance: f64) -> Self {
-        Self { distance, gap: f64::INFINITY, ..Self::default() }
+    /// A node far away that nothing presses.
+    pub fn free() -> Self {
+        Self { distance: f64::INFINITY, gap: f64::INFINITY, ..Self::default() }
     }
 
     /// Whether the tool presses: the sheet's face is in it, or held at it.
@@ -134,7 +134,7 @@ impl Evaluation {
             thickness_rows: vec![[0.0; 6]; elements],
             membrane_increment: vec![[0.0; 2]; elements],
             membrane_rows: vec![[[0.0; 4]; 2]; if process.holds_rate() { elements } else { 0 }],
-            contacts: Grid::new(process.tools.len(), n, Contact::free(f64::INFINITY)),
+            contacts: Grid::new(process.tools.len(), n, Contact::free()),
             tool_force: vec![Point::zeros(); process.tools.len()],
             active_contacts: 0,
             bead_force: vec![BeadForce::default(); process.model.beads.len()],

@@ -22,7 +22,7 @@ pub fn add(step: &Step, trial: &mut Trial, at: &Linearisation, out: &mut Evaluat
         out.tool_force[j] = Point::zeros();
         let contacts = out.contacts.row_mut(j);
         if tool.is_absent() {
-            contacts.fill(Contact::free(f64::INFINITY));
+            contacts.fill(Contact::free());
             continue;
         }
         let (memories, pressures) = (trial.contacts.row_mut(j), state.pressure.row(j));
@@ -39,7 +39,7 @@ pub fn add(step: &Step, trial: &mut Trial, at: &Linearisation, out: &mut Evaluat
             let shift = memory.shift;
             let reach = 0.5 * thickness + process.penalty.reach() - shift;
             if free && memory.distance - (position - memory.position).norm() > reach {
-                *contact = Contact::free(f64::INFINITY);
+                *contact = Contact::free();
                 memory.gap = f64::INFINITY;
                 continue;
             }

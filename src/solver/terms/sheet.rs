@@ -5,6 +5,7 @@ use crate::element::section::Law;
 use crate::material::PointLaw;
 use crate::material::flow::FlowLaw;
 use crate::model::Mode;
+use crate::numerics::Grid;
 use crate::solver::evaluation::{Evaluation, Linearisation};
 use crate::solver::step::{Step, elastoplastic_law};
 use crate::solver::trial::Trial;
@@ -41,26 +42,19 @@ pub fn add(step: &Step, trial: &mut Trial, at: &Linearisation, out: &mut Evaluat
 fn strain<L: PointLaw>(
     point: L,
     step: &Step,
-    before: &[L::PointState],
+    before: &Grid<L::PointState>,
     moves: &[Node],
-    iterates: &mut [L::Iterate],
+    iterates: &mut Grid<L::Iterate>,
     at: &Linearisation,
     out: &mut Evaluation,
 ) -> bool {
     let rule = &step.process.rule;
     let law = Law { point, points: rule, slack_tension: SLACK_TENSION * (at.velocity_norm / SLACK_NORM).min(1.0) };
     let system = &mut out.system;
-    for (e, reference) in step.references.iter().enumerate() {
+    let rows = before.rows().zip(iterates.rows_mut()).zip(out.updates.rows_mut());
+    for ((e, reference), ((before, iterates), updates)) in step.references.iter().enumerate().zip(rows) {
         let Some(current) = reference.moved(moves[e], moves[e + 1]) else { return false };
-        let points = e * rule.len()..(e + 1) * rule.len();
-        let internal = law.internal(
-            &current,
-            step.volume[e],
-            step.state.thickness[e],
-            &before[points.clone()],
-            &mut iterates[points],
-            out.updates.row_mut(e),
-        );
+        let internal = law.internal(&current, step.volume[e], step.state.thickness[e], before, iterates, updates);
         system.diagonal[e] += internal.matrix[0][0];
         system.upper[e] += internal.matrix[0][1];
         system.lower[e + 1] += internal.matrix[1][0];
