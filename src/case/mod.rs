@@ -128,7 +128,7 @@ pub fn parse(text: &str, name: &str, overrides: &[String]) -> Result<Case, CaseE
 /// # use stampflow::case::{self, files::Memory};
 /// let mut files = Memory::default();
 /// files.insert("cases/field.csv", "s0_mm,temperature_C\n20,25\n40,150\n");
-/// let text = format!("{}[heat]\ninitial = \"field.csv\"\n", case::template::find("cup").unwrap().fill(&[])?);
+/// let text = format!("{}[heat]\ninitial = \"field.csv\"\n", stampflow::author::templates::find("cup").unwrap().fill(&[])?);
 /// let case = case::parse_with(&text, "cases/cup.toml", &[], &files)?;
 /// assert_eq!(case.model().heat.as_ref().unwrap().initial.at(40.0), 423.15);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
