@@ -81,6 +81,8 @@ fn outside_crates_have_one_room_each() {
     let mut files = Vec::new();
     sources(&root, &mut files);
     for (name, room) in [
+        ("plotters::", "output/draw"),
+        ("plotters_backend::", "output/draw"),
         ("ttf_parser::", "output"),
         ("miniz_oxide::", "output"),
         ("clap::", "cli|main"),
