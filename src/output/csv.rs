@@ -2,7 +2,7 @@
 
 use crate::measure::Change;
 use crate::table::Table;
-use crate::units::rounded;
+use crate::units::{rounded, without_zeros};
 use std::fmt::Write;
 
 /// One header row (`punch_force_N`), then one row per value, nine significant digits.
@@ -40,8 +40,28 @@ pub(super) fn springback(changes: &[Change]) -> String {
 }
 
 fn number(value: f64) -> String {
-    let value = rounded(value);
-    if value == 0.0 || (1e-4..1e9).contains(&value.abs()) { format!("{value}") } else { format!("{value:e}") }
+    if value == 0.0 {
+        return "0".to_owned();
+    }
+    plain(value).unwrap_or_else(|| {
+        let value = rounded(value);
+        if (1e-4..1e9).contains(&value.abs()) { format!("{value}") } else { format!("{value:e}") }
+    })
+}
+
+/// The same by whole numbers, which is several times as fast, for nearly all that a table holds. Multiplied by a power of
+/// ten that is exact, a value is off by 1e-7 at most: whatever is further from half way is rounded rightly.
+fn plain(value: f64) -> Option<String> {
+    let size = value.abs();
+    let decimals = (0..=12).find(|k| size * 10_f64.powi(*k) >= 1e8)?;
+    let scaled = size * 10_f64.powi(decimals);
+    if !(1e-4..999_999_999.0).contains(&size) || (scaled.fract() - 0.5).abs() < 1e-6 {
+        return None;
+    }
+    let (digits, one) = (scaled.round() as u64, 10_u64.pow(decimals as u32));
+    let sign = if value < 0.0 { "-" } else { "" };
+    let text = format!("{sign}{}.{:02$}", digits / one, digits % one, decimals as usize);
+    Some(without_zeros(&text).to_owned())
 }
 
 #[cfg(test)]
@@ -60,6 +80,20 @@ mod tests {
             (f64::NAN, "NaN"),
         ] {
             assert_eq!(number(value), text);
+        }
+    }
+
+    /// Trust: the standard library's own rounding and shortest text, over all sizes and where digits turn over.
+    #[test]
+    fn whole_numbers_write_what_rounding_writes() {
+        let mut random = fastrand::Rng::with_seed(3);
+        let edges =
+            [0.5, 9.999_999_995, 99_999_999.95, 999_999_999.4, 999_999_999.6, 1e-4, 0.000_1 - 1e-15, 123_456.789_5];
+        let values = (0..20_000).map(|_| random.f64() * 10_f64.powi(random.i32(-5..10))).chain(edges);
+        for value in values.flat_map(|value| [value, -value, (value * 1e4).round() / 1e4]) {
+            if let Some(text) = plain(value) {
+                assert_eq!(text, format!("{}", rounded(value)), "{value:e}");
+            }
         }
     }
 

@@ -37,6 +37,7 @@ const CRATES: &[(&str, &[&str])] = &[
     ("miette", &["case"]),
     ("miniz_oxide", &["output"]),
     ("plotters", &["output"]),
+    ("plotters_backend", &["output"]),
     ("rayon", &["cli"]),
     ("serde_json", &["cli", "output", "report", "case", "law", "units"]),
     ("toml", &["case", "compare"]),

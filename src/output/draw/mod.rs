@@ -1,7 +1,8 @@
-//! Draws a [`Chart`]: it is laid out once as [`Mark`]s, and these become SVG or pixels.
+//! Draws a [`Chart`]: plotters lays it out once as [`Mark`]s, and these become SVG or pixels.
 //!
-//! Lengths in this folder are in px of a picture 800 wide, from its upper left corner, y down.
+//! Lengths in this folder are in px of a picture 800 wide, from its upper left corner, y down, unless they say "units".
 
+mod backend;
 mod page;
 mod palette;
 mod panel;
@@ -13,8 +14,12 @@ mod text;
 mod ticks;
 
 use super::chart::{Chart, Color};
+use backend::Recorder;
 use page::Page;
 pub(super) use palette::Palette;
+use plotters::coord::Shift;
+use plotters::drawing::{DrawingArea, IntoDrawingArea};
+use plotters::style::text_anchor::HPos;
 use raster::{Picture, Raster};
 
 /// Width of every picture; its height follows from what it holds.
@@ -23,6 +28,9 @@ const WIDTH: f64 = 800.0;
 const MARGIN: f64 = 14.0;
 
 type Point = (f64, f64);
+type Canvas<'a> = DrawingArea<Recorder<'a>, Shift>;
+
+const NEVER: &str = "nothing fails on the way into memory";
 
 /// A chart laid out: what is drawn on white, one mark over the other.
 pub(super) struct Drawing {
@@ -55,24 +63,16 @@ pub(super) enum Mark {
         size: f64,
         color: Color,
         at: Point,
-        anchor: Anchor,
+        anchor: HPos,
         turned: bool,
     },
-}
-
-/// Which part of a text is where it is placed.
-#[derive(Clone, Copy)]
-pub(super) enum Anchor {
-    Start,
-    Middle,
-    End,
 }
 
 impl Drawing {
     pub fn of(chart: &Chart) -> Self {
         let page = Page::of(chart);
         let mut marks = Vec::new();
-        page.draw(chart, &mut marks);
+        page.draw(chart, &Recorder { height: page.height, marks: &mut marks }.into_drawing_area());
         Self { height: page.height, marks }
     }
 

@@ -1,9 +1,10 @@
 //! Where everything goes: title, legend, panels, notes, from the top down.
 
+use super::backend::units;
 use super::panel::{Frame, x_labels_height, y_labels_width};
 use super::shape::sample;
 use super::text::{NOTE, SPACING, TICK, TITLE, text, text_width, wrapped};
-use super::{MARGIN, Mark, WIDTH};
+use super::{Canvas, MARGIN, WIDTH};
 use crate::output::chart::{BLACK, Chart, GREY, Look, Series};
 
 /// Width of a line sample in the legend.
@@ -38,29 +39,31 @@ impl<'a> Page<'a> {
         Self { title, legend, left, frames, notes, height: height.ceil() }
     }
 
-    pub(super) fn draw(&self, chart: &Chart, marks: &mut Vec<Mark>) {
+    pub(super) fn draw(&self, chart: &Chart, canvas: &Canvas) {
         let mut y = MARGIN;
         for line in &self.title {
-            marks.push(text(line, TITLE, BLACK, (MARGIN, y)));
+            text(canvas, line, TITLE, BLACK, (MARGIN, y));
             y += SPACING * TITLE;
         }
         y += 0.5 * MARGIN;
-        marks.push(text(chart.legend, TICK, BLACK, (MARGIN, y)));
+        text(canvas, chart.legend, TICK, BLACK, (MARGIN, y));
         for row in &self.legend {
             for (series, x) in row {
-                sample(marks, series.look, (*x, y + 0.5 * TICK), (SAMPLE, 0.3 * TICK));
+                sample(canvas, series.look, (*x, y + 0.5 * TICK), (SAMPLE, 0.3 * TICK));
                 let label = series.label.as_deref().unwrap_or("");
-                marks.push(text(label, TICK, BLACK, (x + SAMPLE + 8.0, y)));
+                text(canvas, label, TICK, BLACK, (x + SAMPLE + 8.0, y));
             }
             y += SPACING * TICK;
         }
         y += 0.5 * MARGIN;
         for (panel, frame) in chart.panels.iter().zip(&self.frames) {
-            frame.draw(panel, marks, (MARGIN + self.left, y));
-            y += frame.height + x_labels_height() + GAP;
+            let height = frame.height + x_labels_height();
+            let area = canvas.clone().shrink((units(MARGIN), units(y)), (units(WIDTH - 2.0 * MARGIN), units(height)));
+            frame.draw(panel, &area, self.left);
+            y += height + GAP;
         }
         for line in &self.notes {
-            marks.push(text(line, NOTE, GREY, (MARGIN, y)));
+            text(canvas, line, NOTE, GREY, (MARGIN, y));
             y += SPACING * NOTE;
         }
     }

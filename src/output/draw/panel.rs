@@ -1,19 +1,22 @@
 //! One pair of axes: their ranges, labels and what is drawn between them.
 
-use super::shape::{draw_shape, rectangle};
-use super::text::{CAP, LABEL, SPACING, TICK, label, text_width};
+use super::backend::units;
+use super::shape::{Shape, stroke};
+use super::text::{LABEL, SPACING, TICK, style, text_width};
 use super::ticks::{tick, tick_count, ticks};
-use super::{Anchor, MARGIN, Mark, Point, WIDTH};
+use super::{Canvas, NEVER};
 use crate::output::chart::{BLACK, Color, Look, Panel, Scale};
 use crate::output::outline::clipped;
+use plotters::chart::{ChartBuilder, LabelAreaPosition};
+use plotters::element::Rectangle;
 
+/// Labels of the x axis at most.
+const X_TICKS: usize = 8;
 const TICK_MARK: f64 = 6.0;
 /// Width of axes and of their grid.
 const AXIS: f64 = 1.2;
 const GRID: f64 = 0.8;
 const GRID_COLOR: Color = (215, 215, 215);
-/// The middle of a line of text above its baseline, over the font size.
-const MIDDLE: f64 = 0.25;
 
 /// The rectangle and ranges of one panel.
 pub(super) struct Frame {
@@ -39,52 +42,46 @@ impl Frame {
         Self { height, x, y }
     }
 
-    /// Draws the panel; `corner` is the upper left one between its axes.
-    pub(super) fn draw(&self, panel: &Panel, marks: &mut Vec<Mark>, corner: Point) {
-        let (left, top) = corner;
-        let (right, bottom) = (WIDTH - MARGIN, top + self.height);
-        let share = |v: f64, (low, high): (f64, f64)| (v - low) / (high - low);
-        let x_at = |x: f64| left + (right - left) * share(x, self.x);
-        let y_at = |y: f64| match panel.scale {
-            Scale::Section { .. } => top + (bottom - top) * share(y, self.y),
-            Scale::Fit { .. } => bottom - (bottom - top) * share(y, self.y),
-        };
-        let (x_ticks, y_ticks) = (ticks(self.x, 8), ticks(self.y, tick_count(self.height)));
-        let line = |pieces, color, width| Mark::Line { pieces, color, width };
-        let upright = x_ticks.iter().map(|&x| vec![(x_at(x), bottom), (x_at(x), top)]);
-        let level = y_ticks.iter().map(|&y| vec![(left, y_at(y)), (right, y_at(y))]);
-        marks.push(line(upright.chain(level).collect(), GRID_COLOR, GRID));
-
-        let away = 2.0 * TICK_MARK;
-        for &x in &x_ticks {
-            let at = (x_at(x), bottom + away + CAP * TICK);
-            marks.push(label(&tick(x, &x_ticks), TICK, at, Anchor::Middle));
-            marks.push(line(vec![vec![(at.0, bottom), (at.0, bottom + TICK_MARK)]], BLACK, AXIS));
-        }
-        for &y in &y_ticks {
-            let at = (left - away, y_at(y) + MIDDLE * TICK);
-            marks.push(label(&tick(y, &y_ticks), TICK, at, Anchor::End));
-            marks.push(line(vec![vec![(left - TICK_MARK, y_at(y)), (left, y_at(y))]], BLACK, AXIS));
-        }
-        let at = (0.5 * (left + right), bottom + x_labels_height() - MIDDLE * LABEL);
-        marks.push(label(&panel.x.text(), LABEL, at, Anchor::Middle));
-        marks
-            .push(label(&panel.y.text(), LABEL, (MARGIN + CAP * LABEL, 0.5 * (top + bottom)), Anchor::Middle).turned());
-
+    /// Draws the panel into its area; `left` is the width of its y labels.
+    pub(super) fn draw(&self, panel: &Panel, area: &Canvas, left: f64) {
+        // Lengths of a section point down the page.
+        let y = if matches!(panel.scale, Scale::Section { .. }) { self.y.1..self.y.0 } else { self.y.0..self.y.1 };
+        let mut chart = ChartBuilder::on(area)
+            .set_label_area_size(LabelAreaPosition::Left, units(left))
+            .set_label_area_size(LabelAreaPosition::Bottom, units(x_labels_height()))
+            .build_cartesian_2d(self.x.0..self.x.1, y)
+            .expect(NEVER);
+        let y_count = tick_count(self.height);
+        let (x_ticks, y_ticks) = (ticks(self.x, X_TICKS), ticks(self.y, y_count));
+        chart
+            .configure_mesh()
+            .x_labels(X_TICKS)
+            .y_labels(y_count)
+            .x_label_formatter(&|x| tick(*x, &x_ticks))
+            .y_label_formatter(&|y| tick(*y, &y_ticks))
+            .x_desc(panel.x.text())
+            .y_desc(panel.y.text())
+            .axis_desc_style(style(LABEL, BLACK))
+            .label_style(style(TICK, BLACK))
+            .set_all_tick_mark_size(units(TICK_MARK))
+            .axis_style(stroke(BLACK, AXIS))
+            .bold_line_style(stroke(GRID_COLOR, GRID))
+            .max_light_lines(0)
+            .draw()
+            .expect(NEVER);
         for series in &panel.series {
             let points = match series.look {
-                Look::Area { .. } => &clipped(&series.points, self.x, self.y),
-                _ => &series.points,
+                Look::Area { .. } => clipped(&series.points, self.x, self.y),
+                _ => series.points.clone(),
             };
-            let finite = points.iter().filter(|p| p.0.is_finite() && p.1.is_finite());
-            let points = finite.map(|p| (x_at(p.0), y_at(p.1))).collect();
-            draw_shape(marks, series.look, series.label.as_deref().unwrap_or(""), points);
+            let points = points.into_iter().filter(|p| p.0.is_finite() && p.1.is_finite()).collect();
+            let shape = Shape { look: series.look, label: series.label.as_deref().unwrap_or(""), points };
+            chart.draw_series([shape]).expect(NEVER);
         }
-        // From the middle of a side, so that all corners are joined.
-        let mut border = rectangle((left, top), (right, bottom));
-        border.push((left, 0.5 * (top + bottom)));
-        border.insert(0, border[4]);
-        marks.push(line(vec![border], BLACK, AXIS));
+        let plot = chart.plotting_area().strip_coord_spec();
+        let (width, height) = plot.dim_in_pixel();
+        let corners = [(0, 0), (width as i32, height as i32)];
+        plot.draw(&Rectangle::new(corners, stroke(BLACK, AXIS))).expect(NEVER);
     }
 }
 

@@ -2,9 +2,10 @@
 
 use super::palette::Palette;
 use super::stroke::{circle, outline};
-use super::{Anchor, Mark, Point};
+use super::{Mark, Point};
 use crate::output::chart::{Color, WHITE};
 use crate::output::font;
+use plotters::style::text_anchor::HPos;
 
 /// Chords of letters leave their curves by about so much \[pixels\].
 const SAGITTA: f64 = 0.15;
@@ -86,9 +87,9 @@ impl<'a> Raster<'a> {
             }
             Mark::Text { text, size, color, at, anchor, turned } => {
                 let mut along = match anchor {
-                    Anchor::Start => 0.0,
-                    Anchor::Middle => -0.5 * font::width(text),
-                    Anchor::End => -font::width(text),
+                    HPos::Left => 0.0,
+                    HPos::Center => -0.5 * font::width(text),
+                    HPos::Right => -font::width(text),
                 };
                 let sagitta = SAGITTA / (size * self.density);
                 for letter in text.chars() {

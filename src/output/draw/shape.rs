@@ -1,51 +1,90 @@
 //! Lines, circles and areas, in a panel or as samples in the legend.
 
-use super::text::{MARK, SPACING, text, text_width};
-use super::{Mark, Point};
-use crate::output::chart::{BLACK, Look, WHITE};
+use super::Canvas;
+use super::NEVER;
+use super::backend::{px, units};
+use super::text::{MARK, SPACING, style, text_width};
+use crate::output::chart::{BLACK, Color, Look, WHITE};
 use crate::output::outline::dashed;
+use plotters::element::{Drawable, PointCollection};
+use plotters::style::text_anchor::{HPos, Pos, VPos};
+use plotters::style::{RGBColor, ShapeStyle};
+use plotters_backend::{BackendCoord, DrawingBackend, DrawingErrorKind};
 
-/// A series or a legend sample.
-pub(super) fn draw_shape(marks: &mut Vec<Mark>, look: Look, label: &str, points: Vec<Point>) {
-    match look {
-        Look::Line { color, width, dash } => marks.push(Mark::Line { pieces: dashed(&points, dash), color, width }),
-        Look::Circles { color } => {
-            marks.extend(points.into_iter().map(|at| Mark::Circle { at, radius: 5.0, color, width: 2.2 }));
-        }
-        Look::Area { fill, edge } => {
-            let closed = edge.map(|color| {
-                let around = points.iter().chain(points.first()).copied().collect();
-                Mark::Line { pieces: vec![around], color, width: 0.8 }
-            });
-            marks.push(Mark::Area { outline: points, fill });
-            marks.extend(closed);
-        }
-        Look::Text => {
-            let (width, half) = (text_width(label, MARK), 0.5 * SPACING * MARK);
-            for (x, y) in points {
-                marks.push(Mark::Area {
-                    outline: rectangle((x - 2.0, y - half), (x + width + 2.0, y + half)),
-                    fill: WHITE,
-                });
-                marks.push(text(label, MARK, BLACK, (x, y - 0.6 * MARK)));
+/// A series or a legend sample, as plotters draws it wherever the points come to lie.
+pub(super) struct Shape<'a, C> {
+    pub look: Look,
+    pub label: &'a str,
+    pub points: Vec<C>,
+}
+
+impl<'a, C> PointCollection<'a, C> for &'a Shape<'_, C> {
+    type Point = &'a C;
+    type IntoIter = std::slice::Iter<'a, C>;
+
+    fn point_iter(self) -> Self::IntoIter {
+        self.points.iter()
+    }
+}
+
+impl<C, B: DrawingBackend> Drawable<B> for Shape<'_, C> {
+    fn draw<I: Iterator<Item = BackendCoord>>(
+        &self,
+        points: I,
+        backend: &mut B,
+        _: (u32, u32),
+    ) -> Result<(), DrawingErrorKind<B::ErrorType>> {
+        let whole = |(x, y): (f64, f64)| (units(x), units(y));
+        match self.look {
+            Look::Line { color, width, dash } => {
+                for piece in dashed(&points.map(px).collect::<Vec<_>>(), dash) {
+                    backend.draw_path(piece.into_iter().map(whole), &stroke(color, width))?;
+                }
+            }
+            Look::Circles { color } => {
+                for at in points {
+                    backend.draw_circle(at, units(5.0) as u32, &stroke(color, 2.2), false)?;
+                }
+            }
+            Look::Area { fill, edge } => {
+                let outline: Vec<_> = points.collect();
+                backend.fill_polygon(outline.iter().copied(), &rgb(fill))?;
+                if let Some(edge) = edge {
+                    let around = outline.iter().chain(outline.first()).copied();
+                    backend.draw_path(around, &stroke(edge, 0.8))?;
+                }
+            }
+            Look::Text => {
+                let (width, half) = (text_width(self.label, MARK), 0.5 * SPACING * MARK);
+                let style = style(MARK, BLACK).pos(Pos::new(HPos::Left, VPos::Top));
+                for (x, y) in points.map(px) {
+                    let (from, to) = ((x - 2.0, y - half), (x + width + 2.0, y + half));
+                    backend.draw_rect(whole(from), whole(to), &rgb(WHITE), true)?;
+                    backend.draw_text(self.label, &style, whole((x, y - 0.6 * MARK)))?;
+                }
             }
         }
+        Ok(())
     }
 }
 
 /// What a series looks like, in the legend; `at` is the middle of its left end, `size` its width and half its height.
-pub(super) fn sample(marks: &mut Vec<Mark>, look: Look, at: Point, size: (f64, f64)) {
+pub(super) fn sample(canvas: &Canvas, look: Look, at: (f64, f64), size: (f64, f64)) {
     let ((x, y), (w, h)) = (at, size);
     let points = match look {
         Look::Line { .. } => vec![(x, y), (x + w, y)],
         Look::Circles { .. } => vec![(x + 0.5 * w, y)],
-        Look::Area { .. } => rectangle((x, y - h), (x + w, y + h)),
+        Look::Area { .. } => vec![(x, y - h), (x + w, y - h), (x + w, y + h), (x, y + h)],
         Look::Text => Vec::new(),
     };
-    draw_shape(marks, look, "", points);
+    let points = points.into_iter().map(|(x, y)| (units(x), units(y))).collect();
+    canvas.draw(&Shape { look, label: "", points }).expect(NEVER);
 }
 
-/// The corners of a rectangle between two opposite ones.
-pub(super) fn rectangle(from: Point, to: Point) -> Vec<Point> {
-    vec![from, (to.0, from.1), to, (from.0, to.1)]
+pub(super) fn stroke(color: Color, width: f64) -> ShapeStyle {
+    ShapeStyle::from(rgb(color)).stroke_width(units(width) as u32)
+}
+
+pub(super) fn rgb(color: Color) -> RGBColor {
+    RGBColor(color.0, color.1, color.2)
 }

@@ -1,8 +1,9 @@
 //! Marks as SVG.
 
-use super::{Anchor, Drawing, Mark, Point, WIDTH};
+use super::{Drawing, Mark, Point, WIDTH};
 use crate::output::chart::Color;
 use crate::output::font::FAMILY;
+use plotters::style::text_anchor::HPos;
 use std::fmt::{Display, Write};
 
 /// A standalone SVG; the font falls back smoothly where it is not installed.
@@ -41,9 +42,9 @@ impl Display for Element<'_> {
             Mark::Text { text, size, color, at, anchor, turned } => {
                 let (x, y) = (rounded(at.0), rounded(at.1));
                 let anchor = match anchor {
-                    Anchor::Start => "",
-                    Anchor::Middle => " text-anchor=\"middle\"",
-                    Anchor::End => " text-anchor=\"end\"",
+                    HPos::Left => "",
+                    HPos::Center => " text-anchor=\"middle\"",
+                    HPos::Right => " text-anchor=\"end\"",
                 };
                 write!(f, "<text x=\"{x}\" y=\"{y}\" font-size=\"{size}\" fill=\"{}\"{anchor}", hex(*color))?;
                 if *turned {

@@ -1,8 +1,11 @@
 //! Text: sizes, widths and line breaks.
 
-use super::{Anchor, Mark, Point};
-use crate::output::chart::{BLACK, Color};
-use crate::output::font;
+use super::backend::units;
+use super::shape::rgb;
+use super::{Canvas, NEVER, Point};
+use crate::output::chart::Color;
+use crate::output::font::{self, FAMILY};
+use plotters::style::{FontDesc, FontFamily, FontStyle, TextStyle};
 
 pub(super) const TITLE: f64 = 21.0;
 /// Axes.
@@ -16,6 +19,8 @@ pub(super) const MARK: f64 = 15.0;
 pub(super) const SPACING: f64 = 1.3;
 /// Top of a line above its baseline, over the font size.
 pub(super) const CAP: f64 = 0.76;
+/// The middle of a line of text above its baseline, over the font size.
+pub(super) const MIDDLE: f64 = 0.25;
 /// How much wider text may come out than in the built-in font: a browser that has not got it takes another.
 const ROOM: f64 = 1.065;
 
@@ -62,25 +67,13 @@ pub(super) fn text_width(text: &str, size: f64) -> f64 {
 }
 
 /// A line of text by its upper left corner.
-pub(super) fn text(text: &str, size: f64, color: Color, (x, top): Point) -> Mark {
-    // What XML cannot hold, escape sequences for example, is left out.
-    let text = text.replace(|c: char| c.is_control() || matches!(c, '\u{fffe}' | '\u{ffff}'), "");
-    Mark::Text { text, size, color, at: (x, top + CAP * size), anchor: Anchor::Start, turned: false }
+pub(super) fn text(canvas: &Canvas, text: &str, size: f64, color: Color, (x, top): Point) {
+    canvas.draw_text(text, &style(size, color), (units(x), units(top))).expect(NEVER);
 }
 
-/// A black label by a point of its baseline.
-pub(super) fn label(text: &str, size: f64, at: Point, anchor: Anchor) -> Mark {
-    Mark::Text { text: text.to_owned(), size, color: BLACK, at, anchor, turned: false }
-}
-
-impl Mark {
-    /// The same text up the page.
-    pub(super) fn turned(mut self) -> Self {
-        if let Self::Text { turned, .. } = &mut self {
-            *turned = true;
-        }
-        self
-    }
+/// Its size is in px: only the recorder reads it.
+pub(super) fn style(size: f64, color: Color) -> TextStyle<'static> {
+    FontDesc::new(FontFamily::Name(FAMILY), size, FontStyle::Normal).color(&rgb(color))
 }
 
 #[cfg(test)]
