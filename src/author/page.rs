@@ -107,7 +107,7 @@ impl Page {
 
 /// A length as a sentence has it.
 pub(super) fn plain(length: f64) -> String {
-    format!("{} mm", crate::assess::check::mm(length))
+    format!("{} mm", crate::assess::mm(length))
 }
 
 /// A length as a case file has it.
