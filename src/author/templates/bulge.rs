@@ -1,10 +1,9 @@
 //! A clamped disc bulged by oil.
 
-use super::Template;
-use super::begin;
 use super::inputs::{Choice, Default, Inputs, Kind};
 use super::rules::{self, Picked};
 use super::sheet::Sheet;
+use super::template::{Template, begin};
 use super::tools::elements;
 use crate::author::page::{mm, plain};
 use crate::case::CaseError;

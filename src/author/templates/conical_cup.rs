@@ -1,10 +1,9 @@
 //! A conical cup with a flat bottom and a flange.
 
-use super::Template;
-use super::begin;
 use super::inputs::{Choice, Default, Inputs, Kind};
 use super::rules::{self, Picked};
 use super::sheet::Sheet;
+use super::template::{Template, begin};
 use super::tools::{Shape, Tools, about, because, careful, elements, force};
 use crate::author::page::{mm, plain};
 use crate::case::CaseError;

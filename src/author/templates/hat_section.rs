@@ -1,10 +1,9 @@
 //! A hat section drawn with a holder.
 
-use super::Template;
-use super::begin;
 use super::inputs::{Choice, Default, Inputs, Kind};
 use super::rules::{self, Picked};
 use super::sheet::Sheet;
+use super::template::{Template, begin};
 use super::tools::{Tools, because, elements, flat_punch, force, nose_fits};
 use crate::author::page::plain;
 use crate::case::CaseError;

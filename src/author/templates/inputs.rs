@@ -1,6 +1,5 @@
 //! What may be given to a template, and what was.
 
-use super::Template;
 use super::rules::Picked;
 use crate::case::CaseError;
 use crate::units::{
@@ -79,8 +78,11 @@ impl Default {
 pub struct Choice {
     /// Its name, without dashes in front.
     pub key: &'static str,
+    /// Kind of its value.
     pub kind: Kind,
+    /// What is taken where it is not given.
     pub default: Default,
+    /// What it is, in one line.
     pub about: &'static str,
 }
 
@@ -103,11 +105,19 @@ pub(super) struct Inputs {
 }
 
 impl Inputs {
-    pub fn read(template: &Template, given: &[(&str, &str)]) -> Result<Self, CaseError> {
-        let mut values: Vec<(Choice, Option<Value>)> = template.options().map(|choice| (*choice, None)).collect();
+    /// The values given by name to a template that has these options.
+    ///
+    /// # Errors
+    /// When an option is none of these or given twice, or a value is none of its kind.
+    pub fn read(
+        template: &str,
+        options: impl Iterator<Item = &'static Choice>,
+        given: &[(&str, &str)],
+    ) -> Result<Self, CaseError> {
+        let mut values: Vec<(Choice, Option<Value>)> = options.map(|choice| (*choice, None)).collect();
         for (key, text) in given {
             let Some((choice, value)) = values.iter_mut().find(|(choice, _)| choice.key == *key) else {
-                return Err(unknown(template, key));
+                return Err(unknown(template, values.iter().map(|(choice, _)| choice.key).collect(), key));
             };
             let read = choice.kind.read(text).map_err(|error| {
                 let message = error.to_string();
@@ -158,13 +168,12 @@ impl Inputs {
     }
 }
 
-fn unknown(template: &Template, key: &str) -> CaseError {
-    let known: Vec<&str> = template.options().map(|choice| choice.key).collect();
+fn unknown(template: &str, known: Vec<&str>, key: &str) -> CaseError {
     let near = closest(key, known.iter().copied());
     let meant = near.first().map_or(String::new(), |near| format!("did you mean --{near}? "));
     let all: Vec<String> = known.iter().map(|key| format!("--{key}")).collect();
     CaseError::bare(
-        format!("the template {} has no option --{key}", template.name),
+        format!("the template {template} has no option --{key}"),
         format!("{meant}it has {}", all.join(", ")),
     )
 }

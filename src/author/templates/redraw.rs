@@ -1,11 +1,10 @@
 //! A cup drawn twice: a wider one first, then through a smaller die.
 
-use super::Template;
-use super::begin;
 use super::cup::Cup;
 use super::inputs::{Choice, Default, Inputs, Kind};
 use super::rules::{self, Picked};
 use super::sheet::Sheet;
+use super::template::{Template, begin};
 use super::tools::{Tools, about, because, careful, flat_punch, force, newtons};
 use crate::author::page::{mm, plain};
 use crate::case::CaseError;

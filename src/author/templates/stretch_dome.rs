@@ -1,10 +1,9 @@
 //! A clamped sheet stretched over a hemispherical punch.
 
-use super::Template;
-use super::begin;
 use super::inputs::{Choice, Default, Inputs, Kind};
 use super::rules::{self, Picked};
 use super::sheet::Sheet;
+use super::template::{Template, begin};
 use super::tools::{Tools, because, elements, round_punch};
 use crate::author::page::plain;
 use crate::case::CaseError;

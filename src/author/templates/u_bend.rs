@@ -1,10 +1,9 @@
 //! A strip bent into a U between punch and die, and let go.
 
-use super::Template;
-use super::begin;
 use super::inputs::{Choice, Default, Inputs, Kind};
 use super::rules::{self, Picked};
 use super::sheet::Sheet;
+use super::template::{Template, begin};
 use super::tools::{Tools, because, bend, flat_punch, nose_fits};
 use crate::author::page::plain;
 use crate::case::CaseError;

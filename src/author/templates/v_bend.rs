@@ -1,11 +1,10 @@
 //! A strip bent in air over a V, and let go.
 
-use super::Template;
 use super::air_bend::{self, Strip};
-use super::begin;
 use super::inputs::{Choice, Default, Inputs, Kind};
 use super::rules::{self, Picked};
 use super::sheet::Sheet;
+use super::template::{Template, begin};
 use super::tools::{Tools, because, bend, round_punch};
 use crate::author::page::plain;
 use crate::case::CaseError;
