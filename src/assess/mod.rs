@@ -1,7 +1,7 @@
 //! What the program tells a user to know of a case, before it is solved and after: [`Finding`]s, made here and nowhere else.
 //!
-//! One question, one file, asked before the run, after it, or both; a new one is a file here and a line in [`BEFORE`] or
-//! [`AFTER`]. Each rule has one constant with its source; what has no source that could be read is called a declared rule of
+//! One question, one file, asked before the run, after it, or both; a new one is a file here and a line in `BEFORE` or
+//! `AFTER`. Each rule has one constant with its source; what has no source that could be read is called a declared rule of
 //! thumb.
 
 mod bending_radius;
