@@ -1,5 +1,7 @@
 //! What may be given to a template, and what was.
 
+pub(super) use self::Default::{Rule, Value};
+
 use super::rules::Picked;
 use crate::case::CaseError;
 use crate::units::{
@@ -40,9 +42,9 @@ impl Kind {
     }
 
     /// The value, numbers in solver units.
-    fn read(self, text: &str) -> Result<Value, QuantityError> {
-        fn value<Q: Quantity + std::str::FromStr<Err = QuantityError>>(text: &str) -> Result<Value, QuantityError> {
-            text.parse::<Q>().map(|quantity| Value::Number(quantity.value()))
+    fn read(self, text: &str) -> Result<Given, QuantityError> {
+        fn value<Q: Quantity + std::str::FromStr<Err = QuantityError>>(text: &str) -> Result<Given, QuantityError> {
+            text.parse::<Q>().map(|quantity| Given::Number(quantity.value()))
         }
         match self {
             Kind::Length => value::<Positive<Length>>(text),
@@ -51,7 +53,7 @@ impl Kind {
             Kind::Share => value::<NonNegative<Ratio>>(text),
             Kind::Number => value::<NonNegative<Number>>(text),
             Kind::Fraction => value::<Fraction>(text),
-            Kind::Name => Ok(Value::Name(text.to_owned())),
+            Kind::Name => Ok(Given::Name(text.to_owned())),
         }
     }
 }
@@ -90,10 +92,14 @@ impl Choice {
     pub(super) const fn new(key: &'static str, kind: Kind, default: Default, about: &'static str) -> Self {
         Self { key, kind, default, about }
     }
+
+    pub(super) const fn length(key: &'static str, default: Default, about: &'static str) -> Self {
+        Self::new(key, Kind::Length, default, about)
+    }
 }
 
 /// What an option was given as.
-enum Value {
+enum Given {
     /// In solver units.
     Number(f64),
     Name(String),
@@ -101,7 +107,7 @@ enum Value {
 
 /// The values of a template's options.
 pub(super) struct Inputs {
-    values: Vec<(Choice, Option<Value>)>,
+    values: Vec<(Choice, Option<Given>)>,
 }
 
 impl Inputs {
@@ -114,7 +120,7 @@ impl Inputs {
         options: impl Iterator<Item = &'static Choice>,
         given: &[(&str, &str)],
     ) -> Result<Self, CaseError> {
-        let mut values: Vec<(Choice, Option<Value>)> = options.map(|choice| (*choice, None)).collect();
+        let mut values: Vec<(Choice, Option<Given>)> = options.map(|choice| (*choice, None)).collect();
         for (key, text) in given {
             let Some((choice, value)) = values.iter_mut().find(|(choice, _)| choice.key == *key) else {
                 return Err(unknown(template, values.iter().map(|(choice, _)| choice.key).collect(), key));
@@ -131,7 +137,7 @@ impl Inputs {
         Ok(Self { values })
     }
 
-    fn entry(&self, key: &str) -> &(Choice, Option<Value>) {
+    fn entry(&self, key: &str) -> &(Choice, Option<Given>) {
         let entry = self.values.iter().find(|(choice, _)| choice.key == key);
         entry.unwrap_or_else(|| unreachable!("templates ask for their own options only, not for {key}"))
     }
@@ -139,7 +145,7 @@ impl Inputs {
     /// The number that was given, if any.
     pub fn given(&self, key: &str) -> Option<f64> {
         match self.entry(key).1 {
-            Some(Value::Number(number)) => Some(number),
+            Some(Given::Number(number)) => Some(number),
             _ => None,
         }
     }
@@ -147,7 +153,7 @@ impl Inputs {
     /// The word that was given, if any.
     pub fn name(&self, key: &str) -> Option<&str> {
         match &self.entry(key).1 {
-            Some(Value::Name(name)) => Some(name),
+            Some(Given::Name(name)) => Some(name),
             _ => None,
         }
     }
@@ -157,7 +163,7 @@ impl Inputs {
         self.given(key).unwrap_or_else(|| {
             let choice = &self.entry(key).0;
             let Default::Value(text) = choice.default else { unreachable!("--{key} is picked by a rule") };
-            let Ok(Value::Number(number)) = choice.kind.read(text) else { unreachable!("defaults are well written") };
+            let Ok(Given::Number(number)) = choice.kind.read(text) else { unreachable!("defaults are well written") };
             number
         })
     }

@@ -5,6 +5,9 @@ use super::sheet::SHEET;
 use crate::author::page::Page;
 use crate::case::CaseError;
 
+/// What writes a template's case.
+type Write = fn(&Inputs) -> Result<String, CaseError>;
+
 /// A kind of case that can be written from a few sizes.
 #[derive(Clone, Copy, Debug)]
 pub struct Template {
@@ -15,7 +18,7 @@ pub struct Template {
     /// Its own options; those of the sheet, [`SHEET`], come on top.
     pub own: &'static [Choice],
     /// The text of its case, or why the values do not go together.
-    pub(super) write: fn(&Inputs) -> Result<String, CaseError>,
+    write: Write,
 }
 
 /// The page of a template's case.
@@ -25,6 +28,10 @@ pub(super) fn begin(about: &str, title: &str, geometry: &str, notes: &[String]) 
 }
 
 impl Template {
+    pub(super) const fn new(name: &'static str, about: &'static str, own: &'static [Choice], write: Write) -> Self {
+        Self { name, about, own, write }
+    }
+
     /// Everything that may be given, the sheet's options last.
     pub fn options(&self) -> impl Iterator<Item = &'static Choice> + use<> {
         self.own.iter().chain(SHEET)

@@ -1,5 +1,6 @@
 //! Punch, die and holder of a template, as the case file has them.
 
+use super::inputs::{Choice, Kind, Rule};
 use super::rules::{self, Picked};
 use super::sheet::Sheet;
 use crate::author::page::{Page, mm, plain};
@@ -7,6 +8,12 @@ use crate::case::CaseError;
 use crate::model::Geometry;
 use crate::rules::design::CAREFUL_RATIO;
 use crate::units::rounded;
+
+/// Options of the tools that several templates have.
+pub(super) const NOSE: Choice = Choice::length("nose", Rule("6 thicknesses"), "radius of the punch's corner");
+pub(super) const SHOULDER: Choice = Choice::length("shoulder", Rule("6 thicknesses"), "radius of the die's corner");
+pub(super) const HOLDER_PRESSURE: Choice =
+    Choice::new("holder-pressure", Kind::Stress, Rule("Siebel's"), "pressure of the holder on the flange");
 
 /// A tool's shape: key, value, and why it has these sizes.
 pub(super) struct Shape {
