@@ -4,7 +4,7 @@ use super::inputs::{Choice, Inputs, Kind, Rule, Value};
 use super::rules::{self, Picked};
 use super::sheet::Sheet;
 use super::template::{Template, begin};
-use super::tools::{HOLDER_PRESSURE, SHOULDER, Shape, Tools, about, because, careful, elements, force};
+use super::tools::{HOLDER_PRESSURE, SHOULDER, Shape, Tools, about, because, careful, draw, force};
 use crate::author::page::{mm, plain};
 use crate::case::CaseError;
 use crate::model::Geometry;
@@ -78,18 +78,13 @@ fn write(inputs: &Inputs) -> Result<String, CaseError> {
         holder: Some(holder),
     };
 
-    let mut page = begin(
+    let page = begin(
         &format!("A conical cup with a flange left to hold.{}", careful(ratio)),
         &format!("Conical cup, mouth diameter {}", plain(2.0 * mouth)),
         "axisymmetric",
         &[sheet.notes("a made-up cup"), vec![FREE_WALL.to_owned()]].concat(),
     );
-    sheet.blank(&mut page, "radius", &blank);
-    elements(&mut page, blank.value, tools.shoulder.value.min(nose.value));
-    sheet.material(&mut page, false);
-    sheet.forming_limit(&mut page);
-    tools.write(&mut page, &sheet);
-    Ok(page.text())
+    Ok(draw(page, &sheet, &blank, tools.shoulder.value.min(nose.value), &tools))
 }
 
 /// Bottom, nose, cone up to the mouth, and a straight wall below it.

@@ -4,7 +4,7 @@ use super::inputs::{Choice, Inputs, Kind, Rule, Value};
 use super::rules::{self, Picked};
 use super::sheet::Sheet;
 use super::template::{Template, begin};
-use super::tools::{HOLDER_PRESSURE, NOSE, Tools, because, careful, elements, flat_punch, force, nose_fits};
+use super::tools::{HOLDER_PRESSURE, NOSE, Tools, because, careful, draw, flat_punch, force, nose_fits};
 use crate::author::page::plain;
 use crate::case::{CaseError, parse};
 use crate::measure::part_height;
@@ -125,16 +125,11 @@ fn page(inputs: &Inputs, trim: Picked) -> Result<String, CaseError> {
         holder: Some(holder),
     };
 
-    let mut page = begin(
+    let page = begin(
         &format!("A cup, {} high from the outside of its bottom to its rim.{}", plain(cup.height), careful(ratio)),
         &format!("Cup, punch diameter {}", plain(2.0 * cup.radius)),
         "axisymmetric",
         &sheet.notes("a made-up cup"),
     );
-    sheet.blank(&mut page, "radius", &blank);
-    elements(&mut page, blank.value, tools.shoulder.value.min(cup.nose.value));
-    sheet.material(&mut page, false);
-    sheet.forming_limit(&mut page);
-    tools.write(&mut page, &sheet);
-    Ok(page.text())
+    Ok(draw(page, &sheet, &blank, tools.shoulder.value.min(cup.nose.value), &tools))
 }

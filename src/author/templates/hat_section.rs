@@ -4,7 +4,7 @@ use super::inputs::{Choice, Inputs, Kind, Rule, Value};
 use super::rules::{self, Picked};
 use super::sheet::Sheet;
 use super::template::{Template, begin};
-use super::tools::{NOSE, SHOULDER, Tools, because, elements, flat_punch, force, nose_fits};
+use super::tools::{NOSE, SHOULDER, Tools, because, draw, flat_punch, force, nose_fits};
 use crate::author::page::plain;
 use crate::case::CaseError;
 use crate::model::Geometry;
@@ -61,17 +61,12 @@ fn write(inputs: &Inputs) -> Result<String, CaseError> {
         holder: Some(holder),
     };
 
-    let mut page = begin(
+    let page = begin(
         "One half of a hat section, drawn. By the flow law, which does not spring back: for that see cases/hat_springback.toml, \
          which takes longer, or stampflow new u-bend.",
         &format!("Hat section, punch {} wide", plain(2.0 * half_width)),
         "plane_strain",
         &sheet.notes("a made-up section"),
     );
-    sheet.blank(&mut page, "half_length", &blank);
-    elements(&mut page, blank.value, tools.shoulder.value.min(nose.value));
-    sheet.material(&mut page, false);
-    sheet.forming_limit(&mut page);
-    tools.write(&mut page, &sheet);
-    Ok(page.text())
+    Ok(draw(page, &sheet, &blank, tools.shoulder.value.min(nose.value), &tools))
 }

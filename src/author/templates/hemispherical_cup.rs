@@ -4,7 +4,7 @@ use super::inputs::{Choice, Inputs, Rule, Value};
 use super::rules::{self, Picked};
 use super::sheet::Sheet;
 use super::template::{Template, begin};
-use super::tools::{HOLDER_PRESSURE, SHOULDER, Tools, because, careful, elements, force, round_punch};
+use super::tools::{HOLDER_PRESSURE, SHOULDER, Tools, because, careful, draw, force, round_punch};
 use crate::author::page::plain;
 use crate::case::CaseError;
 use crate::model::Geometry;
@@ -60,16 +60,11 @@ fn write(inputs: &Inputs) -> Result<String, CaseError> {
         holder: Some(holder),
     };
 
-    let mut page = begin(
+    let page = begin(
         &format!("A cup with a hemispherical bottom, with a flange left to hold.{}", careful(ratio)),
         &format!("Hemispherical cup, punch diameter {}", plain(2.0 * radius)),
         "axisymmetric",
         &sheet.notes("a made-up cup"),
     );
-    sheet.blank(&mut page, "radius", &blank);
-    elements(&mut page, blank.value, tools.shoulder.value);
-    sheet.material(&mut page, false);
-    sheet.forming_limit(&mut page);
-    tools.write(&mut page, &sheet);
-    Ok(page.text())
+    Ok(draw(page, &sheet, &blank, tools.shoulder.value, &tools))
 }

@@ -4,7 +4,7 @@ use super::inputs::{Choice, Inputs, Rule, Value};
 use super::rules::{self, Picked};
 use super::sheet::Sheet;
 use super::template::{Template, begin};
-use super::tools::{SHOULDER, Tools, because, elements, round_punch};
+use super::tools::{SHOULDER, Tools, because, draw, round_punch};
 use crate::author::page::plain;
 use crate::case::CaseError;
 use crate::model::Geometry;
@@ -48,17 +48,11 @@ fn write(inputs: &Inputs) -> Result<String, CaseError> {
         holder: None,
     };
 
-    let mut page = begin(
+    let page = begin(
         "A sheet clamped at its edge and stretched over a hemisphere, as in a test of its formability.",
         &format!("Stretched dome, punch diameter {}", plain(2.0 * radius)),
         "axisymmetric",
         &sheet.notes("a made-up dome"),
     );
-    sheet.blank(&mut page, "radius", &blank);
-    page.set("edge", "\"clamped\"", "");
-    elements(&mut page, blank.value, tools.shoulder.value);
-    sheet.material(&mut page, false);
-    sheet.forming_limit(&mut page);
-    tools.write(&mut page, &sheet);
-    Ok(page.text())
+    Ok(draw(page, &sheet, &blank, tools.shoulder.value, &tools))
 }

@@ -157,6 +157,24 @@ pub(super) fn elements(page: &mut Page, length: f64, radius: f64) {
     );
 }
 
+/// The case file of a part that is drawn, or stretched where no holder is; `corner` is the smallest radius \[mm\] that
+/// the sheet is bent over.
+pub(super) fn draw(mut page: Page, sheet: &Sheet, blank: &Picked, corner: f64, tools: &Tools) -> String {
+    let size = match tools.geometry {
+        Geometry::Axisymmetric => "radius",
+        Geometry::PlaneStrain => "half_length",
+    };
+    sheet.blank(&mut page, size, blank);
+    if tools.holder.is_none() {
+        page.set("edge", "\"clamped\"", "");
+    }
+    elements(&mut page, blank.value, corner);
+    sheet.material(&mut page, false);
+    sheet.forming_limit(&mut page);
+    tools.write(&mut page, sheet);
+    page.text()
+}
+
 /// The sheet and the tools of a strip that is bent, and the stage that takes them away.
 pub(super) fn bend(page: &mut Page, sheet: &Sheet, blank: &Picked, nose: f64, tools: &Tools) {
     page.table("stage", "");
