@@ -1,7 +1,8 @@
 //! Whether the sheet is bent over radii that a thin shell follows.
 
-use super::check::mm;
-use super::{Finding, Light, Run};
+use super::mm;
+use super::run::Run;
+use super::{Finding, Light};
 use crate::model::{Model, Theory, Tool};
 use crate::rules::design::THIN;
 use crate::table::Unit;

@@ -1,7 +1,8 @@
 //! Whether a cup's wall carries the punch force.
 
 use super::nose::NoseEnd;
-use super::{Finding, Light, Run, thinning};
+use super::run::Run;
+use super::{Finding, Light, thinning};
 use crate::model::{Edge, Geometry};
 use crate::rules::estimate::{draw_ratio, tensile_strength};
 use crate::solution::StageSolution;

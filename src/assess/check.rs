@@ -2,7 +2,7 @@
 
 mod stages;
 
-use super::{Kind, before, sentences};
+use super::{Kind, before, mm, sentences};
 use crate::case::Case;
 use crate::model::{Face, Geometry, Model, Motion, Pressure, Role, Theory, Tool};
 use crate::rules::design::LIMITING_RATIO;
@@ -15,6 +15,7 @@ use std::fmt;
 /// One line of the report.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Line {
+    /// What is said.
     pub label: String,
     /// The number or word itself.
     pub value: String,
@@ -25,7 +26,9 @@ pub struct Line {
 /// A case looked over before it is solved.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Check {
+    /// The case's title.
     pub title: String,
+    /// The case in numbers, in the order of telling.
     pub lines: Vec<Line>,
     /// What should be known before the result is trusted; the case can be solved all the same.
     pub warnings: Vec<String>,
@@ -61,13 +64,6 @@ pub fn report(case: &Case) -> Check {
 
 fn line(label: impl Into<String>, value: impl Into<String>, meaning: impl Into<String>) -> Line {
     Line { label: label.into(), value: value.into(), meaning: meaning.into() }
-}
-
-/// A length without digits that mean nothing.
-pub(crate) fn mm(length: f64) -> String {
-    // Adding 0 takes the sign from a rounded −0.
-    let text = format!("{:.3}", (length * 1e3).round() / 1e3 + 0.0);
-    text.trim_end_matches('0').trim_end_matches('.').to_owned()
 }
 
 fn blank(model: &Model, lines: &mut Vec<Line>) {

@@ -1,8 +1,9 @@
 //! Whether the sheet fits between punch and die.
 
-use super::check::mm;
+use super::mm;
 use super::nose::NoseEnd;
-use super::{Finding, Light, Run};
+use super::run::Run;
+use super::{Finding, Light};
 use crate::model::Model;
 use crate::rules::estimate;
 use crate::table::Unit;

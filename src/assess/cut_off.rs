@@ -1,7 +1,8 @@
 //! Whether much of the sheet strains so slowly that its stress is the cut-off's.
 
 use super::finding::ACCURACY;
-use super::{Finding, Light, Run, formed};
+use super::run::{Run, formed};
+use super::{Finding, Light};
 use crate::solution::StageSolution;
 
 /// Plastic work in cut-off zones, over all of it, that puts stresses in doubt \[–\].

@@ -77,6 +77,7 @@ pub struct Finding {
     pub key: &'static str,
     /// Name in tables: `Thinning`.
     pub label: &'static str,
+    /// How it stands to its limit.
     pub light: Light,
     /// The number, in `unit`; `None` where words say it.
     pub value: Option<f64>,
@@ -91,7 +92,9 @@ pub struct Finding {
     pub source: Cow<'static, str>,
     /// What to change; empty where all is well.
     pub advice: String,
+    /// When it can be made.
     pub when: When,
+    /// Where it is told.
     #[serde(skip)]
     pub kind: Kind,
     /// The stage that it is of, counted from 0; `None` of the case or of all stages.

@@ -1,9 +1,10 @@
 //! How near the sheet comes to its forming limit.
 
-use super::{Finding, Light, Run, thinning};
-use crate::forming_limit::{Assessment, CROOKED, Judged, assess};
+use super::nearest::Nearest;
+use super::run::Run;
+use super::{Finding, Light, thinning};
+use crate::forming_limit::{CROOKED, Judged};
 use crate::rules::design::THIN;
-use crate::solution::StageSolution;
 use crate::table::Unit;
 
 /// Share of the limit strain above which scatter of metal and process may reach it \[–\].
@@ -11,30 +12,6 @@ const CAREFUL: f64 = 0.9;
 
 /// Share of the limit that a path which is not straight may use: its own limit may be far lower \[–\].
 const BENT: f64 = 0.5;
-
-/// The stage that comes nearest to its curve.
-pub(super) struct Nearest<'a> {
-    /// The curve's.
-    name: &'static str,
-    pass: &'a StageSolution,
-    assessment: Assessment,
-}
-
-impl<'a> Nearest<'a> {
-    /// `None` where no stage has a limit.
-    pub fn of(passes: &'a [StageSolution]) -> Option<Self> {
-        let all = passes.iter().filter_map(|pass| {
-            let curve = pass.model.forming_limit.as_ref()?;
-            Some(Self { name: curve.name, pass, assessment: assess(curve, &pass.paths)? })
-        });
-        all.min_by(|a, b| a.assessment.worst().margin().total_cmp(&b.assessment.worst().margin()))
-    }
-
-    /// Whether no stage has reached its limit.
-    pub fn is_kept(&self) -> bool {
-        self.assessment.reached.is_none()
-    }
-}
 
 /// The least margin, where, and when the limit was first reached; not judged where no limit is given.
 pub(super) fn margin(run: &Run) -> Option<Finding> {

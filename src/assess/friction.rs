@@ -1,6 +1,7 @@
 //! Whether the friction is known or guessed.
 
-use super::{Finding, Light, Run};
+use super::run::Run;
+use super::{Finding, Light};
 use crate::model::{Model, Tool};
 use crate::table::Unit;
 use std::ops::RangeInclusive;

@@ -1,6 +1,7 @@
 //! How far the hardening law is used beyond what it was measured for.
 
-use super::{Finding, Light, Run, largest};
+use super::run::{Run, largest};
+use super::{Finding, Light};
 use crate::model::Model;
 use crate::solution::StageSolution;
 use crate::table::Unit;

@@ -1,6 +1,7 @@
 //! Whether the holder holds the sheet.
 
-use super::{Finding, Light, Run, largest, strength};
+use super::run::{Run, largest};
+use super::{Finding, Light, strength};
 use crate::model::{Model, Motion, Role};
 use crate::rules::estimate::{held_from, holder_pressure, tensile_strength};
 use crate::solution::{StageSolution, StepRecord};

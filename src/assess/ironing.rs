@@ -1,6 +1,7 @@
 //! Whether two tools press on the sheet at once, which a shell does not feel as a solid does.
 
-use super::{Finding, Light, Run, largest};
+use super::run::{Run, largest};
+use super::{Finding, Light};
 use crate::solution::StageSolution;
 use crate::table::Unit;
 

@@ -1,7 +1,7 @@
 //! Whether the elements are small enough for the tools' radii.
 
 use super::Finding;
-use super::check::mm;
+use super::mm;
 use crate::model::Model;
 use crate::rules::estimate;
 use crate::table::Unit;

@@ -1,7 +1,7 @@
 //! What the program tells a user to know of a case, before it is solved and after: [`Finding`]s, made here and nowhere else.
 //!
-//! One question, one file, asked before the run, after it, or both; a new one is a file here and a line in [`BEFORE`] or
-//! [`AFTER`]. Each rule has one constant with its source; what has no source that could be read is called a declared rule of
+//! One question, one file, asked before the run, after it, or both; a new one is a file here and a line in `BEFORE` or
+//! `AFTER`. Each rule has one constant with its source; what has no source that could be read is called a declared rule of
 //! thumb.
 
 mod bending_radius;
@@ -18,14 +18,17 @@ mod friction;
 mod hardening;
 mod holder;
 mod ironing;
+mod length;
 mod mesh;
 mod moment;
+mod nearest;
 mod neck;
 mod nose;
 mod penetration;
 mod power_balance;
 mod press;
 mod redraw_ratio;
+mod run;
 mod sharp_corner;
 mod springback;
 mod stop;
@@ -36,11 +39,13 @@ mod wrinkling;
 mod yielding;
 
 pub use finding::{Finding, Kind, Light, When, advice, headline, judgements, sentences};
+pub(crate) use length::mm;
 
 use crate::case::Case;
 use crate::model::{Model, Tool};
-use crate::solution::{StageSolution, StepRecord};
-use forming_limit::Nearest;
+use crate::solution::StageSolution;
+use nearest::Nearest;
+use run::Run;
 
 /// A question to a case.
 enum Before {
@@ -157,42 +162,4 @@ pub fn of_stage(i: usize, stage: &StageSolution) -> Vec<Finding> {
         After::Stage(ask) => ask(stage),
     });
     asked.map(|finding| Finding { stage: Some(i), ..finding }).collect()
-}
-
-/// A case with its solved stages.
-struct Run<'a> {
-    case: &'a Case,
-    stages: &'a [StageSolution],
-    /// The stage that comes nearest to its forming limit.
-    nearest: Option<Nearest<'a>>,
-}
-
-impl Run<'_> {
-    /// `, stage 2` where there are several.
-    fn of_stage(&self, i: usize) -> String {
-        if self.stages.len() > 1 { format!(", stage {}", i + 1) } else { String::new() }
-    }
-
-    /// Every step of every stage.
-    fn steps(&self) -> impl Iterator<Item = &StepRecord> {
-        self.stages.iter().flat_map(|stage| &stage.steps)
-    }
-
-    /// The largest of a figure over all stages, or 0; `None` where no step was solved.
-    fn largest(&self, value: impl Fn(&StepRecord) -> f64) -> Option<f64> {
-        self.steps().map(value).reduce(f64::max).map(|largest| largest.max(0.0))
-    }
-}
-
-/// A run whose steps strain the sheet by less in all forms nothing: shares of its work say nothing \[–\].
-const FORMED: f64 = 2e-3;
-
-/// Whether a stage strains the sheet enough for shares of its work to say something.
-fn formed(stage: &StageSolution) -> bool {
-    stage.steps.iter().map(|step| step.strain_increment).sum::<f64>() > FORMED
-}
-
-/// The largest of a figure over a stage; 0 where there is none.
-fn largest(stage: &StageSolution, value: impl Fn(&StepRecord) -> f64) -> f64 {
-    stage.steps.iter().map(value).fold(0.0, f64::max)
 }

@@ -1,7 +1,8 @@
 //! Whether the layers resolve the moments that spring the sheet back.
 
 use super::finding::ACCURACY;
-use super::{Finding, Light, Run};
+use super::run::Run;
+use super::{Finding, Light};
 use crate::measure::moment_error;
 use crate::model::Mode;
 

@@ -1,6 +1,7 @@
 //! Whether one place of the sheet takes all the stretching.
 
-use super::{Finding, Light, Run, thinning};
+use super::run::Run;
+use super::{Finding, Light, thinning};
 use crate::solution::neck::neck;
 use crate::solution::{StageSolution, Stop};
 use crate::table::Unit;

@@ -1,7 +1,8 @@
 //! Whether the tools stay out of the sheet.
 
 use super::finding::ACCURACY;
-use super::{Finding, Light, Run, largest};
+use super::run::{Run, largest};
+use super::{Finding, Light};
 use crate::model::{ContactMethod, Settings};
 use crate::solution::StageSolution;
 use crate::table::Unit;

@@ -1,7 +1,8 @@
 //! Whether the work of the tools is found again in the sheet.
 
 use super::finding::ACCURACY;
-use super::{Finding, Light, Run, formed};
+use super::run::{Run, formed};
+use super::{Finding, Light};
 use crate::solution::StageSolution;
 
 /// Share of the external work that may be missing \[–\].

@@ -1,6 +1,7 @@
 //! What the press must give, against its rating where the case names it.
 
-use super::{Finding, Light, Run};
+use super::run::Run;
+use super::{Finding, Light};
 use crate::model::Geometry;
 use crate::table::{JOULES, Unit, energy_unit, force_unit, four_digits};
 

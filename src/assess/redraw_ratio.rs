@@ -1,6 +1,7 @@
 //! Whether a later draw narrows the cup by no more than a draw can.
 
-use super::{Finding, Light, Run};
+use super::run::Run;
+use super::{Finding, Light};
 use crate::model::{Geometry, Role};
 use crate::rules::design::REDRAW_RATIO;
 use crate::rules::tool_sizes::extent;

@@ -1,7 +1,7 @@
 //! Corners without a radius where the sheet meets them.
 
 use super::Finding;
-use super::check::mm;
+use super::mm;
 use crate::geometry::{CORNER, Point};
 use crate::model::{Model, Role, Tool};
 use crate::rules::tool_sizes::extent;

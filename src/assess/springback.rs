@@ -1,6 +1,7 @@
 //! What a bent section does when its tools are taken away.
 
-use super::{Finding, Light, Run};
+use super::run::Run;
+use super::{Finding, Light};
 use crate::measure::{Shape, changes};
 use crate::model::{Geometry, Mode};
 use crate::table::{Unit, four_digits};

@@ -1,6 +1,7 @@
 //! Whether the run came to its end.
 
-use super::{Finding, Light, Run, thinning};
+use super::run::Run;
+use super::{Finding, Light, thinning};
 use crate::solution::Stop;
 
 /// Red where a stage stopped early, amber where the cup left the die; the stop says why.

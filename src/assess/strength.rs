@@ -1,7 +1,7 @@
 //! Whether the hardening law is that of a sheet metal, or in a wrong unit.
 
 use super::Finding;
-use super::check::mm;
+use super::mm;
 use crate::model::Model;
 use crate::rules::estimate::tensile_strength;
 use crate::table::Unit;

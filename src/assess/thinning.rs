@@ -1,7 +1,8 @@
 //! How thin the sheet has become.
 
-use super::forming_limit::Nearest;
-use super::{Finding, Light, Run};
+use super::nearest::Nearest;
+use super::run::Run;
+use super::{Finding, Light};
 use crate::table::Unit;
 
 /// Thinning that a designer looks at twice, and that is refused without a forming limit that allows it \[–\].

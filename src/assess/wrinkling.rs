@@ -1,7 +1,8 @@
 //! Whether the flange would wrinkle: an index, for an axisymmetric run cannot.
 
 use super::nose::NoseEnd;
-use super::{Finding, Light, Run};
+use super::run::Run;
+use super::{Finding, Light};
 use crate::model::{Model, Motion, Role};
 use crate::rules::estimate::{draw_ratio, held_area, siebel_pressure, tensile_strength};
 use crate::rules::tool_sizes::extent;

@@ -1,12 +1,14 @@
 //! A case file written around tools that were drawn: their profiles, and declared placeholders for the rest.
 
+mod draft;
 mod refused;
 mod sizes;
+
+pub use draft::Draft;
 
 use super::page::{Page, exact};
 use super::templates::rules::strip_pressure;
 use super::templates::{FRICTION, typical};
-use crate::geometry::Profile;
 use crate::material::Hardening;
 use crate::material::hardening::Swift;
 use crate::model::{Geometry, Role};
@@ -14,22 +16,6 @@ use crate::rules::estimate::{siebel, tensile_strength};
 use crate::rules::tool_sizes::mouth;
 use crate::units::rounded;
 use sizes::Sizes;
-
-/// What a case file is written from.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Draft<'a> {
-    pub title: &'a str,
-    pub geometry: Geometry,
-    /// Sections in the order punch, die, holder, each with a line that says where it comes from.
-    pub tools: Vec<(Role, &'a Profile, &'a str)>,
-    /// Placeholders where `None` \[mm\].
-    pub thickness: Option<f64>,
-    /// Radius or half-length.
-    pub blank: Option<f64>,
-    pub travel: Option<f64>,
-    /// How the drawing was understood, for comments at the top.
-    pub notes: &'a [String],
-}
 
 impl Draft<'_> {
     /// The case file's text: TOML with comments, every placeholder marked and declared in `notes`.

@@ -1,11 +1,11 @@
 //! The text of a case file as it grows: tables, keys, and a comment for every number that was picked.
 
 use crate::geometry::{Piece, Point, Profile};
+use crate::rules::design::Picked;
 use std::fmt::{Display, Write};
 
 /// A comment that would make its line longer than this stands above it \[characters\].
 const WIDE: usize = 100;
-use crate::rules::design::Picked;
 
 /// A case file being written.
 pub(super) struct Page(String);
@@ -107,7 +107,7 @@ impl Page {
 
 /// A length as a sentence has it.
 pub(super) fn plain(length: f64) -> String {
-    format!("{} mm", crate::assess::check::mm(length))
+    format!("{} mm", crate::assess::mm(length))
 }
 
 /// A length as a case file has it.

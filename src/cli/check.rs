@@ -1,9 +1,10 @@
 //! `stampflow check`: what a case means and, with `--run`, what comes of it.
 
-use super::json::{Json, say_json};
+use super::code::Code;
+use super::options::{Json, Overrides};
 use super::progress::{Kept, Progress};
+use super::say::{say, say_json};
 use super::table::{Tone, table, wrapped};
-use super::{Code, Overrides, say};
 use serde_json::json;
 use stampflow::assess::check::{self, Check};
 use stampflow::assess::{self, Finding, Kind, Light, advice, headline, judgements, sentences};

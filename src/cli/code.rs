@@ -1,13 +1,10 @@
-//! Exit codes and error messages.
+//! Exit codes, and the errors of the command line itself.
 
-use super::json;
-use super::table::colours;
 use stampflow::case::CaseError;
 use stampflow::compare::CompareError;
 use stampflow::import::ImportError;
 use stampflow::output::WriteError;
 use std::error::Error;
-use std::io;
 use std::path::PathBuf;
 use std::process::ExitCode;
 
@@ -69,15 +66,4 @@ impl From<Code> for ExitCode {
     fn from(code: Code) -> Self {
         Self::from(code as u8)
     }
-}
-
-/// The error with what caused it, a case's error with its line and a caret; or as JSON where that is asked for.
-pub fn message(error: &anyhow::Error) -> String {
-    if json::is_asked_for() {
-        return json::error(error);
-    }
-    if let Some(case) = error.downcast_ref::<CaseError>() {
-        return case.render(colours(&io::stderr()));
-    }
-    format!("error: {error:#}\n")
 }

@@ -1,8 +1,8 @@
 //! `stampflow import`: from a drawing to a case file.
 
-use super::code::{BadPath, unusable};
-use super::json::{Json, say_json};
-use super::{Code, say};
+use super::code::{BadPath, Code, unusable};
+use super::options::Json;
+use super::say::{say, say_json};
 use anyhow::Context;
 use serde_json::json;
 use stampflow::author::Draft;

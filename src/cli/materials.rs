@@ -1,8 +1,8 @@
 //! `stampflow materials`: the built-in library.
 
-use super::code::unusable;
-use super::json::{Json, say_json};
-use super::{Code, say};
+use super::code::{Code, unusable};
+use super::options::Json;
+use super::say::{say, say_json};
 use anyhow::Result;
 use serde_json::{Value, json};
 use stampflow::case::library::{self, Entry};

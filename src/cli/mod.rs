@@ -6,22 +6,26 @@ mod import;
 mod job;
 mod json;
 mod materials;
+mod message;
 mod new;
+mod options;
 mod progress;
 mod report;
 mod run;
+mod say;
 mod shell;
 mod table;
 mod validate;
 
-pub use code::{Code, message};
+pub use code::Code;
+pub use message::message;
 
 use clap::{CommandFactory, Parser, Subcommand};
 use clap_complete::Shell;
 use code::BadRequest;
-use json::{Json, say_json};
+use options::Json;
+use say::{say, say_json};
 use stampflow::case;
-use std::io::{self, Write};
 
 /// Sheet-metal stamping sections (axisymmetric or plane strain) by the flow approach.
 #[derive(Debug, Parser)]
@@ -72,34 +76,10 @@ enum Verb {
     Man { verb: Option<String> },
 }
 
-#[derive(Debug, clap::Args)]
-struct Overrides {
-    /// Replace what the case says: a dotted path of keys and a value with its unit, as often as needed
-    #[arg(long = "set", value_name = "KEY=VALUE")]
-    set: Vec<String>,
-}
-
-#[derive(Debug, clap::Args)]
-struct Threads {
-    /// Threads for cases that run side by side, at most 256 [default: one per core]
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=256))]
-    threads: Option<u16>,
-}
-
-impl Threads {
-    /// Makes it so, once and before anything runs.
-    fn apply(&self) -> anyhow::Result<()> {
-        if let Some(threads) = self.threads {
-            rayon::ThreadPoolBuilder::new().num_threads(threads.into()).build_global()?;
-        }
-        Ok(())
-    }
-}
-
 /// Reads the command line and does what it asks for.
 pub fn main() -> anyhow::Result<Code> {
     let args = match Args::try_parse() {
-        Err(error) if error.use_stderr() && json::is_asked_for() => {
+        Err(error) if error.use_stderr() && Json::is_asked_for() => {
             return Err(BadRequest(error.to_string().trim_start_matches("error: ").trim_end().to_owned()).into());
         }
         parsed => parsed.unwrap_or_else(|error| error.exit()),
@@ -117,14 +97,5 @@ pub fn main() -> anyhow::Result<Code> {
         Verb::Schema => say(&case::schema()),
         Verb::Completions { shell } => shell::completions(Args::command(), shell),
         Verb::Man { verb } => shell::man(Args::command(), verb.as_deref()),
-    }
-}
-
-/// Prints whole lines, the last one ended if need be; a reader that has gone away (`| head`) is no error.
-fn say(text: &str) -> anyhow::Result<Code> {
-    let end = if text.ends_with('\n') { "" } else { "\n" };
-    match write!(io::stdout().lock(), "{text}{end}") {
-        Err(error) if error.kind() != io::ErrorKind::BrokenPipe => Err(error.into()),
-        _ => Ok(Code::Done),
     }
 }

@@ -1,8 +1,7 @@
 //! `stampflow new`: a case file to begin with. Its subcommands and their options are read off the list of templates.
 
 use super::code::{BadPath, Code, unusable};
-use super::json::say_json;
-use super::say;
+use super::say::{say, say_json};
 use clap::{Arg, ArgAction, ArgMatches, Command, value_parser};
 use serde_json::{Value, json};
 use stampflow::author::templates::{self as template, Choice, SHEET, TEMPLATES, Template};

@@ -1,9 +1,9 @@
 //! `stampflow report`: a case solved and written as pages for people.
 
-use super::code::{BadRequest, unusable};
-use super::json::{Json, say_json};
+use super::code::{BadRequest, Code, unusable};
+use super::options::{Json, Overrides};
 use super::progress::{Kept, Progress};
-use super::{Code, Overrides, say};
+use super::say::{say, say_json};
 use clap::ValueEnum;
 use serde_json::json;
 use stampflow::case;

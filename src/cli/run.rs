@@ -1,11 +1,12 @@
 //! `stampflow run`: from case files to folders of results.
 
-use super::code::{BadRequest, unusable};
+use super::code::{BadRequest, Code, unusable};
 use super::job::{self, solve_all};
-use super::json::{self, Json, say_json};
+use super::json;
+use super::options::{Json, Overrides, Threads};
 use super::progress::{Kept, Progress};
+use super::say::{say, say_json};
 use super::table::{Tone, table};
-use super::{Code, Overrides, Threads, say};
 use serde_json::{Value, json};
 use stampflow::case::{Case, Solution};
 use stampflow::compare::Comparison;

@@ -1,7 +1,7 @@
 //! What a shell wants to know of the command line: completions and manual pages.
 
-use super::code::BadRequest;
-use super::{Code, say};
+use super::code::{BadRequest, Code};
+use super::say::say;
 use clap::Command;
 use clap_complete::Shell;
 

@@ -1,11 +1,12 @@
 //! `stampflow validate`: every case against its published curves.
 
-use super::code::{BadRequest, unusable};
+use super::code::{BadRequest, Code, unusable};
 use super::job::{self, solve_all};
-use super::json::{self, Json, say_json};
+use super::json;
+use super::options::{Json, Threads};
 use super::progress::{Kept, Progress};
+use super::say::{say, say_json};
 use super::table::{Tone, table};
-use super::{Code, Threads, say};
 use anyhow::Context;
 use stampflow::compare::{Comparison, Verdict};
 use stampflow::output::{can_write_all, write_comparisons};

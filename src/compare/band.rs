@@ -1,9 +1,11 @@
 //! A reference that is an interval: values of one quantity without places, such as the diameters of a drawn part
 //! along two lines, or thicknesses measured at points whose positions are not known.
 
+use super::computed::Computed;
 use super::curve::difference;
+use super::error::CompareError;
 use super::reference::Reference;
-use super::{CompareError, Computed, Verdict};
+use super::verdict::Verdict;
 use crate::table::fields::{element, step};
 use crate::table::{Column, Table, Unit, four_digits};
 
@@ -25,6 +27,7 @@ pub enum BandQuantity {
 /// A comparison with the interval that measured values span.
 #[derive(Clone, Debug, PartialEq)]
 pub struct BandSpec {
+    /// What is compared.
     pub quantity: BandQuantity,
     /// Headers of the columns whose values, all rows of them, span the band.
     pub columns: Vec<String>,
@@ -35,7 +38,9 @@ pub struct BandSpec {
 /// From the least to the largest of some values.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Interval {
+    /// The least.
     pub low: f64,
+    /// The largest.
     pub high: f64,
 }
 

@@ -1,7 +1,9 @@
 //! A reference that is a curve: points, each with the computed value at its place.
 
+use super::computed::Computed;
+use super::error::CompareError;
 use super::reference::Reference;
-use super::{CompareError, Computed, Verdict};
+use super::verdict::Verdict;
 use crate::table::fields::{element, step};
 use crate::table::{Column, Table, Unit};
 
@@ -21,6 +23,7 @@ pub enum Quantity {
 /// A comparison along a curve.
 #[derive(Clone, Debug, PartialEq)]
 pub struct CurveSpec {
+    /// What is compared.
     pub quantity: Quantity,
     /// Header of the column to compare at.
     pub x: String,
@@ -35,9 +38,11 @@ pub struct CurveSpec {
 /// One reference value and its computed counterpart, in solver units.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Point {
+    /// Abscissa.
     pub x: f64,
+    /// The reference's ordinate.
     pub reference: f64,
-    /// `None` where the run did not get.
+    /// The computed ordinate; `None` where the run did not get.
     pub computed: Option<f64>,
     /// Whether the point lies in the range that is judged; the others are shown only.
     pub judged: bool,

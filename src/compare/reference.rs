@@ -1,6 +1,6 @@
 //! Reference values: columns of a CSV file, units at the end of their names.
 
-use super::{CompareError, Spec};
+use super::error::CompareError;
 use crate::table::{Column, Csv};
 use std::path::Path;
 
@@ -18,19 +18,7 @@ pub(super) struct Reference<'s> {
     pub csv: &'s Csv,
 }
 
-impl<'s> Reference<'s> {
-    /// What a comparison was given; `None` where the file is optional and not there.
-    ///
-    /// # Errors
-    /// When it is not there and not optional.
-    pub fn of(spec: &'s Spec) -> Result<Option<Self>, CompareError> {
-        match &spec.data {
-            Some(data) => Ok(Some(Self { path: &spec.reference, csv: &data.csv })),
-            None if spec.optional => Ok(None),
-            None => Err(CompareError::Missing { path: spec.reference.clone() }),
-        }
-    }
-
+impl Reference<'_> {
     /// The column of a header, in the unit of the computed column that it is compared with.
     pub fn column(&self, header: &str, computed: &Column) -> Result<Values, CompareError> {
         let path = || self.path.to_owned();

@@ -1,6 +1,9 @@
 //! Comparisons of synthetic curves whose answer is known.
 
 use super::*;
+use crate::model::Geometry;
+use crate::solution::{ElementRecord, StepRecord};
+use crate::table::{Column, Csv};
 
 const PROVENANCE: &str = "[\"curve.csv\"]\ncitation = \"A. Uthor, A title, 1990.\"\nkind = \"experiment\"\ngrade = \"A\"\n\
                        scatter = \"5 %\"\n";

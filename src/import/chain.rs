@@ -1,6 +1,6 @@
 //! Strokes joined end to end into one open line.
 
-use super::ImportError;
+use super::error::ImportError;
 use super::frame::Frame;
 use super::listing::Listed;
 use super::stroke::Stroke;

@@ -1,7 +1,8 @@
 //! The drawing's unit and axis: from its coordinates to mm, and back for messages.
 
+use super::error::ImportError;
 use super::listing::Header;
-use super::{ImportError, Options};
+use super::options::{DrawingUnit, Options};
 use crate::geometry::Point;
 use crate::units::rounded;
 
@@ -9,48 +10,6 @@ use crate::units::rounded;
 const UNITS: &str = "inches, feet, miles, mm, cm, m, km, microinches, mils, yards, ångströms, nanometres, micrometres, decimetres, \
     decametres, hectometres, gigametres, astronomical units, light years, parsecs, US survey feet, US survey inches, US survey \
     yards, US survey miles";
-
-/// A unit of length that drawings are made in.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum DrawingUnit {
-    Micrometre,
-    Mm,
-    Cm,
-    M,
-    Mil,
-    Inch,
-    Foot,
-}
-
-impl DrawingUnit {
-    pub const ALL: [Self; 7] = [Self::Mm, Self::Cm, Self::M, Self::Inch, Self::Foot, Self::Mil, Self::Micrometre];
-
-    /// Its symbol, as `--units` takes it.
-    pub fn symbol(self) -> &'static str {
-        match self {
-            Self::Micrometre => "um",
-            Self::Mm => "mm",
-            Self::Cm => "cm",
-            Self::M => "m",
-            Self::Mil => "mil",
-            Self::Inch => "in",
-            Self::Foot => "ft",
-        }
-    }
-
-    /// Its length \[mm\].
-    pub fn mm(self) -> f64 {
-        match self {
-            Self::Micrometre => 1e-3,
-            Self::Mm => 1.0,
-            Self::Cm => 10.0,
-            Self::M => 1e3,
-            Self::Mil => 0.0254,
-            Self::Inch => 25.4,
-            Self::Foot => 304.8,
-        }
-    }
-}
 
 /// How a drawing's coordinates become a section's.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -1,7 +1,8 @@
 //! Which layer draws which tool.
 
+use super::error::ImportError;
 use super::listing::Entity;
-use super::{ImportError, Options};
+use super::options::Options;
 use crate::model::Role;
 use std::collections::BTreeMap;
 

@@ -3,13 +3,15 @@
 //! # References
 //! Autodesk, DXF Reference (group codes of the HEADER and ENTITIES sections; not read: codes as commonly used).
 
-use super::ImportError;
 use super::curve::{Curve, Group, Vertex};
+use super::error::ImportError;
 use std::borrow::Cow;
 use std::fmt;
 
 /// More of a file is no drawing of a few tools \[bytes\].
 pub const LARGEST: usize = 50_000_000;
+/// Lines and arcs that a tool may be drawn in, repeats and both halves counted: a case's section may have 2000.
+pub(super) const MOST: usize = 5000;
 
 const AGAIN: &str = "open the drawing in a CAD program and save it as DXF again";
 

@@ -23,68 +23,18 @@ mod frame;
 mod halves;
 mod layers;
 mod listing;
+mod options;
 mod orient;
+mod section;
 mod spline;
 mod stroke;
 
 pub use error::ImportError;
-pub use frame::DrawingUnit;
 pub use listing::LARGEST;
-pub use orient::Heading;
+pub use options::{DrawingUnit, Heading, Options};
+pub use section::{Section, Sections};
 
-use crate::geometry::{Point, Profile};
 use crate::model::Role;
-
-/// How a drawing is to be understood.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Options {
-    /// Layers by name and the tool that each draws (`None`: no tool), before what their names say.
-    pub layers: Vec<(String, Option<Role>)>,
-    /// Unit of the drawing; the header's when `None`.
-    pub unit: Option<DrawingUnit>,
-    /// x of the axis or symmetry plane in the drawing \[mm\].
-    pub axis: f64,
-    /// Ends that are no farther apart meet \[mm\].
-    pub join: f64,
-    /// How far the arcs that replace a spline may leave it \[mm\].
-    pub tolerance: f64,
-    /// Which way the punch moves in the drawing; found from the tools' walls when `None`.
-    pub punch_moves: Option<Heading>,
-}
-
-impl Default for Options {
-    fn default() -> Self {
-        Self { layers: Vec::new(), unit: None, axis: 0.0, join: 0.01, tolerance: 0.001, punch_moves: None }
-    }
-}
-
-/// A tool's section that was read.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Section {
-    pub role: Role,
-    /// The sheet on its left; z in the direction of the punch travel, not moved.
-    pub profile: Profile,
-    /// Where lines and arcs of the drawing, and whole splines, begin and end \[mm\].
-    pub ends: Vec<Point>,
-    /// What it was made of: `4 entities of layer "PUNCH"`.
-    pub made_of: String,
-}
-
-/// What was understood of a drawing.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Sections {
-    /// Punch, die, holder, those that are drawn.
-    pub tools: Vec<Section>,
-    /// Units, direction, halves, joints, what was left out: whole sentences without a full stop.
-    pub notes: Vec<String>,
-}
-
-impl Sections {
-    /// The section of a tool, where it is drawn.
-    pub fn tool(&self, role: Role) -> Option<&Section> {
-        self.tools.iter().find(|tool| tool.role == role)
-    }
-}
 
 /// Reads the tools' sections from the bytes of a DXF file (text; binary DXF is refused).
 ///

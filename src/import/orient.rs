@@ -1,33 +1,16 @@
 //! Which way the punch moves, and the sheet on the left of every section.
 
 use super::chain::Chain;
+use super::error::ImportError;
 use super::frame::Frame;
 use super::layers::entities;
-use super::{ImportError, Section};
+use super::options::Heading;
+use super::section::Section;
 use crate::geometry::{Fold, Piece, Point, Profile};
 use crate::model::Role;
 
 /// A wall is seen from this height on \[mm\].
 const WALL: f64 = 1e-3;
-
-/// Which way the punch moves in the drawing, where y goes up.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Heading {
-    Down,
-    Up,
-}
-
-impl Heading {
-    pub const ALL: [Self; 2] = [Self::Down, Self::Up];
-
-    /// `down` or `up`.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Down => "down",
-            Self::Up => "up",
-        }
-    }
-}
 
 /// The heading asked for, or the one that the walls of punch and die tell: a punch's body lies behind its face, so that
 /// its outer end is behind its inner one, and a die's cavity is ahead of its face.

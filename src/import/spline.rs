@@ -4,7 +4,7 @@
 //! C. de Boor, J. Approx. Theory 6 (1972) 50–62 (the algorithm, as commonly given; not read).
 
 use super::curve::Spline;
-use super::stroke::MOST;
+use super::listing::MOST;
 use crate::geometry::{Piece, Point, biarc, turn};
 use nalgebra::Vector3;
 

@@ -1,10 +1,11 @@
 //! Entities as strokes: pieces in mm, x from the axis, in the drawing's sense of y.
 
 use super::curve::{self, Curve, Place, Polyline, Vertex};
+use super::error::ImportError;
 use super::frame::Frame;
 use super::layers::Roles;
-use super::listing::{Entity, Listed};
-use super::{ImportError, spline};
+use super::listing::{Entity, Listed, MOST};
+use super::spline;
 use crate::geometry::{Arc, Bounds, Piece, Point, Segment};
 use crate::model::Role;
 use crate::units::{Kind, Length, Quantity, rounded};
@@ -29,9 +30,6 @@ const SAID: [&str; 15] = [
     "IMAGE",
     "WIPEOUT",
 ];
-
-/// Lines and arcs that a tool may be drawn in, repeats and both halves counted: a case's section may have 2000.
-pub(super) const MOST: usize = 5000;
 
 /// Ends that are not farther apart are one point \[mm\]: no drawing is finer.
 const SHORTEST: f64 = 1e-7;

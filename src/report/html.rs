@@ -1,7 +1,7 @@
 //! A document as one HTML file: pictures and style inside, nothing fetched from elsewhere.
 
 use super::document::{Block, Document, Picture, Row};
-use super::{MARKER, PROGRAM};
+use super::program::{MARKER, PROGRAM};
 use crate::assess::Light;
 use maud::{DOCTYPE, Markup, PreEscaped, html as markup};
 

@@ -1,7 +1,7 @@
 //! A document as Markdown with its pictures as SVG files in a folder beside it.
 
 use super::document::{Block, Document, Row};
-use super::{MARKER, PROGRAM};
+use super::program::{MARKER, PROGRAM};
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 

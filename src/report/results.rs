@@ -1,7 +1,7 @@
 //! What came out, stage by stage: the summary's lines, of a release its spring-back, and every plot of a stage.
 
-use super::Report;
 use super::document::{Block, Picture, Row, Section};
+use super::solved::Report;
 use super::solver::figures;
 use crate::output::summary::Group;
 use crate::output::{Make, OUTPUTS, StageView, springback, svg};

@@ -1,7 +1,7 @@
 //! How the numbers were found: mesh, steps, norms; and what the solver and the check warn of.
 
-use super::Report;
 use super::document::{Block, Row, Section};
+use super::solved::Report;
 use crate::assess::Kind;
 use crate::output::summary::{Figure, Group, Summary};
 

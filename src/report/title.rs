@@ -1,7 +1,8 @@
 //! What the report is of: the case, its file and checksum, the program.
 
 use super::document::{Block, Row, Section};
-use super::{PROGRAM, Report};
+use super::program::PROGRAM;
+use super::solved::Report;
 use crate::output::summary::{section_of, sha256};
 
 pub(super) fn section(report: &Report) -> Section {

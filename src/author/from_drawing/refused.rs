@@ -1,6 +1,6 @@
 //! What stands behind a drawing's case that is refused: nobody has seen its file.
 
-use super::Draft;
+use super::draft::Draft;
 use crate::case::{self, Case, CaseError};
 use crate::model::Role;
 

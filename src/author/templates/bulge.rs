@@ -1,23 +1,22 @@
 //! A clamped disc bulged by oil.
 
-use super::Template;
-use super::begin;
-use super::inputs::{Choice, Default, Inputs, Kind};
+use super::inputs::{Choice, Inputs, Kind, Rule, Value};
 use super::rules::{self, Picked};
 use super::sheet::Sheet;
-use super::tools::elements;
+use super::template::{Template, begin};
+use super::tools::{SHOULDER, elements};
 use crate::author::page::{mm, plain};
 use crate::case::CaseError;
 use crate::units::rounded;
 
 pub(super) const TEMPLATE: Template =
-    Template { name: "bulge", about: "a clamped disc bulged by oil through a round opening", own: OPTIONS, write };
+    Template::new("bulge", "a clamped disc bulged by oil through a round opening", OPTIONS, write);
 
 const OPTIONS: &[Choice] = &[
-    Choice::new("opening", Kind::Length, Default::Value("50 mm"), "radius of the die's opening, half its diameter"),
-    Choice::new("height", Kind::Length, Default::Rule("0.4 openings"), "height of the dome that the pressure is for"),
-    Choice::new("shoulder", Kind::Length, Default::Rule("6 thicknesses"), "radius of the die's corner"),
-    Choice::new("pressure", Kind::Stress, Default::Rule("of a spherical membrane"), "pressure at the end"),
+    Choice::length("opening", Value("50 mm"), "radius of the die's opening, half its diameter"),
+    Choice::length("height", Rule("0.4 openings"), "height of the dome that the pressure is for"),
+    SHOULDER,
+    Choice::new("pressure", Kind::Stress, Rule("of a spherical membrane"), "pressure at the end"),
 ];
 
 fn write(inputs: &Inputs) -> Result<String, CaseError> {

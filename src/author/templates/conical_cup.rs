@@ -1,37 +1,31 @@
 //! A conical cup with a flat bottom and a flange.
 
-use super::Template;
-use super::begin;
-use super::inputs::{Choice, Default, Inputs, Kind};
+use super::inputs::{Choice, Inputs, Kind, Rule, Value};
 use super::rules::{self, Picked};
 use super::sheet::Sheet;
-use super::tools::{Shape, Tools, about, because, careful, elements, force};
+use super::template::{Template, begin};
+use super::tools::{HOLDER_PRESSURE, SHOULDER, Shape, Tools, about, because, careful, draw, force};
 use crate::author::page::{mm, plain};
 use crate::case::CaseError;
 use crate::model::Geometry;
 use std::f64::consts::{FRAC_PI_2, PI};
 
-pub(super) const TEMPLATE: Template = Template {
-    name: "conical-cup",
-    about: "a conical cup with a flat bottom, drawn to a wanted depth with a flange left",
-    own: OPTIONS,
+pub(super) const TEMPLATE: Template = Template::new(
+    "conical-cup",
+    "a conical cup with a flat bottom, drawn to a wanted depth with a flange left",
+    OPTIONS,
     write,
-};
+);
 
 const OPTIONS: &[Choice] = &[
-    Choice::new(
-        "punch-radius",
-        Kind::Length,
-        Default::Value("35 mm"),
-        "radius of the cone at its mouth, half its diameter",
-    ),
-    Choice::new("angle", Kind::Angle, Default::Value("20 deg"), "angle of the wall to the axis"),
-    Choice::new("height", Kind::Length, Default::Value("25 mm"), "depth: the punch's travel, up to the flange"),
-    Choice::new("flange", Kind::Length, Default::Value("6 mm"), "width of flat flange left at the end"),
-    Choice::new("nose", Kind::Length, Default::Rule("6 thicknesses"), "radius between bottom and cone"),
-    Choice::new("shoulder", Kind::Length, Default::Rule("6 thicknesses"), "radius of the die's corner"),
-    Choice::new("clearance", Kind::Length, Default::Rule("t √β"), "gap between punch and die at the full travel"),
-    Choice::new("holder-pressure", Kind::Stress, Default::Rule("Siebel's"), "pressure of the holder on the flange"),
+    Choice::length("punch-radius", Value("35 mm"), "radius of the cone at its mouth, half its diameter"),
+    Choice::new("angle", Kind::Angle, Value("20 deg"), "angle of the wall to the axis"),
+    Choice::length("height", Value("25 mm"), "depth: the punch's travel, up to the flange"),
+    Choice::length("flange", Value("6 mm"), "width of flat flange left at the end"),
+    Choice::length("nose", Rule("6 thicknesses"), "radius between bottom and cone"),
+    SHOULDER,
+    Choice::length("clearance", Rule("t √β"), "gap between punch and die at the full travel"),
+    HOLDER_PRESSURE,
 ];
 
 /// What the run cannot show.
@@ -84,18 +78,13 @@ fn write(inputs: &Inputs) -> Result<String, CaseError> {
         holder: Some(holder),
     };
 
-    let mut page = begin(
+    let page = begin(
         &format!("A conical cup with a flange left to hold.{}", careful(ratio)),
         &format!("Conical cup, mouth diameter {}", plain(2.0 * mouth)),
         "axisymmetric",
         &[sheet.notes("a made-up cup"), vec![FREE_WALL.to_owned()]].concat(),
     );
-    sheet.blank(&mut page, "radius", &blank);
-    elements(&mut page, blank.value, tools.shoulder.value.min(nose.value));
-    sheet.material(&mut page, false);
-    sheet.forming_limit(&mut page);
-    tools.write(&mut page, &sheet);
-    Ok(page.text())
+    Ok(draw(page, &sheet, &blank, tools.shoulder.value.min(nose.value), &tools))
 }
 
 /// Bottom, nose, cone up to the mouth, and a straight wall below it.

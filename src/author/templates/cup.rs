@@ -1,11 +1,10 @@
 //! A flat-bottomed cup, drawn until no flange is left.
 
-use super::Template;
-use super::begin;
-use super::inputs::{Choice, Default, Inputs, Kind};
+use super::inputs::{Choice, Inputs, Kind, Rule, Value};
 use super::rules::{self, Picked};
 use super::sheet::Sheet;
-use super::tools::{Tools, because, careful, elements, flat_punch, force, nose_fits};
+use super::template::{Template, begin};
+use super::tools::{HOLDER_PRESSURE, NOSE, Tools, because, careful, draw, flat_punch, force, nose_fits};
 use crate::author::page::plain;
 use crate::case::{CaseError, parse};
 use crate::measure::part_height;
@@ -16,41 +15,22 @@ use crate::units::rounded;
 /// Runs that correct the trim: after two it is settled to its last digit or nearly so.
 const RUNS: usize = 2;
 
-pub(super) const TEMPLATE: Template = Template {
-    name: "cup",
-    about: "a flat-bottomed cup of a wanted height, drawn until no flange is left",
-    own: OPTIONS,
-    write,
-};
+pub(super) const TEMPLATE: Template =
+    Template::new("cup", "a flat-bottomed cup of a wanted height, drawn until no flange is left", OPTIONS, write);
 
 const OPTIONS: &[Choice] = &[
-    Choice::new(
-        "punch-radius",
-        Kind::Length,
-        Default::Value("30 mm"),
-        "radius of the punch, half the inner diameter of the cup",
-    ),
-    Choice::new(
-        "height",
-        Kind::Length,
-        Default::Value("30 mm"),
-        "overall height of the cup, outside of the bottom to rim",
-    ),
+    Choice::length("punch-radius", Value("30 mm"), "radius of the punch, half the inner diameter of the cup"),
+    Choice::length("height", Value("30 mm"), "overall height of the cup, outside of the bottom to rim"),
     Choice::new(
         "trim",
         Kind::Share,
-        Default::Rule("what a run needs to reach the height"),
+        Rule("what a run needs to reach the height"),
         "blank for that much more height: the rim thickens and is trimmed",
     ),
-    Choice::new("nose", Kind::Length, Default::Rule("6 thicknesses"), "radius of the punch's corner"),
-    Choice::new(
-        "shoulder",
-        Kind::Length,
-        Default::Rule("6 thicknesses, or 4.5 of the rim"),
-        "radius of the die's corner",
-    ),
-    Choice::new("clearance", Kind::Length, Default::Rule("t √β"), "gap between punch and die"),
-    Choice::new("holder-pressure", Kind::Stress, Default::Rule("Siebel's"), "pressure of the holder on the flange"),
+    NOSE,
+    Choice::length("shoulder", Rule("6 thicknesses, or 4.5 of the rim"), "radius of the die's corner"),
+    Choice::length("clearance", Rule("t √β"), "gap between punch and die"),
+    HOLDER_PRESSURE,
 ];
 
 /// Sizes of a cup and its tools \[mm\].
@@ -145,16 +125,11 @@ fn page(inputs: &Inputs, trim: Picked) -> Result<String, CaseError> {
         holder: Some(holder),
     };
 
-    let mut page = begin(
+    let page = begin(
         &format!("A cup, {} high from the outside of its bottom to its rim.{}", plain(cup.height), careful(ratio)),
         &format!("Cup, punch diameter {}", plain(2.0 * cup.radius)),
         "axisymmetric",
         &sheet.notes("a made-up cup"),
     );
-    sheet.blank(&mut page, "radius", &blank);
-    elements(&mut page, blank.value, tools.shoulder.value.min(cup.nose.value));
-    sheet.material(&mut page, false);
-    sheet.forming_limit(&mut page);
-    tools.write(&mut page, &sheet);
-    Ok(page.text())
+    Ok(draw(page, &sheet, &blank, tools.shoulder.value.min(cup.nose.value), &tools))
 }

@@ -1,33 +1,28 @@
 //! A hat section drawn with a holder.
 
-use super::Template;
-use super::begin;
-use super::inputs::{Choice, Default, Inputs, Kind};
+use super::inputs::{Choice, Inputs, Kind, Rule, Value};
 use super::rules::{self, Picked};
 use super::sheet::Sheet;
-use super::tools::{Tools, because, elements, flat_punch, force, nose_fits};
+use super::template::{Template, begin};
+use super::tools::{NOSE, SHOULDER, Tools, because, draw, flat_punch, force, nose_fits};
 use crate::author::page::plain;
 use crate::case::CaseError;
 use crate::model::Geometry;
 
-pub(super) const TEMPLATE: Template = Template {
-    name: "hat-section",
-    about: "a hat section (plane strain) drawn to a wanted depth under a holder",
-    own: OPTIONS,
-    write,
-};
+pub(super) const TEMPLATE: Template =
+    Template::new("hat-section", "a hat section (plane strain) drawn to a wanted depth under a holder", OPTIONS, write);
 
 const OPTIONS: &[Choice] = &[
-    Choice::new("half-width", Kind::Length, Default::Value("30 mm"), "half-width of the punch"),
-    Choice::new("height", Kind::Length, Default::Value("40 mm"), "depth: the punch's travel, up to the flange"),
-    Choice::new("flange", Kind::Length, Default::Value("20 mm"), "width of flat flange left at the end"),
-    Choice::new("nose", Kind::Length, Default::Rule("6 thicknesses"), "radius of the punch's corner"),
-    Choice::new("shoulder", Kind::Length, Default::Rule("6 thicknesses"), "radius of the die's corner"),
-    Choice::new("clearance", Kind::Length, Default::Rule("1.1 thicknesses"), "gap between punch and die"),
+    Choice::length("half-width", Value("30 mm"), "half-width of the punch"),
+    Choice::length("height", Value("40 mm"), "depth: the punch's travel, up to the flange"),
+    Choice::length("flange", Value("20 mm"), "width of flat flange left at the end"),
+    NOSE,
+    SHOULDER,
+    Choice::length("clearance", Rule("1.1 thicknesses"), "gap between punch and die"),
     Choice::new(
         "holder-pressure",
         Kind::Stress,
-        Default::Rule("1 % of the tensile strength"),
+        Rule("1 % of the tensile strength"),
         "pressure of the holder on the flange",
     ),
 ];
@@ -66,17 +61,12 @@ fn write(inputs: &Inputs) -> Result<String, CaseError> {
         holder: Some(holder),
     };
 
-    let mut page = begin(
+    let page = begin(
         "One half of a hat section, drawn. By the flow law, which does not spring back: for that see cases/hat_springback.toml, \
          which takes longer, or stampflow new u-bend.",
         &format!("Hat section, punch {} wide", plain(2.0 * half_width)),
         "plane_strain",
         &sheet.notes("a made-up section"),
     );
-    sheet.blank(&mut page, "half_length", &blank);
-    elements(&mut page, blank.value, tools.shoulder.value.min(nose.value));
-    sheet.material(&mut page, false);
-    sheet.forming_limit(&mut page);
-    tools.write(&mut page, &sheet);
-    Ok(page.text())
+    Ok(draw(page, &sheet, &blank, tools.shoulder.value.min(nose.value), &tools))
 }

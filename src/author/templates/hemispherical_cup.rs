@@ -1,35 +1,29 @@
 //! A cup with a hemispherical bottom and a flange.
 
-use super::Template;
-use super::begin;
-use super::inputs::{Choice, Default, Inputs, Kind};
+use super::inputs::{Choice, Inputs, Rule, Value};
 use super::rules::{self, Picked};
 use super::sheet::Sheet;
-use super::tools::{Tools, because, careful, elements, force, round_punch};
+use super::template::{Template, begin};
+use super::tools::{HOLDER_PRESSURE, SHOULDER, Tools, because, careful, draw, force, round_punch};
 use crate::author::page::plain;
 use crate::case::CaseError;
 use crate::model::Geometry;
 use std::f64::consts::PI;
 
-pub(super) const TEMPLATE: Template = Template {
-    name: "hemispherical-cup",
-    about: "a cup with a hemispherical bottom, drawn to a wanted depth with a flange left",
-    own: OPTIONS,
+pub(super) const TEMPLATE: Template = Template::new(
+    "hemispherical-cup",
+    "a cup with a hemispherical bottom, drawn to a wanted depth with a flange left",
+    OPTIONS,
     write,
-};
+);
 
 const OPTIONS: &[Choice] = &[
-    Choice::new(
-        "punch-radius",
-        Kind::Length,
-        Default::Value("30 mm"),
-        "radius of the punch and of its nose, half its diameter",
-    ),
-    Choice::new("height", Kind::Length, Default::Value("32 mm"), "depth: the punch's travel, up to the flange"),
-    Choice::new("flange", Kind::Length, Default::Value("6 mm"), "width of flat flange left at the end"),
-    Choice::new("shoulder", Kind::Length, Default::Rule("6 thicknesses"), "radius of the die's corner"),
-    Choice::new("clearance", Kind::Length, Default::Rule("t √β"), "gap between punch and die"),
-    Choice::new("holder-pressure", Kind::Stress, Default::Rule("Siebel's"), "pressure of the holder on the flange"),
+    Choice::length("punch-radius", Value("30 mm"), "radius of the punch and of its nose, half its diameter"),
+    Choice::length("height", Value("32 mm"), "depth: the punch's travel, up to the flange"),
+    Choice::length("flange", Value("6 mm"), "width of flat flange left at the end"),
+    SHOULDER,
+    Choice::length("clearance", Rule("t √β"), "gap between punch and die"),
+    HOLDER_PRESSURE,
 ];
 
 fn write(inputs: &Inputs) -> Result<String, CaseError> {
@@ -66,16 +60,11 @@ fn write(inputs: &Inputs) -> Result<String, CaseError> {
         holder: Some(holder),
     };
 
-    let mut page = begin(
+    let page = begin(
         &format!("A cup with a hemispherical bottom, with a flange left to hold.{}", careful(ratio)),
         &format!("Hemispherical cup, punch diameter {}", plain(2.0 * radius)),
         "axisymmetric",
         &sheet.notes("a made-up cup"),
     );
-    sheet.blank(&mut page, "radius", &blank);
-    elements(&mut page, blank.value, tools.shoulder.value);
-    sheet.material(&mut page, false);
-    sheet.forming_limit(&mut page);
-    tools.write(&mut page, &sheet);
-    Ok(page.text())
+    Ok(draw(page, &sheet, &blank, tools.shoulder.value, &tools))
 }

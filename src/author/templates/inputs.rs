@@ -1,6 +1,7 @@
 //! What may be given to a template, and what was.
 
-use super::Template;
+pub(super) use self::Default::{Rule, Value};
+
 use super::rules::Picked;
 use crate::case::CaseError;
 use crate::units::{
@@ -41,9 +42,9 @@ impl Kind {
     }
 
     /// The value, numbers in solver units.
-    fn read(self, text: &str) -> Result<Value, QuantityError> {
-        fn value<Q: Quantity + std::str::FromStr<Err = QuantityError>>(text: &str) -> Result<Value, QuantityError> {
-            text.parse::<Q>().map(|quantity| Value::Number(quantity.value()))
+    fn read(self, text: &str) -> Result<Given, QuantityError> {
+        fn value<Q: Quantity + std::str::FromStr<Err = QuantityError>>(text: &str) -> Result<Given, QuantityError> {
+            text.parse::<Q>().map(|quantity| Given::Number(quantity.value()))
         }
         match self {
             Kind::Length => value::<Positive<Length>>(text),
@@ -52,7 +53,7 @@ impl Kind {
             Kind::Share => value::<NonNegative<Ratio>>(text),
             Kind::Number => value::<NonNegative<Number>>(text),
             Kind::Fraction => value::<Fraction>(text),
-            Kind::Name => Ok(Value::Name(text.to_owned())),
+            Kind::Name => Ok(Given::Name(text.to_owned())),
         }
     }
 }
@@ -79,8 +80,11 @@ impl Default {
 pub struct Choice {
     /// Its name, without dashes in front.
     pub key: &'static str,
+    /// Kind of its value.
     pub kind: Kind,
+    /// What is taken where it is not given.
     pub default: Default,
+    /// What it is, in one line.
     pub about: &'static str,
 }
 
@@ -88,10 +92,14 @@ impl Choice {
     pub(super) const fn new(key: &'static str, kind: Kind, default: Default, about: &'static str) -> Self {
         Self { key, kind, default, about }
     }
+
+    pub(super) const fn length(key: &'static str, default: Default, about: &'static str) -> Self {
+        Self::new(key, Kind::Length, default, about)
+    }
 }
 
 /// What an option was given as.
-enum Value {
+enum Given {
     /// In solver units.
     Number(f64),
     Name(String),
@@ -99,15 +107,23 @@ enum Value {
 
 /// The values of a template's options.
 pub(super) struct Inputs {
-    values: Vec<(Choice, Option<Value>)>,
+    values: Vec<(Choice, Option<Given>)>,
 }
 
 impl Inputs {
-    pub fn read(template: &Template, given: &[(&str, &str)]) -> Result<Self, CaseError> {
-        let mut values: Vec<(Choice, Option<Value>)> = template.options().map(|choice| (*choice, None)).collect();
+    /// The values given by name to a template that has these options.
+    ///
+    /// # Errors
+    /// When an option is none of these or given twice, or a value is none of its kind.
+    pub fn read(
+        template: &str,
+        options: impl Iterator<Item = &'static Choice>,
+        given: &[(&str, &str)],
+    ) -> Result<Self, CaseError> {
+        let mut values: Vec<(Choice, Option<Given>)> = options.map(|choice| (*choice, None)).collect();
         for (key, text) in given {
             let Some((choice, value)) = values.iter_mut().find(|(choice, _)| choice.key == *key) else {
-                return Err(unknown(template, key));
+                return Err(unknown(template, values.iter().map(|(choice, _)| choice.key).collect(), key));
             };
             let read = choice.kind.read(text).map_err(|error| {
                 let message = error.to_string();
@@ -121,7 +137,7 @@ impl Inputs {
         Ok(Self { values })
     }
 
-    fn entry(&self, key: &str) -> &(Choice, Option<Value>) {
+    fn entry(&self, key: &str) -> &(Choice, Option<Given>) {
         let entry = self.values.iter().find(|(choice, _)| choice.key == key);
         entry.unwrap_or_else(|| unreachable!("templates ask for their own options only, not for {key}"))
     }
@@ -129,7 +145,7 @@ impl Inputs {
     /// The number that was given, if any.
     pub fn given(&self, key: &str) -> Option<f64> {
         match self.entry(key).1 {
-            Some(Value::Number(number)) => Some(number),
+            Some(Given::Number(number)) => Some(number),
             _ => None,
         }
     }
@@ -137,7 +153,7 @@ impl Inputs {
     /// The word that was given, if any.
     pub fn name(&self, key: &str) -> Option<&str> {
         match &self.entry(key).1 {
-            Some(Value::Name(name)) => Some(name),
+            Some(Given::Name(name)) => Some(name),
             _ => None,
         }
     }
@@ -147,7 +163,7 @@ impl Inputs {
         self.given(key).unwrap_or_else(|| {
             let choice = &self.entry(key).0;
             let Default::Value(text) = choice.default else { unreachable!("--{key} is picked by a rule") };
-            let Ok(Value::Number(number)) = choice.kind.read(text) else { unreachable!("defaults are well written") };
+            let Ok(Given::Number(number)) = choice.kind.read(text) else { unreachable!("defaults are well written") };
             number
         })
     }
@@ -158,13 +174,12 @@ impl Inputs {
     }
 }
 
-fn unknown(template: &Template, key: &str) -> CaseError {
-    let known: Vec<&str> = template.options().map(|choice| choice.key).collect();
+fn unknown(template: &str, known: Vec<&str>, key: &str) -> CaseError {
     let near = closest(key, known.iter().copied());
     let meant = near.first().map_or(String::new(), |near| format!("did you mean --{near}? "));
     let all: Vec<String> = known.iter().map(|key| format!("--{key}")).collect();
     CaseError::bare(
-        format!("the template {} has no option --{key}", template.name),
+        format!("the template {template} has no option --{key}"),
         format!("{meant}it has {}", all.join(", ")),
     )
 }

@@ -19,35 +19,18 @@ mod redraw;
 pub mod rules;
 mod sheet;
 mod stretch_dome;
+mod template;
 mod tools;
 mod u_bend;
 mod v_bend;
 
 pub use inputs::{Choice, Default, Kind};
 pub use sheet::{FRICTION, SHEET, typical};
+pub use template::Template;
 
-use crate::author::page::Page;
 use crate::case::CaseError;
 use crate::units::closest;
-use inputs::Inputs;
 use std::fmt::Write;
-
-/// A kind of case that can be written from a few sizes.
-#[derive(Clone, Copy, Debug)]
-pub struct Template {
-    pub name: &'static str,
-    /// What it forms, in one line.
-    pub about: &'static str,
-    /// Its own options; those of the sheet, [`SHEET`], come on top.
-    pub own: &'static [Choice],
-    write: fn(&Inputs) -> Result<String, CaseError>,
-}
-
-/// The page of a template's case.
-fn begin(about: &str, title: &str, geometry: &str, notes: &[String]) -> Page {
-    let units = "Every quantity is text with its unit; mm, in, N, kN, MPa, ksi ... are understood.";
-    Page::new([about, units], title, geometry, notes)
-}
 
 /// Every template.
 pub const TEMPLATES: &[Template] = &[
@@ -73,35 +56,6 @@ pub fn find(name: &str) -> Result<&'static Template, CaseError> {
         let meant = near.first().map_or(String::new(), |near| format!("did you mean `{near}`? "));
         CaseError::bare(format!("there is no template `{name}`"), format!("{meant}there are {}", names.join(", ")))
     })
-}
-
-impl Template {
-    /// Everything that may be given, the sheet's options last.
-    pub fn options(&self) -> impl Iterator<Item = &'static Choice> + use<> {
-        self.own.iter().chain(SHEET)
-    }
-
-    /// The text of a case file; `given` are names of options and their values with units.
-    ///
-    /// # Errors
-    /// When an option is not one of this template's, a value is none of its kind, or the sizes do not go together.
-    pub fn fill(&self, given: &[(&str, &str)]) -> Result<String, CaseError> {
-        let text = (self.write)(&Inputs::read(self, given)?)?;
-        // What the rules above let pass and a case does not.
-        match crate::case::parse(&text, &format!("{}.toml", self.name), &[]) {
-            Ok(_) => Ok(text),
-            Err(error) => Err(self.refused(given, &error)),
-        }
-    }
-
-    /// An error of a case that nobody has seen yet, as one of the options that make it.
-    fn refused(&self, given: &[(&str, &str)], error: &CaseError) -> CaseError {
-        let options: Vec<String> = given.iter().map(|(key, value)| format!("--{key} {value:?}")).collect();
-        let with = if options.is_empty() { "its defaults".to_owned() } else { options.join(" ") };
-        let line = error.line().map_or(String::new(), |line| format!(" (it would have the line: {})", line.trim()));
-        let what = format!("the template {} with {with} makes a case that is refused: {error}{line}", self.name);
-        CaseError::bare(what, error.remedy().unwrap_or_default().to_owned())
-    }
 }
 
 /// All templates with their options, as text.

@@ -1,12 +1,11 @@
 //! A cup drawn twice: a wider one first, then through a smaller die.
 
-use super::Template;
-use super::begin;
 use super::cup::Cup;
-use super::inputs::{Choice, Default, Inputs, Kind};
+use super::inputs::{Choice, Inputs, Kind, Rule, Value};
 use super::rules::{self, Picked};
 use super::sheet::Sheet;
-use super::tools::{Tools, about, because, careful, flat_punch, force, newtons};
+use super::template::{Template, begin};
+use super::tools::{HOLDER_PRESSURE, Tools, about, because, careful, flat_punch, force, newtons};
 use crate::author::page::{mm, plain};
 use crate::case::CaseError;
 use crate::model::Geometry;
@@ -14,42 +13,18 @@ use crate::rules::design::REDRAW_RATIO;
 use crate::units::rounded;
 use std::f64::consts::PI;
 
-pub(super) const TEMPLATE: Template = Template {
-    name: "redraw",
-    about: "a cup too high for one draw, in two stages: drawn wider, then redrawn",
-    own: OPTIONS,
-    write,
-};
+pub(super) const TEMPLATE: Template =
+    Template::new("redraw", "a cup too high for one draw, in two stages: drawn wider, then redrawn", OPTIONS, write);
 
 const OPTIONS: &[Choice] = &[
-    Choice::new(
-        "punch-radius",
-        Kind::Length,
-        Default::Value("30 mm"),
-        "radius of the second punch, half the cup's inner diameter",
-    ),
-    Choice::new(
-        "height",
-        Kind::Length,
-        Default::Value("60 mm"),
-        "height of the whole cup; the second draw stops at nine tenths of it",
-    ),
-    Choice::new(
-        "trim",
-        Kind::Share,
-        Default::Rule("8 %"),
-        "blank for that much more height: the rim thickens and is trimmed",
-    ),
-    Choice::new("first-radius", Kind::Length, Default::Rule("1.3 punch radii"), "radius of the first punch"),
-    Choice::new("nose", Kind::Length, Default::Rule("6 thicknesses"), "radius of both punches' corners"),
-    Choice::new(
-        "shoulder",
-        Kind::Length,
-        Default::Rule("6 thicknesses, or 4.5 of the rim"),
-        "radius of both dies' corners",
-    ),
-    Choice::new("clearance", Kind::Length, Default::Rule("t √β"), "gap between punch and die, both draws"),
-    Choice::new("holder-pressure", Kind::Stress, Default::Rule("Siebel's"), "pressure of the holder on the flange"),
+    Choice::length("punch-radius", Value("30 mm"), "radius of the second punch, half the cup's inner diameter"),
+    Choice::length("height", Value("60 mm"), "height of the whole cup; the second draw stops at nine tenths of it"),
+    Choice::new("trim", Kind::Share, Rule("8 %"), "blank for that much more height: the rim thickens and is trimmed"),
+    Choice::length("first-radius", Rule("1.3 punch radii"), "radius of the first punch"),
+    Choice::length("nose", Rule("6 thicknesses"), "radius of both punches' corners"),
+    Choice::length("shoulder", Rule("6 thicknesses, or 4.5 of the rim"), "radius of both dies' corners"),
+    Choice::length("clearance", Rule("t √β"), "gap between punch and die, both draws"),
+    HOLDER_PRESSURE,
 ];
 
 /// Share of the wanted height that the second draw forms [–].

@@ -11,10 +11,11 @@ use crate::material::hardening::Swift;
 use crate::material::{Elastic, Hardening, Material};
 use crate::units::{parse, rounded};
 
-/// The law of a sheet that is not named, and friction \[–\] that is not known: as an option, and as a case file, has them.
+/// The law of a sheet that is not named, as an option has it.
 const K: &str = "520 MPa";
 const N: &str = "0.22";
 const OFFSET: &str = "0.005";
+/// Coulomb's coefficient where nothing is known of it \[–\].
 pub const FRICTION: &str = "0.08";
 
 /// k \[MPa\], n and offset strain \[–\] of the law of a sheet that is not named.

@@ -1,32 +1,22 @@
 //! A clamped sheet stretched over a hemispherical punch.
 
-use super::Template;
-use super::begin;
-use super::inputs::{Choice, Default, Inputs, Kind};
+use super::inputs::{Choice, Inputs, Rule, Value};
 use super::rules::{self, Picked};
 use super::sheet::Sheet;
-use super::tools::{Tools, because, elements, round_punch};
+use super::template::{Template, begin};
+use super::tools::{SHOULDER, Tools, because, draw, round_punch};
 use crate::author::page::plain;
 use crate::case::CaseError;
 use crate::model::Geometry;
 
-pub(super) const TEMPLATE: Template = Template {
-    name: "stretch-dome",
-    about: "a clamped sheet stretched over a hemispherical punch",
-    own: OPTIONS,
-    write,
-};
+pub(super) const TEMPLATE: Template =
+    Template::new("stretch-dome", "a clamped sheet stretched over a hemispherical punch", OPTIONS, write);
 
 const OPTIONS: &[Choice] = &[
-    Choice::new("punch-radius", Kind::Length, Default::Value("50 mm"), "radius of the punch, half its diameter"),
-    Choice::new(
-        "height",
-        Kind::Length,
-        Default::Rule("half the punch's radius"),
-        "height of the dome: the punch's travel",
-    ),
-    Choice::new("shoulder", Kind::Length, Default::Rule("6 thicknesses"), "radius of the die's corner"),
-    Choice::new("clearance", Kind::Length, Default::Rule("2 thicknesses"), "gap between punch and die"),
+    Choice::length("punch-radius", Value("50 mm"), "radius of the punch, half its diameter"),
+    Choice::length("height", Rule("half the punch's radius"), "height of the dome: the punch's travel"),
+    SHOULDER,
+    Choice::length("clearance", Rule("2 thicknesses"), "gap between punch and die"),
 ];
 
 fn write(inputs: &Inputs) -> Result<String, CaseError> {
@@ -58,17 +48,11 @@ fn write(inputs: &Inputs) -> Result<String, CaseError> {
         holder: None,
     };
 
-    let mut page = begin(
+    let page = begin(
         "A sheet clamped at its edge and stretched over a hemisphere, as in a test of its formability.",
         &format!("Stretched dome, punch diameter {}", plain(2.0 * radius)),
         "axisymmetric",
         &sheet.notes("a made-up dome"),
     );
-    sheet.blank(&mut page, "radius", &blank);
-    page.set("edge", "\"clamped\"", "");
-    elements(&mut page, blank.value, tools.shoulder.value);
-    sheet.material(&mut page, false);
-    sheet.forming_limit(&mut page);
-    tools.write(&mut page, &sheet);
-    Ok(page.text())
+    Ok(draw(page, &sheet, &blank, tools.shoulder.value, &tools))
 }

@@ -1,5 +1,6 @@
 //! Punch, die and holder of a template, as the case file has them.
 
+use super::inputs::{Choice, Kind, Rule};
 use super::rules::{self, Picked};
 use super::sheet::Sheet;
 use crate::author::page::{Page, mm, plain};
@@ -7,6 +8,12 @@ use crate::case::CaseError;
 use crate::model::Geometry;
 use crate::rules::design::CAREFUL_RATIO;
 use crate::units::rounded;
+
+/// Options of the tools that several templates have.
+pub(super) const NOSE: Choice = Choice::length("nose", Rule("6 thicknesses"), "radius of the punch's corner");
+pub(super) const SHOULDER: Choice = Choice::length("shoulder", Rule("6 thicknesses"), "radius of the die's corner");
+pub(super) const HOLDER_PRESSURE: Choice =
+    Choice::new("holder-pressure", Kind::Stress, Rule("Siebel's"), "pressure of the holder on the flange");
 
 /// A tool's shape: key, value, and why it has these sizes.
 pub(super) struct Shape {
@@ -148,6 +155,24 @@ pub(super) fn elements(page: &mut Page, length: f64, radius: f64) {
         rules::elements(length, radius),
         "10 per 90° of the smallest radius, were they equal; finer there",
     );
+}
+
+/// The case file of a part that is drawn, or stretched where no holder is; `corner` is the smallest radius \[mm\] that
+/// the sheet is bent over.
+pub(super) fn draw(mut page: Page, sheet: &Sheet, blank: &Picked, corner: f64, tools: &Tools) -> String {
+    let size = match tools.geometry {
+        Geometry::Axisymmetric => "radius",
+        Geometry::PlaneStrain => "half_length",
+    };
+    sheet.blank(&mut page, size, blank);
+    if tools.holder.is_none() {
+        page.set("edge", "\"clamped\"", "");
+    }
+    elements(&mut page, blank.value, corner);
+    sheet.material(&mut page, false);
+    sheet.forming_limit(&mut page);
+    tools.write(&mut page, sheet);
+    page.text()
 }
 
 /// The sheet and the tools of a strip that is bent, and the stage that takes them away.

@@ -1,33 +1,27 @@
 //! A strip bent into a U between punch and die, and let go.
 
-use super::Template;
-use super::begin;
-use super::inputs::{Choice, Default, Inputs, Kind};
+use super::inputs::{Choice, Inputs, Rule, Value};
 use super::rules::{self, Picked};
 use super::sheet::Sheet;
-use super::tools::{Tools, because, bend, flat_punch, nose_fits};
+use super::template::{Template, begin};
+use super::tools::{NOSE, SHOULDER, Tools, because, bend, flat_punch, nose_fits};
 use crate::author::page::plain;
 use crate::case::CaseError;
 use crate::model::Geometry;
 
-pub(super) const TEMPLATE: Template = Template {
-    name: "u-bend",
-    about: "a strip (plane strain) bent into a U without a holder, and its spring-back",
-    own: OPTIONS,
+pub(super) const TEMPLATE: Template = Template::new(
+    "u-bend",
+    "a strip (plane strain) bent into a U without a holder, and its spring-back",
+    OPTIONS,
     write,
-};
+);
 
 const OPTIONS: &[Choice] = &[
-    Choice::new("half-width", Kind::Length, Default::Value("20 mm"), "half-width of the punch"),
-    Choice::new(
-        "leg",
-        Kind::Length,
-        Default::Value("25 mm"),
-        "height of the legs, outside of the bottom to their ends",
-    ),
-    Choice::new("nose", Kind::Length, Default::Rule("6 thicknesses"), "radius of the punch's corner"),
-    Choice::new("shoulder", Kind::Length, Default::Rule("6 thicknesses"), "radius of the die's corner"),
-    Choice::new("clearance", Kind::Length, Default::Rule("1.1 thicknesses"), "gap between punch and die"),
+    Choice::length("half-width", Value("20 mm"), "half-width of the punch"),
+    Choice::length("leg", Value("25 mm"), "height of the legs, outside of the bottom to their ends"),
+    NOSE,
+    SHOULDER,
+    Choice::length("clearance", Rule("1.1 thicknesses"), "gap between punch and die"),
 ];
 
 /// What to expect of the bottom.

@@ -1,40 +1,34 @@
 //! A strip bent in air over a V, and let go.
 
-use super::Template;
 use super::air_bend::{self, Strip};
-use super::begin;
-use super::inputs::{Choice, Default, Inputs, Kind};
+use super::inputs::{Choice, Inputs, Kind, Rule, Value};
 use super::rules::{self, Picked};
 use super::sheet::Sheet;
+use super::template::{Template, begin};
 use super::tools::{Tools, because, bend, round_punch};
 use crate::author::page::plain;
 use crate::case::CaseError;
 use crate::model::Geometry;
 use crate::units::rounded;
 
-pub(super) const TEMPLATE: Template = Template {
-    name: "v-bend",
-    about: "a strip (plane strain) bent in air to a wanted angle, and its spring-back",
-    own: OPTIONS,
+pub(super) const TEMPLATE: Template = Template::new(
+    "v-bend",
+    "a strip (plane strain) bent in air to a wanted angle, and its spring-back",
+    OPTIONS,
     write,
-};
+);
 
 const OPTIONS: &[Choice] = &[
     Choice::new(
         "angle",
         Kind::Angle,
-        Default::Value("90 deg"),
+        Value("90 deg"),
         "angle between the legs under load; released they open by some degrees, as the run says",
     ),
-    Choice::new("nose", Kind::Length, Default::Rule("6 thicknesses"), "radius of the punch's nose"),
-    Choice::new(
-        "width",
-        Kind::Length,
-        Default::Rule("6 noses"),
-        "whole width of the V, between the centres of its shoulders",
-    ),
-    Choice::new("shoulder", Kind::Length, Default::Rule("6 thicknesses"), "radius of the V's shoulders"),
-    Choice::new("leg", Kind::Length, Default::Rule("half the V"), "length of each leg beyond the V's shoulder"),
+    Choice::length("nose", Rule("6 thicknesses"), "radius of the punch's nose"),
+    Choice::length("width", Rule("6 noses"), "whole width of the V, between the centres of its shoulders"),
+    Choice::length("shoulder", Rule("6 thicknesses"), "radius of the V's shoulders"),
+    Choice::length("leg", Rule("half the V"), "length of each leg beyond the V's shoulder"),
 ];
 
 fn write(inputs: &Inputs) -> Result<String, CaseError> {

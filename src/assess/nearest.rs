@@ -1,0 +1,28 @@
+//! The stage that comes nearest to its forming limit.
+
+use crate::forming_limit::{Assessment, assess};
+use crate::solution::StageSolution;
+
+/// The stage that comes nearest to its curve.
+pub(super) struct Nearest<'a> {
+    /// The curve's.
+    pub name: &'static str,
+    pub pass: &'a StageSolution,
+    pub assessment: Assessment,
+}
+
+impl<'a> Nearest<'a> {
+    /// `None` where no stage has a limit.
+    pub fn of(passes: &'a [StageSolution]) -> Option<Self> {
+        let all = passes.iter().filter_map(|pass| {
+            let curve = pass.model.forming_limit.as_ref()?;
+            Some(Self { name: curve.name, pass, assessment: assess(curve, &pass.paths)? })
+        });
+        all.min_by(|a, b| a.assessment.worst().margin().total_cmp(&b.assessment.worst().margin()))
+    }
+
+    /// Whether no stage has reached its limit.
+    pub fn is_kept(&self) -> bool {
+        self.assessment.reached.is_none()
+    }
+}

@@ -1,0 +1,61 @@
+//! What a template is: its options, and the text made of them.
+
+use super::inputs::{Choice, Inputs};
+use super::sheet::SHEET;
+use crate::author::page::Page;
+use crate::case::CaseError;
+
+/// What writes a template's case.
+type Write = fn(&Inputs) -> Result<String, CaseError>;
+
+/// A kind of case that can be written from a few sizes.
+#[derive(Clone, Copy, Debug)]
+pub struct Template {
+    /// Its name, as `stampflow new` takes it.
+    pub name: &'static str,
+    /// What it forms, in one line.
+    pub about: &'static str,
+    /// Its own options; those of the sheet, [`SHEET`], come on top.
+    pub own: &'static [Choice],
+    /// The text of its case, or why the values do not go together.
+    write: Write,
+}
+
+/// The page of a template's case.
+pub(super) fn begin(about: &str, title: &str, geometry: &str, notes: &[String]) -> Page {
+    let units = "Every quantity is text with its unit; mm, in, N, kN, MPa, ksi ... are understood.";
+    Page::new([about, units], title, geometry, notes)
+}
+
+impl Template {
+    pub(super) const fn new(name: &'static str, about: &'static str, own: &'static [Choice], write: Write) -> Self {
+        Self { name, about, own, write }
+    }
+
+    /// Everything that may be given, the sheet's options last.
+    pub fn options(&self) -> impl Iterator<Item = &'static Choice> + use<> {
+        self.own.iter().chain(SHEET)
+    }
+
+    /// The text of a case file; `given` are names of options and their values with units.
+    ///
+    /// # Errors
+    /// When an option is not one of this template's, a value is none of its kind, or the sizes do not go together.
+    pub fn fill(&self, given: &[(&str, &str)]) -> Result<String, CaseError> {
+        let text = (self.write)(&Inputs::read(self.name, self.options(), given)?)?;
+        // What the rules above let pass and a case does not.
+        match crate::case::parse(&text, &format!("{}.toml", self.name), &[]) {
+            Ok(_) => Ok(text),
+            Err(error) => Err(self.refused(given, &error)),
+        }
+    }
+
+    /// An error of a case that nobody has seen yet, as one of the options that make it.
+    fn refused(&self, given: &[(&str, &str)], error: &CaseError) -> CaseError {
+        let options: Vec<String> = given.iter().map(|(key, value)| format!("--{key} {value:?}")).collect();
+        let with = if options.is_empty() { "its defaults".to_owned() } else { options.join(" ") };
+        let line = error.line().map_or(String::new(), |line| format!(" (it would have the line: {})", line.trim()));
+        let what = format!("the template {} with {with} makes a case that is refused: {error}{line}", self.name);
+        CaseError::bare(what, error.remedy().unwrap_or_default().to_owned())
+    }
+}

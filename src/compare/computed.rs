@@ -1,0 +1,45 @@
+//! What a stage offers for comparison.
+
+use crate::model::{Geometry, Model};
+use crate::solution::{ElementRecord, StageSolution, StepRecord};
+use crate::table::{Column, Field};
+
+/// What a stage offers for comparison.
+#[derive(Clone, Copy, Debug)]
+pub struct Computed<'a> {
+    /// What the section stands for.
+    pub geometry: Geometry,
+    /// Length of the undeformed blank from the axis or symmetry plane \[mm\].
+    pub length: f64,
+    /// Every step that was solved.
+    pub steps: &'a [StepRecord],
+    /// The elements of the last frame from the axis outward.
+    pub elements: &'a [ElementRecord],
+    /// Whether the stage came to its end.
+    pub complete: bool,
+}
+
+impl<'a> Computed<'a> {
+    /// What a solved stage offers.
+    pub fn of(stage: &'a StageSolution) -> Self {
+        Self {
+            steps: &stage.steps,
+            elements: stage.frames.last().map_or(&[], |frame| &frame.elements),
+            complete: stage.stop.is_complete(),
+            ..Self::nothing(&stage.model)
+        }
+    }
+
+    /// Nothing yet, to find out whether references fit before anything is solved.
+    pub fn nothing(model: &Model) -> Self {
+        Self { geometry: model.geometry, length: model.blank.length, steps: &[], elements: &[], complete: true }
+    }
+
+    pub(super) fn step(&self, field: Field<StepRecord>) -> Column {
+        field.column(self.geometry, self.steps)
+    }
+
+    pub(super) fn element(&self, field: Field<ElementRecord>) -> Column {
+        field.column(self.geometry, self.elements)
+    }
+}

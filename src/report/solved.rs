@@ -1,0 +1,56 @@
+//! What a report is written from.
+
+use super::program::PROGRAM;
+use super::sketch;
+use crate::assess::check::{self, Check};
+use crate::assess::{self, Finding, Kind};
+use crate::case::Solution;
+use crate::output::{Dimension, StageView, Summary};
+use crate::units::rounded;
+use serde_json::{Value, json};
+
+/// A solved case with all that is said of it.
+#[derive(Clone, Debug)]
+pub struct Report<'a> {
+    pub(super) solution: &'a Solution,
+    /// Every stage that was run, and its summary.
+    pub(super) stages: Vec<(StageView<'a>, Summary)>,
+    pub(super) check: Check,
+    pub(super) dimensions: Vec<Dimension>,
+    pub(super) findings: Vec<Finding>,
+}
+
+impl<'a> Report<'a> {
+    /// Looks a solution over.
+    pub fn of(solution: &'a Solution) -> Self {
+        let (before, after) = (assess::before(&solution.case), assess::after(&solution.case, &solution.stages));
+        let assumed: Vec<_> = before.iter().filter(|f| f.kind == Kind::Assumption).cloned().collect();
+        let views = solution.views_telling(&assumed).into_iter().map(StageView::without_captions);
+        Self {
+            solution,
+            stages: views.map(|view| (view.clone(), Summary::of(&view))).collect(),
+            check: check::report(&solution.case),
+            dimensions: sketch::dimensions(solution.case.model()),
+            findings: before.into_iter().chain(after).collect(),
+        }
+    }
+
+    /// Every number of the document, with those behind its pictures that a summary has.
+    pub fn json(&self) -> Value {
+        let dimension = |d: &Dimension| json!({"label": d.label, "value": rounded(d.value), "unit": d.unit.symbol()});
+        json!({
+            "case": self.solution.case.name,
+            "complete": self.solution.is_complete(),
+            "program": PROGRAM,
+            "check": self.check,
+            "dimensions": self.dimensions.iter().map(dimension).collect::<Vec<_>>(),
+            "verdict": assess::judgements(&self.findings).collect::<Vec<_>>(),
+            "stages": self.stages.iter().map(|(_, summary)| summary).collect::<Vec<_>>(),
+        })
+    }
+
+    /// `1-draw: ` before the headings of a stage; nothing where there is one only.
+    pub(super) fn stage(&self, i: usize) -> String {
+        self.solution.case.stage_label(i).map_or_else(String::new, |label| format!("{label}: "))
+    }
+}
