@@ -23,6 +23,7 @@ pub struct MaterialPoint {
     pub back: [Triple; 2],
     /// f \[–\] and its rate in the last step \[1/s\]; 0 in a sheet without voids.
     pub porosity: f64,
+    /// Rate of the porosity in the last step \[1/s\].
     pub porosity_rate: f64,
 }
 
@@ -31,15 +32,19 @@ pub struct MaterialPoint {
 pub struct State {
     /// Time \[s\] and punch travel \[mm\].
     pub time: f64,
+    /// Punch travel \[mm\].
     pub travel: f64,
     /// Nodes from the axis outward, and their velocities \[mm/s, rad/s\].
     pub nodes: Vec<Node>,
+    /// Velocities of the nodes \[mm/s, rad/s\].
     pub velocity: Vec<Node>,
     /// Thickness of each element \[mm\], and its initial volume \[mm³, or mm² in plane strain\].
     pub thickness: Vec<f64>,
+    /// Initial volume of each element \[mm³, or mm² in plane strain\].
     pub volume: Vec<f64>,
     /// Volume strain of each element \[–\] and its rate in the last step \[1/s\]; 0 in a sheet without voids.
     pub dilation: Vec<f64>,
+    /// Rate of the volume strain in the last step \[1/s\].
     pub dilation_rate: Vec<f64>,
     /// Temperature of each element \[K\].
     pub temperature: Vec<f64>,

@@ -55,6 +55,7 @@ use std::path::PathBuf;
 pub struct Case {
     /// Stem of the file's name.
     pub name: String,
+    /// The file as it was named.
     pub path: PathBuf,
     /// The text that was read, overrides applied: enough to repeat the run.
     pub text: String,
@@ -62,8 +63,11 @@ pub struct Case {
     pub overrides: Vec<String>,
     /// What is solved, one operation after another on the same sheet; never empty.
     pub stages: Vec<Stage>,
+    /// What the first stage is compared with.
     pub compare: Vec<Spec>,
+    /// The rating of the press.
     pub press: Press,
+    /// Where its numbers come from.
     pub sources: Sources,
     /// What was assumed or changed while reading: defaults that matter, profiles that were shifted.
     pub derived: Vec<String>,

@@ -35,7 +35,9 @@ pub struct ContactNode {
     pub shift: f64,
     /// Regularisation s₀ of the slip \[mm\], duration of the step \[s\], shear yield stress of the sheet \[MPa\].
     pub slip_scale: f64,
+    /// Duration of the step \[s\].
     pub duration: f64,
+    /// Shear yield stress of the sheet \[MPa\].
     pub shear_yield: f64,
 }
 
@@ -54,6 +56,7 @@ pub struct ContactForce {
     pub pressure: ValueAndSlope,
     /// Normal force N ≥ 0 and friction T along the normal turned by +90° \[N, or N/mm\].
     pub normal: f64,
+    /// Friction T, positive along the normal turned by +90° \[N, or N/mm\].
     pub tangential: f64,
     /// Slip s of the step, along the same direction \[mm\].
     pub slip: f64,

@@ -22,9 +22,13 @@ pub type Generalised = [f64; 5];
 
 /// Order of [`Generalised`].
 pub const EPS_S: usize = 0;
+/// Hoop membrane strain.
 pub const EPS_T: usize = 1;
+/// Meridional bending.
 pub const KAPPA_S: usize = 2;
+/// Hoop bending.
 pub const KAPPA_T: usize = 3;
+/// Transverse shear.
 pub const GAMMA: usize = 4;
 
 /// An element in its reference configuration: as a step begins.

@@ -15,7 +15,9 @@ pub struct Judged {
     pub s0: f64,
     /// Logarithmic strains of the mid-surface \[–\].
     pub minor: f64,
+    /// The larger of the two, `minor` being the smaller \[–\].
     pub major: f64,
+    /// Whether the hoop strain is the larger one.
     pub hoop_is_major: bool,
     /// Major strain of the curve at this minor strain \[–\].
     pub limit: f64,
@@ -46,11 +48,13 @@ impl Judged {
 pub struct Reached {
     /// Time \[s\] and punch travel \[mm\], between two steps in proportion to the margin.
     pub time: f64,
+    /// Punch travel then \[mm\].
     pub travel: f64,
     /// Initial distance of the element's middle from the axis \[mm\].
     pub s0: f64,
     /// Its strains after the step \[–\].
     pub minor: f64,
+    /// Major strain after the step \[–\].
     pub major: f64,
 }
 

@@ -22,6 +22,7 @@ pub struct Neck {
     pub share: f64,
     /// Whether it is a neck, and whether its surroundings have stopped thinning.
     pub stands_out: bool,
+    /// Whether its surroundings have stopped thinning.
     pub took_over: bool,
 }
 

@@ -41,6 +41,7 @@ impl Observer for () {}
 pub struct Iterate<'a> {
     /// Number of the step that is tried, from 1, and of the iteration, from 0.
     pub step: usize,
+    /// Number of the iteration, from 0.
     pub iteration: usize,
     /// Time at the end of the step \[s\].
     pub time: f64,
