@@ -20,7 +20,7 @@ use super::{Geometry, Node, Theory};
 /// Generalised strains or stress resultants: meridional and hoop membrane, meridional and hoop bending, shear.
 pub type Generalised = [f64; 5];
 
-/// Order of [`Generalised`].
+/// Place of the meridional membrane strain in [`Generalised`]; the others follow.
 pub const EPS_S: usize = 0;
 /// Hoop membrane strain.
 pub const EPS_T: usize = 1;

@@ -3,7 +3,7 @@
 /// The mid-surface strains at one instant.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Instant {
-    /// Time \[s\] and punch travel \[mm\].
+    /// Time \[s\].
     pub time: f64,
     /// Punch travel \[mm\].
     pub travel: f64,

@@ -2,7 +2,7 @@
 //!
 //! A law is one file: a struct of its parameters, whose documentation says equation, range of validity and source. The
 //! struct is its own text form: plain numbers in the solver's units, read with units by [`As`](crate::units::As). From it
-//! come the JSON schema and the `laws` verb. The law joins its [`family!`](family) by two lines: `mod swift;` and
+//! come the JSON schema and the `laws` verb. The law joins its `family!` by two lines: `mod swift;` and
 //! `swift: Swift`. Whatever must hold for all of them is tested over the family's `examples()`.
 
 mod family;
@@ -75,7 +75,7 @@ pub trait Law {
     }
 }
 
-/// Laws of one kind, of which a case names one. Made by [`family!`](family).
+/// Laws of one kind, of which a case names one. Made by `family!`.
 pub trait Family: Sized {
     /// What it is called in the schema.
     const TITLE: &'static str;

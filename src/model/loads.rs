@@ -96,7 +96,7 @@ pub struct RateControl {
     pub target: f64,
     /// q: 1 is the mean over the sheet's volume, a large one the fastest place \[–\].
     pub exponent: f64,
-    /// Largest pressure \[MPa\] and fastest rise of it \[MPa/s\] that the press gives; infinite where nothing is said.
+    /// Largest pressure that the press gives \[MPa\]; infinite where nothing is said.
     pub max_pressure: f64,
     /// Fastest rise of the pressure \[MPa/s\]; infinite where nothing is said.
     pub max_rise: f64,

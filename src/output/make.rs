@@ -9,7 +9,7 @@ use crate::table::Table;
 /// Files by name, each made as it is asked for.
 pub type Files<'a> = Box<dyn Iterator<Item = (String, Vec<u8>)> + 'a>;
 
-/// What is written only where it is asked for, of the frames of a [`FrameRecorder`].
+/// What is written only where it is asked for, of the frames of a [`FrameRecorder`](super::FrameRecorder).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Extra {
     /// Files for ParaView.

@@ -14,13 +14,13 @@ use crate::state::State;
 pub struct ElementRecord {
     /// Initial distance of the element's middle from the axis \[mm\].
     pub s0: f64,
-    /// Position of the element's middle \[mm\].
+    /// Distance of the element's middle from the axis \[mm\].
     pub r: f64,
     /// Height of the element's middle, along the punch travel \[mm\].
     pub z: f64,
     /// Thickness \[mm\].
     pub thickness: f64,
-    /// Logarithmic mid-surface strains \[–\].
+    /// Logarithmic mid-surface strain along the section \[–\].
     pub strain_meridional: f64,
     /// Logarithmic mid-surface strain across the section \[–\].
     pub strain_hoop: f64,
@@ -30,7 +30,7 @@ pub struct ElementRecord {
     pub strain_equivalent: f64,
     /// Largest equivalent plastic strain over the thickness \[–\].
     pub strain_equivalent_max: f64,
-    /// Cauchy stresses, mean over the thickness \[MPa\].
+    /// Cauchy stress along the section, mean over the thickness \[MPa\].
     pub stress_meridional: f64,
     /// Cauchy stress across the section, mean over the thickness \[MPa\].
     pub stress_hoop: f64,
@@ -45,7 +45,7 @@ pub struct ElementRecord {
 /// One node at one instant.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct NodeRecord {
-    /// Position of the mid-surface \[mm\].
+    /// Distance of the mid-surface from the axis \[mm\].
     pub r: f64,
     /// Height of the mid-surface, along the punch travel \[mm\].
     pub z: f64,
@@ -58,7 +58,7 @@ pub struct NodeRecord {
 /// One layer point of an element at one instant.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct PointRecord {
-    /// Cauchy stresses \[MPa\].
+    /// Cauchy stress along the section \[MPa\].
     pub stress_meridional: f64,
     /// Cauchy stress across the section \[MPa\].
     pub stress_hoop: f64,
@@ -86,11 +86,11 @@ impl ThroughThickness {
 /// What is kept of an instant.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Frame {
-    /// Time \[s\] and punch travel \[mm\].
+    /// Time \[s\].
     pub time: f64,
     /// Punch travel \[mm\].
     pub travel: f64,
-    /// From the axis outward.
+    /// Elements, from the axis outward.
     pub elements: Vec<ElementRecord>,
     /// Nodes, from the axis outward.
     pub nodes: Vec<NodeRecord>,
@@ -209,7 +209,7 @@ pub struct StepRecord {
     pub edge_force: f64,
     /// How far the blank's edge has moved inward \[mm\].
     pub draw_in: f64,
-    /// Thinnest element: its thickness \[mm\] and initial distance from the axis \[mm\].
+    /// Thickness of the thinnest element \[mm\].
     pub thinnest: f64,
     /// Initial distance of the thinnest element from the axis \[mm\].
     pub thinnest_s0: f64,
@@ -249,19 +249,19 @@ pub struct StepRecord {
     pub iterations: usize,
     /// Tries that were rejected before this step was accepted.
     pub rejected: usize,
-    /// Relative velocity increment and relative residual at acceptance \[–\].
+    /// Relative velocity increment at acceptance \[–\].
     pub velocity_norm: f64,
     /// Relative residual at acceptance \[–\].
     pub residual_norm: f64,
-    /// Mean powers of the step, and work since the start.
+    /// Mean powers of the step.
     pub power: Energy,
     /// Work since the start.
     pub work: Energy,
-    /// Largest porosity, mean over the thickness \[–\], and where, initially from the axis \[mm\].
+    /// Largest porosity, mean over the thickness \[–\].
     pub porosity: f64,
     /// Where the porosity is largest, initially from the axis \[mm\].
     pub porous_s0: f64,
-    /// Lowest and highest temperature of an element \[K\].
+    /// Lowest temperature of an element \[K\].
     pub coldest: f64,
     /// Highest temperature of an element \[K\].
     pub hottest: f64,
@@ -309,7 +309,7 @@ pub enum Stop {
     },
     /// As much of the sheet lies on its tools as the case asks for.
     ContactShare {
-        /// Reached, and asked for \[–\].
+        /// Reached \[–\].
         share: f64,
         /// Asked for by the case \[–\].
         asked: f64,
@@ -318,7 +318,7 @@ pub enum Stop {
         /// Punch travel then \[mm\].
         travel: f64,
     },
-    /// The gas pressure has come to the largest that the sheet can bear at the height of its middle \[MPa, mm\].
+    /// The gas pressure has come to the largest that the sheet can bear at the height of its middle.
     PressureMaximum {
         /// The largest pressure \[MPa\].
         pressure: f64,
@@ -350,7 +350,7 @@ pub enum Stop {
         /// Punch travel there \[mm\].
         travel: f64,
     },
-    /// Punch and die come closer than the sheet can be squeezed \[mm\].
+    /// Punch and die come closer than the sheet can be squeezed.
     ToolsClosed {
         /// Punch travel there \[mm\].
         travel: f64,
@@ -504,7 +504,7 @@ pub struct StageSolution {
 /// A rim that was cut off before a stage.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Trimmed {
-    /// Distance from the axis or symmetry plane that was asked for, and where the edge is: whole elements go \[mm\].
+    /// Distance from the axis or symmetry plane that was asked for \[mm\].
     pub asked: f64,
     /// Where the edge is: whole elements go \[mm\].
     pub edge: f64,
