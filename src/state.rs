@@ -21,25 +21,30 @@ pub struct MaterialPoint {
     pub carried: Triple,
     /// Back-stresses \[MPa\].
     pub back: [Triple; 2],
-    /// f \[–\] and its rate in the last step \[1/s\]; 0 in a sheet without voids.
+    /// Porosity f \[–\]; 0 in a sheet without voids.
     pub porosity: f64,
+    /// Rate of the porosity in the last step \[1/s\].
     pub porosity_rate: f64,
 }
 
 /// The sheet and its tools at one instant.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct State {
-    /// Time \[s\] and punch travel \[mm\].
+    /// Time \[s\].
     pub time: f64,
+    /// Punch travel \[mm\].
     pub travel: f64,
-    /// Nodes from the axis outward, and their velocities \[mm/s, rad/s\].
+    /// Nodes from the axis outward \[mm, rad\].
     pub nodes: Vec<Node>,
+    /// Velocities of the nodes \[mm/s, rad/s\].
     pub velocity: Vec<Node>,
-    /// Thickness of each element \[mm\], and its initial volume \[mm³, or mm² in plane strain\].
+    /// Thickness of each element \[mm\].
     pub thickness: Vec<f64>,
+    /// Initial volume of each element \[mm³, or mm² in plane strain\].
     pub volume: Vec<f64>,
-    /// Volume strain of each element \[–\] and its rate in the last step \[1/s\]; 0 in a sheet without voids.
+    /// Volume strain of each element \[–\]; 0 in a sheet without voids.
     pub dilation: Vec<f64>,
+    /// Rate of the volume strain in the last step \[1/s\].
     pub dilation_rate: Vec<f64>,
     /// Temperature of each element \[K\].
     pub temperature: Vec<f64>,

@@ -39,13 +39,16 @@ pub struct Column {
     pub key: &'static str,
     /// Name on axes and in legends: `Punch force`.
     pub label: &'static str,
+    /// Unit of the values.
     pub unit: Unit,
+    /// The numbers, one a row; NaN where there is none.
     pub values: Vec<f64>,
 }
 
 /// Columns of equal length.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Table {
+    /// From left to right.
     pub columns: Vec<Column>,
 }
 

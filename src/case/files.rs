@@ -30,14 +30,22 @@ pub trait Files {
 /// Why a file is not read.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum FileError {
+    /// Nothing has this name.
     #[error("there is no such file")]
     Missing,
+    /// A folder has this name.
     #[error("it is a folder")]
     Folder,
+    /// What has this name is no file of bytes.
     #[error("it is a pipe or a device, not a file")]
     Special,
+    /// It is larger than may be read.
     #[error("it is larger than {} MB", limit / 1_000_000)]
-    TooLarge { limit: usize },
+    TooLarge {
+        /// Largest size that is read \[bytes\].
+        limit: usize,
+    },
+    /// Its bytes are no UTF-8.
     #[error("it is not UTF-8 text")]
     NotText,
     /// In the words of the system.

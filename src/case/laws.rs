@@ -40,9 +40,11 @@ pub struct Law {
     pub kind: &'static str,
     /// Where a case names it.
     pub place: &'static str,
+    /// What a case calls it.
     pub name: String,
     /// Formula, range of validity and source, line by line.
     pub description: String,
+    /// Its keys, in the order of the schema.
     pub parameters: Vec<Parameter>,
 }
 

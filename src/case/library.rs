@@ -39,15 +39,19 @@ struct EntryFile {
 pub struct Entry {
     /// What a case calls it.
     pub name: &'static str,
+    /// One line that says what sheet it is.
     pub title: String,
     /// Author, year and place of the numbers.
     pub source: String,
     /// As in `reference_data/sources.toml`: A, read in the named source; B, read where that is quoted.
     pub grade: String,
+    /// Under which terms the numbers may be used.
     pub licence: String,
     /// Of the sheet that the numbers are of, where the source says it.
     pub thickness: Option<String>,
+    /// What a user should know of the numbers.
     pub notes: Vec<String>,
+    /// The material as a case would have it.
     pub material: Material,
     /// Its `[material]` table, to paste into a case.
     pub text: &'static str,

@@ -9,6 +9,7 @@ use std::time::Duration;
 /// A solved case.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Solution {
+    /// What was solved.
     pub case: Case,
     /// The stages that were run, in order: up to the first that did not come to its end.
     pub stages: Vec<StageSolution>,

@@ -1,6 +1,6 @@
 //! The text of a case and where each key stands in it.
 
-use super::{CaseError, CaseFile, explain};
+use super::{CaseError, syntax};
 use miette::NamedSource;
 use std::ops::Range;
 use std::sync::Arc;
@@ -22,7 +22,7 @@ impl<'t> Source<'t> {
         let shown = Arc::new(NamedSource::new(name, text.to_owned()));
         match DeTable::parse(text) {
             Ok(tree) => Ok(Self { shown, text, tree, stage: None }),
-            Err(error) => Err(explain::syntax(&error, text, shown)),
+            Err(error) => Err(syntax::error(&error, text, shown)),
         }
     }
 
@@ -42,15 +42,14 @@ impl<'t> Source<'t> {
         }
     }
 
-    /// Reads the keys.
-    pub fn read(&self) -> Result<CaseFile, CaseError> {
-        if self.tree.get_ref().is_empty() {
-            let what = if self.text.trim().is_empty() { "the file is empty" } else { "the file holds comments only" };
-            let help = "a case needs title, geometry, [blank], a law such as [material.hardening.swift], [tools.punch] and \
-                        mostly [tools.die] and [tools.holder]; begin with a copy of cases/quickstart.toml";
-            return Err(self.error_at(0..0, what.into(), "here".into(), help.into()));
-        }
-        toml::from_str(self.text).map_err(|error| explain::content(&error, self))
+    /// The text that was parsed.
+    pub fn text(&self) -> &'t str {
+        self.text
+    }
+
+    /// Whether there is no key in it.
+    pub fn is_empty(&self) -> bool {
+        self.tree.get_ref().is_empty()
     }
 
     /// An error at a dotted key path (entries of arrays by index); what is missing is shown at its table.

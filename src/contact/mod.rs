@@ -33,9 +33,11 @@ pub struct ContactNode {
     pub carried: f64,
     /// λ ≤ 0 of the augmented Lagrangian \[mm\].
     pub shift: f64,
-    /// Regularisation s₀ of the slip \[mm\], duration of the step \[s\], shear yield stress of the sheet \[MPa\].
+    /// Regularisation s₀ of the slip \[mm\].
     pub slip_scale: f64,
+    /// Duration of the step \[s\].
     pub duration: f64,
+    /// Shear yield stress of the sheet \[MPa\].
     pub shear_yield: f64,
 }
 
@@ -52,8 +54,9 @@ pub struct ContactForce {
     pub gap: f64,
     /// Pressure \[MPa\] and the slope dp/dg of the matrix \[N/mm³\].
     pub pressure: ValueAndSlope,
-    /// Normal force N ≥ 0 and friction T along the normal turned by +90° \[N, or N/mm\].
+    /// Normal force N ≥ 0 \[N, or N/mm\].
     pub normal: f64,
+    /// Friction T, positive along the normal turned by +90° \[N, or N/mm\].
     pub tangential: f64,
     /// Slip s of the step, along the same direction \[mm\].
     pub slip: f64,

@@ -14,7 +14,9 @@ pub struct Penalty {
 /// A value and its derivative.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct ValueAndSlope {
+    /// f(x).
     pub value: f64,
+    /// df/dx.
     pub slope: f64,
 }
 

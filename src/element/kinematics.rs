@@ -20,11 +20,15 @@ use super::{Geometry, Node, Theory};
 /// Generalised strains or stress resultants: meridional and hoop membrane, meridional and hoop bending, shear.
 pub type Generalised = [f64; 5];
 
-/// Order of [`Generalised`].
+/// Place of the meridional membrane strain in [`Generalised`]; the others follow.
 pub const EPS_S: usize = 0;
+/// Hoop membrane strain.
 pub const EPS_T: usize = 1;
+/// Meridional bending.
 pub const KAPPA_S: usize = 2;
+/// Hoop bending.
 pub const KAPPA_T: usize = 3;
+/// Transverse shear.
 pub const GAMMA: usize = 4;
 
 /// An element in its reference configuration: as a step begins.

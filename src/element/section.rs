@@ -10,6 +10,7 @@ use nalgebra::Matrix3;
 /// What is the same for every thickness point of a step.
 #[derive(Clone, Copy, Debug)]
 pub struct Law<'a, L> {
+    /// The law of a thickness point.
     pub point: L,
     /// Of an element that bends; a membrane has one point, in the middle.
     pub points: &'a [ThicknessPoint],

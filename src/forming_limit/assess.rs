@@ -13,9 +13,11 @@ pub const SHORTEST: f64 = 0.02;
 pub struct Judged {
     /// Initial distance of its middle from the axis \[mm\].
     pub s0: f64,
-    /// Logarithmic strains of the mid-surface \[–\].
+    /// Smaller logarithmic strain of the mid-surface \[–\].
     pub minor: f64,
+    /// Larger logarithmic strain of the mid-surface \[–\].
     pub major: f64,
+    /// Whether the hoop strain is the larger one.
     pub hoop_is_major: bool,
     /// Major strain of the curve at this minor strain \[–\].
     pub limit: f64,
@@ -44,13 +46,15 @@ impl Judged {
 /// Where and when an element first came to the curve.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Reached {
-    /// Time \[s\] and punch travel \[mm\], between two steps in proportion to the margin.
+    /// Time, between two steps in proportion to the margin \[s\].
     pub time: f64,
+    /// Punch travel then \[mm\].
     pub travel: f64,
     /// Initial distance of the element's middle from the axis \[mm\].
     pub s0: f64,
-    /// Its strains after the step \[–\].
+    /// Its minor strain after the step \[–\].
     pub minor: f64,
+    /// Its major strain after the step \[–\].
     pub major: f64,
 }
 

@@ -67,9 +67,9 @@ impl MarciniakKuczynski {
     /// ε̄̇ where none is given \[1/s\]: an assumption, of the size that mechanical presses make.
     pub const STRAIN_RATE: f64 = 1.0;
     /// Strain rate of the groove over that of the sheet at which the sheet counts as necked \[–\], a usual convention.
-    pub const CRITICAL: f64 = 10.0;
+    pub const CRITICAL: f64 = groove::CRITICAL;
     /// Largest equivalent strain that is searched \[–\].
-    pub const LARGEST: f64 = 4.0;
+    pub const LARGEST: f64 = groove::LARGEST;
     /// Steps of equivalent strain, halved until two answers agree to [`Self::AGREEMENT`] of the limit \[–\].
     const STEPS: [f64; 5] = [4e-3, 2e-3, 1e-3, 5e-4, 2.5e-4];
     const AGREEMENT: f64 = 2e-3;
@@ -151,7 +151,8 @@ impl MarciniakKuczynski {
 
     /// Equivalent strain of the sheet when the groove necks; `None` beyond [`Self::LARGEST`].
     fn strain_at(&self, sheet: &Sheet, beta: f64, angle: f64, step: f64) -> Result<Option<f64>, LimitError> {
-        Groove::new(self, sheet, beta, angle).neck(step).map_err(|Failure { strain, ratio }| {
+        let groove = Groove::new(self.imperfection, self.strain_rate, sheet, beta, angle);
+        groove.neck(step).map_err(|Failure { strain, ratio }| {
             let what = format!(
                 "the groove's equations have no solution beyond an equivalent strain of {strain:.4}, where it strains {ratio:.1} \
                  times as fast as the sheet, at a strain ratio of {beta:.3}"

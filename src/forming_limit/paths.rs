@@ -3,8 +3,9 @@
 /// The mid-surface strains at one instant.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Instant {
-    /// Time \[s\] and punch travel \[mm\].
+    /// Time \[s\].
     pub time: f64,
+    /// Punch travel \[mm\].
     pub travel: f64,
     /// Logarithmic membrane strains of every element, from the axis outward: meridional, hoop \[–\].
     pub strains: Vec<[f64; 2]>,
@@ -18,6 +19,7 @@ pub struct Instant {
 pub struct Paths {
     /// Initial distance of the elements' middles from the axis \[mm\].
     pub s0: Vec<f64>,
+    /// The kept instants, rising in time.
     pub instants: Vec<Instant>,
     /// Every how many steps an instant is kept, and how many were given.
     stride: usize,

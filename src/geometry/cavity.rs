@@ -7,16 +7,19 @@ use super::{Piece, Point, Profile, Segment};
 /// Why a line does not become a die.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 pub enum CavityError {
+    /// The line does not come up to the face.
     #[error("the cavity begins {below:.4} mm below the die's face")]
     Below {
         /// \[mm\]
         below: f64,
     },
+    /// The line does not go down below the face.
     #[error("the cavity ends {above:.4} mm above the die's face")]
     Above {
         /// \[mm\]
         above: f64,
     },
+    /// The corner does not fit.
     #[error("a shoulder of {shoulder:.4} mm finds no room between the face and the wall of the cavity")]
     Shoulder {
         /// \[mm\]

@@ -18,6 +18,7 @@ const ROUNDED: f64 = 0.05;
 pub enum Fold {
     /// It turns back on itself.
     Back {
+        /// The vertex \[mm\].
         at: Point,
         /// Index of the piece before.
         after: usize,
@@ -25,7 +26,12 @@ pub enum Fold {
         turn: f64,
     },
     /// Two pieces cross or touch, or neighbours do so away from their vertex.
-    Crossing { at: Point, pieces: [usize; 2] },
+    Crossing {
+        /// Where they meet \[mm\].
+        at: Point,
+        /// Indices of both pieces, rising.
+        pieces: [usize; 2],
+    },
 }
 
 impl Profile {

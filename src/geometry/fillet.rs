@@ -12,6 +12,7 @@ const STRAIGHT: f64 = 1e-9;
 pub struct FilletTooLarge {
     /// Index of the point.
     pub vertex: usize,
+    /// Where the vertex lies \[mm\].
     pub at: Point,
     /// \[mm\]
     pub radius: f64,

@@ -10,12 +10,15 @@ const KINK: f64 = 5.0 * PI / 180.0;
 /// Why a profile has no offset.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 pub enum OffsetError {
+    /// A hollow has no room for the offset.
     #[error("the hollow of radius {radius:.4} mm at r = {:.4} mm, z = {:.4} mm is smaller than the offset", at.x, at.y)]
     TooTight {
         /// \[mm\], 0 at a sharp vertex
         radius: f64,
+        /// Where the hollow is \[mm\].
         at: Point,
     },
+    /// The offset meets itself.
     #[error("its walls are too close to each other: the offset runs into itself at r = {:.4} mm, z = {:.4} mm", at.x, at.y)]
     Crosses {
         /// Where the offset meets itself.

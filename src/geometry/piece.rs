@@ -9,7 +9,9 @@ pub(super) const SHORTEST: f64 = 1e-9;
 /// A straight piece from `from` to `to` \[mm\].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Segment {
+    /// First point \[mm\].
     pub from: Point,
+    /// Last point \[mm\].
     pub to: Point,
     direction: Point,
     length: f64,
@@ -21,10 +23,13 @@ pub struct Segment {
 /// is a convex tool corner.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Arc {
+    /// Centre of the circle \[mm\].
     pub center: Point,
+    /// Radius \[mm\].
     pub radius: f64,
     /// Angle of the first point, from +r towards +z \[rad\].
     pub start: f64,
+    /// Angle from the first point to the last, positive counter-clockwise \[rad\].
     pub sweep: f64,
     middle: Point,
     cos_half_sweep: f64,
@@ -34,7 +39,9 @@ pub struct Arc {
 /// One piece of a tool profile.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Piece {
+    /// A straight line.
     Segment(Segment),
+    /// Part of a circle.
     Arc(Arc),
 }
 

@@ -36,6 +36,7 @@ pub struct Closest {
 /// Where one piece of a profile ends and the next begins.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Vertex {
+    /// Where it lies \[mm\].
     pub point: Point,
     /// Index of the piece before.
     pub after: usize,
@@ -46,14 +47,33 @@ pub struct Vertex {
 /// Why a chain of pieces is not a profile.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum ProfileError {
+    /// There is no piece.
     #[error("a profile needs at least one piece")]
     Empty,
+    /// A piece is a point.
     #[error("piece {index} has no length (it starts and ends at r = {r:.4} mm, z = {z:.4} mm)")]
-    NoLength { index: usize, r: f64, z: f64 },
+    NoLength {
+        /// Index of the piece, from 0.
+        index: usize,
+        /// Distance of its first point from the axis \[mm\].
+        r: f64,
+        /// Height of its first point \[mm\].
+        z: f64,
+    },
+    /// A piece does not begin where the one before ends.
     #[error(
         "piece {index} starts {gap:.3e} mm away from the end of the piece before it (r = {r:.4} mm, z = {z:.4} mm)"
     )]
-    Gap { index: usize, gap: f64, r: f64, z: f64 },
+    Gap {
+        /// Index of the piece, from 0.
+        index: usize,
+        /// Distance between both ends \[mm\].
+        gap: f64,
+        /// Distance of its first point from the axis \[mm\].
+        r: f64,
+        /// Height of its first point \[mm\].
+        z: f64,
+    },
 }
 
 impl Profile {

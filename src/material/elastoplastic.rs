@@ -18,7 +18,8 @@
 //! P. Perzyna, Adv. Appl. Mech. 9 (1966) 243–377 (not read).
 
 use super::chaboche::BackStresses;
-use super::flow::{SHEAR_FACTOR, StressUpdate, Triple};
+use super::point_law::StressUpdate;
+use super::yield_condition::{SHEAR_FACTOR, Triple};
 use super::{Elastic, FlowStress, Hardening, Hill48, PointLaw, Rate, ThermalLaw};
 use std::f64::consts::FRAC_1_SQRT_2;
 

@@ -11,11 +11,14 @@
 //! # References
 //! Zienkiewicz, Jain, Oñate, Int. J. Solids Struct. 14 (1978) 15–38; Sosnowski (1994), equations 3 and 4.
 
-use super::gtn::GtnCondition;
+use super::yield_condition::dot;
 use super::{Gtn, Hardening, Hill48, PointLaw, Rate, ThermalLaw};
 use crate::units::ZERO_CELSIUS;
 use schemars::JsonSchema;
 use serde::Deserialize;
+
+pub use super::point_law::StressUpdate;
+pub use super::yield_condition::{Metric, SHEAR_FACTOR, Symmetric, Triple, YieldCondition};
 
 /// Matrix of the corrector.
 // H of Sosnowski (1994), equation 9.
@@ -61,20 +64,6 @@ impl PointLaw for FlowLaw<'_> {
     }
 }
 
-/// Shear correction factor of the Mindlin shell \[–\].
-pub const SHEAR_FACTOR: f64 = 5.0 / 6.0;
-
-/// Strain increment or stress at a layer: meridional, hoop, transverse shear.
-pub type Triple = [f64; 3];
-
-/// Lower triangle of a symmetric 3 × 3 matrix: ss, sθ, θθ, sγ, θγ, γγ.
-pub type Symmetric = [f64; 6];
-
-#[inline]
-pub(super) fn dot(a: Triple, b: Triple) -> f64 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-}
-
 /// A layer point as the step finds it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PointState {
@@ -95,49 +84,6 @@ impl PointState {
 
 /// 20 °C \[K\].
 pub const ROOM_TEMPERATURE: f64 = 20.0 + ZERO_CELSIUS;
-
-/// What a yield condition makes of a strain increment: with D the plastic work per σ_y, ½ D² has the gradient A Δε and
-/// the second derivative A. A quadratic condition has one A for all increments.
-#[derive(Clone, Copy, Debug)]
-pub struct Metric {
-    /// A Δε.
-    pub gradient: Triple,
-    /// A.
-    pub matrix: Symmetric,
-    /// D².
-    pub square: f64,
-}
-
-/// A convex yield condition.
-pub trait YieldCondition {
-    /// Of the strain increment `e`.
-    fn metric(&self, e: Triple) -> Metric;
-
-    /// f A.
-    fn scaled(&self, metric: &Metric, f: f64) -> Symmetric;
-
-    /// A e' of another increment.
-    fn product(&self, metric: &Metric, e: Triple) -> Triple;
-
-    /// wᵀ A⁻¹ w \[MPa²\] of a carried stress.
-    fn stress_square(&self, metric: &Metric, w: Triple) -> f64;
-
-    /// Strain of the metal that bears the stress per D: more than 1 where there are voids.
-    fn strain_share(&self) -> f64;
-}
-
-/// Stress, its derivative and the hardening increment that go with a strain increment.
-#[derive(Clone, Copy, Debug)]
-pub struct StressUpdate {
-    /// σ \[MPa\].
-    pub stress: Triple,
-    /// C = the block of the iteration matrix H, dσ/dΔε or its replacement \[MPa\].
-    pub tangent: Symmetric,
-    /// Δε̄ \[–\].
-    pub increment: f64,
-    /// σ_y \[MPa\].
-    pub yield_stress: f64,
-}
 
 /// What one layer point remembers from one iteration to the next.
 #[derive(Clone, Copy, Debug, Default)]
@@ -185,7 +131,7 @@ impl Iterate {
     /// Apart from the plain law, so that this one stays small where it is called.
     #[inline(never)]
     fn flow_voided(&mut self, law: &FlowLaw, voids: &Gtn, point: &PointState, e: Triple) -> StressUpdate {
-        self.flow(law, &GtnCondition::new(voids, law.anisotropy, point.porosity), point, e)
+        self.flow(law, &voids.condition(law.anisotropy, point.porosity), point, e)
     }
 
     #[inline(always)]

@@ -11,7 +11,7 @@
 //! # References
 //! R. Hill, A theory of the yielding and plastic flow of anisotropic metals, Proc. R. Soc. London A 193 (1948) 281–297.
 
-use super::flow::{Metric, SHEAR_FACTOR, Symmetric, Triple, YieldCondition, dot};
+use super::yield_condition::{Metric, SHEAR_FACTOR, Symmetric, Triple, YieldCondition, dot};
 use crate::law::{LawError, require_or};
 use std::ops::RangeInclusive;
 

@@ -2,57 +2,25 @@
 //! that give the stress at a point.
 
 pub mod chaboche;
+mod elastic;
 pub mod elastoplastic;
 pub mod flow;
 pub mod gtn;
 pub mod hardening;
 mod hill48;
+mod point_law;
 pub mod rate;
 pub mod thermal;
+mod yield_condition;
 
 pub use chaboche::{BackStress, BackStresses};
+pub use elastic::Elastic;
 pub use gtn::Gtn;
 pub use hardening::{FlowStress, Hardening};
 pub use hill48::Hill48;
+pub use point_law::PointLaw;
 pub use rate::Rate;
 pub use thermal::ThermalLaw;
-
-/// What a thickness point answers to a strain increment: the flow law or the elastoplastic law.
-pub trait PointLaw {
-    /// The point as the step finds it.
-    type PointState;
-    /// What it remembers from one iteration to the next.
-    type Iterate;
-
-    /// Stress, matrix and hardening increment at the strain increment `e`; moves the iterate on.
-    fn respond(&self, point: &Self::PointState, iterate: &mut Self::Iterate, e: flow::Triple) -> flow::StressUpdate;
-}
-
-/// Isotropic elastic constants: of the elastoplastic law, of unloading, and of laws that start at the elastic line; the flow law has no
-/// elasticity.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Elastic {
-    /// Young's modulus \[MPa\].
-    pub young: f64,
-    /// Poisson's ratio \[–\].
-    pub poisson: f64,
-}
-
-impl Elastic {
-    /// D in the sum and the difference of the meridional and the hoop stress, and in the transverse shear \[MPa\].
-    #[inline]
-    pub fn moduli(&self) -> flow::Triple {
-        let Self { young, poisson } = *self;
-        [young / (1.0 - poisson), young / (1.0 + poisson), 0.5 * flow::SHEAR_FACTOR * young / (1.0 + poisson)]
-    }
-
-    /// Strain energy per volume of a stress \[MPa\].
-    pub fn energy(&self, stress: flow::Triple) -> f64 {
-        let [s, t, shear] = stress;
-        let [sum, difference, slip] = self.moduli();
-        0.25 * ((s + t) * (s + t) / sum + (s - t) * (s - t) / difference) + 0.5 * shear * shear / slip
-    }
-}
 
 /// The sheet's material.
 #[derive(Clone, Debug, PartialEq)]

@@ -70,7 +70,9 @@ pub struct Leg {
 /// What was measured on a frame; what it has not is `None`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Shape {
+    /// The steepest leg.
     pub wall: Option<Leg>,
+    /// The outermost leg, behind a bend that brought the sheet back.
     pub flange: Option<Leg>,
     /// Height of the middle over the edge, without sign: of a dome or of a drawn part \[mm\].
     pub height: Option<f64>,
@@ -85,12 +87,16 @@ pub struct Quantity {
     pub key: &'static str,
     /// Name in legends.
     pub label: &'static str,
+    /// Unit of its values.
     pub unit: Unit,
+    /// Measures it; `None` where the shape has no such thing.
     pub of: fn(&Shape) -> Option<f64>,
 }
 
+/// Of the wall to the direction of the punch \[°\].
 pub const WALL_ANGLE: Quantity =
     Quantity { key: "wall_angle", label: "Wall to the punch direction", unit: Unit::Degree, of: Shape::wall_angle };
+/// Of the flange to the horizontal \[°\].
 pub const FLANGE_ANGLE: Quantity =
     Quantity { key: "flange_angle", label: "Flange to the horizontal", unit: Unit::Degree, of: Shape::flange_angle };
 
@@ -190,11 +196,14 @@ fn flange(meridian: &Meridian) -> Option<Range<usize>> {
 /// Where to look at the sheet.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Place {
+    /// What it is called on plots.
     pub name: &'static str,
+    /// Index of the element, from the axis outward.
     pub element: usize,
 }
 
 impl Place {
+    /// Name of the place in the flange.
     pub const FLANGE: &str = "Flange";
 }
 
@@ -249,8 +258,11 @@ pub fn places(frame: &Frame) -> Vec<Place> {
 /// A quantity measured on two sheets.
 #[derive(Clone, Copy, Debug)]
 pub struct Change {
+    /// What was measured.
     pub quantity: &'static Quantity,
+    /// On the first sheet, in the unit of the quantity.
     pub before: Option<f64>,
+    /// On the second.
     pub after: Option<f64>,
 }
 

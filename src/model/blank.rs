@@ -13,10 +13,13 @@ pub struct Blank {
     pub thickness: f64,
     /// Number of elements from the axis to the edge.
     pub elements: usize,
+    /// How element sizes are spread.
     pub grading: Grading,
+    /// Shell theory of the elements.
     pub theory: Theory,
     /// Gauss-Lobatto points through the thickness (1 when the theory is membrane).
     pub layers: usize,
+    /// How the outer edge is held.
     pub edge: Edge,
 }
 
@@ -43,5 +46,8 @@ pub enum Edge {
     /// Moves outward in its plane at `speed` times the punch speed \[–\] and keeps its slope: for tension tests, which no case
     /// file asks for.
     #[serde(skip)]
-    Pulled { speed: f64 },
+    Pulled {
+        /// Over the punch speed \[–\].
+        speed: f64,
+    },
 }

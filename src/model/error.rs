@@ -9,28 +9,104 @@ const SAME: f64 = 1e-6;
 /// Why a model cannot be solved: which value, what it is and what it may be.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum ModelError {
+    /// A number lies outside of its range.
     #[error("`{what}` must lie between {least:?} and {most:?}, found {value:?}")]
-    Range { what: String, value: f64, least: f64, most: f64 },
+    Range {
+        /// Path of the value in the model.
+        what: String,
+        /// What was found.
+        value: f64,
+        /// The least that is allowed.
+        least: f64,
+        /// The most that is allowed.
+        most: f64,
+    },
+    /// A whole number lies outside of its range.
     #[error("`{what}` must lie between {least} and {most}, found {value}")]
-    Count { what: String, value: usize, least: usize, most: usize },
+    Count {
+        /// Path of the value in the model.
+        what: String,
+        /// What was found.
+        value: usize,
+        /// The least that is allowed.
+        least: usize,
+        /// The most that is allowed.
+        most: usize,
+    },
+    /// A number that must be positive is not, or is not finite.
     #[error("`{what}` must be positive and finite, found {value:?}")]
-    NotPositive { what: String, value: f64 },
+    NotPositive {
+        /// Path of the value in the model.
+        what: String,
+        /// What was found.
+        value: f64,
+    },
+    /// A number is negative or not finite.
     #[error("`{what}` must be zero or positive and finite, found {value:?}")]
-    Negative { what: String, value: f64 },
+    Negative {
+        /// Path of the value in the model.
+        what: String,
+        /// What was found.
+        value: f64,
+    },
+    /// A number is not finite.
     #[error("`{what}` must be finite, found {value:?}")]
-    NotFinite { what: String, value: f64 },
+    NotFinite {
+        /// Path of the value in the model.
+        what: String,
+        /// What was found.
+        value: f64,
+    },
+    /// A list does not rise.
     #[error("`{what}` must rise from entry to entry, found {value:?} after {before:?}")]
-    NotRising { what: String, before: f64, value: f64 },
+    NotRising {
+        /// Path of the value in the model.
+        what: String,
+        /// The entry before, or the bound that the first entry must exceed.
+        before: f64,
+        /// The entry that is not above it.
+        value: f64,
+    },
+    /// Two numbers that say the same differ.
     #[error("`{what}` is {value:?} and must agree with `{other}`, {wanted:?}")]
-    Differs { what: String, value: f64, other: &'static str, wanted: f64 },
+    Differs {
+        /// Path of the value in the model.
+        what: String,
+        /// What was found.
+        value: f64,
+        /// Path of the other value.
+        other: &'static str,
+        /// What follows from the other value.
+        wanted: f64,
+    },
+    /// A list that needs an entry has none.
     #[error("`{what}` is empty")]
-    Empty { what: &'static str },
+    Empty {
+        /// Path of the value in the model.
+        what: &'static str,
+    },
+    /// A value is given without one that it needs.
     #[error("`{what}` needs `{other}`")]
-    Needs { what: String, other: String },
+    Needs {
+        /// Path of the value in the model.
+        what: String,
+        /// What is missing.
+        other: String,
+    },
+    /// Two things are given that cannot be together.
     #[error("`{what}` and `{other}` exclude each other")]
-    Excludes { what: &'static str, other: &'static str },
+    Excludes {
+        /// Path of the value in the model.
+        what: &'static str,
+        /// The other one.
+        other: &'static str,
+    },
+    /// There are two of which there may be one.
     #[error("there is more than one {what}")]
-    Twice { what: String },
+    Twice {
+        /// What there is more than one of.
+        what: String,
+    },
 }
 
 pub(super) type Checked = Result<(), ModelError>;

@@ -28,6 +28,7 @@ pub struct HeatFlow {
 /// Heat transfer between a tool and the sheet where they touch.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ToolHeat {
+    /// Which tool.
     pub role: Role,
     /// The tool's temperature, which stays \[K\].
     pub temperature: f64,

@@ -30,7 +30,9 @@ impl Bead {
 /// Gas or oil pressure on a face of the sheet; it stays normal to the sheet and acts on its current area.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Gas {
+    /// The face that it presses on.
     pub face: Face,
+    /// The pressure, or what decides it.
     pub pressure: Pressure,
     /// It acts on what lies closer to the axis or symmetry plane than this seal \[mm\].
     pub within: f64,
@@ -94,8 +96,9 @@ pub struct RateControl {
     pub target: f64,
     /// q: 1 is the mean over the sheet's volume, a large one the fastest place \[–\].
     pub exponent: f64,
-    /// Largest pressure \[MPa\] and fastest rise of it \[MPa/s\] that the press gives; infinite where nothing is said.
+    /// Largest pressure that the press gives \[MPa\]; infinite where nothing is said.
     pub max_pressure: f64,
+    /// Fastest rise of the pressure \[MPa/s\]; infinite where nothing is said.
     pub max_rise: f64,
 }
 

@@ -32,14 +32,19 @@ use crate::numerics::PiecewiseLinear;
 /// A validated forming problem in solver units.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Model {
+    /// Shown above plots and reports.
     pub title: String,
     /// Declared assumptions, shown wherever results are shown.
     pub notes: Vec<String>,
+    /// Axisymmetric or plane strain.
     pub geometry: Geometry,
+    /// The sheet before forming.
     pub blank: Blank,
+    /// What the sheet is made of.
     pub material: Material,
     /// At most one tool of each role.
     pub tools: Vec<Tool>,
+    /// Line restraints across the flange.
     pub beads: Vec<Bead>,
     /// At most one on each face.
     pub gas: Vec<Gas>,
@@ -55,8 +60,11 @@ pub struct Model {
     pub duration: f64,
     /// Times at which the state is kept \[s\], rising, the last one equal to `duration`.
     pub frames: Vec<f64>,
+    /// What ends the run before its full travel.
     pub stop: StopRules,
+    /// How the problem is solved.
     pub settings: Settings,
+    /// How the metal answers to strain.
     pub mode: Mode,
     /// `None` while the tools act.
     pub release: Option<Release>,

@@ -35,6 +35,7 @@ pub enum Mode {
 /// Tools are taken away: the forces of contact become equal external loads that fade to zero over the run.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Release {
+    /// The stiffness that it iterates with.
     pub stiffness: ReleaseStiffness,
 }
 

@@ -13,6 +13,7 @@ pub struct Stage {
     pub name: String,
     /// The blank says what the sheet once was: the solver cuts it to what is left of it.
     pub model: Model,
+    /// What happens to the sheet before the first step.
     pub begin: Beginning,
 }
 

@@ -9,9 +9,13 @@ use serde::Deserialize;
 /// A rigid tool, drawn where it touches the flat blank (whose mid-surface is z = 0).
 #[derive(Clone, Debug, PartialEq)]
 pub struct Tool {
+    /// Which tool it is.
     pub role: Role,
+    /// Its section, the sheet on its left \[mm\].
     pub profile: Profile,
+    /// Friction between it and the sheet.
     pub friction: Friction,
+    /// What moves it.
     pub motion: Motion,
 }
 
@@ -19,12 +23,16 @@ pub struct Tool {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Role {
+    /// Below the sheet, forms it towards +z.
     Punch,
+    /// Above the sheet.
     Die,
+    /// Below the sheet, holds its flange against the die.
     Holder,
 }
 
 impl Role {
+    /// All tools, in the order of tables.
     pub const ALL: [Role; 3] = [Role::Punch, Role::Die, Role::Holder];
 
     /// The word used in tables, plots and case files.
@@ -40,13 +48,16 @@ impl Role {
 /// What moves a tool.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Motion {
+    /// Stands still.
     Fixed,
     /// Moves along z with the travel.
     Travel,
     /// Goes this far along z and away from the axis over the run \[mm\], in proportion to its travel, or to its time where
     /// there is no travel.
     Path {
+        /// Along z, towards the die where positive \[mm\].
         axial: f64,
+        /// Away from the axis or symmetry plane \[mm\].
         aside: f64,
     },
     /// Stands still at this distance between its face and the die's \[mm\]: a holder on distance blocks.

@@ -14,13 +14,21 @@ type Shared = SVector<f64, MAX_SHARED>;
 /// ```
 #[derive(Clone, Debug)]
 pub struct System {
+    /// Blocks of H left of the diagonal, of node i with node i − 1; the first is not used.
     pub lower: Vec<Matrix3<f64>>,
+    /// Blocks of H on the diagonal.
     pub diagonal: Vec<Matrix3<f64>>,
+    /// Blocks of H right of the diagonal, of node i with node i + 1; the last is not used.
     pub upper: Vec<Matrix3<f64>>,
+    /// f, by nodes; after the solution x.
     pub rhs: Vec<Vector3<f64>>,
+    /// C, by nodes and shared unknowns.
     pub columns: Vec<[Vector3<f64>; MAX_SHARED]>,
+    /// R, by nodes and shared unknowns.
     pub rows: Vec<[Vector3<f64>; MAX_SHARED]>,
+    /// D.
     pub corner: Corner,
+    /// g; after the solution y.
     pub corner_rhs: Shared,
     shared: usize,
 }

@@ -5,9 +5,11 @@ use crate::table::Axis;
 /// A picture: panels below each other, one legend above them, notes below.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Chart {
+    /// Above the panels.
     pub title: String,
     /// What the legend's entries have in common; may be empty.
     pub legend: &'static str,
+    /// From the top down.
     pub panels: Vec<Panel>,
     /// Small print: assumptions and sources; long lines are wrapped.
     pub notes: Vec<String>,
@@ -16,9 +18,13 @@ pub struct Chart {
 /// One pair of axes.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Panel {
+    /// The horizontal axis.
     pub x: Axis,
+    /// The vertical axis.
     pub y: Axis,
+    /// What is drawn, from the back to the front.
     pub series: Vec<Series>,
+    /// How the axes are scaled.
     pub scale: Scale,
 }
 
@@ -27,9 +33,19 @@ pub struct Panel {
 pub enum Scale {
     /// Everything fits into this height [px of a picture 800 wide]; zero is shown where it is near. The y axis spans
     /// `least` or more, so that it does not zoom in on noise.
-    Fit { height: f64, least: f64 },
+    Fit {
+        /// Height of the panel \[px of a picture 800 wide\].
+        height: f64,
+        /// Least span of the y axis, in its unit.
+        least: f64,
+    },
     /// Both axes alike and y pointing down the page; at least this window is shown, areas are cut at its border.
-    Section { x: (f64, f64), y: (f64, f64) },
+    Section {
+        /// Least window along x, in the unit of the axis.
+        x: (f64, f64),
+        /// Least window along y, in the unit of the axis.
+        y: (f64, f64),
+    },
 }
 
 /// One curve, set of points or filled outline.
@@ -37,7 +53,9 @@ pub enum Scale {
 pub struct Series {
     /// What the legend says; a series without a label is not in it.
     pub label: Option<String>,
+    /// x and y in the units of the axes.
     pub points: Vec<(f64, f64)>,
+    /// How it is drawn.
     pub look: Look,
 }
 
@@ -46,15 +64,23 @@ pub struct Series {
 pub enum Look {
     /// `dash` is a pattern of drawn and left-out lengths, solid when empty; lengths in px of a picture 800 wide.
     Line {
+        /// Of the line.
         color: Color,
+        /// Thickness \[px of a picture 800 wide\].
         width: f64,
+        /// Lengths drawn and left out in turn \[px of a picture 800 wide\]; solid when empty.
         dash: &'static [f64],
     },
+    /// Open circles at the points.
     Circles {
+        /// Of the outlines.
         color: Color,
     },
+    /// The inside of the outline that the points make.
     Area {
+        /// Of the inside.
         fill: Color,
+        /// Of the outline; `None` without one.
         edge: Option<Color>,
     },
     /// The label itself, on white: each point is the middle of its left end. The legend leaves it out.
@@ -64,8 +90,11 @@ pub enum Look {
 /// Red, green, blue.
 pub type Color = (u8, u8, u8);
 
+/// The paper.
 pub const WHITE: Color = (255, 255, 255);
+/// Text and axes.
 pub const BLACK: Color = (0, 0, 0);
+/// What stays in the background.
 pub const GREY: Color = (120, 120, 120);
 /// Tool bodies.
 pub const PALE: Color = (222, 222, 222);

@@ -13,8 +13,11 @@ use crate::table::{Unit, four_digits};
 pub struct Dimension {
     /// `Punch radius`.
     pub label: String,
+    /// The size, in `unit`.
     pub value: f64,
+    /// Unit of the size.
     pub unit: Unit,
+    /// Where it is drawn.
     pub mark: Mark,
 }
 
@@ -24,7 +27,14 @@ pub enum Mark {
     /// From the axis to this distance \[mm\], below the section.
     Across(f64),
     /// Along z at this distance from the axis, from one z to another \[mm\].
-    Along { r: f64, from: f64, to: f64 },
+    Along {
+        /// Distance from the axis or symmetry plane \[mm\].
+        r: f64,
+        /// Where the size begins \[mm\].
+        from: f64,
+        /// Where it ends \[mm\].
+        to: f64,
+    },
     /// By a leader to this point \[mm\].
     At(Point),
 }

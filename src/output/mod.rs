@@ -12,6 +12,7 @@ pub mod forming_limit;
 mod frame_recorder;
 mod gif;
 pub mod load_travel;
+mod make;
 mod outline;
 mod overlay;
 mod png;
@@ -36,81 +37,13 @@ pub use dimensions::{Dimension, Mark, dimensioned};
 pub use draw::svg;
 pub use file::{WriteError, can_write, remove_others, write};
 pub use frame_recorder::FrameRecorder;
+pub use make::{Extra, Files, Make, Output};
 pub use overlay::comparisons;
 pub use png::png;
 pub use sketch::sketch;
 pub use stage_view::StageView;
 pub use summary::{CaseSummary, Figure, Summary};
 pub use writing::{OutputError, can_write_all, remove_stale, write_comparisons};
-
-use crate::case::Solution;
-use crate::compare::Comparison;
-use crate::solution::Frame;
-use crate::table::Table;
-
-/// Files by name, each made as it is asked for.
-pub type Files<'a> = Box<dyn Iterator<Item = (String, Vec<u8>)> + 'a>;
-
-/// What is written only where it is asked for, of the frames of a [`FrameRecorder`].
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Extra {
-    Vtu,
-    Animation,
-}
-
-/// How a file is made.
-#[derive(Clone, Copy, Debug)]
-pub enum Make {
-    /// Of a stage; nothing where it has no such thing.
-    Table(fn(&StageView) -> Option<Table>),
-    Text(fn(&StageView) -> Option<String>),
-    /// Nothing where there is nothing to draw.
-    Plot(fn(&StageView) -> Option<Chart>),
-    /// Of the recorded frames of a stage, rising in time, where it is asked for.
-    Moving(Extra, for<'a> fn(&'a StageView, &'a [&Frame]) -> Files<'a>),
-    /// Of the whole case: stands beside the folders of its stages.
-    OfCase(for<'a> fn(&'a Solution, &'a [Comparison]) -> Files<'a>),
-}
-
-/// A file that is written, or a family of them, where a solution has what it holds.
-#[derive(Clone, Copy, Debug)]
-pub struct Output {
-    pub file: &'static str,
-    /// What it holds, for help texts and below pictures.
-    pub about: &'static str,
-    pub make: Make,
-    /// Whether the second name is one of the family that the first, [`Output::file`], stands for; `None` of a single file.
-    pub family: Option<fn(&str, &str) -> bool>,
-}
-
-impl Output {
-    const fn table(file: &'static str, about: &'static str, make: fn(&StageView) -> Option<Table>) -> Self {
-        Self { file, about, make: Make::Table(make), family: None }
-    }
-
-    const fn text(file: &'static str, about: &'static str, make: fn(&StageView) -> Option<String>) -> Self {
-        Self { file, about, make: Make::Text(make), family: None }
-    }
-
-    const fn plot(file: &'static str, about: &'static str, make: fn(&StageView) -> Option<Chart>) -> Self {
-        Self { file, about, make: Make::Plot(make), family: None }
-    }
-
-    /// Whether a file of this name is written here.
-    pub fn is_named(&self, name: &str) -> bool {
-        self.file == name || self.family.is_some_and(|is_one| is_one(self.file, name))
-    }
-
-    /// The content of a single file of a stage; none for a plot or a table of nothing.
-    pub fn bytes(&self, view: &StageView) -> Option<Vec<u8>> {
-        match self.make {
-            Make::Table(make) => make(view).map(|table| csv(&table)),
-            Make::Text(make) => make(view).map(String::into_bytes),
-            Make::Plot(make) => make(view).map(|chart| picture(&chart)),
-            Make::Moving(..) | Make::OfCase(_) => None,
-        }
-    }
-}
 
 /// Every file that may be written.
 pub const OUTPUTS: &[Output] = &[
@@ -177,8 +110,3 @@ pub const OUTPUTS: &[Output] = &[
         family: None,
     },
 ];
-
-/// A chart as it is written.
-fn picture(chart: &Chart) -> Vec<u8> {
-    png(chart)
-}

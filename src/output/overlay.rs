@@ -1,7 +1,7 @@
 //! A computed curve over a reference: points with their difference below, or a band.
 
 use super::chart::{BLACK, Chart, Color, GREY, Look, Panel, Scale, Series, color};
-use super::{Files, StageView, csv, picture};
+use super::{Files, StageView, csv, png};
 use crate::case::{Case, Solution};
 use crate::compare::{
     Against, Band, BandQuantity, BandSpec, CompareError, Comparison, Computed, CurveSpec, Found, Interval, Points,
@@ -35,7 +35,7 @@ pub(super) fn files<'a>(solution: &'a Solution, comparisons: &'a [Comparison]) -
         Some((stem, comparison, plot(view.as_ref()?, comparison)?))
     });
     Box::new(charts.flat_map(|(stem, comparison, chart)| {
-        [(format!("{stem}.csv"), csv(&comparison.table())), (format!("{stem}.png"), picture(&chart))]
+        [(format!("{stem}.csv"), csv(&comparison.table())), (format!("{stem}.png"), png(&chart))]
     }))
 }
 

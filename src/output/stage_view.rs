@@ -18,6 +18,7 @@ const LEVEL: f64 = 0.1;
 pub struct StageView<'a> {
     /// What its results are called: the case, and of several stages the stage too: `cup/1-draw`.
     pub name: String,
+    /// Title of the case.
     pub title: &'a str,
     /// The case file's text: its SHA-256 ties results to their input.
     pub case_text: &'a str,
@@ -27,6 +28,7 @@ pub struct StageView<'a> {
     pub declared: &'a [String],
     /// What is told with the results: what was assumed while the case was read, and warnings.
     pub findings: Vec<Finding>,
+    /// What came out of the stage.
     pub stage: &'a StageSolution,
     /// Time that the solution of the whole case took, where a clock was at hand.
     pub wall: Option<Duration>,

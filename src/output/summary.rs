@@ -19,12 +19,15 @@ use sha2::{Digest, Sha256};
 /// What a line of the summary is about.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Group {
+    /// What was solved.
     Case,
     /// How the stage ended.
     End,
+    /// What the part is like and took to form.
     Part,
     /// How the numbers were found.
     Solution,
+    /// What a reader should not overlook.
     Warnings,
 }
 
@@ -52,11 +55,13 @@ enum Value {
 /// A line for readers, its number apart from its unit.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Figure {
+    /// What the line is about.
     pub group: Group,
     /// Name in JSON, without the unit.
     pub key: &'static str,
     /// Begins with spaces where it belongs to the line above.
     pub label: String,
+    /// As it is printed, without its unit.
     pub value: String,
     /// Empty for words.
     pub unit: &'static str,

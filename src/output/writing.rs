@@ -8,6 +8,7 @@ use std::path::{Path, PathBuf};
 /// Why results could not be written.
 #[derive(Debug, thiserror::Error)]
 pub enum OutputError {
+    /// A file or folder cannot be written.
     #[error(transparent)]
     Write(#[from] WriteError),
     /// A reference that the case is compared with cannot be used.

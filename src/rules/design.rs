@@ -52,7 +52,9 @@ pub fn siebel(beta: f64, diameter: f64, thickness: f64, strength: f64) -> f64 {
 /// A number and the rule that picked it; no rule where it was given.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Picked {
+    /// The number, in the solver's unit.
     pub value: f64,
+    /// The rule, in words; empty where the number was given.
     pub why: String,
 }
 
@@ -62,6 +64,7 @@ impl Picked {
         Self { value: (value * 1e3).round() / 1e3, why: why.into() }
     }
 
+    /// A number that the user has given.
     pub fn given(value: f64) -> Self {
         Self { value, why: String::new() }
     }

@@ -14,13 +14,15 @@ use crate::state::State;
 pub struct ElementRecord {
     /// Initial distance of the element's middle from the axis \[mm\].
     pub s0: f64,
-    /// Position of the element's middle \[mm\].
+    /// Distance of the element's middle from the axis \[mm\].
     pub r: f64,
+    /// Height of the element's middle, along the punch travel \[mm\].
     pub z: f64,
     /// Thickness \[mm\].
     pub thickness: f64,
-    /// Logarithmic mid-surface strains \[–\].
+    /// Logarithmic mid-surface strain along the section \[–\].
     pub strain_meridional: f64,
+    /// Logarithmic mid-surface strain across the section \[–\].
     pub strain_hoop: f64,
     /// ln(t/t₀) \[–\].
     pub strain_thickness: f64,
@@ -28,8 +30,9 @@ pub struct ElementRecord {
     pub strain_equivalent: f64,
     /// Largest equivalent plastic strain over the thickness \[–\].
     pub strain_equivalent_max: f64,
-    /// Cauchy stresses, mean over the thickness \[MPa\].
+    /// Cauchy stress along the section, mean over the thickness \[MPa\].
     pub stress_meridional: f64,
+    /// Cauchy stress across the section, mean over the thickness \[MPa\].
     pub stress_hoop: f64,
     /// Volume of voids over that of the sheet, mean over the thickness \[–\].
     pub porosity: f64,
@@ -42,8 +45,9 @@ pub struct ElementRecord {
 /// One node at one instant.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct NodeRecord {
-    /// Position of the mid-surface \[mm\].
+    /// Distance of the mid-surface from the axis \[mm\].
     pub r: f64,
+    /// Height of the mid-surface, along the punch travel \[mm\].
     pub z: f64,
     /// Rotation of the fibre, counter-clockwise in the r-z plane \[rad\].
     pub theta: f64,
@@ -54,8 +58,9 @@ pub struct NodeRecord {
 /// One layer point of an element at one instant.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct PointRecord {
-    /// Cauchy stresses \[MPa\].
+    /// Cauchy stress along the section \[MPa\].
     pub stress_meridional: f64,
+    /// Cauchy stress across the section \[MPa\].
     pub stress_hoop: f64,
     /// Equivalent plastic strain \[–\].
     pub strain_equivalent: f64,
@@ -81,12 +86,15 @@ impl ThroughThickness {
 /// What is kept of an instant.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Frame {
-    /// Time \[s\] and punch travel \[mm\].
+    /// Time \[s\].
     pub time: f64,
+    /// Punch travel \[mm\].
     pub travel: f64,
-    /// From the axis outward.
+    /// Elements, from the axis outward.
     pub elements: Vec<ElementRecord>,
+    /// Nodes, from the axis outward.
     pub nodes: Vec<NodeRecord>,
+    /// What lies through the thickness.
     pub through: ThroughThickness,
     /// Displacement of each tool (away from the axis, along z) from where it is drawn in the model \[mm\], in the model's
     /// order.
@@ -100,10 +108,13 @@ pub struct Frame {
 pub struct Energy {
     /// Of the driven tools and edges on the sheet.
     pub external: f64,
+    /// Of the plastic flow in the sheet.
     pub plastic: f64,
     /// What the sheet's elasticity stores; 0 by the flow law.
     pub elastic: f64,
+    /// Of the friction on tools and beads.
     pub friction: f64,
+    /// What the penalty springs of the contact store.
     pub contact: f64,
     /// The part of `plastic` in points whose strain rate is below ten times the cut-off.
     pub cutoff: f64,
@@ -184,6 +195,7 @@ impl Heat {
 /// One accepted step.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct StepRecord {
+    /// Number of the step, from 1.
     pub step: usize,
     /// Time at the end of the step \[s\].
     pub time: f64,
@@ -197,8 +209,9 @@ pub struct StepRecord {
     pub edge_force: f64,
     /// How far the blank's edge has moved inward \[mm\].
     pub draw_in: f64,
-    /// Thinnest element: its thickness \[mm\] and initial distance from the axis \[mm\].
+    /// Thickness of the thinnest element \[mm\].
     pub thinnest: f64,
+    /// Initial distance of the thinnest element from the axis \[mm\].
     pub thinnest_s0: f64,
     /// Height of the sheet's middle above the flat blank, along the punch travel \[mm\].
     pub pole_height: f64,
@@ -232,21 +245,27 @@ pub struct StepRecord {
     pub sharpest_bend: f64,
     /// Elements that bend; the others are membranes.
     pub bending: usize,
+    /// Iterations of the try that was accepted.
     pub iterations: usize,
     /// Tries that were rejected before this step was accepted.
     pub rejected: usize,
-    /// Relative velocity increment and relative residual at acceptance \[–\].
+    /// Relative velocity increment at acceptance \[–\].
     pub velocity_norm: f64,
+    /// Relative residual at acceptance \[–\].
     pub residual_norm: f64,
-    /// Mean powers of the step, and work since the start.
+    /// Mean powers of the step.
     pub power: Energy,
+    /// Work since the start.
     pub work: Energy,
-    /// Largest porosity, mean over the thickness \[–\], and where, initially from the axis \[mm\].
+    /// Largest porosity, mean over the thickness \[–\].
     pub porosity: f64,
+    /// Where the porosity is largest, initially from the axis \[mm\].
     pub porous_s0: f64,
-    /// Lowest and highest temperature of an element \[K\].
+    /// Lowest temperature of an element \[K\].
     pub coldest: f64,
+    /// Highest temperature of an element \[K\].
     pub hottest: f64,
+    /// Heat since the start.
     pub heat: Heat,
 }
 
@@ -277,28 +296,38 @@ pub struct Effort {
 pub enum Stop {
     /// The model is none that can be solved: nothing was tried.
     Refused(ModelError),
+    /// The run has come to its end.
     FullTravel,
     /// The load has fallen from its maximum by the share that the case asks for.
     LoadMaximum {
+        /// Punch travel there \[mm\].
         travel: f64,
+        /// Largest load before \[N, or N/mm\].
         peak: f64,
+        /// Share of the peak by which the load has fallen \[–\].
         drop: f64,
     },
     /// As much of the sheet lies on its tools as the case asks for.
     ContactShare {
-        /// Reached, and asked for \[–\].
+        /// Reached \[–\].
         share: f64,
+        /// Asked for by the case \[–\].
         asked: f64,
+        /// Time then \[s\].
         time: f64,
+        /// Punch travel then \[mm\].
         travel: f64,
     },
-    /// The gas pressure has come to the largest that the sheet can bear at the height of its middle \[MPa, mm\].
+    /// The gas pressure has come to the largest that the sheet can bear at the height of its middle.
     PressureMaximum {
+        /// The largest pressure \[MPa\].
         pressure: f64,
+        /// Height of the sheet's middle then \[mm\].
         height: f64,
     },
     /// One place takes all the stretching while its surroundings stop.
     Localised {
+        /// Punch travel there \[mm\].
         travel: f64,
         /// Where, initially from the axis \[mm\].
         s0: f64,
@@ -309,6 +338,7 @@ pub enum Stop {
     },
     /// The voids at a place have grown together through the thickness.
     Coalesced {
+        /// Punch travel there \[mm\].
         travel: f64,
         /// Where, initially from the axis \[mm\].
         s0: f64,
@@ -317,25 +347,36 @@ pub enum Stop {
     },
     /// The blank's edge has passed the die's throat.
     DrawnThrough {
+        /// Punch travel there \[mm\].
         travel: f64,
     },
-    /// Punch and die come closer than the sheet can be squeezed \[mm\].
+    /// Punch and die come closer than the sheet can be squeezed.
     ToolsClosed {
+        /// Punch travel there \[mm\].
         travel: f64,
+        /// Where they are too close: distance from the axis \[mm\].
         r: f64,
+        /// Where they are too close: height \[mm\].
         z: f64,
     },
     /// An observer wanted no more of it.
     Interrupted {
+        /// Punch travel reached \[mm\].
         travel: f64,
+        /// Time reached \[s\].
         time: f64,
     },
     /// No equilibrium was found down to the smallest step.
     NoEquilibrium {
+        /// Punch travel of the last accepted step \[mm\].
         travel: f64,
+        /// Time of the last accepted step \[s\].
         time: f64,
+        /// The smallest step that was tried \[s\].
         step: f64,
+        /// Relative velocity increment of the last try \[–\].
         velocity_norm: f64,
+        /// Relative residual of the last try \[–\].
         residual_norm: f64,
         /// Initial distance from the axis of the node with the largest residual \[mm\].
         worst_s0: f64,
@@ -441,6 +482,7 @@ pub struct StageSolution {
     pub model: Model,
     /// The sheet and its tools before the first step; `None` of a stage that has not begun.
     pub start: Option<Frame>,
+    /// The accepted steps.
     pub steps: Vec<StepRecord>,
     /// In the order of time; only the last one looks through the thickness.
     pub frames: Vec<Frame>,
@@ -448,7 +490,9 @@ pub struct StageSolution {
     pub paths: Paths,
     /// Where it ended.
     pub end: State,
+    /// Why it ended.
     pub stop: Stop,
+    /// How the steps came to equilibrium.
     pub effort: Effort,
     /// What was cut off before the stage began; `None` where nothing was asked for.
     pub trimmed: Option<Trimmed>,
@@ -460,8 +504,9 @@ pub struct StageSolution {
 /// A rim that was cut off before a stage.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Trimmed {
-    /// Distance from the axis or symmetry plane that was asked for, and where the edge is: whole elements go \[mm\].
+    /// Distance from the axis or symmetry plane that was asked for \[mm\].
     pub asked: f64,
+    /// Where the edge is: whole elements go \[mm\].
     pub edge: f64,
     /// Elements that were cut off.
     pub elements: usize,
@@ -508,9 +553,11 @@ impl StageSolution {
 /// One iteration of the corrector, accepted step or not.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct IterationRecord {
+    /// Number of the step that is tried, from 1.
     pub step: usize,
     /// Punch travel at the end of the step that is tried \[mm\].
     pub travel: f64,
+    /// Number of the iteration, from 0.
     pub iteration: usize,
     /// Relative velocity increment \[–\].
     pub velocity_norm: f64,

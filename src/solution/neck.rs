@@ -20,8 +20,9 @@ pub struct Neck {
     pub s0: f64,
     /// Thickness over the initial one \[–\].
     pub share: f64,
-    /// Whether it is a neck, and whether its surroundings have stopped thinning.
+    /// Whether it is a neck.
     pub stands_out: bool,
+    /// Whether its surroundings have stopped thinning.
     pub took_over: bool,
 }
 

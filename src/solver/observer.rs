@@ -39,8 +39,9 @@ impl Observer for () {}
 /// The sheet and its tools as an iteration tries them at the end of a step.
 #[derive(Clone, Copy, Debug)]
 pub struct Iterate<'a> {
-    /// Number of the step that is tried, from 1, and of the iteration, from 0.
+    /// Number of the step that is tried, from 1.
     pub step: usize,
+    /// Number of the iteration, from 0.
     pub iteration: usize,
     /// Time at the end of the step \[s\].
     pub time: f64,

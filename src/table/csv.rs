@@ -14,6 +14,7 @@ const LONGEST: usize = 40;
 pub struct Csv {
     /// At least one name.
     pub header: Record,
+    /// The lines below the header.
     pub rows: Vec<Record>,
 }
 
@@ -22,6 +23,7 @@ pub struct Csv {
 pub struct Record {
     /// From 1.
     pub line: usize,
+    /// The texts between the commas.
     pub fields: StringRecord,
 }
 
@@ -31,6 +33,7 @@ pub struct Record {
 pub struct CsvError {
     /// Line of the text, from 1; `None` where the text is something else altogether, and no line of it says more.
     pub line: Option<usize>,
+    /// What is wrong.
     pub what: String,
     /// What to write instead.
     pub help: String,

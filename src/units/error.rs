@@ -7,28 +7,88 @@ use super::unit::{Dimension, UNITS, meant};
 /// Why a text is not a quantity. The message's first line says what is wrong, the second what to write.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum QuantityError {
+    /// The text does not begin with a number.
     #[error("no number in {found:?}\nwrite a number and a unit, such as \"0.9 mm\"")]
-    NoNumber { found: String },
+    NoNumber {
+        /// The text that was read.
+        found: String,
+    },
+    /// The number is written with a decimal comma.
     #[error("decimal comma in {found:?}\nwrite a point: \"{point}\"")]
-    DecimalComma { found: String, point: String },
+    DecimalComma {
+        /// The text that was read.
+        found: String,
+        /// The same with a point.
+        point: String,
+    },
+    /// The number has no unit, and the kind needs one.
     #[error("{found} needs a unit\nwrite \"{}\"; {} may also be written {}", .kind.with_unit(.found), .kind.name, .kind.written())]
-    MissingUnit { found: String, kind: &'static Kind },
+    MissingUnit {
+        /// The text that was read.
+        found: String,
+        /// The kind of quantity that is wanted.
+        kind: &'static Kind,
+    },
+    /// A unit that is not known.
     #[error("unknown unit `{unit}` in {found:?}\n{}", known(.closest))]
-    UnknownUnit { found: String, unit: String, closest: Vec<&'static str> },
+    UnknownUnit {
+        /// The text that was read.
+        found: String,
+        /// The unit.
+        unit: String,
+        /// Known units that are spelled alike, nearest first.
+        closest: Vec<&'static str>,
+    },
+    /// The units are not joined as they may be.
     #[error(
         "{found:?} cannot be read from {at:?} on\nunits are joined by * and /, powers written ^2: \"5.4 tonf_uk/in^2\""
     )]
-    Malformed { found: String, at: String },
+    Malformed {
+        /// The text that was read.
+        found: String,
+        /// What could not be read, to the end of the text.
+        at: String,
+    },
+    /// The unit measures something else.
     #[error("{found:?} is {}, wanted {}\nwrite for example {}", .is.describe(), .kind.name, .kind.written())]
-    WrongDimension { found: String, is: Dimension, kind: &'static Kind },
+    WrongDimension {
+        /// The text that was read.
+        found: String,
+        /// What it measures.
+        is: Dimension,
+        /// The kind of quantity that is wanted.
+        kind: &'static Kind,
+    },
+    /// The magnitude makes no sense.
     #[error("{found} is out of range for {}\nits magnitude must be at most {} {}: check the unit", .kind.name, .kind.largest, .kind.unit)]
-    TooLarge { found: String, kind: &'static Kind },
+    TooLarge {
+        /// The text that was read.
+        found: String,
+        /// The kind of quantity that is wanted.
+        kind: &'static Kind,
+    },
+    /// The number must be positive.
     #[error("must be positive, found {found}\nwrite for example {}", .kind.written())]
-    NotPositive { found: String, kind: &'static Kind },
+    NotPositive {
+        /// The text that was read.
+        found: String,
+        /// The kind of quantity that is wanted.
+        kind: &'static Kind,
+    },
+    /// The number must not be negative.
     #[error("must not be negative, found {found}\nwrite for example {}", .kind.written())]
-    Negative { found: String, kind: &'static Kind },
+    Negative {
+        /// The text that was read.
+        found: String,
+        /// The kind of quantity that is wanted.
+        kind: &'static Kind,
+    },
+    /// The number is no share of a whole.
     #[error("must lie between 0 and 1, found {found}\nit is a fraction, such as 0.1")]
-    NotFraction { found: String },
+    NotFraction {
+        /// The text that was read.
+        found: String,
+    },
 }
 
 impl QuantityError {

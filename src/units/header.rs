@@ -7,16 +7,25 @@ use super::parse::parse;
 pub enum Unit {
     /// Numbers without a unit.
     None,
+    /// Shares of a hundred.
     Percent,
+    /// Lengths.
     Mm,
+    /// Forces.
     N,
+    /// Forces per length of depth.
     NPerMm,
+    /// Stresses and pressures.
     MPa,
+    /// Times.
     Second,
+    /// Long times.
     Minute,
+    /// Strain rates.
     PerSecond,
     /// Of work and heat; the solver's N·mm are converted where a table is made.
     Joule,
+    /// Work and heat per length of depth.
     JoulePerMm,
     /// Of angles.
     Degree,
@@ -28,7 +37,9 @@ pub enum Unit {
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[error("column `{key}` must end in a unit, as in `travel_mm` or `punch_force_kN`; known units: {known}")]
 pub struct UnitError {
+    /// The header.
     pub key: String,
+    /// All units that are known, in words.
     pub known: String,
 }
 

@@ -7,6 +7,7 @@ use super::unit::Dimension;
 pub struct Kind {
     /// With its article, as in "a length".
     pub name: &'static str,
+    /// What it measures.
     pub dimension: Dimension,
     /// The solver's unit; empty for a plain number.
     pub unit: &'static str,

@@ -6,7 +6,9 @@ use super::unit::{self, Dimension};
 /// A number in solver units and what it measures.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Parsed {
+    /// The number, in solver units.
     pub value: f64,
+    /// What it measures.
     pub dimension: Dimension,
     /// Whether any unit was written.
     pub has_unit: bool,

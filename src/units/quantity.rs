@@ -6,6 +6,7 @@ use super::parse::parse;
 
 /// A number whose dimension and range have been checked.
 pub trait Quantity: Copy {
+    /// What the type is called, measured in and limited to.
     const KIND: &'static Kind;
 
     /// Checks a number given in solver units.

@@ -81,6 +81,7 @@ pub struct As<Q>(PhantomData<Q>);
 
 /// A quantity that may be left out, or not.
 pub trait Plain {
+    /// `f64`, or `Option<f64>` of what may be left out.
     type Number;
 
     /// The number in the solver's unit.

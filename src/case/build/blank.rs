@@ -1,6 +1,6 @@
 //! `[blank]`.
 
-use super::{by_geometry, count};
+use super::values::{by_geometry, count};
 use crate::case::file::CaseFile;
 use crate::case::{CaseError, source::Source};
 use crate::model::{Blank, Geometry, Mode, Theory};

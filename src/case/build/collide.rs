@@ -1,7 +1,7 @@
 //! Whether tools run into each other, where they start and at the full travel.
 
 use super::motion::travel_key;
-use super::section::place_of;
+use super::values::place_of;
 use crate::case::{CaseError, source::Source};
 use crate::model::{Model, Role, Tool};
 use crate::rules::tool_sizes::{Gap, gap, room};

@@ -1,8 +1,8 @@
 //! A tool made from the one on the other side of the sheet: its offset, or its mirror image.
 
+use super::context::ToolContext;
+use super::drawn::{Drawn, Origin};
 use super::place;
-use super::section::{Drawn, Origin};
-use super::tools::ToolContext;
 use crate::case::file::{Section, SectionTable};
 use crate::case::{CaseError, explain::missing};
 use crate::geometry::{CavityError, Profile};
@@ -146,7 +146,7 @@ fn source_of(of: Role, role: Role, key: &str, context: &ToolContext) -> Result<P
             return Err(context.source.error(key, what, "give one of them a shape of its own"));
         }
     }
-    context.profile(of)?.ok_or_else(|| {
+    (context.profile)(context, of)?.ok_or_else(|| {
         let what = format!("there is no {other} to make the {name} from");
         context.source.error(key, what, format!("add [tools.{other}]"))
     })

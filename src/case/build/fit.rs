@@ -1,7 +1,7 @@
 //! Whether blank and tools fit together.
 
 use super::motion::travel_key;
-use super::section::place_of;
+use super::values::place_of;
 use crate::case::{CaseError, explain::missing, source::Source};
 use crate::model::{Edge, Model, Role};
 use crate::rules::tool_sizes::{Gap, extent, gap, room, shoulder_end, throat, widens};

@@ -1,6 +1,6 @@
 //! `[forming_limit]`: exactly one curve, computed once.
 
-use super::{blame, not_one};
+use super::laws::{blame, not_one};
 use crate::case::file;
 use crate::case::{CaseError, source::Source};
 use crate::forming_limit::{Curve, Hill, KeelerBrazier, Kind, Points, Sheet, Strain, Swift};

@@ -1,6 +1,6 @@
 //! `friction` of a tool, or of its side of the sheet.
 
-use super::prepared;
+use super::laws::prepared;
 use crate::case::file;
 use crate::case::{CaseError, explain::missing, source::Source};
 use crate::law::Family;

@@ -1,6 +1,6 @@
 //! What presses the sheet other than the punch: the holder's force, gas, and beads that hold it back.
 
-use super::tools::Sheet;
+use super::context::Sheet;
 use crate::case::file::{self, Given, HolderForce, Stiffness};
 use crate::case::{CaseError, source::Source};
 use crate::model::{Bead, Face, Gas, Geometry, Motion, Press, Pressure, RateControl, Role, Tool};

@@ -1,6 +1,6 @@
 //! `[material]`: elastic constants and exactly one hardening law.
 
-use super::{blame, only, prepared};
+use super::laws::{blame, only, prepared};
 use crate::case::file;
 use crate::case::{CaseError, explain::missing, source::Source};
 use crate::law::{Family, Named};

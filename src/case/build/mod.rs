@@ -3,11 +3,14 @@
 mod blank;
 mod collide;
 mod compare;
+mod context;
 mod counter;
+mod drawn;
 mod fit;
 mod forming_limit;
 mod friction;
 mod heat;
+mod laws;
 mod limits;
 mod lines;
 mod loads;
@@ -22,22 +25,20 @@ mod section;
 mod settings;
 mod stages;
 mod tools;
+mod values;
 
 pub(super) use compare::compare;
 pub(super) use material::convert as material;
 pub(super) use press::press;
 
+use context::{Sheet, ToolContext};
 use friction::Frictions;
-use tools::{Sheet, ToolContext};
 
-use super::explain::missing;
 use super::file::CaseFile;
 use super::files::Folder;
 use super::{CaseError, source::Source};
-use crate::law::{Family, LawError, Named};
 use crate::material::Material;
-use crate::model::{Blank, Geometry, Mode, Model, Stage, Theory};
-use crate::units::{Length, Positive, Quantity, rounded};
+use crate::model::{Blank, Mode, Model, Stage, Theory};
 
 /// What a case whose files are looked up from a folder means: its stages, and what was assumed.
 pub(super) fn stages(file: &CaseFile, source: &Source, folder: Folder) -> Result<(Vec<Stage>, Vec<String>), CaseError> {
@@ -65,7 +66,8 @@ fn first(file: &CaseFile, source: &Source, folder: Folder, derived: &mut Vec<Str
     let mode = mode(file, &material, &blank, source)?;
     let drive = motion::drive(file, blank.length, source)?;
     let (sheet, travel) = (Sheet::of(&blank, geometry), drive.travel);
-    let context = ToolContext { written: &file.tools, standing: &[], sheet, travel, source, folder };
+    let context =
+        ToolContext { written: &file.tools, standing: &[], sheet, travel, source, folder, profile: tools::profile };
     let tools = tools::convert(&context, &Frictions::of(file), derived)?;
     let sheet = context.sheet;
     let gas = file.gas.as_ref().map(|gas| loads::gas(gas, &tools, &sheet, source, derived)).transpose()?;
@@ -116,68 +118,4 @@ fn mode(file: &CaseFile, material: &Material, blank: &Blank, source: &Source) ->
         return Err(source.error("blank.theory", "an elastic sheet cannot change between bending and membrane", help));
     }
     Ok(mode)
-}
-
-/// A length whose key depends on the geometry; the other geometry's key is an error that says so.
-fn by_geometry(
-    source: &Source,
-    table: &str,
-    geometry: Geometry,
-    axisymmetric: (&str, Option<Positive<Length>>),
-    plane_strain: (&str, Option<Positive<Length>>),
-) -> Result<f64, CaseError> {
-    let (name, (key, value), (other_name, (other, wrong))) = match geometry {
-        Geometry::Axisymmetric => ("axisymmetric", axisymmetric, ("plane strain", plane_strain)),
-        Geometry::PlaneStrain => ("plane strain", plane_strain, ("axisymmetric", axisymmetric)),
-    };
-    match (value, wrong) {
-        (_, Some(wrong)) => Err(source.error(
-            &format!("{table}.{other}"),
-            format!("`{other}` belongs to {other_name} cases, this one is {name}"),
-            format!("write {key} = \"{} mm\", or change `geometry`", rounded(wrong.value())),
-        )),
-        (Some(value), None) => Ok(value.value()),
-        (None, None) => Err(missing(source, table, key)),
-    }
-}
-
-/// The one law of a table that must name exactly one, ready for use.
-fn only<F: Family>(named: Named<F>, path: &str, source: &Source) -> Result<F, CaseError> {
-    match named.only() {
-        Ok(law) => prepared(law, None, path, source),
-        Err(given) => Err(not_one(given.len(), path, &F::NAMES.join(", "), source)),
-    }
-}
-
-/// A law made ready for use.
-fn prepared<F: Family>(law: F, young: Option<f64>, path: &str, source: &Source) -> Result<F, CaseError> {
-    let name = law.name();
-    law.prepared(young).map_err(|error| {
-        let message = format!("{name}: {}", error.message);
-        blame(LawError { message, ..error }, &format!("{path}.{name}"), source)
-    })
-}
-
-/// What is wrong with a law, shown at its key.
-fn blame(error: LawError, path: &str, source: &Source) -> CaseError {
-    source.error(format!("{path}.{}", error.key).trim_end_matches('.'), error.message, error.help)
-}
-
-/// Not one law where there must be exactly one.
-fn not_one(found: usize, path: &str, names: &str, source: &Source) -> CaseError {
-    if found > 0 {
-        return source.error(path, format!("[{path}] names more than one law"), "keep one of them");
-    }
-    source.error(path, format!("[{path}] names no law"), format!("give one of {names}, or drop [{path}]"))
-}
-
-/// A whole number within limits.
-fn count(source: &Source, path: &str, value: i64, range: std::ops::RangeInclusive<i64>) -> Result<usize, CaseError> {
-    if range.contains(&value) {
-        return Ok(value as usize);
-    }
-    let key = path.rsplit('.').next().unwrap_or(path);
-    let what = format!("`{key}` must lie between {} and {}, found {value}", range.start(), range.end());
-    let help = if value < *range.start() { range.start() } else { range.end() };
-    Err(source.error(path, what, format!("the nearest that can be solved: {key} = {help}")))
 }

@@ -1,7 +1,8 @@
 //! A drawn section, moved along z to where it touches the flat sheet, the sheet on its left.
 
-use super::section::{Drawn, place_of};
-use super::tools::ToolContext;
+use super::context::ToolContext;
+use super::drawn::Drawn;
+use super::values::place_of;
 use crate::case::CaseError;
 use crate::geometry::{Point, Profile};
 use crate::model::Role;

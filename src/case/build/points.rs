@@ -1,8 +1,8 @@
 //! A tool's section from a CSV file of points.
 
+use super::context::ToolContext;
 use super::lines::{Lines, Named};
-use super::section::{Drawn, Origin, place_of};
-use super::tools::ToolContext;
+use super::values::place_of;
 use crate::case::CaseError;
 use crate::geometry::{FilletTooLarge, Piece, Point, Profile, Segment, fillet};
 use crate::model::{Geometry, Role};
@@ -48,7 +48,7 @@ pub(super) fn convert(
     role: Role,
     shop: &ToolContext,
     derived: &mut Vec<String>,
-) -> Result<Drawn, CaseError> {
+) -> Result<(Profile, Points), CaseError> {
     let name = role.name();
     let (shown, csv) = Named { file, what: "profile", example: EXAMPLE, key }.open(shop.folder, shop.source)?;
     let rows = distinct(read(&shown, &csv, shop.sheet.geometry)?, file, derived);
@@ -91,8 +91,7 @@ pub(super) fn convert(
         rounded
     };
     let lines = rows.iter().map(|row| row.line).collect();
-    let path = format!("tools.{name}.profile");
-    Ok(Drawn { profile, path, origin: Origin::Points(Points { text: shown, chords, lines }) })
+    Ok((profile, Points { text: shown, chords, lines }))
 }
 
 /// The rows without those that repeat the one before.

@@ -1,30 +1,13 @@
 //! A tool's section of its own: drawn, read from a file, or made from another tool; then placed.
 
-use super::points::{self, Points};
-use super::tools::ToolContext;
-use super::{counter, place, profile};
+use super::context::ToolContext;
+use super::drawn::{Drawn, Origin};
+use super::{counter, place, points, profile};
 use crate::case::file::{Section, SectionTable};
 use crate::case::{CaseError, source::Source};
-use crate::geometry::{Fold, Point, Profile};
+use crate::geometry::Profile;
 use crate::model::Role;
 use crate::units::Quantity;
-
-/// A section before it is placed, and where its parts were written.
-pub(super) struct Drawn {
-    pub profile: Profile,
-    /// Key path in the case.
-    pub path: String,
-    pub origin: Origin,
-}
-
-/// Where a section comes from.
-pub(super) enum Origin {
-    /// Piece i is step i + 1.
-    Steps,
-    Points(Points),
-    /// Made from another tool.
-    Tool,
-}
 
 pub(super) fn convert(
     section: &Section,
@@ -37,11 +20,15 @@ pub(super) fn convert(
         Section::Steps(steps) => {
             Drawn { profile: profile::convert(steps, &path, context.source)?, path, origin: Origin::Steps }
         }
-        Section::File(file) => points::convert(file, &path, None, role, context, derived)?,
+        Section::File(file) => {
+            let (profile, points) = points::convert(file, &path, None, role, context, derived)?;
+            Drawn { profile, path, origin: Origin::Points(points) }
+        }
         Section::Table(table) => match kind(table, &path, context.source)? {
             Kind::Points(file) => {
                 let fillet = table.fillet.map(Quantity::value);
-                points::convert(file, &format!("{path}.file"), fillet, role, context, derived)?
+                let (profile, points) = points::convert(file, &format!("{path}.file"), fillet, role, context, derived)?;
+                Drawn { profile, path, origin: Origin::Points(points) }
             }
             Kind::Offset(of) => return counter::offset(of, table, role, path, context, derived),
             Kind::Mirror(of) => return counter::mirror(of, role, path, context, derived),
@@ -83,67 +70,4 @@ fn kind<'a>(table: &'a SectionTable, path: &str, source: &Source) -> Result<Kind
         return Err(source.error(&format!("{path}.{stray}"), what, "drop one of the two"));
     }
     Ok(kind)
-}
-
-impl Drawn {
-    /// The chain as it was written: of a file the chords between its points.
-    fn written(&self) -> &Profile {
-        match &self.origin {
-            Origin::Points(points) => &points.chords,
-            _ => &self.profile,
-        }
-    }
-
-    /// An error about a place of the section \[mm\], shown where that part was written.
-    pub fn error(&self, at: Point, source: &Source, what: String, help: impl Into<String>) -> CaseError {
-        self.error_of(self.written().closest(at).piece, source, what, help)
-    }
-
-    fn error_of(&self, piece: usize, source: &Source, what: String, help: impl Into<String>) -> CaseError {
-        match &self.origin {
-            Origin::Steps => source.error(&format!("{}.{}", self.path, piece + 1), what, help),
-            Origin::Points(points) => points.error(piece + 1, what, help),
-            Origin::Tool => source.error(&self.path, what, help),
-        }
-    }
-
-    /// The word for the end of a piece in the text it was written in.
-    fn word(&self, piece: usize) -> String {
-        match &self.origin {
-            Origin::Points(points) => format!("line {}", points.lines[piece + 1]),
-            _ => format!("step {}", piece + 1),
-        }
-    }
-
-    fn check_folds(&self, role: Role, source: &Source) -> Result<(), CaseError> {
-        let name = role.name();
-        match self.written().fold() {
-            Some(Fold::Back { at, after, turn }) => {
-                let what = format!(
-                    "the {name}'s profile turns back on itself at {}: by {:.0}°",
-                    place_of(at),
-                    turn.abs().to_degrees()
-                );
-                Err(self.error_of(after, source, what, "drop the point, or round the tip off"))
-            }
-            Some(Fold::Crossing { at, pieces: [i, j] }) => {
-                let what = format!(
-                    "the {name}'s profile crosses or touches itself at {}: the pieces to {} and to {}",
-                    place_of(at),
-                    self.word(i),
-                    self.word(j)
-                );
-                let help = "the section is one open line along the side that meets the sheet, not a closed outline";
-                Err(self.error_of(j, source, what, help))
-            }
-            None => Ok(()),
-        }
-    }
-}
-
-/// Coordinates in words.
-pub(super) fn place_of(at: Point) -> String {
-    // Adding 0 takes the sign from a rounded −0.
-    let round = |x: f64| (x * 1e4).round() / 1e4 + 0.0;
-    format!("r = {} mm, z = {} mm", round(at.x), round(at.y))
 }

@@ -1,6 +1,8 @@
 //! `[solver]`, `[stop]` and `[output]`.
 
-use super::{count, motion::Drive, patch::equally_spaced};
+use super::motion::Drive;
+use super::patch::equally_spaced;
+use super::values::count;
 use crate::case::file;
 use crate::case::{CaseError, source::Source};
 use crate::model::{ModelError, Role, Settings, StopRules, Tool};

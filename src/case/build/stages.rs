@@ -1,9 +1,10 @@
 //! `[[stages]]`: each a patch on the model of the stage before.
 
+use super::context::{Sheet, ToolContext};
 use super::friction::{self, Frictions};
 use super::patch::{Pace, StagePatch, ToolPatch, at_rest};
-use super::tools::{Sheet, ToolContext};
-use super::{count, limits, loads, material};
+use super::values::count;
+use super::{limits, loads, material, tools};
 use crate::case::file::{self, CaseFile, Given};
 use crate::case::files::Folder;
 use crate::case::{CaseError, source::Source};
@@ -258,8 +259,8 @@ impl StageContext<'_> {
     ) -> Result<Option<Profile>, CaseError> {
         let sheet = Sheet::of(&self.before.blank, self.before.geometry);
         let written = &self.new_tools();
-        let context = ToolContext { written, standing, sheet, travel, source: self.source, folder: self.folder };
-        context.new_profile(role, derived)
+        let (source, folder, profile) = (self.source, self.folder, tools::profile);
+        tools::new_profile(&ToolContext { written, standing, sheet, travel, source, folder, profile }, role, derived)
     }
 
     /// The holder's force: one force is reached from the last one over the first part of the travel. A holder that stays and

@@ -1,45 +1,17 @@
 //! `[tools]`: shapes placed where they touch the flat sheet.
 
+use super::context::{Sheet, ToolContext};
 use super::friction::{self, Frictions};
-use super::{by_geometry, loads, section};
-use crate::case::file::{self, Section};
-use crate::case::files::Folder;
+use super::values::by_geometry;
+use super::{loads, section};
+use crate::case::file;
 use crate::case::{CaseError, explain::missing, source::Source};
 use crate::geometry::Profile;
-use crate::model::{Blank, Geometry, Motion, Role, Tool};
+use crate::model::{Motion, Role, Tool};
 use crate::units::{Length, Positive, Quantity, rounded};
 
 /// No tool is sharper and no opening smaller than a micrometre [mm].
 const SMALLEST: f64 = 1e-3;
-
-/// What tools are placed against.
-pub(super) struct Sheet {
-    pub geometry: Geometry,
-    /// Radius or half-length [mm].
-    pub length: f64,
-    /// Thickness [mm].
-    pub thickness: f64,
-}
-
-impl Sheet {
-    pub fn of(blank: &Blank, geometry: Geometry) -> Self {
-        Self { geometry, length: blank.length, thickness: blank.thickness }
-    }
-}
-
-/// What tools are made from.
-pub(super) struct ToolContext<'a> {
-    /// The tools that are new.
-    pub written: &'a file::Tools,
-    /// The tools that are there from the stage before.
-    pub standing: &'a [Tool],
-    pub sheet: Sheet,
-    /// Punch travel of the whole run [mm].
-    pub travel: f64,
-    pub source: &'a Source<'a>,
-    /// Where profile files are looked up.
-    pub folder: Folder<'a>,
-}
 
 /// The tools of the first stage.
 pub(super) fn convert(
@@ -55,7 +27,7 @@ pub(super) fn convert(
             let what = "a holder needs a die to press against";
             return Err(source.error("tools.holder", what, "add [tools.die], or drop the holder and clamp the edge"));
         }
-        let Some(profile) = context.new_profile(role, derived)? else { continue };
+        let Some(profile) = new_profile(context, role, derived)? else { continue };
         let motion = match (role, &context.written.holder, die) {
             (Role::Punch, ..) => Motion::Travel,
             (Role::Holder, Some(holder), Some(die)) => loads::holder(holder, &profile, die, sheet, source, derived)?,
@@ -66,33 +38,26 @@ pub(super) fn convert(
     Ok(tools)
 }
 
-impl ToolContext<'_> {
-    /// The placed section of a tool that is new; `None` when there is no such tool.
-    pub fn new_profile(&self, role: Role, derived: &mut Vec<String>) -> Result<Option<Profile>, CaseError> {
-        let file::Tools { punch, die, holder, .. } = self.written;
-        match role {
-            Role::Punch => punch.as_ref().map(|punch| punch_profile(punch, self, derived)),
-            Role::Die => die.as_ref().map(|die| die_profile(die, self, derived)),
-            Role::Holder => holder.as_ref().map(|holder| holder_profile(holder, self, derived)),
-        }
-        .transpose()
+/// The placed section of a tool that is new; `None` when there is no such tool.
+pub(super) fn new_profile(
+    context: &ToolContext,
+    role: Role,
+    derived: &mut Vec<String>,
+) -> Result<Option<Profile>, CaseError> {
+    let file::Tools { punch, die, holder, .. } = context.written;
+    match role {
+        Role::Punch => punch.as_ref().map(|punch| punch_profile(punch, context, derived)),
+        Role::Die => die.as_ref().map(|die| die_profile(die, context, derived)),
+        Role::Holder => holder.as_ref().map(|holder| holder_profile(holder, context, derived)),
     }
+    .transpose()
+}
 
-    /// The placed section of a tool, new or standing; `None` when there is no such tool.
-    pub fn profile(&self, role: Role) -> Result<Option<Profile>, CaseError> {
-        let new = self.new_profile(role, &mut Vec::new())?; // said where the tool itself is made
-        let standing = || self.standing.iter().find(|tool| tool.role == role);
-        Ok(new.or_else(|| standing().map(|tool| tool.profile.clone())))
-    }
-
-    /// The section that is written for a tool.
-    pub fn section(&self, role: Role) -> Option<&Section> {
-        match role {
-            Role::Punch => self.written.punch.as_ref()?.profile.as_ref(),
-            Role::Die => self.written.die.as_ref()?.profile.as_ref(),
-            Role::Holder => self.written.holder.as_ref()?.profile.as_ref(),
-        }
-    }
+/// The placed section of a tool, new or standing; `None` when there is no such tool.
+pub(super) fn profile(context: &ToolContext, role: Role) -> Result<Option<Profile>, CaseError> {
+    let new = new_profile(context, role, &mut Vec::new())?; // said where the tool itself is made
+    let standing = || context.standing.iter().find(|tool| tool.role == role);
+    Ok(new.or_else(|| standing().map(|tool| tool.profile.clone())))
 }
 
 fn punch_profile(punch: &file::Punch, context: &ToolContext, derived: &mut Vec<String>) -> Result<Profile, CaseError> {

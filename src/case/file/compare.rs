@@ -11,6 +11,7 @@ pub struct Compare {
     /// CSV file, looked for in `reference_data` beside the folder of the case, then beside the case.
     #[schemars(example = "woo_load_travel.csv")]
     pub reference: String,
+    /// What is compared.
     #[schemars(example = &"punch_force")]
     pub quantity: ComparedQuantity,
     /// Column of the CSV along which to compare with a curve.

@@ -12,8 +12,10 @@ use serde::{Deserialize, Deserializer};
 pub struct Heat {
     /// Of the flat sheet: one temperature, one for the part under the punch and one for the flange, or a CSV file.
     pub initial: InitialTemperature,
+    /// Of the sheet; with the specific heat, its temperature changes.
     #[schemars(example = "2700 kg/m^3")]
     pub density: Option<Positive<Density>>,
+    /// Of the sheet, per mass.
     #[schemars(example = "900 J/kg/K")]
     pub specific_heat: Option<Positive<SpecificHeat>>,
     /// Share of the plastic work that becomes heat; 0.9 when not given.
@@ -24,7 +26,9 @@ pub struct Heat {
     pub conductivity: Option<Positive<Conductivity>>,
     /// A tool that heats or cools what lies on it.
     pub punch: Option<ToolHeat>,
+    /// As `punch`, of the die.
     pub die: Option<ToolHeat>,
+    /// As `punch`, of the holder.
     pub holder: Option<ToolHeat>,
 }
 
@@ -32,6 +36,7 @@ pub struct Heat {
 #[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct ToolHeat {
+    /// Temperature of the tool.
     #[schemars(example = "25 °C")]
     pub temperature: Positive<Temperature>,
     /// Heat-transfer coefficient of the contact.

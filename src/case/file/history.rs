@@ -10,7 +10,9 @@ use std::marker::PhantomData;
 /// A value as text, or a list of points `[x, value]` with x rising.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Given<X, V> {
+    /// One value that stays.
     Constant(V),
+    /// Values at rising x, straight between them.
     Points(Vec<(X, V)>),
 }
 

@@ -41,29 +41,38 @@ pub struct CaseFile {
     /// Shown above plots and reports.
     #[schemars(example = "Steel cup, 60 mm punch")]
     pub title: String,
+    /// Axisymmetric or plane strain.
     #[schemars(example = &"axisymmetric")]
     pub geometry: Geometry,
     /// Shown wherever results are shown; an assumption begins with "declared: ".
     #[serde(default)]
     pub notes: Vec<String>,
+    /// The flat sheet.
     pub blank: Blank,
+    /// What the sheet is made of.
     pub material: Material,
+    /// The rigid tools.
     #[serde(default)]
     pub tools: Tools,
     /// Friction by the face of the sheet, for tools that do not name their own, and where all of it comes from.
     #[serde(default)]
     pub friction: Sides,
+    /// Gas or oil that presses on the sheet.
     pub gas: Option<Gas>,
+    /// Temperature of the sheet; 20 °C throughout when not given.
     pub heat: Option<Heat>,
     /// The forming limit that the strains are held against; none when not given.
     pub forming_limit: Option<FormingLimit>,
     /// What the press can give, for the verdict; the run does not depend on it.
     #[serde(default)]
     pub press: Press,
+    /// How the problem is solved.
     #[serde(default)]
     pub solver: Settings,
+    /// What ends the run before its full travel.
     #[serde(default)]
     pub stop: StopRules,
+    /// What is kept of the run.
     #[serde(default)]
     pub output: Output,
     /// The first stage, where there are several.

@@ -23,8 +23,11 @@ pub struct Stage {
     /// Letters, digits, `-` and `_`: it names a folder.
     #[schemars(example = &"retract")]
     pub name: String,
+    /// The punch, where it is new, moves or has another friction.
     pub punch: Option<StagePunch>,
+    /// The die, likewise.
     pub die: Option<StageDie>,
+    /// The holder, likewise, or with another force.
     pub holder: Option<StageHolder>,
     /// Tools that are no longer there.
     #[serde(default)]
@@ -68,8 +71,11 @@ pub struct StagePunch {
     /// As in the first stage.
     #[schemars(example = 0.08)]
     pub friction: Option<Friction>,
+    /// A new punch with a spherical nose.
     pub hemispherical: Option<Hemispherical>,
+    /// A new punch with a flat face.
     pub flat: Option<Flat>,
+    /// A new punch with a gently curved face.
     pub crowned: Option<Crowned>,
     /// A section of one's own, from the axis outward.
     pub profile: Option<Section>,

@@ -9,8 +9,11 @@ use serde::Deserialize;
 #[derive(Clone, Debug, Default, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Tools {
+    /// The punch, below the sheet.
     pub punch: Option<Punch>,
+    /// The die, above the sheet.
     pub die: Option<Die>,
+    /// The blank holder, below the sheet.
     pub holder: Option<Holder>,
     /// Draw beads across the flange, as line restraints.
     #[serde(default)]
@@ -36,8 +39,11 @@ pub struct Bead {
 #[derive(Clone, Debug, Default, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Punch {
+    /// Spherical nose.
     pub hemispherical: Option<Hemispherical>,
+    /// Flat face, corner and straight wall.
     pub flat: Option<Flat>,
+    /// Gently curved face, corner and straight wall.
     pub crowned: Option<Crowned>,
     /// A section of one's own, from the axis outward.
     pub profile: Option<Section>,
@@ -60,6 +66,7 @@ pub struct Punch {
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Hemispherical {
+    /// Radius of the nose and of the wall.
     #[schemars(example = "25.4 mm")]
     pub radius: Positive<Length>,
 }
@@ -158,14 +165,18 @@ pub struct Spring {
 /// A stiffness: force per length, or force per length and depth.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Stiffness {
+    /// Of the whole ring, axisymmetric.
     Ring(NonNegative<LineForce>),
+    /// Per depth of the modelled half, plane strain.
     PerDepth(NonNegative<Stress>),
 }
 
 /// A force, or a force per length of depth.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum HolderForce {
+    /// Of the whole ring, axisymmetric.
     Ring(NonNegative<Force>),
+    /// Per depth of the modelled half, plane strain.
     PerDepth(NonNegative<LineForce>),
 }
 

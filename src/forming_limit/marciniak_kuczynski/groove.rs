@@ -8,10 +8,13 @@
 //! σ̄² = σ_nn² − 2q σ_nn σ_tt + σ_tt² + 2(1 + q) σ_nt²
 //! ```
 
-use super::MarciniakKuczynski;
 use crate::forming_limit::Sheet;
 use crate::forming_limit::instability::Proportional;
 
+/// Strain rate of the groove over that of the sheet at which the sheet counts as necked \[–\].
+pub const CRITICAL: f64 = 10.0;
+/// Largest equivalent strain that is searched \[–\].
+pub const LARGEST: f64 = 4.0;
 /// Smallest step of equivalent strain \[–\]; there the limit has been found to as much.
 const SMALLEST: f64 = 1e-7;
 /// Stress across a groove over the yield stress below which it is not pulled apart \[–\]: it lies along the pull.
@@ -30,7 +33,10 @@ pub struct Failure {
 
 /// A sheet with a groove, strained in proportion.
 pub struct Groove<'a> {
-    law: &'a MarciniakKuczynski,
+    /// f₀ \[–\].
+    imperfection: f64,
+    /// ε̄̇ of the sheet \[1/s\].
+    strain_rate: f64,
     sheet: &'a Sheet<'a>,
     path: Proportional,
     q: f64,
@@ -59,11 +65,11 @@ struct Demand {
 }
 
 impl<'a> Groove<'a> {
-    /// A groove whose normal lies at `angle` \[rad\] from the major strain at the start.
-    pub fn new(law: &'a MarciniakKuczynski, sheet: &'a Sheet<'a>, beta: f64, angle: f64) -> Self {
+    /// A groove of `imperfection` times the sheet's thickness, whose normal lies at `angle` \[rad\] from the major strain at the start.
+    pub fn new(imperfection: f64, strain_rate: f64, sheet: &'a Sheet<'a>, beta: f64, angle: f64) -> Self {
         let anisotropy = sheet.material.anisotropy;
         let path = Proportional::new(anisotropy, beta);
-        Self { law, sheet, path, q: anisotropy.coupling(), tangent: angle.tan() }
+        Self { imperfection, strain_rate, sheet, path, q: anisotropy.coupling(), tangent: angle.tan() }
     }
 
     /// Equivalent strain of the sheet when the groove necks; `None` where it does not.
@@ -80,9 +86,9 @@ impl<'a> Groove<'a> {
             let next = self.advance(&now, step).map(|next| (next, (next.groove - now.groove) / step));
             fastest = next.map_or(fastest, |(_, faster)| fastest.max(faster));
             match next {
-                Some((next, faster)) if faster < MarciniakKuczynski::CRITICAL => {
+                Some((next, faster)) if faster < CRITICAL => {
                     (now, ratio) = (next, faster);
-                    if now.sheet > MarciniakKuczynski::LARGEST {
+                    if now.sheet > LARGEST {
                         return Ok(None);
                     }
                 }
@@ -90,21 +96,17 @@ impl<'a> Groove<'a> {
             }
         }
         // Without a solution that necks the equations have failed, not the sheet.
-        if fastest >= MarciniakKuczynski::CRITICAL {
-            Ok(Some(now.sheet))
-        } else {
-            Err(Failure { strain: now.sheet, ratio })
-        }
+        if fastest >= CRITICAL { Ok(Some(now.sheet)) } else { Err(Failure { strain: now.sheet, ratio }) }
     }
 
     /// Both at the end of a step of `step`; `None` where the groove cannot bear the sheet's force.
     fn advance(&self, now: &Strained, step: f64) -> Option<Strained> {
         let sheet = now.sheet + step;
-        let duration = step / self.law.strain_rate;
+        let duration = step / self.strain_rate;
         let [_, along] = self.in_groove(self.path.strain, sheet).0;
         let ([stress, _], shear) = self.in_groove(self.path.stress, sheet);
         let thinning = (self.path.strain[0] + self.path.strain[1]) * sheet;
-        let force = self.yield_stress(sheet, self.law.strain_rate) * (-thinning).exp() / self.law.imperfection;
+        let force = self.yield_stress(sheet, self.strain_rate) * (-thinning).exp() / self.imperfection;
         let demand = Demand { along: along * step, force: [force * stress, force * shear], duration };
         let mut x = now.rate.map(|rate| rate * step);
         let scale = 1e-7 * step;

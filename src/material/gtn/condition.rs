@@ -21,9 +21,8 @@
 //! A. Needleman, Acta Metall. 32 (1984) 157–169; for the flow approach E. Oñate, C. Agelet de Saracibar, in: Modelling of
 //! Metal Forming Processes, Kluwer (1988). None of them could be read; the condition is in common use.
 
-use super::Gtn;
 use crate::material::Hill48;
-use crate::material::flow::{Metric, Symmetric, Triple, YieldCondition, dot};
+use crate::material::yield_condition::{Metric, Symmetric, Triple, YieldCondition, dot};
 
 /// Newton's method stops when m moves by less than this \[–\].
 const ROOT: f64 = 1e-14;
@@ -61,14 +60,13 @@ struct Place {
 }
 
 impl GtnCondition {
-    /// For the porosity `f` \[–\].
-    pub fn new(voids: &Gtn, anisotropy: Hill48, f: f64) -> Self {
-        let effective = voids.effective(f);
+    /// For q₁, q₂ and q₃, the porosity `f` and f* of it, `effective` \[–\].
+    pub fn new([q1, q2, q3]: [f64; 3], anisotropy: Hill48, f: f64, effective: f64) -> Self {
         Self {
             anisotropy,
-            q2: voids.q2,
-            q1f: voids.q1 * effective,
-            top: 1.0 + voids.q3 * effective * effective,
+            q2,
+            q1f: q1 * effective,
+            top: 1.0 + q3 * effective * effective,
             share: 1.0 / (1.0 - f),
             c: anisotropy.direct + anisotropy.coupled,
         }

@@ -15,7 +15,7 @@ pub mod condition;
 pub use condition::GtnCondition;
 
 use super::Hill48;
-use super::flow::Triple;
+use super::yield_condition::Triple;
 use crate::law::prelude::*;
 use std::f64::consts::TAU;
 use std::fmt;
@@ -188,6 +188,11 @@ impl Gtn {
         f.clamp(0.0, LARGEST * self.fracture())
     }
 
+    /// The yield condition at the porosity `f` \[–\].
+    pub fn condition(&self, anisotropy: Hill48, f: f64) -> GtnCondition {
+        GtnCondition::new([self.q1, self.q2, self.q3], anisotropy, f, self.effective(f))
+    }
+
     /// A of the nucleation \[–\].
     fn nucleating(&self, strain: f64) -> f64 {
         self.nucleation.map_or(0.0, |n| {
@@ -200,7 +205,7 @@ impl Gtn {
     pub fn evolve(&self, anisotropy: Hill48, porosity: f64, strain: f64, e: Triple) -> Evolution {
         let rate = |f: f64, strain: f64| {
             let f = self.foreseen(f);
-            let [metal, volume] = GtnCondition::new(self, anisotropy, f).strains(e);
+            let [metal, volume] = self.condition(anisotropy, f).strains(e);
             [(1.0 - f) * volume + self.nucleating(strain) * metal, metal, volume]
         };
         let steps = (anisotropy.equivalent_increment(e) / STRAIN_STEP).ceil().max(1.0);

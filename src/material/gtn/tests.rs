@@ -46,7 +46,7 @@ fn phi(voids: &Gtn, r: f64, f: f64, s: Triple) -> f64 {
 fn stress_lies_on_the_yield_surface_and_the_increment_is_normal_to_it() {
     for r in [0.5, 1.0, 2.0] {
         for f in [0.0, 1e-4, 0.01, 0.1, 0.2] {
-            let condition = GtnCondition::new(&Gtn::example(), Hill48::new(r), f);
+            let condition = Gtn::example().condition(Hill48::new(r), f);
             for e in points() {
                 let metric = condition.metric(e);
                 let s = metric.gradient.map(|a| a / metric.square.sqrt());
@@ -91,7 +91,7 @@ fn without_voids_it_is_the_plain_law() {
                 }
             }
         }
-        let strains = GtnCondition::new(&voids, Hill48::default(), 0.0).strains([0.01, 0.0, 0.0]);
+        let strains = voids.condition(Hill48::default(), 0.0).strains([0.01, 0.0, 0.0]);
         assert_eq!(strains[1], 0.0);
     }
 }
@@ -201,7 +201,7 @@ fn porosity_follows_the_integrated_equation_in_uniaxial_and_equi_biaxial_tension
                 let middle = now.porosity + 0.5 * rate * step;
                 let hoop = match name {
                     "uniaxial" => {
-                        let condition = GtnCondition::new(&voids, anisotropy, middle);
+                        let condition = voids.condition(anisotropy, middle);
                         let (mut low, mut high) = (-step, 0.0);
                         for _ in 0..100 {
                             let x = 0.5 * (low + high);
@@ -229,6 +229,6 @@ fn coalescence_leads_from_the_critical_porosity_to_fracture() {
     assert_relative_eq!(voids.effective(0.2), 0.15 + (1.0 / 1.5 - 0.15) / 0.1 * 0.05, max_relative = 1e-12);
     assert_relative_eq!(voids.effective(0.3), 0.99 / 1.5, max_relative = 1e-12);
     assert_eq!(voids.fracture(), 0.25);
-    let weak = GtnCondition::new(&voids, Hill48::default(), 0.25).metric([1.0, 0.0, 0.0]);
+    let weak = voids.condition(Hill48::default(), 0.25).metric([1.0, 0.0, 0.0]);
     assert!(weak.square.sqrt() < 0.02, "{}", weak.square.sqrt());
 }

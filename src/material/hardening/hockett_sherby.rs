@@ -3,7 +3,7 @@
 //! With p < 1 the slope at ε̄ = 0 is infinite, which no iteration matrix can carry: the chord over the first 1e-6 of strain
 //! takes the place of ε̄^p there, and changes nothing beyond. With p = 1 the law is Voce's.
 
-use super::{FlowStress, HardeningLaw, power};
+use super::flow_stress::{FlowStress, HardeningLaw, power};
 use crate::law::prelude::*;
 
 /// σ = saturation − (saturation − initial) exp(−rate ε^exponent).

@@ -3,7 +3,7 @@
 //! σ = K ε^n is zero with an infinite slope at ε = 0. The law is therefore σ_y = K (ε₀ + ε̄)^n, whose offset ε₀ is either
 //! given, or is the strain where the law meets the elastic line, K ε₀^n = E ε₀.
 
-use super::{FlowStress, HardeningLaw};
+use super::flow_stress::{FlowStress, HardeningLaw};
 use crate::law::prelude::*;
 
 /// σ = k ε^n, started at the elastic line or at a declared offset strain.

@@ -3,8 +3,10 @@
 //! σ_y(ε̄, T): one curve per temperature, in between interpolated straight over the temperature, held beyond the coldest
 //! and the hottest.
 
+use super::flow_stress::{FlowStress, HardeningLaw};
+use super::monotone::{Extrapolation, Monotone};
+use super::table::Table;
 use super::table::few;
-use super::{Extrapolation, FlowStress, HardeningLaw, Monotone, Table};
 use crate::law::prelude::*;
 
 /// Measured points at several temperatures, interpolated straight over the temperature.

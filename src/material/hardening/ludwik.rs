@@ -1,6 +1,6 @@
 //! Ludwik's law.
 
-use super::{FlowStress, HardeningLaw, power};
+use super::flow_stress::{FlowStress, HardeningLaw, power};
 use crate::law::prelude::*;
 
 /// σ = initial + k ε^n.

@@ -2,6 +2,7 @@
 //!
 //! One law, one file, as [`law`](crate::law) says: a new one is a file and two lines here, `mod` and its line in the family.
 
+mod flow_stress;
 mod hockett_sherby;
 mod hollomon;
 mod isotherms;
@@ -13,36 +14,12 @@ mod table;
 mod voce;
 
 pub use crate::law::LawError;
+pub use flow_stress::FlowStress;
 pub use monotone::Extrapolation;
 pub use piecewise_power::Branch;
 
-use crate::law::{Law, family};
-use monotone::Monotone;
-
-/// Yield stress and its slope at one strain.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct FlowStress {
-    /// σ_y \[MPa\].
-    pub stress: f64,
-    /// dσ_y/dε̄ \[MPa\].
-    pub slope: f64,
-}
-
-/// What a hardening law says beside its parameters.
-trait HardeningLaw: Law {
-    /// σ_y and dσ_y/dε̄ at the equivalent plastic strain `strain` ≥ 0 and a temperature \[K\]; continuous and finite.
-    fn at_temperature(&self, strain: f64, temperature: f64) -> FlowStress;
-
-    /// Largest strain the law was given for, where it says so.
-    fn valid_up_to(&self) -> Option<f64> {
-        None
-    }
-
-    /// The coldest and the hottest temperature the law was given for, where it depends on it \[K\].
-    fn temperatures(&self) -> Option<[f64; 2]> {
-        None
-    }
-}
+use crate::law::family;
+use flow_stress::HardeningLaw;
 
 family! {
     /// Yield stress σ over equivalent plastic strain ε of uniaxial tension: exactly one law.
@@ -79,24 +56,6 @@ impl Hardening {
     /// The coldest and the hottest temperature the law was given for, where it depends on it \[K\].
     pub fn temperatures(&self) -> Option<[f64; 2]> {
         self.law().temperatures()
-    }
-}
-
-/// Strain below which ε^n is replaced by its chord from the origin.
-///
-/// With n < 1 the power has an infinite slope at ε = 0, which no iteration matrix can carry. The stress changes by
-/// less than K (1e-6)^n on the first 1e-6 of strain and not at all beyond.
-const CHORD_UP_TO: f64 = 1e-6;
-
-/// ε^n and its derivative, finite at ε = 0 (see [`CHORD_UP_TO`]).
-#[inline]
-fn power(strain: f64, n: f64) -> (f64, f64) {
-    if strain > CHORD_UP_TO {
-        let value = strain.powf(n);
-        (value, n * value / strain)
-    } else {
-        let slope = CHORD_UP_TO.powf(n - 1.0);
-        (slope * strain, slope)
     }
 }
 

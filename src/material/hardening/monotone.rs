@@ -4,7 +4,7 @@
 //! F. N. Fritsch, R. E. Carlson, Monotone piecewise cubic interpolation, SIAM J. Numer. Anal. 17 (1980) 238–246;
 //! slopes by the harmonic mean of F. N. Fritsch, J. Butland, SIAM J. Sci. Stat. Comput. 5 (1984) 300–304.
 
-use super::FlowStress;
+use super::flow_stress::FlowStress;
 use crate::law::prelude::*;
 use crate::units::rounded;
 use std::fmt;

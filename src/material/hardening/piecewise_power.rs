@@ -7,8 +7,8 @@
 //! D. M. Woo, On the complete solution of the deep drawing problem, Int. J. Mech. Sci. 10 (1968) 83–94;
 //! Sosnowski (1994) equations 14 and 15, where the second exponent is misprinted.
 
+use super::flow_stress::{FlowStress, HardeningLaw, power};
 use super::table::few;
-use super::{FlowStress, HardeningLaw, power};
 use crate::law::prelude::*;
 
 /// σ = initial + k ε^n with other constants on each range of strain.

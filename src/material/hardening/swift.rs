@@ -1,6 +1,6 @@
 //! Swift's power law.
 
-use super::{FlowStress, HardeningLaw};
+use super::flow_stress::{FlowStress, HardeningLaw};
 use crate::law::prelude::*;
 
 /// σ = k (offset + ε)^n.

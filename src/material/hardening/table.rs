@@ -1,6 +1,7 @@
 //! Measured stress-strain points.
 
-use super::{Extrapolation, FlowStress, HardeningLaw, Monotone};
+use super::flow_stress::{FlowStress, HardeningLaw};
+use super::monotone::{Extrapolation, Monotone};
 use crate::law::prelude::*;
 
 /// Measured points, interpolated smoothly: `points`, or `strain` and `stress`.

@@ -2,7 +2,7 @@
 //!
 //! The BRITE steels of Sosnowski (1994, figure 6) are given in this form: 320 − 195 exp(−7.5 ε^0.97) MPa.
 
-use super::{FlowStress, HardeningLaw, power};
+use super::flow_stress::{FlowStress, HardeningLaw, power};
 use crate::law::prelude::*;
 
 /// σ = saturation − (saturation − initial) exp(−rate ε^exponent).

@@ -1,0 +1,65 @@
+//! From the text of a case to the case.
+
+use super::files::{self, Disk, FileError, Files, Folder};
+use super::source::Source;
+use super::{Case, CaseError, build, explain, library, overrides, sources};
+use std::path::{Path, PathBuf};
+
+/// Reads a case file from the disk and applies overrides such as `tools.punch.friction=0.1` or `blank.thickness=0.9 mm`.
+///
+/// # Errors
+/// When the file cannot be read, or as [`parse`].
+pub fn load(path: impl AsRef<Path>, overrides: &[String]) -> Result<Case, CaseError> {
+    let path = path.as_ref();
+    let files: &dyn Files = &Disk;
+    let text = files.text(path, files::CASE).map_err(|error| CaseError::unreadable(path, &error))?;
+    parse(&text, &path.to_string_lossy(), overrides)
+}
+
+/// Reads a case from text; `name` is the path that messages show and that reference curves, profiles and temperatures are
+/// looked up from, on the disk.
+///
+/// An override is `KEY=VALUE`: a dotted path of keys (array entries by index, from 0) and a TOML value; what is not a
+/// TOML value is taken as text. Optional tables such as `solver`, `output`, `press` and `forming_limit` are made when they are missing.
+///
+/// # Errors
+/// When the text is not TOML, a key is unknown or missing, or a value makes no sense; the error points to its line.
+pub fn parse(text: &str, name: &str, overrides: &[String]) -> Result<Case, CaseError> {
+    parse_with(text, name, overrides, &Disk)
+}
+
+/// Reads a case from text as [`parse`], the files beside it from elsewhere. All that a case needs is read here.
+///
+/// ```
+/// # use stampflow::case::{self, files::Memory};
+/// let mut files = Memory::default();
+/// files.insert("cases/field.csv", "s0_mm,temperature_C\n20,25\n40,150\n");
+/// let text = format!("{}[heat]\ninitial = \"field.csv\"\n", stampflow::author::templates::find("cup").unwrap().fill(&[])?);
+/// let case = case::parse_with(&text, "cases/cup.toml", &[], &files)?;
+/// assert_eq!(case.model().heat.as_ref().unwrap().initial.at(40.0), 423.15);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
+/// # Errors
+/// As [`parse`].
+pub fn parse_with(text: &str, name: &str, overrides: &[String], files: &dyn Files) -> Result<Case, CaseError> {
+    let path = PathBuf::from(name);
+    if text.len() > files::CASE {
+        return Err(CaseError::unreadable(&path, &FileError::TooLarge { limit: files::CASE }));
+    }
+    let text = overrides::apply(text, overrides)?;
+    let shown = if overrides.is_empty() { name.to_owned() } else { format!("{name} (with overrides)") };
+    let source = Source::parse(&shown, &text)?;
+    let mut file = explain::read(&source)?;
+    sources::forget_replaced(&mut file, overrides);
+    let origin = library::complete(&mut file, &source)?;
+    let folder = Folder { files, path: path.parent().unwrap_or(Path::new("")) };
+    let (stages, mut derived) = build::stages(&file, &source, folder)?;
+    derived.splice(0..0, origin);
+    let compare = build::compare(&file, &source, folder)?;
+    let press = build::press(&file, &source)?;
+    let sources = sources::of(&file, &source)?;
+    let name = path.file_stem().map_or_else(|| "case".into(), |stem| stem.to_string_lossy().into_owned());
+    let overrides = overrides.to_vec();
+    Ok(Case { name, text: text.clone(), overrides, stages, compare, press, sources, derived, path })
+}

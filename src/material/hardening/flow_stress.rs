@@ -1,0 +1,46 @@
+//! What every hardening law says: the yield stress, its slope, and how far both are known.
+
+use crate::law::Law;
+
+/// Yield stress and its slope at one strain.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct FlowStress {
+    /// σ_y \[MPa\].
+    pub stress: f64,
+    /// dσ_y/dε̄ \[MPa\].
+    pub slope: f64,
+}
+
+/// What a hardening law says beside its parameters.
+pub(super) trait HardeningLaw: Law {
+    /// σ_y and dσ_y/dε̄ at the equivalent plastic strain `strain` ≥ 0 and a temperature \[K\]; continuous and finite.
+    fn at_temperature(&self, strain: f64, temperature: f64) -> FlowStress;
+
+    /// Largest strain the law was given for, where it says so.
+    fn valid_up_to(&self) -> Option<f64> {
+        None
+    }
+
+    /// The coldest and the hottest temperature the law was given for, where it depends on it \[K\].
+    fn temperatures(&self) -> Option<[f64; 2]> {
+        None
+    }
+}
+
+/// Strain below which ε^n is replaced by its chord from the origin.
+///
+/// With n < 1 the power has an infinite slope at ε = 0, which no iteration matrix can carry. The stress changes by
+/// less than K (1e-6)^n on the first 1e-6 of strain and not at all beyond.
+const CHORD_UP_TO: f64 = 1e-6;
+
+/// ε^n and its derivative, finite at ε = 0 (see [`CHORD_UP_TO`]).
+#[inline]
+pub(super) fn power(strain: f64, n: f64) -> (f64, f64) {
+    if strain > CHORD_UP_TO {
+        let value = strain.powf(n);
+        (value, n * value / strain)
+    } else {
+        let slope = CHORD_UP_TO.powf(n - 1.0);
+        (slope * strain, slope)
+    }
+}
