@@ -38,6 +38,7 @@ const CRATES: &[(&str, &[&str])] = &[
     ("miniz_oxide", &["output"]),
     ("plotters", &["output"]),
     ("rayon", &["cli"]),
+    ("signal_hook", &["cli"]),
     ("serde_json", &["cli", "output", "report", "case", "law", "units"]),
     ("toml", &["case", "compare"]),
     ("toml_edit", &["case", "author"]),
