@@ -118,7 +118,7 @@ fn elastoplastic() {
     }
 }
 
-/// Time, iterations and layer points of selective bending over those of bending everywhere, runs of both in turn.
+/// Time, iterations and thickness points of selective bending over those of bending everywhere, runs of both in turn.
 fn selective() {
     println!(
         "\n{:<24} {:>11} {:>14} {:>12} {:>10} {:>10}",

@@ -77,6 +77,6 @@ pub mod units;
 pub use case::{Case, Solution};
 pub use model::{Model, Stage};
 pub use solution::{Frame, StageSolution, StepRecord, Stop};
-pub use solver::{Observer, run, run_stages};
+pub use solver::{Observer, run, solve};
 pub use state::State;
 pub use table::Table;

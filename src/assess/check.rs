@@ -8,6 +8,7 @@ use crate::model::{Face, Geometry, Model, Motion, Pressure, Role, Theory, Tool};
 use crate::rules::design::LIMITING_RATIO;
 use crate::rules::estimate;
 use crate::rules::tool_sizes::{across, extent, mouth, throat, widens};
+use crate::units::mm;
 use crate::units::{ZERO_CELSIUS, rounded};
 use serde::Serialize;
 use std::fmt;
@@ -61,13 +62,6 @@ pub fn report(case: &Case) -> Check {
 
 fn line(label: impl Into<String>, value: impl Into<String>, meaning: impl Into<String>) -> Line {
     Line { label: label.into(), value: value.into(), meaning: meaning.into() }
-}
-
-/// A length without digits that mean nothing.
-pub(crate) fn mm(length: f64) -> String {
-    // Adding 0 takes the sign from a rounded −0.
-    let text = format!("{:.3}", (length * 1e3).round() / 1e3 + 0.0);
-    text.trim_end_matches('0').trim_end_matches('.').to_owned()
 }
 
 fn blank(model: &Model, lines: &mut Vec<Line>) {

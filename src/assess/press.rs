@@ -2,7 +2,8 @@
 
 use super::{Finding, Light, Run};
 use crate::model::Geometry;
-use crate::table::{JOULES, Unit, energy_unit, force_unit, four_digits};
+use crate::table::{JOULES, Unit, energy_unit, force_unit};
+use crate::units::four_digits;
 
 /// Largest punch force and its travel, over all stages.
 pub(super) fn force(run: &Run) -> Option<Finding> {

@@ -3,7 +3,7 @@
 use super::listing::Header;
 use super::{ImportError, Options};
 use crate::geometry::Point;
-use crate::units::rounded;
+use crate::units::{factor, rounded};
 
 /// What the numbers of $INSUNITS stand for, from 1.
 const UNITS: &str = "inches, feet, miles, mm, cm, m, km, microinches, mils, yards, ångströms, nanometres, micrometres, decimetres, \
@@ -40,15 +40,7 @@ impl DrawingUnit {
 
     /// Its length \[mm\].
     pub fn mm(self) -> f64 {
-        match self {
-            Self::Micrometre => 1e-3,
-            Self::Mm => 1.0,
-            Self::Cm => 10.0,
-            Self::M => 1e3,
-            Self::Mil => 0.0254,
-            Self::Inch => 25.4,
-            Self::Foot => 304.8,
-        }
+        factor(self.symbol()).expect("every unit of a drawing is one of a case file")
     }
 }
 
@@ -120,4 +112,16 @@ fn of_measurement(header: &Header) -> Result<(DrawingUnit, &'static str), Import
     }
     let what = "the drawing names no unit: neither $INSUNITS nor a metric $MEASUREMENT is in its header";
     Err(ImportError::new(what, "say which: --units mm (or in, cm, m)"))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Trust: the international yard and pound agreement of 1959 defines the inch and the foot.
+    #[test]
+    fn a_drawing_and_a_case_file_mean_the_same_units() {
+        let mm = DrawingUnit::ALL.map(DrawingUnit::mm);
+        assert_eq!(mm, [1.0, 10.0, 1000.0, 25.4, 304.8, 0.0254, 0.001]);
+    }
 }

@@ -131,7 +131,7 @@ impl Summary {
             summary.number("moment_error", "Moment missed by the layers, estimated", Unit::Percent, share);
         }
         summary.group = Group::Part;
-        if model.material.voids.is_some() {
+        if model.material.gtn.is_some() {
             summary.number("porosity", "Largest porosity", Unit::Percent, 100.0 * last.porosity);
             summary.number("porous_s0", "  at an initial distance of", Unit::Mm, last.porous_s0);
         }
@@ -316,7 +316,7 @@ fn bend_radius(run: &StageSolution) -> f64 {
     if sharpest > 0.0 { 1.0 / sharpest } else { 0.0 }
 }
 
-/// Share of the elements that bent, of all steps, and share of the layer points that full bending would have evaluated in
+/// Share of the elements that bent, of all steps, and share of the thickness points that full bending would have evaluated in
 /// as many iterations \[–\].
 fn bent(model: &Model, run: &StageSolution) -> (f64, f64) {
     let (elements, layers) = (model.blank.elements as f64, model.blank.layers as f64);

@@ -5,7 +5,8 @@ use crate::geometry::{Arc, Point};
 use crate::model::{Model, Motion, Role, Tool};
 use crate::output::{Dimension, Mark, dimensioned, svg};
 use crate::rules::tool_sizes::{across, extent, throat};
-use crate::table::{Unit, force_unit, four_digits};
+use crate::table::{Unit, force_unit};
+use crate::units::four_digits;
 
 /// More corners than that are a curve's: its smallest radius is given.
 const CORNERS: usize = 3;

@@ -61,7 +61,7 @@ struct Demand {
 impl<'a> Groove<'a> {
     /// A groove whose normal lies at `angle` \[rad\] from the major strain at the start.
     pub fn new(law: &'a MarciniakKuczynski, sheet: &'a Sheet<'a>, beta: f64, angle: f64) -> Self {
-        let anisotropy = sheet.material.anisotropy;
+        let anisotropy = sheet.material.hill48;
         let path = Proportional::new(anisotropy, beta);
         Self { law, sheet, path, q: anisotropy.coupling(), tangent: angle.tan() }
     }
