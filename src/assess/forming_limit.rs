@@ -16,16 +16,16 @@ const BENT: f64 = 0.5;
 pub(super) struct Nearest<'a> {
     /// The curve's.
     name: &'static str,
-    pass: &'a StageSolution,
+    stage: &'a StageSolution,
     assessment: Assessment,
 }
 
 impl<'a> Nearest<'a> {
     /// `None` where no stage has a limit.
-    pub fn of(passes: &'a [StageSolution]) -> Option<Self> {
-        let all = passes.iter().filter_map(|pass| {
-            let curve = pass.model.forming_limit.as_ref()?;
-            Some(Self { name: curve.name, pass, assessment: assess(curve, &pass.paths)? })
+    pub fn of(stages: &'a [StageSolution]) -> Option<Self> {
+        let all = stages.iter().filter_map(|stage| {
+            let curve = stage.model.forming_limit.as_ref()?;
+            Some(Self { name: curve.name, stage, assessment: assess(curve, &stage.paths)? })
         });
         all.min_by(|a, b| a.assessment.worst().margin().total_cmp(&b.assessment.worst().margin()))
     }
@@ -38,7 +38,7 @@ impl<'a> Nearest<'a> {
 
 /// The least margin, where, and when the limit was first reached; not judged where no limit is given.
 pub(super) fn margin(run: &Run) -> Option<Finding> {
-    let Some(Nearest { name, pass, assessment }) = &run.nearest else { return Some(missing()) };
+    let Some(Nearest { name, stage, assessment }) = &run.nearest else { return Some(missing()) };
     let worst = assessment.worst();
     let bend = run.largest(|step| step.sharpest_bend).unwrap_or(0.0);
     let bent = bend * THIN > 1.0;
@@ -52,7 +52,7 @@ pub(super) fn margin(run: &Run) -> Option<Finding> {
         false => String::new(),
     };
     let reached = assessment.reached.map_or(String::new(), |reached| {
-        let when = if pass.model.travel > 0.0 {
+        let when = if stage.model.travel > 0.0 {
             format!("{:.2} mm of travel", reached.travel)
         } else {
             format!("{:.4} s", reached.time)

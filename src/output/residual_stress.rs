@@ -86,7 +86,7 @@ pub fn plot(view: &StageView) -> Option<Chart> {
             panel(STRESS_MERIDIONAL, |point| point.stress_meridional, true),
             panel(STRESS_HOOP, |point| point.stress_hoop, false),
         ],
-        notes: std::iter::once(format!("{} layer points.", layers.len()))
+        notes: std::iter::once(format!("{} thickness points.", layers.len()))
             .chain(held)
             .chain(view.assumptions())
             .collect(),

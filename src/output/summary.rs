@@ -150,9 +150,9 @@ impl Summary {
             100.0 * largest(|s| s.penetration),
         );
         summary.group = Group::Part;
-        let squeeze = largest(|s| s.ironing);
-        if squeeze > 0.0 {
-            summary.number("squeeze", "Ironing: thicker than its gap by", Unit::Percent, 100.0 * squeeze);
+        let ironing = largest(|s| s.ironing);
+        if ironing > 0.0 {
+            summary.number("squeeze", "Ironing: thicker than its gap by", Unit::Percent, 100.0 * ironing);
         }
         summary.number("sharpest_bend", "Smallest bending radius over thickness", Unit::None, bend_radius(run));
         if model.tool(Role::Holder).is_some() && model.release.is_none() {

@@ -80,6 +80,6 @@ fn load(model: &Model, tool: &Tool) -> Option<Dimension> {
     match &tool.motion {
         Motion::Gap(gap) => Some(of("Holder gap", *gap, Unit::Mm, at)),
         Motion::Pressed(press) => Some(of("Holder force", press.force.largest(), force_unit(model.geometry), at)),
-        Motion::Fixed | Motion::Travel | Motion::Path { .. } => None,
+        Motion::Fixed | Motion::Travel | Motion::Path(_) => None,
     }
 }

@@ -20,23 +20,23 @@ const HALVINGS: usize = 50;
 /// Runs stages after one another, the first from the flat blank, up to the first that does not come to its end; one that
 /// [`Stage::check`] refuses is not tried.
 pub fn solve(stages: &[Stage], observer: &mut dyn Observer) -> Vec<StageSolution> {
-    let mut passes: Vec<StageSolution> = Vec::new();
+    let mut solutions: Vec<StageSolution> = Vec::new();
     for stage in stages {
-        if passes.last().is_some_and(|before| !before.stop.is_complete()) {
+        if solutions.last().is_some_and(|before| !before.stop.is_complete()) {
             break;
         }
-        if let Err(error) = stage.check(passes.last().map(|before| &before.model)) {
-            passes.push(StageSolution::refused(stage.model.clone(), Stop::Refused(error)));
+        if let Err(error) = stage.check(solutions.last().map(|before| &before.model)) {
+            solutions.push(StageSolution::refused(stage.model.clone(), Stop::Refused(error)));
             break;
         }
-        let (model, state, trimmed) = match passes.last() {
+        let (model, state, trimmed) = match solutions.last() {
             None => (stage.model.clone(), State::flat(&stage.model, mesh::nodes(&stage.model)), None),
             Some(before) => begin(stage, before),
         };
         observer.stage(stage);
-        passes.push(StageSolution { trimmed, ..run_from(&model, state, observer) });
+        solutions.push(StageSolution { trimmed, ..run_from(&model, state, observer) });
     }
-    passes
+    solutions
 }
 
 /// The model and the first state of a stage, and what is cut off.

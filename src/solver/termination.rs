@@ -141,7 +141,7 @@ fn closed(model: &Model, state: &State) -> Option<(f64, Point)> {
         let tool = &model.tools[k];
         let way = match tool.motion {
             Motion::Travel => Point::new(0.0, travel),
-            Motion::Path { axial, aside } => Point::new(aside, axial) * (travel / model.travel),
+            Motion::Path(way) => way * (travel / model.travel),
             _ => Point::zeros(),
         };
         state.tools[k] - Point::new(0.0, waiting_displacement(model, tool)) + way
@@ -187,7 +187,7 @@ fn diagnosis(step: &Step, evaluation: &Evaluation, last: &StepRecord) -> String 
         seen.push(format!("the sheet has necked at s0 = {:.1} mm ({:.0} % left)", neck.s0, 100.0 * neck.share));
     }
     if last.ironing > 0.02 {
-        seen.push(format!("two tools squeeze the sheet by {:.0} % of its thickness", 100.0 * last.ironing));
+        seen.push(format!("two tools iron the sheet by {:.0} % of its thickness", 100.0 * last.ironing));
     }
     if 8 * last.contact_changes > evaluation.nodes.len() {
         seen.push(format!("{} contacts came or went in the last step", last.contact_changes));

@@ -2,6 +2,7 @@
 
 use stampflow::case;
 use stampflow::contact::friction::{PressureDependent, Stribeck, Tresca};
+use stampflow::geometry::Point;
 use stampflow::material::gtn::{Coalescence, Nucleation};
 use stampflow::material::rate::PowerRate;
 use stampflow::material::{Elastic, Gtn, Hill48, Rate};
@@ -132,8 +133,8 @@ const MUTATIONS: &[Mutation<f64>] = &[
         let law = PressureDependent { coefficient: 0.1, reference: 10.0, exponent: x };
         m.tools[0].friction = Friction::PressureDependent(law);
     }),
-    ("path", |m, x| m.tools[0].motion = Motion::Path { axial: x, aside: 0.0 }),
-    ("path aside", |m, x| m.tools[0].motion = Motion::Path { axial: 0.1, aside: x }),
+    ("path", |m, x| m.tools[0].motion = Motion::Path(Point::new(0.0, x))),
+    ("path aside", |m, x| m.tools[0].motion = Motion::Path(Point::new(x, 0.1))),
     ("holder's force", |m, x| *holder(m) = Motion::Pressed(Press::constant(x))),
     ("holder's spring", |m, x| *holder(m) = Motion::Pressed(Press { force: 1e3.into(), stiffness: x })),
     ("holder's gap", |m, x| *holder(m) = Motion::Gap(x)),

@@ -3,6 +3,7 @@
 use crate::common::shipped;
 use stampflow::assess;
 use stampflow::element::Node;
+use stampflow::geometry::Point;
 use stampflow::model::stage::{Beginning, Stage};
 use stampflow::model::{Model, Motion, Press, Role};
 use stampflow::solution::StageSolution;
@@ -26,7 +27,7 @@ fn moving(model: &Model, role: Role, axial: f64, aside: f64) -> Model {
     let mut model = model.clone();
     for tool in &mut model.tools {
         if tool.role == role {
-            tool.motion = Motion::Path { axial, aside };
+            tool.motion = Motion::Path(Point::new(aside, axial));
         } else if tool.motion == Motion::Travel {
             tool.motion = Motion::Fixed;
         }
