@@ -340,7 +340,7 @@ fn a_drawing_that_is_too_large_is_not_read() {
 #[cfg(unix)]
 #[test]
 fn an_interrupted_run_writes_what_it_has_computed() {
-    let dir = folder(&CUP.replace("elements = 30", "elements = 2000\n[solver]\nmax_step = 1e-5"));
+    let dir = folder(&CUP.replace("elements = 30", "elements = 2000\n[solver]\nmax_step = 1e-5\nfirst_step = 1e-5"));
     let mut run = Command::new(env!("CARGO_BIN_EXE_stampflow"))
         .args(["run", "cases/cup.toml", "--trace", "trace.csv"])
         .current_dir(dir.path())
@@ -348,9 +348,10 @@ fn an_interrupted_run_writes_what_it_has_computed() {
         .stderr(Stdio::piped())
         .spawn()
         .unwrap();
-    std::thread::sleep(Duration::from_secs(2));
+    std::thread::sleep(Duration::from_secs(3));
+    assert!(run.try_wait().unwrap().is_none(), "still running");
     let killed = Command::new("kill").args(["-INT", &run.id().to_string()]).status().unwrap();
-    assert!(killed.success() && run.try_wait().unwrap().is_none(), "it runs until it has written its results");
+    assert!(killed.success());
     let done = run.wait_with_output().unwrap();
     assert_eq!(done.status.code(), Some(130), "{}", text(&done.stderr));
     assert!(text(&done.stdout).contains("interrupted at"), "{}", text(&done.stdout));
