@@ -1,5 +1,5 @@
 //! What a run costs, in ratios measured in the same process: each shipped case, its wall time, its iterations, the
-//! time of one layer-point evaluation with everything around it (elements, contact, solve), and that time over a bare
+//! time of one evaluation of a thickness point with everything around it (elements, contact, solve), and that time over a bare
 //! loop of as many hardening evaluations. Then what selective bending gains over bending everywhere.
 //!
 //! `cargo bench --bench cases`
@@ -52,7 +52,7 @@ fn bare(model: &Model) -> f64 {
 fn main() {
     println!(
         "{:<24} {:>9} {:>6} {:>6} {:>9} {:>14} {:>12} {:>7}",
-        "case", "wall ms", "steps", "iter.", "rejected", "ns/layer point", "ns bare law", "ratio"
+        "case", "wall ms", "steps", "iter.", "rejected", "ns/thickness point", "ns bare law", "ratio"
     );
     for path in files("cases", "toml") {
         let case = case::load(&path, &[]).unwrap_or_else(|e| panic!("{e}"));
@@ -118,7 +118,7 @@ fn elastoplastic() {
     }
 }
 
-/// Time, iterations and layer points of selective bending over those of bending everywhere, runs of both in turn.
+/// Time, iterations and thickness points of selective bending over those of bending everywhere, runs of both in turn.
 fn selective() {
     println!(
         "\n{:<24} {:>11} {:>14} {:>12} {:>10} {:>10}",

@@ -12,7 +12,7 @@
 //!    │ Case::solve                one Stage after another, each a Model of its own on the sheet of the one before
 //!    │ solver::run                predictor → corrector → accepted step, or a shorter one
 //!    │ Observer                   sees each StepRecord and IterationRecord; may end the run
-//!    │ Solution                   the Case, and a StageSolution for every stage: steps, frames, stop, warnings
+//!    │ Solution                   the Case, and a StageSolution for every stage: steps, frames, and why it ended
 //!    │ assess::before, after      Finding             what a user should know, before the run and after it
 //!    │ measure                    angles, curl and places of a Frame, as a person would measure them
 //!    └ Solution::write            every table, plot and comparison of output::OUTPUTS
@@ -77,6 +77,6 @@ pub mod units;
 pub use case::{Case, Solution};
 pub use model::{Model, Stage};
 pub use solution::{Frame, StageSolution, StepRecord, Stop};
-pub use solver::{Observer, run, run_stages};
+pub use solver::{Observer, run, solve};
 pub use state::State;
 pub use table::Table;

@@ -109,7 +109,7 @@ impl State {
                 elements,
                 model.blank.layers,
                 MaterialPoint {
-                    porosity: model.material.voids.map_or(0.0, |voids| voids.initial),
+                    porosity: model.material.gtn.map_or(0.0, |voids| voids.initial),
                     ..MaterialPoint::default()
                 },
             ),

@@ -127,19 +127,6 @@ impl Table {
     }
 }
 
-/// A number for readers: four significant digits, all digits of larger whole parts.
-pub fn four_digits(value: f64) -> String {
-    let magnitude = value.abs();
-    if magnitude == 0.0 {
-        "0".to_owned()
-    } else if magnitude < 1e-3 {
-        format!("{value:.2e}")
-    } else {
-        let decimals = (3 - magnitude.log10().floor() as i32).clamp(0, 4) as usize;
-        format!("{value:.decimals$}")
-    }
-}
-
 pub(crate) fn capitalised(text: &str) -> String {
     let mut letters = text.chars();
     letters.next().map_or(String::new(), |first| first.to_uppercase().chain(letters).collect())
@@ -187,14 +174,5 @@ mod tests {
         let table = Table::new(vec![column("a", "A", Unit::N), column("b", "B", Unit::Mm)]);
         assert_eq!(table.rows(), 2);
         assert_eq!(table.column("b").label, "B");
-    }
-
-    #[test]
-    fn numbers_are_printed_with_four_digits() {
-        for (value, text) in
-            [(0.0, "0"), (43_210.6, "43211"), (44.123_4, "44.12"), (0.612_34, "0.6123"), (-0.000_012, "-1.20e-5")]
-        {
-            assert_eq!(four_digits(value), text);
-        }
     }
 }

@@ -1,11 +1,11 @@
 //! Whether the sheet is bent over radii that a thin shell follows.
 
-use super::mm;
 use super::run::Run;
 use super::{Finding, Light};
 use crate::model::{Model, Theory, Tool};
 use crate::rules::design::THIN;
 use crate::table::Unit;
+use crate::units::mm;
 
 /// Bending radius over the thickness at which a fibre's strain is as large as plastic ones in deep draws, and a shell is none
 /// \[–\].

@@ -24,7 +24,7 @@ const NEAR: f64 = 0.9;
 /// 4ming, Forming handbook, "Tearing force", equations 1 and 2 (4ming.de/en/forming-handbook/tearing-force):
 /// F_BR = π (d₁ + s₀) s₀ R_m a_R with a_R = 1 … 1.6. The works that it quotes were not read.
 pub(super) fn judge(run: &Run) -> Option<Finding> {
-    let forces = run.stages.iter().enumerate().filter_map(|(i, pass)| Some((i, forces(pass, i)?)));
+    let forces = run.stages.iter().enumerate().filter_map(|(i, solved)| Some((i, forces(solved, i)?)));
     let (i, [peak, tears]) = forces.max_by(|(_, [a, b]), (_, [c, d])| (a / b).total_cmp(&(c / d)))?;
     let factor = peak / tears;
     let light = Light::of(factor, [NEAR * FACTORS[0], FACTORS[1]]);
@@ -46,13 +46,13 @@ pub(super) fn judge(run: &Run) -> Option<Finding> {
 }
 
 /// The peak force of a stage and the one that tears its wall off \[N\].
-fn forces(pass: &StageSolution, stage: usize) -> Option<[f64; 2]> {
-    let model = &pass.model;
+fn forces(solved: &StageSolution, stage: usize) -> Option<[f64; 2]> {
+    let model = &solved.model;
     let cold = model.geometry == Geometry::Axisymmetric && model.heat.is_none() && model.gas.is_empty();
     let drawn = if stage == 0 { draw_ratio(model).is_some() } else { model.blank.edge == Edge::Free };
-    let nose = NoseEnd::of(pass).filter(|_| cold && drawn && model.release.is_none())?;
+    let nose = NoseEnd::of(solved).filter(|_| cold && drawn && model.release.is_none())?;
     let thickness = model.blank.thickness;
     let strength = tensile_strength(&model.material.hardening);
     let tears = PI * (2.0 * nose.radius + thickness) * thickness * strength * nose.cosine;
-    Some([pass.steps.iter().map(|step| step.punch_force).fold(0.0, f64::max), tears])
+    Some([solved.steps.iter().map(|step| step.punch_force).fold(0.0, f64::max), tears])
 }

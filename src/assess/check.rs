@@ -2,12 +2,13 @@
 
 mod stages;
 
-use super::{Kind, before, mm, sentences};
+use super::{Kind, before, sentences};
 use crate::case::Case;
 use crate::model::{Face, Geometry, Model, Motion, Pressure, Role, Theory, Tool};
 use crate::rules::design::LIMITING_RATIO;
 use crate::rules::estimate;
 use crate::rules::tool_sizes::{across, extent, mouth, throat, widens};
+use crate::units::mm;
 use crate::units::{ZERO_CELSIUS, rounded};
 use serde::Serialize;
 use std::fmt;

@@ -1,12 +1,12 @@
 //! Whether the sheet fits between punch and die.
 
-use super::mm;
 use super::nose::NoseEnd;
 use super::run::Run;
 use super::{Finding, Light};
 use crate::model::Model;
 use crate::rules::estimate;
 use crate::table::Unit;
+use crate::units::mm;
 
 /// Smallest gap over the thickness \[–\]; rounded sums of decimals may miss it.
 const LEAST: f64 = 1.0 - 1e-6;

@@ -15,7 +15,7 @@ const BENT: f64 = 0.5;
 
 /// The least margin, where, and when the limit was first reached; not judged where no limit is given.
 pub(super) fn margin(run: &Run) -> Option<Finding> {
-    let Some(Nearest { name, pass, assessment }) = &run.nearest else { return Some(missing()) };
+    let Some(Nearest { name, stage, assessment }) = &run.nearest else { return Some(missing()) };
     let worst = assessment.worst();
     let bend = run.largest(|step| step.sharpest_bend).unwrap_or(0.0);
     let bent = bend * THIN > 1.0;
@@ -29,7 +29,7 @@ pub(super) fn margin(run: &Run) -> Option<Finding> {
         false => String::new(),
     };
     let reached = assessment.reached.map_or(String::new(), |reached| {
-        let when = if pass.model.travel > 0.0 {
+        let when = if stage.model.travel > 0.0 {
             format!("{:.2} mm of travel", reached.travel)
         } else {
             format!("{:.4} s", reached.time)

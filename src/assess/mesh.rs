@@ -1,10 +1,10 @@
 //! Whether the elements are small enough for the tools' radii.
 
 use super::Finding;
-use super::mm;
 use crate::model::Model;
 use crate::rules::estimate;
 use crate::table::Unit;
+use crate::units::mm;
 
 /// Elements per 90° below which the load ticks as nodes pass a corner \[–\], and that are proposed.
 const FINE: f64 = 8.0;

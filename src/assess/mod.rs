@@ -18,7 +18,6 @@ mod friction;
 mod hardening;
 mod holder;
 mod ironing;
-mod length;
 mod mesh;
 mod moment;
 mod nearest;
@@ -39,7 +38,6 @@ mod wrinkling;
 mod yielding;
 
 pub use finding::{Finding, Kind, Light, When, advice, headline, judgements, sentences};
-pub(crate) use length::mm;
 
 use crate::case::Case;
 use crate::model::{Model, Tool};

@@ -7,16 +7,16 @@ use crate::solution::StageSolution;
 pub(super) struct Nearest<'a> {
     /// The curve's.
     pub name: &'static str,
-    pub pass: &'a StageSolution,
+    pub stage: &'a StageSolution,
     pub assessment: Assessment,
 }
 
 impl<'a> Nearest<'a> {
     /// `None` where no stage has a limit.
     pub fn of(passes: &'a [StageSolution]) -> Option<Self> {
-        let all = passes.iter().filter_map(|pass| {
-            let curve = pass.model.forming_limit.as_ref()?;
-            Some(Self { name: curve.name, pass, assessment: assess(curve, &pass.paths)? })
+        let all = passes.iter().filter_map(|stage| {
+            let curve = stage.model.forming_limit.as_ref()?;
+            Some(Self { name: curve.name, stage, assessment: assess(curve, &stage.paths)? })
         });
         all.min_by(|a, b| a.assessment.worst().margin().total_cmp(&b.assessment.worst().margin()))
     }

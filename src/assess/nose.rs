@@ -18,10 +18,10 @@ pub(super) struct NoseEnd {
 
 impl NoseEnd {
     /// `None` for a punch without a flat bottom as wide as the sheet is thick, and without a punch.
-    pub fn of(pass: &StageSolution) -> Option<Self> {
-        let nose = nose(pass.model.tool(Role::Punch)?)?;
+    pub fn of(stage: &StageSolution) -> Option<Self> {
+        let nose = nose(stage.model.tool(Role::Punch)?)?;
         let end = [nose.at(0.0), nose.at(1.0)].into_iter().max_by(|a, b| a.x.total_cmp(&b.x))?;
-        let flat = inner(&nose) > pass.model.blank.thickness;
+        let flat = inner(&nose) > stage.model.blank.thickness;
         flat.then(|| Self { radius: end.x, cosine: (end.x - nose.center.x) / nose.radius })
     }
 

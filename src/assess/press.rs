@@ -3,17 +3,18 @@
 use super::run::Run;
 use super::{Finding, Light};
 use crate::model::Geometry;
-use crate::table::{JOULES, Unit, energy_unit, force_unit, four_digits};
+use crate::table::{JOULES, Unit, energy_unit, force_unit};
+use crate::units::four_digits;
 
 /// Largest punch force and its travel, over all stages.
 pub(super) fn force(run: &Run) -> Option<Finding> {
-    let steps = run.stages.iter().enumerate().filter(|(_, pass)| pass.model.release.is_none());
-    let steps = steps.flat_map(|(i, pass)| pass.steps.iter().map(move |step| (i, pass, step)));
-    let (i, pass, peak) = steps.max_by(|a, b| a.2.punch_force.total_cmp(&b.2.punch_force))?;
+    let steps = run.stages.iter().enumerate().filter(|(_, stage)| stage.model.release.is_none());
+    let steps = steps.flat_map(|(i, stage)| stage.steps.iter().map(move |step| (i, stage, step)));
+    let (i, stage, peak) = steps.max_by(|a, b| a.2.punch_force.total_cmp(&b.2.punch_force))?;
     if peak.punch_force <= 0.0 {
         return None;
     }
-    let unit = force_unit(pass.model.geometry);
+    let unit = force_unit(stage.model.geometry);
     Some(rated(
         "punch_force",
         "Punch force",
@@ -30,8 +31,8 @@ pub(super) fn force(run: &Run) -> Option<Finding> {
 /// External work of the stroke that needs most of it.
 pub(super) fn energy(run: &Run) -> Option<Finding> {
     let unit = energy_unit(run.stages.first()?.model.geometry);
-    let strokes = run.stages.iter().enumerate().filter(|(_, pass)| pass.model.release.is_none());
-    let work = strokes.filter_map(|(i, pass)| Some((i, JOULES * pass.steps.last()?.work.external)));
+    let strokes = run.stages.iter().enumerate().filter(|(_, stage)| stage.model.release.is_none());
+    let work = strokes.filter_map(|(i, stage)| Some((i, JOULES * stage.steps.last()?.work.external)));
     let (i, work) = work.max_by(|a, b| a.1.total_cmp(&b.1))?;
     let per = if unit == Unit::Joule { "J" } else { "J per mm of depth" };
     let written = |work: f64| format!("{} {per}", four_digits(work));
@@ -41,7 +42,7 @@ pub(super) fn energy(run: &Run) -> Option<Finding> {
 
 /// What forces and work of a plane-strain section are of.
 fn half(run: &Run) -> &'static str {
-    match run.stages.first().map(|pass| pass.model.geometry) {
+    match run.stages.first().map(|stage| stage.model.geometry) {
         Some(Geometry::PlaneStrain) => " of the modelled half: the press sees twice that",
         _ => "",
     }

@@ -10,7 +10,7 @@ use crate::table::Unit;
 
 /// The largest ratio of a stage's punch to the next one's.
 pub(super) fn judge(run: &Run) -> Option<Finding> {
-    let radius = |pass: &StageSolution| Some(extent(pass.model.tool(Role::Punch)?).1);
+    let radius = |stage: &StageSolution| Some(extent(stage.model.tool(Role::Punch)?).1);
     let ratios = run.stages.windows(2).enumerate().filter_map(|(i, pair)| {
         let ratio = radius(&pair[0])? / radius(&pair[1])?;
         (pair[0].model.geometry == Geometry::Axisymmetric && ratio > 1.0).then_some((i + 1, ratio))

@@ -1,11 +1,11 @@
 //! Corners without a radius where the sheet meets them.
 
 use super::Finding;
-use super::mm;
 use crate::geometry::{CORNER, Point};
 use crate::model::{Model, Role, Tool};
 use crate::rules::tool_sizes::extent;
 use crate::table::Unit;
+use crate::units::mm;
 
 /// A tool with a sharp corner in the sheet's reach.
 pub(super) fn met(model: &Model, tool: &Tool) -> Option<Finding> {

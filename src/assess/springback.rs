@@ -4,7 +4,8 @@ use super::run::Run;
 use super::{Finding, Light};
 use crate::measure::{Shape, changes};
 use crate::model::{Geometry, Mode};
-use crate::table::{Unit, four_digits};
+use crate::table::Unit;
+use crate::units::four_digits;
 
 /// The angles' changes of a stage that takes the tools away, which only the wanted part can judge; and of a section in plane
 /// strain by the flow law, that there are none.

@@ -1,10 +1,10 @@
 //! Whether the hardening law is that of a sheet metal, or in a wrong unit.
 
 use super::Finding;
-use super::mm;
 use crate::model::Model;
 use crate::rules::estimate::tensile_strength;
 use crate::table::Unit;
+use crate::units::mm;
 
 /// Tensile strength above that of any cold-formed sheet \[MPa\].
 const STRONGEST: f64 = 3000.0;

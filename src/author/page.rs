@@ -2,6 +2,7 @@
 
 use crate::geometry::{Piece, Point, Profile};
 use crate::rules::design::Picked;
+use crate::units::trimmed;
 use std::fmt::{Display, Write};
 
 /// A comment that would make its line longer than this stands above it \[characters\].
@@ -107,7 +108,7 @@ impl Page {
 
 /// A length as a sentence has it.
 pub(super) fn plain(length: f64) -> String {
-    format!("{} mm", crate::assess::mm(length))
+    format!("{} mm", trimmed(length, 3))
 }
 
 /// A length as a case file has it.
@@ -117,8 +118,7 @@ pub(super) fn mm(length: f64) -> String {
 
 /// A length as it was drawn, to a millionth of a micrometre: `"30.5 mm"`.
 pub(super) fn exact(length: f64) -> String {
-    let text = format!("{:.9}", (length * 1e9).round() / 1e9 + 0.0);
-    format!("\"{} mm\"", text.trim_end_matches('0').trim_end_matches('.'))
+    format!("\"{} mm\"", trimmed(length, 9))
 }
 
 fn point(p: Point) -> String {

@@ -88,7 +88,7 @@ impl Entry {
         for (label, value) in [
             ("law", self.material.describe()),
             ("n", n),
-            ("r̄", format!("{}", self.material.anisotropy.ratio())),
+            ("r̄", format!("{}", self.material.hill48.ratio())),
             ("FLC", limit),
             ("E, ν", elastic),
             ("thickness", self.thickness.clone().unwrap_or("–".to_owned())),
@@ -140,7 +140,7 @@ pub fn list() -> Result<String, CaseError> {
         rows.push([
             entry.name.to_owned(),
             entry.n().map_or("–".to_owned(), |n| format!("{n:.3}")),
-            format!("{}", entry.material.anisotropy.ratio()),
+            format!("{}", entry.material.hill48.ratio()),
             entry.thickness.clone().unwrap_or("–".to_owned()),
             law,
             entry.source.split(", doi").next().unwrap_or_default().chars().take(70).collect(),

@@ -2,7 +2,7 @@
 
 use super::{Case, CaseError};
 use crate::solution::StageSolution;
-use crate::solver::{Observer, run_stages};
+use crate::solver::{Observer, solve};
 use std::path::Path;
 use std::time::Duration;
 
@@ -28,7 +28,7 @@ impl Case {
 
     /// Runs the stages after one another, each on the sheet that the one before left.
     pub fn solve(self, observer: &mut dyn Observer) -> Solution {
-        let stages = run_stages(&self.stages, observer);
+        let stages = solve(&self.stages, observer);
         Solution { case: self, stages, wall: None }
     }
 

@@ -22,7 +22,7 @@ Examples:
   stampflow check cases/quickstart.toml --run
   stampflow check cases/quickstart.toml --run --set tools.holder.force=\"40 kN\" --json
 
-Exit codes: 0 done, whatever the lights, 2 bad input, 3 with --run: stopped early";
+Exit codes: 0 done, whatever the lights, 2 bad input, 3 with --run: stopped early, 130 interrupted";
 
 #[derive(Debug, clap::Args)]
 pub struct Args {

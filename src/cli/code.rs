@@ -17,10 +17,11 @@ Examples:
   stampflow validate
 
 Exit codes:
-  0  done
-  1  any other failure; validate: a comparison is out of its tolerance
-  2  bad input, nothing was written
-  3  a run stopped before its full travel, its results are kept";
+  0    done
+  1    any other failure; validate: a comparison is out of its tolerance
+  2    bad input, nothing was written
+  3    a run stopped before its full travel, its results are kept
+  130  interrupted (Ctrl-C): the results up to there are kept; a second Ctrl-C ends at once";
 
 /// What the program's end means to a script.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -29,6 +30,7 @@ pub enum Code {
     Failed = 1,
     BadInput = 2,
     StoppedEarly = 3,
+    Interrupted = 130,
 }
 
 /// What was asked for makes no sense, whatever the files say.

@@ -1,5 +1,6 @@
 //! Cases on their way from their files to their results.
 
+use super::interrupt;
 use super::progress::{Kept, Watch};
 use rayon::prelude::*;
 use stampflow::case::{self, Case, Solution};
@@ -14,13 +15,14 @@ pub fn load(path: &Path, overrides: &[String]) -> anyhow::Result<Case> {
     Ok(case)
 }
 
-/// Solves cases side by side and hands each to `then` as it ends; what `then` returns comes back in the cases' order.
+/// Solves cases side by side and hands each to `then` as it ends; what `then` returns comes back in the cases' order. Once
+/// the runs are to end no other case begins.
 pub fn solve_all<T: Send>(
     cases: Vec<Case>,
     watch: impl Fn(&Case) -> Watch + Sync,
     then: impl Fn(Solution, Kept) -> anyhow::Result<T> + Sync,
 ) -> Vec<anyhow::Result<T>> {
-    let solved = cases.into_par_iter().map(|case| {
+    let solved = cases.into_par_iter().filter(|_| !interrupt::is_wanted()).map(|case| {
         let watch = watch(&case);
         let (solution, kept) = watch.solve(case);
         then(solution, kept)

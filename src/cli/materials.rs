@@ -55,7 +55,7 @@ fn of(entry: &Entry) -> Value {
         "law": entry.material.describe(),
         "n": entry.n().map(rounded),
         "flc_computed_by_hill": entry.forming_limit().map(|curve| curve.points().to_vec()),
-        "r": entry.material.anisotropy.ratio(),
+        "r": entry.material.hill48.ratio(),
         "young_MPa": entry.material.elastic.map(|elastic| elastic.young),
         "poisson": entry.material.elastic.map(|elastic| elastic.poisson),
         "thickness": entry.thickness,

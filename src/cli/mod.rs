@@ -3,6 +3,7 @@
 mod check;
 mod code;
 mod import;
+mod interrupt;
 mod job;
 mod json;
 mod materials;
@@ -84,7 +85,8 @@ pub fn main() -> anyhow::Result<Code> {
         }
         parsed => parsed.unwrap_or_else(|error| error.exit()),
     };
-    match args.verb {
+    interrupt::listen()?;
+    let code = match args.verb {
         Verb::Run(args) => run::run(&args),
         Verb::Report(args) => report::report(&args),
         Verb::Import(args) => import::import(&args),
@@ -97,5 +99,6 @@ pub fn main() -> anyhow::Result<Code> {
         Verb::Schema => say(&case::schema()),
         Verb::Completions { shell } => shell::completions(Args::command(), shell),
         Verb::Man { verb } => shell::man(Args::command(), verb.as_deref()),
-    }
+    }?;
+    Ok(if interrupt::is_wanted() { Code::Interrupted } else { code })
 }

@@ -1,5 +1,6 @@
 //! How far runs have come: bars on a terminal, a line for every tenth of the travel elsewhere, or nothing.
 
+use super::interrupt;
 use indicatif::{MultiProgress, ProgressBar, ProgressStyle};
 use stampflow::case::{Case, Solution};
 use stampflow::model::Model;
@@ -147,6 +148,10 @@ impl Observer for Watch {
         if let Some(trace) = &mut self.kept.trace {
             trace.push(*record);
         }
+    }
+
+    fn wants_to_stop(&mut self) -> bool {
+        interrupt::is_wanted()
     }
 
     fn state(&mut self, model: &Model, state: &State) {

@@ -22,7 +22,7 @@ Examples:
   stampflow report cases/quickstart.toml -o cup.md
   stampflow report cases/quickstart.toml --json
 
-Exit codes: 0 done, 2 bad input (nothing is written), 3 stopped early (the report says where and why), 1 anything else";
+Exit codes: 0 done, 2 bad input (nothing is written), 3 stopped early (the report says where and why), 130 interrupted, 1 anything else";
 
 #[derive(Debug, clap::Args)]
 pub struct Args {

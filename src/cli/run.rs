@@ -58,7 +58,7 @@ pub fn help() -> String {
             stampflow run cases/quickstart.toml\n  \
             stampflow run cases/quickstart.toml --set tools.punch.friction=0.1 --out out/friction-0.1\n  \
             stampflow run cases/*.toml --out results --quiet\n\n\
-            Exit codes: 0 done (full travel or time, or the contact share asked for), 2 bad input (nothing is written), 3 stopped early (results are kept), 1 anything else"
+            Exit codes: 0 done (full travel or time, or the contact share asked for), 2 bad input (nothing is written), 3 stopped early (results are kept), 130 interrupted by Ctrl-C (results are kept; a second one ends at once), 1 anything else"
 }
 
 pub fn run(args: &Args) -> anyhow::Result<Code> {

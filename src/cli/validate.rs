@@ -22,7 +22,7 @@ Examples:
   stampflow validate
   stampflow validate --cases my/cases --out /tmp/validate
 
-Exit codes: 0 every comparison is in its tolerance, 1 one is not or was not reached, 2 bad input";
+Exit codes: 0 every comparison is in its tolerance, 1 one is not or was not reached, 2 bad input, 130 interrupted";
 
 #[derive(Debug, clap::Args)]
 pub struct Args {

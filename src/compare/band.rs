@@ -7,7 +7,8 @@ use super::error::CompareError;
 use super::reference::Reference;
 use super::verdict::Verdict;
 use crate::table::fields::{element, step};
-use crate::table::{Column, Table, Unit, four_digits};
+use crate::table::{Column, Table, Unit};
+use crate::units::{four_digits, without_zeros};
 
 /// What is compared with a band.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -123,8 +124,7 @@ impl Interval {
 
 /// Four digits without zeros at the end of the decimals.
 fn short(value: f64) -> String {
-    let text = four_digits(value);
-    if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.').to_owned() } else { text }
+    without_zeros(&four_digits(value)).to_owned()
 }
 
 impl Band {

@@ -21,7 +21,7 @@ pub struct Hill {
 
 impl Hill {
     pub(super) fn curve(&self, sheet: &Sheet) -> Result<Curve, LimitError> {
-        let r = sheet.material.anisotropy;
+        let r = sheet.material.hill48;
         let mut points = Vec::new();
         for beta in left(r, 20) {
             let path = Proportional::new(r, beta);

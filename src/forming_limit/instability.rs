@@ -10,6 +10,7 @@
 
 use super::{LimitError, Sheet};
 use crate::material::Hill48;
+use crate::numerics::bisect;
 
 /// Strains are searched up to this equivalent strain, in steps of [`STEP`] \[–\].
 const LARGEST: f64 = 3.0;
@@ -44,11 +45,7 @@ pub(super) fn limit(sheet: &Sheet, n: Option<f64>, loss: f64) -> Result<f64, Lim
         let what = format!("the hardening law has no load maximum up to a strain of {LARGEST}");
         return Err(LimitError::new(what, "give n, or points"));
     };
-    let (mut low, mut high) = (STEP * (i - 1) as f64, STEP * i as f64);
-    for _ in 0..50 {
-        let middle = 0.5 * (low + high);
-        if stable(middle) { low = middle } else { high = middle }
-    }
+    let [low, high] = bisect(STEP * (i - 1) as f64, STEP * i as f64, 50, stable);
     Ok(0.5 * (low + high))
 }
 

@@ -23,7 +23,7 @@ pub struct Swift {
 
 impl Swift {
     pub(super) fn curve(&self, sheet: &Sheet) -> Result<Curve, LimitError> {
-        let points = left(sheet.material.anisotropy, 20).chain(right(20)).map(|beta| point(sheet, self.n, beta));
+        let points = left(sheet.material.hill48, 20).chain(right(20)).map(|beta| point(sheet, self.n, beta));
         let points = points.collect::<Result<Vec<_>, _>>()?;
         let note = format!("Forming limit: Swift's diffuse necking by {}.", hardening_note(self.n));
         Curve::new("Swift", points, vec![note])
@@ -32,7 +32,7 @@ impl Swift {
 
 /// Minor and major strain at the limit of a strain ratio.
 pub(super) fn point(sheet: &Sheet, n: Option<f64>, beta: f64) -> Result<[f64; 2], LimitError> {
-    let Proportional { strain: [e1, e2], stress: [s1, s2] } = Proportional::new(sheet.material.anisotropy, beta);
+    let Proportional { strain: [e1, e2], stress: [s1, s2] } = Proportional::new(sheet.material.hill48, beta);
     let strain = limit(sheet, n, s1 * e1 * e1 + s2 * e2 * e2)?;
     Ok([e2 * strain, e1 * strain])
 }

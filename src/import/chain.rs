@@ -6,6 +6,7 @@ use super::listing::Listed;
 use super::stroke::Stroke;
 use crate::geometry::{Arc, Bounds, Piece, Point, Segment, turn};
 use crate::model::Role;
+use crate::units::significant;
 use std::f64::consts::{FRAC_PI_2, PI};
 
 /// Lines that lie on each other go the same way within this angle \[rad\].
@@ -210,15 +211,10 @@ fn gap(lines: &[Vec<Stroke>], role: Role, frame: &Frame) -> ImportError {
     let (distance, ((a, from_a), (b, from_b))) = (distance(&closest), closest);
     let (a, b) = (frame.place(*a), frame.place(*b));
     let words = format!("{from_a} ends at {a} and {from_b} at {b}");
-    let what = format!("the {}'s line has a gap of {} mm: {words}", role.name(), shown(distance));
+    let what = format!("the {}'s line has a gap of {} mm: {words}", role.name(), significant(distance, 4));
     let more = (1.2 * distance * 1e4).ceil() / 1e4;
     ImportError::new(what, format!("close it in the drawing, or let such ends meet with --join \"{more} mm\""))
         .at(from_a.line)
-}
-
-/// A length in four significant digits.
-fn shown(mm: f64) -> f64 {
-    format!("{mm:.3e}").parse().unwrap_or(mm)
 }
 
 /// Makes every stroke begin exactly where the one before ends, and returns the widest joint \[mm\]. A line gives way to an

@@ -80,3 +80,15 @@ fn of_measurement(header: &Header) -> Result<(DrawingUnit, &'static str), Import
     let what = "the drawing names no unit: neither $INSUNITS nor a metric $MEASUREMENT is in its header";
     Err(ImportError::new(what, "say which: --units mm (or in, cm, m)"))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Trust: the international yard and pound agreement of 1959 defines the inch and the foot.
+    #[test]
+    fn a_drawing_and_a_case_file_mean_the_same_units() {
+        let mm = DrawingUnit::ALL.map(DrawingUnit::mm);
+        assert_eq!(mm, [1.0, 10.0, 1000.0, 25.4, 304.8, 0.0254, 0.001]);
+    }
+}

@@ -1,6 +1,7 @@
 //! How a drawing is to be understood.
 
 use crate::model::Role;
+use crate::units::factor;
 
 /// How a drawing is to be understood.
 #[derive(Clone, Debug, PartialEq)]
@@ -63,15 +64,7 @@ impl DrawingUnit {
 
     /// Its length \[mm\].
     pub fn mm(self) -> f64 {
-        match self {
-            Self::Micrometre => 1e-3,
-            Self::Mm => 1.0,
-            Self::Cm => 10.0,
-            Self::M => 1e3,
-            Self::Mil => 0.0254,
-            Self::Inch => 25.4,
-            Self::Foot => 304.8,
-        }
+        factor(self.symbol()).expect("every unit of a drawing is one of a case file")
     }
 }
 

@@ -23,7 +23,7 @@ use super::yield_condition::{SHEAR_FACTOR, Triple};
 use super::{Elastic, FlowStress, Hardening, Hill48, PointLaw, Rate, ThermalLaw};
 use std::f64::consts::FRAC_1_SQRT_2;
 
-/// What is the same for every layer point in an iteration.
+/// What is the same for every thickness point in an iteration.
 #[derive(Clone, Copy, Debug)]
 pub struct ElastoplasticLaw<'a> {
     /// `None` for metal that does not yield: the unloading of a sheet that the flow law has formed.
@@ -60,7 +60,7 @@ impl Operators {
     }
 }
 
-/// A layer point as the step finds it.
+/// A thickness point as the step finds it.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Carried {
     /// ε̄, equivalent plastic strain \[–\].
@@ -75,7 +75,7 @@ pub struct Carried {
     pub back: [Triple; 2],
 }
 
-/// What one layer point keeps of its last evaluation.
+/// What one thickness point keeps of its last evaluation.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Trial {
     /// Δε \[–\].

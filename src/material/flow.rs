@@ -1,4 +1,4 @@
-//! The flow law of a rigid-plastic Huber-Mises sheet at one layer point.
+//! The flow law of a rigid-plastic Huber-Mises sheet at one thickness point.
 //!
 //! ```text
 //! A = [4/3 2/3 0; 2/3 4/3 0; 0 0 k/3],  k = 5/6       acting on Δε = (Δε_s, Δε_θ, Δγ); by r̄ in [`Hill48`]
@@ -33,7 +33,7 @@ pub enum Iteration {
     Secant,
 }
 
-/// What is the same for every layer point in an iteration.
+/// What is the same for every thickness point in an iteration.
 #[derive(Clone, Copy, Debug)]
 pub struct FlowLaw<'a> {
     /// σ_y(ε̄), slow and cold.
@@ -64,7 +64,7 @@ impl PointLaw for FlowLaw<'_> {
     }
 }
 
-/// A layer point as the step finds it.
+/// A thickness point as the step finds it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PointState {
     /// ε̄ at the start of the step \[–\].
@@ -85,7 +85,7 @@ impl PointState {
 /// 20 °C \[K\].
 pub const ROOM_TEMPERATURE: f64 = 20.0 + ZERO_CELSIUS;
 
-/// What one layer point remembers from one iteration to the next.
+/// What one thickness point remembers from one iteration to the next.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Iterate {
     /// The carried stress w of the primal-dual matrix \[MPa\].

@@ -32,43 +32,42 @@ pub struct Material {
     /// `None` for a rate-free metal.
     pub rate: Option<Rate>,
     /// `None` for a metal whose strength does not feel its temperature, or says so in its hardening law.
-    pub softening: Option<ThermalLaw>,
+    pub thermal: Option<ThermalLaw>,
     /// Hill's normal anisotropy.
-    pub anisotropy: Hill48,
+    pub hill48: Hill48,
     /// Back-stresses; the flow law has none.
-    pub kinematic: BackStresses,
+    pub chaboche: BackStresses,
     /// `None` for a metal without voids.
-    pub voids: Option<Gtn>,
+    pub gtn: Option<Gtn>,
 }
 
 impl Material {
     /// The flow stress as a formula, and the anisotropy and the voids where there are any.
     pub fn describe(&self) -> String {
         let rate = self.rate.map_or(String::new(), |rate| format!(" times {rate}"));
-        let softening = self.softening.map_or(String::new(), |softening| format!(" times {softening}"));
-        let r = self.anisotropy.ratio();
+        let thermal = self.thermal.map_or(String::new(), |thermal| format!(" times {thermal}"));
+        let r = self.hill48.ratio();
         let anisotropy = if r == 1.0 { String::new() } else { format!("; Hill 1948, r̄ = {r}") };
-        let voids = self.voids.map_or(String::new(), |voids| format!("; {voids}"));
-        format!("{}{rate}{softening}{anisotropy}{voids}", self.hardening.describe())
+        let gtn = self.gtn.map_or(String::new(), |gtn| format!("; {gtn}"));
+        format!("{}{rate}{thermal}{anisotropy}{gtn}", self.hardening.describe())
     }
 
     /// An isotropic, rate-free sheet that does not feel its temperature.
     pub fn plain(hardening: Hardening) -> Self {
-        let anisotropy = Hill48::default();
         Self {
             hardening,
             elastic: None,
             rate: None,
-            softening: None,
-            anisotropy,
-            kinematic: BackStresses::default(),
-            voids: None,
+            thermal: None,
+            hill48: Hill48::default(),
+            chaboche: BackStresses::default(),
+            gtn: None,
         }
     }
 
     /// Yield stress at a strain and a temperature \[K\], without the rate \[MPa\].
     pub fn yield_stress(&self, strain: f64, temperature: f64) -> f64 {
         let cold = self.hardening.at_temperature(strain, temperature).stress;
-        self.softening.map_or(cold, |softening| cold * softening.at(temperature))
+        self.thermal.map_or(cold, |thermal| cold * thermal.at(temperature))
     }
 }

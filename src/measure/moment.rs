@@ -3,7 +3,7 @@
 use crate::numerics::lobatto::ThicknessPoint;
 use crate::solution::{Frame, PointRecord};
 
-/// What the layers may miss of a moment.
+/// What the thickness points may miss of a moment.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MomentError {
     /// Over the largest moment of the sheet \[–\].

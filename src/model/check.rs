@@ -42,13 +42,13 @@ impl Model {
     /// Elasticity where it is asked for, and nothing that one of the modes cannot do.
     fn check_mode(&self) -> Checked {
         let material = &self.material;
-        let shifts = material.kinematic.iter().any(|law| law.modulus != 0.0);
+        let shifts = material.chaboche.iter().any(|law| law.modulus != 0.0);
         if self.mode == Mode::Flow {
-            excludes(shifts, "mode flow", "material.kinematic")?;
+            excludes(shifts, "mode flow", "material.chaboche")?;
             return excludes(self.release.is_some(), "mode flow", "release");
         }
         needs("mode", material.elastic.is_some(), "material.elastic")?;
-        excludes(material.voids.is_some(), "elastic mode", "material.voids")?;
+        excludes(material.gtn.is_some(), "elastic mode", "material.gtn")?;
         excludes(self.blank.theory == Theory::Selective, "elastic mode", "selective theory")
     }
 
@@ -173,25 +173,25 @@ impl Material {
             positive("material.elastic.young", elastic.young)?;
             within("material.elastic.poisson", elastic.poisson, 0.0, 0.5)?;
         }
-        positive("material.anisotropy", self.anisotropy.ratio())?;
-        for law in &self.kinematic {
-            not_negative("material.kinematic.modulus", law.modulus)?;
-            not_negative("material.kinematic.dynamic_recovery", law.dynamic_recovery)?;
+        positive("material.hill48", self.hill48.ratio())?;
+        for law in &self.chaboche {
+            not_negative("material.chaboche.modulus", law.modulus)?;
+            not_negative("material.chaboche.dynamic_recovery", law.dynamic_recovery)?;
         }
-        self.voids.as_ref().map_or(Ok(()), |voids| {
-            for (what, value) in [("q1", voids.q1), ("q2", voids.q2), ("q3", voids.q3)] {
-                positive(&format!("material.voids.{what}"), value)?;
+        self.gtn.as_ref().map_or(Ok(()), |gtn| {
+            for (what, value) in [("q1", gtn.q1), ("q2", gtn.q2), ("q3", gtn.q3)] {
+                positive(&format!("material.gtn.{what}"), value)?;
             }
-            if let Some(law) = voids.coalescence {
-                not_negative("material.voids.coalescence.critical", law.critical)?;
-                rising("material.voids.coalescence", law.critical, [law.fracture].into_iter())?;
+            if let Some(law) = gtn.coalescence {
+                not_negative("material.gtn.coalescence.critical", law.critical)?;
+                rising("material.gtn.coalescence", law.critical, [law.fracture].into_iter())?;
             }
-            if let Some(law) = voids.nucleation {
-                not_negative("material.voids.nucleation.fraction", law.fraction)?;
-                not_negative("material.voids.nucleation.strain", law.strain)?;
-                positive("material.voids.nucleation.deviation", law.deviation)?;
+            if let Some(law) = gtn.nucleation {
+                not_negative("material.gtn.nucleation.fraction", law.fraction)?;
+                not_negative("material.gtn.nucleation.strain", law.strain)?;
+                positive("material.gtn.nucleation.deviation", law.deviation)?;
             }
-            within("material.voids.initial", voids.initial, 0.0, voids.fracture())
+            within("material.gtn.initial", gtn.initial, 0.0, gtn.fracture())
         })
     }
 }
@@ -207,7 +207,7 @@ impl Tool {
         let motion = format!("{name}.motion");
         match &self.motion {
             Motion::Fixed | Motion::Travel => Ok(()),
-            Motion::Path { axial, aside } => finite(&motion, *axial).and(finite(&motion, *aside)),
+            Motion::Path(way) => finite(&motion, way.y).and(finite(&motion, way.x)),
             Motion::Gap(gap) => positive(&motion, *gap),
             Motion::Pressed(press) => {
                 curve(&motion, &press.force, not_negative).and(not_negative(&motion, press.stiffness))
@@ -237,7 +237,7 @@ impl Heat {
     fn check(&self, model: &Model) -> Checked {
         curve("heat.initial", &self.initial, positive)?;
         for (_, temperature) in self.initial.points() {
-            model.material.softening.map_or(Ok(()), |law| not_negative("material.softening", law.at(*temperature)))?;
+            model.material.thermal.map_or(Ok(()), |law| not_negative("material.thermal", law.at(*temperature)))?;
         }
         let Some(flow) = &self.flow else { return Ok(()) };
         positive("heat.flow.capacity", flow.capacity)?;

@@ -1,6 +1,7 @@
 //! Where the nodes start: along the flat blank from the axis outward.
 
 use crate::model::{Edge, Grading, Model, Role};
+use crate::numerics::bisect;
 use std::f64::consts::FRAC_PI_2;
 
 /// Elements per 90° of a tool's corner that the graded mesh aims at: fewer, and the load ticks as nodes pass the lip.
@@ -44,11 +45,7 @@ pub fn nodes(model: &Model) -> Vec<f64> {
         let floor = 1.0 / coarse;
         of_zones.iter().map(|density| density.max(floor)).sum::<f64>() * length / SAMPLES as f64
     };
-    let (mut low, mut high) = (finest, LARGEST_RATIO * finest);
-    for _ in 0..60 {
-        let middle = 0.5 * (low + high);
-        if count(middle) > n as f64 { low = middle } else { high = middle }
-    }
+    let [low, high] = bisect(finest, LARGEST_RATIO * finest, 60, |coarse| count(coarse) > n as f64);
     let coarse = 0.5 * (low + high);
     let scale = n as f64 / count(coarse);
 

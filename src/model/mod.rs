@@ -88,7 +88,7 @@ impl Model {
 
     /// Whether tools go ways of their own, as they do in later stages: then they may leave the sheet.
     pub fn has_paths(&self) -> bool {
-        self.tools.iter().any(|tool| matches!(tool.motion, Motion::Path { .. }))
+        self.tools.iter().any(|tool| matches!(tool.motion, Motion::Path(_)))
     }
 
     /// The strain rate that a gas pressure holds, where one does.

@@ -1,7 +1,7 @@
 //! Rigid tools: sections, friction and what moves them.
 
 use super::Friction;
-use crate::geometry::Profile;
+use crate::geometry::{Point, Profile};
 use crate::numerics::PiecewiseLinear;
 use schemars::JsonSchema;
 use serde::Deserialize;
@@ -52,14 +52,9 @@ pub enum Motion {
     Fixed,
     /// Moves along z with the travel.
     Travel,
-    /// Goes this far along z and away from the axis over the run \[mm\], in proportion to its travel, or to its time where
-    /// there is no travel.
-    Path {
-        /// Along z, towards the die where positive \[mm\].
-        axial: f64,
-        /// Away from the axis or symmetry plane \[mm\].
-        aside: f64,
-    },
+    /// Displaced by this vector (away from the axis, along z) over the run \[mm\], in proportion to its travel, or to its
+    /// time where there is no travel.
+    Path(Point),
     /// Stands still at this distance between its face and the die's \[mm\]: a holder on distance blocks.
     Gap(f64),
     /// Pressed towards the die; its position is an unknown.

@@ -5,8 +5,9 @@ use super::outline::clipped;
 use super::sections::{body, flat};
 use crate::geometry::Point;
 use crate::model::Model;
+use crate::table::Unit;
 use crate::table::fields::element::{R, Z};
-use crate::table::{Unit, four_digits};
+use crate::units::{four_digits, without_zeros};
 
 /// A size of the section, and where it is drawn.
 #[derive(Clone, Debug, PartialEq)]
@@ -58,8 +59,7 @@ impl Dimension {
     /// `Punch radius 30 mm`.
     fn text(&self) -> String {
         let value = four_digits(self.value);
-        let short = if value.contains('.') { value.trim_end_matches('0').trim_end_matches('.') } else { &value };
-        format!("{} {short} {}", self.label, self.unit.symbol())
+        format!("{} {} {}", self.label, without_zeros(&value), self.unit.symbol())
     }
 }
 

@@ -68,7 +68,7 @@ pub fn table(stage: &StageSolution) -> Table {
     let column = |field: &Field<StepRecord>| field.column(geometry, &stage.steps);
     let edge = step::edge_diameter(geometry, model.blank.length, &stage.steps);
     let mut columns: Vec<_> = BEFORE.iter().map(column).chain([edge]).chain(BEHIND.iter().map(column)).collect();
-    if model.material.voids.is_some() {
+    if model.material.gtn.is_some() {
         columns.extend(VOIDS.iter().map(column));
     }
     if model.heat.is_some() {

@@ -52,7 +52,7 @@ pub const OUTPUTS: &[Output] = &[
     Output::table("profile.csv", "shape, thickness, strains and stresses of every kept frame", profile::of),
     Output::text("springback.csv", "what was measured before and after a release of the tools", springback::csv),
     Output::plot("springback.png", "the section before and after release", springback::plot),
-    Output::table("residual_stress.csv", "stress at every layer point after release", residual_stress::of),
+    Output::table("residual_stress.csv", "stress at every thickness point after release", residual_stress::of),
     Output::plot("residual_stress.png", "residual stress through the thickness", residual_stress::plot),
     Output::plot("load_travel.png", "forces over the punch travel", load_travel::plot),
     Output::table(

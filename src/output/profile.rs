@@ -23,7 +23,7 @@ pub(super) fn fields(model: &Model) -> Vec<Field<ElementRecord>> {
         STRAIN_EQUIVALENT_MAX,
         BENDING,
     ];
-    fields.extend(model.material.voids.map(|_| POROSITY));
+    fields.extend(model.material.gtn.map(|_| POROSITY));
     fields.extend(model.heat.as_ref().map(|_| TEMPERATURE));
     fields
 }

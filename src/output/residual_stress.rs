@@ -10,20 +10,20 @@ use crate::table::{Column, Field, Table, Unit};
 /// Least height of a stress axis \[MPa\]: smaller stresses are noise or nothing to look at.
 const LEAST: f64 = 1.0;
 
-/// The frame after release, of a stage that takes its tools away, with its elements that have layer points.
+/// The frame after release, of a stage that takes its tools away, with its elements that have thickness points.
 fn released<'a>(view: &StageView<'a>) -> Option<(&'a Frame, &'a [ElementRecord])> {
     let [_, frame] = view.stage.released()?;
     Some((frame, &frame.elements[..frame.through.elements().len().min(frame.elements.len())]))
 }
 
-/// The places that are shown: those of [`places`] that have layer points.
+/// The places that are shown: those of [`places`] that have thickness points.
 fn shown(frame: &Frame, elements: &[ElementRecord]) -> Vec<Place> {
     let has_layers = |place: &Place| !frame.through.layers.is_empty() && place.element < elements.len();
     places(frame).into_iter().filter(has_layers).collect()
 }
 
 /// One row per element and layer, from the axis outward and from the die's face to the punch's; nothing where no place
-/// has layer points.
+/// has thickness points.
 pub(super) fn of(view: &StageView) -> Option<Table> {
     let (frame, elements) = released(view)?;
     shown(frame, elements).first()?;
@@ -86,7 +86,7 @@ pub fn plot(view: &StageView) -> Option<Chart> {
             panel(STRESS_MERIDIONAL, |point| point.stress_meridional, true),
             panel(STRESS_HOOP, |point| point.stress_hoop, false),
         ],
-        notes: std::iter::once(format!("{} layer points.", layers.len()))
+        notes: std::iter::once(format!("{} thickness points.", layers.len()))
             .chain(held)
             .chain(view.assumptions())
             .collect(),

@@ -7,6 +7,7 @@ use crate::forming_limit::{Assessment, assess};
 use crate::model::{Geometry, Model};
 use crate::solution::{Frame, StageSolution, Stop};
 use crate::table::{Unit, capitalised};
+use crate::units::without_zeros;
 use std::sync::OnceLock;
 use std::time::Duration;
 
@@ -193,8 +194,7 @@ pub(super) fn ended(stage: &StageSolution) -> &'static str {
 /// A number with as many decimals as it needs, at most two, more below 1.
 fn shortened(value: f64) -> String {
     let decimals = (2.0 - value.log10().floor().clamp(-12.0, 0.0)) as usize;
-    let text = format!("{value:.decimals$}");
-    text.trim_end_matches('0').trim_end_matches('.').to_owned()
+    without_zeros(&format!("{value:.decimals$}")).to_owned()
 }
 
 #[cfg(test)]

@@ -136,7 +136,7 @@ impl Summary {
             summary.number("moment_error", "Moment missed by the layers, estimated", Unit::Percent, share);
         }
         summary.group = Group::Part;
-        if model.material.voids.is_some() {
+        if model.material.gtn.is_some() {
             summary.number("porosity", "Largest porosity", Unit::Percent, 100.0 * last.porosity);
             summary.number("porous_s0", "  at an initial distance of", Unit::Mm, last.porous_s0);
         }
@@ -155,9 +155,9 @@ impl Summary {
             100.0 * largest(|s| s.penetration),
         );
         summary.group = Group::Part;
-        let squeeze = largest(|s| s.ironing);
-        if squeeze > 0.0 {
-            summary.number("squeeze", "Ironing: thicker than its gap by", Unit::Percent, 100.0 * squeeze);
+        let ironing = largest(|s| s.ironing);
+        if ironing > 0.0 {
+            summary.number("squeeze", "Ironing: thicker than its gap by", Unit::Percent, 100.0 * ironing);
         }
         summary.number("sharpest_bend", "Smallest bending radius over thickness", Unit::None, bend_radius(run));
         if model.tool(Role::Holder).is_some() && model.release.is_none() {
@@ -321,7 +321,7 @@ fn bend_radius(run: &StageSolution) -> f64 {
     if sharpest > 0.0 { 1.0 / sharpest } else { 0.0 }
 }
 
-/// Share of the elements that bent, of all steps, and share of the layer points that full bending would have evaluated in
+/// Share of the elements that bent, of all steps, and share of the thickness points that full bending would have evaluated in
 /// as many iterations \[–\].
 fn bent(model: &Model, run: &StageSolution) -> (f64, f64) {
     let (elements, layers) = (model.blank.elements as f64, model.blank.layers as f64);

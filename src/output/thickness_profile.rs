@@ -20,7 +20,7 @@ pub(super) fn thickness(view: &StageView) -> Option<Chart> {
 }
 
 pub(super) fn porosity(view: &StageView) -> Option<Chart> {
-    view.model().material.voids.and_then(|_| plot(view, &POROSITY, LEAST_POROSITY))
+    view.model().material.gtn.and_then(|_| plot(view, &POROSITY, LEAST_POROSITY))
 }
 
 pub(super) fn temperature(view: &StageView) -> Option<Chart> {

@@ -5,7 +5,7 @@ use super::solved::Report;
 use super::solver::figures;
 use crate::output::summary::Group;
 use crate::output::{Make, OUTPUTS, StageView, springback, svg};
-use crate::table::four_digits;
+use crate::units::four_digits;
 
 pub(super) fn sections(report: &Report) -> Vec<Section> {
     let stages = report.stages.iter().enumerate();

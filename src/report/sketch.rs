@@ -5,7 +5,8 @@ use crate::geometry::{Arc, Point};
 use crate::model::{Model, Motion, Role, Tool};
 use crate::output::{Dimension, Mark, dimensioned, svg};
 use crate::rules::tool_sizes::{across, extent, throat};
-use crate::table::{Unit, force_unit, four_digits};
+use crate::table::{Unit, force_unit};
+use crate::units::four_digits;
 
 /// More corners than that are a curve's: its smallest radius is given.
 const CORNERS: usize = 3;
@@ -79,6 +80,6 @@ fn load(model: &Model, tool: &Tool) -> Option<Dimension> {
     match &tool.motion {
         Motion::Gap(gap) => Some(of("Holder gap", *gap, Unit::Mm, at)),
         Motion::Pressed(press) => Some(of("Holder force", press.force.largest(), force_unit(model.geometry), at)),
-        Motion::Fixed | Motion::Travel | Motion::Path { .. } => None,
+        Motion::Fixed | Motion::Travel | Motion::Path(_) => None,
     }
 }

@@ -2,6 +2,7 @@
 
 use crate::geometry::{Piece, Point};
 use crate::model::{Geometry, Role, Tool};
+use crate::numerics::bisect;
 
 /// Smallest and largest r of a tool \[mm\].
 pub fn extent(tool: &Tool) -> (f64, f64) {
@@ -76,11 +77,8 @@ pub(crate) fn gap(a: &Tool, b: &Tool, travel: f64) -> Gap {
 
 /// How far the punch goes before it is closer than `least` to another tool \[mm\], up to `most`, where it is.
 pub(crate) fn room(punch: &Tool, other: &Tool, least: f64, most: f64) -> f64 {
-    let (mut free, mut stuck) = (0.0, most);
-    for _ in 0..30 {
-        let middle = 0.5 * (free + stuck);
-        if gap(punch, other, middle).distance < least { stuck = middle } else { free = middle }
-    }
+    let is_stuck = |travel: f64| gap(punch, other, travel).distance < least;
+    let [free, _] = bisect(0.0, most, 30, |travel| !is_stuck(travel));
     free
 }
 

@@ -55,7 +55,7 @@ pub struct NodeRecord {
     pub thickness: f64,
 }
 
-/// One layer point of an element at one instant.
+/// One thickness point of an element at one instant.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct PointRecord {
     /// Cauchy stress along the section \[MPa\].
@@ -239,7 +239,7 @@ pub struct StepRecord {
     pub sticking: f64,
     /// Pairs of node and tool that came into contact or left it in the step.
     pub contact_changes: usize,
-    /// Largest equivalent strain that the step added at a layer point \[–\].
+    /// Largest equivalent strain that the step added at a thickness point \[–\].
     pub strain_increment: f64,
     /// Thickness over the smallest bending radius of the mid-surface \[–\]; 0 while the sheet is flat.
     pub sharpest_bend: f64,

@@ -74,7 +74,7 @@ impl<'a> Converged<'a> {
             gas: trial.gas.clone(),
             s0: state.s0.clone(),
         };
-        if let Some(voids) = &model.material.voids {
+        if let Some(voids) = &model.material.gtn {
             porosity::grow(voids, step, trial, evaluation, &mut next);
         }
         next

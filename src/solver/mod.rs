@@ -37,7 +37,7 @@ use time_step::StepControl;
 use trial::Trial;
 
 pub use observer::{Iterate, Observer};
-pub use stages::{enter, run_stages};
+pub use stages::{enter, solve};
 
 /// Solves a model from the flat blank to its full travel, or as far as equilibrium is found.
 ///
@@ -141,7 +141,7 @@ fn advance(
     let (work, plastic) = energy_balance::work(before, converged);
     let mut record = step_record::record(converged, before, work, rejected, last);
     let mut next = converged.advanced();
-    if converged.step.model.material.voids.is_some() {
+    if converged.step.model.material.gtn.is_some() {
         (record.porosity, record.porous_s0) = next.largest_porosity(&converged.step.process.rule);
     }
     if let Some(heat) = heat {

@@ -6,6 +6,7 @@ use crate::model::mesh;
 use crate::model::stage::Stage;
 use crate::model::{Model, Role, Tool};
 use crate::numerics::Grid;
+use crate::numerics::bisect;
 use crate::solution::{StageSolution, Stop, Trimmed};
 use crate::state::{State, waiting, waiting_displacement};
 
@@ -18,24 +19,24 @@ const HALVINGS: usize = 50;
 
 /// Runs stages after one another, the first from the flat blank, up to the first that does not come to its end; one that
 /// [`Stage::check`] refuses is not tried.
-pub fn run_stages(stages: &[Stage], observer: &mut dyn Observer) -> Vec<StageSolution> {
-    let mut passes: Vec<StageSolution> = Vec::new();
+pub fn solve(stages: &[Stage], observer: &mut dyn Observer) -> Vec<StageSolution> {
+    let mut solutions: Vec<StageSolution> = Vec::new();
     for stage in stages {
-        if passes.last().is_some_and(|before| !before.stop.is_complete()) {
+        if solutions.last().is_some_and(|before| !before.stop.is_complete()) {
             break;
         }
-        if let Err(error) = stage.check(passes.last().map(|before| &before.model)) {
-            passes.push(StageSolution::refused(stage.model.clone(), Stop::Refused(error)));
+        if let Err(error) = stage.check(solutions.last().map(|before| &before.model)) {
+            solutions.push(StageSolution::refused(stage.model.clone(), Stop::Refused(error)));
             break;
         }
-        let (model, state, trimmed) = match passes.last() {
+        let (model, state, trimmed) = match solutions.last() {
             None => (stage.model.clone(), State::flat(&stage.model, mesh::nodes(&stage.model)), None),
             Some(before) => begin(stage, before),
         };
         observer.stage(stage);
-        passes.push(StageSolution { trimmed, ..run_from(&model, state, observer) });
+        solutions.push(StageSolution { trimmed, ..run_from(&model, state, observer) });
     }
-    passes
+    solutions
 }
 
 /// The model and the first state of a stage, and what is cut off.
@@ -140,11 +141,8 @@ fn met(model: &Model, state: &State, j: usize) -> f64 {
         })
     };
     let steps = (most / (APPROACH * t)).ceil() as usize;
-    let Some(hit) = (1..=steps).find(|&k| touches(APPROACH * t * k as f64)) else { return from + towards * most };
-    let (mut free, mut touching) = (APPROACH * t * (hit - 1) as f64, APPROACH * t * hit as f64);
-    for _ in 0..HALVINGS {
-        let middle = 0.5 * (free + touching);
-        if touches(middle) { touching = middle } else { free = middle }
-    }
+    let way = |k: usize| APPROACH * t * k as f64;
+    let Some(hit) = (1..=steps).find(|&k| touches(way(k))) else { return from + towards * most };
+    let [free, _] = bisect(way(hit - 1), way(hit), HALVINGS, |way| !touches(way));
     from + towards * free
 }

@@ -58,7 +58,7 @@ impl<'a> Step<'a> {
         let process_time = model.process_time(state.time, dt);
         let bends = process.selection.bending(model, state, &process.rule);
         let references: Vec<Reference> = references(model, state, &bends).collect();
-        let (volume, growth) = match &model.material.voids {
+        let (volume, growth) = match &model.material.gtn {
             Some(_) => foreseen_volume(state, dt),
             None => (state.volume.clone(), vec![1.0; state.volume.len()]),
         };
@@ -129,7 +129,7 @@ fn flow_points(process: &Process, state: &State, dt: f64, bends: &[bool]) -> Gri
     let (rule, columns) = (&process.rule, state.points.columns());
     let points = state.points.iter().enumerate().map(|(i, point)| PointState {
         strain: point.strain,
-        porosity: match &process.model.material.voids {
+        porosity: match &process.model.material.gtn {
             Some(voids) => voids.foreseen(point.porosity + point.porosity_rate * dt),
             None => 0.0,
         },
@@ -175,10 +175,10 @@ pub(super) fn elastoplastic_law(model: &Model, matrix: Iteration, duration: f64)
     let material = &model.material;
     ElastoplasticLaw {
         hardening: (model.mode == Mode::ElastoViscoplastic).then_some(&material.hardening),
-        operators: Operators::new(material.elastic.expect("checked where the model is made"), material.anisotropy),
-        kinematic: chaboche::shifting(material.kinematic),
+        operators: Operators::new(material.elastic.expect("checked where the model is made"), material.hill48),
+        kinematic: chaboche::shifting(material.chaboche),
         rate: material.rate.as_ref(),
-        softening: material.softening.as_ref(),
+        softening: material.thermal.as_ref(),
         secant: matrix == Iteration::Secant,
         duration,
     }

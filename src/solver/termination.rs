@@ -5,6 +5,7 @@ use super::evaluation::Evaluation;
 use super::step::Step;
 use crate::geometry::Point;
 use crate::model::{Edge, Model, Motion, Role};
+use crate::numerics::bisect;
 use crate::solution::neck::{AWAY, NEAR, Neck, neck};
 use crate::solution::{StepRecord, Stop};
 use crate::state::{State, waiting_displacement};
@@ -78,7 +79,7 @@ impl Termination {
         if self.throat.as_ref().is_some_and(inside) {
             return Some(Stop::DrawnThrough { travel });
         }
-        let gone = model.material.voids.is_some_and(|voids| record.porosity >= voids.fracture());
+        let gone = model.material.gtn.is_some_and(|voids| record.porosity >= voids.fracture());
         if gone {
             return Some(Stop::Coalesced { travel, s0: record.porous_s0, porosity: record.porosity });
         }
@@ -140,7 +141,7 @@ fn closed(model: &Model, state: &State) -> Option<(f64, Point)> {
         let tool = &model.tools[k];
         let way = match tool.motion {
             Motion::Travel => Point::new(0.0, travel),
-            Motion::Path { axial, aside } => Point::new(aside, axial) * (travel / model.travel),
+            Motion::Path(way) => way * (travel / model.travel),
             _ => Point::zeros(),
         };
         state.tools[k] - Point::new(0.0, waiting_displacement(model, tool)) + way
@@ -152,11 +153,8 @@ fn closed(model: &Model, state: &State) -> Option<(f64, Point)> {
     let travel_of = |k: usize| model.travel * k as f64 / LOOKS as f64;
     let nears = |k: usize| apart(travel_of(k)).0 < apart(travel_of(k - 1)).0;
     let hit = (1..=LOOKS).find(|&k| apart(travel_of(k)).0 < limit && nears(k))?;
-    let (mut low, mut high) = (travel_of(hit - 1), travel_of(hit));
-    for _ in 0..40 {
-        let middle = 0.5 * (low + high);
-        if apart(middle).0 < limit { high = middle } else { low = middle }
-    }
+    let is_closed = |travel: f64| apart(travel).0 < limit;
+    let [_, high] = bisect(travel_of(hit - 1), travel_of(hit), 40, |travel| !is_closed(travel));
     (high < model.travel).then(|| (high, apart(high).1))
 }
 
@@ -189,7 +187,7 @@ fn diagnosis(step: &Step, evaluation: &Evaluation, last: &StepRecord) -> String 
         seen.push(format!("the sheet has necked at s0 = {:.1} mm ({:.0} % left)", neck.s0, 100.0 * neck.share));
     }
     if last.ironing > 0.02 {
-        seen.push(format!("two tools squeeze the sheet by {:.0} % of its thickness", 100.0 * last.ironing));
+        seen.push(format!("two tools iron the sheet by {:.0} % of its thickness", 100.0 * last.ironing));
     }
     if 8 * last.contact_changes > evaluation.nodes.len() {
         seen.push(format!("{} contacts came or went in the last step", last.contact_changes));

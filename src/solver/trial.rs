@@ -100,15 +100,15 @@ impl Trial {
         self.moves[0][0] = 0.0;
         let progress = model.progress(step.end()) - model.progress(state.time);
         for (j, tool) in process.tools.iter().enumerate() {
-            let (axial, aside) = match tool.motion {
-                Motion::Fixed | Motion::Gap(_) => (0.0, 0.0),
-                Motion::Travel => (step.travel() - state.travel, 0.0),
-                Motion::Path { axial, aside } => (axial * progress, aside * progress),
+            let moved = match tool.motion {
+                Motion::Fixed | Motion::Gap(_) => Point::zeros(),
+                Motion::Travel => Point::new(0.0, step.travel() - state.travel),
+                Motion::Path(way) => way * progress,
                 // What the sheet has left stands still.
-                Motion::Pressed(_) if tool.released.is_some() => (0.0, 0.0),
-                Motion::Pressed(_) => (share * state.tool_velocity[j], 0.0),
+                Motion::Pressed(_) if tool.released.is_some() => Point::zeros(),
+                Motion::Pressed(_) => Point::new(0.0, share * state.tool_velocity[j]),
             };
-            self.tools[j] = state.tools[j] + Point::new(aside, axial);
+            self.tools[j] = state.tools[j] + moved;
         }
         for (iterate, point) in self.iterates.iter_mut().zip(state.points.iter()) {
             *iterate = Iterate::start(point.carried);

@@ -31,7 +31,7 @@ pub use bounds::{Fraction, NonNegative, Positive};
 pub use error::QuantityError;
 pub use header::{Unit, UnitError};
 pub use kind::Kind;
-pub use number::{rounded, significant, trimmed, without_zeros};
+pub use number::{four_digits, mm, rounded, significant, trimmed, without_zeros};
 pub use parse::{Parsed, parse};
 pub use quantity::Quantity;
 #[cfg(feature = "case")]
@@ -41,6 +41,7 @@ pub use types::{
     Angle, Conductivity, Density, Energy, Force, HeatTransfer, Length, LineForce, Number, PerKelvin, Ratio,
     SpecificHeat, Speed, StrainRate, Stress, StressRate, Temperature, Time,
 };
+pub(crate) use unit::factor;
 pub use unit::{Dimension, ZERO_CELSIUS};
 
 #[cfg(test)]

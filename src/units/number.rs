@@ -19,9 +19,27 @@ pub fn trimmed(value: f64, decimals: i32) -> String {
     without_zeros(&text).to_owned()
 }
 
+/// A length \[mm\] to the micrometre: `30.5`.
+pub fn mm(length: f64) -> String {
+    trimmed(length, 3)
+}
+
 /// A decimal number without zeros at the end of its decimals.
 pub fn without_zeros(text: &str) -> &str {
     if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.') } else { text }
+}
+
+/// A number for readers: four significant digits, all digits of larger whole parts.
+pub fn four_digits(value: f64) -> String {
+    let magnitude = value.abs();
+    if magnitude == 0.0 {
+        "0".to_owned()
+    } else if magnitude < 1e-3 {
+        format!("{value:.2e}")
+    } else {
+        let decimals = (3 - magnitude.log10().floor() as i32).clamp(0, 4) as usize;
+        format!("{value:.decimals$}")
+    }
 }
 
 #[cfg(test)]
@@ -39,5 +57,14 @@ mod tests {
             assert_eq!(trimmed(value, decimals), text);
         }
         assert_eq!([without_zeros("10.500"), without_zeros("100")], ["10.5", "100"]);
+    }
+
+    #[test]
+    fn numbers_are_printed_with_four_digits() {
+        for (value, text) in
+            [(0.0, "0"), (43_210.6, "43211"), (44.123_4, "44.12"), (0.612_34, "0.6123"), (-0.000_012, "-1.20e-5")]
+        {
+            assert_eq!(four_digits(value), text);
+        }
     }
 }

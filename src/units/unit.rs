@@ -76,7 +76,7 @@ pub(super) const UNITS: [Unit; 36] = [
     Unit("um", 1e-3, LENGTH),
     Unit("in", INCH, LENGTH),
     Unit("mil", 1e-3 * INCH, LENGTH),
-    Unit("ft", 12.0 * INCH, LENGTH),
+    Unit("ft", 304.8, LENGTH),
     Unit("N", 1.0, FORCE),
     Unit("kN", 1e3, FORCE),
     Unit("MN", 1e6, FORCE),
@@ -157,4 +157,9 @@ pub(super) fn meant(word: &str) -> Option<&'static str> {
 /// The unit of that name.
 pub(super) fn find(name: &str) -> Option<&'static Unit> {
     UNITS.iter().find(|unit| unit.0 == name)
+}
+
+/// Solver units in one of that name: 25.4 for `in`.
+pub(crate) fn factor(name: &str) -> Option<f64> {
+    find(name).map(|unit| unit.1)
 }

@@ -39,6 +39,7 @@ const CRATES: &[(&str, &[&str])] = &[
     ("plotters", &["output"]),
     ("plotters_backend", &["output"]),
     ("rayon", &["cli"]),
+    ("signal_hook", &["cli"]),
     ("serde_json", &["cli", "output", "report", "case", "law", "units"]),
     ("toml", &["case", "compare"]),
     ("toml_edit", &["case", "author"]),

@@ -4,6 +4,7 @@ use crate::common::files::files;
 use proptest::prelude::*;
 use stampflow::case::files::{Files, Memory};
 use stampflow::case::{self, Case};
+use stampflow::geometry::Point;
 use stampflow::model::{Edge, Geometry, Grading, Mode, Motion, Press, Release, ReleaseStiffness, Role, Theory};
 use std::path::Path;
 
@@ -356,7 +357,7 @@ release = "constant"
     // Spring-back asks for more points through the thickness than the flow law alone.
     assert_eq!(stages[0].model, *load("cases/quickstart.toml", &elastic).model());
     let motion = |i: usize, role| stages[i].model.tool(role).map(|tool| tool.motion.clone());
-    let path = |axial, aside| Some(Motion::Path { axial, aside });
+    let path = |axial, aside| Some(Motion::Path(Point::new(aside, axial)));
 
     assert_eq!(motion(1, Role::Punch), path(-30.0, 0.0));
     assert_eq!(motion(1, Role::Die), Some(Motion::Fixed));

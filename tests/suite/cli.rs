@@ -3,6 +3,8 @@
 use crate::common::cli::{CUP, STAGES, folder, stampflow, text};
 use crate::common::files::files;
 use std::fs;
+use std::process::{Command, Stdio};
+use std::time::Duration;
 
 const COMPARE: &str = r#"
 [[compare]]
@@ -332,4 +334,29 @@ fn a_drawing_that_is_too_large_is_not_read() {
     let said = text(&done.stderr);
     assert_eq!(done.status.code(), Some(2), "{said}");
     assert!(said.contains("die.dxf cannot be read: it is larger than 50 MB; save the tools' layers only"), "{said}");
+}
+
+/// Trust: the folder has no results before; the run is far longer than the test, so only the signal can have ended it.
+#[cfg(unix)]
+#[test]
+fn an_interrupted_run_writes_what_it_has_computed() {
+    let dir = folder(&CUP.replace("elements = 30", "elements = 2000\n[solver]\nmax_step = 1e-5\nfirst_step = 1e-5"));
+    let mut run = Command::new(env!("CARGO_BIN_EXE_stampflow"))
+        .args(["run", "cases/cup.toml", "--trace", "trace.csv"])
+        .current_dir(dir.path())
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .unwrap();
+    std::thread::sleep(Duration::from_secs(3));
+    assert!(run.try_wait().unwrap().is_none(), "still running");
+    let killed = Command::new("kill").args(["-INT", &run.id().to_string()]).status().unwrap();
+    assert!(killed.success());
+    let done = run.wait_with_output().unwrap();
+    assert_eq!(done.status.code(), Some(130), "{}", text(&done.stderr));
+    assert!(text(&done.stdout).contains("interrupted at"), "{}", text(&done.stdout));
+    let load = fs::read_to_string(dir.path().join("out/cup/load_travel.csv")).unwrap();
+    assert!(load.starts_with("step,travel_mm") && load.lines().count() > 1, "{load}");
+    let summary = fs::read_to_string(dir.path().join("out/cup/summary.json")).unwrap();
+    assert!(summary.contains("\"complete\": false"), "{summary}");
 }

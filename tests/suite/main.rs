@@ -6,13 +6,13 @@
 
 mod common;
 
+mod animation;
 mod architecture;
 mod bad_cases;
 mod campaign;
 mod case_files;
 mod cli;
 mod drawings;
-mod film;
 mod materials;
 mod measures;
 mod model_check;

@@ -57,7 +57,7 @@ fn every_material_loads_runs_and_cites_its_source() {
 fn a_case_replaces_what_it_says_itself() {
     let plain = parsed("name = \"aa6016-t4\"", "").unwrap_or_else(|e| panic!("{e}"));
     let own = parsed("name = \"aa6016-t4\"\nanisotropy = 0.7", "").unwrap_or_else(|e| panic!("{e}"));
-    assert_eq!(own.model().material.anisotropy.ratio(), 0.7);
+    assert_eq!(own.model().material.hill48.ratio(), 0.7);
     assert_eq!(own.model().material.hardening, plain.model().material.hardening);
     assert!(own.derived.iter().any(|note| note.contains("anisotropy as this case has it")), "{:?}", own.derived);
     let law = "name = \"aa6016-t4\"\nhardening.voce = { initial = \"100 MPa\", saturation = \"300 MPa\", rate = 9 }";

@@ -2,6 +2,7 @@
 
 use stampflow::case;
 use stampflow::contact::friction::{PressureDependent, Stribeck, Tresca};
+use stampflow::geometry::Point;
 use stampflow::material::gtn::{Coalescence, Nucleation};
 use stampflow::material::rate::PowerRate;
 use stampflow::material::{Elastic, Gtn, Hill48, Rate};
@@ -11,7 +12,7 @@ use stampflow::model::{
 };
 use stampflow::numerics::PiecewiseLinear;
 use stampflow::solution::Stop;
-use stampflow::solver::{run, run_stages};
+use stampflow::solver::{run, solve};
 
 const NUMBERS: [f64; 8] = [f64::NAN, 0.0, -0.0, -1.0, f64::INFINITY, f64::NEG_INFINITY, 1e300, 1e-300];
 const COUNTS: [usize; 4] = [0, 1, 2, usize::MAX];
@@ -95,30 +96,30 @@ const MUTATIONS: &[Mutation<f64>] = &[
     ("poisson", |m, x| {
         (m.mode, m.material.elastic) = (Mode::ElastoViscoplastic, Some(Elastic { young: 2e5, poisson: x }));
     }),
-    ("anisotropy", |m, x| m.material.anisotropy = Hill48::new(x)),
-    ("back-stress", |m, x| (m.mode, m.material.kinematic[0].modulus) = (Mode::ElastoViscoplastic, x)),
-    ("recovery", |m, x| (m.mode, m.material.kinematic[0].dynamic_recovery) = (Mode::ElastoViscoplastic, x)),
+    ("anisotropy", |m, x| m.material.hill48 = Hill48::new(x)),
+    ("back-stress", |m, x| (m.mode, m.material.chaboche[0].modulus) = (Mode::ElastoViscoplastic, x)),
+    ("recovery", |m, x| (m.mode, m.material.chaboche[0].dynamic_recovery) = (Mode::ElastoViscoplastic, x)),
     ("rate exponent", |m, x| m.material.rate = Some(Rate::PowerRate(PowerRate { exponent: x, reference: 1.0 }))),
     ("rate reference", |m, x| m.material.rate = Some(Rate::PowerRate(PowerRate { exponent: 0.1, reference: x }))),
-    ("q1", |m, x| m.material.voids = Some(Gtn { q1: x, ..Gtn::example() })),
-    ("q2", |m, x| m.material.voids = Some(Gtn { q2: x, ..Gtn::example() })),
-    ("q3", |m, x| m.material.voids = Some(Gtn { q3: x, ..Gtn::example() })),
-    ("porosity", |m, x| m.material.voids = Some(Gtn { initial: x, ..Gtn::example() })),
+    ("q1", |m, x| m.material.gtn = Some(Gtn { q1: x, ..Gtn::example() })),
+    ("q2", |m, x| m.material.gtn = Some(Gtn { q2: x, ..Gtn::example() })),
+    ("q3", |m, x| m.material.gtn = Some(Gtn { q3: x, ..Gtn::example() })),
+    ("porosity", |m, x| m.material.gtn = Some(Gtn { initial: x, ..Gtn::example() })),
     ("nucleation", |m, x| {
         let nucleation = Some(Nucleation { fraction: x, strain: 0.3, deviation: 0.1 });
-        m.material.voids = Some(Gtn { nucleation, ..Gtn::example() });
+        m.material.gtn = Some(Gtn { nucleation, ..Gtn::example() });
     }),
     ("deviation", |m, x| {
         let nucleation = Some(Nucleation { fraction: 0.04, strain: 0.3, deviation: x });
-        m.material.voids = Some(Gtn { nucleation, ..Gtn::example() });
+        m.material.gtn = Some(Gtn { nucleation, ..Gtn::example() });
     }),
     ("critical", |m, x| {
         let coalescence = Some(Coalescence { critical: x, fracture: 0.25 });
-        m.material.voids = Some(Gtn { coalescence, ..Gtn::example() });
+        m.material.gtn = Some(Gtn { coalescence, ..Gtn::example() });
     }),
     ("fracture", |m, x| {
         let coalescence = Some(Coalescence { critical: 0.15, fracture: x });
-        m.material.voids = Some(Gtn { coalescence, ..Gtn::example() });
+        m.material.gtn = Some(Gtn { coalescence, ..Gtn::example() });
     }),
     ("friction", |m, x| m.tools[0].friction = x.into()),
     ("friction at rest", |m, x| {
@@ -132,8 +133,8 @@ const MUTATIONS: &[Mutation<f64>] = &[
         let law = PressureDependent { coefficient: 0.1, reference: 10.0, exponent: x };
         m.tools[0].friction = Friction::PressureDependent(law);
     }),
-    ("path", |m, x| m.tools[0].motion = Motion::Path { axial: x, aside: 0.0 }),
-    ("path aside", |m, x| m.tools[0].motion = Motion::Path { axial: 0.1, aside: x }),
+    ("path", |m, x| m.tools[0].motion = Motion::Path(Point::new(0.0, x))),
+    ("path aside", |m, x| m.tools[0].motion = Motion::Path(Point::new(x, 0.1))),
     ("holder's force", |m, x| *holder(m) = Motion::Pressed(Press::constant(x))),
     ("holder's spring", |m, x| *holder(m) = Motion::Pressed(Press { force: 1e3.into(), stiffness: x })),
     ("holder's gap", |m, x| *holder(m) = Motion::Gap(x)),
@@ -212,7 +213,7 @@ fn what_does_not_go_together_is_refused() {
         ("a pressed punch", |m| m.tools[0].motion = Motion::Pressed(Press::constant(1.0))),
         ("gas twice on a face", |m| m.gas.push(m.gas[0].clone())),
         ("no elasticity", |m| (m.mode, m.material.elastic) = (Mode::Elastic, None)),
-        ("elastic voids", |m| (m.mode, m.material.voids) = (Mode::ElastoViscoplastic, Some(Gtn::example()))),
+        ("elastic voids", |m| (m.mode, m.material.gtn) = (Mode::ElastoViscoplastic, Some(Gtn::example()))),
         ("elastic selection", |m| (m.mode, m.blank.theory) = (Mode::ElastoViscoplastic, Theory::Selective)),
         ("a membrane of three points", |m| m.blank.theory = Theory::Membrane),
         ("a release that cannot spring back", |m| m.release = Some(Release::default())),
@@ -255,7 +256,7 @@ fn a_stage_that_cannot_go_on_is_refused() {
     for change in changes {
         let mut second = first.clone();
         change(&mut second);
-        let solutions = run_stages(&[first.clone(), second], &mut ());
+        let solutions = solve(&[first.clone(), second], &mut ());
         assert_eq!(solutions.len(), 2);
         assert!(matches!(solutions[1].stop, Stop::Refused(_)), "{}", solutions[1].stop);
     }

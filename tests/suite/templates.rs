@@ -5,7 +5,7 @@ use stampflow::author::templates::{TEMPLATES, find, list, rules};
 use stampflow::case::library::materials;
 use stampflow::case::{Case, parse};
 use stampflow::model::{Motion, Role};
-use stampflow::{Frame, StageSolution, Stop, run_stages};
+use stampflow::{Frame, StageSolution, Stop, solve};
 use std::fs;
 use std::path::Path;
 use std::process::{Command, Output};
@@ -31,7 +31,7 @@ fn case(template: &str, given: &[(&str, &str)]) -> Case {
 }
 
 fn solved(case: &Case) -> Vec<StageSolution> {
-    run_stages(&case.stages, &mut ())
+    solve(&case.stages, &mut ())
 }
 
 fn stampflow(dir: &Path, args: &[&str]) -> Output {
@@ -160,7 +160,7 @@ fn no_picked_size_is_doubted_by_the_verdict() {
     let defaults = TEMPLATES.iter().map(|template| (template.name, &[][..]));
     for (name, given) in defaults.chain([("redraw", &[("height", "70 mm")][..]), ("cup", &[("height", "50 mm")])]) {
         let case = case(name, given);
-        let passes = run_stages(&case.stages, &mut ());
+        let passes = solve(&case.stages, &mut ());
         let bent = ["v-bend", "u-bend"].contains(&name);
         assert_eq!(case.model().forming_limit.is_none(), bent, "{name}");
         let findings = assess::after(&case, &passes);

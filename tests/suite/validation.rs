@@ -4,7 +4,7 @@ use crate::common::cli::{stampflow, text};
 use crate::common::files::files;
 use serde_json::Value;
 use stampflow::case;
-use stampflow::solver::run_stages;
+use stampflow::solver::solve;
 use std::path::Path;
 
 /// A comparison of a case, in the order of `validate`: its quantity and what comes of it.
@@ -81,7 +81,7 @@ fn forces_and_thinnest_places_are_those_on_record() {
     for path in files("cases", "toml") {
         let case = case::load(&path, &[]).unwrap_or_else(|e| panic!("{e}"));
         let stages = &case.stages;
-        for (stage, pass) in stages.iter().zip(run_stages(stages, &mut ())) {
+        for (stage, pass) in stages.iter().zip(solve(stages, &mut ())) {
             let &(name, label, peak, thinnest, place) = record.next().expect("a line for every stage");
             assert_eq!((case.name.as_str(), stage.name.as_str()), (name, label));
             let run = &pass;

@@ -5,7 +5,7 @@ use serde_json::Value;
 use stampflow::assess::{self, Finding, Kind, Light, advice, headline};
 use stampflow::case::{self, Case};
 use stampflow::solution::StageSolution;
-use stampflow::solver::run_stages;
+use stampflow::solver::solve;
 use std::path::Path;
 
 /// The findings on a shipped case with overrides.
@@ -13,7 +13,7 @@ fn findings(name: &str, overrides: &[&str]) -> Vec<Finding> {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("cases").join(name);
     let overrides: Vec<String> = overrides.iter().map(|o| (*o).to_owned()).collect();
     let case = case::load(path, &overrides).expect("valid");
-    judged(&case, &run_stages(&case.stages, &mut ()))
+    judged(&case, &solve(&case.stages, &mut ()))
 }
 
 /// The verdict's rows, all findings made sure to be whole.
@@ -87,7 +87,7 @@ fn a_cone_tears_where_its_nose_ends() {
         let text =
             stampflow::author::templates::find(template).and_then(|template| template.fill(&[])).expect("a case");
         let case = case::parse(&text, "made.toml", &["tools.punch.travel=5 mm".to_owned()]).expect("valid");
-        judged(&case, &run_stages(&case.stages, &mut ()))
+        judged(&case, &solve(&case.stages, &mut ()))
     };
     let cone = judged("conical-cup");
     let strength = 520.0 * 0.22_f64.powf(0.22) * (0.005_f64 - 0.22).exp();
@@ -105,7 +105,7 @@ fn later_draws_are_judged_too() {
         .and_then(|t| t.fill(&[("first-radius", "45 mm")]))
         .expect("a case");
     let case = case::parse(&text, "made.toml", &[]).expect("valid");
-    let passes = run_stages(&case.stages, &mut ());
+    let passes = solve(&case.stages, &mut ());
     let found = judged(&case, &passes);
     assert_eq!(light(&found, "redraw_ratio"), Light::Amber, "{found:?}");
     assert!((value(&found, "redraw_ratio") - 1.5).abs() < 1e-9);

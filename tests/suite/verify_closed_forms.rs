@@ -62,7 +62,7 @@ fn rate_and_anisotropy_enter_the_closed_forms() {
             for geometry in [Geometry::PlaneStrain, Geometry::Axisymmetric] {
                 let mut model = simple::pulled(geometry, Theory::Bending, 8.0);
                 model.material.rate = Some(rate);
-                model.material.anisotropy = Hill48::new(r);
+                model.material.hill48 = Hill48::new(r);
                 let run = solve(&model);
                 for pair in run.steps.windows(2).skip(5) {
                     let [before, now] = [&pair[0], &pair[1]].map(|r| ((40.0 + r.travel) / 40.0f64).ln());

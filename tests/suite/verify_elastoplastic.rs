@@ -15,7 +15,7 @@ use stampflow::model::{Edge, Face, Gas, Geometry, Mode, Model, Theory};
 use stampflow::numerics::PiecewiseLinear;
 use stampflow::numerics::lobatto;
 use stampflow::solution::StageSolution;
-use stampflow::solver::{run, run_stages};
+use stampflow::solver::{self, run};
 
 /// Incompressible in its elasticity too: only then does plane strain yield at (2/√3) Y and stay there, as the closed forms
 /// of an elastic-perfectly plastic strip assume.
@@ -308,7 +308,7 @@ fn opening(overrides: &[&str]) -> [f64; 2] {
     let path = concat!(env!("CARGO_MANIFEST_DIR"), "/cases/cylindrical_bending.toml");
     let overrides: Vec<String> = overrides.iter().map(|o| (*o).to_owned()).collect();
     let case = case::load(path, &overrides).unwrap_or_else(|e| panic!("{e}"));
-    let passes = run_stages(&case.stages, &mut ());
+    let passes = solver::solve(&case.stages, &mut ());
     assert!(passes.len() == 2 && passes.iter().all(|pass| pass.stop.is_complete()), "{overrides:?}");
     let angle = |pass: &StageSolution| Shape::of(pass.frames.last().expect("frames")).opening_angle().expect("a wall");
     [angle(&passes[0]), angle(&passes[1])]

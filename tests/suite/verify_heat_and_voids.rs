@@ -39,7 +39,7 @@ fn adiabatic_heating_keeps_the_energy() {
     for theory in [Theory::Bending, Theory::Membrane] {
         for geometry in [Geometry::Axisymmetric, Geometry::PlaneStrain] {
             let mut model = heated(simple::pulled(geometry, theory, 8.0), 293.15, Some(flow(0.9)));
-            model.material.softening = softening();
+            model.material.thermal = softening();
             let run = solve(&model);
             let last = run.steps.last().expect("steps");
             let frame = run.frames.last().expect("a frame");
@@ -64,7 +64,7 @@ fn adiabatic_softening_follows_its_closed_form() {
     let error = |max_step: f64| {
         let mut model = simple::pulled(Geometry::PlaneStrain, Theory::Membrane, 6.0);
         model = heated(model, 293.15, Some(flow(0.9)));
-        model.material.softening = softening();
+        model.material.thermal = softening();
         model.settings = Settings { max_step, first_step: max_step, ..Settings::default() };
         let run = solve(&model);
         let strain = 2.0 / 3f64.sqrt() * (46.0 / 40.0_f64).ln();
@@ -88,7 +88,7 @@ fn a_given_temperature_scales_the_strength() {
     let model = simple::pulled(Geometry::PlaneStrain, Theory::Bending, 6.0);
     let cold = solve(&model).steps.last().expect("steps").edge_force;
     let mut warm = heated(model.clone(), 423.15, None);
-    warm.material.softening = softening();
+    warm.material.thermal = softening();
     let force = solve(&warm).steps.last().expect("steps").edge_force;
     assert!((force / cold / (-0.39f64).exp() - 1.0).abs() < 1e-9, "{force} {cold}");
     let field = PiecewiseLinear::new(vec![(10.0, 300.0), (30.0, 400.0)]).expect("rising");
@@ -183,7 +183,7 @@ fn a_temperature_that_does_not_matter_changes_nothing() {
         }
     }
     let mut soft = heated(model, ROOM_TEMPERATURE, None);
-    soft.material.softening = softening();
+    soft.material.thermal = softening();
     assert_eq!(solve(&soft).steps.last().expect("steps").edge_force, plain.steps.last().expect("steps").edge_force);
 }
 
@@ -195,7 +195,7 @@ fn no_porosity_gives_the_plain_run() {
         let model = simple::pulled(geometry, theory, 6.0);
         let plain = solve(&model);
         let mut voided = model;
-        voided.material.voids = Some(Gtn { q1: 1.5, q3: 2.25, ..Gtn::gurson(0.0) });
+        voided.material.gtn = Some(Gtn { q1: 1.5, q3: 2.25, ..Gtn::gurson(0.0) });
         let run = solve(&voided);
         for (a, b) in run.steps.iter().zip(&plain.steps) {
             assert!((a.edge_force / b.edge_force - 1.0).abs() < 1e-12, "{} {}", a.edge_force, b.edge_force);
@@ -213,7 +213,7 @@ fn no_porosity_gives_the_plain_run() {
 fn a_pulled_disc_grows_its_voids_as_integrated() {
     let voids = Gtn::example();
     let mut model = simple::pulled(Geometry::Axisymmetric, Theory::Membrane, 12.0);
-    model.material.voids = Some(voids);
+    model.material.gtn = Some(voids);
     model.settings = Settings { max_step: 5e-4, first_step: 5e-4, ..Settings::default() };
     let run = solve(&model);
     let last = run.steps.last().expect("steps");
@@ -270,7 +270,7 @@ fn a_pulled_disc_grows_its_voids_as_integrated() {
 #[test]
 fn coalescence_ends_the_run() {
     let mut model = simple::pulled(Geometry::Axisymmetric, Theory::Membrane, 30.0);
-    model.material.voids = Some(Gtn { initial: 0.08, ..Gtn::example() });
+    model.material.gtn = Some(Gtn { initial: 0.08, ..Gtn::example() });
     model.stop.localised = false;
     let run = solver::run(&model, &mut ());
     assert!(matches!(run.stop, Stop::Coalesced { porosity, .. } if porosity >= 0.25), "{}", run.stop);

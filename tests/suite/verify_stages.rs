@@ -3,11 +3,12 @@
 use crate::common::shipped;
 use stampflow::assess;
 use stampflow::element::Node;
+use stampflow::geometry::Point;
 use stampflow::model::stage::{Beginning, Stage};
 use stampflow::model::{Model, Motion, Press, Role};
 use stampflow::solution::StageSolution;
 use stampflow::solution::Stop;
-use stampflow::solver::{enter, run_stages};
+use stampflow::solver::{enter, solve};
 use std::f64::consts::PI;
 
 /// The quickstart's cup on a coarser mesh, drawn to `travel` [mm].
@@ -26,7 +27,7 @@ fn moving(model: &Model, role: Role, axial: f64, aside: f64) -> Model {
     let mut model = model.clone();
     for tool in &mut model.tools {
         if tool.role == role {
-            tool.motion = Motion::Path { axial, aside };
+            tool.motion = Motion::Path(Point::new(aside, axial));
         } else if tool.motion == Motion::Travel {
             tool.motion = Motion::Fixed;
         }
@@ -46,7 +47,7 @@ fn complete(passes: &[StageSolution], stages: usize) {
 #[test]
 fn a_stage_begins_with_the_sheet_that_the_one_before_left() {
     let draw = cup(10.0);
-    let passes = run_stages(&[stage("draw", draw.clone())], &mut ());
+    let passes = solve(&[stage("draw", draw.clone())], &mut ());
     let left = &passes[0].end;
     let entered = enter(&stage("next", moving(&draw, Role::Punch, -5.0, 0.0)), &draw, left.clone());
     assert!(left.points.iter().any(|p| p.strain > 0.05) && left.pressure.iter().any(|p| *p > 0.0));
@@ -72,8 +73,8 @@ fn a_stage_begins_with_the_sheet_that_the_one_before_left() {
 /// force, and less of the shape.
 #[test]
 fn a_draw_in_two_stages_is_the_draw_in_one() {
-    let whole = run_stages(&[stage("whole", cup(20.0))], &mut ());
-    let halves = run_stages(&[stage("first", cup(10.0)), stage("second", cup(10.0))], &mut ());
+    let whole = solve(&[stage("whole", cup(20.0))], &mut ());
+    let halves = solve(&[stage("first", cup(10.0)), stage("second", cup(10.0))], &mut ());
     complete(&whole, 1);
     complete(&halves, 2);
     let (one, two) = (&whole[0], &halves[1]);
@@ -95,7 +96,7 @@ fn a_draw_in_two_stages_is_the_draw_in_one() {
 fn a_punch_that_goes_back_leaves_the_sheet() {
     let draw = cup(15.0);
     let back = moving(&draw, Role::Punch, -16.0, 0.0);
-    let passes = run_stages(&[stage("draw", draw), stage("back", back)], &mut ());
+    let passes = solve(&[stage("draw", draw), stage("back", back)], &mut ());
     complete(&passes, 2);
     let [drawn, left] = [0, 1].map(|i| &passes[i]);
     let force = |pass: &StageSolution| pass.steps.last().expect("steps").punch_force;
@@ -117,7 +118,7 @@ fn a_die_goes_aside() {
     let draw = cup(15.0);
     let mut aside = moving(&draw, Role::Die, 6.0, 8.0);
     aside.tools.retain(|tool| tool.role != Role::Holder);
-    let passes = run_stages(&[stage("draw", draw), stage("aside", aside)], &mut ());
+    let passes = solve(&[stage("draw", draw), stage("aside", aside)], &mut ());
     complete(&passes, 2);
     let left = &passes[1];
     assert_eq!(left.model.travel, 10.0);
@@ -132,7 +133,7 @@ fn a_die_goes_aside() {
 #[test]
 fn trimming_takes_the_rim_and_nothing_else() {
     let draw = cup(10.0);
-    let passes = run_stages(&[stage("draw", draw.clone())], &mut ());
+    let passes = solve(&[stage("draw", draw.clone())], &mut ());
     let left = &passes[0].end;
     let mut cut = stage("cut", moving(&draw, Role::Punch, 1.0, 0.0));
     cut.begin.trim = Some(45.0);
@@ -153,7 +154,7 @@ fn trimming_takes_the_rim_and_nothing_else() {
     let whole = PI * draw.blank.length.powi(2) * draw.blank.thickness;
     assert!(((volume + gone) / whole - 1.0).abs() < 1e-12);
 
-    let passes = run_stages(&[stage("draw", draw), cut], &mut ());
+    let passes = solve(&[stage("draw", draw), cut], &mut ());
     complete(&passes, 2);
     assert_eq!((passes[1].model.blank.elements, passes[1].model.blank.length), (kept, state.s0[kept]));
     let warnings = assess::warnings(&passes[1]);
@@ -168,11 +169,11 @@ fn annealing_takes_strain_and_stress_and_leaves_the_shape() {
     let hard = soft.clone();
     soft.begin.anneal = true;
     let force = |next: &Stage| {
-        let passes = run_stages(&[stage("draw", draw.clone()), next.clone()], &mut ());
+        let passes = solve(&[stage("draw", draw.clone()), next.clone()], &mut ());
         complete(&passes, 2);
         passes[1].steps.last().expect("steps").punch_force
     };
-    let passes = run_stages(&[stage("draw", draw.clone())], &mut ());
+    let passes = solve(&[stage("draw", draw.clone())], &mut ());
     let left = &passes[0].end;
     let state = enter(&soft, &draw, left.clone());
     assert!(state.points.iter().all(|p| p.strain == 0.0 && p.stress == [0.0; 3] && p.carried == [0.0; 3]));
@@ -189,7 +190,7 @@ fn a_stage_that_stops_early_is_the_last() {
     stops.model.stop.load_drop = Some(1e-3);
     stops.model.tools[2].motion = Motion::Pressed(Press::constant(10.0));
     stops.model.settings.max_iterations = 1;
-    let passes = run_stages(&[stage("draw", draw), stops, stage("never", cup(1.0))], &mut ());
+    let passes = solve(&[stage("draw", draw), stops, stage("never", cup(1.0))], &mut ());
     assert_eq!(passes.len(), 2);
     assert_eq!(passes[0].stop, Stop::FullTravel);
     assert!(matches!(passes[1].stop, Stop::NoEquilibrium { .. }), "{}", passes[1].stop);
@@ -202,7 +203,7 @@ fn a_new_tool_is_brought_up_to_where_it_touches_the_sheet() {
     let mut redraw = stage("redraw", cup(5.0));
     redraw.model.tools[0].profile = stampflow::geometry::Profile::flat_punch(20.0, 5.0, 1.0);
     redraw.begin.meets = vec![Role::Punch];
-    let passes = run_stages(&[stage("draw", draw.clone()), redraw.clone()], &mut ());
+    let passes = solve(&[stage("draw", draw.clone()), redraw.clone()], &mut ());
     complete(&passes, 2);
     let left = &passes[0].end;
     let state = enter(&redraw, &draw, left.clone());

@@ -13,9 +13,9 @@ pub(super) fn describe(stage: &Stage) -> String {
     for tool in &model.tools {
         let (name, new) = (tool.role.name(), if begin.meets.contains(&tool.role) { "new " } else { "" });
         does.push(match &tool.motion {
-            Motion::Path { axial, aside } if *aside == 0.0 => format!("{new}{name} goes {} mm", rounded(*axial)),
-            Motion::Path { axial, aside } => {
-                format!("{new}{name} goes {} mm and {} mm aside", rounded(*axial), rounded(*aside))
+            Motion::Path(way) if way.x == 0.0 => format!("{new}{name} goes {} mm", rounded(way.y)),
+            Motion::Path(way) => {
+                format!("{new}{name} goes {} mm and {} mm aside", rounded(way.y), rounded(way.x))
             }
             Motion::Pressed(press) => {
                 let unit = model.geometry.force_unit();

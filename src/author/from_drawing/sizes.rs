@@ -1,9 +1,9 @@
 //! How large what was drawn is, and the sizes of the placeholders beside it.
 
 use super::draft::Draft;
-use crate::assess::mm;
 use crate::model::{Motion, Role, Tool};
 use crate::rules::tool_sizes::{across, extent, gap, mouth, shoulder_end, throat};
+use crate::units::mm;
 use crate::units::rounded;
 use std::ops::RangeInclusive;
 

@@ -13,6 +13,7 @@
 //! rigid hinges, come out 2 to 3° too sharp. Derived here; the V-bend's test measures it against the run.
 
 use crate::material::Elastic;
+use crate::numerics::bisect;
 
 /// Stress and strain in plane strain over their equivalents, 2/√3 [–].
 const PLANE: f64 = 1.154_700_538_379_251_5;
@@ -21,7 +22,7 @@ const CURVATURES: u32 = 200;
 /// Fibres from the middle to the face.
 const FIBRES: u32 = 24;
 /// Halvings of an interval: to a millionth of a degree.
-const HALVINGS: u32 = 40;
+const HALVINGS: usize = 40;
 
 /// A strip in bending.
 pub(super) struct Strip<'a> {
@@ -76,11 +77,8 @@ fn leg(bent: &[Bent], from: f64, to: f64) -> [f64; 2] {
 }
 
 /// The place in an interval where a condition that holds at its beginning ceases to.
-fn ends(mut low: f64, mut high: f64, holds: impl Fn(f64) -> bool) -> f64 {
-    for _ in 0..HALVINGS {
-        let middle = 0.5 * (low + high);
-        if holds(middle) { low = middle } else { high = middle }
-    }
+fn ends(low: f64, high: f64, holds: impl Fn(f64) -> bool) -> f64 {
+    let [low, high] = bisect(low, high, HALVINGS, holds);
     0.5 * (low + high)
 }
 

@@ -106,7 +106,7 @@ impl Sheet {
 
     /// Mean r-value \[–\].
     pub fn anisotropy(&self) -> f64 {
-        self.material.anisotropy.ratio()
+        self.material.hill48.ratio()
     }
 
     /// E and ν: the material's, or those of steel.

@@ -2,9 +2,11 @@
 
 use crate::case::file::{CaseFile, Section};
 use crate::case::{CaseError, source::Source};
+use crate::forming_limit::Paths;
 use crate::geometry::Piece;
 use crate::model::{Model, Stage};
 use crate::solution::{ElementRecord, NodeRecord, PointRecord, StepRecord};
+use crate::state::MaterialPoint;
 use std::f64::consts::FRAC_PI_2;
 
 /// Characters of a title and of other texts, which every plot repeats.
@@ -12,8 +14,8 @@ const TITLE: usize = 200;
 const TEXT: usize = 1000;
 /// Rows of `profile.csv`: kept frames times elements.
 const ROWS: usize = 500_000;
-/// What a run keeps, all stages together \[bytes\].
-const MEMORY: usize = 1_000_000_000;
+/// What a run keeps, all stages together \[bytes\]: ten stages with 1000 frames of 340 elements.
+const MEMORY: usize = 500_000_000;
 /// Chords that replace the arcs of one tool.
 const CHORDS: f64 = 20_000.0;
 
@@ -63,44 +65,57 @@ pub(super) fn frames_key(stage: usize, source: &Source) -> String {
     }
 }
 
-/// What a run keeps in memory, all stages together: frames with every point through the thickness, and the path of every
-/// element where there is a forming limit. A run takes no fewer steps than are counted here.
+/// What a run keeps in memory, all stages together, is no more than [`MEMORY`]. A run takes no fewer steps than are counted
+/// here.
 pub(super) fn of_stages(stages: &[Stage], source: &Source) -> Result<(), CaseError> {
-    let mut total = 0;
-    let mut largest = (0, String::new(), String::new(), "");
-    for (i, Stage { name, model, .. }) in stages.iter().enumerate() {
-        let (frames, elements, layers) = (model.frames.len(), model.blank.elements, model.blank.layers);
-        let steps = frames + (1.0 / model.settings.max_step) as usize;
-        let element = size_of::<ElementRecord>() + size_of::<NodeRecord>() + layers * size_of::<PointRecord>();
-        let pathed = if model.forming_limit.is_some() { elements } else { 0 };
-        let kept = [
-            (
-                frames * elements * element,
-                frames_key(i, source),
-                format!("{frames} frames of {elements} elements with {layers} points through the thickness"),
-                "keep fewer frames, or take fewer elements or points (blank.layers)",
-            ),
-            (
-                steps * (size_of::<StepRecord>() + pathed * size_of::<[f64; 2]>()),
-                "solver.max_step".into(),
-                format!("{steps} steps or more, with the strains of {pathed} elements for the forming limit"),
-                "take longer steps, or fewer elements",
-            ),
-        ];
-        for (bytes, key, what, help) in kept {
-            total += bytes;
-            if bytes > largest.0 {
-                largest = (bytes, key, format!("stage `{name}` keeps {what}"), help);
-            }
-        }
-    }
-    let (_, key, what, help) = largest;
-    if total <= MEMORY {
-        return Ok(());
-    }
+    let kept = || stages.iter().enumerate().flat_map(|(i, stage)| kept(stage, frames_key(i, source)));
+    let total: usize = kept().map(|kept| kept.bytes).sum();
+    // Of equal ones the first.
+    let Some(largest) = kept().rev().max_by_key(|kept| kept.bytes).filter(|_| total > MEMORY) else { return Ok(()) };
     let gigabytes = |bytes: usize| bytes as f64 / 1e9;
-    let what = format!("the run fills {:.1} GB, more than {:.0} GB: {what}", gigabytes(total), gigabytes(MEMORY));
-    Err(source.error(&key, what, help))
+    let (of, total, most) = (stages.len(), gigabytes(total), gigabytes(MEMORY));
+    let what = format!("the run's stages ({of}) fill {total:.2} GB, more than {most:.2} GB: {}", largest.what);
+    Err(source.error(&largest.key, what, largest.help))
+}
+
+/// A part of what a stage keeps until the run has ended.
+struct Kept {
+    bytes: usize,
+    /// The key that it grows with.
+    key: String,
+    what: String,
+    help: &'static str,
+}
+
+/// Frames, points through the thickness (of the first frame, the last one and the last state alone), and steps with the
+/// strains of every element where there is a forming limit.
+fn kept(Stage { name, model, .. }: &Stage, frames_key: String) -> [Kept; 3] {
+    let (frames, elements, points) = (model.frames.len(), model.blank.elements, model.blank.layers);
+    let steps = frames + (1.0 / model.settings.max_step) as usize;
+    let pathed = if model.forming_limit.is_some() { elements } else { 0 };
+    let instants = steps.min(Paths::MOST);
+    [
+        Kept {
+            bytes: frames * elements * (size_of::<ElementRecord>() + size_of::<NodeRecord>()),
+            key: frames_key,
+            what: format!("stage `{name}` keeps {frames} frames of {elements} elements"),
+            help: "keep fewer frames in every stage, or take fewer elements",
+        },
+        Kept {
+            bytes: elements * points * (2 * size_of::<PointRecord>() + size_of::<MaterialPoint>()),
+            key: "blank.layers".into(),
+            what: format!("stage `{name}` keeps {points} points through the thickness of {elements} elements"),
+            help: "take fewer points, or fewer elements",
+        },
+        Kept {
+            bytes: steps * size_of::<StepRecord>() + instants * pathed * size_of::<[f64; 2]>(),
+            key: "solver.max_step".into(),
+            what: format!(
+                "stage `{name}` keeps {steps} steps or more, and the strains of {pathed} elements for the forming limit"
+            ),
+            help: "take longer steps, or fewer elements",
+        },
+    ]
 }
 
 /// What follows from the numbers together.
@@ -128,4 +143,27 @@ pub(super) fn of_model(model: &Model, frames_key: &str, source: &Source) -> Resu
         }
     }
     Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Trust: what a solved case holds, counted in what came out of it.
+    #[test]
+    fn what_is_counted_is_what_a_run_keeps() {
+        let set = ["tools.punch.travel=3 mm", "output.count=20", "blank.layers=15"].map(str::to_owned);
+        let case = crate::case::load("cases/quickstart.toml", &set).unwrap();
+        let solution = case.clone().solve(&mut ());
+        let [frames, points, steps] = kept(&case.stages[0], String::new()).map(|kept| kept.bytes);
+        let stage = &solution.stages[0];
+        let of_frame = |f: &crate::Frame| size_of_val(&f.elements[..]) + size_of_val(&f.nodes[..]);
+        // A sheet has a node more than elements.
+        let ends = stage.frames.len() * size_of::<NodeRecord>();
+        assert_eq!(frames, stage.frames.iter().map(of_frame).sum::<usize>() - ends);
+        let through = stage.start.iter().chain(&stage.frames).map(|f| size_of_val(&f.through.points[..]));
+        let end = stage.end.points.iter().map(size_of_val);
+        assert_eq!(points, through.chain(end).sum::<usize>());
+        assert!(steps <= size_of_val(&stage.steps[..]), "{steps}");
+    }
 }

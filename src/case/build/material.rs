@@ -32,38 +32,38 @@ pub(in crate::case) fn convert(file: &file::Material, source: &Source) -> Result
         let help = format!("between {} and {} MPa; check the units of the constants", YIELD.start(), YIELD.end());
         return Err(source.error(HARDENING, what, help));
     }
-    let anisotropy = file.anisotropy.map_or(Ok(Hill48::default()), |r| Hill48::checked(r.value()));
-    let anisotropy = anisotropy.map_err(|error| blame(error, "material.anisotropy", source))?;
+    let hill48 = file.anisotropy.map_or(Ok(Hill48::default()), |r| Hill48::checked(r.value()));
+    let hill48 = hill48.map_err(|error| blame(error, "material.anisotropy", source))?;
     let rate = file.rate.map(|laws| only(laws, "material.rate", source)).transpose()?;
-    let softening = file.softening.map(|laws| only(laws, "material.softening", source)).transpose()?;
-    let mut voids = file.voids;
-    if let Some(voids) = &mut voids {
-        voids.prepare().map_err(|error| blame(error, "material.voids", source))?;
+    let thermal = file.softening.map(|laws| only(laws, "material.softening", source)).transpose()?;
+    let mut gtn = file.voids;
+    if let Some(gtn) = &mut gtn {
+        gtn.prepare().map_err(|error| blame(error, "material.voids", source))?;
     }
     Ok(Material {
         hardening,
         elastic,
         rate,
-        softening,
-        anisotropy,
-        kinematic: kinematic(&file.kinematic, file.mode, source)?,
-        voids,
+        thermal,
+        hill48,
+        chaboche: chaboche(&file.kinematic, file.mode, source)?,
+        gtn,
     })
 }
 
 /// At most two back-stresses, of a sheet that is not left to the flow law alone.
-fn kinematic(file: &[BackStress], mode: Option<Mode>, source: &Source) -> Result<BackStresses, CaseError> {
-    let mut kinematic = BackStresses::default();
-    if file.len() > kinematic.len() {
-        let what = format!("{} back-stresses are given, more than {}", file.len(), kinematic.len());
+fn chaboche(file: &[BackStress], mode: Option<Mode>, source: &Source) -> Result<BackStresses, CaseError> {
+    let mut chaboche = BackStresses::default();
+    if file.len() > chaboche.len() {
+        let what = format!("{} back-stresses are given, more than {}", file.len(), chaboche.len());
         return Err(source.error("material.kinematic.2", what, "keep the two that matter"));
     }
     if !file.is_empty() && mode != Some(Mode::ElastoViscoplastic) {
         let help = "write mode = \"elasto_viscoplastic\", or drop it";
         return Err(source.error("material.kinematic.0", "the flow law has no back-stresses", help));
     }
-    kinematic[..file.len()].copy_from_slice(file);
-    Ok(kinematic)
+    chaboche[..file.len()].copy_from_slice(file);
+    Ok(chaboche)
 }
 
 /// How the metal answers to strain, where it has what that takes.
@@ -72,7 +72,7 @@ pub(super) fn mode(mode: Mode, material: &Material, path: &str, source: &Source)
         let help = "add young = \"210 GPa\" and poisson = 0.3 to [material]";
         return Err(source.error(path, "an elastic sheet needs Young's modulus and Poisson's ratio", help));
     }
-    if mode != Mode::Flow && material.voids.is_some() {
+    if mode != Mode::Flow && material.gtn.is_some() {
         let help = "drop [material.voids], or write mode = \"flow\"";
         return Err(source.error(path, "a sheet with voids has no elastic strains", help));
     }

@@ -72,7 +72,7 @@ fn first(file: &CaseFile, source: &Source, folder: Folder, derived: &mut Vec<Str
     let sheet = context.sheet;
     let gas = file.gas.as_ref().map(|gas| loads::gas(gas, &tools, &sheet, source, derived)).transpose()?;
     let heat = file.heat.as_ref().map(|heat| heat::convert(heat, &tools, source, folder)).transpose()?;
-    if heat.is_none() && (material.softening.is_some() || material.hardening.temperatures().is_some()) {
+    if heat.is_none() && (material.thermal.is_some() || material.hardening.temperatures().is_some()) {
         derived.push("without [heat] the sheet is at 20 °C throughout".into());
     }
     let limit = file.forming_limit.as_ref();

@@ -46,12 +46,12 @@ pub(super) fn convert(
     key: &str,
     radius: Option<f64>,
     role: Role,
-    shop: &ToolContext,
+    context: &ToolContext,
     derived: &mut Vec<String>,
 ) -> Result<(Profile, Points), CaseError> {
     let name = role.name();
-    let (shown, csv) = Named { file, what: "profile", example: EXAMPLE, key }.open(shop.folder, shop.source)?;
-    let rows = distinct(read(&shown, &csv, shop.sheet.geometry)?, file, derived);
+    let (shown, csv) = Named { file, what: "profile", example: EXAMPLE, key }.open(context.folder, context.source)?;
+    let rows = distinct(read(&shown, &csv, context.sheet.geometry)?, file, derived);
     let [first, .., last] = &rows[..] else {
         let what = format!("a profile needs at least two points, found {}", rows.len());
         return Err(shown.error(rows.first().map_or(1, |row| row.line), what, EXAMPLE));
@@ -78,7 +78,8 @@ pub(super) fn convert(
             let what = format!("a fillet of {radius} mm does not fit at {}: at most {largest:.4} mm", place_of(at));
             shown.error(rows[vertex].line, what, "make it smaller, or move the points beside it further away")
         })?;
-        Profile::new(pieces).map_err(|error| shop.source.error(key, format!("{file}: {error}"), "check the points"))?
+        Profile::new(pieces)
+            .map_err(|error| context.source.error(key, format!("{file}: {error}"), "check the points"))?
     } else {
         let rounded = chords.rounded();
         let moved = rounded.polyline(0.01).into_iter().map(|p| chords.closest(p).distance.abs()).fold(0.0, f64::max);

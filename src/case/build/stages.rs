@@ -8,7 +8,7 @@ use super::{limits, loads, material, tools};
 use crate::case::file::{self, CaseFile, Given};
 use crate::case::files::Folder;
 use crate::case::{CaseError, source::Source};
-use crate::geometry::Profile;
+use crate::geometry::{Point, Profile};
 use crate::model::{Beginning, Mode, Model, Motion, Press, Release, Role, Stage, Tool};
 use crate::numerics::PiecewiseLinear;
 use crate::units::{Length, Quantity, rounded};
@@ -79,8 +79,8 @@ struct StageContext<'a> {
 /// What is written of a tool, whichever it is.
 struct WrittenTool {
     role: Role,
-    /// How far it goes along z and away from the axis \[mm\].
-    path: Option<(f64, f64)>,
+    /// How far it goes away from the axis and along z \[mm\].
+    path: Option<Point>,
     /// Whether it has a shape, which makes it a new tool.
     shaped: bool,
     friction: Option<file::Friction>,
@@ -158,9 +158,9 @@ impl StageContext<'_> {
     /// What is written of the tools, in the order of their roles.
     fn tools(&self) -> Vec<WrittenTool> {
         let file::Stage { punch, die, holder, .. } = self.written;
-        let way = |axial: Option<Length>, aside: Option<Length>| {
+        let way = |axial: Option<Length>, radial: Option<Length>| {
             let mm = |length: Option<Length>| length.map_or(0.0, Quantity::value);
-            (axial.is_some() || aside.is_some()).then(|| (mm(axial), mm(aside)))
+            (axial.is_some() || radial.is_some()).then(|| Point::new(mm(radial), mm(axial)))
         };
         let punch = punch.as_ref().map(|t| WrittenTool {
             role: Role::Punch,
@@ -199,7 +199,7 @@ impl StageContext<'_> {
     fn pace(&self, tools: &[WrittenTool]) -> Result<Pace, CaseError> {
         let (mut travel, mut furthest) = (0.0, Role::Punch);
         for tool in tools {
-            let path = tool.path.map_or(0.0, |(axial, aside)| axial.hypot(aside));
+            let path = tool.path.map_or(0.0, |way| way.y.hypot(way.x));
             if path > travel {
                 (travel, furthest) = (path, tool.role);
             }
@@ -245,7 +245,7 @@ impl StageContext<'_> {
         let friction = (shaped || tool.friction.is_some())
             .then(|| friction::of(role, frictions, self.source, derived))
             .transpose()?;
-        let motion = path.map(|(axial, aside)| Motion::Path { axial, aside });
+        let motion = path.map(Motion::Path);
         Ok(ToolPatch { role, profile, friction, motion })
     }
 

@@ -3,7 +3,8 @@
 use super::{Entry, Figure, Group, Summary, Value};
 use crate::measure::Change;
 use crate::output::springback::{compared, signed};
-use crate::table::{Unit, four_digits};
+use crate::table::Unit;
+use crate::units::four_digits;
 use crate::units::rounded;
 use serde::ser::{Serialize, SerializeMap, Serializer};
 use serde_json::json;

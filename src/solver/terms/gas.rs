@@ -75,7 +75,7 @@ fn press_element(geometry: Geometry, e: usize, side: f64, gas: f64, column: Opti
 /// Δε̄ is that of the mid-surface, regularised like the flow law's, so that its derivative is finite in rigid zones.
 pub fn hold_rate(step: &Step, trial: &Trial, out: &mut Evaluation) {
     let Step { process, model, state, dt, .. } = *step;
-    let anisotropy = &model.material.anisotropy;
+    let anisotropy = &model.material.hill48;
     let cutoff = step.cutoff(trial.softening);
     for (k, gas) in model.gas.iter().enumerate() {
         let (Some(row), Pressure::Rate(control)) = (process.gas_shared[k], &gas.pressure) else { continue };

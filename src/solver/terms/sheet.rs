@@ -29,9 +29,9 @@ pub fn add(step: &Step, trial: &mut Trial, at: &Linearisation, out: &mut Evaluat
     let law = FlowLaw {
         hardening: &material.hardening,
         rate: material.rate.as_ref(),
-        softening: material.softening.as_ref(),
-        anisotropy: material.anisotropy,
-        voids: material.voids.as_ref(),
+        softening: material.thermal.as_ref(),
+        anisotropy: material.hill48,
+        voids: material.gtn.as_ref(),
         matrix: at.matrix,
         cutoff: step.cutoff(trial.softening),
         duration: dt,

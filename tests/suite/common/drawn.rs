@@ -69,7 +69,7 @@ pub fn blown(geometry: Geometry) -> Model {
     let mut model = model(geometry);
     model.gas = vec![Gas { face: Face::Lower, pressure: Pressure::Rate(rate), within: 58.25 }];
     model.heat = Some(Heat { initial: 723.15.into(), flow: None });
-    model.material.voids = Some(Gtn::gurson(0.01));
+    model.material.gtn = Some(Gtn::gurson(0.01));
     let sheet = Sheet { material: &model.material, thickness: 1.0, temperature: 723.15 };
     model.forming_limit = Some(Kind::Swift(limit::Swift { n: Some(0.2) }).curve(&sheet).expect("a curve"));
     model

@@ -6,7 +6,7 @@ use std::fs;
 
 /// Trust: frames are looked at as they pass; were a step made for one, the tables would differ in their last digits.
 #[test]
-fn a_run_is_the_same_with_and_without_its_film_and_its_states() {
+fn a_run_is_the_same_with_and_without_its_animation_and_its_states() {
     let dir = folder(CUP);
     let out = dir.path().join("out/cup");
     let tables = || ["load_travel.csv", "profile.csv"].map(|name| fs::read(out.join(name)).unwrap());
@@ -26,7 +26,7 @@ fn a_run_is_the_same_with_and_without_its_film_and_its_states() {
 /// Each picture differs from the one before (only what changes is stored, and it is never a single row), and together
 /// they last the four seconds of the whole run and the pause at its end.
 #[test]
-fn every_stage_has_a_film_that_moves_evenly() {
+fn every_stage_has_an_animation_that_moves_evenly() {
     let dir = folder(&format!("{CUP}{STAGES}"));
     let done = stampflow(dir.path(), &["run", "cases/cup.toml", "-q", "--animate"]);
     assert_eq!(done.status.code(), Some(0), "{}", text(&done.stderr));
