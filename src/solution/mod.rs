@@ -1,11 +1,16 @@
 //! What a run leaves behind: the history of every step, the kept frames, and why it stopped.
 
+mod energy;
 mod frame;
 pub mod neck;
+mod stop;
+
+pub use energy::{Energy, Heat};
+pub use stop::Stop;
 
 use crate::forming_limit::Paths;
 use crate::geometry::Point;
-use crate::model::{Model, ModelError, PressureCap, mesh};
+use crate::model::{Model, PressureCap, mesh};
 use crate::numerics::lobatto::ThicknessPoint;
 use crate::state::State;
 
@@ -99,97 +104,6 @@ pub struct Frame {
     /// Displacement of each tool (away from the axis, along z) from where it is drawn in the model \[mm\], in the model's
     /// order.
     pub tool_displacement: Vec<Point>,
-}
-
-/// Mean powers of a step, or the work done since the start \[mW or mJ, per ring or per mm of depth\].
-///
-/// external = plastic + elastic + friction + contact, where `contact` is what the penalty springs store.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Energy {
-    /// Of the driven tools and edges on the sheet.
-    pub external: f64,
-    /// Of the plastic flow in the sheet.
-    pub plastic: f64,
-    /// What the sheet's elasticity stores; 0 by the flow law.
-    pub elastic: f64,
-    /// Of the friction on tools and beads.
-    pub friction: f64,
-    /// What the penalty springs of the contact store.
-    pub contact: f64,
-    /// The part of `plastic` in points whose strain rate is below ten times the cut-off.
-    pub cutoff: f64,
-}
-
-impl Energy {
-    /// What of the largest entry is round-off \[–\].
-    const ROUND_OFF: f64 = 1e-9;
-
-    /// Every entry times `factor`: power from work, work from power.
-    pub fn scaled(self, factor: f64) -> Self {
-        Self {
-            external: self.external * factor,
-            plastic: self.plastic * factor,
-            elastic: self.elastic * factor,
-            friction: self.friction * factor,
-            contact: self.contact * factor,
-            cutoff: self.cutoff * factor,
-        }
-    }
-
-    /// The sum, entry by entry.
-    pub fn plus(self, other: Self) -> Self {
-        Self {
-            external: self.external + other.external,
-            plastic: self.plastic + other.plastic,
-            elastic: self.elastic + other.elastic,
-            friction: self.friction + other.friction,
-            contact: self.contact + other.contact,
-            cutoff: self.cutoff + other.cutoff,
-        }
-    }
-
-    /// As it is written: entries below 1e-9 of the largest are round-off, and 0.
-    pub fn without_round_off(self) -> Self {
-        let Self { external, plastic, elastic, friction, contact, cutoff } = self;
-        let largest = [external, plastic, elastic, friction, contact].map(f64::abs).into_iter().fold(0.0, f64::max);
-        let clean = |energy: f64| if energy.abs() < Self::ROUND_OFF * largest { 0.0 } else { energy };
-        Self {
-            external: clean(external),
-            plastic: clean(plastic),
-            elastic: clean(elastic),
-            friction: clean(friction),
-            contact: clean(contact),
-            cutoff: clean(cutoff),
-        }
-    }
-
-    /// What the balance misses, over the external work \[–\].
-    pub fn imbalance(&self) -> f64 {
-        let missing = self.external - self.plastic - self.elastic - self.friction - self.contact;
-        if self.external == 0.0 { 0.0 } else { missing / self.external.abs() }
-    }
-}
-
-/// Heat since the start \[mJ, per ring or per mm of depth\]: stored = plastic + tools.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Heat {
-    /// What the plastic work has left in the sheet.
-    pub plastic: f64,
-    /// What the tools have given to it; negative when they cool it.
-    pub tools: f64,
-    /// What warms it.
-    pub stored: f64,
-}
-
-impl Heat {
-    /// The sum, entry by entry.
-    pub fn plus(self, other: Self) -> Self {
-        Self {
-            plastic: self.plastic + other.plastic,
-            tools: self.tools + other.tools,
-            stored: self.stored + other.stored,
-        }
-    }
 }
 
 /// One accepted step.
@@ -289,190 +203,6 @@ pub struct Effort {
     pub overstrained: usize,
     /// Tries of the step that the stage stopped at.
     pub abandoned: usize,
-}
-
-/// Why a run ended.
-#[derive(Clone, Debug, PartialEq)]
-pub enum Stop {
-    /// The model is none that can be solved: nothing was tried.
-    Refused(ModelError),
-    /// The run has come to its end.
-    FullTravel,
-    /// The load has fallen from its maximum by the share that the case asks for.
-    LoadMaximum {
-        /// Punch travel there \[mm\].
-        travel: f64,
-        /// Largest load before \[N, or N/mm\].
-        peak: f64,
-        /// Share of the peak by which the load has fallen \[–\].
-        drop: f64,
-    },
-    /// As much of the sheet lies on its tools as the case asks for.
-    ContactShare {
-        /// Reached \[–\].
-        share: f64,
-        /// Asked for by the case \[–\].
-        asked: f64,
-        /// Time then \[s\].
-        time: f64,
-        /// Punch travel then \[mm\].
-        travel: f64,
-    },
-    /// The gas pressure has come to the largest that the sheet can bear at the height of its middle.
-    PressureMaximum {
-        /// The largest pressure \[MPa\].
-        pressure: f64,
-        /// Height of the sheet's middle then \[mm\].
-        height: f64,
-    },
-    /// One place takes all the stretching while its surroundings stop.
-    Localised {
-        /// Punch travel there \[mm\].
-        travel: f64,
-        /// Where, initially from the axis \[mm\].
-        s0: f64,
-        /// Thickness there over the initial one \[–\].
-        share: f64,
-        /// Where it is and why, in words.
-        why: String,
-    },
-    /// The voids at a place have grown together through the thickness.
-    Coalesced {
-        /// Punch travel there \[mm\].
-        travel: f64,
-        /// Where, initially from the axis \[mm\].
-        s0: f64,
-        /// Porosity there, mean over the thickness \[–\].
-        porosity: f64,
-    },
-    /// The blank's edge has passed the die's throat.
-    DrawnThrough {
-        /// Punch travel there \[mm\].
-        travel: f64,
-    },
-    /// Punch and die come closer than the sheet can be squeezed.
-    ToolsClosed {
-        /// Punch travel there \[mm\].
-        travel: f64,
-        /// Where they are too close: distance from the axis \[mm\].
-        r: f64,
-        /// Where they are too close: height \[mm\].
-        z: f64,
-    },
-    /// An observer wanted no more of it.
-    Interrupted {
-        /// Punch travel reached \[mm\].
-        travel: f64,
-        /// Time reached \[s\].
-        time: f64,
-    },
-    /// No equilibrium was found down to the smallest step.
-    NoEquilibrium {
-        /// Punch travel of the last accepted step \[mm\].
-        travel: f64,
-        /// Time of the last accepted step \[s\].
-        time: f64,
-        /// The smallest step that was tried \[s\].
-        step: f64,
-        /// Relative velocity increment of the last try \[–\].
-        velocity_norm: f64,
-        /// Relative residual of the last try \[–\].
-        residual_norm: f64,
-        /// Initial distance from the axis of the node with the largest residual \[mm\].
-        worst_s0: f64,
-        /// What the sheet was doing there, and what to try.
-        diagnosis: String,
-    },
-}
-
-impl Stop {
-    /// Whether the run came to the end it was asked for: its full travel or time, or the contact that the part is done
-    /// with. A fallen load is none, though a case may ask for it: the sheet has failed there.
-    pub fn is_complete(&self) -> bool {
-        matches!(self, Stop::FullTravel | Stop::ContactShare { .. })
-    }
-
-    /// Whether the sheet or the tools ended the run, not the numerics or the user.
-    pub fn is_physical(&self) -> bool {
-        let ours = matches!(self, Stop::Interrupted { .. } | Stop::NoEquilibrium { .. } | Stop::Refused(_));
-        !self.is_complete() && !ours
-    }
-
-    /// The kind in a few words.
-    pub fn kind(&self) -> &'static str {
-        match self {
-            Stop::Refused(_) => "refused",
-            Stop::FullTravel => "full travel",
-            Stop::LoadMaximum { .. } => "load maximum passed",
-            Stop::ContactShare { .. } => "contact share reached",
-            Stop::PressureMaximum { .. } => "pressure maximum reached",
-            Stop::Localised { .. } => "localised",
-            Stop::Coalesced { .. } => "voids coalesced",
-            Stop::DrawnThrough { .. } => "drawn through",
-            Stop::ToolsClosed { .. } => "tools closed",
-            Stop::Interrupted { .. } => "interrupted",
-            Stop::NoEquilibrium { .. } => "no equilibrium",
-        }
-    }
-}
-
-impl std::fmt::Display for Stop {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        match self {
-            Stop::Refused(why) => write!(f, "{why}"),
-            Stop::FullTravel => write!(f, "full travel reached"),
-            Stop::LoadMaximum { travel, peak, drop } => write!(
-                f,
-                "load maximum passed: at {travel:.2} mm of travel the load is {:.1} % below its peak of {peak:.0}",
-                100.0 * drop
-            ),
-            Stop::ContactShare { share, asked, time, travel } => {
-                let place = if *travel > 0.0 { format!("{travel:.2} mm of travel") } else { format!("{time:.4} s") };
-                write!(
-                    f,
-                    "contact share reached: at {place} {:.1} % of the sheet lies on its tools ({:.1} % asked for)",
-                    100.0 * share,
-                    100.0 * asked
-                )
-            }
-            Stop::PressureMaximum { pressure, height } => write!(
-                f,
-                "pressure maximum reached: no equilibrium beyond {pressure:.4} MPa, at a dome height of {height:.2} mm; \
-                 the sheet would run away and burst"
-            ),
-            Stop::Localised { travel, s0, share, why } => write!(
-                f,
-                "localised at {travel:.2} mm of travel: the sheet tears at s0 = {s0:.1} mm, where {:.0} % of its thickness \
-                 is left; {why}",
-                100.0 * share
-            ),
-            Stop::Coalesced { travel, s0, porosity } => write!(
-                f,
-                "voids coalesced at {travel:.2} mm of travel: the sheet tears at s0 = {s0:.1} mm, where {:.1} % of its volume \
-                 are voids",
-                100.0 * porosity
-            ),
-            Stop::DrawnThrough { travel } => {
-                write!(f, "drawn through: the blank's edge has passed the die's throat at {travel:.2} mm of travel")
-            }
-            Stop::ToolsClosed { travel, r, z } => write!(
-                f,
-                "travel limit by geometry: at {travel:.2} mm of travel punch and die come closer than half the sheet's \
-                 thickness, near r = {r:.2} mm, z = {z:.2} mm"
-            ),
-            Stop::Interrupted { travel, time } => write!(
-                f,
-                "interrupted at {travel:.2} mm of travel (time {time:.4} s): what was computed up to there is kept, but the \
-                 run has not come to its end"
-            ),
-            Stop::NoEquilibrium { travel, time, step, velocity_norm, residual_norm, worst_s0, diagnosis } => write!(
-                f,
-                "no equilibrium found at {travel:.3} mm of travel (time {time:.4} s) with steps down to {step:.2e} s \
-                 (velocity norm {velocity_norm:.1e}, residual norm {residual_norm:.1e}, worst at s0 = {worst_s0:.2} mm); \
-                 {diagnosis}"
-            ),
-        }
-    }
 }
 
 /// A solved stage: what came out of one model.

@@ -1,6 +1,7 @@
 //! What every hardening law says: the yield stress, its slope, and how far both are known.
 
-use crate::law::Law;
+use crate::law::{Law, LawError, require};
+use crate::units::rounded;
 
 /// Yield stress and its slope at one strain.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -43,4 +44,18 @@ pub(super) fn power(strain: f64, n: f64) -> (f64, f64) {
         let slope = CHORD_UP_TO.powf(n - 1.0);
         (slope * strain, slope)
     }
+}
+
+/// Checks what saturating laws share: 0 < σ₀ ≤ σ_s \[MPa\], a rate ≥ 0 and an exponent above 0 and up to 1 \[–\].
+///
+/// # Errors
+/// When a parameter is out of range.
+pub(super) fn saturating([initial, saturation, rate, exponent]: [f64; 4]) -> Result<(), LawError> {
+    require("saturation", initial > 0.0 && saturation >= initial && saturation.is_finite(), || {
+        format!("needs 0 < initial <= saturation, found {} and {} MPa", rounded(initial), rounded(saturation))
+    })?;
+    require("rate", rate >= 0.0 && rate.is_finite(), || format!("rate must not be negative, found {rate}"))?;
+    require("exponent", exponent > 0.0 && exponent <= 1.0, || {
+        format!("exponent must lie above 0 and up to 1, found {exponent}")
+    })
 }

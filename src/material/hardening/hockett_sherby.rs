@@ -3,7 +3,7 @@
 //! With p < 1 the slope at ε̄ = 0 is infinite, which no iteration matrix can carry: the chord over the first 1e-6 of strain
 //! takes the place of ε̄^p there, and changes nothing beyond. With p = 1 the law is Voce's.
 
-use super::flow_stress::{FlowStress, HardeningLaw, power};
+use super::flow_stress::{FlowStress, HardeningLaw, power, saturating};
 use crate::law::prelude::*;
 
 /// σ = saturation − (saturation − initial) exp(−rate ε^exponent).
@@ -49,14 +49,7 @@ impl Law for HockettSherby {
     }
 
     fn prepare(&mut self, _: Option<f64>) -> Result<(), LawError> {
-        let Self { initial, saturation, rate, exponent } = *self;
-        require("saturation", initial > 0.0 && saturation >= initial && saturation.is_finite(), || {
-            format!("needs 0 < initial <= saturation, found {} and {} MPa", rounded(initial), rounded(saturation))
-        })?;
-        require("rate", rate >= 0.0 && rate.is_finite(), || format!("rate must not be negative, found {rate}"))?;
-        require("exponent", exponent > 0.0 && exponent <= 1.0, || {
-            format!("exponent must lie above 0 and up to 1, found {exponent}")
-        })
+        saturating([self.initial, self.saturation, self.rate, self.exponent])
     }
 
     fn formula(&self) -> String {

@@ -2,7 +2,7 @@
 //!
 //! The BRITE steels of Sosnowski (1994, figure 6) are given in this form: 320 − 195 exp(−7.5 ε^0.97) MPa.
 
-use super::flow_stress::{FlowStress, HardeningLaw, power};
+use super::flow_stress::{FlowStress, HardeningLaw, power, saturating};
 use crate::law::prelude::*;
 
 /// σ = saturation − (saturation − initial) exp(−rate ε^exponent).
@@ -50,14 +50,7 @@ impl Law for Voce {
     }
 
     fn prepare(&mut self, _: Option<f64>) -> Result<(), LawError> {
-        let Self { initial, saturation, rate, exponent } = *self;
-        require("saturation", initial > 0.0 && saturation >= initial && saturation.is_finite(), || {
-            format!("needs 0 < initial <= saturation, found {} and {} MPa", rounded(initial), rounded(saturation))
-        })?;
-        require("rate", rate >= 0.0 && rate.is_finite(), || format!("rate must not be negative, found {rate}"))?;
-        require("exponent", exponent > 0.0 && exponent <= 1.0, || {
-            format!("exponent must lie above 0 and up to 1, found {exponent}")
-        })
+        saturating([self.initial, self.saturation, self.rate, self.exponent])
     }
 
     fn formula(&self) -> String {

@@ -1,0 +1,187 @@
+//! Why a run ended.
+
+use crate::model::ModelError;
+
+/// Why a run ended.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Stop {
+    /// The model is none that can be solved: nothing was tried.
+    Refused(ModelError),
+    /// The run has come to its end.
+    FullTravel,
+    /// The load has fallen from its maximum by the share that the case asks for.
+    LoadMaximum {
+        /// Punch travel there \[mm\].
+        travel: f64,
+        /// Largest load before \[N, or N/mm\].
+        peak: f64,
+        /// Share of the peak by which the load has fallen \[–\].
+        drop: f64,
+    },
+    /// As much of the sheet lies on its tools as the case asks for.
+    ContactShare {
+        /// Reached \[–\].
+        share: f64,
+        /// Asked for by the case \[–\].
+        asked: f64,
+        /// Time then \[s\].
+        time: f64,
+        /// Punch travel then \[mm\].
+        travel: f64,
+    },
+    /// The gas pressure has come to the largest that the sheet can bear at the height of its middle.
+    PressureMaximum {
+        /// The largest pressure \[MPa\].
+        pressure: f64,
+        /// Height of the sheet's middle then \[mm\].
+        height: f64,
+    },
+    /// One place takes all the stretching while its surroundings stop.
+    Localised {
+        /// Punch travel there \[mm\].
+        travel: f64,
+        /// Where, initially from the axis \[mm\].
+        s0: f64,
+        /// Thickness there over the initial one \[–\].
+        share: f64,
+        /// Where it is and why, in words.
+        why: String,
+    },
+    /// The voids at a place have grown together through the thickness.
+    Coalesced {
+        /// Punch travel there \[mm\].
+        travel: f64,
+        /// Where, initially from the axis \[mm\].
+        s0: f64,
+        /// Porosity there, mean over the thickness \[–\].
+        porosity: f64,
+    },
+    /// The blank's edge has passed the die's throat.
+    DrawnThrough {
+        /// Punch travel there \[mm\].
+        travel: f64,
+    },
+    /// Punch and die come closer than the sheet can be squeezed.
+    ToolsClosed {
+        /// Punch travel there \[mm\].
+        travel: f64,
+        /// Where they are too close: distance from the axis \[mm\].
+        r: f64,
+        /// Where they are too close: height \[mm\].
+        z: f64,
+    },
+    /// An observer wanted no more of it.
+    Interrupted {
+        /// Punch travel reached \[mm\].
+        travel: f64,
+        /// Time reached \[s\].
+        time: f64,
+    },
+    /// No equilibrium was found down to the smallest step.
+    NoEquilibrium {
+        /// Punch travel of the last accepted step \[mm\].
+        travel: f64,
+        /// Time of the last accepted step \[s\].
+        time: f64,
+        /// The smallest step that was tried \[s\].
+        step: f64,
+        /// Relative velocity increment of the last try \[–\].
+        velocity_norm: f64,
+        /// Relative residual of the last try \[–\].
+        residual_norm: f64,
+        /// Initial distance from the axis of the node with the largest residual \[mm\].
+        worst_s0: f64,
+        /// What the sheet was doing there, and what to try.
+        diagnosis: String,
+    },
+}
+
+impl Stop {
+    /// Whether the run came to the end it was asked for: its full travel or time, or the contact that the part is done
+    /// with. A fallen load is none, though a case may ask for it: the sheet has failed there.
+    pub fn is_complete(&self) -> bool {
+        matches!(self, Stop::FullTravel | Stop::ContactShare { .. })
+    }
+
+    /// Whether the sheet or the tools ended the run, not the numerics or the user.
+    pub fn is_physical(&self) -> bool {
+        let ours = matches!(self, Stop::Interrupted { .. } | Stop::NoEquilibrium { .. } | Stop::Refused(_));
+        !self.is_complete() && !ours
+    }
+
+    /// The kind in a few words.
+    pub fn kind(&self) -> &'static str {
+        match self {
+            Stop::Refused(_) => "refused",
+            Stop::FullTravel => "full travel",
+            Stop::LoadMaximum { .. } => "load maximum passed",
+            Stop::ContactShare { .. } => "contact share reached",
+            Stop::PressureMaximum { .. } => "pressure maximum reached",
+            Stop::Localised { .. } => "localised",
+            Stop::Coalesced { .. } => "voids coalesced",
+            Stop::DrawnThrough { .. } => "drawn through",
+            Stop::ToolsClosed { .. } => "tools closed",
+            Stop::Interrupted { .. } => "interrupted",
+            Stop::NoEquilibrium { .. } => "no equilibrium",
+        }
+    }
+}
+
+impl std::fmt::Display for Stop {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Stop::Refused(why) => write!(f, "{why}"),
+            Stop::FullTravel => write!(f, "full travel reached"),
+            Stop::LoadMaximum { travel, peak, drop } => write!(
+                f,
+                "load maximum passed: at {travel:.2} mm of travel the load is {:.1} % below its peak of {peak:.0}",
+                100.0 * drop
+            ),
+            Stop::ContactShare { share, asked, time, travel } => {
+                let place = if *travel > 0.0 { format!("{travel:.2} mm of travel") } else { format!("{time:.4} s") };
+                write!(
+                    f,
+                    "contact share reached: at {place} {:.1} % of the sheet lies on its tools ({:.1} % asked for)",
+                    100.0 * share,
+                    100.0 * asked
+                )
+            }
+            Stop::PressureMaximum { pressure, height } => write!(
+                f,
+                "pressure maximum reached: no equilibrium beyond {pressure:.4} MPa, at a dome height of {height:.2} mm; \
+                 the sheet would run away and burst"
+            ),
+            Stop::Localised { travel, s0, share, why } => write!(
+                f,
+                "localised at {travel:.2} mm of travel: the sheet tears at s0 = {s0:.1} mm, where {:.0} % of its thickness \
+                 is left; {why}",
+                100.0 * share
+            ),
+            Stop::Coalesced { travel, s0, porosity } => write!(
+                f,
+                "voids coalesced at {travel:.2} mm of travel: the sheet tears at s0 = {s0:.1} mm, where {:.1} % of its volume \
+                 are voids",
+                100.0 * porosity
+            ),
+            Stop::DrawnThrough { travel } => {
+                write!(f, "drawn through: the blank's edge has passed the die's throat at {travel:.2} mm of travel")
+            }
+            Stop::ToolsClosed { travel, r, z } => write!(
+                f,
+                "travel limit by geometry: at {travel:.2} mm of travel punch and die come closer than half the sheet's \
+                 thickness, near r = {r:.2} mm, z = {z:.2} mm"
+            ),
+            Stop::Interrupted { travel, time } => write!(
+                f,
+                "interrupted at {travel:.2} mm of travel (time {time:.4} s): what was computed up to there is kept, but the \
+                 run has not come to its end"
+            ),
+            Stop::NoEquilibrium { travel, time, step, velocity_norm, residual_norm, worst_s0, diagnosis } => write!(
+                f,
+                "no equilibrium found at {travel:.3} mm of travel (time {time:.4} s) with steps down to {step:.2e} s \
+                 (velocity norm {velocity_norm:.1e}, residual norm {residual_norm:.1e}, worst at s0 = {worst_s0:.2} mm); \
+                 {diagnosis}"
+            ),
+        }
+    }
+}
