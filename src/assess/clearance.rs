@@ -2,8 +2,7 @@
 
 use super::mm;
 use super::nose::NoseEnd;
-use super::run::Run;
-use super::{Finding, Light};
+use super::{Finding, Light, run::Run};
 use crate::model::Model;
 use crate::rules::estimate;
 use crate::table::Unit;
