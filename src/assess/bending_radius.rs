@@ -1,7 +1,6 @@
 //! Whether the sheet is bent over radii that a thin shell follows.
 
-use super::run::Run;
-use super::{Finding, Light};
+use super::{Finding, Light, run::Run};
 use crate::model::{Model, Theory, Tool};
 use crate::rules::design::THIN;
 use crate::table::Unit;

@@ -1,8 +1,7 @@
 //! Whether a cup's wall carries the punch force.
 
 use super::nose::NoseEnd;
-use super::run::Run;
-use super::{Finding, Light, thinning};
+use super::{Finding, Light, run::Run, thinning};
 use crate::model::{Edge, Geometry};
 use crate::rules::estimate::{draw_ratio, tensile_strength};
 use crate::solution::StageSolution;

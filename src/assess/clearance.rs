@@ -1,8 +1,7 @@
 //! Whether the sheet fits between punch and die.
 
 use super::nose::NoseEnd;
-use super::run::Run;
-use super::{Finding, Light};
+use super::{Finding, Light, run::Run};
 use crate::model::Model;
 use crate::rules::estimate;
 use crate::table::Unit;

@@ -1,8 +1,7 @@
 //! How near the sheet comes to its forming limit.
 
 use super::nearest::Nearest;
-use super::run::Run;
-use super::{Finding, Light, thinning};
+use super::{Finding, Light, run::Run, thinning};
 use crate::forming_limit::{CROOKED, Judged};
 use crate::rules::design::THIN;
 use crate::table::Unit;

@@ -1,7 +1,6 @@
 //! Whether the friction is known or guessed.
 
-use super::run::Run;
-use super::{Finding, Light};
+use super::{Finding, Light, run::Run};
 use crate::model::{Model, Tool};
 use crate::table::Unit;
 use std::ops::RangeInclusive;

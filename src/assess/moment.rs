@@ -1,8 +1,7 @@
 //! Whether the layers resolve the moments that spring the sheet back.
 
 use super::finding::ACCURACY;
-use super::run::Run;
-use super::{Finding, Light};
+use super::{Finding, Light, run::Run};
 use crate::measure::moment_error;
 use crate::model::Mode;
 

@@ -1,7 +1,6 @@
 //! Whether one place of the sheet takes all the stretching.
 
-use super::run::Run;
-use super::{Finding, Light, thinning};
+use super::{Finding, Light, run::Run, thinning};
 use crate::solution::neck::neck;
 use crate::solution::{StageSolution, Stop};
 use crate::table::Unit;

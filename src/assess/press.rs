@@ -1,7 +1,6 @@
 //! What the press must give, against its rating where the case names it.
 
-use super::run::Run;
-use super::{Finding, Light};
+use super::{Finding, Light, run::Run};
 use crate::model::Geometry;
 use crate::table::{JOULES, Unit, energy_unit, force_unit};
 use crate::units::four_digits;

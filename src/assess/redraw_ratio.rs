@@ -1,7 +1,6 @@
 //! Whether a later draw narrows the cup by no more than a draw can.
 
-use super::run::Run;
-use super::{Finding, Light};
+use super::{Finding, Light, run::Run};
 use crate::model::{Geometry, Role};
 use crate::rules::design::REDRAW_RATIO;
 use crate::rules::tool_sizes::extent;

@@ -1,7 +1,6 @@
 //! What a bent section does when its tools are taken away.
 
-use super::run::Run;
-use super::{Finding, Light};
+use super::{Finding, Light, run::Run};
 use crate::measure::{Shape, changes};
 use crate::model::{Geometry, Mode};
 use crate::table::Unit;

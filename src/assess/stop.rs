@@ -1,7 +1,6 @@
 //! Whether the run came to its end.
 
-use super::run::Run;
-use super::{Finding, Light, thinning};
+use super::{Finding, Light, run::Run, thinning};
 use crate::solution::Stop;
 
 /// Red where a stage stopped early, amber where the cup left the die; the stop says why.

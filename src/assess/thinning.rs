@@ -1,8 +1,7 @@
 //! How thin the sheet has become.
 
 use super::nearest::Nearest;
-use super::run::Run;
-use super::{Finding, Light};
+use super::{Finding, Light, run::Run};
 use crate::table::Unit;
 
 /// Thinning that a designer looks at twice, and that is refused without a forming limit that allows it \[–\].

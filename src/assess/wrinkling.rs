@@ -1,8 +1,7 @@
 //! Whether the flange would wrinkle: an index, for an axisymmetric run cannot.
 
 use super::nose::NoseEnd;
-use super::run::Run;
-use super::{Finding, Light};
+use super::{Finding, Light, run::Run};
 use crate::model::{Model, Motion, Role};
 use crate::rules::estimate::{draw_ratio, held_area, siebel_pressure, tensile_strength};
 use crate::rules::tool_sizes::extent;

@@ -6,7 +6,7 @@ mod sizes;
 
 pub use draft::Draft;
 
-use super::page::{Page, exact};
+use super::page::{Page, exact, size_key};
 use super::templates::rules::strip_pressure;
 use super::templates::{FRICTION, typical};
 use crate::material::Hardening;
@@ -54,10 +54,6 @@ impl Draft<'_> {
         let written = "Written by `stampflow import`: the tools are as drawn, what is marked as placeholder is not in the drawing.";
         let about = std::iter::once(written.to_owned()).chain(self.notes.iter().map(|note| format!("- {note}")));
         let title: String = self.title.chars().filter(|c| !c.is_control()).take(150).collect();
-        let geometry = match self.geometry {
-            Geometry::Axisymmetric => "axisymmetric",
-            Geometry::PlaneStrain => "plane_strain",
-        };
         let mut open = vec!["material", "friction"];
         open.extend(sizes.thickness.placeholder.map(|_| "thickness"));
         open.extend(sizes.blank.placeholder.map(|_| "blank"));
@@ -67,17 +63,13 @@ impl Draft<'_> {
             "declared: the tools' sections are those of the drawing".to_owned(),
             format!("declared: placeholders, not in the drawing: {}", open.join(", ")),
         ];
-        Page::new(about, &title, geometry, &notes)
+        Page::new(about, &title, self.geometry, &notes)
     }
 
     fn sheet(&self, sizes: &Sizes, page: &mut Page) {
-        let length = match self.geometry {
-            Geometry::Axisymmetric => "radius",
-            Geometry::PlaneStrain => "half_length",
-        };
         let Sizes { thickness, blank, .. } = sizes;
         page.table("blank", "");
-        page.set(length, exact(blank.mm), &blank.comment());
+        page.set(size_key(self.geometry), exact(blank.mm), &blank.comment());
         page.set("thickness", exact(thickness.mm), &thickness.comment());
         if !self.has(Role::Die) {
             page.set("edge", "\"clamped\"", "placeholder: no die is drawn that the blank could rest on");

@@ -1,6 +1,7 @@
 //! The text of a case file as it grows: tables, keys, and a comment for every number that was picked.
 
 use crate::geometry::{Piece, Point, Profile};
+use crate::model::Geometry;
 use crate::rules::design::Picked;
 use crate::units::trimmed;
 use std::fmt::{Display, Write};
@@ -16,9 +17,13 @@ impl Page {
     pub fn new<T: AsRef<str>>(
         about: impl IntoIterator<Item = T>,
         title: &str,
-        geometry: &str,
+        geometry: Geometry,
         notes: &[String],
     ) -> Self {
+        let geometry = match geometry {
+            Geometry::Axisymmetric => "axisymmetric",
+            Geometry::PlaneStrain => "plane_strain",
+        };
         let mut page = Self(String::new());
         about.into_iter().for_each(|text| page.comment(text.as_ref()));
         let _ = writeln!(page.0, "\ntitle = {}\ngeometry = {geometry:?}\nnotes = [", toml_edit::Value::from(title));
@@ -103,6 +108,14 @@ impl Page {
 
     pub fn text(self) -> String {
         self.0
+    }
+}
+
+/// The key of a blank's size.
+pub(super) fn size_key(geometry: Geometry) -> &'static str {
+    match geometry {
+        Geometry::Axisymmetric => "radius",
+        Geometry::PlaneStrain => "half_length",
     }
 }
 

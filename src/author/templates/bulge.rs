@@ -7,6 +7,7 @@ use super::template::{Template, begin};
 use super::tools::{SHOULDER, elements};
 use crate::author::page::{mm, plain};
 use crate::case::CaseError;
+use crate::model::Geometry;
 use crate::units::rounded;
 
 pub(super) const TEMPLATE: Template =
@@ -49,10 +50,10 @@ fn write(inputs: &Inputs) -> Result<String, CaseError> {
     let mut page = begin(
         "Oil alone: a clamped disc bulges under a pressure that rises. There is no punch, so the run has a duration.",
         &format!("Bulge, opening diameter {}", plain(2.0 * opening)),
-        "axisymmetric",
+        Geometry::Axisymmetric,
         &sheet.notes("a made-up bulge test"),
     );
-    sheet.blank(&mut page, "radius", &blank);
+    sheet.blank(&mut page, Geometry::Axisymmetric, &blank);
     page.set("edge", "\"clamped\"", "");
     elements(&mut page, blank.value, shoulder.value);
     sheet.material(&mut page, false);

@@ -81,7 +81,7 @@ fn write(inputs: &Inputs) -> Result<String, CaseError> {
     let page = begin(
         &format!("A conical cup with a flange left to hold.{}", careful(ratio)),
         &format!("Conical cup, mouth diameter {}", plain(2.0 * mouth)),
-        "axisymmetric",
+        Geometry::Axisymmetric,
         &[sheet.notes("a made-up cup"), vec![FREE_WALL.to_owned()]].concat(),
     );
     Ok(draw(page, &sheet, &blank, tools.shoulder.value.min(nose.value), &tools))

@@ -128,7 +128,7 @@ fn page(inputs: &Inputs, trim: Picked) -> Result<String, CaseError> {
     let page = begin(
         &format!("A cup, {} high from the outside of its bottom to its rim.{}", plain(cup.height), careful(ratio)),
         &format!("Cup, punch diameter {}", plain(2.0 * cup.radius)),
-        "axisymmetric",
+        Geometry::Axisymmetric,
         &sheet.notes("a made-up cup"),
     );
     Ok(draw(page, &sheet, &blank, tools.shoulder.value.min(cup.nose.value), &tools))

@@ -65,7 +65,7 @@ fn write(inputs: &Inputs) -> Result<String, CaseError> {
         "One half of a hat section, drawn. By the flow law, which does not spring back: for that see cases/hat_springback.toml, \
          which takes longer, or stampflow new u-bend.",
         &format!("Hat section, punch {} wide", plain(2.0 * half_width)),
-        "plane_strain",
+        Geometry::PlaneStrain,
         &sheet.notes("a made-up section"),
     );
     Ok(draw(page, &sheet, &blank, tools.shoulder.value.min(nose.value), &tools))

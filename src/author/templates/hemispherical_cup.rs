@@ -63,7 +63,7 @@ fn write(inputs: &Inputs) -> Result<String, CaseError> {
     let page = begin(
         &format!("A cup with a hemispherical bottom, with a flange left to hold.{}", careful(ratio)),
         &format!("Hemispherical cup, punch diameter {}", plain(2.0 * radius)),
-        "axisymmetric",
+        Geometry::Axisymmetric,
         &sheet.notes("a made-up cup"),
     );
     Ok(draw(page, &sheet, &blank, tools.shoulder.value, &tools))

@@ -108,12 +108,12 @@ fn write(inputs: &Inputs) -> Result<String, CaseError> {
             careful(ratio)
         ),
         &format!("Redrawn cup, punch diameter {}", plain(2.0 * cup.radius)),
-        "axisymmetric",
+        Geometry::Axisymmetric,
         &sheet.notes("a made-up cup"),
     );
     page.table("stage", "");
     page.set("name", "\"draw\"", "");
-    sheet.blank(&mut page, "radius", &blank);
+    sheet.blank(&mut page, Geometry::Axisymmetric, &blank);
     page.set(
         "elements",
         2 * rules::elements(blank.value, shoulder.value.min(cup.nose.value)),

@@ -2,13 +2,14 @@
 
 use super::inputs::{self, Choice, Default, Inputs};
 use super::rules::{self, Picked};
-use crate::author::page::{Page, mm};
+use crate::author::page::{Page, mm, size_key};
 use crate::case::CaseError;
 use crate::case::library::{self, Entry};
 use crate::forming_limit::{self, Hill, Kind};
 use crate::material::flow::ROOM_TEMPERATURE;
 use crate::material::hardening::Swift;
 use crate::material::{Elastic, Hardening, Material};
+use crate::model::Geometry;
 use crate::units::{parse, rounded};
 
 /// The law of a sheet that is not named, as an option has it.
@@ -127,9 +128,9 @@ impl Sheet {
     }
 
     /// `[blank]` but for its keys after the thickness.
-    pub fn blank(&self, page: &mut Page, key: &str, size: &Picked) {
+    pub fn blank(&self, page: &mut Page, geometry: Geometry, size: &Picked) {
         page.table("blank", "");
-        page.length(key, size);
+        page.length(size_key(geometry), size);
         let of = match &self.origin {
             Origin::Library { thickness: Some(of), .. } => format!("the material's numbers are of a sheet of {of}"),
             _ => String::new(),

@@ -51,7 +51,7 @@ fn write(inputs: &Inputs) -> Result<String, CaseError> {
     let page = begin(
         "A sheet clamped at its edge and stretched over a hemisphere, as in a test of its formability.",
         &format!("Stretched dome, punch diameter {}", plain(2.0 * radius)),
-        "axisymmetric",
+        Geometry::Axisymmetric,
         &sheet.notes("a made-up dome"),
     );
     Ok(draw(page, &sheet, &blank, tools.shoulder.value, &tools))

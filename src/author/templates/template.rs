@@ -4,6 +4,7 @@ use super::inputs::{Choice, Inputs};
 use super::sheet::SHEET;
 use crate::author::page::Page;
 use crate::case::CaseError;
+use crate::model::Geometry;
 
 /// What writes a template's case.
 type Write = fn(&Inputs) -> Result<String, CaseError>;
@@ -22,7 +23,7 @@ pub struct Template {
 }
 
 /// The page of a template's case.
-pub(super) fn begin(about: &str, title: &str, geometry: &str, notes: &[String]) -> Page {
+pub(super) fn begin(about: &str, title: &str, geometry: Geometry, notes: &[String]) -> Page {
     let units = "Every quantity is text with its unit; mm, in, N, kN, MPa, ksi ... are understood.";
     Page::new([about, units], title, geometry, notes)
 }

@@ -160,11 +160,7 @@ pub(super) fn elements(page: &mut Page, length: f64, radius: f64) {
 /// The case file of a part that is drawn, or stretched where no holder is; `corner` is the smallest radius \[mm\] that
 /// the sheet is bent over.
 pub(super) fn draw(mut page: Page, sheet: &Sheet, blank: &Picked, corner: f64, tools: &Tools) -> String {
-    let size = match tools.geometry {
-        Geometry::Axisymmetric => "radius",
-        Geometry::PlaneStrain => "half_length",
-    };
-    sheet.blank(&mut page, size, blank);
+    sheet.blank(&mut page, tools.geometry, blank);
     if tools.holder.is_none() {
         page.set("edge", "\"clamped\"", "");
     }
@@ -179,7 +175,7 @@ pub(super) fn draw(mut page: Page, sheet: &Sheet, blank: &Picked, corner: f64, t
 pub(super) fn bend(page: &mut Page, sheet: &Sheet, blank: &Picked, nose: f64, tools: &Tools) {
     page.table("stage", "");
     page.set("name", "\"bend\"", "");
-    sheet.blank(page, "half_length", blank);
+    sheet.blank(page, tools.geometry, blank);
     elements(page, blank.value, tools.shoulder.value.min(nose));
     sheet.material(page, true);
     tools.write(page, sheet);

@@ -63,7 +63,7 @@ fn write(inputs: &Inputs) -> Result<String, CaseError> {
     let mut page = begin(
         "One half of a strip that is bent into a U and then let go.",
         &format!("U-bend, punch {} wide", plain(2.0 * half_width)),
-        "plane_strain",
+        Geometry::PlaneStrain,
         &[sheet.notes("a made-up bend"), vec![NO_PAD.to_owned()]].concat(),
     );
     bend(&mut page, &sheet, &blank, nose.value, &tools);

@@ -81,7 +81,7 @@ fn write(inputs: &Inputs) -> Result<String, CaseError> {
     let mut page = begin(
         "One half of a strip that is bent in air over a V and then let go. The punch is a blade with a round nose.",
         &format!("V-bend, {:.0}°", angle.to_degrees()),
-        "plane_strain",
+        Geometry::PlaneStrain,
         &sheet.notes("a made-up bend"),
     );
     bend(&mut page, &sheet, &blank, nose.value, &tools);
