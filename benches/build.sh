@@ -11,10 +11,12 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 cargo fetch --quiet
 TIMEFORMAT='%U %S %R'
-times=$({ time CARGO_TARGET_DIR=$work cargo build --profile "$profile" --quiet; } 2>&1 | tail -n 1)
+{ time CARGO_TARGET_DIR=$work cargo build --profile "$profile" --quiet; } 2>"$work/log" || { cat "$work/log"; exit 1; }
+times=$(tail -n 1 "$work/log")
 awk -v times="$times" 'BEGIN { split(times, t); printf "%-24s %.0f s of the processors, %.0f s by the clock\n", "clean build", t[1] + t[2], t[3] }'
-crates=$(cargo tree --prefix none -e normal --format '{p}' | sort -u | wc -l)
+crates=$(cargo tree --prefix none -e normal | sed 's/ (\*)$//' | sort -u | wc -l)
 printf '%-24s %s, this one among them\n' "crates" "$crates"
 folder=$profile
 [ "$profile" != dev ] || folder=debug
-printf '%-24s %s bytes\n' "program" "$(stat -c %s "$work/$folder/stampflow")"
+size=$(stat -c %s "$work/$folder/stampflow")
+printf '%-24s %s bytes\n' "program" "$size"

@@ -164,10 +164,13 @@ impl Panel {
     }
 }
 
+/// What is larger is not drawn: ranges must not overflow.
+const HUGE: f64 = 1e300;
+
 /// Least range of the values with a margin, zero included where leaving it out would save less than half.
 fn fitted(values: impl Iterator<Item = f64>, margin: f64) -> (f64, f64) {
     let (mut low, mut high) = values
-        .filter(|v| v.is_finite())
+        .filter(|v| v.abs() < HUGE)
         .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), v| (low.min(v), high.max(v)));
     if low > high {
         return (0.0, 1.0);

@@ -18,6 +18,9 @@ const AXIS: f64 = 1.2;
 const GRID: f64 = 0.8;
 const GRID_COLOR: Color = (215, 215, 215);
 
+/// What is further away, in widths of the panel, is left out: it would overflow plotters' units.
+const FAR: f64 = 1e3;
+
 /// The rectangle and ranges of one panel.
 pub(super) struct Frame {
     pub(super) height: f64,
@@ -69,12 +72,13 @@ impl Frame {
             .max_light_lines(0)
             .draw()
             .expect(NEVER);
+        let near = |v: f64, (low, high): (f64, f64)| (v - low).abs() < FAR * (high - low);
         for series in &panel.series {
             let points = match series.look {
                 Look::Area { .. } => clipped(&series.points, self.x, self.y),
                 _ => series.points.clone(),
             };
-            let points = points.into_iter().filter(|p| p.0.is_finite() && p.1.is_finite()).collect();
+            let points = points.into_iter().filter(|p| near(p.0, self.x) && near(p.1, self.y)).collect();
             let shape = Shape { look: series.look, label: series.label.as_deref().unwrap_or(""), points };
             chart.draw_series([shape]).expect(NEVER);
         }
@@ -94,4 +98,31 @@ pub(super) fn y_labels_width(range: &(f64, f64), panel: &Panel) -> f64 {
     let values = ticks(*range, tick_count(height));
     let widest = values.iter().map(|v| text_width(&tick(*v, &values), TICK)).fold(0.0, f64::max);
     SPACING * LABEL + widest + TICK_MARK + 14.0
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::{Drawing, Mark};
+    use crate::output::chart::{Chart, Look, Panel, Scale, Series};
+    use crate::table::{Column, Unit};
+
+    /// Trust: points that lie inside by hand; what is no number, or too large for one axis with them, is left out.
+    #[test]
+    fn what_can_be_drawn_is_drawn_inside_the_axes() {
+        let axis = Column::new("x", "X", Unit::Mm, vec![]).axis();
+        let points = vec![(0.0, 0.0), (f64::NAN, 1.0), (5.0, -2.0), (1e308, -1e308), (f64::INFINITY, 0.0), (10.0, 4.0)];
+        for scale in [Scale::Fit { height: 200.0, least: 0.0 }, Scale::Section { x: (0.0, 10.0), y: (-2.0, 4.0) }] {
+            let series = vec![Series::silent(points.clone(), Look::Line { color: (9, 9, 9), width: 2.0, dash: &[] })];
+            let panels = vec![Panel { x: axis.clone(), y: axis.clone(), series, scale }];
+            let drawing = Drawing::of(&Chart { title: String::new(), legend: "", panels, notes: vec![] });
+            let line = drawing.marks.iter().find_map(|mark| match mark {
+                Mark::Line { pieces, color: (9, 9, 9), width } if *width == 2.0 => Some(&pieces[0]),
+                _ => None,
+            });
+            let line = line.expect("the line is drawn");
+            assert!(line.len() == 3 && line.iter().all(|p| p.0 > 0.0 && p.0 < 800.0 && p.1 > 0.0), "{line:?}");
+            let down = line[1].1 > line[0].1;
+            assert!(down == matches!(scale, Scale::Fit { .. }) && line[1].0 > line[0].0, "{line:?}");
+        }
+    }
 }

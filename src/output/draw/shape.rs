@@ -1,9 +1,8 @@
 //! Lines, circles and areas, in a panel or as samples in the legend.
 
-use super::Canvas;
-use super::NEVER;
 use super::backend::{px, units};
 use super::text::{MARK, SPACING, style, text_width};
+use super::{Canvas, NEVER};
 use crate::output::chart::{BLACK, Color, Look, WHITE};
 use crate::output::outline::dashed;
 use plotters::element::{Drawable, PointCollection};
