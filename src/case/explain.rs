@@ -1,11 +1,19 @@
 //! TOML's and serde's complaints in a die designer's words.
 
+use super::CaseError;
+#[cfg(feature = "schema")]
+use super::schema::example_line;
 use super::source::Source;
-use super::{CaseError, schema};
 use crate::units::{self, QuantityError, closest};
 use miette::NamedSource;
 use std::sync::Arc;
 use toml::de::Error;
+
+/// Examples are those of the schema.
+#[cfg(not(feature = "schema"))]
+fn example_line(_: &str) -> Option<String> {
+    None
+}
 
 /// A text that is not TOML.
 pub(super) fn syntax(error: &Error, text: &str, source: Arc<NamedSource<String>>) -> CaseError {
@@ -65,7 +73,7 @@ pub(super) fn content(error: &Error, source: &Source) -> CaseError {
         let (what, help) = message.split_once('\n').unwrap_or((message, ""));
         let key = if path.is_empty() { "case".into() } else { last_name(&path) };
         let joint = if what.starts_with("must ") { "" } else { ":" };
-        let help = match schema::example_line(&path) {
+        let help = match example_line(&path) {
             Some(line) if help.is_empty() || help.starts_with("write for example") => {
                 format!("write for example {line}")
             }
@@ -80,7 +88,7 @@ pub(super) fn content(error: &Error, source: &Source) -> CaseError {
 /// A key that is not there, shown at its table with a line that could be added.
 pub(super) fn missing(source: &Source, table: &str, key: &str) -> CaseError {
     let path = if table.is_empty() { key.to_owned() } else { format!("{table}.{key}") };
-    let help = match schema::example_line(&path) {
+    let help = match example_line(&path) {
         Some(line) => format!("add a line such as {line}"),
         None => format!("add it: [{path}]"),
     };

@@ -28,9 +28,11 @@ mod error;
 mod explain;
 pub mod file;
 pub mod files;
+#[cfg(feature = "schema")]
 mod laws;
 pub mod library;
 mod overrides;
+#[cfg(feature = "schema")]
 mod schema;
 mod solution;
 mod source;
@@ -38,7 +40,9 @@ mod sources;
 
 pub use error::CaseError;
 pub use file::CaseFile;
+#[cfg(feature = "schema")]
 pub use laws::{Law, law_list, laws};
+#[cfg(feature = "schema")]
 pub use schema::schema;
 pub use solution::Solution;
 pub use sources::Sources;

@@ -5,8 +5,10 @@
 //! come the JSON schema and the `laws` verb. The law joins its [`family!`](family) by two lines: `mod swift;` and
 //! `swift: Swift`. Whatever must hold for all of them is tested over the family's `examples()`.
 
+#[cfg(feature = "case")]
 mod named;
 
+#[cfg(feature = "case")]
 pub use named::{Named, OfNumber, Readable};
 
 /// Why a set of parameters is not a law.
@@ -25,14 +27,12 @@ pub struct LawError {
 pub(crate) mod prelude {
     pub use super::{Law, LawError};
     pub(crate) use super::{require, require_or};
-    pub use crate::units::{
-        As, Energy, Fraction, Length, NonNegative, Number, PerKelvin, Positive, Quantity, Speed, StrainRate, Stress,
-        Temperature, ZERO_CELSIUS, rounded,
-    };
-    pub use schemars::JsonSchema;
-    pub use serde::Deserialize;
+    #[cfg(feature = "case")]
+    pub use crate::units::{As, Energy, Fraction, Length, PerKelvin, Speed, StrainRate, Temperature};
+    pub use crate::units::{NonNegative, Number, Positive, Quantity, Stress, ZERO_CELSIUS, rounded};
 
     /// The default of a factor or an exponent.
+    #[cfg(feature = "case")]
     pub fn one() -> f64 {
         1.0
     }
@@ -160,6 +160,7 @@ macro_rules! family {
             }
         }
 
+        #[cfg(feature = "case")]
         impl $crate::law::Readable for $family {
             const ABOUT: &'static str = concat!($($doc, "\n"),+);
             const NUMBER: Option<$crate::law::OfNumber<Self>> = $crate::law::family!(@number $($plain $wanted)?);
@@ -169,6 +170,7 @@ macro_rules! family {
                 laws[index](map)
             }
 
+            #[cfg(feature = "schema")]
             fn schemas(generator: &mut schemars::SchemaGenerator) -> Vec<schemars::Schema> {
                 vec![$(generator.subschema_for::<$law>()),*]
             }

@@ -14,13 +14,12 @@
 use super::gtn::GtnCondition;
 use super::{Gtn, Hardening, Hill48, PointLaw, Rate, ThermalLaw};
 use crate::units::ZERO_CELSIUS;
-use schemars::JsonSchema;
-use serde::Deserialize;
 
 /// Matrix of the corrector.
 // H of Sosnowski (1994), equation 9.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "case", derive(serde::Deserialize), serde(rename_all = "snake_case"))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub enum Iteration {
     /// Newton's matrix with an independently carried stress.
     PrimalDual,

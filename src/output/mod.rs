@@ -19,6 +19,7 @@ pub mod pressure_cycle;
 pub mod profile;
 pub mod residual_stress;
 mod sections;
+#[cfg(feature = "import")]
 mod sketch;
 pub mod springback;
 mod stage_view;
@@ -38,6 +39,7 @@ pub use file::{WriteError, can_write, remove_others, write};
 pub use frame_recorder::FrameRecorder;
 pub use overlay::comparisons;
 pub use png::png;
+#[cfg(feature = "import")]
 pub use sketch::sketch;
 pub use stage_view::StageView;
 pub use summary::{CaseSummary, Figure, Summary};

@@ -35,7 +35,8 @@ pub use number::{rounded, significant, trimmed, without_zeros};
 pub use parse::{Parsed, parse};
 pub use quantity::Quantity;
 #[cfg(feature = "case")]
-pub use serde::{As, Plain, optional, value};
+pub use serde::{As, Plain};
+#[cfg(feature = "case")]
 pub(crate) use spelling::closest;
 pub use types::{
     Angle, Conductivity, Density, Energy, Force, HeatTransfer, Length, LineForce, Number, PerKelvin, Ratio,
