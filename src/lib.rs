@@ -51,22 +51,30 @@
 //! Eng. Sci. (1994); E. Oñate, O. C. Zienkiewicz, Int. J. Mech. Sci. 25 (1983) 305–335; E. Oñate, C. Agelet de
 //! Saracibar, Int. J. Num. Meth. Engng. 30 (1990) 1577–1593.
 
+#[cfg(feature = "case")]
 pub mod assess;
+#[cfg(feature = "case")]
 pub mod author;
+#[cfg(feature = "case")]
 pub mod case;
+#[cfg(feature = "case")]
 pub mod compare;
 pub mod contact;
 pub mod element;
 pub mod forming_limit;
 pub mod geometry;
+#[cfg(feature = "import")]
 pub mod import;
 pub mod law;
 pub mod material;
 pub mod measure;
 pub mod model;
 pub mod numerics;
+#[cfg(feature = "plot")]
 pub mod output;
+#[cfg(feature = "report")]
 pub mod report;
+#[cfg(feature = "case")]
 pub mod rules;
 pub mod solution;
 pub mod solver;
@@ -74,6 +82,7 @@ pub mod state;
 pub mod table;
 pub mod units;
 
+#[cfg(feature = "case")]
 pub use case::{Case, Solution};
 pub use model::{Model, Stage};
 pub use solution::{Frame, StageSolution, StepRecord, Stop};

@@ -3,11 +3,13 @@
 //! A [`Column`] is the only place that knows how a quantity is called, so the header of a CSV file and the label
 //! of an axis cannot disagree.
 
+#[cfg(feature = "case")]
 mod csv;
 mod field;
 pub mod fields;
 
 pub use crate::units::{Unit, UnitError};
+#[cfg(feature = "case")]
 pub use csv::{Csv, CsvError, Record};
 pub use field::{Field, worded};
 

@@ -1,9 +1,17 @@
 //! The keys of a case, and serde's complaints in a die designer's words.
 
+#[cfg(feature = "schema")]
+use super::schema::example_line;
 use super::source::Source;
-use super::{CaseError, CaseFile, schema};
+use super::{CaseError, CaseFile};
 use crate::units::closest;
 use toml::de::Error;
+
+/// Examples are those of the schema.
+#[cfg(not(feature = "schema"))]
+fn example_line(_: &str) -> Option<String> {
+    None
+}
 
 /// Reads the keys.
 pub(super) fn read(source: &Source) -> Result<CaseFile, CaseError> {
@@ -35,7 +43,7 @@ fn content(error: &Error, source: &Source) -> CaseError {
         let (what, help) = message.split_once('\n').unwrap_or((message, ""));
         let key = if path.is_empty() { "case".into() } else { last_name(&path) };
         let joint = if what.starts_with("must ") { "" } else { ":" };
-        let help = match schema::example_line(&path) {
+        let help = match example_line(&path) {
             Some(line) if help.is_empty() || help.starts_with("write for example") => {
                 format!("write for example {line}")
             }
@@ -50,7 +58,7 @@ fn content(error: &Error, source: &Source) -> CaseError {
 /// A key that is not there, shown at its table with a line that could be added.
 pub(super) fn missing(source: &Source, table: &str, key: &str) -> CaseError {
     let path = if table.is_empty() { key.to_owned() } else { format!("{table}.{key}") };
-    let help = match schema::example_line(&path) {
+    let help = match example_line(&path) {
         Some(line) => format!("add a line such as {line}"),
         None => format!("add it: [{path}]"),
     };

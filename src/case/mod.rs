@@ -28,10 +28,12 @@ mod error;
 mod explain;
 pub mod file;
 pub mod files;
+#[cfg(feature = "schema")]
 mod laws;
 pub mod library;
 mod overrides;
 mod read;
+#[cfg(feature = "schema")]
 mod schema;
 mod solution;
 mod source;
@@ -40,8 +42,10 @@ mod syntax;
 
 pub use error::CaseError;
 pub use file::CaseFile;
+#[cfg(feature = "schema")]
 pub use laws::{Law, law_list, laws};
 pub use read::{load, parse, parse_with};
+#[cfg(feature = "schema")]
 pub use schema::schema;
 pub use solution::Solution;
 pub use sources::Sources;

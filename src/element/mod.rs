@@ -3,12 +3,10 @@
 pub mod kinematics;
 pub mod section;
 
-use schemars::JsonSchema;
-use serde::Deserialize;
-
 /// Which section is solved.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "case", derive(serde::Deserialize), serde(rename_all = "snake_case"))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub enum Geometry {
     /// Body of revolution; forces are those of the whole ring.
     Axisymmetric,
@@ -17,8 +15,9 @@ pub enum Geometry {
 }
 
 /// Shell theory.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "case", derive(serde::Deserialize), serde(rename_all = "snake_case"))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub enum Theory {
     /// Membrane, bending and transverse shear.
     #[default]

@@ -1,14 +1,14 @@
 //! A measured curve.
 
 use super::{Curve, LimitError};
-use crate::law::prelude::*;
 
 /// Strains of a measured curve.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "case", derive(serde::Deserialize), serde(rename_all = "snake_case"))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub enum Strain {
     /// True strain.
-    #[serde(alias = "true")]
+    #[cfg_attr(feature = "case", serde(alias = "true"))]
     Logarithmic,
     /// Change of length over the initial length.
     Engineering,

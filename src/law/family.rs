@@ -70,6 +70,7 @@ macro_rules! family {
             }
         }
 
+        #[cfg(feature = "case")]
         impl $crate::law::Readable for $family {
             const ABOUT: &'static str = concat!($($doc, "\n"),+);
             const NUMBER: Option<$crate::law::OfNumber<Self>> = $crate::law::family!(@number $($plain $wanted)?);
@@ -79,6 +80,7 @@ macro_rules! family {
                 laws[index](map)
             }
 
+            #[cfg(feature = "schema")]
             fn schemas(generator: &mut schemars::SchemaGenerator) -> Vec<schemars::Schema> {
                 vec![$(generator.subschema_for::<$law>()),*]
             }

@@ -11,19 +11,21 @@
 //! J. L. Chaboche, Int. J. Plasticity 2 (1986) 149–188; the form with one back-stress: P. J. Armstrong, C. O. Frederick,
 //! CEGB report RD/B/N731 (1966) (both not read; the form is in common use).
 
+#[cfg(feature = "case")]
 use crate::law::prelude::*;
 
 /// A back-stress.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "case", derive(serde::Deserialize), serde(deny_unknown_fields))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct BackStress {
     /// C: its first slope over the plastic strain \[MPa\].
-    #[serde(with = "As::<Positive<Stress>>")]
-    #[schemars(example = "2500 MPa")]
+    #[cfg_attr(feature = "case", serde(with = "As::<Positive<Stress>>"))]
+    #[cfg_attr(feature = "schema", schemars(example = "2500 MPa"))]
     pub modulus: f64,
     /// γ, its dynamic recovery: it comes to C/γ; 0 when not given, which is Prager's linear hardening.
-    #[serde(default, rename = "recall", with = "As::<NonNegative<Number>>")]
-    #[schemars(example = 30)]
+    #[cfg_attr(feature = "case", serde(default, rename = "recall", with = "As::<NonNegative<Number>>"))]
+    #[cfg_attr(feature = "schema", schemars(example = 30))]
     pub dynamic_recovery: f64,
 }
 

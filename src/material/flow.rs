@@ -14,16 +14,15 @@
 use super::yield_condition::dot;
 use super::{Gtn, Hardening, Hill48, PointLaw, Rate, ThermalLaw};
 use crate::units::ZERO_CELSIUS;
-use schemars::JsonSchema;
-use serde::Deserialize;
 
 pub use super::point_law::StressUpdate;
 pub use super::yield_condition::{Metric, SHEAR_FACTOR, Symmetric, Triple, YieldCondition};
 
 /// Matrix of the corrector.
 // H of Sosnowski (1994), equation 9.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "case", derive(serde::Deserialize), serde(rename_all = "snake_case"))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub enum Iteration {
     /// Newton's matrix with an independently carried stress.
     PrimalDual,

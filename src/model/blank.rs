@@ -1,8 +1,6 @@
 //! The sheet before forming.
 
 use super::Theory;
-use schemars::JsonSchema;
-use serde::Deserialize;
 
 /// The sheet before forming.
 #[derive(Clone, Debug, PartialEq)]
@@ -24,8 +22,9 @@ pub struct Blank {
 }
 
 /// How element sizes are spread over the blank.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "case", derive(serde::Deserialize), serde(rename_all = "snake_case"))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub enum Grading {
     /// Equal elements.
     Uniform,
@@ -35,8 +34,9 @@ pub enum Grading {
 }
 
 /// The blank's outer edge.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Deserialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "case", derive(serde::Deserialize), serde(rename_all = "snake_case"))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub enum Edge {
     /// Draws in under the holder.
     #[default]
@@ -45,7 +45,7 @@ pub enum Edge {
     Clamped,
     /// Moves outward in its plane at `speed` times the punch speed \[–\] and keeps its slope: for tension tests, which no case
     /// file asks for.
-    #[serde(skip)]
+    #[cfg_attr(feature = "case", serde(skip))]
     Pulled {
         /// Over the punch speed \[–\].
         speed: f64,

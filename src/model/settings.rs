@@ -1,73 +1,72 @@
 //! Numerical parameters, and when a run ends early.
 
 use super::Iteration;
-use crate::units::{Fraction, Number, Positive, Ratio, Stress, optional, value};
-use schemars::JsonSchema;
-use serde::Deserialize;
+#[cfg(feature = "case")]
+use crate::units::{As, Fraction, Number, Positive, Ratio, Stress};
 
 /// Numerical parameters; one default serves every case, so most files have no `[solver]`.
-#[derive(Clone, Debug, PartialEq, Deserialize, JsonSchema)]
-#[serde(default, deny_unknown_fields)]
-#[schemars(rename = "Solver")]
+#[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "case", derive(serde::Deserialize), serde(default, deny_unknown_fields))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema), schemars(rename = "Solver"))]
 pub struct Settings {
     /// Matrix of the corrector; "primal_dual" when not given.
-    #[schemars(example = &"primal_dual")]
+    #[cfg_attr(feature = "schema", schemars(example = &"primal_dual"))]
     pub iteration: Iteration,
     /// What must be small for a step to be accepted; "velocity" when not given.
-    #[schemars(example = &"velocity")]
+    #[cfg_attr(feature = "schema", schemars(example = &"velocity"))]
     pub norm: Norm,
     /// Accepted value of the norm; 1e-5 when not given.
-    #[serde(deserialize_with = "value::<Positive<Number>, _>")]
-    #[schemars(with = "Positive<Number>", example = 1e-5)]
+    #[cfg_attr(feature = "case", serde(with = "As::<Positive<Number>>"))]
+    #[cfg_attr(feature = "schema", schemars(example = 1e-5))]
     pub tolerance: f64,
     /// Most iterations of one step (the secant matrix gets ten times as many); 40 when not given.
-    #[schemars(range(min = 1, max = 10_000), example = 40)]
+    #[cfg_attr(feature = "schema", schemars(range(min = 1, max = 10_000), example = 40))]
     pub max_iterations: usize,
     /// Largest step as a fraction of the travel; 0.01 when not given.
-    #[serde(deserialize_with = "value::<Fraction, _>")]
-    #[schemars(with = "Fraction", example = 0.01)]
+    #[cfg_attr(feature = "case", serde(with = "As::<Fraction>"))]
+    #[cfg_attr(feature = "schema", schemars(example = 0.01))]
     pub max_step: f64,
     /// First step as a fraction of the travel; 0.002 when not given.
-    #[serde(deserialize_with = "value::<Fraction, _>")]
-    #[schemars(with = "Fraction", example = 0.002)]
+    #[cfg_attr(feature = "case", serde(with = "As::<Fraction>"))]
+    #[cfg_attr(feature = "schema", schemars(example = 0.002))]
     pub first_step: f64,
     /// Smallest step as a fraction of the travel, below which the run stops; 1e-6 when not given.
-    #[serde(deserialize_with = "value::<Fraction, _>")]
-    #[schemars(with = "Fraction", example = 1e-6)]
+    #[cfg_attr(feature = "case", serde(with = "As::<Fraction>"))]
+    #[cfg_attr(feature = "schema", schemars(example = 1e-6))]
     pub min_step: f64,
     /// Equivalent strain that a hundredth of the travel adds below which the sheet counts as rigid; 5e-6 when not given. Other
     /// steps cut off in proportion, so that it stays a strain rate and small against what any step strains.
-    #[serde(deserialize_with = "value::<Positive<Number>, _>")]
-    #[schemars(with = "Positive<Number>", example = 5e-6)]
+    #[cfg_attr(feature = "case", serde(with = "As::<Positive<Number>>"))]
+    #[cfg_attr(feature = "schema", schemars(example = 5e-6))]
     pub cutoff_strain: f64,
     /// Contact stiffness times the sheet thickness, in MPa; "30 GPa" when not given.
-    #[serde(deserialize_with = "value::<Positive<Stress>, _>")]
-    #[schemars(with = "Positive<Stress>", example = "30 GPa", extend("default" = "30 GPa"))]
+    #[cfg_attr(feature = "case", serde(with = "As::<Positive<Stress>>"))]
+    #[cfg_attr(feature = "schema", schemars(example = "30 GPa", extend("default" = "30 GPa")))]
     pub contact_stiffness: f64,
     /// Gap over which contact sets in, over the sheet thickness; 0.003 when not given.
-    #[serde(deserialize_with = "value::<Positive<Number>, _>")]
-    #[schemars(with = "Positive<Number>", example = 0.003)]
+    #[cfg_attr(feature = "case", serde(with = "As::<Positive<Number>>"))]
+    #[cfg_attr(feature = "schema", schemars(example = 0.003))]
     pub contact_smoothing: f64,
     /// Sliding speed at which friction has reached 71 % of its full value, over the punch speed; 0.01 when not given.
-    #[serde(deserialize_with = "value::<Positive<Number>, _>")]
-    #[schemars(with = "Positive<Number>", example = 0.01)]
+    #[cfg_attr(feature = "case", serde(with = "As::<Positive<Number>>"))]
+    #[cfg_attr(feature = "schema", schemars(example = 0.01))]
     pub slip_speed: f64,
     /// Chords per 90° that replace the tools' arcs, 1 to 1000; exact arcs when not given.
-    #[schemars(range(min = 1, max = 1000), example = 20)]
+    #[cfg_attr(feature = "schema", schemars(range(min = 1, max = 1000), example = 20))]
     pub facets: Option<usize>,
     /// Rounds chords off by arcs with common tangents, so that the load does not tick at their vertices; true by default.
     pub round_facets: bool,
     /// What keeps tools out of the sheet; "penalty" when not given.
-    #[schemars(example = &"penalty")]
+    #[cfg_attr(feature = "schema", schemars(example = &"penalty"))]
     pub contact: ContactMethod,
     /// Equivalent strain that one step may add anywhere; 0.1 when not given. The next step is chosen by it, and one that
     /// goes beyond twice as much is repeated shorter.
-    #[serde(deserialize_with = "value::<Positive<Number>, _>")]
-    #[schemars(with = "Positive<Number>", example = 0.1)]
+    #[cfg_attr(feature = "case", serde(with = "As::<Positive<Number>>"))]
+    #[cfg_attr(feature = "schema", schemars(example = 0.1))]
     pub strain_step: f64,
     /// Thickness over bending radius from which an element bends where `blank.theory` is "selective"; 0.05 when not given.
-    #[serde(deserialize_with = "value::<Positive<Number>, _>")]
-    #[schemars(with = "Positive<Number>", example = 0.05)]
+    #[cfg_attr(feature = "case", serde(with = "As::<Positive<Number>>"))]
+    #[cfg_attr(feature = "schema", schemars(example = 0.05))]
     pub bend_ratio: f64,
 }
 
@@ -103,8 +102,9 @@ impl Default for Settings {
 }
 
 /// Norm of acceptance.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "case", derive(serde::Deserialize), serde(rename_all = "snake_case"))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub enum Norm {
     /// Relative increment of the velocities.
     Velocity,
@@ -115,8 +115,9 @@ pub enum Norm {
 }
 
 /// What keeps tools out of the sheet.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "case", derive(serde::Deserialize), serde(rename_all = "snake_case"))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub enum ContactMethod {
     /// Stiff springs: tools penetrate by thousandths of the thickness.
     Penalty,
@@ -125,21 +126,21 @@ pub enum ContactMethod {
 }
 
 /// When a run ends before its full travel; what can be checked at each accepted step.
-#[derive(Clone, Copy, Debug, PartialEq, Deserialize, JsonSchema)]
-#[serde(default, deny_unknown_fields)]
-#[schemars(rename = "Stop")]
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "case", derive(serde::Deserialize), serde(default, deny_unknown_fields))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema), schemars(rename = "Stop"))]
 pub struct StopRules {
     /// Ends where one place of the sheet takes all the stretching; true when not given.
-    #[schemars(example = true)]
+    #[cfg_attr(feature = "schema", schemars(example = true))]
     pub localised: bool,
     /// Ends when the punch force has fallen by this much from its maximum; never when not given.
-    #[serde(deserialize_with = "optional::<Positive<Ratio>, _>")]
-    #[schemars(with = "Option<Positive<Ratio>>", example = "20 %")]
+    #[cfg_attr(feature = "case", serde(with = "As::<Option<Positive<Ratio>>>"))]
+    #[cfg_attr(feature = "schema", schemars(example = "20 %"))]
     pub load_drop: Option<f64>,
     /// Ends when this share of the sheet's area, inside the gas's seal where there is gas, lies on the punch or the die: the
     /// part is formed. Never when not given.
-    #[serde(deserialize_with = "optional::<Positive<Ratio>, _>")]
-    #[schemars(with = "Option<Positive<Ratio>>", example = "95 %")]
+    #[cfg_attr(feature = "case", serde(with = "As::<Option<Positive<Ratio>>>"))]
+    #[cfg_attr(feature = "schema", schemars(example = "95 %"))]
     pub contact_share: Option<f64>,
 }
 

@@ -3,8 +3,6 @@
 use super::Friction;
 use crate::geometry::{Point, Profile};
 use crate::numerics::PiecewiseLinear;
-use schemars::JsonSchema;
-use serde::Deserialize;
 
 /// A rigid tool, drawn where it touches the flat blank (whose mid-surface is z = 0).
 #[derive(Clone, Debug, PartialEq)]
@@ -20,8 +18,9 @@ pub struct Tool {
 }
 
 /// Which tool.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Deserialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "case", derive(serde::Deserialize), serde(rename_all = "snake_case"))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub enum Role {
     /// Below the sheet, forms it towards +z.
     Punch,

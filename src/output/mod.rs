@@ -20,6 +20,7 @@ pub mod pressure_cycle;
 pub mod profile;
 pub mod residual_stress;
 mod sections;
+#[cfg(feature = "import")]
 mod sketch;
 pub mod springback;
 mod stage_view;
@@ -40,6 +41,7 @@ pub use frame_recorder::FrameRecorder;
 pub use make::{Extra, Files, Make, Output};
 pub use overlay::comparisons;
 pub use png::png;
+#[cfg(feature = "import")]
 pub use sketch::sketch;
 pub use stage_view::StageView;
 pub use summary::{CaseSummary, Figure, Summary};

@@ -35,12 +35,14 @@ pub use number::{four_digits, mm, rounded, significant, trimmed, without_zeros};
 pub use parse::{Parsed, parse};
 pub use quantity::Quantity;
 #[cfg(feature = "case")]
-pub use serde::{As, Plain, optional, value};
+pub use serde::{As, Plain};
+#[cfg(feature = "case")]
 pub(crate) use spelling::closest;
 pub use types::{
     Angle, Conductivity, Density, Energy, Force, HeatTransfer, Length, LineForce, Number, PerKelvin, Ratio,
     SpecificHeat, Speed, StrainRate, Stress, StressRate, Temperature, Time,
 };
+#[cfg(feature = "import")]
 pub(crate) use unit::factor;
 pub use unit::{Dimension, ZERO_CELSIUS};
 

@@ -59,22 +59,6 @@ pub(super) fn deserialize<'de, Q: Quantity, D: Deserializer<'de>>(from: D) -> Re
     from.deserialize_any(Text(PhantomData))
 }
 
-/// Reads a quantity for a field that holds its number in solver units.
-///
-/// # Errors
-/// As the quantity's own.
-pub fn value<'de, Q: Quantity + Deserialize<'de>, D: Deserializer<'de>>(from: D) -> Result<f64, D::Error> {
-    Q::deserialize(from).map(Q::value)
-}
-
-/// As [`value`], for a field that may be left out.
-///
-/// # Errors
-/// As the quantity's own.
-pub fn optional<'de, Q: Quantity + Deserialize<'de>, D: Deserializer<'de>>(from: D) -> Result<Option<f64>, D::Error> {
-    value::<Q, D>(from).map(Some)
-}
-
 /// Reads and writes a plain number in the solver's unit as a quantity is written, for fields of solver types:
 /// `#[serde(with = "As::<Positive<Stress>>")] k: f64`; an `Option<f64>` as an `Option` of a quantity.
 pub struct As<Q>(PhantomData<Q>);

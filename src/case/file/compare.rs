@@ -1,38 +1,38 @@
 //! `[[compare]]`: a published curve and how well it must be met, or the band that published values span.
 
 use crate::units::{Number, Positive, Ratio};
-use schemars::JsonSchema;
 use serde::Deserialize;
 
 /// One comparison with a reference: a curve (`x`, `y`, `tolerance`) or a band (`band`), as the quantity asks for.
-#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Compare {
     /// CSV file, looked for in `reference_data` beside the folder of the case, then beside the case.
-    #[schemars(example = "woo_load_travel.csv")]
+    #[cfg_attr(feature = "schema", schemars(example = "woo_load_travel.csv"))]
     pub reference: String,
     /// What is compared.
-    #[schemars(example = &"punch_force")]
+    #[cfg_attr(feature = "schema", schemars(example = &"punch_force"))]
     pub quantity: ComparedQuantity,
     /// Column of the CSV along which to compare with a curve.
-    #[schemars(example = &"travel_mm")]
+    #[cfg_attr(feature = "schema", schemars(example = &"travel_mm"))]
     pub x: Option<String>,
     /// Column of the CSV that is compared with a curve.
-    #[schemars(example = &"punch_force_N")]
+    #[cfg_attr(feature = "schema", schemars(example = &"punch_force_N"))]
     pub y: Option<String>,
     /// Part of the curve that is compared, in units of the x column; all of it when not given.
     pub range: Option<[Number; 2]>,
     /// Accepted relative difference from a curve.
-    #[schemars(example = "5 %")]
+    #[cfg_attr(feature = "schema", schemars(example = "5 %"))]
     pub tolerance: Option<Positive<Ratio>>,
     /// Columns of the CSV whose values, all rows of them, span the band.
-    #[schemars(example = &["diameter_x_mm", "diameter_y_mm"])]
+    #[cfg_attr(feature = "schema", schemars(example = &("diameter_x_mm", "diameter_y_mm")))]
     pub band: Option<Vec<String>>,
     /// Column of the CSV with each row's error of measurement, which widens the band.
-    #[schemars(example = &"error_mm")]
+    #[cfg_attr(feature = "schema", schemars(example = &"error_mm"))]
     pub error: Option<String>,
     /// Why that tolerance, or where a difference comes from.
-    #[schemars(example = "reading error of the published graph")]
+    #[cfg_attr(feature = "schema", schemars(example = "reading error of the published graph"))]
     pub reason: String,
     /// Whether the file may be missing: drop the CSV into `reference_data` to see the overlay.
     #[serde(default)]
@@ -43,8 +43,9 @@ pub struct Compare {
 }
 
 /// What is compared.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
 #[serde(rename_all = "snake_case")]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub enum ComparedQuantity {
     /// Punch force at equal travel, a curve.
     PunchForce,

@@ -1,28 +1,28 @@
 //! `[heat]`: the sheet's temperature and what changes it.
 
 use crate::units::{Conductivity, Density, Fraction, HeatTransfer, Positive, SpecificHeat, Temperature};
-use schemars::JsonSchema;
 use serde::de::value::{MapAccessDeserializer, StrDeserializer};
 use serde::de::{Error, MapAccess, Visitor};
 use serde::{Deserialize, Deserializer};
 
 /// Temperature of the sheet. Without density and specific heat it stays as it is given.
-#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Heat {
     /// Of the flat sheet: one temperature, one for the part under the punch and one for the flange, or a CSV file.
     pub initial: InitialTemperature,
     /// Of the sheet; with the specific heat, its temperature changes.
-    #[schemars(example = "2700 kg/m^3")]
+    #[cfg_attr(feature = "schema", schemars(example = "2700 kg/m^3"))]
     pub density: Option<Positive<Density>>,
     /// Of the sheet, per mass.
-    #[schemars(example = "900 J/kg/K")]
+    #[cfg_attr(feature = "schema", schemars(example = "900 J/kg/K"))]
     pub specific_heat: Option<Positive<SpecificHeat>>,
     /// Share of the plastic work that becomes heat; 0.9 when not given.
-    #[schemars(example = 0.9)]
+    #[cfg_attr(feature = "schema", schemars(example = 0.9))]
     pub plastic_share: Option<Fraction>,
     /// Along the sheet; none when not given.
-    #[schemars(example = "130 W/m/K")]
+    #[cfg_attr(feature = "schema", schemars(example = "130 W/m/K"))]
     pub conductivity: Option<Positive<Conductivity>>,
     /// A tool that heats or cools what lies on it.
     pub punch: Option<ToolHeat>,
@@ -33,20 +33,21 @@ pub struct Heat {
 }
 
 /// Heat transfer from and to a tool whose temperature stays.
-#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct ToolHeat {
     /// Temperature of the tool.
-    #[schemars(example = "25 °C")]
+    #[cfg_attr(feature = "schema", schemars(example = "25 °C"))]
     pub temperature: Positive<Temperature>,
     /// Heat-transfer coefficient of the contact.
-    #[schemars(example = "1.4 kW/m^2/K")]
+    #[cfg_attr(feature = "schema", schemars(example = "1.4 kW/m^2/K"))]
     pub transfer: Positive<HeatTransfer>,
 }
 
 /// Temperature of the flat sheet.
-#[derive(Clone, Debug, JsonSchema)]
-#[schemars(untagged)]
+#[derive(Clone, Debug)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema), schemars(untagged))]
 pub enum InitialTemperature {
     /// The same everywhere.
     Uniform(Positive<Temperature>),
@@ -58,14 +59,15 @@ pub enum InitialTemperature {
 }
 
 /// Temperatures by the tools' places on the flat sheet.
-#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Zones {
     /// Inside the punch's radius.
-    #[schemars(example = "25 °C")]
+    #[cfg_attr(feature = "schema", schemars(example = "25 °C"))]
     pub punch: Positive<Temperature>,
     /// From the die's throat outward.
-    #[schemars(example = "230 °C")]
+    #[cfg_attr(feature = "schema", schemars(example = "230 °C"))]
     pub flange: Positive<Temperature>,
 }
 

@@ -1,6 +1,7 @@
 //! A quantity that stays, or one that changes from point to point.
 
 use crate::units::Quantity;
+#[cfg(feature = "schema")]
 use schemars::JsonSchema;
 use serde::de::value::{SeqAccessDeserializer, StrDeserializer};
 use serde::{Deserialize, Deserializer, de};
@@ -56,6 +57,7 @@ impl<'de, X: Deserialize<'de>, V: Deserialize<'de>> Deserialize<'de> for Given<X
     }
 }
 
+#[cfg(feature = "schema")]
 impl<X: JsonSchema, V: JsonSchema> JsonSchema for Given<X, V> {
     fn inline_schema() -> bool {
         true

@@ -4,35 +4,35 @@ use crate::law::Named;
 use crate::material::{BackStress, Gtn, Hardening, Rate, ThermalLaw};
 use crate::model::Mode;
 use crate::units::{Fraction, Number, Positive, Stress};
-use schemars::JsonSchema;
 use serde::Deserialize;
 
 /// The sheet's material, isotropic in its plane.
-#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Material {
     /// A sheet of the built-in library (`stampflow materials` lists them); what else is written here replaces what the
     /// library says.
-    #[schemars(example = &"aa6016-t4")]
+    #[cfg_attr(feature = "schema", schemars(example = &"aa6016-t4"))]
     pub name: Option<String>,
     /// Where the numbers come from: author and year, or how they were measured; left out where they are assumed.
-    #[schemars(example = &"tension tests of this coil")]
+    #[cfg_attr(feature = "schema", schemars(example = &"tension tests of this coil"))]
     pub source: Option<String>,
     /// Young's modulus; given together with `poisson`.
-    #[schemars(example = "210 GPa")]
+    #[cfg_attr(feature = "schema", schemars(example = "210 GPa"))]
     pub young: Option<Positive<Stress>>,
     /// Poisson's ratio, below 0.5.
-    #[schemars(example = 0.3)]
+    #[cfg_attr(feature = "schema", schemars(example = 0.3))]
     pub poisson: Option<Fraction>,
     /// Normal anisotropy r̄, 0.1 to 10: width strain over thickness strain in tension, mean over the directions in the
     /// sheet; 1 when not given. σ_y² = σ_s² − 2 r̄/(1 + r̄) σ_s σ_θ + σ_θ².
     ///
     /// Valid for sheet that is alike in all its directions; it cannot show ears, and aluminium with r̄ below 1 is stronger in
     /// equi-biaxial tension than it says. Source: R. Hill, Proc. R. Soc. London A 193 (1948) 281–297.
-    #[schemars(example = 1.6)]
+    #[cfg_attr(feature = "schema", schemars(example = 1.6))]
     pub anisotropy: Option<Positive<Number>>,
     /// How the metal answers to strain; "flow" when not given. The others need `young` and `poisson`.
-    #[schemars(example = &"elasto_viscoplastic")]
+    #[cfg_attr(feature = "schema", schemars(example = &"elasto_viscoplastic"))]
     pub mode: Option<Mode>,
     /// Strain-rate dependence; none when not given. The punch's `speed` then matters.
     pub rate: Option<Named<Rate>>,
@@ -44,7 +44,7 @@ pub struct Material {
     /// dα = C ξ/σ_R dε − γ α dε: valid for metal that is bent and bent back; it needs tests with reversed strain. Source:
     /// J. L. Chaboche, Int. J. Plasticity 2 (1986) 149–188 (not read; the form is in common use).
     #[serde(default)]
-    #[schemars(length(max = 2))]
+    #[cfg_attr(feature = "schema", schemars(length(max = 2)))]
     pub kinematic: Vec<BackStress>,
     /// Microscopic voids; none when not given.
     pub voids: Option<Gtn>,

@@ -31,18 +31,18 @@ pub use tools::{Bead, Crowned, Die, Flat, Hemispherical, Holder, HolderForce, Pu
 
 use crate::model::{Edge, Geometry, Grading, Settings, StopRules, Theory};
 use crate::units::{Length, Positive};
-use schemars::JsonSchema;
 use serde::Deserialize;
 
 /// A forming case: blank, material, tools.
-#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct CaseFile {
     /// Shown above plots and reports.
-    #[schemars(example = "Steel cup, 60 mm punch")]
+    #[cfg_attr(feature = "schema", schemars(example = "Steel cup, 60 mm punch"))]
     pub title: String,
     /// Axisymmetric or plane strain.
-    #[schemars(example = &"axisymmetric")]
+    #[cfg_attr(feature = "schema", schemars(example = &"axisymmetric"))]
     pub geometry: Geometry,
     /// Shown wherever results are shown; an assumption begins with "declared: ".
     #[serde(default)]
@@ -87,21 +87,22 @@ pub struct CaseFile {
 }
 
 /// The flat sheet before forming.
-#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Blank {
     /// Radius of the blank (axisymmetric).
-    #[schemars(example = "55 mm")]
+    #[cfg_attr(feature = "schema", schemars(example = "55 mm"))]
     pub radius: Option<Positive<Length>>,
     /// Length from the symmetry plane to the edge (plane strain).
-    #[schemars(example = "420 mm")]
+    #[cfg_attr(feature = "schema", schemars(example = "420 mm"))]
     pub half_length: Option<Positive<Length>>,
     /// Initial thickness, 0.001 to 50 mm.
-    #[schemars(example = "0.9 mm")]
+    #[cfg_attr(feature = "schema", schemars(example = "0.9 mm"))]
     pub thickness: Positive<Length>,
     /// Number of elements from the axis or symmetry plane to the edge, 2 to 2000.
     #[serde(default = "default::elements")]
-    #[schemars(range(min = 2, max = 2000), example = 100)]
+    #[cfg_attr(feature = "schema", schemars(range(min = 2, max = 2000), example = 100))]
     pub elements: i64,
     /// How element sizes are spread.
     #[serde(default)]
@@ -111,7 +112,7 @@ pub struct Blank {
     pub theory: Theory,
     /// Integration points through the thickness of elements that bend, 3 to 101. When not given: 5 by the flow law, 15 for
     /// an elasto-viscoplastic sheet (with fewer the moment grows in jumps), 25 where a stage releases the sheet.
-    #[schemars(range(min = 3, max = 101), example = 5)]
+    #[cfg_attr(feature = "schema", schemars(range(min = 3, max = 101), example = 5))]
     pub layers: Option<i64>,
     /// How the outer edge is held.
     #[serde(default)]

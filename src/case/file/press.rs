@@ -2,17 +2,17 @@
 
 use super::HolderForce;
 use crate::units::{Energy, Positive};
-use schemars::JsonSchema;
 use serde::Deserialize;
 
 /// What the press can give, as its data sheet says.
-#[derive(Clone, Debug, Default, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, Default, Deserialize)]
 #[serde(deny_unknown_fields)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Press {
     /// Largest force; in plane strain per length of depth of the modelled half.
-    #[schemars(example = "1000 kN")]
+    #[cfg_attr(feature = "schema", schemars(example = "1000 kN"))]
     pub force: Option<HolderForce>,
     /// Work of one stroke (axisymmetric).
-    #[schemars(example = "20 kJ")]
+    #[cfg_attr(feature = "schema", schemars(example = "20 kJ"))]
     pub energy: Option<Positive<Energy>>,
 }

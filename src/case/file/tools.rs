@@ -2,12 +2,14 @@
 
 use super::{Friction, Given, Section};
 use crate::units::{Force, Length, LineForce, NonNegative, Positive, Quantity, Speed, Stress, Time};
+#[cfg(feature = "schema")]
 use schemars::JsonSchema;
 use serde::Deserialize;
 
 /// The rigid tools; each is placed where it touches the flat sheet.
-#[derive(Clone, Debug, Default, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, Default, Deserialize)]
 #[serde(deny_unknown_fields)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Tools {
     /// The punch, below the sheet.
     pub punch: Option<Punch>,
@@ -21,23 +23,25 @@ pub struct Tools {
 }
 
 /// A draw bead as a line restraint: it holds the sheet back while the sheet passes it.
-#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Bead {
     /// Distance of its line from the axis or symmetry plane.
-    #[schemars(example = "70 mm")]
+    #[cfg_attr(feature = "schema", schemars(example = "70 mm"))]
     pub at: Positive<Length>,
     /// Restraining force per length of the line.
-    #[schemars(example = "100 N/mm")]
+    #[cfg_attr(feature = "schema", schemars(example = "100 N/mm"))]
     pub restraining: NonNegative<LineForce>,
     /// Closing force per length of the line, taken from the holder's force; none when not given.
-    #[schemars(example = "150 N/mm")]
+    #[cfg_attr(feature = "schema", schemars(example = "150 N/mm"))]
     pub closing: Option<NonNegative<LineForce>>,
 }
 
 /// The punch moves towards +z; exactly one of the shapes is given.
-#[derive(Clone, Debug, Default, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, Default, Deserialize)]
 #[serde(deny_unknown_fields)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Punch {
     /// Spherical nose.
     pub hemispherical: Option<Hemispherical>,
@@ -48,117 +52,123 @@ pub struct Punch {
     /// A section of one's own, from the axis outward.
     pub profile: Option<Section>,
     /// Coulomb's coefficient of friction, 0 to 1, or another law; that of its side of the sheet when not given.
-    #[schemars(example = 0.08)]
+    #[cfg_attr(feature = "schema", schemars(example = 0.08))]
     pub friction: Option<Friction>,
     /// How far the punch goes from where it touches the flat sheet.
-    #[schemars(example = "25 mm")]
+    #[cfg_attr(feature = "schema", schemars(example = "25 mm"))]
     pub travel: Option<Positive<Length>>,
     /// Punch speed, 1 mm/s when not given; hardening without rate dependence does not feel it.
-    #[schemars(example = "1 mm/s")]
+    #[cfg_attr(feature = "schema", schemars(example = "1 mm/s"))]
     pub speed: Option<Positive<Speed>>,
     /// Instead of travel and speed: the travel over time, rising from 0 mm at 0 s, straight between its points; the last one is
     /// the whole travel.
-    #[schemars(example = &[["0 s", "0 mm"], ["2 s", "10 mm"], ["4 s", "30 mm"]])]
+    #[cfg_attr(feature = "schema", schemars(example = &(("0 s", "0 mm"), ("2 s", "10 mm"), ("4 s", "30 mm"))))]
     pub motion: Option<Vec<(NonNegative<Time>, NonNegative<Length>)>>,
 }
 
 /// Spherical nose (plane strain: cylindrical).
-#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Hemispherical {
     /// Radius of the nose and of the wall.
-    #[schemars(example = "25.4 mm")]
+    #[cfg_attr(feature = "schema", schemars(example = "25.4 mm"))]
     pub radius: Positive<Length>,
 }
 
 /// Flat face, corner and straight wall.
-#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Flat {
     /// Radius of the wall (axisymmetric).
-    #[schemars(example = "30 mm")]
+    #[cfg_attr(feature = "schema", schemars(example = "30 mm"))]
     pub radius: Option<Positive<Length>>,
     /// Half width between the walls (plane strain).
-    #[schemars(example = "30 mm")]
+    #[cfg_attr(feature = "schema", schemars(example = "30 mm"))]
     pub half_width: Option<Positive<Length>>,
     /// Radius of the corner.
-    #[schemars(example = "6 mm")]
+    #[cfg_attr(feature = "schema", schemars(example = "6 mm"))]
     pub nose: Positive<Length>,
 }
 
 /// Gently curved face, corner and straight wall.
-#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Crowned {
     /// Radius of the wall (axisymmetric).
-    #[schemars(example = "330 mm")]
+    #[cfg_attr(feature = "schema", schemars(example = "330 mm"))]
     pub radius: Option<Positive<Length>>,
     /// Half width between the walls (plane strain).
-    #[schemars(example = "330 mm")]
+    #[cfg_attr(feature = "schema", schemars(example = "330 mm"))]
     pub half_width: Option<Positive<Length>>,
     /// Radius of curvature of the face, larger than the punch's own radius.
-    #[schemars(example = "2800 mm")]
+    #[cfg_attr(feature = "schema", schemars(example = "2800 mm"))]
     pub face: Positive<Length>,
     /// Radius of the corner.
-    #[schemars(example = "10 mm")]
+    #[cfg_attr(feature = "schema", schemars(example = "10 mm"))]
     pub nose: Positive<Length>,
 }
 
 /// The die stands still above the sheet: `throat` and `shoulder`, or a `profile`.
-#[derive(Clone, Debug, Default, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, Default, Deserialize)]
 #[serde(deny_unknown_fields)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Die {
     /// Radius of the opening (plane strain: half width).
-    #[schemars(example = "31.25 mm")]
+    #[cfg_attr(feature = "schema", schemars(example = "31.25 mm"))]
     pub throat: Option<Positive<Length>>,
     /// Radius of the corner over which the sheet is drawn.
-    #[schemars(example = "6 mm")]
+    #[cfg_attr(feature = "schema", schemars(example = "6 mm"))]
     pub shoulder: Option<Positive<Length>>,
     /// A section of one's own, from outside inward.
     pub profile: Option<Section>,
     /// Coulomb's coefficient of friction, 0 to 1, or another law; that of its side of the sheet when not given.
-    #[schemars(example = 0.08)]
+    #[cfg_attr(feature = "schema", schemars(example = 0.08))]
     pub friction: Option<Friction>,
 }
 
 /// The blank holder presses the sheet against the die: a flat ring from its inner radius outward, or a `profile`.
-#[derive(Clone, Debug, Default, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, Default, Deserialize)]
 #[serde(deny_unknown_fields)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Holder {
     /// Inner radius (axisymmetric).
-    #[schemars(example = "32 mm")]
+    #[cfg_attr(feature = "schema", schemars(example = "32 mm"))]
     pub inner_radius: Option<Positive<Length>>,
     /// Distance of its inner edge from the symmetry plane (plane strain).
-    #[schemars(example = "341 mm")]
+    #[cfg_attr(feature = "schema", schemars(example = "341 mm"))]
     pub inner_half_width: Option<Positive<Length>>,
     /// A section of one's own, from inside outward.
     pub profile: Option<Section>,
     /// Force of the whole ring ("80 kN"), or per depth of the modelled half in plane strain ("1300 N/mm"); or its history
     /// over the punch travel: [["0 mm", "40 kN"], ["20 mm", "80 kN"]]. The holder's position follows.
-    #[schemars(example = "10 kN")]
+    #[cfg_attr(feature = "schema", schemars(example = "10 kN"))]
     pub force: Option<Given<NonNegative<Length>, HolderForce>>,
     /// Pressure times the initial area between holder and the die's flat: a force that stays.
-    #[schemars(example = "2.5 MPa")]
+    #[cfg_attr(feature = "schema", schemars(example = "2.5 MPa"))]
     pub pressure: Option<NonNegative<Stress>>,
     /// Fixed distance between the faces of holder and die: distance blocks.
-    #[schemars(example = "1.1 mm")]
+    #[cfg_attr(feature = "schema", schemars(example = "1.1 mm"))]
     pub gap: Option<Positive<Length>>,
     /// Springs or a cushion: the force grows as the holder is pushed away from the die.
     pub spring: Option<Spring>,
     /// Coulomb's coefficient of friction, 0 to 1, or another law; that of the punch's side or of the die when not given.
-    #[schemars(example = 0.08)]
+    #[cfg_attr(feature = "schema", schemars(example = 0.08))]
     pub friction: Option<Friction>,
 }
 
 /// A soft holder.
-#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Spring {
     /// Force where the holder touches the flat sheet.
-    #[schemars(example = "10 kN")]
+    #[cfg_attr(feature = "schema", schemars(example = "10 kN"))]
     pub preload: HolderForce,
     /// Force per move of the holder, "5 kN/mm"; in plane strain per depth as well, "50 N/mm^2".
-    #[schemars(example = "5 kN/mm")]
+    #[cfg_attr(feature = "schema", schemars(example = "5 kN/mm"))]
     pub stiffness: Stiffness,
 }
 
@@ -217,6 +227,7 @@ macro_rules! ring_or_per_depth {
             }
         }
 
+        #[cfg(feature = "schema")]
         impl JsonSchema for $type {
             fn inline_schema() -> bool {
                 true

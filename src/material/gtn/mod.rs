@@ -32,24 +32,25 @@ const LARGEST: f64 = 0.99;
 /// Valid for small, spread-out voids under tension; without shear it says little about compression.
 /// Source: in common use; A. L. Gurson (1977), V. Tvergaard, A. Needleman (1984), nucleation C. C. Chu, A. Needleman
 /// (1980) (not read).
-#[derive(Clone, Copy, Debug, PartialEq, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "case", derive(serde::Deserialize), serde(deny_unknown_fields))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Gtn {
     /// Initial porosity f₀, below 0.3.
-    #[serde(with = "As::<Fraction>")]
-    #[schemars(example = 0.01)]
+    #[cfg_attr(feature = "case", serde(with = "As::<Fraction>"))]
+    #[cfg_attr(feature = "schema", schemars(example = 0.01))]
     pub initial: f64,
     /// 1.5 when not given (Tvergaard).
-    #[serde(default = "tvergaard", with = "As::<Positive<Number>>")]
-    #[schemars(example = 1.5)]
+    #[cfg_attr(feature = "case", serde(default = "tvergaard", with = "As::<Positive<Number>>"))]
+    #[cfg_attr(feature = "schema", schemars(example = 1.5))]
     pub q1: f64,
     /// 1 when not given.
-    #[serde(default = "one", with = "As::<Positive<Number>>")]
-    #[schemars(example = 1.0)]
+    #[cfg_attr(feature = "case", serde(default = "one", with = "As::<Positive<Number>>"))]
+    #[cfg_attr(feature = "schema", schemars(example = 1.0))]
     pub q2: f64,
     /// q1² when not given, which 0 stands for until [`Gtn::prepare`].
-    #[serde(default, with = "As::<Positive<Number>>")]
-    #[schemars(!default, with = "Option<Positive<Number>>", example = 2.25)]
+    #[cfg_attr(feature = "case", serde(default, with = "As::<Positive<Number>>"))]
+    #[cfg_attr(feature = "schema", schemars(!default, with = "Option<Positive<Number>>", example = 2.25))]
     pub q3: f64,
     /// Voids that open at particles as the sheet strains; none when not given.
     pub nucleation: Option<Nucleation>,
@@ -58,37 +59,40 @@ pub struct Gtn {
 }
 
 /// Strain-controlled nucleation, spread normally.
-#[derive(Clone, Copy, Debug, PartialEq, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "case", derive(serde::Deserialize), serde(deny_unknown_fields))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Nucleation {
     /// Porosity f_N that all particles make.
-    #[serde(with = "As::<Fraction>")]
-    #[schemars(example = 0.04)]
+    #[cfg_attr(feature = "case", serde(with = "As::<Fraction>"))]
+    #[cfg_attr(feature = "schema", schemars(example = 0.04))]
     pub fraction: f64,
     /// Mean strain ε_N.
-    #[serde(with = "As::<Positive<Number>>")]
-    #[schemars(example = 0.3)]
+    #[cfg_attr(feature = "case", serde(with = "As::<Positive<Number>>"))]
+    #[cfg_attr(feature = "schema", schemars(example = 0.3))]
     pub strain: f64,
     /// Standard deviation s_N.
-    #[serde(with = "As::<Positive<Number>>")]
-    #[schemars(example = 0.1)]
+    #[cfg_attr(feature = "case", serde(with = "As::<Positive<Number>>"))]
+    #[cfg_attr(feature = "schema", schemars(example = 0.1))]
     pub deviation: f64,
 }
 
 /// Faster loss of strength from a critical porosity on.
-#[derive(Clone, Copy, Debug, PartialEq, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "case", derive(serde::Deserialize), serde(deny_unknown_fields))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Coalescence {
     /// f_c.
-    #[serde(with = "As::<Fraction>")]
-    #[schemars(example = 0.15)]
+    #[cfg_attr(feature = "case", serde(with = "As::<Fraction>"))]
+    #[cfg_attr(feature = "schema", schemars(example = 0.15))]
     pub critical: f64,
     /// f_F, at which the sheet bears nothing any more: the run ends there.
-    #[serde(with = "As::<Fraction>")]
-    #[schemars(example = 0.25)]
+    #[cfg_attr(feature = "case", serde(with = "As::<Fraction>"))]
+    #[cfg_attr(feature = "schema", schemars(example = 0.25))]
     pub fracture: f64,
 }
 
+#[cfg(feature = "case")]
 fn tvergaard() -> f64 {
     1.5
 }

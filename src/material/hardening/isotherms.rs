@@ -13,27 +13,29 @@ use crate::law::prelude::*;
 ///
 /// Valid between the coldest and the hottest curve; beyond them these are held.
 /// Source: each curve as `table`.
-#[derive(Clone, Debug, PartialEq, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
+#[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "case", derive(serde::Deserialize), serde(deny_unknown_fields))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Isotherms {
     /// At rising temperatures.
     curves: Vec<Isotherm>,
     /// What the curves do beyond their last point: a choice that has to be made.
-    #[schemars(example = &"slope")]
+    #[cfg_attr(feature = "schema", schemars(example = &"slope"))]
     extrapolation: Extrapolation,
 }
 
 /// One curve.
-#[derive(Clone, Debug, PartialEq, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
+#[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "case", derive(serde::Deserialize), serde(deny_unknown_fields))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 struct Isotherm {
-    #[serde(with = "As::<Positive<Temperature>>")]
-    #[schemars(example = "150 °C")]
+    #[cfg_attr(feature = "case", serde(with = "As::<Positive<Temperature>>"))]
+    #[cfg_attr(feature = "schema", schemars(example = "150 °C"))]
     temperature: f64,
     /// Pairs of strain and stress, the first at strain 0: `[[0, "90 MPa"], [0.1, "170 MPa"]]`.
     points: Vec<(NonNegative<Number>, Positive<Stress>)>,
     /// Takes the place of the points that were read.
-    #[serde(skip)]
+    #[cfg_attr(feature = "case", serde(skip))]
     curve: Monotone,
 }
 

@@ -7,20 +7,21 @@ use crate::law::prelude::*;
 ///
 /// Valid for metals with a marked yield stress; just beyond yield its slope is infinite, a chord over 1e-6 takes its place.
 /// Source: P. Ludwik, Elemente der technologischen Mechanik, Springer, Berlin (1909).
-#[derive(Clone, Copy, Debug, PartialEq, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "case", derive(serde::Deserialize), serde(deny_unknown_fields))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Ludwik {
     /// Yield stress σ₀ \[MPa\].
-    #[serde(with = "As::<Positive<Stress>>")]
-    #[schemars(example = "150 MPa")]
+    #[cfg_attr(feature = "case", serde(with = "As::<Positive<Stress>>"))]
+    #[cfg_attr(feature = "schema", schemars(example = "150 MPa"))]
     initial: f64,
     /// K, the hardening at a strain of 1 \[MPa\].
-    #[serde(with = "As::<NonNegative<Stress>>")]
-    #[schemars(example = "400 MPa")]
+    #[cfg_attr(feature = "case", serde(with = "As::<NonNegative<Stress>>"))]
+    #[cfg_attr(feature = "schema", schemars(example = "400 MPa"))]
     k: f64,
     /// Hardening exponent, above 0 and up to 1.
-    #[serde(with = "As::<Fraction>")]
-    #[schemars(example = 0.5)]
+    #[cfg_attr(feature = "case", serde(with = "As::<Fraction>"))]
+    #[cfg_attr(feature = "schema", schemars(example = 0.5))]
     n: f64,
 }
 

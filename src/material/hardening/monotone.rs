@@ -10,8 +10,9 @@ use crate::units::rounded;
 use std::fmt;
 
 /// Beyond the last point of a table: a declared choice.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "case", derive(serde::Deserialize), serde(rename_all = "snake_case"))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub enum Extrapolation {
     /// Keeps the last stress.
     #[default]

@@ -8,16 +8,17 @@ use crate::law::prelude::*;
 /// Valid for the strong rate dependence of mild steel at press speeds and beyond.
 /// Source: in common use; G. R. Cowper, P. S. Symonds, Brown University Tech. Rep. 28 (1957), P. Perzyna, Adv. Appl. Mech.
 /// 9 (1966) 243–377 (not read).
-#[derive(Clone, Copy, Debug, PartialEq, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "case", derive(serde::Deserialize), serde(deny_unknown_fields))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct CowperSymonds {
     /// C \[1/s\].
-    #[serde(with = "As::<Positive<StrainRate>>")]
-    #[schemars(example = "40 /s")]
+    #[cfg_attr(feature = "case", serde(with = "As::<Positive<StrainRate>>"))]
+    #[cfg_attr(feature = "schema", schemars(example = "40 /s"))]
     pub rate: f64,
     /// p.
-    #[serde(with = "As::<Positive<Number>>")]
-    #[schemars(example = 5.0)]
+    #[cfg_attr(feature = "case", serde(with = "As::<Positive<Number>>"))]
+    #[cfg_attr(feature = "schema", schemars(example = 5.0))]
     pub exponent: f64,
 }
 

@@ -11,16 +11,17 @@ use crate::law::prelude::*;
 /// Valid over the two or three decades of the rate that m was measured in.
 /// Source: in common use; W. A. Backofen, I. R. Turner, D. H. Avery, Superplasticity in an Al-Zn alloy, Trans. ASM 57
 /// (1964) 980–990 (not read).
-#[derive(Clone, Copy, Debug, PartialEq, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "case", derive(serde::Deserialize), serde(deny_unknown_fields))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct PowerRate {
     /// m, 0 to 1.
-    #[serde(with = "As::<Fraction>")]
-    #[schemars(example = 0.02)]
+    #[cfg_attr(feature = "case", serde(with = "As::<Fraction>"))]
+    #[cfg_attr(feature = "schema", schemars(example = 0.02))]
     pub exponent: f64,
     /// Strain rate at which the hardening law was measured \[1/s\].
-    #[serde(with = "As::<Positive<StrainRate>>")]
-    #[schemars(example = "0.001 /s")]
+    #[cfg_attr(feature = "case", serde(with = "As::<Positive<StrainRate>>"))]
+    #[cfg_attr(feature = "schema", schemars(example = "0.001 /s"))]
     pub reference: f64,
 }
 
