@@ -1,6 +1,6 @@
 //! Ctrl-C (SIGINT) and SIGTERM: the first ends the runs with all that they have computed, the second the program.
 
-use super::Code;
+use super::code::Code;
 use signal_hook::consts::{SIGINT, SIGTERM};
 use signal_hook::flag;
 use std::io;

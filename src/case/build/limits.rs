@@ -91,7 +91,8 @@ struct Kept {
 /// strains of every element where there is a forming limit.
 fn kept(Stage { name, model, .. }: &Stage, frames_key: String) -> [Kept; 3] {
     let (frames, elements, points) = (model.frames.len(), model.blank.elements, model.blank.layers);
-    let steps = frames + (1.0 / model.settings.max_step) as usize;
+    // Every frame is landed on, and no step is longer than the longest.
+    let steps = frames.max((1.0 / model.settings.max_step).round() as usize);
     let pathed = if model.forming_limit.is_some() { elements } else { 0 };
     let instants = steps.min(Paths::MOST);
     [
