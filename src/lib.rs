@@ -46,6 +46,18 @@
 //! Axisymmetric forces are totals over the whole ring; plane-strain forces are per mm of depth of the half that is
 //! modelled.
 //!
+//! # Features
+//!
+//! | feature | adds |
+//! |---|---|
+//! | none | the solver on models built in code, and what measures its results; without disk, clock, thread or environment |
+//! | `case` | case files with units, from the disk or from memory; findings, comparisons, templates |
+//! | `schema` | the JSON schema of case files, the list of laws, and examples in messages |
+//! | `import` | sections from DXF drawings |
+//! | `plot` | every table and plot of a solution |
+//! | `report` | the report |
+//! | `cli` | the program; all of the above; on by default |
+//!
 //! # References
 //! W. Sosnowski, Flow approach — finite element model for stamping processes versus experiment, Comp. Assist. Mech.
 //! Eng. Sci. (1994); E. Oñate, O. C. Zienkiewicz, Int. J. Mech. Sci. 25 (1983) 305–335; E. Oñate, C. Agelet de
