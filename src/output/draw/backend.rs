@@ -1,8 +1,8 @@
 //! What plotters draws, recorded as [`Mark`]s.
 
+use super::letters::{CAP, MIDDLE, text_width};
+use super::mark::{Mark, Point, WIDTH};
 use super::stroke::circle;
-use super::text::{CAP, MIDDLE, text_width};
-use super::{Mark, Point, WIDTH};
 use crate::output::chart::Color;
 use plotters::style::text_anchor::VPos;
 use plotters_backend::{

@@ -1,11 +1,16 @@
 //! Where everything goes: title, legend, panels, notes, from the top down.
 
 use super::backend::units;
+use super::canvas::Canvas;
+use super::letters::{NOTE, SPACING, TICK, TITLE, text_width, wrapped};
+use super::mark::WIDTH;
 use super::panel::{Frame, x_labels_height, y_labels_width};
 use super::shape::sample;
-use super::text::{NOTE, SPACING, TICK, TITLE, text, text_width, wrapped};
-use super::{Canvas, MARGIN, WIDTH};
+use super::text::text;
 use crate::output::chart::{BLACK, Chart, GREY, Look, Series};
+
+/// Around every picture.
+const MARGIN: f64 = 14.0;
 
 /// Width of a line sample in the legend.
 const SAMPLE: f64 = 38.0;

@@ -1,10 +1,11 @@
 //! One pair of axes: their ranges, labels and what is drawn between them.
 
 use super::backend::units;
+use super::canvas::{Canvas, NEVER};
+use super::letters::{LABEL, SPACING, TICK, text_width};
 use super::shape::{Shape, stroke};
-use super::text::{LABEL, SPACING, TICK, style, text_width};
+use super::text::style;
 use super::ticks::{tick, tick_count, ticks};
-use super::{Canvas, NEVER};
 use crate::output::chart::{BLACK, Color, Look, Panel, Scale};
 use crate::output::outline::clipped;
 use plotters::chart::{ChartBuilder, LabelAreaPosition};
@@ -102,7 +103,8 @@ pub(super) fn y_labels_width(range: &(f64, f64), panel: &Panel) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use super::super::{Drawing, Mark};
+    use super::super::drawing::Drawing;
+    use super::super::mark::Mark;
     use crate::output::chart::{Chart, Look, Panel, Scale, Series};
     use crate::table::{Column, Unit};
 

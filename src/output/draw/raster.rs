@@ -1,8 +1,8 @@
 //! Marks as pixels, antialiased by the area that they cover.
 
+use super::mark::{Mark, Point};
 use super::palette::Palette;
 use super::stroke::{circle, outline};
-use super::{Mark, Point};
 use crate::output::chart::{Color, WHITE};
 use crate::output::font;
 use plotters::style::text_anchor::HPos;

@@ -1,13 +1,15 @@
 //! Lines, circles and areas, in a panel or as samples in the legend.
 
 use super::backend::{px, units};
-use super::text::{MARK, SPACING, style, text_width};
-use super::{Canvas, NEVER};
+use super::canvas::{Canvas, NEVER, rgb};
+use super::letters::{MARK, SPACING, text_width};
+use super::text::style;
+
 use crate::output::chart::{BLACK, Color, Look, WHITE};
 use crate::output::outline::dashed;
 use plotters::element::{Drawable, PointCollection};
+use plotters::style::ShapeStyle;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
-use plotters::style::{RGBColor, ShapeStyle};
 use plotters_backend::{BackendCoord, DrawingBackend, DrawingErrorKind};
 
 /// A series or a legend sample, as plotters draws it wherever the points come to lie.
@@ -82,8 +84,4 @@ pub(super) fn sample(canvas: &Canvas, look: Look, at: (f64, f64), size: (f64, f6
 
 pub(super) fn stroke(color: Color, width: f64) -> ShapeStyle {
     ShapeStyle::from(rgb(color)).stroke_width(units(width) as u32)
-}
-
-pub(super) fn rgb(color: Color) -> RGBColor {
-    RGBColor(color.0, color.1, color.2)
 }

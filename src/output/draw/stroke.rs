@@ -1,6 +1,6 @@
 //! The outline of a line that has a width.
 
-use super::Point;
+use super::mark::Point;
 use std::f64::consts::TAU;
 
 /// Chords of round joins span at most this angle \[rad\].

@@ -1,6 +1,7 @@
 //! Marks as SVG.
 
-use super::{Drawing, Mark, Point, WIDTH};
+use super::drawing::Drawing;
+use super::mark::{Mark, Point, WIDTH};
 use crate::output::chart::Color;
 use crate::output::font::FAMILY;
 use plotters::style::text_anchor::HPos;
