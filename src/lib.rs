@@ -63,6 +63,9 @@
 //! Eng. Sci. (1994); E. Oñate, O. C. Zienkiewicz, Int. J. Mech. Sci. 25 (1983) 305–335; E. Oñate, C. Agelet de
 //! Saracibar, Int. J. Num. Meth. Engng. 30 (1990) 1577–1593.
 
+#![deny(missing_docs)]
+#![forbid(unsafe_code)]
+
 #[cfg(feature = "case")]
 pub mod assess;
 #[cfg(feature = "case")]
