@@ -29,7 +29,8 @@ pub fn comparisons(case: &Case, computed: &Computed) -> Result<Vec<Comparison>, 
 
 /// `compare_<n>_<quantity>.csv` and `.png` of every comparison, counted from 1; nothing of those without data.
 pub(super) fn files<'a>(solution: &'a Solution, comparisons: &'a [Comparison]) -> Files<'a> {
-    let view = solution.views().into_iter().next();
+    // A case that is compared with nothing is not looked over for it.
+    let view = comparisons.first().and_then(|_| solution.views().into_iter().next());
     let charts = comparisons.iter().enumerate().filter_map(move |(i, comparison)| {
         let stem = format!("compare_{}_{}", i + 1, comparison.spec.against.name());
         Some((stem, comparison, plot(view.as_ref()?, comparison)?))
