@@ -3,6 +3,7 @@
 use crate::contact::penalty::Penalty;
 use crate::element::Node;
 use crate::element::kinematics::Reference;
+use crate::element::surface::STATIONS;
 use crate::forming_limit::{Instant, Paths};
 use crate::geometry::Point;
 use crate::material::flow::{ROOM_TEMPERATURE, Triple};
@@ -58,7 +59,7 @@ pub struct State {
     pub tools: Vec<Point>,
     /// Velocity of each tool along z \[mm/s\].
     pub tool_velocity: Vec<f64>,
-    /// Contact pressure of tools by nodes \[MPa\].
+    /// Contact pressure of tools by contact points \[MPa\].
     pub pressure: Grid<f64>,
     /// The augmented Lagrangian's shift λ ≤ 0 of the same pairs \[mm\]; zero with a penalty.
     pub shift: Grid<f64>,
@@ -66,12 +67,6 @@ pub struct State {
     pub gas: Vec<f64>,
     /// Initial distances of the nodes from the axis \[mm\].
     pub s0: Vec<f64>,
-}
-
-/// Thickness that contact sees at node `i` \[mm\]: the mean of the thicknesses of the elements that meet there.
-#[inline]
-pub fn thickness_at(elements: &[f64], i: usize) -> f64 {
-    0.5 * (elements[i.max(1) - 1] + elements[i.min(elements.len() - 1)])
 }
 
 /// How far a tool touches or penetrates nothing yet: a few smoothing lengths \[mm\].
@@ -125,8 +120,8 @@ impl State {
                 .iter()
                 .map(|t| if t.motion == Motion::Travel { model.speed } else { 0.0 })
                 .collect(),
-            pressure: Grid::new(model.tools.len(), nodes.len(), 0.0),
-            shift: Grid::new(model.tools.len(), nodes.len(), 0.0),
+            pressure: Grid::new(model.tools.len(), STATIONS.len() * elements, 0.0),
+            shift: Grid::new(model.tools.len(), STATIONS.len() * elements, 0.0),
             gas: vec![0.0; model.gas.len()],
             nodes,
             s0,
@@ -139,9 +134,14 @@ impl State {
         Point::new(self.nodes[i][0] - self.tools[j].x, self.nodes[i][1] - self.tools[j].y)
     }
 
-    /// Thickness that contact sees at node `i` \[mm\]: the mean of its elements'.
+    /// Number of points at which the sheet may touch a tool.
+    pub fn contact_points(&self) -> usize {
+        STATIONS.len() * self.thickness.len()
+    }
+
+    /// Thickness at node `i` \[mm\]: the mean of its elements'.
     pub fn thickness_at(&self, i: usize) -> f64 {
-        thickness_at(&self.thickness, i)
+        0.5 * (self.thickness[i.max(1) - 1] + self.thickness[i.min(self.thickness.len() - 1)])
     }
 
     /// A tool that lets go presses no more.

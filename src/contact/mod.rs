@@ -1,11 +1,15 @@
-//! Sheet nodes against rigid tools: gap, pressure, friction, tangent, in that order.
+//! The sheet's faces against rigid tools: gap, pressure, friction, tangent, in that order.
 //!
 //! ```text
 //! g = d(x) − t/2               gap between the tool and the sheet's face (current thickness)
-//! N = a p(g)                   normal force of the tributary area a, smoothed penalty p
+//! N = a p(g)                   normal force on the area a of a contact point, smoothed penalty p
 //! T = −a τ(p, s)               friction against the slip s relative to the tool
 //! F = N n + T τ                on the sheet; n points from the tool to the sheet
+//! Q = −N/2                     on its thickness: the virtual work is F·δx + Q δt
 //! ```
+//!
+//! The pressure acts on one face, and so presses the thickness by its half: what [`solver`](crate::solver) makes of that
+//! is the normal stress in the flow law.
 //!
 //! An augmented Lagrangian shifts the gap that the penalty sees by λ ≤ 0, step by step of its own iteration, until the
 //! pressure stands at a gap of nothing: N = a p(g + λ).
@@ -15,19 +19,18 @@ pub mod penalty;
 
 use crate::geometry::{Closest, Point, turned};
 use friction::{Friction, Sliding};
-use nalgebra::Matrix2;
 use penalty::{Penalty, ValueAndSlope};
 
-/// A node as a tool sees it.
+/// A point of the sheet's mid-surface as a tool sees it.
 #[derive(Clone, Copy, Debug)]
-pub struct ContactNode {
-    /// Position in the tool's own frame: the node's less the tool's displacement \[mm\].
+pub struct ContactPoint {
+    /// Position in the tool's own frame: the point's less the tool's displacement \[mm\].
     pub position: Point,
     /// Displacement in the step, relative to the tool \[mm\].
     pub relative: Point,
-    /// Current thickness at the node \[mm\].
+    /// Current thickness there \[mm\].
     pub thickness: f64,
-    /// Tributary area \[mm², or mm per mm of depth\].
+    /// Area that belongs to it \[mm², or mm per mm of depth\].
     pub area: f64,
     /// Pressure carried from the last iteration \[MPa\]; zero gives the consistent tangent.
     pub carried: f64,
@@ -41,65 +44,80 @@ pub struct ContactNode {
     pub shear_yield: f64,
 }
 
-/// Force of a tool on a node, and its derivatives.
+/// Force of a tool on a point of the sheet, F = N n + T τ, and its derivatives.
+///
+/// ```text
+/// dg = n·dx − dt/2     ds = slip_turn τ·dx     dn = c τ (τ·dx)     dτ = −c n (τ·dx)
+/// dN = by_gap dg       dT = drag_by_gap dg + drag_by_slip ds
+/// ```
+///
+/// with dx of the point's position less the tool's displacement. The frame turns along a curved tool.
 #[derive(Clone, Copy, Debug)]
 pub struct ContactForce {
-    /// Force on the sheet \[N, or N/mm\].
-    pub force: Point,
-    /// ∂F/∂x with x the node's position; ∂F/∂(tool displacement) is its negative times e_z. Not symmetric.
-    pub by_position: Matrix2<f64>,
-    /// ∂F/∂t \[N/mm\].
-    pub by_thickness: Point,
+    /// n, from the tool to the sheet; τ is n turned by +90°.
+    pub facing: Point,
+    /// c, the curvature of the distance \[1/mm\].
+    pub curvature: f64,
     /// Gap between tool and sheet face \[mm\]; negative when the sheet penetrates.
     pub gap: f64,
+    /// Slip s of the step along τ \[mm\].
+    pub slip: f64,
+    /// ds by a move along τ \[–\].
+    pub slip_turn: f64,
     /// Pressure \[MPa\] and the slope dp/dg of the matrix \[N/mm³\].
     pub pressure: ValueAndSlope,
     /// Normal force N ≥ 0 \[N, or N/mm\].
     pub normal: f64,
-    /// Friction T, positive along the normal turned by +90° \[N, or N/mm\].
+    /// dN/dg < 0 \[N/mm\].
+    pub by_gap: f64,
+    /// Friction T along τ \[N, or N/mm\].
     pub tangential: f64,
-    /// Slip s of the step, along the same direction \[mm\].
-    pub slip: f64,
+    /// ∂T/∂g \[N/mm\].
+    pub drag_by_gap: f64,
+    /// ∂T/∂s \[N/mm\].
+    pub drag_by_slip: f64,
 }
 
-/// The force of one tool on one node whose closest point of the tool is `closest`; `None` when it is out of reach.
-#[inline]
-pub fn touch(closest: &Closest, penalty: &Penalty, friction: &Friction, node: &ContactNode) -> Option<ContactForce> {
-    let gap = closest.distance - 0.5 * node.thickness;
-    let pressure = penalty.towards(gap + node.shift, node.carried)?;
-    let n = closest.normal;
-    let tau = turned(n);
+impl ContactForce {
+    /// τ.
+    #[inline]
+    pub fn along(&self) -> Point {
+        turned(self.facing)
+    }
 
-    let normal = node.area * pressure.value;
-    let stiffness = node.area * pressure.slope; // dN/dg, negative
-    let slip = tau.dot(&node.relative);
+    /// F on the sheet \[N, or N/mm\].
+    #[inline]
+    pub fn force(&self) -> Point {
+        self.facing * self.normal + self.along() * self.tangential
+    }
+}
+
+/// The force of one tool on one point whose closest point of the tool is `closest`; `None` when it is out of reach.
+#[inline]
+pub fn touch(closest: &Closest, penalty: &Penalty, friction: &Friction, point: &ContactPoint) -> Option<ContactForce> {
+    let gap = closest.distance - 0.5 * point.thickness;
+    let pressure = penalty.towards(gap + point.shift, point.carried)?;
+    let (facing, curvature) = (closest.normal, closest.curvature);
+    let slip = turned(facing).dot(&point.relative);
     let drag = friction.at(&Sliding {
         pressure: pressure.value,
         slip,
-        scale: node.slip_scale,
-        duration: node.duration,
-        shear_yield: node.shear_yield,
+        scale: point.slip_scale,
+        duration: point.duration,
+        shear_yield: point.shear_yield,
     });
-    let tangential = -node.area * drag.value;
-
-    // dn = c τ (τ·dx), dτ = −c n (τ·dx): the frame turns along a curved tool.
-    let c = closest.curvature;
-    let slip_row = tau * (1.0 - c * n.dot(&node.relative));
-    let force_row = n * (-drag.by_pressure * stiffness) - slip_row * (node.area * drag.by_slip);
-    let by_position =
-        n * n.transpose() * stiffness + tau * tau.transpose() * (normal * c) + tau * force_row.transpose()
-            - n * tau.transpose() * (tangential * c);
-    let by_thickness = (n - tau * drag.by_pressure) * (-0.5 * stiffness);
-
     Some(ContactForce {
-        force: n * normal + tau * tangential,
-        by_position,
-        by_thickness,
+        facing,
+        curvature,
         gap,
-        pressure,
-        normal,
-        tangential,
         slip,
+        slip_turn: 1.0 - curvature * facing.dot(&point.relative),
+        pressure,
+        normal: point.area * pressure.value,
+        by_gap: point.area * pressure.slope,
+        tangential: -point.area * drag.value,
+        drag_by_gap: -point.area * drag.by_pressure * pressure.slope,
+        drag_by_slip: -point.area * drag.by_slip,
     })
 }
 
@@ -122,12 +140,12 @@ mod tests {
             (Profile::holder(60.0, t), Point::new(70.0, 0.001)),
         ]) {
             let contact = profile.closest(position);
-            // Put the node at three gaps around touching, with a step that slides both ways.
+            // Put the point at three gaps around touching, with a step that slides both ways.
             for gap in [-4e-3, 0.0, 3e-3] {
                 for slip in [-0.2, 1e-3, 0.05] {
                     let x = position + contact.normal * (gap + 0.5 * t - contact.distance);
                     let at = |x: Point, moved: Point, thickness: f64| {
-                        let node = ContactNode {
+                        let point = ContactPoint {
                             position: x,
                             relative: moved,
                             thickness,
@@ -138,17 +156,22 @@ mod tests {
                             duration: 0.1,
                             shear_yield: 150.0,
                         };
-                        touch(&profile.closest(x), &penalty, &friction, &node).expect("within reach")
+                        touch(&profile.closest(x), &penalty, &friction, &point).expect("within reach")
                     };
                     let step = turned(contact.normal) * slip + contact.normal * 0.01;
                     let base = at(x, step, t);
-                    for (j, d) in [Point::new(h, 0.0), Point::new(0.0, h)].into_iter().enumerate() {
-                        let difference = (at(x + d, step + d, t).force - at(x - d, step - d, t).force) / (2.0 * h);
-                        let scale = base.by_position.norm();
-                        assert!((difference - base.by_position.column(j)).norm() < 1e-4 * scale);
+                    let (n, tau) = (base.facing, base.along());
+                    for d in [Point::new(h, 0.0), Point::new(0.0, h)] {
+                        let difference = (at(x + d, step + d, t).force() - at(x - d, step - d, t).force()) / (2.0 * h);
+                        let (dg, dx) = (n.dot(&d) / h, tau.dot(&d) / h);
+                        let friction = base.drag_by_gap * dg + base.drag_by_slip * base.slip_turn * dx;
+                        let turning = (tau * base.normal - n * base.tangential) * (base.curvature * dx);
+                        let expected = n * (base.by_gap * dg) + tau * friction + turning;
+                        assert!((difference - expected).norm() < 1e-4 * base.by_gap.abs());
                     }
-                    let difference = (at(x, step, t + h).force - at(x, step, t - h).force) / (2.0 * h);
-                    assert_relative_eq!(difference, base.by_thickness, max_relative = 1e-4);
+                    let (thick, thin) = (at(x, step, t + h), at(x, step, t - h));
+                    let expected = (n * base.by_gap + tau * base.drag_by_gap) * -0.5;
+                    assert_relative_eq!((thick.force() - thin.force()) / (2.0 * h), expected, max_relative = 1e-4);
                 }
             }
         }

@@ -15,6 +15,7 @@
 //! Oñate, Agelet de Saracibar, Int. J. Num. Meth. Engng. 30 (1990) 1577–1593; Zienkiewicz, Taylor,
 //! The Finite Element Method (1989).
 
+use super::surface::STATIONS;
 use super::{Geometry, Node, Theory};
 
 /// Generalised strains or stress resultants: meridional and hoop membrane, meridional and hoop bending, shear.
@@ -78,10 +79,12 @@ impl Reference {
         if self.hoop { std::f64::consts::TAU * self.radius * self.length } else { self.length }
     }
 
-    /// Shares of the area that belong to the two nodes (linear shape functions); they sum to the area.
-    pub fn tributary(&self) -> [f64; 2] {
-        let skew = if self.hoop { self.dr / (12.0 * self.radius) } else { 0.0 };
-        [self.area() * (0.5 - skew), self.area() * (0.5 + skew)]
+    /// The parts of the area that belong to the [contact points](super::surface::STATIONS); they sum to the area.
+    pub fn contact_areas(&self) -> [f64; 2] {
+        STATIONS.map(|station| {
+            let skew = if self.hoop { 0.25 * station.xi * self.dr / self.radius } else { 0.0 };
+            self.area() * (0.5 + skew)
+        })
     }
 
     /// The same element after its nodes have moved by `a` and `b` in the step; `None` when it has collapsed or crossed
@@ -320,13 +323,15 @@ mod tests {
     }
 
     #[test]
-    fn tributary_areas_sum_to_the_area() {
+    fn contact_areas_integrate_over_the_element() {
         for reference in kinds() {
-            let [a, b] = reference.tributary();
+            let [a, b] = reference.contact_areas();
             assert_relative_eq!(a + b, reference.area(), max_relative = 1e-14);
         }
         // Axis element of a disc of radius 1: 2π∫(1−r) r dr = π/3 for the node on the axis.
         let reference = Reference::new(Geometry::Axisymmetric, Theory::Bending, [0.0; 3], [1.0, 0.0, 0.0]);
-        assert_relative_eq!(reference.tributary()[0], std::f64::consts::PI / 3.0, max_relative = 1e-14);
+        let areas = reference.contact_areas().into_iter().zip(STATIONS);
+        let on_axis: f64 = areas.map(|(area, station)| area * station.shape[0]).sum();
+        assert_relative_eq!(on_axis, std::f64::consts::PI / 3.0, max_relative = 1e-14);
     }
 }

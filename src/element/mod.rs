@@ -2,6 +2,7 @@
 
 pub mod kinematics;
 pub mod section;
+pub mod surface;
 
 /// Which section is solved.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

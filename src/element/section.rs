@@ -26,8 +26,8 @@ pub struct Internal {
     pub force: Vector6,
     /// Bᵀ C B + geometric stiffness: blocks of the first and second node.
     pub matrix: [[Matrix3<f64>; 2]; 2],
-    /// ∂t/∂x of the current thickness \[–\].
-    pub thickness_row: [f64; 6],
+    /// ∂t of the current thickness by r₁+r₂, r₂−r₁ and z₂−z₁ \[–\].
+    pub thickness_row: [f64; 3],
     /// Current thickness, by constant volume \[mm\].
     pub thickness: f64,
 }
@@ -156,9 +156,7 @@ impl<L: PointLaw> Law<'_, L> {
         };
         let matrix = [[block(-1.0, -1.0), block(-1.0, 1.0)], [block(1.0, -1.0), block(1.0, 1.0)]];
         let thickness = thickness * (-e[EPS_S] - e[EPS_T]).exp();
-        let [along_r, along_z] = e0.map(|v| thickness * v);
-        let around = thickness * g.hoop;
-        let thickness_row = [along_r - around, along_z, 0.0, -along_r - around, -along_z, 0.0];
+        let thickness_row = [g.hoop, e0[0], e0[1]].map(|by| -thickness * by);
         Internal { force, matrix, thickness_row, thickness }
     }
 }

@@ -51,7 +51,7 @@ impl<'a> Converged<'a> {
                 porosity_rate: point.porosity_rate,
             }
         });
-        let nodes = state.nodes.len();
+        let points_of_contact = state.contact_points();
         let strains = state.membrane.iter().zip(&evaluation.membrane_increment);
         let tool_moves = trial.tools.iter().zip(&state.tools);
         let mut next = State {
@@ -69,8 +69,8 @@ impl<'a> Converged<'a> {
             points: Grid::from_values(state.points.columns(), points),
             tools: trial.tools.clone(),
             tool_velocity: tool_moves.map(|(now, before)| (now.y - before.y) / dt).collect(),
-            pressure: Grid::from_values(nodes, evaluation.contacts.iter().map(|contact| contact.pressure.value)),
-            shift: Grid::from_values(nodes, trial.contacts.iter().map(|memory| memory.shift)),
+            pressure: Grid::from_values(points_of_contact, evaluation.contacts.iter().map(|contact| contact.pressure.value)),
+            shift: Grid::from_values(points_of_contact, trial.contacts.iter().map(|memory| memory.shift)),
             gas: trial.gas.clone(),
             s0: state.s0.clone(),
         };

@@ -1,20 +1,22 @@
 //! What follows from a step and a trial of it: residual, matrix, stress, contacts.
 
-use super::process::{Process, nodal_areas, references};
+use super::process::{Process, references};
 use crate::contact::penalty::{Penalty, ValueAndSlope};
 use crate::element::Node;
+use crate::element::kinematics::Current;
+use crate::element::surface::STATIONS;
 use crate::geometry::Point;
 use crate::material::flow::StressUpdate;
 use crate::model::{Iteration, PressureCap};
 use crate::numerics::Grid;
 use crate::numerics::block_tridiagonal::System;
-use crate::state::{State, thickness_at};
+use crate::state::State;
 use nalgebra::Vector3;
 
 /// Cosine between the normals of two tools below which they press on opposite faces \[–\].
 const OPPOSED: f64 = -0.5;
 
-/// Pressure over that of touching above which a node counts as in contact \[–\].
+/// Pressure over that of touching above which a point counts as in contact \[–\].
 const LIGHT: f64 = 0.01;
 
 /// How an iteration linearises the equilibrium.
@@ -27,12 +29,10 @@ pub(super) struct Linearisation {
     pub velocity_norm: f64,
 }
 
-/// One node against one tool at the end of the step under trial; forces are zero when it is out of reach.
+/// One point of the sheet against one tool at the end of the step under trial; forces are zero when it is out of reach.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct Contact {
-    /// Distance of the mid-surface from the tool \[mm\]; infinite until measured when far away.
-    pub distance: f64,
-    /// Gap between the tool and the sheet's face \[mm\]; infinite when far away.
+    /// Gap between the tool and the sheet's face \[mm\]; infinite until measured when far away.
     pub gap: f64,
     /// Normal force and friction \[N, or N/mm\], and the slip that goes with it \[mm\].
     pub normal: f64,
@@ -45,9 +45,9 @@ pub(super) struct Contact {
 }
 
 impl Contact {
-    /// A node far away that nothing presses.
+    /// A point far away that nothing presses.
     pub fn free() -> Self {
-        Self { distance: f64::INFINITY, gap: f64::INFINITY, ..Self::default() }
+        Self { gap: f64::INFINITY, ..Self::default() }
     }
 
     /// Whether the tool presses: the sheet's face is in it, or held at it.
@@ -90,18 +90,20 @@ pub(super) struct Evaluation {
     pub nodes: Vec<Node>,
     /// Elements by thickness points.
     pub updates: Grid<StressUpdate>,
-    /// Of each element \[mm\], and its derivative by r, z, θ of both nodes.
+    /// Of each element \[mm\], and its derivative by r₁+r₂, r₂−r₁, z₂−z₁.
     pub thickness: Vec<f64>,
-    pub thickness_rows: Vec<[f64; 6]>,
+    pub thickness_rows: Vec<[f64; 3]>,
+    /// Every element as it was tried last.
+    pub currents: Vec<Current>,
     /// Membrane strains Δε_s, Δε_θ of each element \[–\].
     pub membrane_increment: Vec<[f64; 2]>,
     /// Their derivatives by r, z of both nodes; empty where no gas holds a strain rate.
     pub membrane_rows: Vec<[[f64; 4]; 2]>,
-    /// Tools by nodes.
+    /// Tools by contact points.
     pub contacts: Grid<Contact>,
     /// Force of each tool on the sheet \[N, or N/mm\].
     pub tool_force: Vec<Point>,
-    /// Pairs of node and tool that penetrate.
+    /// Pairs of point and tool that penetrate.
     pub active_contacts: usize,
     pub bead_force: Vec<BeadForce>,
     /// Force of the gas on every node \[N, or N/mm\].
@@ -131,10 +133,11 @@ impl Evaluation {
             nodes: state.nodes.clone(),
             updates: Grid::new(elements, process.rule.len(), blank),
             thickness: state.thickness.clone(),
-            thickness_rows: vec![[0.0; 6]; elements],
+            thickness_rows: vec![[0.0; 3]; elements],
+            currents: Vec::with_capacity(elements),
             membrane_increment: vec![[0.0; 2]; elements],
             membrane_rows: vec![[[0.0; 4]; 2]; if process.holds_rate() { elements } else { 0 }],
-            contacts: Grid::new(process.tools.len(), n, Contact::free()),
+            contacts: Grid::new(process.tools.len(), state.contact_points(), Contact::free()),
             tool_force: vec![Point::zeros(); process.tools.len()],
             active_contacts: 0,
             bead_force: vec![BeadForce::default(); process.model.beads.len()],
@@ -145,11 +148,14 @@ impl Evaluation {
             residual_norm: 0.0,
             worst_node: 0,
         };
-        let areas = nodal_areas(references(process.model, state, &state.bends), n);
+        let areas: Vec<f64> =
+            references(process.model, state, &state.bends).flat_map(|reference| reference.contact_areas()).collect();
         for (j, tool) in process.tools.iter().enumerate().filter(|(_, tool)| !tool.is_absent()) {
             for (i, contact) in start.contacts.row_mut(j).iter_mut().enumerate() {
-                let closest = tool.profile.closest(state.in_frame_of(j, i));
-                contact.distance = closest.distance;
+                let (e, station) = (i / STATIONS.len(), STATIONS[i % STATIONS.len()]);
+                let position = station.position(&state.nodes[e], &state.nodes[e + 1]);
+                let closest = tool.profile.closest(position - state.tools[j]);
+                contact.gap = closest.distance - 0.5 * state.thickness[e];
                 let pressure = state.pressure[(j, i)];
                 if pressure > 0.0 {
                     contact.pressure.value = pressure;
@@ -162,9 +168,9 @@ impl Evaluation {
         start
     }
 
-    /// Thickness that contact sees at node `i` \[mm\].
+    /// Thickness of the element of contact point `i` \[mm\].
     pub fn thickness_at(&self, i: usize) -> f64 {
-        thickness_at(&self.thickness, i)
+        self.thickness[i / STATIONS.len()]
     }
 
     /// A tool that lets go: what its springs stored is lost.
@@ -174,7 +180,7 @@ impl Evaluation {
         }
     }
 
-    /// By how much the sheet at node `i` is too thick for the gap between two tools that do not give way and press it from
+    /// By how much the sheet at contact point `i` is too thick for the gap between two tools that do not give way and press it from
     /// both faces \[mm\]; `None` where there are no such two.
     pub fn ironing(&self, process: &Process, i: usize) -> Option<f64> {
         let held = |j: usize| {

@@ -13,6 +13,7 @@
 //! β: G. I. Taylor, H. Quinney, Proc. R. Soc. London A 143 (1934) 307–326 (not read).
 
 use super::converged::Converged;
+use crate::element::surface::STATIONS;
 use crate::model::{Geometry, HeatFlow, Model, ToolHeat};
 use crate::solution::Heat;
 use crate::state::State;
@@ -84,16 +85,16 @@ impl<'a> HeatSolver<'a> {
         Heat { plastic: self.flow.plastic_share * plastic.iter().sum::<f64>(), tools, stored: after - before }
     }
 
-    /// What every tool exchanges with the elements whose nodes lie on it, each by its part of the node's area.
+    /// What every tool exchanges with the elements that lie on it, by the areas of their contact points.
     fn meet_tools(&mut self, converged: &Converged) {
         let Converged { step, evaluation, .. } = converged;
         let n = self.exchange.len();
         self.exchange.fill([0.0; 2]);
         for &(j, tool) in &self.tools {
             for e in 0..n {
-                for (node, area) in [e, e + 1].into_iter().zip(step.references[e].tributary()) {
-                    if evaluation.contacts[(j, node)].lies_on(&step.process.penalty) {
-                        let exchanged = step.dt * tool.transfer * area;
+                for point in STATIONS.len() * e..STATIONS.len() * (e + 1) {
+                    if evaluation.contacts[(j, point)].lies_on(&step.process.penalty) {
+                        let exchanged = step.dt * tool.transfer * step.areas[point];
                         self.exchange[e][0] += exchanged;
                         self.exchange[e][1] += exchanged * tool.temperature;
                     }

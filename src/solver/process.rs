@@ -127,17 +127,6 @@ pub(super) fn references<'a>(
         .map(|(pair, &bends)| Reference::new(model.geometry, model.blank.theory.of_element(bends), pair[0], pair[1]))
 }
 
-/// Area that belongs to each node \[mm², or mm per mm of depth\].
-pub(super) fn nodal_areas(references: impl Iterator<Item = Reference>, nodes: usize) -> Vec<f64> {
-    let mut areas = vec![0.0; nodes];
-    for (e, reference) in references.enumerate() {
-        let [a, b] = reference.tributary();
-        areas[e] += a;
-        areas[e + 1] += b;
-    }
-    areas
-}
-
 /// What the stress in the sheet asks for at every node to be in equilibrium \[N, N mm\].
 fn unloading_forces(model: &Model, state: &State, rule: &[ThicknessPoint]) -> Vec<Vector3<f64>> {
     let mut forces = vec![Vector3::zeros(); state.nodes.len()];

@@ -1,6 +1,7 @@
 //! One stage after another: what the sheet and the tools that stay carry over.
 
 use super::{Observer, run_from};
+use crate::element::surface::STATIONS;
 use crate::geometry::Point;
 use crate::model::mesh;
 use crate::model::stage::Stage;
@@ -74,7 +75,7 @@ pub fn enter(stage: &Stage, before: &Model, mut state: State) -> State {
     state.gas = carried.map(|old| old.map_or(0.0, |k| state.gas[k])).collect();
 
     let old = state.clone();
-    state.pressure = Grid::new(model.tools.len(), state.nodes.len(), 0.0);
+    state.pressure = Grid::new(model.tools.len(), state.contact_points(), 0.0);
     state.shift = state.pressure.clone();
     state.tool_velocity = vec![0.0; model.tools.len()];
     state.tools = model.tools.iter().map(|tool| Point::new(0.0, waiting_displacement(model, tool))).collect();
@@ -113,7 +114,7 @@ fn trim(state: &mut State, radius: f64) {
     state.bends.truncate(elements);
     state.points.truncate_rows(elements);
     for per_pair in [&mut state.pressure, &mut state.shift] {
-        per_pair.truncate_columns(elements + 1);
+        per_pair.truncate_columns(STATIONS.len() * elements);
     }
 }
 

@@ -9,7 +9,7 @@
 //! ```
 
 use super::places::{BeadPlace, Seal};
-use super::process::{Process, nodal_areas, references};
+use super::process::{Process, references};
 use super::selective_bending::rotating;
 use crate::element::kinematics::Reference;
 use crate::material::chaboche;
@@ -36,9 +36,12 @@ pub(super) struct Step<'a> {
     pub bends: Vec<bool>,
     pub rotates: Vec<bool>,
     pub references: Vec<Reference>,
-    /// Area that belongs to each node \[mm², or mm per mm of depth\].
+    /// Area that belongs to each contact point \[mm², or mm per mm of depth\].
     pub areas: Vec<f64>,
-    /// Shear yield stress at the nodes \[MPa\]; zero where no friction law asks for it.
+    /// By how much each element's second node is thicker than its middle \[mm\], as the step begins: the faces of
+    /// neighbours meet.
+    pub rise: Vec<f64>,
+    /// Shear yield stress of the elements \[MPa\]; zero where no friction law asks for it.
     pub shear_yield: Vec<f64>,
     /// Elements by thickness points, as the flow law and as the elastoplastic law finds them; one of the two is empty.
     pub flow_points: Grid<PointState>,
@@ -76,10 +79,11 @@ impl<'a> Step<'a> {
             number,
             slip_scale: model.settings.slip_speed * model.speed * process_time,
             rotates: rotating(&bends),
-            areas: nodal_areas(references.iter().copied(), state.nodes.len()),
+            areas: references.iter().flat_map(Reference::contact_areas).collect(),
+            rise: rise(&references, &state.thickness),
             references,
             bends,
-            shear_yield: if asks { shear_yield(process, state) } else { vec![0.0; state.nodes.len()] },
+            shear_yield: if asks { shear_yield(process, state) } else { vec![0.0; state.thickness.len()] },
             flow_points,
             elastoplastic_points,
             volume,
@@ -157,17 +161,26 @@ fn elastoplastic_points(model: &Model, state: &State, dt: f64) -> Grid<Carried> 
     Grid::from_values(columns, points)
 }
 
-/// k = σ_y/√3 at the mean strain through the thickness of the elements around each node \[MPa\].
+/// Half of what the thickness of an element grows by along it, by its neighbours' thicknesses \[mm\].
+fn rise(references: &[Reference], thickness: &[f64]) -> Vec<f64> {
+    let last = thickness.len() - 1;
+    let along = |e: usize| {
+        let (before, after) = (e.max(1) - 1, (e + 1).min(last));
+        let apart: f64 = (before..after).map(|i| 0.5 * (references[i].length + references[i + 1].length)).sum();
+        let slope = if apart > 0.0 { (thickness[after] - thickness[before]) / apart } else { 0.0 };
+        0.5 * slope * references[e].length
+    };
+    (0..=last).map(along).collect()
+}
+
+/// k = σ_y/√3 at the mean strain through the thickness of each element \[MPa\].
 fn shear_yield(process: &Process, state: &State) -> Vec<f64> {
-    let mut shear_yield = vec![0.0; state.nodes.len()];
-    let last = state.thickness.len() - 1;
-    for (e, points) in state.points.rows().enumerate() {
+    let elements = state.points.rows().zip(&state.temperature);
+    let shear_yield = elements.map(|(points, temperature)| {
         let strain: f64 = points.iter().zip(&process.rule).map(|(p, at)| at.weight * p.strain).sum();
-        let k = process.model.material.yield_stress(strain, state.temperature[e]) / 3f64.sqrt();
-        shear_yield[e] += if e == 0 { k } else { 0.5 * k };
-        shear_yield[e + 1] += if e == last { k } else { 0.5 * k };
-    }
-    shear_yield
+        process.model.material.yield_stress(strain, *temperature) / 3f64.sqrt()
+    });
+    shear_yield.collect()
 }
 
 /// The law of elastoplastic metal in a step of `duration` \[s\].

@@ -3,6 +3,7 @@
 use super::converged::Converged;
 use super::evaluation::Evaluation;
 use super::places::Seal;
+use crate::element::surface::STATIONS;
 use crate::model::{Edge, Role};
 use crate::solution::{Energy, StepRecord};
 
@@ -24,7 +25,7 @@ pub(super) fn record(
     let thinnest = (0..thickness.len()).fold(0, thinner);
     let gas = model.gas.iter().zip(&trial.gas).map(|(gas, pressure)| gas.face.sign() * pressure);
     let n = evaluation.nodes.len();
-    let ironing = (0..n).filter_map(|i| Some(evaluation.ironing(step.process, i)? / evaluation.thickness_at(i)));
+    let ironing = (0..step.areas.len()).filter_map(|i| Some(evaluation.ironing(step.process, i)? / evaluation.thickness_at(i)));
     StepRecord {
         step: step.number,
         time: step.end(),
@@ -57,7 +58,7 @@ pub(super) fn record(
     }
 }
 
-/// Changes of contact, and shares of the nodes in contact and of the holder's force.
+/// Changes of contact, and shares of the points in contact and of the holder's force.
 fn contact_shares(converged: &Converged, before: &Evaluation) -> StepRecord {
     let Converged { step, evaluation, .. } = converged;
     let (model, penalty) = (step.model, &step.process.penalty);
@@ -72,7 +73,8 @@ fn contact_shares(converged: &Converged, before: &Evaluation) -> StepRecord {
             sticking += usize::from(active && now.slip.abs() < step.slip_scale);
             if tool.role == Role::Holder {
                 held += now.normal;
-                on_rim += if step.state.s0[i] >= rim { now.normal } else { 0.0 };
+                let e = i / STATIONS.len();
+            on_rim += if 0.5 * (step.state.s0[e] + step.state.s0[e + 1]) >= rim { now.normal } else { 0.0 };
             }
         }
     }
@@ -85,8 +87,8 @@ fn contact_shares(converged: &Converged, before: &Evaluation) -> StepRecord {
     }
 }
 
-/// Share of the current area inside the seal that lies on the punch or the die \[–\]; an element lies there by halves,
-/// with each of its nodes.
+/// Share of the current area inside the seal that lies on the punch or the die \[–\]; an element lies there by parts,
+/// with each of its contact points.
 fn contact_share(converged: &Converged) -> f64 {
     let Converged { step, evaluation, .. } = converged;
     let within = step.model.gas.iter().map(|gas| gas.within).reduce(f64::max).unwrap_or(f64::INFINITY);
@@ -100,7 +102,8 @@ fn contact_share(converged: &Converged) -> f64 {
         // Volume over thickness is the current area.
         let area = seal.inside(e) * step.state.volume[e] / thickness;
         whole += area;
-        touching += 0.5 * area * f64::from(u8::from(touches(e)) + u8::from(touches(e + 1)));
+        let points = STATIONS.len() * e..STATIONS.len() * (e + 1);
+        touching += area * points.filter(|i| touches(*i)).count() as f64 / STATIONS.len() as f64;
     }
     touching / whole
 }

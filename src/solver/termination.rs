@@ -3,6 +3,7 @@
 use super::corrector::Outcome;
 use super::evaluation::Evaluation;
 use super::step::Step;
+use crate::element::surface::STATIONS;
 use crate::geometry::Point;
 use crate::model::{Edge, Model, Motion, Role};
 use crate::numerics::bisect;
@@ -196,7 +197,8 @@ fn diagnosis(step: &Step, evaluation: &Evaluation, last: &StepRecord) -> String 
         seen.push("the worst place is the blank's edge".into());
     }
     let mut tools = step.process.tools.iter().enumerate();
-    if let Some((_, tool)) = tools.find(|(j, _)| evaluation.contacts[(*j, i)].normal > 0.0) {
+    let points = STATIONS.len() * i.max(1) - STATIONS.len()..STATIONS.len() * (i + 1).min(state.thickness.len());
+    if let Some((_, tool)) = tools.find(|(j, _)| points.clone().any(|point| evaluation.contacts[(*j, point)].normal > 0.0)) {
         seen.push(format!("the {} touches the sheet at the worst place", tool.role.name()));
     }
     let advice = "try more elements, a smaller solver.first_step, or solver.norm = \"velocity\"";

@@ -14,6 +14,7 @@
 use super::converged::Converged;
 use super::corrector::patience;
 use super::evaluation::Evaluation;
+use crate::element::surface::STATIONS;
 use crate::model::Model;
 use crate::solution::StepRecord;
 use crate::state::State;
@@ -78,7 +79,7 @@ impl<'a> StepControl<'a> {
         let dt = self.given;
         let iterations = record.iterations;
         let patience = patience(self.model.settings.iteration);
-        let many_changes = record.contact_changes as f64 > MANY_CHANGES * self.model.blank.elements as f64;
+        let many_changes = record.contact_changes as f64 > MANY_CHANGES * (STATIONS.len() * self.model.blank.elements) as f64;
         if iterations > HARD * patience {
             self.wanted = (dt * SHRINK).max(self.smallest);
         } else if iterations <= EASY * patience && !many_changes {
@@ -111,16 +112,16 @@ impl<'a> StepControl<'a> {
     }
 }
 
-/// Time after which, at the speed of this step, a free node would stand [`TOO_FAR`] thicknesses inside a tool \[s\].
+/// Time after which, at the speed of this step, a free point would stand [`TOO_FAR`] thicknesses inside a tool \[s\].
 fn approach(before: &Evaluation, converged: &Converged) -> f64 {
     let Converged { step, evaluation, .. } = converged;
     let mut soonest = f64::INFINITY;
     for (j, _) in step.process.tools.iter().enumerate().filter(|(_, tool)| !tool.is_absent()) {
         let pairs = before.contacts.row(j).iter().zip(evaluation.contacts.row(j)).enumerate();
         for (i, (before, now)) in pairs.filter(|(_, (_, now))| now.normal == 0.0) {
-            let closing = (before.distance - now.distance) / step.dt;
+            let closing = (before.gap - now.gap) / step.dt;
             let thickness = evaluation.thickness_at(i);
-            let room = now.distance - 0.5 * thickness + TOO_FAR * thickness;
+            let room = now.gap + TOO_FAR * thickness;
             soonest = if closing > 0.0 { soonest.min(room / closing) } else { soonest };
         }
     }

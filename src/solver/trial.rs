@@ -13,10 +13,10 @@ use crate::numerics::Grid;
 use crate::numerics::block_tridiagonal::System;
 use crate::state::State;
 
-/// What a pair of tool and node remembers of its last evaluation.
+/// What a pair of tool and contact point remembers of its last evaluation.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct ContactMemory {
-    /// Where the node was last measured against the tool, in the tool's frame, and how far away it was \[mm\].
+    /// Where the point was last measured against the tool, in the tool's frame, and how far away it was \[mm\].
     pub position: Point,
     pub distance: f64,
     /// Pressure carried from iteration to iteration \[MPa\].
@@ -41,7 +41,7 @@ pub(super) struct Trial {
     pub iterates: Grid<Iterate>,
     /// What the elastoplastic law remembers in its place; the answers of a step are the first guesses of the next.
     pub elastoplastic: Grid<PointMemory>,
-    /// Tools by nodes.
+    /// Tools by contact points.
     pub contacts: Grid<ContactMemory>,
     /// Factor ≥ 1 on the cut-off while a hard step looks for a start \[–\].
     pub softening: f64,
@@ -62,7 +62,7 @@ impl Trial {
             gas: state.gas.clone(),
             iterates: Grid::new(state.thickness.len(), process.rule.len(), Iterate::default()),
             elastoplastic: Grid::new(elastoplastic, process.rule.len(), PointMemory::default()),
-            contacts: Grid::new(process.tools.len(), n, ContactMemory::default()),
+            contacts: Grid::new(process.tools.len(), state.contact_points(), ContactMemory::default()),
             softening: 1.0,
             line: LineSearch::new(n),
             kept: constant.then(|| System::new(n, process.shared)),

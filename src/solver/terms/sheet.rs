@@ -2,6 +2,7 @@
 
 use crate::element::Node;
 use crate::element::section::Law;
+use crate::element::surface::STATIONS;
 use crate::material::PointLaw;
 use crate::material::flow::FlowLaw;
 use crate::model::Mode;
@@ -51,6 +52,7 @@ fn strain<L: PointLaw>(
     let rule = &step.process.rule;
     let law = Law { point, points: rule, slack_tension: SLACK_TENSION * (at.velocity_norm / SLACK_NORM).min(1.0) };
     let system = &mut out.system;
+    out.currents.clear();
     let rows = before.rows().zip(iterates.rows_mut()).zip(out.updates.rows_mut());
     for ((e, reference), ((before, iterates), updates)) in step.references.iter().enumerate().zip(rows) {
         let Some(current) = reference.moved(moves[e], moves[e + 1]) else { return false };
@@ -63,6 +65,7 @@ fn strain<L: PointLaw>(
         system.rhs[e + 1] -= internal.force.fixed_rows::<3>(3);
         out.thickness[e] = internal.thickness * step.growth[e];
         out.thickness_rows[e] = internal.thickness_row.map(|by| by * step.growth[e]);
+        out.currents.push(current);
         out.membrane_increment[e] = [current.strain[0], current.strain[1]];
         if let Some(rows) = out.membrane_rows.get_mut(e) {
             *rows = current.membrane_rows();
@@ -76,9 +79,13 @@ pub fn stabilise(step: &Step, trial: &Trial, out: &mut Evaluation) {
     if !step.model.has_paths() {
         return;
     }
-    for (i, area) in step.areas.iter().enumerate() {
-        let stiffness = STABILISATION * step.process.penalty.stiffness * area;
-        out.system.rhs[i].y -= stiffness * trial.moves[i][1];
-        out.system.diagonal[i][(1, 1)] += stiffness;
+    for (e, areas) in step.areas.chunks_exact(STATIONS.len()).enumerate() {
+        for (area, station) in areas.iter().zip(STATIONS) {
+            for (i, share) in [e, e + 1].into_iter().zip(station.shape) {
+                let stiffness = STABILISATION * step.process.penalty.stiffness * area * share;
+                out.system.rhs[i].y -= stiffness * trial.moves[i][1];
+                out.system.diagonal[i][(1, 1)] += stiffness;
+            }
+        }
     }
 }
