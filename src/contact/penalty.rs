@@ -1,8 +1,10 @@
 //! Normal contact: a smoothed penalty.
 
-/// p(g) = k δ ln(1 + exp(−g/δ)): the ramp −k g beyond a few δ, nothing a few δ away, smooth between.
+/// p(g) = k δ ln(1 + exp(−g/δ − 3)): a ramp of slope −k beyond some δ of penetration, nothing some δ away, smooth between.
 ///
-/// The smooth law halves the iterations of the bare ramp, whose kink Newton's method keeps stepping over.
+/// The smooth law halves the iterations of the bare ramp, whose kink Newton's method keeps stepping over. The 3 puts the
+/// pressures of forming, which are k δ/20 rather than k δ, at a gap of nothing: the sheet neither stands off nor sinks in by
+/// more than δ or two, and δ may be as large as smooth load curves need.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Penalty {
     /// k \[N/mm³\].
@@ -21,15 +23,18 @@ pub struct ValueAndSlope {
 }
 
 impl Penalty {
+    /// Where tool and sheet just touch, −ln(p/(k δ)).
+    const TOUCH: f64 = 3.0;
+
     /// Beyond this many δ the pressure, below k δ exp(−30), is nothing.
-    const REACH: f64 = 30.0;
+    const REACH: f64 = 30.0 - Self::TOUCH;
 
     /// Gap, in δ, at which tools wait before the first step: p is then k δ/150.
-    pub const WAITING: f64 = 5.0;
+    pub const WAITING: f64 = 5.0 - Self::TOUCH;
 
     /// Gap, in δ, up to which a sheet lies on a tool: lightly pressed sheet, as gas presses it, stands off by some δ; p is
-    /// then k δ/22 000, thousandths of a MPa.
-    const LYING: f64 = 10.0;
+    /// then k δ/22 000, hundredths of a MPa.
+    const LYING: f64 = 10.0 - Self::TOUCH;
 
     /// Gap up to which a sheet lies on a tool \[mm\].
     pub fn lying(&self) -> f64 {
@@ -42,19 +47,19 @@ impl Penalty {
         Self::REACH * self.smoothing
     }
 
-    /// Pressure where tool and sheet just touch \[MPa\]: k δ ln 2.
+    /// Pressure where tool and sheet just touch \[MPa\]: k δ/20.
     #[inline]
     pub fn at_touch(&self) -> f64 {
-        self.stiffness * self.smoothing * std::f64::consts::LN_2
+        self.stiffness * self.smoothing * (-Self::TOUCH).exp().ln_1p()
     }
 
     /// Pressure \[MPa\] and dp/dg \[N/mm³\] at the gap `gap` \[mm\]; `None` out of reach.
     #[inline]
     pub fn at(&self, gap: f64) -> Option<ValueAndSlope> {
-        let u = -gap / self.smoothing;
-        if u < -Self::REACH {
+        if gap > self.reach() {
             return None;
         }
+        let u = -gap / self.smoothing - Self::TOUCH;
         let (value, share) = if u > Self::REACH {
             (u, 1.0)
         } else {
@@ -76,9 +81,8 @@ impl Penalty {
             return self.at(gap);
         }
         let here = self.at(gap).unwrap_or(ValueAndSlope { value: 0.0, slope: 0.0 });
-        let there =
-            -self.smoothing * if carried > 30.0 * scale { carried / scale } else { (carried / scale).exp_m1().ln() };
-        let apart = gap - there;
+        let there = if carried > 30.0 * scale { carried / scale } else { (carried / scale).exp_m1().ln() };
+        let apart = gap + self.smoothing * (there + Self::TOUCH);
         if apart.abs() < 1e-3 * self.smoothing {
             return Some(here);
         }
