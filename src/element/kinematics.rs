@@ -32,6 +32,10 @@ pub const KAPPA_T: usize = 3;
 /// Transverse shear.
 pub const GAMMA: usize = 4;
 
+/// Least area of a face over that of the mid-surface \[–\]: a radius of half the thickness, where there is no inner face, is
+/// no bend of a shell.
+const SMALLEST_FACE: f64 = 0.25;
+
 /// An element in its reference configuration: as a step begins.
 #[derive(Clone, Copy, Debug)]
 pub struct Reference {
@@ -84,6 +88,20 @@ impl Reference {
         STATIONS.map(|station| {
             let skew = if self.hoop { 0.25 * station.xi * self.dr / self.radius } else { 0.0 };
             self.area() * (0.5 + skew)
+        })
+    }
+
+    /// Areas of the lower and the upper face of a sheet of this `thickness` \[mm\] over that of its mid-surface \[–\]; the
+    /// lower face lies along −n, on the inside of a sheet that turns to the left.
+    ///
+    /// ```text
+    /// (1 ∓ ½ t dθ/ds)(1 ∓ ½ t sin θ/r), − for the upper face
+    /// ```
+    pub fn faces(&self, turn: f64, thickness: f64) -> [f64; 2] {
+        let around = if self.hoop { self.mean_rotation.sin() / self.radius } else { 0.0 };
+        [1.0, -1.0].map(|side| {
+            let h = 0.5 * side * thickness;
+            ((1.0 + h * turn / self.length) * (1.0 + h * around)).max(SMALLEST_FACE)
         })
     }
 

@@ -69,7 +69,10 @@ impl<'a> Converged<'a> {
             points: Grid::from_values(state.points.columns(), points),
             tools: trial.tools.clone(),
             tool_velocity: tool_moves.map(|(now, before)| (now.y - before.y) / dt).collect(),
-            pressure: Grid::from_values(points_of_contact, evaluation.contacts.iter().map(|contact| contact.pressure.value)),
+            pressure: Grid::from_values(
+                points_of_contact,
+                evaluation.contacts.iter().map(|contact| contact.pressure.value),
+            ),
             shift: Grid::from_values(points_of_contact, trial.contacts.iter().map(|memory| memory.shift)),
             gas: trial.gas.clone(),
             s0: state.s0.clone(),

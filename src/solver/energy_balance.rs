@@ -56,7 +56,7 @@ pub(super) fn work(before: &Evaluation, converged: &Converged) -> (Energy, Vec<f
     for (before, now) in before.contacts.iter().zip(now.contacts.iter()) {
         done.friction -= 0.5 * (before.tangential + now.tangential) * now.slip;
         if before.normal + now.normal > 0.0 {
-            done.contact -= 0.5 * (before.normal + now.normal) * (now.gap - before.gap);
+            done.contact -= 0.5 * (before.normal + now.normal) * (now.gap - now.closing - before.gap);
         }
     }
     for (before, now) in before.bead_force.iter().zip(&now.bead_force) {

@@ -68,4 +68,6 @@ fn measure_residual(step: &Step, largest_force: f64, out: &mut Evaluation) {
 }
 
 #[cfg(test)]
+mod faces;
+#[cfg(test)]
 mod tests;

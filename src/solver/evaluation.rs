@@ -34,6 +34,8 @@ pub(super) struct Linearisation {
 pub(super) struct Contact {
     /// Gap between the tool and the sheet's face \[mm\]; infinite until measured when far away.
     pub gap: f64,
+    /// By how much more than the gap a face has closed up in the step, as its force sees it \[mm\].
+    pub closing: f64,
     /// Normal force and friction \[N, or N/mm\], and the slip that goes with it \[mm\].
     pub normal: f64,
     pub tangential: f64,

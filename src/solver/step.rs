@@ -41,6 +41,8 @@ pub(super) struct Step<'a> {
     /// By how much each element's second node is thicker than its middle \[mm\], as the step begins: the faces of
     /// neighbours meet.
     pub rise: Vec<f64>,
+    /// Areas of each element's lower and upper face over that of its mid-surface \[–\], as the step begins.
+    pub faces: Vec<[f64; 2]>,
     /// Shear yield stress of the elements \[MPa\]; zero where no friction law asks for it.
     pub shear_yield: Vec<f64>,
     /// Elements by thickness points, as the flow law and as the elastoplastic law finds them; one of the two is empty.
@@ -81,6 +83,7 @@ impl<'a> Step<'a> {
             rotates: rotating(&bends),
             areas: references.iter().flat_map(Reference::contact_areas).collect(),
             rise: rise(&references, &state.thickness),
+            faces: faces(&references, state),
             references,
             bends,
             shear_yield: if asks { shear_yield(process, state) } else { vec![0.0; state.thickness.len()] },
@@ -171,6 +174,11 @@ fn rise(references: &[Reference], thickness: &[f64]) -> Vec<f64> {
         0.5 * slope * references[e].length
     };
     (0..=last).map(along).collect()
+}
+
+fn faces(references: &[Reference], state: &State) -> Vec<[f64; 2]> {
+    let elements = references.iter().zip(state.nodes.windows(2).zip(&state.thickness));
+    elements.map(|(reference, (pair, thickness))| reference.faces(pair[1][2] - pair[0][2], *thickness)).collect()
 }
 
 /// k = σ_y/√3 at the mean strain through the thickness of each element \[MPa\].

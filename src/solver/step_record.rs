@@ -25,7 +25,8 @@ pub(super) fn record(
     let thinnest = (0..thickness.len()).fold(0, thinner);
     let gas = model.gas.iter().zip(&trial.gas).map(|(gas, pressure)| gas.face.sign() * pressure);
     let n = evaluation.nodes.len();
-    let ironing = (0..step.areas.len()).filter_map(|i| Some(evaluation.ironing(step.process, i)? / evaluation.thickness_at(i)));
+    let ironing =
+        (0..step.areas.len()).filter_map(|i| Some(evaluation.ironing(step.process, i)? / evaluation.thickness_at(i)));
     StepRecord {
         step: step.number,
         time: step.end(),
@@ -74,7 +75,7 @@ fn contact_shares(converged: &Converged, before: &Evaluation) -> StepRecord {
             if tool.role == Role::Holder {
                 held += now.normal;
                 let e = i / STATIONS.len();
-            on_rim += if 0.5 * (step.state.s0[e] + step.state.s0[e + 1]) >= rim { now.normal } else { 0.0 };
+                on_rim += if 0.5 * (step.state.s0[e] + step.state.s0[e + 1]) >= rim { now.normal } else { 0.0 };
             }
         }
     }

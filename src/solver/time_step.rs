@@ -79,7 +79,8 @@ impl<'a> StepControl<'a> {
         let dt = self.given;
         let iterations = record.iterations;
         let patience = patience(self.model.settings.iteration);
-        let many_changes = record.contact_changes as f64 > MANY_CHANGES * (STATIONS.len() * self.model.blank.elements) as f64;
+        let many_changes =
+            record.contact_changes as f64 > MANY_CHANGES * (STATIONS.len() * self.model.blank.elements) as f64;
         if iterations > HARD * patience {
             self.wanted = (dt * SHRINK).max(self.smallest);
         } else if iterations <= EASY * patience && !many_changes {

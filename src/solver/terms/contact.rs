@@ -16,13 +16,13 @@ use crate::contact::penalty::ValueAndSlope;
 use crate::contact::{ContactForce, ContactPoint, touch};
 use crate::element::kinematics::Current;
 use crate::element::surface::{MotionForces, STATIONS, Slope, Station};
-use crate::geometry::Point;
+use crate::geometry::{Point, turned};
 use crate::model::Iteration;
+use crate::numerics::block_tridiagonal::System;
 use crate::solver::evaluation::{Contact, Evaluation, Linearisation};
 use crate::solver::process::Process;
 use crate::solver::step::Step;
 use crate::solver::trial::{ContactMemory, Trial};
-use crate::numerics::block_tridiagonal::System;
 
 /// Contact and friction of every tool with every point it reaches; returns the largest force of one on one.
 pub fn add(step: &Step, trial: &mut Trial, at: &Linearisation, out: &mut Evaluation) -> f64 {
@@ -59,7 +59,11 @@ pub fn add(step: &Step, trial: &mut Trial, at: &Linearisation, out: &mut Evaluat
                 }
                 let closest = tool.profile.closest(position);
                 (memory.position, memory.distance) = (position, closest.distance);
-                let gap = closest.distance - 0.5 * thickness;
+                let above = closest.normal.dot(&turned(Point::new(b[0] - a[0], b[1] - a[1]))) < 0.0;
+                let face = step.faces[e][usize::from(above)];
+                // Half the thickness that goes in the step goes with a force on the face, by the ratio of the areas.
+                let going = (1.0 / face - 1.0) * (out.thickness[e] - state.thickness[e]);
+                let gap = closest.distance - 0.5 * (thickness + going);
                 if at.matrix != Iteration::PrimalDual {
                     memory.carried = 0.0;
                 } else if at.iteration > 0 {
@@ -70,14 +74,19 @@ pub fn add(step: &Step, trial: &mut Trial, at: &Linearisation, out: &mut Evaluat
                     carried: memory.carried,
                     position,
                     relative: x - station.position(&state.nodes[e], &state.nodes[e + 1]) - moved,
-                    thickness,
-                    area: step.areas[i],
+                    thickness: thickness + going,
+                    area: step.areas[i] * face,
                     shift,
                     slip_scale: step.slip_scale,
                     duration: dt,
                     shear_yield: step.shear_yield[e],
                 };
-                *contact = Contact { gap, facing: closest.normal, ..Contact::default() };
+                *contact = Contact {
+                    gap: gap + 0.5 * going,
+                    closing: 0.5 * going,
+                    facing: closest.normal,
+                    ..Contact::default()
+                };
                 (memory.gap, memory.pressure) = (gap, ValueAndSlope::default());
                 let Some(touch) = touch(&closest, &process.penalty, &tool.friction, &point) else { continue };
                 contact.normal = touch.normal;
@@ -90,7 +99,8 @@ pub fn add(step: &Step, trial: &mut Trial, at: &Linearisation, out: &mut Evaluat
                 out.tool_force[j] += force;
                 out.active_contacts += usize::from(touch.gap < 0.0);
                 let (slope, follows) = (station.slope(&a, &b), tool.shared.is_some());
-                pressed.add(station, &slope, out.thickness[e], &out.thickness_rows[e], &touch, follows);
+                let thinning = out.thickness_rows[e].map(|by| by / face);
+                pressed.add(station, &slope, out.thickness[e] / face, &thinning, &touch, follows);
                 touched = true;
             }
             if touched {
@@ -126,7 +136,15 @@ impl Pressed {
     /// ∂f = ∂N/∂g G⊗G + S⊗(∂T/∂g G + (∂T/∂s + N c) S) − T c (n·∂x)⊗S + F·∂²x + Q ∂²t
     /// ```
     #[inline]
-    fn add(&mut self, station: &Station, slope: &Slope, thickness: f64, thinning: &[f64; 3], touch: &ContactForce, follows: bool) {
+    fn add(
+        &mut self,
+        station: &Station,
+        slope: &Slope,
+        thickness: f64,
+        thinning: &[f64; 3],
+        touch: &ContactForce,
+        follows: bool,
+    ) {
         let (n, tau, c) = (touch.facing, touch.along(), touch.curvature);
         let (normal, along) = (slope.of(n), slope.of(tau));
         let t = [thinning[0], 0.0, thinning[1], thinning[2], 0.0];
