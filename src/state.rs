@@ -120,8 +120,8 @@ impl State {
                 .iter()
                 .map(|t| if t.motion == Motion::Travel { model.speed } else { 0.0 })
                 .collect(),
-            pressure: Grid::new(model.tools.len(), STATIONS.len() * elements, 0.0),
-            shift: Grid::new(model.tools.len(), STATIONS.len() * elements, 0.0),
+            pressure: Grid::new(model.tools.len(), STATIONS * elements, 0.0),
+            shift: Grid::new(model.tools.len(), STATIONS * elements, 0.0),
             gas: vec![0.0; model.gas.len()],
             nodes,
             s0,
@@ -136,7 +136,7 @@ impl State {
 
     /// Number of points at which the sheet may touch a tool.
     pub fn contact_points(&self) -> usize {
-        STATIONS.len() * self.thickness.len()
+        STATIONS * self.thickness.len()
     }
 
     /// Thickness at node `i` \[mm\]: the mean of its elements'.

@@ -15,7 +15,7 @@
 //! Oñate, Agelet de Saracibar, Int. J. Num. Meth. Engng. 30 (1990) 1577–1593; Zienkiewicz, Taylor,
 //! The Finite Element Method (1989).
 
-use super::surface::STATIONS;
+use super::surface::{STATIONS, stations};
 use super::{Geometry, Node, Theory};
 
 /// Generalised strains or stress resultants: meridional and hoop membrane, meridional and hoop bending, shear.
@@ -83,10 +83,10 @@ impl Reference {
         if self.hoop { std::f64::consts::TAU * self.radius * self.length } else { self.length }
     }
 
-    /// The parts of the area that belong to the [contact points](super::surface::STATIONS); they sum to the area.
-    pub fn contact_areas(&self) -> [f64; 2] {
-        STATIONS.map(|station| {
-            let skew = if self.hoop { 0.25 * station.xi * self.dr / self.radius } else { 0.0 };
+    /// The parts of the area that belong to the [contact points](stations); they sum to the area.
+    pub fn contact_areas(&self) -> [f64; STATIONS] {
+        stations(self.bending).map(|station| {
+            let skew = if self.hoop { station.skew * self.dr / self.radius } else { 0.0 };
             self.area() * (0.5 + skew)
         })
     }
@@ -347,9 +347,11 @@ mod tests {
             assert_relative_eq!(a + b, reference.area(), max_relative = 1e-14);
         }
         // Axis element of a disc of radius 1: 2π∫(1−r) r dr = π/3 for the node on the axis.
-        let reference = Reference::new(Geometry::Axisymmetric, Theory::Bending, [0.0; 3], [1.0, 0.0, 0.0]);
-        let areas = reference.contact_areas().into_iter().zip(STATIONS);
-        let on_axis: f64 = areas.map(|(area, station)| area * station.shape[0]).sum();
-        assert_relative_eq!(on_axis, std::f64::consts::PI / 3.0, max_relative = 1e-14);
+        for theory in [Theory::Bending, Theory::Membrane] {
+            let reference = Reference::new(Geometry::Axisymmetric, theory, [0.0; 3], [1.0, 0.0, 0.0]);
+            let areas = reference.contact_areas().into_iter().zip(stations(theory == Theory::Bending));
+            let on_axis: f64 = areas.map(|(area, station)| area * station.shape[0]).sum();
+            assert_relative_eq!(on_axis, std::f64::consts::PI / 3.0, max_relative = 1e-14);
+        }
     }
 }

@@ -24,13 +24,28 @@ pub struct Station {
     pub shape: [f64; 2],
     /// ⅛(1−ξ²).
     bow: f64,
+    /// By how much its share of the area exceeds a half, over (r₂−r₁)/r \[–\].
+    pub skew: f64,
 }
 
-/// Gauss's two points: they integrate pressures that vary like a cubic along the element.
-pub const STATIONS: [Station; 2] = [Station::at(-GAUSS), Station::at(GAUSS)];
+/// Contact points of an element.
+pub const STATIONS: usize = 2;
+
+/// Contact points of an element that bends, Gauss's: they integrate pressures that vary like a cubic along it.
+const INSIDE: [Station; STATIONS] = [Station::at(-GAUSS, -0.25 * GAUSS), Station::at(GAUSS, 0.25 * GAUSS)];
+
+/// Contact points of a membrane, its nodes with the areas of linear shape functions: what cannot bend is a chain of chords,
+/// and only their ends lie where the sheet does.
+const ENDS: [Station; STATIONS] = [Station::at(-1.0, -1.0 / 12.0), Station::at(1.0, 1.0 / 12.0)];
 
 /// 1/√3.
 const GAUSS: f64 = 0.577_350_269_189_625_8;
+
+/// The contact points of an element that bends or is a membrane.
+#[inline]
+pub fn stations(bends: bool) -> &'static [Station; STATIONS] {
+    if bends { &INSIDE } else { &ENDS }
+}
 
 /// Derivatives of a place's position by the element's motions: the sums s = (r₁+r₂, z₁+z₂), by which it is half the unit
 /// matrix; the differences d = (r₂−r₁, z₂−z₁); and θ₂−θ₁.
@@ -52,9 +67,8 @@ impl Slope {
 }
 
 impl Station {
-    /// The place with the local coordinate `xi`.
-    pub const fn at(xi: f64) -> Self {
-        Self { xi, shape: [0.5 * (1.0 - xi), 0.5 * (1.0 + xi)], bow: 0.125 * (1.0 - xi * xi) }
+    const fn at(xi: f64, skew: f64) -> Self {
+        Self { xi, skew, shape: [0.5 * (1.0 - xi), 0.5 * (1.0 + xi)], bow: 0.125 * (1.0 - xi * xi) }
     }
 
     /// Its position on the element between `a` and `b` \[mm\].
@@ -122,7 +136,7 @@ mod tests {
     fn nodes_on_an_arc_put_the_points_between_on_it() {
         let on = |angle: f64| [25.0 * angle.sin(), 25.0 * angle.cos(), -angle];
         let sag = 25.0 * (1.0 - 0.05_f64.cos());
-        for station in STATIONS {
+        for station in INSIDE {
             let off = station.position(&on(0.3), &on(0.4)).norm() - 25.0;
             assert!(off.abs() < 0.01 * sag, "{off} of a sag of {sag}");
         }
@@ -140,7 +154,7 @@ mod tests {
             (node(A, -1.0), node(B, 1.0))
         };
         let force = Point::new(3.0, -2.0);
-        for station in STATIONS {
+        for station in INSIDE {
             let slope = station.slope(&A, &B);
             let by = |plus: (Node, Node), minus: (Node, Node)| {
                 (station.position(&plus.0, &plus.1) - station.position(&minus.0, &minus.1)) / (2.0 * h)

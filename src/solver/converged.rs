@@ -23,7 +23,7 @@ impl<'a> Converged<'a> {
     /// A step that has come to equilibrium by its norms.
     pub fn new(step: &'a Step, trial: &'a mut Trial, evaluation: &'a mut Evaluation, outcome: Outcome) -> Self {
         settle(step, trial, evaluation);
-        contact::measure_far(step.process, trial, evaluation);
+        contact::measure_far(step, trial, evaluation);
         Self { step, trial, evaluation, outcome }
     }
 

@@ -37,6 +37,8 @@ pub(super) struct Outcome {
     /// Whether the observer wanted to stop.
     pub interrupted: bool,
     pub iterations: usize,
+    /// Times that the corrector was gone through: 1, and one more for every round of the augmented Lagrangian.
+    pub rounds: usize,
     pub velocity_norm: f64,
     pub residual_norm: f64,
 }
@@ -47,6 +49,7 @@ impl Outcome {
         converged: false,
         interrupted: false,
         iterations: 0,
+        rounds: 1,
         velocity_norm: f64::INFINITY,
         residual_norm: f64::INFINITY,
     };

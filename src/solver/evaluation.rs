@@ -4,7 +4,7 @@ use super::process::{Process, references};
 use crate::contact::penalty::{Penalty, ValueAndSlope};
 use crate::element::Node;
 use crate::element::kinematics::Current;
-use crate::element::surface::STATIONS;
+use crate::element::surface::{STATIONS, stations};
 use crate::geometry::Point;
 use crate::material::flow::StressUpdate;
 use crate::model::{Iteration, PressureCap};
@@ -154,7 +154,8 @@ impl Evaluation {
             references(process.model, state, &state.bends).flat_map(|reference| reference.contact_areas()).collect();
         for (j, tool) in process.tools.iter().enumerate().filter(|(_, tool)| !tool.is_absent()) {
             for (i, contact) in start.contacts.row_mut(j).iter_mut().enumerate() {
-                let (e, station) = (i / STATIONS.len(), STATIONS[i % STATIONS.len()]);
+                let (e, k) = (i / STATIONS, i % STATIONS);
+                let station = &stations(state.bends[e])[k];
                 let position = station.position(&state.nodes[e], &state.nodes[e + 1]);
                 let closest = tool.profile.closest(position - state.tools[j]);
                 contact.gap = closest.distance - 0.5 * state.thickness[e];
@@ -172,7 +173,7 @@ impl Evaluation {
 
     /// Thickness of the element of contact point `i` \[mm\].
     pub fn thickness_at(&self, i: usize) -> f64 {
-        self.thickness[i / STATIONS.len()]
+        self.thickness[i / STATIONS]
     }
 
     /// A tool that lets go: what its springs stored is lost.
@@ -197,10 +198,20 @@ impl Evaluation {
         ironed.max_by(f64::total_cmp)
     }
 
-    /// Largest penetration over the thickness where the sheet is not ironed \[–\]: what the contact method lets through.
-    pub fn penetration(&self, process: &Process) -> f64 {
-        let pairs = self.contacts.rows().flat_map(|row| row.iter().enumerate());
-        let deep = pairs.filter(|(i, contact)| contact.gap < 0.0 && self.ironing(process, *i).is_none());
-        deep.map(|(i, contact)| -contact.gap / self.thickness_at(i)).fold(0.0, f64::max)
+    /// Largest penetration of an element over its thickness \[–\]: what the contact method lets through.
+    pub fn penetration(&self) -> f64 {
+        let rows = self.contacts.rows().map(|row| row.chunks_exact(STATIONS).zip(&self.thickness));
+        let deep = rows.flatten().filter_map(|(contacts, thickness)| Some(-mean_gap(contacts)? / thickness));
+        deep.fold(0.0, f64::max)
     }
+}
+
+/// Gap of an element, the mean of its points' by their pressures \[mm\]; `None` where nothing presses.
+pub(super) fn mean_gap(contacts: &[Contact]) -> Option<f64> {
+    let pressed = contacts.iter().filter(|contact| contact.pressure.value > 0.0);
+    let (sum, weight) = pressed.fold((0.0, 0.0), |(sum, weight), contact| {
+        let p = contact.pressure.value;
+        (sum + p * contact.gap, weight + p)
+    });
+    (weight > 0.0).then(|| sum / weight)
 }

@@ -92,7 +92,7 @@ impl<'a> HeatSolver<'a> {
         self.exchange.fill([0.0; 2]);
         for &(j, tool) in &self.tools {
             for e in 0..n {
-                for point in STATIONS.len() * e..STATIONS.len() * (e + 1) {
+                for point in STATIONS * e..STATIONS * (e + 1) {
                     if evaluation.contacts[(j, point)].lies_on(&step.process.penalty) {
                         let exchanged = step.dt * tool.transfer * step.areas[point];
                         self.exchange[e][0] += exchanged;

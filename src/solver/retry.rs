@@ -104,14 +104,16 @@ fn attempt(
         spent = secant.iterations;
     }
     let mut outcome = correct(trial, evaluation, matrix, most);
+    let mut rounds = 1;
     if settings.contact == ContactMethod::AugmentedLagrangian {
         for round in 0..MOST_ROUNDS {
-            if !outcome.converged || !augmented_lagrangian::shift(step.process, trial, evaluation, round) {
+            if !outcome.converged || !augmented_lagrangian::shift(trial, evaluation, round) {
                 break;
             }
             spent += outcome.iterations;
+            rounds += 1;
             outcome = correct(trial, evaluation, matrix, most);
         }
     }
-    Outcome { iterations: outcome.iterations + spent, ..outcome }
+    Outcome { iterations: outcome.iterations + spent, rounds, ..outcome }
 }

@@ -114,7 +114,7 @@ fn trim(state: &mut State, radius: f64) {
     state.bends.truncate(elements);
     state.points.truncate_rows(elements);
     for per_pair in [&mut state.pressure, &mut state.shift] {
-        per_pair.truncate_columns(STATIONS.len() * elements);
+        per_pair.truncate_columns(STATIONS * elements);
     }
 }
 

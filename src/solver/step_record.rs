@@ -44,7 +44,7 @@ pub(super) fn record(
         contact_share: contact_share(converged),
         holder_move: tool(Role::Holder).filter(|_| model.release.is_none()).map_or(0.0, |j| trial.tools[j].y),
         block_force: evaluation.block_force,
-        penetration: evaluation.penetration(step.process),
+        penetration: evaluation.penetration(),
         ironing: ironing.fold(0.0, f64::max),
         strain_increment: converged.strain_increment(),
         sharpest_bend: sharpest_bend(evaluation),
@@ -74,7 +74,7 @@ fn contact_shares(converged: &Converged, before: &Evaluation) -> StepRecord {
             sticking += usize::from(active && now.slip.abs() < step.slip_scale);
             if tool.role == Role::Holder {
                 held += now.normal;
-                let e = i / STATIONS.len();
+                let e = i / STATIONS;
                 on_rim += if 0.5 * (step.state.s0[e] + step.state.s0[e + 1]) >= rim { now.normal } else { 0.0 };
             }
         }
@@ -103,8 +103,8 @@ fn contact_share(converged: &Converged) -> f64 {
         // Volume over thickness is the current area.
         let area = seal.inside(e) * step.state.volume[e] / thickness;
         whole += area;
-        let points = STATIONS.len() * e..STATIONS.len() * (e + 1);
-        touching += area * points.filter(|i| touches(*i)).count() as f64 / STATIONS.len() as f64;
+        let points = STATIONS * e..STATIONS * (e + 1);
+        touching += area * points.filter(|i| touches(*i)).count() as f64 / STATIONS as f64;
     }
     touching / whole
 }

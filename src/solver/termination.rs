@@ -197,7 +197,7 @@ fn diagnosis(step: &Step, evaluation: &Evaluation, last: &StepRecord) -> String 
         seen.push("the worst place is the blank's edge".into());
     }
     let mut tools = step.process.tools.iter().enumerate();
-    let points = STATIONS.len() * i.max(1) - STATIONS.len()..STATIONS.len() * (i + 1).min(state.thickness.len());
+    let points = STATIONS * i.max(1) - STATIONS..STATIONS * (i + 1).min(state.thickness.len());
     if let Some((_, tool)) =
         tools.find(|(j, _)| points.clone().any(|point| evaluation.contacts[(*j, point)].normal > 0.0))
     {

@@ -77,10 +77,9 @@ impl<'a> StepControl<'a> {
     pub fn accept(&mut self, before: &Evaluation, converged: &Converged, record: &StepRecord) {
         let approach = approach(before, converged) * self.given / converged.step.dt;
         let dt = self.given;
-        let iterations = record.iterations;
+        let iterations = record.iterations / converged.outcome.rounds;
         let patience = patience(self.model.settings.iteration);
-        let many_changes =
-            record.contact_changes as f64 > MANY_CHANGES * (STATIONS.len() * self.model.blank.elements) as f64;
+        let many_changes = record.contact_changes as f64 > MANY_CHANGES * (STATIONS * self.model.blank.elements) as f64;
         if iterations > HARD * patience {
             self.wanted = (dt * SHRINK).max(self.smallest);
         } else if iterations <= EASY * patience && !many_changes {

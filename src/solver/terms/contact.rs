@@ -15,12 +15,11 @@
 use crate::contact::penalty::ValueAndSlope;
 use crate::contact::{ContactForce, ContactPoint, touch};
 use crate::element::kinematics::Current;
-use crate::element::surface::{MotionForces, STATIONS, Slope, Station};
+use crate::element::surface::{MotionForces, STATIONS, Slope, Station, stations};
 use crate::geometry::{Point, turned};
 use crate::model::Iteration;
 use crate::numerics::block_tridiagonal::System;
 use crate::solver::evaluation::{Contact, Evaluation, Linearisation};
-use crate::solver::process::Process;
 use crate::solver::step::Step;
 use crate::solver::trial::{ContactMemory, Trial};
 
@@ -42,8 +41,8 @@ pub fn add(step: &Step, trial: &mut Trial, at: &Linearisation, out: &mut Evaluat
         for e in 0..out.thickness.len() {
             let [a, b] = [out.nodes[e], out.nodes[e + 1]];
             let (mut pressed, mut touched) = (Pressed::default(), false);
-            for (k, station) in STATIONS.iter().enumerate() {
-                let i = STATIONS.len() * e + k;
+            for (k, station) in stations(step.bends[e]).iter().enumerate() {
+                let i = STATIONS * e + k;
                 let thickness = out.thickness[e] + station.xi * step.rise[e];
                 let x = station.position(&a, &b);
                 let position = x - displacement;
@@ -214,11 +213,11 @@ impl Pressed {
 }
 
 /// Measures the gaps that the iterations of a converged step did not need; the balance of work does.
-pub fn measure_far(process: &Process, trial: &mut Trial, out: &mut Evaluation) {
-    for (j, tool) in process.tools.iter().enumerate().filter(|(_, tool)| !tool.is_absent()) {
+pub fn measure_far(step: &Step, trial: &mut Trial, out: &mut Evaluation) {
+    for (j, tool) in step.process.tools.iter().enumerate().filter(|(_, tool)| !tool.is_absent()) {
         for e in 0..out.thickness.len() {
-            for (k, station) in STATIONS.iter().enumerate() {
-                let i = STATIONS.len() * e + k;
+            for (k, station) in stations(step.bends[e]).iter().enumerate() {
+                let i = STATIONS * e + k;
                 let contact = &mut out.contacts[(j, i)];
                 if contact.gap.is_infinite() {
                     let ContactMemory { position, distance, .. } = &mut trial.contacts[(j, i)];

@@ -2,7 +2,7 @@
 
 use crate::element::Node;
 use crate::element::section::Law;
-use crate::element::surface::STATIONS;
+use crate::element::surface::{STATIONS, stations};
 use crate::material::PointLaw;
 use crate::material::flow::FlowLaw;
 use crate::model::Mode;
@@ -79,8 +79,8 @@ pub fn stabilise(step: &Step, trial: &Trial, out: &mut Evaluation) {
     if !step.model.has_paths() {
         return;
     }
-    for (e, areas) in step.areas.chunks_exact(STATIONS.len()).enumerate() {
-        for (area, station) in areas.iter().zip(STATIONS) {
+    for (e, areas) in step.areas.chunks_exact(STATIONS).enumerate() {
+        for (area, station) in areas.iter().zip(stations(step.bends[e])) {
             for (i, share) in [e, e + 1].into_iter().zip(station.shape) {
                 let stiffness = STABILISATION * step.process.penalty.stiffness * area * share;
                 out.system.rhs[i].y -= stiffness * trial.moves[i][1];
