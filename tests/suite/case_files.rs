@@ -2,8 +2,8 @@
 
 use crate::common::files::files;
 use proptest::prelude::*;
-use stampflow::case::files::{Files, Memory};
 use stampflow::case::{self, Case};
+use stampflow::files::{Files, Memory};
 use stampflow::geometry::Point;
 use stampflow::model::{Edge, Geometry, Grading, Mode, Motion, Press, Release, ReleaseStiffness, Role, Theory};
 use std::path::Path;

@@ -13,6 +13,7 @@ mod campaign;
 mod case_files;
 mod cli;
 mod drawings;
+mod files;
 mod materials;
 mod measures;
 mod model_check;
