@@ -9,6 +9,7 @@ use stampflow::compare::{
 };
 use stampflow::measure::{Shape, changes};
 use stampflow::model::{Geometry, Model, Role};
+use stampflow::output::summary::sha256;
 use stampflow::output::{
     FrameRecorder, Make, OUTPUTS, Summary, load_travel, png, profile, remove_stale, write_comparisons,
 };
@@ -469,4 +470,10 @@ fn sample_for_looking() {
     let dir = Path::new("target/sample");
     let comparisons = [comparison(&run), band(&run)];
     solution(run).write_with(&comparisons, &FrameRecorder::default(), dir).unwrap();
+}
+
+/// Trust: the digest of the empty text as given in FIPS 180.
+#[test]
+fn the_checksum_is_sha256_in_hexadecimal() {
+    assert_eq!(sha256(""), "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855");
 }
