@@ -45,6 +45,3 @@ pub use types::{
 #[cfg(feature = "import")]
 pub(crate) use unit::factor;
 pub use unit::{Dimension, ZERO_CELSIUS};
-
-#[cfg(test)]
-mod tests;
