@@ -142,12 +142,40 @@ impl Memory {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use approx::assert_relative_eq;
+
+    fn quickstart(overrides: &[&str]) -> crate::Case {
+        let overrides: Vec<String> = overrides.iter().map(|o| (*o).to_owned()).collect();
+        crate::case::load("cases/quickstart.toml", &overrides).expect("valid")
+    }
+
+    /// Trust: the example of the handbook that the rule was read in: β 2, d 100 mm, s 1 mm, R_m 310 MPa give 1.16 MPa.
+    #[test]
+    fn the_advised_pressure_is_that_of_the_handbooks_example() {
+        let overrides = [
+            "blank.radius=100 mm",
+            "tools.punch.flat.radius=50 mm",
+            "tools.die.throat=51.25 mm",
+            "tools.holder.inner_radius=57.25 mm",
+        ];
+        let pressure = siebel_pressure(quickstart(&overrides).model(), 310.0).unwrap();
+        assert_relative_eq!(pressure, 1.1625, epsilon = 1e-9);
+        assert_relative_eq!(pressure, 1.16, epsilon = 5e-3);
+    }
+
+    /// Trust: with sharp enough corners the part is a cylinder of known area, drawn through where its area is the blank's.
+    #[test]
+    fn drawn_share_is_the_area_of_a_sharp_cup() {
+        let sharp = ["tools.punch.flat.nose=0.01 mm", "tools.die.shoulder=0.01 mm"];
+        let model = quickstart(&sharp).model().clone();
+        let cup = 30.0 * 30.0 + 2.0 * 30.0 * 25.0 + 31.26 * 31.26 - 30.0 * 30.0;
+        assert_relative_eq!(drawn_share(&model).unwrap(), cup / (55.0 * 55.0), epsilon = 1e-3);
+    }
 
     /// Trust: what a solved case holds, counted in what came out of it.
     #[test]
     fn what_is_counted_is_what_a_run_keeps() {
-        let set = ["tools.punch.travel=3 mm", "output.count=20", "blank.layers=15"].map(str::to_owned);
-        let case = crate::case::load("cases/quickstart.toml", &set).unwrap();
+        let case = quickstart(&["tools.punch.travel=3 mm", "output.count=20", "blank.layers=15"]);
         let solution = case.clone().solve(&mut ());
         let Memory { frames, points, steps } = Memory::of(case.model());
         let stage = &solution.stages[0];

@@ -11,6 +11,7 @@ mod architecture;
 mod bad_cases;
 mod campaign;
 mod case_files;
+mod check;
 mod cli;
 mod compare;
 mod drawings;
