@@ -45,7 +45,7 @@ pub use png::png;
 pub use sketch::sketch;
 pub use stage_view::StageView;
 pub use summary::{CaseSummary, Figure, Summary};
-pub use writing::{OutputError, can_write_all, remove_stale, write_comparisons};
+pub use writing::{OutputError, Results, can_write_all, remove_stale};
 
 /// Every file that may be written.
 pub const OUTPUTS: &[Output] = &[

@@ -1,6 +1,8 @@
-//! Every output of a solution, written to its folder.
+//! A solution looked over, and every output of it written to its folder.
 
-use super::{FrameRecorder, Make, OUTPUTS, StageView, WriteError, can_write, overlay, remove_others, write};
+use super::{
+    CaseSummary, FrameRecorder, Make, OUTPUTS, StageView, WriteError, can_write, overlay, remove_others, write,
+};
 use crate::case::Solution;
 use crate::compare::{CompareError, Comparison};
 use std::path::{Path, PathBuf};
@@ -16,38 +18,64 @@ pub enum OutputError {
     Compare(#[from] CompareError),
 }
 
+/// A solution looked over once: what its outputs are made from.
+#[derive(Clone, Debug)]
+pub struct Results<'a> {
+    /// The case and what came out of it.
+    pub solution: &'a Solution,
+    /// Every stage that was run.
+    pub views: Vec<StageView<'a>>,
+    /// What the case is compared with beside what its first stage computed.
+    pub comparisons: Vec<Comparison>,
+}
+
 impl Solution {
+    /// Sums up every stage.
+    pub fn summary(&self) -> CaseSummary {
+        CaseSummary::of(self, &self.views())
+    }
+
     /// Writes every table and plot of [`OUTPUTS`] into `dir`, those of several stages into a folder each, and removes what
     /// an earlier run left there; returns what was written.
     ///
     /// # Errors
     /// When a folder or file cannot be written, or a reference of the case cannot be read.
     pub fn write(&self, dir: impl AsRef<Path>) -> Result<Vec<PathBuf>, OutputError> {
-        Ok(self.write_with(&self.comparisons()?, &FrameRecorder::default(), dir.as_ref())?)
+        Ok(Results::of(self)?.write(&FrameRecorder::default(), dir.as_ref())?)
+    }
+}
+
+impl<'a> Results<'a> {
+    /// Looks a solution over.
+    ///
+    /// # Errors
+    /// When a reference of the case cannot be read or does not fit.
+    pub fn of(solution: &'a Solution) -> Result<Self, CompareError> {
+        Ok(Self { solution, views: solution.views(), comparisons: solution.comparisons()? })
     }
 
-    /// The same with comparisons that were made before, and with what a recorder was asked for.
+    /// Sums up every stage.
+    pub fn summary(&self) -> CaseSummary {
+        CaseSummary::of(self.solution, &self.views)
+    }
+
+    /// Writes as [`Solution::write`], with what a recorder was asked for.
     ///
     /// # Errors
     /// When a folder or file cannot be written: each file appears complete or not at all.
-    pub fn write_with(
-        &self,
-        comparisons: &[Comparison],
-        recorder: &FrameRecorder,
-        dir: &Path,
-    ) -> Result<Vec<PathBuf>, WriteError> {
+    pub fn write(&self, recorder: &FrameRecorder, dir: &Path) -> Result<Vec<PathBuf>, WriteError> {
         let mut written = Vec::new();
         let mut here = Vec::new();
         for output in OUTPUTS {
             if let Make::OfCase(make) = output.make {
-                here.extend(write_files(make(self, comparisons), dir)?);
+                here.extend(write_files(make(self), dir)?);
             }
         }
-        let views = self.views();
-        for (i, _) in self.case.stage_names().enumerate() {
-            let label = self.case.stage_label(i);
+        let case = &self.solution.case;
+        for (i, _) in case.stage_names().enumerate() {
+            let label = case.stage_label(i);
             let folder = label.as_ref().map_or_else(|| dir.to_owned(), |label| dir.join(label));
-            let files = views.get(i).map_or(Ok(Vec::new()), |view| write_stage(view, i, recorder, &folder))?;
+            let files = self.views.get(i).map_or(Ok(Vec::new()), |view| write_stage(view, i, recorder, &folder))?;
             if label.is_none() {
                 here.extend(files);
             } else {
@@ -58,6 +86,14 @@ impl Solution {
         remove_stale(dir, &here)?;
         written.extend(here);
         Ok(written)
+    }
+
+    /// Writes comparisons only.
+    ///
+    /// # Errors
+    /// When a folder or file cannot be written.
+    pub fn write_comparisons(&self, dir: &Path) -> Result<Vec<PathBuf>, WriteError> {
+        write_files(overlay::files(self), dir)
     }
 }
 
@@ -85,18 +121,6 @@ fn write_stage(view: &StageView, i: usize, recorder: &FrameRecorder, dir: &Path)
         }
     }
     Ok(written)
-}
-
-/// Writes comparisons only.
-///
-/// # Errors
-/// When a folder or file cannot be written.
-pub fn write_comparisons(
-    solution: &Solution,
-    comparisons: &[Comparison],
-    dir: &Path,
-) -> Result<Vec<PathBuf>, WriteError> {
-    write_files(overlay::files(solution, comparisons), dir)
 }
 
 fn write_files(files: impl Iterator<Item = (String, Vec<u8>)>, dir: &Path) -> Result<Vec<PathBuf>, WriteError> {
