@@ -5,7 +5,7 @@ use super::{CaseError, build, source::Source};
 use crate::forming_limit::{Curve, Hill, Kind, Sheet, uniform_strain};
 use crate::material::Material;
 use crate::material::flow::ROOM_TEMPERATURE;
-use crate::units::closest;
+use crate::units::meant;
 use serde::Deserialize;
 
 /// Name and text of every entry, by name.
@@ -132,11 +132,7 @@ pub(super) fn complete(file: &mut CaseFile, source: &Source) -> Result<Vec<Strin
 
 fn unknown(name: &str) -> (String, String) {
     let names = TEXTS.map(|(name, _)| name);
-    let all = format!("known materials: {}", names.join(", "));
-    let help = match closest(name, names.iter().copied()).first() {
-        Some(near) => format!("did you mean `{near}`? {all}"),
-        None => all,
-    };
+    let help = format!("{}known materials: {}", meant(name, names.iter().copied()), names.join(", "));
     (format!("the library has no material \"{name}\""), help)
 }
 
