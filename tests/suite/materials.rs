@@ -1,5 +1,6 @@
 //! The built-in materials, and the forming limits that cases can ask for.
 
+use crate::common::cup::{LAW, MINIMAL};
 use stampflow::author::laws;
 use stampflow::case::{self, Case, library};
 use stampflow::contact::friction::Friction;
@@ -7,21 +8,7 @@ use stampflow::material::{Hardening, Rate, ThermalLaw};
 use std::process::Command;
 
 fn parsed(material: &str, more: &str) -> Result<Case, String> {
-    let text = format!(
-        r#"title = "Cup"
-geometry = "axisymmetric"
-{more}
-[blank]
-radius = "55 mm"
-thickness = "1 mm"
-[material]
-{material}
-[tools]
-punch = {{ flat = {{ radius = "30 mm", nose = "6 mm" }}, friction = 0.08, travel = "25 mm" }}
-die = {{ throat = "31.25 mm", shoulder = "6 mm", friction = 0.08 }}
-holder = {{ inner_radius = "32 mm", force = "10 kN" }}
-"#
-    );
+    let text = MINIMAL.replace(LAW, &format!("[material]\n{material}\n")) + more;
     case::parse(&text, "case.toml", &[]).map_err(|error| error.render(false))
 }
 
