@@ -4,7 +4,7 @@
 use super::schema::example_line;
 use super::source::Source;
 use super::{CaseError, CaseFile};
-use crate::units::meant;
+use crate::units::did_you_mean;
 use toml::de::Error;
 
 /// Examples are those of the schema.
@@ -77,7 +77,7 @@ fn last_name(path: &str) -> String {
 }
 
 fn proposal(word: &str, known: &[&str], kind: &str) -> String {
-    format!("{}known {kind}: {}", meant(word, known.iter().copied()), known.join(", "))
+    format!("{}known {kind}: {}", did_you_mean(word, known.iter().copied()), known.join(", "))
 }
 
 /// Names of Rust's types said in words.

@@ -5,7 +5,7 @@ use super::{CaseError, build, source::Source};
 use crate::forming_limit::{Curve, Hill, Kind, Sheet, uniform_strain};
 use crate::material::Material;
 use crate::material::flow::ROOM_TEMPERATURE;
-use crate::units::meant;
+use crate::units::did_you_mean;
 use serde::Deserialize;
 
 /// Name and text of every entry, by name.
@@ -132,7 +132,7 @@ pub(super) fn complete(file: &mut CaseFile, source: &Source) -> Result<Vec<Strin
 
 fn unknown(name: &str) -> (String, String) {
     let names = TEXTS.map(|(name, _)| name);
-    let help = format!("{}known materials: {}", meant(name, names.iter().copied()), names.join(", "));
+    let help = format!("{}known materials: {}", did_you_mean(name, names.iter().copied()), names.join(", "));
     (format!("the library has no material \"{name}\""), help)
 }
 

@@ -1,10 +1,8 @@
-//! A solution looked over, and every output of it written to its folder.
+//! Every output of a solution, written to its folder.
 
-use super::{
-    CaseSummary, FrameRecorder, Make, OUTPUTS, StageView, WriteError, can_write, overlay, remove_others, write,
-};
+use super::{FrameRecorder, Make, OUTPUTS, Results, StageView, WriteError, can_write, overlay, remove_others, write};
 use crate::case::Solution;
-use crate::compare::{CompareError, Comparison};
+use crate::compare::CompareError;
 use std::path::{Path, PathBuf};
 
 /// Why results could not be written.
@@ -18,23 +16,7 @@ pub enum OutputError {
     Compare(#[from] CompareError),
 }
 
-/// A solution looked over once: what its outputs are made from.
-#[derive(Clone, Debug)]
-pub struct Results<'a> {
-    /// The case and what came out of it.
-    pub solution: &'a Solution,
-    /// Every stage that was run.
-    pub views: Vec<StageView<'a>>,
-    /// What the case is compared with beside what its first stage computed.
-    pub comparisons: Vec<Comparison>,
-}
-
 impl Solution {
-    /// Sums up every stage.
-    pub fn summary(&self) -> CaseSummary {
-        CaseSummary::of(self, &self.views())
-    }
-
     /// Writes every table and plot of [`OUTPUTS`] into `dir`, those of several stages into a folder each, and removes what
     /// an earlier run left there; returns what was written.
     ///
@@ -45,20 +27,7 @@ impl Solution {
     }
 }
 
-impl<'a> Results<'a> {
-    /// Looks a solution over.
-    ///
-    /// # Errors
-    /// When a reference of the case cannot be read or does not fit.
-    pub fn of(solution: &'a Solution) -> Result<Self, CompareError> {
-        Ok(Self { solution, views: solution.views(), comparisons: solution.comparisons()? })
-    }
-
-    /// Sums up every stage.
-    pub fn summary(&self) -> CaseSummary {
-        CaseSummary::of(self.solution, &self.views)
-    }
-
+impl Results<'_> {
     /// Writes as [`Solution::write`], with what a recorder was asked for.
     ///
     /// # Errors

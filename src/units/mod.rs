@@ -37,7 +37,7 @@ pub use quantity::Quantity;
 #[cfg(feature = "case")]
 pub use serde::{As, Plain};
 #[cfg(feature = "case")]
-pub(crate) use spelling::{closest, meant};
+pub(crate) use spelling::{closest, did_you_mean};
 pub use types::{
     Angle, Conductivity, Density, Energy, Force, HeatTransfer, Length, LineForce, Number, PerKelvin, Ratio,
     SpecificHeat, Speed, StrainRate, Stress, StressRate, Temperature, Time,

@@ -60,7 +60,7 @@ fn a_case_replaces_what_it_says_itself() {
 fn an_unknown_material_is_answered_with_the_nearest() {
     let error = parsed("name = \"aa6016\"", "").expect_err("unknown");
     assert!(error.contains("no material \"aa6016\"") && error.contains("did you mean `aa6016-t4`?"), "{error}");
-    assert!(error.contains("case.toml:8:8"), "{error}");
+    assert!(error.contains("case.toml:7:8"), "{error}");
 }
 
 #[test]

@@ -2,7 +2,7 @@
 
 use super::Summary;
 use crate::case::Solution;
-use crate::output::{StageView, stages};
+use crate::output::{Results, StageView, stages};
 use serde::ser::{Serialize, SerializeMap, Serializer};
 use std::fmt;
 
@@ -20,14 +20,27 @@ pub struct CaseSummary {
 }
 
 impl CaseSummary {
-    /// Sums up every stage of a solution, seen by its views.
-    pub(in crate::output) fn of(solution: &Solution, views: &[StageView]) -> Self {
+    fn of(solution: &Solution, views: &[StageView]) -> Self {
         Self {
             case: solution.case.name.clone(),
             complete: solution.is_complete(),
             stages: views.iter().map(Summary::of).collect(),
             lines: stages::printed(solution),
         }
+    }
+}
+
+impl Solution {
+    /// Sums up every stage.
+    pub fn summary(&self) -> CaseSummary {
+        CaseSummary::of(self, &self.views())
+    }
+}
+
+impl Results<'_> {
+    /// Sums up every stage.
+    pub fn summary(&self) -> CaseSummary {
+        CaseSummary::of(self.solution, &self.views)
     }
 }
 
