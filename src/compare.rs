@@ -18,6 +18,3 @@ pub use error::CompareError;
 pub use source::{SOURCES, Source};
 pub use spec::{Against, Data, Spec};
 pub use verdict::Verdict;
-
-#[cfg(test)]
-mod tests;

@@ -76,6 +76,8 @@ pub mod case;
 pub mod compare;
 pub mod contact;
 pub mod element;
+#[cfg(feature = "case")]
+pub mod files;
 pub mod forming_limit;
 pub mod geometry;
 #[cfg(feature = "import")]

@@ -238,6 +238,3 @@ impl fmt::Display for Check {
         Ok(())
     }
 }
-
-#[cfg(test)]
-mod tests;

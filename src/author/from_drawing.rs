@@ -12,6 +12,7 @@ use super::templates::{FRICTION, typical};
 use crate::material::Hardening;
 use crate::material::hardening::Swift;
 use crate::model::{Geometry, Role};
+use crate::rules::design::Picked;
 use crate::rules::estimate::{siebel, tensile_strength};
 use crate::rules::tool_sizes::mouth;
 use crate::units::rounded;
@@ -28,7 +29,7 @@ impl Draft<'_> {
             page.profile(profile);
             page.set("friction", FRICTION, "placeholder: Coulomb's coefficient; change it");
             match (role, &sizes.travel) {
-                (Role::Punch, Some(travel)) => page.set("travel", exact(travel.mm), &travel.comment()),
+                (Role::Punch, Some(travel)) => page.set("travel", exact(travel.value), &change(travel)),
                 (Role::Holder, _) => {
                     let (pressure, rule) = self.pressure(&sizes);
                     let why =
@@ -55,9 +56,9 @@ impl Draft<'_> {
         let about = std::iter::once(written.to_owned()).chain(self.notes.iter().map(|note| format!("- {note}")));
         let title: String = self.title.chars().filter(|c| !c.is_control()).take(150).collect();
         let mut open = vec!["material", "friction"];
-        open.extend(sizes.thickness.placeholder.map(|_| "thickness"));
-        open.extend(sizes.blank.placeholder.map(|_| "blank"));
-        open.extend(sizes.travel.as_ref().and_then(|travel| travel.placeholder).map(|_| "travel"));
+        let picked =
+            [("thickness", Some(&sizes.thickness)), ("blank", Some(&sizes.blank)), ("travel", sizes.travel.as_ref())];
+        open.extend(picked.iter().filter(|(_, size)| size.is_some_and(|size| !size.is_given())).map(|(name, _)| name));
         open.extend(self.has(Role::Holder).then_some("holder pressure"));
         let notes = [
             "declared: the tools' sections are those of the drawing".to_owned(),
@@ -69,8 +70,8 @@ impl Draft<'_> {
     fn sheet(&self, sizes: &Sizes, page: &mut Page) {
         let Sizes { thickness, blank, .. } = sizes;
         page.table("blank", "");
-        page.set(size_key(self.geometry), exact(blank.mm), &blank.comment());
-        page.set("thickness", exact(thickness.mm), &thickness.comment());
+        page.set(size_key(self.geometry), exact(blank.value), &change(blank));
+        page.set("thickness", exact(thickness.value), &change(thickness));
         if !self.has(Role::Die) {
             page.set("edge", "\"clamped\"", "placeholder: no die is drawn that the blank could rest on");
         }
@@ -86,12 +87,12 @@ impl Draft<'_> {
         let [k, n, offset] = typical();
         let law = Swift::new(k, n, offset).expect("the law is one");
         let strength = tensile_strength(&Hardening::Swift(law));
-        let travel = sizes.travel.as_ref().map_or(0.0, |travel| travel.mm);
+        let travel = sizes.travel.as_ref().map_or(0.0, |travel| travel.value);
         let punch = self.tool(Role::Punch).map(|punch| mouth(&punch, travel));
-        let drawn = punch.filter(|punch| self.geometry == Geometry::Axisymmetric && sizes.blank.mm > *punch);
+        let drawn = punch.filter(|punch| self.geometry == Geometry::Axisymmetric && sizes.blank.value > *punch);
         let (pressure, rule) = match drawn {
             Some(punch) => {
-                (siebel(sizes.blank.mm / punch, 2.0 * punch, sizes.thickness.mm, strength), "Siebel's pressure")
+                (siebel(sizes.blank.value / punch, 2.0 * punch, sizes.thickness.value, strength), "Siebel's pressure")
             }
             None => (strip_pressure(strength).value, "1 % of the tensile strength"),
         };
@@ -101,4 +102,9 @@ impl Draft<'_> {
     fn has(&self, role: Role) -> bool {
         self.tools.iter().any(|(tool, ..)| *tool == role)
     }
+}
+
+/// What stands behind a size: nothing where it was given.
+fn change(size: &Picked) -> String {
+    if size.is_given() { String::new() } else { format!("placeholder: {}; change it", size.why) }
 }

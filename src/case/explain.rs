@@ -4,7 +4,7 @@
 use super::schema::example_line;
 use super::source::Source;
 use super::{CaseError, CaseFile};
-use crate::units::closest;
+use crate::units::did_you_mean;
 use toml::de::Error;
 
 /// Examples are those of the schema.
@@ -77,11 +77,7 @@ fn last_name(path: &str) -> String {
 }
 
 fn proposal(word: &str, known: &[&str], kind: &str) -> String {
-    let all = format!("known {kind}: {}", known.join(", "));
-    match closest(word, known.iter().copied()).first() {
-        Some(near) => format!("did you mean `{near}`? {all}"),
-        None => all,
-    }
+    format!("{}known {kind}: {}", did_you_mean(word, known.iter().copied()), known.join(", "))
 }
 
 /// Names of Rust's types said in words.

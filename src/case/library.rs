@@ -5,9 +5,8 @@ use super::{CaseError, build, source::Source};
 use crate::forming_limit::{Curve, Hill, Kind, Sheet, uniform_strain};
 use crate::material::Material;
 use crate::material::flow::ROOM_TEMPERATURE;
-use crate::units::closest;
+use crate::units::did_you_mean;
 use serde::Deserialize;
-use std::fmt::Write;
 
 /// Name and text of every entry, by name.
 const TEXTS: [(&str, &str); 9] = [
@@ -73,37 +72,6 @@ impl Entry {
     pub fn sheet(&self) -> Sheet<'_> {
         Sheet { material: &self.material, thickness: 1.0, temperature: ROOM_TEMPERATURE }
     }
-
-    /// Everything that is known of it, and the table to paste.
-    pub fn describe(&self) -> String {
-        let mut text = format!("{}: {}\n\n", self.name, self.title);
-        let n = self.n().map_or("–".to_owned(), |n| format!("{n:.4}, the uniform strain of the law"));
-        let limit = self.forming_limit().map_or("–".to_owned(), |curve| {
-            format!(
-                "{:.4} in plane strain, true strain: computed from the law (Hill), not measured",
-                curve.plane_strain()
-            )
-        });
-        let elastic = self.material.elastic.map_or("–".to_owned(), |e| format!("{} MPa, {}", e.young, e.poisson));
-        for (label, value) in [
-            ("law", self.material.describe()),
-            ("n", n),
-            ("r̄", format!("{}", self.material.hill48.ratio())),
-            ("FLC", limit),
-            ("E, ν", elastic),
-            ("thickness", self.thickness.clone().unwrap_or("–".to_owned())),
-            ("source", self.source.clone()),
-            ("grade", self.grade.clone()),
-            ("licence", self.licence.clone()),
-        ] {
-            let _ = writeln!(text, "  {label:<12}{value}");
-        }
-        for note in &self.notes {
-            let _ = writeln!(text, "  {:<12}{note}", "note");
-        }
-        let _ = write!(text, "\nIn a case:\n\n[material]\nname = \"{}\"\n\nor all of it:\n\n{}", self.name, self.text);
-        text
-    }
 }
 
 /// Every material, by name.
@@ -126,33 +94,6 @@ pub fn material(name: &str) -> Result<Entry, CaseError> {
             Err(CaseError::bare(what, help))
         }
     }
-}
-
-/// A table of all materials.
-///
-/// # Errors
-/// As [`materials`].
-pub fn list() -> Result<String, CaseError> {
-    let header = ["name", "n [–]", "r̄ [–]", "thickness", "law", "source"].map(str::to_owned);
-    let mut rows = vec![header];
-    for entry in materials()? {
-        let law = entry.material.hardening.describe();
-        rows.push([
-            entry.name.to_owned(),
-            entry.n().map_or("–".to_owned(), |n| format!("{n:.3}")),
-            format!("{}", entry.material.hill48.ratio()),
-            entry.thickness.clone().unwrap_or("–".to_owned()),
-            law,
-            entry.source.split(", doi").next().unwrap_or_default().chars().take(70).collect(),
-        ]);
-    }
-    let widths: Vec<usize> = (0..6).map(|i| rows.iter().map(|r| r[i].chars().count()).max().unwrap_or(0)).collect();
-    let lines = rows.iter().map(|row| {
-        let cells: Vec<String> = row.iter().zip(&widths).map(|(cell, width)| format!("{cell:<width$}")).collect();
-        cells.join("  ").trim_end().to_owned() + "\n"
-    });
-    Ok(lines.collect::<String>()
-        + "\nstampflow materials NAME says all of one, with its source and a table to paste.\n")
 }
 
 /// Fills what a case leaves open of the material that it names.
@@ -191,11 +132,7 @@ pub(super) fn complete(file: &mut CaseFile, source: &Source) -> Result<Vec<Strin
 
 fn unknown(name: &str) -> (String, String) {
     let names = TEXTS.map(|(name, _)| name);
-    let all = format!("known materials: {}", names.join(", "));
-    let help = match closest(name, names.iter().copied()).first() {
-        Some(near) => format!("did you mean `{near}`? {all}"),
-        None => all,
-    };
+    let help = format!("{}known materials: {}", did_you_mean(name, names.iter().copied()), names.join(", "));
     (format!("the library has no material \"{name}\""), help)
 }
 

@@ -27,9 +27,6 @@ mod build;
 mod error;
 mod explain;
 pub mod file;
-pub mod files;
-#[cfg(feature = "schema")]
-mod laws;
 pub mod library;
 mod overrides;
 mod read;
@@ -42,9 +39,9 @@ mod syntax;
 
 pub use error::CaseError;
 pub use file::CaseFile;
-#[cfg(feature = "schema")]
-pub use laws::{Law, law_list, laws};
 pub use read::{load, parse, parse_with};
+#[cfg(feature = "schema")]
+pub(crate) use schema::definition;
 #[cfg(feature = "schema")]
 pub use schema::schema;
 pub use solution::Solution;

@@ -1,7 +1,7 @@
 //! `KEY=VALUE` from the command line, written into the text before it is read.
 
 use super::CaseError;
-use crate::units::closest;
+use crate::units::did_you_mean;
 use toml_edit::{DocumentMut, Item, Table, Value};
 
 /// The text with every override applied in order; text that is not TOML is returned as it is, to be reported later.
@@ -28,8 +28,7 @@ pub(super) fn apply(text: &str, overrides: &[String]) -> Result<String, CaseErro
         for (depth, segment) in tables.iter().enumerate() {
             let known = keys(here);
             here = child(here, segment).ok_or_else(|| {
-                let near = closest(segment, known.iter().map(String::as_str));
-                let near = near.first().map_or(String::new(), |near| format!("did you mean `{near}`? "));
+                let near = did_you_mean(segment, known.iter().map(String::as_str));
                 let all = if known.is_empty() { "nothing".into() } else { known.join(", ") };
                 fail(format!("there is no table [{}]", tables[..=depth].join(".")), format!("{near}it holds {all}"))
             })?;

@@ -1,8 +1,8 @@
 //! From the text of a case to the case.
 
-use super::files::{self, Disk, FileError, Files, Folder};
 use super::source::Source;
 use super::{Case, CaseError, build, explain, library, overrides, sources};
+use crate::files::{self, Disk, FileError, Files, Folder};
 use std::path::{Path, PathBuf};
 
 /// Reads a case file from the disk and applies overrides such as `tools.punch.friction=0.1` or `blank.thickness=0.9 mm`.
@@ -31,7 +31,7 @@ pub fn parse(text: &str, name: &str, overrides: &[String]) -> Result<Case, CaseE
 /// Reads a case from text as [`parse`], the files beside it from elsewhere. All that a case needs is read here.
 ///
 /// ```
-/// # use stampflow::case::{self, files::Memory};
+/// # use stampflow::{case, files::Memory};
 /// let mut files = Memory::default();
 /// files.insert("cases/field.csv", "s0_mm,temperature_C\n20,25\n40,150\n");
 /// let text = format!("{}[heat]\ninitial = \"field.csv\"\n", stampflow::author::templates::find("cup").unwrap().fill(&[])?);

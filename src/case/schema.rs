@@ -17,7 +17,7 @@ pub fn schema() -> String {
 }
 
 /// A named definition of the schema; null when there is none.
-pub(super) fn definition(name: &str) -> &'static Value {
+pub(crate) fn definition(name: &str) -> &'static Value {
     &SCHEMA["$defs"][name]
 }
 

@@ -6,7 +6,7 @@ use super::say::{say, say_json};
 use anyhow::Context;
 use serde_json::json;
 use stampflow::author::Draft;
-use stampflow::case::files::{Disk, FileError, Files};
+use stampflow::files::{Disk, FileError, Files};
 use stampflow::import::{self, DrawingUnit, Heading, Options, Section, Sections};
 use stampflow::model::{Geometry, Role};
 use stampflow::output::{can_write, png, sketch, write};

@@ -3,12 +3,14 @@
 use super::code::{Code, unusable};
 use super::options::Json;
 use super::say::{say, say_json};
+use super::table::{Tone, table};
 use anyhow::Result;
 use serde_json::{Value, json};
 use stampflow::case::library::{self, Entry};
 use stampflow::forming_limit::{Curve, Hill, Kind, MarciniakKuczynski};
 use stampflow::output::{Chart, can_write, flow_curve, png, write};
 use stampflow::units::rounded;
+use std::fmt::Write;
 use std::path::PathBuf;
 
 pub const HELP: &str = "\
@@ -18,6 +20,9 @@ source; forming limits that are drawn are computed from the law, not measured.
 Examples:
   stampflow materials
   stampflow materials aa6016-t4 --plot aa6016-t4.png";
+
+/// What no source says.
+const UNKNOWN: &str = "–";
 
 #[derive(Debug, clap::Args)]
 pub struct Args {
@@ -34,17 +39,63 @@ pub fn materials(args: &Args) -> Result<Code> {
     let Some(name) = &args.name else {
         return match args.json.json {
             true => say_json(&library::materials()?.iter().map(of).collect::<Vec<_>>()),
-            false => say(&library::list()?),
+            false => say(&list(&library::materials()?)),
         };
     };
     let entry = library::material(name)?;
-    let mut text = entry.describe();
+    let mut text = describe(&entry);
     if let Some(path) = &args.plot {
         can_write(path).map_err(unusable("--plot"))?;
         write(path, &png(&chart(&entry)))?;
         text += &format!("\n{} written\n", path.display());
     }
     if args.json.json { say_json(&of(&entry)) } else { say(&text) }
+}
+
+/// A table of materials.
+fn list(entries: &[Entry]) -> String {
+    let row = |entry: &Entry| {
+        let source: String = entry.source.split(", doi").next().unwrap_or_default().chars().take(70).collect();
+        let cells = [
+            entry.name.to_owned(),
+            entry.n().map_or(UNKNOWN.to_owned(), |n| format!("{n:.3}")),
+            entry.material.hill48.ratio().to_string(),
+            entry.thickness.clone().unwrap_or(UNKNOWN.to_owned()),
+            entry.material.hardening.describe(),
+            source,
+        ];
+        (cells, Tone::Plain)
+    };
+    let headers = ["name", "n [–]", "r̄ [–]", "thickness", "law", "source"];
+    let rows = entries.iter().map(row).collect();
+    table(Some(headers), rows, 1)
+        + "\nstampflow materials NAME says all of one, with its source and a table to paste.\n"
+}
+
+/// Everything that is known of a material, and the table to paste.
+fn describe(entry: &Entry) -> String {
+    let Entry { name, title, material, .. } = entry;
+    let n = entry.n().map_or(UNKNOWN.to_owned(), |n| format!("{n:.4}, the uniform strain of the law"));
+    let limit = entry.forming_limit().map_or(UNKNOWN.to_owned(), |curve| {
+        format!("{:.4} in plane strain, true strain: computed from the law (Hill), not measured", curve.plane_strain())
+    });
+    let elastic = material.elastic.map_or(UNKNOWN.to_owned(), |e| format!("{} MPa, {}", e.young, e.poisson));
+    let known = [
+        ("law", material.describe()),
+        ("n", n),
+        ("r̄", material.hill48.ratio().to_string()),
+        ("FLC", limit),
+        ("E, ν", elastic),
+        ("thickness", entry.thickness.clone().unwrap_or(UNKNOWN.to_owned())),
+        ("source", entry.source.clone()),
+        ("grade", entry.grade.clone()),
+        ("licence", entry.licence.clone()),
+    ];
+    let mut text = format!("{name}: {title}\n\n");
+    for (label, value) in known.into_iter().chain(entry.notes.iter().map(|note| ("note", note.clone()))) {
+        let _ = writeln!(text, "  {label:<12}{value}");
+    }
+    text + &format!("\nIn a case:\n\n[material]\nname = \"{name}\"\n\nor all of it:\n\n{}", entry.text)
 }
 
 /// An entry for programs; the table to paste says the law with its units.

@@ -26,7 +26,7 @@ use clap_complete::Shell;
 use code::BadRequest;
 use options::Json;
 use say::{say, say_json};
-use stampflow::case;
+use stampflow::{author, case};
 
 /// Sheet-metal stamping sections (axisymmetric or plane strain) by the flow approach.
 #[derive(Debug, Parser)]
@@ -94,8 +94,8 @@ pub fn main() -> anyhow::Result<Code> {
         Verb::Check(args) => check::check(&args),
         Verb::New(args) => new::new(&args),
         Verb::Materials(args) => materials::materials(&args),
-        Verb::Laws { json } if json.json => say_json(&case::law_list()),
-        Verb::Laws { .. } => say(&case::laws()),
+        Verb::Laws { json } if json.json => say_json(&author::law_list()),
+        Verb::Laws { .. } => say(&author::laws()),
         Verb::Schema => say(&case::schema()),
         Verb::Completions { shell } => shell::completions(Args::command(), shell),
         Verb::Man { verb } => shell::man(Args::command(), verb.as_deref()),

@@ -7,7 +7,7 @@ use super::say::{say, say_json};
 use clap::ValueEnum;
 use serde_json::json;
 use stampflow::case;
-use stampflow::case::files::{Disk, Files};
+use stampflow::files::{Disk, Files};
 use stampflow::output::{can_write, remove_others, write};
 use stampflow::report::{MARKER, Report, figure_folder, html, is_figure, markdown};
 use std::path::{Path, PathBuf};

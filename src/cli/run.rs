@@ -8,11 +8,10 @@ use super::progress::{Kept, Progress};
 use super::say::{say, say_json};
 use super::table::{Tone, table};
 use serde_json::{Value, json};
-use stampflow::case::{Case, Solution};
-use stampflow::compare::Comparison;
+use stampflow::case::Case;
 use stampflow::output::summary::Group;
 use stampflow::output::{
-    CaseSummary, Extra, FrameRecorder, OUTPUTS, Summary, can_write, can_write_all, csv, trace, write,
+    CaseSummary, Extra, FrameRecorder, OUTPUTS, Results, Summary, can_write, can_write_all, csv, trace, write,
 };
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
@@ -85,14 +84,14 @@ pub fn run(args: &Args) -> anyhow::Result<Code> {
         },
         |solution, kept| {
             let dir = folder(args, several, &solution.case.name);
-            let comparisons = solution.comparisons()?;
-            let files = solution.write_with(&comparisons, &kept.recorder, &dir)?;
+            let results = Results::of(&solution)?;
+            let files = results.write(&kept.recorder, &dir)?;
             if let (Some(path), Some(iterations)) = (&args.trace, &kept.trace) {
                 write(path, &csv(&trace::table(iterations)))?;
             }
             let report = match args.json.json {
-                true => Report::Json(as_json(&solution, &comparisons, &dir, &files)?),
-                false => Report::Text(report(&solution, &comparisons, &dir, files.len())),
+                true => Report::Json(as_json(&results, &dir, &files)?),
+                false => Report::Text(report(&results, &dir, files.len())),
             };
             Ok((report, solution.is_complete()))
         },
@@ -152,14 +151,14 @@ fn folder(args: &Args, several: bool, name: &str) -> PathBuf {
     }
 }
 
-fn report(solution: &Solution, comparisons: &[Comparison], dir: &Path, files: usize) -> String {
-    let CaseSummary { stages, lines, .. } = solution.summary();
-    let stages = stages.iter().zip(&solution.stages);
+fn report(results: &Results, dir: &Path, files: usize) -> String {
+    let CaseSummary { stages, lines, .. } = results.summary();
+    let stages = stages.iter().zip(&results.solution.stages);
     let mut text = stages.map(|(s, stage)| printed(s, stage.stop.is_complete())).collect::<Vec<_>>().join("\n");
     if !lines.is_empty() {
         let _ = writeln!(text, "\nStages\n{lines}");
     }
-    for comparison in comparisons {
+    for comparison in &results.comparisons {
         let _ = writeln!(text, "{}", comparison.sentence());
     }
     let _ = writeln!(text, "{files} files in {}", dir.display());
@@ -184,9 +183,10 @@ fn printed(summary: &Summary, complete: bool) -> String {
 }
 
 /// What `summary.json` says of the case, or of each of its stages, and what was compared and written.
-fn as_json(solution: &Solution, comparisons: &[Comparison], dir: &Path, files: &[PathBuf]) -> anyhow::Result<Value> {
-    let mut value = serde_json::to_value(solution.summary())?;
-    let comparisons = comparisons.iter().map(|comparison| json::comparison(&solution.case.name, comparison));
+fn as_json(results: &Results, dir: &Path, files: &[PathBuf]) -> anyhow::Result<Value> {
+    let mut value = serde_json::to_value(results.summary())?;
+    let case = &results.solution.case.name;
+    let comparisons = results.comparisons.iter().map(|comparison| json::comparison(case, comparison));
     value["comparisons"] = comparisons.collect();
     value["folder"] = json!(dir);
     value["files"] = json!(files);

@@ -9,7 +9,7 @@ use super::say::{say, say_json};
 use super::table::{Tone, table};
 use anyhow::Context;
 use stampflow::compare::{Comparison, Verdict};
-use stampflow::output::{can_write_all, write_comparisons};
+use stampflow::output::{Results, can_write_all};
 use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 
@@ -66,9 +66,9 @@ pub fn validate(args: &Args) -> anyhow::Result<Code> {
         cases,
         |case| progress.watch(case, Kept::default()),
         |solution, _| {
-            let comparisons = solution.comparisons()?;
-            write_comparisons(&solution, &comparisons, &args.out.join(&solution.case.name))?;
-            Ok((solution.case.name, comparisons))
+            let results = Results::of(&solution)?;
+            results.write_comparisons(&args.out.join(&solution.case.name))?;
+            Ok((solution.case.name.clone(), results.comparisons))
         },
     );
     let outcomes = outcomes.into_iter().collect::<anyhow::Result<Vec<_>>>()?;

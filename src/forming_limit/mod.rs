@@ -151,6 +151,3 @@ impl Curve {
         self.major_at(0.0)
     }
 }
-
-#[cfg(test)]
-mod tests;

@@ -123,31 +123,3 @@ impl YieldCondition for Hill48 {
         1.0
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use approx::assert_relative_eq;
-
-    /// Trust: Hill's closed forms. Plane strain (ε_θ = 0): σ_s/σ̄ = (1 + r̄)/√(1 + 2r̄), σ_θ/σ_s = r̄/(1 + r̄);
-    /// equi-biaxial: σ/σ̄ = √((1 + r̄)/2).
-    #[test]
-    fn plane_strain_and_equi_biaxial_factors_are_hills() {
-        for r in [0.5_f64, 1.0, 2.0] {
-            let law = Hill48::new(r);
-            let stress = |e: Triple| law.apply(e).map(|a| a / law.equivalent_increment(e));
-            let plane = stress([0.01, 0.0, 0.0]);
-            assert_relative_eq!(plane[0], (1.0 + r) / (1.0 + 2.0 * r).sqrt(), max_relative = 1e-12);
-            assert_relative_eq!(plane[1] / plane[0], r / (1.0 + r), max_relative = 1e-12);
-            let biaxial = stress([0.01, 0.01, 0.0]);
-            assert_relative_eq!(biaxial[0], ((1.0 + r) / 2.0).sqrt(), max_relative = 1e-12);
-            // Tension: the width thins r̄ times as fast as the thickness.
-            let uniaxial = stress([1.0 + r, -r, 0.0]);
-            assert_relative_eq!(uniaxial[0], 1.0, max_relative = 1e-12);
-            assert!(uniaxial[1].abs() < 1e-12);
-            for s in [plane, biaxial, uniaxial] {
-                assert_relative_eq!(law.equivalent_stress(s), 1.0, max_relative = 1e-12);
-            }
-        }
-    }
-}

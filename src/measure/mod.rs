@@ -32,8 +32,6 @@ mod fit;
 mod meridian;
 mod moment;
 mod part;
-#[cfg(test)]
-mod tests;
 
 pub use moment::{MomentError, moment_error};
 pub use part::{part_height, thickest};

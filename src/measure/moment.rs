@@ -34,7 +34,7 @@ pub fn moment_error(frame: &Frame) -> Option<MomentError> {
 }
 
 /// ½ ∫ ξ σ dξ by the rule \[MPa\].
-pub(super) fn summed(layers: &[ThicknessPoint], points: &[PointRecord]) -> f64 {
+fn summed(layers: &[ThicknessPoint], points: &[PointRecord]) -> f64 {
     layers.iter().zip(points).map(|(layer, point)| layer.weight * layer.xi * point.stress_meridional).sum()
 }
 

@@ -99,22 +99,3 @@ impl<T> IndexMut<(usize, usize)> for Grid<T> {
         &mut self.row_mut(row)[column]
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// Trust: by construction.
-    #[test]
-    fn rows_and_columns_are_kept_apart() {
-        let mut grid = Grid::from_values(3, 0..6);
-        assert_eq!((grid.row(1), grid[(1, 0)], grid.columns()), (&[3, 4, 5][..], 3, 3));
-        grid[(0, 2)] = 9;
-        assert_eq!(grid.iter().sum::<i32>(), 22);
-        grid.truncate_columns(2);
-        assert_eq!(grid.rows().collect::<Vec<_>>(), [[0, 1], [3, 4]]);
-        grid.truncate_rows(1);
-        assert_eq!(*grid, [0, 1]);
-        assert_eq!(Grid::new(0, 0, 1.0).rows().count(), 0);
-    }
-}

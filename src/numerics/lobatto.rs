@@ -45,21 +45,3 @@ fn legendre(n: usize, x: f64) -> (f64, f64) {
     }
     if n == 0 { (1.0, 0.0) } else { (p, below) }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// Trust: the rule integrates every monomial it must, to round-off.
-    #[test]
-    fn integrates_monomials_up_to_its_degree() {
-        for n in 2..=51 {
-            let layers = rule(n);
-            for degree in 0..=(2 * n - 3).min(40) {
-                let sum: f64 = layers.iter().map(|l| l.weight * l.xi.powi(degree as i32)).sum();
-                let exact = if degree % 2 == 0 { 1.0 / (degree as f64 + 1.0) } else { 0.0 };
-                assert!((sum - exact).abs() < 1e-13, "{n} points, degree {degree}: {sum} for {exact}");
-            }
-        }
-    }
-}

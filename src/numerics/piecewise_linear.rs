@@ -76,37 +76,3 @@ impl PiecewiseLinear {
         self.points.iter().map(|p| p.1).fold(f64::INFINITY, f64::min)
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn values_are_interpolated_and_held() {
-        let history = PiecewiseLinear::new(vec![(1.0, 10.0), (3.0, 20.0), (4.0, 0.0)]).expect("rising");
-        for (x, value) in [(0.0, 10.0), (1.0, 10.0), (2.0, 15.0), (3.0, 20.0), (3.5, 10.0), (9.0, 0.0)] {
-            assert_eq!(history.at(x), value);
-        }
-        assert_eq!((history.smallest(), history.largest()), (0.0, 20.0));
-        assert_eq!(PiecewiseLinear::from(5.0).at(-1.0), 5.0);
-    }
-
-    #[test]
-    fn a_rising_value_is_found_cut_and_drawn_out() {
-        let history = PiecewiseLinear::new(vec![(0.0, 0.0), (2.0, 10.0), (3.0, 30.0)]).expect("rising");
-        for (x, value) in [(0.0, 0.0), (1.0, 5.0), (2.0, 10.0), (2.5, 20.0), (3.0, 30.0)] {
-            assert_eq!((history.at(x), history.reaches(value)), (value, x));
-        }
-        assert_eq!([0.0, 1.0, 2.0, 2.1, 3.0, 4.0].map(|x| history.slope_before(x)), [0.0, 5.0, 5.0, 20.0, 20.0, 0.0]);
-        assert_eq!(history.up_to(4.0).points(), [(0.0, 0.0), (0.8, 4.0)]);
-        assert_eq!(history.up_to(10.0).points(), [(0.0, 0.0), (2.0, 10.0)]);
-        assert_eq!(history.up_to(40.0).points(), [(0.0, 0.0), (2.0, 10.0), (3.5, 40.0)]);
-    }
-
-    #[test]
-    fn what_does_not_rise_is_no_history() {
-        assert_eq!(PiecewiseLinear::new(vec![]), None);
-        assert_eq!(PiecewiseLinear::new(vec![(1.0, 0.0), (1.0, 2.0)]), None);
-        assert_eq!(PiecewiseLinear::new(vec![(1.0, 0.0), (f64::NAN, 2.0)]), None);
-    }
-}

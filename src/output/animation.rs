@@ -1,11 +1,10 @@
 //! The draw as a moving picture: the section, true to thickness, with its tools, and how far the load has come.
 
-use super::chart::{Chart, Look, Panel, Scale, Series, color};
+use super::chart::{Chart, Look, Panel, Series, color};
 use super::draw::Drawing;
 use super::gif::gif;
 use super::{Files, StageView, load_travel, sections};
 use crate::solution::Frame;
-use crate::table::fields::element::{R, Z};
 
 /// How many pictures are wanted of a run: every second of its steps, which are at most a hundredth of it by default.
 pub const PICTURES: usize = 50;
@@ -36,7 +35,7 @@ fn delays(view: &StageView, frames: &[&Frame]) -> Vec<u16> {
 /// The `i`-th frame; the window and the axes are those of the whole animation.
 fn picture(view: &StageView, frames: &[&Frame], i: usize) -> Chart {
     let (model, frame) = (view.model(), frames[i]);
-    let (x, y) = sections::window(frames.iter().flat_map(|f| &f.nodes), model.blank.length);
+    let window = sections::window(frames.iter().flat_map(|f| &f.nodes), model.blank.length);
     let (value, unit) = view.reaches(frame);
     let decimals = decimals(frames.iter().map(|frame| view.reaches(frame).0).fold(0.0, f64::max));
     let sheet = Series::new(
@@ -44,12 +43,8 @@ fn picture(view: &StageView, frames: &[&Frame], i: usize) -> Chart {
         sections::sheet(frame, 0..frame.elements.len()),
         Look::Area { fill: color(0), edge: None },
     );
-    let section = Panel {
-        x: R.axis(model.geometry),
-        y: Z.axis(model.geometry),
-        series: sections::tools(model, Some(frame), x.1).chain([sheet]).collect(),
-        scale: Scale::Section { x, y },
-    };
+    let tools = sections::tools(model, Some(frame), window[0].1);
+    let section = sections::panel(model.geometry, tools.chain([sheet]), window);
     Chart {
         title: view.title.to_owned(),
         legend: view.progress(),

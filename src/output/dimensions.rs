@@ -1,12 +1,11 @@
 //! The section at the start with its dimensions, as a drawing has them.
 
-use super::chart::{BLACK, Chart, Color, GREY, Look, PALE, Panel, Scale, Series, color};
+use super::chart::{BLACK, Chart, Color, GREY, Look, PALE, Series, color};
 use super::outline::clipped;
-use super::sections::{body, flat};
+use super::sections::{body, flat, panel};
 use crate::geometry::Point;
 use crate::model::Model;
 use crate::table::Unit;
-use crate::table::fields::element::{R, Z};
 use crate::units::{four_digits, without_zeros};
 
 /// A size of the section, and where it is drawn.
@@ -121,12 +120,7 @@ pub fn dimensioned(model: &Model, dimensions: &[Dimension]) -> Chart {
     Chart {
         title: "Section at the start".to_owned(),
         legend: "",
-        panels: vec![Panel {
-            x: R.axis(model.geometry),
-            y: Z.axis(model.geometry),
-            series,
-            scale: Scale::Section { x: (0.0, width + beside * px), y: (top, bottom + px * below) },
-        }],
+        panels: vec![panel(model.geometry, series, [(0.0, width + beside * px), (top, bottom + px * below)])],
         notes: vec!["Blue: the blank. Grey: the tools, where they touch the flat sheet.".to_owned()],
     }
 }

@@ -1,8 +1,6 @@
 //! What an output is: a file, what it holds, and how it is made.
 
-use super::{Chart, StageView, csv, png};
-use crate::case::Solution;
-use crate::compare::Comparison;
+use super::{Chart, Results, StageView, csv, png};
 use crate::solution::Frame;
 use crate::table::Table;
 
@@ -30,7 +28,7 @@ pub enum Make {
     /// Of the recorded frames of a stage, rising in time, where it is asked for.
     Moving(Extra, for<'a> fn(&'a StageView, &'a [&Frame]) -> Files<'a>),
     /// Of the whole case: stands beside the folders of its stages.
-    OfCase(for<'a> fn(&'a Solution, &'a [Comparison]) -> Files<'a>),
+    OfCase(for<'a> fn(&'a Results<'a>) -> Files<'a>),
 }
 
 /// A file that is written, or a family of them, where a solution has what it holds.

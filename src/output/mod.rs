@@ -19,6 +19,7 @@ mod png;
 pub mod pressure_cycle;
 pub mod profile;
 pub mod residual_stress;
+mod results;
 mod sections;
 #[cfg(feature = "import")]
 mod sketch;
@@ -41,11 +42,12 @@ pub use frame_recorder::FrameRecorder;
 pub use make::{Extra, Files, Make, Output};
 pub use overlay::comparisons;
 pub use png::png;
+pub use results::Results;
 #[cfg(feature = "import")]
 pub use sketch::sketch;
 pub use stage_view::StageView;
 pub use summary::{CaseSummary, Figure, Summary};
-pub use writing::{OutputError, can_write_all, remove_stale, write_comparisons};
+pub use writing::{OutputError, can_write_all, remove_stale};
 
 /// Every file that may be written.
 pub const OUTPUTS: &[Output] = &[

@@ -1,7 +1,7 @@
 //! A computed curve over a reference: points with their difference below, or a band.
 
 use super::chart::{BLACK, Chart, Color, GREY, Look, Panel, Scale, Series, color};
-use super::{Files, StageView, csv, png};
+use super::{Files, Results, StageView, csv, png};
 use crate::case::{Case, Solution};
 use crate::compare::{
     Against, Band, BandQuantity, BandSpec, CompareError, Comparison, Computed, CurveSpec, Found, Interval, Points,
@@ -28,12 +28,11 @@ pub fn comparisons(case: &Case, computed: &Computed) -> Result<Vec<Comparison>, 
 }
 
 /// `compare_<n>_<quantity>.csv` and `.png` of every comparison, counted from 1; nothing of those without data.
-pub(super) fn files<'a>(solution: &'a Solution, comparisons: &'a [Comparison]) -> Files<'a> {
-    // A case that is compared with nothing is not looked over for it.
-    let view = comparisons.first().and_then(|_| solution.views().into_iter().next());
-    let charts = comparisons.iter().enumerate().filter_map(move |(i, comparison)| {
+pub(super) fn files<'a>(results: &'a Results<'a>) -> Files<'a> {
+    let view = results.views.first();
+    let charts = results.comparisons.iter().enumerate().filter_map(move |(i, comparison)| {
         let stem = format!("compare_{}_{}", i + 1, comparison.spec.against.name());
-        Some((stem, comparison, plot(view.as_ref()?, comparison)?))
+        Some((stem, comparison, plot(view?, comparison)?))
     });
     Box::new(charts.flat_map(|(stem, comparison, chart)| {
         [(format!("{stem}.csv"), csv(&comparison.table())), (format!("{stem}.png"), png(&chart))]

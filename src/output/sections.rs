@@ -3,7 +3,7 @@
 use super::StageView;
 use super::chart::{Chart, Color, GREY, Look, PALE, Panel, Scale, Series, color, pale};
 use crate::geometry::{Piece, Point, Profile};
-use crate::model::{Model, Role, Theory};
+use crate::model::{Geometry, Model, Role, Theory};
 use crate::solution::{Frame, NodeRecord};
 use crate::table::fields::element::{R, Z};
 use std::ops::Range;
@@ -16,7 +16,7 @@ const AROUND: f64 = 0.06;
 
 pub(super) fn plot(view: &StageView) -> Option<Chart> {
     let (model, frames) = (view.model(), &view.stage.frames);
-    let (x, y) = window(frames.iter().flat_map(|f| &f.nodes), model.blank.length);
+    let [x, y] = window(frames.iter().flat_map(|f| &f.nodes), model.blank.length);
     let last = frames.last();
     let selective = model.blank.theory == Theory::Selective;
     let sheets = view.shown().enumerate().flat_map(|(i, frame)| {
@@ -31,12 +31,7 @@ pub(super) fn plot(view: &StageView) -> Option<Chart> {
     Some(Chart {
         title: view.titled("sections"),
         legend: view.progress(),
-        panels: vec![Panel {
-            x: R.axis(model.geometry),
-            y: Z.axis(model.geometry),
-            series: tools(model, last, x.1).chain(sheets).chain(flat).collect(),
-            scale: Scale::Section { x, y },
-        }],
+        panels: vec![panel(model.geometry, tools(model, last, x.1).chain(sheets).chain(flat), [x, y])],
         notes: std::iter::once(format!("The sheet is true to thickness. Grey: the tools at {tools_at}."))
             .chain(selective.then(|| "Pale: elements that were membranes; the others bent.".to_owned()))
             .chain(view.notes_of_frames())
@@ -44,12 +39,18 @@ pub(super) fn plot(view: &StageView) -> Option<Chart> {
     })
 }
 
+/// A section's plane, at least this window of it \[mm\].
+pub(super) fn panel(geometry: Geometry, series: impl IntoIterator<Item = Series>, [x, y]: [(f64, f64); 2]) -> Panel {
+    let series = series.into_iter().collect();
+    Panel { x: R.axis(geometry), y: Z.axis(geometry), series, scale: Scale::Section { x, y } }
+}
+
 /// What is shown of a section: its nodes, or as much as a blank of this length, and something around them.
-pub(super) fn window<'a>(nodes: impl Iterator<Item = &'a NodeRecord>, length: f64) -> ((f64, f64), (f64, f64)) {
+pub(super) fn window<'a>(nodes: impl Iterator<Item = &'a NodeRecord>, length: f64) -> [(f64, f64); 2] {
     let (width, top, bottom) = nodes
         .fold((length, 0.0_f64, 0.0_f64), |(width, top, bottom), n| (width.max(n.r), top.min(n.z), bottom.max(n.z)));
     let around = AROUND * width;
-    ((0.0, width + around), (top - 2.0 * around, bottom + around))
+    [(0.0, width + around), (top - 2.0 * around, bottom + around)]
 }
 
 /// The tools' bodies where they stand in a frame, or are drawn in the model without one, in a picture of this width \[mm\].

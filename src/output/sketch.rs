@@ -1,12 +1,11 @@
 //! What was understood of a drawing: the tools' sections as drawn, and where their lines end.
 
-use super::chart::{Chart, Look, Panel, Scale, Series, color, pale};
-use super::sections::body;
+use super::chart::{Chart, Look, Series, color, pale};
+use super::sections::{body, panel};
 use crate::geometry::{Piece, Point};
 use crate::import::{Section, Sections};
 use crate::model::Geometry;
 use crate::table::capitalised;
-use crate::table::fields::element::{R, Z};
 
 /// What is shown around the tools, over their width.
 const AROUND: f64 = 0.1;
@@ -35,12 +34,7 @@ pub fn sketch(name: &str, geometry: Geometry, sections: &Sections) -> Chart {
     Chart {
         title: format!("{name}: the tools that were read"),
         legend: "",
-        panels: vec![Panel {
-            x: R.axis(geometry),
-            y: Z.axis(geometry),
-            series: bodies.chain(ends).collect(),
-            scale: Scale::Section { x, y },
-        }],
+        panels: vec![panel(geometry, bodies.chain(ends), [x, y])],
         notes: std::iter::once(caption.to_owned())
             .chain(sections.notes.iter().map(|note| format!("{}.", capitalised(note))))
             .collect(),

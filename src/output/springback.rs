@@ -1,11 +1,10 @@
 //! The sheet before and after the tools are taken away: both shapes in one picture, and what was measured on them.
 
-use super::chart::{BLACK, Chart, Look, Panel, Scale, Series, color, pale};
+use super::chart::{BLACK, Chart, Look, Series, color, pale};
 use super::{StageView, sections};
 use crate::measure::{self, Change, FLANGE_ANGLE, Leg, Quantity, Shape, WALL_ANGLE};
 use crate::solution::StageSolution;
 use crate::table::Unit;
-use crate::table::fields::element::{R, Z};
 
 /// How much farther than they were fitted the measured lines are drawn, over their length.
 const LONGER: f64 = 0.25;
@@ -30,7 +29,7 @@ pub fn plot(view: &StageView) -> Option<Chart> {
     let shapes = [Shape::of(before), Shape::of(after)];
     let found = measure::changes(&shapes[0], &shapes[1]);
     let nodes = || before.nodes.iter().chain(&after.nodes);
-    let (x, y) = sections::window(nodes(), model.blank.thickness);
+    let [x, y] = sections::window(nodes(), model.blank.thickness);
     let [first, second] = [before, after].map(|frame| sections::sheet(frame, 0..frame.elements.len()));
     let outline = second.iter().chain(second.first()).copied().collect();
     let sheets = [
@@ -58,12 +57,11 @@ pub fn plot(view: &StageView) -> Option<Chart> {
     Some(Chart {
         title: view.titled("spring-back"),
         legend: "",
-        panels: vec![Panel {
-            x: R.axis(model.geometry),
-            y: Z.axis(model.geometry),
-            series: sections::tools(model, Some(before), x.1).chain(sheets).chain(lines).collect(),
-            scale: Scale::Section { x, y },
-        }],
+        panels: vec![sections::panel(
+            model.geometry,
+            sections::tools(model, Some(before), x.1).chain(sheets).chain(lines),
+            [x, y],
+        )],
         notes: std::iter::once(
             "The sheet is true to thickness. Grey: the tools before they were taken away.".to_owned(),
         )

@@ -1,10 +1,9 @@
 //! One line for every stage of a sequence: `stages.csv` and what is printed.
 
-use super::Files;
 use super::csv::with_texts;
 use super::stage_view::ended;
+use super::{Files, Results};
 use crate::case::Solution;
-use crate::compare::Comparison;
 use crate::solution::{StageSolution, StepRecord, Stop};
 use crate::table::fields::step::{HOLDER_FORCE, POLE_HEIGHT, PUNCH_FORCE, THINNEST};
 use crate::table::{Column, Field, Table, Unit, force_unit};
@@ -41,7 +40,8 @@ fn stop(stage: Option<&StageSolution>) -> &'static str {
 }
 
 /// `stages.csv`, of a case with several stages.
-pub(super) fn files<'a>(solution: &'a Solution, _: &'a [Comparison]) -> Files<'a> {
+pub(super) fn files<'a>(results: &'a Results<'a>) -> Files<'a> {
+    let solution = results.solution;
     let several = lines(solution).nth(1).is_some();
     Box::new(several.then_some(()).into_iter().map(|()| {
         let names = lines(solution).map(|line| line.0.to_owned()).collect();

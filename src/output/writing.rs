@@ -1,8 +1,8 @@
 //! Every output of a solution, written to its folder.
 
-use super::{FrameRecorder, Make, OUTPUTS, StageView, WriteError, can_write, overlay, remove_others, write};
+use super::{FrameRecorder, Make, OUTPUTS, Results, StageView, WriteError, can_write, overlay, remove_others, write};
 use crate::case::Solution;
-use crate::compare::{CompareError, Comparison};
+use crate::compare::CompareError;
 use std::path::{Path, PathBuf};
 
 /// Why results could not be written.
@@ -23,31 +23,28 @@ impl Solution {
     /// # Errors
     /// When a folder or file cannot be written, or a reference of the case cannot be read.
     pub fn write(&self, dir: impl AsRef<Path>) -> Result<Vec<PathBuf>, OutputError> {
-        Ok(self.write_with(&self.comparisons()?, &FrameRecorder::default(), dir.as_ref())?)
+        Ok(Results::of(self)?.write(&FrameRecorder::default(), dir.as_ref())?)
     }
+}
 
-    /// The same with comparisons that were made before, and with what a recorder was asked for.
+impl Results<'_> {
+    /// Writes as [`Solution::write`], with what a recorder was asked for.
     ///
     /// # Errors
     /// When a folder or file cannot be written: each file appears complete or not at all.
-    pub fn write_with(
-        &self,
-        comparisons: &[Comparison],
-        recorder: &FrameRecorder,
-        dir: &Path,
-    ) -> Result<Vec<PathBuf>, WriteError> {
+    pub fn write(&self, recorder: &FrameRecorder, dir: &Path) -> Result<Vec<PathBuf>, WriteError> {
         let mut written = Vec::new();
         let mut here = Vec::new();
         for output in OUTPUTS {
             if let Make::OfCase(make) = output.make {
-                here.extend(write_files(make(self, comparisons), dir)?);
+                here.extend(write_files(make(self), dir)?);
             }
         }
-        let views = self.views();
-        for (i, _) in self.case.stage_names().enumerate() {
-            let label = self.case.stage_label(i);
+        let case = &self.solution.case;
+        for (i, _) in case.stage_names().enumerate() {
+            let label = case.stage_label(i);
             let folder = label.as_ref().map_or_else(|| dir.to_owned(), |label| dir.join(label));
-            let files = views.get(i).map_or(Ok(Vec::new()), |view| write_stage(view, i, recorder, &folder))?;
+            let files = self.views.get(i).map_or(Ok(Vec::new()), |view| write_stage(view, i, recorder, &folder))?;
             if label.is_none() {
                 here.extend(files);
             } else {
@@ -58,6 +55,14 @@ impl Solution {
         remove_stale(dir, &here)?;
         written.extend(here);
         Ok(written)
+    }
+
+    /// Writes comparisons only.
+    ///
+    /// # Errors
+    /// When a folder or file cannot be written.
+    pub fn write_comparisons(&self, dir: &Path) -> Result<Vec<PathBuf>, WriteError> {
+        write_files(overlay::files(self), dir)
     }
 }
 
@@ -85,18 +90,6 @@ fn write_stage(view: &StageView, i: usize, recorder: &FrameRecorder, dir: &Path)
         }
     }
     Ok(written)
-}
-
-/// Writes comparisons only.
-///
-/// # Errors
-/// When a folder or file cannot be written.
-pub fn write_comparisons(
-    solution: &Solution,
-    comparisons: &[Comparison],
-    dir: &Path,
-) -> Result<Vec<PathBuf>, WriteError> {
-    write_files(overlay::files(solution, comparisons), dir)
 }
 
 fn write_files(files: impl Iterator<Item = (String, Vec<u8>)>, dir: &Path) -> Result<Vec<PathBuf>, WriteError> {

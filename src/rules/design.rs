@@ -68,6 +68,21 @@ impl Picked {
     pub fn given(value: f64) -> Self {
         Self { value, why: String::new() }
     }
+
+    /// The number that the user has given, or what a rule picks.
+    pub fn or(given: Option<f64>, rule: impl FnOnce() -> Self) -> Self {
+        given.map_or_else(rule, Self::given)
+    }
+
+    /// Whether the user has given it.
+    pub fn is_given(&self) -> bool {
+        self.why.is_empty()
+    }
+
+    /// The rule behind a lead, as in `, 6 thicknesses`; empty where the number was given.
+    pub fn reason(&self, lead: &str) -> String {
+        if self.is_given() { String::new() } else { format!("{lead}{}", self.why) }
+    }
 }
 
 /// Radius of a punch's nose or a die's shoulder, 6 t: above the 4 to 5 thicknesses that 4ming asks of a punch ("Punch

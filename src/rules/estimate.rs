@@ -1,10 +1,13 @@
 //! Estimates from a model alone.
 
+use crate::forming_limit::Paths;
 use crate::geometry::Point;
 use crate::model::mesh;
 use crate::model::{Edge, Geometry, Model, Motion, Role};
 pub(crate) use crate::rules::design::{siebel, tensile_strength};
 use crate::rules::tool_sizes::{extent, gap, mouth, shoulder_end, throat, widens};
+use crate::solution::{ElementRecord, NodeRecord, PointRecord, StepRecord};
+use crate::state::MaterialPoint;
 use std::f64::consts::{FRAC_PI_2, PI};
 
 /// Throat less punch [mm]; for a die with a bottom, and for a punch that is wider behind what goes in, the smallest gap at
@@ -103,4 +106,86 @@ pub(crate) fn coarsest_corner(model: &Model) -> Option<CornerFit> {
         CornerFit { role, radius: arc.radius, size, per_quarter: FRAC_PI_2 * arc.radius / size }
     });
     fits.min_by(|a, b| a.per_quarter.total_cmp(&b.per_quarter))
+}
+
+/// Fewest steps that a run takes: every frame is landed on, and no step is longer than the longest.
+pub(crate) fn least_steps(model: &Model) -> usize {
+    model.frames.len().max((1.0 / model.settings.max_step).round() as usize)
+}
+
+/// Elements whose strains are kept for the forming limit.
+pub(crate) fn with_path(model: &Model) -> usize {
+    if model.forming_limit.is_some() { model.blank.elements } else { 0 }
+}
+
+/// What a stage keeps in memory until the run has ended \[bytes\].
+pub(crate) struct Memory {
+    pub frames: usize,
+    /// Points through the thickness, of the first frame, the last one and the last state alone.
+    pub points: usize,
+    /// The [`least_steps`], with the strains of every element where there is a forming limit.
+    pub steps: usize,
+}
+
+impl Memory {
+    pub fn of(model: &Model) -> Self {
+        let (elements, points, steps) = (model.blank.elements, model.blank.layers, least_steps(model));
+        let instants = steps.min(Paths::MOST);
+        Self {
+            frames: model.frames.len() * elements * (size_of::<ElementRecord>() + size_of::<NodeRecord>()),
+            points: elements * points * (2 * size_of::<PointRecord>() + size_of::<MaterialPoint>()),
+            steps: steps * size_of::<StepRecord>() + instants * with_path(model) * size_of::<[f64; 2]>(),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use approx::assert_relative_eq;
+
+    fn quickstart(overrides: &[&str]) -> crate::Case {
+        let overrides: Vec<String> = overrides.iter().map(|o| (*o).to_owned()).collect();
+        crate::case::load("cases/quickstart.toml", &overrides).expect("valid")
+    }
+
+    /// Trust: the example of the handbook that the rule was read in: β 2, d 100 mm, s 1 mm, R_m 310 MPa give 1.16 MPa.
+    #[test]
+    fn the_advised_pressure_is_that_of_the_handbooks_example() {
+        let overrides = [
+            "blank.radius=100 mm",
+            "tools.punch.flat.radius=50 mm",
+            "tools.die.throat=51.25 mm",
+            "tools.holder.inner_radius=57.25 mm",
+        ];
+        let pressure = siebel_pressure(quickstart(&overrides).model(), 310.0).unwrap();
+        assert_relative_eq!(pressure, 1.1625, epsilon = 1e-9);
+        assert_relative_eq!(pressure, 1.16, epsilon = 5e-3);
+    }
+
+    /// Trust: with sharp enough corners the part is a cylinder of known area, drawn through where its area is the blank's.
+    #[test]
+    fn drawn_share_is_the_area_of_a_sharp_cup() {
+        let sharp = ["tools.punch.flat.nose=0.01 mm", "tools.die.shoulder=0.01 mm"];
+        let model = quickstart(&sharp).model().clone();
+        let cup = 30.0 * 30.0 + 2.0 * 30.0 * 25.0 + 31.26 * 31.26 - 30.0 * 30.0;
+        assert_relative_eq!(drawn_share(&model).unwrap(), cup / (55.0 * 55.0), epsilon = 1e-3);
+    }
+
+    /// Trust: what a solved case holds, counted in what came out of it.
+    #[test]
+    fn what_is_counted_is_what_a_run_keeps() {
+        let case = quickstart(&["tools.punch.travel=3 mm", "output.count=20", "blank.layers=15"]);
+        let solution = case.clone().solve(&mut ());
+        let Memory { frames, points, steps } = Memory::of(case.model());
+        let stage = &solution.stages[0];
+        let of_frame = |f: &crate::Frame| size_of_val(&f.elements[..]) + size_of_val(&f.nodes[..]);
+        // A sheet has a node more than elements.
+        let ends = stage.frames.len() * size_of::<NodeRecord>();
+        assert_eq!(frames, stage.frames.iter().map(of_frame).sum::<usize>() - ends);
+        let through = stage.start.iter().chain(&stage.frames).map(|f| size_of_val(&f.through.points[..]));
+        let end = stage.end.points.iter().map(size_of_val);
+        assert_eq!(points, through.chain(end).sum::<usize>());
+        assert!(steps <= size_of_val(&stage.steps[..]), "{steps}");
+    }
 }

@@ -37,7 +37,7 @@ pub use quantity::Quantity;
 #[cfg(feature = "case")]
 pub use serde::{As, Plain};
 #[cfg(feature = "case")]
-pub(crate) use spelling::closest;
+pub(crate) use spelling::{closest, did_you_mean};
 pub use types::{
     Angle, Conductivity, Density, Energy, Force, HeatTransfer, Length, LineForce, Number, PerKelvin, Ratio,
     SpecificHeat, Speed, StrainRate, Stress, StressRate, Temperature, Time,
@@ -45,6 +45,3 @@ pub use types::{
 #[cfg(feature = "import")]
 pub(crate) use unit::factor;
 pub use unit::{Dimension, ZERO_CELSIUS};
-
-#[cfg(test)]
-mod tests;

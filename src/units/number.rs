@@ -41,30 +41,3 @@ pub fn four_digits(value: f64) -> String {
         format!("{value:.decimals$}")
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// Trust: by hand.
-    #[test]
-    fn numbers_are_written_without_noise() {
-        assert_eq!([rounded(31.400000000000002), rounded(-0.0), significant(0.0123456, 4)], [31.4, 0.0, 0.01235]);
-        assert!(rounded(-0.0).is_sign_positive());
-        for (value, decimals, text) in
-            [(30.5, 3, "30.5"), (-0.0001, 3, "0"), (100.0, 0, "100"), (1.23456, 3, "1.235"), (120.0, 2, "120")]
-        {
-            assert_eq!(trimmed(value, decimals), text);
-        }
-        assert_eq!([without_zeros("10.500"), without_zeros("100")], ["10.5", "100"]);
-    }
-
-    #[test]
-    fn numbers_are_printed_with_four_digits() {
-        for (value, text) in
-            [(0.0, "0"), (43_210.6, "43211"), (44.123_4, "44.12"), (0.612_34, "0.6123"), (-0.000_012, "-1.20e-5")]
-        {
-            assert_eq!(four_digits(value), text);
-        }
-    }
-}

@@ -14,6 +14,12 @@ pub(crate) fn closest<'a>(word: &str, known: impl Iterator<Item = &'a str>) -> V
     near.into_iter().filter(|(d, _)| *d <= best + 1).map(|(_, k)| k).take(3).collect()
 }
 
+/// A question to stand before what is known, with a space at its end; nothing where no known word is close.
+#[cfg(feature = "case")]
+pub(crate) fn did_you_mean<'a>(word: &str, known: impl Iterator<Item = &'a str>) -> String {
+    closest(word, known).first().map_or(String::new(), |near| format!("did you mean `{near}`? "))
+}
+
 /// Levenshtein's distance in halves; a change of case costs one half.
 fn half_edits(a: &str, b: &str) -> usize {
     let b: Vec<char> = b.chars().collect();

@@ -164,3 +164,20 @@ pub(super) fn find(name: &str) -> Option<&'static Unit> {
 pub(crate) fn factor(name: &str) -> Option<f64> {
     find(name).map(|unit| unit.1)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::UNITS;
+    use crate::units::parse;
+    use proptest::prelude::*;
+
+    proptest! {
+        #[test]
+        fn every_unit_scales_by_its_factor(x in -1e3..1e3f64, i in 0..UNITS.len()) {
+            let unit = &UNITS[i];
+            let parsed = parse(&format!("{x} {}", unit.0)).unwrap();
+            prop_assert_eq!(parsed.value, x * unit.1);
+            prop_assert_eq!(parsed.dimension, unit.2);
+        }
+    }
+}

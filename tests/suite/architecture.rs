@@ -21,7 +21,7 @@ const FLOORS: &[&[&str]] = &[
     &["element", "contact", "forming_limit"],
     &["material"],
     &["geometry", "law"],
-    &["units", "numerics"],
+    &["units", "numerics", "files"],
 ];
 
 /// Sideways uses that the picture allows.
@@ -40,7 +40,7 @@ const CRATES: &[(&str, &[&str])] = &[
     ("plotters_backend", &["output"]),
     ("rayon", &["cli"]),
     ("signal_hook", &["cli"]),
-    ("serde_json", &["cli", "output", "report", "case", "law", "units"]),
+    ("serde_json", &["cli", "output", "report", "author", "case", "law", "units"]),
     ("toml", &["case", "compare"]),
     ("toml_edit", &["case", "author"]),
     ("ttf_parser", &["output"]),

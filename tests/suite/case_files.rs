@@ -1,9 +1,10 @@
 //! Case files: the shipped ones load, broken ones say what is wrong, and no override can make the reader panic.
 
+use crate::common::cup::MINIMAL;
 use crate::common::files::files;
 use proptest::prelude::*;
-use stampflow::case::files::{Files, Memory};
 use stampflow::case::{self, Case};
+use stampflow::files::{Files, Memory};
 use stampflow::geometry::Point;
 use stampflow::model::{Edge, Geometry, Grading, Mode, Motion, Press, Release, ReleaseStiffness, Role, Theory};
 use std::path::Path;
@@ -20,20 +21,6 @@ fn message(text: &str, overrides: &[&str]) -> String {
 }
 
 const QUICKSTART: &str = include_str!("../../cases/quickstart.toml");
-
-/// The case of the module's documentation: no key of it can be left out.
-const MINIMAL: &str = r#"title = "Cup"
-geometry = "axisymmetric"
-[blank]
-radius = "55 mm"
-thickness = "1 mm"
-[material.hardening]
-swift = { k = "520 MPa", n = 0.22, offset = 0.005 }
-[tools]
-punch = { flat = { radius = "30 mm", nose = "6 mm" }, friction = 0.08, travel = "25 mm" }
-die = { throat = "31.25 mm", shoulder = "6 mm", friction = 0.08 }
-holder = { inner_radius = "32 mm", force = "10 kN" }
-"#;
 
 #[test]
 fn every_shipped_case_loads_and_names_what_it_assumes() {

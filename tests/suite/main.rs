@@ -1,4 +1,5 @@
-//! All tests of the program but the unit tests beside its parts, in one program so that the library is linked once.
+//! All tests of the program but those of private items, which stand beside them; one program, so that the library is linked
+//! once.
 //!
 //! `cargo test --test suite outputs::` runs one file of it, `cargo test --test suite verify_` all comparisons with closed forms
 //! and experiments. The tests share a process: none changes its folder, its environment or its panic hook, and each
@@ -11,19 +12,30 @@ mod architecture;
 mod bad_cases;
 mod campaign;
 mod case_files;
+mod check;
 mod cli;
+mod compare;
 mod drawings;
+mod files;
+mod forming_limit;
+mod geometry;
+mod material_laws;
 mod materials;
 mod measures;
+mod meridians;
 mod model_check;
 mod mutations;
+mod numerics;
 mod observer;
 mod outputs;
 mod package;
 mod profiles;
 mod report;
 mod scripts;
+mod tables;
 mod templates;
+mod tool_sizes;
+mod units;
 mod validation;
 mod verdict;
 mod verify_bulge;
@@ -37,5 +49,6 @@ mod verify_necking;
 mod verify_selective;
 mod verify_solver;
 mod verify_stages;
-
+mod voids;
 mod vtu;
+mod written_files;

@@ -1,24 +1,14 @@
 //! The built-in materials, and the forming limits that cases can ask for.
 
+use crate::common::cup::{LAW, MINIMAL};
+use stampflow::author::laws;
 use stampflow::case::{self, Case, library};
+use stampflow::contact::friction::Friction;
+use stampflow::material::{Hardening, Rate, ThermalLaw};
 use std::process::Command;
 
 fn parsed(material: &str, more: &str) -> Result<Case, String> {
-    let text = format!(
-        r#"title = "Cup"
-geometry = "axisymmetric"
-{more}
-[blank]
-radius = "55 mm"
-thickness = "1 mm"
-[material]
-{material}
-[tools]
-punch = {{ flat = {{ radius = "30 mm", nose = "6 mm" }}, friction = 0.08, travel = "25 mm" }}
-die = {{ throat = "31.25 mm", shoulder = "6 mm", friction = 0.08 }}
-holder = {{ inner_radius = "32 mm", force = "10 kN" }}
-"#
-    );
+    let text = MINIMAL.replace(LAW, &format!("[material]\n{material}\n")) + more;
     case::parse(&text, "case.toml", &[]).map_err(|error| error.render(false))
 }
 
@@ -49,7 +39,6 @@ fn every_material_loads_runs_and_cites_its_source() {
         }
         let check = stampflow::assess::check::report(&named).to_string();
         assert!(check.contains(&entry.source), "{check}");
-        assert!(entry.describe().contains(&entry.source) && library::list().expect("a list").contains(entry.name));
     }
 }
 
@@ -71,7 +60,7 @@ fn a_case_replaces_what_it_says_itself() {
 fn an_unknown_material_is_answered_with_the_nearest() {
     let error = parsed("name = \"aa6016\"", "").expect_err("unknown");
     assert!(error.contains("no material \"aa6016\"") && error.contains("did you mean `aa6016-t4`?"), "{error}");
-    assert!(error.contains("case.toml:8:8"), "{error}");
+    assert!(error.contains("case.toml:7:8"), "{error}");
 }
 
 #[test]
@@ -158,7 +147,12 @@ fn materials_are_listed_described_and_drawn() {
         Command::new(env!("CARGO_BIN_EXE_stampflow")).args(args).current_dir(dir.path()).output().expect("runs")
     };
     let list = String::from_utf8(run(&["materials"]).stdout).expect("text");
-    assert!(list.contains("n [–]") && list.contains("aa6016-t4"), "{list}");
+    assert!(list.contains("n [–]"), "{list}");
+    for entry in library::materials().unwrap_or_else(|e| panic!("{}", e.render(false))) {
+        assert!(list.contains(entry.name), "{list}");
+        let all = String::from_utf8(run(&["materials", entry.name]).stdout).expect("text");
+        assert!(all.contains(&entry.source) && all.ends_with(entry.text), "{all}");
+    }
     let one = run(&["materials", "aa6016-t4", "--plot", "a.png"]);
     assert_eq!(one.status.code(), Some(0), "{}", String::from_utf8_lossy(&one.stderr));
     let said = String::from_utf8(one.stdout).expect("text");
@@ -173,4 +167,24 @@ fn materials_are_listed_described_and_drawn() {
     let none = run(&["materials", "nothing"]);
     assert_eq!(none.status.code(), Some(2));
     assert!(String::from_utf8_lossy(&none.stderr).contains("known materials"));
+}
+
+#[test]
+fn every_law_is_listed_with_a_source_and_its_parameters() {
+    let text = laws();
+    let names = |list: Vec<&'static str>| list.into_iter().map(|n| n.split([' ', ',']).next().unwrap_or(n));
+    let all = names(Hardening::examples().into_iter().map(|(n, _)| n).collect())
+        .chain(names(Rate::examples().into_iter().map(|(n, _)| n).collect()))
+        .chain(names(ThermalLaw::examples().into_iter().map(|(n, _)| n).collect()))
+        .chain(["voids"])
+        .chain(names(Friction::examples().into_iter().map(|(n, _)| n).collect()))
+        .filter(|name| *name != "coulomb");
+    let friction = names(Friction::examples().into_iter().map(|(n, _)| n).collect()).collect::<Vec<_>>();
+    for name in all {
+        let at = text.find(&format!("\n  {name}\n")).unwrap_or_else(|| panic!("{name} is not listed"));
+        let block = text[at + 1..].split("\n\n").next().expect("a block");
+        assert!(block.contains("Source: "), "{block}");
+        assert!(block.contains("Valid ") || friction.contains(&name), "no range of validity: {block}");
+        assert!(block.lines().any(|line| line.starts_with("      ")), "no parameters: {block}");
+    }
 }

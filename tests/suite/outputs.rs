@@ -9,9 +9,8 @@ use stampflow::compare::{
 };
 use stampflow::measure::{Shape, changes};
 use stampflow::model::{Geometry, Model, Role};
-use stampflow::output::{
-    FrameRecorder, Make, OUTPUTS, Summary, load_travel, png, profile, remove_stale, write_comparisons,
-};
+use stampflow::output::summary::sha256;
+use stampflow::output::{FrameRecorder, Make, OUTPUTS, Results, Summary, load_travel, png, profile, remove_stale};
 use stampflow::report::{Report, markdown};
 use stampflow::solution::StageSolution;
 use stampflow::table::{Csv, Table};
@@ -394,16 +393,16 @@ fn a_comparison_is_written_as_a_plot_and_its_numbers() {
     let model = drawn::model(Geometry::Axisymmetric);
     let run = drawn::run(&model);
     let dir = temp_dir::TempDir::new().unwrap();
-    let mut comparison = comparison(&run);
     let out = dir.path().join("out");
-    let solution = solution(run);
-    let written = write_comparisons(&solution, std::slice::from_ref(&comparison), &out).unwrap();
+    let solution = solution(run.clone());
+    let mut results = Results { comparisons: vec![comparison(&run)], ..Results::of(&solution).unwrap() };
+    let written = results.write_comparisons(&out).unwrap();
     assert_eq!(written, [out.join("compare_1_punch_force.csv"), out.join("compare_1_punch_force.png")]);
     assert!(
         fs::read_to_string(&written[0]).unwrap().starts_with("travel_mm,reference_N,computed_N,difference_percent")
     );
-    comparison.found = Found::NoData;
-    assert!(write_comparisons(&solution, &[comparison], &out).unwrap().is_empty());
+    results.comparisons[0].found = Found::NoData;
+    assert!(results.write_comparisons(&out).unwrap().is_empty());
 }
 
 /// Trust: the sample's flange thickens beyond the 1.12 mm that were measured, so the plot has to show it outside; the
@@ -415,7 +414,9 @@ fn a_band_is_drawn_with_its_error_and_written_in_numbers() {
     let dir = temp_dir::TempDir::new().unwrap();
     let band = band(&run);
     let largest = run.frames.last().unwrap().elements.iter().map(|e| e.thickness).fold(0.0, f64::max);
-    let written = write_comparisons(&solution(run), &[band], dir.path()).unwrap();
+    let solution = solution(run);
+    let results = Results { comparisons: vec![band], ..Results::of(&solution).unwrap() };
+    let written = results.write_comparisons(dir.path()).unwrap();
     assert_eq!(written[1], dir.path().join("compare_1_thickness.png"));
     let numbers = fs::read_to_string(&written[0]).unwrap();
     let (header, row) = numbers.trim().split_once('\n').unwrap();
@@ -467,6 +468,13 @@ fn sample_for_looking() {
     let model = drawn::model(Geometry::Axisymmetric);
     let run = drawn::run(&model);
     let dir = Path::new("target/sample");
-    let comparisons = [comparison(&run), band(&run)];
-    solution(run).write_with(&comparisons, &FrameRecorder::default(), dir).unwrap();
+    let comparisons = vec![comparison(&run), band(&run)];
+    let solution = solution(run);
+    Results { comparisons, ..Results::of(&solution).unwrap() }.write(&FrameRecorder::default(), dir).unwrap();
+}
+
+/// Trust: the digest of the empty text as given in FIPS 180.
+#[test]
+fn the_checksum_is_sha256_in_hexadecimal() {
+    assert_eq!(sha256(""), "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855");
 }

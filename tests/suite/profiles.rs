@@ -1,5 +1,6 @@
 //! Tools of one's own: read from points, offset from another tool, mirrored; from the case file to the run.
 
+use crate::common::cup::{LAW, MINIMAL};
 use proptest::prelude::*;
 use stampflow::assess::check;
 use stampflow::case::{self, Case};
@@ -9,23 +10,15 @@ use stampflow::solver;
 use std::fmt::Write;
 use std::path::Path;
 
-const BLANK: &str = r#"title = "Cup"
-geometry = "axisymmetric"
-[blank]
-radius = "55 mm"
-thickness = "1 mm"
-elements = 40
-[material.hardening]
-swift = { k = "520 MPa", n = 0.22, offset = 0.005 }
-"#;
-
 const FLAT: &str = r#"flat = { radius = "30 mm", nose = "6 mm" }"#;
 const DIE: &str = r#"throat = "31.25 mm", shoulder = "6 mm""#;
 const HOLDER: &str = r#"holder = { inner_radius = "32 mm", force = "10 kN" }"#;
 
 fn text(punch: &str, die: &str, holder: &str, travel: &str) -> String {
+    let blank = MINIMAL.split("[material").next().expect("a blank");
     format!(
-        "{BLANK}[tools]\npunch = {{ {punch}, friction = 0.08, travel = \"{travel}\" }}\ndie = {{ {die}, friction = 0.08 }}\n{holder}\n"
+        "{blank}elements = 40\n{LAW}[tools]\npunch = {{ {punch}, friction = 0.08, travel = \"{travel}\" }}\n\
+         die = {{ {die}, friction = 0.08 }}\n{holder}\n"
     )
 }
 

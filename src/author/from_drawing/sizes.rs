@@ -2,9 +2,9 @@
 
 use super::draft::Draft;
 use crate::model::{Motion, Role, Tool};
+use crate::rules::design::Picked;
 use crate::rules::tool_sizes::{across, extent, gap, mouth, shoulder_end, throat};
-use crate::units::mm;
-use crate::units::rounded;
+use crate::units::{mm, rounded};
 use std::ops::RangeInclusive;
 
 /// Thickness where nothing else is said \[mm\].
@@ -21,35 +21,16 @@ const RATIO: f64 = 1.8;
 /// Travel over the punch's size [–], of a sheet that is drawn in and of one that is clamped and only stretched.
 const TRAVEL: [f64; 2] = [0.5, 0.25];
 
-/// A number of the case, and whether someone gave it.
-pub(super) struct Chosen {
-    pub mm: f64,
-    /// Where a placeholder comes from; `None` for what was asked for.
-    pub placeholder: Option<&'static str>,
-}
-
-/// The placeholders' sizes, once the tools are known.
+/// Sizes of the sheet and the punch's travel \[mm\], placeholders where nobody gave them; once the tools are known.
 pub(super) struct Sizes {
-    pub thickness: Chosen,
-    pub blank: Chosen,
-    pub travel: Option<Chosen>,
+    pub thickness: Picked,
+    pub blank: Picked,
+    pub travel: Option<Picked>,
 }
 
-impl Chosen {
-    fn or(given: Option<f64>, placeholder: impl FnOnce() -> (f64, &'static str)) -> Self {
-        match given {
-            Some(mm) => Self { mm, placeholder: None },
-            None => {
-                let (mm, from) = placeholder();
-                Self { mm, placeholder: Some(from) }
-            }
-        }
-    }
-
-    /// What stands behind the value.
-    pub fn comment(&self) -> String {
-        self.placeholder.map_or(String::new(), |from| format!("placeholder: {from}; change it"))
-    }
+/// A placeholder \[mm\], and where it comes from.
+fn placeholder(value: f64, from: &str) -> Picked {
+    Picked { value, why: from.to_owned() }
 }
 
 impl Draft<'_> {
@@ -95,22 +76,22 @@ impl Draft<'_> {
 
     fn odd_thickness(&self) -> Option<String> {
         let thickness = self.sizes().thickness;
-        (thickness.placeholder.is_some() && !THICKNESSES.contains(&thickness.mm)).then(|| {
-            let mm = mm(thickness.mm);
+        (!thickness.is_given() && !THICKNESSES.contains(&thickness.value)).then(|| {
+            let mm = mm(thickness.value);
             format!("the gap between punch and die has room for a sheet of {mm} mm, which is odd: check --units and --thickness")
         })
     }
 
     fn wide_gap(&self) -> Option<String> {
         let (clearance, thickness) = (self.clearance()?, self.sizes().thickness);
-        let placeholder = if thickness.placeholder.is_some() { ", a placeholder" } else { "" };
-        (clearance > WIDE * thickness.mm).then(|| {
+        let placeholder = if thickness.is_given() { "" } else { ", a placeholder" };
+        (clearance > WIDE * thickness.value).then(|| {
             format!(
                 "the drawing leaves {} mm between punch and die, {:.1} times the sheet's thickness of {} mm{placeholder}: check \
                  --units and --thickness",
                 mm(clearance),
-                clearance / thickness.mm,
-                mm(thickness.mm)
+                clearance / thickness.value,
+                mm(thickness.value)
             )
         })
     }
@@ -122,20 +103,20 @@ impl Draft<'_> {
 
     pub(super) fn sizes(&self) -> Sizes {
         let (punch, die) = (self.tool(Role::Punch), self.tool(Role::Die));
-        let thickness = Chosen::or(self.thickness, || {
+        let thickness = Picked::or(self.thickness, || {
             match self.clearance().map(|clearance| rounded((clearance / CLEARANCE * 100.0).floor() / 100.0)) {
                 Some(fits) if fits > 0.0 && fits < THICKNESS => {
-                    (fits, "what the gap between punch and die has room for")
+                    placeholder(fits, "what the gap between punch and die has room for")
                 }
-                _ => (THICKNESS, "the drawing has no sheet"),
+                _ => placeholder(THICKNESS, "the drawing has no sheet"),
             }
         });
         let within = self.blank.unwrap_or_else(|| self.reach());
         let travel = punch
             .as_ref()
-            .map(|punch| Chosen::or(self.travel, || travel_for(punch, die.as_ref(), thickness.mm, within)));
-        let drawn = punch.as_ref().zip(travel.as_ref()).map(|(punch, travel)| mouth(punch, travel.mm));
-        let blank = Chosen::or(self.blank, || self.blank_for(drawn, die.as_ref()));
+            .map(|punch| Picked::or(self.travel, || travel_for(punch, die.as_ref(), thickness.value, within)));
+        let drawn = punch.as_ref().zip(travel.as_ref()).map(|(punch, travel)| mouth(punch, travel.value));
+        let blank = Picked::or(self.blank, || self.blank_for(drawn, die.as_ref()));
         Sizes { thickness, blank, travel }
     }
 
@@ -147,21 +128,21 @@ impl Draft<'_> {
     }
 
     /// As far as all of die and holder reach, but no more than is drawn in one draw.
-    fn blank_for(&self, size: Option<f64>, die: Option<&Tool>) -> (f64, &'static str) {
+    fn blank_for(&self, size: Option<f64>, die: Option<&Tool>) -> Picked {
         let Some(die) = die else {
-            return (rounded(1.2 * size.unwrap_or(50.0)), "a little more than the punch");
+            return placeholder(rounded(1.2 * size.unwrap_or(50.0)), "a little more than the punch");
         };
         let reach = self.reach();
         let down = |mm: f64| rounded((mm * 10.0).floor() / 10.0);
         match size.map(|size| down(RATIO * size)) {
-            Some(drawn) if drawn < reach && drawn > shoulder_end(die) => (drawn, "1.8 times the punch"),
-            _ => (down(reach), "as far as die and holder are drawn"),
+            Some(drawn) if drawn < reach && drawn > shoulder_end(die) => placeholder(drawn, "1.8 times the punch"),
+            _ => placeholder(down(reach), "as far as die and holder are drawn"),
         }
     }
 }
 
 /// A share of the punch's size, or what its drawn height and the die's bottom leave room for.
-fn travel_for(punch: &Tool, die: Option<&Tool>, thickness: f64, blank: f64) -> (f64, &'static str) {
+fn travel_for(punch: &Tool, die: Option<&Tool>, thickness: f64, blank: f64) -> Picked {
     let height = (punch.profile.last().y - punch.profile.first().y).abs();
     let size = TRAVEL[usize::from(die.is_none())] * extent(punch).1;
     let most = if height > thickness { size.min(height) } else { size };
@@ -176,5 +157,5 @@ fn travel_for(punch: &Tool, die: Option<&Tool>, thickness: f64, blank: f64) -> (
     };
     let digits = |mm: f64| rounded((mm * 10.0).floor() / 10.0).max(rounded(mm.min(0.1)));
     let share = (1..=20).rev().map(|i| digits(most * f64::from(i) / 20.0)).find(free);
-    (share.unwrap_or_else(|| digits(most)), "a moderate one that the tools have room for")
+    placeholder(share.unwrap_or_else(|| digits(most)), "a moderate one that the tools have room for")
 }

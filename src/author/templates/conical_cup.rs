@@ -4,7 +4,7 @@ use super::inputs::{Choice, Inputs, Kind, Rule, Value};
 use super::rules::{self, Picked};
 use super::sheet::Sheet;
 use super::template::{Template, begin};
-use super::tools::{HOLDER_PRESSURE, SHOULDER, Shape, Tools, about, because, careful, draw, force};
+use super::tools::{HOLDER_PRESSURE, SHOULDER, Shape, Tools, careful, draw, throat};
 use crate::author::page::{mm, plain};
 use crate::case::CaseError;
 use crate::model::Geometry;
@@ -65,18 +65,17 @@ fn write(inputs: &Inputs) -> Result<String, CaseError> {
         blank_for(height, clearance.value),
         "half of D, D² = d₁² + 2 s (d₁ + d₂) + D_f² − d₂²: bottom, cone of side s and flange, the sheet keeps its area (Guldin)",
     );
-    let throat = Picked::by(mouth + clearance.value, format!("mouth and clearance{}", because(&clearance)));
     let pressure =
         inputs.pick("holder-pressure", || rules::holder_pressure(blank.value / mouth, 2.0 * mouth, t, sheet.strength));
-    let holder = force(&pressure, Geometry::Axisymmetric, throat.value + shoulder.value, blank.value)?;
     let tools = Tools {
         geometry: Geometry::Axisymmetric,
         punch: punch(bottom, mouth, angle, &nose),
         travel: Picked::by(height, "the depth that is wanted"),
-        throat,
+        throat: throat("mouth", mouth, &clearance),
         shoulder,
-        holder: Some(holder),
-    };
+        holder: None,
+    }
+    .held(&pressure, blank.value)?;
 
     let page = begin(
         &format!("A conical cup with a flange left to hold.{}", careful(ratio)),
@@ -104,5 +103,5 @@ fn punch(bottom: f64, mouth: f64, angle: f64, nose: &Picked) -> Shape {
         format!("{{ to = {} }}", point(mouth, -depth)),
         format!("{{ to = {} }}", point(mouth, -4.0 * depth)),
     ];
-    Shape { key: "profile", value: format!("[\n    {},\n]", steps.join(",\n    ")), why: about("nose", nose) }
+    Shape { key: "profile", value: format!("[\n    {},\n]", steps.join(",\n    ")), why: nose.reason("nose: ") }
 }

@@ -4,7 +4,7 @@ use super::inputs::{Choice, Inputs, Kind, Rule, Value};
 use super::rules::{self, Picked};
 use super::sheet::Sheet;
 use super::template::{Template, begin};
-use super::tools::{HOLDER_PRESSURE, NOSE, Tools, because, careful, draw, flat_punch, force, nose_fits};
+use super::tools::{HOLDER_PRESSURE, NOSE, Tools, careful, draw, flat_punch, nose_fits, throat};
 use crate::author::page::plain;
 use crate::case::{CaseError, parse};
 use crate::measure::part_height;
@@ -112,18 +112,17 @@ fn page(inputs: &Inputs, trim: Picked) -> Result<String, CaseError> {
     let ratio = rules::draw_ratio(|height| cup.blank_for(height, t), cup.height, cup.radius, or)?;
     let clearance = inputs.pick("clearance", || rules::drawing_clearance(t, ratio));
     let shoulder = inputs.pick("shoulder", || rules::drawn_shoulder(t, ratio, sheet.anisotropy()));
-    let throat = Picked::by(cup.radius + clearance.value, format!("punch and clearance{}", because(&clearance)));
     let pressure =
         inputs.pick("holder-pressure", || rules::holder_pressure(ratio, 2.0 * cup.radius, t, sheet.strength));
-    let holder = force(&pressure, Geometry::Axisymmetric, throat.value + shoulder.value, blank.value)?;
     let tools = Tools {
         geometry: Geometry::Axisymmetric,
         punch: flat_punch("radius", cup.radius, &cup.nose),
         travel: rules::drawn_travel(cup.height, shoulder.value, t),
-        throat,
+        throat: throat("punch", cup.radius, &clearance),
         shoulder,
-        holder: Some(holder),
-    };
+        holder: None,
+    }
+    .held(&pressure, blank.value)?;
 
     let page = begin(
         &format!("A cup, {} high from the outside of its bottom to its rim.{}", plain(cup.height), careful(ratio)),

@@ -4,7 +4,7 @@ use super::inputs::{Choice, Inputs, Kind, Rule, Value};
 use super::rules::{self, Picked};
 use super::sheet::Sheet;
 use super::template::{Template, begin};
-use super::tools::{NOSE, SHOULDER, Tools, because, draw, flat_punch, force, nose_fits};
+use super::tools::{NOSE, SHOULDER, Tools, draw, flat_punch, nose_fits, throat};
 use crate::author::page::plain;
 use crate::case::CaseError;
 use crate::model::Geometry;
@@ -49,17 +49,16 @@ fn write(inputs: &Inputs) -> Result<String, CaseError> {
             + flange,
         "bottom, two bends, wall and flange along the mid-surface, which keeps its length",
     );
-    let throat = Picked::by(half_width + clearance.value, format!("punch and clearance{}", because(&clearance)));
     let pressure = inputs.pick("holder-pressure", || rules::strip_pressure(sheet.strength));
-    let holder = force(&pressure, Geometry::PlaneStrain, throat.value + shoulder.value, blank.value)?;
     let tools = Tools {
         geometry: Geometry::PlaneStrain,
         punch: flat_punch("half_width", half_width, &nose),
         travel: Picked::by(height, "the depth that is wanted"),
-        throat,
+        throat: throat("punch", half_width, &clearance),
         shoulder,
-        holder: Some(holder),
-    };
+        holder: None,
+    }
+    .held(&pressure, blank.value)?;
 
     let page = begin(
         "One half of a hat section, drawn. By the flow law, which does not spring back: for that see cases/hat_springback.toml, \

@@ -4,7 +4,7 @@ use super::inputs::{Choice, Inputs, Rule, Value};
 use super::rules::{self, Picked};
 use super::sheet::Sheet;
 use super::template::{Template, begin};
-use super::tools::{HOLDER_PRESSURE, SHOULDER, Tools, because, careful, draw, force, round_punch};
+use super::tools::{HOLDER_PRESSURE, SHOULDER, Tools, careful, draw, round_punch, throat};
 use crate::author::page::plain;
 use crate::case::CaseError;
 use crate::model::Geometry;
@@ -47,18 +47,17 @@ fn write(inputs: &Inputs) -> Result<String, CaseError> {
         blank_for(height, clearance.value),
         "half of D, D² = 4 d h + D_f² − d²: dome, wall and flange of diameter D_f, the mid-surface keeps its area (Guldin)",
     );
-    let throat = Picked::by(radius + clearance.value, format!("punch and clearance{}", because(&clearance)));
     let pressure = inputs
         .pick("holder-pressure", || rules::holder_pressure(blank.value / radius, 2.0 * radius, t, sheet.strength));
-    let holder = force(&pressure, Geometry::Axisymmetric, throat.value + shoulder.value, blank.value)?;
     let tools = Tools {
         geometry: Geometry::Axisymmetric,
         punch: round_punch(&Picked::given(radius)),
         travel: Picked::by(height, "the depth that is wanted"),
-        throat,
+        throat: throat("punch", radius, &clearance),
         shoulder,
-        holder: Some(holder),
-    };
+        holder: None,
+    }
+    .held(&pressure, blank.value)?;
 
     let page = begin(
         &format!("A cup with a hemispherical bottom, with a flange left to hold.{}", careful(ratio)),

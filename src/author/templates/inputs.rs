@@ -170,7 +170,7 @@ impl Inputs {
 
     /// What was given, or what a rule picks.
     pub fn pick(&self, key: &str, rule: impl FnOnce() -> Picked) -> Picked {
-        self.given(key).map_or_else(rule, Picked::given)
+        Picked::or(self.given(key), rule)
     }
 }
 

@@ -29,7 +29,7 @@ pub use sheet::{FRICTION, SHEET, typical};
 pub use template::Template;
 
 use crate::case::CaseError;
-use crate::units::closest;
+use crate::units::did_you_mean;
 use std::fmt::Write;
 
 /// Every template.
@@ -52,8 +52,7 @@ pub const TEMPLATES: &[Template] = &[
 pub fn find(name: &str) -> Result<&'static Template, CaseError> {
     TEMPLATES.iter().find(|template| template.name == name).ok_or_else(|| {
         let names: Vec<&str> = TEMPLATES.iter().map(|template| template.name).collect();
-        let near = closest(name, names.iter().copied());
-        let meant = near.first().map_or(String::new(), |near| format!("did you mean `{near}`? "));
+        let meant = did_you_mean(name, names.iter().copied());
         CaseError::bare(format!("there is no template `{name}`"), format!("{meant}there are {}", names.join(", ")))
     })
 }

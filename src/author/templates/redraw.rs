@@ -5,7 +5,7 @@ use super::inputs::{Choice, Inputs, Kind, Rule, Value};
 use super::rules::{self, Picked};
 use super::sheet::Sheet;
 use super::template::{Template, begin};
-use super::tools::{HOLDER_PRESSURE, Tools, about, because, careful, flat_punch, force, newtons};
+use super::tools::{HOLDER_PRESSURE, Tools, careful, flat_punch, newtons, throat};
 use crate::author::page::{mm, plain};
 use crate::case::CaseError;
 use crate::model::Geometry;
@@ -51,7 +51,6 @@ fn write(inputs: &Inputs) -> Result<String, CaseError> {
     let ratio = rules::draw_ratio(|height| cup.blank_for(height, t), cup.height, first.value, or)?;
     let clearance = inputs.pick("clearance", || rules::drawing_clearance(t, ratio));
     let shoulder = inputs.pick("shoulder", || rules::drawn_shoulder(t, blank.value / cup.radius, sheet.anisotropy()));
-    let throat = Picked::by(first.value + clearance.value, format!("punch and clearance{}", because(&clearance)));
     let narrow = Picked::by(
         cup.radius + inputs.pick("clearance", || rules::drawing_clearance(t, blank.value / cup.radius)).value,
         "punch and t √β of both draws together",
@@ -75,7 +74,6 @@ fn write(inputs: &Inputs) -> Result<String, CaseError> {
     }
     let pressure =
         inputs.pick("holder-pressure", || rules::holder_pressure(ratio, 2.0 * first.value, t, sheet.strength));
-    let holder = force(&pressure, Geometry::Axisymmetric, throat.value + shoulder.value, blank.value)?;
     // Height of the first cup, which has the same area.
     let first_height = {
         let (middle, nose) = (first.value + 0.5 * t, cup.nose.value + 0.5 * t);
@@ -84,20 +82,17 @@ fn write(inputs: &Inputs) -> Result<String, CaseError> {
     };
     let first_height = first_height / (1.0 + cup.trim.value);
     let mut punch = flat_punch("radius", first.value, &cup.nose);
-    punch.why = [about("radius", &first), punch.why]
-        .iter()
-        .filter(|why| !why.is_empty())
-        .cloned()
-        .collect::<Vec<_>>()
-        .join("; ");
+    let reasons = [first.reason("radius: "), punch.why];
+    punch.why = reasons.into_iter().filter(|why| !why.is_empty()).collect::<Vec<_>>().join("; ");
     let tools = Tools {
         geometry: Geometry::Axisymmetric,
         punch,
         travel: rules::drawn_travel(first_height, shoulder.value, t),
-        throat,
+        throat: throat("punch", first.value, &clearance),
         shoulder: shoulder.clone(),
-        holder: Some(holder),
-    };
+        holder: None,
+    }
+    .held(&pressure, blank.value)?;
 
     let mut page = begin(
         &format!(

@@ -4,7 +4,7 @@ use super::inputs::{Choice, Inputs, Rule, Value};
 use super::rules::{self, Picked};
 use super::sheet::Sheet;
 use super::template::{Template, begin};
-use super::tools::{SHOULDER, Tools, because, draw, round_punch};
+use super::tools::{SHOULDER, Tools, draw, round_punch, throat};
 use crate::author::page::plain;
 use crate::case::CaseError;
 use crate::model::Geometry;
@@ -37,7 +37,7 @@ fn write(inputs: &Inputs) -> Result<String, CaseError> {
     let shoulder = inputs.pick("shoulder", || rules::tool_radius(t));
     let clearance = inputs
         .pick("clearance", || Picked::by(2.0 * t, "2 thicknesses, declared: the sheet does not go between the walls"));
-    let throat = Picked::by(radius + clearance.value, format!("punch and clearance{}", because(&clearance)));
+    let throat = throat("punch", radius, &clearance);
     let blank = Picked::by(throat.value + shoulder.value, "clamped where the die's shoulder ends, as by a lock bead");
     let tools = Tools {
         geometry: Geometry::Axisymmetric,

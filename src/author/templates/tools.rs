@@ -41,6 +41,30 @@ pub(super) struct Tools {
 }
 
 impl Tools {
+    /// Where the die's shoulder ends \[mm\].
+    fn shoulder_end(&self) -> f64 {
+        self.throat.value + self.shoulder.value
+    }
+
+    /// These with a holder whose force is a pressure on the flat of the flange, from the end of the shoulder to the edge.
+    ///
+    /// # Errors
+    /// When no flange lies there.
+    pub fn held(self, pressure: &Picked, edge: f64) -> Result<Self, CaseError> {
+        let end = self.shoulder_end();
+        if edge <= end {
+            let what = format!(
+                "the blank ends at {}, where the die's shoulder still bends it (up to {}): there is nothing to hold",
+                plain(edge),
+                plain(end)
+            );
+            return Err(CaseError::bare(what, "make the part higher, or --shoulder or --clearance smaller".into()));
+        }
+        let area = self.geometry.area(edge) - self.geometry.area(end);
+        let holder = Picked { value: pressure.value * area, why: pressure.why.clone() };
+        Ok(Self { holder: Some(holder), ..self })
+    }
+
     /// Writes the tables of the tools.
     pub fn write(&self, page: &mut Page, sheet: &Sheet) {
         let friction = rounded(sheet.friction);
@@ -56,23 +80,23 @@ impl Tools {
         page.length("shoulder", &self.shoulder);
         page.set("friction", friction, "");
         let Some(force) = &self.holder else { return };
-        let inner = Picked::by(self.throat.value + self.shoulder.value, "where the die's shoulder ends");
+        let inner = Picked::by(self.shoulder_end(), "where the die's shoulder ends");
         page.table("tools.holder", "");
         match self.geometry {
             Geometry::Axisymmetric => {
                 page.length("inner_radius", &inner);
-                page.set("force", newtons(force.value), &format!("of the whole ring{}", tail(&force.why)));
+                page.set("force", newtons(force.value), &format!("of the whole ring{}", force.reason(": ")));
             }
             Geometry::PlaneStrain => {
                 page.length("inner_half_width", &inner);
-                page.set("force", format!("\"{:.1} N/mm\"", force.value), &format!("of the half{}", tail(&force.why)));
+                page.set(
+                    "force",
+                    format!("\"{:.1} N/mm\"", force.value),
+                    &format!("of the half{}", force.reason(": ")),
+                );
             }
         }
     }
-}
-
-fn tail(why: &str) -> String {
-    if why.is_empty() { String::new() } else { format!(": {why}") }
 }
 
 /// A ring force as a case file has it, rounded up: a holder that presses less than its rule asks for is doubted.
@@ -82,23 +106,6 @@ pub(super) fn newtons(force: f64) -> String {
     } else {
         format!("\"{:.0} N\"", force.ceil())
     }
-}
-
-/// The force of a pressure on the flat of the flange, from the end of the shoulder to the edge.
-///
-/// # Errors
-/// When no flange lies there.
-pub(super) fn force(pressure: &Picked, geometry: Geometry, shoulder_end: f64, edge: f64) -> Result<Picked, CaseError> {
-    if edge <= shoulder_end {
-        let what = format!(
-            "the blank ends at {}, where the die's shoulder still bends it (up to {}): there is nothing to hold",
-            plain(edge),
-            plain(shoulder_end)
-        );
-        return Err(CaseError::bare(what, "make the part higher, or --shoulder or --clearance smaller".into()));
-    }
-    let area = geometry.area(edge) - geometry.area(shoulder_end);
-    Ok(Picked { value: pressure.value * area, why: pressure.why.clone() })
 }
 
 /// Refuses a nose that does not fit its punch.
@@ -113,9 +120,9 @@ pub(super) fn nose_fits(nose: f64, punch: f64) -> Result<(), CaseError> {
     Err(CaseError::bare(what, "make --nose smaller (it is 6 thicknesses when not given) or the punch larger".into()))
 }
 
-/// The reason of a picked number inside of another one's.
-pub(super) fn because(picked: &Picked) -> String {
-    if picked.why.is_empty() { String::new() } else { format!(", {}", picked.why) }
+/// Radius or half-width of the die's opening round a punch: its size and the clearance.
+pub(super) fn throat(punch: &str, size: f64, clearance: &Picked) -> Picked {
+    Picked::by(size + clearance.value, format!("{punch} and clearance{}", clearance.reason(", ")))
 }
 
 /// A word of warning near the limit of one draw.
@@ -134,18 +141,13 @@ pub(super) fn flat_punch(size: &str, value: f64, nose: &Picked) -> Shape {
     Shape {
         key: "flat",
         value: format!("{{ {size} = {}, nose = {} }}", mm(value), mm(nose.value)),
-        why: about("nose", nose),
+        why: nose.reason("nose: "),
     }
 }
 
 /// A punch with a round nose.
 pub(super) fn round_punch(radius: &Picked) -> Shape {
     Shape { key: "hemispherical", value: format!("{{ radius = {} }}", mm(radius.value)), why: radius.why.clone() }
-}
-
-/// Which of several numbers in a line a rule has picked.
-pub(super) fn about(what: &str, picked: &Picked) -> String {
-    if picked.why.is_empty() { String::new() } else { format!("{what}: {}", picked.why) }
 }
 
 /// The mesh, of which `[blank]` has the number of elements.

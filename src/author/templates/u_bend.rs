@@ -4,7 +4,7 @@ use super::inputs::{Choice, Inputs, Rule, Value};
 use super::rules::{self, Picked};
 use super::sheet::Sheet;
 use super::template::{Template, begin};
-use super::tools::{NOSE, SHOULDER, Tools, because, bend, flat_punch, nose_fits};
+use super::tools::{NOSE, SHOULDER, Tools, bend, flat_punch, nose_fits, throat};
 use crate::author::page::plain;
 use crate::case::CaseError;
 use crate::model::Geometry;
@@ -40,7 +40,7 @@ fn write(inputs: &Inputs) -> Result<String, CaseError> {
         half_width - nose.value + rules::quarter_bend(nose.value, t) + leg - t - nose.value,
         "half of the bottom, the bend and the leg along the mid-surface, which keeps its length",
     );
-    let throat = Picked::by(half_width + clearance.value, format!("punch and clearance{}", because(&clearance)));
+    let throat = throat("punch", half_width, &clearance);
     let least = throat.value + shoulder.value + 2.0 * t;
     if blank.value < least {
         let what = format!(

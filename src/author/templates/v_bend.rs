@@ -5,7 +5,7 @@ use super::inputs::{Choice, Inputs, Kind, Rule, Value};
 use super::rules::{self, Picked};
 use super::sheet::Sheet;
 use super::template::{Template, begin};
-use super::tools::{Tools, because, bend, round_punch};
+use super::tools::{Tools, bend, round_punch};
 use crate::author::page::plain;
 use crate::case::CaseError;
 use crate::model::Geometry;
@@ -49,7 +49,7 @@ fn write(inputs: &Inputs) -> Result<String, CaseError> {
     let reach = 0.5 * width.value;
     let throat = Picked::by(
         reach - shoulder.value,
-        format!("half of the V's width of {} less its shoulder{}", plain(width.value), because(&width)),
+        format!("half of the V's width of {} less its shoulder{}", plain(width.value), width.reason(", ")),
     );
     if throat.value < nose.value + t {
         let what = format!(

@@ -38,7 +38,8 @@ pub(super) fn convert(
     derived: &mut Vec<String>,
 ) -> Result<Blank, CaseError> {
     let file = &case.blank;
-    let length = by_geometry(source, "blank", geometry, ("radius", file.radius), ("half_length", file.half_length))?;
+    let (_, length) =
+        by_geometry(source, "blank", geometry, ("radius", file.radius), ("half_length", file.half_length))?;
     let thickness = file.thickness.value();
     if !THICKNESS.contains(&thickness) {
         let what = format!("`thickness` must lie between 0.001 and 50 mm, found {} mm", rounded(thickness));

@@ -2,78 +2,16 @@
 
 use super::lines::Named;
 use crate::case::file::{CaseFile, Compare, ComparedQuantity};
-use crate::case::files::{self, FileError, Folder};
 use crate::case::{CaseError, source::Source};
 use crate::compare::{Against, BandQuantity, BandSpec, CurveSpec, Data, Quantity, SOURCES, Source as Provenance, Spec};
+use crate::files::{self, FileError, Folder};
 use crate::units::Quantity as _;
 use std::path::{Path, PathBuf};
 
 const EXAMPLE: &str = "write for example travel_mm,punch_force_kN in the first line and 12.5,30.1 below it";
 
 pub(in crate::case) fn compare(file: &CaseFile, source: &Source, folder: Folder) -> Result<Vec<Spec>, CaseError> {
-    let convert = |(i, c): (usize, &Compare)| {
-        let candidates = [folder.path.join("../reference_data").join(&c.reference), folder.path.join(&c.reference)];
-        let found = found(&candidates, i, c, source, folder)?;
-        if found.is_none() && !c.optional {
-            let what = format!("the reference file \"{}\" is not there", c.reference);
-            let [first, second] = candidates.each_ref().map(|path| path.display());
-            let help = format!("put it at {first} or {second}, or set optional = true");
-            return Err(source.error(&format!("compare.{i}.reference"), what, help));
-        }
-        if c.reason.trim().is_empty() {
-            let what = "a comparison needs its reason";
-            return Err(source.error(&format!("compare.{i}.reason"), what, "say what the difference may come from"));
-        }
-        let entry = Entry { source, i, c };
-        let (reference, data) = match found {
-            Some((path, data)) => (path, Some(data)),
-            None => (candidates[0].clone(), None),
-        };
-        Ok(Spec {
-            reference,
-            data,
-            against: match c.quantity {
-                ComparedQuantity::PunchForce => entry.curve(Quantity::PunchForce)?,
-                ComparedQuantity::Travel => entry.curve(Quantity::Travel)?,
-                ComparedQuantity::ThicknessAtS0 => entry.curve(Quantity::ThicknessAtS0)?,
-                ComparedQuantity::ThicknessAtRadius => entry.curve(Quantity::ThicknessAtRadius)?,
-                ComparedQuantity::EdgeDiameter => entry.band(BandQuantity::EdgeDiameter)?,
-                ComparedQuantity::DrawIn => entry.band(BandQuantity::DrawIn)?,
-                ComparedQuantity::Thinnest => entry.band(BandQuantity::Thinnest)?,
-                ComparedQuantity::Thickness => entry.band(BandQuantity::Thickness)?,
-                ComparedQuantity::PeakForce => entry.band(BandQuantity::PeakForce)?,
-            },
-            reason: c.reason.clone(),
-            optional: c.optional,
-            demonstration: c.demonstration,
-        })
-    };
-    file.compare.iter().enumerate().map(convert).collect()
-}
-
-/// The first of some files that is there, and what stands in it.
-fn found(
-    candidates: &[PathBuf],
-    i: usize,
-    c: &Compare,
-    source: &Source,
-    folder: Folder,
-) -> Result<Option<(PathBuf, Data)>, CaseError> {
-    let key = &format!("compare.{i}.reference");
-    let named = Named { file: &c.reference, what: "reference", example: EXAMPLE, key };
-    for path in candidates {
-        let text = match folder.files.text(path, files::CSV) {
-            Err(FileError::Missing | FileError::Folder) => continue,
-            text => text.map_err(|error| named.unreadable(&error, source))?,
-        };
-        let (lines, csv) = named.table(&text, path, source)?;
-        if let Some(row) = csv.rows.iter().find(|row| row.fields.len() != csv.header.fields.len()) {
-            let what = format!("a row of {} under {} columns", row.fields.len(), csv.header.fields.len());
-            return Err(lines.error(row.line, what, "write a comma for each field, empty ones too"));
-        }
-        return Ok(Some((path.clone(), Data { csv, source: provenance(path, key, source, folder)? })));
-    }
-    Ok(None)
+    file.compare.iter().enumerate().map(|(i, c)| Entry { source, i, c }.spec(folder)).collect()
 }
 
 /// What `sources.toml` beside a reference file says of it.
@@ -99,6 +37,73 @@ struct Entry<'a> {
 }
 
 impl Entry<'_> {
+    /// The comparison that is asked for, its reference read.
+    fn spec(&self, folder: Folder) -> Result<Spec, CaseError> {
+        let c = self.c;
+        let candidates = [folder.path.join("../reference_data").join(&c.reference), folder.path.join(&c.reference)];
+        let found = self.found(&candidates, folder)?;
+        if found.is_none() && !c.optional {
+            let what = format!("the reference file \"{}\" is not there", c.reference);
+            let [first, second] = candidates.each_ref().map(|path| path.display());
+            let help = format!("put it at {first} or {second}, or set optional = true");
+            return Err(self.error("reference", what, help));
+        }
+        if c.reason.trim().is_empty() {
+            let what = "a comparison needs its reason";
+            return Err(self.error("reason", what, "say what the difference may come from"));
+        }
+        let (reference, data) = match found {
+            Some((path, data)) => (path, Some(data)),
+            None => (candidates[0].clone(), None),
+        };
+        Ok(Spec {
+            reference,
+            data,
+            against: match c.quantity {
+                ComparedQuantity::PunchForce => self.curve(Quantity::PunchForce)?,
+                ComparedQuantity::Travel => self.curve(Quantity::Travel)?,
+                ComparedQuantity::ThicknessAtS0 => self.curve(Quantity::ThicknessAtS0)?,
+                ComparedQuantity::ThicknessAtRadius => self.curve(Quantity::ThicknessAtRadius)?,
+                ComparedQuantity::EdgeDiameter => self.band(BandQuantity::EdgeDiameter)?,
+                ComparedQuantity::DrawIn => self.band(BandQuantity::DrawIn)?,
+                ComparedQuantity::Thinnest => self.band(BandQuantity::Thinnest)?,
+                ComparedQuantity::Thickness => self.band(BandQuantity::Thickness)?,
+                ComparedQuantity::PeakForce => self.band(BandQuantity::PeakForce)?,
+            },
+            reason: c.reason.clone(),
+            optional: c.optional,
+            demonstration: c.demonstration,
+        })
+    }
+
+    /// The first of some files that is there, and what stands in it.
+    fn found(&self, candidates: &[PathBuf], folder: Folder) -> Result<Option<(PathBuf, Data)>, CaseError> {
+        let (source, key) = (self.source, &format!("{}.reference", self.path()));
+        let named = Named { file: &self.c.reference, what: "reference", example: EXAMPLE, key };
+        for path in candidates {
+            let text = match folder.files.text(path, files::CSV) {
+                Err(FileError::Missing | FileError::Folder) => continue,
+                text => text.map_err(|error| named.unreadable(&error, source))?,
+            };
+            let (lines, csv) = named.table(&text, path, source)?;
+            if let Some(row) = csv.rows.iter().find(|row| row.fields.len() != csv.header.fields.len()) {
+                let what = format!("a row of {} under {} columns", row.fields.len(), csv.header.fields.len());
+                return Err(lines.error(row.line, what, "write a comma for each field, empty ones too"));
+            }
+            return Ok(Some((path.clone(), Data { csv, source: provenance(path, key, source, folder)? })));
+        }
+        Ok(None)
+    }
+
+    /// Key path of the table.
+    fn path(&self) -> String {
+        format!("compare.{}", self.i)
+    }
+
+    fn error(&self, key: &str, what: impl Into<String>, help: impl Into<String>) -> CaseError {
+        self.source.error(&format!("{}.{key}", self.path()), what, help)
+    }
+
     fn curve(&self, quantity: Quantity) -> Result<Against, CaseError> {
         let c = self.c;
         let help = format!("`{}` is compared along a curve: give x, y and tolerance", quantity.name());
@@ -108,13 +113,12 @@ impl Entry<'_> {
             let missing = [("x", c.x.is_none()), ("y", c.y.is_none()), ("tolerance", c.tolerance.is_none())];
             let missing: Vec<_> = missing.iter().filter(|m| m.1).map(|m| format!("`{}`", m.0)).collect();
             let what = format!("{} missing in [[compare]] number {}", missing.join(" and "), self.i + 1);
-            return Err(self.source.error(&format!("compare.{}", self.i), what, help));
+            return Err(self.source.error(&self.path(), what, help));
         };
         let range = c.range.map(|[from, to]| (from.value(), to.value()));
         if let Some((from, to)) = range.filter(|(from, to)| from >= to) {
             let what = format!("`range` must rise, found {from} to {to}");
-            let path = format!("compare.{}.range", self.i);
-            return Err(self.source.error(&path, what, format!("write range = [{to}, {from}]")));
+            return Err(self.error("range", what, format!("write range = [{to}, {from}]")));
         }
         let (x, y, tolerance) = (x.clone(), y.clone(), tolerance.value());
         Ok(Against::Curve(CurveSpec { quantity, x, y, range, tolerance }))
@@ -134,10 +138,10 @@ impl Entry<'_> {
             Some(columns) if !columns.is_empty() => {
                 Ok(Against::Band(BandSpec { quantity, columns: columns.clone(), error: c.error.clone() }))
             }
-            Some(_) => Err(self.source.error(&format!("compare.{}.band", self.i), "`band` names no column", help)),
+            Some(_) => Err(self.error("band", "`band` names no column", help)),
             None => {
                 let what = format!("`band` is missing in [[compare]] number {}", self.i + 1);
-                Err(self.source.error(&format!("compare.{}", self.i), what, help))
+                Err(self.source.error(&self.path(), what, help))
             }
         }
     }
@@ -147,6 +151,6 @@ impl Entry<'_> {
         if !given {
             return Ok(());
         }
-        Err(self.source.error(&format!("compare.{}.{key}", self.i), format!("`{key}` does not apply here"), help))
+        Err(self.error(key, format!("`{key}` does not apply here"), help))
     }
 }

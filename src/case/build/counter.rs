@@ -2,7 +2,7 @@
 
 use super::context::ToolContext;
 use super::drawn::{Drawn, Origin};
-use super::place;
+use super::place::{Placed, place};
 use crate::case::file::{Section, SectionTable};
 use crate::case::{CaseError, explain::missing};
 use crate::geometry::{CavityError, Profile};
@@ -15,139 +15,149 @@ const REACH: f64 = 20.0;
 /// Sine of the angle to the sheet above which a line is a wall [–].
 const STEEP: f64 = 0.5;
 
-/// The tool that follows the outline of another at the distance `by`, turned round so that the sheet lies between.
-pub(super) fn offset(
-    of: Role,
-    table: &SectionTable,
-    role: Role,
-    path: String,
-    context: &ToolContext,
-    derived: &mut Vec<String>,
-) -> Result<Profile, CaseError> {
-    let (name, other) = (role.name(), of.name());
-    if !matches!((role, of), (Role::Die, Role::Punch) | (Role::Punch, Role::Die)) {
-        let what = format!("the {name} cannot be an offset of the {other}: punch and die close on each other");
-        let help = match role {
-            Role::Holder => "draw the holder, or write { mirror_of = \"die\" }",
-            _ => "write offset_of = \"punch\" for the die, or offset_of = \"die\" for the punch",
-        };
-        return Err(context.source.error(&format!("{path}.offset_of"), what, help));
-    }
-    let by = table.by.ok_or_else(|| missing(context.source, &path, "by"))?.value();
-    let original = source_of(of, role, &format!("{path}.offset_of"), context)?;
-    if let Some(key) = [("shoulder", table.shoulder), ("closed_at", table.closed_at)].iter().find(|(_, v)| v.is_some())
-        && (role == Role::Punch || table.shoulder.is_none())
-    {
-        let what = format!("`{}` belongs to a die made from a punch, with its shoulder", key.0);
-        let help = "write { offset_of = \"punch\", by = .., shoulder = .., closed_at = .. } for the die, or drop it";
-        return Err(context.source.error(&format!("{path}.{}", key.0), what, help));
-    }
-    let axis = match role {
-        Role::Punch => original.last(),
-        _ => original.first(),
-    };
-    if axis.x > 1e-6 {
-        let what =
-            format!("the {other} does not reach the axis, it begins at r = {:.4} mm: its offset is open", axis.x);
-        return Err(context.source.error(&path, what, format!("draw the {name}, or give the {other} a bottom")));
-    }
-    let line = original.offset(by).map_err(|error| {
-        let what = format!("the {other} has no offset of {by} mm: {error}");
-        let help = format!("make `by` smaller or the hollow of the {other} wider (z = 0 is the flat sheet's middle)");
-        context.source.error(&format!("{path}.by"), what, help)
-    })?;
-    if let Some(shoulder) = table.shoulder {
-        return die_with_face(&line, shoulder.value(), table, &path, context, derived);
-    }
-    let end = line.last();
-    let tangent = line.pieces()[line.pieces().len() - 1].tangent(true);
-    if role == Role::Die && end.x < context.sheet.length && tangent.y < -STEEP {
-        let what = format!(
-            "the {other}'s wall goes down inside of the blank: its offset has no face for the sheet, only a \
-                            wall at r = {:.3} mm",
-            end.x
-        );
-        let help = "give the radius of the corner between wall and face, such as shoulder = \"6 mm\"";
-        return Err(context.source.error(&path, what, help));
-    }
-    let drawn = Drawn { profile: line.reversed(), path, origin: Origin::Tool };
-    let placed = place::place(drawn, role, context, &mut Vec::new())?;
-    let travel = if role == Role::Die { placed.shift } else { -placed.shift };
-    derived.push(format!("the {name} follows the {other} at {by} mm: they have closed at a travel of {travel:.4} mm"));
-    Ok(placed.profile)
+/// A tool to be made from the one on the other side of the sheet.
+pub(super) struct Counter<'a> {
+    pub role: Role,
+    /// The tool that it is made from.
+    pub of: Role,
+    /// Key path of its section.
+    pub path: String,
+    pub context: &'a ToolContext<'a>,
 }
 
-/// The die around a punch that has come to `closed_at`, with a face where the flat sheet lies.
-fn die_with_face(
-    line: &Profile,
-    shoulder: f64,
-    table: &SectionTable,
-    path: &str,
-    context: &ToolContext,
-    derived: &mut Vec<String>,
-) -> Result<Profile, CaseError> {
-    let depth = table.closed_at.map_or(context.travel, Quantity::value);
-    let reach = REACH * context.sheet.length;
-    let die = line.shifted(depth).cavity(0.5 * context.sheet.thickness, shoulder, reach).map_err(|error| {
-        let (key, help) = match error {
-            CavityError::Below { .. } => ("closed_at", "a cavity needs a travel of more than the thickness less `by`"),
-            CavityError::Above { .. } => ("shoulder", "draw the punch's wall further down, or close the tools earlier"),
-            CavityError::Shoulder { .. } => ("shoulder", "make it smaller than the cavity is deep"),
-        };
-        let key = if context.source.has(&format!("{path}.{key}")) { key } else { "shoulder" };
-        context.source.error(&format!("{path}.{key}"), format!("the die around the punch: {error}"), help)
-    })?;
-    let (end, edge) = (die.vertices().next().map_or(0.0, |v| v.point.x), context.sheet.length);
-    if end > edge {
-        let what = format!("the die's shoulder ends at {end:.3} mm, beyond the blank's edge at {edge} mm");
-        let help = "make it smaller: the blank must reach past the shoulder to rest on the die";
-        return Err(context.source.error(&format!("{path}.shoulder"), what, help));
-    }
-    let by = table.by.map_or(0.0, Quantity::value);
-    derived.push(format!("the die follows the punch at {by} mm: they have closed at a travel of {depth:.4} mm"));
-    Ok(die)
-}
-
-/// The mirror image of a tool in the middle plane of the flat sheet.
-pub(super) fn mirror(
-    of: Role,
-    role: Role,
-    path: String,
-    context: &ToolContext,
-    derived: &mut Vec<String>,
-) -> Result<Profile, CaseError> {
-    let (name, other) = (role.name(), of.name());
-    if !matches!((role, of), (Role::Die, Role::Holder) | (Role::Holder, Role::Die)) {
-        let (what, help) = match (role, of) {
-            (Role::Punch | Role::Die, Role::Punch | Role::Die) if role != of => (
-                format!("the {name} cannot be the {other}'s mirror image: they would meet at once"),
-                format!("for a counter-tool that closes on it write {{ offset_of = \"{other}\", by = \"1.2 mm\" }}"),
-            ),
-            _ => (
-                format!("the {name} cannot be the {other}'s mirror image: they lie on the same side of the sheet"),
-                "holder and die can be each other's mirror image".to_owned(),
-            ),
-        };
-        return Err(context.source.error(&format!("{path}.mirror_of"), what, help));
-    }
-    let original = source_of(of, role, &format!("{path}.mirror_of"), context)?;
-    derived.push(format!("the {name} is the {other}'s mirror image"));
-    let drawn = Drawn { profile: original.mirrored(), path, origin: Origin::Tool };
-    place::place(drawn, role, context, derived).map(|placed| placed.profile)
-}
-
-/// The tool that another is made from, which must not be made from that other one.
-fn source_of(of: Role, role: Role, key: &str, context: &ToolContext) -> Result<Profile, CaseError> {
-    let (name, other) = (role.name(), of.name());
-    if let Some(Section::Table(table)) = context.section(of) {
-        let theirs = table.offset_of.or(table.mirror_of);
-        if theirs == Some(role) {
-            let what = format!("the {name} is made from the {other}, which is made from the {name}");
-            return Err(context.source.error(key, what, "give one of them a shape of its own"));
+impl Counter<'_> {
+    /// The tool that follows the outline of the other at the distance `by`, turned round so that the sheet lies between.
+    pub fn offset(self, table: &SectionTable, derived: &mut Vec<String>) -> Result<Profile, CaseError> {
+        let Self { role, of, ref path, context } = self;
+        let (name, other) = (role.name(), of.name());
+        if !matches!((role, of), (Role::Die, Role::Punch) | (Role::Punch, Role::Die)) {
+            let what = format!("the {name} cannot be an offset of the {other}: punch and die close on each other");
+            let help = match role {
+                Role::Holder => "draw the holder, or write { mirror_of = \"die\" }",
+                _ => "write offset_of = \"punch\" for the die, or offset_of = \"die\" for the punch",
+            };
+            return Err(self.error("offset_of", what, help));
         }
+        let by = table.by.ok_or_else(|| missing(context.source, path, "by"))?.value();
+        let original = self.original("offset_of")?;
+        if let Some((key, _)) =
+            [("shoulder", table.shoulder), ("closed_at", table.closed_at)].iter().find(|(_, v)| v.is_some())
+            && (role == Role::Punch || table.shoulder.is_none())
+        {
+            let what = format!("`{key}` belongs to a die made from a punch, with its shoulder");
+            let help =
+                "write { offset_of = \"punch\", by = .., shoulder = .., closed_at = .. } for the die, or drop it";
+            return Err(self.error(key, what, help));
+        }
+        let axis = match role {
+            Role::Punch => original.last(),
+            _ => original.first(),
+        };
+        if axis.x > 1e-6 {
+            let what =
+                format!("the {other} does not reach the axis, it begins at r = {:.4} mm: its offset is open", axis.x);
+            return Err(context.source.error(path, what, format!("draw the {name}, or give the {other} a bottom")));
+        }
+        let line = original.offset(by).map_err(|error| {
+            let what = format!("the {other} has no offset of {by} mm: {error}");
+            let help =
+                format!("make `by` smaller or the hollow of the {other} wider (z = 0 is the flat sheet's middle)");
+            self.error("by", what, help)
+        })?;
+        if let Some(shoulder) = table.shoulder {
+            let depth = table.closed_at.map_or(context.travel, Quantity::value);
+            let die = self.die_with_face(&line, shoulder.value(), depth)?;
+            derived
+                .push(format!("the die follows the punch at {by} mm: they have closed at a travel of {depth:.4} mm"));
+            return Ok(die);
+        }
+        let end = line.last();
+        let tangent = line.pieces()[line.pieces().len() - 1].tangent(true);
+        if role == Role::Die && end.x < context.sheet.length && tangent.y < -STEEP {
+            let what = format!(
+                "the {other}'s wall goes down inside of the blank: its offset has no face for the sheet, only a \
+                                wall at r = {:.3} mm",
+                end.x
+            );
+            let help = "give the radius of the corner between wall and face, such as shoulder = \"6 mm\"";
+            return Err(context.source.error(path, what, help));
+        }
+        let placed = self.placed(line.reversed(), &mut Vec::new())?;
+        let travel = if role == Role::Die { placed.shift } else { -placed.shift };
+        derived
+            .push(format!("the {name} follows the {other} at {by} mm: they have closed at a travel of {travel:.4} mm"));
+        Ok(placed.profile)
     }
-    (context.profile)(context, of)?.ok_or_else(|| {
-        let what = format!("there is no {other} to make the {name} from");
-        context.source.error(key, what, format!("add [tools.{other}]"))
-    })
+
+    /// The mirror image of the other tool in the middle plane of the flat sheet.
+    pub fn mirror(self, derived: &mut Vec<String>) -> Result<Profile, CaseError> {
+        let (name, other) = (self.role.name(), self.of.name());
+        if !matches!((self.role, self.of), (Role::Die, Role::Holder) | (Role::Holder, Role::Die)) {
+            let (what, help) = match (self.role, self.of) {
+                (Role::Punch | Role::Die, Role::Punch | Role::Die) if self.role != self.of => (
+                    format!("the {name} cannot be the {other}'s mirror image: they would meet at once"),
+                    format!(
+                        "for a counter-tool that closes on it write {{ offset_of = \"{other}\", by = \"1.2 mm\" }}"
+                    ),
+                ),
+                _ => (
+                    format!("the {name} cannot be the {other}'s mirror image: they lie on the same side of the sheet"),
+                    "holder and die can be each other's mirror image".to_owned(),
+                ),
+            };
+            return Err(self.error("mirror_of", what, help));
+        }
+        let original = self.original("mirror_of")?;
+        derived.push(format!("the {name} is the {other}'s mirror image"));
+        self.placed(original.mirrored(), derived).map(|placed| placed.profile)
+    }
+
+    fn error(&self, key: &str, what: String, help: impl Into<String>) -> CaseError {
+        self.context.source.error(&format!("{}.{key}", self.path), what, help)
+    }
+
+    /// The tool that this one is made from, which must not be made from this one; `key` names it.
+    fn original(&self, key: &str) -> Result<Profile, CaseError> {
+        let (name, other) = (self.role.name(), self.of.name());
+        if let Some(Section::Table(table)) = self.context.section(self.of)
+            && table.offset_of.or(table.mirror_of) == Some(self.role)
+        {
+            let what = format!("the {name} is made from the {other}, which is made from the {name}");
+            return Err(self.error(key, what, "give one of them a shape of its own"));
+        }
+        (self.context.profile)(self.context, self.of)?.ok_or_else(|| {
+            let what = format!("there is no {other} to make the {name} from");
+            self.error(key, what, format!("add [tools.{other}]"))
+        })
+    }
+
+    /// The die around a punch that has gone by `depth` \[mm\], with a face where the flat sheet lies.
+    fn die_with_face(&self, line: &Profile, shoulder: f64, depth: f64) -> Result<Profile, CaseError> {
+        let sheet = &self.context.sheet;
+        let reach = REACH * sheet.length;
+        let die = line.shifted(depth).cavity(0.5 * sheet.thickness, shoulder, reach).map_err(|error| {
+            let (key, help) = match error {
+                CavityError::Below { .. } => {
+                    ("closed_at", "a cavity needs a travel of more than the thickness less `by`")
+                }
+                CavityError::Above { .. } => {
+                    ("shoulder", "draw the punch's wall further down, or close the tools earlier")
+                }
+                CavityError::Shoulder { .. } => ("shoulder", "make it smaller than the cavity is deep"),
+            };
+            let key = if self.context.source.has(&format!("{}.{key}", self.path)) { key } else { "shoulder" };
+            self.error(key, format!("the die around the punch: {error}"), help)
+        })?;
+        let (end, edge) = (die.vertices().next().map_or(0.0, |v| v.point.x), sheet.length);
+        if end > edge {
+            let what = format!("the die's shoulder ends at {end:.3} mm, beyond the blank's edge at {edge} mm");
+            let help = "make it smaller: the blank must reach past the shoulder to rest on the die";
+            return Err(self.error("shoulder", what, help));
+        }
+        Ok(die)
+    }
+
+    fn placed(self, profile: Profile, derived: &mut Vec<String>) -> Result<Placed, CaseError> {
+        place(Drawn { profile, path: self.path, origin: Origin::Tool }, self.role, self.context, derived)
+    }
 }

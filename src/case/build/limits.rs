@@ -2,11 +2,9 @@
 
 use crate::case::file::{CaseFile, Section};
 use crate::case::{CaseError, source::Source};
-use crate::forming_limit::Paths;
 use crate::geometry::Piece;
 use crate::model::{Model, Stage};
-use crate::solution::{ElementRecord, NodeRecord, PointRecord, StepRecord};
-use crate::state::MaterialPoint;
+use crate::rules::estimate::{Memory, least_steps, with_path};
 use std::f64::consts::FRAC_PI_2;
 
 /// Characters of a title and of other texts, which every plot repeats.
@@ -65,8 +63,7 @@ pub(super) fn frames_key(stage: usize, source: &Source) -> String {
     }
 }
 
-/// What a run keeps in memory, all stages together, is no more than [`MEMORY`]. A run takes no fewer steps than are counted
-/// here.
+/// What a run keeps in memory, all stages together, is no more than [`MEMORY`].
 pub(super) fn of_stages(stages: &[Stage], source: &Source) -> Result<(), CaseError> {
     let kept = || stages.iter().enumerate().flat_map(|(i, stage)| kept(stage, frames_key(i, source)));
     let total: usize = kept().map(|kept| kept.bytes).sum();
@@ -87,32 +84,29 @@ struct Kept {
     help: &'static str,
 }
 
-/// Frames, points through the thickness (of the first frame, the last one and the last state alone), and steps with the
-/// strains of every element where there is a forming limit.
 fn kept(Stage { name, model, .. }: &Stage, frames_key: String) -> [Kept; 3] {
     let (frames, elements, points) = (model.frames.len(), model.blank.elements, model.blank.layers);
-    // Every frame is landed on, and no step is longer than the longest.
-    let steps = frames.max((1.0 / model.settings.max_step).round() as usize);
-    let pathed = if model.forming_limit.is_some() { elements } else { 0 };
-    let instants = steps.min(Paths::MOST);
+    let memory = Memory::of(model);
     [
         Kept {
-            bytes: frames * elements * (size_of::<ElementRecord>() + size_of::<NodeRecord>()),
+            bytes: memory.frames,
             key: frames_key,
             what: format!("stage `{name}` keeps {frames} frames of {elements} elements"),
             help: "keep fewer frames in every stage, or take fewer elements",
         },
         Kept {
-            bytes: elements * points * (2 * size_of::<PointRecord>() + size_of::<MaterialPoint>()),
+            bytes: memory.points,
             key: "blank.layers".into(),
             what: format!("stage `{name}` keeps {points} points through the thickness of {elements} elements"),
             help: "take fewer points, or fewer elements",
         },
         Kept {
-            bytes: steps * size_of::<StepRecord>() + instants * pathed * size_of::<[f64; 2]>(),
+            bytes: memory.steps,
             key: "solver.max_step".into(),
             what: format!(
-                "stage `{name}` keeps {steps} steps or more, and the strains of {pathed} elements for the forming limit"
+                "stage `{name}` keeps {} steps or more, and the strains of {} elements for the forming limit",
+                least_steps(model),
+                with_path(model)
             ),
             help: "take longer steps, or fewer elements",
         },
@@ -144,27 +138,4 @@ pub(super) fn of_model(model: &Model, frames_key: &str, source: &Source) -> Resu
         }
     }
     Ok(())
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// Trust: what a solved case holds, counted in what came out of it.
-    #[test]
-    fn what_is_counted_is_what_a_run_keeps() {
-        let set = ["tools.punch.travel=3 mm", "output.count=20", "blank.layers=15"].map(str::to_owned);
-        let case = crate::case::load("cases/quickstart.toml", &set).unwrap();
-        let solution = case.clone().solve(&mut ());
-        let [frames, points, steps] = kept(&case.stages[0], String::new()).map(|kept| kept.bytes);
-        let stage = &solution.stages[0];
-        let of_frame = |f: &crate::Frame| size_of_val(&f.elements[..]) + size_of_val(&f.nodes[..]);
-        // A sheet has a node more than elements.
-        let ends = stage.frames.len() * size_of::<NodeRecord>();
-        assert_eq!(frames, stage.frames.iter().map(of_frame).sum::<usize>() - ends);
-        let through = stage.start.iter().chain(&stage.frames).map(|f| size_of_val(&f.through.points[..]));
-        let end = stage.end.points.iter().map(size_of_val);
-        assert_eq!(points, through.chain(end).sum::<usize>());
-        assert!(steps <= size_of_val(&stage.steps[..]), "{steps}");
-    }
 }

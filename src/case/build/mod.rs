@@ -35,8 +35,8 @@ use context::{Sheet, ToolContext};
 use friction::Frictions;
 
 use super::file::CaseFile;
-use super::files::Folder;
 use super::{CaseError, source::Source};
+use crate::files::Folder;
 use crate::material::Material;
 use crate::model::{Blank, Mode, Model, Stage, Theory};
 

@@ -1,8 +1,9 @@
 //! A tool's section of its own: drawn, read from a file, or made from another tool; then placed.
 
 use super::context::ToolContext;
+use super::counter::Counter;
 use super::drawn::{Drawn, Origin};
-use super::{counter, place, points, profile};
+use super::{place, points, profile};
 use crate::case::file::{Section, SectionTable};
 use crate::case::{CaseError, source::Source};
 use crate::geometry::Profile;
@@ -30,8 +31,8 @@ pub(super) fn convert(
                 let (profile, points) = points::convert(file, &format!("{path}.file"), fillet, role, context, derived)?;
                 Drawn { profile, path, origin: Origin::Points(points) }
             }
-            Kind::Offset(of) => return counter::offset(of, table, role, path, context, derived),
-            Kind::Mirror(of) => return counter::mirror(of, role, path, context, derived),
+            Kind::Offset(of) => return Counter { role, of, path, context }.offset(table, derived),
+            Kind::Mirror(of) => return Counter { role, of, path, context }.mirror(derived),
         },
     };
     drawn.check_folds(role, context.source)?;

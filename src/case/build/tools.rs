@@ -117,8 +117,8 @@ fn punch_radius(
     half_width: Option<Positive<Length>>,
 ) -> Result<f64, CaseError> {
     let table = format!("tools.punch.{shape}");
-    let found = by_geometry(source, &table, sheet.geometry, ("radius", radius), ("half_width", half_width))?;
-    size(source, &format!("{table}.{}", if radius.is_some() { "radius" } else { "half_width" }), found)
+    let (key, found) = by_geometry(source, &table, sheet.geometry, ("radius", radius), ("half_width", half_width))?;
+    size(source, &format!("{table}.{key}"), found)
 }
 
 /// A radius or width that can be drawn.
@@ -172,8 +172,7 @@ fn holder_profile(
     let Some(section) = &holder.profile else {
         let radius = ("inner_radius", holder.inner_radius);
         let half_width = ("inner_half_width", holder.inner_half_width);
-        let inner = by_geometry(source, "tools.holder", sheet.geometry, radius, half_width)?;
-        let key = if holder.inner_radius.is_some() { "inner_radius" } else { "inner_half_width" };
+        let (key, inner) = by_geometry(source, "tools.holder", sheet.geometry, radius, half_width)?;
         return Ok(Profile::holder(size(source, &format!("tools.holder.{key}"), inner)?, sheet.thickness));
     };
     if holder.inner_radius.or(holder.inner_half_width).is_some() {

@@ -5,14 +5,14 @@ use crate::geometry::Point;
 use crate::model::Geometry;
 use crate::units::{Length, Positive, Quantity, rounded};
 
-/// A length whose key depends on the geometry; the other geometry's key is an error that says so.
+/// A length \[mm\] whose key depends on the geometry, and that key; the other geometry's key is an error that says so.
 pub(super) fn by_geometry(
     source: &Source,
     table: &str,
     geometry: Geometry,
-    axisymmetric: (&str, Option<Positive<Length>>),
-    plane_strain: (&str, Option<Positive<Length>>),
-) -> Result<f64, CaseError> {
+    axisymmetric: (&'static str, Option<Positive<Length>>),
+    plane_strain: (&'static str, Option<Positive<Length>>),
+) -> Result<(&'static str, f64), CaseError> {
     let (name, (key, value), (other_name, (other, wrong))) = match geometry {
         Geometry::Axisymmetric => ("axisymmetric", axisymmetric, ("plane strain", plane_strain)),
         Geometry::PlaneStrain => ("plane strain", plane_strain, ("axisymmetric", axisymmetric)),
@@ -23,7 +23,7 @@ pub(super) fn by_geometry(
             format!("`{other}` belongs to {other_name} cases, this one is {name}"),
             format!("write {key} = \"{} mm\", or change `geometry`", rounded(wrong.value())),
         )),
-        (Some(value), None) => Ok(value.value()),
+        (Some(value), None) => Ok((key, value.value())),
         (None, None) => Err(missing(source, table, key)),
     }
 }

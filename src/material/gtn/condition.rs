@@ -171,3 +171,16 @@ impl YieldCondition for GtnCondition {
         self.share
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use crate::material::{Gtn, Hill48};
+
+    #[test]
+    fn metal_without_voids_keeps_its_volume() {
+        for voids in [Gtn::gurson(0.0), Gtn::example()] {
+            let [_, volume] = voids.condition(Hill48::default(), 0.0).strains([0.01, 0.0, 0.0]);
+            assert_eq!(volume, 0.0);
+        }
+    }
+}

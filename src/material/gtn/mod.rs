@@ -242,6 +242,3 @@ impl fmt::Display for Gtn {
         Ok(())
     }
 }
-
-#[cfg(test)]
-mod tests;

@@ -58,36 +58,3 @@ impl Hardening {
         self.law().temperatures()
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use approx::assert_relative_eq;
-
-    /// Trust: central differences, h = 1e-4 ε: truncation near 1e-8 of the slope, cancellation below 1e-6.
-    #[test]
-    fn slope_is_the_derivative_of_the_stress_for_every_law() {
-        for (name, law) in Hardening::examples() {
-            for strain in [1e-7, 3e-5, 1e-3, 0.013, 0.09, 0.21, 0.37, 0.75, 1.4] {
-                let h = 1e-4 * strain;
-                let difference = (law.at(strain + h).stress - law.at(strain - h).stress) / (2.0 * h);
-                assert_relative_eq!(law.at(strain).slope, difference, max_relative = 1e-5, epsilon = 1e-4);
-                assert!(law.at(strain).stress.is_finite(), "{name}");
-            }
-        }
-    }
-
-    #[test]
-    fn every_law_is_positive_continuous_and_never_softens() {
-        for (name, law) in Hardening::examples() {
-            let mut last = law.at(0.0).stress;
-            assert!(last >= 0.0, "{name}");
-            for i in 1..40_000 {
-                let now = law.at(i as f64 * 5e-5);
-                assert!(now.stress >= last - 1e-9 && now.slope >= -1e-9, "{name} softens at {}", i as f64 * 5e-5);
-                assert!(i < 20 || now.stress - last < 0.05 * now.stress, "{name} jumps at {}", i as f64 * 5e-5);
-                last = now.stress;
-            }
-        }
-    }
-}

@@ -2,7 +2,7 @@
 
 use super::Summary;
 use crate::case::Solution;
-use crate::output::stages;
+use crate::output::{Results, StageView, stages};
 use serde::ser::{Serialize, SerializeMap, Serializer};
 use std::fmt;
 
@@ -19,15 +19,28 @@ pub struct CaseSummary {
     pub lines: String,
 }
 
+impl CaseSummary {
+    fn of(solution: &Solution, views: &[StageView]) -> Self {
+        Self {
+            case: solution.case.name.clone(),
+            complete: solution.is_complete(),
+            stages: views.iter().map(Summary::of).collect(),
+            lines: stages::printed(solution),
+        }
+    }
+}
+
 impl Solution {
     /// Sums up every stage.
     pub fn summary(&self) -> CaseSummary {
-        CaseSummary {
-            case: self.case.name.clone(),
-            complete: self.is_complete(),
-            stages: self.views().iter().map(Summary::of).collect(),
-            lines: stages::printed(self),
-        }
+        CaseSummary::of(self, &self.views())
+    }
+}
+
+impl Results<'_> {
+    /// Sums up every stage.
+    pub fn summary(&self) -> CaseSummary {
+        CaseSummary::of(self.solution, &self.views)
     }
 }
 

@@ -1,5 +1,6 @@
 //! The shipped cases as models, and whole runs of them.
 
+use stampflow::case::Case;
 use stampflow::model::Model;
 use stampflow::solution::{StageSolution, StepRecord};
 use stampflow::{case, solver};
@@ -17,11 +18,16 @@ pub const DRAWN: [&str; 9] = [
     "hydroform",
 ];
 
-/// A case of `cases/`, with overrides such as `tools.punch.friction=0.1`.
+/// The model of a case of `cases/`, with overrides such as `tools.punch.friction=0.1`.
 pub fn shipped(name: &str, overrides: &[&str]) -> Model {
+    shipped_case(name, overrides).model().clone()
+}
+
+/// A case of `cases/`, with overrides.
+pub fn shipped_case(name: &str, overrides: &[&str]) -> Case {
     let path = format!("{}/cases/{name}.toml", env!("CARGO_MANIFEST_DIR"));
     let overrides: Vec<String> = overrides.iter().map(|o| (*o).to_owned()).collect();
-    case::load(&path, &overrides).unwrap_or_else(|e| panic!("{e}")).model().clone()
+    case::load(&path, &overrides).unwrap_or_else(|e| panic!("{e}"))
 }
 
 /// Runs a model that has to reach its full travel.

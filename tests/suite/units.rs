@@ -1,7 +1,12 @@
-use super::unit::UNITS;
-use super::*;
+//! Quantities, headers and numbers as they are read and written.
+
 use approx::assert_relative_eq;
 use proptest::prelude::*;
+use stampflow::units::{
+    Angle, Conductivity, Density, Energy, Force, HeatTransfer, Length, LineForce, NonNegative, PerKelvin, Positive,
+    Quantity, QuantityError, Ratio, SpecificHeat, Speed, Stress, Temperature, Time, four_digits, parse, rounded,
+    significant, trimmed, without_zeros,
+};
 
 fn value<Q: Quantity + std::str::FromStr<Err = QuantityError>>(text: &str) -> f64 {
     text.parse::<Q>().unwrap_or_else(|e| panic!("{text}: {e}")).value()
@@ -99,12 +104,26 @@ proptest! {
         let length = Length::checked(x, "x").unwrap();
         prop_assert_eq!(length.to_string().parse::<Length>().unwrap(), length);
     }
+}
 
-    #[test]
-    fn every_unit_scales_by_its_factor(x in -1e3..1e3f64, i in 0..UNITS.len()) {
-        let unit = &UNITS[i];
-        let parsed = parse(&format!("{x} {}", unit.0)).unwrap();
-        prop_assert_eq!(parsed.value, x * unit.1);
-        prop_assert_eq!(parsed.dimension, unit.2);
+/// Trust: by hand.
+#[test]
+fn numbers_are_written_without_noise() {
+    assert_eq!([rounded(31.400000000000002), rounded(-0.0), significant(0.0123456, 4)], [31.4, 0.0, 0.01235]);
+    assert!(rounded(-0.0).is_sign_positive());
+    for (value, decimals, text) in
+        [(30.5, 3, "30.5"), (-0.0001, 3, "0"), (100.0, 0, "100"), (1.23456, 3, "1.235"), (120.0, 2, "120")]
+    {
+        assert_eq!(trimmed(value, decimals), text);
+    }
+    assert_eq!([without_zeros("10.500"), without_zeros("100")], ["10.5", "100"]);
+}
+
+#[test]
+fn numbers_are_printed_with_four_digits() {
+    for (value, text) in
+        [(0.0, "0"), (43_210.6, "43211"), (44.123_4, "44.12"), (0.612_34, "0.6123"), (-0.000_012, "-1.20e-5")]
+    {
+        assert_eq!(four_digits(value), text);
     }
 }

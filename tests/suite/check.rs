@@ -1,10 +1,12 @@
-use super::*;
-use crate::case;
+//! The check of a case before it is run: its numbers by hand, its doubts, its text.
+
+use crate::common::shipped::shipped_case;
 use approx::assert_relative_eq;
+use stampflow::assess::check::{Check, report};
+use stampflow::case::Case;
 
 fn quickstart(overrides: &[&str]) -> Case {
-    let overrides: Vec<String> = overrides.iter().map(|o| (*o).to_owned()).collect();
-    case::parse(include_str!("../../../cases/quickstart.toml"), "quickstart.toml", &overrides).expect("valid")
+    shipped_case("quickstart", overrides)
 }
 
 fn value(check: &Check, label: &str) -> f64 {
@@ -25,29 +27,6 @@ fn numbers_of_the_quickstart_are_those_of_a_hand_calculation() {
     assert_relative_eq!(value(&check, "advised pressure"), siebel, epsilon = 5e-4);
     assert_relative_eq!(value(&check, "clearance"), 1.25);
     assert!(check.warnings.is_empty(), "{:?}", check.warnings);
-}
-
-/// Trust: the example of the handbook that the rule was read in: β 2, d 100 mm, s 1 mm, R_m 310 MPa give 1.16 MPa.
-#[test]
-fn the_advised_pressure_is_that_of_the_handbooks_example() {
-    let overrides = [
-        "blank.radius=100 mm",
-        "tools.punch.flat.radius=50 mm",
-        "tools.die.throat=51.25 mm",
-        "tools.holder.inner_radius=57.25 mm",
-    ];
-    let pressure = estimate::siebel_pressure(quickstart(&overrides).model(), 310.0).unwrap();
-    assert_relative_eq!(pressure, 1.1625, epsilon = 1e-9);
-    assert_relative_eq!(pressure, 1.16, epsilon = 5e-3);
-}
-
-/// Trust: with sharp enough corners the part is a cylinder of known area, drawn through where its area is the blank's.
-#[test]
-fn drawn_share_is_the_area_of_a_sharp_cup() {
-    let sharp = ["tools.punch.flat.nose=0.01 mm", "tools.die.shoulder=0.01 mm"];
-    let model = quickstart(&sharp).model().clone();
-    let cup = 30.0 * 30.0 + 2.0 * 30.0 * 25.0 + 31.26 * 31.26 - 30.0 * 30.0;
-    assert_relative_eq!(estimate::drawn_share(&model).unwrap(), cup / (55.0 * 55.0), epsilon = 1e-3);
 }
 
 #[test]

@@ -1,9 +1,12 @@
 //! Comparisons of synthetic curves whose answer is known.
 
-use super::*;
-use crate::model::Geometry;
-use crate::solution::{ElementRecord, StepRecord};
-use crate::table::{Column, Csv};
+use stampflow::compare::{
+    Against, BandQuantity, BandSpec, CompareError, Comparison, Computed, CurveSpec, Data, Found, Points, Quantity,
+    Source, Spec, Verdict, compare,
+};
+use stampflow::model::Geometry;
+use stampflow::solution::{ElementRecord, StepRecord};
+use stampflow::table::{Column, Csv};
 
 const PROVENANCE: &str = "[\"curve.csv\"]\ncitation = \"A. Uthor, A title, 1990.\"\nkind = \"experiment\"\ngrade = \"A\"\n\
                        scatter = \"5 %\"\n";

@@ -1,8 +1,11 @@
-use super::*;
-use crate::material::Hill48;
-use crate::material::hardening::{Hardening, Hollomon, Swift as SwiftLaw, Voce};
-use crate::material::rate::{PowerRate, Rate};
 use approx::assert_relative_eq;
+use stampflow::forming_limit::{
+    Hill, Instant, KeelerBrazier, Kind, MarciniakKuczynski, Paths, Points, Sheet, Strain, Swift, assess, power_law,
+    uniform_strain,
+};
+use stampflow::material::hardening::{Hollomon, Swift as SwiftLaw, Voce};
+use stampflow::material::rate::PowerRate;
+use stampflow::material::{Hardening, Hill48, Material, Rate};
 
 /// A power law; the offset of 1e-6 shifts limits by as much.
 fn power(n: f64, r: f64) -> Material {
@@ -210,7 +213,8 @@ fn the_groove_is_monotone_and_has_its_rate_free_limit() {
 /// Trust: by hand. Two elements, one along a line and one around a corner, on a level curve.
 #[test]
 fn paths_are_judged_by_their_ends_their_bends_and_when_they_cross() {
-    let curve = Curve::new("level", vec![[-1.0, 0.3], [1.0, 0.3]], vec![]).expect("a curve");
+    let level = Points { points: vec![[-1.0, 0.3], [0.3, 0.3]], strain: Strain::Logarithmic };
+    let curve = Kind::Points(level).curve(&sheet(&power(0.2, 1.0))).expect("a curve");
     let at = |time: f64, strains: [[f64; 2]; 2]| Instant { time, travel: 10.0 * time, strains: strains.to_vec() };
     let mut paths = Paths::starting(vec![1.0, 2.0]);
     paths.push(at(0.0, [[0.0, 0.0], [0.0, 0.0]]));

@@ -1,6 +1,6 @@
 //! The laws that a case can name, with their parameters, read off the JSON schema: what is listed is what is accepted.
 
-use super::schema::definition;
+use crate::case::definition;
 use serde::Serialize;
 use serde_json::Value;
 use std::fmt::Write;
@@ -152,31 +152,4 @@ fn description(schema: &Value) -> &str {
 fn reference(schema: &Value) -> Option<&str> {
     let mut choices = std::iter::once(schema).chain(schema["anyOf"].as_array().into_iter().flatten());
     choices.find_map(|choice| choice["$ref"].as_str()?.rsplit('/').next())
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::contact::friction::Friction;
-    use crate::material::{Hardening, Rate, ThermalLaw};
-
-    #[test]
-    fn every_law_is_listed_with_a_source_and_its_parameters() {
-        let text = laws();
-        let names = |list: Vec<&'static str>| list.into_iter().map(|n| n.split([' ', ',']).next().unwrap_or(n));
-        let all = names(Hardening::examples().into_iter().map(|(n, _)| n).collect())
-            .chain(names(Rate::examples().into_iter().map(|(n, _)| n).collect()))
-            .chain(names(ThermalLaw::examples().into_iter().map(|(n, _)| n).collect()))
-            .chain(["voids"])
-            .chain(names(Friction::examples().into_iter().map(|(n, _)| n).collect()))
-            .filter(|name| *name != "coulomb");
-        let friction = names(Friction::examples().into_iter().map(|(n, _)| n).collect()).collect::<Vec<_>>();
-        for name in all {
-            let at = text.find(&format!("\n  {name}\n")).unwrap_or_else(|| panic!("{name} is not listed"));
-            let block = text[at + 1..].split("\n\n").next().expect("a block");
-            assert!(block.contains("Source: "), "{block}");
-            assert!(block.contains("Valid ") || friction.contains(&name), "no range of validity: {block}");
-            assert!(block.lines().any(|line| line.starts_with("      ")), "no parameters: {block}");
-        }
-    }
 }

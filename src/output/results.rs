@@ -1,0 +1,26 @@
+//! A solution looked over: what all of its outputs are made from.
+
+use super::StageView;
+use crate::case::Solution;
+use crate::compare::{CompareError, Comparison};
+
+/// A solution looked over once: what its outputs are made from.
+#[derive(Clone, Debug)]
+pub struct Results<'a> {
+    /// The case and what came out of it.
+    pub solution: &'a Solution,
+    /// Every stage that was run.
+    pub views: Vec<StageView<'a>>,
+    /// What the case is compared with beside what its first stage computed.
+    pub comparisons: Vec<Comparison>,
+}
+
+impl<'a> Results<'a> {
+    /// Looks a solution over.
+    ///
+    /// # Errors
+    /// When a reference of the case cannot be read or does not fit.
+    pub fn of(solution: &'a Solution) -> Result<Self, CompareError> {
+        Ok(Self { solution, views: solution.views(), comparisons: solution.comparisons()? })
+    }
+}

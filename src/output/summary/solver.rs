@@ -1,0 +1,82 @@
+//! How the numbers of a stage were found.
+
+use super::{Summary, largest};
+use crate::model::{Grading, Iteration, Model, Norm, Theory};
+use crate::solution::{Effort, StageSolution, StepRecord};
+use crate::table::Unit;
+
+impl Summary {
+    /// Contact, mesh, method and effort.
+    pub(super) fn solver(&mut self, model: &Model, run: &StageSolution, last: &StepRecord) {
+        let largest = |value| largest(run, value);
+        self.number("sticking", "Contacts that stick at the end", Unit::Percent, 100.0 * last.sticking);
+        self.count("flips", "Contacts that came or went", run.steps.iter().map(|s| s.contact_changes).sum());
+        self.number("strain_increment", "Largest strain of one step", Unit::None, largest(|s| s.strain_increment));
+        self.text("mesh", "Mesh", &mesh(model));
+        if model.blank.theory == Theory::Selective {
+            let (share, points) = bent(model, run);
+            self.number("bending_share", "  elements times steps that bent", Unit::Percent, 100.0 * share);
+            self.number("point_share", "  law points over those of full bending", Unit::Percent, 100.0 * points);
+        }
+        self.text("corrector", "Corrector", &corrector(model));
+        let Effort { predictor, secant, softened, halved, overstrained, abandoned } = run.effort;
+        self.count("steps", "Steps", run.steps.len());
+        self.count("steps_from_predictor", "  solved from the predictor", predictor);
+        self.count("steps_from_secant", "  from a secant start at rest", secant);
+        self.count("steps_from_softened", "  from a softened start", softened);
+        self.count("iterations", "Iterations", run.steps.iter().map(|s| s.iterations).sum());
+        self.number("velocity_norm", "Largest accepted velocity norm", Unit::None, largest(|s| s.velocity_norm));
+        self.number("residual_norm", "Largest accepted residual norm", Unit::None, largest(|s| s.residual_norm));
+        self.count("rejected", "Rejected tries", run.steps.iter().map(|s| s.rejected).sum::<usize>() + abandoned);
+        self.count("steps_halved", "  steps halved", halved);
+        self.count("steps_overstrained", "  repeated for too much strain", overstrained);
+    }
+}
+
+/// Share of the elements that bent, of all steps, and share of the thickness points that full bending would have evaluated in
+/// as many iterations \[–\].
+fn bent(model: &Model, run: &StageSolution) -> (f64, f64) {
+    let (elements, layers) = (model.blank.elements as f64, model.blank.layers as f64);
+    let (mut bent, mut all, mut points, mut full) = (0.0, 0.0, 0.0, 0.0);
+    for step in &run.steps {
+        let bending = step.bending as f64;
+        // One more evaluation finds the step in equilibrium.
+        let evaluations = step.iterations as f64 + 1.0;
+        bent += bending;
+        all += elements;
+        points += evaluations * (bending * layers + elements - bending);
+        full += evaluations * elements * layers;
+    }
+    if all > 0.0 { (bent / all, points / full) } else { (0.0, 0.0) }
+}
+
+fn mesh(model: &Model) -> String {
+    let blank = &model.blank;
+    let theory = match blank.theory {
+        Theory::Bending => format!("bending elements, {} layers", blank.layers),
+        Theory::Membrane => "membrane elements".to_owned(),
+        Theory::Selective => {
+            format!("elements, bending with {} layers where t/R is above {}", blank.layers, model.settings.bend_ratio)
+        }
+    };
+    let grading = match blank.grading {
+        Grading::Uniform => "uniform",
+        Grading::Radii => "graded where the tools' radii ask for it",
+    };
+    format!("{} {theory}, {grading}", blank.elements)
+}
+
+fn corrector(model: &Model) -> String {
+    let settings = &model.settings;
+    let matrix = match settings.iteration {
+        Iteration::PrimalDual => "primal-dual Newton",
+        Iteration::Newton => "Newton",
+        Iteration::Secant => "secant",
+    };
+    let norm = match settings.norm {
+        Norm::Velocity => "velocity norm",
+        Norm::Residual => "residual norm",
+        Norm::Both => "velocity and residual norm",
+    };
+    format!("{matrix} matrix, {norm} below {:e}", settings.tolerance)
+}

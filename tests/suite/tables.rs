@@ -1,0 +1,87 @@
+//! Tables in memory, and CSV files that are read.
+
+use stampflow::table::{Axis, Column, Csv, CsvError, Table, Unit};
+
+/// Rows that a file may have at most, as `stampflow::files` has it.
+const MOST: usize = 100_000;
+
+fn column(key: &'static str, label: &'static str, unit: Unit) -> Column {
+    Column::new(key, label, unit, vec![1.0, 2.0])
+}
+
+#[test]
+fn header_and_axis_name_the_same_quantity_and_unit() {
+    for (unit, header, axis) in [
+        (Unit::N, "punch_force_N", "Punch force [N]"),
+        (Unit::NPerMm, "punch_force_N_per_mm", "Punch force [N/mm]"),
+        (Unit::None, "punch_force", "Punch force [–]"),
+        (Unit::MPa, "punch_force_MPa", "Punch force [MPa]"),
+    ] {
+        let c = column("punch_force", "Punch force", unit);
+        assert_eq!(c.header(), header);
+        assert_eq!(c.axis().text(), axis);
+    }
+}
+
+#[test]
+fn a_shared_axis_carries_the_common_words() {
+    let (a, b) = (column("a", "Punch force", Unit::N), column("b", "Holder force", Unit::N));
+    assert_eq!(Axis::shared(&[&a, &b]).text(), "Force [N]");
+    assert_eq!(Axis::shared(&[&a]).text(), a.axis().text());
+    let (c, d) = (column("c", "Thickness", Unit::Mm), column("d", "Draw-in", Unit::Mm));
+    assert_eq!(Axis::shared(&[&c, &d]).text(), "Thickness, Draw-in [mm]");
+}
+
+#[test]
+#[should_panic(expected = "different units")]
+fn different_units_cannot_share_an_axis() {
+    Axis::shared(&[&column("a", "A", Unit::N), &column("b", "B", Unit::Mm)]);
+}
+
+#[test]
+fn columns_are_found() {
+    let table = Table::new(vec![column("a", "A", Unit::N), column("b", "B", Unit::Mm)]);
+    assert_eq!(table.rows(), 2);
+    assert_eq!(table.column("b").label, "B");
+}
+
+fn read(text: &str) -> Result<Csv, CsvError> {
+    Csv::read(text, "the file", "write r_mm,z_mm")
+}
+
+#[test]
+fn rows_know_their_lines_between_comments_and_empty_lines() {
+    let text = "# of a test\n\nr_mm , z_in\n0,1\n\n# between\n# two\n\"2\",\n  3 , 4\n";
+    let csv = read(text).unwrap();
+    assert_eq!(csv.header.line, 3);
+    let rows: Vec<_> = csv.rows.iter().map(|row| (row.line, row.number(0), row.number(1))).collect();
+    assert_eq!(
+        rows,
+        [(4, Ok(Some(0.0)), Ok(Some(1.0))), (8, Ok(Some(2.0)), Ok(None)), (9, Ok(Some(3.0)), Ok(Some(4.0)))]
+    );
+    assert_eq!((csv.column("z_in"), csv.unit(1)), (Some(1), Ok((Unit::Mm, 25.4))));
+}
+
+/// Looking for each line from the first one would take minutes.
+#[test]
+fn a_long_file_is_gone_through_once() {
+    let text = format!("# long\nr_mm,z_mm\n{}", "#\n1,2\n".repeat(MOST));
+    assert_eq!(read(&text).unwrap().rows.last().unwrap().line, 2 + 2 * MOST);
+    let error = read(&format!("{text}3,4\n")).unwrap_err();
+    assert_eq!((error.line, error.to_string()), (Some(3 + 2 * MOST), format!("there are more than {MOST} rows")));
+}
+
+#[test]
+fn what_is_no_table_is_named_by_a_word() {
+    for (text, says) in [
+        ("root:x:0:0:root:/root:/bin/bash\ndaemon:x:1:1\n", "begins with \"root\""),
+        ("Dear Sir, we write to you\nabout secrets\n", "begins with \"Dear\""),
+        ("\u{0}\u{1}\u{2}", "begins with \"\""),
+        ("{\"a\": 1}", "no table"),
+    ] {
+        let error = read(text).unwrap_err();
+        assert!(error.line.is_none() && error.to_string().contains(says), "{error}");
+    }
+    let word = read(&format!("r_mm\n{}\n", "x".repeat(5000))).unwrap().rows[0].number(0).unwrap_err();
+    assert!(word.to_string().len() < 100, "{word}");
+}
