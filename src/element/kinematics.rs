@@ -92,12 +92,15 @@ impl Reference {
     }
 
     /// Areas of the lower and the upper face of a sheet of this `thickness` \[mm\] over that of its mid-surface \[–\]; the
-    /// lower face lies along −n, on the inside of a sheet that turns to the left.
+    /// lower face lies along −n, on the outside of a sheet that turns to the left; equal in a membrane, which has no turn.
     ///
     /// ```text
     /// (1 ∓ ½ t dθ/ds)(1 ∓ ½ t sin θ/r), − for the upper face
     /// ```
     pub fn faces(&self, turn: f64, thickness: f64) -> [f64; 2] {
+        if !self.bending {
+            return [1.0; 2];
+        }
         let around = if self.hoop { self.mean_rotation.sin() / self.radius } else { 0.0 };
         [1.0, -1.0].map(|side| {
             let h = 0.5 * side * thickness;

@@ -1,6 +1,6 @@
 //! Verification of selective bending: against bending everywhere, and against membrane theory where nothing bends.
 
-use crate::common::shipped::{DRAWN, last, peak, shipped, solve};
+use crate::common::shipped::{DRAWN, before_the_neck, last, peak, shipped, solve};
 use stampflow::model::mesh;
 use stampflow::model::{Model, Theory};
 use stampflow::solution::StageSolution;
@@ -31,7 +31,7 @@ fn largest_difference(run: &StageSolution, other: &StageSolution) -> (f64, f64) 
 #[test]
 fn selective_bending_gives_the_punch_force_of_bending_everywhere() {
     for name in ["woo_hemispherical", "chalmers_cup", "quickstart"] {
-        let model = shipped(name, &[]);
+        let model = before_the_neck(name, &[]);
         let (full, run) = (solve(&model), solve(&with(Theory::Selective, &model)));
         let (difference, travel) = largest_difference(&run, &full);
         println!("{name}: punch force off by {:+.2} % of the peak at most, at {travel:.1} mm", 100.0 * difference);
@@ -49,7 +49,7 @@ fn selective_bending_gives_the_punch_force_of_bending_everywhere() {
 #[test]
 fn every_shipped_case_runs_with_selective_bending() {
     for name in DRAWN {
-        let full = with(Theory::Bending, &shipped(name, &["blank.theory=\"bending\""]));
+        let full = with(Theory::Bending, &before_the_neck(name, &["blank.theory=\"bending\""]));
         let (full, run) = (solve(&full), solve(&with(Theory::Selective, &full)));
         let rejected: usize = run.steps.iter().map(|r| r.rejected).sum();
         let (difference, travel) = largest_difference(&run, &full);

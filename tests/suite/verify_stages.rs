@@ -141,9 +141,9 @@ fn trimming_takes_the_rim_and_nothing_else() {
     let (kept, all) = (state.thickness.len(), left.thickness.len());
     assert!(kept < all && state.nodes.len() == kept + 1);
     assert_eq!(state.points.len(), kept * draw.blank.layers);
-    assert_eq!(state.pressure.len(), (kept + 1) * draw.tools.len());
+    assert_eq!(state.pressure.len(), state.contact_points() * draw.tools.len());
     for (j, of_tool) in state.pressure.rows().enumerate() {
-        assert_eq!(of_tool, &left.pressure.row(j)[..=kept]);
+        assert_eq!(of_tool, &left.pressure.row(j)[..state.contact_points()]);
     }
     let middle = |e: usize| 0.5 * (left.nodes[e][0] + left.nodes[e + 1][0]);
     assert!(middle(kept - 1) <= 45.0 && middle(kept) > 45.0);
