@@ -24,6 +24,7 @@ mod profiles;
 mod report;
 mod scripts;
 mod templates;
+mod tool_ends;
 mod validation;
 mod verdict;
 mod verify_bulge;
