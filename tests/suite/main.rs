@@ -23,6 +23,7 @@ mod package;
 mod profiles;
 mod report;
 mod scripts;
+mod stops;
 mod templates;
 mod tool_ends;
 mod validation;

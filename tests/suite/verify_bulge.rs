@@ -189,7 +189,7 @@ fn largest_pressure_is_the_same_by_load_and_by_rate() {
     for theory in [Theory::Membrane, Theory::Bending] {
         let found = [0.01, 0.001].map(|step| {
             let given = with_step(theory, rising(), step);
-            let Stop::PressureMaximum { pressure, height } = given.stop else { panic!("{}", given.stop) };
+            let Stop::PressureMaximum { pressure, height, .. } = given.stop else { panic!("{}", given.stop) };
             let run = with_step(theory, held(0.8), step);
             let largest = run.steps.iter().max_by(|a, b| a.pressure.total_cmp(&b.pressure)).expect("steps");
             let end = shipped::last(&run);
