@@ -18,6 +18,7 @@ mod friction;
 mod hardening;
 mod holder;
 mod ironing;
+mod line_end;
 mod mesh;
 mod moment;
 mod nearest;
@@ -69,6 +70,7 @@ const BEFORE: &[Before] = &[
     Before::Tool(bending_radius::small),
     Before::Tool(friction::dry),
     Before::Tool(sharp_corner::met),
+    Before::Tool(line_end::passed),
     Before::Model(clearance::narrow),
     Before::Model(mesh::coarse),
     Before::Model(draw_ratio::large),

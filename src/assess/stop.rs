@@ -26,6 +26,12 @@ pub(super) fn judge(run: &Run) -> Option<Finding> {
         Stop::PressureMaximum { .. } => {
             "a lower pressure, or a slower one with a rate-sensitive metal; a smaller height"
         }
+        Stop::Mechanism { .. } => {
+            "blank.theory = \"bending\"; or a holder with friction, a bead or a clamped edge that pulls the strip tight"
+        }
+        Stop::Arched { .. } => {
+            "a holder that keeps the legs from swinging, a larger gap between punch and die, or a shorter travel"
+        }
         Stop::DrawnThrough { .. } => "a shorter travel or a larger blank; more holder force keeps the edge back",
         Stop::ToolsClosed { .. } => "a shorter travel, or a larger gap between punch and die",
         Stop::NoEquilibrium { .. } => "what the stop names; else a finer mesh at the radii (blank.elements)",

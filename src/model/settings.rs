@@ -47,7 +47,8 @@ pub struct Settings {
     #[cfg_attr(feature = "case", serde(with = "As::<Positive<Number>>"))]
     #[cfg_attr(feature = "schema", schemars(example = 0.003))]
     pub contact_smoothing: f64,
-    /// Sliding speed at which friction has reached 71 % of its full value, over the punch speed; 0.01 when not given.
+    /// Sliding speed at which friction has reached 71 % of its full value, over the punch speed, or over that of one sheet
+    /// thickness in the whole run or stage where the punch goes less far; 0.01 when not given.
     #[cfg_attr(feature = "case", serde(with = "As::<Positive<Number>>"))]
     #[cfg_attr(feature = "schema", schemars(example = 0.01))]
     pub slip_speed: f64,

@@ -29,12 +29,28 @@ pub enum Stop {
         /// Punch travel then \[mm\].
         travel: f64,
     },
-    /// The gas pressure has come to the largest that the sheet can bear at the height of its middle.
+    /// The gas pressure has come to the largest that a free place of the sheet can bear.
     PressureMaximum {
         /// The largest pressure \[MPa\].
         pressure: f64,
-        /// Height of the sheet's middle then \[mm\].
+        /// Height of that place then above the flat blank, along the punch travel \[mm\].
         height: f64,
+        /// Initial distance from the axis of that place \[mm\].
+        s0: f64,
+    },
+    /// A strip of membranes that nothing holds: it bears no load.
+    Mechanism {
+        /// Punch travel there \[mm\].
+        travel: f64,
+        /// Initial distance from the symmetry plane of the node that gives way \[mm\].
+        s0: f64,
+    },
+    /// The sheet has left the punch as an arch that snaps through.
+    Arched {
+        /// Punch travel there \[mm\].
+        travel: f64,
+        /// How far the sheet's middle is ahead of the punch \[mm\].
+        ahead: f64,
     },
     /// One place takes all the stretching while its surroundings stop.
     Localised {
@@ -117,6 +133,8 @@ impl Stop {
             Stop::LoadMaximum { .. } => "load maximum passed",
             Stop::ContactShare { .. } => "contact share reached",
             Stop::PressureMaximum { .. } => "pressure maximum reached",
+            Stop::Mechanism { .. } => "mechanism",
+            Stop::Arched { .. } => "arched",
             Stop::Localised { .. } => "localised",
             Stop::Coalesced { .. } => "voids coalesced",
             Stop::DrawnThrough { .. } => "drawn through",
@@ -146,10 +164,20 @@ impl std::fmt::Display for Stop {
                     100.0 * asked
                 )
             }
-            Stop::PressureMaximum { pressure, height } => write!(
+            Stop::PressureMaximum { pressure, height, s0 } => write!(
                 f,
-                "pressure maximum reached: no equilibrium beyond {pressure:.4} MPa, at a dome height of {height:.2} mm; \
-                 the sheet would run away and burst"
+                "pressure maximum reached: no equilibrium beyond {pressure:.4} MPa, where the sheet at s0 = {s0:.1} mm is at a \
+                 height of {height:.2} mm; it would run away there and burst"
+            ),
+            Stop::Mechanism { travel, s0 } => write!(
+                f,
+                "mechanism: at {travel:.2} mm of travel nothing holds the strip of membranes, which bears load by tension \
+                 alone; it gives way at s0 = {s0:.1} mm"
+            ),
+            Stop::Arched { travel, ahead } => write!(
+                f,
+                "arched: at {travel:.2} mm of travel the sheet's middle is {ahead:.2} mm ahead of the punch, an arch that its \
+                 legs push up and that snaps through"
             ),
             Stop::Localised { travel, s0, share, why } => write!(
                 f,

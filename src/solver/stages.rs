@@ -135,10 +135,7 @@ fn met(model: &Model, state: &State, j: usize) -> f64 {
         let moved = from + towards * way;
         (0..state.nodes.len()).any(|i| {
             let x = Point::new(state.nodes[i][0] - state.tools[j].x, state.nodes[i][1] - moved);
-            let closest = tool.profile.closest(x);
-            let off_its_end = tool.profile.ends_at(x - closest.distance * closest.normal);
-            closest.distance.abs() - 0.5 * state.thickness_at(i) < waiting(model)
-                || (closest.distance < 0.0 && !off_its_end)
+            tool.profile.closest(x).distance - 0.5 * state.thickness_at(i) < waiting(model)
         })
     };
     let steps = (most / (APPROACH * t)).ceil() as usize;

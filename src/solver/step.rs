@@ -79,7 +79,7 @@ impl<'a> Step<'a> {
             dt,
             process_time,
             number,
-            slip_scale: model.settings.slip_speed * model.speed * process_time,
+            slip_scale: slip_speed(model) * process_time,
             rotates: rotating(&bends),
             areas: references.iter().flat_map(Reference::contact_areas).collect(),
             rise: rise(&references, &state.thickness),
@@ -117,6 +117,12 @@ impl<'a> Step<'a> {
         let layered = self.process.rule.len() > 1;
         (0..self.bends.len()).filter(move |&e| layered && !self.bends[e])
     }
+}
+
+/// v₀ of friction \[mm/s\]: a share of the speed of the process, which is at least that of one thickness in the whole run. A
+/// stage of less travel than that hardly slides anywhere: a share of its own speed would make friction a cliff.
+fn slip_speed(model: &Model) -> f64 {
+    model.settings.slip_speed * model.speed.max(model.blank.thickness / model.duration)
 }
 
 /// Volume of each element at the end of a step of `dt` \[s\] \[mm³, or mm² in plane strain\] and its growth \[–\], foreseen

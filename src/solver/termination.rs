@@ -1,9 +1,5 @@
 //! Why a run ends before its full travel, other than for want of equilibrium: what the sheet or the tools say.
 
-use super::corrector::Outcome;
-use super::evaluation::Evaluation;
-use super::step::Step;
-use crate::element::surface::STATIONS;
 use crate::geometry::Point;
 use crate::model::{Edge, Model, Motion, Role};
 use crate::numerics::bisect;
@@ -17,8 +13,6 @@ const GONE: f64 = 0.2;
 const LASTING: f64 = 0.01;
 /// Distance of two rigid tools over the initial thickness at which the run ends \[–\].
 const CLOSED: f64 = 0.5;
-/// Rise of the dome per pressure over its mean so far that tells a pressure maximum from a failure to converge \[–\].
-const RUNAWAY: f64 = 5.0;
 
 /// What a free edge may be drawn through.
 struct Throat {
@@ -122,16 +116,6 @@ fn why(model: &Model, state: &State, neck: &Neck) -> String {
     )
 }
 
-/// Whether a run under gas pressure alone has come to the largest pressure: the dome rises without bound as it ends.
-fn pressure_maximum(model: &Model, steps: &[StepRecord]) -> Option<Stop> {
-    let [.., before, last] = steps else { return None };
-    let pushed = model.tools.iter().all(|tool| tool.role != Role::Punch) && last.pressure > before.pressure;
-    let rise = (last.pole_height - before.pole_height) / (last.pressure - before.pressure);
-    let mean = last.pole_height / last.pressure;
-    (pushed && rise > RUNAWAY * mean)
-        .then_some(Stop::PressureMaximum { pressure: last.pressure, height: last.pole_height })
-}
-
 /// The travel at which punch and die come to [`CLOSED`] thicknesses on their way to each other, and where.
 fn closed(model: &Model, state: &State) -> Option<(f64, Point)> {
     let index = |role: Role| model.tools.iter().position(|tool| tool.role == role);
@@ -157,52 +141,4 @@ fn closed(model: &Model, state: &State) -> Option<(f64, Point)> {
     let is_closed = |travel: f64| apart(travel).0 < limit;
     let [_, high] = bisect(travel_of(hit - 1), travel_of(hit), 40, |travel| !is_closed(travel));
     (high < model.travel).then(|| (high, apart(high).1))
-}
-
-/// Why no equilibrium was found for `step`, however short, after `steps`; `outcome` is that of its last try.
-pub(super) fn no_equilibrium(step: &Step, evaluation: &Evaluation, outcome: &Outcome, steps: &[StepRecord]) -> Stop {
-    let state = step.state;
-    pressure_maximum(step.model, steps).unwrap_or_else(|| Stop::NoEquilibrium {
-        travel: state.travel,
-        time: state.time,
-        step: step.dt,
-        velocity_norm: outcome.velocity_norm,
-        residual_norm: outcome.residual_norm,
-        worst_s0: state.s0[evaluation.worst_node],
-        diagnosis: diagnosis(step, evaluation, &steps.last().copied().unwrap_or_default()),
-    })
-}
-
-/// What the sheet was doing where no equilibrium was found, and what to try.
-fn diagnosis(step: &Step, evaluation: &Evaluation, last: &StepRecord) -> String {
-    let Step { model, state, .. } = *step;
-    let mut seen = Vec::new();
-    let i = evaluation.worst_node;
-    let neck = neck(model, state, None);
-    if last.step == 0 {
-        seen.push(
-            "the first step did not converge: the tools may not meet the sheet as drawn (see `stampflow check`)".into(),
-        );
-    }
-    if neck.stands_out {
-        seen.push(format!("the sheet has necked at s0 = {:.1} mm ({:.0} % left)", neck.s0, 100.0 * neck.share));
-    }
-    if last.ironing > 0.02 {
-        seen.push(format!("two tools iron the sheet by {:.0} % of its thickness", 100.0 * last.ironing));
-    }
-    if 8 * last.contact_changes > evaluation.nodes.len() {
-        seen.push(format!("{} contacts came or went in the last step", last.contact_changes));
-    }
-    if i + 2 >= evaluation.nodes.len() && model.blank.edge == Edge::Free {
-        seen.push("the worst place is the blank's edge".into());
-    }
-    let mut tools = step.process.tools.iter().enumerate();
-    let points = STATIONS * i.max(1) - STATIONS..STATIONS * (i + 1).min(state.thickness.len());
-    if let Some((_, tool)) =
-        tools.find(|(j, _)| points.clone().any(|point| evaluation.contacts[(*j, point)].normal > 0.0))
-    {
-        seen.push(format!("the {} touches the sheet at the worst place", tool.role.name()));
-    }
-    let advice = "try more elements, a smaller solver.first_step, or solver.norm = \"velocity\"";
-    if seen.is_empty() { advice.into() } else { format!("{}; {advice}", seen.join(", ")) }
 }

@@ -201,6 +201,26 @@ fn sharp_corners_are_warned_of_where_the_sheet_meets_them() {
     assert!(sharp(foot, "52 mm")[0].contains("and at 1 more"));
 }
 
+/// Trust: by hand. A nose of 6 mm drawn to its 45°, (24 + 6 sin 45°, −6 (1 − cos 45°)) = (28.243, −1.757) from the face.
+#[test]
+fn a_line_that_ends_before_the_travel_is_warned_of() {
+    let nose = r#"{ from = ["0 mm", "0 mm"] }, { to = ["24 mm", "0 mm"] },
+        { arc_to = ["28.242641 mm", "-1.757359 mm"], center = ["24 mm", "-6 mm"], turn = "right" }"#;
+    let warned = |wall: &str, travel: &str| {
+        let case = read(&text(&format!("profile = [{nose}{wall}]"), DIE, HOLDER, travel).replace("\n        ", " "));
+        check::report(&case).warnings.into_iter().filter(|w| w.contains("line ends")).collect::<Vec<_>>()
+    };
+    let found = warned("", "25 mm");
+    assert!(
+        found.len() == 1 && found[0].contains("the punch's line ends at r = 28.243 mm, z = -2.257 mm"),
+        "{found:?}"
+    );
+    assert!(found[0].contains("1.757 mm of the 25 mm of travel"), "{found:?}");
+    assert!(found[0].ends_with("upright wall, or as far as z = -25.5 mm"), "{found:?}");
+    assert_eq!(warned("", "1.7 mm"), Vec::<String>::new());
+    assert_eq!(warned(r#", { to = ["28.242641 mm", "-3 mm"] }"#, "25 mm"), Vec::<String>::new());
+}
+
 #[test]
 fn an_override_can_name_a_profile_file() {
     let plain = text(r#"profile = "missing.csv""#, DIE, "", "5 mm");

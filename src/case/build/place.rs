@@ -55,20 +55,12 @@ pub(super) fn place(
 
 /// The first r where the middle of the flat sheet lies on the tool's side of a profile \[mm\].
 fn sheet_inside(profile: &Profile, length: f64) -> Option<f64> {
-    (0..=LOOKS).map(|i| length * i as f64 / LOOKS as f64).find(|r| {
-        let x = Point::new(*r, 0.0);
-        let closest = profile.closest(x);
-        // Beyond the ends of the line no side is drawn.
-        closest.distance < 0.0 && !profile.ends_at(x - closest.distance * closest.normal)
-    })
+    (0..=LOOKS).map(|i| length * i as f64 / LOOKS as f64).find(|r| profile.closest(Point::new(*r, 0.0)).distance < 0.0)
 }
 
 /// An end of the line below the blank (for a die: above) that runs steeply towards it.
 fn wall_into_sheet(profile: &Profile, side: f64, length: f64) -> Option<Point> {
-    let pieces = profile.pieces();
-    let first = (profile.first(), -pieces[0].tangent(false));
-    let last = (profile.last(), pieces[pieces.len() - 1].tangent(true));
     // Steeper than 45°: an undrawn outline could hardly turn away again.
-    let into = |(at, outward): &(Point, Point)| at.x > 1e-9 && at.x < length && -side * outward.y > 0.7;
-    [first, last].into_iter().find(into).map(|(at, _)| at)
+    let into = |(at, away): &(Point, Point)| at.x < length && -side * away.y > 0.7;
+    profile.ends().into_iter().flatten().find(into).map(|(at, _)| at)
 }

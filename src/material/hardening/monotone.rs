@@ -1,13 +1,28 @@
 //! Interpolation of measured stress-strain points without overshoot.
 //!
+//! A table of a few points goes through them. One of many is a record with scatter, and a curve through every point of it
+//! would harden by fits and starts, at which steps stumble: first each point is put on the parabola that fits its
+//! surroundings best, near points counting more.
+//!
 //! # References
+//! W. S. Cleveland, Robust locally weighted regression and smoothing scatterplots, J. Am. Stat. Assoc. 74 (1979) 829–836
+//! (not read).
 //! F. N. Fritsch, R. E. Carlson, Monotone piecewise cubic interpolation, SIAM J. Numer. Anal. 17 (1980) 238–246;
 //! slopes by the harmonic mean of F. N. Fritsch, J. Butland, SIAM J. Sci. Stat. Comput. 5 (1984) 300–304.
 
 use super::flow_stress::FlowStress;
 use crate::law::prelude::*;
 use crate::units::rounded;
+use nalgebra::{Matrix3, Vector3};
 use std::fmt;
+
+/// Tables of no more points go through each of them.
+const FEW: usize = 50;
+/// Surroundings of a point of a longer table: so far away in strain at most, over the strain itself and at all \[–\].
+/// Measured on Swift's law with n 0.22 and 300 points: smoothing moves it by less than 1e-4 of the stress.
+const NEAR: [f64; 2] = [1.0 / 3.0, 0.1];
+/// Fewest points among which a parabola can smooth.
+const FIT: usize = 8;
 
 /// Beyond the last point of a table: a declared choice.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -55,6 +70,7 @@ impl Monotone {
             })?;
         }
         let n = strain.len();
+        let stress = if n > FEW { smoothed(&strain, &stress) } else { stress };
         let chord: Vec<f64> = (0..n - 1).map(|i| (stress[i + 1] - stress[i]) / (strain[i + 1] - strain[i])).collect();
         let slope = (0..n)
             .map(|i| match i {
@@ -118,6 +134,33 @@ impl Monotone {
     }
 }
 
+/// The stresses of points with scatter, put on the parabolas of their surroundings; they do not fall.
+fn smoothed(strain: &[f64], stress: &[f64]) -> Vec<f64> {
+    let mut last = 0.0;
+    let at = |i: usize| {
+        let reach = (NEAR[0] * strain[i]).min(NEAR[1]);
+        let near =
+            strain.partition_point(|s| *s < strain[i] - reach)..strain.partition_point(|s| *s <= strain[i] + reach);
+        if near.len() < FIT {
+            return stress[i];
+        }
+        let (mut normal, mut right) = (Matrix3::zeros(), Vector3::zeros());
+        for k in near {
+            let x = (strain[k] - strain[i]) / reach;
+            let weight = (1.0 - x.abs().powi(3)).max(0.0).powi(3);
+            let row = Vector3::new(1.0, x, x * x);
+            normal += weight * row * row.transpose();
+            right += weight * stress[k] * row;
+        }
+        normal.cholesky().map_or(stress[i], |normal| normal.solve(&right).x)
+    };
+    let rising = (0..strain.len()).map(|i| {
+        last = at(i).max(last);
+        last
+    });
+    rising.collect()
+}
+
 impl fmt::Display for Monotone {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         let n = self.strain.len();
@@ -127,5 +170,66 @@ impl fmt::Display for Monotone {
         };
         let (first, last, end) = (self.stress[0], self.stress[n - 1], self.last_strain());
         write!(f, "table of {n} points, {first:.1} MPa at ε = 0 to {last:.1} MPa at ε = {end}, beyond it {beyond}")
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn swift(strain: f64) -> f64 {
+        520.0 * (5e-3 + strain).powf(0.22)
+    }
+
+    /// `n` points of Swift's law up to a strain of `top`, each off by up to `scatter` of its stress, none below the one before.
+    fn record(n: usize, top: f64, scatter: f64) -> Monotone {
+        let strain: Vec<f64> = (0..n).map(|i| top * i as f64 / (n - 1) as f64).collect();
+        let mut last: f64 = 0.0;
+        let stress = strain.iter().enumerate().map(|(i, e)| {
+            // Equally distributed in ±1, of no period: the fractional parts of multiples of the golden ratio.
+            let off = 2.0 * (i as f64 * 0.618_033_988_75).fract() - 1.0;
+            last = last.max(swift(*e) * (1.0 + scatter * off));
+            last
+        });
+        let stress = stress.collect();
+        Monotone::new(strain, stress, Extrapolation::Slope).expect("rising")
+    }
+
+    #[test]
+    fn a_table_of_a_few_points_goes_through_them() {
+        for n in [2, 8, FEW] {
+            let table = record(n, 0.6, 5e-3);
+            let mut last: f64 = 0.0;
+            for i in 0..n {
+                let (e, off) = (0.6 * i as f64 / (n - 1) as f64, 2.0 * (i as f64 * 0.618_033_988_75).fract() - 1.0);
+                last = last.max(swift(e) * (1.0 + 5e-3 * off));
+                assert!((table.at(e).stress - last).abs() < 1e-9, "point {i} of {n}");
+            }
+        }
+    }
+
+    /// Trust: a law without scatter is moved by what a parabola misses of it, as `NEAR` says.
+    #[test]
+    fn a_long_table_without_scatter_keeps_its_law() {
+        for top in [0.3, 0.6, 1.0] {
+            let table = record(300, top, 0.0);
+            let off = |e: f64| (table.at(e).stress / swift(e) - 1.0).abs();
+            let worst = (30..=300).map(|i| off(top * f64::from(i) / 300.0)).fold(0.0, f64::max);
+            assert!(worst < 1e-4, "{worst:e} up to {top}");
+        }
+    }
+
+    /// Trust: n points around each leave of a scatter about its share 2/√n, and 16 and more are near beyond a strain of 0.1.
+    /// The slope of the record itself is nothing at one point and ten times too large at the next.
+    #[test]
+    fn a_long_table_with_scatter_hardens_evenly() {
+        let table = record(300, 0.6, 5e-3);
+        for i in 500..2900 {
+            let e = 0.6 * f64::from(i) / 3000.0;
+            let found = table.at(e);
+            assert!((found.stress / swift(e) - 1.0).abs() < 5e-3, "{} at {e}", found.stress);
+            let slope = 0.22 * swift(e) / (5e-3 + e);
+            assert!((0.5..1.6).contains(&(found.slope / slope)), "{} against {slope} at {e}", found.slope);
+        }
     }
 }

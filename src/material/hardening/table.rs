@@ -6,6 +6,9 @@ use crate::law::prelude::*;
 
 /// Measured points, interpolated smoothly: `points`, or `strain` and `stress`.
 ///
+/// Up to 50 points it goes through each of them; more are taken as a record with scatter, which is smoothed first over a third
+/// of the strain, 0.1 at most.
+///
 /// Valid up to the last point; beyond it the case says what is assumed, and the run warns.
 /// Source: monotone cubics of F. N. Fritsch, R. E. Carlson, SIAM J. Numer. Anal. 17 (1980) 238–246.
 #[derive(Clone, Debug, PartialEq)]

@@ -1,0 +1,81 @@
+//! Runs that end for want of equilibrium are named after what the sheet does: it bursts, arches, or nothing holds it.
+
+use stampflow::assess;
+use stampflow::case::{self, Case};
+use stampflow::solution::{StageSolution, Stop};
+use stampflow::solver::solve;
+
+const METAL: &str = r#"hardening = { swift = { k = "520 MPa", n = 0.22, offset = 0.005 } }"#;
+
+/// Runs a case of one stage, whose advice must be there where it stops early.
+fn stop(geometry: &str, blank: &str, tools: &str) -> Stop {
+    let text = format!("title = \"End\"\ngeometry = \"{geometry}\"\n[blank]\n{blank}\n[material]\n{METAL}\n{tools}");
+    let case: Case = case::parse(&text, "stops.toml", &[]).unwrap_or_else(|e| panic!("{}", e.render(false)));
+    let stages: Vec<StageSolution> = solve(&case.stages, &mut ());
+    let found = assess::after(&case, &stages);
+    let run = found.iter().find(|finding| finding.key == "stop").expect("the stop is judged");
+    let stop = stages.into_iter().next_back().expect("one stage").stop;
+    assert_eq!(run.advice.is_empty(), stop.is_complete(), "{run:?}");
+    assert!(stop.is_complete() || (stop.is_physical() && run.found.contains(stop.kind())), "{run:?}");
+    stop
+}
+
+/// A clamped disc bulged over an opening of 50 mm radius while a punch follows far below it.
+///
+/// Trust: the membrane with σ = K ε^n of that opening bears at most about 9.5 MPa, whatever stands below: Hill's
+/// p = 2 σ t/ρ at its maximum, (4/11)(2n + 1) = 0.52 in strain (`verify_loads` holds it to that).
+#[test]
+fn a_dome_over_a_punch_bursts_at_the_pressure_that_it_bursts_at_without() {
+    let blank = "radius = \"55 mm\"\nthickness = \"1 mm\"\nedge = \"clamped\"\nelements = 60";
+    let die = r#"die = { throat = "50 mm", shoulder = "5 mm", friction = 0.1 }"#;
+    let punch = r#"punch = { flat = { radius = "20 mm", nose = "6 mm" }, travel = "10 mm", friction = 0.1 }"#;
+    let gas =
+        |rest: &str| format!("[gas]\nlower = {{ pressure = [[\"0 s\", \"0 MPa\"], [\"10 s\", \"20 MPa\"]] }}\n{rest}");
+    let alone = stop("axisymmetric", blank, &format!("[tools]\n{die}\n{}", gas("duration = \"10 s\"")));
+    let over = stop("axisymmetric", blank, &format!("[tools]\n{punch}\n{die}\n{}", gas("")));
+    let Stop::PressureMaximum { pressure: p, s0: 0.0, .. } = alone else { panic!("{alone}") };
+    let Stop::PressureMaximum { pressure: q, s0: 0.0, .. } = over else { panic!("{over}") };
+    // Trust: the punch takes no part; both find the maximum by halving steps, as in `verify_bulge` to half a percent.
+    assert!((p / q - 1.0).abs() < 5e-3, "{p} {q}");
+}
+
+/// A strip of membranes over a die, with or without what holds it.
+///
+/// Trust: statics. Without a tension a chain of membranes has no stiffness across itself, and nothing gives it one here.
+#[test]
+fn a_strip_of_membranes_that_nothing_holds_is_a_mechanism() {
+    let strip = |theory: &str, more: &str| {
+        let blank =
+            format!("half_length = \"80 mm\"\nthickness = \"1 mm\"\nelements = 60\ntheory = \"{theory}\"\n{more}");
+        let punch = r#"punch = { hemispherical = { radius = "25 mm" }, travel = "4 mm", friction = 0.1 }"#;
+        let die = r#"die = { throat = "40 mm", shoulder = "5 mm", friction = 0.1 }"#;
+        stop("plane_strain", &blank, &format!("[tools]\n{punch}\n{die}"))
+    };
+    let loose = strip("membrane", "");
+    assert!(matches!(loose, Stop::Mechanism { .. }), "{loose}");
+    for (theory, more) in [("membrane", "edge = \"clamped\""), ("bending", "")] {
+        assert_eq!(strip(theory, more), Stop::FullTravel, "{theory} {more}");
+    }
+}
+
+/// Strips without friction pushed into a narrow gap without a holder: the legs lift the middle off the punch, and nothing is
+/// there to balance it once it snaps.
+///
+/// Trust: where each of them ends, the middle is thicknesses ahead of a punch that only pushes. Whether an arch snaps or is
+/// drawn on depends on the mesh, so that some of them must, not all.
+#[test]
+fn a_strip_that_its_legs_lift_off_the_punch_ends_as_an_arch() {
+    let punch = r#"punch = { flat = { half_width = "15 mm", nose = "3 mm" }, travel = "20 mm", friction = 0 }"#;
+    let mut arches = 0;
+    for elements in [60, 80, 100] {
+        for shoulder in [3, 5] {
+            let blank = format!("half_length = \"50 mm\"\nthickness = \"1 mm\"\nelements = {elements}");
+            let die = format!(r#"die = {{ throat = "16.2 mm", shoulder = "{shoulder} mm", friction = 0 }}"#);
+            if let Stop::Arched { travel, ahead } = stop("plane_strain", &blank, &format!("[tools]\n{punch}\n{die}")) {
+                assert!(travel < 20.0 && ahead > 3.0, "{elements} {shoulder}: {ahead} mm at {travel} mm");
+                arches += 1;
+            }
+        }
+    }
+    assert!(arches >= 2, "{arches}");
+}
