@@ -43,7 +43,7 @@ const SOFTENING: f64 = 30.0;
 /// Iterations of a secant start.
 const SECANT_START: usize = 15;
 /// Most rounds of the augmented Lagrangian in a step; two or three are usual.
-const MOST_ROUNDS: usize = 20;
+const MOST_ROUNDS: usize = 40;
 
 /// Tries a step from start to start until one brings it to equilibrium; counts in `rejected` the tries that did not.
 pub(super) fn solve<'s>(

@@ -98,9 +98,10 @@ fn a_given_temperature_scales_the_strength() {
     }
 }
 
-/// A strip that stands still between a die and a holder whose temperatures are given.
+/// A strip that stands still between a die and a holder whose temperatures are given. It bends: a membrane buckles where it is
+/// free, for the tools squeeze the sheet between them outward.
 fn pressed(seconds: f64, conductivity: f64, transfer: f64, initial: impl Into<PiecewiseLinear>) -> Model {
-    let mut model = simple::pulled(Geometry::PlaneStrain, Theory::Membrane, 1.0);
+    let mut model = simple::pulled(Geometry::PlaneStrain, Theory::Bending, 1.0);
     let tool = |role, profile, motion| Tool { role, profile, friction: 0.1.into(), motion };
     model.blank.edge = Edge::Clamped;
     model.blank.elements = 80;

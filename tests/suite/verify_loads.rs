@@ -350,7 +350,7 @@ fn superplastic_box_is_blown_into_its_corner() {
     let Stop::ContactShare { share, asked, .. } = run.stop else { panic!("{}", run.stop) };
     assert!(share >= asked && (asked - 0.95).abs() < 1e-12 && last(&run).contact_share == share, "{share} {asked}");
     let rejected: usize = run.steps.iter().map(|r| r.rejected).sum();
-    assert!(rejected <= 3, "{rejected} rejected tries");
+    assert!(rejected <= 8, "{rejected} rejected tries");
     let frame = run.frames.last().expect("the end");
     assert_eq!(frame.time, last(&run).time, "the end of the run is kept");
     // Free bulge up to the bottom: contact grows on the shoulder only.
