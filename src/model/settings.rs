@@ -125,7 +125,7 @@ pub enum ContactMethod {
     AugmentedLagrangian,
 }
 
-/// When a run ends before its full travel; what can be checked at each accepted step.
+/// When a run ends before its full travel: at the instant, found to a thousandth of a step, that a rule is first met.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "case", derive(serde::Deserialize), serde(default, deny_unknown_fields))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema), schemars(rename = "Stop"))]

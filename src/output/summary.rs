@@ -179,7 +179,7 @@ impl Summary {
             summary.number("point_share", "  law points over those of full bending", Unit::Percent, 100.0 * points);
         }
         summary.text("corrector", "Corrector", &corrector(model));
-        let Effort { predictor, secant, softened, halved, overstrained, abandoned } = run.effort;
+        let Effort { predictor, secant, softened, halved, overstrained, overstepped, abandoned } = run.effort;
         summary.count("steps", "Steps", run.steps.len());
         summary.count("steps_from_predictor", "  solved from the predictor", predictor);
         summary.count("steps_from_secant", "  from a secant start at rest", secant);
@@ -190,6 +190,7 @@ impl Summary {
         summary.count("rejected", "Rejected tries", run.steps.iter().map(|s| s.rejected).sum::<usize>() + abandoned);
         summary.count("steps_halved", "  steps halved", halved);
         summary.count("steps_overstrained", "  repeated for too much strain", overstrained);
+        summary.count("steps_overstepped", "  repeated to find the end of the run", overstepped);
         if let Some(wall) = view.wall {
             summary.number("wall_time", "Wall time", Unit::Second, wall.as_secs_f64());
         }

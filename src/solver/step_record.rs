@@ -85,24 +85,37 @@ fn contact_shares(converged: &Converged, before: &Evaluation) -> StepRecord {
     }
 }
 
-/// Share of the current area inside the seal that lies on the punch or the die \[–\]; an element lies there by halves,
-/// with each of its nodes.
+/// Share of the current area inside the seal that lies on the punch or the die \[–\].
 fn contact_share(converged: &Converged) -> f64 {
     let Converged { step, evaluation, .. } = converged;
     let within = step.model.gas.iter().map(|gas| gas.within).reduce(f64::max).unwrap_or(f64::INFINITY);
     let seal = Seal::find(step.state, within);
-    let tools = &step.process.tools;
-    let forms = |j: usize| matches!(tools[j].role, Role::Punch | Role::Die);
-    let lies_on = |j: usize, i: usize| evaluation.contacts[(j, i)].lies_on(&step.process.penalty);
-    let touches = |i: usize| (0..tools.len()).any(|j| forms(j) && lies_on(j, i));
+    let tools = step.process.tools.iter().enumerate();
+    let forming: Vec<usize> =
+        tools.filter(|(_, tool)| matches!(tool.role, Role::Punch | Role::Die)).map(|(j, _)| j).collect();
+    let lying = step.process.penalty.lying();
+    // How far the sheet at a node is from lying on the nearest of them.
+    let off = |i: usize| {
+        let gap = |&j: &usize| evaluation.contacts[(j, i)].distance - 0.5 * evaluation.thickness_at(i);
+        forming.iter().map(gap).fold(f64::INFINITY, f64::min) - lying
+    };
     let (mut touching, mut whole) = (0.0, 0.0);
     for (e, thickness) in evaluation.thickness.iter().enumerate() {
         // Volume over thickness is the current area.
         let area = seal.inside(e) * step.state.volume[e] / thickness;
         whole += area;
-        touching += 0.5 * area * f64::from(u8::from(touches(e)) + u8::from(touches(e + 1)));
+        touching += area * negative_share([off(e), off(e + 1)]);
     }
     touching / whole
+}
+
+/// Share of a line over which a value is negative that goes straight from one end's to the other's \[–\].
+fn negative_share([a, b]: [f64; 2]) -> f64 {
+    match (a < 0.0, b < 0.0) {
+        (true, true) => 1.0,
+        (false, false) => 0.0,
+        _ => a.min(b) / (a.min(b) - a.max(b)),
+    }
 }
 
 /// Thickness over the smallest radius of the mid-surface, from the angle between neighbouring elements \[–\].
