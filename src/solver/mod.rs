@@ -17,6 +17,7 @@ mod process;
 mod retry;
 mod selective_bending;
 mod stages;
+mod steady;
 mod step;
 mod step_record;
 mod termination;

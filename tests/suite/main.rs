@@ -37,5 +37,6 @@ mod verify_necking;
 mod verify_selective;
 mod verify_solver;
 mod verify_stages;
+mod verify_steps;
 
 mod vtu;
