@@ -101,8 +101,9 @@ mod tests {
     /// in no more than halving takes, with a few to spare.
     #[test]
     fn the_instant_is_found_from_above_within_a_thousandth_of_the_step() {
+        type Curve = fn(f64, f64) -> f64;
         let end = std::f64::consts::FRAC_1_SQRT_2;
-        let curves: [(fn(f64, f64) -> f64, usize); 4] = [
+        let curves: [(Curve, usize); 4] = [
             (|t, end| t / end - 1.0, 1),
             (|t, end| (t / end).powi(8) - 1.0, 8),
             (|t, end| 1.0 - (end / t).powi(8), 8),
