@@ -26,6 +26,8 @@ pub struct MaterialPoint {
     pub porosity: f64,
     /// Rate of the porosity in the last step \[1/s\].
     pub porosity_rate: f64,
+    /// Strain rate in the last step \[1/s\]; of the flow law only.
+    pub strain_rate: Triple,
 }
 
 /// The sheet and its tools at one instant.
@@ -49,10 +51,16 @@ pub struct State {
     pub dilation_rate: Vec<f64>,
     /// Temperature of each element \[K\].
     pub temperature: Vec<f64>,
+    /// Its rates in the last step and in the one before \[K/s\].
+    pub temperature_rates: Vec<[f64; 2]>,
     /// Logarithmic mid-surface strains of each element: meridional, hoop \[–\].
     pub membrane: Vec<[f64; 2]>,
     /// Whether each element bent in the last step, or was a membrane.
     pub bends: Vec<bool>,
+    /// Duration of the last step \[s\].
+    pub last_step: f64,
+    /// Whether each element strained in the last step about as in the one before.
+    pub steady: Vec<bool>,
     /// Elements by thickness points.
     pub points: Grid<MaterialPoint>,
     /// Displacement of each tool (away from the axis, along z) from where it is drawn \[mm\].
@@ -100,6 +108,8 @@ impl State {
             volume: volume.collect(),
             membrane: vec![[0.0; 2]; elements],
             bends: vec![model.blank.theory == Theory::Bending; elements],
+            last_step: 0.0,
+            steady: vec![false; elements],
             points: Grid::new(
                 elements,
                 model.blank.layers,
@@ -114,6 +124,7 @@ impl State {
                 .windows(2)
                 .map(|w| model.heat.as_ref().map_or(ROOM_TEMPERATURE, |heat| heat.initial.at(0.5 * (w[0] + w[1]))))
                 .collect(),
+            temperature_rates: vec![[0.0; 2]; elements],
             tools: model.tools.iter().map(|tool| Point::new(0.0, waiting_displacement(model, tool))).collect(),
             tool_velocity: model
                 .tools
@@ -157,6 +168,13 @@ impl State {
             (mean, 0.5 * (self.s0[e] + self.s0[e + 1]))
         });
         means.fold((0.0, 0.0), |largest, now| if now.0 > largest.0 { now } else { largest })
+    }
+
+    /// Temperature of element `e` foreseen for the time `dt` \[s\] from now \[K\].
+    pub fn foreseen_temperature(&self, e: usize, dt: f64) -> f64 {
+        let [last, before] = self.temperature_rates[e];
+        let rate = if last * before > 0.0 { last.abs().min(before.abs()).copysign(last) } else { 0.0 };
+        self.temperature[e] + rate * dt
     }
 
     /// Lowest and highest temperature of an element \[K\].

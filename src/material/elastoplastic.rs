@@ -9,7 +9,8 @@
 //! all at the END of the step (backward Euler). In the sum and the difference of the two stresses D and P are both
 //! diagonal, so that the stress follows from Δp in closed form and Δp from one scalar equation. Strains are logarithmic and
 //! stresses stand in the element's own frame, which turns with the sheet: no objective rate is needed. Stress is per initial
-//! volume (Kirchhoff); the elastic change of volume, below 0.2 %, is left out of the thickness.
+//! volume (Kirchhoff, τ = J σ); the elastic change of volume, ln J = (1 − 2ν)(τ_s + τ_θ)/E, which is 0.4 to 0.6 % in stretched
+//! aluminium, is left out of thickness, area and yielding.
 //!
 //! A rate law with [`Rate::CowperSymonds`] is Perzyna's: ε̄̇ = C (σ̄/σ_s − 1)^p. Without one the metal is rate-free.
 //!

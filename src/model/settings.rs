@@ -48,9 +48,9 @@ pub struct Settings {
     #[cfg_attr(feature = "schema", schemars(example = 0.003))]
     pub contact_smoothing: f64,
     /// Sliding speed at which friction has reached 71 % of its full value, over the punch speed, or over that of one sheet
-    /// thickness in the whole run or stage where the punch goes less far; 0.01 when not given.
+    /// thickness in the whole run or stage where the punch goes less far; 0.003 when not given.
     #[cfg_attr(feature = "case", serde(with = "As::<Positive<Number>>"))]
-    #[cfg_attr(feature = "schema", schemars(example = 0.01))]
+    #[cfg_attr(feature = "schema", schemars(example = 0.003))]
     pub slip_speed: f64,
     /// Chords per 90° that replace the tools' arcs, 1 to 1000; exact arcs when not given.
     #[cfg_attr(feature = "schema", schemars(range(min = 1, max = 1000), example = 20))]
@@ -92,7 +92,7 @@ impl Default for Settings {
             cutoff_strain: 5e-6,
             contact_stiffness: 3e4,
             contact_smoothing: 3e-3,
-            slip_speed: 0.01,
+            slip_speed: 0.003,
             facets: None,
             round_facets: true,
             contact: ContactMethod::Penalty,
@@ -126,7 +126,7 @@ pub enum ContactMethod {
     AugmentedLagrangian,
 }
 
-/// When a run ends before its full travel; what can be checked at each accepted step.
+/// When a run ends before its full travel: at the instant, found to a thousandth of a step, that a rule is first met.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "case", derive(serde::Deserialize), serde(default, deny_unknown_fields))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema), schemars(rename = "Stop"))]

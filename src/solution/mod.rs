@@ -201,6 +201,8 @@ pub struct Effort {
     pub halved: usize,
     /// Steps in equilibrium that strained the sheet too much and were repeated shorter.
     pub overstrained: usize,
+    /// Steps in equilibrium that went beyond the end of the run and were repeated shorter.
+    pub overstepped: usize,
     /// Tries of the step that the stage stopped at.
     pub abandoned: usize,
 }

@@ -3,6 +3,7 @@
 use super::corrector::Outcome;
 use super::evaluation::Evaluation;
 use super::porosity;
+use super::steady;
 use super::step::Step;
 use super::terms::contact;
 use super::trial::Trial;
@@ -49,6 +50,7 @@ impl<'a> Converged<'a> {
                 back,
                 porosity: point.porosity,
                 porosity_rate: point.porosity_rate,
+                strain_rate: iterate.strain().map(|strain| strain / dt),
             }
         });
         let points_of_contact = state.contact_points();
@@ -64,8 +66,11 @@ impl<'a> Converged<'a> {
             dilation: state.dilation.clone(),
             dilation_rate: state.dilation_rate.clone(),
             temperature: state.temperature.clone(),
+            temperature_rates: state.temperature_rates.clone(),
             membrane: strains.map(|(total, e)| [total[0] + e[0], total[1] + e[1]]).collect(),
             bends: step.bends.clone(),
+            last_step: dt,
+            steady: vec![false; state.steady.len()],
             points: Grid::from_values(state.points.columns(), points),
             tools: trial.tools.clone(),
             tool_velocity: tool_moves.map(|(now, before)| (now.y - before.y) / dt).collect(),
@@ -77,6 +82,7 @@ impl<'a> Converged<'a> {
             gas: trial.gas.clone(),
             s0: state.s0.clone(),
         };
+        steady::judge(step, evaluation, &mut next);
         if let Some(voids) = &model.material.gtn {
             porosity::grow(voids, step, trial, evaluation, &mut next);
         }

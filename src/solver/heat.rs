@@ -6,8 +6,9 @@
 //!
 //! with an element's plastic work W, the area A on which a tool touches it, and the section S and distance l towards its
 //! neighbours. It is backward Euler on finite volumes: it cannot oscillate, and the heat balance closes to round-off.
-//! Through the thickness the temperature is one: metal sheet evens it out in milliseconds. The next step is computed at
-//! the temperature that this one has left.
+//! Through the thickness the temperature is one: metal sheet evens it out in milliseconds. The equilibrium of a step is
+//! that of the temperature foreseen for its end, so that it does not lag: at the smaller of the last two rates, where they
+//! agree in sign, for a tool that touches the sheet cools it fast but not for long.
 //!
 //! # References
 //! β: G. I. Taylor, H. Quinney, Proc. R. Soc. London A 143 (1934) 307–326 (not read).
@@ -80,6 +81,10 @@ impl<'a> HeatSolver<'a> {
         };
         let before = content(state);
         self.solve(&mut state.temperature);
+        let steps = state.temperature.iter().zip(&converged.step.state.temperature);
+        for (rates, (now, then)) in state.temperature_rates.iter_mut().zip(steps) {
+            *rates = [(now - then) / dt, rates[0]];
+        }
         let after = content(state);
         let tools = self.exchange.iter().zip(&state.temperature).map(|([by, heat], t)| heat - by * t).sum();
         Heat { plastic: self.flow.plastic_share * plastic.iter().sum::<f64>(), tools, stored: after - before }

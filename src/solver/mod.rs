@@ -4,6 +4,7 @@ mod augmented_lagrangian;
 mod converged;
 mod corrector;
 mod distance_blocks;
+mod end_search;
 mod energy_balance;
 mod equilibrium;
 mod evaluation;
@@ -17,6 +18,7 @@ mod process;
 mod retry;
 mod selective_bending;
 mod stages;
+mod steady;
 mod step;
 mod step_record;
 mod termination;
@@ -32,7 +34,7 @@ use evaluation::Evaluation;
 use heat::HeatSolver;
 use no_equilibrium::no_equilibrium;
 use process::Process;
-use std::mem::{swap, take};
+use std::mem::swap;
 use step::Step;
 use termination::Termination;
 use time_step::StepControl;
@@ -96,8 +98,15 @@ pub fn run_from(model: &Model, mut state: State, observer: &mut dyn Observer) ->
             rejected += 1;
             continue;
         }
+        let (mut next, record) = advance(&before, &converged, heat.as_mut(), rejected, &last);
+        let seen = termination.after(model, &state, &next, &record);
+        if control.oversteps(&step, seen.excess) {
+            run.effort.overstepped += 1;
+            rejected += 1;
+            continue;
+        }
+        (termination, rejected) = (seen, 0);
         start.count(&mut run.effort);
-        let (mut next, record) = advance(&before, &converged, heat.as_mut(), take(&mut rejected), &last);
         control.accept(&before, &converged, &record);
         if model.forming_limit.is_some() {
             run.paths.push(next.instant());
@@ -114,9 +123,8 @@ pub fn run_from(model: &Model, mut state: State, observer: &mut dyn Observer) ->
         if control.at_frame(&next) {
             run.keep(next.frame(model));
         }
-        let stop = termination.look(model, &state, &next, &record);
         state = next;
-        if let Some(stop) = stop {
+        if let Some(stop) = termination.stop(model, &state, &record) {
             run.stop = stop;
             break;
         }

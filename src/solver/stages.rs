@@ -62,6 +62,8 @@ pub fn enter(stage: &Stage, before: &Model, mut state: State) -> State {
     let (model, begin) = (&stage.model, &stage.begin);
     (state.time, state.travel) = (0.0, 0.0);
     state.velocity.fill([0.0; 3]);
+    state.steady.fill(false);
+    state.temperature_rates.fill([0.0; 2]);
     if let Some(radius) = begin.trim {
         trim(&mut state, radius);
     }
@@ -112,6 +114,8 @@ fn trim(state: &mut State, radius: f64) {
     }
     state.membrane.truncate(elements);
     state.bends.truncate(elements);
+    state.steady.truncate(elements);
+    state.temperature_rates.truncate(elements);
     state.points.truncate_rows(elements);
     for per_pair in [&mut state.pressure, &mut state.shift] {
         per_pair.truncate_columns(STATIONS * elements);

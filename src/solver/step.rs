@@ -30,6 +30,8 @@ pub(super) struct Step<'a> {
     pub process_time: f64,
     /// Its number, from 1.
     pub number: usize,
+    /// Punch speed over that of the step before \[–\]: where it changes, the sheet's velocities change alike.
+    pub speed_ratio: f64,
     /// Slip over which friction sets in \[mm\].
     pub slip_scale: f64,
     /// Which elements bend, and at which nodes an element resists their rotation.
@@ -67,9 +69,12 @@ impl<'a> Step<'a> {
             Some(_) => foreseen_volume(state, dt),
             None => (state.volume.clone(), vec![1.0; state.volume.len()]),
         };
+        let before = model.schedule.as_ref().map_or(0.0, |schedule| schedule.slope_before(state.time));
+        let speed_ratio =
+            if before > 0.0 { (model.travel_at(state.time + dt) - state.travel) / (before * dt) } else { 1.0 };
         let asks = process.tools.iter().any(|tool| tool.friction.needs_shear_yield());
         let (flow_points, elastoplastic_points) = match model.mode {
-            Mode::Flow => (flow_points(process, state, dt, &bends), Grid::default()),
+            Mode::Flow => (flow_points(process, state, dt, speed_ratio, &bends), Grid::default()),
             _ => (Grid::default(), elastoplastic_points(model, state, dt)),
         };
         Self {
@@ -79,6 +84,7 @@ impl<'a> Step<'a> {
             dt,
             process_time,
             number,
+            speed_ratio,
             slip_scale: slip_speed(model) * process_time,
             rotates: rotating(&bends),
             areas: references.iter().flat_map(Reference::contact_areas).collect(),
@@ -137,23 +143,31 @@ fn foreseen_volume(state: &State, dt: f64) -> (Vec<f64>, Vec<f64>) {
     volumes.unzip()
 }
 
-/// The flow law's points; of a membrane the mean of its points.
-fn flow_points(process: &Process, state: &State, dt: f64, bends: &[bool]) -> Grid<PointState> {
+/// The flow law's points; of a membrane the mean of its points. Where the sheet flows steadily they follow the last step.
+fn flow_points(process: &Process, state: &State, dt: f64, speed_ratio: f64, bends: &[bool]) -> Grid<PointState> {
     let (rule, columns) = (&process.rule, state.points.columns());
-    let points = state.points.iter().enumerate().map(|(i, point)| PointState {
-        strain: point.strain,
-        porosity: match &process.model.material.gtn {
-            Some(voids) => voids.foreseen(point.porosity + point.porosity_rate * dt),
-            None => 0.0,
-        },
-        temperature: state.temperature[i / columns],
-    });
-    let mut points = Grid::from_values(columns, points);
-    for (row, _) in points.rows_mut().zip(bends).filter(|(_, bends)| !**bends && columns > 1) {
-        let mean = |of: fn(&PointState) -> f64| row.iter().zip(rule).map(|(p, at)| at.weight * of(p)).sum();
-        let mean =
-            PointState { strain: mean(|p| p.strain), porosity: mean(|p| p.porosity), temperature: row[0].temperature };
-        row.fill(mean);
+    let voids = process.model.material.gtn.as_ref();
+    let point_state = |(e, point): (usize, &MaterialPoint)| PointState {
+        porosity: voids.map_or(0.0, |voids| voids.foreseen(point.porosity + point.porosity_rate * dt)),
+        temperature: state.foreseen_temperature(e, dt),
+        ..PointState::at(point.strain)
+    };
+    let elements = state.points.rows().enumerate().flat_map(|(e, row)| row.iter().map(move |point| (e, point)));
+    let mut points = Grid::from_values(columns, elements.map(point_state));
+    for ((e, row), bends) in points.rows_mut().enumerate().zip(bends) {
+        if !*bends && columns > 1 {
+            let mean = |of: fn(&PointState) -> f64| row.iter().zip(rule).map(|(p, at)| at.weight * of(p)).sum();
+            let (strain, porosity): (f64, f64) = (mean(|p| p.strain), mean(|p| p.porosity));
+            row.fill(PointState { strain, porosity, ..row[0] });
+        }
+        if state.steady[e] && state.bends[e] == *bends {
+            // Both steps by the clock of this one.
+            let weight = dt / (dt + state.last_step / speed_ratio);
+            for (point, last) in row.iter_mut().zip(state.points.row(e)) {
+                let expected = last.strain_rate.map(|rate| speed_ratio * rate * dt);
+                *point = point.following(expected, weight, process.model.material.hill48, voids);
+            }
+        }
     }
     points
 }
@@ -162,7 +176,7 @@ fn elastoplastic_points(model: &Model, state: &State, dt: f64) -> Grid<Carried> 
     let law = elastoplastic_law(model, Iteration::Newton, dt);
     let columns = state.points.columns();
     let points = state.points.iter().enumerate().map(|(i, point)| {
-        let temperature = state.temperature[i / columns];
+        let temperature = state.foreseen_temperature(i / columns, dt);
         let MaterialPoint { strain, stress, back, .. } = *point;
         let carried = Carried { strain, temperature, yield_stress: 0.0, stress, back };
         Carried { yield_stress: law.yield_stress(&carried), ..carried }

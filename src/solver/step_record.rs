@@ -3,7 +3,7 @@
 use super::converged::Converged;
 use super::evaluation::Evaluation;
 use super::places::Seal;
-use crate::element::surface::STATIONS;
+use crate::element::surface::{STATIONS, stations};
 use crate::model::{Edge, Role};
 use crate::solution::{Energy, StepRecord};
 
@@ -88,25 +88,39 @@ fn contact_shares(converged: &Converged, before: &Evaluation) -> StepRecord {
     }
 }
 
-/// Share of the current area inside the seal that lies on the punch or the die \[–\]; an element lies there by parts,
-/// with each of its contact points.
+/// Share of the current area inside the seal that lies on the punch or the die \[–\].
 fn contact_share(converged: &Converged) -> f64 {
     let Converged { step, evaluation, .. } = converged;
     let within = step.model.gas.iter().map(|gas| gas.within).reduce(f64::max).unwrap_or(f64::INFINITY);
     let seal = Seal::find(step.state, within);
-    let tools = &step.process.tools;
-    let forms = |j: usize| matches!(tools[j].role, Role::Punch | Role::Die);
-    let lies_on = |j: usize, i: usize| evaluation.contacts[(j, i)].lies_on(&step.process.penalty);
-    let touches = |i: usize| (0..tools.len()).any(|j| forms(j) && lies_on(j, i));
+    let tools = step.process.tools.iter().enumerate();
+    let forming: Vec<usize> =
+        tools.filter(|(_, tool)| matches!(tool.role, Role::Punch | Role::Die)).map(|(j, _)| j).collect();
+    let lying = step.process.penalty.lying();
+    // How far the sheet at a contact point is from lying on the nearest of them; straight on to the element's ends.
+    let off = |i: usize| forming.iter().map(|&j| evaluation.contacts[(j, i)].gap).fold(f64::INFINITY, f64::min) - lying;
+    let ends = |e: usize| {
+        let (a, b) = (off(STATIONS * e), off(STATIONS * e + 1));
+        let (middle, half) = (0.5 * (a + b), 0.5 * (b - a) / stations(step.bends[e])[1].xi);
+        [middle - half, middle + half]
+    };
     let (mut touching, mut whole) = (0.0, 0.0);
     for (e, thickness) in evaluation.thickness.iter().enumerate() {
         // Volume over thickness is the current area.
         let area = seal.inside(e) * step.state.volume[e] / thickness;
         whole += area;
-        let points = STATIONS * e..STATIONS * (e + 1);
-        touching += area * points.filter(|i| touches(*i)).count() as f64 / STATIONS as f64;
+        touching += area * negative_share(ends(e));
     }
     touching / whole
+}
+
+/// Share of a line over which a value is negative that goes straight from one end's to the other's \[–\].
+fn negative_share([a, b]: [f64; 2]) -> f64 {
+    match (a < 0.0, b < 0.0) {
+        (true, true) => 1.0,
+        (false, false) => 0.0,
+        _ => a.min(b) / (a.min(b) - a.max(b)),
+    }
 }
 
 /// Thickness over the smallest radius of the mid-surface, from the angle between neighbouring elements \[–\].

@@ -1,4 +1,7 @@
 //! Why a run ends before its full travel, other than for want of equilibrium: what the sheet or the tools say.
+//!
+//! Every rule says by how much a state is beyond it, as a number that is continuous in time: where it comes to nothing is
+//! the instant at which the run ends.
 
 use crate::geometry::Point;
 use crate::model::{Edge, Model, Motion, Role};
@@ -15,6 +18,7 @@ const LASTING: f64 = 0.01;
 const CLOSED: f64 = 0.5;
 
 /// What a free edge may be drawn through.
+#[derive(Clone)]
 struct Throat {
     /// Which of the model's tools the die is.
     die: usize,
@@ -23,7 +27,24 @@ struct Throat {
     face: f64,
 }
 
-/// Looks at every accepted step for what ends the run.
+/// What ends a run, in the order of precedence.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Rule {
+    ToolsClosed,
+    DrawnThrough,
+    Coalesced,
+    ContactShare,
+    LoadDrop,
+    Localised,
+}
+
+impl Rule {
+    const ALL: [Rule; 6] =
+        [Rule::ToolsClosed, Rule::DrawnThrough, Rule::Coalesced, Rule::ContactShare, Rule::LoadDrop, Rule::Localised];
+}
+
+/// What the states of a run said so far of its end, the last one included; a step that is not accepted leaves no trace.
+#[derive(Clone)]
 pub(super) struct Termination {
     /// Time since which one place has taken over \[s\].
     necking_since: Option<f64>,
@@ -31,6 +52,10 @@ pub(super) struct Termination {
     throat: Option<Throat>,
     /// Travel at which punch and die are closed, and where \[mm\].
     closed: Option<(f64, Point)>,
+    neck: Option<Neck>,
+    /// By how much the last state is beyond the rule that it is farthest beyond, or nearest to \[–\]; below 0 the run goes
+    /// on.
+    pub excess: f64,
 }
 
 impl Termination {
@@ -45,7 +70,7 @@ impl Termination {
             Throat { die, radius: profile.least_r(), face }
         });
         let throat = throat.filter(drawn_in);
-        Self { necking_since: None, peak: 0.0, throat, closed: closed(model, state) }
+        Self { necking_since: None, peak: 0.0, throat, closed: closed(model, state), neck: None, excess: -1.0 }
     }
 
     /// Time at which punch and die are closed \[s\], where they ever are.
@@ -59,39 +84,63 @@ impl Termination {
         (model.stop.localised && self.necking_since.is_some()).then(|| localised(model, state, &neck))
     }
 
-    /// Whether the run ends after the step that led from `before` to `state`.
-    pub fn look(&mut self, model: &Model, before: &State, state: &State, record: &StepRecord) -> Option<Stop> {
-        if model.release.is_some() {
+    /// After the step that led from `before` to `state`.
+    pub fn after(&self, model: &Model, before: &State, state: &State, record: &StepRecord) -> Self {
+        let mut now = Self { peak: self.peak.max(record.punch_force), ..self.clone() };
+        if model.release.is_none() {
+            let neck = neck(model, state, Some(before));
+            now.necking_since = if neck.took_over { self.necking_since.or(Some(state.time)) } else { None };
+            now.neck = Some(neck);
+            now.excess =
+                Rule::ALL.map(|rule| now.excess_of(rule, model, state, record)).into_iter().fold(-1.0, f64::max);
+        }
+        now
+    }
+
+    /// By how much the state is beyond a rule \[–\]: continuous in time, below 0 up to the instant at which the run ends;
+    /// no number where there is no such rule.
+    fn excess_of(&self, rule: Rule, model: &Model, state: &State, record: &StepRecord) -> f64 {
+        let beyond = |value: f64, limit: Option<f64>| limit.map_or(f64::NAN, |limit| value / limit - 1.0);
+        match rule {
+            Rule::ToolsClosed => beyond(state.travel, self.closed.map(|(limit, _)| limit * (1.0 - 1e-12))),
+            Rule::DrawnThrough => self.throat.as_ref().map_or(f64::NAN, |throat| {
+                // A free leg that has swung down below the die's face stands within the throat too, and has yet to pass it.
+                let [r, z, _] = state.nodes[state.nodes.len() - 1];
+                let passed = (throat.radius - r).min(z - state.tools[throat.die].y - throat.face);
+                passed / model.blank.thickness
+            }),
+            Rule::Coalesced => beyond(record.porosity, model.material.gtn.map(|voids| voids.fracture())),
+            Rule::ContactShare => beyond(record.contact_share, model.stop.contact_share),
+            Rule::LoadDrop => {
+                beyond(1.0 - record.punch_force / self.peak, model.stop.load_drop.filter(|_| self.peak > 0.0))
+            }
+            Rule::Localised => self.neck.filter(|_| model.stop.localised).map_or(f64::NAN, |neck| {
+                let lasted = self.necking_since.map_or(0.0, |since| model.process_time(since, state.time - since));
+                (lasted / (LASTING * model.duration) - 1.0).max(1.0 - neck.share / GONE)
+            }),
+        }
+    }
+
+    /// Why the run ends with `state`, where it does.
+    pub fn stop(&self, model: &Model, state: &State, record: &StepRecord) -> Option<Stop> {
+        if self.excess < 0.0 {
             return None;
         }
-        let travel = state.travel;
-        if let Some((limit, at)) = self.closed.filter(|(limit, _)| travel >= limit * (1.0 - 1e-12)) {
-            return Some(Stop::ToolsClosed { travel: limit, r: at.x, z: at.y });
-        }
-        // A free leg that has swung down below the die's face stands within the throat too, and has yet to pass it.
-        let [r, z, _] = state.nodes[state.nodes.len() - 1];
-        let inside = |throat: &Throat| r <= throat.radius && z - state.tools[throat.die].y > throat.face;
-        if self.throat.as_ref().is_some_and(inside) {
-            return Some(Stop::DrawnThrough { travel });
-        }
-        let gone = model.material.gtn.is_some_and(|voids| record.porosity >= voids.fracture());
-        if gone {
-            return Some(Stop::Coalesced { travel, s0: record.porous_s0, porosity: record.porosity });
-        }
-        if let Some(asked) = model.stop.contact_share.filter(|asked| record.contact_share >= *asked) {
-            return Some(Stop::ContactShare { share: record.contact_share, asked, time: state.time, travel });
-        }
-        self.peak = self.peak.max(record.punch_force);
-        let drop = 1.0 - record.punch_force / self.peak;
-        if self.peak > 0.0 && model.stop.load_drop.is_some_and(|limit| drop >= limit) {
-            return Some(Stop::LoadMaximum { travel, peak: self.peak, drop });
-        }
-        let neck = neck(model, state, Some(before));
-        self.necking_since = if neck.took_over { self.necking_since.or(Some(state.time)) } else { None };
-        let lasted = self
-            .necking_since
-            .is_some_and(|since| model.process_time(since, state.time - since) >= LASTING * model.duration);
-        (model.stop.localised && (lasted || neck.share < GONE)).then(|| localised(model, state, &neck))
+        let (travel, time) = (state.travel, state.time);
+        let rule = Rule::ALL.into_iter().find(|rule| self.excess_of(*rule, model, state, record) >= 0.0)?;
+        Some(match rule {
+            Rule::ToolsClosed => {
+                let (travel, at) = self.closed?;
+                Stop::ToolsClosed { travel, r: at.x, z: at.y }
+            }
+            Rule::DrawnThrough => Stop::DrawnThrough { travel },
+            Rule::Coalesced => Stop::Coalesced { travel, s0: record.porous_s0, porosity: record.porosity },
+            Rule::ContactShare => {
+                Stop::ContactShare { share: record.contact_share, asked: model.stop.contact_share?, time, travel }
+            }
+            Rule::LoadDrop => Stop::LoadMaximum { travel, peak: self.peak, drop: 1.0 - record.punch_force / self.peak },
+            Rule::Localised => localised(model, state, &self.neck?),
+        })
     }
 }
 

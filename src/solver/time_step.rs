@@ -7,13 +7,16 @@
 //! | strain increment | the next step aims at the limit; one beyond twice the limit is repeated |
 //! | gaps and closing speeds | no step carries a free node deep into a tool |
 //! | frames, closing of the tools, changes of the punch's speed | steps land on them |
+//! | a step that oversteps the end of the run | it is repeated up to where the end is expected |
 //!
 //! Lengths of steps are measured in process time: what they would take at the punch's mean speed
 //! ([`Model::process_time`]).
 
 use super::converged::Converged;
 use super::corrector::patience;
+use super::end_search::EndSearch;
 use super::evaluation::Evaluation;
+use super::step::Step;
 use crate::element::surface::STATIONS;
 use crate::model::Model;
 use crate::solution::StepRecord;
@@ -45,6 +48,7 @@ pub(super) struct StepControl<'a> {
     next_frame: usize,
     /// Time at which the run ends before its last frame \[s\].
     end: f64,
+    search: EndSearch,
 }
 
 impl<'a> StepControl<'a> {
@@ -59,6 +63,7 @@ impl<'a> StepControl<'a> {
             smallest: settings.min_step * model.duration,
             next_frame: 0,
             end: end.unwrap_or(f64::INFINITY),
+            search: EndSearch::new(settings.min_step * model.duration),
         }
     }
 
@@ -70,7 +75,19 @@ impl<'a> StepControl<'a> {
         let rest = self.model.process_time(state.time, clock);
         let steps = (rest / self.wanted - 1e-9).ceil().max(1.0);
         self.given = rest / steps;
-        Some(if steps > 1.0 { self.model.clock_time(state.time, self.given) } else { clock })
+        let dt = if steps > 1.0 { self.model.clock_time(state.time, self.given) } else { clock };
+        Some(match self.search.step(state.time) {
+            Some(to_end) if to_end < dt => {
+                self.given = self.model.process_time(state.time, to_end);
+                to_end
+            }
+            _ => dt,
+        })
+    }
+
+    /// Whether a step goes too far beyond the end of the run, by the excess over it, and is to be repeated shorter.
+    pub fn oversteps(&mut self, step: &Step, excess: f64) -> bool {
+        self.search.look(step.state.time, step.dt, excess)
     }
 
     /// After an accepted step; `before` is the evaluation of the one before.

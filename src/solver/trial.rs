@@ -81,10 +81,7 @@ impl Trial {
         }
         // A held strain rate has no meaning at rest.
         let holds_rate = process.holds_rate();
-        // The velocities of the last step, in proportion to the punch's where that has changed.
-        let before = model.schedule.as_ref().map_or(0.0, |schedule| schedule.slope_before(state.time));
-        let faster = if before > 0.0 { (step.travel() - state.travel) / (before * dt) } else { 1.0 };
-        let share = if from_rest && !holds_rate { 0.0 } else { faster * dt };
+        let share = if from_rest && !holds_rate { 0.0 } else { step.speed_ratio * dt };
         for (u, velocity) in self.moves.iter_mut().zip(&state.velocity) {
             *u = velocity.map(|velocity| share * velocity);
         }

@@ -51,6 +51,7 @@ mod verify_necking;
 mod verify_selective;
 mod verify_solver;
 mod verify_stages;
+mod verify_steps;
 mod voids;
 mod vtu;
 mod written_files;

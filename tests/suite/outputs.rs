@@ -293,7 +293,7 @@ fn no_line_of_the_summary_is_an_orphan() {
         ("work_external", &["work_plastic", "work_elastic", "work_friction", "work_contact"]),
         ("peak_holder_force", &["rim_share", "holder_lift"]),
         ("steps", &["steps_from_predictor", "steps_from_secant", "steps_from_softened"]),
-        ("rejected", &["steps_halved", "steps_overstrained"]),
+        ("rejected", &["steps_halved", "steps_overstrained", "steps_overstepped"]),
     ];
     let solution = stages(include_str!("../../cases/hat_springback.toml"));
     for pass in &solution.stages {

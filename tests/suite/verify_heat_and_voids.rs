@@ -57,15 +57,16 @@ fn adiabatic_heating_keeps_the_energy() {
 }
 
 /// Trust: closed form. In plane strain ε̄ = 2ε/√3 and dT = β σ_s exp(−b (T − T_r)) dε̄/(ρ c), hence
-/// exp(b ΔT) = 1 + b β/(ρ c) ∫σ_s dε̄. Temperature lags by one step: first order, 0.2 % with 100 steps, a tenth of it
-/// with ten times as many.
+/// exp(b ΔT) = 1 + b β/(ρ c) ∫σ_s dε̄. The temperature is foreseen for the end of the step and the work is the trapezoidal
+/// rule's; a temperature that lagged by a step would miss 0.17 % with 100 steps. The first step, whose stress jumps from
+/// nothing, is tiny.
 #[test]
 fn adiabatic_softening_follows_its_closed_form() {
     let error = |max_step: f64| {
         let mut model = simple::pulled(Geometry::PlaneStrain, Theory::Membrane, 6.0);
         model = heated(model, 293.15, Some(flow(0.9)));
         model.material.thermal = softening();
-        model.settings = Settings { max_step, first_step: max_step, ..Settings::default() };
+        model.settings = Settings { max_step, first_step: 1e-5, ..Settings::default() };
         let run = solve(&model);
         let strain = 2.0 / 3f64.sqrt() * (46.0 / 40.0_f64).ln();
         let n = 20_000;
@@ -74,11 +75,9 @@ fn adiabatic_softening_follows_its_closed_form() {
         let rise = (1.0 + 0.003 * 0.9 / CAPACITY * work).ln() / 0.003;
         (run.steps.last().expect("steps").hottest - 293.15) / rise - 1.0
     };
-    let (coarse, fine) = (error(0.01), error(0.001));
-    println!("adiabatic rise: {:.3} % and {:.4} % off with 100 and 1000 steps", 100.0 * coarse, 100.0 * fine);
-    assert!(coarse.abs() < 2e-3, "{coarse}");
-    let order = orders(&[10.0, 1.0], &[coarse, fine])[0];
-    assert!((order - 1.0).abs() < 0.05, "{order}");
+    let (coarse, fine) = (error(0.04), error(0.01));
+    println!("adiabatic rise: {:.3} % and {:.4} % off with 25 and 100 steps", 100.0 * coarse, 100.0 * fine);
+    assert!(coarse.abs() < 4e-4 && fine.abs() < 1e-4, "{coarse} {fine}");
 }
 
 /// Trust: the definition. A sheet at 150 °C is exp(−0.003 × 130) times as strong; everything scales with it. A field over

@@ -350,7 +350,8 @@ fn superplastic_box_is_blown_into_its_corner() {
     let Stop::ContactShare { share, asked, .. } = run.stop else { panic!("{}", run.stop) };
     assert!(share >= asked && (asked - 0.95).abs() < 1e-12 && last(&run).contact_share == share, "{share} {asked}");
     let rejected: usize = run.steps.iter().map(|r| r.rejected).sum();
-    assert!(rejected <= 8, "{rejected} rejected tries");
+    let failed = rejected - run.effort.overstepped;
+    assert!(failed <= 8, "{failed} tries that came to no equilibrium");
     let frame = run.frames.last().expect("the end");
     assert_eq!(frame.time, last(&run).time, "the end of the run is kept");
     // Free bulge up to the bottom: contact grows on the shoulder only.
@@ -367,6 +368,23 @@ fn superplastic_box_is_blown_into_its_corner() {
         let gap = 6.0 - 0.5 * n.thickness - (n.r - 34.0).hypot(n.z - 0.5 - 14.0);
         assert!((-0.01..0.05).contains(&gap), "{gap} at {} {}", n.r, n.z);
     }
+}
+
+/// The part is formed at an instant that hangs neither on where a step ends nor on which node lies on the die.
+#[test]
+fn the_end_of_the_box_is_an_instant_within_its_step() {
+    let end = |set: &[&str]| {
+        let run = solve(&shipped("superplastic_box", set));
+        let Stop::ContactShare { share, time, .. } = run.stop else { panic!("{}", run.stop) };
+        // Trust: the share closes in its last hundredths within a second, a thousandth of a step is 6 ms at most.
+        assert!((0.95..0.96).contains(&share), "{share}");
+        time
+    };
+    let (usual, fine) = (end(&[]), end(&["blank.elements=320"]));
+    let half = end(&["solver.max_step=0.005", "solver.first_step=0.001"]);
+    println!("end of the box: {usual} s, half the step {half} s, twice the elements {fine} s");
+    // Trust: a step is 1 to 1.6 % of the time, and one element is 1.4 % of the area within the seal.
+    assert!((usual / half - 1.0).abs() < 4e-3 && (usual / fine - 1.0).abs() < 1e-3, "{usual} {half} {fine}");
 }
 
 /// Without enough time the run ends at its full time, and says that the part is not formed.

@@ -168,9 +168,10 @@ fn doubling_elements_or_halving_steps_changes_little() {
     }
 }
 
-/// Trust: refinement, with no closed form: the changes as elements or steps are halved twice. Steps are of first order in the
-/// force (backward Euler); elements of second in the edge's draw-in, while the peak of the force, which ticks as nodes pass a
-/// radius, is only asked to settle faster than in first order.
+/// Trust: refinement, with no closed form: the changes as elements or steps are halved twice. Steps are of second order
+/// where the sheet flows steadily and of first order elsewhere, so that the force settles faster than in first order;
+/// elements of second or better in the edge's draw-in, while the peak of the force, which ticks as nodes pass a radius, is
+/// only asked to settle faster than in first order.
 #[test]
 fn whole_draws_converge_in_their_orders() {
     for name in ["woo_hemispherical", "chalmers_cup", "quickstart"] {
@@ -195,9 +196,9 @@ fn whole_draws_converge_in_their_orders() {
         );
         // The peak of Woo's cup, which is still drawn, moves by less than a thousandth: nothing to see an order in.
         let settled = finer.windows(2).all(|f| (f[1][0] / f[0][0] - 1.0).abs() < 1e-3);
-        assert!((force > 1.1 || settled) && (steps - 1.0).abs() < 0.35, "{name}: {force} {steps}");
+        assert!((force > 1.1 || settled) && steps > 1.4, "{name}: {force} {steps}");
         // The edge of Chalmers' cup lies still but for 4 µm on every mesh: nothing to see an order in.
-        assert!((drawn - 2.0).abs() < 0.1 || name == "chalmers_cup", "{name}: {drawn}");
+        assert!(drawn > 1.8 || name == "chalmers_cup", "{name}: {drawn}");
     }
 }
 

@@ -103,6 +103,11 @@ impl GtnCondition {
         Place { m, kappa, along, across, growth, dissipation: kappa * across + m * along / (2.0 * c) }
     }
 
+    /// Δε̄ of the metal around the voids \[–\].
+    pub fn equivalent_increment(&self, e: Triple) -> f64 {
+        self.share * self.place(e).dissipation
+    }
+
     /// What an increment does to the metal around the voids and to the volume: Δε̄ and the volume strain \[–\].
     pub(super) fn strains(&self, e: Triple) -> [f64; 2] {
         let place = self.place(e);

@@ -19,7 +19,7 @@ impl Summary {
             self.number("point_share", "  law points over those of full bending", Unit::Percent, 100.0 * points);
         }
         self.text("corrector", "Corrector", &corrector(model));
-        let Effort { predictor, secant, softened, halved, overstrained, abandoned } = run.effort;
+        let Effort { predictor, secant, softened, halved, overstrained, overstepped, abandoned } = run.effort;
         self.count("steps", "Steps", run.steps.len());
         self.count("steps_from_predictor", "  solved from the predictor", predictor);
         self.count("steps_from_secant", "  from a secant start at rest", secant);
@@ -30,6 +30,7 @@ impl Summary {
         self.count("rejected", "Rejected tries", run.steps.iter().map(|s| s.rejected).sum::<usize>() + abandoned);
         self.count("steps_halved", "  steps halved", halved);
         self.count("steps_overstrained", "  repeated for too much strain", overstrained);
+        self.count("steps_overstepped", "  repeated to find the end of the run", overstepped);
     }
 }
 

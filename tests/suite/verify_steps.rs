@@ -1,0 +1,61 @@
+//! Verification of the steps in time: what is read off a run does not hang on their length.
+
+use crate::common::convergence::orders_of_changes;
+use crate::common::shipped::{last, peak, shipped};
+use stampflow::solver;
+
+/// Overrides that divide the usual steps.
+fn divided(by: f64) -> [String; 2] {
+    [format!("solver.max_step={}", 0.01 / by), format!("solver.first_step={}", 0.002 / by)]
+}
+
+/// Trust: the same run with a fourth of the step, which is within a fifteenth of the error of second-order steps. 0.3 % is
+/// what no press and no gauge tells apart; a porous sheet just before it tears multiplies every error by ten.
+#[test]
+fn thickness_force_and_pressure_do_not_hang_on_the_step() {
+    for (name, allowed) in [
+        ("brite_cylindrical", 3e-3),
+        ("bulge", 3e-3),
+        ("chalmers_cup", 3e-3),
+        ("hydroform", 3e-3),
+        ("osu_stretch", 3e-3),
+        ("quickstart", 3e-3),
+        ("strip_draw", 3e-3),
+        ("superplastic_box", 3e-3),
+        ("superplastic_dome", 3e-3),
+        ("warm_cup", 3e-3),
+        ("woo_hemispherical", 3e-3),
+        ("woo_porous", 1e-2),
+    ] {
+        let figures = |set: &[&str]| {
+            let model = shipped(name, set);
+            let run = solver::run(&model, &mut ());
+            let end = last(&run);
+            let thinnest = end.thinnest / model.blank.thickness;
+            [thinnest, peak(&run), end.time, end.pressure, end.pole_height, model.blank.length - end.draw_in]
+        };
+        let quarter = divided(4.0);
+        let (usual, fine) = (figures(&[]), figures(&quarter.each_ref().map(String::as_str)));
+        let errors = [0, 1, 2, 3, 4, 5].map(|i| {
+            let scale = if i == 0 { 1.0 } else { fine[i].abs().max(1e-9) };
+            (usual[i] - fine[i]) / scale
+        });
+        let worst = errors.iter().fold(0.0_f64, |worst, error| worst.max(error.abs()));
+        println!("{name}: thinnest, peak, time, pressure, pole, edge off by {:.2?} %", errors.map(|e| 100.0 * e));
+        assert!(worst < allowed, "{name}: {errors:?}");
+    }
+}
+
+/// Trust: the second-order backward difference; the first steps, from a flat sheet whose rates are infinite, and the
+/// elements that are not steady take a little of the order away.
+#[test]
+fn a_bulge_is_of_second_order_in_the_step() {
+    let height = |by: f64| {
+        let set = divided(by);
+        let set: Vec<&str> = set.iter().map(String::as_str).chain(["blank.theory=membrane"]).collect();
+        last(&solver::run(&shipped("bulge", &set), &mut ())).pole_height
+    };
+    let orders = orders_of_changes(&[1.0, 2.0, 4.0, 8.0].map(height));
+    println!("height of the bulge: orders {orders:.2?} in the step");
+    assert!(orders.iter().all(|p| *p > 1.5), "{orders:?}");
+}
