@@ -1,5 +1,7 @@
 //! One instant of the sheet and its tools.
 
+pub mod neighbourhood;
+
 use crate::contact::penalty::Penalty;
 use crate::element::Node;
 use crate::element::kinematics::Reference;
@@ -25,6 +27,8 @@ pub struct MaterialPoint {
     pub porosity: f64,
     /// Rate of the porosity in the last step \[1/s\].
     pub porosity_rate: f64,
+    /// Rate of ε̄ in the last step, by the time of the process \[1/s\].
+    pub strain_rate: f64,
 }
 
 /// The sheet and its tools at one instant.

@@ -20,7 +20,7 @@
 use super::chaboche::BackStresses;
 use super::point_law::StressUpdate;
 use super::yield_condition::{SHEAR_FACTOR, Triple};
-use super::{Elastic, FlowStress, Hardening, Hill48, PointLaw, Rate, ThermalLaw};
+use super::{Elastic, FlowStress, Hardening, Hill48, PointLaw, Rate, Surroundings, ThermalLaw};
 use std::f64::consts::FRAC_1_SQRT_2;
 
 /// What is the same for every thickness point in an iteration.
@@ -73,6 +73,8 @@ pub struct Carried {
     pub stress: Triple,
     /// α_i \[MPa\].
     pub back: [Triple; 2],
+    /// What flows around it.
+    pub surroundings: Surroundings,
 }
 
 /// What one thickness point keeps of its last evaluation.
@@ -195,6 +197,7 @@ impl ElastoplasticLaw<'_> {
             yielding.slope *= factor;
             yielding.stress *= factor;
         }
+        point.surroundings.hold(&mut yielding, increment);
         yielding
     }
 

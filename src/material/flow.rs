@@ -12,7 +12,7 @@
 //! Zienkiewicz, Jain, Oñate, Int. J. Solids Struct. 14 (1978) 15–38; Sosnowski (1994), equations 3 and 4.
 
 use super::yield_condition::dot;
-use super::{Gtn, Hardening, Hill48, PointLaw, Rate, ThermalLaw};
+use super::{Gtn, Hardening, Hill48, PointLaw, Rate, Surroundings, ThermalLaw};
 use crate::units::ZERO_CELSIUS;
 
 pub use super::point_law::StressUpdate;
@@ -72,12 +72,14 @@ pub struct PointState {
     pub porosity: f64,
     /// T \[K\].
     pub temperature: f64,
+    /// What flows around it.
+    pub surroundings: Surroundings,
 }
 
 impl PointState {
-    /// A point of ordinary metal at room temperature.
+    /// A point of ordinary metal at room temperature, by itself.
     pub fn at(strain: f64) -> Self {
-        Self { strain, porosity: 0.0, temperature: ROOM_TEMPERATURE }
+        Self { strain, porosity: 0.0, temperature: ROOM_TEMPERATURE, surroundings: Surroundings::default() }
     }
 }
 
@@ -108,7 +110,7 @@ impl Iterate {
 
     /// Evaluates the law at the strain increment `e` and moves on to it.
     ///
-    /// With a rate law and a thermal law σ_y = σ_s(ε̄) g(Δε̄_reg/Δt) h(T). The matrices are
+    /// With a rate law and a thermal law σ_y = σ_s(ε̄) g(Δε̄_reg/Δt) h(T), times what the point's [`Surroundings`] hold. The matrices are
     ///
     /// ```text
     /// secant       C = f A                                                   f = σ_y/Δε̄_reg
@@ -149,6 +151,7 @@ impl Iterate {
             yielding.slope += yielding.stress * factor.slope * increment * inverse / law.duration;
             yielding.stress *= factor.value;
         }
+        point.surroundings.hold(&mut yielding, share * increment);
         yielding.slope *= share;
         if let Some(softening) = law.softening {
             let factor = softening.at(point.temperature);
@@ -251,6 +254,9 @@ mod tests {
         for (rate_name, rate) in rates {
             for ((name, hardening), r) in Hardening::examples().into_iter().zip([1.0, 0.5, 1.8].into_iter().cycle()) {
                 let law = FlowLaw { rate, anisotropy: Hill48::new(r), ..flow(&hardening, Iteration::Newton) };
+                let surroundings = Surroundings { exponent: 0.005, increment: 2e-3, floor: 1e-4 };
+                let point = PointState { surroundings, ..PointState::at(0.05) };
+                let at = |law: &FlowLaw, e: Triple| Iterate::start([0.0; 3]).advance(law, &point, e);
                 for e in points() {
                     let c = full(at(&law, e).tangent);
                     let h = 1e-4 * law.anisotropy.equivalent_increment(e);

@@ -49,6 +49,7 @@ impl<'a> Converged<'a> {
                 back,
                 porosity: point.porosity,
                 porosity_rate: point.porosity_rate,
+                strain_rate: update.increment / step.process_time,
             }
         });
         let nodes = state.nodes.len();

@@ -10,6 +10,7 @@ use crate::geometry::Profile;
 use crate::model::{Model, Motion, Pressure, Role};
 use crate::numerics::lobatto::{self, ThicknessPoint};
 use crate::state::State;
+use crate::state::neighbourhood::Neighbourhood;
 use nalgebra::Vector3;
 
 /// A tool as the solver uses it.
@@ -141,10 +142,12 @@ pub(super) fn nodal_areas(references: impl Iterator<Item = Reference>, nodes: us
 /// What the stress in the sheet asks for at every node to be in equilibrium \[N, N mm\].
 fn unloading_forces(model: &Model, state: &State, rule: &[ThicknessPoint]) -> Vec<Vector3<f64>> {
     let mut forces = vec![Vector3::zeros(); state.nodes.len()];
+    let section = Neighbourhood::new(model, state).section_thickness(&state.thickness);
     for (e, reference) in references(model, state, &state.bends).enumerate() {
         let Some(current) = reference.moved([0.0; 3], [0.0; 3]) else { continue };
         let points = state.points.row(e);
-        let force = section::forces(&current, state.volume[e], state.thickness[e], rule, |k| points[k].stress);
+        let volume = state.volume[e] * section[e] / state.thickness[e];
+        let force = section::forces(&current, volume, section[e], rule, |k| points[k].stress);
         forces[e] += force.fixed_rows::<3>(0);
         forces[e + 1] += force.fixed_rows::<3>(3);
     }

