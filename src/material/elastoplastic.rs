@@ -141,7 +141,13 @@ impl PointLaw for ElastoplasticLaw<'_> {
             *trial = Trial { strain: e, back: point.back, ..Trial::default() };
             let sum = 0.5 * (d[0] + d[1]);
             let tangent = [sum, d[0] - sum, sum, 0.0, 0.0, d[2]];
-            return StressUpdate { stress: turned(tried), tangent, increment: 0.0, yield_stress: point.yield_stress };
+            return StressUpdate {
+                stress: turned(tried),
+                tangent,
+                increment: 0.0,
+                yield_stress: point.yield_stress,
+                work_across: 0.0,
+            };
         };
         let (x, n, m) = (at.increment, at.direction, at.measure);
         let stress = turned(each(|j| tried[j] - x * both[j] * n[j]));
@@ -169,7 +175,7 @@ impl PointLaw for ElastoplasticLaw<'_> {
         let (ac, bc) = (FRAC_1_SQRT_2 * entry(0, 2), FRAC_1_SQRT_2 * entry(1, 2));
         let (mean, half) = (0.5 * (aa + bb), 0.5 * (aa - bb));
         let tangent = [mean + ab, half, mean - ab, ac + bc, ac - bc, own[2] + entry(2, 2)];
-        StressUpdate { stress, tangent, increment: x, yield_stress: at.radius }
+        StressUpdate { stress, tangent, increment: x, yield_stress: at.radius, work_across: 0.0 }
     }
 }
 

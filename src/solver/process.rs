@@ -8,7 +8,7 @@ use crate::element::kinematics::Reference;
 use crate::element::section;
 use crate::geometry::Profile;
 use crate::model::{Model, Motion, Pressure, Role};
-use crate::numerics::lobatto::{self, ThicknessPoint};
+use crate::numerics::lobatto::ThicknessPoint;
 use crate::state::State;
 use crate::state::neighbourhood::Neighbourhood;
 use nalgebra::Vector3;
@@ -75,7 +75,7 @@ impl<'a> Process<'a> {
         });
         let tools = tools.collect();
         let gas_shared = model.gas.iter().map(|gas| index(matches!(gas.pressure, Pressure::Rate(_)))).collect();
-        let rule = lobatto::rule(model.blank.layers);
+        let rule = model.blank.points();
         Self {
             model,
             tools,

@@ -10,7 +10,8 @@ use stampflow::geometry::Profile;
 use stampflow::material::hardening::Swift;
 use stampflow::material::{Elastic, Hardening, Material};
 use stampflow::model::{
-    Blank, Edge, Friction, Geometry, Grading, Mode, Model, Motion, Press, Role, Settings, StopRules, Theory, Tool,
+    Blank, Edge, Friction, Geometry, Grading, Mode, Model, Motion, Press, Role, Settings, StopRules, Theory,
+    ThicknessRule, Tool,
 };
 use stampflow::solution::StageSolution;
 use stampflow::solver;
@@ -34,6 +35,7 @@ fn cup(mode: Mode, per_thickness: f64) -> Model {
             grading: Grading::Uniform,
             theory: Theory::Bending,
             layers: if mode == Mode::Flow { 5 } else { 9 },
+            rule: if mode == Mode::Flow { ThicknessRule::Parts } else { ThicknessRule::Lobatto },
             edge: Edge::Free,
         },
         material: Material { elastic: Some(Elastic { young: 210e3, poisson: 0.3 }), ..Material::plain(hardening) },
