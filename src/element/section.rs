@@ -96,7 +96,9 @@ impl<L: PointLaw> Law<'_, L> {
             let v = volume * at.weight;
             let half = 0.5 * thickness * at.half;
             let spread = [half * e[KAPPA_S], half * e[KAPPA_T]];
-            let update = match self.point.respond_across(&before[i], &mut iterates[i], strain, spread) {
+            let part = at.half > 0.0;
+            let across = part.then(|| self.point.respond_across(&before[i], &mut iterates[i], strain, spread));
+            let update = match across.flatten() {
                 None => self.point.respond(&before[i], &mut iterates[i], strain),
                 Some(Across { update, moment, coupling, bending }) => {
                     let arm = half * v;

@@ -18,6 +18,9 @@ use crate::units::ZERO_CELSIUS;
 pub use super::point_law::{Across, StressUpdate};
 pub use super::yield_condition::{Metric, SHEAR_FACTOR, Symmetric, Triple, YieldCondition};
 
+/// Mean square of what goes evenly from −1 to 1 \[–\].
+const MEAN_SQUARE: f64 = 1.0 / 3.0;
+
 /// Matrix of the corrector.
 // H of Sosnowski (1994), equation 9.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -279,18 +282,6 @@ impl Iterate {
     /// w ← σ + C δ(Δε) with the matrix of the last iterate, scaled back onto the yield surface.
     #[inline]
     fn carried_at(&self, condition: &impl YieldCondition, now: &Metric, e: Triple, yield_stress: f64) -> Triple {
-        let w = self.linearised(condition, e);
-        let square = condition.stress_square(now, w);
-        if square > yield_stress * yield_stress {
-            let back = yield_stress / square.sqrt();
-            return w.map(|w| back * w);
-        }
-        w
-    }
-
-    /// σ + C δ(Δε) with the matrix of the last iterate.
-    #[inline]
-    fn linearised(&self, condition: &impl YieldCondition, e: Triple) -> Triple {
         let mut w = self.carried;
         if self.fluidity > 0.0 {
             let last = condition.metric(self.strain);
@@ -303,6 +294,11 @@ impl Iterate {
             for i in 0..3 {
                 w[i] = on_a * a[i] + on_w * w[i] + self.fluidity * c[i];
             }
+        }
+        let square = condition.stress_square(now, w);
+        if square > yield_stress * yield_stress {
+            let back = yield_stress / square.sqrt();
+            w = w.map(|w| back * w);
         }
         w
     }
@@ -337,9 +333,6 @@ impl Iterate {
         w
     }
 }
-
-/// Mean square of what varies from −1 to 1.
-const MEAN_SQUARE: f64 = 1.0 / 3.0;
 
 #[cfg(test)]
 mod tests {

@@ -74,7 +74,7 @@ fn alternation(run: &StageSolution) -> f64 {
     by_turns.map(|d| d.iter().fold(f64::INFINITY, |least, d| least.min(d.abs()))).fold(0.0, f64::max)
 }
 
-/// Trust: the finest of the meshes. Measured, the thinnest place lies within 0.04 % of that of elements of an eighth of the
+/// Trust: the finest of the meshes. Measured, the thinnest place lies within 0.06 % of that of elements of an eighth of the
 /// thickness and no thickness alternates by more than 0.1 %; half as much again is allowed. Without the neighbourhood the
 /// thinnest places differ by 5 % from one mesh to the next and alternate by 10 %, and the finest mesh tears.
 #[test]
@@ -88,7 +88,7 @@ fn fine_elements_thin_like_usual_ones() {
         println!("{mode:?}: {runs:?}");
         let finest = runs[2].0;
         for (thinnest, alternation) in runs {
-            assert!((thinnest - finest).abs() < 6e-4, "{mode:?}: {thinnest} against {finest}");
+            assert!((thinnest - finest).abs() < 9e-4, "{mode:?}: {thinnest} against {finest}");
             assert!(alternation < 1.5e-3, "{mode:?}: thickness alternates by {alternation}");
         }
     }
