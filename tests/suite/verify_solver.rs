@@ -140,8 +140,9 @@ fn doubling_elements_or_halving_steps_changes_little() {
 }
 
 /// Trust: refinement, with no closed form: the changes as elements or steps are halved twice. Steps are of first order in the
-/// force (backward Euler), where so little is left of it that the peak's place shows of up to 1.5; elements of second in the edge's draw-in, while the peak of the force, which ticks as nodes pass a
-/// radius, is only asked to settle faster than in first order. The coarsest elements have no neighbourhood but themselves, the
+/// force (backward Euler), a little faster where the place of the peak still settles: up to 1.4. Elements are of second in the
+/// edge's draw-in, while the peak of the force, which ticks as nodes pass a radius, is only asked to settle faster than in first
+/// order. The coarsest elements have no neighbourhood but themselves, the
 /// finer ones have: that moves the draw-in by a little of its own, an order of 2.12 in place of 2.03.
 #[test]
 fn whole_draws_converge_in_their_orders() {
@@ -153,7 +154,7 @@ fn whole_draws_converge_in_their_orders() {
             model.blank.elements *= k;
             of(solve(&model))
         });
-        let shorter = [1.0, 0.5, 0.25].map(|k| {
+        let shorter = [0.25, 0.125, 0.0625].map(|k| {
             let mut model = model.clone();
             model.settings.max_step *= k;
             model.settings.first_step *= k;
@@ -165,7 +166,7 @@ fn whole_draws_converge_in_their_orders() {
         println!(
             "{name}: orders {force:.2} of the force, {drawn:.2} of the draw-in in elements, {steps:.2} of the force in steps"
         );
-        assert!(force > 1.1 && (0.75..1.75).contains(&steps), "{name}: {force} {steps}");
+        assert!(force > 1.1 && (0.75..1.6).contains(&steps), "{name}: {force} {steps}");
         // The edge of Chalmers' cup lies still but for 4 µm on every mesh: nothing to see an order in.
         assert!((drawn - 2.0).abs() < 0.15 || name == "chalmers_cup", "{name}: {drawn}");
     }
