@@ -34,6 +34,9 @@ pub(super) fn judge(run: &Run) -> Option<Finding> {
         }
         Stop::DrawnThrough { .. } => "a shorter travel or a larger blank; more holder force keeps the edge back",
         Stop::ToolsClosed { .. } => "a shorter travel, or a larger gap between punch and die",
+        Stop::Creeping { .. } => {
+            "coarser elements there, a larger solver.min_step; or look at the shape: the sheet may snap"
+        }
         Stop::NoEquilibrium { .. } => "what the stop names; else a finer mesh at the radii (blank.elements)",
     };
     Some(

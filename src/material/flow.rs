@@ -540,7 +540,7 @@ mod tests {
                 let t = dt * f64::from(k);
                 let mut point = PointState::at(total);
                 if k > 0 {
-                    point = point.following(chord(t - dt, t), weight, metal, None);
+                    point = point.following(chord(t - dt, t), [0.0; 2], weight, metal, None);
                 }
                 let update = Iterate::start([0.0; 3]).advance(&law, &point, chord(t, t + dt));
                 (total, stress) = (total + update.increment, update.stress);

@@ -93,6 +93,19 @@ pub enum Stop {
         /// Time reached \[s\].
         time: f64,
     },
+    /// The steps became so short that the run would not end in sensible time.
+    Creeping {
+        /// Punch travel of the last accepted step \[mm\].
+        travel: f64,
+        /// Time of the last accepted step \[s\].
+        time: f64,
+        /// Steps that were tried, accepted or not.
+        tries: usize,
+        /// Length of the last of them \[s\].
+        step: f64,
+        /// Initial distance from the axis of the node with the largest residual in the last try \[mm\].
+        worst_s0: f64,
+    },
     /// No equilibrium was found down to the smallest step.
     NoEquilibrium {
         /// Punch travel of the last accepted step \[mm\].
@@ -121,7 +134,10 @@ impl Stop {
 
     /// Whether the sheet or the tools ended the run, not the numerics or the user.
     pub fn is_physical(&self) -> bool {
-        let ours = matches!(self, Stop::Interrupted { .. } | Stop::NoEquilibrium { .. } | Stop::Refused(_));
+        let ours = matches!(
+            self,
+            Stop::Interrupted { .. } | Stop::NoEquilibrium { .. } | Stop::Creeping { .. } | Stop::Refused(_)
+        );
         !self.is_complete() && !ours
     }
 
@@ -140,6 +156,7 @@ impl Stop {
             Stop::DrawnThrough { .. } => "drawn through",
             Stop::ToolsClosed { .. } => "tools closed",
             Stop::Interrupted { .. } => "interrupted",
+            Stop::Creeping { .. } => "creeping",
             Stop::NoEquilibrium { .. } => "no equilibrium",
         }
     }
@@ -203,6 +220,11 @@ impl std::fmt::Display for Stop {
                 f,
                 "interrupted at {travel:.2} mm of travel (time {time:.4} s): what was computed up to there is kept, but the \
                  run has not come to its end"
+            ),
+            Stop::Creeping { travel, time, tries, step, worst_s0 } => write!(
+                f,
+                "creeping: {tries} tries of a step have come to {travel:.3} mm of travel (time {time:.4} s), the last of \
+                 {step:.2e} s; the corrector labours most at s0 = {worst_s0:.2} mm"
             ),
             Stop::NoEquilibrium { travel, time, step, velocity_norm, residual_norm, worst_s0, diagnosis } => write!(
                 f,

@@ -68,12 +68,18 @@ pub fn run_from(model: &Model, mut state: State, observer: &mut dyn Observer) ->
         ..StageSolution::unsolved(model.clone())
     };
     let mut last = StepRecord { thinnest: model.blank.thickness, ..StepRecord::default() };
-    let mut rejected = 0;
+    let (mut rejected, mut tries) = (0, 0);
 
     observer.state(model, &state);
     while let Some(dt) = control.next(&state) {
         if observer.wants_to_stop() {
             run.stop = interrupted(&state);
+            break;
+        }
+        tries += 1;
+        if control.is_spent(tries) {
+            let worst_s0 = state.s0[evaluation.worst_node];
+            run.stop = Stop::Creeping { travel: state.travel, time: state.time, tries, step: dt, worst_s0 };
             break;
         }
         let step = Step::new(&process, &state, dt, last.step + 1);

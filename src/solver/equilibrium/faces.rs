@@ -47,6 +47,7 @@ fn shell(geometry: Geometry, thickness: f64, by: By, inside: f64, gas: f64) -> M
             grading: Grading::Uniform,
             theory: Theory::Bending,
             layers: 5,
+            rule: Default::default(),
             edge: Edge::Free,
         },
         material: Material::plain(Hardening::Swift(Swift::new(YIELD, 1e-9, 1e-3).expect("valid"))),
