@@ -18,7 +18,7 @@ pub(crate) const AWAY: f64 = 8.0;
 pub struct Neck {
     /// Initial distance from the axis \[mm\].
     pub s0: f64,
-    /// Thickness over the initial one \[–\].
+    /// Thickness, were the sheet not ironed, over the initial one \[–\].
     pub share: f64,
     /// Whether it is a neck.
     pub stands_out: bool,
@@ -26,11 +26,15 @@ pub struct Neck {
     pub took_over: bool,
 }
 
-/// The thinnest place and what its surroundings do; `before` is the state one step ago.
+/// The thinnest place, but for ironing, and what its surroundings do; `before` is the state one step ago.
 pub fn neck(model: &Model, state: &State, before: Option<&State>) -> Neck {
     let t0 = model.blank.thickness;
-    let strain = |e: usize| (state.thickness[e] / t0).ln();
-    let rate = |e: usize| before.map_or(0.0, |before| (before.thickness[e] / state.thickness[e]).ln());
+    // What two tools take off a wall is no neck.
+    let strain = |e: usize| (state.thickness[e] / t0).ln() + state.ironed[e];
+    let ironing = |e: usize, before: &State| state.ironed[e] - before.ironed[e];
+    let rate = |e: usize| {
+        before.map_or(0.0, |before| (before.thickness[e] / state.thickness[e]).ln() - ironing(e, before))
+    };
     // A sheet that does not form, while tools go back, thins by less than the cut-off.
     let rigid = before.map_or(0.0, |before| {
         let step = model.process_time(before.time, state.time - before.time);
@@ -38,9 +42,9 @@ pub fn neck(model: &Model, state: &State, before: Option<&State>) -> Neck {
     });
     let middle = |e: usize| 0.5 * (state.s0[e] + state.s0[e + 1]);
     let n = state.thickness.len();
-    let thinnest = (0..n).min_by(|&a, &b| state.thickness[a].total_cmp(&state.thickness[b]));
+    let thinnest = (0..n).min_by(|&a, &b| strain(a).total_cmp(&strain(b)));
     let e = thinnest.expect("a blank has elements");
-    let mut neck = Neck { s0: middle(e), share: state.thickness[e] / t0, stands_out: false, took_over: false };
+    let mut neck = Neck { s0: middle(e), share: strain(e).exp(), stands_out: false, took_over: false };
     if neck.share > THINNED {
         return neck;
     }

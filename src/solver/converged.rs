@@ -65,6 +65,7 @@ impl<'a> Converged<'a> {
             dilation_rate: state.dilation_rate.clone(),
             temperature: state.temperature.clone(),
             membrane: strains.map(|(total, e)| [total[0] + e[0], total[1] + e[1]]).collect(),
+            ironed: state.ironed.clone(),
             bends: step.bends.clone(),
             points: Grid::from_values(state.points.columns(), points),
             tools: trial.tools.clone(),
