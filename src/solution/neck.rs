@@ -32,9 +32,8 @@ pub fn neck(model: &Model, state: &State, before: Option<&State>) -> Neck {
     // What two tools take off a wall is no neck.
     let strain = |e: usize| (state.thickness[e] / t0).ln() + state.ironed[e];
     let ironing = |e: usize, before: &State| state.ironed[e] - before.ironed[e];
-    let rate = |e: usize| {
-        before.map_or(0.0, |before| (before.thickness[e] / state.thickness[e]).ln() - ironing(e, before))
-    };
+    let rate =
+        |e: usize| before.map_or(0.0, |before| (before.thickness[e] / state.thickness[e]).ln() - ironing(e, before));
     // A sheet that does not form, while tools go back, thins by less than the cut-off.
     let rigid = before.map_or(0.0, |before| {
         let step = model.process_time(before.time, state.time - before.time);

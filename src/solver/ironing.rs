@@ -48,8 +48,6 @@ fn is_between_walls(converged: &Converged, e: usize) -> bool {
         let contact = &evaluation.contacts[(j, i)];
         (tools[j].shared.is_none() && contact.pressure.value > least).then_some(contact.facing)
     };
-    let opposed = |i: usize, j: usize, k: usize| {
-        held(j, i).zip(held(k, i)).is_some_and(|(a, b)| a.dot(&b) < OPPOSED)
-    };
+    let opposed = |i: usize, j: usize, k: usize| held(j, i).zip(held(k, i)).is_some_and(|(a, b)| a.dot(&b) < OPPOSED);
     (STATIONS * e..STATIONS * (e + 1)).any(|i| (0..tools.len()).any(|j| (0..j).any(|k| opposed(i, j, k))))
 }
