@@ -59,6 +59,8 @@ pub struct State {
     pub temperature_rates: Vec<[f64; 2]>,
     /// Logarithmic mid-surface strains of each element: meridional, hoop \[–\].
     pub membrane: Vec<[f64; 2]>,
+    /// Logarithmic strain by which each element has thinned between two tools in the stage \[–\]: ironing.
+    pub ironed: Vec<f64>,
     /// Whether each element bent in the last step, or was a membrane.
     pub bends: Vec<bool>,
     /// Duration of the last step \[s\].
@@ -111,6 +113,7 @@ impl State {
             thickness: vec![t; elements],
             volume: volume.collect(),
             membrane: vec![[0.0; 2]; elements],
+            ironed: vec![0.0; elements],
             bends: vec![model.blank.theory == Theory::Bending; elements],
             last_step: 0.0,
             steady: vec![false; elements],

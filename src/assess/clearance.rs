@@ -18,7 +18,7 @@ pub(super) fn narrow(model: &Model) -> Option<Finding> {
     let gap = estimate::clearance(model).filter(|gap| *gap < t * LEAST)?;
     let found = format!(
         "at the full travel punch and die are {} mm apart, less than the thickness of {} mm: sheet that does not thin to that \
-         is squeezed, which a shell does not feel as a solid does",
+         is ironed",
         mm(gap),
         mm(t)
     );
@@ -34,7 +34,7 @@ pub(super) fn judge(run: &Run) -> Option<Finding> {
     Some(
         Finding::judged("clearance", "Clearance", light, format!("{gap:.2} thicknesses between punch and die"))
             .against(gap, Unit::None, format!("one thickness at least{most}"))
-            .source("a sheet that does not thin is squeezed in less; the upper one is a declared rule of thumb")
+            .source("a sheet that does not thin is ironed in less; the upper one is a declared rule of thumb")
             .advice(match gap < LEAST {
                 true => "a larger throat, a smaller punch or a shorter travel",
                 false => "a smaller throat: the wall leans, and puckers",

@@ -59,7 +59,7 @@ pub(super) fn judge(run: &Run) -> Option<Finding> {
     let (lifts, presses) = (Light::of(lift, [LIFTED, OFF]), Light::within(pressed, PRESSURE));
     let advice = match presses {
         Light::Green => "more holder force; a larger die shoulder raises the flange less",
-        _ => "less holder force: the sheet is squeezed, which the shell does not see",
+        _ => "less holder force: the flange is squeezed thinner",
     };
     let found = format!(
         "lifted by up to {lift:.2} t; at first {:.1} % of the tensile strength; in the end {:.0} % of its force on the outer \

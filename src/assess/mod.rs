@@ -110,7 +110,6 @@ const AFTER: &[After] = &[
     After::Run(moment::judge),
     After::Stage(hardening::beyond),
     After::Stage(hardening::other_temperatures),
-    After::Stage(ironing::begins),
     After::Stage(contact_share::missed),
     After::Stage(holder::lifted),
     After::Stage(holder::rests),

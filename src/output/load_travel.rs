@@ -27,7 +27,7 @@ const BEFORE: [Field<StepRecord>; 7] = [
         |s| s.thinnest_s0,
     ),
 ];
-const BEHIND: [Field<StepRecord>; 22] = [
+const BEHIND: [Field<StepRecord>; 25] = [
     Field::energy("work_external", "External work", |s| JOULES * s.work.external),
     Field::energy("work_plastic", "Plastic work", |s| JOULES * s.work.plastic),
     Field::energy("work_friction", "Friction work", |s| JOULES * s.work.friction),
@@ -37,7 +37,10 @@ const BEHIND: [Field<StepRecord>; 22] = [
     PRESSURE,
     Field::new("holder_move", "Move of the holder towards the die", Unit::Mm, |s| s.holder_move),
     Field::new("penetration", "Penetration over thickness", Unit::None, |s| s.penetration),
-    Field::new("squeeze", "Squeeze between two tools over thickness", Unit::None, |s| s.ironing),
+    Field::new("ironing", "Reduction of the thickness by ironing", Unit::Percent, |s| 100.0 * s.ironing),
+    Field::force("ironing_force", "Ironing force of the die", |s| s.ironing_force),
+    Field::force("ironing_friction", "Friction in the ironing force", |s| s.ironing_friction),
+    Field::new("ironing_pressure", "Largest ironing pressure", Unit::MPa, |s| s.ironing_pressure),
     Field::new("rim_share", "Share of the holder force on the rim", Unit::None, |s| s.rim_share),
     Field::new("sticking", "Share of the nodes in contact that stick", Unit::None, |s| s.sticking),
     Field::new("flips", "Contacts that came or went", Unit::None, |s| s.contact_changes as f64),

@@ -13,7 +13,7 @@ use crate::assess::{Kind, sentences};
 use crate::measure::{Change, moment_error};
 use crate::model::{Geometry, Mode};
 use crate::solution::{StageSolution, StepRecord, Stop};
-use crate::table::Unit;
+use crate::table::{Unit, force_unit};
 use sha2::{Digest, Sha256};
 
 /// What a line of the summary is about.
@@ -123,7 +123,11 @@ impl Summary {
         summary.group = Group::Part;
         let ironing = largest(|s| s.ironing);
         if ironing > 0.0 {
-            summary.number("squeeze", "Ironing: thicker than its gap by", Unit::Percent, 100.0 * ironing);
+            let force = force_unit(model.geometry);
+            summary.number("ironing", "Ironing: reduction of the thickness", Unit::Percent, 100.0 * ironing);
+            summary.number("ironing_force", "Largest ironing force of the die", force, largest(|s| s.ironing_force));
+            summary.number("ironing_friction", "Largest friction in it", force, largest(|s| s.ironing_friction));
+            summary.number("ironing_pressure", "Largest ironing pressure", Unit::MPa, largest(|s| s.ironing_pressure));
         }
         summary.number("sharpest_bend", "Smallest bending radius over thickness", Unit::None, bend_radius(run));
         summary.holder(model, run);

@@ -18,6 +18,12 @@ pub const LIMITING_RATIO: f64 = 2.2;
 pub const CAREFUL_RATIO: f64 = 2.0;
 /// First cup over redrawn cup, of DC04 in the second draw (4ming, table of draw ratios).
 pub const REDRAW_RATIO: f64 = 1.3;
+/// Largest reduction of a wall's thickness by ironing in one pass \[–\]: the layout of a drawn and ironed cylinder keeps its
+/// section's reduction below 35 % at each ironing die, and below 50 % in a stage that redraws and irons (Chinese Journal of
+/// Mechanical Engineering 2022, doi 10.1186/s10033-022-00681-9, table 8). The Library of Manufacturing, "Ironing of sheet
+/// metal" (thelibraryofmanufacturing.com/ironing.html), calls 40 % to 60 % usual and does not say in how many passes; the
+/// lower one is kept.
+pub const IRONING_LIMIT: f64 = 0.35;
 /// Radius over thickness of tools [–]: see [`tool_radius`].
 const RADIUS: f64 = 6.0;
 /// Elements per 90° of the sharpest corner that a blank of equal elements would have [–].

@@ -143,10 +143,20 @@ pub struct StepRecord {
     pub holder_move: f64,
     /// Force of the holder that its distance blocks bear in place of the sheet \[N, or N/mm\].
     pub block_force: f64,
-    /// Largest penetration of a tool over the sheet's thickness, where the sheet is not ironed \[–\].
+    /// Largest penetration of a tool over the sheet's thickness \[–\].
     pub penetration: f64,
-    /// Largest share of the thickness by which the sheet is too thick for the gap between two tools \[–\]: ironing.
+    /// Largest reduction of an element's thickness by ironing in this stage so far, 1 − exp(−ε) \[–\]: ε is what it has thinned
+    /// in the steps in which two tools, none of them driven by a force, pressed both its faces with more than a tenth of
+    /// its yield stress each.
     pub ironing: f64,
+    /// Initial distance of that element from the axis \[mm\].
+    pub ironing_s0: f64,
+    /// Force of the die on the ironed elements against the punch travel \[N, or N/mm\], friction included.
+    pub ironing_force: f64,
+    /// What of it is friction \[N, or N/mm\].
+    pub ironing_friction: f64,
+    /// Largest pressure of a tool on an ironed element \[MPa\].
+    pub ironing_pressure: f64,
     /// Share of the holder's force on the rim, the outermost [`StepRecord::RIM`] thicknesses of the blank \[–\].
     pub rim_share: f64,
     /// Share of the nodes in contact that stick: they slide slower than the regularisation speed \[–\].

@@ -19,7 +19,7 @@ pub(crate) const AWAY: f64 = 8.0;
 pub struct Neck {
     /// Initial distance from the axis \[mm\].
     pub s0: f64,
-    /// Thickness over the initial one \[–\].
+    /// Thickness, were the sheet not ironed, over the initial one \[–\].
     pub share: f64,
     /// Whether it is a neck.
     pub stands_out: bool,
@@ -27,14 +27,18 @@ pub struct Neck {
     pub took_over: bool,
 }
 
-/// The thinnest place, by the mean over the neighbourhood of each element, and what its surroundings do; `before` is the
-/// state one step ago.
+/// The thinnest place, by the mean over the neighbourhood of each element and but for ironing, and what its surroundings do;
+/// `before` is the state one step ago.
 pub fn neck(model: &Model, state: &State, before: Option<&State>) -> Neck {
     let t0 = model.blank.thickness;
     let section = |state: &State| Neighbourhood::new(model, state).section_thickness(&state.thickness);
     let (thickness, former) = (section(state), before.map(section));
-    let strain = |e: usize| (thickness[e] / t0).ln();
-    let rate = |e: usize| former.as_ref().map_or(0.0, |former| (former[e] / thickness[e]).ln());
+    // What two tools take off a wall is no neck.
+    let strain = |e: usize| (thickness[e] / t0).ln() + state.ironed[e];
+    let rate = |e: usize| {
+        let then = before.zip(former.as_ref());
+        then.map_or(0.0, |(before, former)| (former[e] / thickness[e]).ln() - (state.ironed[e] - before.ironed[e]))
+    };
     // A sheet that does not form, while tools go back, thins by less than the cut-off.
     let rigid = before.map_or(0.0, |before| {
         let step = model.process_time(before.time, state.time - before.time);
@@ -42,9 +46,9 @@ pub fn neck(model: &Model, state: &State, before: Option<&State>) -> Neck {
     });
     let middle = |e: usize| 0.5 * (state.s0[e] + state.s0[e + 1]);
     let n = thickness.len();
-    let thinnest = (0..n).min_by(|&a, &b| thickness[a].total_cmp(&thickness[b]));
+    let thinnest = (0..n).min_by(|&a, &b| strain(a).total_cmp(&strain(b)));
     let e = thinnest.expect("a blank has elements");
-    let mut neck = Neck { s0: middle(e), share: thickness[e] / t0, stands_out: false, took_over: false };
+    let mut neck = Neck { s0: middle(e), share: strain(e).exp(), stands_out: false, took_over: false };
     if neck.share > THINNED {
         return neck;
     }

@@ -69,6 +69,7 @@ impl<'a> Converged<'a> {
             temperature: state.temperature.clone(),
             temperature_rates: state.temperature_rates.clone(),
             membrane: strains.map(|(total, e)| [total[0] + e[0], total[1] + e[1]]).collect(),
+            ironed: state.ironed.clone(),
             bends: step.bends.clone(),
             last_step: dt,
             steady: vec![false; state.steady.len()],

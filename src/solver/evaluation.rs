@@ -13,9 +13,6 @@ use crate::numerics::block_tridiagonal::System;
 use crate::state::State;
 use nalgebra::Vector3;
 
-/// Cosine between the normals of two tools below which they press on opposite faces \[–\].
-const OPPOSED: f64 = -0.5;
-
 /// Pressure over that of touching above which a point counts as in contact \[–\].
 const LIGHT: f64 = 0.01;
 
@@ -50,11 +47,6 @@ impl Contact {
     /// A point far away that nothing presses.
     pub fn free() -> Self {
         Self { gap: f64::INFINITY, ..Self::default() }
-    }
-
-    /// Whether the tool presses: the sheet's face is in it, or held at it.
-    fn is_pressed(&self, penalty: &Penalty) -> bool {
-        self.pressure.value > penalty.at_touch()
     }
 
     /// Whether the tool presses at all, however lightly.
@@ -182,21 +174,6 @@ impl Evaluation {
         for contact in self.contacts.row_mut(tool) {
             (contact.normal, contact.tangential) = (0.0, 0.0);
         }
-    }
-
-    /// By how much the sheet at contact point `i` is too thick for the gap between two tools that do not give way and press it from
-    /// both faces \[mm\]; `None` where there are no such two.
-    pub fn ironing(&self, process: &Process, i: usize) -> Option<f64> {
-        let held = |j: usize| {
-            let contact = &self.contacts[(j, i)];
-            (process.tools[j].shared.is_none() && contact.is_pressed(&process.penalty)).then_some(contact)
-        };
-        let pairs = (0..process.tools.len()).flat_map(|j| (0..j).map(move |k| (j, k)));
-        let ironed = pairs.filter_map(|(j, k)| {
-            let (a, b) = (held(j)?, held(k)?);
-            (a.facing.dot(&b.facing) < OPPOSED).then_some(-(a.gap + b.gap))
-        });
-        ironed.max_by(f64::total_cmp)
     }
 
     /// Largest penetration of an element over its thickness \[–\]: what the contact method lets through.

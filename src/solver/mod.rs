@@ -9,6 +9,7 @@ mod energy_balance;
 mod equilibrium;
 mod evaluation;
 mod heat;
+mod ironing;
 mod line_search;
 mod no_equilibrium;
 mod observer;
@@ -157,6 +158,7 @@ fn advance(
     let (work, plastic) = energy_balance::work(before, converged);
     let mut record = step_record::record(converged, before, work, rejected, last);
     let mut next = converged.advanced();
+    ironing::follow(converged, &mut next, &mut record);
     if converged.step.model.material.gtn.is_some() {
         (record.porosity, record.porous_s0) = next.largest_porosity(&converged.step.process.rule);
     }

@@ -68,6 +68,7 @@ pub fn enter(stage: &Stage, before: &Model, mut state: State) -> State {
     if let Some(radius) = begin.trim {
         trim(&mut state, radius);
     }
+    state.ironed = vec![0.0; state.thickness.len()];
     if begin.anneal {
         for point in state.points.iter_mut() {
             (point.strain, point.stress, point.carried) = (0.0, Default::default(), Default::default());

@@ -25,8 +25,6 @@ pub(super) fn record(
     let thinnest = (0..thickness.len()).fold(0, thinner);
     let gas = model.gas.iter().zip(&trial.gas).map(|(gas, pressure)| gas.face.sign() * pressure);
     let n = evaluation.nodes.len();
-    let ironing =
-        (0..step.areas.len()).filter_map(|i| Some(evaluation.ironing(step.process, i)? / evaluation.thickness_at(i)));
     StepRecord {
         step: step.number,
         time: step.end(),
@@ -45,7 +43,6 @@ pub(super) fn record(
         holder_move: tool(Role::Holder).filter(|_| model.release.is_none()).map_or(0.0, |j| trial.tools[j].y),
         block_force: evaluation.block_force,
         penetration: evaluation.penetration(),
-        ironing: ironing.fold(0.0, f64::max),
         strain_increment: converged.strain_increment(),
         sharpest_bend: sharpest_bend(evaluation),
         bending: step.bends.iter().filter(|bends| **bends).count(),

@@ -411,19 +411,6 @@ fn counter_pressure_presses_the_sheet_onto_the_punch() {
     assert!(pressed < free - 0.05, "{pressed} {free}");
 }
 
-/// Clearance below the thickness of the flange that comes in: the run goes on and says that the sheet is ironed.
-#[test]
-fn ironing_is_resisted_and_reported() {
-    let text = include_str!("../../cases/quickstart.toml").replace("31.25 mm", "31.0 mm");
-    let model = case::parse(&text, "cup.toml", &["tools.punch.travel=32 mm".into()]).unwrap_or_else(|e| panic!("{e}"));
-    let run = solver::run(model.model(), &mut ());
-    assert!(run.stop.is_complete() || run.stop.is_physical(), "{}", run.stop);
-    let warnings = assess::warnings(&run);
-    assert!(warnings.iter().any(|w| w.contains("ironing from")), "{warnings:?}");
-    let squeeze = run.steps.iter().map(|r| r.ironing).fold(0.0, f64::max);
-    assert!((0.01..0.5).contains(&squeeze), "{squeeze}");
-}
-
 /// A punch into a closed die: the run ends where the tools meet, at a travel that geometry gives.
 #[test]
 fn tools_that_meet_end_the_run() {

@@ -56,7 +56,7 @@ pub(super) fn check(model: &Model, source: &Source) -> Result<(), CaseError> {
     } else if let (Some(throat), Some(punch)) = (throat, model.tool(Role::Punch)) {
         let wall = extent(punch).1;
         let clearance = throat - wall;
-        if clearance < LEAST_CLEARANCE * t {
+        if clearance < LEAST_CLEARANCE * t * (1.0 - ROUNDED) {
             let what = format!(
                 "the sheet does not fit between punch and die: punch {wall:.3} mm, throat {throat:.3} mm, clearance \
                  {clearance:.3} mm for a thickness of {t} mm"
