@@ -1,6 +1,7 @@
 //! What stays the same through a run: the rigid tools, the thickness points, the shared unknowns, the forces that fade.
 
 use super::distance_blocks;
+use super::places::Grip;
 use super::selective_bending::Selection;
 use crate::contact::friction::Friction;
 use crate::contact::penalty::Penalty;
@@ -21,6 +22,8 @@ pub(super) struct ActiveTool {
     pub motion: Motion,
     /// Index among the shared unknowns, for a tool whose position is one.
     pub shared: Option<usize>,
+    /// Least distance of its section from the axis or symmetry plane, as drawn \[mm\].
+    pub inner: f64,
     /// Travel at which the sheet left this tool's reach for good \[mm\]; it takes no part and stands still from then on.
     pub released: Option<f64>,
 }
@@ -69,6 +72,7 @@ impl<'a> Process<'a> {
             friction: tool.friction,
             motion: tool.motion.clone(),
             role: tool.role,
+            inner: tool.profile.pieces().iter().map(|p| p.first().x.min(p.last().x)).fold(f64::INFINITY, f64::min),
             shared: index(matches!(&tool.motion, Motion::Pressed(press) if !press.is_idle())),
             released: model.release.map(|_| 0.0),
         });
@@ -96,13 +100,11 @@ impl<'a> Process<'a> {
         self.gas_shared.iter().any(Option::is_some)
     }
 
-    /// Lifts a pressed tool off once the blank's edge has run out from under it: what is left to press on is a corner,
-    /// from which the sheet would snap. Returns that tool.
+    /// Takes a pressed tool away once the sheet has run out from under it, as its force has come to nothing (see
+    /// [`Grip`]). Returns that tool.
     pub fn release(&mut self, state: &State) -> Option<usize> {
-        let edge = state.nodes[state.nodes.len() - 1][0];
         let lost = self.tools.iter().enumerate().position(|(j, tool)| {
-            let inner = tool.profile.pieces().iter().map(|p| p.first().x.min(p.last().x)).fold(f64::INFINITY, f64::min);
-            !tool.is_absent() && tool.shared.is_some() && edge < inner + state.tools[j].x
+            !tool.is_absent() && tool.shared.is_some() && Grip::new(tool, state.tools[j], &state.nodes, &state.bends).width <= 0.0
         })?;
         self.tools[lost].released = Some(state.travel);
         Some(lost)
