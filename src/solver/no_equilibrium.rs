@@ -107,7 +107,9 @@ fn diagnosis(step: &Step, evaluation: &Evaluation, last: &StepRecord) -> String 
     }
     let mut tools = step.process.tools.iter().enumerate();
     let points = STATIONS * (i.max(1) - 1)..STATIONS * (i + 1).min(state.thickness.len());
-    if let Some((_, tool)) = tools.find(|(j, _)| points.clone().any(|point| evaluation.contacts[(*j, point)].normal > 0.0)) {
+    if let Some((_, tool)) =
+        tools.find(|(j, _)| points.clone().any(|point| evaluation.contacts[(*j, point)].normal > 0.0))
+    {
         seen.push(format!("the {} touches the sheet at the worst place", tool.role.name()));
     }
     let advice = "try more elements, a smaller solver.first_step, or solver.norm = \"velocity\"";

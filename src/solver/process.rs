@@ -8,10 +8,18 @@ use crate::contact::penalty::Penalty;
 use crate::element::kinematics::Reference;
 use crate::element::section;
 use crate::geometry::Profile;
+use crate::material::flow::ROOM_TEMPERATURE;
 use crate::model::{Model, Motion, Pressure, Role};
 use crate::numerics::lobatto::{self, ThicknessPoint};
 use crate::state::State;
 use nalgebra::Vector3;
+
+/// Share of the force across the sheet that makes it flow, below which a residual is not measured against the forces that
+/// act \[–\]: those of a sheet that nothing bends yet are round-off, and no residual is small against that. The least force
+/// that forms, bending over a hundred thicknesses, is ten times as large.
+const LEAST_FORCE: f64 = 1e-4;
+/// Strain at which the metal's strength is asked for it \[–\].
+const STRENGTH_AT: f64 = 0.01;
 
 /// A tool as the solver uses it.
 #[derive(Clone, Debug)]
@@ -47,6 +55,8 @@ pub(super) struct Process<'a> {
     /// Number of shared unknowns.
     pub shared: usize,
     pub penalty: Penalty,
+    /// Force of a node that the residual is measured against at least \[N, or N/mm\].
+    pub least_force: f64,
     /// Move of the holder at which it stands on its distance blocks \[mm\], relative to the die; none without a holder.
     pub blocks: Option<f64>,
     /// Nodal forces that held the sheet before its tools were taken away \[N, N mm\]; empty while they act.
@@ -88,6 +98,11 @@ impl<'a> Process<'a> {
                 stiffness: model.settings.contact_stiffness / model.blank.thickness,
                 smoothing: model.settings.contact_smoothing * model.blank.thickness,
             },
+            least_force: LEAST_FORCE
+                * strength(model)
+                * model.blank.thickness
+                * model.geometry.area(model.blank.length)
+                / model.blank.length,
             blocks: distance_blocks::of_holder(model),
             unloading: model.release.map_or(Vec::new(), |_| unloading_forces(model, state, &rule)),
             selection: Selection::new(model),
@@ -104,7 +119,9 @@ impl<'a> Process<'a> {
     /// [`Grip`]). Returns that tool.
     pub fn release(&mut self, state: &State) -> Option<usize> {
         let lost = self.tools.iter().enumerate().position(|(j, tool)| {
-            !tool.is_absent() && tool.shared.is_some() && Grip::new(tool, state.tools[j], &state.nodes, &state.bends).width <= 0.0
+            !tool.is_absent()
+                && tool.shared.is_some()
+                && Grip::new(tool, state.tools[j], &state.nodes, &state.bends).width <= 0.0
         })?;
         self.tools[lost].released = Some(state.travel);
         Some(lost)
@@ -114,6 +131,11 @@ impl<'a> Process<'a> {
     pub fn left_at(&self) -> Vec<Option<f64>> {
         self.tools.iter().map(|tool| tool.released).collect()
     }
+}
+
+/// Yield stress of the metal at room temperature, hardly strained \[MPa\].
+fn strength(model: &Model) -> f64 {
+    model.material.yield_stress(STRENGTH_AT, ROOM_TEMPERATURE)
 }
 
 /// Elements of a sheet in their reference configuration, each bending or not.

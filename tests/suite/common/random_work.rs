@@ -27,15 +27,8 @@ pub enum Kind {
 }
 
 impl Kind {
-    pub const ALL: [Kind; 7] = [
-        Kind::VBend,
-        Kind::WBend,
-        Kind::GasAndPunch,
-        Kind::Ironing,
-        Kind::FreeFlange,
-        Kind::Trimmed,
-        Kind::Released,
-    ];
+    pub const ALL: [Kind; 7] =
+        [Kind::VBend, Kind::WBend, Kind::GasAndPunch, Kind::Ironing, Kind::FreeFlange, Kind::Trimmed, Kind::Released];
 }
 
 /// Random work and its description in one line.
@@ -67,8 +60,10 @@ pub fn random_work(seed: u64, elastic: bool) -> RandomWork {
         _ => &[Process::Hemispherical, Process::Flat, Process::Hat, Process::Conical, Process::TwoRadius],
     };
     // The next section of the right kind from somewhere on.
-    let RandomDie { process, mut model, .. } =
-        (rng.u64(0..SECOND_SERIES)..).map(random_die).find(|die| sections.contains(&die.process)).expect("all kinds occur");
+    let RandomDie { process, mut model, .. } = (rng.u64(0..SECOND_SERIES)..)
+        .map(random_die)
+        .find(|die| sections.contains(&die.process))
+        .expect("all kinds occur");
     let t = model.blank.thickness;
     let coarse = rng.bool();
     if coarse {
@@ -195,12 +190,8 @@ fn bend(rng: &mut Rng, model: &mut Model, two: bool) -> String {
     let closed = center.y + valley - gap + 0.5 * t;
     let share = between(rng, 0.4, 0.98);
     let friction = model.tools[0].friction;
-    let tool = |role, pieces, motion| Tool {
-        role,
-        profile: Profile::new(pieces).expect("connected"),
-        friction,
-        motion,
-    };
+    let tool =
+        |role, pieces, motion| Tool { role, profile: Profile::new(pieces).expect("connected"), friction, motion };
     model.tools = vec![tool(Role::Punch, punch, Motion::Travel), tool(Role::Die, die, Motion::Fixed)];
     // Long enough to lie on the shoulder until the V is closed.
     model.blank.length = end + (closed / cos + 4.0 * t) * between(rng, 0.6, 1.2);
