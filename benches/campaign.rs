@@ -1,16 +1,19 @@
 //! Random dies: how they end, and what they cost.
 //!
 //! `cargo bench --bench campaign -- --count 1000 --seed 7`, with `--selective 1` for selective bending, `--elastoplastic 1` for
-//! the elastoplastic law
+//! the elastoplastic law, `--work 1` for bends, ironing, gas, free flanges and second stages in place of sections that are
+//! drawn
 
 #[path = "../tests/suite/common/random_die.rs"]
 mod random_die;
+#[path = "../tests/suite/common/random_work.rs"]
+mod random_work;
 
-use random_die::{Process, random_die};
+use random_die::random_die;
+use random_work::{make_elastic, random_work};
 use rayon::prelude::*;
-use stampflow::material::Elastic;
-use stampflow::model::{Mode, Theory};
-use stampflow::{StepRecord, solver};
+use stampflow::model::{Beginning, Theory};
+use stampflow::{Stage, StageSolution, StepRecord, solver};
 use std::collections::BTreeMap;
 use std::panic::catch_unwind;
 use std::time::Instant;
@@ -25,7 +28,7 @@ const FIGURES: [&str; 6] =
     ["iterations a step", "rejected steps", "rejected tries", "penetration over t", "power balance error", "seconds"];
 
 struct Outcome {
-    process: Process,
+    work: String,
     kind: &'static str,
     line: String,
     /// In the order of [`FIGURES`].
@@ -34,10 +37,12 @@ struct Outcome {
 
 fn main() {
     let (count, seed) = (argument("--count", 200), argument("--seed", 7));
-    let theory = if argument("--selective", 0) == 0 { Theory::Bending } else { Theory::Selective };
+    let asked = |name: &str| argument(name, 0) != 0;
+    let theory = if asked("--selective") { Theory::Selective } else { Theory::Bending };
+    let make = if asked("--work") { work } else { section };
     let seeds = (0..count).into_par_iter().map(|i| seed.wrapping_mul(1_000_003) + i);
-    let elastoplastic = argument("--elastoplastic", 0) != 0;
-    let outcomes: Vec<Outcome> = seeds.map(|seed| one(seed, theory, elastoplastic)).collect();
+    let elastoplastic = asked("--elastoplastic");
+    let outcomes: Vec<Outcome> = seeds.map(|seed| one(seed, make(seed, elastoplastic), theory)).collect();
 
     println!("{count} random dies, seed {seed}; worth a look:");
     for o in &outcomes {
@@ -58,11 +63,11 @@ fn argument(name: &str, default: u64) -> u64 {
     arguments.next().map_or(default, |v| v.parse().unwrap_or_else(|_| panic!("{name} {v}: not a number")))
 }
 
-/// Full travel, physical stops kind by kind, no equilibrium, panics; what did not end well by process.
+/// Full travel, physical stops kind by kind, no equilibrium, panics; what did not end well by kind of work.
 fn print_ends(outcomes: &[Outcome]) {
-    let mut ends: BTreeMap<&str, BTreeMap<Process, usize>> = BTreeMap::new();
+    let mut ends: BTreeMap<&str, BTreeMap<&str, usize>> = BTreeMap::new();
     for o in outcomes {
-        *ends.entry(o.kind).or_default().entry(o.process).or_default() += 1;
+        *ends.entry(o.kind).or_default().entry(&o.work).or_default() += 1;
     }
     let named = [FULL_TRAVEL, NO_EQUILIBRIUM, PANIC];
     let physical: Vec<&str> = ends.keys().copied().filter(|kind| !named.contains(kind)).collect();
@@ -77,8 +82,8 @@ fn print_ends(outcomes: &[Outcome]) {
     }
     for kind in [NO_EQUILIBRIUM, PANIC] {
         print(kind, &[kind]);
-        for (process, n) in ends.get(kind).into_iter().flatten() {
-            println!("    {process:?}: {n}");
+        for (work, n) in ends.get(kind).into_iter().flatten() {
+            println!("    {work}: {n}");
         }
     }
 }
@@ -96,32 +101,50 @@ fn print_figures(outcomes: &[Outcome]) {
     }
 }
 
-fn one(seed: u64, theory: Theory, elastoplastic: bool) -> Outcome {
+/// What is made from a seed, its stages, and its description.
+type Made = (String, Vec<Stage>, String);
+
+/// A section that is drawn in one stage.
+fn section(seed: u64, elastoplastic: bool) -> Made {
     let mut die = random_die(seed);
-    die.model.blank.theory = theory;
     if elastoplastic {
-        die.model.mode = Mode::ElastoViscoplastic;
-        die.model.material.elastic = Some(Elastic { young: 206_000.0, poisson: 0.3 });
-        die.model.blank.layers = 15;
+        make_elastic(&mut die.model);
     }
-    let (process, text) = (die.process, die.text.clone());
+    let stage = Stage { name: "draw".into(), model: die.model, begin: Beginning::default() };
+    (format!("{:?}", die.process), vec![stage], die.text)
+}
+
+/// Work of another kind.
+fn work(seed: u64, elastoplastic: bool) -> Made {
+    let work = random_work(seed, elastoplastic);
+    (format!("{:?}", work.kind), work.stages, work.text)
+}
+
+fn one(seed: u64, (work, mut stages, text): Made, theory: Theory) -> Outcome {
+    for stage in &mut stages {
+        stage.model.blank.theory = theory;
+    }
     let start = Instant::now();
-    let Ok(run) = catch_unwind(move || solver::run(&die.model, &mut ())) else {
-        return Outcome { process, kind: PANIC, line: format!("seed {seed}: {text}"), figures: [0.0; 6] };
+    let Ok(solved) = catch_unwind(move || solver::solve(&stages, &mut ())) else {
+        return Outcome { work, kind: PANIC, line: format!("seed {seed}: {text}"), figures: [0.0; 6] };
     };
-    let steps = run.steps.len().max(1) as f64;
-    let last = run.steps.last().copied().unwrap_or_default();
-    let total = |f: fn(&StepRecord) -> usize| run.steps.iter().map(f).sum::<usize>() as f64;
+    let run = solved.last().expect("a stage");
+    let all = || solved.iter().flat_map(|stage| &stage.steps);
+    let total = |f: fn(&StepRecord) -> usize| all().map(f).sum::<usize>() as f64;
+    let counted = |f: fn(&StageSolution) -> usize| solved.iter().map(f).sum::<usize>() as f64;
+    // Of the first stage: a later one may do hardly any work.
+    let drawn = solved[0].steps.last().copied().unwrap_or_default();
+    let thinnest = run.steps.last().map_or(drawn.thinnest, |last| last.thinnest);
     Outcome {
-        process,
+        work,
         kind: run.stop.kind(),
-        line: format!("seed {seed}: {text}: {} (thinnest {:.3})", run.stop, last.thinnest),
+        line: format!("seed {seed}: {text}: stage {}: {} (thinnest {thinnest:.3})", solved.len(), run.stop),
         figures: [
-            total(|r| r.iterations) / steps,
-            (run.effort.halved + run.effort.overstrained) as f64,
-            total(|r| r.rejected) + run.effort.abandoned as f64,
-            run.steps.iter().map(|r| r.penetration).fold(0.0, f64::max),
-            last.work.imbalance().abs(),
+            total(|r| r.iterations) / all().count().max(1) as f64,
+            counted(|stage| stage.effort.halved + stage.effort.overstrained),
+            total(|r| r.rejected) + counted(|stage| stage.effort.abandoned),
+            all().map(|r| r.penetration).fold(0.0, f64::max),
+            drawn.work.imbalance().abs(),
             start.elapsed().as_secs_f64(),
         ],
     }

@@ -107,7 +107,8 @@ pub(super) struct Evaluation {
     pub block_force: f64,
     /// Residual of the edge before boundary conditions: the reaction where a freedom is held.
     pub edge_reaction: Vector3<f64>,
-    /// Largest nodal residual over the largest internal or contact force of a node, and the node where it sits.
+    /// Largest nodal residual over the largest internal or contact force of a node or the least that counts, and the node
+    /// where it sits.
     pub residual_norm: f64,
     pub worst_node: usize,
 }

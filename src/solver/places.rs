@@ -1,11 +1,52 @@
-//! Where beads hold the sheet and seals cut it, as it stands at the start of a step.
+//! Where beads and pressed tools hold the sheet and seals cut it.
 
+use super::process::ActiveTool;
+use crate::contact::penalty::ValueAndSlope;
+use crate::element::Node;
+use crate::element::surface::stations;
+use crate::geometry::Point;
 use crate::model::{Bead, Model};
 use crate::state::State;
 use std::cmp::Ordering;
 
-/// A bead's restraint fades over the last stretch of the sheet that passes it, this many thicknesses long.
+/// What holds the sheet fades over the last stretch of it that passes, this many thicknesses long \[–\].
 const FADE: f64 = 3.0;
+
+/// Share of its force with which something still holds a sheet that reaches so far beyond it \[mm\], and its slope \[1/mm\].
+fn fading(beyond: f64, thickness: f64) -> ValueAndSlope {
+    let share = beyond / (FADE * thickness);
+    ValueAndSlope {
+        value: share.clamp(0.0, 1.0),
+        slope: if (0.0..1.0).contains(&share) { 1.0 / (FADE * thickness) } else { 0.0 },
+    }
+}
+
+/// How much of the sheet is left under a pressed tool whose inner end it runs out from: up to the outermost place at which
+/// it can touch.
+///
+/// A force that stayed would press on that last place until the sheet snaps from under it.
+#[derive(Clone, Copy, Debug)]
+pub struct Grip {
+    /// Width under the tool \[mm\]; negative when the sheet has left it.
+    pub width: f64,
+    /// Its derivatives by the distances of the last two nodes from the axis \[–\].
+    pub weights: [f64; 2],
+}
+
+impl Grip {
+    /// Of a tool at its displacement on a sheet with these nodes.
+    pub fn new(tool: &ActiveTool, displacement: Point, nodes: &[Node], bends: &[bool]) -> Self {
+        let [.., a, b] = nodes else { return Self { width: 0.0, weights: [0.0; 2] } };
+        let weights = stations(bends[bends.len() - 1])[1].shape;
+        let outermost = weights[0] * a[0] + weights[1] * b[0];
+        Self { width: outermost - tool.inner - displacement.x, weights }
+    }
+
+    /// Share of its force with which the tool still presses \[–\], and its slope by the width \[1/mm\].
+    pub fn share(&self, thickness: f64) -> ValueAndSlope {
+        fading(self.width, thickness)
+    }
+}
 
 /// Where a bead acts in a step: on the two nodes around it, by these shares of its force.
 #[derive(Clone, Copy, Debug)]
@@ -23,8 +64,7 @@ impl BeadPlace {
         let element = (0..nodes.len() - 1).rev().find(|&e| (nodes[e][0]..nodes[e + 1][0]).contains(&bead.at))?;
         let share = (bead.at - nodes[element][0]) / (nodes[element + 1][0] - nodes[element][0]);
         let beyond = nodes[nodes.len() - 1][0] - bead.at;
-        let fade = (beyond / (FADE * model.blank.thickness)).min(1.0);
-        let length = fade * bead.line(model.geometry);
+        let length = fading(beyond, model.blank.thickness).value * bead.line(model.geometry);
         Some(Self { element, weights: [1.0 - share, share], length })
     }
 }

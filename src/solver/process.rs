@@ -1,17 +1,26 @@
 //! What stays the same through a run: the rigid tools, the thickness points, the shared unknowns, the forces that fade.
 
 use super::distance_blocks;
+use super::places::Grip;
 use super::selective_bending::Selection;
 use crate::contact::friction::Friction;
 use crate::contact::penalty::Penalty;
 use crate::element::kinematics::Reference;
 use crate::element::section;
 use crate::geometry::Profile;
+use crate::material::flow::ROOM_TEMPERATURE;
 use crate::model::{Model, Motion, Pressure, Role};
 use crate::numerics::lobatto::ThicknessPoint;
 use crate::state::State;
 use crate::state::neighbourhood::Neighbourhood;
 use nalgebra::Vector3;
+
+/// Share of the force across the sheet that makes it flow, below which a residual is not measured against the forces that
+/// act \[–\]: those of a sheet that nothing bends yet are round-off, and no residual is small against that. The least force
+/// that forms, bending over a hundred thicknesses, is ten times as large.
+const LEAST_FORCE: f64 = 1e-4;
+/// Strain at which the metal's strength is asked for it \[–\].
+const STRENGTH_AT: f64 = 0.01;
 
 /// A tool as the solver uses it.
 #[derive(Clone, Debug)]
@@ -22,6 +31,8 @@ pub(super) struct ActiveTool {
     pub motion: Motion,
     /// Index among the shared unknowns, for a tool whose position is one.
     pub shared: Option<usize>,
+    /// Least distance of its section from the axis or symmetry plane, as drawn \[mm\].
+    pub inner: f64,
     /// Travel at which the sheet left this tool's reach for good \[mm\]; it takes no part and stands still from then on.
     pub released: Option<f64>,
 }
@@ -45,6 +56,8 @@ pub(super) struct Process<'a> {
     /// Number of shared unknowns.
     pub shared: usize,
     pub penalty: Penalty,
+    /// Force of a node that the residual is measured against at least \[N, or N/mm\].
+    pub least_force: f64,
     /// Move of the holder at which it stands on its distance blocks \[mm\], relative to the die; none without a holder.
     pub blocks: Option<f64>,
     /// Nodal forces that held the sheet before its tools were taken away \[N, N mm\]; empty while they act.
@@ -70,6 +83,7 @@ impl<'a> Process<'a> {
             friction: tool.friction,
             motion: tool.motion.clone(),
             role: tool.role,
+            inner: tool.profile.pieces().iter().map(|p| p.first().x.min(p.last().x)).fold(f64::INFINITY, f64::min),
             shared: index(matches!(&tool.motion, Motion::Pressed(press) if !press.is_idle())),
             released: model.release.map(|_| 0.0),
         });
@@ -85,6 +99,11 @@ impl<'a> Process<'a> {
                 stiffness: model.settings.contact_stiffness / model.blank.thickness,
                 smoothing: model.settings.contact_smoothing * model.blank.thickness,
             },
+            least_force: LEAST_FORCE
+                * strength(model)
+                * model.blank.thickness
+                * model.geometry.area(model.blank.length)
+                / model.blank.length,
             blocks: distance_blocks::of_holder(model),
             unloading: model.release.map_or(Vec::new(), |_| unloading_forces(model, state, &rule)),
             selection: Selection::new(model),
@@ -97,13 +116,13 @@ impl<'a> Process<'a> {
         self.gas_shared.iter().any(Option::is_some)
     }
 
-    /// Lifts a pressed tool off once the blank's edge has run out from under it: what is left to press on is a corner,
-    /// from which the sheet would snap. Returns that tool.
+    /// Takes a pressed tool away once the sheet has run out from under it, as its force has come to nothing (see
+    /// [`Grip`]). Returns that tool.
     pub fn release(&mut self, state: &State) -> Option<usize> {
-        let edge = state.nodes[state.nodes.len() - 1][0];
         let lost = self.tools.iter().enumerate().position(|(j, tool)| {
-            let inner = tool.profile.pieces().iter().map(|p| p.first().x.min(p.last().x)).fold(f64::INFINITY, f64::min);
-            !tool.is_absent() && tool.shared.is_some() && edge < inner + state.tools[j].x
+            !tool.is_absent()
+                && tool.shared.is_some()
+                && Grip::new(tool, state.tools[j], &state.nodes, &state.bends).width <= 0.0
         })?;
         self.tools[lost].released = Some(state.travel);
         Some(lost)
@@ -113,6 +132,11 @@ impl<'a> Process<'a> {
     pub fn left_at(&self) -> Vec<Option<f64>> {
         self.tools.iter().map(|tool| tool.released).collect()
     }
+}
+
+/// Yield stress of the metal at room temperature, hardly strained \[MPa\].
+fn strength(model: &Model) -> f64 {
+    model.material.yield_stress(STRENGTH_AT, ROOM_TEMPERATURE)
 }
 
 /// Elements of a sheet in their reference configuration, each bending or not.

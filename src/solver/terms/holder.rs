@@ -1,15 +1,17 @@
 //! The equations of tools that are pressed by a force: their positions are shared unknowns.
 //!
 //! ```text
-//! F₀(travel) − c w − F_beads − F_blocks(w) − F_sheet = 0
+//! φ(b) (F₀(travel) − c w − F_beads) − F_blocks(w) − F_sheet = 0
 //! ```
 //!
-//! with the tool's move w towards the die, springs or a cushion of stiffness c, and what its distance blocks bear.
+//! with the tool's move w towards the die, springs or a cushion of stiffness c, and what its distance blocks bear; φ falls
+//! from 1 to 0 as the width b of the sheet under the tool runs out.
 
 use super::bead;
 use super::sheet::STABILISATION;
 use crate::model::{Motion, Role};
 use crate::solver::evaluation::Evaluation;
+use crate::solver::places::Grip;
 use crate::solver::step::Step;
 use crate::solver::trial::Trial;
 use crate::state::waiting_displacement;
@@ -35,7 +37,12 @@ pub fn add(step: &Step, trial: &Trial, out: &mut Evaluation) {
         if tool.role == Role::Holder {
             force -= closing;
         }
-        system.corner[(k, k)] += press.stiffness;
+        let grip = Grip::new(tool, trial.tools[j], &out.nodes, &step.bends);
+        let share = grip.share(model.blank.thickness);
+        system.corner[(k, k)] += share.value * press.stiffness;
+        for (i, weight) in (out.nodes.len() - 2..).zip(grip.weights) {
+            system.rows[i][k].x -= share.slope * weight * force;
+        }
         let block = process.blocks.and_then(|height| process.penalty.at(height + die - moved));
         out.block_force = block.map_or(0.0, |block| block_area * block.value);
         if let Some(block) = block {
@@ -45,6 +52,6 @@ pub fn add(step: &Step, trial: &Trial, out: &mut Evaluation) {
         let stabilisation = STABILISATION * block_area * process.penalty.stiffness;
         system.corner_rhs[k] -= stabilisation * (moved - step.state.tools[j].y);
         system.corner[(k, k)] += stabilisation;
-        system.corner_rhs[k] -= out.tool_force[j].y - force;
+        system.corner_rhs[k] -= out.tool_force[j].y - share.value * force;
     }
 }

@@ -8,5 +8,7 @@ pub mod files;
 pub mod pixels;
 #[allow(dead_code, reason = "the benchmark of the campaign also prints the process")]
 pub mod random_die;
+#[allow(dead_code, reason = "the benchmark of the campaign also prints the kind")]
+pub mod random_work;
 pub mod shipped;
 pub mod simple;
