@@ -3,7 +3,7 @@
 use super::Vector6;
 use super::kinematics::{Current, EPS_S, EPS_T, GAMMA, Generalised, KAPPA_S, KAPPA_T, StrainDisplacement};
 use crate::material::PointLaw;
-use crate::material::flow::{StressUpdate, Symmetric, Triple};
+use crate::material::flow::{StressUpdate, Triple};
 use crate::numerics::lobatto::ThicknessPoint;
 use nalgebra::Matrix3;
 
@@ -24,8 +24,10 @@ pub struct Law<'a, L> {
 pub struct Internal {
     /// Bᵀ S \[N, N mm\].
     pub force: Vector6,
-    /// Bᵀ C B + geometric stiffness: blocks of the first and second node.
-    pub matrix: [[Matrix3<f64>; 2]; 2],
+    /// Bᵀ C B + geometric stiffness: the block of each node with itself.
+    pub own: [Matrix3<f64>; 2],
+    /// Its block of the first node with the second; of the second with the first it is the transpose.
+    pub across: Matrix3<f64>,
     /// ∂t of the current thickness by r₁+r₂, r₂−r₁ and z₂−z₁ \[–\].
     pub thickness_row: [f64; 3],
     /// Current thickness, by constant volume \[mm\].
@@ -84,13 +86,14 @@ impl<L: PointLaw> Law<'_, L> {
     ) -> Internal {
         let e = &current.strain;
         let mut s: Generalised = [0.0; 5];
-        // C integrated with 1, ζ, ζ²: membrane, coupling, bending.
-        let (mut c0, mut c1, mut c2): (Symmetric, Symmetric, Symmetric) = ([0.0; 6], [0.0; 6], [0.0; 6]);
+        // C integrated with 1, ζ, ζ²: membrane, coupling, bending; of these what a shear that does not vary with ζ leaves.
+        let (mut c0, mut c1, mut c2) = ([0.0; 6], [0.0; 5], [0.0; 3]);
         let points = if current.bends() { self.points } else { &MIDDLE };
         for (i, at) in points.iter().enumerate() {
             let zeta = 0.5 * thickness * at.xi;
             let strain = [e[EPS_S] + zeta * e[KAPPA_S], e[EPS_T] + zeta * e[KAPPA_T], e[GAMMA]];
-            let update = self.point.respond(&before[i], &mut iterates[i], strain);
+            let update = &mut updates[i];
+            *update = self.point.respond(&before[i], &mut iterates[i], strain);
             let v = volume * at.weight;
             let (vs, vt) = (v * update.stress[0], v * update.stress[1]);
             s[EPS_S] += vs;
@@ -98,13 +101,16 @@ impl<L: PointLaw> Law<'_, L> {
             s[KAPPA_S] += zeta * vs;
             s[KAPPA_T] += zeta * vt;
             s[GAMMA] += v * update.stress[2];
+            let c = update.tangent.map(|c| v * c);
             for j in 0..6 {
-                let c = v * update.tangent[j];
-                c0[j] += c;
-                c1[j] += zeta * c;
-                c2[j] += zeta * zeta * c;
+                c0[j] += c[j];
             }
-            updates[i] = update;
+            for j in 0..5 {
+                c1[j] += zeta * c[j];
+            }
+            for j in 0..3 {
+                c2[j] += zeta * zeta * c[j];
+            }
         }
         // Forces and matrix of the element's five motions: differences d = (r, z), sum of r, difference and sum of θ.
         let g = current.strain_displacement();
@@ -140,23 +146,27 @@ impl<L: PointLaw> Law<'_, L> {
         let turn_turn = g.turn * (g.turn * c2[2] + 2.0 * g.shear * c1[4]) + g.shear * g.shear * c0[5] + k.turn;
 
         // Back to the nodes: differences count −1 at the first and +1 at the second, sums +1 at both.
-        let block = |i: f64, j: f64| {
-            let ij = i * j;
-            Matrix3::new(
-                ij * rr + (i + j) * hoop[0] + hoop_hoop,
-                ij * rz + j * hoop[1],
-                ij * bend[0] + i * turn[0] + j * hoop_bend + hoop_turn,
-                ij * rz + i * hoop[1],
-                ij * zz,
-                ij * bend[1] + i * turn[1],
-                ij * bend[0] + j * turn[0] + i * hoop_bend + hoop_turn,
-                ij * bend[1] + j * turn[1],
-                ij * bend_bend + (i + j) * bend_turn + turn_turn,
-            )
-        };
-        let matrix = [[block(-1.0, -1.0), block(-1.0, 1.0)], [block(1.0, -1.0), block(1.0, 1.0)]];
+        let own = [-1.0, 1.0].map(|i| {
+            let r_turn = bend[0] + hoop_turn + i * (turn[0] + hoop_bend);
+            let (r_z, z_turn) = (rz + i * hoop[1], bend[1] + i * turn[1]);
+            let r_r = rr + hoop_hoop + 2.0 * i * hoop[0];
+            let turn_turn = bend_bend + turn_turn + 2.0 * i * bend_turn;
+            Matrix3::new(r_r, r_z, r_turn, r_z, zz, z_turn, r_turn, z_turn, turn_turn)
+        });
+        let (sums, mixed) = (hoop_turn - bend[0], turn[0] - hoop_bend);
+        let across = Matrix3::new(
+            hoop_hoop - rr,
+            hoop[1] - rz,
+            sums - mixed,
+            -hoop[1] - rz,
+            -zz,
+            -turn[1] - bend[1],
+            sums + mixed,
+            turn[1] - bend[1],
+            turn_turn - bend_bend,
+        );
         let thickness = thickness * (-e[EPS_S] - e[EPS_T]).exp();
         let thickness_row = [g.hoop, e0[0], e0[1]].map(|by| -thickness * by);
-        Internal { force, matrix, thickness_row, thickness }
+        Internal { force, own, across, thickness_row, thickness }
     }
 }

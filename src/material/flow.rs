@@ -182,7 +182,7 @@ impl Iterate {
             fa[4] + 0.5 * (a[1] * b[2] + a[2] * b[1]),
             fa[5] + a[2] * b[2],
         ];
-        *self = Self { carried: self.carried, strain: e, fluidity: f, hardening: h, inverse_square };
+        (self.strain, self.fluidity, self.hardening, self.inverse_square) = (e, f, h, inverse_square);
         StressUpdate { stress, tangent, increment: share * increment, yield_stress: yielding.stress }
     }
 
