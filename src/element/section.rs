@@ -24,8 +24,10 @@ pub struct Law<'a, L> {
 pub struct Internal {
     /// Bᵀ S \[N, N mm\].
     pub force: Vector6,
-    /// Bᵀ C B + geometric stiffness: blocks of the first and second node.
-    pub matrix: [[Matrix3<f64>; 2]; 2],
+    /// Bᵀ C B + geometric stiffness: the block of each node with itself.
+    pub own: [Matrix3<f64>; 2],
+    /// Its block of the first node with the second; of the second with the first it is the transpose.
+    pub across: Matrix3<f64>,
     /// ∂t of the current thickness by r₁+r₂, r₂−r₁ and z₂−z₁ \[–\].
     pub thickness_row: [f64; 3],
     /// Current thickness, by constant volume \[mm\].
@@ -129,7 +131,6 @@ impl<L: PointLaw> Law<'_, L> {
             for j in 0..3 {
                 c2[j] += zeta * zeta * c[j];
             }
-            updates[i] = update;
         }
         // Forces and matrix of the element's five motions: differences d = (r, z), sum of r, difference and sum of θ.
         let g = current.strain_displacement();
@@ -165,23 +166,27 @@ impl<L: PointLaw> Law<'_, L> {
         let turn_turn = g.turn * (g.turn * c2[2] + 2.0 * g.shear * c1[5]) + g.shear * g.shear * c0[5] + k.turn;
 
         // Back to the nodes: differences count −1 at the first and +1 at the second, sums +1 at both.
-        let block = |i: f64, j: f64| {
-            let ij = i * j;
-            Matrix3::new(
-                ij * rr + (i + j) * hoop[0] + hoop_hoop,
-                ij * rz + j * hoop[1],
-                ij * bend[0] + i * turn[0] + j * hoop_bend + hoop_turn,
-                ij * rz + i * hoop[1],
-                ij * zz,
-                ij * bend[1] + i * turn[1],
-                ij * bend[0] + j * turn[0] + i * hoop_bend + hoop_turn,
-                ij * bend[1] + j * turn[1],
-                ij * bend_bend + (i + j) * bend_turn + turn_turn,
-            )
-        };
-        let matrix = [[block(-1.0, -1.0), block(-1.0, 1.0)], [block(1.0, -1.0), block(1.0, 1.0)]];
+        let own = [-1.0, 1.0].map(|i| {
+            let r_turn = bend[0] + hoop_turn + i * (turn[0] + hoop_bend);
+            let (r_z, z_turn) = (rz + i * hoop[1], bend[1] + i * turn[1]);
+            let r_r = rr + hoop_hoop + 2.0 * i * hoop[0];
+            let turn_turn = bend_bend + turn_turn + 2.0 * i * bend_turn;
+            Matrix3::new(r_r, r_z, r_turn, r_z, zz, z_turn, r_turn, z_turn, turn_turn)
+        });
+        let (sums, mixed) = (hoop_turn - bend[0], turn[0] - hoop_bend);
+        let across = Matrix3::new(
+            hoop_hoop - rr,
+            hoop[1] - rz,
+            sums - mixed,
+            -hoop[1] - rz,
+            -zz,
+            -turn[1] - bend[1],
+            sums + mixed,
+            turn[1] - bend[1],
+            turn_turn - bend_bend,
+        );
         let thickness = thickness * (-e[EPS_S] - e[EPS_T]).exp();
         let thickness_row = [g.hoop, e0[0], e0[1]].map(|by| -thickness * by);
-        Internal { force, matrix, thickness_row, thickness }
+        Internal { force, own, across, thickness_row, thickness }
     }
 }

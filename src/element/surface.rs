@@ -13,7 +13,7 @@
 
 use super::Node;
 use crate::geometry::{Point, turned};
-use nalgebra::{Matrix2, Matrix3, Vector3};
+use nalgebra::{Matrix3, Vector3};
 
 /// A place on an element.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -51,8 +51,8 @@ pub fn stations(bends: bool) -> &'static [Station; STATIONS] {
 /// matrix; the differences d = (r₂−r₁, z₂−z₁); and θ₂−θ₁.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Slope {
-    /// ∂x/∂d.
-    pub by_difference: Matrix2<f64>,
+    /// ∂x/∂(r₂−r₁) and ∂x/∂(z₂−z₁).
+    pub by_difference: [Point; 2],
     /// ∂x/∂(θ₂−θ₁).
     pub by_bend: Point,
 }
@@ -61,8 +61,8 @@ impl Slope {
     /// ∂(v·x) of a vector v by the motions: sums, differences, θ₂−θ₁.
     #[inline]
     pub fn of(&self, v: Point) -> [f64; 5] {
-        let along = self.by_difference.tr_mul(&v);
-        [0.5 * v.x, 0.5 * v.y, along.x, along.y, self.by_bend.dot(&v)]
+        let [along_r, along_z] = self.by_difference.map(|by| by.dot(&v));
+        [0.5 * v.x, 0.5 * v.y, along_r, along_z, self.by_bend.dot(&v)]
     }
 }
 
@@ -84,7 +84,7 @@ impl Station {
     pub fn slope(&self, a: &Node, b: &Node) -> Slope {
         let (along, bow) = (0.5 * self.xi, self.bow * (b[2] - a[2]));
         Slope {
-            by_difference: Matrix2::new(along, bow, -bow, along),
+            by_difference: [Point::new(along, -bow), Point::new(bow, along)],
             by_bend: turned(Point::new(b[0] - a[0], b[1] - a[1])) * -self.bow,
         }
     }
@@ -164,7 +164,7 @@ mod tests {
                 let sum = by(moved(unit(h), [0.0; 2], 0.0), moved(unit(-h), [0.0; 2], 0.0));
                 assert_relative_eq!(sum, Point::from(unit(0.5)), epsilon = 1e-10);
                 let (plus, minus) = (moved([0.0; 2], unit(h), 0.0), moved([0.0; 2], unit(-h), 0.0));
-                assert_relative_eq!(by(plus, minus), slope.by_difference.column(d).into_owned(), epsilon = 1e-10);
+                assert_relative_eq!(by(plus, minus), slope.by_difference[d], epsilon = 1e-10);
                 let bend = |nodes: (Node, Node)| station.slope(&nodes.0, &nodes.1).by_bend.dot(&force);
                 assert_relative_eq!((bend(plus) - bend(minus)) / (2.0 * h), station.second(force)[d], epsilon = 1e-10);
             }

@@ -47,8 +47,8 @@ pub enum Piece {
 
 /// Closest point of one piece.
 pub(super) enum Foot {
-    /// Inside the piece: signed distance \[mm\], outward normal, curvature of the distance field \[1/mm\].
-    Interior { distance: f64, normal: Point, curvature: f64 },
+    /// Inside the piece: signed distance \[mm\].
+    Interior { distance: f64 },
     /// The first or the last point of the piece is closest.
     End { first: bool, point: Point },
 }
@@ -60,15 +60,16 @@ impl Segment {
         Self { from, to, direction: (to - from) / length, length }
     }
 
+    #[inline]
     fn foot(&self, x: Point) -> Foot {
-        let along = (x - self.from).dot(&self.direction);
+        let from_start = x - self.from;
+        let along = from_start.dot(&self.direction);
         if along <= 0.0 {
             Foot::End { first: true, point: self.from }
         } else if along >= self.length {
             Foot::End { first: false, point: self.to }
         } else {
-            let normal = turned(self.direction);
-            Foot::Interior { distance: (x - self.from).dot(&normal), normal, curvature: 0.0 }
+            Foot::Interior { distance: self.direction.perp(&from_start) }
         }
     }
 }
@@ -123,17 +124,18 @@ impl Arc {
         from_center.dot(&self.middle) >= from_center.norm() * self.cos_half_sweep
     }
 
+    /// 1 where the sheet lies outside the circle, −1 where it lies inside.
+    #[inline]
+    fn side(&self) -> f64 {
+        if self.sweep < 0.0 { 1.0 } else { -1.0 }
+    }
+
+    #[inline]
     fn foot(&self, x: Point) -> Foot {
         let from_center = x - self.center;
         let distance = from_center.norm();
         if distance > 1e-12 && from_center.dot(&self.middle) >= distance * self.cos_half_sweep {
-            let radial = from_center / distance;
-            let convex = if self.sweep < 0.0 { 1.0 } else { -1.0 };
-            Foot::Interior {
-                distance: convex * (distance - self.radius),
-                normal: convex * radial,
-                curvature: convex / distance,
-            }
+            Foot::Interior { distance: self.side() * (distance - self.radius) }
         } else {
             let [a, b] = self.ends;
             let first = (x - a).norm_squared() <= (x - b).norm_squared();
@@ -202,7 +204,7 @@ impl Piece {
     /// The point of the piece that is closest to `x` \[mm\].
     pub fn closest_point(&self, x: Point) -> Point {
         match self.foot(x) {
-            Foot::Interior { distance, normal, .. } => x - distance * normal,
+            Foot::Interior { distance } => x - distance * self.facing(x).0,
             Foot::End { point, .. } => point,
         }
     }
@@ -241,10 +243,24 @@ impl Piece {
         }
     }
 
+    #[inline]
     pub(super) fn foot(&self, x: Point) -> Foot {
         match self {
             Piece::Segment(s) => s.foot(x),
             Piece::Arc(a) => a.foot(x),
+        }
+    }
+
+    /// Outward normal, and curvature of the distance \[1/mm\], at a point whose foot lies inside the piece.
+    #[inline]
+    pub(super) fn facing(&self, x: Point) -> (Point, f64) {
+        match self {
+            Piece::Segment(s) => (turned(s.direction), 0.0),
+            Piece::Arc(a) => {
+                let from_center = x - a.center;
+                let curvature = a.side() / from_center.norm();
+                (from_center * curvature, curvature)
+            }
         }
     }
 }

@@ -154,35 +154,33 @@ impl Profile {
 
     /// The same of a line that goes on straight beyond its ends, as far as the side goes.
     fn closest_of_line(&self, x: Point) -> Closest {
-        let mut best = Closest { distance: f64::INFINITY, normal: Point::new(0.0, 1.0), curvature: 0.0, piece: 0 };
-        for (index, piece) in self.pieces.iter().enumerate() {
-            match piece.foot(x) {
-                Foot::Interior { distance, normal, curvature } => {
-                    if distance.abs() < best.distance.abs() {
-                        best = Closest { distance, normal, curvature, piece: index };
-                    }
-                }
-                Foot::End { first, point } => {
-                    let away = x - point;
-                    let distance = away.norm();
-                    if distance < best.distance.abs() {
-                        let outward = self.vertex_normals[if first { index } else { index + 1 }];
-                        best = if distance < 1e-12 {
-                            Closest { distance: 0.0, normal: outward, curvature: 0.0, piece: index }
-                        } else {
-                            let side = if away.dot(&outward) >= 0.0 { 1.0 } else { -1.0 };
-                            Closest {
-                                distance: side * distance,
-                                normal: side * away / distance,
-                                curvature: side / distance,
-                                piece: index,
-                            }
-                        };
-                    }
-                }
+        let (mut piece, mut foot, mut square) = (0, Foot::Interior { distance: f64::INFINITY }, f64::INFINITY);
+        for (index, candidate) in self.pieces.iter().enumerate() {
+            let candidate = candidate.foot(x);
+            let its = match candidate {
+                Foot::Interior { distance } => distance * distance,
+                Foot::End { point, .. } => (x - point).norm_squared(),
+            };
+            if its < square {
+                (piece, foot, square) = (index, candidate, its);
             }
         }
-        best
+        match foot {
+            Foot::Interior { distance } => {
+                let (normal, curvature) = self.pieces[piece].facing(x);
+                Closest { distance, normal, curvature, piece }
+            }
+            Foot::End { first, point } => {
+                let outward = self.vertex_normals[if first { piece } else { piece + 1 }];
+                let (away, distance) = (x - point, square.sqrt());
+                if distance < 1e-12 {
+                    return Closest { distance: 0.0, normal: outward, curvature: 0.0, piece };
+                }
+                let side = if away.dot(&outward) >= 0.0 { 1.0 } else { -1.0 };
+                let curvature = side / distance;
+                Closest { distance: side * distance, normal: away * curvature, curvature, piece }
+            }
+        }
     }
 
     /// The same profile with every arc replaced by `per_quarter` chords per 90° (at least one per arc).

@@ -1,6 +1,7 @@
 //! What follows from a step and a trial of it: residual, matrix, stress, contacts.
 
 use super::process::{Process, references};
+use super::terms::contact::{Place, Push};
 use crate::contact::penalty::{Penalty, ValueAndSlope};
 use crate::element::Node;
 use crate::element::kinematics::Current;
@@ -93,6 +94,9 @@ pub(super) struct Evaluation {
     pub membrane_increment: Vec<[f64; 2]>,
     /// Their derivatives by r, z of both nodes; empty where no gas holds a strain rate.
     pub membrane_rows: Vec<[[f64; 4]; 2]>,
+    /// The contact points, and what all tools do to them.
+    pub places: Vec<Place>,
+    pub pushes: Vec<Push>,
     /// Tools by contact points.
     pub contacts: Grid<Contact>,
     /// Force of each tool on the sheet \[N, or N/mm\].
@@ -133,6 +137,8 @@ impl Evaluation {
             currents: Vec::with_capacity(elements),
             membrane_increment: vec![[0.0; 2]; elements],
             membrane_rows: vec![[[0.0; 4]; 2]; if process.holds_rate() { elements } else { 0 }],
+            places: vec![Place::default(); state.contact_points()],
+            pushes: vec![Push::default(); state.contact_points()],
             contacts: Grid::new(process.tools.len(), state.contact_points(), Contact::free()),
             tool_force: vec![Point::zeros(); process.tools.len()],
             active_contacts: 0,

@@ -14,9 +14,8 @@
 
 use crate::contact::penalty::ValueAndSlope;
 use crate::contact::{ContactForce, ContactPoint, touch};
-use crate::element::kinematics::Current;
 use crate::element::surface::{MotionForces, STATIONS, Slope, Station, stations};
-use crate::geometry::{Point, turned};
+use crate::geometry::Point;
 use crate::model::Iteration;
 use crate::numerics::block_tridiagonal::System;
 use crate::solver::evaluation::{Contact, Evaluation, Linearisation};
@@ -25,190 +24,244 @@ use crate::solver::trial::{ContactMemory, Trial};
 
 /// Contact and friction of every tool with every point it reaches; returns the largest force of one on one.
 pub fn add(step: &Step, trial: &mut Trial, at: &Linearisation, out: &mut Evaluation) -> f64 {
-    let Step { process, state, dt, .. } = *step;
-    let mut largest: f64 = 0.0;
+    locate(step, out);
+    out.pushes.fill(Push::default());
     out.active_contacts = 0;
-    for (j, tool) in process.tools.iter().enumerate() {
+    let mut largest: f64 = 0.0;
+    for j in 0..step.process.tools.len() {
         out.tool_force[j] = Point::zeros();
-        let contacts = out.contacts.row_mut(j);
-        if tool.is_absent() {
-            contacts.fill(Contact::free());
+        if step.process.tools[j].is_absent() {
+            out.contacts.row_mut(j).fill(Contact::free());
+        } else {
+            largest = largest.max(press(step, trial, at, j, out));
+        }
+    }
+    assemble(step, out);
+    largest
+}
+
+/// A contact point: where it is \[mm\], and how thick the sheet is there \[mm\].
+#[derive(Clone, Copy, Debug, Default)]
+pub(in crate::solver) struct Place {
+    position: Point,
+    thickness: f64,
+}
+
+fn locate(step: &Step, out: &mut Evaluation) {
+    for (e, places) in out.places.chunks_exact_mut(STATIONS).enumerate() {
+        for (place, station) in places.iter_mut().zip(stations(step.bends[e])) {
+            place.position = station.position(&out.nodes[e], &out.nodes[e + 1]);
+            place.thickness = out.thickness[e] + station.xi * step.rise[e];
+        }
+    }
+}
+
+/// What tool `j` does to the sheet, point by point; returns its largest force on one.
+fn press(step: &Step, trial: &mut Trial, at: &Linearisation, j: usize, out: &mut Evaluation) -> f64 {
+    let Step { process, state, dt, .. } = *step;
+    let (tool, displacement) = (&process.tools[j], trial.tools[j]);
+    let moved = displacement - state.tools[j];
+    let reach = process.penalty.reach();
+    let mut largest: f64 = 0.0;
+    let memories = trial.contacts.row_mut(j).iter_mut().zip(state.pressure.row(j));
+    let points = out.contacts.row_mut(j).iter_mut().zip(memories).zip(&out.places);
+    for (i, ((contact, (memory, pressure)), place)) in points.enumerate() {
+        let Place { position: x, thickness } = *place;
+        let position = x - displacement;
+        // A distance changes no faster than the point moves: far away it need not be measured again.
+        let free = memory.carried == 0.0 && memory.pressure.slope == 0.0 && *pressure == 0.0;
+        let shift = memory.shift;
+        let away = memory.distance - (position - memory.position).norm();
+        if free && away > 0.5 * thickness + reach - shift {
+            *contact = Contact::free();
+            memory.gap = f64::INFINITY;
             continue;
         }
-        let (memories, pressures) = (trial.contacts.row_mut(j), state.pressure.row(j));
-        let displacement = trial.tools[j];
-        let moved = displacement - state.tools[j];
-        for e in 0..out.thickness.len() {
-            let [a, b] = [out.nodes[e], out.nodes[e + 1]];
-            let (mut pressed, mut touched) = (Pressed::default(), false);
-            for (k, station) in stations(step.bends[e]).iter().enumerate() {
-                let i = STATIONS * e + k;
-                let thickness = out.thickness[e] + station.xi * step.rise[e];
-                let x = station.position(&a, &b);
-                let position = x - displacement;
-                let (contact, memory) = (&mut contacts[i], &mut memories[i]);
-                // A distance changes no faster than the point moves: far away it need not be measured again.
-                let free = memory.carried == 0.0 && memory.pressure.slope == 0.0 && pressures[i] == 0.0;
-                let shift = memory.shift;
-                let reach = 0.5 * thickness + process.penalty.reach() - shift;
-                if free && memory.distance - (position - memory.position).norm() > reach {
-                    *contact = Contact::free();
-                    memory.gap = f64::INFINITY;
-                    continue;
-                }
-                let closest = tool.profile.closest(position);
-                (memory.position, memory.distance) = (position, closest.distance);
-                let above = closest.normal.dot(&turned(Point::new(b[0] - a[0], b[1] - a[1]))) < 0.0;
-                let face = step.faces[e][usize::from(above)];
-                // Half the thickness that goes in the step goes with a force on the face, by the ratio of the areas.
-                let going = (1.0 / face - 1.0) * (out.thickness[e] - state.thickness[e]);
-                let gap = closest.distance - 0.5 * (thickness + going);
-                if at.matrix != Iteration::PrimalDual {
-                    memory.carried = 0.0;
-                } else if at.iteration > 0 {
-                    let ValueAndSlope { value, slope } = memory.pressure;
-                    memory.carried = (value + slope * (gap - memory.gap)).max(0.0);
-                }
-                let point = ContactPoint {
-                    carried: memory.carried,
-                    position,
-                    relative: x - station.position(&state.nodes[e], &state.nodes[e + 1]) - moved,
-                    thickness: thickness + going,
-                    area: step.areas[i] * face,
-                    shift,
-                    slip_scale: step.slip_scale,
-                    duration: dt,
-                    shear_yield: step.shear_yield[e],
-                };
-                *contact = Contact {
-                    gap: gap + 0.5 * going,
-                    closing: 0.5 * going,
-                    facing: closest.normal,
-                    ..Contact::default()
-                };
-                (memory.gap, memory.pressure) = (gap, ValueAndSlope::default());
-                let Some(touch) = touch(&closest, &process.penalty, &tool.friction, &point) else { continue };
-                contact.normal = touch.normal;
-                contact.tangential = touch.tangential;
-                contact.slip = touch.slip;
-                contact.pressure = touch.pressure;
-                memory.pressure = touch.pressure;
-                let force = touch.force();
-                largest = largest.max(force.norm());
-                out.tool_force[j] += force;
-                out.active_contacts += usize::from(touch.gap < 0.0);
-                let (slope, follows) = (station.slope(&a, &b), tool.shared.is_some());
-                let thinning = out.thickness_rows[e].map(|by| by / face);
-                pressed.add(station, &slope, out.thickness[e] / face, &thinning, &touch, follows);
-                touched = true;
-            }
-            if touched {
-                pressed.stiffen(&out.currents[e]);
-                pressed.assemble(e, tool.shared, &mut out.system);
-            }
+        let closest = tool.profile.closest(position);
+        (memory.position, memory.distance) = (position, closest.distance);
+        let (e, k) = (i / STATIONS, i % STATIONS);
+        let [a, b] = [&out.nodes[e], &out.nodes[e + 1]];
+        // A tool above the sheet faces down: its normal crosses the element from left to right.
+        let above = closest.normal.y * (b[0] - a[0]) < closest.normal.x * (b[1] - a[1]);
+        let face = step.faces[e][usize::from(above)];
+        // Half the thickness that goes in the step goes with a force on the face, by the ratio of the areas.
+        let share = 1.0 / face;
+        let going = (share - 1.0) * (out.thickness[e] - state.thickness[e]);
+        let gap = closest.distance - 0.5 * (thickness + going);
+        if at.matrix != Iteration::PrimalDual {
+            memory.carried = 0.0;
+        } else if at.iteration > 0 {
+            let ValueAndSlope { value, slope } = memory.pressure;
+            memory.carried = (value + slope * (gap - memory.gap)).max(0.0);
+        }
+        let station = &stations(step.bends[e])[k];
+        let point = ContactPoint {
+            carried: memory.carried,
+            position,
+            relative: x - station.position(&state.nodes[e], &state.nodes[e + 1]) - moved,
+            thickness: thickness + going,
+            area: step.areas[i] * face,
+            shift,
+            slip_scale: step.slip_scale,
+            duration: dt,
+            shear_yield: step.shear_yield[e],
+        };
+        *contact =
+            Contact { gap: gap + 0.5 * going, closing: 0.5 * going, facing: closest.normal, ..Contact::default() };
+        (memory.gap, memory.pressure) = (gap, ValueAndSlope::default());
+        let Some(touch) = touch(&closest, &process.penalty, &tool.friction, &point) else { continue };
+        contact.normal = touch.normal;
+        contact.tangential = touch.tangential;
+        contact.slip = touch.slip;
+        contact.pressure = touch.pressure;
+        memory.pressure = touch.pressure;
+        let push = Push::new(&touch, -0.5 * share);
+        largest = largest.max(push.force.norm());
+        out.tool_force[j] += push.force;
+        out.active_contacts += usize::from(touch.gap < 0.0);
+        out.pushes[i].add(&push);
+        if let Some(shared) = tool.shared {
+            push.follow(e, &station.slope(a, b), &out.thickness_rows[e], shared, &mut out.system);
         }
     }
     largest
 }
 
-/// What a tool adds to an element.
-#[derive(Default)]
-struct Pressed {
-    /// Forces on the sheet and their derivatives.
-    sheet: MotionForces,
-    /// Their derivatives by the tool's displacement along z, but for the sign.
-    by_tool: [f64; 5],
-    /// Derivatives of the tool's force along z by the motions, and by its own displacement but for the sign.
-    tool_by: [f64; 5],
-    tool_by_tool: f64,
-    /// Σ N t/2, the tension that the squeeze amounts to \[N mm\].
-    tension: f64,
+/// What tools do to a contact point: the forces F on its position x and Q on its element's thickness t, and their
+/// derivatives.
+///
+/// ```text
+/// dg = n·dx + h dt,  h = −½ of the area of the mid-surface over that of the face
+/// F = N n + T τ,  ∂F/∂x = ∂F/∂g⊗n + ((∂T/∂s + N c) τ − T c n)⊗τ,  ∂F/∂t = h ∂F/∂g
+/// Q = h N,        ∂Q/∂x = h ∂N/∂g n,                              ∂Q/∂t = h² ∂N/∂g
+/// ```
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(in crate::solver) struct Push {
+    /// F \[N, or N/mm\].
+    force: Point,
+    /// Q \[N, or N/mm\].
+    squeeze: f64,
+    /// ∂F/∂r and ∂F/∂z.
+    force_by_place: [Point; 2],
+    force_by_thickness: Point,
+    squeeze_by_place: Point,
+    squeeze_by_thickness: f64,
 }
 
-impl Pressed {
-    /// Adds the force at one point, whose position has the derivatives `slope`, and the thickness the derivatives `thinning`;
-    /// `follows` where the tool's position is an unknown.
-    ///
-    /// ```text
-    /// G = n·∂x − ½ ∂t,  S = τ·∂x          rows of the gap and of a move along τ by the motions
-    /// f = N G + T S
-    /// ∂f = ∂N/∂g G⊗G + S⊗(∂T/∂g G + (∂T/∂s + N c) S) − T c (n·∂x)⊗S + F·∂²x + Q ∂²t
-    /// ```
+impl Push {
+    /// Of a force whose gap goes with the thickness by `by_thickness`, h.
     #[inline]
-    fn add(
-        &mut self,
-        station: &Station,
-        slope: &Slope,
-        thickness: f64,
-        thinning: &[f64; 3],
-        touch: &ContactForce,
-        follows: bool,
-    ) {
-        let (n, tau, c) = (touch.facing, touch.along(), touch.curvature);
-        let (normal, along) = (slope.of(n), slope.of(tau));
-        let t = [thinning[0], 0.0, thinning[1], thinning[2], 0.0];
-        let (slip, turning) = (touch.drag_by_slip * touch.slip_turn + touch.normal * c, -touch.tangential * c);
-        // ∂²t = t tᵀ/thickness − thickness ∂²(ε_s + ε_θ), of which the last is left to `stiffen`.
-        let squeeze = -0.5 * touch.normal / thickness;
-        let (mut gap, mut drag) = ([0.0; 5], [0.0; 5]);
-        for i in 0..5 {
-            gap[i] = normal[i] - 0.5 * t[i];
-            drag[i] = touch.drag_by_gap * gap[i] + slip * along[i];
-            self.sheet.force[i] += touch.normal * gap[i] + touch.tangential * along[i];
+    fn new(touch: &ContactForce, by_thickness: f64) -> Self {
+        let (n, tau, c, h) = (touch.facing, touch.along(), touch.curvature, by_thickness);
+        let by_gap = n * touch.by_gap + tau * touch.drag_by_gap;
+        let by_move = tau * (touch.drag_by_slip * touch.slip_turn + touch.normal * c) - n * (touch.tangential * c);
+        Self {
+            force: touch.force(),
+            squeeze: h * touch.normal,
+            force_by_place: [by_gap * n.x + by_move * tau.x, by_gap * n.y + by_move * tau.y],
+            force_by_thickness: by_gap * h,
+            squeeze_by_place: n * (h * touch.by_gap),
+            squeeze_by_thickness: h * h * touch.by_gap,
         }
-        for i in 0..5 {
-            let (pressing, sliding) = (touch.by_gap * gap[i], turning * normal[i]);
-            let row = &mut self.sheet.matrix[i];
-            for j in 0..5 {
-                row[j] += pressing * gap[j] + along[i] * drag[j] + sliding * along[j] + squeeze * t[i] * t[j];
-            }
+    }
+
+    #[inline]
+    fn add(&mut self, other: &Self) {
+        self.force += other.force;
+        self.squeeze += other.squeeze;
+        self.force_by_place[0] += other.force_by_place[0];
+        self.force_by_place[1] += other.force_by_place[1];
+        self.force_by_thickness += other.force_by_thickness;
+        self.squeeze_by_place += other.squeeze_by_place;
+        self.squeeze_by_thickness += other.squeeze_by_thickness;
+    }
+
+    /// Adds the columns and rows of the tool's displacement along z, the `shared`-th of the shared unknowns: the forces feel
+    /// it like a move of the point, but for the sign.
+    #[inline]
+    fn follow(&self, e: usize, slope: &Slope, thinning: &[f64; 3], shared: usize, system: &mut System) {
+        let [by_r, by_z] = self.force_by_place;
+        let column = motions(slope, by_z, thinning, self.squeeze_by_place.y);
+        let row = motions(slope, Point::new(by_r.y, by_z.y), thinning, self.force_by_thickness.y);
+        for (i, node) in [(e, FIRST), (e + 1, SECOND)] {
+            system.columns[i][shared] += MotionForces::of_node(node, &column);
+            system.rows[i][shared] += MotionForces::of_node(node, &row);
         }
-        let second = station.second(touch.force());
+        system.corner[(shared, shared)] -= by_z.y;
+    }
+
+    /// Adds the forces on the motions of the point's element, and their derivatives.
+    #[inline]
+    fn spread(&self, station: &Station, slope: &Slope, thinning: &[f64; 3], sheet: &mut MotionForces) {
+        let force = motions(slope, self.force, thinning, self.squeeze);
+        for i in 0..5 {
+            sheet.force[i] += force[i];
+        }
+        let [by_r, by_z] = self.force_by_place;
+        let force_r = motions(slope, Point::new(by_r.x, by_z.x), thinning, self.force_by_thickness.x);
+        let force_z = motions(slope, Point::new(by_r.y, by_z.y), thinning, self.force_by_thickness.y);
+        let squeeze = motions(slope, self.squeeze_by_place, thinning, self.squeeze_by_thickness);
+        // What F and Q do to each motion, as in `motions`.
+        let ([along_r, along_z], bend) = (slope.by_difference, slope.by_bend);
+        for j in 0..5 {
+            let (r, z, q) = (force_r[j], force_z[j], squeeze[j]);
+            sheet.matrix[0][j] += 0.5 * r + thinning[0] * q;
+            sheet.matrix[1][j] += 0.5 * z;
+            sheet.matrix[2][j] += along_r.x * r + along_r.y * z + thinning[1] * q;
+            sheet.matrix[3][j] += along_z.x * r + along_z.y * z + thinning[2] * q;
+            sheet.matrix[4][j] += bend.x * r + bend.y * z;
+        }
+        let second = station.second(self.force);
         for d in 0..2 {
-            self.sheet.matrix[4][2 + d] += second[d];
-            self.sheet.matrix[2 + d][4] += second[d];
-        }
-        self.tension += 0.5 * touch.normal * thickness;
-        if follows {
-            // Along z the tool takes n_z of the gap and τ_z of the slip.
-            let (pressing, dragging) = (touch.by_gap * n.y, touch.drag_by_gap * n.y + slip * tau.y);
-            for i in 0..5 {
-                self.by_tool[i] += pressing * gap[i] + dragging * along[i] + turning * tau.y * normal[i];
-                self.tool_by[i] += pressing * gap[i] + tau.y * drag[i] + turning * n.y * along[i];
-            }
-            self.tool_by_tool += pressing * n.y + dragging * tau.y + turning * n.y * tau.y;
+            sheet.matrix[4][2 + d] += second[d];
+            sheet.matrix[2 + d][4] += second[d];
         }
     }
+}
 
-    /// The geometric stiffness of the squeeze.
-    fn stiffen(&mut self, current: &Current) {
-        let stiffness = current.geometric_stiffness(&[self.tension, self.tension, 0.0, 0.0, 0.0]);
-        let [rr, rz, zz] = stiffness.difference;
-        let m = &mut self.sheet.matrix;
-        m[0][0] += stiffness.hoop;
-        m[2][2] += rr;
-        m[2][3] += rz;
-        m[3][2] += rz;
-        m[3][3] += zz;
-    }
+/// How an element's differences count at its nodes.
+const FIRST: f64 = -1.0;
+const SECOND: f64 = 1.0;
 
-    /// Adds to the system; `shared` is the index of the tool's position where that is an unknown.
-    fn assemble(&self, e: usize, shared: Option<usize>, system: &mut System) {
-        let (first, second) = (-1.0, 1.0);
-        system.diagonal[e] -= self.sheet.block(first, first);
-        system.upper[e] -= self.sheet.block(first, second);
-        system.lower[e + 1] -= self.sheet.block(second, first);
-        system.diagonal[e + 1] -= self.sheet.block(second, second);
-        for (i, node) in [(e, first), (e + 1, second)] {
-            system.rhs[i] += MotionForces::of_node(node, &self.sheet.force);
-            if let Some(k) = shared {
-                system.columns[i][k] += MotionForces::of_node(node, &self.by_tool);
-                system.rows[i][k] += MotionForces::of_node(node, &self.tool_by);
-            }
+/// v·∂x + w ∂t of a point by its element's motions; the thickness has the derivatives `thinning`, by r₁+r₂, r₂−r₁, z₂−z₁.
+#[inline]
+fn motions(slope: &Slope, v: Point, thinning: &[f64; 3], w: f64) -> [f64; 5] {
+    let [r, z, along_r, along_z, bend] = slope.of(v);
+    [r + w * thinning[0], z, along_r + w * thinning[1], along_z + w * thinning[2], bend]
+}
+
+/// Adds what all tools do to the sheet.
+fn assemble(step: &Step, out: &mut Evaluation) {
+    let system = &mut out.system;
+    for (e, pushes) in out.pushes.chunks_exact(STATIONS).enumerate() {
+        if pushes.iter().all(|push| *push == Push::default()) {
+            continue;
         }
-        if let Some(k) = shared {
-            system.corner[(k, k)] -= self.tool_by_tool;
+        let ([a, b], thickness, thinning) =
+            ([&out.nodes[e], &out.nodes[e + 1]], out.thickness[e], &out.thickness_rows[e]);
+        let (mut sheet, mut squeeze) = (MotionForces::default(), 0.0);
+        for (push, station) in pushes.iter().zip(stations(step.bends[e])) {
+            push.spread(station, &station.slope(a, b), thinning, &mut sheet);
+            squeeze += push.squeeze;
         }
+        // Q ∂²t, ∂²t = ∂t ∂tᵀ/t − t ∂²(ε_s + ε_θ): of the latter it is the geometric stiffness of a tension −Q t.
+        let (tension, square) = (-squeeze * thickness, squeeze / thickness);
+        let stiffness = out.currents[e].geometric_stiffness(&[tension, tension, 0.0, 0.0, 0.0]);
+        let ([rr, rz, zz], [hoop, r, z]) = (stiffness.difference, *thinning);
+        let m = &mut sheet.matrix;
+        m[0][0] += stiffness.hoop + square * hoop * hoop;
+        m[2][2] += rr + square * r * r;
+        m[3][3] += zz + square * z * z;
+        for (i, j, value) in [(0, 2, square * hoop * r), (0, 3, square * hoop * z), (2, 3, rz + square * r * z)] {
+            m[i][j] += value;
+            m[j][i] += value;
+        }
+        system.diagonal[e] -= sheet.block(FIRST, FIRST);
+        system.upper[e] -= sheet.block(FIRST, SECOND);
+        system.lower[e + 1] -= sheet.block(SECOND, FIRST);
+        system.diagonal[e + 1] -= sheet.block(SECOND, SECOND);
+        system.rhs[e] += MotionForces::of_node(FIRST, &sheet.force);
+        system.rhs[e + 1] += MotionForces::of_node(SECOND, &sheet.force);
     }
 }
 

@@ -57,10 +57,10 @@ fn strain<L: PointLaw>(
     for ((e, reference), ((before, iterates), updates)) in step.references.iter().enumerate().zip(rows) {
         let Some(current) = reference.moved(moves[e], moves[e + 1]) else { return false };
         let internal = law.internal(&current, step.volume[e], step.section[e], before, iterates, updates);
-        system.diagonal[e] += internal.matrix[0][0];
-        system.upper[e] += internal.matrix[0][1];
-        system.lower[e + 1] += internal.matrix[1][0];
-        system.diagonal[e + 1] += internal.matrix[1][1];
+        system.diagonal[e] += internal.own[0];
+        system.upper[e] += internal.across;
+        system.lower[e + 1] += internal.across.transpose();
+        system.diagonal[e + 1] += internal.own[1];
         system.rhs[e] -= internal.force.fixed_rows::<3>(0);
         system.rhs[e + 1] -= internal.force.fixed_rows::<3>(3);
         let own = step.growth[e] * step.state.thickness[e] / step.section[e];
