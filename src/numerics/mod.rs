@@ -5,6 +5,7 @@ pub mod block_tridiagonal;
 mod grid;
 pub mod lobatto;
 mod piecewise_linear;
+pub mod small;
 
 pub use bisection::bisect;
 pub use grid::Grid;
