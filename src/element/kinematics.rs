@@ -17,6 +17,7 @@
 
 use super::surface::{STATIONS, stations};
 use super::{Geometry, Node, Theory};
+use crate::numerics::small;
 
 /// Generalised strains or stress resultants: meridional and hoop membrane, meridional and hoop bending, shear.
 pub type Generalised = [f64; 5];
@@ -43,11 +44,31 @@ pub struct Reference {
     bending: bool,
     dr: f64,
     dz: f64,
-    mean_rotation: f64,
+    fibre: Fibre,
     /// Length of the meridian \[mm\].
     pub length: f64,
     /// Radius of the middle \[mm\].
     pub radius: f64,
+}
+
+/// Cosine and sine of the mean rotation θ_m.
+#[derive(Clone, Copy, Debug)]
+struct Fibre {
+    cos: f64,
+    sin: f64,
+}
+
+impl Fibre {
+    fn new(angle: f64) -> Self {
+        let (sin, cos) = angle.sin_cos();
+        Self { cos, sin }
+    }
+
+    /// Turned on.
+    #[inline]
+    fn turned(&self, by: &Self) -> Self {
+        Self { cos: self.cos * by.cos - self.sin * by.sin, sin: self.sin * by.cos + self.cos * by.sin }
+    }
 }
 
 /// The element in its current configuration: as it is tried at the end of the step.
@@ -58,7 +79,7 @@ pub struct Current {
     sin: f64,
     length: f64,
     radius: f64,
-    mean_rotation: f64,
+    fibre: Fibre,
     /// Strain increments of the step.
     pub strain: Generalised,
 }
@@ -72,7 +93,7 @@ impl Reference {
             bending: theory == Theory::Bending,
             dr,
             dz,
-            mean_rotation: 0.5 * (a[2] + b[2]),
+            fibre: Fibre::new(0.5 * (a[2] + b[2])),
             length: dr.hypot(dz),
             radius: 0.5 * (a[0] + b[0]),
         }
@@ -101,7 +122,7 @@ impl Reference {
         if !self.bending {
             return [1.0; 2];
         }
-        let around = if self.hoop { self.mean_rotation.sin() / self.radius } else { 0.0 };
+        let around = if self.hoop { self.fibre.sin / self.radius } else { 0.0 };
         [1.0, -1.0].map(|side| {
             let h = 0.5 * side * thickness;
             ((1.0 + h * turn / self.length) * (1.0 + h * around)).max(SMALLEST_FACE)
@@ -126,23 +147,25 @@ impl Reference {
             return None;
         }
         let rotation = 0.5 * (a[2] + b[2]);
-        let mean_rotation = self.mean_rotation + rotation;
+        let mut fibre = self.fibre;
         let mut strain = [0.0; 5];
         let stretch = (2.0 * (self.dr * ur + self.dz * uz) + ur * ur + uz * uz) / (self.length * self.length);
-        strain[EPS_S] = 0.5 * stretch.ln_1p();
+        strain[EPS_S] = 0.5 * small::ln_1p(stretch);
         if self.hoop {
-            strain[EPS_T] = (outward / self.radius).ln_1p();
+            strain[EPS_T] = small::ln_1p(outward / self.radius);
         }
         if self.bending {
             strain[KAPPA_S] = turn / self.length;
             if self.hoop {
                 // sin(θ + δ) − sin θ = 2 cos(θ + δ/2) sin(δ/2)
-                let half = 0.5 * rotation;
-                strain[KAPPA_T] = 2.0 * (self.mean_rotation + half).cos() * half.sin() / self.radius;
+                let half = Fibre::new(0.5 * rotation);
+                let middle = fibre.turned(&half);
+                strain[KAPPA_T] = 2.0 * middle.cos * half.sin / self.radius;
+                fibre = middle.turned(&half);
             }
-            strain[GAMMA] = (self.dr * uz - self.dz * ur).atan2(self.dr * dr + self.dz * dz) - rotation;
+            strain[GAMMA] = small::angle(self.dr * uz - self.dz * ur, self.dr * dr + self.dz * dz) - rotation;
         }
-        Some(Current { reference: *self, cos: dr / length, sin: dz / length, length, radius, mean_rotation, strain })
+        Some(Current { reference: *self, cos: dr / length, sin: dz / length, length, radius, fibre, strain })
     }
 }
 
@@ -187,7 +210,7 @@ impl Current {
             across: [-s * bending, c * bending],
             hoop: hoop * 0.5 / self.radius,
             bend: bending / reference.length,
-            turn: bending * hoop * 0.5 * self.mean_rotation.cos() / reference.radius,
+            turn: bending * hoop * 0.5 * self.fibre.cos / reference.radius,
             shear: -0.5 * bending,
         }
     }
@@ -211,7 +234,7 @@ impl Current {
         if self.reference.hoop {
             stiffness.hoop = -0.25 * s[EPS_T] / (self.radius * self.radius);
             if self.reference.bending {
-                stiffness.turn = -0.25 * s[KAPPA_T] * self.mean_rotation.sin() / self.reference.radius;
+                stiffness.turn = -0.25 * s[KAPPA_T] * self.fibre.sin / self.reference.radius;
             }
         }
         stiffness

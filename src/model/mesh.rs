@@ -43,7 +43,9 @@ pub fn nodes(model: &Model) -> Vec<f64> {
     let of_zones: Vec<f64> = (0..SAMPLES).map(of_zones).collect();
     let count = |coarse: f64| {
         let floor = 1.0 / coarse;
-        of_zones.iter().map(|density| density.max(floor)).sum::<f64>() * length / SAMPLES as f64
+        // As `f64::max`, which would ask for numbers that are none, at three times the cost.
+        let raised = of_zones.iter().map(|&density| if density > floor { density } else { floor });
+        raised.sum::<f64>() * length / SAMPLES as f64
     };
     let [low, high] = bisect(finest, LARGEST_RATIO * finest, 60, |coarse| count(coarse) > n as f64);
     let coarse = 0.5 * (low + high);

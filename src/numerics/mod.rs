@@ -6,6 +6,7 @@ mod grid;
 pub mod lobatto;
 pub mod parts;
 mod piecewise_linear;
+pub mod small;
 
 pub use bisection::bisect;
 pub use grid::Grid;
