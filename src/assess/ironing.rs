@@ -26,6 +26,10 @@ pub(super) fn judge(run: &Run) -> Option<Finding> {
         Finding::judged("ironing", "Ironing", light, found)
             .against(share, Unit::Percent, format!("{:.0} % in one pass", 100.0 * IRONING_LIMIT))
             .source("a die for one pass is laid out for less (Chin. J. Mech. Eng. 2022, 10.1186/s10033-022-00681-9)")
-            .advice("a wall that is not to be ironed wants a clearance of t √β, the thickness of the rim (4ming)"),
+            .advice(
+                "a wall that is not to be ironed wants a clearance of t √β, the thickness of the rim (4ming); a throat drawn \
+                 straight on rubs all along it: draw the land as long as it is; the penalty leaves the wall thicker than the \
+                 gap by up to twice the penetration: a larger solver.contact_stiffness",
+            ),
     )
 }

@@ -37,7 +37,7 @@ const BEHIND: [Field<StepRecord>; 25] = [
     PRESSURE,
     Field::new("holder_move", "Move of the holder towards the die", Unit::Mm, |s| s.holder_move),
     Field::new("penetration", "Penetration over thickness", Unit::None, |s| s.penetration),
-    Field::new("ironing", "Reduction of the thickness by ironing", Unit::Percent, |s| 100.0 * s.ironing),
+    Field::new("ironing", "Reduction by ironing over thickness", Unit::None, |s| s.ironing),
     Field::force("ironing_force", "Ironing force of the die", |s| s.ironing_force),
     Field::force("ironing_friction", "Friction in the ironing force", |s| s.ironing_friction),
     Field::new("ironing_pressure", "Largest ironing pressure", Unit::MPa, |s| s.ironing_pressure),
