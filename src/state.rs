@@ -1,5 +1,7 @@
 //! One instant of the sheet and its tools.
 
+pub mod neighbourhood;
+
 use crate::contact::penalty::Penalty;
 use crate::element::Node;
 use crate::element::kinematics::Reference;
@@ -28,6 +30,8 @@ pub struct MaterialPoint {
     pub porosity_rate: f64,
     /// Strain rate in the last step \[1/s\]; of the flow law only.
     pub strain_rate: Triple,
+    /// Rate of ε̄ in the last step, by the time of the process \[1/s\].
+    pub equivalent_rate: f64,
 }
 
 /// The sheet and its tools at one instant.

@@ -2,7 +2,6 @@
 
 use super::Finding;
 use crate::model::Mode;
-use crate::numerics::lobatto;
 use crate::solution::StageSolution;
 use crate::table::Unit;
 
@@ -16,7 +15,7 @@ pub(super) fn again(stage: &StageSolution) -> Option<Finding> {
     let (model, end) = (&stage.model, &stage.end);
     model.release?;
     let before = &stage.start.as_ref()?.through.points;
-    let layers = lobatto::rule(model.blank.layers);
+    let layers = model.blank.points();
     let (mut volume, mut total) = (0.0, 0.0);
     for (i, (point, before)) in end.points.iter().zip(before).enumerate() {
         let e = i / layers.len();

@@ -3,7 +3,7 @@
 use super::Vector6;
 use super::kinematics::{Current, EPS_S, EPS_T, GAMMA, Generalised, KAPPA_S, KAPPA_T, StrainDisplacement};
 use crate::material::PointLaw;
-use crate::material::flow::{StressUpdate, Symmetric, Triple};
+use crate::material::flow::{Across, StressUpdate, Symmetric, Triple};
 use crate::numerics::lobatto::ThicknessPoint;
 use nalgebra::Matrix3;
 
@@ -32,8 +32,11 @@ pub struct Internal {
     pub thickness: f64,
 }
 
+/// Entries of a [`Symmetric`] by strain and curvature: ss, sθ, θs, θθ, γs, γθ.
+const STRAINS_BY_CURVATURES: [usize; 6] = [0, 1, 1, 2, 3, 4];
+
 /// The point of a membrane.
-const MIDDLE: [ThicknessPoint; 1] = [ThicknessPoint { xi: 0.0, weight: 1.0 }];
+const MIDDLE: [ThicknessPoint; 1] = [ThicknessPoint { xi: 0.0, weight: 1.0, half: 0.0 }];
 
 /// Bᵀ S: forces of the nodes that go with resultants. Differences count −1 at the first and +1 at the second, sums +1 at
 /// both.
@@ -84,25 +87,47 @@ impl<L: PointLaw> Law<'_, L> {
     ) -> Internal {
         let e = &current.strain;
         let mut s: Generalised = [0.0; 5];
-        // C integrated with 1, ζ, ζ²: membrane, coupling, bending.
-        let (mut c0, mut c1, mut c2): (Symmetric, Symmetric, Symmetric) = ([0.0; 6], [0.0; 6], [0.0; 6]);
+        // C integrated with 1, ζ, ζ²: membrane; coupling, strains by curvatures: ss, sθ, θs, θθ, γs, γθ; bending: ss, sθ, θθ.
+        let (mut c0, mut c1, mut c2): (Symmetric, [f64; 6], Triple) = ([0.0; 6], [0.0; 6], [0.0; 3]);
         let points = if current.bends() { self.points } else { &MIDDLE };
         for (i, at) in points.iter().enumerate() {
             let zeta = 0.5 * thickness * at.xi;
             let strain = [e[EPS_S] + zeta * e[KAPPA_S], e[EPS_T] + zeta * e[KAPPA_T], e[GAMMA]];
-            let update = self.point.respond(&before[i], &mut iterates[i], strain);
             let v = volume * at.weight;
+            let half = 0.5 * thickness * at.half;
+            let spread = [half * e[KAPPA_S], half * e[KAPPA_T]];
+            let part = at.half > 0.0;
+            let across = part.then(|| self.point.respond_across(&before[i], &mut iterates[i], strain, spread));
+            let update = match across.flatten() {
+                None => self.point.respond(&before[i], &mut iterates[i], strain),
+                Some(Across { update, moment, coupling, bending }) => {
+                    let arm = half * v;
+                    s[KAPPA_S] += arm * moment[0];
+                    s[KAPPA_T] += arm * moment[1];
+                    for (row, c) in coupling.iter().enumerate() {
+                        c1[2 * row] += arm * c[0];
+                        c1[2 * row + 1] += arm * c[1];
+                    }
+                    let [[ss, st], [ts, tt], _] = coupling;
+                    c2[0] += arm * (half * bending[0] + 2.0 * zeta * ss);
+                    c2[1] += arm * (half * bending[1] + zeta * (st + ts));
+                    c2[2] += arm * (half * bending[2] + 2.0 * zeta * tt);
+                    update
+                }
+            };
             let (vs, vt) = (v * update.stress[0], v * update.stress[1]);
             s[EPS_S] += vs;
             s[EPS_T] += vt;
             s[KAPPA_S] += zeta * vs;
             s[KAPPA_T] += zeta * vt;
             s[GAMMA] += v * update.stress[2];
+            let c = update.tangent.map(|c| v * c);
             for j in 0..6 {
-                let c = v * update.tangent[j];
-                c0[j] += c;
-                c1[j] += zeta * c;
-                c2[j] += zeta * zeta * c;
+                c0[j] += c[j];
+                c1[j] += zeta * c[STRAINS_BY_CURVATURES[j]];
+            }
+            for j in 0..3 {
+                c2[j] += zeta * zeta * c[j];
             }
             updates[i] = update;
         }
@@ -129,15 +154,15 @@ impl<L: PointLaw> Law<'_, L> {
         let rz = rz + e0[0] * from_s[1] + e1[0] * from_g[1];
         let zz = zz + e0[1] * from_s[1] + e1[1] * from_g[1];
         let hoop = both(c0[1], c0[4]).map(|v| g.hoop * v);
-        let bend = both(c1[0], c1[3]).map(|v| g.bend * v);
-        let turn_s = both(c1[1], c1[4]);
+        let bend = both(c1[0], c1[4]).map(|v| g.bend * v);
+        let turn_s = both(c1[1], c1[5]);
         let turn = [g.turn * turn_s[0] + g.shear * from_g[0], g.turn * turn_s[1] + g.shear * from_g[1]];
         let hoop_hoop = g.hoop * g.hoop * c0[2] + k.hoop;
-        let hoop_bend = g.hoop * g.bend * c1[1];
-        let hoop_turn = g.hoop * (g.turn * c1[2] + g.shear * c0[4]);
+        let hoop_bend = g.hoop * g.bend * c1[2];
+        let hoop_turn = g.hoop * (g.turn * c1[3] + g.shear * c0[4]);
         let bend_bend = g.bend * g.bend * c2[0];
-        let bend_turn = g.bend * (g.turn * c2[1] + g.shear * c1[3]);
-        let turn_turn = g.turn * (g.turn * c2[2] + 2.0 * g.shear * c1[4]) + g.shear * g.shear * c0[5] + k.turn;
+        let bend_turn = g.bend * (g.turn * c2[1] + g.shear * c1[4]);
+        let turn_turn = g.turn * (g.turn * c2[2] + 2.0 * g.shear * c1[5]) + g.shear * g.shear * c0[5] + k.turn;
 
         // Back to the nodes: differences count −1 at the first and +1 at the second, sums +1 at both.
         let block = |i: f64, j: f64| {

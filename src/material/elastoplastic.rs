@@ -21,7 +21,7 @@
 use super::chaboche::BackStresses;
 use super::point_law::StressUpdate;
 use super::yield_condition::{SHEAR_FACTOR, Triple};
-use super::{Elastic, FlowStress, Hardening, Hill48, PointLaw, Rate, ThermalLaw};
+use super::{Elastic, FlowStress, Hardening, Hill48, PointLaw, Rate, Surroundings, ThermalLaw};
 use std::f64::consts::FRAC_1_SQRT_2;
 
 /// What is the same for every thickness point in an iteration.
@@ -74,6 +74,8 @@ pub struct Carried {
     pub stress: Triple,
     /// α_i \[MPa\].
     pub back: [Triple; 2],
+    /// What flows around it.
+    pub surroundings: Surroundings,
 }
 
 /// What one thickness point keeps of its last evaluation.
@@ -140,7 +142,13 @@ impl PointLaw for ElastoplasticLaw<'_> {
             *trial = Trial { strain: e, back: point.back, ..Trial::default() };
             let sum = 0.5 * (d[0] + d[1]);
             let tangent = [sum, d[0] - sum, sum, 0.0, 0.0, d[2]];
-            return StressUpdate { stress: turned(tried), tangent, increment: 0.0, yield_stress: point.yield_stress };
+            return StressUpdate {
+                stress: turned(tried),
+                tangent,
+                increment: 0.0,
+                yield_stress: point.yield_stress,
+                work_across: 0.0,
+            };
         };
         let (x, n, m) = (at.increment, at.direction, at.measure);
         let stress = turned(each(|j| tried[j] - x * both[j] * n[j]));
@@ -168,7 +176,7 @@ impl PointLaw for ElastoplasticLaw<'_> {
         let (ac, bc) = (FRAC_1_SQRT_2 * entry(0, 2), FRAC_1_SQRT_2 * entry(1, 2));
         let (mean, half) = (0.5 * (aa + bb), 0.5 * (aa - bb));
         let tangent = [mean + ab, half, mean - ab, ac + bc, ac - bc, own[2] + entry(2, 2)];
-        StressUpdate { stress, tangent, increment: x, yield_stress: at.radius }
+        StressUpdate { stress, tangent, increment: x, yield_stress: at.radius, work_across: 0.0 }
     }
 }
 
@@ -196,6 +204,7 @@ impl ElastoplasticLaw<'_> {
             yielding.slope *= factor;
             yielding.stress *= factor;
         }
+        point.surroundings.hold(&mut yielding, increment);
         yielding
     }
 

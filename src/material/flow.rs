@@ -23,11 +23,14 @@
 //! Zienkiewicz, Jain, Oñate, Int. J. Solids Struct. 14 (1978) 15–38; Sosnowski (1994), equations 3 and 4.
 
 use super::yield_condition::dot;
-use super::{Gtn, Hardening, Hill48, PointLaw, Rate, ThermalLaw};
+use super::{FlowStress, Gtn, Hardening, Hill48, PointLaw, Rate, Surroundings, ThermalLaw};
 use crate::units::ZERO_CELSIUS;
 
-pub use super::point_law::StressUpdate;
+pub use super::point_law::{Across, StressUpdate};
 pub use super::yield_condition::{Metric, SHEAR_FACTOR, Symmetric, Triple, YieldCondition};
+
+/// Mean square of what goes evenly from −1 to 1 \[–\].
+const MEAN_SQUARE: f64 = 1.0 / 3.0;
 
 /// Matrix of the corrector.
 // H of Sosnowski (1994), equation 9.
@@ -72,6 +75,42 @@ impl PointLaw for FlowLaw<'_> {
     fn respond(&self, point: &PointState, iterate: &mut Iterate, e: Triple) -> StressUpdate {
         iterate.advance(self, point, e)
     }
+
+    #[inline]
+    fn respond_across(&self, point: &PointState, iterate: &mut Iterate, e: Triple, spread: [f64; 2]) -> Option<Across> {
+        iterate.advance_across(self, point, e, spread)
+    }
+}
+
+impl FlowLaw<'_> {
+    /// σ_y at the end of a step that adds `hardening` to ε̄, and its derivative by the `increment` at the rate of the end, of
+    /// which the hardening goes with one over `steep`; `flow` is that increment, regularised, and `ratio` its derivative.
+    #[inline(always)]
+    fn yielding(
+        &self,
+        point: &PointState,
+        hardening: f64,
+        steep: f64,
+        increment: f64,
+        flow: f64,
+        ratio: f64,
+    ) -> FlowStress {
+        let mut yielding = self.hardening.at_temperature(point.strain + hardening, point.temperature);
+        yielding.slope /= steep;
+        if let Some(rate) = self.rate {
+            let factor = rate.at(flow / self.duration);
+            yielding.slope *= factor.value;
+            yielding.slope += yielding.stress * factor.slope * ratio / self.duration;
+            yielding.stress *= factor.value;
+        }
+        point.surroundings.hold(&mut yielding, increment);
+        if let Some(softening) = self.softening {
+            let factor = softening.at(point.temperature);
+            yielding.slope *= factor;
+            yielding.stress *= factor;
+        }
+        yielding
+    }
 }
 
 /// A thickness point as the step finds it.
@@ -85,6 +124,8 @@ pub struct PointState {
     pub temperature: f64,
     /// What the step before has to do with this one.
     pub past: Past,
+    /// What flows around it.
+    pub surroundings: Surroundings,
 }
 
 /// What the step before has to do with this one: nothing, until it is said.
@@ -94,25 +135,38 @@ pub struct Past {
     weight: f64,
     /// a p \[–\].
     strain: Triple,
+    /// a times its spread over the point's part of the thickness \[–\].
+    spread: [f64; 2],
     /// a p̄ \[–\].
     equivalent: f64,
 }
 
 impl PointState {
-    /// A point of ordinary metal at room temperature.
+    /// A point of ordinary metal at room temperature, by itself.
     pub fn at(strain: f64) -> Self {
-        Self { strain, porosity: 0.0, temperature: ROOM_TEMPERATURE, past: Past::default() }
+        Self {
+            strain,
+            porosity: 0.0,
+            temperature: ROOM_TEMPERATURE,
+            past: Past::default(),
+            surroundings: Surroundings::default(),
+        }
     }
 
-    /// The point of a sheet that goes on flowing: with what the last rate would strain in this step, p, and with its weight
-    /// a in the rate at the end.
+    /// The point of a sheet that goes on flowing: with what the last rate would strain in this step, p, its spread over the
+    /// point's part of the thickness, and with its weight a in the rate at the end.
     #[must_use]
-    pub fn following(self, p: Triple, a: f64, anisotropy: Hill48, voids: Option<&Gtn>) -> Self {
+    pub fn following(self, p: Triple, spread: [f64; 2], a: f64, anisotropy: Hill48, voids: Option<&Gtn>) -> Self {
         let equivalent = match voids {
-            None => anisotropy.equivalent_increment(p),
+            None => {
+                let across = anisotropy.equivalent_increment([spread[0], spread[1], 0.0]);
+                anisotropy.equivalent_increment(p).hypot(MEAN_SQUARE.sqrt() * across)
+            }
             Some(voids) => voids.condition(anisotropy, self.porosity).equivalent_increment(p),
         };
-        Self { past: Past { weight: a, strain: p.map(|p| a * p), equivalent: a * equivalent }, ..self }
+        let past =
+            Past { weight: a, strain: p.map(|p| a * p), spread: spread.map(|k| a * k), equivalent: a * equivalent };
+        Self { past, ..self }
     }
 }
 
@@ -124,9 +178,12 @@ pub const ROOM_TEMPERATURE: f64 = 20.0 + ZERO_CELSIUS;
 pub struct Iterate {
     /// The carried stress w of the primal-dual matrix \[MPa\].
     pub carried: Triple,
-    /// Δε, and the Δt ε̇ that goes with it.
+    /// That of the moment of the point's part of the thickness \[MPa\].
+    carried_moment: [f64; 2],
+    /// Δε, the Δt ε̇ that goes with it, and the spread of that.
     strain: Triple,
     flow: Triple,
+    spread: [f64; 2],
     fluidity: f64,
     hardening: f64,
     inverse_square: f64,
@@ -145,8 +202,8 @@ impl Iterate {
 
     /// Evaluates the law at the strain increment `e` and moves on to it.
     ///
-    /// With a rate law and a thermal law σ_y = σ_s(ε̄) g(Δε̄_reg/Δt) h(T). With Δε for Δt ε̇, which is (1 + a) times as steep,
-    /// the matrices are
+    /// With a rate law and a thermal law σ_y = σ_s(ε̄) g(Δε̄_reg/Δt) h(T), times what the point's [`Surroundings`] hold. With Δε
+    /// for Δt ε̇, which is (1 + a) times as steep, the matrices are
     ///
     /// ```text
     /// secant       C = f A                                                   f = σ_y/Δε̄_reg
@@ -179,7 +236,7 @@ impl Iterate {
         point: &PointState,
         strain: Triple,
     ) -> StressUpdate {
-        let Past { weight, strain: past, equivalent } = point.past;
+        let Past { weight, strain: past, equivalent, .. } = point.past;
         let steep = 1.0 + weight;
         let e = [steep * strain[0] - past[0], steep * strain[1] - past[1], steep * strain[2] - past[2]];
         let metric = condition.metric(e);
@@ -190,20 +247,9 @@ impl Iterate {
         let inverse = inverse_square.sqrt();
         let share = condition.strain_share();
         let hardening = (share * increment + equivalent) / steep;
-        let mut yielding = law.hardening.at_temperature(point.strain + hardening, point.temperature);
-        yielding.slope /= steep;
-        if let Some(rate) = law.rate {
-            let factor = rate.at(share / (inverse * law.duration));
-            yielding.slope *= factor.value;
-            yielding.slope += yielding.stress * factor.slope * increment * inverse / law.duration;
-            yielding.stress *= factor.value;
-        }
+        let mut yielding =
+            law.yielding(point, hardening, steep, share * increment, share / inverse, increment * inverse);
         yielding.slope *= share;
-        if let Some(softening) = law.softening {
-            let factor = softening.at(point.temperature);
-            yielding.slope *= factor;
-            yielding.stress *= factor;
-        }
         let f = yielding.stress * inverse;
         let h = if increment > 0.0 { yielding.slope * inverse / increment } else { 0.0 };
         let stress = [f * a[0], f * a[1], f * a[2]];
@@ -232,8 +278,89 @@ impl Iterate {
             fa[5] + a[2] * b[2],
         ];
         let tangent = tangent.map(|c| steep * c);
-        *self = Self { carried: self.carried, strain, flow: e, fluidity: f, hardening: h, inverse_square };
-        StressUpdate { stress, tangent, increment: hardening, yield_stress: yielding.stress }
+        *self = Self {
+            carried: self.carried,
+            carried_moment: [0.0; 2],
+            strain,
+            flow: e,
+            spread: [0.0; 2],
+            fluidity: f,
+            hardening: h,
+            inverse_square,
+        };
+        StressUpdate { stress, tangent, increment: hardening, yield_stress: yielding.stress, work_across: 0.0 }
+    }
+
+    /// Where bending turns the flow about within the point's part of the thickness the stress jumps: a point by itself would
+    /// stick to the jump, and bear any tension without stretching. With k the strain of bending over half the part, the root
+    /// mean square of the strain over it
+    ///
+    /// ```text
+    /// P² = Δεᵀ A Δε + ⅓ kᵀ A k + Δε₀²,   σ = σ_y ∂P/∂Δε = σ_y/P A Δε,   m = σ_y ∂P/∂k = σ_y/P ⅓ A k
+    /// ```
+    ///
+    /// stands for the mean: a quadratic norm of both, so that stress, moment and matrices are those of a point with five
+    /// strains. `None` for a sheet with voids.
+    #[inline]
+    fn advance_across(
+        &mut self,
+        law: &FlowLaw,
+        point: &PointState,
+        strain: Triple,
+        bending: [f64; 2],
+    ) -> Option<Across> {
+        if law.voids.is_some() {
+            return None;
+        }
+        let Past { weight, strain: past, spread: past_spread, equivalent } = point.past;
+        let steep = 1.0 + weight;
+        let e = [steep * strain[0] - past[0], steep * strain[1] - past[1], steep * strain[2] - past[2]];
+        let spread = [steep * bending[0] - past_spread[0], steep * bending[1] - past_spread[1]];
+        let hill = &law.anisotropy;
+        let metric = hill.metric(e);
+        let a = metric.gradient;
+        let q = MEAN_SQUARE * hill.direct;
+        let r = MEAN_SQUARE * hill.coupled;
+        let b = [q * spread[0] + r * spread[1], r * spread[0] + q * spread[1]];
+        let square = metric.square + b[0] * spread[0] + b[1] * spread[1];
+        let increment = square.sqrt();
+        let inverse_square = 1.0 / (square + law.cutoff * law.cutoff);
+        let inverse = inverse_square.sqrt();
+        let hardening = (increment + equivalent) / steep;
+        let FlowStress { stress: yield_stress, slope } =
+            law.yielding(point, hardening, steep, increment, 1.0 / inverse, increment * inverse);
+        let f = yield_stress * inverse;
+        let h = if increment > 0.0 { slope * inverse / increment } else { 0.0 };
+        let stress = a.map(|a| f * a);
+        let moment = b.map(|b| f * b);
+        let g = [a[0], a[1], a[2], b[0], b[1]];
+        let half = match law.matrix {
+            Iteration::Secant => [0.0; 5],
+            Iteration::Newton => g.map(|g| 0.5 * (h - f * inverse_square) * g),
+            Iteration::PrimalDual => {
+                let w = self.carried_across(law, e, spread, yield_stress);
+                self.carried = [w[0], w[1], w[2]];
+                self.carried_moment = [w[3], w[4]];
+                let by = |i: usize| 0.5 * (h * g[i] - inverse_square * w[i]);
+                [by(0), by(1), by(2), by(3), by(4)]
+            }
+        };
+        let outer = |i: usize, j: usize| g[i] * half[j] + half[i] * g[j];
+        let fa = hill.scaled(&metric, f);
+        let tangent = [
+            steep * (fa[0] + outer(0, 0)),
+            steep * (fa[1] + outer(0, 1)),
+            steep * (fa[2] + outer(1, 1)),
+            steep * (fa[3] + outer(0, 2)),
+            steep * (fa[4] + outer(1, 2)),
+            steep * (fa[5] + outer(2, 2)),
+        ];
+        let coupling = [0, 1, 2].map(|i| [steep * outer(i, 3), steep * outer(i, 4)]);
+        let work_across = moment[0] * bending[0] + moment[1] * bending[1];
+        let bending = [f * q + outer(3, 3), f * r + outer(3, 4), f * q + outer(4, 4)].map(|c| steep * c);
+        *self = Self { strain, flow: e, spread, fluidity: f, hardening: h, inverse_square, ..*self };
+        let update = StressUpdate { stress, tangent, increment: hardening, yield_stress, work_across };
+        Some(Across { update, moment, coupling, bending })
     }
 
     /// w ← σ + C δ(Δε) with the matrix of the last iterate, scaled back onto the yield surface.
@@ -256,6 +383,36 @@ impl Iterate {
         if square > yield_stress * yield_stress {
             let back = yield_stress / square.sqrt();
             w = w.map(|w| back * w);
+        }
+        w
+    }
+
+    /// The same of stress and moment.
+    #[inline]
+    fn carried_across(&self, law: &FlowLaw, e: Triple, spread: [f64; 2], yield_stress: f64) -> [f64; 5] {
+        let hill = &law.anisotropy;
+        let mut w = [self.carried[0], self.carried[1], self.carried[2], self.carried_moment[0], self.carried_moment[1]];
+        if self.fluidity > 0.0 {
+            let of = |e: Triple, k: [f64; 2]| {
+                let (a, b) = (hill.apply(e), hill.apply([k[0], k[1], 0.0]));
+                [a[0], a[1], a[2], MEAN_SQUARE * b[0], MEAN_SQUARE * b[1]]
+            };
+            let de = [e[0] - self.flow[0], e[1] - self.flow[1], e[2] - self.flow[2]];
+            let dk = [spread[0] - self.spread[0], spread[1] - self.spread[1]];
+            let (g, c) = (of(self.flow, self.spread), of(de, dk));
+            let product = |v: &[f64; 5]| v[0] * de[0] + v[1] * de[1] + v[2] * de[2] + v[3] * dk[0] + v[4] * dk[1];
+            let along = product(&g);
+            let on_g = self.fluidity + self.hardening * along - 0.5 * self.inverse_square * product(&w);
+            let on_w = -0.5 * self.inverse_square * along;
+            for i in 0..5 {
+                w[i] = on_g * g[i] + on_w * w[i] + self.fluidity * c[i];
+            }
+        }
+        let square = Hill48::stress_square(hill, [w[0], w[1], w[2]])
+            + Hill48::stress_square(hill, [w[3], w[4], 0.0]) / MEAN_SQUARE;
+        if square > yield_stress * yield_stress {
+            let back = yield_stress / square.sqrt();
+            return w.map(|w| back * w);
         }
         w
     }
@@ -301,6 +458,9 @@ mod tests {
         for (rate_name, rate) in rates {
             for ((name, hardening), r) in Hardening::examples().into_iter().zip([1.0, 0.5, 1.8].into_iter().cycle()) {
                 let law = FlowLaw { rate, anisotropy: Hill48::new(r), ..flow(&hardening, Iteration::Newton) };
+                let surroundings = Surroundings { exponent: 0.005, increment: 2e-3, floor: 1e-4 };
+                let point = PointState { surroundings, ..PointState::at(0.05) };
+                let at = |law: &FlowLaw, e: Triple| Iterate::start([0.0; 3]).advance(law, &point, e);
                 for e in points() {
                     let c = full(at(&law, e).tangent);
                     let h = 1e-4 * law.anisotropy.equivalent_increment(e);
@@ -323,7 +483,7 @@ mod tests {
     }
 
     fn following(p: Triple, law: &FlowLaw) -> PointState {
-        PointState::at(0.05).following(p, 0.4, law.anisotropy, law.voids)
+        PointState::at(0.05).following(p, [0.0; 2], 0.4, law.anisotropy, law.voids)
     }
 
     /// Trust: as above, with a past.
@@ -451,6 +611,83 @@ mod tests {
                 let m = nalgebra::Matrix3::from_fn(|i, j| c[i][j]);
                 let smallest = m.symmetric_eigenvalues().min();
                 assert!(smallest > -1e-9 * m.norm(), "{name} {smallest}");
+            }
+        }
+    }
+
+    /// Trust: central differences with h = 1e-4 of the increment, for strain and spread; truncation near 1e-8 of the entries.
+    #[test]
+    fn newton_matrix_of_a_part_is_the_derivative_of_its_stress_and_moment() {
+        for (name, hardening) in Hardening::examples() {
+            for (r, rate) in [(1.0, None), (1.8, Some(Rate::examples()[0].1))] {
+                let law =
+                    FlowLaw { rate: rate.as_ref(), anisotropy: Hill48::new(r), ..flow(&hardening, Iteration::Newton) };
+                for ([s, t, shear], [ks, kt]) in
+                    points().into_iter().zip([[4e-3, 1e-3], [-2e-3, 0.0]].into_iter().cycle())
+                {
+                    let u = [s, t, shear, ks, kt];
+                    let at = |u: [f64; 5]| {
+                        let across = Iterate::default().advance_across(
+                            &law,
+                            &PointState::at(0.05),
+                            [u[0], u[1], u[2]],
+                            [u[3], u[4]],
+                        );
+                        across.expect("without voids")
+                    };
+                    let Across { update, coupling, bending, .. } = at(u);
+                    let c = full(update.tangent);
+                    let matrix = |i: usize, j: usize| match (i < 3, j < 3) {
+                        (true, true) => c[i][j],
+                        (true, false) => coupling[i][j - 3],
+                        (false, true) => coupling[j][i - 3],
+                        (false, false) => bending[i + j - 6],
+                    };
+                    let h = 1e-4 * u.iter().fold(0.0, |largest: f64, u| largest.max(u.abs()));
+                    for j in 0..5 {
+                        let shifted = |sign: f64| {
+                            let mut u = u;
+                            u[j] += sign * h;
+                            let Across { update, moment, .. } = at(u);
+                            [update.stress[0], update.stress[1], update.stress[2], moment[0], moment[1]]
+                        };
+                        let (plus, minus) = (shifted(1.0), shifted(-1.0));
+                        for i in 0..5 {
+                            let difference = (plus[i] - minus[i]) / (2.0 * h);
+                            let wrong = (matrix(i, j) - difference).abs();
+                            assert!(wrong < 1e-5 * c[0][0].abs(), "{name}, r {r} {u:?} {i}{j}");
+                        }
+                    }
+                }
+            }
+        }
+    }
+
+    /// Trust: with w the stress and the moment the primal-dual matrix is Newton's, and without a spread a part is a point, to
+    /// round-off.
+    #[test]
+    fn a_part_with_its_own_stress_carried_has_newtons_matrix_and_one_without_spread_is_a_point() {
+        let hardening = &Hardening::examples()[0].1;
+        let (newton, dual) = (flow(hardening, Iteration::Newton), flow(hardening, Iteration::PrimalDual));
+        let (point, spread) = (PointState::at(0.05), [3e-3, -1e-3]);
+        for e in points() {
+            let across = |law: &FlowLaw, start: &mut Iterate, spread: [f64; 2]| {
+                start.advance_across(law, &point, e, spread).expect("without voids")
+            };
+            let by_newton = across(&newton, &mut Iterate::default(), spread);
+            let mut own = Iterate { carried_moment: by_newton.moment, ..Iterate::start(by_newton.update.stress) };
+            let by_dual = across(&dual, &mut own, spread);
+            let scale = by_newton.update.tangent[0];
+            for i in 0..6 {
+                assert_relative_eq!(by_newton.update.tangent[i], by_dual.update.tangent[i], epsilon = 1e-9 * scale);
+            }
+            for i in 0..3 {
+                assert_relative_eq!(by_newton.bending[i], by_dual.bending[i], epsilon = 1e-9 * scale);
+            }
+            let flat = across(&newton, &mut Iterate::default(), [0.0; 2]);
+            let alone = at(&newton, e);
+            for i in 0..3 {
+                assert_relative_eq!(flat.update.stress[i], alone.stress[i], max_relative = 1e-14, epsilon = 1e-12);
             }
         }
     }

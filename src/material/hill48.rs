@@ -89,7 +89,7 @@ impl Hill48 {
     }
 
     #[inline]
-    fn stress_square(&self, s: Triple) -> f64 {
+    pub(super) fn stress_square(&self, s: Triple) -> f64 {
         s[0] * s[0] - 2.0 * self.q * s[0] * s[1] + s[1] * s[1] + SHEAR_INVERSE * s[2] * s[2]
     }
 }

@@ -10,6 +10,7 @@ pub mod hardening;
 mod hill48;
 mod point_law;
 pub mod rate;
+pub mod surroundings;
 pub mod thermal;
 mod yield_condition;
 
@@ -20,6 +21,7 @@ pub use hardening::{FlowStress, Hardening};
 pub use hill48::Hill48;
 pub use point_law::PointLaw;
 pub use rate::Rate;
+pub use surroundings::Surroundings;
 pub use thermal::ThermalLaw;
 
 /// The sheet's material.

@@ -11,6 +11,33 @@ pub trait PointLaw {
 
     /// Stress, matrix and hardening increment at the strain increment `e`; moves the iterate on.
     fn respond(&self, point: &Self::PointState, iterate: &mut Self::Iterate, e: Triple) -> StressUpdate;
+
+    /// The same where bending turns the flow about within the part of the thickness that the point stands for: the
+    /// increment is `e` at the point and differs by ± `spread` at the ends of that part. `None` where the point by itself is
+    /// right.
+    #[inline]
+    fn respond_across(
+        &self,
+        _point: &Self::PointState,
+        _iterate: &mut Self::Iterate,
+        _e: Triple,
+        _spread: [f64; 2],
+    ) -> Option<Across> {
+        None
+    }
+}
+
+/// Stress over a part of the thickness, its moment, and their derivatives.
+#[derive(Clone, Copy, Debug)]
+pub struct Across {
+    /// Of the mean stress, by the mean strain increment.
+    pub update: StressUpdate,
+    /// What does work on the spread: the moment of the part over half its height, meridional and hoop \[MPa\].
+    pub moment: [f64; 2],
+    /// ∂stress/∂spread, and ∂moment/∂strain transposed \[MPa\].
+    pub coupling: [[f64; 2]; 3],
+    /// ∂moment/∂spread: ss, sθ, θθ \[MPa\].
+    pub bending: [f64; 3],
 }
 
 /// Stress, its derivative and the hardening increment that go with a strain increment.
@@ -24,4 +51,6 @@ pub struct StressUpdate {
     pub increment: f64,
     /// σ_y \[MPa\].
     pub yield_stress: f64,
+    /// Work in the step of what the stress varies by across the point's part of the thickness \[MPa\].
+    pub work_across: f64,
 }

@@ -1,6 +1,8 @@
 //! The sheet before forming.
 
 use super::Theory;
+use crate::numerics::lobatto::{self, ThicknessPoint};
+use crate::numerics::parts;
 
 /// The sheet before forming.
 #[derive(Clone, Debug, PartialEq)]
@@ -15,10 +17,32 @@ pub struct Blank {
     pub grading: Grading,
     /// Shell theory of the elements.
     pub theory: Theory,
-    /// Gauss-Lobatto points through the thickness (1 when the theory is membrane).
+    /// Points through the thickness (1 when the theory is membrane).
     pub layers: usize,
+    /// What they stand for.
+    pub rule: ThicknessRule,
     /// How the outer edge is held.
     pub edge: Edge,
+}
+
+/// What the points through the thickness stand for; the stages of a sheet have one rule.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum ThicknessRule {
+    /// Equal parts of the thickness: for the flow law, whose stress jumps where bending turns the flow about.
+    #[default]
+    Parts,
+    /// Gauss-Lobatto points, on both faces too: where the sheet is elastic and its stress does not jump.
+    Lobatto,
+}
+
+impl Blank {
+    /// The points through the thickness.
+    pub fn points(&self) -> Vec<ThicknessPoint> {
+        match self.rule {
+            ThicknessRule::Parts if self.layers > 1 => parts::rule(self.layers),
+            _ => lobatto::rule(self.layers),
+        }
+    }
 }
 
 /// How element sizes are spread over the blank.

@@ -134,6 +134,7 @@ impl Stage {
         let (mine, theirs) = (&self.model.blank, &before.blank);
         agree("blank.layers", mine.layers as f64, "blank.layers of the stage before", theirs.layers as f64)?;
         agree("blank.thickness", mine.thickness, "blank.thickness of the stage before", theirs.thickness)?;
+        excludes(mine.rule != theirs.rule, "blank.rule", "that of the stage before")?;
         excludes(self.model.geometry != before.geometry, "geometry", "that of the stage before")?;
         excludes(self.model.heat.is_some() != before.heat.is_some(), "heat", "that of the stage before")
     }

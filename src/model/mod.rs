@@ -11,7 +11,7 @@ mod settings;
 pub mod stage;
 mod tools;
 
-pub use blank::{Blank, Edge, Grading};
+pub use blank::{Blank, Edge, Grading, ThicknessRule};
 pub use error::ModelError;
 pub use heat::{Heat, HeatFlow, ToolHeat};
 pub use loads::{Bead, Face, Gas, Pressure, PressureCap, RateControl};

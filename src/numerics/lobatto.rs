@@ -7,6 +7,9 @@ pub struct ThicknessPoint {
     pub xi: f64,
     /// Weight: share of the thickness that it stands for; the weights sum to 1.
     pub weight: f64,
+    /// Half the height of the part of the thickness that it stands in the middle of, over the half-thickness; 0 where it
+    /// stands for itself.
+    pub half: f64,
 }
 
 /// The `n`-point rule, exact for polynomials of degree 2n − 3; one point is the mid-surface (membrane).
@@ -15,7 +18,7 @@ pub struct ThicknessPoint {
 /// M. Abramowitz, I. Stegun, Handbook of Mathematical Functions (1964), 25.4.32.
 pub fn rule(n: usize) -> Vec<ThicknessPoint> {
     if n < 2 {
-        return vec![ThicknessPoint { xi: 0.0, weight: 1.0 }];
+        return vec![ThicknessPoint { xi: 0.0, weight: 1.0, half: 0.0 }];
     }
     let degree = (n - 1) as f64;
     (0..n)
@@ -31,7 +34,7 @@ pub fn rule(n: usize) -> Vec<ThicknessPoint> {
                 }
             }
             let (p, _) = legendre(n - 1, x);
-            ThicknessPoint { xi: x, weight: 1.0 / (degree * n as f64 * p * p) }
+            ThicknessPoint { xi: x, weight: 1.0 / (degree * n as f64 * p * p), half: 0.0 }
         })
         .collect()
 }

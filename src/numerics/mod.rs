@@ -4,6 +4,7 @@ mod bisection;
 pub mod block_tridiagonal;
 mod grid;
 pub mod lobatto;
+pub mod parts;
 mod piecewise_linear;
 
 pub use bisection::bisect;

@@ -2,13 +2,12 @@
 
 use super::{ElementRecord, Frame, NodeRecord, PointRecord, ThroughThickness};
 use crate::model::Model;
-use crate::numerics::lobatto;
 use crate::state::{MaterialPoint, State};
 
 impl State {
     /// What is kept of this instant.
     pub fn frame(&self, model: &Model) -> Frame {
-        let layers = lobatto::rule(model.blank.layers);
+        let layers = model.blank.points();
         let elements = (0..self.thickness.len())
             .map(|e| {
                 let points = self.points.row(e);

@@ -2,6 +2,7 @@
 
 use crate::model::{Model, Settings};
 use crate::state::State;
+use crate::state::neighbourhood::Neighbourhood;
 
 /// Thickness strain of a neck over the mean of its surroundings \[–\].
 const NECK: f64 = 1.6;
@@ -26,21 +27,24 @@ pub struct Neck {
     pub took_over: bool,
 }
 
-/// The thinnest place and what its surroundings do; `before` is the state one step ago.
+/// The thinnest place, by the mean over the neighbourhood of each element, and what its surroundings do; `before` is the
+/// state one step ago.
 pub fn neck(model: &Model, state: &State, before: Option<&State>) -> Neck {
     let t0 = model.blank.thickness;
-    let strain = |e: usize| (state.thickness[e] / t0).ln();
-    let rate = |e: usize| before.map_or(0.0, |before| (before.thickness[e] / state.thickness[e]).ln());
+    let section = |state: &State| Neighbourhood::new(model, state).section_thickness(&state.thickness);
+    let (thickness, former) = (section(state), before.map(section));
+    let strain = |e: usize| (thickness[e] / t0).ln();
+    let rate = |e: usize| former.as_ref().map_or(0.0, |former| (former[e] / thickness[e]).ln());
     // A sheet that does not form, while tools go back, thins by less than the cut-off.
     let rigid = before.map_or(0.0, |before| {
         let step = model.process_time(before.time, state.time - before.time);
         model.settings.cutoff_strain * step / (Settings::CUTOFF_STEP * model.duration)
     });
     let middle = |e: usize| 0.5 * (state.s0[e] + state.s0[e + 1]);
-    let n = state.thickness.len();
-    let thinnest = (0..n).min_by(|&a, &b| state.thickness[a].total_cmp(&state.thickness[b]));
+    let n = thickness.len();
+    let thinnest = (0..n).min_by(|&a, &b| thickness[a].total_cmp(&thickness[b]));
     let e = thinnest.expect("a blank has elements");
-    let mut neck = Neck { s0: middle(e), share: state.thickness[e] / t0, stands_out: false, took_over: false };
+    let mut neck = Neck { s0: middle(e), share: thickness[e] / t0, stands_out: false, took_over: false };
     if neck.share > THINNED {
         return neck;
     }

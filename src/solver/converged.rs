@@ -51,6 +51,7 @@ impl<'a> Converged<'a> {
                 porosity: point.porosity,
                 porosity_rate: point.porosity_rate,
                 strain_rate: iterate.strain().map(|strain| strain / dt),
+                equivalent_rate: update.increment / step.process_time,
             }
         });
         let points_of_contact = state.contact_points();

@@ -42,6 +42,7 @@ pub(super) fn work(before: &Evaluation, converged: &Converged) -> (Energy, Vec<f
         for (k, (update, at)) in updates.iter().zip(&step.process.rule).enumerate() {
             let (strain, before) = (trial.strain(e, k), state.points[(e, k)].stress);
             let power: f64 = (0..3).map(|d| 0.5 * (before[d] + update.stress[d]) * strain[d]).sum();
+            let power = power + update.work_across;
             let volume = step.volume[e] * at.weight;
             let elastic = model.stored(update.stress) - model.stored(before);
             let plastic = volume * (power - elastic);

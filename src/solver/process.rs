@@ -8,8 +8,9 @@ use crate::element::kinematics::Reference;
 use crate::element::section;
 use crate::geometry::Profile;
 use crate::model::{Model, Motion, Pressure, Role};
-use crate::numerics::lobatto::{self, ThicknessPoint};
+use crate::numerics::lobatto::ThicknessPoint;
 use crate::state::State;
+use crate::state::neighbourhood::Neighbourhood;
 use nalgebra::Vector3;
 
 /// A tool as the solver uses it.
@@ -74,7 +75,7 @@ impl<'a> Process<'a> {
         });
         let tools = tools.collect();
         let gas_shared = model.gas.iter().map(|gas| index(matches!(gas.pressure, Pressure::Rate(_)))).collect();
-        let rule = lobatto::rule(model.blank.layers);
+        let rule = model.blank.points();
         Self {
             model,
             tools,
@@ -130,10 +131,12 @@ pub(super) fn references<'a>(
 /// What the stress in the sheet asks for at every node to be in equilibrium \[N, N mm\].
 fn unloading_forces(model: &Model, state: &State, rule: &[ThicknessPoint]) -> Vec<Vector3<f64>> {
     let mut forces = vec![Vector3::zeros(); state.nodes.len()];
+    let section = Neighbourhood::new(model, state).section_thickness(&state.thickness);
     for (e, reference) in references(model, state, &state.bends).enumerate() {
         let Some(current) = reference.moved([0.0; 3], [0.0; 3]) else { continue };
         let points = state.points.row(e);
-        let force = section::forces(&current, state.volume[e], state.thickness[e], rule, |k| points[k].stress);
+        let volume = state.volume[e] * section[e] / state.thickness[e];
+        let force = section::forces(&current, volume, section[e], rule, |k| points[k].stress);
         forces[e] += force.fixed_rows::<3>(0);
         forces[e + 1] += force.fixed_rows::<3>(3);
     }

@@ -128,7 +128,6 @@ mod tests {
     use crate::material::hardening::Swift;
     use crate::material::{Hardening, Material};
     use crate::model::{Blank, Grading, Mode, Settings, StopRules};
-    use crate::numerics::lobatto;
 
     const T: f64 = 1.05;
 
@@ -145,6 +144,7 @@ mod tests {
                 grading: Grading::Uniform,
                 theory: Theory::Selective,
                 layers: 5,
+                rule: Default::default(),
                 edge: Edge::Free,
             },
             material: Material::plain(Hardening::Swift(Swift::new(500.0, 0.2, 1e-3).expect("valid"))),
@@ -186,7 +186,7 @@ mod tests {
     }
 
     fn bending(model: &Model, state: &State) -> Vec<usize> {
-        let bends = Selection::new(model).bending(model, state, &lobatto::rule(model.blank.layers));
+        let bends = Selection::new(model).bending(model, state, &model.blank.points());
         (0..100).filter(|&e| bends[e]).collect()
     }
 

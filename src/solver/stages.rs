@@ -64,6 +64,7 @@ pub fn enter(stage: &Stage, before: &Model, mut state: State) -> State {
     state.velocity.fill([0.0; 3]);
     state.steady.fill(false);
     state.temperature_rates.fill([0.0; 2]);
+    state.points.iter_mut().for_each(|point| point.equivalent_rate = 0.0);
     if let Some(radius) = begin.trim {
         trim(&mut state, radius);
     }

@@ -44,6 +44,7 @@ mod verify_bulge;
 mod verify_closed_forms;
 mod verify_draw_ratio;
 mod verify_elastoplastic;
+mod verify_fine_mesh;
 mod verify_forming_limit;
 mod verify_heat_and_voids;
 mod verify_loads;

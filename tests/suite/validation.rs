@@ -40,7 +40,7 @@ fn every_comparison_is_within_its_tolerance() {
 /// Case, stage, largest punch force [N, plane strain N/mm] or, where no punch presses, largest gas pressure [MPa], least
 /// thickness [mm] and where it is on the flat sheet [mm], as computed when these lines were written.
 const FIGURES: &[(&str, &str, f64, f64, f64)] = &[
-    ("brite_cylindrical", "forming", 136595.607, 0.640187, 137.8125),
+    ("brite_cylindrical", "forming", 136689.86049434, 0.640298, 137.8125),
     ("brite_four_steps", "draw", 136334.916, 0.639805, 138.3983),
     ("brite_four_steps", "retract", 77128.3643, 0.640692, 138.3983),
     ("brite_four_steps", "lower", 0.0, 0.640693, 138.3983),

@@ -37,9 +37,9 @@ fn selective_bending_gives_the_punch_force_of_bending_everywhere() {
         println!("{name}: punch force off by {:+.2} % of the peak at most, at {travel:.1} mm", 100.0 * difference);
         assert!(difference.abs() < 0.01, "{name}: {difference:e} at {travel} mm");
         let elements = model.blank.elements;
-        // Trust: before the first step nothing is in tension; then faces and flanges are flat, and radii are not.
+        // Trust: before the first step nothing is in tension, and little in the first; then faces and flanges are flat, and radii are not.
         assert_eq!(run.steps[0].bending, elements, "{name}");
-        assert!(run.steps.iter().skip(1).all(|r| (1..elements).contains(&r.bending)), "{name}");
+        assert!(run.steps.iter().skip(2).all(|r| (1..elements).contains(&r.bending)), "{name}");
         assert!(full.steps.iter().all(|r| r.bending == elements), "{name}");
     }
 }

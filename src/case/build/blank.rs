@@ -3,7 +3,7 @@
 use super::values::{by_geometry, count};
 use crate::case::file::CaseFile;
 use crate::case::{CaseError, source::Source};
-use crate::model::{Blank, Geometry, Mode, Theory};
+use crate::model::{Blank, Geometry, Mode, Theory, ThicknessRule};
 use crate::units::{Quantity, rounded};
 use std::ops::RangeInclusive;
 
@@ -18,16 +18,23 @@ const FLOWING: i64 = 5;
 const ELASTIC: i64 = 15;
 const RELEASED: i64 = 25;
 
+/// Whether a stage releases the sheet.
+fn is_released(case: &CaseFile) -> bool {
+    case.stages.iter().any(|stage| stage.release.is_some_and(|release| release.0.is_some()))
+}
+
+/// Whether the sheet is elastic in any stage.
+fn is_elastic(case: &CaseFile) -> bool {
+    let modes = case.stages.iter().map(|stage| stage.mode).chain([case.material.mode]);
+    is_released(case) || modes.flatten().any(|mode| mode != Mode::Flow)
+}
+
 /// Points through the thickness where the case does not say.
 fn automatic(case: &CaseFile) -> i64 {
-    let modes = case.stages.iter().map(|stage| stage.mode).chain([case.material.mode]);
-    let elastic = modes.flatten().any(|mode| mode != Mode::Flow);
-    if case.stages.iter().any(|stage| stage.release.is_some_and(|release| release.0.is_some())) {
-        RELEASED
-    } else if elastic {
-        ELASTIC
-    } else {
-        FLOWING
+    match (is_released(case), is_elastic(case)) {
+        (true, _) => RELEASED,
+        (_, true) => ELASTIC,
+        _ => FLOWING,
     }
 }
 
@@ -70,6 +77,7 @@ pub(super) fn convert(
         grading: file.grading,
         theory: file.theory,
         layers,
+        rule: if is_elastic(case) { ThicknessRule::Lobatto } else { ThicknessRule::Parts },
         edge: file.edge,
     })
 }

@@ -31,6 +31,7 @@ fn start(law: &ElastoplasticLaw) -> Carried {
         stress: [60.0, -25.0, 8.0],
         back: [[20.0, 5.0, -3.0], [4.0, -6.0, 1.0]].map(|back| back.map(|a| shifts * a)),
         yield_stress: 0.0,
+        surroundings: Surroundings { exponent: 0.005, increment: 5e-3, floor: 1e-4 },
     };
     Carried { yield_stress: law.yield_stress(&at), ..at }
 }

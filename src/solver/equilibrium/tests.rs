@@ -7,7 +7,7 @@ use crate::material::hardening::Swift;
 use crate::material::{Gtn, Hardening, Hill48, Material, Rate, ThermalLaw};
 use crate::model::{
     Bead, Blank, Face, Gas, Grading, Heat, Iteration, Mode, Model, Motion, Press, Pressure, RateControl, Role,
-    Settings, Tool,
+    Settings, ThicknessRule, Tool,
 };
 use crate::solver::process::Process;
 use crate::state::State;
@@ -28,6 +28,7 @@ fn model(geometry: Geometry, theory: Theory) -> Model {
             grading: Grading::Uniform,
             theory,
             layers: if theory == Theory::Membrane { 1 } else { 5 },
+            rule: ThicknessRule::Parts,
             edge: Edge::Free,
         },
         material: Material::plain(Hardening::Swift(Swift::new(500.0, 0.2, 1e-3).expect("valid"))),

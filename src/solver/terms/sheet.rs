@@ -56,15 +56,16 @@ fn strain<L: PointLaw>(
     let rows = before.rows().zip(iterates.rows_mut()).zip(out.updates.rows_mut());
     for ((e, reference), ((before, iterates), updates)) in step.references.iter().enumerate().zip(rows) {
         let Some(current) = reference.moved(moves[e], moves[e + 1]) else { return false };
-        let internal = law.internal(&current, step.volume[e], step.state.thickness[e], before, iterates, updates);
+        let internal = law.internal(&current, step.volume[e], step.section[e], before, iterates, updates);
         system.diagonal[e] += internal.matrix[0][0];
         system.upper[e] += internal.matrix[0][1];
         system.lower[e + 1] += internal.matrix[1][0];
         system.diagonal[e + 1] += internal.matrix[1][1];
         system.rhs[e] -= internal.force.fixed_rows::<3>(0);
         system.rhs[e + 1] -= internal.force.fixed_rows::<3>(3);
-        out.thickness[e] = internal.thickness * step.growth[e];
-        out.thickness_rows[e] = internal.thickness_row.map(|by| by * step.growth[e]);
+        let own = step.growth[e] * step.state.thickness[e] / step.section[e];
+        out.thickness[e] = internal.thickness * own;
+        out.thickness_rows[e] = internal.thickness_row.map(|by| by * own);
         out.currents.push(current);
         out.membrane_increment[e] = [current.strain[0], current.strain[1]];
         if let Some(rows) = out.membrane_rows.get_mut(e) {

@@ -7,7 +7,7 @@ use stampflow::material::hardening::Swift;
 use stampflow::material::{Gtn, Hardening, Material};
 use stampflow::model::{
     Blank, Edge, Face, Gas, Geometry, Grading, Heat, Mode, Model, Motion, Press, Pressure, PressureCap, RateControl,
-    Role, Settings, StopRules, Theory, Tool,
+    Role, Settings, StopRules, Theory, ThicknessRule, Tool,
 };
 use stampflow::numerics::lobatto;
 use stampflow::output::StageView;
@@ -39,6 +39,7 @@ pub fn model(geometry: Geometry) -> Model {
             grading: Grading::Uniform,
             theory: Theory::Bending,
             layers: 5,
+            rule: ThicknessRule::default(),
             edge: Edge::Free,
         },
         material: Material::plain(Hardening::Swift(Swift::new(547.0, 0.18, 1e-3).unwrap())),

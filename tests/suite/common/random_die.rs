@@ -5,7 +5,8 @@ use stampflow::geometry::{Arc, Piece, Point, Profile, Segment};
 use stampflow::material::hardening::{Branch, Extrapolation, Hollomon, Ludwik, PiecewisePower, Swift, Table, Voce};
 use stampflow::material::{Hardening, Material};
 use stampflow::model::{
-    Blank, Edge, Geometry, Grading, Mode, Model, Motion, Norm, Press, Role, Settings, StopRules, Theory, Tool,
+    Blank, Edge, Geometry, Grading, Mode, Model, Motion, Norm, Press, Role, Settings, StopRules, Theory, ThicknessRule,
+    Tool,
 };
 use std::f64::consts::FRAC_PI_2;
 
@@ -168,6 +169,7 @@ pub fn random_die(seed: u64) -> RandomDie {
             grading: Grading::Radii,
             theory: Theory::Bending,
             layers: 5,
+            rule: ThicknessRule::default(),
             edge: if stretch { Edge::Clamped } else { Edge::Free },
         },
         material: Material::plain(law),

@@ -4,7 +4,8 @@ use stampflow::geometry::Profile;
 use stampflow::material::hardening::{Ludwik, Swift};
 use stampflow::material::{Hardening, Material};
 use stampflow::model::{
-    Blank, Edge, Friction, Geometry, Grading, Mode, Model, Motion, Press, Role, Settings, StopRules, Theory, Tool,
+    Blank, Edge, Friction, Geometry, Grading, Mode, Model, Motion, Press, Role, Settings, StopRules, Theory,
+    ThicknessRule, Tool,
 };
 
 /// A sheet of 1 mm with no tools, pulled outward by `travel` [mm].
@@ -20,6 +21,7 @@ pub fn pulled(geometry: Geometry, theory: Theory, travel: f64) -> Model {
             grading: Grading::Uniform,
             theory,
             layers: if theory == Theory::Membrane { 1 } else { 5 },
+            rule: ThicknessRule::Lobatto,
             edge: Edge::Pulled { speed: 1.0 },
         },
         material: Material::plain(Hardening::Swift(Swift::new(520.0, 0.22, 1e-3).expect("valid"))),
@@ -59,6 +61,7 @@ pub fn capstan(mu: f64, holder: f64, per_quarter: usize) -> Model {
             grading: Grading::Uniform,
             theory: Theory::Membrane,
             layers: 1,
+            rule: ThicknessRule::Lobatto,
             edge: Edge::Free,
         },
         material: Material::plain(Hardening::Ludwik(Ludwik::new(150.0, 0.0, 1.0).expect("valid"))),
