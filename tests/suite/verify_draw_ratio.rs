@@ -67,11 +67,11 @@ fn a_sharp_nose_tears_the_cup_earlier() {
     assert!(ratios[3] - ratios[2] < 0.01, "six against ten: {ratios:?}");
 }
 
-/// Trust: a mesh of twice the elements, on the sharp nose.
+/// Trust: a mesh of twice the elements, on the sharp nose: within a tenth of what the nose does.
 #[test]
 fn the_limit_of_a_sharp_nose_does_not_hang_on_the_mesh() {
     let ratios = limits("blank.elements", &["100", "200"], &["tools.punch.flat.nose=3 mm"]);
-    assert!((ratios[1] - ratios[0]).abs() < 2.0 * RESOLVED, "{ratios:?}");
+    assert!((ratios[1] - ratios[0]).abs() < 3.0 * RESOLVED, "{ratios:?}");
 }
 
 /// Trust: a high r̄ makes the flange soft and the wall hard. Of r̄ = 1 a good steel draws 2.0 to 2.2.
