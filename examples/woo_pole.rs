@@ -34,20 +34,21 @@ fn draw(picture: &Path) -> Result<(), String> {
     let run = stampflow::run(case.model(), &mut ());
     let geometry = case.model().geometry;
     let panel = |field: &Field<StepRecord>, column: &str, height: f64| {
-        Ok::<_, String>(Panel {
-            x: TRAVEL.axis(geometry),
-            y: field.axis(geometry),
-            series: vec![
-                Series::new("With the normal stress", TRAVEL.against(field, &run.steps), Look::curve(0)),
-                Series::new("Without it (version 0.1.0)", record(column)?, Look::curve(1)),
-            ],
-            scale: Scale::Fit { height, least: 0.0 },
-        })
+        let series = vec![
+            Series::new("With the normal stress", TRAVEL.against(field, &run.steps), Look::curve(0)),
+            Series::new("Without it (version 0.1.0)", record(column)?, Look::curve(1)),
+        ];
+        let (x, y) = (TRAVEL.axis(geometry), field.axis(geometry));
+        Ok::<_, String>(Panel { x, y, series, scale: Scale::Fit { height, least: 0.0 } })
     };
+    let thickness = panel(&THINNEST, "thinnest_mm", 250.0)?;
+    let mut force = panel(&PUNCH_FORCE, "punch_force_N", 200.0)?;
+    // One legend says what the curves of both panels are.
+    force.series.iter_mut().for_each(|series| series.label = None);
     let chart = Chart {
         title: case.model().title.clone(),
         legend: "",
-        panels: vec![panel(&THINNEST, "thinnest_mm", 250.0)?, panel(&PUNCH_FORCE, "punch_force_N", 200.0)?],
+        panels: vec![thickness, force],
         notes: case.model().notes.clone(),
     };
     write(picture, &png(&chart)).map_err(|error| error.to_string())

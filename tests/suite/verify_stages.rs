@@ -55,7 +55,7 @@ fn a_stage_begins_with_the_sheet_that_the_one_before_left() {
     assert_eq!(entered.thickness, left.thickness);
     assert_eq!((&entered.volume, &entered.s0), (&left.volume, &left.s0));
     let mut at_rest = left.points.clone();
-    at_rest.iter_mut().for_each(|point| point.strain_rate = 0.0);
+    at_rest.iter_mut().for_each(|point| point.equivalent_rate = 0.0);
     assert_eq!((&entered.membrane, &entered.points), (&left.membrane, &at_rest));
     assert_eq!((&entered.temperature, &entered.bends), (&left.temperature, &left.bends));
     assert_eq!((&entered.tools, &entered.pressure), (&left.tools, &left.pressure));
