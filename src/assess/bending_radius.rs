@@ -2,13 +2,14 @@
 
 use super::{Finding, Light, run::Run};
 use crate::model::{Model, Theory, Tool};
-use crate::rules::design::THIN;
+use crate::rules::design::{SHARP, THIN, bent_strength};
 use crate::table::Unit;
 use crate::units::mm;
 
-/// Bending radius over the thickness at which a fibre's strain is as large as plastic ones in deep draws, and a shell is none
-/// \[–\].
-const SHARP: f64 = 2.0;
+/// What to change where a bend is sharp, and what a shell leaves out of it, of the radius R of its mid-surface.
+pub(super) const ADVICE: &str = "larger radii; else take strains and spring-back there with care: the shell's normal stress is right to second order in t/R \
+     only while the whole section is stretched, how the stress falls off through the thickness is not in it, nor that the \
+     neutral fibre of a bend lies t²/8R inside the middle";
 
 /// A tool's smallest radius over the thickness.
 pub(super) fn small(model: &Model, tool: &Tool) -> Option<Finding> {
@@ -20,9 +21,11 @@ pub(super) fn small(model: &Model, tool: &Tool) -> Option<Finding> {
     };
     (smallest.radius < THIN * model.blank.thickness).then(|| {
         let found = format!(
-            "the {}'s radius of {} mm is {ratio:.1} thicknesses (below {THIN}): {what}",
+            "the {}'s radius of {} mm is {ratio:.1} thicknesses (below {THIN}), over which the sheet carries {:.0} % of its \
+             strength: {what}",
             tool.role.name(),
-            mm(smallest.radius)
+            mm(smallest.radius),
+            100.0 * bent_strength(ratio)
         );
         Finding::warning("tool_radius", "Tool radius", found).against(
             ratio,
@@ -49,6 +52,6 @@ pub(super) fn judge(run: &Run) -> Option<Finding> {
                 Unit::None,
                 format!("{THIN} thicknesses at least, refused below {SHARP}: thin-shell theory"),
             )
-            .advice("larger radii; else take strains and spring-back there with care"),
+            .advice(ADVICE),
     )
 }

@@ -5,6 +5,7 @@
 //! thumb.
 
 mod bending_radius;
+mod bent_strength;
 mod blank_size;
 mod bottom_tearing;
 pub mod check;
@@ -98,6 +99,7 @@ const AFTER: &[After] = &[
     After::Run(ironing::judge),
     After::Run(springback::judge),
     After::Run(bending_radius::judge),
+    After::Run(bent_strength::judge),
     After::Run(hardening::judge),
     After::Run(friction::judge),
     After::Run(power_balance::judge),

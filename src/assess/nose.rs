@@ -31,7 +31,8 @@ impl NoseEnd {
     }
 }
 
-fn nose(punch: &Tool) -> Option<Arc> {
+/// The corner of a punch that is nearest the axis.
+pub(super) fn nose(punch: &Tool) -> Option<Arc> {
     punch.profile.corners().min_by(|a, b| inner(a).total_cmp(&inner(b)))
 }
 

@@ -42,6 +42,7 @@ mod validation;
 mod verdict;
 mod verify_bulge;
 mod verify_closed_forms;
+mod verify_draw_ratio;
 mod verify_elastoplastic;
 mod verify_fine_mesh;
 mod verify_forming_limit;

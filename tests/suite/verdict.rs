@@ -229,3 +229,27 @@ fn stages_are_judged_together() {
     assert!(of("stop").starts_with("stage 2 of 2: "), "{}", of("stop"));
     assert!(of("punch_force").ends_with("stage 1"), "{}", of("punch_force"));
 }
+
+/// Trust: by hand, ρ ln(1 + 1/ρ) of 1.5, 3 and 6 mm on a sheet of 1 mm. Membranes, which do not bend, are judged too.
+#[test]
+fn noses_and_shoulders_below_five_thicknesses_are_not_green() {
+    let short = ["tools.punch.travel=3 mm"];
+    let judged = |sets: &[&str]| findings("quickstart.toml", &[&short, sets].concat());
+    let nose = |mm: f64| format!("tools.punch.flat.nose={mm} mm");
+    for (ratio, expected, color) in
+        [(1.5, 76.624, Light::Red), (3.0, 86.305, Light::Amber), (6.0, 92.490, Light::Green)]
+    {
+        for theory in ["blank.theory=bending", "blank.theory=membrane"] {
+            let found = judged(&[&nose(ratio), theory]);
+            assert!((value(&found, "bent_strength") - expected).abs() < 1e-3, "{found:?}");
+            assert_eq!(light(&found, "bent_strength"), color, "{found:?}");
+        }
+    }
+    let found = judged(&[&nose(6.0), "tools.die.shoulder=1.9 mm"]);
+    let row = found.iter().find(|f| f.key == "bent_strength").expect("a row");
+    assert_eq!(row.light, Light::Red);
+    assert!(row.found.contains("die's shoulder of 1.9 mm") && row.advice.contains("t²/8R"), "{row:?}");
+    // A coarse mesh does not follow the nose, and its bends alone would be none to speak of.
+    let found = judged(&[&nose(1.9), "blank.elements=12", "blank.grading=uniform"]);
+    assert_eq!(light(&found, "bent_strength"), Light::Red, "{found:?}");
+}

@@ -1,0 +1,66 @@
+//! What the normal stress of contact does to Woo's hemispherical cup: the thinnest place and the load over the travel, with it
+//! and as the program computed them before it was in the flow law.
+//!
+//! `cargo run --release --example woo_pole -- docs/woo_pole.png`
+
+use stampflow::case;
+use stampflow::output::chart::{Chart, Look, Panel, Scale, Series};
+use stampflow::output::{png, write};
+use stampflow::solution::StepRecord;
+use stampflow::table::fields::step::{PUNCH_FORCE, THINNEST, TRAVEL};
+use stampflow::table::{Csv, Field};
+use std::path::Path;
+use std::process::ExitCode;
+
+const CASE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/cases/woo_hemispherical.toml");
+const RECORD: &str = include_str!("../reference_data/woo_pole_without_normal_stress.csv");
+
+fn main() -> ExitCode {
+    let Some(picture) = std::env::args().nth(1) else {
+        eprintln!("error: give a picture to write");
+        return ExitCode::from(2);
+    };
+    match draw(Path::new(&picture)) {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(message) => {
+            eprintln!("error: {message}");
+            ExitCode::from(2)
+        }
+    }
+}
+
+fn draw(picture: &Path) -> Result<(), String> {
+    let case = case::load(CASE, &[]).map_err(|error| error.to_string())?;
+    let run = stampflow::run(case.model(), &mut ());
+    let geometry = case.model().geometry;
+    let panel = |field: &Field<StepRecord>, column: &str, height: f64| {
+        let series = vec![
+            Series::new("With the normal stress", TRAVEL.against(field, &run.steps), Look::curve(0)),
+            Series::new("Without it (version 0.1.0)", record(column)?, Look::curve(1)),
+        ];
+        let (x, y) = (TRAVEL.axis(geometry), field.axis(geometry));
+        Ok::<_, String>(Panel { x, y, series, scale: Scale::Fit { height, least: 0.0 } })
+    };
+    let thickness = panel(&THINNEST, "thinnest_mm", 250.0)?;
+    let mut force = panel(&PUNCH_FORCE, "punch_force_N", 200.0)?;
+    // One legend says what the curves of both panels are.
+    force.series.iter_mut().for_each(|series| series.label = None);
+    let chart = Chart {
+        title: case.model().title.clone(),
+        legend: "",
+        panels: vec![thickness, force],
+        notes: case.model().notes.clone(),
+    };
+    write(picture, &png(&chart)).map_err(|error| error.to_string())
+}
+
+/// A column of the record over its travel, in solver units.
+fn record(column: &str) -> Result<Vec<(f64, f64)>, String> {
+    let csv = Csv::read(RECORD, "the record", "travel_mm,thinnest_mm").map_err(|error| error.to_string())?;
+    let at = |name: &str| csv.column(name).ok_or_else(|| format!("no {name} in the record"));
+    let (x, y) = (at("travel_mm")?, at(column)?);
+    let number = |row: &stampflow::table::Record, column| {
+        row.number(column).map_err(|error| error.to_string())?.ok_or_else(|| format!("line {} has a gap", row.line))
+    };
+    csv.rows.iter().map(|row| Ok((number(row, x)?, number(row, y)?))).collect()
+}
