@@ -184,7 +184,7 @@ impl std::fmt::Display for Stop {
             Stop::PressureMaximum { pressure, height, s0 } => write!(
                 f,
                 "pressure maximum reached: no equilibrium beyond {pressure:.4} MPa, where the sheet at s0 = {s0:.1} mm is at a \
-                 height of {height:.2} mm; it would run away there and burst"
+                 height of {height:.2} mm; it would run away there, to burst or to fold"
             ),
             Stop::Mechanism { travel, s0 } => write!(
                 f,

@@ -8,7 +8,8 @@ use crate::model::{Edge, Geometry, Motion, Role};
 use crate::solution::neck::neck;
 use crate::solution::{StepRecord, Stop};
 
-/// Way of a place in the last step over what its mean speed so far would have made of it: beyond that it runs away \[–\].
+/// Way of a place, or work on the sheet, in the last step over what its mean rate so far would have made of it: beyond that
+/// it runs away \[–\].
 const RUNAWAY: f64 = 5.0;
 /// Way that the sheet's middle is ahead of a punch that pushes it, over the thickness, from which the sheet is an arch \[–\].
 const AHEAD: f64 = 1.0;
@@ -42,7 +43,8 @@ fn mechanism(step: &Step, evaluation: &Evaluation) -> Option<Stop> {
         .then(|| Stop::Mechanism { travel: step.state.travel, s0: step.state.s0[i] })
 }
 
-/// Whether a place that gas alone presses runs away as the run ends: it has come to the largest pressure that it can bear.
+/// Whether a place that gas alone presses runs away as the run ends, or the sheet as a whole, as a strip that gas folds round
+/// its punch: it has come to the largest pressure that it can bear.
 fn burst(step: &Step, evaluation: &Evaluation, steps: &[StepRecord]) -> Option<Stop> {
     let [.., before, last] = steps else { return None };
     let (model, state) = (step.model, step.state);
@@ -58,7 +60,9 @@ fn burst(step: &Step, evaluation: &Evaluation, steps: &[StepRecord]) -> Option<S
     // The load that the last step added, over the whole: of the pressure or of the run.
     let rise = (last.pressure - before.pressure) / last.pressure;
     let share = model.process_time(before.time, dt) / model.process_time(0.0, last.time);
-    (dt * speed(fastest) > RUNAWAY * rise.max(share) * way).then(|| Stop::PressureMaximum {
+    let place_runs = dt * speed(fastest) > RUNAWAY * rise.max(share) * way;
+    let sheet_runs = last.work.external - before.work.external > RUNAWAY * share * last.work.external;
+    (place_runs || sheet_runs).then(|| Stop::PressureMaximum {
         pressure: last.pressure.abs(),
         height: z,
         s0: state.s0[fastest],

@@ -86,7 +86,7 @@ fn a_holder_lets_go_little_by_little_of_a_sheet_that_runs_out_from_under_it() {
         let full = pressing[pressing.len() / 2];
         let fall = pressing.windows(2).map(|pair| pair[0] - pair[1]).fold(0.0, f64::max);
         assert!(fall < 0.3 * full, "seed {seed}: falls by {fall} of {full} in one step");
-        assert!(pressing[pressing.len() - 1].abs() < 1e-3 * full, "seed {seed}: {}", pressing[pressing.len() - 1]);
+        assert!(pressing[pressing.len() - 1].abs() < 0.01 * full, "seed {seed}: {}", pressing[pressing.len() - 1]);
         let last = run.steps.last().expect("steps");
         assert!(last.work.imbalance().abs() < 0.005, "seed {seed}: {}", last.work.imbalance());
     }
