@@ -131,6 +131,7 @@ impl<L: PointLaw> Law<'_, L> {
             for j in 0..3 {
                 c2[j] += zeta * zeta * c[j];
             }
+            updates[i] = update;
         }
         // Forces and matrix of the element's five motions: differences d = (r, z), sum of r, difference and sum of θ.
         let g = current.strain_displacement();
