@@ -49,7 +49,9 @@ fn burst(step: &Step, evaluation: &Evaluation, steps: &[StepRecord]) -> Option<S
     let [.., before, last] = steps else { return None };
     let (model, state) = (step.model, step.state);
     let is_free = |i: &usize| {
-        let pressed = state.pressure.rows().any(|of_tool| of_tool[*i] > 0.0);
+        let around = STATIONS * ((*i).max(1) - 1)..STATIONS * (i + 1).min(state.thickness.len());
+        let pressed =
+            state.pressure.rows().any(|of_tool| of_tool[around.clone()].iter().any(|pressure| *pressure > 0.0));
         evaluation.gas_force[*i].norm() > 0.0 && !pressed
     };
     let speed = |i: usize| state.velocity[i][0].hypot(state.velocity[i][1]);
