@@ -11,7 +11,7 @@
 //! # References
 //! Linked interpolation of Mindlin beams: O. C. Zienkiewicz, R. L. Taylor, The Finite Element Method, vol. 2.
 
-use super::{Node, Theory};
+use super::Node;
 use crate::geometry::{Point, turned};
 use nalgebra::{Matrix3, Vector3};
 
@@ -31,7 +31,7 @@ pub struct Station {
 /// Contact points of an element.
 pub const STATIONS: usize = 2;
 
-/// Contact points of a sheet that bends, Gauss's: they integrate pressures that vary like a cubic along it.
+/// Contact points of an element that bends, Gauss's: they integrate pressures that vary like a cubic along it.
 const INSIDE: [Station; STATIONS] = [Station::at(-GAUSS, -0.25 * GAUSS), Station::at(GAUSS, 0.25 * GAUSS)];
 
 /// Contact points of a membrane, its nodes with the areas of linear shape functions: what cannot bend is a chain of chords,
@@ -41,11 +41,10 @@ const ENDS: [Station; STATIONS] = [Station::at(-1.0, -1.0 / 12.0), Station::at(1
 /// 1/√3.
 const GAUSS: f64 = 0.577_350_269_189_625_8;
 
-/// The contact points of the elements of a sheet. A sheet whose elements become membranes and bend again keeps those of
-/// bending: its nodes turn with it, and a face that jumped from point to point would take the pressure away.
+/// The contact points of an element that bends or is a membrane.
 #[inline]
-pub fn stations(theory: Theory) -> &'static [Station; STATIONS] {
-    if theory == Theory::Membrane { &ENDS } else { &INSIDE }
+pub fn stations(bends: bool) -> &'static [Station; STATIONS] {
+    if bends { &INSIDE } else { &ENDS }
 }
 
 /// Derivatives of a place's position by the element's motions: the sums s = (r₁+r₂, z₁+z₂), by which it is half the unit

@@ -151,11 +151,11 @@ impl Evaluation {
             worst_node: 0,
         };
         let areas: Vec<f64> =
-            references(process.model, state, &state.bends).flat_map(|reference| reference.contact_areas(process.model.blank.theory)).collect();
+            references(process.model, state, &state.bends).flat_map(|reference| reference.contact_areas()).collect();
         for (j, tool) in process.tools.iter().enumerate().filter(|(_, tool)| !tool.is_absent()) {
             for (i, contact) in start.contacts.row_mut(j).iter_mut().enumerate() {
                 let (e, k) = (i / STATIONS, i % STATIONS);
-                let station = &stations(process.model.blank.theory)[k];
+                let station = &stations(state.bends[e])[k];
                 let position = station.position(&state.nodes[e], &state.nodes[e + 1]);
                 let closest = tool.profile.closest(position - state.tools[j]);
                 contact.gap = closest.distance - 0.5 * state.thickness[e];

@@ -5,7 +5,7 @@ use crate::contact::penalty::ValueAndSlope;
 use crate::element::Node;
 use crate::element::surface::stations;
 use crate::geometry::Point;
-use crate::model::{Bead, Model, Theory};
+use crate::model::{Bead, Model};
 use crate::state::State;
 use std::cmp::Ordering;
 
@@ -35,9 +35,9 @@ pub struct Grip {
 
 impl Grip {
     /// Of a tool at its displacement on a sheet with these nodes.
-    pub fn new(tool: &ActiveTool, displacement: Point, nodes: &[Node], theory: Theory) -> Self {
+    pub fn new(tool: &ActiveTool, displacement: Point, nodes: &[Node], bends: &[bool]) -> Self {
         let [.., a, b] = nodes else { return Self { width: 0.0, weights: [0.0; 2] } };
-        let weights = stations(theory)[1].shape;
+        let weights = stations(bends[bends.len() - 1])[1].shape;
         let outermost = weights[0] * a[0] + weights[1] * b[0];
         Self { width: outermost - tool.inner - displacement.x, weights }
     }

@@ -104,7 +104,7 @@ impl<'a> Step<'a> {
             speed_ratio,
             slip_scale: slip_speed(model) * process_time,
             rotates: rotating(&bends),
-            areas: references.iter().flat_map(|reference| reference.contact_areas(model.blank.theory)).collect(),
+            areas: references.iter().flat_map(Reference::contact_areas).collect(),
             rise: rise(&references, &state.thickness),
             faces: faces(&references, state),
             references,

@@ -98,7 +98,7 @@ fn contact_share(converged: &Converged) -> f64 {
     let off = |i: usize| forming.iter().map(|&j| evaluation.contacts[(j, i)].gap).fold(f64::INFINITY, f64::min) - lying;
     let ends = |e: usize| {
         let (a, b) = (off(STATIONS * e), off(STATIONS * e + 1));
-        let (middle, half) = (0.5 * (a + b), 0.5 * (b - a) / stations(step.model.blank.theory)[1].xi);
+        let (middle, half) = (0.5 * (a + b), 0.5 * (b - a) / stations(step.bends[e])[1].xi);
         [middle - half, middle + half]
     };
     let (mut touching, mut whole) = (0.0, 0.0);

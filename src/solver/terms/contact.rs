@@ -49,7 +49,7 @@ pub(in crate::solver) struct Place {
 
 fn locate(step: &Step, out: &mut Evaluation) {
     for (e, places) in out.places.chunks_exact_mut(STATIONS).enumerate() {
-        for (place, station) in places.iter_mut().zip(stations(step.model.blank.theory)) {
+        for (place, station) in places.iter_mut().zip(stations(step.bends[e])) {
             place.position = station.position(&out.nodes[e], &out.nodes[e + 1]);
             place.thickness = out.thickness[e] + station.xi * step.rise[e];
         }
@@ -94,7 +94,7 @@ fn press(step: &Step, trial: &mut Trial, at: &Linearisation, j: usize, out: &mut
             let ValueAndSlope { value, slope } = memory.pressure;
             memory.carried = (value + slope * (gap - memory.gap)).max(0.0);
         }
-        let station = &stations(step.model.blank.theory)[k];
+        let station = &stations(step.bends[e])[k];
         let point = ContactPoint {
             carried: memory.carried,
             position,
@@ -240,7 +240,7 @@ fn assemble(step: &Step, out: &mut Evaluation) {
         let ([a, b], thickness, thinning) =
             ([&out.nodes[e], &out.nodes[e + 1]], out.thickness[e], &out.thickness_rows[e]);
         let (mut sheet, mut squeeze) = (MotionForces::default(), 0.0);
-        for (push, station) in pushes.iter().zip(stations(step.model.blank.theory)) {
+        for (push, station) in pushes.iter().zip(stations(step.bends[e])) {
             push.spread(station, &station.slope(a, b), thinning, &mut sheet);
             squeeze += push.squeeze;
         }
@@ -269,7 +269,7 @@ fn assemble(step: &Step, out: &mut Evaluation) {
 pub fn measure_far(step: &Step, trial: &mut Trial, out: &mut Evaluation) {
     for (j, tool) in step.process.tools.iter().enumerate().filter(|(_, tool)| !tool.is_absent()) {
         for e in 0..out.thickness.len() {
-            for (k, station) in stations(step.model.blank.theory).iter().enumerate() {
+            for (k, station) in stations(step.bends[e]).iter().enumerate() {
                 let i = STATIONS * e + k;
                 let contact = &mut out.contacts[(j, i)];
                 if contact.gap.is_infinite() {

@@ -81,7 +81,7 @@ pub fn stabilise(step: &Step, trial: &Trial, out: &mut Evaluation) {
         return;
     }
     for (e, areas) in step.areas.chunks_exact(STATIONS).enumerate() {
-        for (area, station) in areas.iter().zip(stations(step.model.blank.theory)) {
+        for (area, station) in areas.iter().zip(stations(step.bends[e])) {
             for (i, share) in [e, e + 1].into_iter().zip(station.shape) {
                 let stiffness = STABILISATION * step.process.penalty.stiffness * area * share;
                 out.system.rhs[i].y -= stiffness * trial.moves[i][1];
