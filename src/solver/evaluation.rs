@@ -1,7 +1,7 @@
 //! What follows from a step and a trial of it: residual, matrix, stress, contacts.
 
 use super::process::{Process, references};
-use super::terms::contact::{Place, Push};
+use super::push::{Place, Push};
 use crate::contact::penalty::{Penalty, ValueAndSlope};
 use crate::element::Node;
 use crate::element::kinematics::Current;

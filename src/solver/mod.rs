@@ -16,6 +16,7 @@ mod observer;
 mod places;
 mod porosity;
 mod process;
+mod push;
 mod retry;
 mod selective_bending;
 mod stages;

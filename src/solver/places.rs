@@ -1,6 +1,5 @@
 //! Where beads and pressed tools hold the sheet and seals cut it.
 
-use super::process::ActiveTool;
 use crate::contact::penalty::ValueAndSlope;
 use crate::element::Node;
 use crate::element::surface::stations;
@@ -34,12 +33,12 @@ pub struct Grip {
 }
 
 impl Grip {
-    /// Of a tool at its displacement on a sheet with these nodes.
-    pub fn new(tool: &ActiveTool, displacement: Point, nodes: &[Node], bends: &[bool]) -> Self {
+    /// Of a tool whose inner edge is drawn at `inner` \[mm\] at its displacement on a sheet with these nodes.
+    pub fn new(inner: f64, displacement: Point, nodes: &[Node], bends: &[bool]) -> Self {
         let [.., a, b] = nodes else { return Self { width: 0.0, weights: [0.0; 2] } };
         let weights = stations(bends[bends.len() - 1])[1].shape;
         let outermost = weights[0] * a[0] + weights[1] * b[0];
-        Self { width: outermost - tool.inner - displacement.x, weights }
+        Self { width: outermost - inner - displacement.x, weights }
     }
 
     /// Share of its force with which the tool still presses \[–\], and its slope by the width \[1/mm\].

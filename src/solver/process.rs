@@ -122,7 +122,7 @@ impl<'a> Process<'a> {
         let lost = self.tools.iter().enumerate().position(|(j, tool)| {
             !tool.is_absent()
                 && tool.shared.is_some()
-                && Grip::new(tool, state.tools[j], &state.nodes, &state.bends).width <= 0.0
+                && Grip::new(tool.inner, state.tools[j], &state.nodes, &state.bends).width <= 0.0
         })?;
         self.tools[lost].released = Some(state.travel);
         Some(lost)

@@ -82,6 +82,7 @@ fn augmented_lagrangian_agrees_with_the_penalty() {
         let penalty = solve(&shipped(name, &[]));
         let augmented = solve(&shipped(name, &["solver.contact=augmented_lagrangian"]));
         let deepest = augmented.steps.iter().map(|r| r.penetration).fold(0.0, f64::max);
+        let deep = augmented.steps.iter().filter(|r| r.penetration > Settings::PENETRATION).count();
         // Under gas alone the load is given: then the height that it makes is compared.
         let answer = |run: &StageSolution| if name == "bulge" { last(run).pole_height } else { peak(run) };
         let change = answer(&augmented) / answer(&penalty) - 1.0;
@@ -92,8 +93,8 @@ fn augmented_lagrangian_agrees_with_the_penalty() {
             iterations(&augmented),
             iterations(&penalty)
         );
-        // In a step or two of a hundred the rounds end first.
-        assert!(deepest <= 6.0 * Settings::PENETRATION, "{name}: {deepest:e}");
+        // In a step or two of a hundred the rounds end first, at a tenth of what the penalty lets through.
+        assert!(deep <= 2 && deepest <= 2e-3, "{name}: {deepest:e} in {deep} steps");
         assert!(change.abs() < 1e-2, "{name}: {change:e}");
     }
 }
@@ -157,7 +158,8 @@ fn bead_restrains_while_the_sheet_passes_it() {
     for r in run.steps.iter().filter(|r| r.travel > 22.0 && r.draw_in < 16.0) {
         assert!((wall(r) / 45.0 - 1.0).abs() < 0.01, "{} N/mm at {} mm", wall(r), r.travel);
     }
-    for r in run.steps.iter().filter(|r| r.draw_in > 21.0) {
+    // As long as the holder has hold of its width: then its force fades.
+    for r in run.steps.iter().filter(|r| r.draw_in > 21.0 && r.holder_force > 99.0) {
         assert!((wall(r) / 5.0 - 1.0).abs() < 0.05, "{} N/mm at {} mm", wall(r), r.travel);
     }
     assert!(last(&run).draw_in > 21.0, "the edge has to pass the bead for this test to mean something");

@@ -37,9 +37,11 @@ fn selective_bending_gives_the_punch_force_of_bending_everywhere() {
         println!("{name}: punch force off by {:+.2} % of the peak at most, at {travel:.1} mm", 100.0 * difference);
         assert!(difference.abs() < 0.01, "{name}: {difference:e} at {travel} mm");
         let elements = model.blank.elements;
-        // Trust: before the first step nothing is in tension, and little in the first; then faces and flanges are flat, and radii are not.
+        // Trust: before the first step nothing is in tension, and little in the first; once it is, faces and flanges are flat,
+        // and radii are not.
         assert_eq!(run.steps[0].bending, elements, "{name}");
-        assert!(run.steps.iter().skip(2).all(|r| (1..elements).contains(&r.bending)), "{name}");
+        let drawn = run.steps.iter().filter(|r| r.travel > 0.02 * model.travel);
+        assert!(drawn.map(|r| r.bending).all(|bending| (1..elements).contains(&bending)), "{name}");
         assert!(full.steps.iter().all(|r| r.bending == elements), "{name}");
     }
 }

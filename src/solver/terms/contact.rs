@@ -13,12 +13,12 @@
 //! the matrix is symmetric.
 
 use crate::contact::penalty::ValueAndSlope;
-use crate::contact::{ContactForce, ContactPoint, touch};
-use crate::element::surface::{MotionForces, STATIONS, Slope, Station, stations};
+use crate::contact::{ContactPoint, touch};
+use crate::element::surface::{MotionForces, STATIONS, stations};
 use crate::geometry::Point;
 use crate::model::Iteration;
-use crate::numerics::block_tridiagonal::System;
 use crate::solver::evaluation::{Contact, Evaluation, Linearisation};
+use crate::solver::push::{FIRST, Place, Push, SECOND};
 use crate::solver::step::Step;
 use crate::solver::trial::{ContactMemory, Trial};
 
@@ -38,13 +38,6 @@ pub fn add(step: &Step, trial: &mut Trial, at: &Linearisation, out: &mut Evaluat
     }
     assemble(step, out);
     largest
-}
-
-/// A contact point: where it is \[mm\], and how thick the sheet is there \[mm\].
-#[derive(Clone, Copy, Debug, Default)]
-pub(in crate::solver) struct Place {
-    position: Point,
-    thickness: f64,
 }
 
 fn locate(step: &Step, out: &mut Evaluation) {
@@ -125,109 +118,6 @@ fn press(step: &Step, trial: &mut Trial, at: &Linearisation, j: usize, out: &mut
         }
     }
     largest
-}
-
-/// What tools do to a contact point: the forces F on its position x and Q on its element's thickness t, and their
-/// derivatives.
-///
-/// ```text
-/// dg = n·dx + h dt,  h = −½ of the area of the mid-surface over that of the face
-/// F = N n + T τ,  ∂F/∂x = ∂F/∂g⊗n + ((∂T/∂s + N c) τ − T c n)⊗τ,  ∂F/∂t = h ∂F/∂g
-/// Q = h N,        ∂Q/∂x = h ∂N/∂g n,                              ∂Q/∂t = h² ∂N/∂g
-/// ```
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub(in crate::solver) struct Push {
-    /// F \[N, or N/mm\].
-    force: Point,
-    /// Q \[N, or N/mm\].
-    squeeze: f64,
-    /// ∂F/∂r and ∂F/∂z.
-    force_by_place: [Point; 2],
-    force_by_thickness: Point,
-    squeeze_by_place: Point,
-    squeeze_by_thickness: f64,
-}
-
-impl Push {
-    /// Of a force whose gap goes with the thickness by `by_thickness`, h.
-    #[inline]
-    fn new(touch: &ContactForce, by_thickness: f64) -> Self {
-        let (n, tau, c, h) = (touch.facing, touch.along(), touch.curvature, by_thickness);
-        let by_gap = n * touch.by_gap + tau * touch.drag_by_gap;
-        let by_move = tau * (touch.drag_by_slip * touch.slip_turn + touch.normal * c) - n * (touch.tangential * c);
-        Self {
-            force: touch.force(),
-            squeeze: h * touch.normal,
-            force_by_place: [by_gap * n.x + by_move * tau.x, by_gap * n.y + by_move * tau.y],
-            force_by_thickness: by_gap * h,
-            squeeze_by_place: n * (h * touch.by_gap),
-            squeeze_by_thickness: h * h * touch.by_gap,
-        }
-    }
-
-    #[inline]
-    fn add(&mut self, other: &Self) {
-        self.force += other.force;
-        self.squeeze += other.squeeze;
-        self.force_by_place[0] += other.force_by_place[0];
-        self.force_by_place[1] += other.force_by_place[1];
-        self.force_by_thickness += other.force_by_thickness;
-        self.squeeze_by_place += other.squeeze_by_place;
-        self.squeeze_by_thickness += other.squeeze_by_thickness;
-    }
-
-    /// Adds the columns and rows of the tool's displacement along z, the `shared`-th of the shared unknowns: the forces feel
-    /// it like a move of the point, but for the sign.
-    #[inline]
-    fn follow(&self, e: usize, slope: &Slope, thinning: &[f64; 3], shared: usize, system: &mut System) {
-        let [by_r, by_z] = self.force_by_place;
-        let column = motions(slope, by_z, thinning, self.squeeze_by_place.y);
-        let row = motions(slope, Point::new(by_r.y, by_z.y), thinning, self.force_by_thickness.y);
-        for (i, node) in [(e, FIRST), (e + 1, SECOND)] {
-            system.columns[i][shared] += MotionForces::of_node(node, &column);
-            system.rows[i][shared] += MotionForces::of_node(node, &row);
-        }
-        system.corner[(shared, shared)] -= by_z.y;
-    }
-
-    /// Adds the forces on the motions of the point's element, and their derivatives.
-    #[inline]
-    fn spread(&self, station: &Station, slope: &Slope, thinning: &[f64; 3], sheet: &mut MotionForces) {
-        let force = motions(slope, self.force, thinning, self.squeeze);
-        for i in 0..5 {
-            sheet.force[i] += force[i];
-        }
-        let [by_r, by_z] = self.force_by_place;
-        let force_r = motions(slope, Point::new(by_r.x, by_z.x), thinning, self.force_by_thickness.x);
-        let force_z = motions(slope, Point::new(by_r.y, by_z.y), thinning, self.force_by_thickness.y);
-        let squeeze = motions(slope, self.squeeze_by_place, thinning, self.squeeze_by_thickness);
-        // What F and Q do to each motion, as in `motions`.
-        let ([along_r, along_z], bend) = (slope.by_difference, slope.by_bend);
-        for j in 0..5 {
-            let (r, z, q) = (force_r[j], force_z[j], squeeze[j]);
-            sheet.matrix[0][j] += 0.5 * r + thinning[0] * q;
-            sheet.matrix[1][j] += 0.5 * z;
-            sheet.matrix[2][j] += along_r.x * r + along_r.y * z + thinning[1] * q;
-            sheet.matrix[3][j] += along_z.x * r + along_z.y * z + thinning[2] * q;
-            sheet.matrix[4][j] += bend.x * r + bend.y * z;
-        }
-        let second = station.second(self.force);
-        for d in 0..2 {
-            sheet.matrix[4][2 + d] += second[d];
-            sheet.matrix[2 + d][4] += second[d];
-        }
-    }
-}
-
-/// How an element's differences count at its nodes.
-const FIRST: f64 = -1.0;
-const SECOND: f64 = 1.0;
-
-/// v·∂x + w ∂t of a point by its element's motions; the thickness has the derivatives `thinning`, by r₁+r₂, r₂−r₁, z₂−z₁.
-#[inline]
-fn motions(slope: &Slope, v: Point, thinning: &[f64; 3], w: f64) -> [f64; 5] {
-    let [r, z, along_r, along_z, bend] = slope.of(v);
-    [r + w * thinning[0], z, along_r + w * thinning[1], along_z + w * thinning[2], bend]
 }
 
 /// Adds what all tools do to the sheet.

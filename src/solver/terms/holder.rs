@@ -37,7 +37,7 @@ pub fn add(step: &Step, trial: &Trial, out: &mut Evaluation) {
         if tool.role == Role::Holder {
             force -= closing;
         }
-        let grip = Grip::new(tool, trial.tools[j], &out.nodes, &step.bends);
+        let grip = Grip::new(tool.inner, trial.tools[j], &out.nodes, &step.bends);
         let share = grip.share(model.blank.thickness);
         system.corner[(k, k)] += share.value * press.stiffness;
         for (i, weight) in (out.nodes.len() - 2..).zip(grip.weights) {
