@@ -158,10 +158,13 @@ fn bead_restrains_while_the_sheet_passes_it() {
     for r in run.steps.iter().filter(|r| r.travel > 22.0 && r.draw_in < 16.0) {
         assert!((wall(r) / 45.0 - 1.0).abs() < 0.01, "{} N/mm at {} mm", wall(r), r.travel);
     }
-    // As long as the holder has hold of its width: then its force fades.
-    for r in run.steps.iter().filter(|r| r.draw_in > 21.0 && r.holder_force > 99.0) {
-        assert!((wall(r) / 5.0 - 1.0).abs() < 0.05, "{} N/mm at {} mm", wall(r), r.travel);
-    }
+    // As long as the holder has hold of its width: then its force fades. In single steps the chain of chords ticks over the
+    // die's edge.
+    let passed = run.steps.iter().filter(|r| r.draw_in > 21.0 && r.holder_force > 99.0);
+    let walls: Vec<f64> = passed.map(wall).collect();
+    let mean = walls.iter().sum::<f64>() / walls.len() as f64;
+    assert!((mean / 5.0 - 1.0).abs() < 0.01, "{mean} N/mm");
+    assert!(walls.iter().all(|wall| (wall / 5.0 - 1.0).abs() < 0.1), "{walls:?}");
     assert!(last(&run).draw_in > 21.0, "the edge has to pass the bead for this test to mean something");
     // What the bead takes is dissipated: the balance of power must see it.
     assert!(last(&run).work.imbalance().abs() < 0.01, "{}", last(&run).work.imbalance());
