@@ -213,3 +213,20 @@ fn manual_pages_name_every_verb_and_its_options() {
     assert_eq!(none.status.code(), Some(2));
     assert!(text(&none.stderr).contains("no verb `fly`"), "{}", text(&none.stderr));
 }
+
+/// The block of figures that the README begins with is the program's own.
+#[test]
+fn the_readme_shows_what_a_run_of_the_quickstart_prints() {
+    let readme = fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/README.md")).expect("shipped");
+    let (_, from) = readme.split_once("It says, among more:").expect("the block");
+    let shown: Vec<&str> =
+        from.lines().skip_while(|line| line.is_empty()).take_while(|line| line.starts_with("    ")).collect();
+    let dir = folder(CUP);
+    let case = concat!(env!("CARGO_MANIFEST_DIR"), "/cases/quickstart.toml");
+    let printed = stampflow(dir.path(), &["run", case]);
+    let printed: Vec<&str> = text(&printed.stdout).lines().map(str::trim_end).collect();
+    assert!(shown.len() > 10, "{shown:?}");
+    for line in shown {
+        assert!(printed.contains(&line[4..].trim_end()), "{line}");
+    }
+}
