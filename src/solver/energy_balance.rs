@@ -40,7 +40,9 @@ pub(super) fn work(before: &Evaluation, converged: &Converged) -> (Energy, Vec<f
     let mut plastic_of = vec![0.0; now.thickness.len()];
     for (e, updates) in now.updates.rows().enumerate() {
         for (k, (update, at)) in updates.iter().zip(&step.process.rule).enumerate() {
-            let (strain, before) = (trial.strain(e, k), state.points[(e, k)].stress);
+            // Work per volume of the step's end; a porous sheet began with less of it.
+            let strain = trial.strain(e, k);
+            let before = state.points[(e, k)].stress.map(|stress| stress / step.growth[e]);
             let power: f64 = (0..3).map(|d| 0.5 * (before[d] + update.stress[d]) * strain[d]).sum();
             let power = power + update.work_across;
             let volume = step.volume[e] * at.weight;

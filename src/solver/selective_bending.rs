@@ -210,13 +210,13 @@ mod tests {
         assert!(bending(&model, &flatter).is_empty());
     }
 
-    /// Trust: 5 % of the largest flow stress, 173 MPa, is 8.7 MPa: that is what a membrane needs.
+    /// Trust: 20 % of the largest flow stress, 173 to 200 MPa, is 35 to 40 MPa: that is what a membrane needs.
     #[test]
     fn an_element_without_tension_bends() {
         let model = strip();
         assert_eq!(bending(&model, &State::flat(&model, crate::model::mesh::nodes(&model))).len(), 100);
         let mut state = tight(&model);
-        for (e, tension) in [(70, 8.0), (71, 9.5), (72, -200.0)] {
+        for (e, tension) in [(70, 33.0), (71, 45.0), (72, -200.0)] {
             for point in state.points.row_mut(e) {
                 point.stress[0] = tension;
             }
