@@ -41,7 +41,7 @@ pub struct Across {
 }
 
 /// Stress, its derivative and the hardening increment that go with a strain increment.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Default)]
 pub struct StressUpdate {
     /// σ \[MPa\].
     pub stress: Triple,

@@ -126,12 +126,10 @@ impl Evaluation {
     /// What a state begins with: its pressures, and what they push with; friction has to set in anew.
     pub fn new(process: &Process, state: &State) -> Self {
         let (n, elements) = (state.nodes.len(), state.thickness.len());
-        let blank =
-            StressUpdate { stress: [0.0; 3], tangent: [0.0; 6], increment: 0.0, yield_stress: 0.0, work_across: 0.0 };
         let mut start = Self {
             system: System::new(n, process.shared),
             nodes: state.nodes.clone(),
-            updates: Grid::new(elements, process.rule.len(), blank),
+            updates: Grid::new(elements, process.rule.len(), StressUpdate::default()),
             thickness: state.thickness.clone(),
             thickness_rows: vec![[0.0; 3]; elements],
             currents: Vec::with_capacity(elements),

@@ -2,7 +2,8 @@
 
 use crate::common::convergence::orders;
 use crate::common::simple;
-use stampflow::material::{Hill48, Rate};
+use stampflow::material::flow::{FlowLaw, Iteration};
+use stampflow::material::{Hardening, Hill48, Rate};
 use stampflow::model::{Geometry, Settings, Theory};
 use stampflow::solution::StageSolution;
 use stampflow::solver;
@@ -135,14 +136,28 @@ fn capstan_converges_to_the_exponential() {
     }
 }
 
+/// The flow law of a rate-free sheet, with Newton's matrix and hardly any cut-off.
+fn rate_free(hardening: &Hardening) -> FlowLaw<'_> {
+    FlowLaw {
+        hardening,
+        rate: None,
+        softening: None,
+        anisotropy: Hill48::default(),
+        voids: None,
+        matrix: Iteration::Newton,
+        cutoff: 1e-7,
+        duration: 1.0,
+    }
+}
+
 /// Trust: moment of a fully plastic plane-strain section, M = S t²/4 with S = (2/√3) Y. The Lobatto rule integrates
 /// a jump of the stress with an error of the order 1/n².
 #[test]
 fn plastic_moment_converges_with_the_layers() {
     use stampflow::element::kinematics::Reference;
     use stampflow::element::section::Law;
-    use stampflow::material::flow::{FlowLaw, Iterate, Iteration, PointState, StressUpdate};
-    use stampflow::material::hardening::{Hardening, Ludwik};
+    use stampflow::material::flow::{Iterate, PointState, StressUpdate};
+    use stampflow::material::hardening::Ludwik;
     use stampflow::numerics::lobatto;
 
     let (yield_stress, t, length) = (200.0, 1.3, 0.8);
@@ -153,31 +168,9 @@ fn plastic_moment_converges_with_the_layers() {
     let exact = 2.0 / 3f64.sqrt() * yield_stress * t * t / 4.0;
     let error = |n: usize| {
         let layers = lobatto::rule(n);
-        let law = Law {
-            point: FlowLaw {
-                hardening: &hardening,
-                rate: None,
-                softening: None,
-                anisotropy: Hill48::default(),
-                voids: None,
-                matrix: Iteration::Newton,
-                cutoff: 1e-7,
-                duration: 1.0,
-            },
-            points: &layers,
-            slack_tension: 0.0,
-        };
+        let law = Law { point: rate_free(&hardening), points: &layers, slack_tension: 0.0 };
         let mut iterates = vec![Iterate::default(); n];
-        let mut responses = vec![
-            StressUpdate {
-                stress: [0.0; 3],
-                tangent: [0.0; 6],
-                increment: 0.0,
-                yield_stress: 0.0,
-                work_across: 0.0
-            };
-            n
-        ];
+        let mut responses = vec![StressUpdate::default(); n];
         let internal =
             law.internal(&end, start.area() * t, t, &vec![PointState::at(0.0); n], &mut iterates, &mut responses);
         (internal.force[5] / exact - 1.0).abs()
@@ -198,26 +191,16 @@ fn plastic_moment_converges_with_the_layers() {
 fn tension_that_bends_moves_the_neutral_fibre() {
     use stampflow::element::kinematics::Reference;
     use stampflow::element::section::Law;
-    use stampflow::material::flow::{FlowLaw, Iterate, Iteration, PointState, StressUpdate};
-    use stampflow::material::hardening::{Hardening, Ludwik};
+    use stampflow::material::flow::{Iterate, PointState, StressUpdate};
+    use stampflow::material::hardening::Ludwik;
     use stampflow::numerics::parts;
 
     let (yield_stress, t, length, turn) = (200.0, 1.3, 0.8, 0.02);
     let hardening = Hardening::Ludwik(Ludwik::new(yield_stress, 0.0, 1.0).expect("valid"));
     let start = Reference::new(Geometry::PlaneStrain, Theory::Bending, [3.0, 0.0, 0.0], [3.0 + length, 0.0, 0.0]);
     let s = 2.0 / 3f64.sqrt() * yield_stress;
-    let point = FlowLaw {
-        hardening: &hardening,
-        rate: None,
-        softening: None,
-        anisotropy: Hill48::default(),
-        voids: None,
-        matrix: Iteration::Newton,
-        cutoff: 1e-7,
-        duration: 1.0,
-    };
-    let none =
-        StressUpdate { stress: [0.0; 3], tangent: [0.0; 6], increment: 0.0, yield_stress: 0.0, work_across: 0.0 };
+    let point = rate_free(&hardening);
+    let none = StressUpdate::default();
     // Largest errors of τ, and of M over that without tension, with the neutral fibre anywhere in the inner half.
     let errors = |n: usize| {
         let points = parts::rule(n);

@@ -58,16 +58,7 @@ impl Strip {
             at.yield_stress = point.yield_stress(at);
         }
         let mut trials = vec![Trial::default(); n];
-        let mut responses = vec![
-            StressUpdate {
-                stress: [0.0; 3],
-                tangent: [0.0; 6],
-                increment: 0.0,
-                yield_stress: 0.0,
-                work_across: 0.0
-            };
-            n
-        ];
+        let mut responses = vec![StressUpdate::default(); n];
         let law = Law { point, points: &self.layers, slack_tension: 0.0 };
         let internal = law.internal(&end, start.area() * T, T, &self.points, &mut trials, &mut responses);
         for (at, response) in self.points.iter_mut().zip(&responses) {

@@ -6,12 +6,12 @@
 //! [`NEIGHBOURHOOD`](stampflow::state::neighbourhood::NEIGHBOURHOOD) elements below a third of the thickness thin in turn, by 5
 //! to 10 % of it, and the run ends at a tear that no sheet has.
 
+use crate::common::simple;
 use stampflow::geometry::Profile;
 use stampflow::material::hardening::Swift;
 use stampflow::material::{Elastic, Hardening, Material};
 use stampflow::model::{
-    Blank, Edge, Friction, Geometry, Grading, Mode, Model, Motion, Press, Role, Settings, StopRules, Theory,
-    ThicknessRule, Tool,
+    Blank, Edge, Friction, Geometry, Grading, Mode, Model, Motion, Press, Role, Theory, ThicknessRule, Tool,
 };
 use stampflow::solution::StageSolution;
 use stampflow::solver;
@@ -26,8 +26,6 @@ fn cup(mode: Mode, per_thickness: f64) -> Model {
     let hardening = Hardening::Swift(Swift::new(500.0, 0.02, 1e-3).expect("valid"));
     Model {
         title: "cup".into(),
-        notes: vec![],
-        geometry: Geometry::Axisymmetric,
         blank: Blank {
             length: blank,
             thickness: T,
@@ -44,19 +42,8 @@ fn cup(mode: Mode, per_thickness: f64) -> Model {
             tool(Role::Die, Profile::die(throat, radius, T), 0.05, Motion::Fixed),
             tool(Role::Holder, Profile::holder(throat + radius, T), 0.05, Motion::Pressed(Press::constant(40e3))),
         ],
-        beads: vec![],
-        gas: vec![],
-        heat: None,
-        travel,
-        schedule: None,
-        speed: 1.0,
-        duration: travel,
-        stop: StopRules::default(),
-        frames: vec![travel],
-        settings: Settings::default(),
         mode,
-        release: None,
-        forming_limit: None,
+        ..simple::pulled(Geometry::Axisymmetric, Theory::Bending, travel)
     }
 }
 
