@@ -58,6 +58,8 @@ pub struct Case {
     pub name: String,
     /// The file as it was named.
     pub path: PathBuf,
+    /// That file and those that it names, each as it was looked up: nothing may be written over them.
+    pub inputs: Vec<PathBuf>,
     /// The text that was read, overrides applied: enough to repeat the run.
     pub text: String,
     /// `key=value` settings that replaced what the file says.

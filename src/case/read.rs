@@ -3,6 +3,7 @@
 use super::source::Source;
 use super::{Case, CaseError, build, explain, library, overrides, sources};
 use crate::files::{self, Disk, FileError, Files, Folder};
+use std::cell::RefCell;
 use std::path::{Path, PathBuf};
 
 /// Reads a case file from the disk and applies overrides such as `tools.punch.friction=0.1` or `blank.thickness=0.9 mm`.
@@ -47,13 +48,14 @@ pub fn parse_with(text: &str, name: &str, overrides: &[String], files: &dyn File
     if text.len() > files::CASE {
         return Err(CaseError::unreadable(&path, &FileError::TooLarge { limit: files::CASE }));
     }
+    let reads = Reads { files, paths: RefCell::new(vec![path.clone()]) };
     let text = overrides::apply(text, overrides)?;
     let shown = if overrides.is_empty() { name.to_owned() } else { format!("{name} (with overrides)") };
     let source = Source::parse(&shown, &text)?;
     let mut file = explain::read(&source)?;
     sources::forget_replaced(&mut file, overrides);
     let origin = library::complete(&mut file, &source)?;
-    let folder = Folder { files, path: path.parent().unwrap_or(Path::new("")) };
+    let folder = Folder { files: &reads, path: path.parent().unwrap_or(Path::new("")) };
     let (stages, mut derived) = build::stages(&file, &source, folder)?;
     derived.splice(0..0, origin);
     let compare = build::compare(&file, &source, folder)?;
@@ -61,5 +63,28 @@ pub fn parse_with(text: &str, name: &str, overrides: &[String], files: &dyn File
     let sources = sources::of(&file, &source)?;
     let name = path.file_stem().map_or_else(|| "case".into(), |stem| stem.to_string_lossy().into_owned());
     let overrides = overrides.to_vec();
-    Ok(Case { name, text: text.clone(), overrides, stages, compare, press, sources, derived, path })
+    Ok(Case {
+        name,
+        text: text.clone(),
+        overrides,
+        stages,
+        compare,
+        press,
+        sources,
+        derived,
+        path,
+        inputs: reads.paths.into_inner(),
+    })
+}
+
+/// Files that keep the paths of those that were read.
+struct Reads<'a> {
+    files: &'a dyn Files,
+    paths: RefCell<Vec<PathBuf>>,
+}
+
+impl Files for Reads<'_> {
+    fn read(&self, path: &Path, limit: usize) -> Result<Vec<u8>, FileError> {
+        self.files.read(path, limit).inspect(|_| self.paths.borrow_mut().push(path.to_owned()))
+    }
 }

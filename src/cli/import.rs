@@ -1,7 +1,8 @@
 //! `stampflow import`: from a drawing to a case file.
 
-use super::code::{BadPath, Code, unusable};
+use super::code::{BadPath, Code};
 use super::options::Json;
+use super::place;
 use super::say::{say, say_json};
 use anyhow::Context;
 use serde_json::json;
@@ -9,7 +10,7 @@ use stampflow::author::Draft;
 use stampflow::files::{Disk, FileError, Files};
 use stampflow::import::{self, DrawingUnit, Heading, Options, Section, Sections};
 use stampflow::model::{Geometry, Role};
-use stampflow::output::{can_write, png, sketch, write};
+use stampflow::output::{png, sketch, write};
 use stampflow::units::{Length, Positive, Quantity};
 use std::fmt::Write;
 use std::path::PathBuf;
@@ -112,13 +113,17 @@ pub fn import(args: &Args) -> anyhow::Result<Code> {
     })?;
     let out = args.out.clone().unwrap_or_else(|| args.drawing.with_extension("toml"));
     let picture = out.with_extension("png");
+    if out == picture {
+        let what = format!("{} would be both the case and its picture", out.display());
+        return Err(BadPath { what, help: "write -o NAME.toml".into(), path: out }.into());
+    }
     for path in [&out, &picture] {
-        if path.exists() && !args.force {
+        if path.symlink_metadata().is_ok() && !args.force {
             let what = format!("{} is there already", path.display());
             let help = "choose another name with -o, or --force".into();
             return Err(BadPath { what, help, path: path.clone() }.into());
         }
-        can_write(path).map_err(unusable("-o"))?;
+        place::file(path, std::slice::from_ref(&args.drawing), "-o")?;
     }
     let sections = import::read(&bytes, &args.options()).with_context(|| drawing.to_string())?;
     let name = args.drawing.file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned());

@@ -1,14 +1,15 @@
 //! `stampflow materials`: the built-in library.
 
-use super::code::{Code, unusable};
+use super::code::Code;
 use super::options::Json;
+use super::place;
 use super::say::{say, say_json};
 use super::table::{Tone, table};
 use anyhow::Result;
 use serde_json::{Value, json};
 use stampflow::case::library::{self, Entry};
 use stampflow::forming_limit::{Curve, Hill, Kind, MarciniakKuczynski};
-use stampflow::output::{Chart, can_write, flow_curve, png, write};
+use stampflow::output::{Chart, flow_curve, png, write};
 use stampflow::units::rounded;
 use std::fmt::Write;
 use std::path::PathBuf;
@@ -20,6 +21,9 @@ source; forming limits that are drawn are computed from the law, not measured.
 Examples:
   stampflow materials
   stampflow materials aa6016-t4 --plot aa6016-t4.png";
+
+/// Bytes by which a picture of this kind is known.
+const PNG: usize = 8;
 
 /// What no source says.
 const UNKNOWN: &str = "–";
@@ -45,8 +49,10 @@ pub fn materials(args: &Args) -> Result<Code> {
     let entry = library::material(name)?;
     let mut text = describe(&entry);
     if let Some(path) = &args.plot {
-        can_write(path).map_err(unusable("--plot"))?;
-        write(path, &png(&chart(&entry)))?;
+        let picture = png(&chart(&entry));
+        place::replaced(path, &picture[..PNG], "--plot")?;
+        place::file(path, &[], "--plot")?;
+        write(path, &picture)?;
         text += &format!("\n{} written\n", path.display());
     }
     if args.json.json { say_json(&of(&entry)) } else { say(&text) }

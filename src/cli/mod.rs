@@ -10,6 +10,7 @@ mod materials;
 mod message;
 mod new;
 mod options;
+mod place;
 mod progress;
 mod report;
 mod run;
@@ -20,6 +21,7 @@ mod validate;
 
 pub use code::Code;
 pub use message::message;
+pub use say::tell;
 
 use clap::{CommandFactory, Parser, Subcommand};
 use clap_complete::Shell;

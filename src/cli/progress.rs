@@ -1,6 +1,7 @@
 //! How far runs have come: bars on a terminal, a line for every tenth of the travel elsewhere, or nothing.
 
 use super::interrupt;
+use super::say::tell;
 use indicatif::{MultiProgress, ProgressBar, ProgressStyle};
 use stampflow::case::{Case, Solution};
 use stampflow::model::Model;
@@ -123,7 +124,7 @@ impl Observer for Watch {
                 let now = (10.0 * done + 1e-9) as u64;
                 if now > *tenths && (now == 10 || last.elapsed() >= PATIENCE) {
                     (*tenths, *last) = (now, Instant::now());
-                    eprintln!("{}: {} %, {state}", self.name, 10 * now);
+                    tell(&format!("{}: {} %, {state}\n", self.name, 10 * now));
                 }
             }
             Shown::Nothing => {}

@@ -2,6 +2,7 @@
 
 use super::code::{BadRequest, Code, unusable};
 use super::options::{Json, Overrides};
+use super::place;
 use super::progress::{Kept, Progress};
 use super::say::{say, say_json};
 use clap::ValueEnum;
@@ -55,14 +56,15 @@ enum Format {
 pub fn report(args: &Args) -> anyhow::Result<Code> {
     let case = case::load(&args.case, &args.overrides.set)?;
     let format = args.format()?;
-    let path = args.output.clone().unwrap_or_else(|| {
-        let name = if format == Format::Md { "report.md" } else { "report.html" };
-        Path::new("out").join(&case.name).join(name)
-    });
+    let name = if format == Format::Md { "report.md" } else { "report.html" };
+    let path = match &args.output {
+        Some(path) => path.clone(),
+        None => place::folder(Path::new("out"), &case)?.join(name),
+    };
     if !args.force {
         refuse_others(&path, format)?;
     }
-    can_write(&path).map_err(unusable("--output"))?;
+    place::file(&path, &case.inputs, "--output")?;
     if format == Format::Md {
         can_write(&figure_folder(&path).join("figure.svg")).map_err(unusable("--output"))?;
     }
@@ -70,14 +72,19 @@ pub fn report(args: &Args) -> anyhow::Result<Code> {
     let watch = Progress::new(args.quiet || args.json.json).watch(&case, Kept::default());
     let (solution, _) = watch.solve(case);
     let report = Report::of(&solution);
-    let files = save(&report, &path, format)?;
-    if args.json.json {
-        let mut value = report.json();
-        value["files"] = json!(files);
-        say_json(&value)?;
-    } else {
-        say(&format!("{} is written", path.display()))?;
-    }
+    let saved = save(&report, &path, format);
+    let said = match (&saved, args.json.json) {
+        (_, true) => {
+            let mut value = report.json();
+            value["files"] = json!(saved.as_deref().unwrap_or_default());
+            say_json(&value)
+        }
+        (Ok(_), false) => say(&format!("{} is written", path.display())),
+        // What was computed is told at least.
+        (Err(_), false) => say(&solution.summary().to_string()),
+    };
+    saved?;
+    said?;
     Ok(if solution.is_complete() { Code::Done } else { Code::StoppedEarly })
 }
 

@@ -1,17 +1,19 @@
 //! `stampflow run`: from case files to folders of results.
 
-use super::code::{BadRequest, Code, unusable};
+use super::code::{BadRequest, Code};
 use super::job::{self, solve_all};
 use super::json;
+use super::message::message;
 use super::options::{Json, Overrides, Threads};
+use super::place;
 use super::progress::{Kept, Progress};
-use super::say::{say, say_json};
+use super::say::{say, say_json, tell};
 use super::table::{Tone, table};
 use serde_json::{Value, json};
 use stampflow::case::Case;
 use stampflow::output::summary::Group;
 use stampflow::output::{
-    CaseSummary, Extra, FrameRecorder, OUTPUTS, Results, Summary, can_write, can_write_all, csv, trace, write,
+    CaseSummary, Extra, FrameRecorder, OUTPUTS, Results, Summary, WriteError, csv, result_folder, trace, write,
 };
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
@@ -47,7 +49,7 @@ pub struct Args {
 /// What is written, from the list that writes it.
 pub fn help() -> String {
     let mut help = String::from(
-        "Written, each file complete or not at all; what an earlier run left in the folder is replaced:\n",
+        "Written, all of it or nothing, in one step in the place of what an earlier run left in the folder; other files stay:\n",
     );
     for output in OUTPUTS {
         let _ = writeln!(help, "  {:<18} {}", output.file, output.about);
@@ -57,7 +59,7 @@ pub fn help() -> String {
             stampflow run cases/quickstart.toml\n  \
             stampflow run cases/quickstart.toml --set tools.punch.friction=0.1 --out out/friction-0.1\n  \
             stampflow run cases/*.toml --out results --quiet\n\n\
-            Exit codes: 0 done (full travel or time, or the contact share asked for), 2 bad input (nothing is written), 3 stopped early (results are kept), 130 interrupted by Ctrl-C (results are kept; a second one ends at once), 1 anything else"
+            Exit codes: 0 done (full travel or time, or the contact share asked for), 2 bad input, or a place that cannot be written to or that another run writes to (nothing is written), 3 stopped early (results are kept), 130 interrupted by Ctrl-C (results are kept; a second one ends at once), 1 anything else"
 }
 
 pub fn run(args: &Args) -> anyhow::Result<Code> {
@@ -66,57 +68,71 @@ pub fn run(args: &Args) -> anyhow::Result<Code> {
     }
     let cases = load(args)?;
     let several = cases.len() > 1;
-    for case in &cases {
-        can_write_all(&folder(args, several, &case.name)).map_err(unusable("--out"))?;
-    }
-    if let Some(path) = &args.trace {
-        can_write(path).map_err(unusable("--trace"))?;
+    let mut jobs = Vec::new();
+    for case in cases {
+        let dir = folder(args, several, &case)?;
+        if let Some(path) = &args.trace {
+            place::outside(path, &dir, "--trace")?;
+            place::replaced(path, &csv(&trace::table(&[])), "--trace")?;
+            place::file(path, &case.inputs, "--trace")?;
+        }
+        let folder = place::results(&case, &dir, result_folder)?;
+        jobs.push((case, folder));
     }
     args.threads.apply()?;
     let progress = Progress::new(args.quiet || args.json.json);
     let asked = [(args.vtu, Extra::Vtu), (args.animate, Extra::Animation)];
     let extras: Vec<Extra> = asked.into_iter().filter_map(|(is_asked, extra)| is_asked.then_some(extra)).collect();
     let reports = solve_all(
-        cases,
+        jobs,
         |case| {
             let trace = args.trace.as_ref().map(|_| Vec::new());
             progress.watch(case, Kept { trace, recorder: FrameRecorder::new(extras.clone()) })
         },
-        |solution, kept| {
-            let dir = folder(args, several, &solution.case.name);
+        |solution, kept, folder| {
+            let dir = self::folder(args, several, &solution.case)?;
             let results = Results::of(&solution)?;
-            let files = results.write(&kept.recorder, &dir)?;
-            if let (Some(path), Some(iterations)) = (&args.trace, &kept.trace) {
-                write(path, &csv(&trace::table(iterations)))?;
-            }
-            let report = match args.json.json {
-                true => Report::Json(as_json(&results, &dir, &files)?),
-                false => Report::Text(report(&results, &dir, files.len())),
+            // Each is tried and told whatever became of the others.
+            let written = results.write_into(&kept.recorder, folder);
+            let traced = match (&args.trace, &kept.trace) {
+                (Some(path), Some(iterations)) => write(path, &csv(&trace::table(iterations))),
+                _ => Ok(()),
             };
-            Ok((report, solution.is_complete()))
+            let files = written.as_deref().ok();
+            let report = match args.json.json {
+                true => Report::Json(as_json(&results, &dir, files)?),
+                false => Report::Text(report(&results, &dir, files)),
+            };
+            let failures: Vec<WriteError> = [written.err(), traced.err()].into_iter().flatten().collect();
+            Ok((report, solution.is_complete(), failures))
         },
     );
     let mut code = Code::Done;
-    let mut failure = None;
-    let mut values = Vec::new();
+    let mut failures: Vec<anyhow::Error> = Vec::new();
+    let (mut text, mut values) = (String::new(), Vec::new());
     for report in reports {
         match report {
-            Ok((report, complete)) => {
+            Ok((report, complete, unwritten)) => {
                 match report {
-                    Report::Text(text) => _ = say(&if several { text + "\n" } else { text })?,
+                    Report::Text(one) => text += &if several { one + "\n" } else { one },
                     Report::Json(value) => values.push(value),
                 }
                 code = if complete { code } else { Code::StoppedEarly };
+                failures.extend(unwritten.into_iter().map(anyhow::Error::from));
             }
-            Err(error) => failure = failure.or(Some(error)),
+            Err(error) => failures.push(error),
         }
     }
-    match values.as_slice() {
-        [] => {}
-        [value] if !several => _ = say_json(value)?,
-        values => _ = say_json(&values)?,
-    }
-    failure.map_or(Ok(code), Err)
+    let said = match values.as_slice() {
+        [] if text.is_empty() => Ok(code),
+        [] => say(&text),
+        [value] if !several => say_json(value),
+        values => say_json(&values),
+    };
+    failures.extend(said.err());
+    let last = failures.pop();
+    failures.iter().for_each(|error| tell(&message(error)));
+    last.map_or(Ok(code), Err)
 }
 
 /// What is printed of a case.
@@ -143,15 +159,16 @@ fn load(args: &Args) -> anyhow::Result<Vec<Case>> {
     Ok(cases)
 }
 
-fn folder(args: &Args, several: bool, name: &str) -> PathBuf {
+fn folder(args: &Args, several: bool, case: &Case) -> Result<PathBuf, BadRequest> {
     match &args.out {
-        Some(dir) if several => dir.join(name),
-        Some(dir) => dir.clone(),
-        None => Path::new("out").join(name),
+        Some(dir) if several => place::folder(dir, case),
+        Some(dir) => Ok(dir.clone()),
+        None => place::folder(Path::new("out"), case),
     }
 }
 
-fn report(results: &Results, dir: &Path, files: usize) -> String {
+/// The summary, and the files where they could be written.
+fn report(results: &Results, dir: &Path, files: Option<&[PathBuf]>) -> String {
     let CaseSummary { stages, lines, .. } = results.summary();
     let stages = stages.iter().zip(&results.solution.stages);
     let mut text = stages.map(|(s, stage)| printed(s, stage.stop.is_complete())).collect::<Vec<_>>().join("\n");
@@ -161,7 +178,9 @@ fn report(results: &Results, dir: &Path, files: usize) -> String {
     for comparison in &results.comparisons {
         let _ = writeln!(text, "{}", comparison.sentence());
     }
-    let _ = writeln!(text, "{files} files in {}", dir.display());
+    if let Some(files) = files {
+        let _ = writeln!(text, "{} files in {}", files.len(), dir.display());
+    }
     if dir.join("report.html").is_file() {
         let _ = writeln!(text, "report.html there is of an earlier run: `stampflow report` makes it anew");
     }
@@ -183,12 +202,12 @@ fn printed(summary: &Summary, complete: bool) -> String {
 }
 
 /// What `summary.json` says of the case, or of each of its stages, and what was compared and written.
-fn as_json(results: &Results, dir: &Path, files: &[PathBuf]) -> anyhow::Result<Value> {
+fn as_json(results: &Results, dir: &Path, files: Option<&[PathBuf]>) -> anyhow::Result<Value> {
     let mut value = serde_json::to_value(results.summary())?;
     let case = &results.solution.case.name;
     let comparisons = results.comparisons.iter().map(|comparison| json::comparison(case, comparison));
     value["comparisons"] = comparisons.collect();
     value["folder"] = json!(dir);
-    value["files"] = json!(files);
+    value["files"] = json!(files.unwrap_or_default());
     Ok(value)
 }

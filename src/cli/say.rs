@@ -1,4 +1,4 @@
-//! What a verb prints on the output stream.
+//! What a verb prints on the output stream, and what is told on the error stream.
 
 use super::code::Code;
 use serde::Serialize;
@@ -16,4 +16,10 @@ pub fn say(text: &str) -> anyhow::Result<Code> {
 /// Prints a value, indented.
 pub fn say_json(value: &impl Serialize) -> anyhow::Result<Code> {
     say(&serde_json::to_string_pretty(value)?)
+}
+
+/// Tells of progress and errors. What cannot be shown, because the reader has gone away or the disk behind it is full, is
+/// dropped: a message never ends a run.
+pub fn tell(text: &str) {
+    let _ = io::stderr().lock().write_all(text.as_bytes());
 }

@@ -1,15 +1,17 @@
 //! `stampflow validate`: every case against its published curves.
 
-use super::code::{BadRequest, Code, unusable};
+use super::code::{BadRequest, Code};
 use super::job::{self, solve_all};
 use super::json;
+use super::message::message;
 use super::options::{Json, Threads};
+use super::place;
 use super::progress::{Kept, Progress};
-use super::say::{say, say_json};
+use super::say::{say, say_json, tell};
 use super::table::{Tone, table};
 use anyhow::Context;
 use stampflow::compare::{Comparison, Verdict};
-use stampflow::output::{Results, can_write_all};
+use stampflow::output::{Results, comparison_folder};
 use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 
@@ -57,26 +59,43 @@ pub fn validate(args: &Args) -> anyhow::Result<Code> {
     if cases.is_empty() {
         return Err(BadRequest(format!("no case in {} has a [[compare]] table", args.cases.display())).into());
     }
-    for case in &cases {
-        can_write_all(&args.out.join(&case.name)).map_err(unusable("--out"))?;
+    let mut jobs = Vec::new();
+    for case in cases {
+        let folder = place::results(&case, &place::folder(&args.out, &case)?, comparison_folder)?;
+        jobs.push((case, folder));
     }
     args.threads.apply()?;
     let progress = Progress::new(args.quiet || args.json.json);
     let outcomes = solve_all(
-        cases,
+        jobs,
         |case| progress.watch(case, Kept::default()),
-        |solution, _| {
+        |solution, _, folder| {
             let results = Results::of(&solution)?;
-            results.write_comparisons(&args.out.join(&solution.case.name))?;
-            Ok((solution.case.name.clone(), results.comparisons))
+            let failure = results.write_comparisons(folder).err();
+            Ok((solution.case.name.clone(), results.comparisons, failure))
         },
     );
-    let outcomes = outcomes.into_iter().collect::<anyhow::Result<Vec<_>>>()?;
-    let all = || outcomes.iter().flat_map(|(case, list)| list.iter().map(move |comparison| (case, comparison)));
-    if args.json.json {
-        say_json(&all().map(|(case, comparison)| json::comparison(case, comparison)).collect::<Vec<_>>())?;
+    let mut failures: Vec<anyhow::Error> = Vec::new();
+    let mut compared = Vec::new();
+    for outcome in outcomes {
+        match outcome {
+            Ok((case, comparisons, failure)) => {
+                compared.push((case, comparisons));
+                failures.extend(failure.map(anyhow::Error::from));
+            }
+            Err(error) => failures.push(error),
+        }
+    }
+    let all = || compared.iter().flat_map(|(case, list)| list.iter().map(move |comparison| (case, comparison)));
+    let said = if args.json.json {
+        say_json(&all().map(|(case, comparison)| json::comparison(case, comparison)).collect::<Vec<_>>())
     } else {
-        say(&table(Some(HEADERS), all().map(|(case, comparison)| row(case, comparison)).collect(), VERDICT))?;
+        say(&table(Some(HEADERS), all().map(|(case, comparison)| row(case, comparison)).collect(), VERDICT))
+    };
+    failures.extend(said.err());
+    if let Some(last) = failures.pop() {
+        failures.iter().for_each(|error| tell(&message(error)));
+        return Err(last);
     }
     Ok(if all().any(|(_, comparison)| comparison.is_failure()) { Code::Failed } else { Code::Done })
 }

@@ -4,6 +4,7 @@ mod animation;
 pub mod chart;
 mod csv;
 mod dimensions;
+mod disk;
 mod draw;
 mod file;
 pub mod flow_curve;
@@ -12,6 +13,7 @@ pub mod forming_limit;
 mod frame_recorder;
 mod gif;
 pub mod load_travel;
+mod lock;
 mod make;
 mod outline;
 mod overlay;
@@ -19,6 +21,7 @@ mod png;
 pub mod pressure_cycle;
 pub mod profile;
 pub mod residual_stress;
+mod result_folder;
 mod results;
 mod sections;
 #[cfg(feature = "import")]
@@ -42,12 +45,13 @@ pub use frame_recorder::FrameRecorder;
 pub use make::{Extra, Files, Make, Output};
 pub use overlay::comparisons;
 pub use png::png;
+pub use result_folder::ResultFolder;
 pub use results::Results;
 #[cfg(feature = "import")]
 pub use sketch::sketch;
 pub use stage_view::StageView;
 pub use summary::{CaseSummary, Figure, Summary};
-pub use writing::{OutputError, can_write_all, remove_stale};
+pub use writing::{OutputError, comparison_folder, is_result, result_folder};
 
 /// Every file that may be written.
 pub const OUTPUTS: &[Output] = &[
@@ -108,7 +112,7 @@ pub const OUTPUTS: &[Output] = &[
         family: Some(overlay::is_comparison),
     },
     Output {
-        file: "stages.csv",
+        file: stages::FILE,
         about: "a line for every stage, of a case with several",
         make: Make::OfCase(stages::files),
         family: None,

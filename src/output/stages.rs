@@ -1,4 +1,4 @@
-//! One line for every stage of a sequence: `stages.csv` and what is printed.
+//! One line for every stage of a sequence: [`FILE`] and what is printed.
 
 use super::csv::with_texts;
 use super::stage_view::ended;
@@ -7,6 +7,20 @@ use crate::case::Solution;
 use crate::solution::{StageSolution, StepRecord, Stop};
 use crate::table::fields::step::{HOLDER_FORCE, POLE_HEIGHT, PUNCH_FORCE, THINNEST};
 use crate::table::{Column, Field, Table, Unit, force_unit};
+
+/// The list of a case's stages.
+pub(super) const FILE: &str = "stages.csv";
+
+/// What its first line begins with.
+pub(super) const HEADERS: &str = "stage,name,stop,";
+
+/// The folders of the stages that a list names: `1-draw`.
+pub(super) fn folders(list: &str) -> Vec<String> {
+    let label = |line: &str| {
+        line.split_once(',').map(|(i, rest)| format!("{i}-{}", rest.split(',').next().unwrap_or_default()))
+    };
+    list.lines().skip(1).filter_map(label).collect()
+}
 
 /// Names of all stages, with those that were run.
 fn lines(solution: &Solution) -> impl Iterator<Item = (&str, Option<&StageSolution>)> {
@@ -39,14 +53,14 @@ fn stop(stage: Option<&StageSolution>) -> &'static str {
     stage.map_or("not run", ended)
 }
 
-/// `stages.csv`, of a case with several stages.
+/// [`FILE`], of a case with several stages.
 pub(super) fn files<'a>(results: &'a Results<'a>) -> Files<'a> {
     let solution = results.solution;
     let several = lines(solution).nth(1).is_some();
     Box::new(several.then_some(()).into_iter().map(|()| {
         let names = lines(solution).map(|line| line.0.to_owned()).collect();
         let stops = lines(solution).map(|line| stop(line.1).to_owned()).collect();
-        ("stages.csv".to_owned(), with_texts(&[("name", names), ("stop", stops)], &table(solution)))
+        (FILE.to_owned(), with_texts(&[("name", names), ("stop", stops)], &table(solution)))
     }))
 }
 

@@ -1,8 +1,10 @@
 //! Every output of a solution, written to its folder.
 
-use super::{FrameRecorder, Make, OUTPUTS, Results, StageView, WriteError, can_write, overlay, remove_others, write};
+use super::{FrameRecorder, Make, OUTPUTS, ResultFolder, Results, StageView, WriteError, overlay, stages};
 use crate::case::Solution;
 use crate::compare::CompareError;
+use std::fs;
+use std::io::{self, ErrorKind};
 use std::path::{Path, PathBuf};
 
 /// Why results could not be written.
@@ -16,9 +18,54 @@ pub enum OutputError {
     Compare(#[from] CompareError),
 }
 
+/// Whether a file of this name in a folder of results is written by a run.
+pub fn is_result(name: &str) -> bool {
+    OUTPUTS.iter().any(|output| output.is_named(name))
+}
+
+/// A folder for all that a run writes.
+///
+/// # Errors
+/// As [`ResultFolder::open`], and when a file there has the name of a result and is none.
+pub fn result_folder(dir: &Path) -> Result<ResultFolder, WriteError> {
+    let folder = ResultFolder::open(dir, is_result)?;
+    refuse_others(dir)?;
+    Ok(folder)
+}
+
+/// A folder for comparisons only, which may stand among the results of a run.
+///
+/// # Errors
+/// As [`ResultFolder::open`].
+pub fn comparison_folder(dir: &Path) -> Result<ResultFolder, WriteError> {
+    ResultFolder::open(dir, |name| overlay::is_comparison("", name))
+}
+
+/// A file that has the name of a result is one where a run has left its summary or its list of stages beside it.
+fn refuse_others(dir: &Path) -> Result<(), WriteError> {
+    let holds = |file: &str, what: &str| fs::read_to_string(dir.join(file)).is_ok_and(|text| text.contains(what));
+    let is_of_a_run = holds("summary.json", concat!("\"program\": \"", env!("CARGO_PKG_NAME")))
+        || holds(stages::FILE, stages::HEADERS);
+    let Ok(entries) = fs::read_dir(dir) else { return Ok(()) };
+    for path in entries.flatten().map(|entry| entry.path()) {
+        if !path.file_name().and_then(|name| name.to_str()).is_some_and(is_result) {
+            continue;
+        }
+        if path.is_dir() {
+            return Err(WriteError { path, source: ErrorKind::IsADirectory.into() });
+        }
+        if !is_of_a_run || path.is_symlink() {
+            let source =
+                io::Error::new(ErrorKind::AlreadyExists, "it is there, and nothing says that a run has written it");
+            return Err(WriteError { path, source });
+        }
+    }
+    Ok(())
+}
+
 impl Solution {
-    /// Writes every table and plot of [`OUTPUTS`] into `dir`, those of several stages into a folder each, and removes what
-    /// an earlier run left there; returns what was written.
+    /// Writes every table and plot of [`OUTPUTS`] into `dir`, those of several stages into a folder each, in the place of
+    /// what an earlier run left there; returns what was written.
     ///
     /// # Errors
     /// When a folder or file cannot be written, or a reference of the case cannot be read.
@@ -31,84 +78,61 @@ impl Results<'_> {
     /// Writes as [`Solution::write`], with what a recorder was asked for.
     ///
     /// # Errors
-    /// When a folder or file cannot be written: each file appears complete or not at all.
+    /// When a folder or file cannot be written: the earlier results are then still there.
     pub fn write(&self, recorder: &FrameRecorder, dir: &Path) -> Result<Vec<PathBuf>, WriteError> {
-        let mut written = Vec::new();
-        let mut here = Vec::new();
+        self.write_into(recorder, result_folder(dir)?)
+    }
+
+    /// The same into a folder that was taken before.
+    ///
+    /// # Errors
+    /// As [`ResultFolder::publish`].
+    pub fn write_into(&self, recorder: &FrameRecorder, mut folder: ResultFolder) -> Result<Vec<PathBuf>, WriteError> {
         for output in OUTPUTS {
             if let Make::OfCase(make) = output.make {
-                here.extend(write_files(make(self), dir)?);
+                make(self).for_each(|(name, bytes)| folder.write(name, &bytes));
             }
         }
-        let case = &self.solution.case;
-        for (i, _) in case.stage_names().enumerate() {
-            let label = case.stage_label(i);
-            let folder = label.as_ref().map_or_else(|| dir.to_owned(), |label| dir.join(label));
-            let files = self.views.get(i).map_or(Ok(Vec::new()), |view| write_stage(view, i, recorder, &folder))?;
-            if label.is_none() {
-                here.extend(files);
-            } else {
-                remove_stale(&folder, &files)?;
-                written.extend(files);
-            }
+        for (i, view) in self.views.iter().enumerate() {
+            let label = self.solution.case.stage_label(i).unwrap_or_default();
+            write_stage(view, i, recorder, &mut folder, Path::new(&label));
         }
-        remove_stale(dir, &here)?;
-        written.extend(here);
-        Ok(written)
+        folder.publish()
     }
 
     /// Writes comparisons only.
     ///
     /// # Errors
-    /// When a folder or file cannot be written.
-    pub fn write_comparisons(&self, dir: &Path) -> Result<Vec<PathBuf>, WriteError> {
-        write_files(overlay::files(self), dir)
+    /// As [`ResultFolder::publish`].
+    pub fn write_comparisons(&self, mut folder: ResultFolder) -> Result<Vec<PathBuf>, WriteError> {
+        overlay::files(self).for_each(|(name, bytes)| folder.write(name, &bytes));
+        folder.publish()
     }
 }
 
 impl StageView<'_> {
-    /// Writes every table and plot of this stage into `dir`; returns what was written.
+    /// Writes every table and plot of this stage into `dir`, in the place of what an earlier run left there; returns what
+    /// was written.
     ///
     /// # Errors
-    /// When a folder or file cannot be written: each file appears complete or not at all.
+    /// When a folder or file cannot be written: the earlier results are then still there.
     pub fn write(&self, dir: &Path) -> Result<Vec<PathBuf>, WriteError> {
-        write_stage(self, 0, &FrameRecorder::default(), dir)
+        let mut folder = result_folder(dir)?;
+        write_stage(self, 0, &FrameRecorder::default(), &mut folder, Path::new(""));
+        folder.publish()
     }
 }
 
 /// Writes what a stage has.
-fn write_stage(view: &StageView, i: usize, recorder: &FrameRecorder, dir: &Path) -> Result<Vec<PathBuf>, WriteError> {
+fn write_stage(view: &StageView, i: usize, recorder: &FrameRecorder, folder: &mut ResultFolder, inside: &Path) {
     let frames = recorder.of_stage(i, view.stage);
-    let mut written = Vec::new();
     for output in OUTPUTS {
         if let Make::Moving(extra, make) = output.make {
             if recorder.extras.contains(&extra) && frames.len() > 1 {
-                written.extend(write_files(make(view, &frames), dir)?);
+                make(view, &frames).for_each(|(name, bytes)| folder.write(inside.join(name), &bytes));
             }
         } else if let Some(bytes) = output.bytes(view) {
-            written.extend(write_files(std::iter::once((output.file.to_owned(), bytes)), dir)?);
+            folder.write(inside.join(output.file), &bytes);
         }
     }
-    Ok(written)
-}
-
-fn write_files(files: impl Iterator<Item = (String, Vec<u8>)>, dir: &Path) -> Result<Vec<PathBuf>, WriteError> {
-    files.map(|(name, bytes)| write(&dir.join(&name), &bytes).map(|()| dir.join(name))).collect()
-}
-
-/// Whether every output could be written into `dir`; nothing is left behind.
-///
-/// # Errors
-/// As [`can_write`].
-pub fn can_write_all(dir: &Path) -> Result<(), WriteError> {
-    OUTPUTS.iter().try_for_each(|output| can_write(&dir.join(output.file)))
-}
-
-/// Removes what an earlier run wrote into `dir` and this one did not, so that no plot of another run stands beside
-/// `written`; files of names that this program does not give are left alone.
-///
-/// # Errors
-/// When a file cannot be removed.
-pub fn remove_stale(dir: &Path, written: &[PathBuf]) -> Result<(), WriteError> {
-    remove_others(dir, written, |name| OUTPUTS.iter().any(|output| output.is_named(name)))
 }

@@ -39,6 +39,7 @@ const CRATES: &[(&str, &[&str])] = &[
     ("plotters", &["output"]),
     ("plotters_backend", &["output"]),
     ("rayon", &["cli"]),
+    ("rustix", &["output"]),
     ("signal_hook", &["cli"]),
     ("serde_json", &["cli", "output", "report", "author", "case", "law", "units"]),
     ("toml", &["case", "compare"]),

@@ -31,6 +31,7 @@ mod outputs;
 mod package;
 mod profiles;
 mod report;
+mod result_folder;
 mod scripts;
 mod stops;
 mod tables;

@@ -10,7 +10,10 @@ use stampflow::compare::{
 use stampflow::measure::{Shape, changes};
 use stampflow::model::{Geometry, Model, Role};
 use stampflow::output::summary::sha256;
-use stampflow::output::{FrameRecorder, Make, OUTPUTS, Results, Summary, load_travel, png, profile, remove_stale};
+use stampflow::output::{
+    FrameRecorder, Make, OUTPUTS, ResultFolder, Results, Summary, comparison_folder, is_result, load_travel, png,
+    profile,
+};
 use stampflow::report::{Report, markdown};
 use stampflow::solution::StageSolution;
 use stampflow::table::{Csv, Table};
@@ -168,7 +171,9 @@ fn stale_files_of_ours_go_and_a_users_stay() {
     for name in names.iter().chain(&mine) {
         fs::write(dir.path().join(name), "old").unwrap();
     }
-    remove_stale(dir.path(), &[dir.path().join("summary.json")]).unwrap();
+    let mut folder = ResultFolder::open(dir.path(), is_result).unwrap();
+    folder.write("summary.json", b"new");
+    folder.publish().unwrap();
     let mut left: Vec<_> =
         fs::read_dir(dir.path()).unwrap().map(|e| e.unwrap().file_name().into_string().unwrap()).collect();
     left.sort();
@@ -396,13 +401,13 @@ fn a_comparison_is_written_as_a_plot_and_its_numbers() {
     let out = dir.path().join("out");
     let solution = solution(run.clone());
     let mut results = Results { comparisons: vec![comparison(&run)], ..Results::of(&solution).unwrap() };
-    let written = results.write_comparisons(&out).unwrap();
+    let written = results.write_comparisons(comparison_folder(&out).unwrap()).unwrap();
     assert_eq!(written, [out.join("compare_1_punch_force.csv"), out.join("compare_1_punch_force.png")]);
     assert!(
         fs::read_to_string(&written[0]).unwrap().starts_with("travel_mm,reference_N,computed_N,difference_percent")
     );
     results.comparisons[0].found = Found::NoData;
-    assert!(results.write_comparisons(&out).unwrap().is_empty());
+    assert!(results.write_comparisons(comparison_folder(&out).unwrap()).unwrap().is_empty());
 }
 
 /// Trust: the sample's flange thickens beyond the 1.12 mm that were measured, so the plot has to show it outside; the
@@ -416,7 +421,7 @@ fn a_band_is_drawn_with_its_error_and_written_in_numbers() {
     let largest = run.frames.last().unwrap().elements.iter().map(|e| e.thickness).fold(0.0, f64::max);
     let solution = solution(run);
     let results = Results { comparisons: vec![band], ..Results::of(&solution).unwrap() };
-    let written = results.write_comparisons(dir.path()).unwrap();
+    let written = results.write_comparisons(comparison_folder(dir.path()).unwrap()).unwrap();
     assert_eq!(written[1], dir.path().join("compare_1_thickness.png"));
     let numbers = fs::read_to_string(&written[0]).unwrap();
     let (header, row) = numbers.trim().split_once('\n').unwrap();

@@ -34,6 +34,29 @@ fn a_failure_leaves_neither_half_a_file_nor_a_changed_one() {
     assert_eq!(names(dir.path()), ["a.csv"]);
 }
 
+/// A process was killed while it wrote, or while it tried whether it could.
+#[test]
+fn what_a_killed_process_left_is_used_up() {
+    let dir = temp_dir::TempDir::new().unwrap();
+    let path = dir.path().join("a.csv");
+    for step in [write as fn(&Path, &[u8]) -> _, |path, _| can_write(path)] {
+        fs::write(dir.path().join(".a.csv.part"), "much that was never ended").unwrap();
+        step(&path, b"whole").unwrap();
+        assert_eq!((names(dir.path()), fs::read(&path).unwrap()), (vec!["a.csv".to_owned()], b"whole".to_vec()));
+    }
+}
+
+/// 255 bytes are the longest name of usual file systems.
+#[test]
+fn a_name_that_is_too_long_is_known_before_and_no_folder_is_left() {
+    let dir = temp_dir::TempDir::new().unwrap();
+    let long = "a".repeat(300);
+    for path in [long.clone(), format!("{long}/a.csv"), format!("new/{long}/a.csv"), format!("new/{long}")] {
+        can_write(&dir.path().join(&path)).unwrap_err();
+        assert_eq!(names(dir.path()), [""; 0], "{path}");
+    }
+}
+
 #[test]
 fn what_cannot_be_written_is_known_before() {
     let dir = temp_dir::TempDir::new().unwrap();
@@ -49,7 +72,7 @@ fn a_temporary_file_that_cannot_be_made_leaves_the_old_file_intact() {
     let dir = temp_dir::TempDir::new().unwrap();
     let path = dir.path().join("a.csv");
     write(&path, b"old").unwrap();
-    fs::create_dir(dir.path().join(format!(".a.csv.{}.part", std::process::id()))).unwrap();
+    fs::create_dir(dir.path().join(".a.csv.part")).unwrap();
     write(&path, b"new").unwrap_err();
     assert_eq!(fs::read(&path).unwrap(), b"old");
 }
