@@ -76,7 +76,7 @@ pub fn run(args: &Args) -> anyhow::Result<Code> {
             place::replaced(path, &csv(&trace::table(&[])), "--trace")?;
             place::file(path, &case.inputs, "--trace")?;
         }
-        let folder = place::results(&case, &dir, result_folder)?;
+        let folder = place::results(&case, &dir, |dir| result_folder(&case, dir))?;
         jobs.push((case, folder));
     }
     args.threads.apply()?;

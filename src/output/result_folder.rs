@@ -26,6 +26,9 @@ use std::path::{Path, PathBuf};
 /// Files whose loss of power would be felt are handed to the disk so many at a time: one by one takes several times as long.
 const AT_A_TIME: usize = 16;
 
+/// Before the name of a folder, where results that could not be put in place stay.
+const COMPLETE: &str = "; the new results are complete in";
+
 /// A folder of results, held by this process until it is published or dropped.
 #[derive(Debug)]
 pub struct ResultFolder {
@@ -124,7 +127,6 @@ impl ResultFolder {
             Some(gone) => Err(io::Error::other(format!("{} was taken away", part.join(gone).display()))),
             None => self.sync().and_then(|()| self.site.publish(self.written.is_empty())),
         };
-        disk::sync_names(folder_of(&self.site.path));
         self.is_kept = published.is_err();
         published.map_err(|source| WriteError { path: self.named.clone(), source })?;
         Ok(self.written.iter().map(|name| self.named.join(name)).collect())
@@ -217,19 +219,24 @@ impl Site {
     fn publish(&self, is_empty: bool) -> io::Result<()> {
         let [part, swap, ready] = ["part", "swap", "ready"].map(|ending| self.named(ending));
         if self.path.symlink_metadata().is_err() {
-            return if is_empty { Ok(()) } else { renamed(&part, &self.path) };
+            if !is_empty {
+                renamed(&part, &self.path)?;
+                disk::sync_names(folder_of(&self.path));
+            }
+            return Ok(());
         }
         let mut complete = part;
-        if self.can_be_exchanged() && self.link_others().is_ok() {
+        if self.can_be_exchanged() && self.link_others().map_err(|error| with(&error, COMPLETE, &complete))? {
             renamed(&complete, &swap)?;
             complete = swap;
             if disk::exchange(&complete, &self.path).is_ok() {
-                let what = "; the new results are there, and what is left of the old ones in";
-                return self.sweep().map_err(|error| with(&error, what, &complete));
+                // Or a loss of power could undo the exchange and not what is removed after it.
+                disk::sync_names(folder_of(&self.path));
+                return self.sweep();
             }
         }
         renamed(&complete, &ready)?;
-        self.merge().map_err(|error| with(&error, "; the new results are complete in", &ready))
+        self.merge()
     }
 
     /// Whether the names stand beside the folder, and this process not in it.
@@ -238,49 +245,72 @@ impl Site {
         cfg!(unix) && !self.stem.starts_with(&self.path) && !stands_in
     }
 
-    /// Gives all that is not ours a second name among the new results.
-    fn link_others(&self) -> io::Result<()> {
-        let part = self.part();
+    /// Gives all that is not ours a second name among the new results; or says that this cannot be done.
+    fn link_others(&self) -> io::Result<bool> {
+        let (part, others) = (self.part(), self.contents(&self.path)?.others);
         disk::set_permissions(&part, fs::metadata(&self.path)?.permissions())?;
-        for name in self.contents(&self.path)?.others {
+        for name in others {
             let (from, to) = (self.path.join(&name), part.join(&name));
             if !from.symlink_metadata()?.is_file() {
-                return Err(ErrorKind::Unsupported.into());
+                return Ok(false);
             }
             disk::create_dir_all(folder_of(&to))?;
-            disk::link(&from, &to)?;
+            match disk::link(&from, &to) {
+                Err(error) if error.kind() == ErrorKind::StorageFull => return Err(error),
+                Err(_) => return Ok(false),
+                Ok(()) => {}
+            }
         }
-        Ok(())
+        Ok(true)
     }
 
     /// Removes the results that were exchanged for new ones; what is not ours goes to the new ones where it is not there yet.
     fn sweep(&self) -> io::Result<()> {
         let swap = self.named("swap");
-        let Contents { ours, others } = self.contents(&swap)?;
+        self.swept(&swap).map_err(|error| {
+            with(&error, "; the folder has the new results, and what is left of the old ones is", &swap)
+        })
+    }
+
+    fn swept(&self, swap: &Path) -> io::Result<()> {
+        let Contents { ours, others } = self.contents(swap)?;
         for name in others {
             keep(&swap.join(&name), &self.path.join(&name))?;
         }
         for name in ours {
             remove(&swap.join(name))?;
         }
-        disk::remove_dir(&swap)
+        disk::remove_dir(swap)
     }
 
     /// Puts complete results into the folder file by file; can be begun anew at any instant.
     fn merge(&self) -> io::Result<()> {
-        let (ready, part) = (self.named("ready"), self.part());
-        let (new, old) = (self.contents(&ready)?.ours, self.contents(&self.path)?.ours);
+        let ready = self.named("ready");
+        self.merged(&ready).map_err(|error| with(&error, COMPLETE, &ready))
+    }
+
+    /// First what takes room, so that a full disk leaves the folder as it was.
+    fn merged(&self, ready: &Path) -> io::Result<()> {
+        let (new, old) = (self.contents(ready)?.ours, self.contents(&self.path)?.ours);
+        let files: Vec<&PathBuf> = new.iter().filter(|name| ready.join(name).is_file()).collect();
+        let placed = files.iter().try_for_each(|name| place(&ready.join(name), &self.path.join(name)));
+        if placed.is_err() {
+            let parts = files.iter().filter_map(|name| file::neighbour(&self.path.join(name)).ok());
+            parts.for_each(|part| _ = disk::remove_file(&part));
+        }
+        placed?;
         for name in old.iter().filter(|name| !new.contains(name)) {
             remove(&self.path.join(name))?;
         }
-        for name in new.iter().filter(|name| ready.join(name).is_file()) {
-            place(&ready.join(name), &self.path.join(name))?;
+        for name in files {
+            replace(&self.path.join(name))?;
         }
         disk::sync_names(&self.path);
+        let part = self.part();
         if part.exists() {
             disk::remove_dir_all(&part)?;
         }
-        disk::rename(&ready, &part)?;
+        disk::rename(ready, &part)?;
         disk::remove_dir_all(&part)
     }
 
@@ -324,7 +354,7 @@ fn entries(folder: &Path) -> io::Result<Vec<(PathBuf, fs::FileType)>> {
 
 /// Gives complete results another name.
 fn renamed(from: &Path, to: &Path) -> io::Result<()> {
-    disk::rename(from, to).map_err(|error| with(&error, "; the new results are complete in", from))
+    disk::rename(from, to).map_err(|error| with(&error, COMPLETE, from))
 }
 
 /// Moves what is not ours to where it belongs; where something else has that name it gets a number.
@@ -354,15 +384,20 @@ fn remove(path: &Path) -> io::Result<()> {
     }
 }
 
-/// Puts a file where another may stand, by a link where that can be made.
+/// Puts a file beside where it belongs, by a link where that can be made.
 fn place(from: &Path, to: &Path) -> io::Result<()> {
     disk::create_dir_all(folder_of(to))?;
     let part = file::neighbour(to)?;
     if part.exists() {
         disk::remove_file(&part)?;
     }
-    disk::link(from, &part).or_else(|_| disk::copy(from, &part))?;
-    disk::rename(&part, to)?;
+    disk::link(from, &part).or_else(|_| disk::copy(from, &part))
+}
+
+/// Puts it where it belongs.
+fn replace(path: &Path) -> io::Result<()> {
+    let part = file::neighbour(path)?;
+    disk::rename(&part, path)?;
     // Of two names of one file a renaming removes none.
     if part.exists() { disk::remove_file(&part) } else { Ok(()) }
 }
@@ -491,12 +526,13 @@ mod tests {
     /// A folder of a user's own cannot be linked: files are replaced one by one, and never one of the user's.
     #[test]
     fn where_folders_are_not_exchanged_the_next_run_ends_what_was_begun() {
-        let (old, mine) = (tree("old", &OLD), mine(true));
-        for fault in [Fault::Everything, Fault::Full] {
-            at_every_call(fault, &old, &mine, |found, label| {
-                assert!(mine.iter().all(|(name, text)| found.get(name) == Some(text)), "{label}: {found:#?}");
-            });
-        }
+        let (old, new, mine) = (tree("old", &OLD), tree("new", &NEW), mine(true));
+        at_every_call(Fault::Everything, &old, &mine, |found, label| {
+            assert!(mine.iter().all(|(name, text)| found.get(name) == Some(text)), "{label}: {found:#?}");
+        });
+        at_every_call(Fault::Full, &old, &mine, |found, label| {
+            assert!(*found == both(&old, &mine) || *found == both(&new, &mine), "{label}: {found:#?}");
+        });
     }
 
     /// The half-done work of a killed run is ended before anything new is begun.

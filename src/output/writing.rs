@@ -1,7 +1,7 @@
 //! Every output of a solution, written to its folder.
 
 use super::{FrameRecorder, Make, OUTPUTS, ResultFolder, Results, StageView, WriteError, overlay, stages};
-use crate::case::Solution;
+use crate::case::{Case, Solution};
 use crate::compare::CompareError;
 use std::fs;
 use std::io::{self, ErrorKind};
@@ -23,11 +23,18 @@ pub fn is_result(name: &str) -> bool {
     OUTPUTS.iter().any(|output| output.is_named(name))
 }
 
-/// A folder for all that a run writes.
+/// A folder for all that a run of a case writes.
 ///
 /// # Errors
 /// As [`ResultFolder::open`], and when a file there has the name of a result and is none.
-pub fn result_folder(dir: &Path) -> Result<ResultFolder, WriteError> {
+pub fn result_folder(case: &Case, dir: &Path) -> Result<ResultFolder, WriteError> {
+    let folder = stage_folder(dir)?;
+    (0..).map_while(|i| case.stage_label(i)).try_for_each(|label| refuse_others(&dir.join(label)))?;
+    Ok(folder)
+}
+
+/// A folder for what is written of one stage.
+fn stage_folder(dir: &Path) -> Result<ResultFolder, WriteError> {
     let folder = ResultFolder::open(dir, is_result)?;
     refuse_others(dir)?;
     Ok(folder)
@@ -46,7 +53,10 @@ fn refuse_others(dir: &Path) -> Result<(), WriteError> {
     let holds = |file: &str, what: &str| fs::read_to_string(dir.join(file)).is_ok_and(|text| text.contains(what));
     let is_of_a_run = holds("summary.json", concat!("\"program\": \"", env!("CARGO_PKG_NAME")))
         || holds(stages::FILE, stages::HEADERS);
-    let Ok(entries) = fs::read_dir(dir) else { return Ok(()) };
+    let entries = match fs::read_dir(dir) {
+        Err(error) if error.kind() == ErrorKind::NotFound => return Ok(()),
+        entries => entries.map_err(|source| WriteError { path: dir.to_owned(), source })?,
+    };
     for path in entries.flatten().map(|entry| entry.path()) {
         if !path.file_name().and_then(|name| name.to_str()).is_some_and(is_result) {
             continue;
@@ -80,7 +90,7 @@ impl Results<'_> {
     /// # Errors
     /// When a folder or file cannot be written: the earlier results are then still there.
     pub fn write(&self, recorder: &FrameRecorder, dir: &Path) -> Result<Vec<PathBuf>, WriteError> {
-        self.write_into(recorder, result_folder(dir)?)
+        self.write_into(recorder, result_folder(&self.solution.case, dir)?)
     }
 
     /// The same into a folder that was taken before.
@@ -117,7 +127,7 @@ impl StageView<'_> {
     /// # Errors
     /// When a folder or file cannot be written: the earlier results are then still there.
     pub fn write(&self, dir: &Path) -> Result<Vec<PathBuf>, WriteError> {
-        let mut folder = result_folder(dir)?;
+        let mut folder = stage_folder(dir)?;
         write_stage(self, 0, &FrameRecorder::default(), &mut folder, Path::new(""));
         folder.publish()
     }

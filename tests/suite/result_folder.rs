@@ -319,6 +319,11 @@ fn nothing_of_anyone_else_is_written_over() {
     let profile = CUP.replace(r#"flat = { radius = "30 mm", nose = "6 mm" }"#, "profile = \"../read/profile.csv\"");
     fs::write(dir.path().join("cases/profile.toml"), profile).unwrap();
     fs::copy(dir.path().join("cases/cup.toml"), dir.path().join("...toml")).unwrap();
+    fs::write(dir.path().join("cases/stages.toml"), format!("{CUP}{STAGES}")).unwrap();
+    fs::create_dir_all(dir.path().join("copies/1-draw")).unwrap();
+    fs::create_dir_all(dir.path().join("file")).unwrap();
+    fs::write(dir.path().join("copies/1-draw/profile.csv"), "mine").unwrap();
+    fs::write(dir.path().join("file/1-draw"), "mine").unwrap();
     let before = tree(dir.path());
     for (args, says) in [
         (&["run", "cases/cup.toml", "--trace", "cases/cup.toml"][..], "--trace"),
@@ -327,6 +332,8 @@ fn nothing_of_anyone_else_is_written_over() {
         (&["run", "cases/cup.toml", "--out", "mine"], "nothing says that a run has written it"),
         (&["run", "cases/cup.toml", "--out", "."], "summary.json: it is there"),
         (&["run", "cases/profile.toml", "--out", "read"], "profile.csv is read by the case"),
+        (&["run", "cases/stages.toml", "--out", "copies"], "copies/1-draw/profile.csv: it is there"),
+        (&["run", "cases/stages.toml", "--out", "file"], "cannot write file/1-draw"),
         (&["run", "...toml"], "no folder of their own"),
         (&["report", "...toml"], "no folder of their own"),
         (
