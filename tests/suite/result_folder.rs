@@ -206,15 +206,22 @@ fn the_present_folder_may_be_that_of_the_results() {
     assert!(dir.path().join("cases/cup.toml").is_file() && names(dir.path()).iter().all(|name| !name.starts_with('.')));
 }
 
+/// The folder beside that of the results is the last thing to be made before a case is solved.
+#[cfg(unix)]
+fn wait_until_it_solves(dir: &Path) {
+    let begin = Instant::now();
+    while !dir.join("out/.cup.part").exists() {
+        assert!(begin.elapsed() < Duration::from_secs(60), "it never begins");
+        sleep(Duration::from_millis(10));
+    }
+    sleep(Duration::from_millis(500));
+}
+
 /// A run that takes long, what happens meanwhile, and Ctrl-C.
 #[cfg(unix)]
 fn meanwhile(dir: &Path, happens: impl Fn()) -> Output {
     let run = spawn(dir, &["run", "cases/cup.toml", "-q"]);
-    // The last thing before it is solved.
-    while !dir.join("out/.cup.part").exists() {
-        sleep(Duration::from_millis(10));
-    }
-    sleep(Duration::from_millis(500));
+    wait_until_it_solves(dir);
     happens();
     assert!(Command::new("kill").args(["-INT", &run.id().to_string()]).status().unwrap().success());
     run.wait_with_output().unwrap()
@@ -391,10 +398,7 @@ fn a_message_that_cannot_be_shown_ends_no_run() {
 fn a_second_signal_ends_the_program_at_once() {
     let dir = folder(&endless());
     let run = spawn(dir.path(), &["run", "cases/cup.toml", "-q"]);
-    while !dir.path().join("out/.cup.part").exists() {
-        sleep(Duration::from_millis(10));
-    }
-    sleep(Duration::from_millis(500));
+    wait_until_it_solves(dir.path());
     let id = run.id();
     let both = shell(dir.path(), &format!("kill -STOP {id}; kill -INT {id}; kill -TERM {id}; kill -CONT {id}"));
     assert!(both.status.success());
