@@ -8,6 +8,10 @@
 //!
 //! What is larger is refused before it is read, and so is what is no file: pipes and devices may never end.
 
+mod visible;
+
+pub use visible::visible;
+
 use std::collections::BTreeMap;
 use std::fs::{self, File};
 use std::io::{ErrorKind, Read};

@@ -1,12 +1,12 @@
 //! `stampflow report`: a case solved and written as pages for people.
 
 use super::code::{BadRequest, Code, unusable};
+use super::job;
 use super::options::{Json, Overrides};
 use super::progress::{Kept, Progress};
 use super::say::{say, say_json};
 use clap::ValueEnum;
 use serde_json::json;
-use stampflow::case;
 use stampflow::files::{Disk, Files};
 use stampflow::output::{can_write, remove_others, write};
 use stampflow::report::{MARKER, Report, figure_folder, html, is_figure, markdown};
@@ -53,7 +53,7 @@ enum Format {
 }
 
 pub fn report(args: &Args) -> anyhow::Result<Code> {
-    let case = case::load(&args.case, &args.overrides.set)?;
+    let case = job::load(&args.case, &args.overrides.set)?;
     let format = args.format()?;
     let path = args.output.clone().unwrap_or_else(|| {
         let name = if format == Format::Md { "report.md" } else { "report.html" };
@@ -76,7 +76,7 @@ pub fn report(args: &Args) -> anyhow::Result<Code> {
         value["files"] = json!(files);
         say_json(&value)?;
     } else {
-        say(&format!("{} is written", path.display()))?;
+        say(format!("{} is written", path.display()))?;
     }
     Ok(if solution.is_complete() { Code::Done } else { Code::StoppedEarly })
 }

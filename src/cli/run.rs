@@ -1,11 +1,11 @@
 //! `stampflow run`: from case files to folders of results.
 
 use super::code::{BadRequest, Code, unusable};
-use super::job::{self, solve_all};
+use super::job::{load_all, solve_all, told};
 use super::json;
 use super::options::{Json, Overrides, Threads};
 use super::progress::{Kept, Progress};
-use super::say::{say, say_json};
+use super::say::{Shown, say, say_json};
 use super::table::{Tone, table};
 use serde_json::{Value, json};
 use stampflow::case::Case;
@@ -64,8 +64,12 @@ pub fn run(args: &Args) -> anyhow::Result<Code> {
     if args.trace.is_some() && args.cases.len() > 1 {
         return Err(BadRequest("--trace writes the iterations of one case: give one case".to_owned()).into());
     }
-    let cases = load(args)?;
-    let several = cases.len() > 1;
+    let several = args.cases.len() > 1;
+    let (cases, mut failed) = load_all(&args.cases, &args.overrides.set);
+    if failed.iter().any(|error| Code::of(error) == Code::BadInput) {
+        return Ok(told(&failed, Code::Done));
+    }
+    share_no_folder(&cases)?;
     for case in &cases {
         can_write_all(&folder(args, several, &case.name)).map_err(unusable("--out"))?;
     }
@@ -97,18 +101,17 @@ pub fn run(args: &Args) -> anyhow::Result<Code> {
         },
     );
     let mut code = Code::Done;
-    let mut failure = None;
     let mut values = Vec::new();
     for report in reports {
         match report {
             Ok((report, complete)) => {
                 match report {
-                    Report::Text(text) => _ = say(&if several { text + "\n" } else { text })?,
+                    Report::Text(text) => _ = say(if several { text + "\n".into() } else { text })?,
                     Report::Json(value) => values.push(value),
                 }
                 code = if complete { code } else { Code::StoppedEarly };
             }
-            Err(error) => failure = failure.or(Some(error)),
+            Err(error) => failed.push(error),
         }
     }
     match values.as_slice() {
@@ -116,31 +119,25 @@ pub fn run(args: &Args) -> anyhow::Result<Code> {
         [value] if !several => _ = say_json(value)?,
         values => _ = say_json(&values)?,
     }
-    failure.map_or(Ok(code), Err)
+    Ok(told(&failed, code))
 }
 
 /// What is printed of a case.
 enum Report {
-    Text(String),
+    Text(Shown),
     Json(Value),
 }
 
-/// All cases, or the first thing that is wrong with one of them.
-fn load(args: &Args) -> anyhow::Result<Vec<Case>> {
-    let mut cases: Vec<Case> = Vec::new();
-    for path in &args.cases {
-        let case = job::load(path, &args.overrides.set)?;
-        if let Some(other) = cases.iter().find(|other| other.name == case.name) {
-            return Err(BadRequest(format!(
-                "{} and {} would write into one folder: run them one by one with --out",
-                other.path.display(),
-                path.display()
-            ))
-            .into());
+/// Each case has a name, and so a folder, of its own.
+fn share_no_folder(cases: &[Case]) -> Result<(), BadRequest> {
+    for (i, case) in cases.iter().enumerate() {
+        if let Some(other) = cases[..i].iter().find(|other| other.name == case.name) {
+            let (one, other) = (other.path.display(), case.path.display());
+            let what = format!("{one} and {other} would write into one folder: run them one by one with --out");
+            return Err(BadRequest(what));
         }
-        cases.push(case);
     }
-    Ok(cases)
+    Ok(())
 }
 
 fn folder(args: &Args, several: bool, name: &str) -> PathBuf {
@@ -151,10 +148,11 @@ fn folder(args: &Args, several: bool, name: &str) -> PathBuf {
     }
 }
 
-fn report(results: &Results, dir: &Path, files: usize) -> String {
+fn report(results: &Results, dir: &Path, files: usize) -> Shown {
     let CaseSummary { stages, lines, .. } = results.summary();
     let stages = stages.iter().zip(&results.solution.stages);
-    let mut text = stages.map(|(s, stage)| printed(s, stage.stop.is_complete())).collect::<Vec<_>>().join("\n");
+    let stages = stages.map(|(s, stage)| printed(s, stage.stop.is_complete()));
+    let mut text = stages.reduce(|all, next| all + "\n".into() + next).unwrap_or_default();
     if !lines.is_empty() {
         let _ = writeln!(text, "\nStages\n{lines}");
     }
@@ -169,7 +167,7 @@ fn report(results: &Results, dir: &Path, files: usize) -> String {
 }
 
 /// The summary as a table.
-fn printed(summary: &Summary, complete: bool) -> String {
+fn printed(summary: &Summary, complete: bool) -> Shown {
     let rows = summary.rows().into_iter().map(|(group, row)| {
         let tone = match group {
             Group::End if complete => Tone::Good,

@@ -1,7 +1,7 @@
 //! `stampflow validate`: every case against its published curves.
 
 use super::code::{BadRequest, Code, unusable};
-use super::job::{self, solve_all};
+use super::job::{load_all, solve_all, told};
 use super::json;
 use super::options::{Json, Threads};
 use super::progress::{Kept, Progress};
@@ -47,14 +47,12 @@ const HEADERS: [&str; 8] = ["case", "quantity", "reference", "kind, grade", "wor
 const VERDICT: usize = 6;
 
 pub fn validate(args: &Args) -> anyhow::Result<Code> {
-    let mut cases = Vec::new();
-    for path in case_files(&args.cases)? {
-        let case = job::load(&path, &[])?;
-        if !case.compare.is_empty() {
-            cases.push(case);
-        }
+    let (mut cases, mut failed) = load_all(&case_files(&args.cases)?, &[]);
+    if failed.iter().any(|error| Code::of(error) == Code::BadInput) {
+        return Ok(told(&failed, Code::Done));
     }
-    if cases.is_empty() {
+    cases.retain(|case| !case.compare.is_empty());
+    if cases.is_empty() && failed.is_empty() {
         return Err(BadRequest(format!("no case in {} has a [[compare]] table", args.cases.display())).into());
     }
     for case in &cases {
@@ -71,14 +69,21 @@ pub fn validate(args: &Args) -> anyhow::Result<Code> {
             Ok((solution.case.name.clone(), results.comparisons))
         },
     );
-    let outcomes = outcomes.into_iter().collect::<anyhow::Result<Vec<_>>>()?;
-    let all = || outcomes.iter().flat_map(|(case, list)| list.iter().map(move |comparison| (case, comparison)));
+    let mut compared = Vec::new();
+    for outcome in outcomes {
+        match outcome {
+            Ok(outcome) => compared.push(outcome),
+            Err(error) => failed.push(error),
+        }
+    }
+    let all = || compared.iter().flat_map(|(case, list)| list.iter().map(move |comparison| (case, comparison)));
     if args.json.json {
         say_json(&all().map(|(case, comparison)| json::comparison(case, comparison)).collect::<Vec<_>>())?;
     } else {
-        say(&table(Some(HEADERS), all().map(|(case, comparison)| row(case, comparison)).collect(), VERDICT))?;
+        say(table(Some(HEADERS), all().map(|(case, comparison)| row(case, comparison)).collect(), VERDICT))?;
     }
-    Ok(if all().any(|(_, comparison)| comparison.is_failure()) { Code::Failed } else { Code::Done })
+    let code = if all().any(|(_, comparison)| comparison.is_failure()) { Code::Failed } else { Code::Done };
+    Ok(told(&failed, code))
 }
 
 /// The case files of a folder in alphabetical order.

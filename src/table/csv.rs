@@ -105,7 +105,7 @@ impl Record {
     /// The number in a column, as it is written; `None` when it is empty.
     ///
     /// # Errors
-    /// When something else stands there.
+    /// When something else stands there, nan and inf too.
     pub fn number(&self, column: usize) -> Result<Option<f64>, CsvError> {
         let field = self.fields.get(column).unwrap_or("");
         if field.is_empty() {
@@ -115,8 +115,12 @@ impl Record {
             true => "write decimals with a point, not a comma: 30.5",
             false => "write a plain number; its unit stands in the header",
         };
-        let refused = |_| CsvError::at(self.line, format!("\"{}\" is not a number", quoted(field, LONGEST)), help);
-        field.parse().map(Some).map_err(refused)
+        let refused = |is: &str| CsvError::at(self.line, format!("\"{}\" is {is}", quoted(field, LONGEST)), help);
+        match field.parse::<f64>() {
+            Ok(number) if number.is_finite() => Ok(Some(number)),
+            Ok(_) => Err(refused("no finite number")),
+            Err(_) => Err(refused("not a number")),
+        }
     }
 
     /// Whether this is a line of column names.
