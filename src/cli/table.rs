@@ -1,7 +1,7 @@
 //! Printed tables: as wide as the terminal, and coloured where a human looks on.
 
-use comfy_table::{Attribute, Cell, Color, ColumnConstraint, ContentArrangement, Table, presets};
 use super::say::Shown;
+use comfy_table::{Attribute, Cell, Color, ColumnConstraint, ContentArrangement, Table, presets};
 use stampflow::files::visible;
 use std::io::{self, IsTerminal};
 

@@ -23,8 +23,8 @@ pub enum CompareError {
     #[error("{}, line {line}, column `{column}`: {error}", path.display())]
     Number { path: PathBuf, line: usize, column: String, error: CsvError },
     /// A value that nothing measured can have.
-    #[error("{}, line {line}, column `{column}`: {value:e} {unit} is out of range, its magnitude must be at most {largest} {unit}: check the number and the unit at the end of the header", path.display())]
-    Range { path: PathBuf, line: usize, column: String, value: f64, largest: f64, unit: &'static str },
+    #[error("{}, line {line}, column `{column}`: {found} is out of range, its magnitude must be at most {largest:e} {unit}: check the number and the unit at the end of the header", path.display())]
+    Range { path: PathBuf, line: usize, column: String, found: String, largest: f64, unit: &'static str },
     /// No point of a curve within the range.
     #[error("{} has no rows in columns `{x}` and `{y}` within the range asked for", path.display())]
     Empty { path: PathBuf, x: String, y: String },

@@ -38,14 +38,14 @@ impl Reference<'_> {
         let largest = unit.largest();
         let values = self.csv.rows.iter().map(|row| {
             let (line, column) = (row.line, || header.to_owned());
-            let value = row.number(at).map_err(|error| CompareError::Number { path: path(), line, column: column(), error })?;
+            let value =
+                row.number(at).map_err(|error| CompareError::Number { path: path(), line, column: column(), error })?;
             let value = value.map(|value| value * factor);
-            match value.filter(|value| value.abs() > largest) {
-                Some(value) => {
-                    Err(CompareError::Range { path: path(), line, column: column(), value, largest, unit: unit.symbol() })
-                }
-                None => Ok(value),
+            if value.is_none_or(|value| value.abs() <= largest) {
+                return Ok(value);
             }
+            let (found, unit) = (row.quoted(at), unit.symbol());
+            Err(CompareError::Range { path: path(), line, column: column(), found, largest, unit })
         });
         Ok(Values { values: values.collect::<Result<_, _>>()?, factor })
     }

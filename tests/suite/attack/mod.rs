@@ -5,6 +5,7 @@
 //! `cargo test --release --test suite attack:: -- --ignored --nocapture`, some minutes. A seed makes the same inputs again, and
 //! what fails is left in a file that the message names.
 
+mod large;
 mod mutate;
 
 use crate::common::files::files;
@@ -33,8 +34,7 @@ material.hardening.swift = { k = "520 MPa", n = 0.22, offset = 0.005 }
 tools.die = { throat = "31.25 mm", shoulder = "6 mm", friction = 0.08 }
 tools.holder = { inner_radius = "38 mm", force = "10 kN" }
 "#;
-const PUNCH: &str =
-    r#"tools.punch = { flat = { radius = "30 mm", nose = "6 mm" }, friction = 0.08, travel = "5 mm" }"#;
+const PUNCH: &str = r#"tools.punch = { flat = { radius = "30 mm", nose = "6 mm" }, friction = 0.08, travel = "5 mm" }"#;
 const DRAWN_PUNCH: &str = r#"tools.punch = { profile = "beside.csv", friction = 0.08, travel = "5 mm" }"#;
 const CURVE: &str = r#"
 [[compare]]
@@ -136,12 +136,12 @@ fn check_refusal(error: &CaseError) {
     assert!(!shown.contains(|c: char| c.is_control() && c != '\n' && c != '\t'), "{shown:?}");
 }
 
-/// Checks, solves as far as a budget of work goes, and looks at what came out.
-fn check_accepted(case: Case, work: usize) {
+/// Checks, solves as far as a budget of work goes, and looks at what came out; whether it could be solved.
+fn check_accepted(case: Case, work: usize) -> bool {
     let _ = stampflow::assess::check::report(&case).to_string();
     if let Err(error) = comparisons(&case, &Computed::nothing(case.model())) {
         assert!(error.to_string().chars().count() < 2_000, "{error}");
-        return;
+        return false;
     }
     let solution = case.solve(&mut Budget::new(work));
     for stage in &solution.stages {
@@ -172,46 +172,52 @@ fn check_accepted(case: Case, work: usize) {
         }
     }
     let _ = (results.summary(), solution.summary());
+    true
 }
 
 /// Work of one input: a small case to its end, a large one some iterations.
 const WORK: usize = 300_000;
 
-fn check_case(text: &str, files: &dyn Files) {
-    match case::parse_with(text, "cases/mutated.toml", &[], files) {
-        Err(error) => check_refusal(&error),
-        Ok(case) => check_accepted(case, WORK),
+fn check_read(case: Result<Case, CaseError>, work: usize) -> bool {
+    match case {
+        Ok(case) => check_accepted(case, work),
+        Err(error) => {
+            check_refusal(&error);
+            false
+        }
     }
 }
 
-fn check_drawing(bytes: &[u8]) {
+fn check_case(text: &str, files: &dyn Files) -> bool {
+    check_read(case::parse_with(text, "cases/mutated.toml", &[], files), WORK)
+}
+
+fn check_drawing(bytes: &[u8]) -> bool {
     let sections = match import::read(bytes, &Options::default()) {
         Ok(sections) => sections,
         Err(error) => {
             let length = error.what.chars().count() + error.help.chars().count();
             assert!(length < 3_000, "a message of {length} characters");
-            return;
+            return false;
         }
     };
     let tools = sections.tools.iter().map(|tool| (tool.role, &tool.profile, tool.made_of.as_str())).collect();
     let (title, notes) = ("Tools of a drawing", &sections.notes[..]);
     let geometry = Geometry::Axisymmetric;
     let draft = Draft { title, geometry, tools, thickness: None, blank: None, travel: None, notes };
-    match draft.case(&draft.toml(), "mutated.dxf") {
-        Err(error) => check_refusal(&error),
-        Ok(case) => case.into_iter().for_each(|case| check_accepted(case, WORK)),
-    }
     let _ = (draft.size(), draft.doubts());
+    draft.case(&draft.toml(), "mutated.dxf").transpose().is_some_and(|case| check_read(case, WORK))
 }
 
-fn check(target: &Target, bytes: &[u8]) {
+/// Whether the bytes could be read and solved.
+fn check(target: &Target, bytes: &[u8]) -> bool {
     match target {
         Target::Case => check_case(&String::from_utf8_lossy(bytes), &Disk),
         Target::Drawing => check_drawing(bytes),
         Target::Beside(case) => {
             let mut memory = Memory::default();
             memory.insert("cases/beside.csv", bytes);
-            check_case(case, &memory);
+            check_case(case, &memory)
         }
     }
 }
@@ -219,18 +225,19 @@ fn check(target: &Target, bytes: &[u8]) {
 /// Ten seconds of a quiet machine; the slowest input takes less than one.
 const LONGEST: Duration = Duration::from_secs(60);
 
-/// Runs a job beside a clock: the time it took, or how it failed.
-fn timed(job: impl FnOnce() + Send + 'static) -> Result<Duration, String> {
+/// Runs a job beside a clock: the time it took and what it says, or how it failed.
+fn timed(job: impl FnOnce() -> bool + Send + 'static) -> Result<(Duration, bool), String> {
     let start = Instant::now();
     let (done, ended) = channel();
     let worker = std::thread::spawn(move || {
-        job();
+        let solved = job();
         let _ = done.send(());
+        solved
     });
     if ended.recv_timeout(LONGEST) == Err(std::sync::mpsc::RecvTimeoutError::Timeout) {
         return Err(format!("no end after {LONGEST:?}"));
     }
-    worker.join().map(|()| start.elapsed()).map_err(|panic| {
+    worker.join().map(|solved| (start.elapsed(), solved)).map_err(|panic| {
         let words = panic.downcast_ref::<String>().map(String::as_str).or(panic.downcast_ref::<&str>().copied());
         words.unwrap_or("a panic").chars().take(500).collect()
     })
@@ -242,16 +249,21 @@ fn left(name: &str, bytes: &[u8]) -> String {
     fs::write(&path, bytes).map_or_else(|error| error.to_string(), |()| path.display().to_string())
 }
 
+/// One input of a seed, and what it was made from.
+fn input(subjects: &[Subject], seed: u64, i: u64) -> (&Subject, Vec<u8>) {
+    let mut rng = Rng::with_seed(seed.wrapping_mul(1_000_003) + i);
+    let subject = &subjects[rng.usize(..subjects.len())];
+    (subject, mutated(&subject.bytes, subject.form(), &mut rng))
+}
+
 /// So many inputs of a seed.
-pub fn attack(seed: u64, count: u64) {
-    let (subjects, mut failed, mut slowest) = (Subject::all(), String::new(), (Duration::ZERO, 0));
+fn attack(seed: u64, count: u64) {
+    let (subjects, mut failed, mut slowest, mut done) = (Subject::all(), String::new(), (Duration::ZERO, 0), 0);
     for i in 0..count {
-        let mut rng = Rng::with_seed(seed.wrapping_mul(1_000_003) + i);
-        let subject = &subjects[rng.usize(..subjects.len())];
-        let bytes = mutated(&subject.bytes, subject.form(), &mut rng);
+        let (subject, bytes) = input(&subjects, seed, i);
         let (target, own) = (subject.target.clone(), bytes.clone());
         match timed(move || check(&target, &own)) {
-            Ok(time) => slowest = slowest.max((time, i)),
+            Ok((time, solved)) => (slowest, done) = (slowest.max((time, i)), done + u64::from(solved)),
             Err(why) => {
                 let ending = format!("{:?}", subject.form()).to_lowercase();
                 let place = left(&format!("stampflow-attack-{seed}-{i}.{ending}"), &bytes);
@@ -259,8 +271,10 @@ pub fn attack(seed: u64, count: u64) {
             }
         }
     }
-    println!("seed {seed}: {count} inputs, slowest {slowest:?}, memory {:?} MB", peak_memory().map(|bytes| bytes >> 20));
+    let memory = peak_memory().map(|bytes| bytes / 1_000_000);
+    println!("seed {seed}: {count} inputs, {done} solved, slowest {slowest:?}, memory {memory:?} MB");
     assert!(failed.is_empty(), "{failed}");
+    assert!(done > count / 10, "{done} of {count} inputs were solved: nothing is tried of the solver");
 }
 
 /// Most memory that this process has held \[bytes\], where the system tells.
@@ -295,26 +309,26 @@ const SETTINGS: [(&str, &[&str]); 16] = [
 const MORE_WORK: usize = 1_000_000;
 
 /// So many shipped cases with settings of a seed.
-pub fn odd_settings(seed: u64, count: u64) {
-    let (cases, mut failed, mut slowest) = (files("cases", "toml"), String::new(), (Duration::ZERO, 0));
+fn odd_settings(seed: u64, count: u64) {
+    let (cases, mut failed) = (files("cases", "toml"), String::new());
+    let (mut slowest, mut done) = ((Duration::ZERO, 0), 0);
     for i in 0..count {
         let mut rng = Rng::with_seed(seed.wrapping_mul(1_000_003) + i);
         let path = cases[rng.usize(..cases.len())].clone();
         let drawn = SETTINGS.iter().filter(|_| rng.u8(..4) == 0).collect::<Vec<_>>();
-        let overrides: Vec<String> =
-            drawn.into_iter().map(|(key, values)| format!("solver.{key}={}", values[rng.usize(..values.len())])).collect();
+        let overrides: Vec<String> = drawn
+            .into_iter()
+            .map(|(key, values)| format!("solver.{key}={}", values[rng.usize(..values.len())]))
+            .collect();
         let said = format!("{} {}", path.display(), overrides.join(" "));
-        let job = move || match case::load(&path, &overrides) {
-            Err(error) => check_refusal(&error),
-            Ok(case) => check_accepted(case, MORE_WORK),
-        };
-        match timed(job) {
-            Ok(time) => slowest = slowest.max((time, i)),
+        match timed(move || check_read(case::load(&path, &overrides), MORE_WORK)) {
+            Ok((time, solved)) => (slowest, done) = (slowest.max((time, i)), done + u64::from(solved)),
             Err(why) => drop(writeln!(failed, "seed {seed}, input {i}, {said}: {why}")),
         }
     }
-    println!("seed {seed}: {count} settings, slowest {slowest:?}");
+    println!("seed {seed}: {count} settings, {done} solved, slowest {slowest:?}");
     assert!(failed.is_empty(), "{failed}");
+    assert!(done > count / 10, "{done} of {count} settings were accepted");
 }
 
 #[test]

@@ -12,13 +12,34 @@ pub enum Form {
 }
 
 const NUMBERS: [&str; 24] = [
-    "0", "-0.0", "1", "-1", "2", "0.5", "1e308", "-1e308", "1.7976931348623157e308", "1e-308", "5e-324", "nan", "inf",
-    "-inf", "", "9223372036854775807", "-9223372036854775808", "1e400", "2147483648", "1e5", "1e-9", "1e12", "90", "1000",
+    "0",
+    "-0.0",
+    "1",
+    "-1",
+    "2",
+    "0.5",
+    "1e308",
+    "-1e308",
+    "1.7976931348623157e308",
+    "1e-308",
+    "5e-324",
+    "nan",
+    "inf",
+    "-inf",
+    "",
+    "9223372036854775807",
+    "-9223372036854775808",
+    "1e400",
+    "2147483648",
+    "1e5",
+    "1e-9",
+    "1e12",
+    "90",
+    "1000",
 ];
 
-const UNITS: [&str; 17] = [
-    "mm", "m", "um", "km", "in", "N", "kN", "MN", "MPa", "GPa", "N/mm", "s", "mm/s", "%", "°C", "deg", "",
-];
+const UNITS: [&str; 17] =
+    ["mm", "m", "um", "km", "in", "N", "kN", "MN", "MPa", "GPa", "N/mm", "s", "mm/s", "%", "°C", "deg", ""];
 
 /// A number from a number: another one, or its like.
 fn number(old: f64, rng: &mut Rng) -> String {
@@ -34,8 +55,25 @@ fn number(old: f64, rng: &mut Rng) -> String {
 /// Words that nobody writes.
 fn words(old: &str, rng: &mut Rng) -> String {
     let odd = [
-        "", " ", "\u{0}", "\u{1b}[2J\u{1b}]0;title\u{7}", "\u{9b}31m", "\u{202e}rtl", "Ä\u{301}𝔘", "../../etc/passwd",
-        "/dev/zero", "a,b;c\t\"d\"", "line\nline\r\n", "<b>&amp;", "%s{}", "NUL", "-", "=", "punch", "die", "holder",
+        "",
+        " ",
+        "\u{0}",
+        "\u{1b}[2J\u{1b}]0;title\u{7}",
+        "\u{9b}31m",
+        "\u{202e}rtl",
+        "Ä\u{301}𝔘",
+        "../../etc/passwd",
+        "/dev/zero",
+        "a,b;c\t\"d\"",
+        "line\nline\r\n",
+        "<b>&amp;",
+        "%s{}",
+        "NUL",
+        "-",
+        "=",
+        "punch",
+        "die",
+        "holder",
     ];
     match rng.usize(..8) {
         0 => "W".repeat([41, 300, 70_000][rng.usize(..3)]),
@@ -208,7 +246,10 @@ fn dxf(text_now: &str, rng: &mut Rng) -> String {
         1 => pairs.insert(other, pairs[one].clone()),
         2 => pairs.swap(one, other),
         3 => {
-            let codes = ["0", "5", "8", "10", "20", "30", "11", "21", "40", "41", "42", "50", "51", "67", "70", "71", "210", "-1", "999"];
+            let codes = [
+                "0", "5", "8", "10", "20", "30", "11", "21", "40", "41", "42", "50", "51", "67", "70", "71", "210",
+                "-1", "999",
+            ];
             pairs[one].0 = codes[rng.usize(..codes.len())].to_owned();
         }
         4 | 5 => {
@@ -223,7 +264,22 @@ fn dxf(text_now: &str, rng: &mut Rng) -> String {
             }
         }
         6 => {
-            let kinds = ["LINE", "ARC", "CIRCLE", "SPLINE", "LWPOLYLINE", "POLYLINE", "VERTEX", "SEQEND", "ELLIPSE", "INSERT", "ENDSEC", "SECTION", "EOF", "TEXT"];
+            let kinds = [
+                "LINE",
+                "ARC",
+                "CIRCLE",
+                "SPLINE",
+                "LWPOLYLINE",
+                "POLYLINE",
+                "VERTEX",
+                "SEQEND",
+                "ELLIPSE",
+                "INSERT",
+                "ENDSEC",
+                "SECTION",
+                "EOF",
+                "TEXT",
+            ];
             if let Some(i) = (one..pairs.len()).find(|i| begins(&pairs[*i])) {
                 pairs[i].1 = kinds[rng.usize(..kinds.len())].to_owned();
             }
