@@ -3,10 +3,14 @@
 //! | what is read | at most |
 //! |---|---|
 //! | case file | [`CASE`] = 2 MB |
-//! | CSV of a profile, a temperature or a reference, `sources.toml` | [`CSV`] = 10 MB, 100 000 rows, 2000 points of a profile |
-//! | drawing | `import::LARGEST` = 50 MB, 5000 lines and arcs of a tool |
+//! | CSV of a profile, a temperature or a reference, `sources.toml` | [`CSV`] = 10 MB, 100 000 rows of 10 kB, 2000 points of a profile |
+//! | drawing | `import::LARGEST` = 50 MB, 200 000 entities, a million points, 5000 lines and arcs of a tool |
 //!
 //! What is larger is refused before it is read, and so is what is no file: pipes and devices may never end.
+
+mod visible;
+
+pub use visible::visible;
 
 use std::collections::BTreeMap;
 use std::fs::{self, File};

@@ -8,7 +8,7 @@ fn main() -> ExitCode {
     match cli::main() {
         Ok(code) => code.into(),
         Err(error) => {
-            cli::tell(&cli::message(&error));
+            cli::complain(&error);
             cli::Code::of(&error).into()
         }
     }

@@ -1,6 +1,6 @@
 //! What is wrong with a case file, where, and what to write instead.
 
-use crate::files::FileError;
+use crate::files::{FileError, visible};
 use miette::{Diagnostic, GraphicalReportHandler, GraphicalTheme, NamedSource, SourceSpan};
 use std::ops::Range;
 use std::path::Path;
@@ -87,11 +87,35 @@ impl CaseError {
         self.source_code.inner().lines().nth(line - 1)
     }
 
-    /// The whole message with the line and a caret, 100 columns wide; without colours the same everywhere.
+    /// The whole message with the line and a caret, 100 columns wide; without colours the same everywhere. Control characters
+    /// are [`visible`].
     pub fn render(&self, colours: bool) -> String {
+        self.visible().drawn(colours)
+    }
+
+    /// The same error without control characters, in its words and in the text around the place.
+    fn visible(&self) -> Self {
+        let text = self.source_code.inner();
+        // An end of a line is left whole: what stands before its second character has none.
+        let moved = |at: usize| text.get(..at).map_or(at, |before| visible(before.trim_end_matches('\r')).len());
+        let span = self.span.map(|span| {
+            let (start, end) = (moved(span.offset()), moved(span.offset() + span.len()));
+            (start..end.max(start)).into()
+        });
+        let shown = |text: &str| visible(text).into_owned();
+        Self {
+            what: shown(&self.what),
+            label: shown(&self.label),
+            help: self.help.as_deref().map(shown),
+            source_code: Arc::new(NamedSource::new(visible(self.source_code.name()), shown(text))),
+            span,
+        }
+    }
+
+    fn drawn(&self, colours: bool) -> String {
         if let Some((line, column)) = self.position().filter(|(line, _)| self.is_long_around(*line)) {
             let what = format!("{}: {} (line {line}, column {column})", self.source_code.name(), self.what);
-            return Self { what, span: None, ..self.clone() }.render(colours);
+            return Self { what, span: None, ..self.clone() }.drawn(colours);
         }
         let theme = if colours { GraphicalTheme::unicode() } else { GraphicalTheme::unicode_nocolor() };
         let mut text = String::new();

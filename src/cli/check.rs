@@ -1,14 +1,14 @@
 //! `stampflow check`: what a case means and, with `--run`, what comes of it.
 
 use super::code::Code;
+use super::job;
 use super::options::{Json, Overrides};
 use super::progress::{Kept, Progress};
-use super::say::{say, say_json};
+use super::say::{Shown, say, say_json};
 use super::table::{Tone, table, wrapped};
 use serde_json::json;
 use stampflow::assess::check::{self, Check};
 use stampflow::assess::{self, Finding, Kind, Light, advice, headline, judgements, sentences};
-use stampflow::case;
 use std::fmt::Write;
 use std::path::PathBuf;
 
@@ -41,10 +41,10 @@ pub struct Args {
 }
 
 pub fn check(args: &Args) -> anyhow::Result<Code> {
-    let case = case::load(&args.case, &args.overrides.set)?;
+    let case = job::load(&args.case, &args.overrides.set)?;
     let report = check::report(&case);
     if !args.run {
-        return if args.json.json { say_json(&report) } else { say(&wrapped(&report.to_string())) };
+        return if args.json.json { say_json(&report) } else { say(wrapped(&report.to_string())) };
     }
     let watch = Progress::new(args.quiet || args.json.json).watch(&case, Kept::default());
     let (solution, _) = watch.solve(case);
@@ -57,12 +57,12 @@ pub fn check(args: &Args) -> anyhow::Result<Code> {
         value["run_warnings"] = sentences(&findings, Kind::Warning).into();
         say_json(&value)?;
     } else {
-        say(&printed(&report, &findings))?;
+        say(printed(&report, &findings))?;
     }
     Ok(if complete { Code::Done } else { Code::StoppedEarly })
 }
 
-fn printed(report: &Check, findings: &[Finding]) -> String {
+fn printed(report: &Check, findings: &[Finding]) -> Shown {
     let rows = judgements(findings).map(row).collect();
     let headers = ["verdict", "light", "found", "limit (source)"];
     let mut text = format!("\nverdict: {}\n", headline(findings));
@@ -71,7 +71,7 @@ fn printed(report: &Check, findings: &[Finding]) -> String {
     list(&mut text, "what to change", told(|light| light != Light::Grey));
     list(&mut text, "not judged", told(|light| light == Light::Grey));
     list(&mut text, "warnings of the run", sentences(findings, Kind::Warning).into_iter());
-    format!("{}\n{}{}", wrapped(&report.to_string()), table(Some(headers), rows, 1), wrapped(&text))
+    wrapped(&format!("{report}\n")) + table(Some(headers), rows, 1) + wrapped(&text)
 }
 
 /// Entries under a heading; nothing where there are none.

@@ -157,7 +157,7 @@ pub fn import(args: &Args) -> anyhow::Result<Code> {
     } else {
         let _ = writeln!(said, "no punch is drawn: the case has to be given one before it can be run");
     }
-    say(&said)
+    say(said)
 }
 
 impl Args {

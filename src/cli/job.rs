@@ -1,18 +1,35 @@
-//! Cases on their way from their files to their results.
+//! Cases on their way from their files to their results. What fails of one stops no other.
 
+use super::bug::caught;
+use super::code::Code;
 use super::interrupt;
+use super::message::complain;
 use super::progress::{Kept, Watch};
 use rayon::prelude::*;
 use stampflow::case::{self, Case, Solution};
 use stampflow::compare::Computed;
 use stampflow::output::{ResultFolder, comparisons};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 /// Reads a case, and the curves that it will be compared with, so that bad input is found before solving.
 pub fn load(path: &Path, overrides: &[String]) -> anyhow::Result<Case> {
-    let case = case::load(path, overrides)?;
-    comparisons(&case, &Computed::nothing(case.model()))?;
-    Ok(case)
+    caught(&format!("reading {}", path.display()), || {
+        let case = case::load(path, overrides)?;
+        comparisons(&case, &Computed::nothing(case.model()))?;
+        Ok(case)
+    })
+}
+
+/// Reads every case, and keeps what is wrong with the others.
+pub fn load_all(paths: &[PathBuf], overrides: &[String]) -> (Vec<Case>, Vec<anyhow::Error>) {
+    let (mut cases, mut failed) = (Vec::new(), Vec::new());
+    for path in paths {
+        match load(path, overrides) {
+            Ok(case) => cases.push(case),
+            Err(error) => failed.push(error),
+        }
+    }
+    (cases, failed)
 }
 
 /// Solves cases side by side and hands each with its folder to `then` as it ends; what `then` returns comes back in the cases' order. Once
@@ -23,9 +40,17 @@ pub fn solve_all<T: Send>(
     then: impl Fn(Solution, Kept, ResultFolder) -> anyhow::Result<T> + Sync,
 ) -> Vec<anyhow::Result<T>> {
     let solved = cases.into_par_iter().filter(|_| !interrupt::is_wanted()).map(|(case, folder)| {
-        let watch = watch(&case);
-        let (solution, kept) = watch.solve(case);
-        then(solution, kept, folder)
+        caught(&format!("case {}", case.name), || {
+            let watch = watch(&case);
+            let (solution, kept) = watch.solve(case);
+            then(solution, kept, folder)
+        })
     });
     solved.collect()
+}
+
+/// Says what is wrong with each case that failed; the code is that of the first, or `code` where none did.
+pub fn told(failed: &[anyhow::Error], code: Code) -> Code {
+    failed.iter().for_each(complain);
+    failed.first().map_or(code, Code::of)
 }

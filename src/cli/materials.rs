@@ -3,7 +3,7 @@
 use super::code::Code;
 use super::options::Json;
 use super::place;
-use super::say::{say, say_json};
+use super::say::{Shown, say, say_json};
 use super::table::{Tone, table};
 use anyhow::Result;
 use serde_json::{Value, json};
@@ -43,7 +43,7 @@ pub fn materials(args: &Args) -> Result<Code> {
     let Some(name) = &args.name else {
         return match args.json.json {
             true => say_json(&library::materials()?.iter().map(of).collect::<Vec<_>>()),
-            false => say(&list(&library::materials()?)),
+            false => say(list(&library::materials()?)),
         };
     };
     let entry = library::material(name)?;
@@ -55,11 +55,11 @@ pub fn materials(args: &Args) -> Result<Code> {
         write(path, &picture)?;
         text += &format!("\n{} written\n", path.display());
     }
-    if args.json.json { say_json(&of(&entry)) } else { say(&text) }
+    if args.json.json { say_json(&of(&entry)) } else { say(text) }
 }
 
 /// A table of materials.
-fn list(entries: &[Entry]) -> String {
+fn list(entries: &[Entry]) -> Shown {
     let row = |entry: &Entry| {
         let source: String = entry.source.split(", doi").next().unwrap_or_default().chars().take(70).collect();
         let cells = [
@@ -75,7 +75,7 @@ fn list(entries: &[Entry]) -> String {
     let headers = ["name", "n [–]", "r̄ [–]", "thickness", "law", "source"];
     let rows = entries.iter().map(row).collect();
     table(Some(headers), rows, 1)
-        + "\nstampflow materials NAME says all of one, with its source and a table to paste.\n"
+        + Shown::from("\nstampflow materials NAME says all of one, with its source and a table to paste.\n")
 }
 
 /// Everything that is known of a material, and the table to paste.

@@ -2,21 +2,22 @@
 
 use super::code::BadPath;
 use super::options::Json;
+use super::say::{Shown, warn};
 use super::table::colours;
 use serde_json::json;
 use stampflow::case::CaseError;
 use stampflow::import::ImportError;
 use std::io;
 
-/// The error with what caused it, a case's error with its line and a caret; or as JSON where that is asked for.
-pub fn message(error: &anyhow::Error) -> String {
-    if Json::is_asked_for() {
-        return json(error);
-    }
-    if let Some(case) = error.downcast_ref::<CaseError>() {
-        return case.render(colours(&io::stderr()));
-    }
-    format!("error: {error:#}\n")
+/// Prints the error with what caused it, a case's error with its line and a caret; or as JSON where that is asked for.
+pub fn complain(error: &anyhow::Error) {
+    warn(if Json::is_asked_for() {
+        json(error).into()
+    } else if let Some(case) = error.downcast_ref::<CaseError>() {
+        Shown::coloured(case.render(colours(&io::stderr())))
+    } else {
+        Shown::from(format!("error: {error:#}"))
+    });
 }
 
 /// An error in one line: what is wrong, where and what to do, as far as that is known.
@@ -32,7 +33,7 @@ fn json(error: &anyhow::Error) -> String {
     } else {
         json!({ "error": format!("{error:#}"), "help": null, "file": null, "line": null, "column": null })
     };
-    format!("{value}\n")
+    value.to_string()
 }
 
 /// The context of what is wrong with a drawing, or with the case made from it: its path.

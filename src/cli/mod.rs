@@ -1,5 +1,6 @@
 //! The verbs of the command line, each a short table of contents in its own file.
 
+mod bug;
 mod check;
 mod code;
 mod import;
@@ -20,15 +21,16 @@ mod table;
 mod validate;
 
 pub use code::Code;
-pub use message::message;
-pub use say::tell;
+pub use message::complain;
 
 use clap::{CommandFactory, Parser, Subcommand};
 use clap_complete::Shell;
 use code::BadRequest;
 use options::Json;
 use say::{say, say_json};
+use stampflow::files::visible;
 use stampflow::{author, case};
+use std::borrow::Cow;
 
 /// Sheet-metal stamping sections (axisymmetric or plane strain) by the flow approach.
 #[derive(Debug, Parser)]
@@ -79,10 +81,15 @@ enum Verb {
     Man { verb: Option<String> },
 }
 
-/// Reads the command line and does what it asks for.
+/// Reads the command line and does what it asks for; a panic is an error.
 pub fn main() -> anyhow::Result<Code> {
+    bug::listen();
+    bug::caught("the program", command)
+}
+
+fn command() -> anyhow::Result<Code> {
     let args = match Args::try_parse() {
-        Err(error) if error.use_stderr() && Json::is_asked_for() => {
+        Err(error) if error.use_stderr() && (Json::is_asked_for() || would_be_obeyed()) => {
             return Err(BadRequest(error.to_string().trim_start_matches("error: ").trim_end().to_owned()).into());
         }
         parsed => parsed.unwrap_or_else(|error| error.exit()),
@@ -97,10 +104,15 @@ pub fn main() -> anyhow::Result<Code> {
         Verb::New(args) => new::new(&args),
         Verb::Materials(args) => materials::materials(&args),
         Verb::Laws { json } if json.json => say_json(&author::law_list()),
-        Verb::Laws { .. } => say(&author::laws()),
-        Verb::Schema => say(&case::schema()),
+        Verb::Laws { .. } => say(author::laws()),
+        Verb::Schema => say(case::schema()),
         Verb::Completions { shell } => shell::completions(Args::command(), shell),
         Verb::Man { verb } => shell::man(Args::command(), verb.as_deref()),
     }?;
     Ok(if interrupt::is_wanted() { Code::Interrupted } else { code })
+}
+
+/// Whether the command line, which its errors quote, holds what a terminal would obey.
+fn would_be_obeyed() -> bool {
+    std::env::args_os().any(|arg| matches!(visible(&arg.to_string_lossy()), Cow::Owned(_)))
 }

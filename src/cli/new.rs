@@ -27,13 +27,13 @@ pub enum Args {
 pub fn new(args: &Args) -> anyhow::Result<Code> {
     let (template, given, output, force, json) = match args {
         Args::List { json: true } => return say_json(&TEMPLATES.iter().map(of).collect::<Vec<_>>()),
-        Args::List { json: false } => return say(&template::list()),
+        Args::List { json: false } => return say(template::list()),
         Args::Case { template, given, output, force, json } => (template, given, output, force, json),
     };
     let given: Vec<(&str, &str)> = given.iter().map(|(key, value)| (*key, value.as_str())).collect();
     let text = template.fill(&given)?;
     let Some(path) = output else {
-        return if *json { say_json(&json!({ "template": template.name, "case": text })) } else { say(&text) };
+        return if *json { say_json(&json!({ "template": template.name, "case": text })) } else { say(text) };
     };
     if !force && path.symlink_metadata().is_ok() {
         let what = format!("{} is there already and was left as it is", path.display());
@@ -45,7 +45,7 @@ pub fn new(args: &Args) -> anyhow::Result<Code> {
     if *json {
         return say_json(&json!({ "template": template.name, "file": path }));
     }
-    say(&written(path))
+    say(written(path))
 }
 
 /// A template for programs.

@@ -1,9 +1,10 @@
 //! How far runs have come: bars on a terminal, a line for every tenth of the travel elsewhere, or nothing.
 
 use super::interrupt;
-use super::say::tell;
+use super::say::warn;
 use indicatif::{MultiProgress, ProgressBar, ProgressStyle};
 use stampflow::case::{Case, Solution};
+use stampflow::files::visible;
 use stampflow::model::Model;
 use stampflow::output::FrameRecorder;
 use stampflow::solution::{IterationRecord, StepRecord};
@@ -67,7 +68,7 @@ impl Progress {
         let (name, model) = (&case.name, case.model());
         let shown = match self {
             Self::Bars(all) => {
-                let bar = ProgressBar::new(FULL).with_style(style()).with_prefix(name.clone());
+                let bar = ProgressBar::new(FULL).with_style(style()).with_prefix(visible(name).into_owned());
                 Shown::Bar(all.add(bar))
             }
             Self::Lines => Shown::Lines(0, Instant::now()),
@@ -124,7 +125,7 @@ impl Observer for Watch {
                 let now = (10.0 * done + 1e-9) as u64;
                 if now > *tenths && (now == 10 || last.elapsed() >= PATIENCE) {
                     (*tenths, *last) = (now, Instant::now());
-                    tell(&format!("{}: {} %, {state}\n", self.name, 10 * now));
+                    warn(format!("{}: {} %, {state}", self.name, 10 * now));
                 }
             }
             Shown::Nothing => {}
@@ -137,7 +138,7 @@ impl Observer for Watch {
         self.name = name;
         match &mut self.shown {
             Shown::Bar(bar) => {
-                bar.set_prefix(self.name.clone());
+                bar.set_prefix(visible(&self.name).into_owned());
                 bar.set_position(0);
             }
             Shown::Lines(tenths, _) => *tenths = 0,

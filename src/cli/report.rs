@@ -1,13 +1,13 @@
 //! `stampflow report`: a case solved and written as pages for people.
 
 use super::code::{BadRequest, Code, unusable};
+use super::job;
 use super::options::{Json, Overrides};
 use super::place;
 use super::progress::{Kept, Progress};
 use super::say::{say, say_json};
 use clap::ValueEnum;
 use serde_json::json;
-use stampflow::case;
 use stampflow::files::{Disk, Files};
 use stampflow::output::{can_write, remove_others, write};
 use stampflow::report::{MARKER, Report, figure_folder, html, is_figure, markdown};
@@ -54,7 +54,7 @@ enum Format {
 }
 
 pub fn report(args: &Args) -> anyhow::Result<Code> {
-    let case = case::load(&args.case, &args.overrides.set)?;
+    let case = job::load(&args.case, &args.overrides.set)?;
     let format = args.format()?;
     let name = if format == Format::Md { "report.md" } else { "report.html" };
     let path = match &args.output {
@@ -79,9 +79,9 @@ pub fn report(args: &Args) -> anyhow::Result<Code> {
             value["files"] = json!(saved.as_deref().unwrap_or_default());
             say_json(&value)
         }
-        (Ok(_), false) => say(&format!("{} is written", path.display())),
+        (Ok(_), false) => say(format!("{} is written", path.display())),
         // What was computed is told at least.
-        (Err(_), false) => say(&solution.summary().to_string()),
+        (Err(_), false) => say(solution.summary().to_string()),
     };
     saved?;
     said?;

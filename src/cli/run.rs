@@ -1,13 +1,12 @@
 //! `stampflow run`: from case files to folders of results.
 
 use super::code::{BadRequest, Code};
-use super::job::{self, solve_all};
+use super::job::{load_all, solve_all, told};
 use super::json;
-use super::message::message;
 use super::options::{Json, Overrides, Threads};
 use super::place;
 use super::progress::{Kept, Progress};
-use super::say::{say, say_json, tell};
+use super::say::{Shown, say, say_json};
 use super::table::{Tone, table};
 use serde_json::{Value, json};
 use stampflow::case::Case;
@@ -16,6 +15,7 @@ use stampflow::output::{
     CaseSummary, Extra, FrameRecorder, OUTPUTS, Results, Summary, WriteError, csv, result_folder, trace, write,
 };
 use std::fmt::Write;
+use std::ops::Add;
 use std::path::{Path, PathBuf};
 
 #[derive(Debug, clap::Args)]
@@ -66,8 +66,12 @@ pub fn run(args: &Args) -> anyhow::Result<Code> {
     if args.trace.is_some() && args.cases.len() > 1 {
         return Err(BadRequest("--trace writes the iterations of one case: give one case".to_owned()).into());
     }
-    let cases = load(args)?;
-    let several = cases.len() > 1;
+    let several = args.cases.len() > 1;
+    let (cases, mut failed) = load_all(&args.cases, &args.overrides.set);
+    if failed.iter().any(|error| Code::of(error) == Code::BadInput) {
+        return Ok(told(&failed, Code::Done));
+    }
+    share_no_folder(&cases)?;
     let mut jobs = Vec::new();
     for case in cases {
         let dir = folder(args, several, &case)?;
@@ -108,55 +112,45 @@ pub fn run(args: &Args) -> anyhow::Result<Code> {
         },
     );
     let mut code = Code::Done;
-    let mut failures: Vec<anyhow::Error> = Vec::new();
-    let (mut text, mut values) = (String::new(), Vec::new());
+    let (mut texts, mut values) = (Vec::new(), Vec::new());
     for report in reports {
         match report {
             Ok((report, complete, unwritten)) => {
                 match report {
-                    Report::Text(one) => text += &if several { one + "\n" } else { one },
+                    Report::Text(text) => texts.push(if several { text + "\n".into() } else { text }),
                     Report::Json(value) => values.push(value),
                 }
                 code = if complete { code } else { Code::StoppedEarly };
-                failures.extend(unwritten.into_iter().map(anyhow::Error::from));
+                failed.extend(unwritten.into_iter().map(anyhow::Error::from));
             }
-            Err(error) => failures.push(error),
+            Err(error) => failed.push(error),
         }
     }
     let said = match values.as_slice() {
-        [] if text.is_empty() => Ok(code),
-        [] => say(&text),
+        [] => texts.into_iter().reduce(Shown::add).map_or(Ok(code), say),
         [value] if !several => say_json(value),
         values => say_json(&values),
     };
-    failures.extend(said.err());
-    let last = failures.pop();
-    failures.iter().for_each(|error| tell(&message(error)));
-    last.map_or(Ok(code), Err)
+    failed.extend(said.err());
+    Ok(told(&failed, code))
 }
 
 /// What is printed of a case.
 enum Report {
-    Text(String),
+    Text(Shown),
     Json(Value),
 }
 
-/// All cases, or the first thing that is wrong with one of them.
-fn load(args: &Args) -> anyhow::Result<Vec<Case>> {
-    let mut cases: Vec<Case> = Vec::new();
-    for path in &args.cases {
-        let case = job::load(path, &args.overrides.set)?;
-        if let Some(other) = cases.iter().find(|other| other.name == case.name) {
-            return Err(BadRequest(format!(
-                "{} and {} would write into one folder: run them one by one with --out",
-                other.path.display(),
-                path.display()
-            ))
-            .into());
+/// Each case has a name, and so a folder, of its own.
+fn share_no_folder(cases: &[Case]) -> Result<(), BadRequest> {
+    for (i, case) in cases.iter().enumerate() {
+        if let Some(other) = cases[..i].iter().find(|other| other.name == case.name) {
+            let (one, other) = (other.path.display(), case.path.display());
+            let what = format!("{one} and {other} would write into one folder: run them one by one with --out");
+            return Err(BadRequest(what));
         }
-        cases.push(case);
     }
-    Ok(cases)
+    Ok(())
 }
 
 fn folder(args: &Args, several: bool, case: &Case) -> Result<PathBuf, BadRequest> {
@@ -168,10 +162,11 @@ fn folder(args: &Args, several: bool, case: &Case) -> Result<PathBuf, BadRequest
 }
 
 /// The summary, and the files where they could be written.
-fn report(results: &Results, dir: &Path, files: Option<&[PathBuf]>) -> String {
+fn report(results: &Results, dir: &Path, files: Option<&[PathBuf]>) -> Shown {
     let CaseSummary { stages, lines, .. } = results.summary();
     let stages = stages.iter().zip(&results.solution.stages);
-    let mut text = stages.map(|(s, stage)| printed(s, stage.stop.is_complete())).collect::<Vec<_>>().join("\n");
+    let stages = stages.map(|(s, stage)| printed(s, stage.stop.is_complete()));
+    let mut text = stages.reduce(|all, next| all + "\n".into() + next).unwrap_or_default();
     if !lines.is_empty() {
         let _ = writeln!(text, "\nStages\n{lines}");
     }
@@ -188,7 +183,7 @@ fn report(results: &Results, dir: &Path, files: Option<&[PathBuf]>) -> String {
 }
 
 /// The summary as a table.
-fn printed(summary: &Summary, complete: bool) -> String {
+fn printed(summary: &Summary, complete: bool) -> Shown {
     let rows = summary.rows().into_iter().map(|(group, row)| {
         let tone = match group {
             Group::End if complete => Tone::Good,

@@ -1,13 +1,48 @@
-//! What a verb prints on the output stream, and what is told on the error stream.
+//! What is printed, on the output stream and on the error stream: the only way to a terminal.
 
 use super::code::Code;
 use serde::Serialize;
+use stampflow::files::visible;
+use std::fmt;
 use std::io::{self, Write};
+use std::ops::Add;
+
+/// Text for a screen. Control characters of what comes from outside, titles, names and values, are written as codes when
+/// it is made.
+#[derive(Clone, Debug, Default)]
+pub struct Shown(String);
+
+impl Shown {
+    /// Text that brings its own colours; all else in it is [`visible`] already.
+    pub fn coloured(text: String) -> Self {
+        Self(text)
+    }
+}
+
+impl<T: AsRef<str>> From<T> for Shown {
+    fn from(text: T) -> Self {
+        Self(visible(text.as_ref()).into_owned())
+    }
+}
+
+impl fmt::Write for Shown {
+    fn write_str(&mut self, text: &str) -> fmt::Result {
+        self.0 += &visible(text);
+        Ok(())
+    }
+}
+
+impl Add for Shown {
+    type Output = Self;
+
+    fn add(self, more: Self) -> Self {
+        Self(self.0 + &more.0)
+    }
+}
 
 /// Prints whole lines, the last one ended if need be; a reader that has gone away (`| head`) is no error.
-pub fn say(text: &str) -> anyhow::Result<Code> {
-    let end = if text.ends_with('\n') { "" } else { "\n" };
-    match write!(io::stdout().lock(), "{text}{end}") {
+pub fn say(text: impl Into<Shown>) -> anyhow::Result<Code> {
+    match line(&mut io::stdout().lock(), &text.into()) {
         Err(error) if error.kind() != io::ErrorKind::BrokenPipe => Err(error.into()),
         _ => Ok(Code::Done),
     }
@@ -15,11 +50,15 @@ pub fn say(text: &str) -> anyhow::Result<Code> {
 
 /// Prints a value, indented.
 pub fn say_json(value: &impl Serialize) -> anyhow::Result<Code> {
-    say(&serde_json::to_string_pretty(value)?)
+    say(serde_json::to_string_pretty(value)?)
 }
 
-/// Tells of progress and errors. What cannot be shown, because the reader has gone away or the disk behind it is full, is
-/// dropped: a message never ends a run.
-pub fn tell(text: &str) {
-    let _ = io::stderr().lock().write_all(text.as_bytes());
+/// Prints whole lines on the error stream; where that cannot be, there is no one to tell.
+pub fn warn(text: impl Into<Shown>) {
+    let _ = line(&mut io::stderr().lock(), &text.into());
+}
+
+fn line(stream: &mut impl Write, Shown(text): &Shown) -> io::Result<()> {
+    let end = if text.ends_with('\n') { "" } else { "\n" };
+    write!(stream, "{text}{end}")
 }

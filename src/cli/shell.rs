@@ -21,7 +21,7 @@ pub fn completions(mut command: Command, shell: Shell) -> anyhow::Result<Code> {
     let mut bytes = Vec::new();
     let name = command.get_name().to_owned();
     clap_complete::generate(shell, &mut command, name, &mut bytes);
-    say(&String::from_utf8(bytes)?)
+    say(String::from_utf8(bytes)?)
 }
 
 /// Prints the manual page of the program or of a verb.
@@ -39,5 +39,5 @@ pub fn man(mut command: Command, verb: Option<&str>) -> anyhow::Result<Code> {
     }
     let mut bytes = Vec::new();
     clap_mangen::Man::new(command).render(&mut bytes)?;
-    say(&String::from_utf8(bytes)?)
+    say(String::from_utf8(bytes)?)
 }

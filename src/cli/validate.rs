@@ -1,13 +1,12 @@
 //! `stampflow validate`: every case against its published curves.
 
 use super::code::{BadRequest, Code};
-use super::job::{self, solve_all};
+use super::job::{load_all, solve_all, told};
 use super::json;
-use super::message::message;
 use super::options::{Json, Threads};
 use super::place;
 use super::progress::{Kept, Progress};
-use super::say::{say, say_json, tell};
+use super::say::{say, say_json};
 use super::table::{Tone, table};
 use anyhow::Context;
 use stampflow::compare::{Comparison, Verdict};
@@ -49,14 +48,12 @@ const HEADERS: [&str; 8] = ["case", "quantity", "reference", "kind, grade", "wor
 const VERDICT: usize = 6;
 
 pub fn validate(args: &Args) -> anyhow::Result<Code> {
-    let mut cases = Vec::new();
-    for path in case_files(&args.cases)? {
-        let case = job::load(&path, &[])?;
-        if !case.compare.is_empty() {
-            cases.push(case);
-        }
+    let (mut cases, mut failed) = load_all(&case_files(&args.cases)?, &[]);
+    if failed.iter().any(|error| Code::of(error) == Code::BadInput) {
+        return Ok(told(&failed, Code::Done));
     }
-    if cases.is_empty() {
+    cases.retain(|case| !case.compare.is_empty());
+    if cases.is_empty() && failed.is_empty() {
         return Err(BadRequest(format!("no case in {} has a [[compare]] table", args.cases.display())).into());
     }
     let mut jobs = Vec::new();
@@ -75,29 +72,25 @@ pub fn validate(args: &Args) -> anyhow::Result<Code> {
             Ok((solution.case.name.clone(), results.comparisons, failure))
         },
     );
-    let mut failures: Vec<anyhow::Error> = Vec::new();
     let mut compared = Vec::new();
     for outcome in outcomes {
         match outcome {
             Ok((case, comparisons, failure)) => {
                 compared.push((case, comparisons));
-                failures.extend(failure.map(anyhow::Error::from));
+                failed.extend(failure.map(anyhow::Error::from));
             }
-            Err(error) => failures.push(error),
+            Err(error) => failed.push(error),
         }
     }
     let all = || compared.iter().flat_map(|(case, list)| list.iter().map(move |comparison| (case, comparison)));
     let said = if args.json.json {
         say_json(&all().map(|(case, comparison)| json::comparison(case, comparison)).collect::<Vec<_>>())
     } else {
-        say(&table(Some(HEADERS), all().map(|(case, comparison)| row(case, comparison)).collect(), VERDICT))
+        say(table(Some(HEADERS), all().map(|(case, comparison)| row(case, comparison)).collect(), VERDICT))
     };
-    failures.extend(said.err());
-    if let Some(last) = failures.pop() {
-        failures.iter().for_each(|error| tell(&message(error)));
-        return Err(last);
-    }
-    Ok(if all().any(|(_, comparison)| comparison.is_failure()) { Code::Failed } else { Code::Done })
+    failed.extend(said.err());
+    let code = if all().any(|(_, comparison)| comparison.is_failure()) { Code::Failed } else { Code::Done };
+    Ok(told(&failed, code))
 }
 
 /// The case files of a folder in alphabetical order.

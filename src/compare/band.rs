@@ -4,7 +4,7 @@
 use super::computed::Computed;
 use super::curve::difference;
 use super::error::CompareError;
-use super::reference::Reference;
+use super::reference::{NOTHING, Reference};
 use super::verdict::Verdict;
 use crate::table::fields::{element, step};
 use crate::table::{Column, Table, Unit};
@@ -136,10 +136,11 @@ impl Band {
         Some(if above >= below { above } else { -below })
     }
 
-    /// [`Self::outside`] over the end of the band that is left \[–\].
+    /// [`Self::outside`] over the end of the band that is left \[–\]; `None` where that end is nothing.
     pub fn difference(&self) -> Option<f64> {
         let outside = self.outside()?;
-        Some(if outside == 0.0 { 0.0 } else { outside / self.end_left(outside).abs() })
+        let end = self.end_left(outside).abs();
+        if outside == 0.0 { Some(0.0) } else { (end >= NOTHING).then(|| outside / end) }
     }
 
     fn end_left(&self, outside: f64) -> f64 {
@@ -154,8 +155,8 @@ impl Band {
         }
         let decimals = four_digits(self.end_left(outside)).split_once('.').map_or(0, |(_, decimals)| decimals.len());
         let side = if outside < 0.0 { "below" } else { "above" };
-        let percent = 100.0 * self.difference()?;
-        Some(format!("{:.decimals$} {} {side} ({percent:+.1} %)", outside.abs(), unit.symbol()))
+        let percent = self.difference().map_or(String::new(), |share| format!(" ({:+.1} %)", 100.0 * share));
+        Some(format!("{:.decimals$} {} {side}{percent}", outside.abs(), unit.symbol()))
     }
 
     /// One row: what was measured, what is accepted and what was computed.

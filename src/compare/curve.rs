@@ -2,10 +2,11 @@
 
 use super::computed::Computed;
 use super::error::CompareError;
-use super::reference::Reference;
+use super::reference::{NOTHING, Reference};
 use super::verdict::Verdict;
 use crate::table::fields::{element, step};
 use crate::table::{Column, Table, Unit};
+use crate::units::four_digits;
 
 /// What is compared along a curve.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -81,9 +82,11 @@ impl Quantity {
 }
 
 impl Point {
-    /// Computed minus reference, over the reference \[–\].
+    /// Computed minus reference, over the reference \[–\]; `None` where the run did not get, or the reference is
+    /// nothing.
     pub fn difference(&self) -> Option<f64> {
-        self.computed.map(|computed| (computed - self.reference) / self.reference.abs())
+        let computed = self.computed.filter(|_| self.reference.abs() >= NOTHING);
+        computed.map(|computed| (computed - self.reference) / self.reference.abs())
     }
 }
 
@@ -142,10 +145,11 @@ pub(super) fn compare(
     let range = low * xs.factor..=high * xs.factor;
     let rising = rising(curve);
     let mut points = Vec::new();
-    for (x, reference) in xs.values.into_iter().zip(ys.values).filter_map(|(x, y)| Some((x?, y?))) {
+    let pairs = xs.values.into_iter().zip(ys.values).zip(&reference.csv.rows);
+    for (x, reference, line) in pairs.filter_map(|((x, y), row)| Some((x?, y?, row.line))) {
         let judged = range.contains(&x);
-        if reference == 0.0 && judged {
-            return Err(CompareError::Zero { path: path(), x });
+        if reference.abs() < NOTHING && judged {
+            return Err(CompareError::Zero { path: path(), line, value: four_digits(reference), x });
         }
         points.push(Point { x, reference, computed: interpolated(&rising, x), judged });
     }

@@ -22,6 +22,9 @@ pub enum CompareError {
     /// A cell that is no number.
     #[error("{}, line {line}, column `{column}`: {error}", path.display())]
     Number { path: PathBuf, line: usize, column: String, error: CsvError },
+    /// A value that nothing measured can have.
+    #[error("{}, line {line}, column `{column}`: {found} is out of range, its magnitude must be at most {largest:e} {unit}: check the number and the unit at the end of the header", path.display())]
+    Range { path: PathBuf, line: usize, column: String, found: String, largest: f64, unit: &'static str },
     /// No point of a curve within the range.
     #[error("{} has no rows in columns `{x}` and `{y}` within the range asked for", path.display())]
     Empty { path: PathBuf, x: String, y: String },
@@ -31,7 +34,7 @@ pub enum CompareError {
     /// An error of measurement below zero.
     #[error("{}, line {line}: the error of measurement in column `{column}` is negative", path.display())]
     NegativeError { path: PathBuf, line: usize, column: String },
-    /// A reference of 0, which has no relative difference.
-    #[error("{}: the reference value is 0 at {x}, which no relative difference can be taken from; narrow `range`", path.display())]
-    Zero { path: PathBuf, x: f64 },
+    /// A reference of 0, or so near to it that no relative difference can be taken.
+    #[error("{}, line {line}: the reference value is {value} at {x}, which no relative difference can be taken from; narrow `range`", path.display())]
+    Zero { path: PathBuf, line: usize, value: String, x: f64 },
 }

@@ -4,6 +4,9 @@ use super::error::CompareError;
 use crate::table::{Column, Csv};
 use std::path::Path;
 
+/// A reference that is smaller is nothing \[mm, N, N/mm\]: no one measures so finely, and a difference over it overflows.
+pub(super) const NOTHING: f64 = 1e-9;
+
 /// A column of a reference file in solver units; `None` where a row has no value.
 pub(super) struct Values {
     pub values: Vec<Option<f64>>,
@@ -32,14 +35,17 @@ impl Reference<'_> {
             let (column, with) = (header.to_owned(), computed.axis().text().to_owned());
             return Err(CompareError::Dimension { path: path(), column, with });
         }
+        let largest = unit.largest();
         let values = self.csv.rows.iter().map(|row| {
-            let value = row.number(at).map_err(|error| CompareError::Number {
-                path: path(),
-                line: row.line,
-                column: header.to_owned(),
-                error,
-            });
-            Ok(value?.map(|value| value * factor))
+            let (line, column) = (row.line, || header.to_owned());
+            let value =
+                row.number(at).map_err(|error| CompareError::Number { path: path(), line, column: column(), error })?;
+            let value = value.map(|value| value * factor);
+            if value.is_none_or(|value| value.abs() <= largest) {
+                return Ok(value);
+            }
+            let (found, unit) = (row.quoted(at), unit.symbol());
+            Err(CompareError::Range { path: path(), line, column: column(), found, largest, unit })
         });
         Ok(Values { values: values.collect::<Result<_, _>>()?, factor })
     }

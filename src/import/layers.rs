@@ -1,7 +1,7 @@
 //! Which layer draws which tool.
 
 use super::error::ImportError;
-use super::listing::Entity;
+use super::listing::{Entity, cut};
 use super::options::Options;
 use crate::model::Role;
 use std::collections::BTreeMap;
@@ -22,8 +22,8 @@ pub(super) fn roles(found: &[Entity], options: &Options, notes: &mut Vec<String>
             "check what was saved; entities inside blocks and on paper sheets are not read",
         ));
     }
-    let counted = |(layer, count): (&&str, &usize)| format!("\"{layer}\" ({})", entities(*count));
-    let there = || layers.iter().map(counted).collect::<Vec<_>>().join(", ");
+    let counted = |(layer, count): (&&str, &usize)| format!("\"{}\" ({})", cut(layer), entities(*count));
+    let there = || some(layers.iter().map(counted));
     for (name, _) in &options.layers {
         if !layers.keys().any(|layer| same(layer, name)) {
             let what = format!("there is no layer \"{name}\" with entities; there are {}", there());
@@ -43,18 +43,26 @@ pub(super) fn roles(found: &[Entity], options: &Options, notes: &mut Vec<String>
                     die or holder are found by themselves";
         return Err(ImportError::new(what, help));
     }
-    let ignored: Vec<String> = layers.iter().filter(|(layer, _)| !roles.contains_key(**layer)).map(counted).collect();
+    let ignored = some(layers.iter().filter(|(layer, _)| !roles.contains_key(**layer)).map(counted));
     if !ignored.is_empty() {
-        notes.push(format!("layers that are no tool are left out: {}", ignored.join(", ")));
+        notes.push(format!("layers that are no tool are left out: {ignored}"));
     }
     Ok(roles)
 }
 
 /// Layers are tools, but no line is on them.
 pub(super) fn nothing_drawn(roles: &Roles) -> ImportError {
-    let named: Vec<String> = roles.iter().map(|(layer, role)| format!("\"{layer}\" ({})", role.name())).collect();
-    let what = format!("no line, arc, polyline or spline is on {}", named.join(", "));
+    let named = some(roles.iter().map(|(layer, role)| format!("\"{}\" ({})", cut(layer), role.name())));
+    let what = format!("no line, arc, polyline or spline is on {named}");
     ImportError::new(what, "draw the side of each tool that meets the sheet as an open line")
+}
+
+/// A list for a sentence, of twenty entries at most.
+pub(super) fn some(entries: impl Iterator<Item = String>) -> String {
+    let mut entries = entries.peekable();
+    let first: Vec<String> = entries.by_ref().take(20).collect();
+    let more = if entries.peek().is_some() { format!(" and {} more", entries.count()) } else { String::new() };
+    first.join(", ") + &more
 }
 
 /// `1 entity`, `4 entities`.
@@ -74,6 +82,7 @@ fn by_name(layer: &str) -> Result<Option<Role>, ImportError> {
         [role] => Ok(Some(role)),
         _ => {
             let names: Vec<&str> = held.iter().map(|role| role.name()).collect();
+            let layer = cut(layer);
             let what = format!("layer \"{layer}\" has the name of more than one tool: {}", names.join(", "));
             let help = format!("say which it is: --layer \"{layer}={}\", or =none", names[0]);
             Err(ImportError::new(what, help))

@@ -13,6 +13,10 @@ pub const LARGEST: usize = 50_000_000;
 /// Lines and arcs that a tool may be drawn in, repeats and both halves counted: a case's section may have 2000.
 pub(super) const MOST: usize = 5000;
 
+/// Entities of a drawing, and points and knots of its lines and curves: an assembly with all its parts has fewer.
+const ENTITIES: usize = 200_000;
+const POINTS: usize = 1_000_000;
+
 const AGAIN: &str = "open the drawing in a CAD program and save it as DXF again";
 
 /// Characters of the Windows code page 1252 from 0x80 to 0x9F; all others are those of Unicode.
@@ -64,8 +68,8 @@ pub(super) struct Listed {
 impl fmt::Display for Listed {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { kind, layer, handle, line, .. } = self;
-        let handle = if handle.is_empty() { String::new() } else { format!(" #{handle}") };
-        write!(f, "{kind}{handle} of layer \"{layer}\" (line {line} of the file)")
+        let handle = if handle.is_empty() { String::new() } else { format!(" #{}", cut(handle)) };
+        write!(f, "{}{handle} of layer \"{}\" (line {line} of the file)", cut(kind), cut(layer))
     }
 }
 
@@ -104,11 +108,12 @@ enum Part {
 /// Reads a drawing's text.
 ///
 /// # Errors
-/// When it is no DXF, ends inside a section, or has something else where a group code or a curve's number has to be.
+/// When it is no DXF, ends inside a section, holds more than any drawing of tools, or has something else where a group code
+/// or a curve's number has to be.
 pub(super) fn drawing(text: &str) -> Result<Drawing, ImportError> {
     let Drawing { mut header, entities: mut found } = Drawing::default();
     let (mut section, mut opens, mut is_dxf) = ("", false, false);
-    let (mut variable, mut part, mut last_line) = ("", Part::Other, 0);
+    let (mut variable, mut part, mut last_line, mut points) = ("", Part::Other, 0, 0);
     let mut lines = text.lines().map(str::trim).enumerate();
     while let Some((i, code)) = lines.next() {
         let Some((_, value)) = lines.next() else { break };
@@ -133,11 +138,18 @@ pub(super) fn drawing(text: &str) -> Result<Drawing, ImportError> {
             },
             (0, kind) if section == "ENTITIES" => part = begun(kind, last_line, &mut found),
             _ if section == "ENTITIES" => {
+                points += usize::from(matches!(code, 10 | 40 | 41));
                 if let Some(entity) = found.last_mut() {
                     entity.take(&part, code, value, last_line)?;
                 }
             }
             _ => {}
+        }
+        if found.len() > ENTITIES || points > POINTS {
+            let what = format!(
+                "the drawing has more than {ENTITIES} entities or {POINTS} points: line {last_line} is one more"
+            );
+            return Err(ImportError::new(what, "save the tools' layers only").at(last_line));
         }
     }
     if !is_dxf {
@@ -208,6 +220,6 @@ fn whole(value: &str) -> usize {
 }
 
 /// A quotation that stays short.
-fn cut(text: &str) -> String {
-    text.chars().take(40).collect()
+pub(super) fn cut(text: &str) -> &str {
+    text.char_indices().nth(40).map_or(text, |(end, _)| &text[..end])
 }

@@ -3,7 +3,8 @@
 use super::chain::Chain;
 use super::error::ImportError;
 use super::frame::Frame;
-use super::layers::entities;
+use super::layers::{entities, some};
+use super::listing::cut;
 use super::options::Heading;
 use super::section::Section;
 use crate::geometry::{Fold, Piece, Point, Profile};
@@ -88,7 +89,8 @@ pub(super) fn section(role: Role, chain: Chain, heading: Heading, frame: &Frame)
     let mut layers: Vec<&str> = chain.strokes.iter().map(|stroke| stroke.from.layer.as_str()).collect();
     layers.sort_unstable();
     layers.dedup();
-    let made_of = format!("{} of layer \"{}\"", entities(chain.strokes.len()), layers.join("\", \""));
+    let layers = some(layers.into_iter().map(|layer| format!("\"{}\"", cut(layer))));
+    let made_of = format!("{} of layer {layers}", entities(chain.strokes.len()));
     Ok(Section { role, profile, ends, made_of })
 }
 

@@ -173,7 +173,7 @@ pub struct StepRecord {
     pub iterations: usize,
     /// Tries that were rejected before this step was accepted.
     pub rejected: usize,
-    /// Relative velocity increment at acceptance \[–\].
+    /// Relative velocity increment at acceptance \[–\]; 0 where the predictor was in equilibrium.
     pub velocity_norm: f64,
     /// Relative residual at acceptance \[–\].
     pub residual_norm: f64,

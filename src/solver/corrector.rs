@@ -39,7 +39,10 @@ pub(super) struct Outcome {
     pub iterations: usize,
     /// Times that the corrector was gone through: 1, and one more for every round of the augmented Lagrangian.
     pub rounds: usize,
+    /// Of the last increment, where it was taken whole: else nothing is known of how far the answer is.
     pub velocity_norm: f64,
+    /// The same of any last increment; 0 where none was needed.
+    pub increment: f64,
     pub residual_norm: f64,
 }
 
@@ -51,6 +54,7 @@ impl Outcome {
         iterations: 0,
         rounds: 1,
         velocity_norm: f64::INFINITY,
+        increment: 0.0,
         residual_norm: f64::INFINITY,
     };
 }
@@ -92,6 +96,7 @@ pub(super) fn correct(
             trial.advance(step.process, -back);
             outcome.iterations += 1;
             outcome.velocity_norm = f64::INFINITY;
+            outcome.increment = velocity_norm(model, trial, back);
             continue;
         }
         if outcome.converged || outcome.iterations == most || !trial.line.aim(&mut evaluation.system) {
@@ -101,14 +106,13 @@ pub(super) fn correct(
         let share = allowed_share(step.process, trial);
         trial.line.go(share);
         trial.advance(step.process, share);
-        let velocity_norm = velocity_norm(model, trial, share);
-        // A capped increment says nothing of how far the answer still is.
-        outcome.velocity_norm = if share < 1.0 { f64::INFINITY } else { velocity_norm };
+        outcome.increment = velocity_norm(model, trial, share);
+        outcome.velocity_norm = if share < 1.0 { f64::INFINITY } else { outcome.increment };
         observer.iteration(&IterationRecord {
             step: step.number,
             travel: step.travel(),
             iteration: outcome.iterations,
-            velocity_norm,
+            velocity_norm: outcome.increment,
             residual_norm: outcome.residual_norm,
             cut: share,
             active_contacts: evaluation.active_contacts,

@@ -22,7 +22,7 @@ pub(super) fn no_equilibrium(step: &Step, evaluation: &Evaluation, outcome: &Out
         travel: state.travel,
         time: state.time,
         step: step.dt,
-        velocity_norm: outcome.velocity_norm,
+        velocity_norm: outcome.increment,
         residual_norm: outcome.residual_norm,
         worst_s0: state.s0[evaluation.worst_node],
         diagnosis: diagnosis(step, evaluation, &steps.last().copied().unwrap_or_default()),

@@ -48,7 +48,7 @@ pub(super) fn record(
         bending: step.bends.iter().filter(|bends| **bends).count(),
         iterations: outcome.iterations,
         rejected,
-        velocity_norm: outcome.velocity_norm,
+        velocity_norm: outcome.increment,
         residual_norm: outcome.residual_norm,
         power: done.scaled(1.0 / step.dt),
         work: last.work.plus(done),

@@ -6,6 +6,9 @@ use csv::StringRecord;
 /// The most rows a file may have: a hundred times what a curve that is drawn needs.
 const MOST: usize = 100_000;
 
+/// The longest line \[bytes\]: hundreds of columns. What a reader keeps of a line is many times its length.
+const LONGEST_LINE: usize = 10_000;
+
 /// Longest quotation from a file, in characters.
 const LONGEST: usize = 40;
 
@@ -50,9 +53,13 @@ impl Csv {
     /// with `example`, what to write.
     ///
     /// # Errors
-    /// When there is nothing but comments, the first line does not name columns, a row is longer than it, or there are
-    /// more than a hundred thousand rows.
+    /// When there is nothing but comments, the first line does not name columns, a row is longer than it, there are more
+    /// than a hundred thousand rows, or a line has more than ten thousand bytes.
     pub fn read(text: &str, name: &str, example: &str) -> Result<Self, CsvError> {
+        if let Some(i) = text.lines().position(|line| line.len() > LONGEST_LINE && !line.starts_with('#')) {
+            let what = format!("{name} is no table of numbers: line {} is longer than {LONGEST_LINE} bytes", i + 1);
+            return Err(CsvError { line: None, what, help: example.to_owned() });
+        }
         let reader = csv::ReaderBuilder::new()
             .comment(Some(b'#'))
             .trim(csv::Trim::All)
@@ -66,9 +73,10 @@ impl Csv {
             })
         });
         let header = records.next().ok_or_else(|| CsvError::at(1, format!("{name} is empty"), example))??;
-        header.names_columns(name, example)?;
+        let first = records.next().transpose()?;
+        header.names_columns(first.as_ref(), name, example)?;
         let mut rows = Vec::new();
-        for row in records {
+        for row in first.into_iter().map(Ok).chain(records) {
             let row = row?;
             if row.fields.len() > header.fields.len() {
                 let what = format!("{} numbers stand under {} columns", row.fields.len(), header.fields.len());
@@ -105,7 +113,7 @@ impl Record {
     /// The number in a column, as it is written; `None` when it is empty.
     ///
     /// # Errors
-    /// When something else stands there.
+    /// When something else stands there, nan and inf too.
     pub fn number(&self, column: usize) -> Result<Option<f64>, CsvError> {
         let field = self.fields.get(column).unwrap_or("");
         if field.is_empty() {
@@ -115,19 +123,33 @@ impl Record {
             true => "write decimals with a point, not a comma: 30.5",
             false => "write a plain number; its unit stands in the header",
         };
-        let refused = |_| CsvError::at(self.line, format!("\"{}\" is not a number", quoted(field, LONGEST)), help);
-        field.parse().map(Some).map_err(refused)
+        let refused = |is: &str| CsvError::at(self.line, format!("\"{}\" is {is}", self.quoted(column)), help);
+        match field.parse::<f64>() {
+            Ok(number) if number.is_finite() => Ok(Some(number)),
+            Ok(_) => Err(refused("no finite number")),
+            Err(_) => Err(refused("not a number")),
+        }
     }
 
-    /// Whether this is a line of column names.
-    fn names_columns(&self, name: &str, example: &str) -> Result<(), CsvError> {
+    /// The beginning of what stands in a column, for a message.
+    pub fn quoted(&self, column: usize) -> String {
+        quoted(self.fields.get(column).unwrap_or(""), LONGEST)
+    }
+
+    /// Whether this is a line of column names, with `first` below it.
+    fn names_columns(&self, first: Option<&Self>, name: &str, example: &str) -> Result<(), CsvError> {
         let fields = || self.fields.iter();
-        if fields().all(|field| field.parse::<f64>().is_ok()) {
+        let is_number = |field: &str| field.parse::<f64>().is_ok();
+        if fields().all(is_number) {
             return Err(CsvError::at(self.line, "the first line must name the columns, found numbers", example));
         }
         let separators = [';', '\t'];
+        let names = || fields().flat_map(|field| field.split(separators)).map(str::trim);
         let is_name = |text: &str| text.chars().all(|c| c.is_alphanumeric() || c == '_');
-        if !fields().flat_map(|field| field.split(separators)).all(|text| is_name(text.trim())) {
+        let has_unit = |text: &str| Unit::of_header(text).is_ok();
+        let holds_numbers =
+            || first.is_some_and(|row| row.fields.iter().flat_map(|f| f.split(separators)).any(is_number));
+        if !names().all(is_name) || !names().any(has_unit) && !holds_numbers() {
             // Nothing of a file that is something else is shown but its first word.
             let text: String = fields().collect();
             let word: String = text.chars().take_while(|c| c.is_alphanumeric()).take(LONGEST / 2).collect();

@@ -1,6 +1,8 @@
 //! Units as they are spelled in file headers and drawn on axes.
 
 use super::parse::parse;
+use super::quantity::Quantity;
+use super::types::{Force, Length, LineForce, Number, Stress, Time};
 
 /// A unit of the solver: mm, N, s, MPa and what follows from them.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -88,6 +90,18 @@ impl Unit {
             Self::JoulePerMm => "J/mm",
             Self::Degree => "°",
             Self::Celsius => "°C",
+        }
+    }
+
+    /// Largest magnitude that makes sense of what is measured in it: that of case files.
+    pub fn largest(self) -> f64 {
+        match self {
+            Self::Mm => Length::KIND.largest,
+            Self::N => Force::KIND.largest,
+            Self::NPerMm => LineForce::KIND.largest,
+            Self::MPa => Stress::KIND.largest,
+            Self::Second => Time::KIND.largest,
+            _ => Number::KIND.largest,
         }
     }
 

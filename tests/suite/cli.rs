@@ -104,6 +104,92 @@ fn bad_input_ends_with_2_and_writes_nothing() {
     }
 }
 
+/// A title, notes, names of files, columns and keys, and what stands around an error: nothing that a terminal obeys comes
+/// out of any of them, in words or in JSON.
+#[test]
+fn no_control_character_reaches_the_terminal() {
+    let obeyed = "\u{1b}]0;owned\u{7}\u{1b}[31m\u{9b}2J";
+    let dir =
+        folder(&CUP.replace("\"Cup\"", "\"Cup \\u001b[31m\\u0007\"").replace("all of it", "all \\u001b[2J\\u009b"));
+    let cases = dir.path().join("cases");
+    fs::copy(cases.join("cup.toml"), cases.join(format!("n{obeyed}.toml"))).unwrap();
+    fs::write(cases.join("raw.toml"), format!("title = \"{obeyed}\"\r\n")).unwrap();
+    fs::write(cases.join("key.toml"), "[\"\\u001b[31m\"]\n").unwrap();
+    fs::write(cases.join("curve.csv"), format!("travel_mm,punch_force_kN\n1,{obeyed}\n")).unwrap();
+    fs::write(cases.join("other.csv"), format!("{obeyed}\n")).unwrap();
+    fs::write(cases.join("curved.toml"), format!("{CUP}{COMPARE}")).unwrap();
+    fs::write(cases.join("hot.toml"), format!("{CUP}[heat]\ninitial = \"curve.csv\"\n")).unwrap();
+    fs::write(cases.join("other.toml"), format!("{CUP}[heat]\ninitial = \"other.csv\"\n")).unwrap();
+    let drawing = fs::read_to_string("tests/drawings/ezdxf_lines_and_arcs.dxf").unwrap();
+    fs::write(dir.path().join("d.dxf"), drawing.replace("\nPUNCH\n", "\nPUNCH\u{1b}[31m\n")).unwrap();
+    let (named, missing) = (format!("cases/n{obeyed}.toml"), format!("cases/{obeyed}"));
+    let (set, verb) = (format!("blank.{obeyed}=1"), format!("ru{obeyed}n"));
+    for (args, code) in [
+        (&["check", "cases/cup.toml"][..], 0),
+        (&["check", "cases/cup.toml", "--run"], 0),
+        (&["run", "cases/cup.toml"], 0),
+        (&["run", "cases/cup.toml", "--json"], 0),
+        (&["run", &named], 0),
+        (&["report", &named], 0),
+        (&["import", "d.dxf"], 0),
+        (&["check", "cases/raw.toml"], 2),
+        (&["check", "cases/raw.toml", "--json"], 2),
+        (&["check", "cases/key.toml"], 2),
+        (&["check", "cases/curved.toml"], 2),
+        (&["check", "cases/hot.toml"], 2),
+        (&["check", "cases/other.toml"], 2),
+        (&["check", "cases/cup.toml", "--set", &set], 2),
+        (&["check", &missing], 2),
+        (&["validate", "--cases", &missing], 2),
+        (&[&verb], 2),
+    ] {
+        let done = stampflow(dir.path(), args);
+        assert_eq!(done.status.code(), Some(code), "{args:?}: {}", text(&done.stderr));
+        for printed in [text(&done.stdout), text(&done.stderr)] {
+            let found = printed.chars().find(|c| c.is_control() && *c != '\n');
+            assert_eq!(found, None, "{args:?}: {printed:?}");
+        }
+    }
+}
+
+/// Colours are of the program; what stands in the file is none.
+#[test]
+fn a_coloured_message_shows_the_files_escapes_as_codes() {
+    let shown = stampflow::case::parse("title = \"\u{1b}[31m", "a\u{1b}[31m.toml", &[]).unwrap_err().render(true);
+    assert!(shown.contains("\u{1b}[") && shown.contains("\\u001b[31m"), "{shown:?}");
+    assert!(!shown.contains("\"\u{1b}") && !shown.contains("a\u{1b}"), "{shown:?}");
+}
+
+/// What is wrong with each is said at once, and nothing is solved.
+#[test]
+fn every_bad_case_of_a_command_is_named() {
+    let dir = folder(CUP);
+    let cases = dir.path().join("cases");
+    fs::write(cases.join("curve.csv"), "").unwrap();
+    fs::write(cases.join("curved.toml"), format!("{CUP}{COMPARE}")).unwrap();
+    fs::write(cases.join("empty.toml"), "").unwrap();
+    for args in [&["run", "cases/curved.toml", "cases/cup.toml", "cases/empty.toml"][..], &["validate"]] {
+        let done = stampflow(dir.path(), args);
+        assert_eq!((done.status.code(), text(&done.stdout)), (Some(2), ""), "{args:?}");
+        let said = text(&done.stderr);
+        assert!(said.contains("the reference file is empty") && said.contains("empty.toml"), "{said}");
+        assert!(!dir.path().join("out").exists(), "{args:?} has solved a case");
+    }
+}
+
+/// `check` and `report` read the references too.
+#[test]
+fn a_bad_reference_is_found_by_every_verb() {
+    let dir = folder(&format!("{CUP}{COMPARE}"));
+    fs::write(dir.path().join("cases/curve.csv"), "travel_mm,punch_force_kN\n1,3\n2,nan\n").unwrap();
+    for verb in ["check", "run", "report"] {
+        let done = stampflow(dir.path(), &[verb, "cases/cup.toml"]);
+        let says = "curve.csv, line 3, column `punch_force_kN`: \"nan\" is no finite number";
+        assert_eq!(done.status.code(), Some(2), "{verb}");
+        assert!(text(&done.stderr).contains(says), "{verb}: {}", text(&done.stderr));
+    }
+}
+
 /// Trust: three iterations do not find equilibrium, and steps may not be made smaller.
 #[test]
 fn an_early_end_is_3_and_keeps_its_results() {
@@ -226,6 +312,16 @@ fn an_optional_curve_may_be_missing() {
     let done = stampflow(dir.path(), &["validate", "-q"]);
     assert_eq!(done.status.code(), Some(0), "{}", text(&done.stderr));
     assert!(text(&done.stdout).contains("no data"));
+}
+
+#[test]
+fn columns_stand_in_line_whatever_their_letters() {
+    let dir = folder(&format!("{CUP}{}optional = true\n", COMPARE.replace("curve", "łé")));
+    let printed = text(&stampflow(dir.path(), &["validate", "-q"]).stdout);
+    let lines: Vec<&str> = printed.lines().collect();
+    let at = |line: &str, word: &str| line[..line.find(word).unwrap()].chars().count();
+    assert_eq!(at(lines[0], "verdict"), at(lines[1], "no data"), "{printed}");
+    assert!(!printed.contains('\u{1b}'), "tests are no terminal");
 }
 
 #[test]

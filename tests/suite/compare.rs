@@ -119,6 +119,11 @@ fn mistakes_in_the_file_are_named() {
         ("travel_mm,punch_force_N\n1,2\n\n2,two\n", "line 4, column `punch_force_N`: \"two\" is not a number"),
         ("travel_mm,punch_force_N\n1,0\n", "is 0 at 1"),
         ("travel_mm,punch_force_N\n", "no rows"),
+        ("travel_mm,punch_force_N\n1,2\n2,nan\n", "line 3, column `punch_force_N`: \"nan\" is no finite number"),
+        ("travel_mm,punch_force_N\n-inf,2\n", "line 2, column `travel_mm`: \"-inf\" is no finite number"),
+        ("travel_mm,punch_force_N\n1,2\n1.7e308,2\n", "line 3, column `travel_mm`: 1.7e308 is out of range"),
+        ("travel_mm,punch_force_N\n1,-2e9\n", "magnitude must be at most 1e9 N"),
+        ("travel_mm,punch_force_N\n1,1e-308\n", "line 2: the reference value is 1.00e-308 at 1"),
     ] {
         let message = along(csv, force(), true).unwrap_err().to_string();
         assert!(message.contains(says), "{message}");
@@ -129,6 +134,8 @@ fn mistakes_in_the_file_are_named() {
     assert!(mm.unwrap_err().to_string().contains("Punch force [N]"));
     for (csv, says) in [
         ("a_mm,b_mm,error_mm\n,,0.01\n", "no values in a_mm, b_mm"),
+        ("a_mm,b_mm,error_mm\n1,1,inf\n", "line 2, column `error_mm`: \"inf\" is no finite number"),
+        ("a_mm,b_mm,error_mm\n1,1e300,\n", "line 2, column `b_mm`: 1e300 is out of range"),
         ("a_mm,b_mm,error_mm\n1,1,-0.01\n", "line 2: the error of measurement in column `error_mm` is negative"),
         ("a_mm,b_mm\n1,1\n", "no column `error_mm`"),
     ] {
@@ -171,6 +178,14 @@ fn a_band_spans_all_values_with_their_errors_and_says_by_how_much_it_is_left() {
         assert_eq!(c.verdict, verdict, "{csv}");
         assert_eq!(c.is_failure(), verdict == Verdict::Out);
     }
+}
+
+/// Trust: by hand; a share of nothing is no number.
+#[test]
+fn a_band_that_ends_at_nothing_is_left_by_a_length_and_no_share() {
+    let against = BandSpec { quantity: BandQuantity::DrawIn, columns: vec!["d_mm".to_owned()], error: None };
+    let c = compared("d_mm\n0\n", Against::Band(against), true).unwrap();
+    assert_eq!((c.verdict, c.worst().unwrap().as_str()), (Verdict::Out, "5 mm above"));
 }
 
 #[test]

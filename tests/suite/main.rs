@@ -9,7 +9,9 @@ mod common;
 
 mod animation;
 mod architecture;
+mod attack;
 mod bad_cases;
+mod bug;
 mod campaign;
 mod case_files;
 mod check;

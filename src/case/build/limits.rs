@@ -1,6 +1,6 @@
 //! How much a case may hold: more is a slip, and would fill the memory or a plot before anyone sees it.
 
-use crate::case::file::{CaseFile, Section};
+use crate::case::file::{CaseFile, Compare, Section};
 use crate::case::{CaseError, source::Source};
 use crate::geometry::Piece;
 use crate::model::{Model, Stage};
@@ -10,6 +10,8 @@ use std::f64::consts::FRAC_PI_2;
 /// Characters of a title and of other texts, which every plot repeats.
 const TITLE: usize = 200;
 const TEXT: usize = 1000;
+/// Characters of a file's or a column's name.
+const NAME: usize = 200;
 /// Rows of `profile.csv`: kept frames times elements.
 const ROWS: usize = 500_000;
 /// What a run keeps, all stages together \[bytes\]: ten stages with 1000 frames of 340 elements.
@@ -35,20 +37,30 @@ pub(super) fn of_file(file: &CaseFile, source: &Source) -> Result<(), CaseError>
         ("tools.die.profile", steps(tools.die.as_ref().and_then(|t| t.profile.as_ref())), 2000),
         ("tools.holder.profile", steps(tools.holder.as_ref().and_then(|t| t.profile.as_ref())), 2000),
     ];
-    for (path, length, most) in lengths {
+    let bands = |(i, c): (usize, &Compare)| (format!("compare.{i}.band"), c.band.as_ref().map(Vec::len), 20);
+    let bands = file.compare.iter().enumerate().map(bands);
+    for (path, length, most) in lengths.into_iter().map(|(path, n, most)| (path.to_owned(), n, most)).chain(bands) {
         if let Some(length) = length.filter(|length| *length > most) {
-            let key = path.rsplit('.').next().unwrap_or(path);
+            let key = path.rsplit('.').next().unwrap_or(&path);
             let what = format!("`{key}` has {length} entries, more than {most}");
             return Err(source.error(&format!("{path}.{most}"), what, "leave out what is not needed"));
         }
     }
     let notes = file.notes.iter().enumerate().map(|(i, note)| (format!("notes.{i}"), note, TEXT));
     let reasons = file.compare.iter().enumerate().map(|(i, c)| (format!("compare.{i}.reason"), &c.reason, TEXT));
-    for (path, text, most) in std::iter::once(("title".to_owned(), &file.title, TITLE)).chain(notes).chain(reasons) {
+    let compared = file.compare.iter().enumerate().flat_map(|(i, c)| {
+        let bands = c.band.iter().flatten().enumerate().map(|(k, name)| (format!("band.{k}"), name));
+        let named =
+            [("reference", Some(&c.reference)), ("x", c.x.as_ref()), ("y", c.y.as_ref()), ("error", c.error.as_ref())];
+        let named = named.into_iter().filter_map(|(key, name)| Some((key.to_owned(), name?)));
+        named.chain(bands).map(move |(key, name)| (format!("compare.{i}.{key}"), name, NAME))
+    });
+    let title = std::iter::once(("title".to_owned(), &file.title, TITLE));
+    for (path, text, most) in title.chain(notes).chain(reasons).chain(compared) {
         let length = text.chars().count();
         if length > most {
             let what = format!("`{path}` has {length} characters, more than {most}");
-            return Err(source.error(&path, what, "every plot repeats it: keep it short"));
+            return Err(source.error(&path, what, "plots and messages repeat it: keep it short"));
         }
     }
     Ok(())

@@ -1,0 +1,43 @@
+//! Text from outside, for a screen.
+
+use std::borrow::Cow;
+use std::fmt::Write;
+
+/// The text with what a terminal would obey written as its code: a title that holds an escape shows `\u001b`.
+///
+/// Codes are those of JSON and TOML, so that a JSON text stays one. Ends of lines and tabs are left alone.
+pub fn visible(text: &str) -> Cow<'_, str> {
+    if !text.contains(is_obeyed) {
+        return Cow::Borrowed(text);
+    }
+    let mut shown = String::with_capacity(text.len() + 64);
+    let mut rest = text.chars().peekable();
+    while let Some(c) = rest.next() {
+        if is_obeyed(c) && !(c == '\r' && rest.peek() == Some(&'\n')) {
+            let _ = write!(shown, "\\u{:04x}", u32::from(c));
+        } else {
+            shown.push(c);
+        }
+    }
+    Cow::Owned(shown)
+}
+
+/// Control characters, and those that turn the direction of writing or end a line where none is seen to end.
+fn is_obeyed(c: char) -> bool {
+    let turns = matches!(c, '\u{200e}' | '\u{200f}' | '\u{2028}'..='\u{202e}' | '\u{2066}'..='\u{2069}');
+    turns || c.is_control() && c != '\n' && c != '\t'
+}
+
+#[cfg(test)]
+mod tests {
+    use super::visible;
+
+    /// Trust: Unicode's control characters (C0, DEL, C1) and its marks of direction, by their numbers.
+    #[test]
+    fn what_a_terminal_obeys_is_written_as_its_code() {
+        assert_eq!(visible("\u{1b}[31mred\u{7}"), r"\u001b[31mred\u0007");
+        assert_eq!(visible("\u{9b}2J \u{7f}\u{202e}\u{2066}"), r"\u009b2J \u007f\u202e\u2066");
+        assert_eq!(visible("over\rwritten\r\nnext\n"), "over\\u000dwritten\r\nnext\n");
+        assert_eq!(visible("\tÄ σ 𝔘 – \n"), "\tÄ σ 𝔘 – \n");
+    }
+}

@@ -1,0 +1,356 @@
+//! Inputs of every kind made wrong, and odd settings of the solver: each is refused with a message or ends in a named way.
+//! Nothing panics, nothing hangs, nothing fills the memory, and what comes out is finite.
+//!
+//! The tests that run by themselves are a small part; all of it is
+//! `cargo test --release --test suite attack:: -- --ignored --nocapture`, some minutes. A seed makes the same inputs again, and
+//! what fails is left in a file that the message names.
+
+mod large;
+mod mutate;
+
+use crate::common::files::files;
+use fastrand::Rng;
+use mutate::{Form, mutated};
+use stampflow::author::Draft;
+use stampflow::case::{self, Case, CaseError};
+use stampflow::compare::Computed;
+use stampflow::files::{Disk, Files, Memory};
+use stampflow::import::{self, Options};
+use stampflow::model::{Geometry, Model};
+use stampflow::output::{Make, OUTPUTS, Results, comparisons, csv, svg};
+use stampflow::solution::IterationRecord;
+use stampflow::{Observer, State};
+use std::fmt::Write;
+use std::fs;
+use std::sync::mpsc::channel;
+use std::time::{Duration, Instant};
+
+/// A cup without its punch's section, and what is read beside it.
+const CUP: &str = r#"
+title = "Cup"
+geometry = "axisymmetric"
+blank = { radius = "55 mm", thickness = "1 mm", elements = 30 }
+material.hardening.swift = { k = "520 MPa", n = 0.22, offset = 0.005 }
+tools.die = { throat = "31.25 mm", shoulder = "6 mm", friction = 0.08 }
+tools.holder = { inner_radius = "38 mm", force = "10 kN" }
+"#;
+const PUNCH: &str = r#"tools.punch = { flat = { radius = "30 mm", nose = "6 mm" }, friction = 0.08, travel = "5 mm" }"#;
+const DRAWN_PUNCH: &str = r#"tools.punch = { profile = "beside.csv", friction = 0.08, travel = "5 mm" }"#;
+const CURVE: &str = r#"
+[[compare]]
+reference = "beside.csv"
+x = "travel_mm"
+y = "punch_force_kN"
+quantity = "punch_force"
+tolerance = "5 %"
+reason = "for the test"
+"#;
+const BAND: &str = r#"
+[[compare]]
+reference = "beside.csv"
+band = ["low_mm", "high_mm"]
+error = "error_mm"
+quantity = "thickness"
+reason = "for the test"
+"#;
+/// A case that reads `beside.csv`, and what stands there.
+const BESIDE: [(&[&str], &str); 4] = [
+    (&[CUP, DRAWN_PUNCH], "r_mm,z_mm,radius_mm\n0,0,\n30,0,6\n30,-20,\n30.01,-40,\n"),
+    (&[CUP, PUNCH, "heat.initial = \"beside.csv\""], "# Measured.\ns0_mm,temperature_C\n10,20\n30,150\n55,230.5\n"),
+    (&[CUP, PUNCH, CURVE], "travel_mm,punch_force_kN\n1,4\n2,7.5\n3,9.9\n5,14\n"),
+    (&[CUP, PUNCH, BAND], "point,low_mm,high_mm,error_mm\n1,0.95,0.98,0.01\n2,0.97,1.01,0.01\n"),
+];
+
+/// What is made wrong.
+#[derive(Clone)]
+enum Target {
+    Case,
+    Drawing,
+    /// What a case reads: its text.
+    Beside(String),
+}
+
+struct Subject {
+    target: Target,
+    bytes: Vec<u8>,
+}
+
+impl Subject {
+    fn form(&self) -> Form {
+        match self.target {
+            Target::Case => Form::Toml,
+            Target::Drawing => Form::Dxf,
+            Target::Beside(_) => Form::Csv,
+        }
+    }
+
+    /// Every shipped case, every drawing of another program, and every kind of table.
+    fn all() -> Vec<Self> {
+        let of = |files: Vec<_>, target: fn() -> Target| {
+            let read = move |path| Self { target: target(), bytes: fs::read(path).expect("readable") };
+            files.into_iter().map(read).collect::<Vec<_>>()
+        };
+        let tables = BESIDE.iter().flat_map(|(case, table)| {
+            std::iter::repeat_with(|| Self { target: Target::Beside(case.join("\n")), bytes: (*table).into() }).take(3)
+        });
+        let mut all = of(files("cases", "toml"), || Target::Case);
+        all.extend(of(files("tests/drawings", "dxf"), || Target::Drawing));
+        all.extend(tables);
+        all
+    }
+}
+
+/// Ends a run after so much work: elements times what each looks at, once in every iteration.
+struct Budget {
+    left: usize,
+    size: usize,
+}
+
+impl Budget {
+    fn new(left: usize) -> Self {
+        Self { left, size: 0 }
+    }
+}
+
+impl Observer for Budget {
+    fn state(&mut self, model: &Model, _: &State) {
+        let pieces: usize = model.tools.iter().map(|tool| tool.profile.pieces().len()).sum();
+        self.size = model.blank.elements * (model.blank.layers + pieces);
+    }
+
+    fn iteration(&mut self, _: &IterationRecord) {
+        self.left = self.left.saturating_sub(self.size);
+    }
+
+    fn wants_to_stop(&mut self) -> bool {
+        self.left == 0
+    }
+}
+
+/// A message that can be acted on: it says something, points into its text, stays short, and no terminal obeys it.
+fn check_refusal(error: &CaseError) {
+    assert!(!error.to_string().trim().is_empty());
+    assert!(error.position().is_none_or(|(line, column)| line >= 1 && column >= 1));
+    let shown = error.render(false);
+    assert!(shown.chars().count() < 6_000, "a message of {} characters", shown.chars().count());
+    assert!(!shown.contains(|c: char| c.is_control() && c != '\n' && c != '\t'), "{shown:?}");
+}
+
+/// Checks, solves as far as a budget of work goes, and looks at what came out; whether it could be solved.
+fn check_accepted(case: Case, work: usize) -> bool {
+    let _ = stampflow::assess::check::report(&case).to_string();
+    if let Err(error) = comparisons(&case, &Computed::nothing(case.model())) {
+        assert!(error.to_string().chars().count() < 2_000, "{error}");
+        return false;
+    }
+    let solution = case.solve(&mut Budget::new(work));
+    for stage in &solution.stages {
+        assert!(!stage.stop.kind().is_empty() && !stage.stop.to_string().is_empty());
+        let end = stage.steps.last().map_or(0.0, |last| last.time / stage.model.duration);
+        assert!(stage.stop.kind() != "full travel" || (end - 1.0).abs() < 1e-6, "full travel at {end}");
+        let finite = |frame: &stampflow::Frame| frame.nodes.iter().all(|n| n.r.is_finite() && n.z.is_finite());
+        assert!(stage.frames.iter().all(finite), "{}", stage.stop);
+    }
+    let results = Results::of(&solution).expect("it fitted before");
+    for output in OUTPUTS {
+        for view in &results.views {
+            match output.make {
+                Make::Table(make) => {
+                    let Some(table) = make(view) else { continue };
+                    for column in &table.columns {
+                        assert!(column.values.iter().all(|v| v.is_finite()), "{}: {}", output.file, column.key);
+                    }
+                    assert!(!csv(&table).is_empty());
+                }
+                Make::Text(make) => drop(make(view)),
+                Make::Plot(make) => drop(make(view).map(|chart| svg(&chart))),
+                Make::Moving(..) | Make::OfCase(_) => {}
+            }
+        }
+        if let Make::OfCase(make) = output.make {
+            make(&results).for_each(drop);
+        }
+    }
+    let _ = (results.summary(), solution.summary());
+    true
+}
+
+/// Work of one input: a small case to its end, a large one some iterations.
+const WORK: usize = 300_000;
+
+fn check_read(case: Result<Case, CaseError>, work: usize) -> bool {
+    match case {
+        Ok(case) => check_accepted(case, work),
+        Err(error) => {
+            check_refusal(&error);
+            false
+        }
+    }
+}
+
+fn check_case(text: &str, files: &dyn Files) -> bool {
+    check_read(case::parse_with(text, "cases/mutated.toml", &[], files), WORK)
+}
+
+fn check_drawing(bytes: &[u8]) -> bool {
+    let sections = match import::read(bytes, &Options::default()) {
+        Ok(sections) => sections,
+        Err(error) => {
+            let length = error.what.chars().count() + error.help.chars().count();
+            assert!(length < 3_000, "a message of {length} characters");
+            return false;
+        }
+    };
+    let tools = sections.tools.iter().map(|tool| (tool.role, &tool.profile, tool.made_of.as_str())).collect();
+    let (title, notes) = ("Tools of a drawing", &sections.notes[..]);
+    let geometry = Geometry::Axisymmetric;
+    let draft = Draft { title, geometry, tools, thickness: None, blank: None, travel: None, notes };
+    let _ = (draft.size(), draft.doubts());
+    draft.case(&draft.toml(), "mutated.dxf").transpose().is_some_and(|case| check_read(case, WORK))
+}
+
+/// Whether the bytes could be read and solved.
+fn check(target: &Target, bytes: &[u8]) -> bool {
+    match target {
+        Target::Case => check_case(&String::from_utf8_lossy(bytes), &Disk),
+        Target::Drawing => check_drawing(bytes),
+        Target::Beside(case) => {
+            let mut memory = Memory::default();
+            memory.insert("cases/beside.csv", bytes);
+            check_case(case, &memory)
+        }
+    }
+}
+
+/// Ten seconds of a quiet machine; the slowest input takes less than one.
+const LONGEST: Duration = Duration::from_secs(60);
+
+/// Runs a job beside a clock: the time it took and what it says, or how it failed.
+fn timed(job: impl FnOnce() -> bool + Send + 'static) -> Result<(Duration, bool), String> {
+    let start = Instant::now();
+    let (done, ended) = channel();
+    let worker = std::thread::spawn(move || {
+        let solved = job();
+        let _ = done.send(());
+        solved
+    });
+    if ended.recv_timeout(LONGEST) == Err(std::sync::mpsc::RecvTimeoutError::Timeout) {
+        return Err(format!("no end after {LONGEST:?}"));
+    }
+    worker.join().map(|solved| (start.elapsed(), solved)).map_err(|panic| {
+        let words = panic.downcast_ref::<String>().map(String::as_str).or(panic.downcast_ref::<&str>().copied());
+        words.unwrap_or("a panic").chars().take(500).collect()
+    })
+}
+
+/// What is left of an input that failed, for a closer look.
+fn left(name: &str, bytes: &[u8]) -> String {
+    let path = std::env::temp_dir().join(name);
+    fs::write(&path, bytes).map_or_else(|error| error.to_string(), |()| path.display().to_string())
+}
+
+/// One input of a seed, and what it was made from.
+fn input(subjects: &[Subject], seed: u64, i: u64) -> (&Subject, Vec<u8>) {
+    let mut rng = Rng::with_seed(seed.wrapping_mul(1_000_003) + i);
+    let subject = &subjects[rng.usize(..subjects.len())];
+    (subject, mutated(&subject.bytes, subject.form(), &mut rng))
+}
+
+/// So many inputs of a seed.
+fn attack(seed: u64, count: u64) {
+    let (subjects, mut failed, mut slowest, mut done) = (Subject::all(), String::new(), (Duration::ZERO, 0), 0);
+    for i in 0..count {
+        let (subject, bytes) = input(&subjects, seed, i);
+        let (target, own) = (subject.target.clone(), bytes.clone());
+        match timed(move || check(&target, &own)) {
+            Ok((time, solved)) => (slowest, done) = (slowest.max((time, i)), done + u64::from(solved)),
+            Err(why) => {
+                let ending = format!("{:?}", subject.form()).to_lowercase();
+                let place = left(&format!("stampflow-attack-{seed}-{i}.{ending}"), &bytes);
+                let _ = writeln!(failed, "seed {seed}, input {i}, {place}: {why}");
+            }
+        }
+    }
+    let memory = peak_memory().map(|bytes| bytes / 1_000_000);
+    println!("seed {seed}: {count} inputs, {done} solved, slowest {slowest:?}, memory {memory:?} MB");
+    assert!(failed.is_empty(), "{failed}");
+    assert!(done > count / 10, "{done} of {count} inputs were solved: nothing is tried of the solver");
+}
+
+/// Most memory that this process has held \[bytes\], where the system tells.
+fn peak_memory() -> Option<u64> {
+    let status = fs::read_to_string("/proc/self/status").ok()?;
+    let line = status.lines().find(|line| line.starts_with("VmHWM:"))?;
+    let kilobytes: u64 = line.split_whitespace().nth(1)?.parse().ok()?;
+    Some(kilobytes << 10)
+}
+
+/// Every key of `[solver]` with what someone may write there, from plausible to odd.
+const SETTINGS: [(&str, &[&str]); 16] = [
+    ("iteration", &["primal_dual", "newton", "secant"]),
+    ("norm", &["velocity", "residual", "both"]),
+    ("tolerance", &["1e-12", "1e-8", "1e-6", "1e-4", "1e-2", "1", "1e6"]),
+    ("max_iterations", &["1", "2", "5", "20", "100", "10000"]),
+    ("max_step", &["1e-6", "1e-3", "0.005", "0.05", "0.3", "1"]),
+    ("first_step", &["1e-6", "1e-4", "0.01", "0.3", "1"]),
+    ("min_step", &["0", "1e-12", "1e-9", "1e-3", "0.01", "1"]),
+    ("cutoff_strain", &["1e-15", "1e-9", "1e-4", "1e-2", "10"]),
+    ("contact_stiffness", &["1 Pa", "1 MPa", "1 GPa", "300 GPa", "10000 GPa"]),
+    ("contact_smoothing", &["1e-9", "1e-4", "0.03", "1", "1e6"]),
+    ("slip_speed", &["1e-9", "1e-4", "0.1", "10", "1e9"]),
+    ("facets", &["1", "2", "7", "90", "1000"]),
+    ("round_facets", &["true", "false"]),
+    ("contact", &["penalty", "augmented_lagrangian"]),
+    ("strain_step", &["1e-9", "1e-4", "0.01", "1", "1e6"]),
+    ("bend_ratio", &["1e-9", "0.01", "0.5", "1e6"]),
+];
+
+/// Work of one case with odd settings: the small ones to their end.
+const MORE_WORK: usize = 1_000_000;
+
+/// So many shipped cases with settings of a seed.
+fn odd_settings(seed: u64, count: u64) {
+    let (cases, mut failed) = (files("cases", "toml"), String::new());
+    let (mut slowest, mut done) = ((Duration::ZERO, 0), 0);
+    for i in 0..count {
+        let mut rng = Rng::with_seed(seed.wrapping_mul(1_000_003) + i);
+        let path = cases[rng.usize(..cases.len())].clone();
+        let drawn = SETTINGS.iter().filter(|_| rng.u8(..4) == 0).collect::<Vec<_>>();
+        let overrides: Vec<String> = drawn
+            .into_iter()
+            .map(|(key, values)| format!("solver.{key}={}", values[rng.usize(..values.len())]))
+            .collect();
+        let said = format!("{} {}", path.display(), overrides.join(" "));
+        match timed(move || check_read(case::load(&path, &overrides), MORE_WORK)) {
+            Ok((time, solved)) => (slowest, done) = (slowest.max((time, i)), done + u64::from(solved)),
+            Err(why) => drop(writeln!(failed, "seed {seed}, input {i}, {said}: {why}")),
+        }
+    }
+    println!("seed {seed}: {count} settings, {done} solved, slowest {slowest:?}");
+    assert!(failed.is_empty(), "{failed}");
+    assert!(done > count / 10, "{done} of {count} settings were accepted");
+}
+
+#[test]
+fn three_hundred_mutated_inputs_are_refused_or_solved() {
+    attack(1, 300);
+}
+
+#[test]
+fn thirty_odd_settings_end_in_a_named_way() {
+    odd_settings(1, 30);
+}
+
+/// Trust: a model is refused from 500 MB on, and one input is looked at at a time.
+#[test]
+#[ignore = "takes minutes; run it alone"]
+fn ten_thousand_mutated_inputs_are_refused_or_solved() {
+    (2..=6).for_each(|seed| attack(seed, 2_000));
+    assert!(peak_memory().is_none_or(|bytes| bytes < 500_000_000), "{:?} bytes", peak_memory());
+}
+
+#[test]
+#[ignore = "takes minutes"]
+fn a_thousand_odd_settings_end_in_a_named_way() {
+    odd_settings(2, 1_000);
+}

@@ -1,0 +1,30 @@
+//! What becomes of a panic: an error that names it, while others go on.
+
+#[allow(dead_code, reason = "the hook is the program's: tests share a process")]
+#[path = "../../src/cli/bug.rs"]
+mod caught;
+
+use caught::{Bug, caught};
+use rayon::prelude::*;
+
+#[test]
+fn a_panic_of_one_job_is_an_error_that_says_what_to_send_and_stops_no_other() {
+    let job = |i: usize| {
+        caught(&format!("case {i}"), || match i {
+            2 => panic!("index {i} of nothing"),
+            3 => std::panic::panic_any(i),
+            4 => anyhow::bail!("no file"),
+            _ => Ok(i),
+        })
+    };
+    let ends: Vec<anyhow::Result<usize>> = (0..6).into_par_iter().map(job).collect();
+    let done: Vec<usize> = ends.iter().flatten().copied().collect();
+    assert_eq!(done, [0, 1, 5]);
+    let said: Vec<String> = ends.iter().filter_map(|end| end.as_ref().err()).map(ToString::to_string).collect();
+    assert!(said[0].starts_with("case 2 met a mistake of this program") && said[0].contains("index 2 of nothing"));
+    assert!(
+        said[0].contains("the case file and the files that it names") && said[0].contains(env!("CARGO_PKG_VERSION"))
+    );
+    assert!(said[1].contains("no words") && said[2] == "no file", "{said:?}");
+    assert!(ends[2].as_ref().is_err_and(|error| error.is::<Bug>()), "a bug, not bad input");
+}
