@@ -317,7 +317,8 @@ fn an_optional_curve_may_be_missing() {
 #[test]
 fn columns_stand_in_line_whatever_their_letters() {
     let dir = folder(&format!("{CUP}{}optional = true\n", COMPARE.replace("curve", "łé")));
-    let printed = text(&stampflow(dir.path(), &["validate", "-q"]).stdout);
+    let done = stampflow(dir.path(), &["validate", "-q"]);
+    let printed = text(&done.stdout);
     let lines: Vec<&str> = printed.lines().collect();
     let at = |line: &str, word: &str| line[..line.find(word).unwrap()].chars().count();
     assert_eq!(at(lines[0], "verdict"), at(lines[1], "no data"), "{printed}");
