@@ -23,7 +23,7 @@ use std::fs;
 use std::io::{self, ErrorKind};
 use std::path::{Path, PathBuf};
 
-/// Files whose loss of power would be felt are handed to the disk so many at a time: one by one takes several times as long.
+/// So many files at a time are waited for until the disk has them: one after the other takes several times as long.
 const AT_A_TIME: usize = 16;
 
 /// Before the name of a folder, where results that could not be put in place stay.
@@ -157,15 +157,15 @@ impl Drop for ResultFolder {
 
 /// Where a folder is, behind links, and the way that was made to it.
 fn located(named: &Path) -> io::Result<(PathBuf, Way)> {
+    let named = if named.as_os_str().is_empty() { Path::new(".") } else { named };
     let folder = folder_of(named);
-    if named.as_os_str().is_empty() || named.symlink_metadata().is_ok() {
-        let path = fs::canonicalize(if named.as_os_str().is_empty() { folder } else { named })?;
-        let way = Way::to(&path)?;
-        return if path.is_dir() { Ok((path, way)) } else { Err(ErrorKind::NotADirectory.into()) };
-    }
-    let name = named.file_name().ok_or(ErrorKind::InvalidInput)?;
     let way = Way::to(folder)?;
-    Ok((fs::canonicalize(folder)?.join(name), way))
+    if named.symlink_metadata().is_err() {
+        let name = named.file_name().ok_or(ErrorKind::InvalidInput)?;
+        return Ok((fs::canonicalize(folder)?.join(name), way));
+    }
+    let path = fs::canonicalize(named)?;
+    if path.is_dir() { Ok((path, way)) } else { Err(ErrorKind::NotADirectory.into()) }
 }
 
 /// Takes the lock beside a folder, or inside it where nothing can be made beside it.
@@ -178,7 +178,7 @@ fn claimed(path: &Path) -> io::Result<(PathBuf, Lock)> {
     let inside = path.is_dir().then(|| path.join(concat!(".", env!("CARGO_PKG_NAME"))));
     let mut failure = io::Error::from(ErrorKind::InvalidInput);
     for (i, stem) in [beside, inside].into_iter().flatten().enumerate() {
-        match Lock::take(&named(&stem, "lock")) {
+        match Lock::take(&with_ending(&stem, "lock")) {
             Ok(lock) => return Ok((stem, lock)),
             Err(error) if error.kind() == ErrorKind::ResourceBusy => return Err(error),
             Err(error) if i == 0 => failure = error,
@@ -188,7 +188,7 @@ fn claimed(path: &Path) -> io::Result<(PathBuf, Lock)> {
     Err(failure)
 }
 
-fn named(stem: &Path, ending: &str) -> PathBuf {
+fn with_ending(stem: &Path, ending: &str) -> PathBuf {
     let mut name = stem.as_os_str().to_owned();
     name.push(".");
     name.push(ending);
@@ -197,7 +197,7 @@ fn named(stem: &Path, ending: &str) -> PathBuf {
 
 impl Site {
     fn named(&self, ending: &str) -> PathBuf {
-        named(&self.stem, ending)
+        with_ending(&self.stem, ending)
     }
 
     fn part(&self) -> PathBuf {
@@ -368,7 +368,7 @@ fn keep(from: &Path, to: &Path) -> io::Result<()> {
         return disk::remove_dir(from);
     }
     disk::create_dir_all(folder_of(to))?;
-    let numbered = (1..).map(|n| named(to, &n.to_string()));
+    let numbered = (1..).map(|n| with_ending(to, &n.to_string()));
     let free = std::iter::once(to.to_owned()).chain(numbered).find(|to| to.symlink_metadata().is_err());
     disk::rename(from, &free.expect("a number that is free"))
 }

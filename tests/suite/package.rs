@@ -3,8 +3,8 @@
 use serde_json::Value;
 use std::process::Command;
 
-/// What the code itself asks of Rust: 1.88 brought `if let … && …`.
-const CODE: (u32, u32) = (1, 88);
+/// What the code itself asks of Rust: 1.89 brought `File::try_lock`.
+const CODE: (u32, u32) = (1, 89);
 
 fn output(program: &str, args: &[&str]) -> String {
     let done = Command::new(program).args(args).output().unwrap_or_else(|e| panic!("{program}: {e}"));
