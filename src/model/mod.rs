@@ -25,7 +25,7 @@ pub use crate::element::{Geometry, Theory};
 pub use crate::material::flow::Iteration;
 
 use crate::forming_limit::Curve;
-use crate::material::Material;
+use crate::material::{Elastic, Material};
 use crate::material::flow::Triple;
 use crate::numerics::PiecewiseLinear;
 
@@ -78,12 +78,14 @@ impl Model {
         self.tools.iter().find(|t| t.role == role)
     }
 
+    /// The elasticity that the sheet has in its mode: none by the flow law.
+    pub fn elasticity(&self) -> Option<Elastic> {
+        self.material.elastic.filter(|_| self.mode != Mode::Flow)
+    }
+
     /// Elastic energy per volume that a stress stores \[MPa\]; the flow law stores none.
     pub fn stored(&self, stress: Triple) -> f64 {
-        match (self.mode, self.material.elastic) {
-            (Mode::Flow, _) | (_, None) => 0.0,
-            (_, Some(elastic)) => elastic.energy(stress),
-        }
+        self.elasticity().map_or(0.0, |elastic| elastic.energy(stress))
     }
 
     /// Whether tools go ways of their own, as they do in later stages: then they may leave the sheet.

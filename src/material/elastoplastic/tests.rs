@@ -29,6 +29,7 @@ fn start(law: &ElastoplasticLaw) -> Carried {
         strain: 0.03,
         temperature: crate::material::flow::ROOM_TEMPERATURE,
         stress: [60.0, -25.0, 8.0],
+        dilation: 4e-3,
         back: [[20.0, 5.0, -3.0], [4.0, -6.0, 1.0]].map(|back| back.map(|a| shifts * a)),
         yield_stress: 0.0,
         surroundings: Surroundings { exponent: 0.005, increment: 5e-3, floor: 1e-4 },
@@ -72,7 +73,9 @@ fn stress_lies_on_the_yield_surface_and_follows_from_the_elastic_strain() {
         for e in INCREMENTS {
             let mut trial = Trial::default();
             let response = law.respond(&start(law), &mut trial, e);
-            let xi: Triple = std::array::from_fn(|j| response.stress[j] - trial.back[0][j] - trial.back[1][j]);
+            let volume = 1.0 + start(law).dilation;
+            let back: Triple = std::array::from_fn(|j| volume * (trial.back[0][j] + trial.back[1][j]));
+            let xi: Triple = std::array::from_fn(|j| response.stress[j] - back[j]);
             let size = law.radius(law.hardening.expect("yields"), &start(law), response.increment).stress;
             assert!(response.increment > 0.0, "{}", setting.name);
             // What the last round of Newton's method, linear in Δp, leaves.
