@@ -88,6 +88,12 @@ impl Model {
         self.elasticity().map_or(0.0, |elastic| elastic.energy(stress))
     }
 
+    /// Cauchy's stress of one per initial volume \[MPa\]; by the flow law they are the same.
+    pub fn cauchy(&self, stress: Triple) -> Triple {
+        let volume = self.elasticity().map_or(1.0, |elastic| elastic.volume_strain(stress).exp());
+        stress.map(|stress| stress / volume)
+    }
+
     /// Whether tools go ways of their own, as they do in later stages: then they may leave the sheet.
     pub fn has_paths(&self) -> bool {
         self.tools.iter().any(|tool| matches!(tool.motion, Motion::Path(_)))
