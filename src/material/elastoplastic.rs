@@ -12,7 +12,7 @@
 //! initial volume (Kirchhoff's, Cauchy's times J), for that does work on logarithmic strains in a volume that stays. The metal
 //! yields by Cauchy's: σ_R, α_i and C_i above count J times, J as the step begins. The elastic change of volume,
 //! ln J = (1 − 2ν)(σ_s + σ_θ)/E, is 0.4 to 0.6 % in stretched aluminium, and changes by next to nothing in a step that flows:
-//! what the lag does is first order in the step, 1e-5 of a force with the usual one.
+//! what the lag does is first order in the step, 2e-5 of a force with the usual one.
 //!
 //! A rate law with [`Rate::CowperSymonds`] is Perzyna's: ε̄̇ = C (σ̄/σ_s − 1)^p. Without one the metal is rate-free.
 //!

@@ -11,8 +11,9 @@ impl State {
         let elements = (0..self.thickness.len())
             .map(|e| {
                 let points = self.points.row(e);
-                let mean =
-                    |of: &dyn Fn(&MaterialPoint) -> f64| points.iter().zip(&layers).map(|(p, l)| l.weight * of(p)).sum();
+                let mean = |of: &dyn Fn(&MaterialPoint) -> f64| {
+                    points.iter().zip(&layers).map(|(p, l)| l.weight * of(p)).sum()
+                };
                 let (a, b) = (self.nodes[e], self.nodes[e + 1]);
                 ElementRecord {
                     s0: 0.5 * (self.s0[e] + self.s0[e + 1]),

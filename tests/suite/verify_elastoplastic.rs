@@ -213,7 +213,11 @@ fn a_disc_stretched_alike_carries_the_yield_stress_on_its_section() {
         }
         let force = std::f64::consts::TAU * 44.0 * thickness * yields;
         let found = run.steps.last().expect("steps").edge_force;
-        println!("{theory:?}: ln J {volume:.5}, force {:+.1e}, thickness {:+.1e}", found / force - 1.0, run.end.thickness[0] / thickness - 1.0);
+        println!(
+            "{theory:?}: ln J {volume:.5}, force {:+.1e}, thickness {:+.1e}",
+            found / force - 1.0,
+            run.end.thickness[0] / thickness - 1.0
+        );
         assert!((found / force - 1.0).abs() < lag, "{theory:?}: {found} {force}");
     }
 }

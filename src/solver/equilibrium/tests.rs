@@ -114,7 +114,8 @@ fn matrix_of_an_elastoplastic_sheet_is_the_derivative_of_the_residual() {
             let run = crate::solver::run_from(&elastoplastic, flat, &mut ());
             assert!(run.stop.is_complete(), "{}", run.stop);
             let state = run.end;
-            assert!(state.dilation.iter().any(|dilation| dilation.abs() > 5e-4));
+            let most = state.dilation.iter().fold(0.0, |most: f64, dilation| most.max(dilation.abs()));
+            assert!(most > 2e-4, "{geometry:?}, {theory:?}: {most}");
             check(&elastoplastic, &state);
         }
     }
