@@ -18,7 +18,7 @@ use crate::numerics::lobatto::ThicknessPoint;
 pub struct MaterialPoint {
     /// Equivalent plastic strain ε̄ \[–\].
     pub strain: f64,
-    /// Stress at the end of the last step \[MPa\].
+    /// Stress at the end of the last step, per initial volume in a sheet that is elastic \[MPa\].
     pub stress: Triple,
     /// Carried stress w of the primal-dual matrix \[MPa\].
     pub carried: Triple,
@@ -49,9 +49,9 @@ pub struct State {
     pub thickness: Vec<f64>,
     /// Initial volume of each element \[mm³, or mm² in plane strain\].
     pub volume: Vec<f64>,
-    /// Volume strain of each element \[–\]; 0 in a sheet without voids.
+    /// Volume strain of each element \[–\], of voids or elastic: t = t₀ exp(−ε_s − ε_θ) times its exponential.
     pub dilation: Vec<f64>,
-    /// Rate of the volume strain in the last step \[1/s\].
+    /// Rate of the volume strain of voids in the last step \[1/s\].
     pub dilation_rate: Vec<f64>,
     /// Temperature of each element \[K\].
     pub temperature: Vec<f64>,

@@ -30,7 +30,7 @@ pub struct Internal {
     pub across: Matrix3<f64>,
     /// ∂t of the current thickness by r₁+r₂, r₂−r₁ and z₂−z₁ \[–\].
     pub thickness_row: [f64; 3],
-    /// Current thickness, by constant volume \[mm\].
+    /// Current thickness, by the volume that the step began with \[mm\].
     pub thickness: f64,
 }
 

@@ -20,6 +20,11 @@ impl Elastic {
         [young / (1.0 - poisson), young / (1.0 + poisson), 0.5 * SHEAR_FACTOR * young / (1.0 + poisson)]
     }
 
+    /// ln J of a stress per initial volume, with none across the sheet \[–\].
+    pub fn volume_strain(&self, stress: Triple) -> f64 {
+        (1.0 - 2.0 * self.poisson) / self.young * (stress[0] + stress[1])
+    }
+
     /// Strain energy per volume of a stress \[MPa\].
     pub fn energy(&self, stress: Triple) -> f64 {
         let [s, t, shear] = stress;

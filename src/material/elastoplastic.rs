@@ -8,9 +8,11 @@
 //!
 //! all at the END of the step (backward Euler). In the sum and the difference of the two stresses D and P are both
 //! diagonal, so that the stress follows from Δp in closed form and Δp from one scalar equation. Strains are logarithmic and
-//! stresses stand in the element's own frame, which turns with the sheet: no objective rate is needed. Stress is per initial
-//! volume (Kirchhoff, τ = J σ); the elastic change of volume, ln J = (1 − 2ν)(τ_s + τ_θ)/E, which is 0.4 to 0.6 % in stretched
-//! aluminium, is left out of thickness, area and yielding.
+//! stresses stand in the element's own frame, which turns with the sheet: no objective rate is needed. The stress σ here is per
+//! initial volume (Kirchhoff's, Cauchy's times J), for that does work on logarithmic strains in a volume that stays. The metal
+//! yields by Cauchy's: σ_R, α_i and C_i above count J times, J as the step begins. The elastic change of volume,
+//! ln J = (1 − 2ν)(σ_s + σ_θ)/E, is 0.4 to 0.6 % in stretched aluminium, and changes by next to nothing in a step that flows:
+//! what the lag does is first order in the step, 2e-5 of a force with the usual one.
 //!
 //! A rate law with [`Rate::CowperSymonds`] is Perzyna's: ε̄̇ = C (σ̄/σ_s − 1)^p. Without one the metal is rate-free.
 //!
@@ -68,10 +70,12 @@ pub struct Carried {
     pub strain: f64,
     /// T \[K\].
     pub temperature: f64,
-    /// Size of the yield surface, by [`ElastoplasticLaw::yield_stress`] \[MPa\].
+    /// Size of the yield surface of σ, by [`ElastoplasticLaw::yield_stress`] \[MPa\].
     pub yield_stress: f64,
     /// σ₀ \[MPa\].
     pub stress: Triple,
+    /// J − 1 by σ₀ \[–\].
+    pub dilation: f64,
     /// α_i \[MPa\].
     pub back: [Triple; 2],
     /// What flows around it.
@@ -204,6 +208,9 @@ impl ElastoplasticLaw<'_> {
             yielding.slope *= factor;
             yielding.stress *= factor;
         }
+        let volume = 1.0 + point.dilation;
+        yielding.slope *= volume;
+        yielding.stress *= volume;
         point.surroundings.hold(&mut yielding, increment);
         yielding
     }
@@ -220,7 +227,8 @@ impl ElastoplasticLaw<'_> {
         guess: f64,
     ) -> Option<Return> {
         let Operators { yielding: p, both, .. } = self.operators;
-        let shifted: Triple = each(|j| tried[j] - back[0][j] - back[1][j]);
+        let volume = 1.0 + point.dilation;
+        let shifted: Triple = each(|j| tried[j] - volume * (back[0][j] + back[1][j]));
         let size =
             (p[0] * shifted[0] * shifted[0] + p[1] * shifted[1] * shifted[1] + p[2] * shifted[2] * shifted[2]).sqrt();
         if size <= point.yield_stress {
@@ -235,11 +243,12 @@ impl ElastoplasticLaw<'_> {
                 eta = tried;
                 for (law, back) in kinematic.iter().zip(back) {
                     let theta = 1.0 / (1.0 + law.dynamic_recovery * x);
-                    modulus += law.modulus * theta;
-                    modulus_slope -= law.modulus * law.dynamic_recovery * theta * theta;
+                    let (left, by_increment) = (volume * theta, volume * law.dynamic_recovery * theta * theta);
+                    modulus += law.modulus * left;
+                    modulus_slope -= law.modulus * by_increment;
                     for j in 0..3 {
-                        eta[j] -= theta * back[j];
-                        recovered[j] += law.dynamic_recovery * theta * theta * back[j];
+                        eta[j] -= left * back[j];
+                        recovered[j] += by_increment * back[j];
                     }
                 }
             }

@@ -25,8 +25,8 @@ pub use crate::element::{Geometry, Theory};
 pub use crate::material::flow::Iteration;
 
 use crate::forming_limit::Curve;
-use crate::material::Material;
 use crate::material::flow::Triple;
+use crate::material::{Elastic, Material};
 use crate::numerics::PiecewiseLinear;
 
 /// A validated forming problem in solver units.
@@ -78,12 +78,20 @@ impl Model {
         self.tools.iter().find(|t| t.role == role)
     }
 
+    /// The elasticity that the sheet has in its mode: none by the flow law.
+    pub fn elasticity(&self) -> Option<Elastic> {
+        self.material.elastic.filter(|_| self.mode != Mode::Flow)
+    }
+
     /// Elastic energy per volume that a stress stores \[MPa\]; the flow law stores none.
     pub fn stored(&self, stress: Triple) -> f64 {
-        match (self.mode, self.material.elastic) {
-            (Mode::Flow, _) | (_, None) => 0.0,
-            (_, Some(elastic)) => elastic.energy(stress),
-        }
+        self.elasticity().map_or(0.0, |elastic| elastic.energy(stress))
+    }
+
+    /// Cauchy's stress of one per initial volume \[MPa\]; by the flow law they are the same.
+    pub fn cauchy(&self, stress: Triple) -> Triple {
+        let volume = self.elasticity().map_or(1.0, |elastic| elastic.volume_strain(stress).exp());
+        stress.map(|stress| stress / volume)
     }
 
     /// Whether tools go ways of their own, as they do in later stages: then they may leave the sheet.

@@ -17,8 +17,8 @@ pub enum Mode {
     /// Elastic and plastic strains on the same elements: Δσ = D(E, ν) (Δε − Δε_p), with Δε_p normal to the yield surface
     /// σ̄(σ − Σ α) = σ_y(ε̄, ε̄̇) at the end of the step.
     ///
-    /// Valid for loads from the first contact on, for bending and spring-back; the elastic change of volume is left out of
-    /// the thickness.
+    /// Valid for loads from the first contact on, for bending and spring-back. The elastic change of volume counts in the
+    /// thickness, and yield is by force per current area (Cauchy's stress).
     ///
     /// Source: J. C. Simo, R. L. Taylor, Int. J. Num. Meth. Engng. 22 (1986) 649–670.
     ElastoViscoplastic,

@@ -1,6 +1,7 @@
 //! A step in equilibrium, and the state that it leads to.
 
 use super::corrector::Outcome;
+use super::elastic_volume;
 use super::evaluation::Evaluation;
 use super::porosity;
 use super::steady;
@@ -85,6 +86,9 @@ impl<'a> Converged<'a> {
             s0: state.s0.clone(),
         };
         steady::judge(step, evaluation, &mut next);
+        if let Some(elastic) = model.elasticity() {
+            elastic_volume::follow(elastic, step, evaluation, &mut next);
+        }
         if let Some(voids) = &model.material.gtn {
             porosity::grow(voids, step, trial, evaluation, &mut next);
         }

@@ -20,7 +20,7 @@ pub(super) fn follow(converged: &Converged, next: &mut State, record: &mut StepR
     let mut most = 0;
     for e in 0..next.ironed.len() {
         if is_between_walls(converged, e) {
-            next.ironed[e] += (step.state.thickness[e] / evaluation.thickness[e]).ln();
+            next.ironed[e] += (step.state.thickness[e] / next.thickness[e]).ln();
             for (j, tool) in step.process.tools.iter().enumerate() {
                 for contact in &evaluation.contacts.row(j)[STATIONS * e..STATIONS * (e + 1)] {
                     record.ironing_pressure = record.ironing_pressure.max(contact.pressure.value);

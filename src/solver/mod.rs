@@ -4,6 +4,7 @@ mod augmented_lagrangian;
 mod converged;
 mod corrector;
 mod distance_blocks;
+mod elastic_volume;
 mod end_search;
 mod energy_balance;
 mod equilibrium;
@@ -157,8 +158,8 @@ fn advance(
     last: &StepRecord,
 ) -> (State, StepRecord) {
     let (work, plastic) = energy_balance::work(before, converged);
-    let mut record = step_record::record(converged, before, work, rejected, last);
     let mut next = converged.advanced();
+    let mut record = step_record::record(converged, before, &next, work, rejected, last);
     ironing::follow(converged, &mut next, &mut record);
     if converged.step.model.material.gtn.is_some() {
         (record.porosity, record.porous_s0) = next.largest_porosity(&converged.step.process.rule);

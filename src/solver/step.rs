@@ -223,12 +223,14 @@ fn flow_points(
 
 fn elastoplastic_points(model: &Model, state: &State, dt: f64, around: &Grid<Surroundings>) -> Grid<Carried> {
     let law = elastoplastic_law(model, Iteration::Newton, dt);
+    let elastic = model.elasticity().expect("checked where the model is made");
     let columns = state.points.columns();
     let points = state.points.iter().enumerate().map(|(i, point)| {
         let temperature = state.foreseen_temperature(i / columns, dt);
         let MaterialPoint { strain, stress, back, .. } = *point;
         let surroundings = around[(i / columns, i % columns)];
-        let carried = Carried { strain, temperature, yield_stress: 0.0, stress, back, surroundings };
+        let dilation = elastic.volume_strain(stress).exp_m1();
+        let carried = Carried { strain, temperature, yield_stress: 0.0, stress, dilation, back, surroundings };
         Carried { yield_stress: law.yield_stress(&carried), ..carried }
     });
     Grid::from_values(columns, points)
@@ -266,7 +268,7 @@ pub(super) fn elastoplastic_law(model: &Model, matrix: Iteration, duration: f64)
     let material = &model.material;
     ElastoplasticLaw {
         hardening: (model.mode == Mode::ElastoViscoplastic).then_some(&material.hardening),
-        operators: Operators::new(material.elastic.expect("checked where the model is made"), material.hill48),
+        operators: Operators::new(model.elasticity().expect("checked where the model is made"), material.hill48),
         kinematic: chaboche::shifting(material.chaboche),
         rate: material.rate.as_ref(),
         softening: material.thermal.as_ref(),

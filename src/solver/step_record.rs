@@ -6,12 +6,14 @@ use super::places::Seal;
 use crate::element::surface::{STATIONS, stations};
 use crate::model::{Edge, Role};
 use crate::solution::{Energy, StepRecord};
+use crate::state::State;
 
-/// The record of a step that took the work `done` and `rejected` tries before it, after `last`; `before` is the evaluation
-/// of the step before.
+/// The record of a step to the state `next` that took the work `done` and `rejected` tries before it, after `last`; `before`
+/// is the evaluation of the step before.
 pub(super) fn record(
     converged: &Converged,
     before: &Evaluation,
+    next: &State,
     done: Energy,
     rejected: usize,
     last: &StepRecord,
@@ -20,7 +22,7 @@ pub(super) fn record(
     let model = step.model;
     let tool = |role: Role| model.tools.iter().position(|tool| tool.role == role);
     let force_of = |role: Role| tool(role).map_or(0.0, |j| evaluation.tool_force[j].y);
-    let thickness = &evaluation.thickness;
+    let thickness = &next.thickness;
     let thinner = |a: usize, b: usize| if thickness[b] < thickness[a] { b } else { a };
     let thinnest = (0..thickness.len()).fold(0, thinner);
     let gas = model.gas.iter().zip(&trial.gas).map(|(gas, pressure)| gas.face.sign() * pressure);
@@ -102,9 +104,8 @@ fn contact_share(converged: &Converged) -> f64 {
         [middle - half, middle + half]
     };
     let (mut touching, mut whole) = (0.0, 0.0);
-    for (e, thickness) in evaluation.thickness.iter().enumerate() {
-        // Volume over thickness is the current area.
-        let area = seal.inside(e) * step.state.volume[e] / thickness;
+    for (e, [meridional, hoop]) in evaluation.membrane_increment.iter().enumerate() {
+        let area = seal.inside(e) * step.references[e].area() * (meridional + hoop).exp();
         whole += area;
         touching += area * negative_share(ends(e));
     }

@@ -41,13 +41,13 @@ fn every_comparison_is_within_its_tolerance() {
 /// thickness [mm] and where it is on the flat sheet [mm], as computed when these lines were written.
 const FIGURES: &[(&str, &str, f64, f64, f64)] = &[
     ("brite_cylindrical", "forming", 137208.4877, 0.636961, 137.8125),
-    ("brite_four_steps", "draw", 136824.139, 0.636308, 137.2202),
+    ("brite_four_steps", "draw", 136866.5245, 0.636932, 137.2202),
     ("brite_four_steps", "retract", 77653.1729, 0.637217, 137.2202),
     ("brite_four_steps", "lower", 0.0, 0.637217, 137.2202),
     ("brite_four_steps", "withdraw", 0.0, 0.637218, 137.2202),
     ("bulge", "forming", 9.5, 0.589803, 0.275),
     ("chalmers_cup", "forming", 100515.2657, 0.920649, 60.4294),
-    ("cylindrical_bending", "bend", 4.6455, 0.999816, 32.625),
+    ("cylindrical_bending", "bend", 4.6683, 0.999855, 32.625),
     ("cylindrical_bending", "release", 0.0, 0.999859, 32.625),
     ("hat_springback", "draw", 31.2758, 0.769607, 36.95),
     ("hat_springback", "release", 0.0, 0.769745, 36.95),
@@ -65,7 +65,7 @@ const FIGURES: &[(&str, &str, f64, f64, f64)] = &[
     ("superplastic_dome", "forming", 0.11585284, 0.48299, 0.25),
     ("warm_cup", "forming", 44512.5803, 0.871476, 71.5714),
     ("woo_hemispherical", "forming", 34811.8207, 0.347782, 4.9507),
-    ("woo_porous", "forming", 28073.7179, 0.457441, 4.499),
+    ("woo_porous", "forming", 28073.7179, 0.458321, 4.499),
 ];
 
 /// What a figure may move by without a decision. The corrector's tolerance leaves 1e-5 of a force open, and one step more or

@@ -9,7 +9,7 @@ use stampflow::element::section::Law;
 use stampflow::material::elastoplastic::{Carried, ElastoplasticLaw, Operators, Trial};
 use stampflow::material::flow::{ROOM_TEMPERATURE, StressUpdate};
 use stampflow::material::hardening::Ludwik;
-use stampflow::material::{Elastic, Hardening, Hill48};
+use stampflow::material::{Elastic, Hardening, Hill48, Material};
 use stampflow::measure::Shape;
 use stampflow::model::{Edge, Face, Gas, Geometry, Mode, Model, Theory};
 use stampflow::numerics::PiecewiseLinear;
@@ -165,6 +165,61 @@ fn bending_under_tension_is_the_closed_form() {
     }
     println!("bending under tension: largest miss {:.3} % of the plastic force or moment", 100.0 * worst);
     assert!(worst < 0.01, "{worst}");
+}
+
+/// Trust: closed form, Poisson's contraction ε_t = −ν/(1−ν) ε_s of a wide strip; the strains of a step sum up to round-off.
+#[test]
+fn a_wide_elastic_strip_contracts_by_poisson() {
+    for theory in [Theory::Bending, Theory::Membrane] {
+        let travel = 0.01;
+        let mut model = simple::pulled(Geometry::PlaneStrain, theory, travel);
+        model.mode = Mode::ElastoViscoplastic;
+        let elastic = Elastic { young: 206_000.0, poisson: 0.3 };
+        model.material = Material { elastic: Some(elastic), ..Material::plain(model.material.hardening) };
+        let run = run(&model, &mut ());
+        assert!(run.stop.is_complete(), "{}", run.stop);
+        let strain = f64::ln_1p(travel / 40.0);
+        for (t, dilation) in run.end.thickness.iter().zip(&run.end.dilation) {
+            assert!((t.ln() + 0.3 / 0.7 * strain).abs() < 1e-9 * strain, "{theory:?}: {t}");
+            assert!((dilation - 0.4 / 0.7 * strain).abs() < 1e-9 * strain, "{theory:?}: {dilation}");
+        }
+    }
+}
+
+/// Trust: closed form of a disc that is stretched alike in all directions, F = 2πr t σ_y(ε̄) on the thickness
+/// t = t₀ exp(−2ε + ln J): yield by Cauchy's stress. J lags by a step of a hundredth, in which the stress rises by less than
+/// a hundredth: 1e-2 of ln J.
+#[test]
+fn a_disc_stretched_alike_carries_the_yield_stress_on_its_section() {
+    for theory in [Theory::Bending, Theory::Membrane] {
+        let mut model = simple::pulled(Geometry::Axisymmetric, theory, 4.0);
+        model.mode = Mode::ElastoViscoplastic;
+        let elastic = Elastic { young: 69_000.0, poisson: 0.3 };
+        model.material = Material { elastic: Some(elastic), ..Material::plain(model.material.hardening) };
+        let run = run(&model, &mut ());
+        assert!(run.stop.is_complete(), "{}", run.stop);
+        let strain = f64::ln_1p(4.0 / 40.0);
+        let (mut volume, mut yields) = (0.0f64, 0.0);
+        for _ in 0..50 {
+            let stress = volume.exp() * yields;
+            let plastic = 2.0 * (strain - (1.0 - elastic.poisson) / elastic.young * stress);
+            yields = model.material.hardening.at(plastic).stress;
+            volume = elastic.volume_strain([stress, stress, 0.0]);
+        }
+        let thickness = (volume - 2.0 * strain).exp();
+        let lag = 1e-2 * volume;
+        for t in &run.end.thickness {
+            assert!((t / thickness - 1.0).abs() < lag, "{theory:?}: {t} {thickness}");
+        }
+        let force = std::f64::consts::TAU * 44.0 * thickness * yields;
+        let found = run.steps.last().expect("steps").edge_force;
+        println!(
+            "{theory:?}: ln J {volume:.5}, force {:+.1e}, thickness {:+.1e}",
+            found / force - 1.0,
+            run.end.thickness[0] / thickness - 1.0
+        );
+        assert!((found / force - 1.0).abs() < lag, "{theory:?}: {found} {force}");
+    }
 }
 
 /// A clamped elastic disc under a small pressure; its deflection in the middle [mm].

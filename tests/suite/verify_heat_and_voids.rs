@@ -207,7 +207,7 @@ fn no_porosity_gives_the_plain_run() {
 
 /// Trust: the equation of equi-biaxial Gurson flow integrated on its own (the membrane stress is on the surface
 /// m²/4 + 2 q₁f* cosh(q₂m/2) − 1 − q₃f*² = 0 with m = 2 s, the strain rates follow by normality). The run reckons with a
-/// porosity foreseen from the last step: second order, 1e-6 with 2000 steps. The thickness has the volume of its voids:
+/// porosity foreseen from the last step: second order. The thickness has the volume of the voids that the step's end found:
 /// ln(t/t₀) = −2 ε + ∫ ε̇_kk.
 #[test]
 fn a_pulled_disc_grows_its_voids_as_integrated() {
@@ -252,15 +252,15 @@ fn a_pulled_disc_grows_its_voids_as_integrated() {
         (volume - 2.0 * end).exp()
     );
     assert!((last.porosity - f).abs() < 1e-9, "{} {f}", last.porosity);
-    let thickness = |step: f64| {
+    let force = |step: f64| {
         let mut model = model.clone();
         model.settings = Settings { max_step: step, first_step: step, tolerance: 1e-9, ..Settings::default() };
-        solve(&model).steps.last().expect("steps").thinnest / (volume - 2.0 * end).exp() - 1.0
+        solve(&model).steps.last().expect("steps").edge_force
     };
-    let orders = orders(&[4.0, 2.0, 1.0], &[8e-3, 4e-3, 2e-3].map(thickness));
-    println!("thickness of the voided disc: orders {orders:.3?} in the step");
-    assert!(orders.iter().all(|p| (p - 2.0).abs() < 0.05), "{orders:?}");
-    assert!((last.thinnest / (volume - 2.0 * end).exp() - 1.0).abs() < 1e-6);
+    let orders = orders_of_changes(&[8e-3, 4e-3, 2e-3, 1e-3].map(force));
+    println!("force on the voided disc: orders {orders:.3?} in the step");
+    assert!(orders.iter().all(|p| (p - 2.0).abs() < 0.1), "{orders:?}");
+    assert!((last.thinnest / (volume - 2.0 * end).exp() - 1.0).abs() < 1e-8);
     let middle = run.frames[0].elements[3];
     assert!((middle.strain_thickness - middle.thickness.ln()).abs() < 1e-9, "{middle:?}");
     assert!((middle.strain_equivalent - strain).abs() < 1e-5, "{middle:?} {strain}");

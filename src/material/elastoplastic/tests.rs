@@ -29,6 +29,7 @@ fn start(law: &ElastoplasticLaw) -> Carried {
         strain: 0.03,
         temperature: crate::material::flow::ROOM_TEMPERATURE,
         stress: [60.0, -25.0, 8.0],
+        dilation: 4e-3,
         back: [[20.0, 5.0, -3.0], [4.0, -6.0, 1.0]].map(|back| back.map(|a| shifts * a)),
         yield_stress: 0.0,
         surroundings: Surroundings { exponent: 0.005, increment: 5e-3, floor: 1e-4 },
@@ -72,7 +73,9 @@ fn stress_lies_on_the_yield_surface_and_follows_from_the_elastic_strain() {
         for e in INCREMENTS {
             let mut trial = Trial::default();
             let response = law.respond(&start(law), &mut trial, e);
-            let xi: Triple = std::array::from_fn(|j| response.stress[j] - trial.back[0][j] - trial.back[1][j]);
+            let volume = 1.0 + start(law).dilation;
+            let back: Triple = std::array::from_fn(|j| volume * (trial.back[0][j] + trial.back[1][j]));
+            let xi: Triple = std::array::from_fn(|j| response.stress[j] - back[j]);
             let size = law.radius(law.hardening.expect("yields"), &start(law), response.increment).stress;
             assert!(response.increment > 0.0, "{}", setting.name);
             // What the last round of Newton's method, linear in Δp, leaves.
@@ -242,6 +245,39 @@ fn follow(law: &ElastoplasticLaw, corners: &[[f64; 2]], steps: usize) -> Carried
         }
     }
     at
+}
+
+/// Trust: closed form of a bar that does not harden, σ = τ/J = Y with J = exp((1 − 2ν) τ/E): the force Y A on a section
+/// A = A₀ exp(2 ε_θ) that contracts alike in width and thickness, so that ε_t = −ε_s − ε_θ + ln J is ε_θ. J lags by one step,
+/// which a stress that stays does not feel.
+#[test]
+fn a_bar_in_tension_yields_by_the_force_on_its_section() {
+    let yields = 900.0;
+    let perfect = Hardening::Ludwik(crate::material::hardening::Ludwik::new(yields, 0.0, 1.0).expect("valid"));
+    let law = law(&perfect);
+    let mut at = Carried { temperature: crate::material::flow::ROOM_TEMPERATURE, ..Carried::default() };
+    let mut strain = [0.0; 2];
+    for _ in 0..20 {
+        at.dilation = STEEL.volume_strain(at.stress).exp_m1();
+        at.yield_stress = law.yield_stress(&at);
+        let along = 1e-3;
+        let try_across = |across: f64| {
+            let mut trial = Trial::default();
+            let response = law.respond(&at, &mut trial, [along, across, 0.0]);
+            (response.stress, response.increment)
+        };
+        let [across, _] = crate::numerics::bisect(-along, 0.0, 60, |across| try_across(across).0[1] < 0.0);
+        let (stress, increment) = try_across(across);
+        (at.stress, at.strain) = (stress, at.strain + increment);
+        strain = [strain[0] + along, strain[1] + across];
+    }
+    let volume = STEEL.volume_strain(at.stress);
+    assert_relative_eq!(-strain[0] - strain[1] + volume, strain[1], max_relative = 1e-10);
+    let section = (2.0 * strain[1]).exp();
+    // Work of the force on the lengthening bar is that of σ here on the strain.
+    assert_relative_eq!(at.stress[0] / strain[0].exp(), yields * section, max_relative = 1e-10);
+    assert_relative_eq!(at.stress[0], yields * volume.exp(), max_relative = 1e-10);
+    assert!(volume > 1e-3, "felt: {volume}");
 }
 
 /// Trust: an integration of the rates of the 3D tensors with steps so short that yielding in the middle of one is felt by

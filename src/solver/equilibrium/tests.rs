@@ -4,7 +4,7 @@ use super::*;
 use crate::element::{Geometry, Theory};
 use crate::geometry::Profile;
 use crate::material::hardening::Swift;
-use crate::material::{Gtn, Hardening, Hill48, Material, Rate, ThermalLaw};
+use crate::material::{Elastic, Gtn, Hardening, Hill48, Material, Rate, ThermalLaw};
 use crate::model::{
     Bead, Blank, Face, Gas, Grading, Heat, Iteration, Mode, Model, Motion, Press, Pressure, RateControl, Role,
     Settings, ThicknessRule, Tool,
@@ -98,6 +98,26 @@ fn matrix_of_a_voided_warm_sheet_is_the_derivative_of_the_residual() {
         assert!(run.stop.is_complete(), "{}", run.stop);
         assert!(state.points.iter().any(|point| point.porosity > 0.03));
         check(&voided, &state);
+    }
+}
+
+/// Trust: as above, for the elastoplastic law with back-stresses that do not fade, on a sheet whose volume has changed.
+#[test]
+fn matrix_of_an_elastoplastic_sheet_is_the_derivative_of_the_residual() {
+    for geometry in [Geometry::Axisymmetric, Geometry::PlaneStrain] {
+        for theory in [Theory::Bending, Theory::Membrane] {
+            let mut elastoplastic = model(geometry, theory);
+            elastoplastic.mode = Mode::ElastoViscoplastic;
+            elastoplastic.material.elastic = Some(Elastic { young: 70_000.0, poisson: 0.33 });
+            elastoplastic.material.chaboche[0].modulus = 300.0;
+            let flat = State::flat(&elastoplastic, crate::model::mesh::nodes(&elastoplastic));
+            let run = crate::solver::run_from(&elastoplastic, flat, &mut ());
+            assert!(run.stop.is_complete(), "{}", run.stop);
+            let state = run.end;
+            let most = state.dilation.iter().fold(0.0, |most: f64, dilation| most.max(dilation.abs()));
+            assert!(most > 2e-4, "{geometry:?}, {theory:?}: {most}");
+            check(&elastoplastic, &state);
+        }
     }
 }
 
