@@ -17,6 +17,9 @@ const LARGEST_SWING: f64 = 5.0;
 const LARGEST_TURN: f64 = 0.3;
 /// The velocity norm alone can accept a wrong force; it also asks for a residual below this share of the largest force \[–\].
 const LOOSE_RESIDUAL: f64 = 0.01;
+/// Residual over the largest force below which what is left of the velocities' error is foreseen from how it fell, and not
+/// waited for \[–\]: forces of all shipped cases then agree with those of one more iteration within 1e-6.
+const SETTLED_RESIDUAL: f64 = 1e-3;
 /// Mean move of a node, over the sheet thickness, below which a step counts as standing still \[–\]: the velocity norm is
 /// then that of this move, for no increment is small against nothing.
 const STILL: f64 = 1e-6;
@@ -40,6 +43,8 @@ pub(super) struct Outcome {
     /// Times that the corrector was gone through: 1, and one more for every round of the augmented Lagrangian.
     pub rounds: usize,
     pub velocity_norm: f64,
+    /// What the increments yet to come would add up to, if they went on falling as the last two did \[–\].
+    pub velocity_left: f64,
     pub residual_norm: f64,
 }
 
@@ -51,8 +56,17 @@ impl Outcome {
         iterations: 0,
         rounds: 1,
         velocity_norm: f64::INFINITY,
+        velocity_left: f64::INFINITY,
         residual_norm: f64::INFINITY,
     };
+
+    /// Notes an increment of the velocities.
+    fn moved(&mut self, norm: f64) {
+        let ratio = norm / self.velocity_norm;
+        let falls = self.velocity_norm < f64::INFINITY && ratio < 1.0;
+        self.velocity_left = if falls { norm * ratio / (1.0 - ratio) } else { f64::INFINITY };
+        self.velocity_norm = norm;
+    }
 }
 
 /// Corrects a trial to equilibrium at the end of its step with one matrix and at most so many iterations.
@@ -91,7 +105,7 @@ pub(super) fn correct(
         if let Some(back) = looks_back.then(|| trial.line.back(&evaluation.system)).flatten() {
             trial.advance(step.process, -back);
             outcome.iterations += 1;
-            outcome.velocity_norm = f64::INFINITY;
+            outcome.moved(f64::INFINITY);
             continue;
         }
         if outcome.converged || outcome.iterations == most || !trial.line.aim(&mut evaluation.system) {
@@ -103,7 +117,7 @@ pub(super) fn correct(
         trial.advance(step.process, share);
         let velocity_norm = velocity_norm(model, trial, share);
         // A capped increment says nothing of how far the answer still is.
-        outcome.velocity_norm = if share < 1.0 { f64::INFINITY } else { velocity_norm };
+        outcome.moved(if share < 1.0 { f64::INFINITY } else { velocity_norm });
         observer.iteration(&IterationRecord {
             step: step.number,
             travel: step.travel(),
@@ -123,10 +137,12 @@ pub(super) fn correct(
 /// Whether the norms that the settings ask for are small.
 fn is_converged(model: &Model, evaluation: &Evaluation, outcome: &Outcome) -> bool {
     let small = |norm: f64| norm <= model.settings.tolerance;
+    let settled = outcome.residual_norm <= SETTLED_RESIDUAL && small(outcome.velocity_left);
+    let still = small(outcome.velocity_norm) || settled;
     let converged = match model.settings.norm {
-        Norm::Velocity => small(outcome.velocity_norm) && outcome.residual_norm <= LOOSE_RESIDUAL,
+        Norm::Velocity => still && outcome.residual_norm <= LOOSE_RESIDUAL,
         Norm::Residual => small(outcome.residual_norm),
-        Norm::Both => small(outcome.velocity_norm) && small(outcome.residual_norm),
+        Norm::Both => still && small(outcome.residual_norm),
     };
     converged && evaluation.held_rate.beyond_cap <= CAP
 }
