@@ -20,7 +20,7 @@ use crate::model::Iteration;
 use crate::solver::evaluation::{Contact, Evaluation, Linearisation};
 use crate::solver::push::{FIRST, Place, Push, SECOND};
 use crate::solver::step::Step;
-use crate::solver::trial::{ContactMemory, Trial};
+use crate::solver::trial::Trial;
 
 /// Contact and friction of every tool with every point it reaches; returns the largest force of one on one.
 pub fn add(step: &Step, trial: &mut Trial, at: &Linearisation, out: &mut Evaluation) -> f64 {
@@ -158,16 +158,12 @@ fn assemble(step: &Step, out: &mut Evaluation) {
 /// Measures the gaps that the iterations of a converged step did not need; the balance of work does.
 pub fn measure_far(step: &Step, trial: &mut Trial, out: &mut Evaluation) {
     for (j, tool) in step.process.tools.iter().enumerate().filter(|(_, tool)| !tool.is_absent()) {
-        for e in 0..out.thickness.len() {
-            for (k, station) in stations(step.bends[e]).iter().enumerate() {
-                let i = STATIONS * e + k;
-                let contact = &mut out.contacts[(j, i)];
-                if contact.gap.is_infinite() {
-                    let ContactMemory { position, distance, .. } = &mut trial.contacts[(j, i)];
-                    *position = station.position(&out.nodes[e], &out.nodes[e + 1]) - trial.tools[j];
-                    *distance = tool.profile.closest(*position).distance;
-                    contact.gap = *distance - 0.5 * out.thickness[e];
-                }
+        let pairs = out.contacts.row_mut(j).iter_mut().zip(trial.contacts.row_mut(j)).zip(&out.places);
+        for (i, ((contact, memory), place)) in pairs.enumerate() {
+            if contact.gap.is_infinite() {
+                memory.position = place.position - trial.tools[j];
+                memory.distance = tool.profile.closest(memory.position).distance;
+                contact.gap = memory.distance - 0.5 * out.thickness[i / STATIONS];
             }
         }
     }
