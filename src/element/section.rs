@@ -17,6 +17,8 @@ pub struct Law<'a, L> {
     /// Least tension of a membrane over its yield force \[–\], in the matrix only (the residual is untouched): a flat
     /// membrane has no transverse stiffness before its first stretch.
     pub slack_tension: f64,
+    /// Whether the matrix is left out.
+    pub forces_alone: bool,
 }
 
 /// An element's internal forces and matrix.
@@ -156,13 +158,17 @@ impl<L: PointLaw> Law<'_, L> {
             let update = match across.flatten() {
                 None => {
                     let update = self.point.respond(&before[i], &mut iterates[i], strain);
-                    c.add(zeta, v, &update.tangent);
+                    if !self.forces_alone {
+                        c.add(zeta, v, &update.tangent);
+                    }
                     update
                 }
                 Some(across) => {
                     s[KAPPA_S] += half * v * across.moment[0];
                     s[KAPPA_T] += half * v * across.moment[1];
-                    c.add_part(zeta, half, v, &across);
+                    if !self.forces_alone {
+                        c.add_part(zeta, half, v, &across);
+                    }
                     across.update
                 }
             };
@@ -177,6 +183,13 @@ impl<L: PointLaw> Law<'_, L> {
         let Stiffness { c0, c1, c2 } = c;
         // Forces and matrix of the element's five motions: differences d = (r, z), sum of r, difference and sum of θ.
         let g = current.strain_displacement();
+        let force = nodal(&g, &s);
+        let thickness = thickness * (-e[EPS_S] - e[EPS_T]).exp();
+        let thickness_row = [g.hoop, g.along[0], g.along[1]].map(|by| -thickness * by);
+        if self.forces_alone {
+            let empty = Matrix3::zeros();
+            return Internal { force, own: [empty; 2], across: empty, thickness_row, thickness };
+        }
         let mut k = current.geometric_stiffness(&s);
         if !current.bends() && self.slack_tension > 0.0 {
             let tension = self.slack_tension * volume * updates[0].yield_stress;
@@ -191,7 +204,6 @@ impl<L: PointLaw> Law<'_, L> {
         let (e0, e1) = (g.along, g.across);
         let both = |p: f64, q: f64| [p * e0[0] + q * e1[0], p * e0[1] + q * e1[1]];
         let [rr, rz, zz] = k.difference;
-        let force = nodal(&g, &s);
 
         let (from_s, from_g) = (both(c0[0], c0[3]), both(c0[3], c0[5]));
         let rr = rr + e0[0] * from_s[0] + e1[0] * from_g[0];
@@ -228,8 +240,6 @@ impl<L: PointLaw> Law<'_, L> {
             turn[1] - bend[1],
             turn_turn - bend_bend,
         );
-        let thickness = thickness * (-e[EPS_S] - e[EPS_T]).exp();
-        let thickness_row = [g.hoop, e0[0], e0[1]].map(|by| -thickness * by);
         Internal { force, own, across, thickness_row, thickness }
     }
 }

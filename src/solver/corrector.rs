@@ -67,6 +67,12 @@ impl Outcome {
         self.velocity_left = if falls { norm * ratio / (1.0 - ratio) } else { f64::INFINITY };
         self.velocity_norm = norm;
     }
+
+    /// Whether the next evaluation is the last by what the velocities say, where it is they that are asked.
+    fn foresees_end(&self, model: &Model) -> bool {
+        let settings = &model.settings;
+        settings.norm == Norm::Velocity && self.velocity_norm.min(self.velocity_left) <= settings.tolerance
+    }
 }
 
 /// Corrects a trial to equilibrium at the end of its step with one matrix and at most so many iterations.
@@ -83,12 +89,13 @@ pub(super) fn correct(
     let searches = model.mode != Mode::Flow && trial.kept.is_none();
     let watched = observer.wants_iterates();
     loop {
-        let at = Linearisation { matrix, iteration: outcome.iterations, velocity_norm: outcome.velocity_norm };
-        if !evaluate(step, trial, &at, evaluation) {
+        // The last evaluation needs no matrix; where the forces disagree that it is the last it is made again.
+        let foreseen = trial.kept.is_none() && outcome.foresees_end(model);
+        if !judge(step, trial, matrix, foreseen, evaluation, &mut outcome)
+            || (foreseen && !outcome.converged && !judge(step, trial, matrix, false, evaluation, &mut outcome))
+        {
             return outcome;
         }
-        outcome.residual_norm = evaluation.residual_norm;
-        outcome.converged = is_converged(model, evaluation, &outcome);
         if watched {
             observer.iterate(&Iterate {
                 step: step.number,
@@ -132,6 +139,24 @@ pub(super) fn correct(
             return outcome;
         }
     }
+}
+
+/// Evaluates a trial and notes how far it is from equilibrium; `false` when an element has collapsed.
+fn judge(
+    step: &Step,
+    trial: &mut Trial,
+    matrix: Iteration,
+    residual_alone: bool,
+    evaluation: &mut Evaluation,
+    outcome: &mut Outcome,
+) -> bool {
+    let (iteration, velocity_norm) = (outcome.iterations, outcome.velocity_norm);
+    let sound = evaluate(step, trial, &Linearisation { matrix, residual_alone, iteration, velocity_norm }, evaluation);
+    if sound {
+        outcome.residual_norm = evaluation.residual_norm;
+        outcome.converged = is_converged(step.model, evaluation, outcome);
+    }
+    sound
 }
 
 /// Whether the norms that the settings ask for are small.
