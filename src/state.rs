@@ -43,8 +43,10 @@ pub struct State {
     pub travel: f64,
     /// Nodes from the axis outward \[mm, rad\].
     pub nodes: Vec<Node>,
-    /// Velocities of the nodes \[mm/s, rad/s\].
+    /// Velocities of the nodes, their means in the last step \[mm/s, rad/s\].
     pub velocity: Vec<Node>,
+    /// The same at its end, by how they changed from the step before: what the next step is tried with.
+    pub end_velocity: Vec<Node>,
     /// Thickness of each element \[mm\].
     pub thickness: Vec<f64>,
     /// Initial volume of each element \[mm³, or mm² in plane strain\].
@@ -110,6 +112,7 @@ impl State {
             time: 0.0,
             travel: 0.0,
             velocity: vec![[0.0; 3]; nodes.len()],
+            end_velocity: vec![[0.0; 3]; nodes.len()],
             thickness: vec![t; elements],
             volume: volume.collect(),
             membrane: vec![[0.0; 2]; elements],

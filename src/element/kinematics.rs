@@ -60,7 +60,7 @@ struct Fibre {
 
 impl Fibre {
     fn new(angle: f64) -> Self {
-        let (sin, cos) = angle.sin_cos();
+        let (sin, cos) = small::sin_cos(angle);
         Self { cos, sin }
     }
 

@@ -3,7 +3,7 @@
 use super::Vector6;
 use super::kinematics::{Current, EPS_S, EPS_T, GAMMA, Generalised, KAPPA_S, KAPPA_T, StrainDisplacement};
 use crate::material::PointLaw;
-use crate::material::flow::{Across, StressUpdate, Symmetric, Triple};
+use crate::material::flow::{Across, MEAN_SQUARE, StressUpdate, Symmetric, Triple};
 use crate::numerics::lobatto::ThicknessPoint;
 use nalgebra::Matrix3;
 
@@ -17,6 +17,8 @@ pub struct Law<'a, L> {
     /// Least tension of a membrane over its yield force \[–\], in the matrix only (the residual is untouched): a flat
     /// membrane has no transverse stiffness before its first stretch.
     pub slack_tension: f64,
+    /// Whether the matrix is left out.
+    pub forces_alone: bool,
 }
 
 /// An element's internal forces and matrix.
@@ -72,6 +74,61 @@ pub fn forces(
     nodal(&current.strain_displacement(), &s)
 }
 
+/// The matrices of the points integrated through the thickness with 1, ζ, ζ².
+#[derive(Default)]
+struct Stiffness {
+    /// Membrane.
+    c0: Symmetric,
+    /// Coupling, strains by curvatures: ss, sθ, θs, θθ, γs, γθ.
+    c1: [f64; 6],
+    /// Bending: ss, sθ, θθ.
+    c2: Triple,
+}
+
+impl Stiffness {
+    /// Adds a point at ζ that stands for the volume `v`.
+    #[inline]
+    fn add(&mut self, zeta: f64, v: f64, tangent: &Symmetric) {
+        let c = tangent.map(|c| v * c);
+        for j in 0..6 {
+            self.c0[j] += c[j];
+            self.c1[j] += zeta * c[STRAINS_BY_CURVATURES[j]];
+        }
+        for j in 0..3 {
+            self.c2[j] += zeta * zeta * c[j];
+        }
+    }
+
+    /// Adds a point that stands in the middle of a part of the thickness of 2 `half`.
+    #[inline]
+    fn add_part(&mut self, zeta: f64, half: f64, v: f64, part: &Across) {
+        let Self { c0, c1, c2 } = self;
+        let [direct, coupled, shear] = part.metric.map(|k| v * k);
+        let square = zeta * zeta + MEAN_SQUARE * half * half;
+        for (j, k) in [(0, direct), (1, coupled), (2, direct)] {
+            c0[j] += k;
+            c2[j] += square * k;
+        }
+        c0[5] += shear;
+        for (j, k) in [(0, direct), (1, coupled), (2, coupled), (3, direct)] {
+            c1[j] += zeta * k;
+        }
+        // g and h by the strains, and by the curvatures.
+        let [g, h] = part.outer;
+        let h = h.map(|h| v * h);
+        let [gk, hk] = [g, h].map(|g| [zeta * g[0] + half * g[3], zeta * g[1] + half * g[4]]);
+        for (j, (a, b)) in [(0, 0), (0, 1), (1, 1), (0, 2), (1, 2), (2, 2)].into_iter().enumerate() {
+            c0[j] += g[a] * h[b] + h[a] * g[b];
+        }
+        for (j, (a, b)) in [(0, 0), (0, 1), (1, 0), (1, 1), (2, 0), (2, 1)].into_iter().enumerate() {
+            c1[j] += g[a] * hk[b] + h[a] * gk[b];
+        }
+        for (j, (a, b)) in [(0, 0), (0, 1), (1, 1)].into_iter().enumerate() {
+            c2[j] += gk[a] * hk[b] + hk[a] * gk[b];
+        }
+    }
+}
+
 impl<L: PointLaw> Law<'_, L> {
     /// Forces and matrix of an element of `volume` \[mm³\] whose thickness was `thickness` \[mm\] at the start of the step.
     ///
@@ -88,9 +145,7 @@ impl<L: PointLaw> Law<'_, L> {
         updates: &mut [StressUpdate],
     ) -> Internal {
         let e = &current.strain;
-        let mut s: Generalised = [0.0; 5];
-        // C integrated with 1, ζ, ζ²: membrane; coupling, strains by curvatures: ss, sθ, θs, θθ, γs, γθ; bending: ss, sθ, θθ.
-        let (mut c0, mut c1, mut c2): (Symmetric, [f64; 6], Triple) = ([0.0; 6], [0.0; 6], [0.0; 3]);
+        let (mut s, mut c): (Generalised, _) = ([0.0; 5], Stiffness::default());
         let points = if current.bends() { self.points } else { &MIDDLE };
         for (i, at) in points.iter().enumerate() {
             let zeta = 0.5 * thickness * at.xi;
@@ -101,20 +156,20 @@ impl<L: PointLaw> Law<'_, L> {
             let part = at.half > 0.0;
             let across = part.then(|| self.point.respond_across(&before[i], &mut iterates[i], strain, spread));
             let update = match across.flatten() {
-                None => self.point.respond(&before[i], &mut iterates[i], strain),
-                Some(Across { update, moment, coupling, bending }) => {
-                    let arm = half * v;
-                    s[KAPPA_S] += arm * moment[0];
-                    s[KAPPA_T] += arm * moment[1];
-                    for (row, c) in coupling.iter().enumerate() {
-                        c1[2 * row] += arm * c[0];
-                        c1[2 * row + 1] += arm * c[1];
+                None => {
+                    let update = self.point.respond(&before[i], &mut iterates[i], strain);
+                    if !self.forces_alone {
+                        c.add(zeta, v, &update.tangent);
                     }
-                    let [[ss, st], [ts, tt], _] = coupling;
-                    c2[0] += arm * (half * bending[0] + 2.0 * zeta * ss);
-                    c2[1] += arm * (half * bending[1] + zeta * (st + ts));
-                    c2[2] += arm * (half * bending[2] + 2.0 * zeta * tt);
                     update
+                }
+                Some(across) => {
+                    s[KAPPA_S] += half * v * across.moment[0];
+                    s[KAPPA_T] += half * v * across.moment[1];
+                    if !self.forces_alone {
+                        c.add_part(zeta, half, v, &across);
+                    }
+                    across.update
                 }
             };
             let (vs, vt) = (v * update.stress[0], v * update.stress[1]);
@@ -123,18 +178,18 @@ impl<L: PointLaw> Law<'_, L> {
             s[KAPPA_S] += zeta * vs;
             s[KAPPA_T] += zeta * vt;
             s[GAMMA] += v * update.stress[2];
-            let c = update.tangent.map(|c| v * c);
-            for j in 0..6 {
-                c0[j] += c[j];
-                c1[j] += zeta * c[STRAINS_BY_CURVATURES[j]];
-            }
-            for j in 0..3 {
-                c2[j] += zeta * zeta * c[j];
-            }
             updates[i] = update;
         }
+        let Stiffness { c0, c1, c2 } = c;
         // Forces and matrix of the element's five motions: differences d = (r, z), sum of r, difference and sum of θ.
         let g = current.strain_displacement();
+        let force = nodal(&g, &s);
+        let thickness = thickness * (-e[EPS_S] - e[EPS_T]).exp();
+        let thickness_row = [g.hoop, g.along[0], g.along[1]].map(|by| -thickness * by);
+        if self.forces_alone {
+            let empty = Matrix3::zeros();
+            return Internal { force, own: [empty; 2], across: empty, thickness_row, thickness };
+        }
         let mut k = current.geometric_stiffness(&s);
         if !current.bends() && self.slack_tension > 0.0 {
             let tension = self.slack_tension * volume * updates[0].yield_stress;
@@ -149,7 +204,6 @@ impl<L: PointLaw> Law<'_, L> {
         let (e0, e1) = (g.along, g.across);
         let both = |p: f64, q: f64| [p * e0[0] + q * e1[0], p * e0[1] + q * e1[1]];
         let [rr, rz, zz] = k.difference;
-        let force = nodal(&g, &s);
 
         let (from_s, from_g) = (both(c0[0], c0[3]), both(c0[3], c0[5]));
         let rr = rr + e0[0] * from_s[0] + e1[0] * from_g[0];
@@ -186,8 +240,6 @@ impl<L: PointLaw> Law<'_, L> {
             turn[1] - bend[1],
             turn_turn - bend_bend,
         );
-        let thickness = thickness * (-e[EPS_S] - e[EPS_T]).exp();
-        let thickness_row = [g.hoop, e0[0], e0[1]].map(|by| -thickness * by);
         Internal { force, own, across, thickness_row, thickness }
     }
 }

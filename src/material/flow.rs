@@ -32,7 +32,7 @@ pub use super::point_law::{Across, StressUpdate};
 pub use super::yield_condition::{Metric, SHEAR_FACTOR, Symmetric, Triple, YieldCondition};
 
 /// Mean square of what goes evenly from −1 to 1 \[–\].
-const MEAN_SQUARE: f64 = 1.0 / 3.0;
+pub const MEAN_SQUARE: f64 = 1.0 / 3.0;
 
 /// Matrix of the corrector.
 // H of Sosnowski (1994), equation 9.

@@ -27,17 +27,22 @@ pub trait PointLaw {
     }
 }
 
-/// Stress over a part of the thickness, its moment, and their derivatives.
+/// Stress over a part of the thickness, its moment, and their derivatives by the strain and its spread: a matrix of five
+/// rows and columns, of which only the parts are given,
+///
+/// ```text
+/// C = [K 0; 0 ⅓K] + g⊗h + h⊗g        K = [direct coupled 0; coupled direct 0; 0 0 shear], without its last row in ⅓K
+/// ```
 #[derive(Clone, Copy, Debug)]
 pub struct Across {
-    /// Of the mean stress, by the mean strain increment.
+    /// Of the mean stress; its tangent is left empty.
     pub update: StressUpdate,
     /// What does work on the spread: the moment of the part over half its height, meridional and hoop \[MPa\].
     pub moment: [f64; 2],
-    /// ∂stress/∂spread, and ∂moment/∂strain transposed \[MPa\].
-    pub coupling: [[f64; 2]; 3],
-    /// ∂moment/∂spread: ss, sθ, θθ \[MPa\].
-    pub bending: [f64; 3],
+    /// K: direct, coupled, shear \[MPa\].
+    pub metric: [f64; 3],
+    /// g and h \[–, MPa\].
+    pub outer: [[f64; 5]; 2],
 }
 
 /// Stress, its derivative and the hardening increment that go with a strain increment.
@@ -45,7 +50,7 @@ pub struct Across {
 pub struct StressUpdate {
     /// σ \[MPa\].
     pub stress: Triple,
-    /// C = the block of the iteration matrix H, dσ/dΔε or its replacement \[MPa\].
+    /// C = the block of the iteration matrix H, dσ/dΔε or its replacement \[MPa\]; empty where [`Across`] has it.
     pub tangent: Symmetric,
     /// Δε̄ \[–\].
     pub increment: f64,

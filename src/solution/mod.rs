@@ -201,7 +201,7 @@ impl StepRecord {
 /// How the steps of a run came to equilibrium: counts of steps by the start that did it, and of steps cut short.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Effort {
-    /// From the velocities of the last step.
+    /// From the velocities at the end of the last step.
     pub predictor: usize,
     /// From rest and a few iterations with the secant matrix.
     pub secant: usize,

@@ -32,9 +32,18 @@ pub struct Neck {
 pub fn neck(model: &Model, state: &State, before: Option<&State>) -> Neck {
     let t0 = model.blank.thickness;
     let section = |state: &State| Neighbourhood::new(model, state).section_thickness(&state.thickness);
-    let (thickness, former) = (section(state), before.map(section));
+    let thickness = section(state);
     // What two tools take off a wall is no neck.
     let strain = |e: usize| (thickness[e] / t0).ln() + state.ironed[e];
+    let middle = |e: usize| 0.5 * (state.s0[e] + state.s0[e + 1]);
+    let n = thickness.len();
+    let thinnest = (0..n).min_by(|&a, &b| strain(a).total_cmp(&strain(b)));
+    let e = thinnest.expect("a blank has elements");
+    let mut neck = Neck { s0: middle(e), share: strain(e).exp(), stands_out: false, took_over: false };
+    if neck.share > THINNED {
+        return neck;
+    }
+    let former = before.map(section);
     let rate = |e: usize| {
         let then = before.zip(former.as_ref());
         then.map_or(0.0, |(before, former)| (former[e] / thickness[e]).ln() - (state.ironed[e] - before.ironed[e]))
@@ -44,14 +53,6 @@ pub fn neck(model: &Model, state: &State, before: Option<&State>) -> Neck {
         let step = model.process_time(before.time, state.time - before.time);
         model.settings.cutoff_strain * step / (Settings::CUTOFF_STEP * model.duration)
     });
-    let middle = |e: usize| 0.5 * (state.s0[e] + state.s0[e + 1]);
-    let n = thickness.len();
-    let thinnest = (0..n).min_by(|&a, &b| strain(a).total_cmp(&strain(b)));
-    let e = thinnest.expect("a blank has elements");
-    let mut neck = Neck { s0: middle(e), share: strain(e).exp(), stands_out: false, took_over: false };
-    if neck.share > THINNED {
-        return neck;
-    }
     let (mut strains, mut rates, mut count) = (0.0, 0.0, 0.0);
     for other in 0..n {
         let away = (middle(other) - neck.s0).abs();

@@ -8,8 +8,9 @@ use super::steady;
 use super::step::Step;
 use super::terms::contact;
 use super::trial::Trial;
+use crate::element::Node;
 use crate::element::kinematics::Reference;
-use crate::model::{Edge, Theory};
+use crate::model::{Edge, Mode, Theory};
 use crate::numerics::Grid;
 use crate::state::{MaterialPoint, State};
 
@@ -58,11 +59,13 @@ impl<'a> Converged<'a> {
         let points_of_contact = state.contact_points();
         let strains = state.membrane.iter().zip(&evaluation.membrane_increment);
         let tool_moves = trial.tools.iter().zip(&state.tools);
+        let velocity: Vec<Node> = trial.moves.iter().map(|u| u.map(|u| u / dt)).collect();
         let mut next = State {
             time: step.end(),
             travel: step.travel(),
             nodes: evaluation.nodes.clone(),
-            velocity: trial.moves.iter().map(|u| u.map(|u| u / dt)).collect(),
+            end_velocity: self.end_velocity(&velocity),
+            velocity,
             thickness: evaluation.thickness.clone(),
             volume: state.volume.clone(),
             dilation: state.dilation.clone(),
@@ -93,6 +96,19 @@ impl<'a> Converged<'a> {
             porosity::grow(voids, step, trial, evaluation, &mut next);
         }
         next
+    }
+
+    /// Velocities at the end of the step, on a straight line through the means of this step and the one before, which hold
+    /// for their middles. Further ahead than that the changes of contact would be drawn out too; elastoplastic metal, whose
+    /// stress remembers the way, keeps the mean.
+    fn end_velocity(&self, mean: &[Node]) -> Vec<Node> {
+        let Step { model, state, dt, speed_ratio, number, .. } = *self.step;
+        if model.mode != Mode::Flow || number == 1 {
+            return mean.to_vec();
+        }
+        let ahead = dt / (dt + state.last_step / speed_ratio);
+        let nodes = mean.iter().zip(&state.velocity);
+        nodes.map(|(now, before)| [0, 1, 2].map(|d| now[d] + ahead * (now[d] - speed_ratio * before[d]))).collect()
     }
 }
 

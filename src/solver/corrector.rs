@@ -17,6 +17,9 @@ const LARGEST_SWING: f64 = 5.0;
 const LARGEST_TURN: f64 = 0.3;
 /// The velocity norm alone can accept a wrong force; it also asks for a residual below this share of the largest force \[–\].
 const LOOSE_RESIDUAL: f64 = 0.01;
+/// Residual over the largest force below which what is left of the velocities' error is foreseen from how it fell, and not
+/// waited for \[–\]: forces of all shipped cases then agree with those of one more iteration within 1e-6.
+const SETTLED_RESIDUAL: f64 = 1e-3;
 /// Mean move of a node, over the sheet thickness, below which a step counts as standing still \[–\]: the velocity norm is
 /// then that of this move, for no increment is small against nothing.
 const STILL: f64 = 1e-6;
@@ -43,6 +46,8 @@ pub(super) struct Outcome {
     pub velocity_norm: f64,
     /// The same of any last increment; 0 where none was needed.
     pub increment: f64,
+    /// What the increments yet to come would add up to, if they went on falling as the last two did \[–\].
+    pub velocity_left: f64,
     pub residual_norm: f64,
 }
 
@@ -55,8 +60,25 @@ impl Outcome {
         rounds: 1,
         velocity_norm: f64::INFINITY,
         increment: 0.0,
+        velocity_left: f64::INFINITY,
         residual_norm: f64::INFINITY,
     };
+
+    /// Notes an increment of the velocities, taken whole or not.
+    fn moved(&mut self, increment: f64, whole: bool) {
+        self.increment = increment;
+        let norm = if whole { increment } else { f64::INFINITY };
+        let ratio = norm / self.velocity_norm;
+        let falls = self.velocity_norm < f64::INFINITY && ratio < 1.0;
+        self.velocity_left = if falls { norm * ratio / (1.0 - ratio) } else { f64::INFINITY };
+        self.velocity_norm = norm;
+    }
+
+    /// Whether the next evaluation is the last by what the velocities say, where it is they that are asked.
+    fn foresees_end(&self, model: &Model) -> bool {
+        let settings = &model.settings;
+        settings.norm == Norm::Velocity && self.velocity_norm.min(self.velocity_left) <= settings.tolerance
+    }
 }
 
 /// Corrects a trial to equilibrium at the end of its step with one matrix and at most so many iterations.
@@ -73,12 +95,13 @@ pub(super) fn correct(
     let searches = model.mode != Mode::Flow && trial.kept.is_none();
     let watched = observer.wants_iterates();
     loop {
-        let at = Linearisation { matrix, iteration: outcome.iterations, velocity_norm: outcome.velocity_norm };
-        if !evaluate(step, trial, &at, evaluation) {
+        // The last evaluation needs no matrix; where the forces disagree that it is the last it is made again.
+        let foreseen = trial.kept.is_none() && outcome.foresees_end(model);
+        if !judge(step, trial, matrix, foreseen, evaluation, &mut outcome)
+            || (foreseen && !outcome.converged && !judge(step, trial, matrix, false, evaluation, &mut outcome))
+        {
             return outcome;
         }
-        outcome.residual_norm = evaluation.residual_norm;
-        outcome.converged = is_converged(model, evaluation, &outcome);
         if watched {
             observer.iterate(&Iterate {
                 step: step.number,
@@ -95,8 +118,7 @@ pub(super) fn correct(
         if let Some(back) = looks_back.then(|| trial.line.back(&evaluation.system)).flatten() {
             trial.advance(step.process, -back);
             outcome.iterations += 1;
-            outcome.velocity_norm = f64::INFINITY;
-            outcome.increment = velocity_norm(model, trial, back);
+            outcome.moved(velocity_norm(model, trial, back), false);
             continue;
         }
         if outcome.converged || outcome.iterations == most || !trial.line.aim(&mut evaluation.system) {
@@ -106,8 +128,8 @@ pub(super) fn correct(
         let share = allowed_share(step.process, trial);
         trial.line.go(share);
         trial.advance(step.process, share);
-        outcome.increment = velocity_norm(model, trial, share);
-        outcome.velocity_norm = if share < 1.0 { f64::INFINITY } else { outcome.increment };
+        // A capped increment says nothing of how far the answer still is.
+        outcome.moved(velocity_norm(model, trial, share), share >= 1.0);
         observer.iteration(&IterationRecord {
             step: step.number,
             travel: step.travel(),
@@ -124,13 +146,33 @@ pub(super) fn correct(
     }
 }
 
+/// Evaluates a trial and notes how far it is from equilibrium; `false` when an element has collapsed.
+fn judge(
+    step: &Step,
+    trial: &mut Trial,
+    matrix: Iteration,
+    residual_alone: bool,
+    evaluation: &mut Evaluation,
+    outcome: &mut Outcome,
+) -> bool {
+    let (iteration, velocity_norm) = (outcome.iterations, outcome.velocity_norm);
+    let sound = evaluate(step, trial, &Linearisation { matrix, residual_alone, iteration, velocity_norm }, evaluation);
+    if sound {
+        outcome.residual_norm = evaluation.residual_norm;
+        outcome.converged = is_converged(step.model, evaluation, outcome);
+    }
+    sound
+}
+
 /// Whether the norms that the settings ask for are small.
 fn is_converged(model: &Model, evaluation: &Evaluation, outcome: &Outcome) -> bool {
     let small = |norm: f64| norm <= model.settings.tolerance;
+    let settled = outcome.residual_norm <= SETTLED_RESIDUAL && small(outcome.velocity_left);
+    let still = small(outcome.velocity_norm) || settled;
     let converged = match model.settings.norm {
-        Norm::Velocity => small(outcome.velocity_norm) && outcome.residual_norm <= LOOSE_RESIDUAL,
+        Norm::Velocity => still && outcome.residual_norm <= LOOSE_RESIDUAL,
         Norm::Residual => small(outcome.residual_norm),
-        Norm::Both => small(outcome.velocity_norm) && small(outcome.residual_norm),
+        Norm::Both => still && small(outcome.residual_norm),
     };
     converged && evaluation.held_rate.beyond_cap <= CAP
 }

@@ -21,6 +21,8 @@ const LIGHT: f64 = 0.01;
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Linearisation {
     pub matrix: Iteration,
+    /// Whether the residual alone is asked for, and the matrix may stay empty.
+    pub residual_alone: bool,
     /// Counts from 0.
     pub iteration: usize,
     /// Of the last iteration \[–\].

@@ -76,13 +76,18 @@ impl Push {
         system.corner[(shared, shared)] -= by_z.y;
     }
 
-    /// Adds the forces on the motions of the point's element, and their derivatives.
+    /// Adds the forces on the motions of the point's element.
     #[inline]
-    pub fn spread(&self, station: &Station, slope: &Slope, thinning: &[f64; 3], sheet: &mut MotionForces) {
+    pub fn load(&self, slope: &Slope, thinning: &[f64; 3], forces: &mut [f64; 5]) {
         let force = motions(slope, self.force, thinning, self.squeeze);
         for i in 0..5 {
-            sheet.force[i] += force[i];
+            forces[i] += force[i];
         }
+    }
+
+    /// Adds the derivatives of these forces: rows by forces, columns by motions.
+    #[inline]
+    pub fn stiffen(&self, station: &Station, slope: &Slope, thinning: &[f64; 3], matrix: &mut [[f64; 5]; 5]) {
         let [by_r, by_z] = self.force_by_place;
         let force_r = motions(slope, Point::new(by_r.x, by_z.x), thinning, self.force_by_thickness.x);
         let force_z = motions(slope, Point::new(by_r.y, by_z.y), thinning, self.force_by_thickness.y);
@@ -91,16 +96,16 @@ impl Push {
         let ([along_r, along_z], bend) = (slope.by_difference, slope.by_bend);
         for j in 0..5 {
             let (r, z, q) = (force_r[j], force_z[j], squeeze[j]);
-            sheet.matrix[0][j] += 0.5 * r + thinning[0] * q;
-            sheet.matrix[1][j] += 0.5 * z;
-            sheet.matrix[2][j] += along_r.x * r + along_r.y * z + thinning[1] * q;
-            sheet.matrix[3][j] += along_z.x * r + along_z.y * z + thinning[2] * q;
-            sheet.matrix[4][j] += bend.x * r + bend.y * z;
+            matrix[0][j] += 0.5 * r + thinning[0] * q;
+            matrix[1][j] += 0.5 * z;
+            matrix[2][j] += along_r.x * r + along_r.y * z + thinning[1] * q;
+            matrix[3][j] += along_z.x * r + along_z.y * z + thinning[2] * q;
+            matrix[4][j] += bend.x * r + bend.y * z;
         }
         let second = station.second(self.force);
         for d in 0..2 {
-            sheet.matrix[4][2 + d] += second[d];
-            sheet.matrix[2 + d][4] += second[d];
+            matrix[4][2 + d] += second[d];
+            matrix[2 + d][4] += second[d];
         }
     }
 }

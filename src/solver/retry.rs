@@ -16,7 +16,7 @@ use crate::solution::Effort;
 /// of these to equilibrium, a start from rest alone a twentieth fewer at one try more each.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Start {
-    /// The velocities of the last step.
+    /// The velocities at the end of the last step.
     Predictor,
     /// What [`SECANT_START`] iterations with the secant matrix come to from rest: no motion but the tools'.
     Secant,

@@ -62,6 +62,7 @@ pub fn enter(stage: &Stage, before: &Model, mut state: State) -> State {
     let (model, begin) = (&stage.model, &stage.begin);
     (state.time, state.travel) = (0.0, 0.0);
     state.velocity.fill([0.0; 3]);
+    state.end_velocity.fill([0.0; 3]);
     state.steady.fill(false);
     state.temperature_rates.fill([0.0; 2]);
     state.points.iter_mut().for_each(|point| point.equivalent_rate = 0.0);
@@ -105,7 +106,7 @@ fn trim(state: &mut State, radius: f64) {
     if elements + 1 >= nodes {
         return;
     }
-    for per_node in [&mut state.nodes, &mut state.velocity] {
+    for per_node in [&mut state.nodes, &mut state.velocity, &mut state.end_velocity] {
         per_node.truncate(elements + 1);
     }
     state.s0.truncate(elements + 1);

@@ -166,17 +166,26 @@ fn foreseen_volume(state: &State, dt: f64) -> (Vec<f64>, Vec<f64>) {
 fn surroundings(process: &Process, state: &State, time: f64, near: &Neighbourhood) -> Grid<Surroundings> {
     let model = process.model;
     let floor = FLOOR * model.settings.cutoff_strain * time / (Settings::CUTOFF_STEP * model.duration);
-    let columns = state.points.columns();
-    let of = |e: usize, k: usize| {
+    let mut around = Grid::new(state.thickness.len(), state.points.columns(), Surroundings::default());
+    let mut rates = vec![0.0; state.points.columns()];
+    for e in 0..state.thickness.len() {
         let others = 1.0 - near.own_share(e);
         if others <= 0.0 {
-            return Surroundings::default();
+            continue;
         }
-        let increment = time * near.mean(e, |other| state.points[(other, k)].equivalent_rate);
-        Surroundings { exponent: EXPONENT * others * increment / (increment + floor), increment, floor }
-    };
-    let points = (0..state.thickness.len()).flat_map(|e| (0..columns).map(move |k| (e, k)));
-    Grid::from_values(columns, points.map(|(e, k)| of(e, k)))
+        rates.fill(0.0);
+        let length = near.each(e, |k, part| {
+            for (rate, point) in rates.iter_mut().zip(state.points.row(k)) {
+                *rate += part * point.equivalent_rate;
+            }
+        });
+        for (around, rate) in around.row_mut(e).iter_mut().zip(&rates) {
+            let increment = time * rate / length;
+            let exponent = EXPONENT * others * increment / (increment + floor);
+            *around = Surroundings { exponent, increment, floor };
+        }
+    }
+    around
 }
 
 /// The flow law's points; of a membrane the mean of its points. Where the sheet flows steadily they follow the last step.

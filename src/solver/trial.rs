@@ -69,7 +69,7 @@ impl Trial {
         }
     }
 
-    /// Takes a first guess of a step: moves at the last velocities or from rest, prescribed motions imposed.
+    /// Takes a first guess of a step: moves at the velocities of the last step's end or from rest, prescribed motions imposed.
     pub fn predict(&mut self, step: &Step, from_rest: bool) {
         let Step { process, model, state, dt, .. } = *step;
         let pairs = state.pressure.iter().zip(state.shift.iter());
@@ -82,7 +82,7 @@ impl Trial {
         // A held strain rate has no meaning at rest.
         let holds_rate = process.holds_rate();
         let share = if from_rest && !holds_rate { 0.0 } else { step.speed_ratio * dt };
-        for (u, velocity) in self.moves.iter_mut().zip(&state.velocity) {
+        for (u, velocity) in self.moves.iter_mut().zip(&state.end_velocity) {
             *u = velocity.map(|velocity| share * velocity);
         }
         if holds_rate && state.time == 0.0 {

@@ -36,26 +36,36 @@ impl Neighbourhood {
         (0.5 * self.lengths[e] / self.reach).min(1.0)
     }
 
-    /// Mean over the neighbourhood of element `e` of what each element has. Beyond the axis the sheet goes on as its mirror
-    /// image; beyond the edge there is none.
+    /// Mean over the neighbourhood of element `e` of what each element has.
     pub fn mean(&self, e: usize, of: impl Fn(usize) -> f64) -> f64 {
-        let beside = self.reach - 0.5 * self.lengths[e];
-        if beside <= 0.0 {
+        if self.own_share(e) >= 1.0 {
             return of(e);
         }
-        let (mut sum, mut length) = (self.lengths[e] * of(e), self.lengths[e]);
-        let mut add = |k: usize, left: &mut f64| {
-            let part = self.lengths[k].min(*left);
-            sum += part * of(k);
-            length += part;
-            *left -= part;
-            *left > 0.0
-        };
-        let (mut inner, mut outer) = (beside, beside);
-        let n = self.lengths.len();
-        let _ = (0..e).rev().chain(0..n).all(|k| add(k, &mut inner));
-        let _ = (e + 1..n).all(|k| add(k, &mut outer));
+        let mut sum = 0.0;
+        let length = self.each(e, |k, part| sum += part * of(k));
         sum / length
+    }
+
+    /// Visits the elements in the neighbourhood of element `e` with the length of each that lies in it, which sum to the
+    /// length that is returned \[mm\]. Beyond the axis the sheet goes on as its mirror image; beyond the edge there is none.
+    pub fn each(&self, e: usize, mut visit: impl FnMut(usize, f64)) -> f64 {
+        let n = self.lengths.len();
+        let mut length = self.lengths[e];
+        visit(e, length);
+        let mut beside = |elements: &mut dyn Iterator<Item = usize>| {
+            let mut left = self.reach - 0.5 * self.lengths[e];
+            while left > 0.0
+                && let Some(k) = elements.next()
+            {
+                let part = self.lengths[k].min(left);
+                visit(k, part);
+                length += part;
+                left -= part;
+            }
+        };
+        beside(&mut (0..e).rev().chain(0..n));
+        beside(&mut (e + 1..n));
+        length
     }
 
     /// Thickness of the section at every element: the mean over its neighbourhood \[mm\].

@@ -168,7 +168,7 @@ fn plastic_moment_converges_with_the_layers() {
     let exact = 2.0 / 3f64.sqrt() * yield_stress * t * t / 4.0;
     let error = |n: usize| {
         let layers = lobatto::rule(n);
-        let law = Law { point: rate_free(&hardening), points: &layers, slack_tension: 0.0 };
+        let law = Law { point: rate_free(&hardening), points: &layers, slack_tension: 0.0, forces_alone: false };
         let mut iterates = vec![Iterate::default(); n];
         let mut responses = vec![StressUpdate::default(); n];
         let internal =
@@ -204,7 +204,7 @@ fn tension_that_bends_moves_the_neutral_fibre() {
     // Largest errors of τ, and of M over that without tension, with the neutral fibre anywhere in the inner half.
     let errors = |n: usize| {
         let points = parts::rule(n);
-        let law = Law { point, points: &points, slack_tension: 0.0 };
+        let law = Law { point, points: &points, slack_tension: 0.0, forces_alone: false };
         let (mut tension, mut moment) = (0.0_f64, 0.0_f64);
         for i in 0..=100 {
             let tau = 0.005 * f64::from(i);

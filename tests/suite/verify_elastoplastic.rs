@@ -59,7 +59,7 @@ impl Strip {
         }
         let mut trials = vec![Trial::default(); n];
         let mut responses = vec![StressUpdate::default(); n];
-        let law = Law { point, points: &self.layers, slack_tension: 0.0 };
+        let law = Law { point, points: &self.layers, slack_tension: 0.0, forces_alone: false };
         let internal = law.internal(&end, start.area() * T, T, &self.points, &mut trials, &mut responses);
         for (at, response) in self.points.iter_mut().zip(&responses) {
             at.stress = response.stress;

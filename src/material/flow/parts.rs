@@ -1,6 +1,6 @@
 //! The flow law where a thickness point stands for a part of the thickness that bending turns about.
 
-use super::{Across, FlowLaw, Iterate, Iteration, MEAN_SQUARE, Past, PointState, StressUpdate, Triple, YieldCondition};
+use super::{Across, FlowLaw, Iterate, Iteration, MEAN_SQUARE, Past, PointState, StressUpdate, Triple, dot};
 use crate::material::{FlowStress, Hill48};
 
 impl Iterate {
@@ -30,12 +30,11 @@ impl Iterate {
         let e = [steep * strain[0] - past[0], steep * strain[1] - past[1], steep * strain[2] - past[2]];
         let spread = [steep * bending[0] - past_spread[0], steep * bending[1] - past_spread[1]];
         let hill = &law.anisotropy;
-        let metric = hill.metric(e);
-        let a = metric.gradient;
+        let a = hill.apply(e);
         let q = MEAN_SQUARE * hill.direct;
         let r = MEAN_SQUARE * hill.coupled;
         let b = [q * spread[0] + r * spread[1], r * spread[0] + q * spread[1]];
-        let square = metric.square + b[0] * spread[0] + b[1] * spread[1];
+        let square = dot(e, a) + b[0] * spread[0] + b[1] * spread[1];
         let increment = square.sqrt();
         let inverse_square = 1.0 / (square + law.cutoff * law.cutoff);
         let inverse = inverse_square.sqrt();
@@ -47,33 +46,23 @@ impl Iterate {
         let stress = a.map(|a| f * a);
         let moment = b.map(|b| f * b);
         let g = [a[0], a[1], a[2], b[0], b[1]];
-        let half = match law.matrix {
+        let half = 0.5 * steep;
+        let other = match law.matrix {
             Iteration::Secant => [0.0; 5],
-            Iteration::Newton => g.map(|g| 0.5 * (h - f * inverse_square) * g),
+            Iteration::Newton => g.map(|g| half * (h - f * inverse_square) * g),
             Iteration::PrimalDual => {
                 let w = self.carried_across(law, e, spread, yield_stress);
                 self.carried = [w[0], w[1], w[2]];
                 self.carried_moment = [w[3], w[4]];
-                let by = |i: usize| 0.5 * (h * g[i] - inverse_square * w[i]);
+                let by = |i: usize| half * (h * g[i] - inverse_square * w[i]);
                 [by(0), by(1), by(2), by(3), by(4)]
             }
         };
-        let outer = |i: usize, j: usize| g[i] * half[j] + half[i] * g[j];
-        let fa = hill.scaled(&metric, f);
-        let tangent = [
-            steep * (fa[0] + outer(0, 0)),
-            steep * (fa[1] + outer(0, 1)),
-            steep * (fa[2] + outer(1, 1)),
-            steep * (fa[3] + outer(0, 2)),
-            steep * (fa[4] + outer(1, 2)),
-            steep * (fa[5] + outer(2, 2)),
-        ];
-        let coupling = [0, 1, 2].map(|i| [steep * outer(i, 3), steep * outer(i, 4)]);
         let work_across = moment[0] * bending[0] + moment[1] * bending[1];
-        let bending = [f * q + outer(3, 3), f * r + outer(3, 4), f * q + outer(4, 4)].map(|c| steep * c);
         *self = Self { strain, flow: e, spread, fluidity: f, hardening: h, inverse_square, ..*self };
-        let update = StressUpdate { stress, tangent, increment: hardening, yield_stress, work_across };
-        Some(Across { update, moment, coupling, bending })
+        let update = StressUpdate { stress, tangent: [0.0; 6], increment: hardening, yield_stress, work_across };
+        let metric = [hill.direct, hill.coupled, hill.shear].map(|entry| steep * f * entry);
+        Some(Across { update, moment, metric, outer: [g, other] })
     }
 
     /// The same of stress and moment.

@@ -100,7 +100,7 @@ fn on_a_node(model: &Model) -> (f64, f64) {
     for (u, x) in trial.moves.iter_mut().zip(&state.nodes) {
         *u = [GROWTH * x[0], GROWTH * x[1], 0.0];
     }
-    let at = Linearisation { matrix: Iteration::Newton, iteration: 0, velocity_norm: 0.0 };
+    let at = Linearisation { matrix: Iteration::Newton, residual_alone: false, iteration: 0, velocity_norm: 0.0 };
     assert!(evaluate(&step, &mut trial, &at, &mut evaluation));
     let (i, e) = (ELEMENTS / 2, ELEMENTS);
     let x = state.nodes[i];
@@ -173,7 +173,7 @@ fn the_matrix_is_symmetric_without_friction() {
             let wave = (i as f64 * 1.7).sin();
             *u = [GROWTH * x[0] * (1.0 + wave), GROWTH * x[1], 1e-4 * wave * (i.min(1) as f64)];
         }
-        let at = Linearisation { matrix: Iteration::Newton, iteration: 0, velocity_norm: 0.0 };
+        let at = Linearisation { matrix: Iteration::Newton, residual_alone: false, iteration: 0, velocity_norm: 0.0 };
         assert!(evaluate(&step, &mut trial, &at, &mut evaluation));
         assert!(evaluation.active_contacts > ELEMENTS);
         let system = &evaluation.system;
@@ -202,7 +202,7 @@ fn a_flat_tool_presses_a_flat_sheet_evenly_on_any_mesh() {
     let step = Step::new(&process, &state, 0.01, 2);
     let (mut trial, mut evaluation) = (Trial::new(&process, &state), Evaluation::new(&process, &state));
     trial.predict(&step, true);
-    let at = Linearisation { matrix: Iteration::Newton, iteration: 0, velocity_norm: 0.0 };
+    let at = Linearisation { matrix: Iteration::Newton, residual_alone: false, iteration: 0, velocity_norm: 0.0 };
     assert!(evaluate(&step, &mut trial, &at, &mut evaluation));
     let pressure = process.penalty.at(0.0).expect("within reach").value;
     assert!(pressure > 0.0 && pressure < LN_2 * process.penalty.stiffness * process.penalty.smoothing);

@@ -134,7 +134,7 @@ fn check(model: &Model, state: &State) {
         x[2] += if i == 0 || !step.rotates[i] { 0.0 } else { 3e-4 * wave };
     }
     // A velocity norm of zero: Newton's H is the derivative only without the membrane's least tension.
-    let newton = Linearisation { matrix: Iteration::Newton, iteration: 0, velocity_norm: 0.0 };
+    let newton = Linearisation { matrix: Iteration::Newton, residual_alone: false, iteration: 0, velocity_norm: 0.0 };
     let mut at = |trial: &mut Trial| {
         assert!(evaluate(&step, trial, &newton, &mut evaluation));
         (evaluation.system.rhs.clone(), evaluation.system.corner_rhs, evaluation.system.clone())

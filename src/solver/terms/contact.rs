@@ -20,7 +20,7 @@ use crate::model::Iteration;
 use crate::solver::evaluation::{Contact, Evaluation, Linearisation};
 use crate::solver::push::{FIRST, Place, Push, SECOND};
 use crate::solver::step::Step;
-use crate::solver::trial::{ContactMemory, Trial};
+use crate::solver::trial::Trial;
 
 /// Contact and friction of every tool with every point it reaches; returns the largest force of one on one.
 pub fn add(step: &Step, trial: &mut Trial, at: &Linearisation, out: &mut Evaluation) -> f64 {
@@ -36,7 +36,7 @@ pub fn add(step: &Step, trial: &mut Trial, at: &Linearisation, out: &mut Evaluat
             largest = largest.max(press(step, trial, at, j, out));
         }
     }
-    assemble(step, out);
+    assemble(step, at, out);
     largest
 }
 
@@ -113,7 +113,7 @@ fn press(step: &Step, trial: &mut Trial, at: &Linearisation, j: usize, out: &mut
         out.tool_force[j] += push.force;
         out.active_contacts += usize::from(touch.gap < 0.0);
         out.pushes[i].add(&push);
-        if let Some(shared) = tool.shared {
+        if let Some(shared) = tool.shared.filter(|_| !at.residual_alone) {
             push.follow(e, &station.slope(a, b), &out.thickness_rows[e], shared, &mut out.system);
         }
     }
@@ -121,7 +121,7 @@ fn press(step: &Step, trial: &mut Trial, at: &Linearisation, j: usize, out: &mut
 }
 
 /// Adds what all tools do to the sheet.
-fn assemble(step: &Step, out: &mut Evaluation) {
+fn assemble(step: &Step, at: &Linearisation, out: &mut Evaluation) {
     let system = &mut out.system;
     for (e, pushes) in out.pushes.chunks_exact(STATIONS).enumerate() {
         if pushes.iter().all(|push| *push == Push::default()) {
@@ -129,11 +129,19 @@ fn assemble(step: &Step, out: &mut Evaluation) {
         }
         let ([a, b], thickness, thinning) =
             ([&out.nodes[e], &out.nodes[e + 1]], out.thickness[e], &out.thickness_rows[e]);
-        let (mut sheet, mut squeeze) = (MotionForces::default(), 0.0);
+        let mut sheet = MotionForces::default();
         for (push, station) in pushes.iter().zip(stations(step.bends[e])) {
-            push.spread(station, &station.slope(a, b), thinning, &mut sheet);
-            squeeze += push.squeeze;
+            push.load(&station.slope(a, b), thinning, &mut sheet.force);
         }
+        system.rhs[e] += MotionForces::of_node(FIRST, &sheet.force);
+        system.rhs[e + 1] += MotionForces::of_node(SECOND, &sheet.force);
+        if at.residual_alone {
+            continue;
+        }
+        for (push, station) in pushes.iter().zip(stations(step.bends[e])) {
+            push.stiffen(station, &station.slope(a, b), thinning, &mut sheet.matrix);
+        }
+        let squeeze: f64 = pushes.iter().map(|push| push.squeeze).sum();
         // Q ∂²t, ∂²t = ∂t ∂tᵀ/t − t ∂²(ε_s + ε_θ): of the latter it is the geometric stiffness of a tension −Q t.
         let (tension, square) = (-squeeze * thickness, squeeze / thickness);
         let stiffness = out.currents[e].geometric_stiffness(&[tension, tension, 0.0, 0.0, 0.0]);
@@ -150,24 +158,18 @@ fn assemble(step: &Step, out: &mut Evaluation) {
         system.upper[e] -= sheet.block(FIRST, SECOND);
         system.lower[e + 1] -= sheet.block(SECOND, FIRST);
         system.diagonal[e + 1] -= sheet.block(SECOND, SECOND);
-        system.rhs[e] += MotionForces::of_node(FIRST, &sheet.force);
-        system.rhs[e + 1] += MotionForces::of_node(SECOND, &sheet.force);
     }
 }
 
 /// Measures the gaps that the iterations of a converged step did not need; the balance of work does.
 pub fn measure_far(step: &Step, trial: &mut Trial, out: &mut Evaluation) {
     for (j, tool) in step.process.tools.iter().enumerate().filter(|(_, tool)| !tool.is_absent()) {
-        for e in 0..out.thickness.len() {
-            for (k, station) in stations(step.bends[e]).iter().enumerate() {
-                let i = STATIONS * e + k;
-                let contact = &mut out.contacts[(j, i)];
-                if contact.gap.is_infinite() {
-                    let ContactMemory { position, distance, .. } = &mut trial.contacts[(j, i)];
-                    *position = station.position(&out.nodes[e], &out.nodes[e + 1]) - trial.tools[j];
-                    *distance = tool.profile.closest(*position).distance;
-                    contact.gap = *distance - 0.5 * out.thickness[e];
-                }
+        let pairs = out.contacts.row_mut(j).iter_mut().zip(trial.contacts.row_mut(j)).zip(&out.places);
+        for (i, ((contact, memory), place)) in pairs.enumerate() {
+            if contact.gap.is_infinite() {
+                memory.position = place.position - trial.tools[j];
+                memory.distance = tool.profile.closest(memory.position).distance;
+                contact.gap = memory.distance - 0.5 * out.thickness[i / STATIONS];
             }
         }
     }

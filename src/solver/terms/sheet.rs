@@ -50,7 +50,8 @@ fn strain<L: PointLaw>(
     out: &mut Evaluation,
 ) -> bool {
     let rule = &step.process.rule;
-    let law = Law { point, points: rule, slack_tension: SLACK_TENSION * (at.velocity_norm / SLACK_NORM).min(1.0) };
+    let slack_tension = SLACK_TENSION * (at.velocity_norm / SLACK_NORM).min(1.0);
+    let law = Law { point, points: rule, slack_tension, forces_alone: at.residual_alone };
     let system = &mut out.system;
     out.currents.clear();
     let rows = before.rows().zip(iterates.rows_mut()).zip(out.updates.rows_mut());
