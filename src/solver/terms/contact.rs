@@ -155,7 +155,7 @@ fn assemble(step: &Step, out: &mut Evaluation) {
     }
 }
 
-/// Measures the gaps that the iterations of a converged step did not need; the balance of work does.
+/// Measures the gaps that the iterations of a converged step did not need; the length of the next step and the contact share do.
 pub fn measure_far(step: &Step, trial: &mut Trial, out: &mut Evaluation) {
     for (j, tool) in step.process.tools.iter().enumerate().filter(|(_, tool)| !tool.is_absent()) {
         for e in 0..out.thickness.len() {
