@@ -8,11 +8,13 @@ use crate::solution::StageSolution;
 /// Share of the external work that may be missing \[–\].
 const LARGEST: f64 = 0.01;
 
-/// The largest share of the external work that a stage misses.
+/// What a stage misses at most, over the largest external work of any: of a stage that does little work, shares of its own
+/// say nothing.
 pub(super) fn judge(run: &Run) -> Option<Finding> {
     run.steps().next()?;
-    let missing = run.stages.iter().filter(|stage| formed(stage)).filter_map(|stage| stage.steps.last());
-    let missing = missing.map(|step| step.work.imbalance().abs()).fold(0.0, f64::max);
+    let largest = run.stages.iter().map(StageSolution::largest_work).fold(0.0, f64::max);
+    let missing = run.stages.iter().filter_map(|stage| stage.steps.last()).map(|step| step.work.missing().abs());
+    let missing = if largest > 0.0 { missing.fold(0.0, f64::max) / largest } else { 0.0 };
     let found = format!("{:.2} % of the external work missing", 100.0 * missing);
     Some(
         Finding::judged("power_balance", "Power balance", Light::within(missing, LARGEST), found)

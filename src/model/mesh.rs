@@ -1,6 +1,6 @@
 //! Where the nodes start: along the flat blank from the axis outward.
 
-use crate::model::{Edge, Grading, Model, Role};
+use crate::model::{Edge, Geometry, Grading, Model, Role};
 use crate::numerics::bisect;
 use std::f64::consts::FRAC_PI_2;
 
@@ -9,6 +9,15 @@ pub const PER_QUARTER: f64 = 12.0;
 
 /// A coarse element is at most this many times a fine one.
 const LARGEST_RATIO: f64 = 3.0;
+
+/// How far the sheet outside the die's shoulder comes in at most, over the punch's travel \[–\]: a strip's wall is as high as
+/// the travel; a disc comes in less, for its flange gets smaller and its wall higher.
+fn drawn_in(geometry: Geometry) -> f64 {
+    match geometry {
+        Geometry::Axisymmetric => 0.6,
+        Geometry::PlaneStrain => 1.0,
+    }
+}
 
 /// A part of the blank that meets a corner, and the element size wanted there \[mm\].
 struct Zone {
@@ -81,7 +90,7 @@ fn zones(model: &Model) -> Vec<Zone> {
                 Role::Punch => Zone { from: inner - 0.5 * arc, to: inner + 1.5 * arc, size },
                 // A free blank flows over the shoulder: everything from the shoulder outward will pass it.
                 Role::Die if model.blank.edge == Edge::Free => {
-                    Zone { from: inner, to: length.min(outer + 0.6 * model.travel), size }
+                    Zone { from: inner, to: length.min(outer + drawn_in(model.geometry) * model.travel), size }
                 }
                 Role::Die => Zone { from: inner - arc, to: outer + arc, size },
                 Role::Holder => continue,

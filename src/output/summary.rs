@@ -103,7 +103,7 @@ impl Summary {
             summary.forming_limit(model, assessment);
         }
         summary.number("draw_in", "Draw-in of the edge", Unit::Mm, last.draw_in);
-        summary.balance(model, &last);
+        summary.balance(model, run, &last);
         if let Some(error) =
             run.frames.last().filter(|_| model.mode != Mode::Flow && model.release.is_none()).and_then(moment_error)
         {

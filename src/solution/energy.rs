@@ -52,10 +52,14 @@ impl Energy {
         self.joined(self, |energy, _| if energy.abs() < Self::ROUND_OFF * largest { 0.0 } else { energy })
     }
 
+    /// What the balance misses.
+    pub fn missing(&self) -> f64 {
+        self.external - self.plastic - self.elastic - self.friction - self.contact
+    }
+
     /// What the balance misses, over the external work \[–\].
     pub fn imbalance(&self) -> f64 {
-        let missing = self.external - self.plastic - self.elastic - self.friction - self.contact;
-        if self.external == 0.0 { 0.0 } else { missing / self.external.abs() }
+        if self.external == 0.0 { 0.0 } else { self.missing() / self.external.abs() }
     }
 }
 

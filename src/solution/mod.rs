@@ -269,6 +269,11 @@ impl StageSolution {
         Some([self.start.as_ref()?, self.frames.last()?])
     }
 
+    /// The largest external work that the tools had done, or got back, by any step \[mJ, per ring or per mm of depth\].
+    pub fn largest_work(&self) -> f64 {
+        self.steps.iter().map(|step| step.work.external.abs()).fold(0.0, f64::max)
+    }
+
     /// A stage that has not begun.
     pub fn unsolved(model: Model) -> Self {
         let end = State::flat(&model, mesh::nodes(&model));

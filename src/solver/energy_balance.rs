@@ -1,11 +1,14 @@
 //! The balance of power: external = plastic + elastic + friction + contact.
 //!
 //! Each term is integrated over the step by the trapezoidal rule from forces and stresses at both ends, along the
-//! path that was really taken. The corrector never uses these sums, so what they miss measures the steps.
+//! path that was really taken: each force of a tool by its own direction, for a point that slides round a corner comes to the
+//! tool and leaves it along different ones. The corrector never uses these sums, so what they miss measures the steps.
 
 use super::converged::Converged;
-use super::evaluation::Evaluation;
-use crate::geometry::Point;
+use super::evaluation::{Contact, Evaluation};
+use crate::element::Node;
+use crate::element::surface::{STATIONS, stations};
+use crate::geometry::{Point, turned};
 use crate::model::{Edge, Mode};
 use crate::solution::Energy;
 use nalgebra::Vector3;
@@ -37,12 +40,15 @@ pub(super) fn work(before: &Evaluation, converged: &Converged) -> (Energy, Vec<f
         done.external += fading * force.dot(&Vector3::from(*u));
     }
     let cutoff = step.cutoff(trial.softening);
+    let is_elastic = model.mode != Mode::Flow;
     let mut plastic_of = vec![0.0; now.thickness.len()];
     for (e, updates) in now.updates.rows().enumerate() {
         for (k, (update, at)) in updates.iter().zip(&step.process.rule).enumerate() {
             // Work per volume of the step's end; a porous sheet began with less of it.
             let strain = trial.strain(e, k);
             let before = state.points[(e, k)].stress.map(|stress| stress / step.growth[e]);
+            // Metal that is not elastic bears its flow stress from the first on.
+            let before = if !is_elastic && before == [0.0; 3] { update.stress } else { before };
             let power: f64 = (0..3).map(|d| 0.5 * (before[d] + update.stress[d]) * strain[d]).sum();
             let power = power + update.work_across;
             let volume = step.volume[e] * at.weight;
@@ -51,15 +57,32 @@ pub(super) fn work(before: &Evaluation, converged: &Converged) -> (Energy, Vec<f
             done.elastic += volume * elastic;
             done.plastic += plastic;
             plastic_of[e] += plastic;
-            if model.mode == Mode::Flow && update.increment < CUT_OFF_ZONE * cutoff {
+            if !is_elastic && update.increment < CUT_OFF_ZONE * cutoff {
                 done.cutoff += plastic;
             }
         }
     }
-    for (before, now) in before.contacts.iter().zip(now.contacts.iter()) {
-        done.friction -= 0.5 * (before.tangential + now.tangential) * now.slip;
-        if before.normal + now.normal > 0.0 {
-            done.contact -= 0.5 * (before.normal + now.normal) * (now.gap - now.closing - before.gap);
+    for (j, rows) in before.contacts.rows().zip(now.contacts.rows()).enumerate() {
+        let tool = trial.tools[j] - state.tools[j];
+        for (i, (before, after)) in rows.0.iter().zip(rows.1).enumerate() {
+            let pressing = 0.5 * (before.normal + after.normal);
+            if pressing == 0.0 {
+                continue;
+            }
+            let (e, k) = (i / STATIONS, i % STATIONS);
+            let station = &stations(step.bends[e])[k];
+            let place = |nodes: &[Node]| station.position(&nodes[e], &nodes[e + 1]);
+            let moved = place(&now.nodes) - place(&state.nodes) - tool;
+            let across = |contact: &Contact| contact.normal * contact.facing.dot(&moved);
+            let along = |contact: &Contact| contact.tangential * turned(contact.facing).dot(&moved);
+            let thickness = now.thickness[e];
+            let thinned = 0.5 * (state.thickness[e] - thickness) - after.closing;
+            done.contact -= 0.5 * (across(before) + across(after)) + pressing * thinned;
+            done.friction -= 0.5 * (along(before) + along(after));
+            // Voids grow against the normal stress, half of the pressure: the metal does not use that work up.
+            let swelling = 0.5 * pressing * thickness * (1.0 - 1.0 / step.growth[e]);
+            done.plastic -= swelling;
+            plastic_of[e] -= swelling;
         }
     }
     for (before, now) in before.bead_force.iter().zip(&now.bead_force) {

@@ -11,10 +11,12 @@ use std::ops::RangeInclusive;
 const THICKNESS: RangeInclusive<f64> = 1e-3..=50.0;
 /// A blank shorter than this many thicknesses is no sheet [–].
 const SLENDER: f64 = 5.0;
-/// Points through the thickness by the flow law, whose moments hardly matter; where the sheet is elastic too: with few, each
-/// that yields lets the moment jump, and the sheet snaps; and for spring-back: the moment of an elastic-perfectly plastic
-/// strip is then within 0.3 %.
+/// Points through the thickness by the flow law: of a round part, which is formed by stretching and drawing, and whose moments
+/// hardly matter; and of a strip, which is formed by bending alone: its moment is 2.6 % too large with five points and 1.0 %
+/// with nine. Where the sheet is elastic too: with few, each that yields lets the moment jump, and the sheet snaps. And for
+/// spring-back: the moment of an elastic-perfectly plastic strip is then within 0.3 %.
 const FLOWING: i64 = 5;
+const BENT: i64 = 9;
 const ELASTIC: i64 = 15;
 const RELEASED: i64 = 25;
 
@@ -30,11 +32,12 @@ fn is_elastic(case: &CaseFile) -> bool {
 }
 
 /// Points through the thickness where the case does not say.
-fn automatic(case: &CaseFile) -> i64 {
-    match (is_released(case), is_elastic(case)) {
-        (true, _) => RELEASED,
-        (_, true) => ELASTIC,
-        _ => FLOWING,
+fn automatic(case: &CaseFile, geometry: Geometry) -> i64 {
+    match (is_released(case), is_elastic(case), geometry) {
+        (true, ..) => RELEASED,
+        (_, true, _) => ELASTIC,
+        (.., Geometry::PlaneStrain) => BENT,
+        (.., Geometry::Axisymmetric) => FLOWING,
     }
 }
 
@@ -63,7 +66,7 @@ pub(super) fn convert(
     }
     let layers = match file.theory {
         Theory::Bending | Theory::Selective => {
-            count(source, "blank.layers", file.layers.unwrap_or_else(|| automatic(case)), 3..=101)?
+            count(source, "blank.layers", file.layers.unwrap_or_else(|| automatic(case, geometry)), 3..=101)?
         }
         Theory::Membrane => {
             derived.push("membrane theory: bending stiffness is left out, one point through the thickness".into());

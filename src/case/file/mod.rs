@@ -110,8 +110,9 @@ pub struct Blank {
     /// Shell theory of the sheet.
     #[serde(default)]
     pub theory: Theory,
-    /// Integration points through the thickness of elements that bend, 3 to 101. When not given: 5 by the flow law, 15 for
-    /// an elasto-viscoplastic sheet (with fewer the moment grows in jumps), 25 where a stage releases the sheet.
+    /// Integration points through the thickness of elements that bend, 3 to 101. When not given: 5 by the flow law, 9 in
+    /// plane strain, where bending is most of the load; 15 for an elasto-viscoplastic sheet (with fewer the moment grows in
+    /// jumps), 25 where a stage releases the sheet.
     #[cfg_attr(feature = "schema", schemars(range(min = 3, max = 101), example = 5))]
     pub layers: Option<i64>,
     /// How the outer edge is held.

@@ -70,7 +70,7 @@ impl Summary {
     }
 
     /// Where the work and the heat went.
-    pub(super) fn balance(&mut self, model: &Model, last: &StepRecord) {
+    pub(super) fn balance(&mut self, model: &Model, run: &StageSolution, last: &StepRecord) {
         let unit = energy_unit(model.geometry);
         let work = last.work.without_round_off().scaled(JOULES);
         self.number("work_external", "External work", unit, work.external);
@@ -81,7 +81,8 @@ impl Summary {
         self.number("work_friction", "  friction", unit, work.friction);
         self.number("work_contact", "  stored in contact", unit, work.contact);
         self.group = Group::Solution;
-        self.number("imbalance", "Work missing in the balance", Unit::Percent, 100.0 * last.work.imbalance());
+        let missing = percent(last.work.missing(), run.largest_work());
+        self.number("imbalance", "Work missing in the balance", Unit::Percent, missing);
         self.number("cutoff_share", "Plastic work in cut-off", Unit::Percent, percent(work.cutoff, work.plastic));
         self.group = Group::Part;
         if model.heat.as_ref().is_some_and(|heat| heat.flow.is_some()) {

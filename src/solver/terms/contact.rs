@@ -161,7 +161,7 @@ fn assemble(step: &Step, at: &Linearisation, out: &mut Evaluation) {
     }
 }
 
-/// Measures the gaps that the iterations of a converged step did not need; the balance of work does.
+/// Measures the gaps that the iterations of a converged step did not need; the length of the next step and the contact share do.
 pub fn measure_far(step: &Step, trial: &mut Trial, out: &mut Evaluation) {
     for (j, tool) in step.process.tools.iter().enumerate().filter(|(_, tool)| !tool.is_absent()) {
         let pairs = out.contacts.row_mut(j).iter_mut().zip(trial.contacts.row_mut(j)).zip(&out.places);
