@@ -20,7 +20,7 @@ use crate::model::Iteration;
 use crate::solver::evaluation::{Contact, Evaluation, Linearisation};
 use crate::solver::push::{FIRST, Place, Push, SECOND};
 use crate::solver::step::Step;
-use crate::solver::trial::{ContactMemory, Trial};
+use crate::solver::trial::Trial;
 
 /// Contact and friction of every tool with every point it reaches; returns the largest force of one on one.
 pub fn add(step: &Step, trial: &mut Trial, at: &Linearisation, out: &mut Evaluation) -> f64 {
@@ -43,8 +43,7 @@ pub fn add(step: &Step, trial: &mut Trial, at: &Linearisation, out: &mut Evaluat
 fn locate(step: &Step, out: &mut Evaluation) {
     for (e, places) in out.places.chunks_exact_mut(STATIONS).enumerate() {
         for (place, station) in places.iter_mut().zip(stations(step.bends[e])) {
-            place.position = station.position(&out.nodes[e], &out.nodes[e + 1]);
-            place.thickness = out.thickness[e] + station.xi * step.rise[e];
+            *place = Place::new(station, &out.nodes[e], &out.nodes[e + 1], out.thickness[e], step.rise[e]);
         }
     }
 }
@@ -158,17 +157,11 @@ fn assemble(step: &Step, out: &mut Evaluation) {
 /// Measures the gaps that the iterations of a converged step did not need; the balance of work does.
 pub fn measure_far(step: &Step, trial: &mut Trial, out: &mut Evaluation) {
     for (j, tool) in step.process.tools.iter().enumerate().filter(|(_, tool)| !tool.is_absent()) {
-        for e in 0..out.thickness.len() {
-            for (k, station) in stations(step.bends[e]).iter().enumerate() {
-                let i = STATIONS * e + k;
-                let contact = &mut out.contacts[(j, i)];
-                if contact.gap.is_infinite() {
-                    let ContactMemory { position, distance, .. } = &mut trial.contacts[(j, i)];
-                    *position = station.position(&out.nodes[e], &out.nodes[e + 1]) - trial.tools[j];
-                    *distance = tool.profile.closest(*position).distance;
-                    contact.gap = *distance - 0.5 * out.thickness[e];
-                }
-            }
+        let pairs = out.contacts.row_mut(j).iter_mut().zip(trial.contacts.row_mut(j)).zip(&out.places);
+        for ((contact, memory), place) in pairs.filter(|((contact, _), _)| contact.gap.is_infinite()) {
+            memory.position = place.position - trial.tools[j];
+            memory.distance = tool.profile.closest(memory.position).distance;
+            contact.gap = place.gap(memory.distance);
         }
     }
 }
