@@ -173,7 +173,8 @@ pub struct StepRecord {
     pub iterations: usize,
     /// Tries that were rejected before this step was accepted.
     pub rejected: usize,
-    /// Relative velocity increment at acceptance \[–\].
+    /// Relative velocity increment at acceptance \[–\]; infinite where the residual alone decided, before an increment that was
+    /// not cut short.
     pub velocity_norm: f64,
     /// Relative residual at acceptance \[–\].
     pub residual_norm: f64,

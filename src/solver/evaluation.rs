@@ -156,8 +156,7 @@ impl Evaluation {
             for (i, contact) in start.contacts.row_mut(j).iter_mut().enumerate() {
                 let (e, k) = (i / STATIONS, i % STATIONS);
                 let station = &stations(state.bends[e])[k];
-                let place =
-                    Place::new(station, &state.nodes[e], &state.nodes[e + 1], state.thickness[e], rise[e]);
+                let place = Place::new(station, &state.nodes[e], &state.nodes[e + 1], state.thickness[e], rise[e]);
                 let closest = tool.profile.closest(place.position - state.tools[j]);
                 contact.gap = place.gap(closest.distance);
                 let pressure = state.pressure[(j, i)];

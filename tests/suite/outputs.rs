@@ -160,6 +160,54 @@ fn a_run_without_a_step_draws_no_empty_axes() {
     }
 }
 
+/// Runs that leave something open: a stage that is not run, a first step that is not found, tools taken away, gas on a
+/// membrane, a stage in which nothing goes anywhere, steps that the residual alone accepts, a release of the undeformed sheet.
+///
+/// Trust: the names of what is no number, in every text and in what every frame holds, from which binary files are made.
+#[test]
+fn nothing_that_is_no_number_is_written() {
+    let cup = |sets: &[&str]| find("cup").unwrap().fill(&[]).unwrap() + &sets.join("\n");
+    let stage = |rest: &str| format!("[[stages]]\nname = \"next\"\n{rest}");
+    let shipped = |name: &str| fs::read_to_string(format!("cases/{name}.toml")).unwrap();
+    let odd: [(&str, String, &[&str], bool); 8] = [
+        ("a stage that is not run", cup(&[&stage("punch.move = \"-1 mm\"")]), &["solver.max_iterations=1"], false),
+        ("no first step", cup(&[]), &["solver.max_iterations=1"], false),
+        ("interrupted by creeping", cup(&[]), &["solver.max_iterations=2", "solver.min_step=1e-12"], false),
+        ("the residual alone", cup(&[]), &["solver.norm=residual", "solver.tolerance=1e-3"], true),
+        ("nothing moves", cup(&[&stage("duration = \"1 s\"")]), &[], true),
+        (
+            "the residual alone where nothing moves",
+            cup(&[&stage("duration = \"1 s\"")]),
+            &["solver.norm=residual"],
+            true,
+        ),
+        ("a release", find("v-bend").unwrap().fill(&[]).unwrap(), &[], true),
+        ("gas on a membrane", shipped("superplastic_dome"), &["blank.elements=30"], true),
+    ];
+    for (name, text, sets, ends) in odd {
+        let sets: Vec<String> = sets.iter().map(|set| (*set).to_owned()).collect();
+        let case = parse(&text, "case.toml", &sets).unwrap_or_else(|e| panic!("{name}: {}", e.render(false)));
+        let solution = case.solve(&mut ());
+        assert_eq!(solution.is_complete(), ends, "{name}: {}", solution.stages.last().unwrap().stop);
+        let mut texts = vec![
+            ("summary".into(), solution.summary().to_string()),
+            ("report".into(), markdown(&Report::of(&solution).document(), "figures").0),
+            ("frames".into(), solution.stages.iter().map(|stage| format!("{:?}", stage.frames)).collect()),
+        ];
+        let dir = temp_dir::TempDir::new().unwrap();
+        let files = solution.write(dir.path()).unwrap();
+        let read = |path: &PathBuf| (path.display().to_string(), fs::read_to_string(path).unwrap_or_default());
+        texts.extend(files.iter().map(read));
+        for (file, text) in texts {
+            let words = text.split(|c: char| !c.is_ascii_alphanumeric());
+            let odd: Vec<_> = words.filter(|word| ["nan", "inf"].contains(&word.to_lowercase().as_str())).collect();
+            assert!(odd.is_empty(), "{name}: {file}: {odd:?}");
+            let nulls = text.matches("null").count();
+            assert!(!file.ends_with(".json") || nulls == text.matches("\"change\": null").count(), "{name}: {text}");
+        }
+    }
+}
+
 #[test]
 fn stale_files_of_ours_go_and_a_users_stay() {
     let dir = temp_dir::TempDir::new().unwrap();
