@@ -38,8 +38,8 @@ impl Start {
     }
 }
 
-/// Factor on the cut-off for a softened start.
-const SOFTENING: f64 = 30.0;
+/// Factors on the cut-off for a softened start, one answer the start of the next.
+const SOFTENING: [f64; 3] = [30.0, 10.0, 3.0];
 /// Iterations of a secant start.
 const SECANT_START: usize = 15;
 /// Most rounds of the augmented Lagrangian in a step; two or three are usual.
@@ -53,10 +53,13 @@ pub(super) fn solve<'s>(
     rejected: &mut usize,
     observer: &mut dyn Observer,
 ) -> Result<(Start, Converged<'s>), Outcome> {
-    // Nothing has moved yet: the first step has no velocities to start from.
-    let starts = &Start::ALL[usize::from(step.number == 1)..];
+    let mut starts = Start::ALL;
+    if step.number == 1 {
+        // Nothing has moved yet, but in a stage that goes on as the one before, which is the last thing to be tried.
+        starts.rotate_left(1);
+    }
     let mut last = None;
-    for &start in starts {
+    for start in starts {
         let outcome = attempt(step, trial, evaluation, start, observer);
         if outcome.converged {
             return Ok((start, Converged::new(step, trial, evaluation, outcome)));
@@ -88,13 +91,15 @@ fn attempt(
     trial.predict(step, start != Start::Predictor);
     let mut spent = 0;
     if start == Start::Softened {
-        trial.softening = SOFTENING;
-        let soft = correct(trial, evaluation, matrix, most);
-        trial.softening = 1.0;
-        if !soft.converged {
-            return soft;
+        for softening in SOFTENING {
+            trial.softening = softening;
+            let soft = correct(trial, evaluation, matrix, most);
+            trial.softening = 1.0;
+            if !soft.converged {
+                return soft;
+            }
+            spent += soft.iterations;
         }
-        spent = soft.iterations;
     }
     if start == Start::Secant {
         let secant = correct(trial, evaluation, Iteration::Secant, SECANT_START);
