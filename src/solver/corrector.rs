@@ -74,7 +74,8 @@ pub(super) fn correct(
             return outcome;
         }
         outcome.residual_norm = evaluation.residual_norm;
-        outcome.converged = is_converged(model, evaluation, &outcome);
+        let settled = is_converged(model, evaluation, &outcome);
+        outcome.converged = settled && !sucks(step.process, trial);
         if watched {
             observer.iterate(&Iterate {
                 step: step.number,
@@ -94,7 +95,7 @@ pub(super) fn correct(
             outcome.velocity_norm = f64::INFINITY;
             continue;
         }
-        if outcome.converged || outcome.iterations == most || !trial.line.aim(&mut evaluation.system) {
+        if settled || outcome.iterations == most || !trial.line.aim(&mut evaluation.system) {
             return outcome;
         }
         outcome.iterations += 1;
@@ -129,6 +130,12 @@ fn is_converged(model: &Model, evaluation: &Evaluation, outcome: &Outcome) -> bo
         Norm::Both => small(outcome.velocity_norm) && small(outcome.residual_norm),
     };
     converged && evaluation.held_rate.beyond_cap <= CAP
+}
+
+/// Whether a pressure that holds a strain rate is one that sucks: the sheet then strains as it should, on the wrong side of
+/// its flat shape.
+fn sucks(process: &Process, trial: &Trial) -> bool {
+    process.gas_shared.iter().zip(&trial.gas).any(|(shared, pressure)| shared.is_some() && *pressure < 0.0)
 }
 
 /// The share of the direction that moves nothing too far.
