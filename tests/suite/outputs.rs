@@ -7,6 +7,7 @@ use stampflow::case::{Solution, parse};
 use stampflow::compare::{
     Against, BandQuantity, BandSpec, Comparison, Computed, CurveSpec, Data, Found, Quantity, Source, Spec, compare,
 };
+use stampflow::forming_limit::{Instant, Paths};
 use stampflow::measure::{Shape, changes};
 use stampflow::model::{Geometry, Model, Role};
 use stampflow::output::summary::sha256;
@@ -141,6 +142,21 @@ fn the_summary_says_the_same_in_print_and_in_json() {
     for line in model.notes.iter().chain(&warnings) {
         assert!(printed.contains(line));
         assert!(json["notes"].to_string().contains(&line[..20]) || json["warnings"].to_string().contains(&line[..20]));
+    }
+}
+
+/// Trust: 2000 instants are held at most, so that of 5000 every fourth is.
+#[test]
+fn the_summary_says_that_strain_paths_are_thinned() {
+    let mut run = drawn::run(&drawn::model(Geometry::Axisymmetric));
+    run.paths = Paths::starting(vec![0.5]);
+    for (steps, said) in [(2000, None), (5000, Some("kept of every 4th step and of the last"))] {
+        while run.paths.instants.last().is_none_or(|last| last.time < steps as f64) {
+            let time = run.paths.instants.last().map_or(1.0, |last| last.time + 1.0);
+            run.paths.push(Instant { time, travel: time, strains: vec![[0.0; 2]] });
+        }
+        let json = serde_json::to_value(Summary::of(&drawn::view(&run))).unwrap();
+        assert_eq!(json["strain_paths"].as_str(), said, "{steps}");
     }
 }
 
