@@ -43,7 +43,7 @@ pub struct Column {
     pub label: &'static str,
     /// Unit of the values.
     pub unit: Unit,
-    /// The numbers, one a row; NaN where there is none.
+    /// The numbers, one a row; NaN or infinite where there is none, which is written as an empty cell.
     pub values: Vec<f64>,
 }
 

@@ -1,4 +1,4 @@
-//! How far runs have come: bars on a terminal, a line for every tenth of the travel elsewhere, or nothing.
+//! How far runs have come: bars on a terminal, a line every few seconds elsewhere, or nothing.
 
 use super::interrupt;
 use super::say::warn;
@@ -15,8 +15,8 @@ use std::time::{Duration, Instant};
 
 /// Ticks of a bar for the whole travel.
 const FULL: u64 = 1000;
-/// Least time between two lines of progress.
-const PATIENCE: Duration = Duration::from_secs(1);
+/// Time between two lines of progress; the end of a run has one of its own.
+const PATIENCE: Duration = Duration::from_secs(3);
 
 /// Where progress is shown; always on the error stream, so that results can be piped.
 pub enum Progress {
@@ -33,6 +33,8 @@ pub struct Watch {
     duration: f64,
     thickness: f64,
     force_unit: &'static str,
+    /// The last accepted step.
+    last: StepRecord,
     shown: Shown,
     kept: Kept,
 }
@@ -48,8 +50,8 @@ pub struct Kept {
 
 enum Shown {
     Bar(ProgressBar),
-    /// Tenths of the travel that were announced, and when.
-    Lines(u64, Instant),
+    /// When the last line was written.
+    Lines(Instant),
     Nothing,
 }
 
@@ -71,7 +73,7 @@ impl Progress {
                 let bar = ProgressBar::new(FULL).with_style(style()).with_prefix(visible(name).into_owned());
                 Shown::Bar(all.add(bar))
             }
-            Self::Lines => Shown::Lines(0, Instant::now()),
+            Self::Lines => Shown::Lines(Instant::now()),
             Self::Silent => Shown::Nothing,
         };
         let labels = (0..).map_while(|i| case.stage_label(i));
@@ -82,6 +84,7 @@ impl Progress {
             duration: model.duration,
             thickness: model.blank.thickness,
             force_unit,
+            last: StepRecord { thinnest: model.blank.thickness, ..StepRecord::default() },
             shown,
             kept,
         }
@@ -99,11 +102,15 @@ impl Watch {
         }
         (solution, self.kept)
     }
-}
 
-impl Observer for Watch {
-    fn step(&mut self, record: &StepRecord) {
-        let done = record.time / self.duration;
+    /// Share of the stage's time that is done, but for round-off \[–\].
+    fn done(&self) -> f64 {
+        self.last.time / self.duration + 1e-9
+    }
+
+    /// What the last accepted step came to.
+    fn reached(&self) -> String {
+        let record = &self.last;
         let load = if record.travel > 0.0 {
             format!("travel {:.2} mm, force {:.0} {}", record.travel, record.punch_force, self.force_unit)
         } else if record.pressure != 0.0 {
@@ -111,38 +118,39 @@ impl Observer for Watch {
         } else {
             format!("time {:.2} s", record.time)
         };
-        let state = format!(
-            "{load}, step {}, {:.0} % of the thickness left at the thinnest",
-            record.step,
-            100.0 * record.thinnest / self.thickness
-        );
-        match &mut self.shown {
-            Shown::Bar(bar) => {
-                bar.set_message(state);
-                bar.set_position((done * FULL as f64) as u64);
-            }
-            Shown::Lines(tenths, last) => {
-                let now = (10.0 * done + 1e-9) as u64;
-                if now > *tenths && (now == 10 || last.elapsed() >= PATIENCE) {
-                    (*tenths, *last) = (now, Instant::now());
-                    warn(format!("{}: {} %, {state}", self.name, 10 * now));
-                }
-            }
-            Shown::Nothing => {}
+        let left = 100.0 * record.thinnest / self.thickness;
+        format!("{load}, step {}, {left:.0} % of the thickness left at the thinnest", record.step)
+    }
+
+    /// Writes a line where it is time for one, or the stage `is_over`.
+    fn tell(&mut self, is_over: bool) {
+        let Shown::Lines(last) = &mut self.shown else { return };
+        if is_over || last.elapsed() >= PATIENCE {
+            *last = Instant::now();
+            warn(format!("{}: {:.0} %, {}", self.name, (100.0 * self.done()).floor(), self.reached()));
         }
+    }
+}
+
+impl Observer for Watch {
+    fn step(&mut self, record: &StepRecord) {
+        self.last = *record;
+        let done = self.done();
+        if let Shown::Bar(bar) = &self.shown {
+            bar.set_message(self.reached());
+            bar.set_position((done * FULL as f64) as u64);
+        }
+        self.tell(done >= 1.0);
     }
 
     fn stage(&mut self, stage: &Stage) {
         let Some(name) = self.to_come.next() else { return };
         self.duration = stage.model.duration;
         self.name = name;
-        match &mut self.shown {
-            Shown::Bar(bar) => {
-                bar.set_prefix(visible(&self.name).into_owned());
-                bar.set_position(0);
-            }
-            Shown::Lines(tenths, _) => *tenths = 0,
-            Shown::Nothing => {}
+        self.last = StepRecord { thinnest: self.last.thinnest, ..StepRecord::default() };
+        if let Shown::Bar(bar) = &self.shown {
+            bar.set_prefix(visible(&self.name).into_owned());
+            bar.set_position(0);
         }
     }
 
@@ -150,6 +158,8 @@ impl Observer for Watch {
         if let Some(trace) = &mut self.kept.trace {
             trace.push(*record);
         }
+        // Also while no step is accepted.
+        self.tell(false);
     }
 
     fn wants_to_stop(&mut self) -> bool {

@@ -21,7 +21,7 @@ pub struct Paths {
     pub s0: Vec<f64>,
     /// The kept instants, rising in time.
     pub instants: Vec<Instant>,
-    /// Every how many steps an instant is kept, and how many were given.
+    /// As [`Self::stride`] says, and how many instants were given.
     stride: usize,
     given: usize,
 }
@@ -53,6 +53,11 @@ impl Paths {
         }
         self.instants.push(instant);
         self.given += 1;
+    }
+
+    /// Every how many steps an instant is kept; the last one always is.
+    pub fn stride(&self) -> usize {
+        self.stride
     }
 
     /// The path of an element: minor and major strain at every instant \[–\].

@@ -34,6 +34,7 @@ impl Model {
         if let Some(heat) = &self.heat {
             heat.check(self)?;
         }
+        self.check_action()?;
         self.check_motion()?;
         self.check_stop()?;
         self.settings.check()
@@ -86,6 +87,13 @@ impl Model {
             return Err(ModelError::Twice { what: "gas that holds a strain rate".into() });
         }
         Ok(())
+    }
+
+    /// Something that acts on the sheet.
+    fn check_action(&self) -> Checked {
+        let pulled = matches!(self.blank.edge, Edge::Pulled { .. });
+        let acts = pulled || !self.tools.is_empty() || !self.gas.is_empty() || self.release.is_some();
+        if acts { Ok(()) } else { Err(ModelError::Idle) }
     }
 
     /// Travel, speed, duration, schedule and frames, which say the same run.

@@ -101,6 +101,9 @@ pub enum ModelError {
         /// The other one.
         other: &'static str,
     },
+    /// Nothing acts on the sheet: no place of it is in equilibrium rather than another.
+    #[error("nothing acts on the sheet: there is no tool, no gas, no pulled edge and no release")]
+    Idle,
     /// There are two of which there may be one.
     #[error("there is more than one {what}")]
     Twice {

@@ -5,7 +5,7 @@ use crate::table::Table;
 use crate::units::{rounded, without_zeros};
 use std::fmt::Write;
 
-/// One header row (`punch_force_N`), then one row per value, nine significant digits.
+/// One header row (`punch_force_N`), then one row per value, nine significant digits; a cell without a finite number is empty.
 pub fn csv(table: &Table) -> Vec<u8> {
     with_texts(&[], table)
 }
@@ -39,7 +39,11 @@ pub(super) fn springback(changes: &[Change]) -> String {
     text
 }
 
+/// Nothing for what is no number: an empty cell.
 fn number(value: f64) -> String {
+    if !value.is_finite() {
+        return String::new();
+    }
     if value == 0.0 {
         return "0".to_owned();
     }
@@ -77,7 +81,8 @@ mod tests {
             (1.0, "1"),
             (44_444.444_444_44, "44444.4444"),
             (1.234_567_891_23e-7, "1.23456789e-7"),
-            (f64::NAN, "NaN"),
+            (f64::NAN, ""),
+            (f64::INFINITY, ""),
         ] {
             assert_eq!(number(value), text);
         }

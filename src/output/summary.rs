@@ -102,6 +102,10 @@ impl Summary {
         if let Some(assessment) = view.forming_limit() {
             summary.forming_limit(model, assessment);
         }
+        if run.paths.stride() > 1 {
+            let kept = format!("kept of every {}th step and of the last", run.paths.stride());
+            summary.text("strain_paths", "Strain paths", &kept);
+        }
         summary.number("draw_in", "Draw-in of the edge", Unit::Mm, last.draw_in);
         summary.balance(model, run, &last);
         if let Some(error) =

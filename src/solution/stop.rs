@@ -93,7 +93,7 @@ pub enum Stop {
         /// Time reached \[s\].
         time: f64,
     },
-    /// The steps became so short that the run would not end in sensible time.
+    /// The run takes far more steps than it was meant to, and would not end in sensible time.
     Creeping {
         /// Punch travel of the last accepted step \[mm\].
         travel: f64,
@@ -101,10 +101,13 @@ pub enum Stop {
         time: f64,
         /// Steps that were tried, accepted or not.
         tries: usize,
-        /// Length of the last of them \[s\].
+        /// Length of the next one \[s\].
         step: f64,
-        /// Initial distance from the axis of the node with the largest residual in the last try \[mm\].
+        /// Initial distance from the axis of the node with the largest residual in the last try that failed, or, where none
+        /// did, of the place that strained most \[mm\].
         worst_s0: f64,
+        /// What the sheet was doing there, in words; may be empty.
+        seen: String,
     },
     /// No equilibrium was found down to the smallest step.
     NoEquilibrium {
@@ -221,17 +224,24 @@ impl std::fmt::Display for Stop {
                 "interrupted at {travel:.2} mm of travel (time {time:.4} s): what was computed up to there is kept, but the \
                  run has not come to its end"
             ),
-            Stop::Creeping { travel, time, tries, step, worst_s0 } => write!(
+            Stop::Creeping { travel, time, tries, step, worst_s0, seen } => write!(
                 f,
-                "creeping: {tries} tries of a step have come to {travel:.3} mm of travel (time {time:.4} s), the last of \
-                 {step:.2e} s; the corrector labours most at s0 = {worst_s0:.2} mm"
+                "creeping: {tries} tries of a step have come to {travel:.3} mm of travel (time {time:.4} s), the next would \
+                 take {step:.2e} s; what holds it up is at s0 = {worst_s0:.2} mm{}{seen}",
+                if seen.is_empty() { "" } else { ": " }
             ),
             Stop::NoEquilibrium { travel, time, step, velocity_norm, residual_norm, worst_s0, diagnosis } => write!(
                 f,
                 "no equilibrium found at {travel:.3} mm of travel (time {time:.4} s) with steps down to {step:.2e} s \
-                 (velocity norm {velocity_norm:.1e}, residual norm {residual_norm:.1e}, worst at s0 = {worst_s0:.2} mm); \
-                 {diagnosis}"
+                 (velocity norm {}, residual norm {}, worst at s0 = {worst_s0:.2} mm); {diagnosis}",
+                norm(*velocity_norm),
+                norm(*residual_norm)
             ),
         }
     }
+}
+
+/// A norm for readers; there is none where the corrector came to no whole increment.
+fn norm(value: f64) -> String {
+    if value.is_finite() { format!("{value:.1e}") } else { "not known".into() }
 }

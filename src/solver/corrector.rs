@@ -122,6 +122,7 @@ pub(super) fn correct(
             continue;
         }
         if outcome.converged || outcome.iterations == most || !trial.line.aim(&mut evaluation.system) {
+            outcome.converged &= !sucks(step.process, trial);
             return outcome;
         }
         outcome.iterations += 1;
@@ -175,6 +176,12 @@ fn is_converged(model: &Model, evaluation: &Evaluation, outcome: &Outcome) -> bo
         Norm::Both => still && small(outcome.residual_norm),
     };
     converged && evaluation.held_rate.beyond_cap <= CAP
+}
+
+/// Whether a pressure that holds a strain rate is one that sucks: the sheet then strains as it should, on the wrong side of
+/// its flat shape.
+fn sucks(process: &Process, trial: &Trial) -> bool {
+    process.gas_shared.iter().zip(&trial.gas).any(|(shared, pressure)| shared.is_some() && *pressure < 0.0)
 }
 
 /// The share of the direction that moves nothing too far.

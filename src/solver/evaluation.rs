@@ -2,9 +2,10 @@
 
 use super::process::{Process, references};
 use super::push::{Place, Push};
+use super::step::rise;
 use crate::contact::penalty::{Penalty, ValueAndSlope};
 use crate::element::Node;
-use crate::element::kinematics::Current;
+use crate::element::kinematics::{Current, Reference};
 use crate::element::surface::{STATIONS, stations};
 use crate::geometry::Point;
 use crate::material::flow::StressUpdate;
@@ -150,15 +151,16 @@ impl Evaluation {
             residual_norm: 0.0,
             worst_node: 0,
         };
-        let areas: Vec<f64> =
-            references(process.model, state, &state.bends).flat_map(|reference| reference.contact_areas()).collect();
+        let references: Vec<Reference> = references(process.model, state, &state.bends).collect();
+        let areas: Vec<f64> = references.iter().flat_map(Reference::contact_areas).collect();
+        let rise = rise(&references, &state.thickness);
         for (j, tool) in process.tools.iter().enumerate().filter(|(_, tool)| !tool.is_absent()) {
             for (i, contact) in start.contacts.row_mut(j).iter_mut().enumerate() {
                 let (e, k) = (i / STATIONS, i % STATIONS);
                 let station = &stations(state.bends[e])[k];
-                let position = station.position(&state.nodes[e], &state.nodes[e + 1]);
-                let closest = tool.profile.closest(position - state.tools[j]);
-                contact.gap = closest.distance - 0.5 * state.thickness[e];
+                let place = Place::new(station, &state.nodes[e], &state.nodes[e + 1], state.thickness[e], rise[e]);
+                let closest = tool.profile.closest(place.position - state.tools[j]);
+                contact.gap = place.gap(closest.distance);
                 let pressure = state.pressure[(j, i)];
                 if pressure > 0.0 {
                     contact.pressure.value = pressure;

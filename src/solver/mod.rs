@@ -1,6 +1,7 @@
 //! The flow approach: explicit predictor, implicit corrector, from the flat blank to the full travel.
 
 mod augmented_lagrangian;
+mod budget;
 mod converged;
 mod corrector;
 mod distance_blocks;
@@ -32,10 +33,11 @@ mod trial;
 use crate::model::{Model, mesh};
 use crate::solution::{StageSolution, StepRecord, Stop};
 use crate::state::State;
+use budget::Budget;
 use converged::Converged;
 use evaluation::Evaluation;
 use heat::HeatSolver;
-use no_equilibrium::no_equilibrium;
+use no_equilibrium::{creeping, no_equilibrium};
 use process::Process;
 use std::mem::swap;
 use step::Step;
@@ -71,7 +73,10 @@ pub fn run_from(model: &Model, mut state: State, observer: &mut dyn Observer) ->
         ..StageSolution::unsolved(model.clone())
     };
     let mut last = StepRecord { thinnest: model.blank.thickness, ..StepRecord::default() };
-    let (mut rejected, mut tries) = (0, 0);
+    let mut budget = Budget::new(model);
+    let mut rejected = 0;
+    // The node that is farthest from equilibrium in the last try that came to none.
+    let mut worst = None;
 
     observer.state(model, &state);
     while let Some(dt) = control.next(&state) {
@@ -79,13 +84,12 @@ pub fn run_from(model: &Model, mut state: State, observer: &mut dyn Observer) ->
             run.stop = interrupted(&state);
             break;
         }
-        tries += 1;
-        if control.is_spent(tries) {
-            let worst_s0 = state.s0[evaluation.worst_node];
-            run.stop = Stop::Creeping { travel: state.travel, time: state.time, tries, step: dt, worst_s0 };
+        let step = Step::new(&process, &state, dt, last.step + 1);
+        if !budget.spend(model.progress(state.time)) {
+            let necking = termination.necking(model, &state);
+            run.stop = necking.unwrap_or_else(|| creeping(&step, &before, worst, &run.steps, budget.tries()));
             break;
         }
-        let step = Step::new(&process, &state, dt, last.step + 1);
         let (start, converged) = match retry::solve(&step, &mut trial, &mut evaluation, &mut rejected, observer) {
             Ok(solved) => solved,
             Err(outcome) if outcome.interrupted => {
@@ -94,6 +98,7 @@ pub fn run_from(model: &Model, mut state: State, observer: &mut dyn Observer) ->
             }
             Err(outcome) => {
                 run.effort.halved += 1;
+                worst = Some(evaluation.worst_node);
                 let necking = termination.necking(model, &state);
                 if necking.is_none() && control.reject() {
                     continue;

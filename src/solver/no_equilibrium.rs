@@ -7,32 +7,68 @@ use crate::element::surface::STATIONS;
 use crate::model::{Edge, Geometry, Motion, Role};
 use crate::solution::neck::neck;
 use crate::solution::{StepRecord, Stop};
+use crate::state::State;
 
 /// Way of a place, or work on the sheet, in the last step over what its mean rate so far would have made of it: beyond that
 /// it runs away \[–\].
 const RUNAWAY: f64 = 5.0;
 /// Way that the sheet's middle is ahead of a punch that pushes it, over the thickness, from which the sheet is an arch \[–\].
 const AHEAD: f64 = 1.0;
+const ADVICE: &str = "try more elements, a smaller solver.first_step, or solver.norm = \"velocity\"";
 
 /// Why no equilibrium was found for `step`, however short, after `steps`; `outcome` is that of its last try.
 pub(super) fn no_equilibrium(step: &Step, evaluation: &Evaluation, outcome: &Outcome, steps: &[StepRecord]) -> Stop {
-    let state = step.state;
-    let named = mechanism(step, evaluation).or_else(|| burst(step, evaluation, steps)).or_else(|| arch(step, steps));
-    named.unwrap_or_else(|| Stop::NoEquilibrium {
+    let (state, worst) = (step.state, evaluation.worst_node);
+    named(step, evaluation, worst, steps).unwrap_or_else(|| Stop::NoEquilibrium {
         travel: state.travel,
         time: state.time,
         step: step.dt,
         velocity_norm: outcome.increment,
         residual_norm: outcome.residual_norm,
-        worst_s0: state.s0[evaluation.worst_node],
-        diagnosis: diagnosis(step, evaluation, &steps.last().copied().unwrap_or_default()),
+        worst_s0: state.s0[worst],
+        diagnosis: match seen(step, evaluation, worst, steps).as_slice() {
+            [] => ADVICE.into(),
+            seen => format!("{}; {ADVICE}", seen.join(", ")),
+        },
     })
+}
+
+/// What makes a run creep, whose `step` is one try too many after `steps`; `evaluation` is that of the last of them, and
+/// `worst` the node with the largest residual in the last try that failed, where one did.
+pub(super) fn creeping(
+    step: &Step,
+    evaluation: &Evaluation,
+    worst: Option<usize>,
+    steps: &[StepRecord],
+    tries: usize,
+) -> Stop {
+    let state = step.state;
+    let worst = worst.unwrap_or_else(|| fastest_straining(state));
+    named(step, evaluation, worst, steps).unwrap_or_else(|| Stop::Creeping {
+        travel: state.travel,
+        time: state.time,
+        tries,
+        step: step.dt,
+        worst_s0: state.s0[worst],
+        seen: seen(step, evaluation, worst, steps).join(", "),
+    })
+}
+
+/// The first node of the element that strained most in the last step.
+fn fastest_straining(state: &State) -> usize {
+    let rate = |e: usize| state.points.row(e).iter().map(|point| point.equivalent_rate).fold(0.0, f64::max);
+    (0..state.thickness.len()).max_by(|&a, &b| rate(a).total_cmp(&rate(b))).unwrap_or(0)
+}
+
+/// An end that has a name; `worst` is the node that is farthest from equilibrium.
+fn named(step: &Step, evaluation: &Evaluation, worst: usize, steps: &[StepRecord]) -> Option<Stop> {
+    mechanism(step, worst).or_else(|| burst(step, evaluation, steps)).or_else(|| arch(step, steps))
 }
 
 /// A strip of membranes bears load by tension alone: without anything that holds it back no shape of it is in equilibrium.
 /// Around the axis the hoop holds it.
-fn mechanism(step: &Step, evaluation: &Evaluation) -> Option<Stop> {
-    let (model, i) = (step.model, evaluation.worst_node);
+fn mechanism(step: &Step, i: usize) -> Option<Stop> {
+    let model = step.model;
     let bends = step.bends[i.max(1) - 1] && step.bends[i.min(step.bends.len() - 1)];
     let tools = || step.process.tools.iter().filter(|tool| !tool.is_absent());
     let rubs = tools().any(|tool| tool.role != Role::Punch && tool.friction.largest_coefficient() > 0.0);
@@ -88,11 +124,11 @@ fn arch(step: &Step, steps: &[StepRecord]) -> Option<Stop> {
     (pushes && presses && ahead > AHEAD * model.blank.thickness).then_some(Stop::Arched { travel: state.travel, ahead })
 }
 
-/// What the sheet was doing where no equilibrium was found, and what to try.
-fn diagnosis(step: &Step, evaluation: &Evaluation, last: &StepRecord) -> String {
+/// What the sheet was doing where the solver got no further, at node `i`.
+fn seen(step: &Step, evaluation: &Evaluation, i: usize, steps: &[StepRecord]) -> Vec<String> {
     let Step { model, state, .. } = *step;
+    let last = steps.last().copied().unwrap_or_default();
     let mut seen = Vec::new();
-    let i = evaluation.worst_node;
     let neck = neck(model, state, None);
     if last.step == 0 {
         seen.push(
@@ -118,6 +154,5 @@ fn diagnosis(step: &Step, evaluation: &Evaluation, last: &StepRecord) -> String 
     {
         seen.push(format!("the {} touches the sheet at the worst place", tool.role.name()));
     }
-    let advice = "try more elements, a smaller solver.first_step, or solver.norm = \"velocity\"";
-    if seen.is_empty() { advice.into() } else { format!("{}; {advice}", seen.join(", ")) }
+    seen
 }

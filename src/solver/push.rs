@@ -1,6 +1,7 @@
 //! A contact point, and what tools do to it and through it to its element.
 
 use crate::contact::ContactForce;
+use crate::element::Node;
 use crate::element::surface::{MotionForces, Slope, Station};
 use crate::geometry::Point;
 use crate::numerics::block_tridiagonal::System;
@@ -10,6 +11,18 @@ use crate::numerics::block_tridiagonal::System;
 pub(super) struct Place {
     pub position: Point,
     pub thickness: f64,
+}
+
+impl Place {
+    /// Of a station of the element between nodes `a` and `b`; its second node is thicker than its middle by `rise`.
+    pub fn new(station: &Station, a: &Node, b: &Node, thickness: f64, rise: f64) -> Self {
+        Self { position: station.position(a, b), thickness: thickness + station.xi * rise }
+    }
+
+    /// Gap between the sheet's face here and a tool at this distance from the mid-surface \[mm\].
+    pub fn gap(&self, distance: f64) -> f64 {
+        distance - 0.5 * self.thickness
+    }
 }
 
 /// What tools do to a contact point: the forces F on its position x and Q on its element's thickness t, and their

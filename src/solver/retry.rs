@@ -20,26 +20,40 @@ pub(super) enum Start {
     Predictor,
     /// What [`SECANT_START`] iterations with the secant matrix come to from rest: no motion but the tools'.
     Secant,
-    /// The answer with a cut-off that is [`SOFTENING`] times as large, itself started from rest.
+    /// The answer with a cut-off that is many times as large, itself started from rest.
     Softened,
+    /// The same, come down to the cut-off in steps, each the start of the next: of a sheet that is at rest nearly everywhere,
+    /// as in the first step after a trim, the first of these answers may be too far off.
+    SoftenedInSteps,
 }
 
 impl Start {
-    /// From the first to the last.
-    pub const ALL: [Start; 3] = [Start::Predictor, Start::Secant, Start::Softened];
+    /// Of a step in the midst of a run, one after the other.
+    const USUAL: &[Start] = &[Start::Predictor, Start::Secant, Start::Softened];
+    /// Of the first step: nothing has moved yet. In a stage that goes on as the one before the velocities of that may help.
+    const FIRST: &[Start] = &[Start::Secant, Start::Softened, Start::SoftenedInSteps, Start::Predictor];
+
+    /// Factors on the cut-off that the corrector goes through first.
+    fn softening(self) -> &'static [f64] {
+        match self {
+            Start::Predictor | Start::Secant => &[],
+            Start::Softened => &SOFTENING[..1],
+            Start::SoftenedInSteps => &SOFTENING,
+        }
+    }
 
     /// Counts a step that came to equilibrium from here.
     pub fn count(self, effort: &mut Effort) {
         *match self {
             Start::Predictor => &mut effort.predictor,
             Start::Secant => &mut effort.secant,
-            Start::Softened => &mut effort.softened,
+            Start::Softened | Start::SoftenedInSteps => &mut effort.softened,
         } += 1;
     }
 }
 
-/// Factor on the cut-off for a softened start.
-const SOFTENING: f64 = 30.0;
+/// Factors on the cut-off for a softened start, the first for one that does without steps.
+const SOFTENING: [f64; 3] = [30.0, 10.0, 3.0];
 /// Iterations of a secant start.
 const SECANT_START: usize = 15;
 /// Most rounds of the augmented Lagrangian in a step; two or three are usual.
@@ -53,10 +67,8 @@ pub(super) fn solve<'s>(
     rejected: &mut usize,
     observer: &mut dyn Observer,
 ) -> Result<(Start, Converged<'s>), Outcome> {
-    // Nothing has moved yet: the first step has no velocities to start from.
-    let starts = &Start::ALL[usize::from(step.number == 1)..];
     let mut last = None;
-    for &start in starts {
+    for &start in if step.number == 1 { Start::FIRST } else { Start::USUAL } {
         let outcome = attempt(step, trial, evaluation, start, observer);
         if outcome.converged {
             return Ok((start, Converged::new(step, trial, evaluation, outcome)));
@@ -87,14 +99,14 @@ fn attempt(
     };
     trial.predict(step, start != Start::Predictor);
     let mut spent = 0;
-    if start == Start::Softened {
-        trial.softening = SOFTENING;
+    for &softening in start.softening() {
+        trial.softening = softening;
         let soft = correct(trial, evaluation, matrix, most);
         trial.softening = 1.0;
         if !soft.converged {
             return soft;
         }
-        spent = soft.iterations;
+        spent += soft.iterations;
     }
     if start == Start::Secant {
         let secant = correct(trial, evaluation, Iteration::Secant, SECANT_START);

@@ -61,8 +61,10 @@ fn begin(stage: &Stage, before: &StageSolution) -> (Model, State, Option<Trimmed
 pub fn enter(stage: &Stage, before: &Model, mut state: State) -> State {
     let (model, begin) = (&stage.model, &stage.begin);
     (state.time, state.travel) = (0.0, 0.0);
-    state.velocity.fill([0.0; 3]);
-    state.end_velocity.fill([0.0; 3]);
+    let pace = model.speed / before.speed;
+    for velocity in state.velocity.iter_mut().chain(&mut state.end_velocity) {
+        *velocity = velocity.map(|v| pace * v);
+    }
     state.steady.fill(false);
     state.temperature_rates.fill([0.0; 2]);
     state.points.iter_mut().for_each(|point| point.equivalent_rate = 0.0);

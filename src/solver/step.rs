@@ -246,7 +246,7 @@ fn elastoplastic_points(model: &Model, state: &State, dt: f64, around: &Grid<Sur
 }
 
 /// Half of what the thickness of an element grows by along it, by its neighbours' thicknesses \[mm\].
-fn rise(references: &[Reference], thickness: &[f64]) -> Vec<f64> {
+pub(super) fn rise(references: &[Reference], thickness: &[f64]) -> Vec<f64> {
     let last = thickness.len() - 1;
     let along = |e: usize| {
         let (before, after) = (e.max(1) - 1, (e + 1).min(last));

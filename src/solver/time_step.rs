@@ -37,9 +37,6 @@ const LEAST_APPROACH: f64 = 0.1;
 /// Predicted penetration over the thickness that a step is kept from \[–\]: what one iteration may move a node by.
 const TOO_FAR: f64 = 0.5;
 
-/// Tries of a step, accepted or not, over the fewest steps that a run could have: the shipped cases take at most 4.
-const MOST_TRIES: f64 = 100.0;
-
 /// Chooses steps between the first, smallest and largest of the settings, and lands on every frame.
 pub(super) struct StepControl<'a> {
     model: &'a Model,
@@ -115,11 +112,6 @@ impl<'a> StepControl<'a> {
     /// Whether a step in equilibrium strained the sheet too much.
     pub fn is_overstrained(&self, increment: f64) -> bool {
         increment > OVERSTRAINED * self.model.settings.strain_step
-    }
-
-    /// Whether so many tries are more than a run that comes on would take.
-    pub fn is_spent(&self, tries: usize) -> bool {
-        tries as f64 > MOST_TRIES / self.model.settings.max_step
     }
 
     /// After a rejected step; `false` when there is none shorter to try.

@@ -29,10 +29,12 @@ pub fn without_zeros(text: &str) -> &str {
     if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.') } else { text }
 }
 
-/// A number for readers: four significant digits, all digits of larger whole parts.
+/// A number for readers: four significant digits, all digits of larger whole parts; a dash for what is no number.
 pub fn four_digits(value: f64) -> String {
     let magnitude = value.abs();
-    if magnitude == 0.0 {
+    if !value.is_finite() {
+        "–".to_owned()
+    } else if magnitude == 0.0 {
         "0".to_owned()
     } else if magnitude < 1e-3 {
         format!("{value:.2e}")

@@ -69,6 +69,23 @@ fn fifty_pieces_of_other_work_run_to_their_full_travel_or_a_physical_stop() {
     assert_eq!(kinds.len(), Kind::ALL.len());
 }
 
+/// Trimmed sheets, at rest and rigid nearly everywhere, that are drawn on; the first comes to equilibrium by an answer with a
+/// softer and softer cut-off, the last with the velocities of the stage before, as its friction had set in.
+///
+/// Trust: the same sheets were drawn without difficulty up to the trim, and nothing has changed at their tools.
+#[test]
+fn the_first_step_after_a_trim_finds_its_equilibrium() {
+    for (seed, elastic) in [(31_000_449, false), (23_000_780, false), (23_000_814, true)] {
+        let work = random_work::random_work(seed, elastic);
+        assert_eq!(work.kind, Kind::Trimmed);
+        let solved = solver::solve(&work.stages, &mut ());
+        let run = solved.last().expect("stages");
+        assert_eq!(solved.len(), 2, "seed {seed}: {}", run.stop);
+        assert!(run.steps.len() > 50, "seed {seed}: {}: {}", work.text, run.stop);
+        assert!(run.stop.is_complete() || run.stop.is_physical(), "seed {seed}: {}: {}", work.text, run.stop);
+    }
+}
+
 /// A force that stayed until the edge had passed would press the last of the sheet over the die's shoulder in one step: 3 to
 /// 14 % of the work of these hats.
 ///

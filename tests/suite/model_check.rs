@@ -205,7 +205,7 @@ fn every_count_is_refused_or_runs() {
 /// Trust: each is a contradiction by the documentation of the field.
 #[test]
 fn what_does_not_go_together_is_refused() {
-    let contradictions: [Change; 12] = [
+    let contradictions: [Change; 13] = [
         ("no frames", |m| m.frames.clear()),
         ("frames that fall", |m| m.frames = vec![1.5, 1.0, 2.0]),
         ("two punches", |m| m.tools.push(m.tools[0].clone())),
@@ -218,6 +218,11 @@ fn what_does_not_go_together_is_refused() {
         ("a membrane of three points", |m| m.blank.theory = Theory::Membrane),
         ("a release that cannot spring back", |m| m.release = Some(Release::default())),
         ("heat to a tool that is not there", |m| m.tools.retain(|tool| tool.role != Role::Punch)),
+        ("nothing that acts", |m| {
+            m.tools.clear();
+            flow(m).tools.clear();
+            m.gas.clear();
+        }),
     ];
     for (name, contradict) in contradictions {
         let mut model = cup();

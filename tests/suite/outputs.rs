@@ -7,6 +7,7 @@ use stampflow::case::{Solution, parse};
 use stampflow::compare::{
     Against, BandQuantity, BandSpec, Comparison, Computed, CurveSpec, Data, Found, Quantity, Source, Spec, compare,
 };
+use stampflow::forming_limit::{Instant, Paths};
 use stampflow::measure::{Shape, changes};
 use stampflow::model::{Geometry, Model, Role};
 use stampflow::output::summary::sha256;
@@ -147,6 +148,21 @@ fn the_summary_says_the_same_in_print_and_in_json() {
     }
 }
 
+/// Trust: 2000 instants are held at most, so that of 5000 every fourth is.
+#[test]
+fn the_summary_says_that_strain_paths_are_thinned() {
+    let mut run = drawn::run(&drawn::model(Geometry::Axisymmetric));
+    run.paths = Paths::starting(vec![0.5]);
+    for (steps, said) in [(2000, None), (5000, Some("kept of every 4th step and of the last"))] {
+        while run.paths.instants.last().is_none_or(|last| last.time < steps as f64) {
+            let time = run.paths.instants.last().map_or(1.0, |last| last.time + 1.0);
+            run.paths.push(Instant { time, travel: time, strains: vec![[0.0; 2]] });
+        }
+        let json = serde_json::to_value(Summary::of(&drawn::view(&run))).unwrap();
+        assert_eq!(json["strain_paths"].as_str(), said, "{steps}");
+    }
+}
+
 /// What never started has tables, a summary, and one plot: tools and sheet where they would have begun.
 #[test]
 fn a_run_without_a_step_draws_no_empty_axes() {
@@ -160,6 +176,54 @@ fn a_run_without_a_step_draws_no_empty_axes() {
         let expected = ["summary.json", "load_travel.csv", "profile.csv", "forming_limit.csv", "shapes.png"];
         assert_eq!(made.is_some(), expected.contains(&output.file), "{}", output.file);
         assert!(made.is_none_or(|bytes| !bytes.is_empty()), "{}", output.file);
+    }
+}
+
+/// Runs that leave something open: a stage that is not run, a first step that is not found, tools taken away, gas on a
+/// membrane, a stage in which nothing goes anywhere, steps that the residual alone accepts, a release of the undeformed sheet.
+///
+/// Trust: the names of what is no number, in every text and in what every frame holds, from which binary files are made.
+#[test]
+fn nothing_that_is_no_number_is_written() {
+    let cup = |sets: &[&str]| find("cup").unwrap().fill(&[]).unwrap() + &sets.join("\n");
+    let stage = |rest: &str| format!("[[stages]]\nname = \"next\"\n{rest}");
+    let shipped = |name: &str| fs::read_to_string(format!("cases/{name}.toml")).unwrap();
+    let odd: [(&str, String, &[&str], bool); 8] = [
+        ("a stage that is not run", cup(&[&stage("punch.move = \"-1 mm\"")]), &["solver.max_iterations=1"], false),
+        ("no first step", cup(&[]), &["solver.max_iterations=1"], false),
+        ("interrupted by creeping", cup(&[]), &["solver.max_iterations=2", "solver.min_step=1e-12"], false),
+        ("the residual alone", cup(&[]), &["solver.norm=residual", "solver.tolerance=1e-3"], true),
+        ("nothing moves", cup(&[&stage("duration = \"1 s\"")]), &[], true),
+        (
+            "the residual alone where nothing moves",
+            cup(&[&stage("duration = \"1 s\"")]),
+            &["solver.norm=residual"],
+            true,
+        ),
+        ("a release", find("v-bend").unwrap().fill(&[]).unwrap(), &[], true),
+        ("gas on a membrane", shipped("superplastic_dome"), &["blank.elements=30"], true),
+    ];
+    for (name, text, sets, ends) in odd {
+        let sets: Vec<String> = sets.iter().map(|set| (*set).to_owned()).collect();
+        let case = parse(&text, "case.toml", &sets).unwrap_or_else(|e| panic!("{name}: {}", e.render(false)));
+        let solution = case.solve(&mut ());
+        assert_eq!(solution.is_complete(), ends, "{name}: {}", solution.stages.last().unwrap().stop);
+        let mut texts = vec![
+            ("summary".into(), solution.summary().to_string()),
+            ("report".into(), markdown(&Report::of(&solution).document(), "figures").0),
+            ("frames".into(), solution.stages.iter().map(|stage| format!("{:?}", stage.frames)).collect()),
+        ];
+        let dir = temp_dir::TempDir::new().unwrap();
+        let files = solution.write(dir.path()).unwrap();
+        let read = |path: &PathBuf| (path.display().to_string(), fs::read_to_string(path).unwrap_or_default());
+        texts.extend(files.iter().map(read));
+        for (file, text) in texts {
+            let words = text.split(|c: char| !c.is_ascii_alphanumeric());
+            let odd: Vec<_> = words.filter(|word| ["nan", "inf"].contains(&word.to_lowercase().as_str())).collect();
+            assert!(odd.is_empty(), "{name}: {file}: {odd:?}");
+            let nulls = text.matches("null").count();
+            assert!(!file.ends_with(".json") || nulls == text.matches("\"change\": null").count(), "{name}: {text}");
+        }
     }
 }
 

@@ -1,8 +1,9 @@
 //! Runs that end for want of equilibrium are named after what the sheet does: it bursts, arches, or nothing holds it.
 
+use stampflow::Observer;
 use stampflow::assess;
 use stampflow::case::{self, Case};
-use stampflow::solution::{StageSolution, Stop};
+use stampflow::solution::{StageSolution, StepRecord, Stop};
 use stampflow::solver::solve;
 
 const METAL: &str = r#"hardening = { swift = { k = "520 MPa", n = 0.22, offset = 0.005 } }"#;
@@ -78,4 +79,44 @@ fn a_strip_that_its_legs_lift_off_the_punch_ends_as_an_arch() {
         }
     }
     assert!(arches >= 1, "{arches}");
+}
+
+/// A cup whose corrector may take three iterations and whose steps may be as short as round-off: the steps that it asks for
+/// are a ten-thousandth of the planned ones.
+///
+/// Trust: it would take a hundred thousand steps to the end; cups that come on take about as many as planned.
+#[test]
+fn a_run_that_creeps_ends_soon_and_says_where() {
+    let sets = ["solver.max_iterations=3", "solver.min_step=1e-12"].map(str::to_owned);
+    let case = case::load("cases/quickstart.toml", &sets).unwrap_or_else(|e| panic!("{e}"));
+    let mut tried = Tries::default();
+    let stages = solve(&case.stages, &mut tried);
+    let Stop::Creeping { travel, tries, step, worst_s0, ref seen, .. } = stages[0].stop else {
+        panic!("{}", stages[0].stop)
+    };
+    let planned = 100;
+    assert!(tries > planned && tries < 10 * planned, "{tries}");
+    // Every accepted step is a try, and of the rejected ones there are up to two or three starts in one.
+    let rejected = tried.rejected + stages[0].effort.abandoned;
+    assert!((tried.steps + rejected / 3..=tried.steps + rejected + 1).contains(&tries), "{tries} {tried:?}");
+    assert!(travel > 0.0 && travel < 0.01 * case.model().travel && step < 1e-3, "{travel} {step}");
+    assert!((0.0..=case.model().blank.length).contains(&worst_s0) && seen.contains("touches"), "{worst_s0} {seen}");
+    let found = assess::after(&case, &stages);
+    let run = found.iter().find(|finding| finding.key == "stop").expect("the stop is judged");
+    assert!(run.found.contains("creeping") && !run.advice.is_empty(), "{run:?}");
+    assert!(!stages[0].stop.is_complete() && !stages[0].stop.is_physical());
+}
+
+/// Counts steps and the tries before them.
+#[derive(Debug, Default)]
+struct Tries {
+    steps: usize,
+    rejected: usize,
+}
+
+impl Observer for Tries {
+    fn step(&mut self, record: &StepRecord) {
+        self.steps += 1;
+        self.rejected += record.rejected;
+    }
 }

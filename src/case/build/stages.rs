@@ -104,6 +104,11 @@ impl StageContext<'_> {
             let help = "remove the holder too, or let it stand still or go back with `move`";
             return Err(self.error("remove", "the holder has no die to press against", help));
         }
+        if model.tools.is_empty() && model.release.is_none() {
+            let key = if self.written.remove.is_empty() { "name" } else { "remove" };
+            let help = "write `release = true` in its place: what the tools exerted fades, and the sheet springs back";
+            return Err(self.error(key, "no tool is left, and nothing holds the sheet", help));
+        }
         limits::of_model(&model, &format!("{}.frames", self.path), self.source)?;
         Ok(Stage { name: self.written.name.clone(), model, begin: patch.begin })
     }

@@ -25,7 +25,11 @@ impl Summary {
         self.count("steps_from_secant", "  from a secant start at rest", secant);
         self.count("steps_from_softened", "  from a softened start", softened);
         self.count("iterations", "Iterations", run.steps.iter().map(|s| s.iterations).sum());
-        self.number("velocity_norm", "Largest accepted velocity norm", Unit::None, largest(|s| s.velocity_norm));
+        // Where the residual alone decides, a step may be accepted without an increment that says how far it was.
+        let known = run.steps.iter().map(|s| s.velocity_norm).filter(|norm| norm.is_finite());
+        if let Some(norm) = known.reduce(f64::max) {
+            self.number("velocity_norm", "Largest accepted velocity norm", Unit::None, norm);
+        }
         self.number("residual_norm", "Largest accepted residual norm", Unit::None, largest(|s| s.residual_norm));
         self.count("rejected", "Rejected tries", run.steps.iter().map(|s| s.rejected).sum::<usize>() + abandoned);
         self.count("steps_halved", "  steps halved", halved);

@@ -211,3 +211,30 @@ fn check(model: &Model, state: &State) {
     let corner = -(plus_border[0] - minus_border[0]) / (2.0 * h);
     assert!((corner - exact.corner[(0, 0)]).abs() < 2e-5 * corner.abs().max(1.0), "{corner}");
 }
+
+/// Trust: the gap that the forces themselves see, where every point is measured because it could be near.
+#[test]
+fn a_gap_far_away_is_the_one_that_contact_would_see() {
+    let model = model(Geometry::Axisymmetric, Theory::Bending);
+    let run = crate::solver::run(&model, &mut ());
+    assert!(run.stop.is_complete(), "{}", run.stop);
+    let state = run.end;
+    let process = Process::new(&model, &state);
+    let step = Step::new(&process, &state, 0.05, 2);
+    let largest = step.rise.iter().fold(0.0, |largest: f64, rise| largest.max(rise.abs()));
+    assert!(largest > 1e-3, "the thickness hardly changes along the sheet: {largest}");
+    let at = Linearisation { matrix: Iteration::Newton, residual_alone: false, iteration: 0, velocity_norm: 0.0 };
+    let gaps = |far: f64, measure: fn(&Step, &mut Trial, &mut Evaluation)| {
+        let (mut trial, mut evaluation) = (Trial::new(&process, &state), Evaluation::new(&process, &state));
+        trial.predict(&step, false);
+        trial.contacts.iter_mut().for_each(|memory| memory.distance = far);
+        assert!(evaluate(&step, &mut trial, &at, &mut evaluation));
+        measure(&step, &mut trial, &mut evaluation);
+        evaluation.contacts.iter().map(|contact| contact.gap).collect::<Vec<_>>()
+    };
+    let near = gaps(f64::NEG_INFINITY, |_, _, _| {});
+    let far = gaps(f64::INFINITY, contact::measure_far);
+    for (near, far) in near.iter().zip(&far) {
+        assert!((near - far).abs() < 1e-12, "{near} {far}");
+    }
+}

@@ -43,8 +43,7 @@ pub fn add(step: &Step, trial: &mut Trial, at: &Linearisation, out: &mut Evaluat
 fn locate(step: &Step, out: &mut Evaluation) {
     for (e, places) in out.places.chunks_exact_mut(STATIONS).enumerate() {
         for (place, station) in places.iter_mut().zip(stations(step.bends[e])) {
-            place.position = station.position(&out.nodes[e], &out.nodes[e + 1]);
-            place.thickness = out.thickness[e] + station.xi * step.rise[e];
+            *place = Place::new(station, &out.nodes[e], &out.nodes[e + 1], out.thickness[e], step.rise[e]);
         }
     }
 }
@@ -165,12 +164,10 @@ fn assemble(step: &Step, at: &Linearisation, out: &mut Evaluation) {
 pub fn measure_far(step: &Step, trial: &mut Trial, out: &mut Evaluation) {
     for (j, tool) in step.process.tools.iter().enumerate().filter(|(_, tool)| !tool.is_absent()) {
         let pairs = out.contacts.row_mut(j).iter_mut().zip(trial.contacts.row_mut(j)).zip(&out.places);
-        for (i, ((contact, memory), place)) in pairs.enumerate() {
-            if contact.gap.is_infinite() {
-                memory.position = place.position - trial.tools[j];
-                memory.distance = tool.profile.closest(memory.position).distance;
-                contact.gap = memory.distance - 0.5 * out.thickness[i / STATIONS];
-            }
+        for ((contact, memory), place) in pairs.filter(|((contact, _), _)| contact.gap.is_infinite()) {
+            memory.position = place.position - trial.tools[j];
+            memory.distance = tool.profile.closest(memory.position).distance;
+            contact.gap = place.gap(memory.distance);
         }
     }
 }
