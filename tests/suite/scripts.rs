@@ -150,7 +150,7 @@ fn errors_are_json_where_it_is_asked_for() {
     fs::write(dir.path().join("cases/good.toml"), CUP).unwrap();
     let lines = drawing("ezdxf_lines_and_arcs");
     for (args, file) in [
-        (&["run", "cases/good.toml", "--out", "taken", "--json"][..], "taken/summary.json"),
+        (&["run", "cases/good.toml", "--out", "taken", "--json"][..], "taken"),
         (&["new", "cup", "-o", "taken/cup.toml", "--json"], "taken/cup.toml"),
         (&["new", "cup", "-o", "taken", "--json"], "taken"),
         (&["import", "none.dxf", "--json"], "none.dxf"),
