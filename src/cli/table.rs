@@ -91,11 +91,11 @@ mod tests {
         let row = |cells: [&str; 3]| (cells.map(str::to_owned), Tone::Good);
         let rows = vec![row(["ł.csv", "no data", "scatter"]), row(["  a longer name", "–", ""])];
         let text = table(Some(["case", "verdict", "reason"]), rows, 1);
-        let lines: Vec<&str> = text.lines().collect();
+        let lines: Vec<&str> = text.text().lines().collect();
         let at = |line: &str, word: &str| line[..line.find(word).unwrap()].chars().count();
         assert_eq!(at(lines[0], "verdict"), at(lines[1], "no data"));
         assert_eq!(at(lines[0], "reason"), at(lines[1], "scatter"));
         assert_eq!(lines[2], "  a longer name  –");
-        assert!(!text.contains('\u{1b}'), "tests are no terminal");
+        assert!(!text.text().contains('\u{1b}'), "tests are no terminal");
     }
 }
