@@ -17,6 +17,11 @@ impl Shown {
     pub fn coloured(text: String) -> Self {
         Self(text)
     }
+
+    /// As it is printed.
+    pub fn text(&self) -> &str {
+        &self.0
+    }
 }
 
 impl<T: AsRef<str>> From<T> for Shown {
@@ -42,7 +47,7 @@ impl Add for Shown {
 
 /// Prints whole lines, the last one ended if need be; a reader that has gone away (`| head`) is no error.
 pub fn say(text: impl Into<Shown>) -> anyhow::Result<Code> {
-    match line(&mut io::stdout().lock(), &text.into()) {
+    match line(&mut io::stdout().lock(), text.into().text()) {
         Err(error) if error.kind() != io::ErrorKind::BrokenPipe => Err(error.into()),
         _ => Ok(Code::Done),
     }
@@ -55,10 +60,10 @@ pub fn say_json(value: &impl Serialize) -> anyhow::Result<Code> {
 
 /// Prints whole lines on the error stream; where that cannot be, there is no one to tell.
 pub fn warn(text: impl Into<Shown>) {
-    let _ = line(&mut io::stderr().lock(), &text.into());
+    let _ = line(&mut io::stderr().lock(), text.into().text());
 }
 
-fn line(stream: &mut impl Write, Shown(text): &Shown) -> io::Result<()> {
+fn line(stream: &mut impl Write, text: &str) -> io::Result<()> {
     let end = if text.ends_with('\n') { "" } else { "\n" };
     write!(stream, "{text}{end}")
 }

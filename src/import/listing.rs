@@ -136,9 +136,12 @@ pub(super) fn drawing(text: &str) -> Result<Drawing, ImportError> {
                 "$MEASUREMENT" => header.is_metric = whole(value) == 1,
                 _ => {}
             },
-            (0, kind) if section == "ENTITIES" => part = begun(kind, last_line, &mut found),
+            (0, kind) if section == "ENTITIES" => {
+                points += usize::from(kind == "VERTEX");
+                part = begun(kind, last_line, &mut found);
+            }
             _ if section == "ENTITIES" => {
-                points += usize::from(matches!(code, 10 | 40 | 41));
+                points += usize::from(matches!((&part, code), (Part::Entity, 10 | 40 | 41)));
                 if let Some(entity) = found.last_mut() {
                     entity.take(&part, code, value, last_line)?;
                 }

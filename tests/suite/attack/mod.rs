@@ -285,24 +285,24 @@ fn peak_memory() -> Option<u64> {
     Some(kilobytes << 10)
 }
 
-/// Every key of `[solver]` with what someone may write there, from plausible to odd.
+/// Every key of `[solver]` with what someone may write there: from plausible to the ends of its range, and one value beyond.
 const SETTINGS: [(&str, &[&str]); 16] = [
     ("iteration", &["primal_dual", "newton", "secant"]),
     ("norm", &["velocity", "residual", "both"]),
-    ("tolerance", &["1e-12", "1e-8", "1e-6", "1e-4", "1e-2", "1", "1e6"]),
+    ("tolerance", &["1e-12", "1e-8", "1e-4", "1e-2", "0.1", "1"]),
     ("max_iterations", &["1", "2", "5", "20", "100", "10000"]),
-    ("max_step", &["1e-6", "1e-3", "0.005", "0.05", "0.3", "1"]),
-    ("first_step", &["1e-6", "1e-4", "0.01", "0.3", "1"]),
-    ("min_step", &["0", "1e-12", "1e-9", "1e-3", "0.01", "1"]),
-    ("cutoff_strain", &["1e-15", "1e-9", "1e-4", "1e-2", "10"]),
+    ("max_step", &["1e-5", "1e-3", "0.005", "0.05", "0.3", "0.5"]),
+    ("first_step", &["1e-6", "1e-4", "0.01", "0.3"]),
+    ("min_step", &["0", "1e-12", "1e-9", "1e-4", "1e-3"]),
+    ("cutoff_strain", &["1e-10", "1e-8", "1e-4", "1e-2", "10"]),
     ("contact_stiffness", &["1 Pa", "1 MPa", "1 GPa", "300 GPa", "10000 GPa"]),
-    ("contact_smoothing", &["1e-9", "1e-4", "0.03", "1", "1e6"]),
-    ("slip_speed", &["1e-9", "1e-4", "0.1", "10", "1e9"]),
+    ("contact_smoothing", &["1e-6", "1e-4", "0.03", "0.1", "1e6"]),
+    ("slip_speed", &["1e-6", "1e-4", "0.1", "1", "1e9"]),
     ("facets", &["1", "2", "7", "90", "1000"]),
     ("round_facets", &["true", "false"]),
     ("contact", &["penalty", "augmented_lagrangian"]),
-    ("strain_step", &["1e-9", "1e-4", "0.01", "1", "1e6"]),
-    ("bend_ratio", &["1e-9", "0.01", "0.5", "1e6"]),
+    ("strain_step", &["1e-3", "0.01", "0.3", "1", "1e6"]),
+    ("bend_ratio", &["1e-4", "0.01", "0.5", "1", "1e6"]),
 ];
 
 /// Work of one case with odd settings: the small ones to their end.
@@ -328,7 +328,7 @@ fn odd_settings(seed: u64, count: u64) {
     }
     println!("seed {seed}: {count} settings, {done} solved, slowest {slowest:?}");
     assert!(failed.is_empty(), "{failed}");
-    assert!(done > count / 10, "{done} of {count} settings were accepted");
+    assert!(done > count / 3, "{done} of {count} settings were accepted");
 }
 
 #[test]

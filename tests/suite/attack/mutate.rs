@@ -96,6 +96,11 @@ fn text(old: &str, rng: &mut Rng) -> String {
     }
 }
 
+/// So many times a text of that length, or as often as makes 10 MB: what is larger is not read anyway.
+fn repeats(length: usize, times: usize) -> usize {
+    times.min(10_000_000 / length.max(1))
+}
+
 /// One of a list, where there is one.
 fn any<T>(list: &[T], rng: &mut Rng) -> Option<usize> {
     (!list.is_empty()).then(|| rng.usize(..list.len()))
@@ -196,7 +201,8 @@ fn toml(text_now: &str, rng: &mut Rng) -> Option<Vec<u8>> {
             }
             (Value::Array(array), Step::At(i)) => {
                 let value = array[*i].clone();
-                array.splice(*i..*i, std::iter::repeat_n(value, [1, 2, 3000][rng.usize(..3)]));
+                let times = repeats(text_now.len(), [1, 2, 3000][rng.usize(..3)]);
+                array.splice(*i..*i, std::iter::repeat_n(value, times));
             }
             _ => {}
         },
@@ -259,7 +265,7 @@ fn dxf(text_now: &str, rng: &mut Rng) -> String {
             if rng.bool() {
                 pairs.drain(start..end);
             } else {
-                let times = [1, 1, 1, 500][rng.usize(..4)];
+                let times = repeats(100 * entity.len(), [1, 1, 1, 500][rng.usize(..4)]);
                 pairs.splice(start..start, std::iter::repeat_n(entity, times).flatten());
             }
         }
@@ -320,7 +326,8 @@ fn csv(text_now: &str, rng: &mut Rng) -> String {
         }
         7 => {
             let row = rows[one].clone();
-            rows.splice(one..one, std::iter::repeat_n(row, [2, 2500, 110_000][rng.usize(..3)]));
+            let times = repeats(row.iter().map(String::len).sum(), [2, 2500, 110_000][rng.usize(..3)]);
+            rows.splice(one..one, std::iter::repeat_n(row, times));
         }
         _ => rows[one][cell] = text(rows[one][cell].trim(), rng),
     }
