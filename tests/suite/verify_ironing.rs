@@ -11,14 +11,16 @@
 //! ```
 //!
 //! The punch is faster than the wall in the gap, and its friction helps. F is what the die holds back. What the slab leaves
-//! out is that the sheet arrives bent to the radius R + h/2 and is unbent in the gap; with its moment under tension this adds
+//! out is that the sheet arrives bent to the radius R + h/2 and is unbent as it comes into the gap; with its moment under
+//! tension this adds, to the force and to the tension,
 //!
 //! ```text
 //! F_b = M/(R + h/2),  M = (2/√3) σ_y h²/4 (1 − (σ/((2/√3) σ_y))²)
 //! ```
 //!
 //! Redundant shear, which the slab method leaves out too, is none in a shell. σ, h₀ and ε₀ are taken from the solution, in
-//! front of the gap.
+//! front of the gap: σ is the stress of the flow law there less half of the pressure on the one face, which the die presses
+//! before the punch does. In the channel that is more than the tension itself.
 //!
 //! # References
 //! The slab method for ironing, with friction on both faces: W. F. Hosford, R. M. Caddell, Metal Forming, chapter on
@@ -111,16 +113,19 @@ fn entering(elements: &[ElementRecord], clearance: f64) -> Option<&ElementRecord
     })
 }
 
-/// What the slab method gives: force of the die \[N/mm\], and thickness behind the land \[mm\].
-fn slab(model: &Model, clearance: f64, enters: &ElementRecord) -> (f64, f64) {
+/// What the slab method gives for what `enters` under a `tension` \[MPa\]: force of the die \[N/mm\], and thickness behind the
+/// land \[mm\].
+fn slab(model: &Model, clearance: f64, enters: &ElementRecord, tension: f64) -> (f64, f64) {
     let settings = &model.settings;
     let penalty = Penalty { stiffness: settings.contact_stiffness, smoothing: settings.contact_smoothing };
-    let (h0, tension) = (enters.thickness, enters.stress_meridional);
+    let h0 = enters.thickness;
     let flow = |h: f64| C * model.material.yield_stress(enters.strain_equivalent + C * (h0 / h).ln(), 293.0);
     let x0 = (SHOULDER * SHOULDER - (SHOULDER - (h0 - clearance)).powi(2)).sqrt();
     let parts = 2000;
     let dx = (x0 + LAND) / f64::from(parts);
-    let (mut pull, mut force, mut h) = (tension * h0, 0.0, h0);
+    let moment = 0.25 * flow(h0) * h0 * h0 * (1.0 - (tension / flow(h0)).powi(2));
+    let unbending = moment / (SHOULDER + 0.5 * h0);
+    let (mut pull, mut force, mut h) = (tension * h0 + unbending, unbending, h0);
     for i in 0..parts {
         let x = (x0 - (f64::from(i) + 0.5) * dx).max(0.0);
         let (gap, tan) = (clearance + opening(x), x / (SHOULDER - opening(x)));
@@ -138,8 +143,7 @@ fn slab(model: &Model, clearance: f64, enters: &ElementRecord) -> (f64, f64) {
         force += p * (tan + FRICTION) * dx;
         pull += p * tan * dx;
     }
-    let moment = 0.25 * flow(h0) * h0 * h0 * (1.0 - (tension / flow(h0)).powi(2));
-    (force + moment / (SHOULDER + 0.5 * h0), h)
+    (force, h)
 }
 
 /// Steps of the last quarter of the travel, where the wall has gone through the gap for long.
@@ -165,15 +169,34 @@ fn ripple(run: &StageSolution) -> f64 {
     mean(steady(run).map(|s| (s.ironing_force / force - 1.0).powi(2))).sqrt()
 }
 
+/// Pressure of all tools on an element at the end \[MPa\].
+fn pressure(run: &StageSolution, element: &ElementRecord) -> f64 {
+    let e = run.end.s0.iter().take_while(|s0| **s0 < element.s0).count() - 1;
+    run.end.pressure.rows().map(|tool| 0.5 * (tool[2 * e] + tool[2 * e + 1])).sum()
+}
+
 /// Force and thickness, found and by the slab method, in the last quarter of the travel.
 fn compare(model: &Model, run: &StageSolution, clearance: f64) -> [[f64; 2]; 2] {
-    let round = match model.geometry {
-        Geometry::PlaneStrain => 1.0,
-        Geometry::Axisymmetric => TAU * (PUNCH + 0.5 * clearance),
+    let late = run.frames.iter().filter(|frame| frame.travel > 0.75 * model.travel);
+    let (round, slabs): (f64, Vec<_>) = match model.geometry {
+        // It goes steadily through the gap, and the end stands for all.
+        Geometry::PlaneStrain => {
+            let end = &run.frames.last().expect("the end").elements;
+            let enters = entering(end, clearance).expect("a wall in the gap");
+            let tension = enters.stress_meridional - 0.5 * pressure(run, enters);
+            (1.0, vec![slab(model, clearance, enters, tension)])
+        }
+        // A cup's wall lies on the shoulder, p = σ h/(R + h/2), under a tension that falls as its rim comes in.
+        Geometry::Axisymmetric => {
+            let wrapped = |enters: &ElementRecord| {
+                let h = enters.thickness;
+                let tension = enters.stress_meridional / (1.0 + 0.5 * h / (SHOULDER + 0.5 * h));
+                slab(model, clearance, enters, tension)
+            };
+            let enters = late.filter_map(|frame| entering(&frame.elements, clearance));
+            (TAU * (PUNCH + 0.5 * clearance), enters.map(wrapped).collect())
+        }
     };
-    let frames = run.frames.iter().filter(|frame| frame.travel > 0.75 * model.travel);
-    let slabs: Vec<_> =
-        frames.filter_map(|frame| Some(slab(model, clearance, entering(&frame.elements, clearance)?))).collect();
     let force = [mean(steady(run).map(|s| s.ironing_force)), round * mean(slabs.iter().map(|s| s.0))];
     [force, [behind(run), mean(slabs.iter().map(|s| s.1))]]
 }
@@ -181,14 +204,14 @@ fn compare(model: &Model, run: &StageSolution, clearance: f64) -> [[f64; 2]; 2] 
 /// Thickness and force of a channel's wall, ironed by 7 %, 17 % and 27 %.
 #[test]
 fn a_channel_is_ironed_as_the_slab_method_says() {
-    // Trust: the sheet is bent and unbent while it is pressed, which the two parts of the slab method take one after the other.
-    // What that leaves grows with the reduction: 10.5 %, 6 % and −2 %.
-    for (clearance, tolerance) in [(0.7, 0.12), (0.8, 0.1), (0.9, 0.1)] {
+    for clearance in [0.7, 0.8, 0.9] {
         let model = drawn(Geometry::PlaneStrain, clearance, 240);
         let run = solved(&model);
         let [force, thickness] = compare(&model, &run, clearance);
         println!("{clearance}: force {force:?} N/mm, thickness {thickness:?} mm, ripple {:.3}", ripple(&run));
-        assert!((force[0] / force[1] - 1.0).abs() < tolerance, "{clearance}: {force:?} N/mm");
+        // Trust: the sheet is unbent while it is pressed, which the slab method takes one after the other: the punch presses it
+        // harder where it comes in, the die less, −5 %, −7 % and −10 %; unbending is the larger part where little is ironed.
+        assert!((force[0] / force[1] - 1.0).abs() < 0.1, "{clearance}: {force:?} N/mm");
         // Trust: the pressure that d goes with varies by a third over the land, a third of the 15 µm of p/k on either face.
         assert!((thickness[0] - thickness[1]).abs() < 0.005, "{clearance}: {thickness:?} mm");
         // Both faces are pressed in by no more than is told.
