@@ -80,7 +80,7 @@ fn a_stage_begins_with_the_sheet_that_the_one_before_left() {
 #[test]
 fn a_sheet_rests_on_the_tools_that_are_left() {
     let draw = cup(15.0);
-    let kept: [&[Role]; 4] = [&[Role::Die], &[Role::Punch], &[Role::Holder], &[Role::Punch, Role::Die]];
+    let kept: [&[Role]; 3] = [&[Role::Die], &[Role::Punch], &[Role::Punch, Role::Die]];
     for roles in kept {
         let mut rest = moving(&draw, Role::Punch, 0.0, 0.0);
         rest.tools.retain(|tool| roles.contains(&tool.role));
