@@ -94,9 +94,13 @@ impl Model {
         stress.map(|stress| stress / volume)
     }
 
-    /// Whether tools go ways of their own, as they do in later stages: then they may leave the sheet.
-    pub fn has_paths(&self) -> bool {
-        self.tools.iter().any(|tool| matches!(tool.motion, Motion::Path(_)))
+    /// Whether the tools may leave the sheet: they go ways of their own, or stand and nothing else drives the sheet, as in
+    /// later stages.
+    pub fn may_be_left(&self) -> bool {
+        let goes_own_way = |tool: &Tool| matches!(tool.motion, Motion::Path(_));
+        let pulled = matches!(self.blank.edge, Edge::Pulled { .. });
+        let driven = pulled || !self.gas.is_empty() || self.tools.iter().any(|tool| tool.motion == Motion::Travel);
+        self.tools.iter().any(goes_own_way) || !(driven || self.release.is_some())
     }
 
     /// The strain rate that a gas pressure holds, where one does.

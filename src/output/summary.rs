@@ -79,8 +79,7 @@ impl Summary {
     /// Sums up a stage.
     pub fn of(view: &StageView) -> Self {
         let (model, run) = (view.model(), view.stage);
-        let unmoved = StepRecord { thinnest: model.blank.thickness, ..StepRecord::default() };
-        let last = run.steps.last().copied().unwrap_or(unmoved);
+        let last = run.steps.last().copied().unwrap_or_else(|| as_begun(run));
         let largest = |value| largest(run, value);
 
         let mut summary = Self { entries: Vec::new(), group: Group::Case };
@@ -170,6 +169,23 @@ impl Summary {
 
     fn list(&mut self, key: &'static str, label: &'static str, values: &[String]) {
         self.push(key, label, Unit::None, Value::List(values.to_vec()));
+    }
+}
+
+/// What a stage without a step leaves: the sheet that it began with, or the blank where it has not begun.
+fn as_begun(run: &StageSolution) -> StepRecord {
+    let blank = &run.model.blank;
+    let start = run.start.iter();
+    let elements = start.clone().flat_map(|start| &start.elements);
+    let thinnest = elements.min_by(|a, b| a.thickness.total_cmp(&b.thickness));
+    let edge = start.clone().find_map(|start| start.nodes.last());
+    let pole = start.clone().find_map(|start| start.nodes.first());
+    StepRecord {
+        thinnest: thinnest.map_or(blank.thickness, |element| element.thickness),
+        thinnest_s0: thinnest.map_or(0.0, |element| element.s0),
+        draw_in: edge.map_or(0.0, |node| blank.length - node.r),
+        pole_height: pole.map_or(0.0, |node| node.z),
+        ..StepRecord::default()
     }
 }
 

@@ -62,7 +62,7 @@ fn measure_residual(step: &Step, largest_force: f64, out: &mut Evaluation) {
     out.residual_norm = match largest_force > 0.0 {
         true => residual / largest_force.max(step.process.least_force),
         // A sheet that all tools have left is at rest; one that none has reached yet says nothing.
-        false if step.model.has_paths() => 0.0,
+        false if step.model.may_be_left() => 0.0,
         false => f64::INFINITY,
     };
 }

@@ -56,8 +56,9 @@ fn begin(stage: &Stage, before: &StageSolution) -> (Model, State, Option<Trimmed
 
 /// The state that a stage begins with, from the last `state` of a stage with the model `before`.
 ///
-/// The sheet keeps its nodes, thickness, strains, stress and temperature bit for bit, less what [`Beginning`](crate::model::stage::Beginning) takes; time,
-/// travel and velocities begin anew; a tool that stays keeps its position and the pressure it exerts, and gas its pressure.
+/// The sheet keeps its nodes, thickness, strains, stress and temperature bit for bit, less what [`Beginning`](crate::model::stage::Beginning) takes; time
+/// and travel begin anew, and its velocities go on at the pace of the stage, as a guess; a tool that stays keeps its position
+/// and the pressure it exerts, and gas its pressure.
 pub fn enter(stage: &Stage, before: &Model, mut state: State) -> State {
     let (model, begin) = (&stage.model, &stage.begin);
     (state.time, state.travel) = (0.0, 0.0);

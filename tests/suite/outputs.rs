@@ -148,6 +148,21 @@ fn the_summary_says_the_same_in_print_and_in_json() {
     }
 }
 
+/// Trust: the sheet that the stage began with, which the one before has left drawn.
+#[test]
+fn a_stage_that_finds_no_first_step_has_the_sheet_that_it_began_with() {
+    let cup = stages(&find("cup").unwrap().fill(&[]).unwrap()).stages.remove(0);
+    let start = cup.frames.last().cloned();
+    let stuck = StageSolution { start, steps: Vec::new(), frames: Vec::new(), ..cup.clone() };
+    let [before, after] = [&cup, &stuck].map(|run| serde_json::to_value(Summary::of(&drawn::view(run))).unwrap());
+    let figure = |json: &serde_json::Value, key: &str| json[key].as_f64().unwrap();
+    for key in ["thinnest_mm", "thinnest_s0_mm", "draw_in_mm"] {
+        // Both are what the last step and the last frame say of one state: round-off and nine digits.
+        assert!((figure(&before, key) - figure(&after, key)).abs() < 1e-6, "{key}: {before} {after}");
+    }
+    assert!(figure(&after, "draw_in_mm") > 1.0);
+}
+
 /// Trust: 2000 instants are held at most, so that of 5000 every fourth is.
 #[test]
 fn the_summary_says_that_strain_paths_are_thinned() {

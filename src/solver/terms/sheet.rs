@@ -78,7 +78,7 @@ fn strain<L: PointLaw>(
 
 /// Keeps a sheet from floating along z once the tools that go away have left it.
 pub fn stabilise(step: &Step, trial: &Trial, out: &mut Evaluation) {
-    if !step.model.has_paths() {
+    if !step.model.may_be_left() {
         return;
     }
     for (e, areas) in step.areas.chunks_exact(STATIONS).enumerate() {
