@@ -109,7 +109,10 @@ fn command() -> anyhow::Result<Code> {
         Verb::Completions { shell } => shell::completions(Args::command(), shell),
         Verb::Man { verb } => shell::man(Args::command(), verb.as_deref()),
     }?;
-    Ok(if interrupt::is_wanted() { Code::Interrupted } else { code })
+    Ok(match code {
+        Code::Done | Code::StoppedEarly if interrupt::is_wanted() => Code::Interrupted,
+        code => code,
+    })
 }
 
 /// Whether the command line, which its errors quote, holds what a terminal would obey.
