@@ -4,7 +4,8 @@ use super::{BESIDE, CUP, LONGEST, PUNCH, peak_memory};
 use stampflow::case;
 use stampflow::files::{CASE, CSV, Disk, Files};
 use stampflow::import::{self, Options};
-use std::fs;
+use std::fs::{self, File};
+use std::io::{self, BufWriter, Write};
 use std::path::Path;
 use std::time::{Duration, Instant};
 use temp_dir::TempDir;
@@ -21,9 +22,16 @@ struct Kind {
 }
 
 impl Kind {
-    fn text(&self, bytes: usize) -> String {
+    /// Writes a file of so many bytes, little by little: what is measured is the memory of the reader.
+    fn write(&self, path: &Path, bytes: usize) -> io::Result<()> {
+        let mut file = BufWriter::new(File::create(path)?);
+        file.write_all(self.begins.as_bytes())?;
         let room = bytes - self.begins.len() - self.ends.len();
-        self.begins.clone() + &self.repeated.repeat(room / self.repeated.len()) + self.ends
+        for _ in 0..room / self.repeated.len() {
+            file.write_all(self.repeated.as_bytes())?;
+        }
+        file.write_all(self.ends.as_bytes())?;
+        file.flush()
     }
 }
 
@@ -97,7 +105,7 @@ fn read_all(share: f64) -> Duration {
     let path = folder.path().join("beside.csv");
     let mut longest = Duration::ZERO;
     for kind in cases().into_iter().chain(tables()).chain(drawings()) {
-        fs::write(&path, kind.text((share * kind.most as f64) as usize)).expect("room");
+        kind.write(&path, (share * kind.most as f64) as usize).expect("room");
         let cases = BESIDE.iter().map(|(case, _)| case.join("\n"));
         for case in cases.take(if kind.most == CSV { BESIDE.len() } else { 1 }) {
             fs::write(folder.path().join("case.toml"), case).expect("room");
