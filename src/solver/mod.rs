@@ -101,6 +101,8 @@ pub fn run_from(model: &Model, mut state: State, observer: &mut dyn Observer) ->
                 worst = Some(evaluation.worst_node);
                 let necking = termination.necking(model, &state);
                 if necking.is_none() && control.reject() {
+                    // Where the velocities change abruptly a straight line says nothing of them.
+                    state.end_velocity.clone_from(&state.velocity);
                     continue;
                 }
                 run.stop = necking.unwrap_or_else(|| no_equilibrium(&step, &evaluation, &outcome, &run.steps));
