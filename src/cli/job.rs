@@ -32,6 +32,22 @@ pub fn load_all(paths: &[PathBuf], overrides: &[String]) -> (Vec<Case>, Vec<anyh
     (cases, failed)
 }
 
+/// Each case with the folder of its results, and in `failed` what is wrong with those that can have none.
+pub fn prepared(
+    cases: Vec<Case>,
+    failed: &mut Vec<anyhow::Error>,
+    folder: impl Fn(&Case) -> anyhow::Result<ResultFolder>,
+) -> Vec<(Case, ResultFolder)> {
+    let mut jobs = Vec::new();
+    for case in cases {
+        match folder(&case) {
+            Ok(folder) => jobs.push((case, folder)),
+            Err(error) => failed.push(error),
+        }
+    }
+    jobs
+}
+
 /// Solves cases side by side and hands each with its folder to `then` as it ends; what `then` returns comes back in the cases' order. Once
 /// the runs are to end no other case begins.
 pub fn solve_all<T: Send>(

@@ -1,7 +1,7 @@
 //! `stampflow run`: from case files to folders of results.
 
 use super::code::{BadRequest, Code};
-use super::job::{load_all, solve_all, told};
+use super::job::{load_all, prepared, solve_all, told};
 use super::json;
 use super::options::{Json, Overrides, Threads};
 use super::place;
@@ -12,7 +12,8 @@ use serde_json::{Value, json};
 use stampflow::case::Case;
 use stampflow::output::summary::Group;
 use stampflow::output::{
-    CaseSummary, Extra, FrameRecorder, OUTPUTS, Results, Summary, WriteError, csv, result_folder, trace, write,
+    CaseSummary, Extra, FrameRecorder, OUTPUTS, ResultFolder, Results, Summary, WriteError, csv, result_folder, trace,
+    write,
 };
 use std::fmt::Write;
 use std::ops::Add;
@@ -59,7 +60,7 @@ pub fn help() -> String {
             stampflow run cases/quickstart.toml\n  \
             stampflow run cases/quickstart.toml --set tools.punch.friction=0.1 --out out/friction-0.1\n  \
             stampflow run cases/*.toml --out results --quiet\n\n\
-            Exit codes: 0 done (full travel or time, or the contact share asked for), 2 bad input, or a place that cannot be written to or that another run writes to (nothing is written), 3 stopped early (results are kept), 130 interrupted by Ctrl-C (results are kept; a second one ends at once), 1 anything else"
+            Exit codes: 0 done (full travel or time, or the contact share asked for), 2 bad input, or a place that cannot be written to or that another run writes to (nothing is written of that case; the others are run), 3 stopped early (results are kept), 130 interrupted by Ctrl-C (results are kept; a second one ends at once), 1 anything else"
 }
 
 pub fn run(args: &Args) -> anyhow::Result<Code> {
@@ -68,21 +69,8 @@ pub fn run(args: &Args) -> anyhow::Result<Code> {
     }
     let several = args.cases.len() > 1;
     let (cases, mut failed) = load_all(&args.cases, &args.overrides.set);
-    if failed.iter().any(|error| Code::of(error) == Code::BadInput) {
-        return Ok(told(&failed, Code::Done));
-    }
     share_no_folder(&cases)?;
-    let mut jobs = Vec::new();
-    for case in cases {
-        let dir = folder(args, several, &case)?;
-        if let Some(path) = &args.trace {
-            place::outside(path, &dir, "--trace")?;
-            place::replaced(path, &csv(&trace::table(&[])), "--trace")?;
-            place::file(path, &case.inputs, "--trace")?;
-        }
-        let folder = place::results(&case, &dir, |dir| result_folder(&case, dir))?;
-        jobs.push((case, folder));
-    }
+    let jobs = prepared(cases, &mut failed, |case| prepare(args, several, case));
     args.threads.apply()?;
     let progress = Progress::new(args.quiet || args.json.json);
     let asked = [(args.vtu, Extra::Vtu), (args.animate, Extra::Animation)];
@@ -133,6 +121,17 @@ pub fn run(args: &Args) -> anyhow::Result<Code> {
     };
     failed.extend(said.err());
     Ok(told(&failed, code))
+}
+
+/// The folder of a case's results, once all places that are written to are known to be free.
+fn prepare(args: &Args, several: bool, case: &Case) -> anyhow::Result<ResultFolder> {
+    let dir = folder(args, several, case)?;
+    if let Some(path) = &args.trace {
+        place::outside(path, &dir, "--trace")?;
+        place::replaced(path, &csv(&trace::table(&[])), "--trace")?;
+        place::file(path, &case.inputs, "--trace")?;
+    }
+    Ok(place::results(case, &dir, |dir| result_folder(case, dir))?)
 }
 
 /// What is printed of a case.

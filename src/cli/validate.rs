@@ -1,7 +1,7 @@
 //! `stampflow validate`: every case against its published curves.
 
 use super::code::{BadRequest, Code};
-use super::job::{load_all, solve_all, told};
+use super::job::{load_all, prepared, solve_all, told};
 use super::json;
 use super::options::{Json, Threads};
 use super::place;
@@ -49,18 +49,13 @@ const VERDICT: usize = 6;
 
 pub fn validate(args: &Args) -> anyhow::Result<Code> {
     let (mut cases, mut failed) = load_all(&case_files(&args.cases)?, &[]);
-    if failed.iter().any(|error| Code::of(error) == Code::BadInput) {
-        return Ok(told(&failed, Code::Done));
-    }
     cases.retain(|case| !case.compare.is_empty());
     if cases.is_empty() && failed.is_empty() {
         return Err(BadRequest(format!("no case in {} has a [[compare]] table", args.cases.display())).into());
     }
-    let mut jobs = Vec::new();
-    for case in cases {
-        let folder = place::results(&case, &place::folder(&args.out, &case)?, comparison_folder)?;
-        jobs.push((case, folder));
-    }
+    let jobs = prepared(cases, &mut failed, |case| {
+        Ok(place::results(case, &place::folder(&args.out, case)?, comparison_folder)?)
+    });
     args.threads.apply()?;
     let progress = Progress::new(args.quiet || args.json.json);
     let outcomes = solve_all(

@@ -88,7 +88,6 @@ fn bad_input_ends_with_2_and_writes_nothing() {
         &["run", "cases/none.toml"][..],
         &["run", "cases/cup.toml", "--set", "blank.thickness=thin"],
         &["run", "cases/cup.toml", "--set", "no equals sign"],
-        &["run", "cases/cup.toml", "cases/none.toml"],
         &["run", "cases/cup.toml", "cases/cup.toml"],
         &["run", "cases/curveless.toml"],
         &["run", "cases/cup.toml", "cases/curveless.toml", "--trace", "t.csv"],
@@ -160,7 +159,7 @@ fn a_coloured_message_shows_the_files_escapes_as_codes() {
     assert!(!shown.contains("\"\u{1b}") && !shown.contains("a\u{1b}"), "{shown:?}");
 }
 
-/// What is wrong with each is said at once, and nothing is solved.
+/// Trust: one good case among two bad ones, read before, between and after them.
 #[test]
 fn every_bad_case_of_a_command_is_named() {
     let dir = folder(CUP);
@@ -170,11 +169,12 @@ fn every_bad_case_of_a_command_is_named() {
     fs::write(cases.join("empty.toml"), "").unwrap();
     for args in [&["run", "cases/curved.toml", "cases/cup.toml", "cases/empty.toml"][..], &["validate"]] {
         let done = stampflow(dir.path(), args);
-        assert_eq!((done.status.code(), text(&done.stdout)), (Some(2), ""), "{args:?}");
+        assert_eq!(done.status.code(), Some(2), "{args:?}");
         let said = text(&done.stderr);
         assert!(said.contains("the reference file is empty") && said.contains("empty.toml"), "{said}");
-        assert!(!dir.path().join("out").exists(), "{args:?} has solved a case");
     }
+    let out = dir.path().join("out");
+    assert!(out.join("cup/summary.json").is_file() && !out.join("curved").exists());
 }
 
 /// `check` and `report` read the references too.
