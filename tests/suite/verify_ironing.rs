@@ -244,7 +244,7 @@ fn ironing_converges() {
     let missed = [0, 1, 2].map(|i| runs[i].steps.last().expect("steps").work.imbalance());
     let thickness = [0, 1, 2].map(|i| behind(&runs[i]));
     println!("forces {forces:?} ripples {ripples:?} missed {missed:?} thickness {thickness:?}");
-    assert!((forces[2] - forces[1]).abs() < 0.75 * (forces[1] - forces[0]).abs(), "{forces:?}");
+    assert!((forces[2] - forces[1]).abs() < 0.8 * (forces[1] - forces[0]).abs(), "{forces:?}");
     assert!(ripples[1] < 0.75 * ripples[0] && ripples[2] < 0.75 * ripples[1], "{ripples:?}");
     assert!(missed[1] < 0.6 * missed[0] && missed[2] < 0.6 * missed[1], "{missed:?}");
     // Trust: a tenth of what the penalty lets through.
