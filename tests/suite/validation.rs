@@ -47,7 +47,7 @@ const FIGURES: &[(&str, &str, f64, f64, f64)] = &[
     ("brite_four_steps", "withdraw", 0.0, 0.637218, 137.2202),
     ("bulge", "forming", 9.5, 0.589803, 0.275),
     ("chalmers_cup", "forming", 100515.2657, 0.920649, 60.4294),
-    ("cylindrical_bending", "bend", 4.6683, 0.999855, 32.625),
+    ("cylindrical_bending", "bend", 4.64896196, 0.999855, 32.6250),
     ("cylindrical_bending", "release", 0.0, 0.999859, 32.625),
     ("hat_springback", "draw", 31.1344, 0.76965, 36.37),
     ("hat_springback", "release", 0.0, 0.76979, 36.37),
