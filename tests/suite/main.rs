@@ -26,7 +26,6 @@ mod materials;
 mod measures;
 mod meridians;
 mod model_check;
-mod mutations;
 mod numerics;
 mod observer;
 mod outputs;

@@ -86,14 +86,15 @@ fn chords_of_a_punch_are_the_punch() {
 fn a_fillet_makes_the_standard_punch_of_three_points() {
     let standard = Profile::flat_punch(30.0, 6.0, 1.0);
     let plain = "r_mm,z_mm\n0,0\n30,0\n30,-200\n";
-    let marked = "\u{feff}r_mm,z_mm\r\n0,0\r\n30,0\r\n30,0\r\n30,-200\r\n";
+    let marked = "\u{feff}r_mm,z_mm\r\n0,0\r\n30,0\r\n30,0\r\n30,-200\r\n30,-200\r\n";
     let column = "# a punch\nz_mm, r_mm, radius_mm\n0,0,\n0,30,6\n-200,30,\n";
     let file = r#"{ file = "punch.csv", fillet = "6 mm" }"#;
     for (points, section) in [(plain, file), (marked, file), (column, "\"punch.csv\"")] {
         let case = with_punch(points, section);
         assert!(difference(profile(case.model(), Role::Punch), &standard) < 1e-9, "{points}");
         assert!(!case.derived.iter().any(|line| line.contains("rounded off")), "{:?}", case.derived);
-        let repeated = "line 4 of punch.csv repeats the point of line 3 and is left out";
+        let repeated =
+            "line 4 of punch.csv repeats the point of line 3 and is left out, as are 1 more that repeat the one before";
         assert_eq!(case.derived.iter().any(|line| line == repeated), points == marked, "{:?}", case.derived);
     }
 }

@@ -95,20 +95,24 @@ pub(super) fn convert(
     Ok((profile, Points { text: shown, chords, lines }))
 }
 
-/// The rows without those that repeat the one before.
+/// The rows without those that repeat the one before; one note says so, however many there are.
 fn distinct(rows: Vec<Row>, file: &str, derived: &mut Vec<String>) -> Vec<Row> {
-    let mut kept: Vec<Row> = Vec::new();
+    let (mut kept, mut repeats): (Vec<Row>, Vec<[usize; 2]>) = (Vec::new(), Vec::new());
     for row in rows {
         match kept.last_mut().filter(|last| (last.point - row.point).norm() < SAME) {
             Some(last) => {
-                derived.push(format!(
-                    "line {} of {file} repeats the point of line {} and is left out",
-                    row.line, last.line
-                ));
+                repeats.push([row.line, last.line]);
                 last.radius = last.radius.or(row.radius);
             }
             None => kept.push(row),
         }
+    }
+    if let Some(([line, of], others)) = repeats.split_first() {
+        let left = match others.len() {
+            0 => "is left out".to_owned(),
+            more => format!("is left out, as are {more} more that repeat the one before"),
+        };
+        derived.push(format!("line {line} of {file} repeats the point of line {of} and {left}"));
     }
     kept
 }

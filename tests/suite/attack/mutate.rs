@@ -1,5 +1,6 @@
 //! Inputs made wrong: by what they are made of (keys, group codes, cells) and by their bytes.
 
+use super::excess::excess;
 use fastrand::Rng;
 use toml::{Table, Value};
 
@@ -111,6 +112,7 @@ pub fn mutated(bytes: &[u8], form: Form, rng: &mut Rng) -> Vec<u8> {
     let mut bytes = bytes.to_vec();
     for _ in 0..rng.usize(1..=3) {
         bytes = match (form, std::str::from_utf8(&bytes)) {
+            (Form::Toml, Ok(text)) if rng.u8(..30) == 0 => format!("{text}\n{}", excess(rng)).into_bytes(),
             (Form::Toml, Ok(text)) if rng.u8(..10) < 8 => toml(text, rng).unwrap_or(bytes),
             (Form::Dxf, Ok(text)) if rng.u8(..10) < 8 => dxf(text, rng).into_bytes(),
             (Form::Csv, Ok(text)) if rng.u8(..10) < 8 => csv(text, rng).into_bytes(),
