@@ -10,7 +10,7 @@ use ttf_parser::GlyphId;
 /// Chords of letters leave their curves by about so much \[pixels\].
 const SAGITTA: f64 = 0.15;
 
-/// Places within a pixel that letters are drawn at, along each direction: none is off by more than is seen.
+/// Places within a pixel that letters are drawn at, along each direction: none is off by as much as is seen.
 const PLACES: f64 = 4.0;
 
 thread_local! {
@@ -31,15 +31,17 @@ struct Glyphs {
 /// Says the pixels of a letter whose font is `em` large, with its origin at a point, and which goes up the page where it
 /// is turned \[pixels\].
 pub(super) fn spans(glyph: GlyphId, em: f64, turned: bool, at: Point, mut each: impl FnMut(Span)) {
-    let [(column, across), (row, down)] = [at.0, at.1].map(|v| {
-        let places = (v.clamp(-FAR, FAR) * PLACES).round();
-        let whole = (places / PLACES).floor();
-        (whole as i32, (places - PLACES * whole) as u8)
+    // The pixel, and the place in it.
+    let [(column, right), (row, down)] = [at.0, at.1].map(|v| {
+        let place = (v.clamp(-FAR, FAR) * PLACES).round();
+        let pixel = (place / PLACES).floor();
+        (pixel as i32, (place - PLACES * pixel) as u8)
     });
     GLYPHS.with_borrow_mut(|Glyphs { known, cover }| {
-        let made = known
-            .entry((glyph, em.to_bits(), turned, [across, down]))
-            .or_insert_with(|| made(cover, glyph, em, turned, (f64::from(across) / PLACES, f64::from(down) / PLACES)));
+        let made = known.entry((glyph, em.to_bits(), turned, [right, down])).or_insert_with(|| {
+            let within = (f64::from(right) / PLACES, f64::from(down) / PLACES);
+            made(cover, glyph, em, turned, within)
+        });
         for span in made.iter() {
             each(Span { row: row + span.row, from: column + span.from, to: column + span.to, ..*span });
         }

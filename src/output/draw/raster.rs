@@ -44,8 +44,8 @@ impl<'a> Raster<'a> {
     /// White paper.
     pub fn new(width: f64, height: f64, density: f64, palette: &'a mut Palette) -> Self {
         let (width, height) = ((density * width).ceil() as usize, (density * height).ceil() as usize);
-        let white = palette.number(WHITE);
-        let picture = Picture { width, height, pixels: vec![white; width * height] };
+        // White is the first colour of every palette.
+        let picture = Picture { width, height, pixels: vec![0; width * height] };
         Self { density, picture, palette, cover: Cover::new(width, height) }
     }
 
