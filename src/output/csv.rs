@@ -2,7 +2,7 @@
 
 use crate::measure::Change;
 use crate::table::Table;
-use crate::units::{rounded, without_zeros};
+use crate::units::rounded;
 use std::fmt::Write;
 
 /// One header row (`punch_force_N`), then one row per value, nine significant digits; a cell without a finite number is empty.
@@ -53,19 +53,42 @@ fn number(value: f64) -> String {
     })
 }
 
-/// The same by whole numbers, which is several times as fast, for nearly all that a table holds. Multiplied by a power of
+/// Powers of ten that are exact, and enough to bring the least number of [`plain`] to nine digits.
+const TENS: [f64; 13] = [1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12];
+
+/// The same by whole numbers, which is many times as fast, for nearly all that a table holds. Multiplied by a power of
 /// ten that is exact, a value is off by 1e-7 at most: whatever is further from half way is rounded rightly.
 fn plain(value: f64) -> Option<String> {
     let size = value.abs();
-    let decimals = (0..=12).find(|k| size * 10_f64.powi(*k) >= 1e8)?;
-    let scaled = size * 10_f64.powi(decimals);
-    if !(1e-4..999_999_999.0).contains(&size) || (scaled.fract() - 0.5).abs() < 1e-6 {
+    let mut decimals = TENS.iter().position(|ten| size * ten >= 1e8)?;
+    let scaled = size * TENS[decimals];
+    let mut digits = (scaled + 0.5) as u32;
+    if !(1e-4..999_999_999.0).contains(&size) || (scaled - f64::from(digits)).abs() > 0.5 - 1e-6 {
         return None;
     }
-    let (digits, one) = (scaled.round() as u64, 10_u64.pow(decimals as u32));
-    let sign = if value < 0.0 { "-" } else { "" };
-    let text = format!("{sign}{}.{:02$}", digits / one, digits % one, decimals as usize);
-    Some(without_zeros(&text).to_owned())
+    while decimals > 0 && digits.is_multiple_of(10) {
+        (digits, decimals) = (digits / 10, decimals - 1);
+    }
+    // From the last digit to the sign.
+    let (mut text, mut written) = ([0; 16], 0);
+    let mut put = |letter: u8| {
+        written += 1;
+        text[16 - written] = letter;
+    };
+    for place in 0.. {
+        if place > decimals && digits == 0 {
+            break;
+        }
+        if place == decimals && place > 0 {
+            put(b'.');
+        }
+        put(b'0' + (digits % 10) as u8);
+        digits /= 10;
+    }
+    if value < 0.0 {
+        put(b'-');
+    }
+    Some(String::from_utf8_lossy(&text[16 - written..]).into_owned())
 }
 
 #[cfg(test)]

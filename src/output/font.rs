@@ -17,7 +17,7 @@ fn em() -> f64 {
 }
 
 /// What stands for a letter: the font's empty box where it has none. And how far the next one is \[em\].
-fn glyph(letter: char) -> (GlyphId, f64) {
+pub fn glyph(letter: char) -> (GlyphId, f64) {
     let glyph = FACE.glyph_index(letter).unwrap_or_default();
     (glyph, f64::from(FACE.glyph_hor_advance(glyph).unwrap_or(0)) / em())
 }
@@ -27,12 +27,10 @@ pub fn width(text: &str) -> f64 {
     text.chars().map(|letter| glyph(letter).1).sum()
 }
 
-/// Takes every edge of a letter's outline, which is turned into chords, and says how far the next letter is; x along the
-/// baseline and y down \[em\]. Chords leave their curves by about `sagitta` \[em\].
-pub fn outline(letter: char, sagitta: f64, edge: &mut dyn FnMut((f64, f64), (f64, f64))) -> f64 {
-    let (glyph, advance) = glyph(letter);
+/// Takes every edge of a letter's outline, which is turned into chords; x along the baseline and y down \[em\]. Chords
+/// leave their curves by about `sagitta` \[em\].
+pub fn outline(glyph: GlyphId, sagitta: f64, edge: &mut dyn FnMut((f64, f64), (f64, f64))) {
     FACE.outline_glyph(glyph, &mut Pen { sagitta, first: (0.0, 0.0), last: (0.0, 0.0), edge });
-    advance
 }
 
 /// Follows an outline.

@@ -13,7 +13,7 @@ const DENSITY: f64 = 1.0;
 pub fn gif(drawings: impl IntoIterator<Item = Drawing>, hundredths: &[u16]) -> Vec<u8> {
     let mut palette = Palette::default();
     let pictures: Vec<_> = drawings.into_iter().map(|drawing| drawing.pixels(DENSITY, &mut palette)).collect();
-    let (width, height) = (pictures[0].width, pictures[0].height());
+    let (width, height) = (pictures[0].width, pictures[0].height);
     let mut indexed: Vec<Vec<u8>> = pictures.into_iter().map(|picture| picture.pixels).collect();
     indexed.iter_mut().for_each(|pixels| pixels.resize(width * height, 0));
 

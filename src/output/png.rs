@@ -17,10 +17,10 @@ const LEVEL: u8 = 1;
 pub fn png(chart: &Chart) -> Vec<u8> {
     let mut palette = Palette::default();
     let picture = Drawing::of(chart).pixels(DENSITY, &mut palette);
-    let size = [picture.width as u32, picture.height() as u32].map(u32::to_be_bytes);
+    let size = [picture.width as u32, picture.height as u32].map(u32::to_be_bytes);
     // Eight bits per pixel, a palette, and the only ways there are to compress, filter and order rows.
     let header = [size.as_flattened(), &[8, 3, 0, 0, 0]].concat();
-    let mut rows = Vec::with_capacity(picture.pixels.len() + picture.height());
+    let mut rows = Vec::with_capacity(picture.pixels.len() + picture.height);
     for row in picture.rows() {
         rows.push(0);
         rows.extend_from_slice(row);

@@ -4,7 +4,9 @@
 
 mod backend;
 mod canvas;
+mod cover;
 mod drawing;
+mod glyphs;
 mod letters;
 mod mark;
 mod page;

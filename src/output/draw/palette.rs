@@ -1,13 +1,17 @@
 //! Up to 256 colours, and what becomes of one where another covers it in part.
 
+use super::cover::FULL;
 use crate::output::chart::{Color, WHITE};
 
-/// Steps in which a pixel is covered, from nothing to all of it; finer ones are not seen at an edge.
-const FULL: usize = 15;
-const LEVELS: usize = FULL + 1;
+/// Levels of cover.
+const LEVELS: usize = FULL as usize + 1;
 
 /// Blends that differ by no more than this take the same colour: the sum of squares over red, green and blue.
 const ALIKE: i32 = 32;
+
+/// Blends in a cell of so many steps of red, green and blue take the same colour too, that of the first.
+const CELL: usize = 8;
+const CELLS: usize = 256 / CELL;
 
 /// Colours that a byte tells apart.
 const MOST: usize = 256;
@@ -21,11 +25,13 @@ pub struct Palette {
     colors: Vec<[u8; 3]>,
     /// What was blended before, by the colour on top, the one below and the level, or [`UNKNOWN`].
     known: Vec<u16>,
+    /// What was taken for a blend in each cell of [`CELL`] by [`CELL`] by [`CELL`] colours, or [`UNKNOWN`].
+    cells: Vec<u16>,
 }
 
 impl Default for Palette {
     fn default() -> Self {
-        Self { colors: vec![WHITE.into()], known: Vec::new() }
+        Self { colors: vec![WHITE.into()], known: Vec::new(), cells: vec![UNKNOWN; CELLS.pow(3)] }
     }
 }
 
@@ -49,30 +55,46 @@ impl Palette {
         found.map_or_else(|| self.nearest(color, 0), |number| number as u8)
     }
 
-    /// Lays a colour over pixels, all of which it covers to this share, by its magnitude and 1 at most.
-    pub(super) fn paint(&mut self, pixels: &mut [u8], over: u8, cover: f32) {
-        match (cover.abs().min(1.0) * FULL as f32 + 0.5) as usize {
-            0 => {}
-            FULL => pixels.fill(over),
-            level => pixels.iter_mut().for_each(|pixel| *pixel = self.blended(over, *pixel, level)),
+    /// Lays a colour over pixels, all of which it covers to this level.
+    pub(super) fn paint(&mut self, pixels: &mut [u8], over: u8, level: u8) {
+        match pixels {
+            [pixel] => *pixel = self.blended(over, *pixel, level),
+            _ if level == FULL => pixels.fill(over),
+            _ => pixels.iter_mut().for_each(|pixel| *pixel = self.blended(over, *pixel, level)),
         }
     }
 
     /// The number of a colour of which `level` out of [`FULL`] parts lie on another.
-    fn blended(&mut self, over: u8, below: u8, level: usize) -> u8 {
-        let (over, below) = (usize::from(over), usize::from(below));
-        let key = (over * MOST + below) * LEVELS + level;
+    fn blended(&mut self, over: u8, below: u8, level: u8) -> u8 {
+        let key = (usize::from(over) * MOST + usize::from(below)) * LEVELS + usize::from(level);
         match self.known.get(key) {
-            Some(&known) if known != UNKNOWN => return known as u8,
-            Some(_) => {}
-            None => self.known.resize((over + 1) * MOST * LEVELS, UNKNOWN),
+            Some(&known) if known != UNKNOWN => known as u8,
+            _ => self.blend(over, below, level, key),
+        }
+    }
+
+    /// The same for the first time.
+    #[cold]
+    fn blend(&mut self, over: u8, below: u8, level: u8, key: usize) -> u8 {
+        let [over, below, level, full] = [over, below, level, FULL].map(usize::from);
+        if key >= self.known.len() {
+            self.known.resize((over + 1) * MOST * LEVELS, UNKNOWN);
         }
         let (top, base) = (self.colors[over], self.colors[below]);
         let mix = |i: usize| {
             let (top, base) = (usize::from(top[i]), usize::from(base[i]));
-            ((top * level + base * (FULL - level) + FULL / 2) / FULL) as u8
+            ((top * level + base * (full - level) + full / 2) / full) as u8
         };
-        let found = self.nearest([mix(0), mix(1), mix(2)], ALIKE);
+        let color = [mix(0), mix(1), mix(2)];
+        let cell = color.iter().fold(0, |cell, part| cell * CELLS + usize::from(*part) / CELL);
+        let found = match self.cells[cell] {
+            _ if level == full => over as u8,
+            UNKNOWN => self.nearest(color, ALIKE),
+            found => found as u8,
+        };
+        if level < full {
+            self.cells[cell] = found.into();
+        }
         self.known[key] = found.into();
         found
     }

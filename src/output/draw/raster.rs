@@ -1,5 +1,7 @@
 //! Marks as pixels, antialiased by the area that they cover.
 
+use super::cover::{Cover, Span};
+use super::glyphs;
 use super::mark::{Mark, Point};
 use super::palette::Palette;
 use super::stroke::{circle, outline};
@@ -7,59 +9,44 @@ use crate::output::chart::{Color, WHITE};
 use crate::output::font;
 use plotters::style::text_anchor::HPos;
 
-/// Chords of letters leave their curves by about so much \[pixels\].
-const SAGITTA: f64 = 0.15;
-
-/// What lies further away is drawn as if it lay there \[pixels\].
-const FAR: f64 = 1e7;
-
 /// Pixels as numbers of a palette, row by row.
 pub struct Picture {
     pub width: usize,
+    pub height: usize,
     pub pixels: Vec<u8>,
 }
 
 impl Picture {
-    pub fn height(&self) -> usize {
-        self.pixels.len() / self.width
-    }
-
     pub fn rows(&self) -> impl Iterator<Item = &[u8]> {
         self.pixels.chunks(self.width)
     }
-}
 
-/// By how much the cover of a row rises where an edge crosses a pixel: there, and from the next one on.
-#[derive(Clone, Copy)]
-struct Crossing {
-    pixel: u32,
-    here: f32,
-    later: f32,
+    /// Lays a colour over pixels, as far as they are of the picture.
+    fn paint(&mut self, span: Span, over: u8, palette: &mut Palette) {
+        let row = usize::try_from(span.row).ok().filter(|row| *row < self.height);
+        let [from, to] = [span.from, span.to].map(|column| (column.max(0) as usize).min(self.width));
+        if let Some(start) = row.map(|row| row * self.width) {
+            palette.paint(&mut self.pixels[start + from..start + to], over, span.level);
+        }
+    }
 }
 
 /// A picture while it is drawn.
-///
-/// # References
-/// Coverage is summed up along each row from what every edge adds to it, as FreeType and font-rs do it: D. Turner, The
-/// FreeType smooth rasterizer; R. Levien, Inside the fastest font renderer in the world (2016). As commonly described, not
-/// read.
 pub struct Raster<'a> {
     density: f64,
     picture: Picture,
     palette: &'a mut Palette,
-    /// Where edges cross each row; empty between marks.
-    crossings: Vec<Vec<Crossing>>,
-    /// Rows with crossings: from the first to before the last.
-    touched: (usize, usize),
+    /// Empty between marks.
+    cover: Cover,
 }
 
 impl<'a> Raster<'a> {
     /// White paper.
     pub fn new(width: f64, height: f64, density: f64, palette: &'a mut Palette) -> Self {
         let (width, height) = ((density * width).ceil() as usize, (density * height).ceil() as usize);
-        let white = palette.number(WHITE);
-        let picture = Picture { width, pixels: vec![white; width * height] };
-        Self { density, picture, palette, crossings: vec![Vec::new(); height], touched: (height, 0) }
+        // White is the first colour of every palette.
+        let picture = Picture { width, height, pixels: vec![0; width * height] };
+        Self { density, picture, palette, cover: Cover::new(width, height) }
     }
 
     pub fn picture(self) -> Picture {
@@ -91,89 +78,30 @@ impl<'a> Raster<'a> {
                     HPos::Center => -0.5 * font::width(text),
                     HPos::Right => -font::width(text),
                 };
-                let sagitta = SAGITTA / (size * self.density);
+                let ink = self.palette.number(*color);
                 for letter in text.chars() {
-                    let place = |(x, y): Point| {
-                        let (x, y) = (size * (along + x), size * y);
-                        if *turned { (at.0 + y, at.1 - x) } else { (at.0 + x, at.1 + y) }
-                    };
-                    along += font::outline(letter, sagitta, &mut |from, to| self.edge(place(from), place(to)));
-                    self.fill(*color);
+                    let (glyph, advance) = font::glyph(letter);
+                    let (x, y) = if *turned { (at.0, at.1 - size * along) } else { (at.0 + size * along, at.1) };
+                    let at = (self.density * x, self.density * y);
+                    glyphs::spans(glyph, size * self.density, *turned, at, |span| {
+                        self.picture.paint(span, ink, self.palette);
+                    });
+                    along += advance;
                 }
             }
         }
     }
 
     fn polygon(&mut self, points: &[Point]) {
+        let place = |p: &Point| (p.0 * self.density, p.1 * self.density);
         let next = points.iter().cycle().skip(1);
-        points.iter().zip(next).for_each(|(from, to)| self.edge(*from, *to));
+        points.iter().zip(next).for_each(|(from, to)| self.cover.edge(place(from), place(to)));
     }
 
-    /// One edge of an outline \[px\]: what lies to its right is inside, or outside again.
-    fn edge(&mut self, from: Point, to: Point) {
-        let (sign, (from, to)) = if from.1 < to.1 { (1.0, (from, to)) } else { (-1.0, (to, from)) };
-        let place = |v: f64| (v * self.density).clamp(-FAR, FAR);
-        let [(x, top), (end, bottom)] = [from, to].map(|p| (place(p.0), place(p.1)));
-        let (first, last) = (top.max(0.0), bottom.min(self.crossings.len() as f64));
-        if !(first < last && (x + end).is_finite()) {
-            return;
-        }
-        let slope = (end - x) / (bottom - top);
-        let rows = first as usize..last.ceil() as usize;
-        self.touched = (self.touched.0.min(rows.start), self.touched.1.max(rows.end));
-        let width = self.picture.width as f64;
-        for row in rows {
-            let (upper, lower) = (first.max(row as f64), last.min(row as f64 + 1.0));
-            let [a, b] = [upper, lower].map(|y| (x + (y - top) * slope).clamp(0.0, width));
-            self.rise(row, sign * (lower - upper), a.min(b), a.max(b));
-        }
-    }
-
-    /// Cover that rises by `by` within a row, evenly from x to x \[pixels\].
-    fn rise(&mut self, row: usize, by: f64, from: f64, to: f64) {
-        let crossings = &mut self.crossings[row];
-        let (whole, mut x, mut pixel) = (to - from, from, from as u32);
-        loop {
-            let end = to.min(f64::from(pixel) + 1.0);
-            let share = if end - x < whole { by * (end - x) / whole } else { by };
-            // The pixel is covered from the edge on.
-            let (here, later) = ((share * (f64::from(pixel) + 1.0 - 0.5 * (x + end))) as f32, share as f32);
-            match crossings.last_mut() {
-                Some(last) if last.pixel == pixel => (last.here, last.later) = (last.here + here, last.later + later),
-                _ => crossings.push(Crossing { pixel, here, later }),
-            }
-            if end >= to {
-                break;
-            }
-            (x, pixel) = (end, pixel + 1);
-        }
-    }
-
-    /// Fills what the edges since the last call enclose, where their turns do not cancel.
+    /// Fills what was outlined since the last call.
     fn fill(&mut self, color: Color) {
-        let (width, ink) = (self.picture.width, self.palette.number(color));
-        let (first, last) = std::mem::replace(&mut self.touched, (self.crossings.len(), 0));
-        for row in first..last {
-            let pixels = &mut self.picture.pixels[row * width..(row + 1) * width];
-            let crossings = &mut self.crossings[row];
-            crossings.sort_unstable_by_key(|crossing| crossing.pixel);
-            let (mut cover, mut rest) = (0.0, &crossings[..]);
-            while let Some(&Crossing { pixel, .. }) = rest.first() {
-                let mut here = cover;
-                while let Some(crossing) = rest.first().filter(|crossing| crossing.pixel == pixel) {
-                    (here, cover) = (here + crossing.here, cover + crossing.later);
-                    rest = &rest[1..];
-                }
-                let (pixel, next) = (pixel as usize, rest.first().map_or(width, |next| width.min(next.pixel as usize)));
-                if pixel < width {
-                    self.palette.paint(&mut pixels[pixel..=pixel], ink, here);
-                    if pixel + 1 < next {
-                        self.palette.paint(&mut pixels[pixel + 1..next], ink, cover);
-                    }
-                }
-            }
-            crossings.clear();
-        }
+        let ink = self.palette.number(color);
+        self.cover.spans(|span| self.picture.paint(span, ink, self.palette));
     }
 }
 
@@ -187,7 +115,7 @@ mod tests {
         let mut raster = Raster::new(20.0, 12.0, 1.0, &mut palette);
         marks.iter().for_each(|mark| raster.draw(mark));
         let picture = raster.picture();
-        assert_eq!((picture.width, picture.height()), (20, 12));
+        assert_eq!((picture.width, picture.height), (20, 12));
         picture.pixels.iter().map(|pixel| 1.0 - f64::from(palette.colors()[usize::from(*pixel)][0]) / 255.0).collect()
     }
 
