@@ -12,6 +12,7 @@ mod visible;
 
 pub use visible::visible;
 
+use std::cell::RefCell;
 use std::collections::BTreeMap;
 use std::fs::{self, File};
 use std::io::{ErrorKind, Read};
@@ -116,6 +117,30 @@ impl Files for Memory {
     fn read(&self, path: &Path, limit: usize) -> Result<Vec<u8>, FileError> {
         let bytes = self.0.get(&plain(path)).ok_or(FileError::Missing)?;
         if bytes.len() > limit { Err(FileError::TooLarge { limit }) } else { Ok(bytes.clone()) }
+    }
+}
+
+/// Files that note which of them are read.
+pub struct Noted<'a> {
+    files: &'a dyn Files,
+    paths: RefCell<Vec<PathBuf>>,
+}
+
+impl<'a> Noted<'a> {
+    /// With a file that has been read already.
+    pub fn new(files: &'a dyn Files, read: PathBuf) -> Self {
+        Self { files, paths: RefCell::new(vec![read]) }
+    }
+
+    /// The paths of the files that were read, in order.
+    pub fn paths(self) -> Vec<PathBuf> {
+        self.paths.into_inner()
+    }
+}
+
+impl Files for Noted<'_> {
+    fn read(&self, path: &Path, limit: usize) -> Result<Vec<u8>, FileError> {
+        self.files.read(path, limit).inspect(|_| self.paths.borrow_mut().push(path.to_owned()))
     }
 }
 

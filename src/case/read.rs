@@ -2,8 +2,7 @@
 
 use super::source::Source;
 use super::{Case, CaseError, build, explain, library, overrides, sources};
-use crate::files::{self, Disk, FileError, Files, Folder};
-use std::cell::RefCell;
+use crate::files::{self, Disk, FileError, Files, Folder, Noted};
 use std::path::{Path, PathBuf};
 
 /// Reads a case file from the disk and applies overrides such as `tools.punch.friction=0.1` or `blank.thickness=0.9 mm`.
@@ -48,7 +47,7 @@ pub fn parse_with(text: &str, name: &str, overrides: &[String], files: &dyn File
     if text.len() > files::CASE {
         return Err(CaseError::unreadable(&path, &FileError::TooLarge { limit: files::CASE }));
     }
-    let reads = Reads { files, paths: RefCell::new(vec![path.clone()]) };
+    let reads = Noted::new(files, path.clone());
     let text = overrides::apply(text, overrides)?;
     let shown = if overrides.is_empty() { name.to_owned() } else { format!("{name} (with overrides)") };
     let source = Source::parse(&shown, &text)?;
@@ -73,18 +72,6 @@ pub fn parse_with(text: &str, name: &str, overrides: &[String], files: &dyn File
         sources,
         derived,
         path,
-        inputs: reads.paths.into_inner(),
+        inputs: reads.paths(),
     })
-}
-
-/// Files that keep the paths of those that were read.
-struct Reads<'a> {
-    files: &'a dyn Files,
-    paths: RefCell<Vec<PathBuf>>,
-}
-
-impl Files for Reads<'_> {
-    fn read(&self, path: &Path, limit: usize) -> Result<Vec<u8>, FileError> {
-        self.files.read(path, limit).inspect(|_| self.paths.borrow_mut().push(path.to_owned()))
-    }
 }

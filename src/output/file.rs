@@ -32,7 +32,7 @@ fn replace(path: &Path, bytes: &[u8]) -> io::Result<()> {
     written.inspect_err(|_| _ = disk::remove_file(&part))
 }
 
-/// Whether a file could be written to `path`: found out by what [`write`] does, without leaving anything behind.
+/// Whether a file could be written to `path`: found out by what [`write()`] does, without leaving anything behind.
 ///
 /// # Errors
 /// When a folder stands there, a part of the way to it is no folder, nothing may be made there, or a name is too long.
