@@ -5,6 +5,11 @@ use super::disk;
 use std::fs::{self, File, TryLockError};
 use std::io::{self, ErrorKind, Read, Seek};
 use std::path::{Path, PathBuf};
+use std::time::Duration;
+
+/// How often, and how long after each other, a lock is asked whose it is: half a second in all.
+const TRIES: usize = 100;
+const PAUSE: Duration = Duration::from_millis(5);
 
 /// A file that says which process writes beside it; it goes when this is dropped.
 #[derive(Debug)]
@@ -68,13 +73,18 @@ fn locked(path: &Path, lock: impl Fn(&File) -> Result<(), TryLockError>) -> io::
     }
 }
 
+/// What to say of a file that another process has.
 fn busy(mut file: File) -> io::Error {
     let mut process = String::new();
-    let read = file.rewind().and_then(|()| file.read_to_string(&mut process));
-    let who = match read {
-        Ok(1..) => format!("another run, process {process},"),
-        _ => "another run".to_owned(),
-    };
+    // Whoever has just taken it has not yet said who it is.
+    for _ in 0..TRIES {
+        let read = file.rewind().and_then(|()| file.read_to_string(&mut process));
+        if read.is_err() || !process.is_empty() {
+            break;
+        }
+        std::thread::sleep(PAUSE);
+    }
+    let who = if process.is_empty() { "another run".to_owned() } else { format!("another run, process {process},") };
     io::Error::new(ErrorKind::ResourceBusy, format!("{who} is writing there"))
 }
 

@@ -35,9 +35,10 @@ pub struct ElementRecord {
     pub strain_equivalent: f64,
     /// Largest equivalent plastic strain over the thickness \[–\].
     pub strain_equivalent_max: f64,
-    /// Cauchy stress along the section, mean over the thickness \[MPa\].
+    /// Cauchy stress along the section, mean over the thickness; where a tool presses on a face with p, its stress is p/2 lower
+    /// \[MPa\].
     pub stress_meridional: f64,
-    /// Cauchy stress across the section, mean over the thickness \[MPa\].
+    /// Cauchy stress across the section, likewise \[MPa\].
     pub stress_hoop: f64,
     /// Volume of voids over that of the sheet, mean over the thickness \[–\].
     pub porosity: f64,
@@ -63,9 +64,9 @@ pub struct NodeRecord {
 /// One thickness point of an element at one instant.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct PointRecord {
-    /// Cauchy stress along the section \[MPa\].
+    /// Cauchy stress along the section, likewise \[MPa\].
     pub stress_meridional: f64,
-    /// Cauchy stress across the section \[MPa\].
+    /// Cauchy stress across the section, likewise \[MPa\].
     pub stress_hoop: f64,
     /// Equivalent plastic strain \[–\].
     pub strain_equivalent: f64,
