@@ -20,16 +20,15 @@ pub fn load(path: &Path, overrides: &[String]) -> anyhow::Result<Case> {
     })
 }
 
+/// What has succeeded; what has failed joins `failed`.
+fn sound<T>(all: impl Iterator<Item = anyhow::Result<T>>, failed: &mut Vec<anyhow::Error>) -> Vec<T> {
+    all.filter_map(|one| one.map_err(|error| failed.push(error)).ok()).collect()
+}
+
 /// Reads every case, and keeps what is wrong with the others.
 pub fn load_all(paths: &[PathBuf], overrides: &[String]) -> (Vec<Case>, Vec<anyhow::Error>) {
-    let (mut cases, mut failed) = (Vec::new(), Vec::new());
-    for path in paths {
-        match load(path, overrides) {
-            Ok(case) => cases.push(case),
-            Err(error) => failed.push(error),
-        }
-    }
-    (cases, failed)
+    let mut failed = Vec::new();
+    (sound(paths.iter().map(|path| load(path, overrides)), &mut failed), failed)
 }
 
 /// Each case with the folder of its results, and in `failed` what is wrong with those that can have none.
@@ -38,18 +37,11 @@ pub fn prepared(
     failed: &mut Vec<anyhow::Error>,
     folder: impl Fn(&Case) -> anyhow::Result<ResultFolder>,
 ) -> Vec<(Case, ResultFolder)> {
-    let mut jobs = Vec::new();
-    for case in cases {
-        match folder(&case) {
-            Ok(folder) => jobs.push((case, folder)),
-            Err(error) => failed.push(error),
-        }
-    }
-    jobs
+    sound(cases.into_iter().map(|case| folder(&case).map(|folder| (case, folder))), failed)
 }
 
-/// Solves cases side by side and hands each with its folder to `then` as it ends; what `then` returns comes back in the cases' order. Once
-/// the runs are to end no other case begins.
+/// Solves cases side by side and hands each with its folder to `then` as it ends; what `then` returns comes back in the
+/// cases' order. Once the runs are to end no other case begins.
 pub fn solve_all<T: Send>(
     cases: Vec<(Case, ResultFolder)>,
     watch: impl Fn(&Case) -> Watch + Sync,

@@ -1,20 +1,10 @@
 //! The command line as a user meets it: files, exit codes, and what is left behind.
 
-use crate::common::cli::{CUP, STAGES, endless, folder, stampflow, text};
+use crate::common::cli::{COMPARE, CUP, STAGES, endless, folder, stampflow, text};
 use crate::common::files::files;
 use std::fs;
 use std::io::{BufRead, BufReader};
 use std::process::{Command, Stdio};
-
-const COMPARE: &str = r#"
-[[compare]]
-reference = "curve.csv"
-x = "travel_mm"
-y = "punch_force_kN"
-quantity = "punch_force"
-tolerance = "5 %"
-reason = "for the test"
-"#;
 
 #[test]
 fn a_run_writes_every_file_and_sums_up() {

@@ -3,7 +3,7 @@
 //! That each single change of the disk may be the last is tested beside the code, in `output::result_folder`; here are the
 //! same promises as a user meets them.
 
-use crate::common::cli::{CUP, STAGES, endless, folder, stampflow, text};
+use crate::common::cli::{COMPARE, CUP, STAGES, endless, folder, stampflow, text};
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -226,16 +226,6 @@ fn meanwhile(dir: &Path, happens: impl Fn()) -> Output {
     assert!(Command::new("kill").args(["-INT", &run.id().to_string()]).status().unwrap().success());
     run.wait_with_output().unwrap()
 }
-
-const COMPARE: &str = r#"
-[[compare]]
-reference = "curve.csv"
-x = "travel_mm"
-y = "punch_force_kN"
-quantity = "punch_force"
-tolerance = "5 %"
-reason = "for the test"
-"#;
 
 #[cfg(unix)]
 #[test]

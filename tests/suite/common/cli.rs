@@ -30,6 +30,17 @@ holder.force = "20 N"
 frames = 2
 "#;
 
+/// Compares the punch's force of a case with `curve.csv`.
+pub const COMPARE: &str = r#"
+[[compare]]
+reference = "curve.csv"
+x = "travel_mm"
+y = "punch_force_kN"
+quantity = "punch_force"
+tolerance = "5 %"
+reason = "for the test"
+"#;
+
 /// So many elements and so short steps that a run of [`CUP`] takes far longer than a test.
 pub fn endless() -> String {
     CUP.replace("elements = 30", "elements = 2000\n[solver]\nmax_step = 1e-5\nfirst_step = 1e-5")
