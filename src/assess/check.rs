@@ -127,7 +127,8 @@ fn tools(model: &Model, lines: &mut Vec<Line>) {
             let (slowest, fastest) = (speeds().fold(f64::INFINITY, f64::min), speeds().fold(0.0, f64::max));
             format!(" on average, {} to {} mm/s", rounded(slowest), rounded(fastest))
         });
-        lines.push(line("travel", mm(model.travel), format!("mm at {} mm/s{changes}", rounded(model.speed))));
+        let pace = if model.timed { format!(" at {} mm/s{changes}", rounded(model.speed)) } else { String::new() };
+        lines.push(line("travel", mm(model.travel), format!("mm{pace}")));
     }
     for bead in &model.beads {
         let meaning = format!("mm from the axis, restraining {} N/mm, closing {} N/mm", bead.restraining, bead.closing);
