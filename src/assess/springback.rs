@@ -14,6 +14,8 @@ const NEAR: f64 = 0.8;
 struct Judged {
     change: Change,
     wanted: f64,
+    /// After less wanted, in the unit of the quantity.
+    missed: f64,
     tolerance: f64,
 }
 
@@ -34,11 +36,14 @@ pub(super) fn judge(run: &Run) -> Option<Finding> {
     };
     let changes = changes(&Shape::of(before), &Shape::of(after));
     let judged: Vec<Judged> = limits.of(&changes).collect();
+    if limits.is_given() && judged.is_empty() {
+        let advice = "a bend that turns the sheet by ten degrees or more and a straight leg behind it can be measured";
+        return Some(grey("no angle was found to measure".to_owned(), advice.to_owned()));
+    }
     if judged.is_empty() {
         let angles = changes.iter().filter(|change| change.quantity.unit == Unit::Degree);
         let said: Vec<String> = angles.map(|change| format!("{} {}", change.quantity.label, change.text())).collect();
-        let over = changes.iter().filter_map(|change| overbend(change, change.before?));
-        let over: Vec<String> = over.collect();
+        let over: Vec<String> = changes.iter().filter_map(|change| overbend(change, change.before?)).collect();
         let advice = format!("[springback] with the part's tolerance{}", compensated(&over));
         return (!said.is_empty()).then(|| grey(said.join(", "), advice));
     }
@@ -49,7 +54,7 @@ pub(super) fn judge(run: &Run) -> Option<Finding> {
     let tension = "more tension in the walls (holder force, beads) and smaller radii spring back less";
     Some(
         Finding::judged("springback", "Spring-back", Light::of(worst.used(), [NEAR, 1.0]), found.join("; "))
-            .against(worst.missed(), worst.change.quantity.unit, bounds.join("; "))
+            .against(worst.missed, worst.change.quantity.unit, bounds.join("; "))
             .source("the part's tolerance, [springback]; near it from 80 % on, a declared rule of thumb")
             .advice(format!("{tension}{}", compensated(&over))),
     )
@@ -71,30 +76,23 @@ impl Springback {
         ];
         limits.into_iter().filter_map(|(quantity, wanted, tolerance)| {
             let change = *changes.iter().find(|change| change.quantity.key == quantity.key)?;
-            Some(Judged { change, wanted: wanted.or(change.before)?, tolerance: tolerance? }).filter(Judged::is_there)
+            let after = change.after?;
+            let wanted = wanted.or(change.before)?;
+            Some(Judged { change, wanted, missed: after - wanted, tolerance: tolerance? })
         })
     }
 }
 
 impl Judged {
-    fn is_there(&self) -> bool {
-        self.change.after.is_some()
-    }
-
-    /// After less wanted, in the unit of the quantity.
-    fn missed(&self) -> f64 {
-        self.change.after.map_or(0.0, |after| after - self.wanted)
-    }
-
     /// Share of the tolerance \[–\].
     fn used(&self) -> f64 {
-        self.missed().abs() / self.tolerance
+        self.missed.abs() / self.tolerance
     }
 
     /// `Opening angle 90.0° → 94.9°, off by +4.9°`.
     fn found(&self) -> String {
         let quantity = self.change.quantity;
-        format!("{} {}, off by {}", quantity.label, self.change.text(), quantity.signed(self.missed()))
+        format!("{} {}, off by {}", quantity.label, self.change.text(), quantity.signed(self.missed))
     }
 
     /// `90.0° ± 1.0°`.
