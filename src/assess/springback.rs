@@ -31,7 +31,8 @@ pub(super) fn judge(run: &Run) -> Option<Finding> {
             false if limits.is_given() => "not computed: no stage takes the tools away",
             false => return None,
         };
-        let advice = "[material] mode = \"elasto_viscoplastic\" with young and poisson, and a stage with release = true";
+        let advice =
+            "[material] mode = \"elasto_viscoplastic\" with young and poisson, and a stage with release = true";
         return Some(grey(why.to_owned(), advice.to_owned()));
     };
     let changes = changes(&Shape::of(before), &Shape::of(after));

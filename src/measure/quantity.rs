@@ -27,8 +27,7 @@ pub struct Quantity {
 pub const WALL_ANGLE: Quantity =
     Quantity::new("wall_angle", "Wall to the punch direction", Unit::Degree, Shape::wall_angle);
 /// Between both walls \[°\].
-pub const OPENING_ANGLE: Quantity =
-    Quantity::new("opening_angle", "Opening angle", Unit::Degree, Shape::opening_angle);
+pub const OPENING_ANGLE: Quantity = Quantity::new("opening_angle", "Opening angle", Unit::Degree, Shape::opening_angle);
 /// Of the flange to the horizontal \[°\].
 pub const FLANGE_ANGLE: Quantity =
     Quantity::new("flange_angle", "Flange to the horizontal", Unit::Degree, Shape::flange_angle);
@@ -42,10 +41,7 @@ pub const QUANTITIES: &[Quantity] = &[
     Quantity::new("bottom_to_wall", "Bottom to wall, θ₁", Unit::Degree, Shape::bottom_to_wall),
     Quantity::new("wall_to_flange", "Wall to flange, θ₂", Unit::Degree, Shape::wall_to_flange),
     FLANGE_ANGLE,
-    Quantity {
-        written: radius,
-        ..Quantity::new("curl_radius", "Wall curl radius, ρ", Unit::Mm, Shape::curl_radius)
-    },
+    Quantity { written: radius, ..Quantity::new("curl_radius", "Wall curl radius, ρ", Unit::Mm, Shape::curl_radius) },
     Quantity::new("height", "Height of the middle over the edge", Unit::Mm, |shape| shape.height),
     EDGE,
 ];
