@@ -82,7 +82,7 @@ fn with_unit(value: f64, unit: Unit) -> String {
 /// `Wall to the punch direction`, `0.3° → 8.2° (+7.9°)`.
 fn row_of_change(change: &Change) -> (String, String) {
     let by = change.change().map_or(String::new(), |by| format!(" ({})", change.quantity.signed(by)));
-    (format!("  {}", change.quantity.label), change.text() + &by)
+    (format!("  {}", change.quantity.label), change.told().to_string() + &by)
 }
 
 fn of_change(change: &Change) -> serde_json::Value {
