@@ -3,6 +3,7 @@
 use super::{Finding, Light, run::Run};
 use crate::case::Springback;
 use crate::measure::{Change, EDGE, FLANGE_ANGLE, OPENING_ANGLE, Quantity, Shape, changes};
+use crate::message::{Message, message};
 use crate::model::{Geometry, Mode};
 use crate::table::Unit;
 
@@ -29,33 +30,36 @@ pub(super) fn judge(run: &Run) -> Option<Finding> {
             false if limits.is_given() => "not computed: no stage takes the tools away",
             false => return None,
         };
-        let advice = "[material] mode = \"elasto_viscoplastic\" with young and poisson, and a stage with release = true";
-        return Some(grey(why.to_owned(), advice.to_owned()));
+        let advice =
+            "[material] mode = \"elasto_viscoplastic\" with young and poisson, and a stage with release = true";
+        return Some(grey(why.into(), advice.into()));
     };
     let changes = changes(&Shape::of(before), &Shape::of(after));
     let judged: Vec<Judged> = limits.of(&changes).collect();
     if judged.is_empty() {
         let angles = changes.iter().filter(|change| change.quantity.unit == Unit::Degree);
-        let said: Vec<String> = angles.map(|change| format!("{} {}", change.quantity.label, change.text())).collect();
+        let said =
+            angles.map(|change| message!("{label} {change}", label = change.quantity.label, change = change.told()));
+        let said = Message::joined(said, ", ");
         let over = changes.iter().filter_map(|change| overbend(change, change.before?));
-        let over: Vec<String> = over.collect();
-        let advice = format!("[springback] with the part's tolerance{}", compensated(&over));
-        return (!said.is_empty()).then(|| grey(said.join(", "), advice));
+        let advice = compensated("[springback] with the part's tolerance", over);
+        return (!said.is_empty()).then(|| grey(said, advice));
     }
     let worst = judged.iter().max_by(|a, b| a.used().total_cmp(&b.used()))?;
-    let found: Vec<String> = judged.iter().map(Judged::found).collect();
-    let bounds: Vec<String> = judged.iter().map(Judged::limit).collect();
-    let over: Vec<String> = judged.iter().filter_map(|judged| overbend(&judged.change, judged.wanted)).collect();
+    let found = Message::joined(judged.iter().map(Judged::found), "; ");
+    let limit = Message::joined(judged.iter().map(Judged::limit), "; ");
+    let over = judged.iter().filter_map(|judged| overbend(&judged.change, judged.wanted));
     let tension = "more tension in the walls (holder force, beads) and smaller radii spring back less";
     Some(
-        Finding::judged("springback", "Spring-back", Light::of(worst.used(), [NEAR, 1.0]), found.join("; "))
-            .against(worst.missed(), worst.change.quantity.unit, bounds.join("; "))
+        Finding::judged("springback", "Spring-back", Light::of(worst.used(), [NEAR, 1.0]), found)
+            .against(worst.missed().abs(), worst.change.quantity.unit, limit)
+            .at_most(NEAR * worst.tolerance, worst.tolerance)
             .source("the part's tolerance, [springback]; near it from 80 % on, a declared rule of thumb")
-            .advice(format!("{tension}{}", compensated(&over))),
+            .advice(compensated(tension, over)),
     )
 }
 
-fn grey(found: String, advice: String) -> Finding {
+fn grey(found: Message, advice: Message) -> Finding {
     Finding::judged("springback", "Spring-back", Light::Grey, found)
         .limit("the part's tolerance, not in the case")
         .advice(advice)
@@ -92,35 +96,50 @@ impl Judged {
     }
 
     /// `Opening angle 90.0° → 94.9°, off by +4.9°`.
-    fn found(&self) -> String {
+    fn found(&self) -> Message {
         let quantity = self.change.quantity;
-        format!("{} {}, off by {}", quantity.label, self.change.text(), quantity.signed(self.missed()))
+        message!(
+            "{label} {change}, off by {missed}",
+            label = quantity.label,
+            change = self.change.told(),
+            missed = quantity.signed(self.missed())
+        )
     }
 
     /// `90.0° ± 1.0°`.
-    fn limit(&self) -> String {
+    fn limit(&self) -> Message {
         let quantity = self.change.quantity;
-        format!("{} ± {}", quantity.text(self.wanted), quantity.text(self.tolerance))
+        message!(
+            "{wanted} ± {tolerance}",
+            wanted = quantity.told(self.wanted),
+            tolerance = quantity.told(self.tolerance)
+        )
     }
 }
 
 /// The angle under the tools that leaves the wanted one, to the first order: as much further as it springs back from where it
 /// is now. `None` of what is no angle of a tool.
-fn overbend(change: &Change, wanted: f64) -> Option<String> {
+fn overbend(change: &Change, wanted: f64) -> Option<Message> {
     let quantity = change.quantity;
     let back = change.change().filter(|_| [OPENING_ANGLE.key, FLANGE_ANGLE.key].contains(&quantity.key))?;
-    let label = quantity.label.to_lowercase();
-    Some(format!("{label} {} (over-bent by {})", quantity.text(wanted - back), quantity.text(back.abs())))
+    Some(message!(
+        "{label} {angle} (over-bent by {back})",
+        label = quantity.label,
+        angle = quantity.told(wanted - back),
+        back = quantity.told(back.abs())
+    ))
 }
 
-/// `; or tools that bend to an opening angle ...`; nothing where there is no angle.
-fn compensated(over: &[String]) -> String {
-    if over.is_empty() {
-        return String::new();
+/// What to change, and the tools' angles that compensate the spring-back where there are any.
+fn compensated(advice: &'static str, over: impl Iterator<Item = Message>) -> Message {
+    let angles = Message::joined(over, ", ");
+    if angles.is_empty() {
+        return advice.into();
     }
-    format!(
-        "; or over-bend under the tools to {}, a first estimate that takes the spring-back as it is now: run again, and go on by \
-         what is left",
-        over.join(", ")
+    message!(
+        "{advice}; or over-bend under the tools: {angles}, a first estimate that takes the spring-back as it is now: run again, \
+         and go on by what is left",
+        advice = advice,
+        angles = angles
     )
 }

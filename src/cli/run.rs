@@ -10,6 +10,7 @@ use super::say::{Shown, say, say_json};
 use super::table::{Tone, table};
 use serde_json::{Value, json};
 use stampflow::case::Case;
+use stampflow::message::Form;
 use stampflow::output::summary::Group;
 use stampflow::output::{
     CaseSummary, Extra, FrameRecorder, OUTPUTS, ResultFolder, Results, Summary, WriteError, csv, result_folder, trace,
@@ -183,7 +184,7 @@ fn report(results: &Results, dir: &Path, files: Option<&[PathBuf]>) -> Shown {
 
 /// The summary as a table.
 fn printed(summary: &Summary, complete: bool) -> Shown {
-    let rows = summary.rows().into_iter().map(|(group, row)| {
+    let rows = summary.rows(Form::default()).into_iter().map(|(group, row)| {
         let tone = match group {
             Group::End if complete => Tone::Good,
             Group::End => Tone::Bad,

@@ -125,7 +125,10 @@ pub(super) fn plot(view: &StageView) -> Option<Chart> {
             series: paths.chain([axis, path]).chain(places).chain([curve]).collect(),
             scale: Scale::Fit { height: 450.0, least: LEAST },
         }],
-        notes: std::iter::once(words(view, assessment)).chain(limit.notes.iter().cloned()).chain(view.notes()).collect(),
+        notes: std::iter::once(words(view, assessment))
+            .chain(limit.notes.iter().cloned())
+            .chain(view.notes())
+            .collect(),
     })
 }
 
@@ -134,10 +137,7 @@ fn words(view: &StageView, assessment: &Assessment) -> String {
     let worst = assessment.worst();
     let reached = assessment.reached.map_or("The limit is not reached.".to_owned(), |reached| {
         let time = if view.model().timed { format!(" ({:.4} s)", reached.time) } else { String::new() };
-        format!(
-            "The limit is reached at s0 = {:.1} mm, at {:.2} mm of travel{time}.",
-            reached.s0, reached.travel
-        )
+        format!("The limit is reached at s0 = {:.1} mm, at {:.2} mm of travel{time}.", reached.s0, reached.travel)
     });
     let crooked = match assessment.crooked() {
         0 => String::new(),
