@@ -228,11 +228,11 @@ fn page(solution: &Solution) -> String {
 }
 
 /// The summary of every stage as a table.
-fn summed_up(results: &Results, _form: Form) -> Shown {
+fn summed_up(results: &Results, form: Form) -> Shown {
     let CaseSummary { stages, lines, .. } = results.summary();
     let mut shown = Shown::default();
     for summary in stages {
-        let rows = summary.rows().into_iter().map(|(_, row)| row.map(Cell::plain));
+        let rows = summary.rows(form).into_iter().map(|(_, row)| row.map(Cell::plain));
         shown = shown + "\n".into() + table(None, rows.collect());
     }
     if lines.is_empty() { shown } else { shown + format!("\nStages\n{lines}\n").into() }

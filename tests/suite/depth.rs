@@ -44,7 +44,8 @@ fn over_a_depth_forces_and_works_are_as_many_times_those_per_millimetre() {
 
 #[test]
 fn every_table_and_text_says_what_its_forces_are_of() {
-    let depth = ["tools.punch.travel=3 mm", "blank.elements=60", "blank.depth=800 mm", "press.force=1 MN", "press.energy=5 kJ"];
+    let depth =
+        ["tools.punch.travel=3 mm", "blank.elements=60", "blank.depth=800 mm", "press.force=1 MN", "press.energy=5 kJ"];
     for (given, force, work, says) in [
         (&depth[..2], Unit::NPerMm, Unit::JoulePerMm, "both halves, per mm of depth"),
         (&depth[..], Unit::N, Unit::Joule, "of the whole part, 800 mm deep"),
@@ -76,7 +77,8 @@ fn every_table_and_text_says_what_its_forces_are_of() {
 /// Trust: a metal without rate goes the same way at every speed; what is not given is not told as if it were known.
 #[test]
 fn times_are_told_where_they_are_given_or_felt() {
-    let limit = "\n[forming_limit]\nkeeler_brazier = {}\nn = 0.05\n[[stages]]\nname = \"back\"\npunch.move = \"-5 mm\"\n";
+    let limit =
+        "\n[forming_limit]\nkeeler_brazier = {}\nn = 0.05\n[[stages]]\nname = \"back\"\npunch.move = \"-5 mm\"\n";
     let told = |overrides: &[&str]| {
         let solution = solved(&format!("{CUP}{limit}"), overrides);
         let views = solution.views();

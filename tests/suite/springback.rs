@@ -82,7 +82,8 @@ fn what_does_not_spring_back_is_not_judged() {
 /// A hat by the template, elastic too, and let go.
 fn hat(elements: usize) -> Solution {
     let text = find("hat-section").unwrap().fill(&[]).unwrap();
-    let elastic = "[material]\nmode = \"elasto_viscoplastic\"\nyoung = \"206 GPa\"\npoisson = 0.3\n\n[material.hardening";
+    let elastic =
+        "[material]\nmode = \"elasto_viscoplastic\"\nyoung = \"206 GPa\"\npoisson = 0.3\n\n[material.hardening";
     let text = text.replacen("[material.hardening", elastic, 1) + "\n[[stages]]\nname = \"release\"\nrelease = true\n";
     read(&text, &[&format!("blank.elements={elements}")]).solve(&mut ())
 }
