@@ -1,15 +1,39 @@
 //! The JSON schema of case files, for editors and for the examples in messages.
 
-use super::CaseFile;
-use serde_json::Value;
+use super::{CaseFile, wording};
+use serde_json::{Value, json};
 use std::sync::LazyLock;
 
 static SCHEMA: LazyLock<Value> = LazyLock::new(|| {
     let text = schemars::schema_for!(CaseFile).to_value().to_string();
     // Documentation has units as rustdoc wants them, \[MPa\].
-    serde_json::from_str(&text.replace(r"\\[", "[").replace(r"\\]", "]"))
-        .expect("a JSON value is read as it was written")
+    let mut schema: Value = serde_json::from_str(&text.replace(r"\\[", "[").replace(r"\\]", "]"))
+        .expect("a JSON value is read as it was written");
+    for (name, table) in schema["$defs"].as_object_mut().into_iter().flatten() {
+        across(name, table);
+    }
+    schema
 });
+
+/// Adds the keys that give a length of a round part across, each instead of the one from the axis.
+fn across(name: &str, table: &mut Value) {
+    for twin in
+        wording::in_schema(name).filter(|twin| table["properties"].get(twin.radius).is_some()).collect::<Vec<_>>()
+    {
+        let mut diameter = table["properties"][twin.radius].clone();
+        let about = format!("Instead of `{}`, of a round part: its diameter, twice as much.", twin.radius);
+        if let Some(diameter) = diameter.as_object_mut() {
+            diameter.remove("examples");
+            diameter.insert("description".into(), about.into());
+        }
+        table["properties"][twin.diameter] = diameter;
+        let Some(required) = table["required"].as_array_mut() else { continue };
+        if let Some(at) = required.iter().position(|key| *key == *twin.radius) {
+            required.remove(at);
+            table["oneOf"] = json!([{ "required": [twin.radius] }, { "required": [twin.diameter] }]);
+        }
+    }
+}
 
 /// The JSON schema of a case file, indented.
 pub fn schema() -> String {

@@ -20,7 +20,19 @@ impl Json {
 pub struct Overrides {
     /// Replace what the case says: a dotted path of keys and a value with its unit, as often as needed
     #[arg(long = "set", value_name = "KEY=VALUE")]
-    pub set: Vec<String>,
+    set: Vec<String>,
+    /// Another sheet: the whole of [material] is that of the library, but for what --set says besides; a name, a grade such
+    /// as DC04 or the beginning of one, see `stampflow materials`
+    #[arg(long, value_name = "NAME")]
+    material: Option<String>,
+}
+
+impl Overrides {
+    /// All of them as `KEY=VALUE`, in the order in which they are applied.
+    pub fn all(&self) -> Vec<String> {
+        let sheet = self.material.iter().map(|name| format!("material={name:?}"));
+        sheet.chain(self.set.iter().cloned()).collect()
+    }
 }
 
 /// The option of every verb that solves several cases.
