@@ -28,11 +28,13 @@
 //! A. Makinouchi, E. Nakamachi, E. Oñate, R. H. Wagoner (eds.), Numisheet '93, 2-D draw bending; D. Y. Yang, S. I. Oh,
 //! H. Huh, Y. H. Kim (eds.), Numisheet 2002, benchmark B, unconstrained cylindrical bending.
 
+mod bands;
 mod fit;
 mod meridian;
 mod moment;
 mod part;
 
+pub use bands::{Band, PartPlace, Stretch, along, bands, place_on_part};
 pub use moment::{MomentError, moment_error};
 pub use part::{part_height, thickest};
 

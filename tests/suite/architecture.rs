@@ -21,6 +21,7 @@ const FLOORS: &[&[&str]] = &[
     &["element", "contact", "forming_limit"],
     &["material"],
     &["geometry", "law"],
+    &["message"],
     &["units", "numerics", "files"],
 ];
 
