@@ -44,7 +44,7 @@ pub use read::{load, parse, parse_with};
 #[cfg(feature = "schema")]
 pub(crate) use schema::definition;
 #[cfg(feature = "schema")]
-pub use schema::schema;
+pub use schema::{keys, schema};
 pub use solution::Solution;
 pub use sources::{Sheets, Sources, Thickness};
 

@@ -40,6 +40,34 @@ pub fn schema() -> String {
     serde_json::to_string_pretty(&*SCHEMA).expect("a JSON value can be written")
 }
 
+/// The dotted path of every key that holds a value, in the tables of a case: `tools.punch.travel`. Of lists the keys of the
+/// first entry, `stages.0.trim`.
+pub fn keys() -> Vec<String> {
+    let mut keys = Vec::new();
+    collect(&SCHEMA, "", &mut keys);
+    keys
+}
+
+fn collect(node: &Value, path: &str, keys: &mut Vec<String>) {
+    let choices = node.get("anyOf").and_then(Value::as_array).into_iter().flatten();
+    let named = node.get("$ref").and_then(Value::as_str).and_then(|text| text.rsplit('/').next()).map(definition);
+    let tables: Vec<&Value> = choices.chain(named).filter(|node| node["type"] != "null").collect();
+    let deeper = |key: &str| if path.is_empty() { key.to_owned() } else { format!("{path}.{key}") };
+    let before = keys.len();
+    tables.iter().for_each(|table| collect(table, path, keys));
+    for (key, value) in node.get("properties").and_then(Value::as_object).into_iter().flatten() {
+        collect(value, &deeper(key), keys);
+    }
+    let entries = node.get("items").filter(|entry| entry.get("$ref").is_some());
+    entries.into_iter().for_each(|entry| collect(entry, &deeper("0"), keys));
+    if keys.len() == before && !path.is_empty() {
+        keys.push(path.to_owned());
+    }
+    // Alternatives of one key, and what they have in common.
+    let mut seen = std::collections::BTreeSet::new();
+    keys.retain(|key| seen.insert(key.clone()));
+}
+
 /// A named definition of the schema; null when there is none.
 pub(crate) fn definition(name: &str) -> &'static Value {
     &SCHEMA["$defs"][name]

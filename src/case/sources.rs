@@ -2,7 +2,7 @@
 
 use super::file::{self, CaseFile};
 use super::{CaseError, library::Taken, source::Source};
-use crate::units::{Quantity, mm, parse};
+use crate::units::{Quantity, parse};
 
 /// Where the numbers of a case come from: how they were measured, or author and year. `None` where the case does not say;
 /// the run does not depend on it.
@@ -18,34 +18,29 @@ pub struct Sources {
     pub thickness: Option<Thickness>,
 }
 
-/// Where hardening and r̄ come from, in words: one from the library's sheet that the case names, the other not.
-#[derive(Clone, Debug, PartialEq, Eq)]
+/// A material whose hardening and r̄ are of two sheets, one of them the library's.
+#[derive(Clone, Debug, PartialEq)]
 pub struct Sheets {
-    /// Where the hardening law is from.
-    pub hardening: String,
-    /// Where r̄ is from.
-    pub anisotropy: String,
+    /// The sheet of the library.
+    pub library: String,
+    /// Where the case has the other numbers from, if it says so.
+    pub case: Option<String>,
+    /// Whether the hardening is the case's, and r̄ the library's; else the other way round.
+    pub own_hardening: bool,
+    /// r̄ \[–\].
+    pub anisotropy: f64,
 }
 
 impl Sheets {
     /// Of a case that names a sheet of the library and says itself what it says; `None` where both are of one sheet.
     pub(super) fn of(name: &str, own_hardening: bool, own: &file::Material, known: &file::Material) -> Option<Self> {
-        let r = |ratio: f64| format!("r̄ = {ratio}");
-        let case = match &own.source {
-            Some(source) => format!("this case ({source})"),
-            None => "this case".to_owned(),
-        };
-        match (own_hardening, own.anisotropy) {
-            (true, None) => {
-                let r = known.anisotropy.map_or_else(|| "isotropy".to_owned(), |known| r(known.value()));
-                Some(Self { hardening: format!("the hardening of {case}"), anisotropy: format!("{r} of {name}") })
-            }
-            (false, Some(own)) => Some(Self {
-                hardening: format!("the hardening of {name}"),
-                anisotropy: format!("{} of {case}", r(own.value())),
-            }),
-            _ => None,
-        }
+        let anisotropy = if own_hardening { known.anisotropy } else { own.anisotropy };
+        (own_hardening != own.anisotropy.is_some()).then(|| Self {
+            library: name.to_owned(),
+            case: own.source.clone(),
+            own_hardening,
+            anisotropy: anisotropy.map_or(1.0, Quantity::value),
+        })
     }
 }
 
@@ -66,14 +61,6 @@ impl Thickness {
         let low = if low.contains(unit) { low.to_owned() } else { format!("{low} {unit}") };
         let range = [parse(&low).ok()?.value, parse(high).ok()?.value];
         Some(Self { name: name.to_owned(), range })
-    }
-
-    /// In words: `0.8 mm`, `0.67 to 0.712 mm`.
-    pub fn words(&self) -> String {
-        match self.range.map(mm) {
-            [low, high] if low == high => format!("{low} mm"),
-            [low, high] => format!("{low} to {high} mm"),
-        }
     }
 }
 

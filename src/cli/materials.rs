@@ -4,6 +4,7 @@ use super::code::Code;
 use super::options::Json;
 use super::place;
 use super::say::{Shown, say, say_json};
+use super::suggested::Suggested;
 use super::table::{Tone, table};
 use anyhow::Result;
 use serde_json::{Value, json};
@@ -39,6 +40,7 @@ const UNKNOWN: &str = "–";
 #[derive(Debug, clap::Args)]
 pub struct Args {
     /// Material to say all of: its name, a grade that it stands for, or the beginning of one
+    #[arg(value_parser = Suggested::SHEETS, hide_possible_values = true)]
     name: Option<String>,
     /// Also draw its flow curve and the limits that follow from it
     #[arg(long, value_name = "FILE.png", requires = "name")]

@@ -17,6 +17,7 @@ mod report;
 mod run;
 mod say;
 mod shell;
+mod suggested;
 mod table;
 mod validate;
 

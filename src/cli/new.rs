@@ -2,6 +2,7 @@
 
 use super::code::{BadPath, Code, unusable};
 use super::say::{say, say_json};
+use super::suggested::Suggested;
 use clap::{Arg, ArgAction, ArgMatches, Command, value_parser};
 use serde_json::{Value, json};
 use stampflow::author::templates::{self as template, Choice, SHEET, TEMPLATES, Template};
@@ -123,12 +124,16 @@ fn subcommand(template: &Template) -> Command {
 }
 
 fn option(choice: &'static Choice, heading: &'static str) -> Arg {
-    Arg::new(choice.key)
+    let arg = Arg::new(choice.key)
         .long(choice.key)
         .value_name(choice.kind.placeholder())
         .allow_negative_numbers(true)
         .help_heading(heading)
-        .help(format!("{} [default: {}]", choice.about, choice.default.words()))
+        .help(format!("{} [default: {}]", choice.about, choice.default.words()));
+    match choice.key {
+        "material" => arg.value_parser(Suggested::SHEETS).hide_possible_values(true),
+        _ => arg,
+    }
 }
 
 /// The option that takes the diameter of a radius; that of the punch is the diameter that a part is called by.

@@ -1,5 +1,7 @@
 //! Options that several verbs have.
 
+use super::suggested::Suggested;
+
 /// The option of every verb that has a result.
 #[derive(Debug, clap::Args)]
 pub struct Json {
@@ -19,11 +21,11 @@ impl Json {
 #[derive(Debug, clap::Args)]
 pub struct Overrides {
     /// Replace what the case says: a dotted path of keys and a value with its unit, as often as needed
-    #[arg(long = "set", value_name = "KEY=VALUE")]
+    #[arg(long = "set", value_name = "KEY=VALUE", value_parser = Suggested::KEYS, hide_possible_values = true)]
     set: Vec<String>,
     /// Another sheet: the whole of [material] is that of the library, but for what --set says besides; a name, a grade such
     /// as DC04 or the beginning of one, see `stampflow materials`
-    #[arg(long, value_name = "NAME")]
+    #[arg(long, value_name = "NAME", value_parser = Suggested::SHEETS, hide_possible_values = true)]
     material: Option<String>,
 }
 
