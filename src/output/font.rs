@@ -7,7 +7,7 @@ use ttf_parser::{Face, GlyphId, OutlineBuilder};
 pub const FAMILY: &str = "DejaVu Sans";
 
 /// DejaVu Sans, Latin, Greek and mathematical signs only.
-static DATA: &[u8] = include_bytes!("../../assets/DejaVuSans-subset.ttf");
+pub static DATA: &[u8] = include_bytes!("../../assets/DejaVuSans-subset.ttf");
 
 static FACE: LazyLock<Face<'static>> = LazyLock::new(|| Face::parse(DATA, 0).expect("the built-in font is a font"));
 
@@ -20,6 +20,29 @@ fn em() -> f64 {
 pub fn glyph(letter: char) -> (GlyphId, f64) {
     let glyph = FACE.glyph_index(letter).unwrap_or_default();
     (glyph, f64::from(FACE.glyph_hor_advance(glyph).unwrap_or(0)) / em())
+}
+
+/// Every letter of the font with its glyph.
+pub fn letters() -> impl Iterator<Item = (char, GlyphId)> {
+    let tables = FACE.tables().cmap.into_iter().flat_map(|map| map.subtables).filter(|table| table.is_unicode());
+    tables.flat_map(|table| {
+        let mut found = Vec::new();
+        table.codepoints(|code| found.extend(char::from_u32(code).zip(table.glyph_index(code))));
+        found
+    })
+}
+
+/// How far the letter behind each glyph is \[em\], in the order of their numbers.
+pub fn advances() -> impl Iterator<Item = f64> {
+    (0..FACE.number_of_glyphs()).map(|i| f64::from(FACE.glyph_hor_advance(GlyphId(i)).unwrap_or(0)) / em())
+}
+
+/// The box around all letters: left, bottom, right, top; how far letters rise, and how far they reach below the baseline
+/// (negative) \[em\].
+pub fn extent() -> ([f64; 4], f64, f64) {
+    let of = |v: i16| f64::from(v) / em();
+    let all = FACE.global_bounding_box();
+    ([all.x_min, all.y_min, all.x_max, all.y_max].map(of), of(FACE.ascender()), of(FACE.descender()))
 }
 
 /// How wide a line of text is \[em\].

@@ -12,6 +12,7 @@ mod mark;
 mod page;
 mod palette;
 mod panel;
+mod pdf;
 mod raster;
 mod shape;
 mod stroke;
@@ -20,6 +21,7 @@ mod text;
 mod ticks;
 
 use super::chart::Chart;
+use super::pdf::Pdf;
 pub(super) use drawing::Drawing;
 #[cfg(test)]
 pub(super) use mark::Mark;
@@ -28,4 +30,9 @@ pub(super) use palette::Palette;
 /// The picture as a standalone SVG, 800 px wide.
 pub fn svg(chart: &Chart) -> String {
     svg::svg(&Drawing::of(chart))
+}
+
+/// The picture as a page of its own, in a PDF file, this wide \[pt\].
+pub fn pdf(chart: &Chart, width: f64) -> Vec<u8> {
+    Pdf { title: chart.title.clone(), pages: vec![pdf::page(&Drawing::of(chart), width)], ..Pdf::default() }.bytes()
 }
