@@ -22,7 +22,7 @@ pub(super) fn sections(report: &Report) -> Vec<Section> {
 fn plots(view: &StageView) -> Vec<Block> {
     let plots = OUTPUTS.iter().filter_map(|output| {
         let Make::Plot(make) = output.make else { return None };
-        let name = output.file.trim_end_matches(".png").to_owned();
+        let name = output.stem().to_owned();
         Some(Block::Picture(Picture { name, caption: output.about.to_owned(), svg: svg(&make(view)?) }))
     });
     plots.collect()
