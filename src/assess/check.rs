@@ -4,7 +4,7 @@ mod stages;
 
 use super::{Kind, before, sentences};
 use crate::case::Case;
-use crate::model::{Face, Geometry, Model, Motion, Pressure, Role, Theory, Tool};
+use crate::model::{Extent, Face, Geometry, Model, Motion, Pressure, Role, Theory, Tool};
 use crate::rules::design::LIMITING_RATIO;
 use crate::rules::estimate;
 use crate::rules::tool_sizes::{across, extent, mouth, throat, widens};
@@ -71,15 +71,13 @@ fn blank(model: &Model, lines: &mut Vec<Line>) {
     let blank = &model.blank;
     let (geometry, size) = match model.geometry {
         Geometry::Axisymmetric => ("axisymmetric", format!("mm radius, {} mm diameter", mm(2.0 * blank.length))),
-        Geometry::PlaneStrain => ("plane strain, one half per mm of depth", "mm half length".to_owned()),
+        Geometry::PlaneStrain => ("plane strain", format!("mm half length, {} mm in all", mm(2.0 * blank.length))),
     };
-    lines.push(line("geometry", geometry, ""));
+    lines.push(line("geometry", geometry, model.extent().described()));
     lines.push(line("blank", mm(blank.length), size));
     lines.push(line("thickness", mm(blank.thickness), "mm"));
-    let (volume, unit) = match model.geometry {
-        Geometry::Axisymmetric => (model.geometry.area(blank.length) * blank.thickness, "mm³"),
-        Geometry::PlaneStrain => (blank.length * blank.thickness, "mm³ per mm of depth"),
-    };
+    let volume = model.extent().area(blank.length) * blank.thickness;
+    let unit = if model.extent() == Extent::PerDepth { "mm³ per mm of depth" } else { "mm³" };
     lines.push(line("volume", format!("{volume:.0}"), unit));
     let theory = match blank.theory {
         Theory::Bending => format!("bending, {} points through the thickness", blank.layers),
@@ -180,7 +178,7 @@ fn corners(tool: &Tool, thickness: f64) -> String {
 }
 
 fn holder(model: &Model, strength: f64, lines: &mut Vec<Line>) {
-    let unit = model.geometry.force_unit();
+    let unit = model.extent().force_unit().symbol();
     let force = match model.tool(Role::Holder).map(|holder| &holder.motion) {
         Some(Motion::Gap(gap)) => {
             let meaning = format!("mm to the die, {:.3} thicknesses: fixed", gap / model.blank.thickness);

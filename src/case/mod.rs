@@ -79,7 +79,7 @@ pub struct Case {
 /// What the press can give; `None` where the case does not say.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Press {
-    /// Largest force \[N\], in plane strain \[N/mm\] of depth of the modelled half.
+    /// Largest force, of the whole section as [`Extent`](crate::model::Extent) has it \[N, or N/mm of depth\].
     pub force: Option<f64>,
     /// Work of one stroke \[mJ\].
     pub energy: Option<f64>,

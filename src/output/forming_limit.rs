@@ -61,16 +61,16 @@ pub(super) fn paths_of(view: &StageView) -> Option<Table> {
             columns.iter_mut().zip(row).for_each(|(column, value)| column.push(value));
         }
     }
-    let geometry = view.geometry();
+    let extent = view.extent();
     let [s0, time, travel, minors, majors, meridional, hoop, limit, margin, crookedness] = columns;
     Some(Table::new(vec![
-        S0.filled(geometry, s0),
+        S0.filled(extent, s0),
         Column::new("time", "Time", Unit::Second, time),
-        TRAVEL.filled(geometry, travel),
+        TRAVEL.filled(extent, travel),
         minor(minors),
         major(majors),
-        STRAIN_MERIDIONAL.filled(geometry, meridional),
-        STRAIN_HOOP.filled(geometry, hoop),
+        STRAIN_MERIDIONAL.filled(extent, meridional),
+        STRAIN_HOOP.filled(extent, hoop),
         Column::new("limit_major", "Major strain of the limit", Unit::None, limit),
         Column::new("margin", "Margin in major strain", Unit::None, margin),
         Column::new(

@@ -138,6 +138,7 @@ mod tests {
             title: "strip".into(),
             notes: vec![],
             geometry: Geometry::PlaneStrain,
+            depth: None,
             blank: Blank {
                 length: 100.0,
                 thickness: T,

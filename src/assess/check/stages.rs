@@ -18,7 +18,7 @@ pub(super) fn describe(stage: &Stage) -> String {
                 format!("{new}{name} goes {} mm and {} mm aside", rounded(way.y), rounded(way.x))
             }
             Motion::Pressed(press) => {
-                let unit = model.geometry.force_unit();
+                let unit = model.extent().force_unit().symbol();
                 format!("{new}{name} presses with {:.0} {unit} at the end", press.force.at(model.travel))
             }
             Motion::Fixed | Motion::Gap(_) | Motion::Travel => format!("{new}{name} stands"),

@@ -38,7 +38,7 @@ use super::file::CaseFile;
 use super::{CaseError, source::Source};
 use crate::files::Folder;
 use crate::material::Material;
-use crate::model::{Blank, Mode, Model, Stage, Theory};
+use crate::model::{Blank, Extent, Mode, Model, Stage, Theory};
 
 /// What a case whose files are looked up from a folder means: its stages, and what was assumed.
 pub(super) fn stages(file: &CaseFile, source: &Source, folder: Folder) -> Result<(Vec<Stage>, Vec<String>), CaseError> {
@@ -62,10 +62,11 @@ pub(super) fn stages(file: &CaseFile, source: &Source, folder: Folder) -> Result
 fn first(file: &CaseFile, source: &Source, folder: Folder, derived: &mut Vec<String>) -> Result<Model, CaseError> {
     let geometry = file.geometry;
     let blank = blank::convert(file, geometry, source, derived)?;
+    let depth = blank::depth(file, source)?;
     let material = material::convert(&file.material, source)?;
     let mode = mode(file, &material, &blank, source)?;
     let drive = motion::drive(file, blank.length, source)?;
-    let (sheet, travel) = (Sheet::of(&blank, geometry), drive.travel);
+    let (sheet, travel) = (Sheet::of(&blank, Extent::of(geometry, depth)), drive.travel);
     let context =
         ToolContext { written: &file.tools, standing: &[], sheet, travel, source, folder, profile: tools::profile };
     let tools = tools::convert(&context, &Frictions::of(file), derived)?;
@@ -87,6 +88,7 @@ fn first(file: &CaseFile, source: &Source, folder: Folder, derived: &mut Vec<Str
         title: file.title.clone(),
         notes: file.notes.clone(),
         geometry,
+        depth,
         blank,
         material,
         tools,

@@ -262,7 +262,7 @@ impl StageContext<'_> {
         travel: f64,
         derived: &mut Vec<String>,
     ) -> Result<Option<Profile>, CaseError> {
-        let sheet = Sheet::of(&self.before.blank, self.before.geometry);
+        let sheet = Sheet::of(&self.before.blank, self.before.extent());
         let written = &self.new_tools();
         let (source, folder, profile) = (self.source, self.folder, tools::profile);
         tools::new_profile(&ToolContext { written, standing, sheet, travel, source, folder, profile }, role, derived)
@@ -272,7 +272,7 @@ impl StageContext<'_> {
     /// had none is brought up to the sheet.
     fn press(&self, holder: &mut ToolPatch, travel: f64, meets: &mut Vec<Role>) -> Result<(), CaseError> {
         let Some(given) = self.written.holder.as_ref().and_then(|holder| holder.force.as_ref()) else { return Ok(()) };
-        let force = loads::holder_force(given, self.before.geometry, self.source)?;
+        let force = loads::holder_force(given, self.before.extent(), self.source)?;
         if holder.motion.is_some() {
             let help = "keep one: a holder that goes a given way has the force that this takes";
             return Err(self.error("holder.force", "the holder has both a way to go and a force", help));

@@ -97,6 +97,10 @@ pub struct Blank {
     /// Length from the symmetry plane to the edge (plane strain).
     #[cfg_attr(feature = "schema", schemars(example = "420 mm"))]
     pub half_length: Option<Positive<Length>>,
+    /// Length of the part across the section (plane strain): forces and works are then of the whole part, in N and J. When
+    /// not given they are of the whole section per mm of depth.
+    #[cfg_attr(feature = "schema", schemars(example = "800 mm"))]
+    pub depth: Option<Positive<Length>>,
     /// Initial thickness, 0.001 to 50 mm.
     #[cfg_attr(feature = "schema", schemars(example = "0.9 mm"))]
     pub thickness: Positive<Length>,

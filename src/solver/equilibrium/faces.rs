@@ -40,6 +40,7 @@ fn shell(geometry: Geometry, thickness: f64, by: By, inside: f64, gas: f64) -> M
         title: "pressed shell".into(),
         notes: vec![],
         geometry,
+        depth: None,
         blank: Blank {
             length: RADIUS,
             thickness,

@@ -21,6 +21,7 @@ fn model(geometry: Geometry, theory: Theory) -> Model {
         title: "small cup".into(),
         notes: vec![],
         geometry,
+        depth: None,
         blank: Blank {
             length: 24.0,
             thickness: t,

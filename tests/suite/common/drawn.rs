@@ -32,6 +32,7 @@ pub fn model(geometry: Geometry) -> Model {
             "The law is offset to 547 (0.001 + ε)^0.18 MPa; the holder force of \"80 N\" is read as 80 kN.".to_owned(),
         ],
         geometry,
+        depth: None,
         blank: Blank {
             length: 100.0,
             thickness: T0,

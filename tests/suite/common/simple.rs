@@ -14,6 +14,7 @@ pub fn pulled(geometry: Geometry, theory: Theory, travel: f64) -> Model {
         title: "pulled sheet".into(),
         notes: vec![],
         geometry,
+        depth: None,
         blank: Blank {
             length: 40.0,
             thickness: 1.0,
@@ -54,6 +55,7 @@ pub fn capstan(mu: f64, holder: f64, per_quarter: usize) -> Model {
         title: "capstan".into(),
         notes: vec![],
         geometry: Geometry::PlaneStrain,
+        depth: None,
         blank: Blank {
             length,
             thickness: t,
