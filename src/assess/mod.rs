@@ -40,6 +40,7 @@ mod wrinkling;
 mod yielding;
 
 pub use finding::{Finding, Kind, Light, When, advice, headline, judgements, sentences};
+pub use forming_limit::CAREFUL;
 
 use crate::case::Case;
 use crate::model::{Model, Tool};

@@ -3,7 +3,7 @@
 use super::chart::COLORS;
 use super::{Captions, Pictures};
 use crate::assess::{self, Finding, Kind, sentences};
-use crate::case::Solution;
+use crate::case::{Press, Solution};
 use crate::forming_limit::{Assessment, assess};
 use crate::model::{Extent, Geometry, Model};
 use crate::solution::{Frame, StageSolution, Stop};
@@ -30,6 +30,8 @@ pub struct StageView<'a> {
     pub declared: &'a [String],
     /// What is told with the results: what was assumed while the case was read, and warnings.
     pub findings: Vec<Finding>,
+    /// What the press can give, as far as the case says.
+    pub press: Press,
     /// What came out of the stage.
     pub stage: &'a StageSolution,
     /// Time that the solution of the whole case took, where a clock was at hand.
@@ -66,6 +68,7 @@ impl<'a> StageView<'a> {
             overrides: &[],
             declared: &stage.model.notes,
             findings: Vec::new(),
+            press: Press::default(),
             stage,
             wall: None,
             pictures: Pictures::default(),
@@ -81,6 +84,7 @@ impl<'a> StageView<'a> {
             case_text: &case.text,
             overrides: &case.overrides,
             findings,
+            press: case.press,
             wall: solution.wall,
             ..Self::plain(&name, &solution.stages[i])
         }
@@ -119,6 +123,11 @@ impl<'a> StageView<'a> {
             Captions::Own => capitalised(what),
             _ => format!("{}: {what}", self.title),
         }
+    }
+
+    /// Whether a picture says where its numbers come from: what is told nowhere else, or all there is.
+    pub(super) fn says_sources(&self) -> bool {
+        matches!(self.pictures.captions, Captions::Own | Captions::Full)
     }
 
     fn says_all(&self) -> bool {

@@ -46,7 +46,11 @@ pub(in crate::case) fn depth(case: &CaseFile, source: &Source) -> Result<Option<
     let depth = case.blank.depth.map(Quantity::value);
     if depth.is_some() && case.geometry == Geometry::Axisymmetric {
         let what = "`depth` is the length across a plane section, this case is axisymmetric";
-        return Err(source.error("blank.depth", what, "drop it, or change `geometry`; how deep is drawn is the travel"));
+        return Err(source.error(
+            "blank.depth",
+            what,
+            "drop it, or change `geometry`; how deep is drawn is the travel",
+        ));
     }
     Ok(depth)
 }

@@ -117,7 +117,8 @@ fn punch_radius(
     half_width: Option<Positive<Length>>,
 ) -> Result<f64, CaseError> {
     let table = format!("tools.punch.{shape}");
-    let (key, found) = by_geometry(source, &table, sheet.extent.geometry(), ("radius", radius), ("half_width", half_width))?;
+    let (key, found) =
+        by_geometry(source, &table, sheet.extent.geometry(), ("radius", radius), ("half_width", half_width))?;
     size(source, &format!("{table}.{key}"), found)
 }
 
