@@ -4,6 +4,7 @@ mod stages;
 
 use super::{Kind, before, sentences};
 use crate::case::Case;
+use crate::message::Message;
 use crate::model::{Extent, Face, Geometry, Model, Motion, Pressure, Role, Theory, Tool};
 use crate::rules::design::LIMITING_RATIO;
 use crate::rules::estimate;
@@ -32,9 +33,9 @@ pub struct Check {
     /// The case in numbers, in the order of telling.
     pub lines: Vec<Line>,
     /// What should be known before the result is trusted; the case can be solved all the same.
-    pub warnings: Vec<String>,
+    pub warnings: Vec<Message>,
     /// Declared assumptions, and what was assumed while reading.
-    pub notes: Vec<String>,
+    pub notes: Vec<Message>,
 }
 
 /// Looks a case over without solving it.
@@ -59,7 +60,7 @@ pub fn report(case: &Case) -> Check {
     });
     lines.extend(compare);
     let findings = before(case);
-    let notes = model.notes.iter().cloned().chain(sentences(&findings, Kind::Assumption)).collect();
+    let notes = model.notes.iter().cloned().map(Message::from).chain(sentences(&findings, Kind::Assumption)).collect();
     Check { title: model.title.clone(), lines, warnings: sentences(&findings, Kind::Warning), notes }
 }
 
@@ -127,7 +128,8 @@ fn tools(model: &Model, lines: &mut Vec<Line>) {
             let (slowest, fastest) = (speeds().fold(f64::INFINITY, f64::min), speeds().fold(0.0, f64::max));
             format!(" on average, {} to {} mm/s", rounded(slowest), rounded(fastest))
         });
-        lines.push(line("travel", mm(model.travel), format!("mm at {} mm/s{changes}", rounded(model.speed))));
+        let pace = if model.timed { format!(" at {} mm/s{changes}", rounded(model.speed)) } else { String::new() };
+        lines.push(line("travel", mm(model.travel), format!("mm{pace}")));
     }
     for bead in &model.beads {
         let meaning = format!("mm from the axis, restraining {} N/mm, closing {} N/mm", bead.restraining, bead.closing);

@@ -62,6 +62,9 @@ pub struct Model {
     pub speed: f64,
     /// Time that the run takes \[s\].
     pub duration: f64,
+    /// Whether its times are those of a press: a speed, a motion or a duration is given, or something in the model feels the
+    /// rate. Else they follow from a speed that stands for any, and no reader is told them.
+    pub timed: bool,
     /// Times at which the state is kept \[s\], rising, the last one equal to `duration`.
     pub frames: Vec<f64>,
     /// What ends the run before its full travel.

@@ -7,7 +7,7 @@ use crate::assess::CAREFUL;
 use crate::forming_limit::{Assessment, CROOKED, Curve, Judged};
 use crate::model::Geometry;
 use crate::table::fields::element::S0;
-use crate::table::{Column, Unit, worded};
+use crate::table::{Column, Unit};
 
 /// Points of a drawn path: more than the eye follows.
 const DRAWN: usize = 60;
@@ -42,7 +42,7 @@ pub(super) fn plot(view: &StageView) -> Option<Chart> {
         Geometry::PlaneStrain => ("major strain and forming limit", strip(view, assessment, limit, strains)),
     };
     let sources = limit.notes.iter().filter(|_| view.says_sources()).cloned();
-    let notes = std::iter::once(words(assessment)).chain(sources).chain(view.notes()).collect();
+    let notes = std::iter::once(words(view, assessment)).chain(sources).chain(view.notes()).collect();
     Some(Chart { title: view.titled(what), legend: "", panels: vec![panel], notes })
 }
 
@@ -204,13 +204,11 @@ fn along(curve: &Curve, (low, high): (f64, f64)) -> Vec<[f64; 2]> {
 }
 
 /// What the diagram says.
-fn words(assessment: &Assessment) -> String {
+fn words(view: &StageView, assessment: &Assessment) -> String {
     let worst = assessment.worst();
     let reached = assessment.reached.map_or("The limit is not reached.".to_owned(), |reached| {
-        format!(
-            "The limit is reached at s0 = {:.1} mm, at {:.2} mm of travel ({:.4} s).",
-            reached.s0, reached.travel, reached.time
-        )
+        let time = if view.model().timed { format!(" ({:.4} s)", reached.time) } else { String::new() };
+        format!("The limit is reached at s0 = {:.1} mm, at {:.2} mm of travel{time}.", reached.s0, reached.travel)
     });
     let crooked = match assessment.crooked() {
         0 => String::new(),

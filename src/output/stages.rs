@@ -73,10 +73,10 @@ pub(super) fn printed(solution: &Solution) -> String {
     let width = lines(solution).map(|line| line.0.len()).max().unwrap_or(0);
     let text = lines(solution).enumerate().map(|(i, (name, stage))| {
         let figures = stage.and_then(|stage| Some((stage, stage.steps.last()?))).map_or(String::new(), |(stage, last)| {
+            let time = if stage.model.timed { format!("{:.3} s, ", last.time) } else { String::new() };
             format!(
-                ": {:.3} s, travel {:.2} mm, punch {:.0} {unit}, holder {:.0} {unit}, thinnest {:.4} mm, edge at {:.2} \
+                ": {time}travel {:.2} mm, punch {:.0} {unit}, holder {:.0} {unit}, thinnest {:.4} mm, edge at {:.2} \
                  mm, middle at {:.2} mm",
-                last.time,
                 last.travel,
                 last.punch_force,
                 last.holder_force,

@@ -11,6 +11,7 @@ use super::StageView;
 use super::stage_view::ended;
 use crate::assess::{Kind, sentences};
 use crate::measure::{Change, moment_error};
+use crate::message::Message;
 use crate::model::{Extent, Geometry, Mode};
 use crate::solution::{StageSolution, StepRecord, Stop};
 use crate::table::Unit;
@@ -48,7 +49,7 @@ enum Value {
     Count(usize),
     Flag(bool),
     Text(String),
-    List(Vec<String>),
+    List(Vec<Message>),
     Changes(Vec<Change>),
 }
 
@@ -142,12 +143,12 @@ impl Summary {
         summary.text("program", "", concat!(env!("CARGO_PKG_NAME"), " ", env!("CARGO_PKG_VERSION")));
         summary.text("case_sha256", "", &sha256(view.case_text));
         summary.group = Group::Case;
-        summary.list("overrides", "Set on the command line", view.overrides);
-        summary.list("derived", "Assumed while reading", &sentences(&view.findings, Kind::Assumption));
+        summary.list("overrides", "Set on the command line", plain(view.overrides));
+        summary.list("derived", "Assumed while reading", sentences(&view.findings, Kind::Assumption));
         summary.group = Group::Warnings;
-        summary.list("warnings", "Warnings", &sentences(&view.findings, Kind::Warning));
+        summary.list("warnings", "Warnings", sentences(&view.findings, Kind::Warning));
         summary.group = Group::Case;
-        summary.list("notes", "Declared assumptions", view.declared);
+        summary.list("notes", "Declared assumptions", plain(view.declared));
         summary
     }
 
@@ -167,9 +168,14 @@ impl Summary {
         self.push(key, label, Unit::None, Value::Text(value.to_owned()));
     }
 
-    fn list(&mut self, key: &'static str, label: &'static str, values: &[String]) {
-        self.push(key, label, Unit::None, Value::List(values.to_vec()));
+    fn list(&mut self, key: &'static str, label: &'static str, values: Vec<Message>) {
+        self.push(key, label, Unit::None, Value::List(values));
     }
+}
+
+/// Texts of the user.
+fn plain(texts: &[String]) -> Vec<Message> {
+    texts.iter().cloned().map(Message::from).collect()
 }
 
 /// What a stage without a step leaves: the sheet that it began with, or the blank where it has not begun.

@@ -159,6 +159,7 @@ mod tests {
             speed: 1.0,
             duration: 1.0,
             stop: StopRules::default(),
+            timed: true,
             frames: vec![1.0],
             settings: Settings::default(),
             mode: Mode::default(),

@@ -25,10 +25,13 @@ pub(super) fn describe(stage: &Stage) -> String {
         });
     }
     does.extend(model.release.map(|_| "tools taken away".to_owned()));
-    does.push(match model.mode {
-        Mode::Flow => format!("{} s", rounded(model.duration)),
-        Mode::ElastoViscoplastic => format!("elasto-viscoplastic, {} s", rounded(model.duration)),
-        Mode::Elastic => format!("elastic, {} s", rounded(model.duration)),
-    });
+    let mode = match model.mode {
+        Mode::Flow => None,
+        Mode::ElastoViscoplastic => Some("elasto-viscoplastic".to_owned()),
+        Mode::Elastic => Some("elastic".to_owned()),
+    };
+    let time = model.timed.then(|| format!("{} s", rounded(model.duration)));
+    let how: Vec<String> = mode.into_iter().chain(time).collect();
+    does.extend((!how.is_empty()).then(|| how.join(", ")));
     does.join("; ")
 }

@@ -229,7 +229,8 @@ impl StageContext<'_> {
             (_, Some(duration)) => (duration, travel / duration),
             (speed, None) => (travel / speed.unwrap_or(usual), speed.unwrap_or(usual)),
         };
-        Ok(Pace { travel, duration, speed })
+        let timed = self.first.timed || self.written.speed.is_some() || self.written.duration.is_some();
+        Ok(Pace { travel, duration, speed, timed })
     }
 
     /// The shape, friction and motion that are written of a tool.

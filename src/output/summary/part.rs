@@ -73,13 +73,22 @@ impl Summary {
     pub(super) fn balance(&mut self, model: &Model, run: &StageSolution, last: &StepRecord) {
         let unit = model.extent().energy_unit();
         let work = last.work.without_round_off().scaled(JOULES);
-        self.number("work_external", "External work", unit, work.external);
+        let given_back = work.external < 0.0;
+        if given_back {
+            // What the tools did is told as what they got; what was stored, as what came out of it.
+            self.number("work_given_back", "Work given back to the tools", unit, -work.external);
+            let mut out_of = |key, label, stored: f64| self.push(key, label, unit, Value::Number(0.0 - stored));
+            out_of("work_out_of_sheet", "  out of the sheet's elasticity", work.elastic);
+            out_of("work_out_of_contact", "  out of the contact", work.contact);
+        }
+        let shown = |label: &'static str| if given_back { "" } else { label };
+        self.number("work_external", shown("External work"), unit, work.external);
         self.number("work_plastic", "  plastic", unit, work.plastic);
         if model.mode != Mode::Flow {
-            self.number("work_elastic", "  stored in the sheet", unit, work.elastic);
+            self.number("work_elastic", shown("  stored in the sheet"), unit, work.elastic);
         }
         self.number("work_friction", "  friction", unit, work.friction);
-        self.number("work_contact", "  stored in contact", unit, work.contact);
+        self.number("work_contact", shown("  stored in contact"), unit, work.contact);
         self.group = Group::Solution;
         let missing = percent(last.work.missing(), run.largest_work());
         self.number("imbalance", "Work missing in the balance", Unit::Percent, missing);

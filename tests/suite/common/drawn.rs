@@ -57,6 +57,7 @@ pub fn model(geometry: Geometry) -> Model {
         speed: 1.0,
         duration: TRAVEL,
         stop: StopRules::default(),
+        timed: true,
         frames: (1..=5).map(|i| 0.2 * TRAVEL * i as f64).collect(),
         settings: Settings::default(),
         mode: Mode::default(),

@@ -183,6 +183,7 @@ pub fn random_die(seed: u64) -> RandomDie {
         schedule: None,
         duration: travel,
         stop: StopRules::default(),
+        timed: true,
         frames: vec![travel],
         settings: Settings { norm, ..Settings::default() },
         mode: Mode::default(),
