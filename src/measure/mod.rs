@@ -28,11 +28,13 @@
 //! A. Makinouchi, E. Nakamachi, E. Oñate, R. H. Wagoner (eds.), Numisheet '93, 2-D draw bending; D. Y. Yang, S. I. Oh,
 //! H. Huh, Y. H. Kim (eds.), Numisheet 2002, benchmark B, unconstrained cylindrical bending.
 
+mod events;
 mod fit;
 mod meridian;
 mod moment;
 mod part;
 
+pub use events::{Event, EventKind, events, rests_on_blocks};
 pub use moment::{MomentError, moment_error};
 pub use part::{part_height, thickest};
 

@@ -10,7 +10,7 @@ pub use whole::CaseSummary;
 use super::StageView;
 use super::stage_view::ended;
 use crate::assess::{Kind, sentences};
-use crate::measure::{Change, moment_error};
+use crate::measure::{Change, Event, events, moment_error};
 use crate::model::{Geometry, Mode};
 use crate::solution::{StageSolution, StepRecord, Stop};
 use crate::table::{Unit, force_unit};
@@ -50,6 +50,7 @@ enum Value {
     Text(String),
     List(Vec<String>),
     Changes(Vec<Change>),
+    Events(Vec<Event>, Unit),
 }
 
 /// A line for readers, its number apart from its unit.
@@ -97,6 +98,7 @@ impl Summary {
         summary.group = Group::Part;
         summary.push("complete", "", Unit::None, Value::Flag(run.stop.is_complete()));
         summary.load(model, run, &last);
+        summary.push("events", "Events", Unit::None, Value::Events(events(run), force_unit(model.geometry)));
         summary.part(model, run, &last);
         if let Some(assessment) = view.forming_limit() {
             summary.forming_limit(model, assessment);
