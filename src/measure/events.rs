@@ -85,7 +85,7 @@ pub struct Event {
     pub travel: f64,
     /// Time of the stage \[s\].
     pub time: f64,
-    /// Punch force then \[N, or N/mm in plane strain\].
+    /// Punch force then, of the whole part \[N, or N/mm of depth\].
     pub force: f64,
 }
 

@@ -13,6 +13,10 @@ pub(super) fn section(check: &Check) -> Section {
 /// Declared assumptions, and what was assumed while reading.
 pub(super) fn assumptions(check: &Check) -> Section {
     let none = || Block::Paragraph("None are declared.".into());
-    let block = if check.notes.is_empty() { none() } else { Block::List(check.notes.clone()) };
+    let block = if check.notes.is_empty() {
+        none()
+    } else {
+        Block::List(check.notes.iter().map(ToString::to_string).collect())
+    };
     Section { heading: "Assumptions".into(), blocks: vec![block] }
 }

@@ -32,7 +32,7 @@ pub(super) fn figures(summary: &Summary, is_wanted: fn(Group) -> bool) -> Block 
 pub(super) fn warnings(report: &Report) -> Section {
     let warnings = report.findings.iter().filter(|finding| finding.kind == Kind::Warning);
     let stage = |i: Option<usize>| i.map_or(String::new(), |i| report.stage(i));
-    let all: Vec<String> = warnings.map(|finding| stage(finding.stage) + &finding.sentence()).collect();
+    let all: Vec<String> = warnings.map(|finding| stage(finding.stage) + &finding.sentence().to_string()).collect();
     let none = || Block::Paragraph("None.".into());
     let block = if all.is_empty() { none() } else { Block::List(all) };
     Section { heading: "Warnings".into(), blocks: vec![block] }

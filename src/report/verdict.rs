@@ -8,9 +8,9 @@ pub(super) fn section(findings: &[Finding]) -> Section {
         cells: vec![
             word(finding.light).to_owned(),
             finding.label.to_owned(),
-            finding.found.clone(),
+            finding.found.to_string(),
             format!("{} ({})", finding.limit, finding.source),
-            finding.advice.clone(),
+            finding.advice.to_string(),
         ],
         light: Some(finding.light),
     });
