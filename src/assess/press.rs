@@ -1,6 +1,7 @@
 //! What the press must give, against its rating where the case names it.
 
-use super::{Finding, Light, run::Run};
+use super::run::{Run, at_event};
+use super::{Finding, Light};
 use crate::table::{JOULES, Unit};
 use crate::units::four_digits;
 
@@ -22,7 +23,7 @@ pub(super) fn force(run: &Run) -> Option<Finding> {
             Unit::N => format!("{} kN", four_digits(1e-3 * force)),
             other => format!("{} {} of depth", four_digits(force), other.symbol()),
         },
-        format!(" at {:.2} mm of travel{}", peak.travel, run.of_stage(i)),
+        format!(" at {:.2} mm of travel{}{}", peak.travel, at_event(stage, peak), run.of_stage(i)),
     ))
 }
 

@@ -10,7 +10,7 @@ pub use whole::CaseSummary;
 use super::StageView;
 use super::stage_view::ended;
 use crate::assess::{Kind, sentences};
-use crate::measure::{Change, moment_error};
+use crate::measure::{Change, Event, events, moment_error};
 use crate::message::Message;
 use crate::model::{Extent, Geometry, Mode};
 use crate::solution::{StageSolution, StepRecord, Stop};
@@ -51,6 +51,7 @@ enum Value {
     Text(String),
     List(Vec<Message>),
     Changes(Vec<Change>),
+    Events(Vec<Event>, Unit),
 }
 
 /// A line for readers, its number apart from its unit.
@@ -98,6 +99,7 @@ impl Summary {
         summary.group = Group::Part;
         summary.push("complete", "", Unit::None, Value::Flag(run.stop.is_complete()));
         summary.load(model, run, &last);
+        summary.push("events", "Events", Unit::None, Value::Events(events(run), model.extent().force_unit()));
         summary.part(model, run, &last);
         if let Some(assessment) = view.forming_limit() {
             summary.forming_limit(model, assessment);

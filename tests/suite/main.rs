@@ -18,6 +18,7 @@ mod check;
 mod cli;
 mod compare;
 mod drawings;
+mod events;
 mod files;
 mod forming_limit;
 mod geometry;

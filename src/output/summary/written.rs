@@ -1,7 +1,7 @@
 //! The summary as text and as JSON.
 
 use super::{Entry, Figure, Group, Summary, Value};
-use crate::measure::Change;
+use crate::measure::{Change, Event};
 use crate::table::Unit;
 use crate::units::four_digits;
 use crate::units::rounded;
@@ -21,6 +21,9 @@ impl Serialize for Summary {
                 Value::Text(v) => map.serialize_entry(&key, v)?,
                 Value::List(v) => map.serialize_entry(&key, v)?,
                 Value::Changes(v) => map.serialize_entry(&key, &v.iter().map(of_change).collect::<Vec<_>>())?,
+                Value::Events(v, force) => {
+                    map.serialize_entry(&key, &v.iter().map(|event| of_event(event, *force)).collect::<Vec<_>>())?;
+                }
             }
         }
         map.end()
@@ -36,7 +39,7 @@ impl Summary {
                 Value::Count(v) => (v.to_string(), Unit::None.symbol()),
                 Value::Flag(v) => (if *v { "yes" } else { "no" }.to_owned(), ""),
                 Value::Text(v) => (v.clone(), ""),
-                Value::List(_) | Value::Changes(_) => return None,
+                Value::List(_) | Value::Changes(_) | Value::Events(..) => return None,
             };
             Some(Figure { group: entry.group, key: entry.key, label: entry.label.clone(), value, unit })
         })
@@ -56,6 +59,11 @@ impl Summary {
                     let labelled =
                         |(i, line)| (if i == 0 { label.clone() } else { String::new() }, format!("- {line}"));
                     lines.iter().enumerate().map(labelled).collect()
+                }
+                Value::Events(events, force) => {
+                    let labelled =
+                        |(i, event)| (if i == 0 { label.clone() } else { String::new() }, row_of_event(event, *force));
+                    events.iter().enumerate().map(labelled).collect()
                 }
                 Value::Changes(changes) => {
                     let head = (label.clone(), "before → after (change)".to_owned());
@@ -83,6 +91,25 @@ fn with_unit(value: f64, unit: Unit) -> String {
 fn row_of_change(change: &Change) -> (String, String) {
     let by = change.change().map_or(String::new(), |by| format!(" ({})", change.quantity.signed(by)));
     (format!("  {}", change.quantity.label), change.text() + &by)
+}
+
+/// `44.07 mm, 48261 N: rim meets the die`; of a gas's work the time in place of travel and force.
+fn row_of_event(event: &Event, force: Unit) -> String {
+    let at = match event.travel {
+        0.0 => with_unit(event.time, Unit::Second),
+        travel => format!("{}, {}", with_unit(travel, Unit::Mm), with_unit(event.force, force)),
+    };
+    format!("{at}: {}", event.kind.label())
+}
+
+fn of_event(event: &Event, force: Unit) -> serde_json::Value {
+    json!({
+        "key": event.kind.key(),
+        "what": event.kind.label(),
+        Unit::Mm.keyed("travel"): rounded(event.travel),
+        Unit::Second.keyed("time"): rounded(event.time),
+        force.keyed("punch_force"): rounded(event.force),
+    })
 }
 
 fn of_change(change: &Change) -> serde_json::Value {
