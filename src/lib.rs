@@ -85,6 +85,7 @@ pub mod import;
 pub mod law;
 pub mod material;
 pub mod measure;
+pub mod message;
 pub mod model;
 pub mod numerics;
 #[cfg(feature = "plot")]

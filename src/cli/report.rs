@@ -2,7 +2,7 @@
 
 use super::code::{BadRequest, Code, unusable};
 use super::job;
-use super::options::{Json, Overrides};
+use super::options::{Json, Overrides, Titles};
 use super::place;
 use super::progress::{Kept, Progress};
 use super::say::{say, say_json};
@@ -45,6 +45,8 @@ pub struct Args {
     quiet: bool,
     #[command(flatten)]
     json: Json,
+    #[command(flatten)]
+    titles: Titles,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
@@ -71,7 +73,7 @@ pub fn report(args: &Args) -> anyhow::Result<Code> {
 
     let watch = Progress::new(args.quiet || args.json.json).watch(&case, Kept::default());
     let (solution, _) = watch.solve(case);
-    let report = Report::of(&solution);
+    let report = Report::of(&solution).titled(args.titles.title_block());
     let saved = save(&report, &path, format);
     let said = match (&saved, args.json.json) {
         (_, true) => {

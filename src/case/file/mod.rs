@@ -12,6 +12,7 @@ mod history;
 mod material;
 mod output;
 mod press;
+mod report;
 mod section;
 mod stages;
 mod tools;
@@ -25,6 +26,7 @@ pub use history::Given;
 pub use material::Material;
 pub use output::Output;
 pub use press::Press;
+pub use report::TitleBlock;
 pub use section::{ProfileStep, Section, SectionTable, Turn};
 pub use stages::{FirstStage, Release, Stage, StageDie, StageHolder, StagePunch};
 pub use tools::{Bead, Crowned, Die, Flat, Hemispherical, Holder, HolderForce, Punch, Spring, Stiffness, Tools};
@@ -66,6 +68,9 @@ pub struct CaseFile {
     /// What the press can give, for the verdict; the run does not depend on it.
     #[serde(default)]
     pub press: Press,
+    /// The title block of reports.
+    #[serde(default)]
+    pub report: TitleBlock,
     /// How the problem is solved.
     #[serde(default)]
     pub solver: Settings,
