@@ -1,6 +1,9 @@
 //! Options that several verbs have.
 
-use stampflow::case::TitleBlock;
+use clap::ValueEnum;
+use stampflow::output::{Captions, Format, Pictures};
+use stampflow::units::{Length, Positive, Quantity};
+use std::ops::RangeInclusive;
 
 /// The option of every verb that has a result.
 #[derive(Debug, clap::Args)]
@@ -43,36 +46,72 @@ impl Threads {
     }
 }
 
-/// What a report's title block says in place of the case's `[report]`.
+/// The options of every verb that draws pictures.
 #[derive(Debug, clap::Args)]
-#[command(next_help_heading = "Title block, in place of what the case's [report] says")]
-pub struct Titles {
-    /// Name of the part
-    #[arg(long, value_name = "TEXT")]
-    part: Option<String>,
-    /// Number of the part or its drawing
-    #[arg(long, value_name = "TEXT")]
-    number: Option<String>,
-    /// Revision of the part or its drawing
-    #[arg(long, value_name = "TEXT")]
-    revision: Option<String>,
-    /// Who answers for the report
-    #[arg(long, value_name = "TEXT")]
-    author: Option<String>,
-    /// For whom the author works
-    #[arg(long, value_name = "TEXT")]
-    company: Option<String>,
-    /// Day of the report, as it is to be written
-    #[arg(long, value_name = "TEXT")]
-    date: Option<String>,
+pub struct PictureOptions {
+    /// Formats of pictures, a file each: svg, pdf, png
+    #[arg(long, value_name = "FORMAT", value_delimiter = ',', default_value = "png")]
+    format: Vec<PictureFormat>,
+    /// Width of pictures on paper, 50 to 400 mm: no letter is smaller than 6 pt [default: 170 mm]
+    #[arg(long, value_name = "LENGTH", value_parser = width)]
+    width: Option<Millimetres>,
+    /// Pixels per inch of png, 50 to 1200 [default: 300 of a width that is given, else 1600 pixels across]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(50..=1200))]
+    dpi: Option<u16>,
+    /// What pictures say beside axes and legend: nothing; the title and what lines mean; also settings, warnings and
+    /// assumptions, which the summary has
+    #[arg(long, value_name = "HOW_MUCH", value_enum, default_value_t = CaptionOption::Short)]
+    captions: CaptionOption,
 }
 
-impl Titles {
-    /// As a report takes it.
-    pub fn title_block(&self) -> TitleBlock {
-        let Self { part, number, revision, author, company, date } = self;
-        let [part, number, revision, author, company, date] =
-            [part, number, revision, author, company, date].map(Clone::clone);
-        TitleBlock { part, number, revision, author, company, date }
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum PictureFormat {
+    Svg,
+    Pdf,
+    Png,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum CaptionOption {
+    None,
+    Short,
+    Full,
+}
+
+/// Of a picture on paper.
+#[derive(Clone, Copy, Debug)]
+struct Millimetres(f64);
+
+/// Widths that letters and paper leave room for \[mm\].
+const WIDTHS: RangeInclusive<f64> = 50.0..=400.0;
+
+fn width(text: &str) -> Result<Millimetres, String> {
+    let mm = text.parse::<Positive<Length>>().map_err(|error| error.to_string())?.value();
+    match WIDTHS.contains(&mm) {
+        true => Ok(Millimetres(mm)),
+        false => Err(format!("give {} to {} mm: 85 mm is a column, 170 mm a page", WIDTHS.start(), WIDTHS.end())),
+    }
+}
+
+impl PictureOptions {
+    /// How pictures are made.
+    pub fn pictures(&self) -> Pictures {
+        let mut formats: Vec<Format> = Vec::new();
+        for format in &self.format {
+            let format = match format {
+                PictureFormat::Svg => Format::Svg,
+                PictureFormat::Pdf => Format::Pdf,
+                PictureFormat::Png => Format::Png,
+            };
+            if !formats.contains(&format) {
+                formats.push(format);
+            }
+        }
+        let captions = match self.captions {
+            CaptionOption::None => Captions::None,
+            CaptionOption::Short => Captions::Short,
+            CaptionOption::Full => Captions::Full,
+        };
+        Pictures { formats, width: self.width.map(|width| width.0), dpi: self.dpi.map(f64::from), captions }
     }
 }

@@ -2,10 +2,11 @@
 
 use super::code::{BadRequest, Code, unusable};
 use super::job;
-use super::options::{Json, Overrides, Titles};
+use super::options::{Json, Overrides};
 use super::place;
 use super::progress::{Kept, Progress};
 use super::say::{say, say_json};
+use super::titles::Titles;
 use clap::ValueEnum;
 use serde_json::json;
 use stampflow::files::{Disk, Files};

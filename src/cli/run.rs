@@ -3,7 +3,7 @@
 use super::code::{BadRequest, Code};
 use super::job::{load_all, prepared, solve_all, told};
 use super::json;
-use super::options::{Json, Overrides, Threads};
+use super::options::{Json, Overrides, PictureOptions, Threads};
 use super::place;
 use super::progress::{Kept, Progress};
 use super::say::{Shown, say, say_json};
@@ -41,6 +41,8 @@ pub struct Args {
     /// Also write shapes.gif, the section and the load as they move
     #[arg(long)]
     animate: bool,
+    #[command(flatten)]
+    pictures: PictureOptions,
     #[command(flatten)]
     threads: Threads,
     #[command(flatten)]
@@ -83,7 +85,7 @@ pub fn run(args: &Args) -> anyhow::Result<Code> {
         },
         |solution, kept, folder| {
             let dir = self::folder(args, several, &solution.case)?;
-            let results = Results::of(&solution)?;
+            let results = Results::of(&solution)?.with_pictures(&args.pictures.pictures());
             // Each is tried and told whatever became of the others.
             let written = results.write_into(&kept.recorder, folder);
             let traced = match (&args.trace, &kept.trace) {

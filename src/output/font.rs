@@ -50,6 +50,22 @@ pub fn width(text: &str) -> f64 {
     text.chars().map(|letter| glyph(letter).1).sum()
 }
 
+/// The letters of a line and where each has its origin \[em\]. An accent of its own, the bar of r̄, stands over the middle
+/// of the letter before it.
+pub fn placed(text: &str) -> impl Iterator<Item = (char, GlyphId, f64)> {
+    let (mut end, mut middle) = (0.0, 0.0);
+    text.chars().map(move |letter| {
+        let (glyph, advance) = glyph(letter);
+        let half = || FACE.glyph_bounding_box(glyph).map_or(0.0, |b| 0.5 * f64::from(b.x_min + b.x_max) / em());
+        if matches!(letter, '\u{300}'..='\u{36f}') {
+            return (letter, glyph, middle - half());
+        }
+        let at = end;
+        (end, middle) = (at + advance, at + half());
+        (letter, glyph, at)
+    })
+}
+
 /// Takes every edge of a letter's outline, which is turned into chords; x along the baseline and y down \[em\]. Chords
 /// leave their curves by about `sagitta` \[em\].
 pub fn outline(glyph: GlyphId, sagitta: f64, edge: &mut dyn FnMut((f64, f64), (f64, f64))) {

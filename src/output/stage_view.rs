@@ -1,6 +1,7 @@
 //! What outputs are made from: a solved stage, borrowed, with what its files say of the case that it belongs to.
 
 use super::chart::COLORS;
+use super::{Captions, Pictures};
 use crate::assess::{self, Finding, Kind, sentences};
 use crate::case::Solution;
 use crate::forming_limit::{Assessment, assess};
@@ -33,8 +34,8 @@ pub struct StageView<'a> {
     pub stage: &'a StageSolution,
     /// Time that the solution of the whole case took, where a clock was at hand.
     pub wall: Option<Duration>,
-    /// Whether charts say by themselves what a page has above all of them: title, settings, warnings and assumptions.
-    pub captions: bool,
+    /// How its pictures are made, and how much they say by themselves.
+    pub pictures: Pictures,
     assessment: OnceLock<Option<Assessment>>,
 }
 
@@ -67,7 +68,7 @@ impl<'a> StageView<'a> {
             findings: Vec::new(),
             stage,
             wall: None,
-            captions: true,
+            pictures: Pictures::default(),
             assessment: OnceLock::new(),
         }
     }
@@ -87,7 +88,7 @@ impl<'a> StageView<'a> {
 
     /// The same for a page that has all captions above: charts say only what is their own.
     pub fn without_captions(self) -> Self {
-        Self { captions: false, ..self }
+        Self { pictures: Pictures { captions: Captions::Own, ..self.pictures }, ..self }
     }
 
     /// The model that was solved.
@@ -108,20 +109,28 @@ impl<'a> StageView<'a> {
         self.assessment.get_or_init(assessed).as_ref()
     }
 
-    /// The title of a chart: `Cup: sections`, or `Sections` without captions.
+    /// The title of a chart: `Cup: sections`, or `Sections` where the case's stands above.
     pub(super) fn titled(&self, what: &str) -> String {
-        if self.captions { format!("{}: {what}", self.title) } else { capitalised(what) }
+        match self.pictures.captions {
+            Captions::Own => capitalised(what),
+            _ => format!("{}: {what}", self.title),
+        }
     }
 
-    /// Small print of every plot: why an incomplete stage ended, what was set and warned of, what was assumed.
+    fn says_all(&self) -> bool {
+        self.pictures.captions == Captions::Full
+    }
+
+    /// Small print of every plot: why an incomplete stage ended; where all is to be said also what was set and warned of, and
+    /// what was assumed.
     pub(super) fn notes(&self) -> Vec<String> {
         let stop = &self.stage.stop;
         let mut notes: Vec<String> =
             (!stop.is_complete()).then(|| format!("Stopped early: {stop}.")).into_iter().collect();
-        if self.captions && !self.overrides.is_empty() {
+        if self.says_all() && !self.overrides.is_empty() {
             notes.push(format!("Set on the command line: {}.", self.overrides.join(", ")));
         }
-        if self.captions {
+        if self.says_all() {
             notes.extend(sentences(&self.findings, Kind::Warning).into_iter().map(|w| format!("Warning: {w}.")));
         }
         notes.extend(self.assumptions());
@@ -130,7 +139,7 @@ impl<'a> StageView<'a> {
 
     /// The declared assumptions, as far as charts say them.
     pub(super) fn assumptions(&self) -> impl Iterator<Item = String> {
-        self.declared.iter().filter(|_| self.captions).cloned()
+        self.declared.iter().filter(|_| self.says_all()).cloned()
     }
 
     /// As [`Self::notes`], after a word on frames that a plot leaves out.

@@ -28,7 +28,7 @@ pub(super) fn sections(report: &Report, form: Form) -> Vec<Section> {
 pub(super) fn plot(view: &StageView, file: &str) -> Option<Picture> {
     let output = OUTPUTS.iter().find(|output| output.file == file)?;
     let Make::Plot(make) = output.make else { return None };
-    let name = output.file.trim_end_matches(".png").to_owned();
+    let name = output.stem().to_owned();
     Some(Picture { name, caption: output.about.to_owned(), chart: make(view)? })
 }
 

@@ -1,6 +1,7 @@
 //! Letters: sizes, widths and line breaks.
 
 use crate::output::font;
+use plotters::style::text_anchor::HPos;
 
 pub(super) const TITLE: f64 = 21.0;
 /// Axes.
@@ -55,6 +56,15 @@ fn pieces(word: &str, size: f64, width: f64) -> Vec<String> {
         }
     }
     pieces
+}
+
+/// Where a line of text begins from the place that it is anchored at \[em\].
+pub(super) fn start(text: &str, anchor: HPos) -> f64 {
+    match anchor {
+        HPos::Left => 0.0,
+        HPos::Center => -0.5 * font::width(text),
+        HPos::Right => -font::width(text),
+    }
 }
 
 pub(super) fn text_width(text: &str, size: f64) -> f64 {

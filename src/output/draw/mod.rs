@@ -25,14 +25,22 @@ use super::pdf::Pdf;
 pub(super) use drawing::Drawing;
 #[cfg(test)]
 pub(super) use mark::Mark;
+pub(super) use mark::WIDTH;
 pub(super) use palette::Palette;
 
 /// The picture as a standalone SVG, 800 px wide.
 pub fn svg(chart: &Chart) -> String {
-    svg::svg(&Drawing::of(chart))
+    Drawing::of(chart, WIDTH).svg(None)
 }
 
-/// The picture as a page of its own, in a PDF file, this wide \[pt\].
-pub fn pdf(chart: &Chart, width: f64) -> Vec<u8> {
-    Pdf { title: chart.title.clone(), pages: vec![pdf::page(&Drawing::of(chart), width)], ..Pdf::default() }.bytes()
+impl Drawing {
+    /// A standalone SVG, so wide on paper \[mm\], or as wide as it is laid out \[px\].
+    pub(super) fn svg(&self, paper: Option<f64>) -> String {
+        svg::svg(self, paper)
+    }
+
+    /// A PDF file with a page of this width \[pt\], which the drawing fills.
+    pub(super) fn pdf(&self, title: &str, width: f64) -> Vec<u8> {
+        Pdf { title: title.to_owned(), pages: vec![pdf::page(self, width)], ..Pdf::default() }.bytes()
+    }
 }

@@ -1,16 +1,15 @@
 //! Marks on a page of a PDF file.
 
 use super::drawing::Drawing;
-use super::mark::{Mark, WIDTH};
+use super::letters::start;
+use super::mark::Mark;
 use super::stroke::circle;
 use crate::output::chart::WHITE;
-use crate::output::font::width as width_of;
 use crate::output::pdf::{Letters, Page};
-use plotters::style::text_anchor::HPos;
 
 /// The drawing on a page of its own, this wide \[pt\].
 pub(super) fn page(drawing: &Drawing, width: f64) -> Page {
-    let mut page = Page::new(width, drawing.height * width / WIDTH);
+    let mut page = Page::new(width, drawing.height * width / drawing.width);
     drawing.onto(&mut page, (0.0, 0.0), width);
     page
 }
@@ -18,7 +17,7 @@ pub(super) fn page(drawing: &Drawing, width: f64) -> Page {
 impl Drawing {
     /// Draws on a page with the upper left corner at a point, in this width \[pt\].
     pub(crate) fn onto(&self, page: &mut Page, at: (f64, f64), width: f64) {
-        page.within(at, width / WIDTH, |page| self.marks.iter().for_each(|mark| draw(mark, page)));
+        page.within(at, width / self.width, |page| self.marks.iter().for_each(|mark| draw(mark, page)));
     }
 }
 
@@ -33,13 +32,8 @@ fn draw(mark: &Mark, page: &mut Page) {
             page.lines([around.as_slice()], *color, *width);
         }
         Mark::Text { text, size, color, at, anchor, turned } => {
-            let before = match anchor {
-                HPos::Left => 0.0,
-                HPos::Center => 0.5,
-                HPos::Right => 1.0,
-            } * size
-                * width_of(text);
-            let at = if *turned { (at.0, at.1 + before) } else { (at.0 - before, at.1) };
+            let by = size * start(text, *anchor);
+            let at = if *turned { (at.0, at.1 - by) } else { (at.0 + by, at.1) };
             page.text(text, at, Letters { size: *size, color: *color, bold: false, turned: *turned });
         }
     }

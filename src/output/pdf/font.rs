@@ -1,6 +1,6 @@
 //! The built-in font inside of a PDF file, its letters by the numbers of their glyphs.
 
-use super::{FONT, stream_of};
+use super::{Content, FONT, stream_of};
 use crate::output::font;
 use miniz_oxide::deflate::compress_to_vec_zlib;
 use pdf_writer::types::{CidFontType, FontFlags, SystemInfo, UnicodeCmap};
@@ -11,9 +11,21 @@ const SYSTEM: SystemInfo = SystemInfo { registry: Str(b"Adobe"), ordering: Str(b
 /// Units of a font in a PDF file over its em.
 const EM: f64 = 1000.0;
 
-/// The text as bytes that show it: two for each letter.
-pub(super) fn encoded(text: &str) -> Vec<u8> {
-    text.chars().flat_map(|letter| font::glyph(letter).0.0.to_be_bytes()).collect()
+/// Shows a text, two bytes for each letter. Letters that follow each other as the font has it go together; accents that are
+/// letters of their own are moved to where they belong.
+pub(super) fn show(text: &str, content: &mut Content) {
+    let mut line = content.show_positioned();
+    let mut items = line.items();
+    let (mut together, mut end) = (Vec::new(), 0.0);
+    for (letter, glyph, at) in font::placed(text) {
+        if at != end {
+            items.show(Str(&together)).adjust((EM * (end - at)) as f32);
+            together.clear();
+        }
+        together.extend(glyph.0.to_be_bytes());
+        end = at + font::glyph(letter).1;
+    }
+    items.show(Str(&together));
 }
 
 /// Writes the font as object `id`, what it consists of as the `next` ones.

@@ -1,9 +1,8 @@
 //! A page as it is drawn.
 
-use super::font::encoded;
+use super::font::show;
 use super::{Content, FONT};
 use crate::output::chart::Color;
-use pdf_writer::Str;
 use pdf_writer::types::{LineJoinStyle, TextRenderingMode};
 
 /// Strokes of bold letters are so much wider \[em\].
@@ -66,13 +65,9 @@ impl Page {
         let [x, y] = [at.0, at.1].map(rounded);
         let mode = if bold { TextRenderingMode::FillStroke } else { TextRenderingMode::Fill };
         let matrix = if turned { [0.0, -1.0, -1.0, 0.0, x, y] } else { [1.0, 0.0, 0.0, -1.0, x, y] };
-        self.content
-            .begin_text()
-            .set_font(FONT, size as f32)
-            .set_text_rendering_mode(mode)
-            .set_text_matrix(matrix)
-            .show(Str(&encoded(text)))
-            .end_text();
+        self.content.begin_text().set_font(FONT, size as f32).set_text_rendering_mode(mode).set_text_matrix(matrix);
+        show(text, &mut self.content);
+        self.content.end_text();
     }
 
     /// The inside of an outline.
