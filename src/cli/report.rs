@@ -11,16 +11,17 @@ use clap::ValueEnum;
 use serde_json::json;
 use stampflow::files::{Disk, Files};
 use stampflow::output::{can_write, remove_others, write};
-use stampflow::report::{MARKER, Report, figure_folder, html, is_figure, markdown};
+use stampflow::report::{MARKER, Report, figure_folder, html, is_figure, markdown, pdf};
 use std::path::{Path, PathBuf};
 
 pub const HELP: &str = "\
-The HTML file holds its pictures and needs nothing else; a browser prints it to PDF (A4). Markdown comes with its pictures
-as SVG files in a folder beside it, report_figures. A report of an earlier run is replaced; any other file is left alone.
+The HTML file holds its pictures and needs nothing else. The PDF file has A4 pages with numbers and contents. Markdown comes
+with its pictures as SVG files in a folder beside it, report_figures. A report of an earlier run is replaced; any other file is left alone.
 
 Examples:
   stampflow report cases/quickstart.toml
   stampflow report cases/hat_springback.toml -o hat.html --set tools.punch.friction=0.1
+  stampflow report cases/quickstart.toml -o cup.pdf --part Cup --number 4711 --revision B --author Ito
   stampflow report cases/quickstart.toml -o cup.md
   stampflow report cases/quickstart.toml --json
 
@@ -54,15 +55,26 @@ pub struct Args {
 enum Format {
     Html,
     Md,
+    Pdf,
+}
+
+impl Format {
+    /// The file's name where none is given.
+    fn name(self) -> &'static str {
+        match self {
+            Self::Html => "report.html",
+            Self::Md => "report.md",
+            Self::Pdf => "report.pdf",
+        }
+    }
 }
 
 pub fn report(args: &Args) -> anyhow::Result<Code> {
     let case = job::load(&args.case, &args.overrides.set)?;
     let format = args.format()?;
-    let name = if format == Format::Md { "report.md" } else { "report.html" };
     let path = match &args.output {
         Some(path) => path.clone(),
-        None => place::folder(Path::new("out"), &case)?.join(name),
+        None => place::folder(Path::new("out"), &case)?.join(format.name()),
     };
     if !args.force {
         refuse_others(&path, format)?;
@@ -95,8 +107,9 @@ pub fn report(args: &Args) -> anyhow::Result<Code> {
 fn save(report: &Report, path: &Path, format: Format) -> anyhow::Result<Vec<PathBuf>> {
     let document = report.document();
     let mut files = Vec::new();
-    let text = match format {
-        Format::Html => html(&document),
+    let bytes = match format {
+        Format::Html => html(&document).into_bytes(),
+        Format::Pdf => pdf(&document),
         Format::Md => {
             let folder = figure_folder(path);
             let name = folder.file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned());
@@ -107,10 +120,10 @@ fn save(report: &Report, path: &Path, format: Format) -> anyhow::Result<Vec<Path
                 files.push(file);
             }
             remove_others(&folder, &files, is_figure)?;
-            text
+            text.into_bytes()
         }
     };
-    write(path, text.as_bytes())?;
+    write(path, &bytes)?;
     files.insert(0, path.to_owned());
     Ok(files)
 }
@@ -146,9 +159,9 @@ impl Args {
             (Some(format), _) => Ok(format),
             (None, None | Some("html" | "htm")) => Ok(Format::Html),
             (None, Some("md" | "markdown")) => Ok(Format::Md),
+            (None, Some("pdf")) => Ok(Format::Pdf),
             (None, Some(other)) => Err(BadRequest(format!(
-                "a report is no .{other} file: write -o NAME.html and print that to PDF from a browser, or -o NAME.md; \
-                 --format html or md takes any name"
+                "a report is no .{other} file: write -o NAME.html, NAME.pdf or NAME.md; --format takes any name"
             ))),
         }
     }

@@ -6,6 +6,7 @@ use super::results::plot;
 use super::solved::Report;
 use crate::assess::{Finding, Light, headline, judgements};
 use crate::message::Form;
+use crate::output::chart::Scale;
 
 /// More rows than that leave no room for the pictures on the first page: the full verdict has them all.
 const ISSUES: usize = 5;
@@ -14,6 +15,9 @@ const ISSUES: usize = 5;
 /// part, coloured, and the load.
 const PICTURES: [&[&str]; 2] =
     [&["part.png", "shapes.png", "springback.png"], &["load_travel.png", "pressure_cycle.png"]];
+
+/// Largest height of curves on the first page \[px of a picture 800 wide\].
+const CURVES: f64 = 230.0;
 
 /// The verdict's sentence, what is red and amber, the numbers that are asked for first, the part and the load.
 pub(super) fn blocks(report: &Report, form: Form) -> Vec<Block> {
@@ -50,6 +54,16 @@ pub(super) fn pictures<'a>(report: &'a Report) -> impl Iterator<Item = (usize, &
     let stages = [report.stages.len().checked_sub(1), report.answers.heaviest];
     PICTURES.iter().zip(stages).filter_map(|(files, stage)| {
         let view = &report.stages.get(stage?)?.0;
-        files.iter().find_map(|file| Some((stage?, *file, plot(view, file)?)))
+        files.iter().find_map(|file| Some((stage?, *file, low(plot(view, file)?))))
     })
+}
+
+/// The picture with curves no higher than there is room for.
+fn low(mut picture: Picture) -> Picture {
+    for panel in &mut picture.chart.panels {
+        if let Scale::Fit { height, .. } = &mut panel.scale {
+            *height = height.min(CURVES);
+        }
+    }
+    picture
 }

@@ -10,6 +10,7 @@ mod front;
 mod html;
 mod inputs;
 mod markdown;
+mod pdf;
 mod program;
 mod results;
 mod sketch;
@@ -21,6 +22,7 @@ mod verdict;
 pub use document::{Block, Document, Issue, KeyNumber, Picture, Row, Section};
 pub use html::html;
 pub use markdown::{figure_folder, is_figure, markdown};
+pub use pdf::pdf;
 pub use program::MARKER;
 pub use solved::Report;
 
