@@ -1,6 +1,7 @@
 //! Whether the sheet is bent over radii that a thin shell follows.
 
 use super::{Finding, Light, run::Run};
+use crate::message::{Amount, message};
 use crate::model::{Model, Theory, Tool};
 use crate::rules::design::{SHARP, THIN, bent_strength};
 use crate::table::Unit;
@@ -44,14 +45,19 @@ pub(super) fn judge(run: &Run) -> Option<Finding> {
         r if r < THIN => Light::Amber,
         _ => Light::Green,
     };
-    let found = format!("{ratio:.2} thicknesses at the sharpest");
+    let found = message!("{radius} thicknesses at the sharpest", radius = Amount::ratio(ratio));
     Some(
         Finding::judged("bend_radius", "Bending radius", light, found)
             .against(
                 ratio,
                 Unit::None,
-                format!("{THIN} thicknesses at least, refused below {SHARP}: thin-shell theory"),
+                message!(
+                    "{thin} thicknesses at least, refused below {sharp}: thin-shell theory",
+                    thin = Amount::number(THIN),
+                    sharp = Amount::number(SHARP)
+                ),
             )
+            .at_least(THIN, SHARP)
             .advice(ADVICE),
     )
 }

@@ -4,7 +4,8 @@ mod stages;
 
 use super::{Kind, before, sentences};
 use crate::case::Case;
-use crate::model::{Face, Geometry, Model, Motion, Pressure, Role, Theory, Tool};
+use crate::message::Message;
+use crate::model::{Extent, Face, Geometry, Model, Motion, Pressure, Role, Theory, Tool};
 use crate::rules::design::LIMITING_RATIO;
 use crate::rules::estimate;
 use crate::rules::tool_sizes::{across, extent, mouth, throat, widens};
@@ -32,9 +33,9 @@ pub struct Check {
     /// The case in numbers, in the order of telling.
     pub lines: Vec<Line>,
     /// What should be known before the result is trusted; the case can be solved all the same.
-    pub warnings: Vec<String>,
+    pub warnings: Vec<Message>,
     /// Declared assumptions, and what was assumed while reading.
-    pub notes: Vec<String>,
+    pub notes: Vec<Message>,
 }
 
 /// Looks a case over without solving it.
@@ -59,7 +60,7 @@ pub fn report(case: &Case) -> Check {
     });
     lines.extend(compare);
     let findings = before(case);
-    let notes = model.notes.iter().cloned().chain(sentences(&findings, Kind::Assumption)).collect();
+    let notes = model.notes.iter().cloned().map(Message::from).chain(sentences(&findings, Kind::Assumption)).collect();
     Check { title: model.title.clone(), lines, warnings: sentences(&findings, Kind::Warning), notes }
 }
 
@@ -71,15 +72,13 @@ fn blank(model: &Model, lines: &mut Vec<Line>) {
     let blank = &model.blank;
     let (geometry, size) = match model.geometry {
         Geometry::Axisymmetric => ("axisymmetric", format!("mm radius, {} mm diameter", mm(2.0 * blank.length))),
-        Geometry::PlaneStrain => ("plane strain, one half per mm of depth", "mm half length".to_owned()),
+        Geometry::PlaneStrain => ("plane strain", format!("mm half length, {} mm in all", mm(2.0 * blank.length))),
     };
-    lines.push(line("geometry", geometry, ""));
+    lines.push(line("geometry", geometry, model.extent().described()));
     lines.push(line("blank", mm(blank.length), size));
     lines.push(line("thickness", mm(blank.thickness), "mm"));
-    let (volume, unit) = match model.geometry {
-        Geometry::Axisymmetric => (model.geometry.area(blank.length) * blank.thickness, "mm³"),
-        Geometry::PlaneStrain => (blank.length * blank.thickness, "mm³ per mm of depth"),
-    };
+    let volume = model.extent().area(blank.length) * blank.thickness;
+    let unit = if model.extent() == Extent::PerDepth { "mm³ per mm of depth" } else { "mm³" };
     lines.push(line("volume", format!("{volume:.0}"), unit));
     let theory = match blank.theory {
         Theory::Bending => format!("bending, {} points through the thickness", blank.layers),
@@ -129,7 +128,8 @@ fn tools(model: &Model, lines: &mut Vec<Line>) {
             let (slowest, fastest) = (speeds().fold(f64::INFINITY, f64::min), speeds().fold(0.0, f64::max));
             format!(" on average, {} to {} mm/s", rounded(slowest), rounded(fastest))
         });
-        lines.push(line("travel", mm(model.travel), format!("mm at {} mm/s{changes}", rounded(model.speed))));
+        let pace = if model.timed { format!(" at {} mm/s{changes}", rounded(model.speed)) } else { String::new() };
+        lines.push(line("travel", mm(model.travel), format!("mm{pace}")));
     }
     for bead in &model.beads {
         let meaning = format!("mm from the axis, restraining {} N/mm, closing {} N/mm", bead.restraining, bead.closing);
@@ -180,7 +180,7 @@ fn corners(tool: &Tool, thickness: f64) -> String {
 }
 
 fn holder(model: &Model, strength: f64, lines: &mut Vec<Line>) {
-    let unit = model.geometry.force_unit();
+    let unit = model.extent().force_unit().symbol();
     let force = match model.tool(Role::Holder).map(|holder| &holder.motion) {
         Some(Motion::Gap(gap)) => {
             let meaning = format!("mm to the die, {:.3} thicknesses: fixed", gap / model.blank.thickness);

@@ -1,8 +1,8 @@
 //! The one way in which the program tells a user what to know.
 
+use crate::message::{Amount, Message, message};
 use crate::table::Unit;
 use serde::{Serialize, Serializer};
-use std::borrow::Cow;
 
 /// How a finding stands to its limit.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
@@ -70,6 +70,27 @@ pub enum Kind {
     Assumption,
 }
 
+/// Where a number turns amber, and where red.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Limits {
+    /// On which side of them a number is good.
+    pub sense: Sense,
+    /// Amber from here on, in the finding's unit.
+    pub amber: Option<f64>,
+    /// Red from here on, in the finding's unit.
+    pub red: Option<f64>,
+}
+
+/// On which side of its limits a number is good.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Sense {
+    /// Not above them.
+    AtMost,
+    /// Not below them.
+    AtLeast,
+}
+
 /// Something that a user should know.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Finding {
@@ -84,14 +105,17 @@ pub struct Finding {
     /// In JSON as at the end of a header: `percent`; empty for plain numbers.
     #[serde(serialize_with = "spelled")]
     pub unit: Unit,
+    /// The limits of the number, in `unit`; `None` where words say them.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub limits: Option<Limits>,
     /// The number or the words, with the unit, and where.
-    pub found: String,
+    pub found: Message,
     /// The limit in words, with its unit.
-    pub limit: String,
+    pub limit: Message,
     /// Where the limit comes from; a declared rule of thumb is called so.
-    pub source: Cow<'static, str>,
+    pub source: Message,
     /// What to change; empty where all is well.
-    pub advice: String,
+    pub advice: Message,
     /// When it can be made.
     pub when: When,
     /// Where it is told.
@@ -112,17 +136,18 @@ pub(super) const ACCURACY: &str = "declared accuracy of the solver";
 const DECLARED: &str = "declared rule of thumb";
 
 impl Finding {
-    fn new(kind: Kind, key: &'static str, label: &'static str, light: Light, found: String) -> Self {
+    fn new(kind: Kind, key: &'static str, label: &'static str, light: Light, found: Message) -> Self {
         Self {
             key,
             label,
             light,
             value: None,
             unit: Unit::None,
+            limits: None,
             found,
-            limit: String::new(),
+            limit: Message::default(),
             source: DECLARED.into(),
-            advice: String::new(),
+            advice: Message::default(),
             when: When::After,
             kind,
             stage: None,
@@ -130,45 +155,55 @@ impl Finding {
     }
 
     /// A row of the verdict.
-    pub(super) fn judged(key: &'static str, label: &'static str, light: Light, found: impl Into<String>) -> Self {
+    pub(super) fn judged(key: &'static str, label: &'static str, light: Light, found: impl Into<Message>) -> Self {
         Self::new(Kind::Judgement, key, label, light, found.into())
     }
 
     /// A warning; with [`Self::advice`] its sentence is `found: advice`.
-    pub(super) fn warning(key: &'static str, label: &'static str, found: impl Into<String>) -> Self {
+    pub(super) fn warning(key: &'static str, label: &'static str, found: impl Into<Message>) -> Self {
         Self::new(Kind::Warning, key, label, Light::Amber, found.into())
     }
 
     /// What was assumed while a case was read.
     pub(super) fn assumption(found: &str) -> Self {
         let limit = "what the case says".into();
-        Self { limit, ..Self::new(Kind::Assumption, "assumed", "Assumed", Light::Grey, found.to_owned()) }
+        Self { limit, ..Self::new(Kind::Assumption, "assumed", "Assumed", Light::Grey, found.to_owned().into()) }
     }
 
     /// With its number and the limit that it is held against.
-    pub(super) fn against(self, value: impl Into<Option<f64>>, unit: Unit, limit: impl Into<String>) -> Self {
+    pub(super) fn against(self, value: impl Into<Option<f64>>, unit: Unit, limit: impl Into<Message>) -> Self {
         Self { value: value.into(), unit, ..self }.limit(limit)
     }
 
     /// With a share and its limit, both \[–\], told in percent.
     pub(super) fn share(self, share: f64, limit: f64) -> Self {
-        self.against(100.0 * share, Unit::Percent, format!("{:.0} %", 100.0 * limit))
+        self.against(100.0 * share, Unit::Percent, Amount::share(limit)).at_most(100.0 * limit, None)
+    }
+
+    /// With the numbers, in its unit, above which it turns amber and red.
+    pub(super) fn at_most(self, amber: impl Into<Option<f64>>, red: impl Into<Option<f64>>) -> Self {
+        Self { limits: Some(Limits { sense: Sense::AtMost, amber: amber.into(), red: red.into() }), ..self }
+    }
+
+    /// With the numbers, in its unit, below which it turns amber and red.
+    pub(super) fn at_least(self, amber: impl Into<Option<f64>>, red: impl Into<Option<f64>>) -> Self {
+        Self { limits: Some(Limits { sense: Sense::AtLeast, amber: amber.into(), red: red.into() }), ..self }
     }
 
     /// With its limit, a declared rule of thumb until a source is given.
-    pub(super) fn limit(mut self, limit: impl Into<String>) -> Self {
+    pub(super) fn limit(mut self, limit: impl Into<Message>) -> Self {
         self.limit = limit.into();
         self
     }
 
     /// With the source of its limit.
-    pub(super) fn source(mut self, source: impl Into<Cow<'static, str>>) -> Self {
+    pub(super) fn source(mut self, source: impl Into<Message>) -> Self {
         self.source = source.into();
         self
     }
 
     /// With what to change, unless all is well.
-    pub(super) fn advice(mut self, advice: impl Into<String>) -> Self {
+    pub(super) fn advice(mut self, advice: impl Into<Message>) -> Self {
         if self.light != Light::Green {
             self.advice = advice.into();
         }
@@ -176,8 +211,8 @@ impl Finding {
     }
 
     /// As one sentence: what was found, and of a warning what to change.
-    pub fn sentence(&self) -> String {
-        if self.advice.is_empty() { self.found.clone() } else { format!("{}: {}", self.found, self.advice) }
+    pub fn sentence(&self) -> Message {
+        Message::joined([self.found.clone(), self.advice.clone()], ": ")
     }
 }
 
@@ -187,34 +222,33 @@ pub fn judgements(findings: &[Finding]) -> impl Iterator<Item = &Finding> {
 }
 
 /// The sentences of a kind.
-pub fn sentences(findings: &[Finding], kind: Kind) -> Vec<String> {
+pub fn sentences(findings: &[Finding], kind: Kind) -> Vec<Message> {
     findings.iter().filter(|finding| finding.kind == kind).map(Finding::sentence).collect()
 }
 
 /// One sentence on the verdict, the worst first: `2 amber (Holder, Friction), 1 not judged (Energy), 14 green`.
-pub fn headline(findings: &[Finding]) -> String {
-    let of = |light: Light, word: &str, named: bool| {
-        let labels: Vec<&str> = judgements(findings).filter(|f| f.light == light).map(|f| f.label).collect();
-        let names = if named { format!(" ({})", labels.join(", ")) } else { String::new() };
-        (!labels.is_empty()).then(|| format!("{} {word}{names}", labels.len()))
-    };
-    let parts = [
-        of(Light::Red, "red", true),
-        of(Light::Amber, "amber", true),
-        of(Light::Grey, "not judged", true),
-        of(Light::Green, "green", false),
-    ];
-    parts.into_iter().flatten().collect::<Vec<_>>().join(", ")
+pub fn headline(findings: &[Finding]) -> Message {
+    let of = |light: Light| judgements(findings).filter(move |f| f.light == light);
+    let named = |light: Light| (of(light).count(), Message::joined(of(light).map(|f| f.label.into()), ", "));
+    let parts =
+        [Light::Red, Light::Amber, Light::Grey, Light::Green].into_iter().map(|light| match (light, named(light)) {
+            (_, (0, _)) => Message::default(),
+            (Light::Red, (n, labels)) => message!("{n} red ({labels})", n = n, labels = labels),
+            (Light::Amber, (n, labels)) => message!("{n} amber ({labels})", n = n, labels = labels),
+            (Light::Grey, (n, labels)) => message!("{n} not judged ({labels})", n = n, labels = labels),
+            (Light::Green, (n, _)) => message!("{n} green", n = n),
+        });
+    Message::joined(parts, ", ")
 }
 
 /// The advice of the verdict's rows of a light, rows of one advice together: their labels, and what to change.
-pub fn advice(findings: &[Finding], is: impl Fn(Light) -> bool) -> Vec<(String, &str)> {
-    let mut given: Vec<(String, &str)> = Vec::new();
+pub fn advice(findings: &[Finding], is: impl Fn(Light) -> bool) -> Vec<(Message, &Message)> {
+    let mut given: Vec<(Vec<Message>, &Message)> = Vec::new();
     for finding in judgements(findings).filter(|f| is(f.light) && !f.advice.is_empty()) {
-        match given.iter_mut().find(|(_, advice)| *advice == finding.advice) {
-            Some((labels, _)) => *labels += &format!(", {}", finding.label),
-            None => given.push((finding.label.to_owned(), &finding.advice)),
+        match given.iter_mut().find(|(_, advice)| **advice == finding.advice) {
+            Some((labels, _)) => labels.push(finding.label.into()),
+            None => given.push((vec![finding.label.into()], &finding.advice)),
         }
     }
-    given
+    given.into_iter().map(|(labels, advice)| (Message::joined(labels, ", "), advice)).collect()
 }

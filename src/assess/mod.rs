@@ -39,9 +39,10 @@ mod trim;
 mod wrinkling;
 mod yielding;
 
-pub use finding::{Finding, Kind, Light, When, advice, headline, judgements, sentences};
+pub use finding::{Finding, Kind, Light, Limits, Sense, When, advice, headline, judgements, sentences};
 
 use crate::case::Case;
+use crate::message::Message;
 use crate::model::{Model, Tool};
 use crate::solution::StageSolution;
 use nearest::Nearest;
@@ -152,7 +153,7 @@ pub fn told(before: &[Finding], stages: &[StageSolution]) -> Vec<Vec<Finding>> {
 }
 
 /// What a user should know before trusting a solved stage, as sentences.
-pub fn warnings(stage: &StageSolution) -> Vec<String> {
+pub fn warnings(stage: &StageSolution) -> Vec<Message> {
     sentences(&of_stage(0, stage), Kind::Warning)
 }
 

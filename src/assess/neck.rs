@@ -1,6 +1,7 @@
 //! Whether one place of the sheet takes all the stretching.
 
 use super::{Finding, Light, run::Run, thinning};
+use crate::message::message;
 use crate::solution::neck::neck;
 use crate::solution::{StageSolution, Stop};
 use crate::table::Unit;
@@ -16,7 +17,7 @@ pub(super) fn judge(run: &Run) -> Option<Finding> {
     last.steps.last()?;
     let seen = match &last.stop {
         stop @ (Stop::Localised { .. } | Stop::Coalesced { .. }) => {
-            Some(format!("the run ended by it: {}", stop.kind()))
+            Some(message!("the run ended by it: {kind}", kind = stop.kind()))
         }
         _ => seen(last).map(|finding| finding.found),
     };

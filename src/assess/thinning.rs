@@ -2,6 +2,7 @@
 
 use super::nearest::Nearest;
 use super::{Finding, Light, run::Run};
+use crate::message::{Amount, message};
 use crate::table::Unit;
 
 /// Thinning that a designer looks at twice, and that is refused without a forming limit that allows it \[–\].
@@ -20,15 +21,21 @@ pub(super) fn judge(run: &Run) -> Option<Finding> {
         || run.case.model().material.rate.is_some_and(|r| r.is_superplastic());
     let most = if allowed { f64::INFINITY } else { LIMITS[1] };
     let light = Light::of(thinning, [LIMITS[0], most]);
-    let refused = if allowed {
-        String::new()
+    let limit = if allowed {
+        message!("below {share}", share = Amount::share(LIMITS[0]))
     } else {
-        format!(", at most {:.0} % unless a forming limit is kept", 100.0 * LIMITS[1])
+        message!(
+            "below {share}, at most {most} unless a forming limit is kept",
+            share = Amount::share(LIMITS[0]),
+            most = Amount::share(LIMITS[1])
+        )
     };
-    let found = format!("{:.1} % at s0 = {:.1} mm", 100.0 * thinning, last.thinnest_s0);
+    let found =
+        message!("{thinning} at s0 = {s0}", thinning = Amount::share(thinning), s0 = Amount::place(last.thinnest_s0));
     Some(
         Finding::judged("thinning", "Thinning", light, found)
-            .against(100.0 * thinning, Unit::Percent, format!("below {:.0} %{refused}", 100.0 * LIMITS[0]))
+            .against(100.0 * thinning, Unit::Percent, limit)
+            .at_most(100.0 * LIMITS[0], (!allowed).then_some(100.0 * LIMITS[1]))
             .advice(ADVICE),
     )
 }

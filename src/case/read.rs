@@ -59,6 +59,7 @@ pub fn parse_with(text: &str, name: &str, overrides: &[String], files: &dyn File
     derived.splice(0..0, origin);
     let compare = build::compare(&file, &source, folder)?;
     let press = build::press(&file, &source)?;
+    let springback = build::springback(&file, &source)?;
     let sources = sources::of(&file, &source)?;
     let name = path.file_stem().map_or_else(|| "case".into(), |stem| stem.to_string_lossy().into_owned());
     let overrides = overrides.to_vec();
@@ -70,6 +71,7 @@ pub fn parse_with(text: &str, name: &str, overrides: &[String], files: &dyn File
         compare,
         press,
         title_block: file.report,
+        springback,
         sources,
         derived,
         path,

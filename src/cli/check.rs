@@ -54,7 +54,7 @@ pub fn check(args: &Args) -> anyhow::Result<Code> {
         let mut value = serde_json::to_value(&report)?;
         value["complete"] = json!(complete);
         value["findings"] = judgements(&findings).map(serde_json::to_value).collect::<Result<_, _>>()?;
-        value["run_warnings"] = sentences(&findings, Kind::Warning).into();
+        value["run_warnings"] = serde_json::to_value(sentences(&findings, Kind::Warning))?;
         say_json(&value)?;
     } else {
         say(printed(&report, &findings))?;
@@ -70,7 +70,11 @@ fn printed(report: &Check, findings: &[Finding]) -> Shown {
         |is: fn(Light) -> bool| advice(findings, is).into_iter().map(|(labels, advice)| format!("{labels}: {advice}"));
     list(&mut text, "what to change", told(|light| light != Light::Grey));
     list(&mut text, "not judged", told(|light| light == Light::Grey));
-    list(&mut text, "warnings of the run", sentences(findings, Kind::Warning).into_iter());
+    list(
+        &mut text,
+        "warnings of the run",
+        sentences(findings, Kind::Warning).into_iter().map(|message| message.to_string()),
+    );
     wrapped(&format!("{report}\n")) + table(Some(headers), rows, 1) + wrapped(&text)
 }
 
@@ -93,5 +97,5 @@ fn row(finding: &Finding) -> ([String; 4], Tone) {
         Light::Red => Tone::Bad,
     };
     let limit = format!("{} ({})", finding.limit, finding.source);
-    ([finding.label.to_owned(), finding.light.name().to_owned(), finding.found.clone(), limit], tone)
+    ([finding.label.to_owned(), finding.light.name().to_owned(), finding.found.to_string(), limit], tone)
 }

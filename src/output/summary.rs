@@ -11,9 +11,10 @@ use super::StageView;
 use super::stage_view::ended;
 use crate::assess::{Kind, sentences};
 use crate::measure::{Change, moment_error};
-use crate::model::{Geometry, Mode};
+use crate::message::Message;
+use crate::model::{Extent, Geometry, Mode};
 use crate::solution::{StageSolution, StepRecord, Stop};
-use crate::table::{Unit, force_unit};
+use crate::table::Unit;
 use sha2::{Digest, Sha256};
 
 /// What a line of the summary is about.
@@ -48,7 +49,7 @@ enum Value {
     Count(usize),
     Flag(bool),
     Text(String),
-    List(Vec<String>),
+    List(Vec<Message>),
     Changes(Vec<Change>),
 }
 
@@ -85,7 +86,7 @@ impl Summary {
         let mut summary = Self { entries: Vec::new(), group: Group::Case };
         summary.text("case", "Case", &view.name);
         summary.text("title", "Title", view.title);
-        summary.text("section", "Section", section_of(model.geometry));
+        summary.text("section", "Section", &section_of(model.extent()));
         summary.group = Group::Part;
         summary.text("hardening", "Hardening", &model.material.describe());
         let ended = match &run.stop {
@@ -126,7 +127,7 @@ impl Summary {
         summary.group = Group::Part;
         let ironing = largest(|s| s.ironing);
         if ironing > 0.0 {
-            let force = force_unit(model.geometry);
+            let force = model.extent().force_unit();
             summary.number("ironing", "Ironing: reduction of the thickness", Unit::Percent, 100.0 * ironing);
             summary.number("ironing_force", "Largest ironing force of the die", force, largest(|s| s.ironing_force));
             summary.number("ironing_friction", "Largest friction in it", force, largest(|s| s.ironing_friction));
@@ -142,12 +143,12 @@ impl Summary {
         summary.text("program", "", concat!(env!("CARGO_PKG_NAME"), " ", env!("CARGO_PKG_VERSION")));
         summary.text("case_sha256", "", &sha256(view.case_text));
         summary.group = Group::Case;
-        summary.list("overrides", "Set on the command line", view.overrides);
-        summary.list("derived", "Assumed while reading", &sentences(&view.findings, Kind::Assumption));
+        summary.list("overrides", "Set on the command line", plain(view.overrides));
+        summary.list("derived", "Assumed while reading", sentences(&view.findings, Kind::Assumption));
         summary.group = Group::Warnings;
-        summary.list("warnings", "Warnings", &sentences(&view.findings, Kind::Warning));
+        summary.list("warnings", "Warnings", sentences(&view.findings, Kind::Warning));
         summary.group = Group::Case;
-        summary.list("notes", "Declared assumptions", view.declared);
+        summary.list("notes", "Declared assumptions", plain(view.declared));
         summary
     }
 
@@ -167,9 +168,14 @@ impl Summary {
         self.push(key, label, Unit::None, Value::Text(value.to_owned()));
     }
 
-    fn list(&mut self, key: &'static str, label: &'static str, values: &[String]) {
-        self.push(key, label, Unit::None, Value::List(values.to_vec()));
+    fn list(&mut self, key: &'static str, label: &'static str, values: Vec<Message>) {
+        self.push(key, label, Unit::None, Value::List(values));
     }
+}
+
+/// Texts of the user.
+fn plain(texts: &[String]) -> Vec<Message> {
+    texts.iter().cloned().map(Message::from).collect()
 }
 
 /// What a stage without a step leaves: the sheet that it began with, or the blank where it has not begun.
@@ -206,11 +212,12 @@ pub(super) fn json(view: &StageView) -> Option<String> {
 }
 
 /// What is modelled, and what its forces are of.
-pub fn section_of(geometry: Geometry) -> &'static str {
-    match geometry {
-        Geometry::Axisymmetric => "axisymmetric; forces of the whole ring",
-        Geometry::PlaneStrain => "plane strain; forces per mm of depth, of the half that is modelled",
-    }
+pub fn section_of(extent: Extent) -> String {
+    let section = match extent.geometry() {
+        Geometry::Axisymmetric => "axisymmetric",
+        Geometry::PlaneStrain => "plane strain",
+    };
+    format!("{section}; {}", extent.described())
 }
 
 /// Checksum of a text in hexadecimal.

@@ -6,7 +6,6 @@ use crate::measure::part_height;
 use crate::message::{Amount, Form, Message, message};
 use crate::model::Role;
 use crate::solution::{StageSolution, StepRecord};
-use crate::table::force_unit;
 
 /// Five numbers of a solved case, in the order of telling.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -77,5 +76,5 @@ fn force(stage: &StageSolution, force: f64, step: &StepRecord) -> (Amount, Messa
     } else {
         message!("after {time}", time = Amount::time(step.time))
     };
-    (Amount::force(force, force_unit(stage.model.geometry)), at)
+    (Amount::force(force, stage.model.extent().force_unit()), at)
 }

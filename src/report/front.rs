@@ -5,7 +5,7 @@ use super::document::{Block, Issue, Picture};
 use super::results::plot;
 use super::solved::Report;
 use crate::assess::{Finding, Light, headline, judgements};
-use crate::message::Form;
+use crate::message::{Form, Message};
 use crate::output::chart::Scale;
 
 /// More rows than that leave no room for the pictures on the first page: the full verdict has them all.
@@ -22,8 +22,8 @@ const CURVES: f64 = 230.0;
 /// The verdict's sentence, what is red and amber, the numbers that are asked for first, the part and the load.
 pub(super) fn blocks(report: &Report, form: Form) -> Vec<Block> {
     let worst = judgements(&report.findings).map(|finding| finding.light).max().unwrap_or(Light::Grey);
-    let mut blocks = vec![Block::Sentence(worst, format!("{}.", headline(&report.findings)))];
-    let (issues, left) = issues(&report.findings);
+    let mut blocks = vec![Block::Sentence(worst, format!("{}.", headline(&report.findings).told(form)))];
+    let (issues, left) = issues(&report.findings, form);
     if !issues.is_empty() {
         blocks.push(Block::Issues(issues));
     }
@@ -36,15 +36,15 @@ pub(super) fn blocks(report: &Report, form: Form) -> Vec<Block> {
 }
 
 /// Reds, then ambers, as many as there is room for; and how many more there are.
-fn issues(findings: &[Finding]) -> (Vec<Issue>, usize) {
+fn issues(findings: &[Finding], form: Form) -> (Vec<Issue>, usize) {
     let of = |light| judgements(findings).filter(move |finding| finding.light == light);
     let all: Vec<&Finding> = of(Light::Red).chain(of(Light::Amber)).collect();
     let shown = all.iter().take(ISSUES).map(|finding| Issue {
         light: finding.light,
-        label: finding.label.to_string(),
-        found: finding.found.to_string(),
-        limit: finding.limit.to_string(),
-        advice: finding.advice.to_string(),
+        label: Message::from(finding.label).told(form),
+        found: finding.found.told(form),
+        limit: finding.limit.told(form),
+        advice: finding.advice.told(form),
     });
     (shown.collect(), all.len().saturating_sub(ISSUES))
 }

@@ -34,14 +34,14 @@ impl Report<'_> {
         let form = Form::default();
         let model = self.solution.case.model();
         let mut sections = vec![
-            verdict::section(&self.findings),
+            verdict::section(&self.findings, form),
             sketch::section(model, &self.dimensions, form),
             inputs::section(&self.check),
         ];
         sections.extend(results::sections(self, form));
         sections.extend([
-            inputs::assumptions(&self.check),
-            solver::warnings(self),
+            inputs::assumptions(&self.check, form),
+            solver::warnings(self, form),
             solver::section(self, form),
             title::section(self),
         ]);

@@ -29,10 +29,10 @@ pub(super) fn figures(summary: &Summary, form: Form, is_wanted: fn(Group) -> boo
 }
 
 /// What the check says before and the solver after the run.
-pub(super) fn warnings(report: &Report) -> Section {
+pub(super) fn warnings(report: &Report, form: Form) -> Section {
     let warnings = report.findings.iter().filter(|finding| finding.kind == Kind::Warning);
     let stage = |i: Option<usize>| i.map_or(String::new(), |i| report.stage(i));
-    let all: Vec<String> = warnings.map(|finding| stage(finding.stage) + &finding.sentence().to_string()).collect();
+    let all: Vec<String> = warnings.map(|finding| stage(finding.stage) + &finding.sentence().told(form)).collect();
     let none = || Block::Paragraph("None.".into());
     let block = if all.is_empty() { none() } else { Block::List(all) };
     Section { heading: "Warnings".into(), blocks: vec![block] }

@@ -2,20 +2,21 @@
 
 use super::document::{Block, Row, Section, word};
 use crate::assess::{Finding, Light, judgements};
+use crate::message::{Form, Message};
 
 /// In this order, each in the order of telling.
 const ORDER: [Light; 4] = [Light::Red, Light::Amber, Light::Grey, Light::Green];
 
-pub(super) fn section(findings: &[Finding]) -> Section {
+pub(super) fn section(findings: &[Finding], form: Form) -> Section {
     let of = |light| judgements(findings).filter(move |finding| finding.light == light);
     let rows = ORDER.into_iter().flat_map(of).map(|finding| Row {
         light: Some(finding.light),
         ..Row::plain([
             word(finding.light).to_owned(),
-            finding.label.to_string(),
-            finding.found.to_string(),
-            format!("{} ({})", finding.limit, finding.source),
-            finding.advice.to_string(),
+            Message::from(finding.label).told(form),
+            finding.found.told(form),
+            format!("{} ({})", finding.limit.told(form), finding.source.told(form)),
+            finding.advice.told(form),
         ])
     });
     let head = vec!["Light", "Question", "Found", "Limit (source)", "What to change"];

@@ -43,10 +43,14 @@ fn every_doubt_has_its_warning() {
     ];
     for (overrides, wanted) in doubts {
         let check = report(&quickstart(overrides));
-        assert!(check.warnings.iter().any(|w| w.contains(wanted)), "{overrides:?}: {:?}", check.warnings);
+        assert!(check.warnings.iter().any(|w| w.to_string().contains(wanted)), "{overrides:?}: {:?}", check.warnings);
     }
     let weak = report(&quickstart(&["material.hardening.swift.k=520 kPa"]));
-    assert!(!weak.warnings.iter().any(|w| w.contains("its force")), "the holder is not to blame: {:?}", weak.warnings);
+    assert!(
+        !weak.warnings.iter().any(|w| w.to_string().contains("its force")),
+        "the holder is not to blame: {:?}",
+        weak.warnings
+    );
 }
 
 #[test]

@@ -1,7 +1,7 @@
 //! What is measured and drawn of single frames: legs of solved sheets, stress through the thickness, spring-back.
 
 use crate::common::{pixels::pixels, shipped};
-use stampflow::measure::{Shape, moment_error, places};
+use stampflow::measure::{Band, Shape, Stretch, bands, moment_error, place_on_part, places};
 use stampflow::model::{Geometry, Model, Release};
 use stampflow::output::{OUTPUTS, StageView, residual_stress, springback, write};
 use stampflow::solution::{Frame, StageSolution};
@@ -192,4 +192,69 @@ fn sample_for_looking() {
         written(&release(&model, before, before), "residual", &dir);
         println!("{name}: {:?} {:#?}", moment_error(before), Shape::of(before));
     }
+}
+
+fn names(bands: &[Stretch]) -> Vec<Band> {
+    bands.iter().map(|stretch| stretch.band).collect()
+}
+
+/// Trust: the cup's bottom ends at the centre of the punch's nose (r = 24 mm), and the sheet's middle, half a thickness off
+/// nose and shoulder, wraps round both by what the wall's tangent leaves of 90°. A border is half-way between two nodes,
+/// and contact ends a node early or late: within two elements of 0.7 mm.
+#[test]
+fn the_bands_of_a_cup_are_where_its_tools_are() {
+    let stage = shipped::solve(&shipped::shipped("quickstart", &[]));
+    let cup = bands(&stage);
+    assert_eq!(names(&cup), [Band::Bottom, Band::PunchRadius, Band::Wall, Band::DieRadius, Band::Flange]);
+    let wall = Shape::of(stage.frames.last().expect("a frame")).wall_angle().expect("a wall");
+    let wrapped = 6.5 * (90.0 - wall).to_radians();
+    assert!((cup[0].along[1] - 24.0).abs() < 1.4, "{cup:?}");
+    for radius in [&cup[1], &cup[3]] {
+        let length = radius.along[1] - radius.along[0];
+        assert!((length - wrapped).abs() < 1.4, "{radius:?} for {wrapped} mm");
+    }
+    // They follow each other and hold every element once.
+    assert_eq!((cup[0].along[0], cup[0].elements.start), (0.0, 0));
+    assert!(cup.windows(2).all(|pair| pair[0].along[1] == pair[1].along[0]));
+    assert!(cup.windows(2).all(|pair| pair[0].elements.end == pair[1].elements.start));
+    assert_eq!(cup[4].elements.end, stage.model.blank.elements);
+}
+
+/// Trust: by hand, from what the cases draw: a punch that is round from the axis on, a free bulge, a box of superplastic
+/// sheet, a strip.
+#[test]
+fn bands_are_named_by_the_tools_that_made_them() {
+    for (case, expected) in [
+        ("osu_stretch", &[Band::Dome, Band::Unsupported, Band::DieRadius][..]),
+        ("bulge", &[Band::Dome, Band::DieRadius]),
+        ("superplastic_box", &[Band::Bottom, Band::DieCorner, Band::Wall, Band::DieRadius, Band::Flange]),
+        ("strip_draw", &[Band::Bottom, Band::PunchRadius, Band::Wall, Band::DieRadius, Band::Flange]),
+    ] {
+        assert_eq!(names(&bands(&shipped::solve(&shipped::shipped(case, &[])))), expected, "{case}");
+    }
+}
+
+/// Taking the tools away moves no place of the sheet into another band.
+#[test]
+fn a_part_keeps_its_bands_when_its_tools_are_gone() {
+    for case in ["hat_springback", "stages_cup"] {
+        let solution = shipped::shipped_case(case, &[]).solve(&mut ());
+        let [formed, freed] = [0, 1].map(|stage| bands(&solution.stages[stage]));
+        assert_eq!(names(&formed), names(&freed), "{case}");
+        assert!(formed.iter().zip(&freed).all(|(a, b)| a.elements == b.elements), "{case}");
+    }
+}
+
+#[test]
+fn a_place_is_told_with_the_band_beside_it() {
+    let stage = shipped::solve(&shipped::shipped("quickstart", &[]));
+    let cup = bands(&stage);
+    let at = |element: usize| {
+        let s0 = stage.frames.last().expect("a frame").elements[element].s0;
+        place_on_part(&stage, s0).expect("a place")
+    };
+    assert_eq!(at(0).to_string(), "in the bottom");
+    let above = at(cup[2].elements.start);
+    assert_eq!(above.to_string(), "in the wall, next to the punch radius");
+    assert!(above.along > cup[2].along[0] && above.r > 24.0 && above.height > 0.0, "{above:?}");
 }

@@ -142,8 +142,8 @@ fn the_summary_says_the_same_in_print_and_in_json() {
     assert_eq!(json["case_sha256"].as_str().unwrap().len(), 64);
     let warnings = assess::warnings(&run);
     assert_eq!(warnings.len(), 1, "a tool that penetrates: {warnings:?}");
-    for line in model.notes.iter().chain(&warnings) {
-        assert!(printed.contains(line));
+    for line in model.notes.iter().cloned().chain(warnings.iter().map(ToString::to_string)) {
+        assert!(printed.contains(&line));
         assert!(json["notes"].to_string().contains(&line[..20]) || json["warnings"].to_string().contains(&line[..20]));
     }
 }
@@ -289,7 +289,7 @@ fn a_holder_that_the_sheet_has_left_stays_where_it_last_touched() {
     let column = load_travel::table(&run).column("holder_move").values.clone();
     assert_eq!(column[lost..], vec![stands; after.len()]);
     let warnings = assess::warnings(&run);
-    assert!(warnings.iter().any(|w| w.contains("the sheet left the holder at 30.5")), "{warnings:?}");
+    assert!(warnings.iter().any(|w| w.to_string().contains("the sheet left the holder at 30.5")), "{warnings:?}");
 }
 
 /// Trust: the template's own height, to the 3 % that its test asks for; energies are the run's in N mm, a thousandth of

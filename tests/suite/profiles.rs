@@ -76,7 +76,7 @@ fn chords_of_a_punch_are_the_punch() {
         assert!(case.derived.iter().any(|line| line.contains("punch.csv: 33 points")), "{:?}", case.derived);
         assert!(case.derived.iter().any(|line| line.contains("rounded off by tangent arcs")), "{:?}", case.derived);
         let check = check::report(&case);
-        assert!(check.warnings.iter().all(|w| w.contains("elements per 90°")), "{:?}", check.warnings);
+        assert!(check.warnings.iter().all(|w| w.to_string().contains("elements per 90°")), "{:?}", check.warnings);
         assert!(check.to_string().contains("30 mm radius to the wall, R 6 (6.0 t), friction"), "{check}");
     }
 }
@@ -159,7 +159,7 @@ fn a_die_as_wide_as_the_blank_touches_it_and_closes_where_it_must() {
 
     let beyond = read(&text(r#"profile = "embossing.csv""#, die_section, "", "8.5 mm"));
     let warnings = check::report(&beyond).warnings;
-    assert!(warnings.iter().any(|w| w.contains("punch and die are 0.5 mm apart")), "{warnings:?}");
+    assert!(warnings.iter().any(|w| w.to_string().contains("punch and die are 0.5 mm apart")), "{warnings:?}");
 }
 
 /// Trust: the way back. The offset of the offset die is the punch (convex arcs only: a sharp corner would be rounded).
@@ -192,14 +192,14 @@ fn sharp_corners_are_warned_of_where_the_sheet_meets_them() {
         let folder = temp_dir::TempDir::new().unwrap();
         std::fs::write(folder.path().join("punch.csv"), punch).unwrap();
         let case = read_in(folder.path(), &text(r#"profile = "punch.csv""#, DIE, HOLDER, travel));
-        check::report(&case).warnings.into_iter().filter(|w| w.contains("sharp corner")).collect::<Vec<_>>()
+        check::report(&case).warnings.into_iter().filter(|w| w.to_string().contains("sharp corner")).collect::<Vec<_>>()
     };
     let found = sharp("r_mm,z_mm\n0,0\n30,0\n30,-200\n", "25 mm");
-    assert!(found.len() == 1 && found[0].contains("of 90° at r = 30 mm, z = -0.5 mm"), "{found:?}");
+    assert!(found.len() == 1 && found[0].to_string().contains("of 90° at r = 30 mm, z = -0.5 mm"), "{found:?}");
     // A foot 50 mm below the face is out of the sheet's reach.
     let foot = "r_mm,z_mm,radius_mm\n0,0,\n28,0,6\n28,-50,\n29.5,-50,\n29.5,-90,\n";
-    assert_eq!(sharp(foot, "25 mm"), Vec::<String>::new());
-    assert!(sharp(foot, "52 mm")[0].contains("and at 1 more"));
+    assert_eq!(sharp(foot, "25 mm"), Vec::<stampflow::message::Message>::new());
+    assert!(sharp(foot, "52 mm")[0].to_string().contains("and at 1 more"));
 }
 
 /// Trust: by hand. A nose of 6 mm drawn to its 45°, (24 + 6 sin 45°, −6 (1 − cos 45°)) = (28.243, −1.757) from the face.
@@ -209,17 +209,17 @@ fn a_line_that_ends_before_the_travel_is_warned_of() {
         { arc_to = ["28.242641 mm", "-1.757359 mm"], center = ["24 mm", "-6 mm"], turn = "right" }"#;
     let warned = |wall: &str, travel: &str| {
         let case = read(&text(&format!("profile = [{nose}{wall}]"), DIE, HOLDER, travel).replace("\n        ", " "));
-        check::report(&case).warnings.into_iter().filter(|w| w.contains("line ends")).collect::<Vec<_>>()
+        check::report(&case).warnings.into_iter().filter(|w| w.to_string().contains("line ends")).collect::<Vec<_>>()
     };
     let found = warned("", "25 mm");
     assert!(
-        found.len() == 1 && found[0].contains("the punch's line ends at r = 28.243 mm, z = -2.257 mm"),
+        found.len() == 1 && found[0].to_string().contains("the punch's line ends at r = 28.243 mm, z = -2.257 mm"),
         "{found:?}"
     );
-    assert!(found[0].contains("1.757 mm of the 25 mm of travel"), "{found:?}");
-    assert!(found[0].ends_with("upright wall, or as far as z = -25.5 mm"), "{found:?}");
-    assert_eq!(warned("", "1.7 mm"), Vec::<String>::new());
-    assert_eq!(warned(r#", { to = ["28.242641 mm", "-3 mm"] }"#, "25 mm"), Vec::<String>::new());
+    assert!(found[0].to_string().contains("1.757 mm of the 25 mm of travel"), "{found:?}");
+    assert!(found[0].to_string().ends_with("upright wall, or as far as z = -25.5 mm"), "{found:?}");
+    assert_eq!(warned("", "1.7 mm"), Vec::<stampflow::message::Message>::new());
+    assert_eq!(warned(r#", { to = ["28.242641 mm", "-3 mm"] }"#, "25 mm"), Vec::<stampflow::message::Message>::new());
 }
 
 #[test]

@@ -17,7 +17,7 @@ fn stop(geometry: &str, blank: &str, tools: &str) -> Stop {
     let run = found.iter().find(|finding| finding.key == "stop").expect("the stop is judged");
     let stop = stages.into_iter().next_back().expect("one stage").stop;
     assert_eq!(run.advice.is_empty(), stop.is_complete(), "{run:?}");
-    assert!(stop.is_complete() || (stop.is_physical() && run.found.contains(stop.kind())), "{run:?}");
+    assert!(stop.is_complete() || (stop.is_physical() && run.found.to_string().contains(stop.kind())), "{run:?}");
     stop
 }
 
@@ -103,7 +103,7 @@ fn a_run_that_creeps_ends_soon_and_says_where() {
     assert!((0.0..=case.model().blank.length).contains(&worst_s0) && seen.contains("touches"), "{worst_s0} {seen}");
     let found = assess::after(&case, &stages);
     let run = found.iter().find(|finding| finding.key == "stop").expect("the stop is judged");
-    assert!(run.found.contains("creeping") && !run.advice.is_empty(), "{run:?}");
+    assert!(run.found.to_string().contains("creeping") && !run.advice.is_empty(), "{run:?}");
     assert!(!stages[0].stop.is_complete() && !stages[0].stop.is_physical());
 }
 

@@ -195,7 +195,7 @@ fn the_sleeve_of_a_redraw_holds_the_sheet_with_its_force() {
                 assert!(apart < 0.03, "{} N of {wanted} N at {} mm", record.holder_force, record.travel);
             }
             let warnings = assess::warnings(&run);
-            assert!(warnings.iter().all(|warning| !warning.contains("rests")), "{warnings:?}");
+            assert!(warnings.iter().all(|warning| !warning.to_string().contains("rests")), "{warnings:?}");
             run
         })
         .collect();

@@ -20,10 +20,8 @@ fn findings(name: &str, overrides: &[&str]) -> Vec<Finding> {
 fn judged(case: &Case, passes: &[StageSolution]) -> Vec<Finding> {
     let mut findings = assess::after(case, passes);
     for finding in findings.iter().chain(&assess::before(case)) {
-        assert!(
-            ![finding.key, finding.label, &finding.found, &finding.limit, &finding.source].contains(&""),
-            "{finding:?}"
-        );
+        let said = [&finding.found, &finding.limit, &finding.source].iter().all(|message| !message.is_empty());
+        assert!(said && ![finding.key, finding.label].contains(&""), "{finding:?}");
         let row = finding.kind == Kind::Judgement;
         assert!(!row || (finding.light != Light::Green) != finding.advice.is_empty(), "{finding:?}");
     }
@@ -49,9 +47,12 @@ fn the_quickstart_is_a_good_cup_with_a_guess_and_open_questions() {
     assert_eq!(lit(Light::Amber), ["friction"]);
     assert_eq!(lit(Light::Grey), ["forming_limit", "punch_force", "energy", "hardening_range"]);
     let said = headline(&found);
-    assert!(said.starts_with("1 amber (Friction), 4 not judged (Forming limit, Punch force, "), "{said}");
+    assert!(said.to_string().starts_with("1 amber (Friction), 4 not judged (Forming limit, Punch force, "), "{said}");
     let told = advice(&found, |light| light == Light::Grey);
-    assert!(told.iter().any(|(labels, _)| labels == "Punch force, Energy"), "advice is given once: {told:?}");
+    assert!(
+        told.iter().any(|(labels, _)| labels.to_string() == "Punch force, Energy"),
+        "advice is given once: {told:?}"
+    );
     // By hand, as in `check`: Siebel's 0.0025 [(β − 1)² + 0.3] R_m with R_m = 520 n^n exp(offset − n), over 10 kN on the flat.
     let strength = 520.0 * 0.22_f64.powf(0.22) * (0.005_f64 - 0.22).exp();
     let advised = 0.0025 * ((55.0_f64 / 30.0 - 1.0).powi(2) + 0.3) * strength;
@@ -110,7 +111,7 @@ fn later_draws_are_judged_too() {
     assert_eq!(light(&found, "redraw_ratio"), Light::Amber, "{found:?}");
     assert!((value(&found, "redraw_ratio") - 1.5).abs() < 1e-9);
     let of = |key: &str| found.iter().find(|f| f.key == key).expect(key);
-    assert!(of("bottom_tearing").found.ends_with("stage 2"), "{:?}", of("bottom_tearing"));
+    assert!(of("bottom_tearing").found.to_string().ends_with("stage 2"), "{:?}", of("bottom_tearing"));
     let strength = 520.0 * 0.22_f64.powf(0.22) * (0.005_f64 - 0.22).exp();
     let peak = passes[1].steps.iter().map(|step| step.punch_force).fold(0.0, f64::max);
     // The strength is right to 1e-6, the radius exact.
@@ -139,7 +140,7 @@ fn what_a_run_cannot_say_is_grey_and_what_is_implausible_amber() {
     }
     let source = "friction.source=Woo (1968)";
     let (light, found) = of(&[source], "friction");
-    assert!(light == Light::Green && found.contains("Woo (1968)"), "{found}");
+    assert!(light == Light::Green && found.to_string().contains("Woo (1968)"), "{found}");
     assert_eq!(of(&[source, "tools.die.friction=0.5"], "friction").0, Light::Amber);
     let quickstart = Path::new(env!("CARGO_MANIFEST_DIR")).join("cases/quickstart.toml");
     let empty = case::load(quickstart, &["friction.source=\" \"".to_owned()]).expect_err("a source that is none");
@@ -153,7 +154,7 @@ fn a_holder_that_squeezes_is_said() {
     let squeezed = ["tools.holder.force=600 kN", "tools.punch.travel=1 mm"];
     let found = findings("quickstart.toml", &squeezed);
     let holder = found.iter().find(|f| f.key == "holder").unwrap();
-    assert!(holder.light == Light::Amber && holder.advice.contains("squeezed"), "{holder:?}");
+    assert!(holder.light == Light::Amber && holder.advice.to_string().contains("squeezed"), "{holder:?}");
 }
 
 #[test]
@@ -164,7 +165,7 @@ fn too_much_friction_and_holder_force_tear_the_cup() {
     assert_eq!(light(&found, "forming_limit"), Light::Red, "{found:?}");
     assert_eq!(light(&found, "stop"), Light::Red, "{found:?}");
     let stop = found.iter().find(|f| f.key == "stop").unwrap();
-    assert!(stop.advice.contains("less holder force"), "{stop:?}");
+    assert!(stop.advice.to_string().contains("less holder force"), "{stop:?}");
     assert_eq!(light(&found, "wrinkling"), Light::Green);
 }
 
@@ -248,7 +249,10 @@ fn noses_and_shoulders_below_five_thicknesses_are_not_green() {
     let found = judged(&[&nose(6.0), "tools.die.shoulder=1.9 mm"]);
     let row = found.iter().find(|f| f.key == "bent_strength").expect("a row");
     assert_eq!(row.light, Light::Red);
-    assert!(row.found.contains("die's shoulder of 1.9 mm") && row.advice.contains("t²/8R"), "{row:?}");
+    assert!(
+        row.found.to_string().contains("die's shoulder of 1.9 mm") && row.advice.to_string().contains("t²/8R"),
+        "{row:?}"
+    );
     // A coarse mesh does not follow the nose, and its bends alone would be none to speak of.
     let found = judged(&[&nose(1.9), "blank.elements=12", "blank.grading=uniform"]);
     assert_eq!(light(&found, "bent_strength"), Light::Red, "{found:?}");

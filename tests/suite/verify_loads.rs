@@ -436,7 +436,7 @@ fn a_contact_share_that_is_not_reached_is_said() {
     let run = solve(&shipped("superplastic_box", &["gas.duration=200 s"]));
     assert_eq!(run.stop, Stop::FullTravel);
     let warnings = assess::warnings(&run);
-    assert!(warnings.iter().any(|w| w.contains("not the 95.0 % that were to end the run")), "{warnings:?}");
+    assert!(warnings.iter().any(|w| w.to_string().contains("not the 95.0 % that were to end the run")), "{warnings:?}");
 }
 
 /// Pressure from above on a sheet over a punch that draws it in: the sheet wraps the punch more closely than without.

@@ -285,5 +285,5 @@ fn sheet_that_leaves_the_holder_is_reported_and_the_run_goes_on() {
     // Trust: the throat is at 31.25 mm; the last step moves the edge by less than a millimetre.
     assert!((model.blank.length - last(&run).draw_in - 31.25).abs() < 1.0, "{:?}", last(&run));
     let warnings = assess::warnings(&run);
-    assert!(warnings.iter().any(|w| w.contains("left the holder")), "{warnings:?}");
+    assert!(warnings.iter().any(|w| w.to_string().contains("left the holder")), "{warnings:?}");
 }

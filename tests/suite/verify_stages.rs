@@ -204,7 +204,7 @@ fn trimming_takes_the_rim_and_nothing_else() {
     complete(&passes, 2);
     assert_eq!((passes[1].model.blank.elements, passes[1].model.blank.length), (kept, state.s0[kept]));
     let warnings = assess::warnings(&passes[1]);
-    assert!(warnings.iter().any(|w| w.contains("cut to r = ")), "{warnings:?}");
+    assert!(warnings.iter().any(|w| w.to_string().contains("cut to r = ")), "{warnings:?}");
 }
 
 /// Trust: by definition; the shape and its strains stay, and the annealed sheet is softer.

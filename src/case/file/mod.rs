@@ -14,6 +14,7 @@ mod output;
 mod press;
 mod report;
 mod section;
+mod springback;
 mod stages;
 mod tools;
 
@@ -28,6 +29,7 @@ pub use output::Output;
 pub use press::Press;
 pub use report::TitleBlock;
 pub use section::{ProfileStep, Section, SectionTable, Turn};
+pub use springback::Springback;
 pub use stages::{FirstStage, Release, Stage, StageDie, StageHolder, StagePunch};
 pub use tools::{Bead, Crowned, Die, Flat, Hemispherical, Holder, HolderForce, Punch, Spring, Stiffness, Tools};
 
@@ -71,6 +73,8 @@ pub struct CaseFile {
     /// The title block of reports.
     #[serde(default)]
     pub report: TitleBlock,
+    /// The part's tolerances on spring-back, for the verdict; not judged when not given.
+    pub springback: Option<Springback>,
     /// How the problem is solved.
     #[serde(default)]
     pub solver: Settings,
@@ -102,6 +106,10 @@ pub struct Blank {
     /// Length from the symmetry plane to the edge (plane strain).
     #[cfg_attr(feature = "schema", schemars(example = "420 mm"))]
     pub half_length: Option<Positive<Length>>,
+    /// Length of the part across the section (plane strain): forces and works are then of the whole part, in N and J. When
+    /// not given they are of the whole section per mm of depth.
+    #[cfg_attr(feature = "schema", schemars(example = "800 mm"))]
+    pub depth: Option<Positive<Length>>,
     /// Initial thickness, 0.001 to 50 mm.
     #[cfg_attr(feature = "schema", schemars(example = "0.9 mm"))]
     pub thickness: Positive<Length>,

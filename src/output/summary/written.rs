@@ -3,7 +3,6 @@
 use super::{Entry, Figure, Group, Summary, Value};
 use crate::measure::Change;
 use crate::message::{Amount, Digits, Form};
-use crate::output::springback::{compared, signed};
 use crate::table::Unit;
 use crate::units::four_digits;
 use crate::units::rounded;
@@ -86,16 +85,21 @@ fn amount(Entry { key, unit, .. }: &Entry, value: f64) -> Amount {
     }
 }
 
+/// Four digits; of an angle tenths, as [`Quantity`](crate::measure::Quantity) has them.
+fn digits(value: f64, unit: Unit) -> String {
+    if unit == Unit::Degree { format!("{value:.1}") } else { four_digits(value) }
+}
+
 /// Degrees stand close to their number.
 fn with_unit(value: f64, unit: Unit) -> String {
     let space = if unit == Unit::Degree { "" } else { " " };
-    format!("{}{space}{}", four_digits(value), unit.symbol())
+    format!("{}{space}{}", digits(value, unit), unit.symbol())
 }
 
-/// `Wall to the punch direction`, `0.31° → 8.20° (+7.89°)`.
+/// `Wall to the punch direction`, `0.3° → 8.2° (+7.9°)`.
 fn row_of_change(change: &Change) -> (String, String) {
-    let by = change.change().map_or(String::new(), |by| format!(" ({})", signed(by, change.quantity.unit)));
-    (format!("  {}", change.quantity.label), compared(change) + &by)
+    let by = change.change().map_or(String::new(), |by| format!(" ({})", change.quantity.signed(by)));
+    (format!("  {}", change.quantity.label), change.text() + &by)
 }
 
 fn of_change(change: &Change) -> serde_json::Value {

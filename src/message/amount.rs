@@ -1,0 +1,179 @@
+//! Numbers as a user is told them: each kind of number has one unit and one number of digits, wherever it stands.
+
+use super::form::{Form, NO_BREAK};
+use crate::units::Unit;
+
+/// A number with its unit and the digits that it is told with.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Amount {
+    /// In `unit`.
+    pub value: f64,
+    /// The solver's unit, or percent.
+    pub unit: Unit,
+    /// How finely it is told.
+    pub digits: Digits,
+    /// What stands behind it in place of a unit: `t` for thicknesses.
+    times: &'static str,
+}
+
+/// How finely a number is told.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Digits {
+    /// So many behind the decimal sign.
+    Decimals(usize),
+    /// So many from the first that is not 0, and all of larger whole parts.
+    Significant(usize),
+    /// At most so many behind the decimal sign, without zeros at the end: what was given, not computed.
+    Given(usize),
+}
+
+use Digits::{Decimals, Given, Significant};
+
+impl Amount {
+    /// Any number.
+    pub const fn new(value: f64, unit: Unit, digits: Digits) -> Self {
+        Self { value, unit, digits, times: "" }
+    }
+
+    /// How many.
+    pub const fn count(count: usize) -> Self {
+        Self::new(count as f64, Unit::None, Decimals(0))
+    }
+
+    /// A plain number that was given.
+    pub const fn number(number: f64) -> Self {
+        Self::new(number, Unit::None, Given(3))
+    }
+
+    /// A share, told in percent \[–\].
+    pub const fn share(share: f64) -> Self {
+        Self::new(100.0 * share, Unit::Percent, Significant(2))
+    }
+
+    /// A place, a height or a travel \[mm\], to a tenth.
+    pub const fn place(length: f64) -> Self {
+        Self::new(length, Unit::Mm, Decimals(1))
+    }
+
+    /// A computed thickness \[mm\], to a hundredth, of foils finer.
+    pub const fn thickness(thickness: f64) -> Self {
+        Self::new(thickness, Unit::Mm, if thickness < 0.1 { Significant(2) } else { Decimals(2) })
+    }
+
+    /// A size that was given \[mm\], to a micrometre where it has as many digits.
+    pub const fn size(length: f64) -> Self {
+        Self::new(length, Unit::Mm, Given(3))
+    }
+
+    /// A length over the sheet's thickness \[–\].
+    pub const fn thicknesses(ratio: f64) -> Self {
+        Self { times: "t", ..Self::new(ratio, Unit::None, Significant(2)) }
+    }
+
+    /// A force \[`N`, or `N/mm` of depth\] in its unit, see [`force_unit`](crate::table::force_unit).
+    pub const fn force(force: f64, unit: Unit) -> Self {
+        Self::new(force, unit, Significant(3))
+    }
+
+    /// A stress or a pressure \[MPa\].
+    pub const fn stress(stress: f64) -> Self {
+        Self::new(stress, Unit::MPa, Significant(3))
+    }
+
+    /// A work or a heat \[J, or J/mm of depth\] in its unit.
+    pub const fn energy(energy: f64, unit: Unit) -> Self {
+        Self::new(energy, unit, Significant(3))
+    }
+
+    /// An angle \[degrees\], to a tenth.
+    pub const fn angle(angle: f64) -> Self {
+        Self::new(angle, Unit::Degree, Decimals(1))
+    }
+
+    /// A temperature \[°C\], to a degree.
+    pub const fn temperature(celsius: f64) -> Self {
+        Self::new(celsius, Unit::Celsius, Decimals(0))
+    }
+
+    /// A time \[s\].
+    pub const fn time(time: f64) -> Self {
+        Self::new(time, Unit::Second, Significant(3))
+    }
+
+    /// A true strain \[–\], to a hundredth.
+    pub const fn strain(strain: f64) -> Self {
+        Self::new(strain, Unit::None, Decimals(2))
+    }
+
+    /// A quotient \[–\], to a hundredth: draw ratios, coefficients.
+    pub const fn ratio(ratio: f64) -> Self {
+        Self::new(ratio, Unit::None, Decimals(2))
+    }
+
+    /// The number and its unit in a form: `0.61 mm`, with a no-break space; a dash for what is no number.
+    pub fn told(self, form: Form) -> String {
+        let (number, unit) = self.parts(form);
+        match unit {
+            "" => number,
+            "°" => number + "°",
+            unit => format!("{number}{NO_BREAK}{}", unit.replace(' ', &NO_BREAK.to_string())),
+        }
+    }
+
+    /// The number and its unit apart, for tables.
+    pub fn parts(self, form: Form) -> (String, &'static str) {
+        let to = form.system.told(self.unit, self.value);
+        let unit = if self.times.is_empty() { to.symbol } else { self.times };
+        let value = self.value * to.factor + to.offset;
+        if !value.is_finite() {
+            return ("–".to_owned(), unit);
+        }
+        let written = match self.digits {
+            Decimals(n) => format!("{value:.*}", n + to.finer),
+            Given(n) => crate::units::trimmed(value, (n + to.finer) as i32),
+            Significant(n) => {
+                let magnitude = if value == 0.0 { 0 } else { value.abs().log10().floor() as i32 };
+                format!("{value:.*}", (n as i32 - 1 - magnitude).clamp(0, 12) as usize)
+            }
+        };
+        (form.language.number(&unsigned_zero(&written)), unit)
+    }
+}
+
+/// Without a minus before 0.
+fn unsigned_zero(number: &str) -> String {
+    let is_zero = number.bytes().all(|b| matches!(b, b'-' | b'0' | b'.'));
+    if is_zero { number.trim_start_matches('-').to_owned() } else { number.to_owned() }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::{Form, Language, System};
+    use super::*;
+
+    /// Trust: by hand.
+    #[test]
+    fn each_kind_of_number_has_its_digits_and_its_unit() {
+        let si = Form::default();
+        let us = Form { system: System::Us, ..si };
+        let de = Form { language: Language::of("de").expect("German"), ..si };
+        let tell = |amount: Amount, form| amount.told(form).replace(NO_BREAK, " ");
+        for (amount, expected) in [
+            (Amount::share(0.298), ["30 %", "30 %", "30 %"]),
+            (Amount::share(0.058), ["5.8 %", "5.8 %", "5,8 %"]),
+            (Amount::share(1.287), ["129 %", "129 %", "129 %"]),
+            (Amount::place(23.53), ["23.5 mm", "0.926 in", "23,5 mm"]),
+            (Amount::thickness(0.612), ["0.61 mm", "0.0241 in", "0,61 mm"]),
+            (Amount::thickness(0.0123), ["0.012 mm", "0.00048 in", "0,012 mm"]),
+            (Amount::size(30.0), ["30 mm", "1.1811 in", "30 mm"]),
+            (Amount::force(36_180.0, Unit::N), ["36.2 kN", "4.07 US tonf", "36,2 kN"]),
+            (Amount::force(246.0, Unit::N), ["246 N", "55.3 lbf", "246 N"]),
+            (Amount::angle(-0.04), ["0.0°", "0.0°", "0,0°"]),
+            (Amount::thicknesses(0.193), ["0.19 t", "0.19 t", "0,19 t"]),
+            (Amount::count(12), ["12", "12", "12"]),
+            (Amount::stress(f64::NAN), ["– MPa", "– psi", "– MPa"]),
+        ] {
+            assert_eq!([tell(amount, si), tell(amount, us), tell(amount, de)], expected);
+        }
+    }
+}
