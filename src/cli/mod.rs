@@ -18,6 +18,7 @@ mod run;
 mod say;
 mod shell;
 mod table;
+mod titles;
 mod validate;
 
 pub use code::Code;

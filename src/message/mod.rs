@@ -14,7 +14,7 @@ mod form;
 mod language;
 
 pub use crate::told as message;
-pub use amount::Amount;
+pub use amount::{Amount, Digits};
 pub use form::{Form, NO_BREAK, System};
 pub use language::{LANGUAGES, Language};
 

@@ -2,6 +2,7 @@
 
 use super::StageView;
 use super::chart::{BLACK, Chart, Look, Panel, Scale, Series};
+use crate::measure;
 use crate::solution::{StageSolution, StepRecord};
 use crate::table::fields::step::{
     self, DRAW_IN, EDGE_FORCE, HOLDER_FORCE, POLE_HEIGHT, PRESSURE, PUNCH_FORCE, THINNEST, TRAVEL,
@@ -101,6 +102,10 @@ pub(super) fn plot(view: &StageView) -> Option<Chart> {
         let unit = if scale == 1.0 { unit.to_owned() } else { format!("k{unit}") };
         let written = |force: f64| format!("{} {unit}", without_zeros(&four_digits(force / scale)));
         let at = |force: f64| force / scale;
+        for event in measure::events(view.stage) {
+            let label = format!("{}, {} mm", event.kind.label(), decimal(event.travel));
+            panel.series.push(Series::new(label, vec![(event.travel, at(event.force))], Look::Flag));
+        }
         let peak = view.stage.steps.iter().max_by(|a, b| a.punch_force.total_cmp(&b.punch_force));
         if let Some(peak) = peak.filter(|peak| peak.punch_force > 0.0) {
             let label = format!("peak {} at {} mm", written(peak.punch_force), decimal(peak.travel));

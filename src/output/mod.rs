@@ -43,6 +43,8 @@ pub use chart::Chart;
 pub use csv::csv;
 pub use dimensions::{Dimension, Mark, dimensioned};
 pub use draw::svg;
+#[cfg(feature = "report")]
+pub(crate) use draw::{Drawing, WIDTH as DRAWN};
 pub use file::{WriteError, can_write, remove_others, write};
 pub use frame_recorder::FrameRecorder;
 pub use make::{Extra, Files, Make, Output};

@@ -2,28 +2,38 @@
 
 use super::document::{Block, Picture, Row, Section};
 use crate::geometry::{Arc, Point};
+use crate::message::{Amount, Form};
 use crate::model::{Model, Motion, Role, Tool};
-use crate::output::{Dimension, Mark, dimensioned, svg};
+use crate::output::{Dimension, Mark, dimensioned};
 use crate::rules::tool_sizes::{across, extent, throat};
 use crate::table::Unit;
-use crate::units::four_digits;
 
 /// More corners than that are a curve's: its smallest radius is given.
 const CORNERS: usize = 3;
 
-pub(super) fn section(model: &Model, dimensions: &[Dimension]) -> Section {
-    let rows =
-        dimensions.iter().map(|d| Row::plain([d.label.clone(), four_digits(d.value), d.unit.symbol().to_owned()]));
+pub(super) fn section(model: &Model, dimensions: &[Dimension], form: Form) -> Section {
+    let rows = dimensions.iter().map(|d| {
+        let (value, unit) = amount(d).parts(form);
+        Row::plain([d.label.clone(), value, unit.to_owned()])
+    });
     Section {
         heading: "Section".into(),
         blocks: vec![
             Block::Picture(Picture {
                 name: "section".into(),
                 caption: "the section at the start with its dimensions".into(),
-                svg: svg(&dimensioned(model, dimensions)),
+                chart: dimensioned(model, dimensions),
             }),
             Block::Table { head: vec!["Dimension", "Value", "Unit"], rows: rows.collect() },
         ],
+    }
+}
+
+/// A size that was given.
+fn amount(dimension: &Dimension) -> Amount {
+    match dimension.unit {
+        Unit::Mm => Amount::size(dimension.value),
+        unit => Amount::force(dimension.value, unit),
     }
 }
 

@@ -23,10 +23,10 @@ mod ticks;
 
 use super::chart::Chart;
 use super::pdf::Pdf;
-pub(super) use drawing::Drawing;
+pub(crate) use drawing::Drawing;
 #[cfg(test)]
 pub(super) use mark::Mark;
-pub(super) use mark::WIDTH;
+pub(crate) use mark::WIDTH;
 pub(super) use palette::Palette;
 
 /// The picture as a standalone SVG, 800 px wide.

@@ -101,6 +101,11 @@ impl Pdf {
     }
 }
 
+/// How wide a line of text is in a font of this size \[pt\].
+pub fn text_width(text: &str, size: f64) -> f64 {
+    size * crate::output::font::width(text)
+}
+
 /// Writes a pressed stream.
 fn stream_of(file: &mut pdf_writer::Pdf, id: Ref, content: &[u8]) {
     file.stream(id, &compress_to_vec_zlib(content, LEVEL)).filter(Filter::FlateDecode);

@@ -2,6 +2,7 @@
 
 use super::{Entry, Figure, Group, Summary, Value};
 use crate::measure::{Change, Event};
+use crate::message::{Amount, Digits, Form};
 use crate::table::Unit;
 use crate::units::four_digits;
 use crate::units::rounded;
@@ -32,11 +33,11 @@ impl Serialize for Summary {
 
 impl Summary {
     /// The printed lines but the lists and what was measured before and after.
-    pub fn figures(&self) -> impl Iterator<Item = Figure> {
-        self.entries.iter().filter(|entry| !entry.label.is_empty()).filter_map(|entry| {
+    pub fn figures(&self, form: Form) -> impl Iterator<Item = Figure> {
+        self.entries.iter().filter(|entry| !entry.label.is_empty()).filter_map(move |entry| {
             let (value, unit) = match &entry.value {
-                Value::Number(v) => (digits(*v, entry.unit), entry.unit.symbol()),
-                Value::Count(v) => (v.to_string(), Unit::None.symbol()),
+                Value::Number(v) => amount(entry, *v).parts(form),
+                Value::Count(v) => (v.to_string(), ""),
                 Value::Flag(v) => (if *v { "yes" } else { "no" }.to_owned(), ""),
                 Value::Text(v) => (v.clone(), ""),
                 Value::List(_) | Value::Changes(_) | Value::Events(..) => return None,
@@ -73,6 +74,22 @@ impl Summary {
             rows.into_iter().map(|(label, value)| (*group, [label, value]))
         });
         rows.collect()
+    }
+}
+
+/// A number as readers are told it wherever it stands.
+fn amount(Entry { key, unit, .. }: &Entry, value: f64) -> Amount {
+    match unit {
+        Unit::Mm if matches!(*key, "thinnest" | "thickest") => Amount::thickness(value),
+        Unit::Mm => Amount::place(value),
+        Unit::Percent => Amount::share(0.01 * value),
+        Unit::N | Unit::NPerMm => Amount::force(value, *unit),
+        Unit::MPa => Amount::stress(value),
+        Unit::Joule | Unit::JoulePerMm => Amount::energy(value, *unit),
+        Unit::Degree => Amount::angle(value),
+        Unit::Celsius => Amount::temperature(value),
+        Unit::Second | Unit::Minute => Amount::time(value),
+        Unit::PerSecond | Unit::None => Amount::new(value, *unit, Digits::Significant(3)),
     }
 }
 
