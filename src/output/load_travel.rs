@@ -3,12 +3,13 @@
 use super::StageView;
 use super::chart::{BLACK, Chart, Look, Panel, Scale, Series};
 use crate::measure;
+use crate::message::{Amount, Form};
 use crate::solution::{StageSolution, StepRecord};
 use crate::table::fields::step::{
     self, DRAW_IN, EDGE_FORCE, HOLDER_FORCE, POLE_HEIGHT, PRESSURE, PUNCH_FORCE, THINNEST, TRAVEL,
 };
 use crate::table::{Field, JOULES, Table, Unit};
-use crate::units::{ZERO_CELSIUS, four_digits, without_zeros};
+use crate::units::ZERO_CELSIUS;
 
 /// Columns before and behind the diameter at the edge.
 const BEFORE: [Field<StepRecord>; 7] = [
@@ -98,17 +99,17 @@ pub(super) fn plot(view: &StageView) -> Option<Chart> {
     let mut notes = Vec::new();
     if forces {
         let scale = scale(view);
-        let unit = view.extent().force_unit().symbol();
-        let unit = if scale == 1.0 { unit.to_owned() } else { format!("k{unit}") };
-        let written = |force: f64| format!("{} {unit}", without_zeros(&four_digits(force / scale)));
+        let unit = view.extent().force_unit();
+        let written = |force: f64| Amount::force(force, unit).told(Form::default());
+        let place = |travel: f64| Amount::place(travel).told(Form::default());
         let at = |force: f64| force / scale;
         for event in measure::events(view.stage) {
-            let label = format!("{}, {} mm", event.kind.label(), decimal(event.travel));
+            let label = format!("{}, {}", event.kind.label(), place(event.travel));
             panel.series.push(Series::new(label, vec![(event.travel, at(event.force))], Look::Flag));
         }
         let peak = view.stage.steps.iter().max_by(|a, b| a.punch_force.total_cmp(&b.punch_force));
         if let Some(peak) = peak.filter(|peak| peak.punch_force > 0.0) {
-            let label = format!("peak {} at {} mm", written(peak.punch_force), decimal(peak.travel));
+            let label = format!("peak {} at {}", written(peak.punch_force), place(peak.travel));
             panel.series.push(Series::new(label, vec![(peak.travel, at(peak.punch_force))], Look::Flag));
             if let Some(rating) = view.press.force {
                 let label = format!("Press rating, {}", written(rating));
@@ -130,11 +131,6 @@ pub(super) fn plot(view: &StageView) -> Option<Chart> {
     let what = if forces { "forces" } else { "pressure" };
     notes.extend(view.notes());
     Some(Chart { title: view.titled(what), legend: "", panels: vec![panel], notes })
-}
-
-/// A travel as it is written beside marks.
-fn decimal(travel: f64) -> String {
-    without_zeros(&format!("{travel:.1}")).to_owned()
 }
 
 /// What forces are divided by in pictures: [`KILO`] where one of them is that large.

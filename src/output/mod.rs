@@ -41,7 +41,7 @@ mod writing;
 
 pub use chart::Chart;
 pub use csv::csv;
-pub use dimensions::{Dimension, Mark, dimensioned};
+pub use dimensions::{Dimension, Mark, Size, dimensioned};
 pub use draw::svg;
 #[cfg(feature = "report")]
 pub(crate) use draw::{Drawing, WIDTH as DRAWN};

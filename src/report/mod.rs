@@ -33,11 +33,9 @@ impl Report<'_> {
     pub fn document(&self) -> Document {
         let form = Form::default();
         let model = self.solution.case.model();
-        let mut sections = vec![
-            verdict::section(&self.findings, form),
-            sketch::section(model, &self.dimensions, form),
-            inputs::section(&self.check),
-        ];
+        let mut sections = vec![verdict::section(&self.findings, form)];
+        sections.extend(sketch::sections(self, form));
+        sections.push(inputs::section(&self.check));
         sections.extend(results::sections(self, form));
         sections.extend([
             inputs::assumptions(&self.check, form),

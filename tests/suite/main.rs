@@ -31,6 +31,7 @@ mod numerics;
 mod observer;
 mod outputs;
 mod package;
+mod pictures;
 mod profiles;
 mod report;
 mod result_folder;

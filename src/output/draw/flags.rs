@@ -4,10 +4,11 @@ use super::backend::units;
 use super::canvas::{Canvas, NEVER, rgb};
 use super::letters::{MARK, SPACING, text_width, wrapped};
 use super::shape::{DOT, stroke};
-use super::text::text;
+use super::text::style;
 use crate::output::chart::{BLACK, GREY, Look, Panel, WHITE};
 use plotters::element::{Circle, PathElement, Rectangle};
 use plotters::style::Color as _;
+use plotters::style::text_anchor::{HPos, Pos, VPos};
 
 /// A row of labels.
 const ROW: f64 = SPACING * MARK;
@@ -78,12 +79,45 @@ impl Flags {
             plot.draw(&PathElement::new(line, stroke(GREY, 0.9))).expect(NEVER);
             plot.draw(&Circle::new(place(at.0, up(at.1)), units(DOT + 0.8), rgb(BLACK).filled())).expect(NEVER);
         }
-        for Flag { lines, left, width, row, .. } in &self.flags {
+        for Flag { at, lines, left, width, row } in &self.flags {
             let top = AROUND + ROW * *row as f64;
             let corners = [(left - 2.0, top), (left + width + 1.0, top + ROW * lines.len() as f64)];
             plot.draw(&Rectangle::new(corners.map(|(x, y)| place(x, y)), rgb(WHITE).filled())).expect(NEVER);
+            // Next to its line, whatever font it comes out in.
+            let (side, x) = if left < &at.0 { (HPos::Right, left + width) } else { (HPos::Left, *left) };
+            let style = style(MARK, BLACK).pos(Pos::new(side, VPos::Top));
             for (i, line) in lines.iter().enumerate() {
-                text(plot, line, MARK, BLACK, (*left, top + ROW * i as f64 + 0.2 * MARK));
+                plot.draw_text(line, &style, place(x, top + ROW * i as f64 + 0.2 * MARK)).expect(NEVER);
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::output::chart::{Scale, Series};
+    use crate::table::{Column, Unit};
+
+    /// Trust: rectangles by hand; labels near each other, at the right edge, and one wider than the panel.
+    #[test]
+    fn no_label_lies_on_another_or_leaves_the_panel() {
+        let axis = Column::new("x", "X", Unit::Mm, vec![]).axis();
+        let long = "holder comes to rest on its distance blocks, at a travel that is told in words";
+        let flags =
+            [(10.0, "rim meets the die"), (10.5, "ironing begins"), (60.0, long), (97.0, "peak"), (99.0, "tears")];
+        let series = flags.map(|(x, label)| Series::new(label, vec![(x, 1.0)], Look::Flag)).to_vec();
+        let panel = Panel { x: axis.clone(), y: axis, series, scale: Scale::Fit { height: 350.0, least: 0.0 } };
+        for width in [250.0, 400.0, 700.0] {
+            let Flags { flags, rows } = Flags::of(&panel, (0.0, 100.0), width);
+            assert_eq!(flags.len(), 5);
+            for (i, a) in flags.iter().enumerate() {
+                assert!(a.left >= 0.0 && a.left + a.width <= width && a.row + a.lines.len() <= rows);
+                for b in &flags[..i] {
+                    let beside = a.left + a.width < b.left || b.left + b.width < a.left;
+                    let apart = a.row + a.lines.len() <= b.row || b.row + b.lines.len() <= a.row;
+                    assert!(beside || apart, "{:?} and {:?} in {width}", a.lines, b.lines);
+                }
             }
         }
     }
