@@ -54,7 +54,12 @@ pub(super) fn judge(run: &Run) -> Option<Finding> {
             Light::of(worst.used(), [NEAR, 1.0]),
             Message::joined(judged.iter().map(Judged::found), "; "),
         )
-        .against(worst.missed, worst.change.quantity.unit, Message::joined(judged.iter().map(Judged::limit), "; "))
+        .against(
+            worst.missed.abs(),
+            worst.change.quantity.unit,
+            Message::joined(judged.iter().map(Judged::limit), "; "),
+        )
+        .at_most(NEAR * worst.tolerance, worst.tolerance)
         .source("the part's tolerance, [springback]; near it from 80 % on, a declared rule of thumb")
         .advice(Message::joined([less.into(), compensated(over)], "; ")),
     )
