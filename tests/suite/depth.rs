@@ -81,7 +81,7 @@ fn times_are_told_where_they_are_given_or_felt() {
     let told = |overrides: &[&str]| {
         let solution = solved(&format!("{CUP}{limit}"), overrides);
         let views = solution.views();
-        let diagram = stampflow::output::forming_limit::plot(&views[0]).expect("a diagram").notes.join(" ");
+        let diagram = stampflow::output::forming_diagram::plot(&views[0]).expect("a diagram").notes.join(" ");
         assert!(diagram.contains("The limit is reached at"), "{diagram}");
         format!("{}{}{diagram}", check::report(&solution.case), solution.summary().lines)
     };
@@ -93,7 +93,7 @@ fn times_are_told_where_they_are_given_or_felt() {
     let silent = told(&[]);
     assert!(!seconds(&silent), "{silent}");
     let timed = told(&["tools.punch.speed=20 mm/s"]);
-    assert!(seconds(&timed) && timed.contains("mm at 20 mm/s"), "{timed}");
+    assert!(seconds(&timed) && timed.contains("20 mm/s"), "{timed}");
     // The rate is felt, so that the speed that is taken matters.
     assert!(seconds(&told(&["material.rate.power.exponent=0.02", "material.rate.power.reference=1 /s"])));
 }
