@@ -40,6 +40,7 @@ mod wrinkling;
 mod yielding;
 
 pub use finding::{Finding, Kind, Light, Limits, Sense, When, advice, headline, judgements, sentences};
+pub use neck::tears_at;
 
 use crate::case::Case;
 use crate::message::Message;

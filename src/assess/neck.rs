@@ -1,8 +1,9 @@
 //! Whether one place of the sheet takes all the stretching.
 
 use super::{Finding, Light, run::Run, thinning};
+use crate::forming_limit::Assessment;
 use crate::message::message;
-use crate::solution::neck::neck;
+use crate::solution::neck::{Neck, neck};
 use crate::solution::{StageSolution, Stop};
 use crate::table::Unit;
 
@@ -36,18 +37,32 @@ pub(super) fn seen(stage: &StageSolution) -> Option<Finding> {
     if matches!(stage.stop, Stop::Localised { .. } | Stop::Coalesced { .. }) {
         return None;
     }
-    let neck = neck(&stage.model, &stage.end, None);
+    let neck = torn(stage)?;
     let (place, left) = (neck.s0, 100.0 * neck.share);
-    let superplastic = stage.model.material.rate.is_some_and(|rate| rate.is_superplastic());
     let found = if neck.stands_out {
         format!(
             "thinning has localised at s0 = {place:.1} mm, down to {left:.0} % of the thickness: the sheet tears there, and \
              what is computed after that depends on the mesh"
         )
-    } else if neck.share < TORN && !superplastic {
-        format!("the sheet is down to {left:.0} % of its thickness at s0 = {place:.1} mm: it has torn before")
     } else {
-        return None;
+        format!("the sheet is down to {left:.0} % of its thickness at s0 = {place:.1} mm: it has torn before")
     };
     Some(Finding::warning("neck", "Neck", found).against(left, Unit::Percent, LIMIT).source(SOURCE))
+}
+
+/// The thinnest place of a stage that has taken a step, where it is a neck or too thin to be whole.
+fn torn(stage: &StageSolution) -> Option<Neck> {
+    let neck = neck(&stage.model, &stage.end, None);
+    let superplastic = stage.model.material.rate.is_some_and(|rate| rate.is_superplastic());
+    (neck.stands_out || neck.share < TORN && !superplastic).then_some(neck)
+}
+
+/// Where the sheet of a stage tears, initially from the axis \[mm\]: at its neck, where it is too thin to be whole, or where
+/// it first came to its forming limit. `None` where the verdict says nothing of the kind.
+pub fn tears_at(stage: &StageSolution, limit: Option<&Assessment>) -> Option<f64> {
+    stage.steps.last()?;
+    match stage.stop {
+        Stop::Localised { s0, .. } | Stop::Coalesced { s0, .. } => Some(s0),
+        _ => torn(stage).map(|neck| neck.s0).or_else(|| limit?.reached.map(|reached| reached.s0)),
+    }
 }

@@ -17,6 +17,8 @@ mod lock;
 mod make;
 mod outline;
 mod overlay;
+mod part;
+mod part_bands;
 mod png;
 pub mod pressure_cycle;
 pub mod profile;
@@ -32,6 +34,7 @@ mod stages;
 mod strains;
 pub mod summary;
 mod thickness_profile;
+mod thinning;
 pub mod trace;
 pub mod vtk;
 mod writing;
@@ -56,6 +59,7 @@ pub use writing::{OutputError, comparison_folder, is_result, result_folder};
 /// Every file that may be written.
 pub const OUTPUTS: &[Output] = &[
     Output::text("summary.json", "the printed summary, versions and checksums", summary::json),
+    Output::plot("part.png", "the part coloured by thinning, its thinnest place and where it tears", part::plot),
     Output::table("load_travel.csv", "forces, draw-in, energy and iterations of every step", load_travel::of),
     Output::table("profile.csv", "shape, thickness, strains and stresses of every kept frame", profile::of),
     Output::text("springback.csv", "what was measured before and after a release of the tools", springback::csv),
@@ -69,7 +73,11 @@ pub const OUTPUTS: &[Output] = &[
         pressure_cycle::of,
     ),
     Output::plot("pressure_cycle.png", "the same, and the height of the dome", pressure_cycle::plot),
-    Output::plot("thickness.png", "thickness over the blank at every kept frame", thickness_profile::thickness),
+    Output::plot(
+        "thickness.png",
+        "thickness over the blank at every kept frame, and over the part",
+        thickness_profile::thickness,
+    ),
     Output::plot("porosity.png", "porosity over the blank, of a sheet with voids", thickness_profile::porosity),
     Output::plot("temperature.png", "temperature over the blank, where it is given", thickness_profile::temperature),
     Output::plot("strains.png", "strains over the blank at the last frame", strains::plot),
@@ -80,7 +88,11 @@ pub const OUTPUTS: &[Output] = &[
         forming_limit::paths_of,
     ),
     Output::plot("forming_limit.png", "the curve with every element's strain path", forming_limit::plot),
-    Output::plot("shapes.png", "the sheet's section at every kept frame, and the tools", sections::plot),
+    Output::plot(
+        "shapes.png",
+        "the section over the travel, coloured by thinning, and the tools where they were then",
+        sections::plot,
+    ),
     Output {
         file: "section.pvd",
         about: "with --vtu: some 25 states from the start to the end, for ParaView",
