@@ -34,13 +34,13 @@ pub(super) fn plot(view: &StageView) -> Option<Chart> {
         marks.push(callout("tears here".to_owned(), torn, -1.0, frame, window, mm));
         marks.extend(cross((-torn.r, torn.z), CROSS * mm));
     }
-    let image = if model.release.is_some() { "" } else { " Grey: the tools at the end." };
+    let tools_at = if model.release.is_some() { "" } else { " Grey: the tools at the end." };
     let section = panel(model.geometry, tools.chain(thinning.whole(frame, times)).chain(marks), window);
     Some(Chart {
         title: view.titled("the part and its thinning"),
         legend: "",
         panels: vec![section, thinning.scale()],
-        notes: std::iter::once(format!("{}{image}", said(times))).chain(view.notes()).collect(),
+        notes: std::iter::once(format!("{}{tools_at}", said(times))).chain(view.notes()).collect(),
     })
 }
 
@@ -54,9 +54,9 @@ fn window(frame: &Frame) -> [(f64, f64); 2] {
     [(-width, width), (top - 2.0 * around, bottom + around)]
 }
 
-/// `0.61 mm, −39 %`, with as many decimals as show a hundredth of the blank's thickness.
+/// `0.61 mm, −39 %`, with as many decimals as show a fiftieth of the blank's thickness.
 fn number(initial: f64, thickness: f64) -> String {
-    let decimals = (2.0 - initial.log10().floor()).clamp(1.0, 6.0) as usize;
+    let decimals = (-(0.02 * initial).log10()).ceil().clamp(1.0, 6.0) as usize;
     let thinner = percent(initial, thickness);
     let sign = if thinner > 0.0 { '−' } else { '+' };
     format!("{thickness:.decimals$}\u{a0}mm, {sign}{:.0}\u{a0}%", thinner.abs())

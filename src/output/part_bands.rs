@@ -24,9 +24,10 @@ pub(super) fn panel(view: &StageView, scale: Scale) -> Option<Panel> {
     let curve: Vec<(f64, f64)> = middles.zip(frame.elements.iter().map(|e| e.thickness)).collect();
     let (low, high) =
         curve.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), p| (low.min(p.1), high.max(p.1)));
-    // Level curves have names above them too.
     let Scale::Fit { least, .. } = scale else { return None };
-    let row = ROW * (high - low).max(least);
+    // The axis begins at zero where that is near.
+    let foot = if low < 0.5 * high { 0.0 } else { low };
+    let row = ROW * (high - foot).max(least);
     let names = names(&bands, WIDE / along[along.len() - 1]);
     let top = high + row * (1.0 + names.iter().map(|name| name.1).max().unwrap_or(0) as f64);
     let named = names.into_iter().zip(&bands).map(|((x, at), stretch)| {
@@ -36,7 +37,7 @@ pub(super) fn panel(view: &StageView, scale: Scale) -> Option<Panel> {
     let borders = bands
         .iter()
         .skip(1)
-        .map(|stretch| Series::silent(vec![(stretch.along[0], low), (stretch.along[0], top)], border));
+        .map(|stretch| Series::silent(vec![(stretch.along[0], foot), (stretch.along[0], top)], border));
     // As the last frame's curve over the blank.
     let look = Look::curve(view.shown().count().saturating_sub(1));
     let curve = Series::silent(curve, look);

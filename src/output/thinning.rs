@@ -36,7 +36,7 @@ const LEAST: i32 = 4;
 const SLACK: f64 = 0.02;
 
 /// The outline of the sheet: it stands out from the tools in grey print too.
-const OUTLINE: Look = Look::Line { color: (70, 70, 70), width: 0.9, dash: &[] };
+const OUTLINE: Look = Look::Line { color: (70, 70, 70), width: 0.7, dash: &[] };
 /// A sheet that comes out thinner than this is drawn thicker \[px of a picture 800 wide\], and the picture says so.
 const VISIBLE: f64 = 3.0;
 
@@ -125,7 +125,8 @@ impl Thinning {
             Series::silent(vec![(from, 0.0), (to, 0.0), (to, 1.0), (from, 1.0)], look)
         });
         let zero = Look::Line { color: BLACK, width: 3.0, dash: &[] };
-        let axis = Column::new("thinning", "Thinning, negative where thicker", Unit::Percent, vec![]).axis();
+        let label = if self.levels.start < 0 { "Thinning, negative where thicker" } else { "Thinning" };
+        let axis = Column::new("thinning", label, Unit::Percent, vec![]).axis();
         Panel {
             x: axis.clone(),
             y: axis,

@@ -30,6 +30,7 @@ mod numerics;
 mod observer;
 mod outputs;
 mod package;
+mod part;
 mod profiles;
 mod report;
 mod result_folder;
