@@ -5,7 +5,7 @@ use crate::assess::check::Check;
 
 pub(super) fn section(check: &Check) -> Section {
     let rows =
-        check.lines.iter().map(|line| Row::plain([line.label.clone(), line.value.clone(), line.meaning.clone()]));
+        check.lines.iter().map(|line| Row::plain([&line.label, &line.value, &line.meaning].map(ToString::to_string)));
     let head = vec!["Input", "Value", "Unit and meaning"];
     Section { heading: "Inputs".into(), blocks: vec![Block::Table { head, rows: rows.collect() }] }
 }

@@ -3,6 +3,7 @@
 use super::document::{Block, Row, Section};
 use super::solved::Report;
 use crate::assess::Kind;
+use crate::message::Form;
 use crate::output::summary::{Figure, Group, Summary};
 
 pub(super) fn section(report: &Report) -> Section {
@@ -24,7 +25,7 @@ pub(super) fn figures(summary: &Summary, is_wanted: fn(Group) -> bool) -> Block 
         let indent = "\u{2003}".repeat((f.label.len() - label.len()) / 2);
         Row::plain([format!("{indent}{label}"), f.value, f.unit.to_owned()])
     };
-    let wanted = summary.figures().filter(|figure| is_wanted(figure.group));
+    let wanted = summary.figures(Form::default()).filter(|figure| is_wanted(figure.group));
     Block::Table { head: vec!["Quantity", "Value", "Unit"], rows: wanted.map(row).collect() }
 }
 
