@@ -41,9 +41,8 @@ mod two_sheets;
 mod wrinkling;
 mod yielding;
 
-pub use answer::{Answer, KeyNumber};
+pub use answer::{Answer, KeyNumber, tears_at};
 pub use finding::{Finding, Kind, Light, Limits, Sense, When, advice, headline, judgements, sentences};
-pub use neck::tears_at;
 
 use crate::case::Case;
 use crate::message::Message;

@@ -1,7 +1,6 @@
 //! Whether one place of the sheet takes all the stretching.
 
 use super::{Finding, Light, run::Run, thinning};
-use crate::forming_limit::Assessment;
 use crate::message::{Amount, message};
 use crate::solution::neck::{Neck, neck};
 use crate::solution::{StageSolution, Stop};
@@ -53,18 +52,8 @@ pub(super) fn seen(stage: &StageSolution) -> Option<Finding> {
 }
 
 /// The thinnest place of a stage that has taken a step, where it is a neck or too thin to be whole.
-fn torn(stage: &StageSolution) -> Option<Neck> {
+pub(super) fn torn(stage: &StageSolution) -> Option<Neck> {
     let neck = neck(&stage.model, &stage.end, None);
     let superplastic = stage.model.material.rate.is_some_and(|rate| rate.is_superplastic());
     (neck.stands_out || neck.share < TORN && !superplastic).then_some(neck)
-}
-
-/// Where the sheet of a stage tears, initially from the axis \[mm\]: at its neck, where it is too thin to be whole, or where
-/// it first came to its forming limit. `None` where the verdict says nothing of the kind.
-pub fn tears_at(stage: &StageSolution, limit: Option<&Assessment>) -> Option<f64> {
-    stage.steps.last()?;
-    match stage.stop {
-        Stop::Localised { s0, .. } | Stop::Coalesced { s0, .. } => Some(s0),
-        _ => torn(stage).map(|neck| neck.s0).or_else(|| limit?.reached.map(|reached| reached.s0)),
-    }
 }

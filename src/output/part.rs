@@ -15,6 +15,8 @@ const WIDE: f64 = 680.0;
 const LETTERS: f64 = 20.0;
 /// Half the size of the cross \[px of a picture 800 wide\].
 const CROSS: f64 = 9.0;
+/// Places for words that are tried along each direction.
+const STEPS: u32 = 24;
 
 /// The last frame, mirrored to the full width.
 pub(super) fn plot(view: &StageView) -> Option<Chart> {
@@ -28,7 +30,7 @@ pub(super) fn plot(view: &StageView) -> Option<Chart> {
     let thinnest = frame.elements.iter().min_by(|a, b| a.thickness.total_cmp(&b.thickness))?;
     let number = number(initial, thinnest.thickness);
     let mut marks = vec![callout(number, thinnest, 1.0, frame, window, mm)];
-    if let Some(s0) = tears_at(view.stage, view.forming_limit()) {
+    if let Some(s0) = tears_at(view.stage) {
         let away = |element: &&ElementRecord| (element.s0 - s0).abs();
         let torn = frame.elements.iter().min_by(|a, b| away(a).total_cmp(&away(b)))?;
         marks.push(callout("tears here".to_owned(), torn, -1.0, frame, window, mm));
@@ -89,9 +91,6 @@ fn callout(
     let nearest = free.min_by(|a, b| away(a).total_cmp(&away(b))).unwrap_or((half, top + high));
     Series::new(text, [at, nearest].map(|p| (side * p.0, p.1)).to_vec(), Look::Callout)
 }
-
-/// Places that are tried along each direction.
-const STEPS: u32 = 24;
 
 /// A black cross on white, so that it is seen on every colour.
 fn cross(at: (f64, f64), half: f64) -> impl Iterator<Item = Series> {
