@@ -20,6 +20,7 @@ mod say;
 mod shell;
 mod suggested;
 mod table;
+mod titles;
 mod validate;
 
 pub use code::Code;

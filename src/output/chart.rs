@@ -56,6 +56,15 @@ pub enum Scale {
     },
     /// A bar filled from side to side, y from 0 to 1: a scale of colours over the values of x.
     Bar,
+    /// This window and no more; areas are cut at its border.
+    Window {
+        /// Height of the panel \[px\].
+        height: f64,
+        /// Along x, in the unit of the axis.
+        x: (f64, f64),
+        /// Along y, in the unit of the axis.
+        y: (f64, f64),
+    },
 }
 
 /// One curve, set of points or filled outline.
@@ -86,6 +95,11 @@ pub enum Look {
         /// Of the outlines.
         color: Color,
     },
+    /// Dots at the points.
+    Dots {
+        /// Of the dots.
+        color: Color,
+    },
     /// The inside of the outline that the points make.
     Area {
         /// Of the inside.
@@ -97,6 +111,9 @@ pub enum Look {
     Text,
     /// The label on white about the second point, with a line to a dot at the first. The legend leaves it out.
     Callout,
+    /// A thin upright line at each point, with a dot there and the label above all curves, none on another. The legend leaves
+    /// it out.
+    Flag,
 }
 
 /// Red, green, blue.
@@ -141,6 +158,11 @@ impl Look {
         Self::Line { color: color(i), width: 2.4, dash: DASHES[i % DASHES.len()] }
     }
 
+    /// Whether the legend says what it is.
+    pub fn is_explained(self) -> bool {
+        !matches!(self, Self::Text | Self::Flag | Self::Callout)
+    }
+
     /// The same line thin and pale, for the background.
     pub fn faint(self) -> Self {
         match self {
@@ -166,7 +188,7 @@ impl Panel {
     /// Ranges of x and y that hold every point of the series, or the window of a section.
     pub fn ranges(&self) -> [(f64, f64); 2] {
         match self.scale {
-            Scale::Section { x, y } | Scale::Small { x, y } => [x, y],
+            Scale::Section { x, y } | Scale::Small { x, y } | Scale::Window { x, y, .. } => [x, y],
             Scale::Bar => {
                 let ends = self.series.iter().flat_map(|s| &s.points).map(|p| p.0);
                 let (low, high) =

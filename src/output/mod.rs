@@ -9,6 +9,7 @@ mod draw;
 mod file;
 pub mod flow_curve;
 mod font;
+mod forming_diagram;
 pub mod forming_limit;
 mod frame_recorder;
 mod gif;
@@ -19,6 +20,8 @@ mod outline;
 mod overlay;
 mod part;
 mod part_bands;
+pub mod pdf;
+mod picture;
 mod png;
 pub mod pressure_cycle;
 pub mod profile;
@@ -41,12 +44,15 @@ mod writing;
 
 pub use chart::Chart;
 pub use csv::csv;
-pub use dimensions::{Dimension, Mark, dimensioned};
+pub use dimensions::{Dimension, Mark, Size, dimensioned};
 pub use draw::svg;
+#[cfg(feature = "report")]
+pub(crate) use draw::{Drawing, WIDTH as DRAWN};
 pub use file::{WriteError, can_write, remove_others, write};
 pub use frame_recorder::FrameRecorder;
 pub use make::{Extra, Files, Make, Output};
 pub use overlay::comparisons;
+pub use picture::{Captions, Format, PAPER, Pictures};
 pub use png::png;
 pub use result_folder::ResultFolder;
 pub use results::Results;
@@ -87,7 +93,7 @@ pub const OUTPUTS: &[Output] = &[
         "strain path and margin of every element, where a forming limit is given",
         forming_limit::paths_of,
     ),
-    Output::plot("forming_limit.png", "the curve with every element's strain path", forming_limit::plot),
+    Output::plot("forming_limit.png", "how near every place comes to the forming limit", forming_diagram::plot),
     Output::plot(
         "shapes.png",
         "the section over the travel, coloured by thinning, and the tools where they were then",

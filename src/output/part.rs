@@ -10,8 +10,10 @@ use crate::solution::{ElementRecord, Frame};
 
 /// What is shown around the part, over its width.
 const AROUND: f64 = 0.03;
-/// Width of the section and size of the letters of what is said in it \[px of a picture 800 wide\].
+/// Width of the section, and of that in a narrow column \[px\].
 const WIDE: f64 = 680.0;
+const NARROW: f64 = 430.0;
+/// Size of the letters of what is said in it \[px\].
 const LETTERS: f64 = 20.0;
 /// Half the size of the cross \[px of a picture 800 wide\].
 const CROSS: f64 = 9.0;
@@ -23,17 +25,19 @@ pub(super) fn plot(view: &StageView) -> Option<Chart> {
     let (model, frame) = (view.model(), view.stage.frames.last()?);
     let window = window(frame);
     let mm = 2.0 * window[0].1 / WIDE;
+    // Words that cover no sheet in a narrow picture cover none in a wide one.
+    let narrow = 2.0 * window[0].1 / NARROW;
     let (initial, thinning) = (model.blank.thickness, Thinning::of(model.blank.thickness, [frame].into_iter()));
     let times = times(initial, 1.0 / mm);
     // Tools that were taken away are not there.
     let tools = whole_tools(model, frame, window[0].1).filter(|_| model.release.is_none());
     let thinnest = frame.elements.iter().min_by(|a, b| a.thickness.total_cmp(&b.thickness))?;
     let number = number(initial, thinnest.thickness);
-    let mut marks = vec![callout(number, thinnest, 1.0, frame, window, mm)];
+    let mut marks = vec![callout(number, thinnest, 1.0, frame, window, narrow)];
     if let Some(s0) = tears_at(view.stage) {
         let away = |element: &&ElementRecord| (element.s0 - s0).abs();
         let torn = frame.elements.iter().min_by(|a, b| away(a).total_cmp(&away(b)))?;
-        marks.push(callout("tears here".to_owned(), torn, -1.0, frame, window, mm));
+        marks.push(callout("tears here".to_owned(), torn, -1.0, frame, window, narrow));
         marks.extend(cross((-torn.r, torn.z), CROSS * mm));
     }
     let tools_at = if model.release.is_some() { "" } else { " Grey: the tools at the end." };
