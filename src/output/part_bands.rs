@@ -6,10 +6,11 @@ use crate::measure::{Stretch, along, bands};
 use crate::table::fields::element::THICKNESS;
 use crate::table::{Column, Unit};
 
-/// Width of the panel and size of its letters \[px of a picture 800 wide\].
-const WIDE: f64 = 670.0;
+/// Width of the panel in a narrow column, so that names that are apart there are in a wide one too, and size of its letters
+/// \[px\].
+const NARROW: f64 = 430.0;
 const LETTERS: f64 = 15.0;
-/// Between two names \[px of a picture 800 wide\].
+/// Between two names \[px\].
 const GAP: f64 = 8.0;
 /// Height of a row of names over that of the curve \[–\].
 const ROW: f64 = 0.1;
@@ -28,7 +29,7 @@ pub(super) fn panel(view: &StageView, scale: Scale) -> Option<Panel> {
     // The axis begins at zero where that is near.
     let foot = if low < 0.5 * high { 0.0 } else { low };
     let row = ROW * (high - foot).max(least);
-    let names = names(&bands, WIDE / along[along.len() - 1]);
+    let names = names(&bands, NARROW / along[along.len() - 1]);
     let top = high + row * (1.0 + names.iter().map(|name| name.1).max().unwrap_or(0) as f64);
     let named = names.into_iter().zip(&bands).map(|((x, at), stretch)| {
         Series::new(stretch.band.name(), vec![(x, high + row * (0.7 + at as f64))], Look::Text)
@@ -80,7 +81,7 @@ mod tests {
         let named = [Band::Bottom, Band::PunchRadius, Band::Wall, Band::DieRadius, Band::Flange];
         let stretch = |i: usize| Stretch { band: named[i], elements: i..i + 1, along: [ends[i], ends[i + 1]] };
         let bands: Vec<Stretch> = (0..named.len()).map(stretch).collect();
-        let px = WIDE / 435.0;
+        let px = NARROW / 435.0;
         let places = names(&bands, px);
         assert!(places.iter().any(|place| place.1 > 0), "narrow bands need rows: {places:?}");
         for (i, (a, row)) in places.iter().enumerate() {
