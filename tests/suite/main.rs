@@ -33,6 +33,7 @@ mod numerics;
 mod observer;
 mod outputs;
 mod package;
+mod part;
 mod pictures;
 mod profiles;
 mod report;
