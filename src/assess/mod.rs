@@ -4,6 +4,7 @@
 //! `AFTER`. Each rule has one constant with its source; what has no source that could be read is called a declared rule of
 //! thumb.
 
+mod answer;
 mod bending_radius;
 mod bent_strength;
 mod blank_size;
@@ -39,6 +40,7 @@ mod trim;
 mod wrinkling;
 mod yielding;
 
+pub use answer::{Answer, KeyNumber};
 pub use finding::{Finding, Kind, Light, Limits, Sense, When, advice, headline, judgements, sentences};
 
 use crate::case::Case;

@@ -4,7 +4,7 @@ use super::code::Code;
 use super::options::Json;
 use super::place;
 use super::say::{Shown, say, say_json};
-use super::table::{Tone, table};
+use super::table::{Cell, table};
 use anyhow::Result;
 use serde_json::{Value, json};
 use stampflow::case::library::{self, Entry};
@@ -70,11 +70,11 @@ fn list(entries: &[Entry]) -> Shown {
             entry.material.hardening.describe(),
             source,
         ];
-        (cells, Tone::Plain)
+        cells.map(Cell::plain)
     };
     let headers = ["name", "n [–]", "r̄ [–]", "thickness", "law", "source"];
     let rows = entries.iter().map(row).collect();
-    table(Some(headers), rows, 1)
+    table(Some(headers), rows)
         + Shown::from("\nstampflow materials NAME says all of one, with its source and a table to paste.\n")
 }
 

@@ -1,5 +1,7 @@
 //! Options that several verbs have.
 
+use stampflow::message::{Form, LANGUAGES, Language, System};
+
 /// The option of every verb that has a result.
 #[derive(Debug, clap::Args)]
 pub struct Json {
@@ -21,6 +23,37 @@ pub struct Overrides {
     /// Replace what the case says: a dotted path of keys and a value with its unit, as often as needed
     #[arg(long = "set", value_name = "KEY=VALUE")]
     pub set: Vec<String>,
+}
+
+/// The options of every verb that answers.
+#[derive(Debug, clap::Args)]
+pub struct Told {
+    /// Language of what is said: en or de
+    #[arg(long, value_name = "CODE", default_value = "en", value_parser = language)]
+    lang: Language,
+    /// Units of what is said: si (mm, kN, MPa) or us (in, US tonf, ksi); files for programs stay in si
+    #[arg(long, value_name = "SYSTEM", default_value = "si", value_parser = system)]
+    units: System,
+}
+
+impl Told {
+    /// How it is to be told.
+    pub fn form(&self) -> Form {
+        Form { language: self.lang, system: self.units }
+    }
+}
+
+fn language(code: &str) -> Result<Language, String> {
+    let known = || LANGUAGES.iter().map(|(code, name, _)| format!(", {code} ({name})")).collect::<String>();
+    Language::of(code).ok_or_else(|| format!("the languages are en (English){}", known()))
+}
+
+fn system(name: &str) -> Result<System, String> {
+    match name {
+        "si" => Ok(System::Si),
+        "us" => Ok(System::Us),
+        _ => Err("the systems are si (mm, kN, MPa) and us (in, US tonf, ksi)".to_owned()),
+    }
 }
 
 /// The option of every verb that solves several cases.

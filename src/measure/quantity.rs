@@ -20,7 +20,7 @@ pub struct Quantity {
     pub unit: Unit,
     /// Measures it; `None` where the shape has no such thing.
     pub of: fn(&Shape) -> Option<f64>,
-    /// What is told of a value.
+    /// How a value is told.
     told: fn(f64, Unit) -> Message,
 }
 
@@ -52,21 +52,28 @@ impl Quantity {
         Self { key, label, unit, of, told: measured }
     }
 
-    /// A value in words: `47.5°`, `224 mm`, `straight`.
+    /// A value as a reader is told it: `47.5°`, `224 mm`, `straight`.
     pub fn told(&self, value: f64) -> Message {
         (self.told)(value, self.unit)
     }
 
+    /// What is told of it behind its name: `Opening angle 90.0°`.
+    pub fn named(&self, told: Message) -> Message {
+        message!("{quantity} {told}", quantity = self.label, told = told)
+    }
+
     /// A difference of values: `+7.9°`.
     pub fn signed(&self, difference: f64) -> Message {
-        let told = self.told(difference);
-        let is_nothing = told.to_string() == self.told(0.0).to_string();
-        if difference > 0.0 && !is_nothing { message!("+{difference}", difference = told) } else { told }
+        let by = (self.told)(difference, self.unit);
+        let is_more = difference > 0.0 && by != (self.told)(0.0, self.unit);
+        if is_more { message!("+{by}", by = by) } else { by }
     }
 }
 
 /// `-0.3°`, `12.0 mm`.
 fn measured(value: f64, unit: Unit) -> Message {
+    let least = 0.5 * 0.1_f64.powi(DECIMALS as i32);
+    let value = if value.abs() < least { 0.0 } else { value };
     Amount::new(value, unit, Digits::Decimals(DECIMALS)).into()
 }
 
@@ -117,24 +124,29 @@ pub fn changes(before: &Shape, after: &Shape) -> Vec<Change> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::message::NO_BREAK;
 
     fn change(key: &str, before: Option<f64>, after: Option<f64>) -> Change {
         Change { quantity: QUANTITIES.iter().find(|q| q.key == key).expect("a quantity"), before, after }
     }
 
+    fn words(message: &Message) -> String {
+        message.to_string().replace(NO_BREAK, " ")
+    }
+
     #[test]
     fn values_have_the_digits_that_a_mesh_supports() {
         let angle = change("wall_angle", Some(-0.311), Some(8.234));
-        assert_eq!(angle.told().to_string(), "-0.3° → 8.2°");
-        assert_eq!(angle.quantity.signed(angle.change().expect("both")).to_string(), "+8.5°");
-        assert_eq!(angle.quantity.signed(-0.04).to_string(), "0.0°");
-        assert_eq!(change("height", Some(28.819_725), Some(27.646_222)).told().to_string(), "28.8 mm → 27.6 mm");
+        assert_eq!(words(&angle.told()), "-0.3° → 8.2°");
+        assert_eq!(words(&angle.quantity.signed(angle.change().expect("both"))), "+8.5°");
+        assert_eq!(words(&angle.quantity.signed(0.04)), "0.0°");
+        assert_eq!(words(&change("height", Some(28.819_725), Some(27.646_222)).told()), "28.8 mm → 27.6 mm");
     }
 
     #[test]
     fn a_wall_without_curl_is_called_straight() {
         let curl = change("curl_radius", Some(f64::INFINITY), Some(223.6));
-        assert_eq!((curl.told().to_string(), curl.change()), ("straight → 224 mm".to_owned(), None));
-        assert_eq!(change("curl_radius", None, Some(-150.0)).told().to_string(), "none → 150 mm inward");
+        assert_eq!((words(&curl.told()), curl.change()), ("straight → 224 mm".to_owned(), None));
+        assert_eq!(words(&change("curl_radius", None, Some(-150.0)).told()), "none → 150 mm inward");
     }
 }

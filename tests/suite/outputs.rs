@@ -375,6 +375,7 @@ fn no_line_of_the_summary_is_an_orphan() {
         ("peak_punch_force", &["peak_travel"][..]),
         ("thinnest", &["thinnest_over_initial", "thinnest_s0"]),
         ("thickest", &["thickest_over_initial", "thickest_s0"]),
+        ("work_given_back", &["work_out_of_sheet", "work_out_of_contact", "work_plastic", "work_friction"]),
         ("work_external", &["work_plastic", "work_elastic", "work_friction", "work_contact"]),
         ("peak_holder_force", &["rim_share", "holder_lift"]),
         ("steps", &["steps_from_predictor", "steps_from_secant", "steps_from_softened"]),
