@@ -51,7 +51,7 @@ pub struct Args {
 }
 
 pub fn check(args: &Args) -> anyhow::Result<Code> {
-    let case = job::load(&args.case, &args.overrides.set)?;
+    let case = job::load(&args.case, &args.overrides.all())?;
     let report = check::report(&case);
     if !args.run {
         return if args.json.json { say_json(&report) } else { say(wrapped(&report.to_string())) };

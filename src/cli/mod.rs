@@ -18,6 +18,7 @@ mod report;
 mod run;
 mod say;
 mod shell;
+mod suggested;
 mod table;
 mod validate;
 

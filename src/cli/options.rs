@@ -1,5 +1,6 @@
 //! Options that several verbs have.
 
+use super::suggested::Suggested;
 use stampflow::message::{Form, LANGUAGES, Language, System};
 
 /// The option of every verb that has a result.
@@ -21,8 +22,20 @@ impl Json {
 #[derive(Debug, clap::Args)]
 pub struct Overrides {
     /// Replace what the case says: a dotted path of keys and a value with its unit, as often as needed
-    #[arg(long = "set", value_name = "KEY=VALUE")]
-    pub set: Vec<String>,
+    #[arg(long = "set", value_name = "KEY=VALUE", value_parser = Suggested::KEYS, hide_possible_values = true)]
+    set: Vec<String>,
+    /// Another sheet: the whole of [material] is that of the library, but for what --set says besides; a name, a grade such
+    /// as DC04 or the beginning of one, see `stampflow materials`
+    #[arg(long, value_name = "NAME", value_parser = Suggested::SHEETS, hide_possible_values = true)]
+    material: Option<String>,
+}
+
+impl Overrides {
+    /// All of them as `KEY=VALUE`, in the order in which they are applied.
+    pub fn all(&self) -> Vec<String> {
+        let sheet = self.material.iter().map(|name| format!("material={name:?}"));
+        sheet.chain(self.set.iter().cloned()).collect()
+    }
 }
 
 /// The options of every verb that answers.

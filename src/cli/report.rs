@@ -54,7 +54,7 @@ enum Format {
 }
 
 pub fn report(args: &Args) -> anyhow::Result<Code> {
-    let case = job::load(&args.case, &args.overrides.set)?;
+    let case = job::load(&args.case, &args.overrides.all())?;
     let format = args.format()?;
     let name = if format == Format::Md { "report.md" } else { "report.html" };
     let path = match &args.output {

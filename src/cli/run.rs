@@ -85,7 +85,7 @@ pub fn run(args: &Args) -> anyhow::Result<Code> {
         return Err(BadRequest("--trace writes the iterations of one case: give one case".to_owned()).into());
     }
     let several = args.cases.len() > 1;
-    let (cases, mut failed) = load_all(&args.cases, &args.overrides.set);
+    let (cases, mut failed) = load_all(&args.cases, &args.overrides.all());
     share_no_folder(&cases)?;
     let jobs = prepared(cases, &mut failed, |case| prepare(args, several, case));
     args.threads.apply()?;

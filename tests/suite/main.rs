@@ -61,4 +61,5 @@ mod verify_stages;
 mod verify_steps;
 mod voids;
 mod vtu;
+mod wording;
 mod written_files;
