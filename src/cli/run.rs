@@ -4,7 +4,7 @@ use super::answer;
 use super::code::{BadRequest, Code};
 use super::job::{load_all, prepared, solve_all, told};
 use super::json;
-use super::options::{self, Json, Overrides, Threads};
+use super::options::{self, Json, Overrides, PictureOptions, Threads};
 use super::place;
 use super::progress::{Kept, Progress};
 use super::say::{Shown, say, say_json};
@@ -56,6 +56,8 @@ pub struct Args {
     #[command(flatten)]
     form: options::Told,
     #[command(flatten)]
+    pictures: PictureOptions,
+    #[command(flatten)]
     threads: Threads,
     #[command(flatten)]
     json: Json,
@@ -100,7 +102,7 @@ pub fn run(args: &Args) -> anyhow::Result<Code> {
         },
         |solution, kept, folder| {
             let dir = self::folder(args, several, &solution.case)?;
-            let results = Results::of(&solution)?;
+            let results = Results::of(&solution)?.with_pictures(&args.pictures.pictures());
             // Each is tried and told whatever became of the others.
             let pages = args.report.then(|| (PAGE.to_owned(), page(&solution).into_bytes()));
             let written = results.write_into(&kept.recorder, pages, folder);
@@ -196,7 +198,8 @@ impl Args {
     ) -> Shown {
         let (name, form) = (&results.solution.case.name, self.form.form());
         if self.cases.len() > 1 && !self.verbose {
-            return answer::sentence(name, answer, form);
+            let written = files.map(|files| format!("{} files in {}", files.len(), dir.display()));
+            return answer::sentence(name, answer, &written.unwrap_or_default(), form);
         }
         let mut shown = answer::answered(name, answer, findings, form);
         if self.verbose {

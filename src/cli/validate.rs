@@ -3,7 +3,7 @@
 use super::code::{BadRequest, Code};
 use super::job::{load_all, prepared, solve_all, told};
 use super::json;
-use super::options::{Json, Threads};
+use super::options::{Json, PictureOptions, Threads};
 use super::place;
 use super::progress::{Kept, Progress};
 use super::say::{say, say_json};
@@ -39,6 +39,8 @@ pub struct Args {
     #[arg(long, short)]
     quiet: bool,
     #[command(flatten)]
+    pictures: PictureOptions,
+    #[command(flatten)]
     threads: Threads,
     #[command(flatten)]
     json: Json,
@@ -61,7 +63,7 @@ pub fn validate(args: &Args) -> anyhow::Result<Code> {
         jobs,
         |case| progress.watch(case, Kept::default()),
         |solution, _, folder| {
-            let results = Results::of(&solution)?;
+            let results = Results::of(&solution)?.with_pictures(&args.pictures.pictures());
             let failure = results.write_comparisons(folder).err();
             Ok((solution.case.name.clone(), results.comparisons, failure))
         },

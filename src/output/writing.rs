@@ -169,8 +169,8 @@ fn write_stage(view: &StageView, i: usize, recorder: &FrameRecorder, folder: &mu
             if recorder.extras.contains(&extra) && frames.len() > 1 {
                 make(view, &frames).for_each(|(name, bytes)| folder.write(inside.join(name), &bytes));
             }
-        } else if let Some(bytes) = output.bytes(view) {
-            folder.write(inside.join(output.file), &bytes);
+        } else {
+            output.files(view).iter().for_each(|(name, bytes)| folder.write(inside.join(name), bytes));
         }
     }
 }

@@ -8,6 +8,7 @@
 mod common;
 
 mod animation;
+mod answers;
 mod architecture;
 mod attack;
 mod bad_cases;
@@ -19,6 +20,7 @@ mod cli;
 mod compare;
 mod depth;
 mod drawings;
+mod events;
 mod files;
 mod forming_limit;
 mod geometry;
@@ -31,6 +33,8 @@ mod numerics;
 mod observer;
 mod outputs;
 mod package;
+mod part;
+mod pictures;
 mod profiles;
 mod report;
 mod result_folder;
