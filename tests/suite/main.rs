@@ -28,6 +28,7 @@ mod material_laws;
 mod materials;
 mod measures;
 mod meridians;
+mod messages;
 mod model_check;
 mod numerics;
 mod observer;
