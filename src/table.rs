@@ -13,26 +13,8 @@ pub use crate::units::{Unit, UnitError};
 pub use csv::{Csv, CsvError, Record};
 pub use field::{Field, worded};
 
-use crate::model::Geometry;
-
-/// Unit of forces: of the whole ring, or per mm of depth.
-pub fn force_unit(geometry: Geometry) -> Unit {
-    match geometry {
-        Geometry::Axisymmetric => Unit::N,
-        Geometry::PlaneStrain => Unit::NPerMm,
-    }
-}
-
 /// One N·mm, the solver's unit of work \[J\].
 pub const JOULES: f64 = 1e-3;
-
-/// Unit in which work and heat are written, after [`JOULES`]: of the whole ring, or per mm of depth.
-pub fn energy_unit(geometry: Geometry) -> Unit {
-    match geometry {
-        Geometry::Axisymmetric => Unit::Joule,
-        Geometry::PlaneStrain => Unit::JoulePerMm,
-    }
-}
 
 /// One quantity, in solver units.
 #[derive(Clone, Debug, PartialEq)]

@@ -5,10 +5,10 @@ mod stages;
 use super::{Kind, before, sentences};
 use crate::case::Case;
 use crate::message::Message;
-use crate::model::{Face, Geometry, Model, Motion, Pressure, Role, Theory, Tool};
+use crate::model::{Extent, Face, Geometry, Model, Motion, Pressure, Role, Theory, Tool};
 use crate::rules::design::LIMITING_RATIO;
 use crate::rules::estimate;
-use crate::rules::tool_sizes::{across, extent, mouth, throat, widens};
+use crate::rules::tool_sizes::{extent, mouth, throat, widens};
 use crate::units::mm;
 use crate::units::{ZERO_CELSIUS, rounded};
 use serde::Serialize;
@@ -70,17 +70,15 @@ fn line(label: impl Into<String>, value: impl Into<String>, meaning: impl Into<S
 
 fn blank(model: &Model, lines: &mut Vec<Line>) {
     let blank = &model.blank;
-    let (geometry, size) = match model.geometry {
-        Geometry::Axisymmetric => ("axisymmetric", format!("mm radius, {} mm diameter", mm(2.0 * blank.length))),
-        Geometry::PlaneStrain => ("plane strain, one half per mm of depth", "mm half length".to_owned()),
+    let (geometry, meaning) = match model.geometry {
+        Geometry::Axisymmetric => ("axisymmetric", "mm".to_owned()),
+        Geometry::PlaneStrain => ("plane strain", format!("mm half length, {} mm in all", mm(2.0 * blank.length))),
     };
-    lines.push(line("geometry", geometry, ""));
-    lines.push(line("blank", mm(blank.length), size));
+    lines.push(line("geometry", geometry, model.extent().described()));
+    lines.push(line("blank", size(model.geometry, blank.length), meaning));
     lines.push(line("thickness", mm(blank.thickness), "mm"));
-    let (volume, unit) = match model.geometry {
-        Geometry::Axisymmetric => (model.geometry.area(blank.length) * blank.thickness, "mm³"),
-        Geometry::PlaneStrain => (blank.length * blank.thickness, "mm³ per mm of depth"),
-    };
+    let volume = model.extent().area(blank.length) * blank.thickness;
+    let unit = if model.extent() == Extent::PerDepth { "mm³ per mm of depth" } else { "mm³" };
     lines.push(line("volume", format!("{volume:.0}"), unit));
     let theory = match blank.theory {
         Theory::Bending => format!("bending, {} points through the thickness", blank.layers),
@@ -101,27 +99,39 @@ fn blank(model: &Model, lines: &mut Vec<Line>) {
     }
 }
 
+/// A distance from the axis or symmetry plane \[mm\] as shops have it: of a round part the diameter.
+fn size(geometry: Geometry, half: f64) -> String {
+    match geometry {
+        Geometry::Axisymmetric => format!("Ø {}", mm(2.0 * half)),
+        Geometry::PlaneStrain => mm(half),
+    }
+}
+
 fn tools(model: &Model, lines: &mut Vec<Line>) {
+    let size = |half: f64| size(model.geometry, half);
+    let width = match model.geometry {
+        Geometry::Axisymmetric => "",
+        Geometry::PlaneStrain => " half-width",
+    };
     for tool in &model.tools {
         let (low, high) = extent(tool);
         let bottom = tool.role == Role::Die && throat(tool).is_none();
-        let size = match tool.role {
-            Role::Punch => mm(high),
+        let edge = match tool.role {
+            Role::Punch => size(high),
             Role::Die if bottom => "closed".into(),
-            Role::Die | Role::Holder => mm(low),
+            Role::Die | Role::Holder => size(low),
         };
         let corners = corners(tool, model.blank.thickness);
-        let width = across(model.geometry);
         let what = match tool.role {
             Role::Punch if widens(tool, model.travel) => {
-                format!("mm {width} to the wall, {} at the sheet at the full travel", mm(mouth(tool, model.travel)))
+                format!("mm{width} to the wall, {} mm at the sheet at the full travel", size(mouth(tool, model.travel)))
             }
-            Role::Punch => format!("mm {width} to the wall"),
+            Role::Punch => format!("mm{width} to the wall"),
             Role::Die if bottom => "by a bottom that reaches the axis".to_owned(),
-            Role::Die => format!("mm {width} of the throat"),
-            Role::Holder => format!("mm {width} of the inner edge"),
+            Role::Die => format!("mm{width} of the throat"),
+            Role::Holder => format!("mm{width} of the inner edge"),
         };
-        lines.push(line(tool.role.name(), size, format!("{what}{corners}, friction {}", tool.friction)));
+        lines.push(line(tool.role.name(), edge, format!("{what}{corners}, friction {}", tool.friction)));
     }
     if model.travel > 0.0 {
         let changes = model.schedule.as_ref().map_or(String::new(), |schedule| {
@@ -130,11 +140,13 @@ fn tools(model: &Model, lines: &mut Vec<Line>) {
             let (slowest, fastest) = (speeds().fold(f64::INFINITY, f64::min), speeds().fold(0.0, f64::max));
             format!(" on average, {} to {} mm/s", rounded(slowest), rounded(fastest))
         });
-        lines.push(line("travel", mm(model.travel), format!("mm at {} mm/s{changes}", rounded(model.speed))));
+        let pace = if model.timed { format!(" at {} mm/s{changes}", rounded(model.speed)) } else { String::new() };
+        lines.push(line("travel", mm(model.travel), format!("mm{pace}")));
     }
     for bead in &model.beads {
-        let meaning = format!("mm from the axis, restraining {} N/mm, closing {} N/mm", bead.restraining, bead.closing);
-        lines.push(line("bead", mm(bead.at), meaning));
+        let from = if model.geometry == Geometry::Axisymmetric { "mm" } else { "mm from the symmetry plane" };
+        let meaning = format!("{from}, restraining {} N/mm, closing {} N/mm", bead.restraining, bead.closing);
+        lines.push(line("bead", size(bead.at), meaning));
     }
     for gas in &model.gas {
         let face = if gas.face == Face::Lower { "lower" } else { "upper" };
@@ -181,7 +193,7 @@ fn corners(tool: &Tool, thickness: f64) -> String {
 }
 
 fn holder(model: &Model, strength: f64, lines: &mut Vec<Line>) {
-    let unit = model.geometry.force_unit();
+    let unit = model.extent().force_unit().symbol();
     let force = match model.tool(Role::Holder).map(|holder| &holder.motion) {
         Some(Motion::Gap(gap)) => {
             let meaning = format!("mm to the die, {:.3} thicknesses: fixed", gap / model.blank.thickness);

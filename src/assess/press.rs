@@ -1,8 +1,7 @@
 //! What the press must give, against its rating where the case names it.
 
 use super::{Finding, Light, run::Run};
-use crate::model::Geometry;
-use crate::table::{JOULES, Unit, energy_unit, force_unit};
+use crate::table::{JOULES, Unit};
 use crate::units::four_digits;
 
 /// Largest punch force and its travel, over all stages.
@@ -13,7 +12,7 @@ pub(super) fn force(run: &Run) -> Option<Finding> {
     if peak.punch_force <= 0.0 {
         return None;
     }
-    let unit = force_unit(stage.model.geometry);
+    let unit = stage.model.extent().force_unit();
     Some(rated(
         "punch_force",
         "Punch force",
@@ -21,30 +20,22 @@ pub(super) fn force(run: &Run) -> Option<Finding> {
         run.case.press.force,
         |force| match unit {
             Unit::N => format!("{} kN", four_digits(1e-3 * force)),
-            other => format!("{} {}", four_digits(force), other.symbol()),
+            other => format!("{} {} of depth", four_digits(force), other.symbol()),
         },
-        format!("{} at {:.2} mm of travel{}", half(run), peak.travel, run.of_stage(i)),
+        format!(" at {:.2} mm of travel{}", peak.travel, run.of_stage(i)),
     ))
 }
 
 /// External work of the stroke that needs most of it.
 pub(super) fn energy(run: &Run) -> Option<Finding> {
-    let unit = energy_unit(run.stages.first()?.model.geometry);
+    let unit = run.stages.first()?.model.extent().energy_unit();
     let strokes = run.stages.iter().enumerate().filter(|(_, stage)| stage.model.release.is_none());
     let work = strokes.filter_map(|(i, stage)| Some((i, JOULES * stage.steps.last()?.work.external)));
     let (i, work) = work.max_by(|a, b| a.1.total_cmp(&b.1))?;
     let per = if unit == Unit::Joule { "J" } else { "J per mm of depth" };
     let written = |work: f64| format!("{} {per}", four_digits(work));
-    let at = format!("{}{}", half(run), run.of_stage(i));
-    Some(rated("energy", "Energy", (work, unit), run.case.press.energy.map(|energy| JOULES * energy), written, at))
-}
-
-/// What forces and work of a plane-strain section are of.
-fn half(run: &Run) -> &'static str {
-    match run.stages.first().map(|stage| stage.model.geometry) {
-        Some(Geometry::PlaneStrain) => " of the modelled half: the press sees twice that",
-        _ => "",
-    }
+    let rating = run.case.press.energy.map(|energy| JOULES * energy);
+    Some(rated("energy", "Energy", (work, unit), rating, written, run.of_stage(i)))
 }
 
 /// A figure of the run against the press's rating, `written` with a unit.
@@ -59,8 +50,10 @@ fn rated(
     let light = rating.map_or(Light::Grey, |rating| Light::of(value, [rating, rating]));
     let advice = match rating {
         Some(_) => "a stronger press; less friction or holder force, a smaller blank, a thinner sheet",
-        None if unit == Unit::JoulePerMm => "times twice the part's depth, against the press's work of a stroke",
-        None => "give [press] force, and energy of an axisymmetric part: the ratings on its data sheet",
+        None if matches!(unit, Unit::NPerMm | Unit::JoulePerMm) => {
+            "give blank.depth, and [press] force and energy: the ratings on its data sheet"
+        }
+        None => "give [press] force and energy: the ratings on its data sheet",
     };
     Finding::judged(key, label, light, written(value) + &at)
         .against(value, unit, rating.map_or_else(|| "the press's rating, not in the case".into(), written))

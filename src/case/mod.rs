@@ -71,6 +71,8 @@ pub struct Case {
     pub compare: Vec<Spec>,
     /// The rating of the press.
     pub press: Press,
+    /// The part's tolerances.
+    pub springback: Springback,
     /// Where its numbers come from.
     pub sources: Sources,
     /// What was assumed or changed while reading: defaults that matter, profiles that were shifted.
@@ -80,10 +82,30 @@ pub struct Case {
 /// What the press can give; `None` where the case does not say.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Press {
-    /// Largest force \[N\], in plane strain \[N/mm\] of depth of the modelled half.
+    /// Largest force, of the whole section as [`Extent`](crate::model::Extent) has it \[N, or N/mm of depth\].
     pub force: Option<f64>,
     /// Work of one stroke \[mJ\].
     pub energy: Option<f64>,
+}
+
+/// How far the part may be from what is wanted once its tools are taken away; `None` where the case does not say.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Springback {
+    /// Wanted angle between both walls \[°\]; `None` for the one under the tools.
+    pub angle: Option<f64>,
+    /// Of that angle \[°\].
+    pub tolerance: Option<f64>,
+    /// Of each flange, from where it is under the tools \[°\].
+    pub flange_tolerance: Option<f64>,
+    /// Of each edge, likewise \[mm\].
+    pub edge_tolerance: Option<f64>,
+}
+
+impl Springback {
+    /// Whether there is anything to judge by.
+    pub fn is_given(&self) -> bool {
+        [self.tolerance, self.flange_tolerance, self.edge_tolerance].iter().any(Option::is_some)
+    }
 }
 
 impl Case {

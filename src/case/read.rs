@@ -61,6 +61,7 @@ pub fn parse_with(text: &str, name: &str, overrides: &[String], files: &dyn File
     derived.splice(0..0, std::mem::take(&mut taken.notes));
     let compare = build::compare(&file, &source, folder)?;
     let press = build::press(&file, &source)?;
+    let springback = build::springback(&file, &source)?;
     let sources = sources::of(&file, taken, &source)?;
     let name = path.file_stem().map_or_else(|| "case".into(), |stem| stem.to_string_lossy().into_owned());
     let overrides = overrides.to_vec();
@@ -71,6 +72,7 @@ pub fn parse_with(text: &str, name: &str, overrides: &[String], files: &dyn File
         stages,
         compare,
         press,
+        springback,
         sources,
         derived,
         path,

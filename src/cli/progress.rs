@@ -8,7 +8,6 @@ use stampflow::files::visible;
 use stampflow::model::Model;
 use stampflow::output::FrameRecorder;
 use stampflow::solution::{IterationRecord, StepRecord};
-use stampflow::table::force_unit;
 use stampflow::{Observer, Stage, State};
 use std::io::{self, IsTerminal};
 use std::time::{Duration, Instant};
@@ -77,7 +76,7 @@ impl Progress {
             Self::Silent => Shown::Nothing,
         };
         let labels = (0..).map_while(|i| case.stage_label(i));
-        let force_unit = force_unit(model.geometry).symbol();
+        let force_unit = model.extent().force_unit().symbol();
         Watch {
             name: name.clone(),
             to_come: labels.map(|label| format!("{name}/{label}")).collect::<Vec<_>>().into_iter(),

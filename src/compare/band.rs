@@ -81,7 +81,9 @@ impl BandQuantity {
     pub(super) fn columns(self, computed: &Computed) -> (Column, Column) {
         let over_travel = |values| (computed.step(step::TRAVEL), values);
         match self {
-            Self::EdgeDiameter => over_travel(step::edge_diameter(computed.geometry, computed.length, computed.steps)),
+            Self::EdgeDiameter => {
+                over_travel(step::edge_diameter(computed.extent.geometry(), computed.length, computed.steps))
+            }
             Self::DrawIn => over_travel(computed.step(step::DRAW_IN)),
             Self::Thinnest => over_travel(computed.step(step::THINNEST)),
             Self::Thickness => (computed.element(element::R), computed.element(element::THICKNESS)),

@@ -1,14 +1,14 @@
 //! What a stage offers for comparison.
 
-use crate::model::{Geometry, Model};
+use crate::model::{Extent, Model};
 use crate::solution::{ElementRecord, StageSolution, StepRecord};
 use crate::table::{Column, Field};
 
 /// What a stage offers for comparison.
 #[derive(Clone, Copy, Debug)]
 pub struct Computed<'a> {
-    /// What the section stands for.
-    pub geometry: Geometry,
+    /// What the section stands for, and what its forces are of.
+    pub extent: Extent,
     /// Length of the undeformed blank from the axis or symmetry plane \[mm\].
     pub length: f64,
     /// Every step that was solved.
@@ -32,14 +32,14 @@ impl<'a> Computed<'a> {
 
     /// Nothing yet, to find out whether references fit before anything is solved.
     pub fn nothing(model: &Model) -> Self {
-        Self { geometry: model.geometry, length: model.blank.length, steps: &[], elements: &[], complete: true }
+        Self { extent: model.extent(), length: model.blank.length, steps: &[], elements: &[], complete: true }
     }
 
     pub(super) fn step(&self, field: Field<StepRecord>) -> Column {
-        field.column(self.geometry, self.steps)
+        field.column(self.extent, self.steps)
     }
 
     pub(super) fn element(&self, field: Field<ElementRecord>) -> Column {
-        field.column(self.geometry, self.elements)
+        field.column(self.extent, self.elements)
     }
 }

@@ -9,9 +9,9 @@ pub mod surface;
 #[cfg_attr(feature = "case", derive(serde::Deserialize), serde(rename_all = "snake_case"))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub enum Geometry {
-    /// Body of revolution; forces are those of the whole ring.
+    /// Body of revolution.
     Axisymmetric,
-    /// Unit depth, one half of a symmetric section; forces are per length of depth of that half.
+    /// A section that is the same at every depth; one half of it is solved, symmetric to the other.
     PlaneStrain,
 }
 
@@ -41,14 +41,6 @@ impl Theory {
 }
 
 impl Geometry {
-    /// Unit of a force: whole ring, or per mm of depth.
-    pub fn force_unit(self) -> &'static str {
-        match self {
-            Geometry::Axisymmetric => "N",
-            Geometry::PlaneStrain => "N/mm",
-        }
-    }
-
     /// Area of a flat sheet up to the distance `r` from the axis or symmetry plane \[mm², or mm per mm of depth\].
     pub fn area(self, r: f64) -> f64 {
         match self {

@@ -30,7 +30,7 @@ pub(super) struct Meridian {
     /// dφ/ds at each node over a window of two thicknesses \[1/mm\].
     pub(super) curvature: Vec<f64>,
     /// Mean thickness \[mm\].
-    thickness: f64,
+    pub(super) thickness: f64,
 }
 
 /// A stretch between the places where the curvature becomes and ceases to be that of a bend.

@@ -33,19 +33,22 @@ mod fit;
 mod meridian;
 mod moment;
 mod part;
+mod quantity;
 
 pub use bands::{Band, PartPlace, Stretch, along, bands, place_on_part};
 pub use moment::{MomentError, moment_error};
 pub use part::{part_height, thickest};
+pub use quantity::{Change, EDGE, FLANGE_ANGLE, OPENING_ANGLE, QUANTITIES, Quantity, WALL_ANGLE, changes};
 
 use crate::solution::Frame;
-use crate::table::Unit;
 use fit::Fit;
 use meridian::Meridian;
 use std::ops::Range;
 
-/// A leg that curls by less than this over its length counts as straight \[rad\]: 0.1°, less than can be measured.
-const STRAIGHT: f64 = 0.1 * std::f64::consts::PI / 180.0;
+/// A leg that sags by less than this share of the sheet's thickness counts as straight \[–\]: 0.05 mm on a sheet of 1 mm, the
+/// thinnest leaf of a usual feeler gauge. Under load the contact, which gives way by a hundredth of the thickness, makes
+/// straight walls sag by that.
+const STRAIGHT: f64 = 0.05;
 
 /// A die radius bends the sheet by more than this share of its sharpest bend.
 const SHARP: f64 = 0.1;
@@ -65,6 +68,8 @@ pub struct Leg {
     pub curvature: f64,
     /// Of the line \[mm\].
     pub length: f64,
+    /// Mean thickness of the sheet \[mm\].
+    pub thickness: f64,
 }
 
 /// What was measured on a frame; what it has not is `None`.
@@ -80,38 +85,6 @@ pub struct Shape {
     pub edge: Option<f64>,
 }
 
-/// Something that can be measured on a shape.
-#[derive(Clone, Copy, Debug)]
-pub struct Quantity {
-    /// Name in files, without the unit.
-    pub key: &'static str,
-    /// Name in legends.
-    pub label: &'static str,
-    /// Unit of its values.
-    pub unit: Unit,
-    /// Measures it; `None` where the shape has no such thing.
-    pub of: fn(&Shape) -> Option<f64>,
-}
-
-/// Of the wall to the direction of the punch \[°\].
-pub const WALL_ANGLE: Quantity =
-    Quantity { key: "wall_angle", label: "Wall to the punch direction", unit: Unit::Degree, of: Shape::wall_angle };
-/// Of the flange to the horizontal \[°\].
-pub const FLANGE_ANGLE: Quantity =
-    Quantity { key: "flange_angle", label: "Flange to the horizontal", unit: Unit::Degree, of: Shape::flange_angle };
-
-/// Everything that is measured, in the order of tables.
-pub const QUANTITIES: &[Quantity] = &[
-    WALL_ANGLE,
-    Quantity { key: "opening_angle", label: "Opening angle", unit: Unit::Degree, of: Shape::opening_angle },
-    Quantity { key: "bottom_to_wall", label: "Bottom to wall, θ₁", unit: Unit::Degree, of: Shape::bottom_to_wall },
-    Quantity { key: "wall_to_flange", label: "Wall to flange, θ₂", unit: Unit::Degree, of: Shape::wall_to_flange },
-    FLANGE_ANGLE,
-    Quantity { key: "curl_radius", label: "Radius of the wall's curl, ρ", unit: Unit::Mm, of: Shape::curl_radius },
-    Quantity { key: "height", label: "Height of the middle over the edge", unit: Unit::Mm, of: |shape| shape.height },
-    Quantity { key: "edge", label: "Distance of the edge", unit: Unit::Mm, of: |shape| shape.edge },
-];
-
 impl Leg {
     fn of(meridian: &Meridian, nodes: Range<usize>) -> Option<Self> {
         let Fit { middle, direction, curvature } = Fit::through(&meridian.points[nodes.clone()])?;
@@ -122,13 +95,20 @@ impl Leg {
             slope: direction.y.atan2(direction.x),
             curvature,
             length: (ends[1] - ends[0]).norm(),
+            thickness: meridian.thickness,
             nodes,
         })
     }
 
-    /// Radius of the fitted circle \[mm\], with the sign of the curvature; `None` for a straight leg.
-    pub fn radius(&self) -> Option<f64> {
-        (self.curvature.abs() * self.length > STRAIGHT).then(|| 1.0 / self.curvature)
+    /// How far the middle of the fitted circle's arc is off the chord between its ends, κ L²/8 \[mm\], with the sign of the
+    /// curvature.
+    pub fn sag(&self) -> f64 {
+        0.125 * self.curvature * self.length * self.length
+    }
+
+    /// Radius of the fitted circle \[mm\], with the sign of the curvature; infinite for a straight leg.
+    pub fn radius(&self) -> f64 {
+        if self.sag().abs() > STRAIGHT * self.thickness { 1.0 / self.curvature } else { f64::INFINITY }
     }
 }
 
@@ -174,9 +154,9 @@ impl Shape {
         Some(90.0 + self.wall_angle()? - self.flange_angle()?)
     }
 
-    /// ρ of the side-wall curl \[mm\]: positive where its centre lies outside; `None` for a straight wall.
+    /// ρ of the side-wall curl \[mm\]: positive where its centre lies outside, infinite for a straight wall.
     pub fn curl_radius(&self) -> Option<f64> {
-        self.wall.as_ref()?.radius()
+        self.wall.as_ref().map(Leg::radius)
     }
 }
 
@@ -253,31 +233,4 @@ pub fn places(frame: &Frame) -> Vec<Place> {
         }
     }
     found
-}
-
-/// A quantity measured on two sheets.
-#[derive(Clone, Copy, Debug)]
-pub struct Change {
-    /// What was measured.
-    pub quantity: &'static Quantity,
-    /// On the first sheet, in the unit of the quantity.
-    pub before: Option<f64>,
-    /// On the second.
-    pub after: Option<f64>,
-}
-
-impl Change {
-    /// After minus before, where both were found.
-    pub fn change(&self) -> Option<f64> {
-        Some(self.after? - self.before?)
-    }
-}
-
-/// Every quantity that one of the two shapes has, before and after.
-pub fn changes(before: &Shape, after: &Shape) -> Vec<Change> {
-    let all = QUANTITIES.iter().map(|quantity| {
-        let of = quantity.of;
-        Change { quantity, before: of(before), after: of(after) }
-    });
-    all.filter(|change| change.before.is_some() || change.after.is_some()).collect()
 }

@@ -3,6 +3,7 @@
 mod blank;
 mod check;
 mod error;
+mod extent;
 mod heat;
 mod loads;
 pub mod mesh;
@@ -14,6 +15,7 @@ mod tools;
 
 pub use blank::{Blank, Edge, Grading, ThicknessRule};
 pub use error::ModelError;
+pub use extent::Extent;
 pub use heat::{Heat, HeatFlow, ToolHeat};
 pub use loads::{Bead, Face, Gas, Pressure, PressureCap, RateControl};
 pub use mode::{Mode, Release, ReleaseStiffness};
@@ -39,6 +41,8 @@ pub struct Model {
     pub notes: Vec<String>,
     /// Axisymmetric or plane strain.
     pub geometry: Geometry,
+    /// Length of the part across a plane section \[mm\]; `None` where it is not known, and of a body of revolution.
+    pub depth: Option<f64>,
     /// The sheet before forming.
     pub blank: Blank,
     /// What the sheet is made of.
@@ -59,6 +63,9 @@ pub struct Model {
     pub speed: f64,
     /// Time that the run takes \[s\].
     pub duration: f64,
+    /// Whether its times are those of a press: a speed, a motion or a duration is given, or something in the model feels the
+    /// rate. Else they follow from a speed that stands for any, and no reader is told them.
+    pub timed: bool,
     /// Times at which the state is kept \[s\], rising, the last one equal to `duration`.
     pub frames: Vec<f64>,
     /// What ends the run before its full travel.
@@ -74,6 +81,11 @@ pub struct Model {
 }
 
 impl Model {
+    /// What its forces and works are of.
+    pub fn extent(&self) -> Extent {
+        Extent::of(self.geometry, self.depth)
+    }
+
     /// The tool of a role, where there is one.
     pub fn tool(&self, role: Role) -> Option<&Tool> {
         self.tools.iter().find(|t| t.role == role)

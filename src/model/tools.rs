@@ -63,9 +63,10 @@ pub enum Motion {
 /// How a holder is pressed: F = F₀(travel) − c w, with w its move towards the die.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Press {
-    /// F₀ over the punch travel \[N, or N/mm in plane strain, over mm\].
+    /// F₀ over the punch travel, of the whole section as [`Extent`](super::Extent) has it \[N, or N/mm, over mm\].
     pub force: PiecewiseLinear,
-    /// Stiffness c of the springs or the cushion \[N/mm, or N/mm²\]; 0 for a force that does not feel the position.
+    /// Stiffness c of the springs or the cushion, likewise \[N/mm, or N/mm²\]; 0 for a force that does not feel the
+    /// position.
     pub stiffness: f64,
 }
 

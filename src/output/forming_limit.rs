@@ -61,16 +61,16 @@ pub(super) fn paths_of(view: &StageView) -> Option<Table> {
             columns.iter_mut().zip(row).for_each(|(column, value)| column.push(value));
         }
     }
-    let geometry = view.geometry();
+    let extent = view.extent();
     let [s0, time, travel, minors, majors, meridional, hoop, limit, margin, crookedness] = columns;
     Some(Table::new(vec![
-        S0.filled(geometry, s0),
+        S0.filled(extent, s0),
         Column::new("time", "Time", Unit::Second, time),
-        TRAVEL.filled(geometry, travel),
+        TRAVEL.filled(extent, travel),
         minor(minors),
         major(majors),
-        STRAIN_MERIDIONAL.filled(geometry, meridional),
-        STRAIN_HOOP.filled(geometry, hoop),
+        STRAIN_MERIDIONAL.filled(extent, meridional),
+        STRAIN_HOOP.filled(extent, hoop),
         Column::new("limit_major", "Major strain of the limit", Unit::None, limit),
         Column::new("margin", "Margin in major strain", Unit::None, margin),
         Column::new(
@@ -125,18 +125,19 @@ pub(super) fn plot(view: &StageView) -> Option<Chart> {
             series: paths.chain([axis, path]).chain(places).chain([curve]).collect(),
             scale: Scale::Fit { height: 450.0, least: LEAST },
         }],
-        notes: std::iter::once(words(assessment)).chain(limit.notes.iter().cloned()).chain(view.notes()).collect(),
+        notes: std::iter::once(words(view, assessment))
+            .chain(limit.notes.iter().cloned())
+            .chain(view.notes())
+            .collect(),
     })
 }
 
 /// What the diagram says.
-fn words(assessment: &Assessment) -> String {
+fn words(view: &StageView, assessment: &Assessment) -> String {
     let worst = assessment.worst();
     let reached = assessment.reached.map_or("The limit is not reached.".to_owned(), |reached| {
-        format!(
-            "The limit is reached at s0 = {:.1} mm, at {:.2} mm of travel ({:.4} s).",
-            reached.s0, reached.travel, reached.time
-        )
+        let time = if view.model().timed { format!(" ({:.4} s)", reached.time) } else { String::new() };
+        format!("The limit is reached at s0 = {:.1} mm, at {:.2} mm of travel{time}.", reached.s0, reached.travel)
     });
     let crooked = match assessment.crooked() {
         0 => String::new(),

@@ -67,9 +67,9 @@ const HEAT: [Field<StepRecord>; 5] = [
 
 /// One row per accepted step.
 pub fn table(stage: &StageSolution) -> Table {
-    let (model, geometry) = (&stage.model, stage.model.geometry);
-    let column = |field: &Field<StepRecord>| field.column(geometry, &stage.steps);
-    let edge = step::edge_diameter(geometry, model.blank.length, &stage.steps);
+    let (model, extent) = (&stage.model, stage.model.extent());
+    let column = |field: &Field<StepRecord>| field.column(extent, &stage.steps);
+    let edge = step::edge_diameter(model.geometry, model.blank.length, &stage.steps);
     let mut columns: Vec<_> = BEFORE.iter().map(column).chain([edge]).chain(BEHIND.iter().map(column)).collect();
     if model.material.gtn.is_some() {
         columns.extend(VOIDS.iter().map(column));
@@ -93,7 +93,7 @@ pub(super) fn plot(view: &StageView) -> Option<Chart> {
 /// Punch and holder force over the travel, and the held edge's force where there is one; under gas alone, its pressure
 /// over the height of the dome; nothing while the tools are taken away. One point per step in every series.
 pub(super) fn panel(view: &StageView, height: f64) -> Option<Panel> {
-    let (geometry, steps) = (view.geometry(), &view.stage.steps);
+    let (extent, steps) = (view.extent(), &view.stage.steps);
     steps.first().filter(|_| view.model().release.is_none())?;
     let (over, fields) = match view.model().travel == 0.0 {
         true => (POLE_HEIGHT, vec![PRESSURE]),
@@ -104,11 +104,11 @@ pub(super) fn panel(view: &StageView, height: f64) -> Option<Panel> {
         }
     };
     let curve = |(i, field): (usize, &Field<StepRecord>)| {
-        Series::new(field.label(geometry), over.against(field, steps), Look::curve(i))
+        Series::new(field.label(extent), over.against(field, steps), Look::curve(i))
     };
     Some(Panel {
-        x: over.axis(geometry),
-        y: Field::shared_axis(&fields, geometry),
+        x: over.axis(extent),
+        y: Field::shared_axis(&fields, extent),
         series: fields.iter().enumerate().map(curve).collect(),
         scale: Scale::Fit { height, least: 0.0 },
     })

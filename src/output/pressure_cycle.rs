@@ -42,24 +42,24 @@ fn held<'a>(view: &StageView<'a>) -> Option<&'a RateControl> {
 /// One row per accepted step.
 pub(super) fn of(view: &StageView) -> Option<Table> {
     held(view)?;
-    Some(Table::new(FIELDS.iter().map(|field| field.column(view.geometry(), &view.stage.steps)).collect()))
+    Some(Table::new(FIELDS.iter().map(|field| field.column(view.extent(), &view.stage.steps)).collect()))
 }
 
 /// Pressure, strain rate, height and, where the sheet meets a tool, contact below each other over one time axis.
 pub(super) fn plot(view: &StageView) -> Option<Chart> {
     let control = held(view)?;
-    let (geometry, steps) = (view.geometry(), &view.stage.steps);
+    let (extent, steps) = (view.extent(), &view.stage.steps);
     let end = steps.last()?.time;
     let (unit, factor) = if end > LONG { (Unit::Minute, 1.0 / 60.0) } else { (Unit::Second, 1.0) };
     let time = Column::new("time", "Time", unit, Vec::new()).axis();
     let panel = |field: Field<StepRecord>, i: usize, height: f64, beside: Option<Series>| {
         let points = steps.iter().map(|step| (factor * step.time, (field.value)(step))).collect();
         // One curve a panel: no pattern is needed to tell it from others.
-        let curve = Series::new(field.label(geometry), points, Look::Line { color: color(i), width: 2.4, dash: &[] });
+        let curve = Series::new(field.label(extent), points, Look::Line { color: color(i), width: 2.4, dash: &[] });
         let least = 0.02 * steps.iter().map(field.value).fold(0.0, f64::max);
         Panel {
             x: time.clone(),
-            y: field.axis(geometry),
+            y: field.axis(extent),
             series: beside.into_iter().chain([curve]).collect(),
             scale: Scale::Fit { height, least },
         }

@@ -32,9 +32,9 @@ pub(super) fn fields(model: &Model) -> Vec<Field<ElementRecord>> {
 pub fn table(model: &Model, frames: &[Frame]) -> Table {
     let travel = frames.iter().flat_map(|f| std::iter::repeat_n(f.travel, f.elements.len())).collect();
     let column =
-        |field: Field<ElementRecord>| field.column(model.geometry, frames.iter().flat_map(|frame| &frame.elements));
+        |field: Field<ElementRecord>| field.column(model.extent(), frames.iter().flat_map(|frame| &frame.elements));
     let columns = [S0, R, Z].into_iter().chain(fields(model)).map(column);
-    Table::new(std::iter::once(TRAVEL.filled(model.geometry, travel)).chain(columns).collect())
+    Table::new(std::iter::once(TRAVEL.filled(model.extent(), travel)).chain(columns).collect())
 }
 
 pub(super) fn of(view: &StageView) -> Option<Table> {

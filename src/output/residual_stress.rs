@@ -27,14 +27,14 @@ fn shown(frame: &Frame, elements: &[ElementRecord]) -> Vec<Place> {
 pub(super) fn of(view: &StageView) -> Option<Table> {
     let (frame, elements) = released(view)?;
     shown(frame, elements).first()?;
-    let (geometry, layers) = (view.geometry(), &frame.through.layers);
+    let (extent, layers) = (view.extent(), &frame.through.layers);
     let points = &frame.through.points[..elements.len() * layers.len()];
     let of_elements = |field: Field<ElementRecord>| {
         let each = elements.iter().flat_map(|e| std::iter::repeat_n((field.value)(e), layers.len()));
-        field.filled(geometry, each.collect())
+        field.filled(extent, each.collect())
     };
     let of_points = |field: Field<ElementRecord>, value: fn(&PointRecord) -> f64| {
-        field.filled(geometry, points.iter().map(value).collect())
+        field.filled(extent, points.iter().map(value).collect())
     };
     let place = elements.iter().flat_map(|_| layers.iter().map(|layer| 0.5 * layer.xi));
     let zeta = elements.iter().flat_map(|e| layers.iter().map(|layer| 0.5 * layer.xi * e.thickness));
@@ -58,7 +58,7 @@ fn across(places: Vec<f64>) -> Column {
 /// Both stresses over the place through the thickness, at the places of [`places`]; `None` without layers.
 pub fn plot(view: &StageView) -> Option<Chart> {
     let (frame, elements) = released(view)?;
-    let (geometry, layers) = (view.geometry(), &frame.through.layers);
+    let (extent, layers) = (view.extent(), &frame.through.layers);
     let shown = shown(frame, elements);
     shown.first()?;
     let panel = |field: Field<ElementRecord>, stress: fn(&PointRecord) -> f64, labelled: bool| {
@@ -72,7 +72,7 @@ pub fn plot(view: &StageView) -> Option<Chart> {
         });
         Panel {
             x: across(Vec::new()).axis(),
-            y: field.axis(geometry),
+            y: field.axis(extent),
             series: series.collect(),
             scale: Scale::Fit { height: 300.0, least: LEAST },
         }

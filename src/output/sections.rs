@@ -3,7 +3,7 @@
 use super::StageView;
 use super::chart::{Chart, Color, GREY, Look, PALE, Panel, Scale, Series, color, pale};
 use crate::geometry::{Piece, Point, Profile};
-use crate::model::{Geometry, Model, Role, Theory};
+use crate::model::{Extent, Geometry, Model, Role, Theory};
 use crate::solution::{Frame, NodeRecord};
 use crate::table::fields::element::{R, Z};
 use std::ops::Range;
@@ -42,7 +42,9 @@ pub(super) fn plot(view: &StageView) -> Option<Chart> {
 /// A section's plane, at least this window of it \[mm\].
 pub(super) fn panel(geometry: Geometry, series: impl IntoIterator<Item = Series>, [x, y]: [(f64, f64); 2]) -> Panel {
     let series = series.into_iter().collect();
-    Panel { x: R.axis(geometry), y: Z.axis(geometry), series, scale: Scale::Section { x, y } }
+    // Lengths are the same over any depth.
+    let extent = Extent::of(geometry, None);
+    Panel { x: R.axis(extent), y: Z.axis(extent), series, scale: Scale::Section { x, y } }
 }
 
 /// What is shown of a section: its nodes, or as much as a blank of this length, and something around them.

@@ -4,13 +4,9 @@ use super::chart::{BLACK, Chart, Look, Series, color, pale};
 use super::{StageView, sections};
 use crate::measure::{self, Change, FLANGE_ANGLE, Leg, Quantity, Shape, WALL_ANGLE};
 use crate::solution::StageSolution;
-use crate::table::Unit;
 
 /// How much farther than they were fitted the measured lines are drawn, over their length.
 const LONGER: f64 = 0.25;
-
-/// What is rounded to 0 hundredths \[mm or °\].
-const LEAST: f64 = 0.005;
 
 /// What was measured before and after, of a stage that takes its tools away.
 pub fn changes(stage: &StageSolution) -> Option<Vec<Change>> {
@@ -78,45 +74,7 @@ fn longer(leg: &Leg) -> Vec<(f64, f64)> {
     vec![at(-LONGER), at(1.0 + LONGER)]
 }
 
-/// `Wall to the punch direction: 0.31° → 8.20°`.
+/// `Wall to the punch direction: 0.3° → 8.2°`.
 fn worded(change: &Change) -> String {
-    format!("{}: {}", change.quantity.label, compared(change))
-}
-
-/// `0.31° → 8.20°`.
-pub(super) fn compared(change: &Change) -> String {
-    let text = |value: Option<f64>| value.map_or("none".to_owned(), |value| measured(value, change.quantity.unit));
-    format!("{} → {}", text(change.before), text(change.after))
-}
-
-/// `+7.89°`.
-pub(super) fn signed(value: f64, unit: Unit) -> String {
-    let sign = if value > LEAST { "+" } else { "" };
-    format!("{sign}{}", measured(value, unit))
-}
-
-/// To hundredths: what can be measured.
-fn measured(value: f64, unit: Unit) -> String {
-    let value = if value.abs() < LEAST { 0.0 } else { value };
-    let text = match unit {
-        Unit::Degree => format!("{value:.2}°"),
-        unit => format!("{value:.2} {}", unit.symbol()),
-    };
-    text.replace('-', "−")
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::measure::QUANTITIES;
-
-    #[test]
-    fn changes_are_worded_with_their_units() {
-        let of = |key: &str| QUANTITIES.iter().find(|q| q.key == key).expect("a quantity");
-        let change = Change { quantity: of("wall_angle"), before: Some(-0.311), after: Some(8.2) };
-        assert_eq!(worded(&change), "Wall to the punch direction: −0.31° → 8.20°");
-        let curl = Change { quantity: of("curl_radius"), before: None, after: Some(120.0) };
-        assert_eq!(worded(&curl), "Radius of the wall's curl, ρ: none → 120.00 mm");
-        assert_eq!(curl.change(), None);
-    }
+    format!("{}: {}", change.quantity.label, change.text())
 }

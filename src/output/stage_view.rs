@@ -4,7 +4,7 @@ use super::chart::COLORS;
 use crate::assess::{self, Finding, Kind, sentences};
 use crate::case::Solution;
 use crate::forming_limit::{Assessment, assess};
-use crate::model::{Geometry, Model};
+use crate::model::{Extent, Geometry, Model};
 use crate::solution::{Frame, StageSolution, Stop};
 use crate::table::{Unit, capitalised};
 use crate::units::without_zeros;
@@ -93,6 +93,10 @@ impl<'a> StageView<'a> {
     /// The model that was solved.
     pub fn model(&self) -> &'a Model {
         &self.stage.model
+    }
+
+    pub(super) fn extent(&self) -> Extent {
+        self.stage.model.extent()
     }
 
     pub(super) fn geometry(&self) -> Geometry {

@@ -6,7 +6,7 @@ use super::{Files, Results};
 use crate::case::Solution;
 use crate::solution::{StageSolution, StepRecord, Stop};
 use crate::table::fields::step::{HOLDER_FORCE, POLE_HEIGHT, PUNCH_FORCE, THINNEST};
-use crate::table::{Column, Field, Table, Unit, force_unit};
+use crate::table::{Column, Field, Table, Unit};
 
 /// The list of a case's stages.
 pub(super) const FILE: &str = "stages.csv";
@@ -29,12 +29,12 @@ fn lines(solution: &Solution) -> impl Iterator<Item = (&str, Option<&StageSoluti
 
 /// Where every stage ended; NaN for those that were not run.
 fn table(solution: &Solution) -> Table {
-    let geometry = solution.case.model().geometry;
+    let extent = solution.case.model().extent();
     let at_end = |value: &dyn Fn(&StageSolution, &StepRecord) -> f64| {
         let of = |stage: &StageSolution| Some(value(stage, stage.steps.last()?));
         lines(solution).map(|(_, stage)| stage.and_then(of).unwrap_or(f64::NAN)).collect::<Vec<f64>>()
     };
-    let field = |field: Field<StepRecord>| field.filled(geometry, at_end(&|_, step| (field.value)(step)));
+    let field = |field: Field<StepRecord>| field.filled(extent, at_end(&|_, step| (field.value)(step)));
     let edge = at_end(&|stage, step| stage.model.blank.length - step.draw_in);
     Table::new(vec![
         Column::new("stage", "Stage", Unit::None, (1..=lines(solution).count()).map(|i| i as f64).collect()),
@@ -69,14 +69,14 @@ pub(super) fn printed(solution: &Solution) -> String {
     if lines(solution).nth(1).is_none() {
         return String::new();
     }
-    let unit = force_unit(solution.case.model().geometry).symbol();
+    let unit = solution.case.model().extent().force_unit().symbol();
     let width = lines(solution).map(|line| line.0.len()).max().unwrap_or(0);
     let text = lines(solution).enumerate().map(|(i, (name, stage))| {
         let figures = stage.and_then(|stage| Some((stage, stage.steps.last()?))).map_or(String::new(), |(stage, last)| {
+            let time = if stage.model.timed { format!("{:.3} s, ", last.time) } else { String::new() };
             format!(
-                ": {:.3} s, travel {:.2} mm, punch {:.0} {unit}, holder {:.0} {unit}, thinnest {:.4} mm, edge at {:.2} \
+                ": {time}travel {:.2} mm, punch {:.0} {unit}, holder {:.0} {unit}, thinnest {:.4} mm, edge at {:.2} \
                  mm, middle at {:.2} mm",
-                last.time,
                 last.travel,
                 last.punch_force,
                 last.holder_force,

@@ -12,7 +12,7 @@ const STRAINS: [Field<ElementRecord>; 3] = [STRAIN_MERIDIONAL, STRAIN_HOOP, STRA
 const LEAST: f64 = 0.02;
 
 pub(super) fn plot(view: &StageView) -> Option<Chart> {
-    let (geometry, last) = (view.geometry(), view.stage.frames.last()?);
+    let (extent, last) = (view.extent(), view.stage.frames.last()?);
     let values = STRAINS.iter().flat_map(|field| last.elements.iter().map(field.value));
     if view.is_level(0.0, values, LEAST) {
         return None;
@@ -21,13 +21,13 @@ pub(super) fn plot(view: &StageView) -> Option<Chart> {
     let earlier = view.shown().rev().skip(1).flat_map(|frame| {
         curves(frame).map(|(i, points)| Series::silent(points, Look::curve(i).faint())).collect::<Vec<_>>()
     });
-    let at_last = curves(last).map(|(i, points)| Series::new(STRAINS[i].label(geometry), points, Look::curve(i)));
+    let at_last = curves(last).map(|(i, points)| Series::new(STRAINS[i].label(extent), points, Look::curve(i)));
     Some(Chart {
         title: view.titled(&format!("strains, {} {}", view.progress().to_lowercase(), view.reached(last))),
         legend: "",
         panels: vec![Panel {
-            x: S0.axis(geometry),
-            y: Field::shared_axis(&STRAINS, geometry),
+            x: S0.axis(extent),
+            y: Field::shared_axis(&STRAINS, extent),
             series: earlier.chain(at_last).collect(),
             scale: Scale::Fit { height: 350.0, least: LEAST },
         }],

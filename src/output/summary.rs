@@ -12,9 +12,9 @@ use super::stage_view::ended;
 use crate::assess::{Kind, sentences};
 use crate::measure::{Change, moment_error};
 use crate::message::Message;
-use crate::model::{Geometry, Mode};
+use crate::model::{Extent, Geometry, Mode};
 use crate::solution::{StageSolution, StepRecord, Stop};
-use crate::table::{Unit, force_unit};
+use crate::table::Unit;
 use sha2::{Digest, Sha256};
 
 /// What a line of the summary is about.
@@ -86,7 +86,7 @@ impl Summary {
         let mut summary = Self { entries: Vec::new(), group: Group::Case };
         summary.text("case", "Case", &view.name);
         summary.text("title", "Title", view.title);
-        summary.text("section", "Section", section_of(model.geometry));
+        summary.text("section", "Section", &section_of(model.extent()));
         summary.group = Group::Part;
         summary.text("hardening", "Hardening", &model.material.describe());
         let ended = match &run.stop {
@@ -127,7 +127,7 @@ impl Summary {
         summary.group = Group::Part;
         let ironing = largest(|s| s.ironing);
         if ironing > 0.0 {
-            let force = force_unit(model.geometry);
+            let force = model.extent().force_unit();
             summary.number("ironing", "Ironing: reduction of the thickness", Unit::Percent, 100.0 * ironing);
             summary.number("ironing_force", "Largest ironing force of the die", force, largest(|s| s.ironing_force));
             summary.number("ironing_friction", "Largest friction in it", force, largest(|s| s.ironing_friction));
@@ -212,11 +212,12 @@ pub(super) fn json(view: &StageView) -> Option<String> {
 }
 
 /// What is modelled, and what its forces are of.
-pub fn section_of(geometry: Geometry) -> &'static str {
-    match geometry {
-        Geometry::Axisymmetric => "axisymmetric; forces of the whole ring",
-        Geometry::PlaneStrain => "plane strain; forces per mm of depth, of the half that is modelled",
-    }
+pub fn section_of(extent: Extent) -> String {
+    let section = match extent.geometry() {
+        Geometry::Axisymmetric => "axisymmetric",
+        Geometry::PlaneStrain => "plane strain",
+    };
+    format!("{section}; {}", extent.described())
 }
 
 /// Checksum of a text in hexadecimal.

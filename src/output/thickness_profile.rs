@@ -29,17 +29,17 @@ pub(super) fn temperature(view: &StageView) -> Option<Chart> {
 
 fn plot(view: &StageView, field: &Field<ElementRecord>, least: f64) -> Option<Chart> {
     view.stage.frames.last()?;
-    let geometry = view.geometry();
+    let extent = view.extent();
     let curves = view
         .shown()
         .enumerate()
         .map(|(i, frame)| Series::new(view.reached(frame), S0.against(field, &frame.elements), Look::curve(i)));
     Some(Chart {
-        title: view.titled(&field.label(geometry).to_lowercase()),
+        title: view.titled(&field.label(extent).to_lowercase()),
         legend: view.progress(),
         panels: vec![Panel {
-            x: S0.axis(geometry),
-            y: field.axis(geometry),
+            x: S0.axis(extent),
+            y: field.axis(extent),
             series: curves.collect(),
             scale: Scale::Fit { height: 350.0, least },
         }],

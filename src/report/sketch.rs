@@ -5,7 +5,7 @@ use crate::geometry::{Arc, Point};
 use crate::model::{Model, Motion, Role, Tool};
 use crate::output::{Dimension, Mark, dimensioned, svg};
 use crate::rules::tool_sizes::{across, extent, throat};
-use crate::table::{Unit, force_unit};
+use crate::table::Unit;
 use crate::units::four_digits;
 
 /// More corners than that are a curve's: its smallest radius is given.
@@ -79,7 +79,7 @@ fn load(model: &Model, tool: &Tool) -> Option<Dimension> {
     let at = Mark::At(Point::new(0.5 * (extent(tool).0 + model.blank.length), -half));
     match &tool.motion {
         Motion::Gap(gap) => Some(of("Holder gap", *gap, Unit::Mm, at)),
-        Motion::Pressed(press) => Some(of("Holder force", press.force.largest(), force_unit(model.geometry), at)),
+        Motion::Pressed(press) => Some(of("Holder force", press.force.largest(), model.extent().force_unit(), at)),
         Motion::Fixed | Motion::Travel | Motion::Path(_) => None,
     }
 }

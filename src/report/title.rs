@@ -16,7 +16,7 @@ pub(super) fn section(report: &Report) -> Section {
     let rows = [
         ("Case file", case.path.display().to_string()),
         ("Set on the command line", case.overrides.join(", ")),
-        ("Section", section_of(case.model().geometry).to_owned()),
+        ("Section", section_of(case.model().extent())),
         ("Stages", if case.later().is_empty() { String::new() } else { names }),
         ("Run", ended),
         ("Program", PROGRAM.to_owned()),

@@ -35,9 +35,10 @@ pub(crate) fn held_from(model: &Model) -> Option<f64> {
     Some(extent(model.tool(Role::Holder)?).0.max(shoulder_end(model.tool(Role::Die)?)))
 }
 
-/// Initial area between holder and the die's flat [mm², or mm² per mm of depth].
+/// Initial area between holder and the die's flat, of the whole section [mm², or mm² per mm of depth].
 pub(crate) fn held_area(model: &Model) -> Option<f64> {
-    let held = model.geometry.area(model.blank.length) - model.geometry.area(held_from(model)?);
+    let area = |r: f64| model.extent().area(r);
+    let held = area(model.blank.length) - area(held_from(model)?);
     (held > 0.0).then_some(held)
 }
 

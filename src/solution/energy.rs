@@ -1,6 +1,6 @@
 //! Where the work of forming goes, and the heat.
 
-/// Mean powers of a step, or the work done since the start \[mW or mJ, per ring or per mm of depth\].
+/// Mean powers of a step, or the work done since the start \[mW or mJ, or per mm of depth\].
 ///
 /// external = plastic + elastic + friction + contact, where `contact` is what the penalty springs store.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -63,7 +63,7 @@ impl Energy {
     }
 }
 
-/// Heat since the start \[mJ, per ring or per mm of depth\]: stored = plastic + tools.
+/// Heat since the start \[mJ, or per mm of depth\]: stored = plastic + tools.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Heat {
     /// What the plastic work has left in the sheet.
@@ -75,6 +75,11 @@ pub struct Heat {
 }
 
 impl Heat {
+    /// Every entry times `factor`.
+    pub fn scaled(self, factor: f64) -> Self {
+        Self { plastic: factor * self.plastic, tools: factor * self.tools, stored: factor * self.stored }
+    }
+
     /// The sum, entry by entry.
     pub fn plus(self, other: Self) -> Self {
         Self {

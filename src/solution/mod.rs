@@ -107,7 +107,7 @@ pub struct Frame {
     pub tool_displacement: Vec<Point>,
 }
 
-/// One accepted step.
+/// One accepted step; forces, works and heat are of the whole section, as [`Extent`](crate::model::Extent) has it.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct StepRecord {
     /// Number of the step, from 1.
@@ -116,11 +116,12 @@ pub struct StepRecord {
     pub time: f64,
     /// Punch travel at the end of the step \[mm\].
     pub travel: f64,
-    /// Force of the punch on the sheet along its travel \[N, or N/mm in plane strain\].
+    /// Force of the punch on the sheet along its travel \[N, or N/mm of depth\].
     pub punch_force: f64,
     /// Force of the holder on the sheet towards the die \[N, or N/mm\].
     pub holder_force: f64,
-    /// Radial force that the held edge exerts outward \[N, or N/mm\]; 0 for a free edge.
+    /// Radial force that the held edge exerts outward, of a plane section both edges together \[N, or N/mm\]; 0 for a free
+    /// edge.
     pub edge_force: f64,
     /// How far the blank's edge has moved inward \[mm\].
     pub draw_in: f64,
@@ -197,6 +198,22 @@ pub struct StepRecord {
 impl StepRecord {
     /// Width of the rim over the initial thickness \[–\].
     pub const RIM: f64 = 3.0;
+
+    /// With forces, powers, works and heat so many times as large \[–\].
+    pub fn scaled(self, times: f64) -> Self {
+        Self {
+            punch_force: times * self.punch_force,
+            holder_force: times * self.holder_force,
+            edge_force: times * self.edge_force,
+            block_force: times * self.block_force,
+            ironing_force: times * self.ironing_force,
+            ironing_friction: times * self.ironing_friction,
+            power: self.power.scaled(times),
+            work: self.work.scaled(times),
+            heat: self.heat.scaled(times),
+            ..self
+        }
+    }
 }
 
 /// How the steps of a run came to equilibrium: counts of steps by the start that did it, and of steps cut short.
@@ -270,7 +287,7 @@ impl StageSolution {
         Some([self.start.as_ref()?, self.frames.last()?])
     }
 
-    /// The largest external work that the tools had done, or got back, by any step \[mJ, per ring or per mm of depth\].
+    /// The largest external work that the tools had done, or got back, by any step \[mJ, or per mm of depth\].
     pub fn largest_work(&self) -> f64 {
         self.steps.iter().map(|step| step.work.external.abs()).fold(0.0, f64::max)
     }

@@ -176,10 +176,10 @@ impl std::fmt::Display for Stop {
                 100.0 * drop
             ),
             Stop::ContactShare { share, asked, time, travel } => {
-                let place = if *travel > 0.0 { format!("{travel:.2} mm of travel") } else { format!("{time:.4} s") };
                 write!(
                     f,
-                    "contact share reached: at {place} {:.1} % of the sheet lies on its tools ({:.1} % asked for)",
+                    "contact share reached: at {} {:.1} % of the sheet lies on its tools ({:.1} % asked for)",
+                    place(*travel, *time, 2),
                     100.0 * share,
                     100.0 * asked
                 )
@@ -221,24 +221,31 @@ impl std::fmt::Display for Stop {
             ),
             Stop::Interrupted { travel, time } => write!(
                 f,
-                "interrupted at {travel:.2} mm of travel (time {time:.4} s): what was computed up to there is kept, but the \
-                 run has not come to its end"
+                "interrupted at {}: what was computed up to there is kept, but the run has not come to its end",
+                place(*travel, *time, 2)
             ),
             Stop::Creeping { travel, time, tries, step, worst_s0, seen } => write!(
                 f,
-                "creeping: {tries} tries of a step have come to {travel:.3} mm of travel (time {time:.4} s), the next would \
-                 take {step:.2e} s; what holds it up is at s0 = {worst_s0:.2} mm{}{seen}",
+                "creeping: {tries} tries of a step have come to {}, the next would take {step:.2e} s; what holds it up is at \
+                 s0 = {worst_s0:.2} mm{}{seen}",
+                place(*travel, *time, 3),
                 if seen.is_empty() { "" } else { ": " }
             ),
             Stop::NoEquilibrium { travel, time, step, velocity_norm, residual_norm, worst_s0, diagnosis } => write!(
                 f,
-                "no equilibrium found at {travel:.3} mm of travel (time {time:.4} s) with steps down to {step:.2e} s \
-                 (velocity norm {}, residual norm {}, worst at s0 = {worst_s0:.2} mm); {diagnosis}",
+                "no equilibrium found at {} with steps down to {step:.2e} s (velocity norm {}, residual norm {}, worst at s0 = \
+                 {worst_s0:.2} mm); {diagnosis}",
+                place(*travel, *time, 3),
                 norm(*velocity_norm),
                 norm(*residual_norm)
             ),
         }
     }
+}
+
+/// How far a run has come: by its travel, or by its time where there is no travel.
+fn place(travel: f64, time: f64, decimals: usize) -> String {
+    if travel > 0.0 { format!("{travel:.decimals$} mm of travel") } else { format!("{time:.4} s") }
 }
 
 /// A norm for readers; there is none where the corrector came to no whole increment.

@@ -16,7 +16,7 @@ use nalgebra::Vector3;
 /// A point's plastic power counts as cut off when its strain increment is below this many cut-offs.
 const CUT_OFF_ZONE: f64 = 10.0;
 
-/// Work of a converged step, and the plastic work in each of its elements \[mJ, per ring or per mm of depth\]; `before` is the
+/// Work of a converged step, and the plastic work in each of its elements of what is solved \[mJ, or per mm of depth\]; `before` is the
 /// evaluation of the step before.
 pub(super) fn work(before: &Evaluation, converged: &Converged) -> (Energy, Vec<f64>) {
     let Converged { step, trial, evaluation: now, .. } = *converged;

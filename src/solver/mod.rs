@@ -166,14 +166,17 @@ fn advance(
 ) -> (State, StepRecord) {
     let (work, plastic) = energy_balance::work(before, converged);
     let mut next = converged.advanced();
-    let mut record = step_record::record(converged, before, &next, work, rejected, last);
+    let mut record = step_record::record(converged, before, &next, work, rejected);
     ironing::follow(converged, &mut next, &mut record);
     if converged.step.model.material.gtn.is_some() {
         (record.porosity, record.porous_s0) = next.largest_porosity(&converged.step.process.rule);
     }
     if let Some(heat) = heat {
-        record.heat = last.heat.plus(heat.advance(converged, &plastic, &mut next));
+        record.heat = heat.advance(converged, &plastic, &mut next);
     }
+    let mut record = record.scaled(converged.step.model.extent().times());
+    record.work = last.work.plus(record.work);
+    record.heat = last.heat.plus(record.heat);
     (record.coldest, record.hottest) = next.temperatures();
     (next, record)
 }

@@ -138,6 +138,7 @@ mod tests {
             title: "strip".into(),
             notes: vec![],
             geometry: Geometry::PlaneStrain,
+            depth: None,
             blank: Blank {
                 length: 100.0,
                 thickness: T,
@@ -158,6 +159,7 @@ mod tests {
             speed: 1.0,
             duration: 1.0,
             stop: StopRules::default(),
+            timed: true,
             frames: vec![1.0],
             settings: Settings::default(),
             mode: Mode::default(),

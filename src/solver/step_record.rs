@@ -8,15 +8,14 @@ use crate::model::{Edge, Role};
 use crate::solution::{Energy, StepRecord};
 use crate::state::State;
 
-/// The record of a step to the state `next` that took the work `done` and `rejected` tries before it, after `last`; `before`
-/// is the evaluation of the step before.
+/// The record of a step to the state `next` that took the work `done` and `rejected` tries before it, with the forces and the
+/// work of this step on what is solved; `before` is the evaluation of the step before.
 pub(super) fn record(
     converged: &Converged,
     before: &Evaluation,
     next: &State,
     done: Energy,
     rejected: usize,
-    last: &StepRecord,
 ) -> StepRecord {
     let Converged { step, trial, evaluation, outcome, .. } = converged;
     let model = step.model;
@@ -53,7 +52,7 @@ pub(super) fn record(
         velocity_norm: outcome.increment,
         residual_norm: outcome.residual_norm,
         power: done.scaled(1.0 / step.dt),
-        work: last.work.plus(done),
+        work: done,
         ..contact_shares(converged, before)
     }
 }

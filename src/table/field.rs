@@ -1,71 +1,80 @@
 //! Quantities of a record: what a column is called, in which unit, and which number of the record it holds.
 
 use super::{Axis, Column, Unit};
-use crate::model::Geometry;
+use crate::model::{Extent, Geometry};
 
 /// A quantity of a record `R`, such as a step or an element at an instant.
 #[derive(Clone, Copy, Debug)]
 pub struct Field<R> {
     /// Name in file headers and JSON, without the unit.
     pub key: &'static str,
-    /// Labels and units of an axisymmetric and of a plane-strain section.
+    /// Labels of an axisymmetric and of a plane-strain section.
     labels: [&'static str; 2],
-    units: [Unit; 2],
+    measure: Measure,
     /// The number in that unit.
     pub value: fn(&R) -> f64,
+}
+
+/// What decides the unit of a quantity.
+#[derive(Clone, Copy, Debug)]
+enum Measure {
+    In(Unit),
+    Force,
+    Energy,
 }
 
 impl<R> Field<R> {
     /// A quantity that is called the same in every section.
     pub const fn new(key: &'static str, label: &'static str, unit: Unit, value: fn(&R) -> f64) -> Self {
-        Self { key, labels: [label; 2], units: [unit; 2], value }
+        Self { key, labels: [label; 2], measure: Measure::In(unit), value }
     }
 
-    /// A force: of the whole ring, or per mm of depth.
+    /// A force, in the unit of the [`Extent`] that it is of.
     pub const fn force(key: &'static str, label: &'static str, value: fn(&R) -> f64) -> Self {
-        Self { key, labels: [label; 2], units: [Unit::N, Unit::NPerMm], value }
+        Self { key, labels: [label; 2], measure: Measure::Force, value }
     }
 
-    /// Work or heat, whose values are converted with [`JOULES`](super::JOULES): of the whole ring, or per mm of depth.
+    /// Work or heat, whose values are converted with [`JOULES`](super::JOULES), in the unit of the [`Extent`] that it is of.
     pub const fn energy(key: &'static str, label: &'static str, value: fn(&R) -> f64) -> Self {
-        Self { key, labels: [label; 2], units: [Unit::Joule, Unit::JoulePerMm], value }
+        Self { key, labels: [label; 2], measure: Measure::Energy, value }
     }
 
     /// A quantity that a plane section calls otherwise: the second label is its.
     pub const fn worded(key: &'static str, labels: [&'static str; 2], unit: Unit, value: fn(&R) -> f64) -> Self {
-        Self { key, labels, units: [unit; 2], value }
+        Self { key, labels, measure: Measure::In(unit), value }
     }
 
     /// Name on axes and in legends.
-    pub fn label(&self, geometry: Geometry) -> &'static str {
-        worded(geometry, self.labels[0], self.labels[1])
+    pub fn label(&self, extent: Extent) -> &'static str {
+        worded(extent.geometry(), self.labels[0], self.labels[1])
     }
 
     /// Its values over some records.
-    pub fn column<'a>(&self, geometry: Geometry, records: impl IntoIterator<Item = &'a R>) -> Column
+    pub fn column<'a>(&self, extent: Extent, records: impl IntoIterator<Item = &'a R>) -> Column
     where
         R: 'a,
     {
-        self.filled(geometry, records.into_iter().map(self.value).collect())
+        self.filled(extent, records.into_iter().map(self.value).collect())
     }
 
     /// A column of that name with values of another origin.
-    pub fn filled(&self, geometry: Geometry, values: Vec<f64>) -> Column {
-        let unit = match geometry {
-            Geometry::Axisymmetric => self.units[0],
-            Geometry::PlaneStrain => self.units[1],
+    pub fn filled(&self, extent: Extent, values: Vec<f64>) -> Column {
+        let unit = match self.measure {
+            Measure::In(unit) => unit,
+            Measure::Force => extent.force_unit(),
+            Measure::Energy => extent.energy_unit(),
         };
-        Column::new(self.key, self.label(geometry), unit, values)
+        Column::new(self.key, self.label(extent), unit, values)
     }
 
     /// Label and unit.
-    pub fn axis(&self, geometry: Geometry) -> Axis {
-        self.filled(geometry, Vec::new()).axis()
+    pub fn axis(&self, extent: Extent) -> Axis {
+        self.filled(extent, Vec::new()).axis()
     }
 
     /// One axis for several fields, as [`Axis::shared`].
-    pub fn shared_axis(fields: &[Self], geometry: Geometry) -> Axis {
-        let columns: Vec<Column> = fields.iter().map(|field| field.filled(geometry, Vec::new())).collect();
+    pub fn shared_axis(fields: &[Self], extent: Extent) -> Axis {
+        let columns: Vec<Column> = fields.iter().map(|field| field.filled(extent, Vec::new())).collect();
         Axis::shared(&columns.iter().collect::<Vec<_>>())
     }
 

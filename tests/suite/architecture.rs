@@ -43,7 +43,7 @@ const CRATES: &[(&str, &[&str])] = &[
     ("rustix", &["output"]),
     ("signal_hook", &["cli"]),
     ("serde_json", &["cli", "output", "report", "author", "case", "law", "units"]),
-    ("toml", &["case", "compare"]),
+    ("toml", &["case", "compare", "message"]),
     ("toml_edit", &["case", "author"]),
     ("ttf_parser", &["output"]),
 ];

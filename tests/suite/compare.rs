@@ -4,7 +4,7 @@ use stampflow::compare::{
     Against, BandQuantity, BandSpec, CompareError, Comparison, Computed, CurveSpec, Data, Found, Points, Quantity,
     Source, Spec, Verdict, compare,
 };
-use stampflow::model::Geometry;
+use stampflow::model::Extent;
 use stampflow::solution::{ElementRecord, StepRecord};
 use stampflow::table::{Column, Csv};
 
@@ -32,7 +32,7 @@ fn profile() -> Vec<ElementRecord> {
 /// Of a blank of 50 mm.
 fn against_drawn(spec: &Spec, complete: bool) -> Result<Comparison, CompareError> {
     let (steps, elements) = (&history()[..], &profile()[..]);
-    compare(spec, &Computed { geometry: Geometry::Axisymmetric, length: 50.0, steps, elements, complete })
+    compare(spec, &Computed { extent: Extent::Ring, length: 50.0, steps, elements, complete })
 }
 
 /// A comparison with the text of a CSV file.

@@ -8,7 +8,7 @@ use crate::units::rounded;
 pub(super) fn describe(stage: &Stage) -> String {
     let Stage { model, begin, .. } = stage;
     let mut does = Vec::new();
-    does.extend(begin.trim.map(|radius| format!("cut at {} mm", rounded(radius))));
+    does.extend(begin.trim.map(|half| format!("cut at {} mm", super::size(model.geometry, half))));
     does.extend(begin.anneal.then(|| "annealed".to_owned()));
     for tool in &model.tools {
         let (name, new) = (tool.role.name(), if begin.meets.contains(&tool.role) { "new " } else { "" });
@@ -18,17 +18,20 @@ pub(super) fn describe(stage: &Stage) -> String {
                 format!("{new}{name} goes {} mm and {} mm aside", rounded(way.y), rounded(way.x))
             }
             Motion::Pressed(press) => {
-                let unit = model.geometry.force_unit();
+                let unit = model.extent().force_unit().symbol();
                 format!("{new}{name} presses with {:.0} {unit} at the end", press.force.at(model.travel))
             }
             Motion::Fixed | Motion::Gap(_) | Motion::Travel => format!("{new}{name} stands"),
         });
     }
     does.extend(model.release.map(|_| "tools taken away".to_owned()));
-    does.push(match model.mode {
-        Mode::Flow => format!("{} s", rounded(model.duration)),
-        Mode::ElastoViscoplastic => format!("elasto-viscoplastic, {} s", rounded(model.duration)),
-        Mode::Elastic => format!("elastic, {} s", rounded(model.duration)),
-    });
+    let mode = match model.mode {
+        Mode::Flow => None,
+        Mode::ElastoViscoplastic => Some("elasto-viscoplastic".to_owned()),
+        Mode::Elastic => Some("elastic".to_owned()),
+    };
+    let time = model.timed.then(|| format!("{} s", rounded(model.duration)));
+    let how: Vec<String> = mode.into_iter().chain(time).collect();
+    does.extend((!how.is_empty()).then(|| how.join(", ")));
     does.join("; ")
 }

@@ -3,9 +3,9 @@
 use super::inputs::{Choice, Kind, Rule};
 use super::rules::{self, Picked};
 use super::sheet::Sheet;
-use crate::author::page::{Page, mm, plain};
+use crate::author::page::{Page, across, mm, plain};
 use crate::case::CaseError;
-use crate::model::Geometry;
+use crate::model::{Extent, Geometry};
 use crate::rules::design::CAREFUL_RATIO;
 use crate::units::rounded;
 
@@ -60,7 +60,8 @@ impl Tools {
             );
             return Err(CaseError::bare(what, "make the part higher, or --shoulder or --clearance smaller".into()));
         }
-        let area = self.geometry.area(edge) - self.geometry.area(end);
+        let whole = Extent::of(self.geometry, None);
+        let area = whole.area(edge) - whole.area(end);
         let holder = Picked { value: pressure.value * area, why: pressure.why.clone() };
         Ok(Self { holder: Some(holder), ..self })
     }
@@ -92,7 +93,7 @@ impl Tools {
                 page.set(
                     "force",
                     format!("\"{:.1} N/mm\"", force.value),
-                    &format!("of the half{}", force.reason(": ")),
+                    &format!("per mm of depth, both sides together{}", force.reason(": ")),
                 );
             }
         }
@@ -141,7 +142,11 @@ pub(super) fn flat_punch(size: &str, value: f64, nose: &Picked) -> Shape {
     Shape {
         key: "flat",
         value: format!("{{ {size} = {}, nose = {} }}", mm(value), mm(nose.value)),
-        why: nose.reason("nose: "),
+        why: [across(value, size), nose.reason("nose: ")]
+            .into_iter()
+            .filter(|why| !why.is_empty())
+            .collect::<Vec<_>>()
+            .join(", "),
     }
 }
 

@@ -41,6 +41,20 @@ fn automatic(case: &CaseFile, geometry: Geometry) -> i64 {
     }
 }
 
+/// Length of the part across a plane section \[mm\].
+pub(in crate::case) fn depth(case: &CaseFile, source: &Source) -> Result<Option<f64>, CaseError> {
+    let depth = case.blank.depth.map(Quantity::value);
+    if depth.is_some() && case.geometry == Geometry::Axisymmetric {
+        let what = "`depth` is the length across a plane section, this case is axisymmetric";
+        return Err(source.error(
+            "blank.depth",
+            what,
+            "drop it, or change `geometry`; how deep is drawn is the travel",
+        ));
+    }
+    Ok(depth)
+}
+
 pub(super) fn convert(
     case: &CaseFile,
     geometry: Geometry,

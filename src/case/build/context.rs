@@ -4,11 +4,11 @@ use crate::case::file::{self, Section};
 use crate::case::{CaseError, source::Source};
 use crate::files::Folder;
 use crate::geometry::Profile;
-use crate::model::{Blank, Geometry, Role, Tool};
+use crate::model::{Blank, Extent, Role, Tool};
 
 /// What tools are placed against.
 pub(super) struct Sheet {
-    pub geometry: Geometry,
+    pub extent: Extent,
     /// Radius or half-length [mm].
     pub length: f64,
     /// Thickness [mm].
@@ -16,8 +16,8 @@ pub(super) struct Sheet {
 }
 
 impl Sheet {
-    pub fn of(blank: &Blank, geometry: Geometry) -> Self {
-        Self { geometry, length: blank.length, thickness: blank.thickness }
+    pub fn of(blank: &Blank, extent: Extent) -> Self {
+        Self { extent, length: blank.length, thickness: blank.thickness }
     }
 }
 

@@ -3,7 +3,7 @@
 use super::context::Sheet;
 use crate::case::file::{self, Given, HolderForce, Stiffness};
 use crate::case::{CaseError, source::Source};
-use crate::model::{Bead, Face, Gas, Geometry, Motion, Press, Pressure, RateControl, Role, Tool};
+use crate::model::{Bead, Extent, Face, Gas, Motion, Press, Pressure, RateControl, Role, Tool};
 use crate::numerics::PiecewiseLinear;
 use crate::rules::tool_sizes::{extent, shoulder_end};
 use crate::units::{Length, NonNegative, Positive, Quantity, Stress, Time};
@@ -38,40 +38,37 @@ pub(super) fn holder(
     }
     if let Some(pressure) = holder.pressure {
         let inner = profile.least_r().max(shoulder_end(die));
-        let area = sheet.geometry.area(sheet.length) - sheet.geometry.area(inner);
+        let area = sheet.extent.area(sheet.length) - sheet.extent.area(inner);
         let force = pressure.value() * area.max(0.0);
         derived.push(format!(
             "the holder's force is its pressure on the initial area, {pressure} x {area:.1} mm² = {force:.0} {}",
-            sheet.geometry.force_unit()
+            sheet.extent.force_unit().symbol()
         ));
         return Ok(Motion::Pressed(Press::constant(force)));
     }
     if let Some(spring) = holder.spring {
-        let stiffness = match (sheet.geometry, spring.stiffness) {
-            (Geometry::Axisymmetric, Stiffness::Ring(c)) => c.value(),
-            (Geometry::PlaneStrain, Stiffness::PerDepth(c)) => c.value(),
-            (Geometry::Axisymmetric, _) => {
-                let what = "in an axisymmetric case `stiffness` is that of the whole ring";
-                return Err(source.error("tools.holder.spring.stiffness", what, "such as stiffness = \"5 kN/mm\""));
-            }
-            (Geometry::PlaneStrain, _) => {
-                let what = "in plane strain `stiffness` is per depth of the modelled half";
-                return Err(source.error("tools.holder.spring.stiffness", what, "such as stiffness = \"50 N/mm^2\""));
-            }
+        let stiffness = match spring.stiffness {
+            Stiffness::InAll(c) => in_all(c.value(), sheet.extent),
+            Stiffness::PerDepth(c) => per_depth(c.value(), sheet.extent),
         };
-        let preload = force(spring.preload, "tools.holder.spring.preload", "preload", sheet.geometry, source)?;
+        let stiffness = stiffness.map_err(|what| {
+            let help = if sheet.extent == Extent::Ring { "\"5 kN/mm\"" } else { "\"50 N/mm^2\"" };
+            let help = format!("such as stiffness = {help}");
+            source.error("tools.holder.spring.stiffness", format!("{what} `stiffness` is {}", of(sheet.extent)), help)
+        })?;
+        let preload = force(spring.preload, "tools.holder.spring.preload", "preload", sheet.extent, source)?;
         return Ok(Motion::Pressed(Press { force: preload.into(), stiffness }));
     }
     let Some(given) = &holder.force else {
         return Err(crate::case::explain::missing(source, "tools.holder", "force"));
     };
-    Ok(Motion::Pressed(Press { force: holder_force(given, sheet.geometry, source)?, stiffness: 0.0 }))
+    Ok(Motion::Pressed(Press { force: holder_force(given, sheet.extent, source)?, stiffness: 0.0 }))
 }
 
 /// A force that stays, or its history over the travel.
 pub(super) fn holder_force(
     given: &Given<NonNegative<Length>, HolderForce>,
-    geometry: Geometry,
+    extent: Extent,
     source: &Source,
 ) -> Result<PiecewiseLinear, CaseError> {
     let path = "tools.holder.force";
@@ -81,7 +78,7 @@ pub(super) fn holder_force(
         .enumerate()
         .map(|(i, (x, value))| {
             let path = if matches!(given, Given::Points(_)) { format!("{path}.{i}") } else { path.to_owned() };
-            Ok((x, force(value, &path, "force", geometry, source)?))
+            Ok((x, force(value, &path, "force", extent, source)?))
         })
         .collect::<Result<_, CaseError>>()?;
     history(points, path, "travels", source)
@@ -107,25 +104,44 @@ pub(super) fn force(
     force: HolderForce,
     path: &str,
     key: &str,
-    geometry: Geometry,
+    extent: Extent,
     source: &Source,
 ) -> Result<f64, CaseError> {
-    let (what, help) = match (geometry, force) {
-        (Geometry::Axisymmetric, HolderForce::Ring(force)) if presses(force.value()) => return Ok(force.value()),
-        (Geometry::PlaneStrain, HolderForce::PerDepth(force)) if presses(force.value()) => return Ok(force.value()),
-        (Geometry::Axisymmetric, HolderForce::Ring(_)) | (Geometry::PlaneStrain, HolderForce::PerDepth(_)) => {
-            (format!("this `{key}` is next to nothing"), "check the unit, or write 0 for none".to_owned())
+    let force = match force {
+        HolderForce::InAll(force) => in_all(force.value(), extent),
+        HolderForce::PerDepth(force) => per_depth(force.value(), extent),
+    };
+    let (what, help) = match force {
+        Ok(force) if presses(force) => return Ok(force),
+        Ok(_) => (format!("this `{key}` is next to nothing"), "check the unit, or write 0 for none".to_owned()),
+        Err(case) if extent == Extent::Ring => {
+            (format!("{case} `{key}` is {}", of(extent)), format!("write a force, such as {key} = \"80 kN\""))
         }
-        (Geometry::Axisymmetric, HolderForce::PerDepth(_)) => (
-            format!("in an axisymmetric case `{key}` is that of the whole ring"),
-            format!("write a force, such as {key} = \"80 kN\""),
-        ),
-        (Geometry::PlaneStrain, HolderForce::Ring(_)) => (
-            format!("in plane strain `{key}` is per depth of the modelled half"),
-            format!("write a force per length, such as {key} = \"1300 N/mm\""),
+        Err(case) => (
+            format!("{case} `{key}` is {}", of(extent)),
+            format!("write a force per length, such as {key} = \"2600 N/mm\", or give blank.depth"),
         ),
     };
     Err(source.error(path, what, help))
+}
+
+/// A force or stiffness that is given in all; else the case that it does not fit.
+fn in_all(value: f64, extent: Extent) -> Result<f64, &'static str> {
+    if extent == Extent::PerDepth { Err("in plane strain without blank.depth") } else { Ok(value) }
+}
+
+/// A force or stiffness that is given per mm of depth; else the case that it does not fit.
+fn per_depth(value: f64, extent: Extent) -> Result<f64, &'static str> {
+    match extent {
+        Extent::Ring => Err("in an axisymmetric case"),
+        Extent::PerDepth => Ok(value),
+        Extent::Depth(depth) => Ok(value * depth),
+    }
+}
+
+/// What a force or stiffness that does not fit should have been of.
+fn of(extent: Extent) -> &'static str {
+    if extent == Extent::Ring { "that of the whole ring" } else { "per mm of depth, of both halves together" }
 }
 
 /// Norm of the strain rate that a superplastic pressure holds, when none is given \[–\].
@@ -249,10 +265,11 @@ pub(super) fn beads(
         }
         beads.push(bead);
     }
-    let closing: f64 = beads.iter().map(|bead| bead.closing * bead.line(sheet.geometry)).sum();
+    let line = |bead: &Bead| sheet.extent.times() * bead.line(sheet.extent.geometry());
+    let closing: f64 = beads.iter().map(|bead| bead.closing * line(bead)).sum();
     let Some(Motion::Pressed(press)) = tool(Role::Holder).map(|holder| &holder.motion) else { return Ok(beads) };
     if closing > 0.0 && closing >= press.force.smallest() {
-        let unit = sheet.geometry.force_unit();
+        let unit = sheet.extent.force_unit().symbol();
         let what = format!(
             "closing the beads takes {closing:.0} {unit}, the holder has only {:.0} {unit}",
             press.force.smallest()

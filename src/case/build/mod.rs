@@ -23,6 +23,7 @@ mod press;
 mod profile;
 mod section;
 mod settings;
+mod springback;
 mod stages;
 mod tools;
 mod values;
@@ -30,6 +31,7 @@ mod values;
 pub(super) use compare::compare;
 pub(super) use material::convert as material;
 pub(super) use press::press;
+pub(super) use springback::springback;
 
 use context::{Sheet, ToolContext};
 use friction::Frictions;
@@ -38,7 +40,7 @@ use super::file::CaseFile;
 use super::{CaseError, source::Source};
 use crate::files::Folder;
 use crate::material::Material;
-use crate::model::{Blank, Mode, Model, Stage, Theory};
+use crate::model::{Blank, Extent, Friction, Heat, Mode, Model, Stage, Theory, Tool};
 
 /// What a case whose files are looked up from a folder means: its stages, and what was assumed.
 pub(super) fn stages(file: &CaseFile, source: &Source, folder: Folder) -> Result<(Vec<Stage>, Vec<String>), CaseError> {
@@ -62,10 +64,11 @@ pub(super) fn stages(file: &CaseFile, source: &Source, folder: Folder) -> Result
 fn first(file: &CaseFile, source: &Source, folder: Folder, derived: &mut Vec<String>) -> Result<Model, CaseError> {
     let geometry = file.geometry;
     let blank = blank::convert(file, geometry, source, derived)?;
+    let depth = blank::depth(file, source)?;
     let material = material::convert(&file.material, source)?;
     let mode = mode(file, &material, &blank, source)?;
     let drive = motion::drive(file, blank.length, source)?;
-    let (sheet, travel) = (Sheet::of(&blank, geometry), drive.travel);
+    let (sheet, travel) = (Sheet::of(&blank, Extent::of(geometry, depth)), drive.travel);
     let context =
         ToolContext { written: &file.tools, standing: &[], sheet, travel, source, folder, profile: tools::profile };
     let tools = tools::convert(&context, &Frictions::of(file), derived)?;
@@ -79,6 +82,7 @@ fn first(file: &CaseFile, source: &Source, folder: Folder, derived: &mut Vec<Str
     let limit = limit
         .map(|limit| forming_limit::convert(limit, &material, blank.thickness, heat.as_ref(), source, derived))
         .transpose()?;
+    let feels_rate = feels_rate(&material, heat.as_ref(), &tools) || file.gas.is_some();
     let beads = loads::beads(&file.tools.beads, &tools, &sheet, source)?;
     settings::stop(&file.stop, &tools, source)?;
     let frames = settings::frames(&file.output, &drive, source)?;
@@ -87,6 +91,7 @@ fn first(file: &CaseFile, source: &Source, folder: Folder, derived: &mut Vec<Str
         title: file.title.clone(),
         notes: file.notes.clone(),
         geometry,
+        depth,
         blank,
         material,
         tools,
@@ -97,6 +102,7 @@ fn first(file: &CaseFile, source: &Source, folder: Folder, derived: &mut Vec<Str
         schedule: drive.schedule,
         speed: drive.speed,
         duration: drive.duration,
+        timed: drive.timed || feels_rate,
         frames,
         stop: file.stop,
         settings: file.solver.clone(),
@@ -108,6 +114,13 @@ fn first(file: &CaseFile, source: &Source, folder: Folder, derived: &mut Vec<Str
     limits::of_model(&model, &limits::frames_key(0, source), source)?;
     collide::check(&model, source)?;
     Ok(model)
+}
+
+/// Whether the result depends on how fast the tools go.
+fn feels_rate(material: &Material, heat: Option<&Heat>, tools: &[Tool]) -> bool {
+    let flows = heat.is_some_and(|heat| heat.flow.is_some());
+    let by_speed = |tool: &Tool| matches!(tool.friction, Friction::Stribeck(_));
+    material.rate.is_some() || flows || tools.iter().any(by_speed)
 }
 
 fn mode(file: &CaseFile, material: &Material, blank: &Blank, source: &Source) -> Result<Mode, CaseError> {

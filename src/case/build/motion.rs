@@ -9,12 +9,14 @@ use crate::units::{Length, NonNegative, Quantity, Time, rounded};
 /// Points of a history closer than this share of the whole are no motion, or a blow \[–\].
 const CLOSEST: f64 = 1e-6;
 
-/// Travel \[mm\], its history, speed \[mm/s\] and duration \[s\] as in [`crate::model::Model`].
+/// Travel \[mm\], its history, speed \[mm/s\] and duration \[s\], as in [`crate::model::Model`].
 pub(super) struct Drive {
     pub travel: f64,
     pub schedule: Option<PiecewiseLinear>,
     pub speed: f64,
     pub duration: f64,
+    /// Whether the case gives a speed, a motion or a duration.
+    pub timed: bool,
 }
 
 impl Drive {
@@ -39,7 +41,7 @@ pub(super) fn drive(file: &CaseFile, length: f64, source: &Source) -> Result<Dri
         }
         (Some(punch), _, None) => punched(punch, source),
         (None, Some(_), Some(duration)) => {
-            Ok(Drive { travel: 0.0, schedule: None, speed: length / duration, duration })
+            Ok(Drive { travel: 0.0, schedule: None, speed: length / duration, duration, timed: true })
         }
         (None, Some(_), None) => Err(missing(source, "gas", "duration")),
         (None, None, _) => Err(missing(source, "tools", "punch")),
@@ -50,7 +52,8 @@ fn punched(punch: &Punch, source: &Source) -> Result<Drive, CaseError> {
     let Some(points) = &punch.motion else {
         let Some(travel) = punch.travel else { return Err(missing(source, "tools.punch", "travel")) };
         let (travel, speed) = (travel.value(), punch.speed.map_or(1.0, Quantity::value));
-        return Ok(Drive { travel, schedule: None, speed, duration: travel / speed });
+        let timed = punch.speed.is_some();
+        return Ok(Drive { travel, schedule: None, speed, duration: travel / speed, timed });
     };
     for (key, given) in [("speed", punch.speed.is_some()), ("travel", punch.travel.is_some())] {
         if given {
@@ -60,7 +63,7 @@ fn punched(punch: &Punch, source: &Source) -> Result<Drive, CaseError> {
     }
     let schedule = history(points, source)?;
     let &(duration, travel) = schedule.points().last().expect("a history has points");
-    Ok(Drive { travel, schedule: Some(schedule), speed: travel / duration, duration })
+    Ok(Drive { travel, schedule: Some(schedule), speed: travel / duration, duration, timed: true })
 }
 
 /// The travel over time, checked point by point.

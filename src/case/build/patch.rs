@@ -32,13 +32,15 @@ pub(super) struct Pace {
     pub duration: f64,
     /// \[mm/s\]
     pub speed: f64,
+    /// As in [`Model`].
+    pub timed: bool,
 }
 
 impl StagePatch {
     /// The model with the patch.
     pub fn applied_to(&self, mut model: Model) -> Model {
-        let Pace { travel, duration, speed } = self.pace;
-        (model.travel, model.duration, model.speed) = (travel, duration, speed);
+        let Pace { travel, duration, speed, timed } = self.pace;
+        (model.travel, model.duration, model.speed, model.timed) = (travel, duration, speed, timed);
         for patch in &self.tools {
             patch.apply_to(&mut model.tools);
         }

@@ -51,7 +51,7 @@ pub(super) fn convert(
 ) -> Result<(Profile, Points), CaseError> {
     let name = role.name();
     let (shown, csv) = Named { file, what: "profile", example: EXAMPLE, key }.open(context.folder, context.source)?;
-    let rows = distinct(read(&shown, &csv, context.sheet.geometry)?, file, derived);
+    let rows = distinct(read(&shown, &csv, context.sheet.extent.geometry())?, file, derived);
     let [first, .., last] = &rows[..] else {
         let what = format!("a profile needs at least two points, found {}", rows.len());
         return Err(shown.error(rows.first().map_or(1, |row| row.line), what, EXAMPLE));

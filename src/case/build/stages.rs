@@ -229,7 +229,8 @@ impl StageContext<'_> {
             (_, Some(duration)) => (duration, travel / duration),
             (speed, None) => (travel / speed.unwrap_or(usual), speed.unwrap_or(usual)),
         };
-        Ok(Pace { travel, duration, speed })
+        let timed = self.first.timed || self.written.speed.is_some() || self.written.duration.is_some();
+        Ok(Pace { travel, duration, speed, timed })
     }
 
     /// The shape, friction and motion that are written of a tool.
@@ -262,7 +263,7 @@ impl StageContext<'_> {
         travel: f64,
         derived: &mut Vec<String>,
     ) -> Result<Option<Profile>, CaseError> {
-        let sheet = Sheet::of(&self.before.blank, self.before.geometry);
+        let sheet = Sheet::of(&self.before.blank, self.before.extent());
         let written = &self.new_tools();
         let (source, folder, profile) = (self.source, self.folder, tools::profile);
         tools::new_profile(&ToolContext { written, standing, sheet, travel, source, folder, profile }, role, derived)
@@ -272,7 +273,7 @@ impl StageContext<'_> {
     /// had none is brought up to the sheet.
     fn press(&self, holder: &mut ToolPatch, travel: f64, meets: &mut Vec<Role>) -> Result<(), CaseError> {
         let Some(given) = self.written.holder.as_ref().and_then(|holder| holder.force.as_ref()) else { return Ok(()) };
-        let force = loads::holder_force(given, self.before.geometry, self.source)?;
+        let force = loads::holder_force(given, self.before.extent(), self.source)?;
         if holder.motion.is_some() {
             let help = "keep one: a holder that goes a given way has the force that this takes";
             return Err(self.error("holder.force", "the holder has both a way to go and a force", help));

@@ -117,7 +117,8 @@ fn punch_radius(
     half_width: Option<Positive<Length>>,
 ) -> Result<f64, CaseError> {
     let table = format!("tools.punch.{shape}");
-    let (key, found) = by_geometry(source, &table, sheet.geometry, ("radius", radius), ("half_width", half_width))?;
+    let (key, found) =
+        by_geometry(source, &table, sheet.extent.geometry(), ("radius", radius), ("half_width", half_width))?;
     size(source, &format!("{table}.{key}"), found)
 }
 
@@ -172,7 +173,7 @@ fn holder_profile(
     let Some(section) = &holder.profile else {
         let radius = ("inner_radius", holder.inner_radius);
         let half_width = ("inner_half_width", holder.inner_half_width);
-        let (key, inner) = by_geometry(source, "tools.holder", sheet.geometry, radius, half_width)?;
+        let (key, inner) = by_geometry(source, "tools.holder", sheet.extent.geometry(), radius, half_width)?;
         return Ok(Profile::holder(size(source, &format!("tools.holder.{key}"), inner)?, sheet.thickness));
     };
     if holder.inner_radius.or(holder.inner_half_width).is_some() {

@@ -13,6 +13,7 @@ mod material;
 mod output;
 mod press;
 mod section;
+mod springback;
 mod stages;
 mod tools;
 
@@ -26,6 +27,7 @@ pub use material::Material;
 pub use output::Output;
 pub use press::Press;
 pub use section::{ProfileStep, Section, SectionTable, Turn};
+pub use springback::Springback;
 pub use stages::{FirstStage, Release, Stage, StageDie, StageHolder, StagePunch};
 pub use tools::{Bead, Crowned, Die, Flat, Hemispherical, Holder, HolderForce, Punch, Spring, Stiffness, Tools};
 
@@ -66,6 +68,8 @@ pub struct CaseFile {
     /// What the press can give, for the verdict; the run does not depend on it.
     #[serde(default)]
     pub press: Press,
+    /// The part's tolerances on spring-back, for the verdict; not judged when not given.
+    pub springback: Option<Springback>,
     /// How the problem is solved.
     #[serde(default)]
     pub solver: Settings,
@@ -97,6 +101,10 @@ pub struct Blank {
     /// Length from the symmetry plane to the edge (plane strain).
     #[cfg_attr(feature = "schema", schemars(example = "420 mm"))]
     pub half_length: Option<Positive<Length>>,
+    /// Length of the part across the section (plane strain): forces and works are then of the whole part, in N and J. When
+    /// not given they are of the whole section per mm of depth.
+    #[cfg_attr(feature = "schema", schemars(example = "800 mm"))]
+    pub depth: Option<Positive<Length>>,
     /// Initial thickness, 0.001 to 50 mm.
     #[cfg_attr(feature = "schema", schemars(example = "0.9 mm"))]
     pub thickness: Positive<Length>,

@@ -9,10 +9,10 @@ use serde::Deserialize;
 #[serde(deny_unknown_fields)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Press {
-    /// Largest force; in plane strain per length of depth of the modelled half.
+    /// Largest force; in plane strain per mm of depth of the whole section, or in all where blank.depth is given.
     #[cfg_attr(feature = "schema", schemars(example = "1000 kN"))]
     pub force: Option<HolderForce>,
-    /// Work of one stroke (axisymmetric).
+    /// Work of one stroke; in plane strain only where blank.depth is given.
     #[cfg_attr(feature = "schema", schemars(example = "20 kJ"))]
     pub energy: Option<Positive<Energy>>,
 }

@@ -30,7 +30,7 @@ pub struct Bead {
     /// Distance of its line from the axis or symmetry plane.
     #[cfg_attr(feature = "schema", schemars(example = "70 mm"))]
     pub at: Positive<Length>,
-    /// Restraining force per length of the line.
+    /// Restraining force per length of the line, of which a plane section has one on each side.
     #[cfg_attr(feature = "schema", schemars(example = "100 N/mm"))]
     pub restraining: NonNegative<LineForce>,
     /// Closing force per length of the line, taken from the holder's force; none when not given.
@@ -142,8 +142,9 @@ pub struct Holder {
     pub inner_half_width: Option<Positive<Length>>,
     /// A section of one's own, from inside outward.
     pub profile: Option<Section>,
-    /// Force of the whole ring ("80 kN"), or per depth of the modelled half in plane strain ("1300 N/mm"); or its history
-    /// over the punch travel: [["0 mm", "40 kN"], ["20 mm", "80 kN"]]. The holder's position follows.
+    /// Force of the whole holder ("80 kN"); in plane strain on both sides of the symmetry plane together, per mm of depth
+    /// ("2600 N/mm"), or in all where blank.depth is given. Or its history over the punch travel: [["0 mm", "40 kN"],
+    /// ["20 mm", "80 kN"]]. The holder's position follows.
     #[cfg_attr(feature = "schema", schemars(example = "10 kN"))]
     pub force: Option<Given<NonNegative<Length>, HolderForce>>,
     /// Pressure times the initial area between holder and the die's flat: a force that stays.
@@ -164,35 +165,36 @@ pub struct Holder {
 #[serde(deny_unknown_fields)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Spring {
-    /// Force where the holder touches the flat sheet.
+    /// Force where the holder touches the flat sheet, of the whole holder as `force`.
     #[cfg_attr(feature = "schema", schemars(example = "10 kN"))]
     pub preload: HolderForce,
-    /// Force per move of the holder, "5 kN/mm"; in plane strain per depth as well, "50 N/mm^2".
+    /// Force per move of the whole holder, "5 kN/mm"; in plane strain per depth as well, "50 N/mm^2", unless blank.depth is
+    /// given.
     #[cfg_attr(feature = "schema", schemars(example = "5 kN/mm"))]
     pub stiffness: Stiffness,
 }
 
-/// A stiffness: force per length, or force per length and depth.
+/// A stiffness of the whole holder: force per length, or force per length and depth.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Stiffness {
-    /// Of the whole ring, axisymmetric.
-    Ring(NonNegative<LineForce>),
-    /// Per depth of the modelled half, plane strain.
+    /// In all: axisymmetric, or in plane strain over a depth that is known.
+    InAll(NonNegative<LineForce>),
+    /// Per mm of depth, plane strain.
     PerDepth(NonNegative<Stress>),
 }
 
-/// A force, or a force per length of depth.
+/// A force of the whole section, or per mm of its depth.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum HolderForce {
-    /// Of the whole ring, axisymmetric.
-    Ring(NonNegative<Force>),
-    /// Per depth of the modelled half, plane strain.
+    /// In all: axisymmetric, or in plane strain over a depth that is known.
+    InAll(NonNegative<Force>),
+    /// Per mm of depth, plane strain.
     PerDepth(NonNegative<LineForce>),
 }
 
-/// Reads and describes an enum of one quantity for the ring and another per depth.
-macro_rules! ring_or_per_depth {
-    ($type:ident, $ring:ty, $per_depth:ty, $expected:literal, $name:literal, $examples:expr) => {
+/// Reads and describes an enum of one quantity in all and another per depth.
+macro_rules! in_all_or_per_depth {
+    ($type:ident, $in_all:ty, $per_depth:ty, $expected:literal, $name:literal, $examples:expr) => {
         impl<'de> Deserialize<'de> for $type {
             fn deserialize<D: serde::Deserializer<'de>>(from: D) -> Result<Self, D::Error> {
                 /// The text, after what is no text has been refused with the words of the quantity.
@@ -210,7 +212,7 @@ macro_rules! ring_or_per_depth {
                         let read = if per_depth {
                             text.parse().map($type::PerDepth)
                         } else {
-                            text.parse().map($type::Ring)
+                            text.parse().map($type::InAll)
                         };
                         read.map_err(E::custom)
                     }
@@ -238,22 +240,22 @@ macro_rules! ring_or_per_depth {
             }
 
             fn json_schema(_: &mut schemars::SchemaGenerator) -> schemars::Schema {
-                let pattern = crate::units::pattern(&[<$ring as Quantity>::KIND, <$per_depth as Quantity>::KIND]);
+                let pattern = crate::units::pattern(&[<$in_all as Quantity>::KIND, <$per_depth as Quantity>::KIND]);
                 schemars::json_schema!({ "type": "string", "examples": $examples, "pattern": pattern })
             }
         }
     };
 }
 
-ring_or_per_depth!(
+in_all_or_per_depth!(
     HolderForce,
     NonNegative<Force>,
     NonNegative<LineForce>,
-    "a force with its unit, such as \"80 kN\" (axisymmetric) or \"1300 N/mm\" (plane strain)",
+    "a force with its unit, such as \"80 kN\" (axisymmetric) or \"2600 N/mm\" (plane strain)",
     "HolderForce",
-    ["80 kN", "1300 N/mm"]
+    ["80 kN", "2600 N/mm"]
 );
-ring_or_per_depth!(
+in_all_or_per_depth!(
     Stiffness,
     NonNegative<LineForce>,
     NonNegative<Stress>,

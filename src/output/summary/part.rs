@@ -6,13 +6,13 @@ use crate::measure::{Shape, part_height, thickest};
 use crate::model::{Mode, Model, Role};
 use crate::output::{pressure_cycle, springback};
 use crate::solution::{StageSolution, StepRecord};
-use crate::table::{JOULES, Unit, energy_unit, force_unit, worded};
+use crate::table::{JOULES, Unit, worded};
 use crate::units::ZERO_CELSIUS;
 
 impl Summary {
     /// How far the punch went and what it took, or the gas.
     pub(super) fn load(&mut self, model: &Model, run: &StageSolution, last: &StepRecord) {
-        let force = force_unit(model.geometry);
+        let force = model.extent().force_unit();
         let peak = run.steps.iter().copied().max_by(|a, b| a.punch_force.total_cmp(&b.punch_force));
         let peak = peak.unwrap_or_default();
         let largest = |value| largest(run, value);
@@ -71,15 +71,24 @@ impl Summary {
 
     /// Where the work and the heat went.
     pub(super) fn balance(&mut self, model: &Model, run: &StageSolution, last: &StepRecord) {
-        let unit = energy_unit(model.geometry);
+        let unit = model.extent().energy_unit();
         let work = last.work.without_round_off().scaled(JOULES);
-        self.number("work_external", "External work", unit, work.external);
+        let given_back = work.external < 0.0;
+        if given_back {
+            // What the tools did is told as what they got; what was stored, as what came out of it.
+            self.number("work_given_back", "Work given back to the tools", unit, -work.external);
+            let mut out_of = |key, label, stored: f64| self.push(key, label, unit, Value::Number(0.0 - stored));
+            out_of("work_out_of_sheet", "  out of the sheet's elasticity", work.elastic);
+            out_of("work_out_of_contact", "  out of the contact", work.contact);
+        }
+        let shown = |label: &'static str| if given_back { "" } else { label };
+        self.number("work_external", shown("External work"), unit, work.external);
         self.number("work_plastic", "  plastic", unit, work.plastic);
         if model.mode != Mode::Flow {
-            self.number("work_elastic", "  stored in the sheet", unit, work.elastic);
+            self.number("work_elastic", shown("  stored in the sheet"), unit, work.elastic);
         }
         self.number("work_friction", "  friction", unit, work.friction);
-        self.number("work_contact", "  stored in contact", unit, work.contact);
+        self.number("work_contact", shown("  stored in contact"), unit, work.contact);
         self.group = Group::Solution;
         let missing = percent(last.work.missing(), run.largest_work());
         self.number("imbalance", "Work missing in the balance", Unit::Percent, missing);
@@ -142,7 +151,7 @@ impl Summary {
 
     /// What the holder pressed with, and whether it was lifted.
     pub(super) fn holder(&mut self, model: &Model, run: &StageSolution) {
-        let force = force_unit(model.geometry);
+        let force = model.extent().force_unit();
         let largest = |value| largest(run, value);
         if model.tool(Role::Holder).is_some() && model.release.is_none() {
             let rim = format!("  last share on the outer {} thicknesses", StepRecord::RIM);

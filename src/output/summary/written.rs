@@ -2,7 +2,6 @@
 
 use super::{Entry, Figure, Group, Summary, Value};
 use crate::measure::Change;
-use crate::output::springback::{compared, signed};
 use crate::table::Unit;
 use crate::units::four_digits;
 use crate::units::rounded;
@@ -33,7 +32,7 @@ impl Summary {
     pub fn figures(&self) -> impl Iterator<Item = Figure> {
         self.entries.iter().filter(|entry| !entry.label.is_empty()).filter_map(|entry| {
             let (value, unit) = match &entry.value {
-                Value::Number(v) => (four_digits(*v), entry.unit.symbol()),
+                Value::Number(v) => (digits(*v, entry.unit), entry.unit.symbol()),
                 Value::Count(v) => (v.to_string(), Unit::None.symbol()),
                 Value::Flag(v) => (if *v { "yes" } else { "no" }.to_owned(), ""),
                 Value::Text(v) => (v.clone(), ""),
@@ -69,16 +68,21 @@ impl Summary {
     }
 }
 
+/// Four digits; of an angle tenths, as [`Quantity`](crate::measure::Quantity) has them.
+fn digits(value: f64, unit: Unit) -> String {
+    if unit == Unit::Degree { format!("{value:.1}") } else { four_digits(value) }
+}
+
 /// Degrees stand close to their number.
 fn with_unit(value: f64, unit: Unit) -> String {
     let space = if unit == Unit::Degree { "" } else { " " };
-    format!("{}{space}{}", four_digits(value), unit.symbol())
+    format!("{}{space}{}", digits(value, unit), unit.symbol())
 }
 
-/// `Wall to the punch direction`, `0.31° → 8.20° (+7.89°)`.
+/// `Wall to the punch direction`, `0.3° → 8.2° (+7.9°)`.
 fn row_of_change(change: &Change) -> (String, String) {
-    let by = change.change().map_or(String::new(), |by| format!(" ({})", signed(by, change.quantity.unit)));
-    (format!("  {}", change.quantity.label), compared(change) + &by)
+    let by = change.change().map_or(String::new(), |by| format!(" ({})", change.quantity.signed(by)));
+    (format!("  {}", change.quantity.label), change.text() + &by)
 }
 
 fn of_change(change: &Change) -> serde_json::Value {

@@ -102,7 +102,7 @@ fn section(model: &Model, frame: &Frame) -> Grid {
 
 /// The columns of `profile.csv` that are no places of the section and no times, and how much thinner the sheet is.
 fn fields(model: &Model, frame: &Frame) -> Vec<Column> {
-    let column = |field: Field<ElementRecord>| field.column(model.geometry, &frame.elements);
+    let column = |field: Field<ElementRecord>| field.column(model.extent(), &frame.elements);
     let thinning = |element: &ElementRecord| 100.0 * (1.0 - element.thickness / model.blank.thickness);
     let thinning = frame.elements.iter().map(thinning).collect();
     let thinning = Column::new("thinning", "Thinning", Unit::Percent, thinning);

@@ -40,6 +40,7 @@ fn shell(geometry: Geometry, thickness: f64, by: By, inside: f64, gas: f64) -> M
         title: "pressed shell".into(),
         notes: vec![],
         geometry,
+        depth: None,
         blank: Blank {
             length: RADIUS,
             thickness,
@@ -64,6 +65,7 @@ fn shell(geometry: Geometry, thickness: f64, by: By, inside: f64, gas: f64) -> M
         speed: 1.0,
         duration: 1.0,
         stop: Default::default(),
+        timed: true,
         frames: vec![1.0],
         settings: Settings { iteration: Iteration::Newton, cutoff_strain: 1e-9, ..Settings::default() },
         mode: Mode::default(),

@@ -21,6 +21,7 @@ fn model(geometry: Geometry, theory: Theory) -> Model {
         title: "small cup".into(),
         notes: vec![],
         geometry,
+        depth: None,
         blank: Blank {
             length: 24.0,
             thickness: t,
@@ -49,6 +50,7 @@ fn model(geometry: Geometry, theory: Theory) -> Model {
         speed: 1.0,
         duration: 6.0,
         stop: Default::default(),
+        timed: true,
         frames: vec![6.0],
         settings: Settings { iteration: Iteration::Newton, ..Settings::default() },
         mode: Mode::default(),

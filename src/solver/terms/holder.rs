@@ -4,7 +4,7 @@
 //! φ(b) (F₀(travel) − c w − F_beads) − F_blocks(w) − F_sheet = 0
 //! ```
 //!
-//! with the tool's move w towards the die, springs or a cushion of stiffness c, and what its distance blocks bear; φ falls
+//! of what is solved, of a plane section one half of the force that is given; with the tool's move w towards the die, springs or a cushion of stiffness c, and what its distance blocks bear; φ falls
 //! from 1 to 0 as the width b of the sheet under the tool runs out.
 
 use super::bead;
@@ -23,6 +23,7 @@ pub fn add(step: &Step, trial: &Trial, out: &mut Evaluation) {
     // The blocks stand on the die and go with it.
     let die = model.tools.iter().position(|tool| tool.role == Role::Die);
     let die = die.map_or(0.0, |j| trial.tools[j].y - waiting_displacement(model, &model.tools[j]));
+    let times = model.extent().times();
     let block_area = model.geometry.area(model.blank.length);
     let system = &mut out.system;
     for (j, tool) in process.tools.iter().enumerate() {
@@ -33,13 +34,14 @@ pub fn add(step: &Step, trial: &Trial, out: &mut Evaluation) {
             continue;
         }
         let moved = trial.tools[j].y;
-        let mut force = press.force.at(step.travel()) - press.stiffness * moved;
+        let springs = press.stiffness / times;
+        let mut force = press.force.at(step.travel()) / times - springs * moved;
         if tool.role == Role::Holder {
             force -= closing;
         }
         let grip = Grip::new(tool.inner, trial.tools[j], &out.nodes, &step.bends);
         let share = grip.share(model.blank.thickness);
-        system.corner[(k, k)] += share.value * press.stiffness;
+        system.corner[(k, k)] += share.value * springs;
         for (i, weight) in (out.nodes.len() - 2..).zip(grip.weights) {
             system.rows[i][k].x -= share.slope * weight * force;
         }

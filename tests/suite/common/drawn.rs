@@ -32,6 +32,7 @@ pub fn model(geometry: Geometry) -> Model {
             "The law is offset to 547 (0.001 + ε)^0.18 MPa; the holder force of \"80 N\" is read as 80 kN.".to_owned(),
         ],
         geometry,
+        depth: None,
         blank: Blank {
             length: 100.0,
             thickness: T0,
@@ -56,6 +57,7 @@ pub fn model(geometry: Geometry) -> Model {
         speed: 1.0,
         duration: TRAVEL,
         stop: StopRules::default(),
+        timed: true,
         frames: (1..=5).map(|i| 0.2 * TRAVEL * i as f64).collect(),
         settings: Settings::default(),
         mode: Mode::default(),

@@ -162,6 +162,7 @@ pub fn random_die(seed: u64) -> RandomDie {
         title: format!("random die {seed}"),
         notes: vec![],
         geometry: if plane { Geometry::PlaneStrain } else { Geometry::Axisymmetric },
+        depth: None,
         blank: Blank {
             length,
             thickness: t,
@@ -182,6 +183,7 @@ pub fn random_die(seed: u64) -> RandomDie {
         schedule: None,
         duration: travel,
         stop: StopRules::default(),
+        timed: true,
         frames: vec![travel],
         settings: Settings { norm, ..Settings::default() },
         mode: Mode::default(),

@@ -14,6 +14,7 @@ pub fn pulled(geometry: Geometry, theory: Theory, travel: f64) -> Model {
         title: "pulled sheet".into(),
         notes: vec![],
         geometry,
+        depth: None,
         blank: Blank {
             length: 40.0,
             thickness: 1.0,
@@ -34,6 +35,7 @@ pub fn pulled(geometry: Geometry, theory: Theory, travel: f64) -> Model {
         speed: 1.0,
         duration: travel,
         stop: StopRules::default(),
+        timed: true,
         frames: vec![travel],
         settings: Settings::default(),
         mode: Mode::default(),
@@ -54,6 +56,7 @@ pub fn capstan(mu: f64, holder: f64, per_quarter: usize) -> Model {
         title: "capstan".into(),
         notes: vec![],
         geometry: Geometry::PlaneStrain,
+        depth: None,
         blank: Blank {
             length,
             thickness: t,
@@ -78,6 +81,7 @@ pub fn capstan(mu: f64, holder: f64, per_quarter: usize) -> Model {
         speed: 1.0,
         duration: 50.0,
         stop: StopRules::default(),
+        timed: true,
         frames: vec![50.0],
         settings: Settings::default(),
         mode: Mode::default(),

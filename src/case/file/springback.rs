@@ -1,0 +1,24 @@
+//! How far the part may be from what is wanted once its tools are taken away.
+
+use crate::units::{Angle, Length, NonNegative, Positive};
+use serde::Deserialize;
+
+/// The part's tolerances, for the verdict on a case whose last stage takes the tools away; the run does not depend on them.
+#[derive(Clone, Debug, Default, Deserialize)]
+#[serde(deny_unknown_fields)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub struct Springback {
+    /// Wanted angle between the two legs or walls of the whole section, 0 deg where they are upright; the one under the tools
+    /// when not given.
+    #[cfg_attr(feature = "schema", schemars(example = "90 deg"))]
+    pub angle: Option<NonNegative<Angle>>,
+    /// By how much that angle may miss.
+    #[cfg_attr(feature = "schema", schemars(example = "1 deg"))]
+    pub tolerance: Option<Positive<Angle>>,
+    /// By how much each flange may turn from where it is under the tools.
+    #[cfg_attr(feature = "schema", schemars(example = "1 deg"))]
+    pub flange_tolerance: Option<Positive<Angle>>,
+    /// By how much each edge may move inward or outward from where it is under the tools.
+    #[cfg_attr(feature = "schema", schemars(example = "0.5 mm"))]
+    pub edge_tolerance: Option<Positive<Length>>,
+}
