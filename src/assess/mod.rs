@@ -4,6 +4,7 @@
 //! `AFTER`. Each rule has one constant with its source; what has no source that could be read is called a declared rule of
 //! thumb.
 
+mod answer;
 mod bending_radius;
 mod bent_strength;
 mod blank_size;
@@ -40,7 +41,9 @@ mod two_sheets;
 mod wrinkling;
 mod yielding;
 
+pub use answer::{Answer, KeyNumber};
 pub use finding::{Finding, Kind, Light, Limits, Sense, When, advice, headline, judgements, sentences};
+pub use forming_limit::CAREFUL;
 
 use crate::case::Case;
 use crate::message::Message;

@@ -39,7 +39,7 @@ mod syntax;
 mod wording;
 
 pub use error::CaseError;
-pub use file::CaseFile;
+pub use file::{CaseFile, TitleBlock};
 pub use read::{load, parse, parse_with};
 #[cfg(feature = "schema")]
 pub(crate) use schema::definition;
@@ -71,6 +71,8 @@ pub struct Case {
     pub compare: Vec<Spec>,
     /// The rating of the press.
     pub press: Press,
+    /// What heads its reports.
+    pub title_block: TitleBlock,
     /// The part's tolerances.
     pub springback: Springback,
     /// Where its numbers come from.

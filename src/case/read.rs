@@ -72,6 +72,7 @@ pub fn parse_with(text: &str, name: &str, overrides: &[String], files: &dyn File
         stages,
         compare,
         press,
+        title_block: file.report,
         springback,
         sources,
         derived,

@@ -5,7 +5,7 @@ use super::options::Json;
 use super::place;
 use super::say::{Shown, say, say_json};
 use super::suggested::Suggested;
-use super::table::{Tone, table};
+use super::table::{Cell, table};
 use anyhow::Result;
 use serde_json::{Value, json};
 use stampflow::case::library::{self, Entry};
@@ -89,12 +89,12 @@ fn list(entries: &[Entry]) -> Shown {
             or_unknown(entry.material.elastic.map(|elastic| 1e-3 * elastic.young), 0),
             entry.thickness.clone().unwrap_or(UNKNOWN.to_owned()).replace(" to ", "–"),
         ];
-        (cells, Tone::Plain)
+        cells.map(Cell::plain)
     };
     let headers = ["name", "grade", "Rp0.2", "Rm", "Ag", "r̄", "n", "E", "thickness"];
     let units = ["", "", "MPa", "MPa", "%", "–", "–", "GPa", ""].map(str::to_owned);
-    let rows = [(units, Tone::Plain)].into_iter().chain(entries.iter().map(row)).collect();
-    table(Some(headers), rows, 1) + Shown::from(NOTES)
+    let rows = [units.map(Cell::plain)].into_iter().chain(entries.iter().map(row)).collect();
+    table(Some(headers), rows) + Shown::from(NOTES)
 }
 
 /// Everything that is known of a material, and the table to paste.
