@@ -271,8 +271,9 @@ def two_outlines(doc, space):
 
 
 def no_punch_in_an_operation(doc, space):
-    punch(space)
-    space.add_lwpolyline([(90, -1), (31, -1), (31, -50)], dxfattribs=on("OP30_DIE"))
+    space.add_lwpolyline([(0, 0), (30, 0), (30, 100)], dxfattribs=on("OP20_PUNCH"))
+    for layer in ["OP20_DIE", "OP30_DIE"]:
+        space.add_lwpolyline([(90, -1), (31, -1), (31, -50)], dxfattribs=on(layer))
 
 
 for name, draw in [
