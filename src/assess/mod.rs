@@ -4,6 +4,7 @@
 //! `AFTER`. Each rule has one constant with its source; what has no source that could be read is called a declared rule of
 //! thumb.
 
+mod answer;
 mod bending_radius;
 mod bent_strength;
 mod blank_size;
@@ -37,10 +38,13 @@ mod stop;
 mod strength;
 mod thinning;
 mod trim;
+mod two_sheets;
 mod wrinkling;
 mod yielding;
 
+pub use answer::{Answer, KeyNumber};
 pub use finding::{Finding, Kind, Light, Limits, Sense, When, advice, headline, judgements, sentences};
+pub use forming_limit::CAREFUL;
 
 use crate::case::Case;
 use crate::message::Message;
@@ -51,6 +55,8 @@ use run::Run;
 
 /// A question to a case.
 enum Before {
+    /// Of the case.
+    Case(fn(&Case) -> Option<Finding>),
     /// Of the first stage.
     Model(fn(&Model) -> Option<Finding>),
     /// Of each of its tools.
@@ -72,6 +78,8 @@ const BEFORE: &[Before] = &[
     Before::Model(size::slender),
     Before::Model(size::blank_diameter),
     Before::Model(size::throat_diameter),
+    Before::Case(two_sheets::mixed),
+    Before::Case(two_sheets::thickness),
     Before::Model(strength::unusual),
     Before::Model(holder::idle),
     Before::Model(holder::crushing),
@@ -130,6 +138,7 @@ const AFTER: &[After] = &[
 /// is trusted.
 pub fn before(case: &Case) -> Vec<Finding> {
     let asked = BEFORE.iter().flat_map(|question| match question {
+        Before::Case(ask) => ask(case).into_iter().collect(),
         Before::Model(ask) => ask(case.model()).into_iter().collect(),
         Before::Tool(ask) => case.model().tools.iter().filter_map(|tool| ask(case.model(), tool)).collect::<Vec<_>>(),
     });

@@ -1,7 +1,7 @@
 //! The draw as a moving picture: the section, true to thickness, with its tools, and how far the load has come.
 
 use super::chart::{Chart, Look, Panel, Series, color};
-use super::draw::Drawing;
+use super::draw::{Drawing, WIDTH};
 use super::gif::gif;
 use super::{Files, StageView, load_travel, sections};
 use crate::solution::Frame;
@@ -20,7 +20,7 @@ const LOAD_HEIGHT: f64 = 130.0;
 
 /// `shapes.gif`: each picture is shown for as long as its frame lasts, so that the tools move evenly.
 pub(super) fn files<'a>(view: &'a StageView, frames: &'a [&Frame]) -> Files<'a> {
-    let drawings = (0..frames.len()).map(|i| Drawing::of(&picture(view, frames, i)));
+    let drawings = (0..frames.len()).map(|i| Drawing::of(&picture(view, frames, i), WIDTH));
     Box::new(std::iter::once(("shapes.gif".to_owned(), gif(drawings, &delays(view, frames)))))
 }
 

@@ -59,7 +59,7 @@ mod tests {
     fn pictures_come_back_with_their_colours_and_delays() {
         let drawing = |x: f64| {
             let outline = vec![(x, 10.0), (x + 10.0, 10.0), (x + 10.0, 20.0), (x, 20.0)];
-            Drawing { height: 40.0, marks: vec![Mark::Area { outline, fill: (0, 0x72, 0xb2) }] }
+            Drawing { width: 800.0, height: 40.0, marks: vec![Mark::Area { outline, fill: (0, 0x72, 0xb2) }] }
         };
         let bytes = gif([0.0, 20.0, 20.0, 40.0].map(drawing), &[5, 6, 7, 8]);
         let mut options = DecodeOptions::new();

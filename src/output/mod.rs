@@ -9,6 +9,7 @@ mod draw;
 mod file;
 pub mod flow_curve;
 mod font;
+mod forming_diagram;
 pub mod forming_limit;
 mod frame_recorder;
 mod gif;
@@ -17,6 +18,8 @@ mod lock;
 mod make;
 mod outline;
 mod overlay;
+pub mod pdf;
+mod picture;
 mod png;
 pub mod pressure_cycle;
 pub mod profile;
@@ -38,12 +41,15 @@ mod writing;
 
 pub use chart::Chart;
 pub use csv::csv;
-pub use dimensions::{Dimension, Mark, dimensioned};
+pub use dimensions::{Dimension, Mark, Size, dimensioned};
 pub use draw::svg;
+#[cfg(feature = "report")]
+pub(crate) use draw::{Drawing, WIDTH as DRAWN};
 pub use file::{WriteError, can_write, remove_others, write};
 pub use frame_recorder::FrameRecorder;
 pub use make::{Extra, Files, Make, Output};
 pub use overlay::comparisons;
+pub use picture::{Captions, Format, PAPER, Pictures};
 pub use png::png;
 pub use result_folder::ResultFolder;
 pub use results::Results;
@@ -51,7 +57,7 @@ pub use results::Results;
 pub use sketch::sketch;
 pub use stage_view::StageView;
 pub use summary::{CaseSummary, Figure, Summary};
-pub use writing::{OutputError, comparison_folder, is_result, result_folder};
+pub use writing::{OutputError, REPORT_MARKER, comparison_folder, is_report, is_result, result_folder};
 
 /// Every file that may be written.
 pub const OUTPUTS: &[Output] = &[
@@ -79,7 +85,7 @@ pub const OUTPUTS: &[Output] = &[
         "strain path and margin of every element, where a forming limit is given",
         forming_limit::paths_of,
     ),
-    Output::plot("forming_limit.png", "the curve with every element's strain path", forming_limit::plot),
+    Output::plot("forming_limit.png", "how near every place comes to the forming limit", forming_diagram::plot),
     Output::plot("shapes.png", "the sheet's section at every kept frame, and the tools", sections::plot),
     Output {
         file: "section.pvd",

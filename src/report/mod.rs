@@ -4,10 +4,13 @@
 //! Each file of this folder makes one part. The document holds nothing of the clock but the wall time of the solution, so
 //! two reports of one case can be compared.
 
+mod answers;
 mod document;
+mod front;
 mod html;
 mod inputs;
 mod markdown;
+mod pdf;
 mod program;
 mod results;
 mod sketch;
@@ -16,24 +19,37 @@ mod solver;
 mod title;
 mod verdict;
 
-pub use document::{Block, Document, Picture, Row, Section};
+pub use document::{Block, Document, Issue, KeyNumber, Picture, Row, Section};
 pub use html::html;
 pub use markdown::{figure_folder, is_figure, markdown};
+pub use pdf::pdf;
 pub use program::MARKER;
 pub use solved::Report;
 
+use crate::message::Form;
+
 impl Report<'_> {
-    /// All sections.
+    /// The first page and all sections.
     pub fn document(&self) -> Document {
+        let form = Form::default();
         let model = self.solution.case.model();
-        let mut sections = vec![
+        let mut sections = vec![verdict::section(&self.findings, form)];
+        sections.extend(sketch::sections(self, form));
+        sections.push(inputs::section(&self.check));
+        sections.extend(results::sections(self, form));
+        sections.extend([
+            inputs::assumptions(&self.check, form),
+            solver::warnings(self, form),
+            solver::section(self, form),
             title::section(self),
-            verdict::section(&self.findings),
-            sketch::section(model, &self.dimensions),
-            inputs::section(&self.check),
-        ];
-        sections.extend(results::sections(self));
-        sections.extend([inputs::assumptions(&self.check), solver::warnings(self), solver::section(self)]);
-        Document { title: model.title.clone(), sections }
+        ]);
+        Document {
+            title: model.title.clone(),
+            author: self.title_block.author.clone().unwrap_or_default(),
+            language: form.language.code(),
+            title_block: title::block(self),
+            front: front::blocks(self, form),
+            sections,
+        }
     }
 }

@@ -3,11 +3,10 @@
 use super::backend::units;
 use super::canvas::Canvas;
 use super::letters::{NOTE, SPACING, TICK, TITLE, text_width, wrapped};
-use super::mark::WIDTH;
 use super::panel::{Frame, x_labels_height, y_labels_width};
 use super::shape::sample;
 use super::text::text;
-use crate::output::chart::{BLACK, Chart, GREY, Look, Series};
+use crate::output::chart::{BLACK, Chart, GREY, Series};
 
 /// Around every picture.
 const MARGIN: f64 = 14.0;
@@ -26,22 +25,26 @@ pub(super) struct Page<'a> {
     left: f64,
     frames: Vec<Frame>,
     notes: Vec<String>,
+    width: f64,
     pub(super) height: f64,
 }
 
 impl<'a> Page<'a> {
-    pub(super) fn of(chart: &'a Chart) -> Self {
+    pub(super) fn of(chart: &'a Chart, width: f64) -> Self {
         let left = chart.panels.iter().map(|p| y_labels_width(&p.ranges()[1], p)).fold(0.0, f64::max);
-        let frames: Vec<Frame> = chart.panels.iter().map(|p| Frame::of(p, WIDTH - left - 3.0 * MARGIN)).collect();
-        let title = wrapped(&chart.title, TITLE, WIDTH - 2.0 * MARGIN);
-        let legend = legend(chart);
-        let notes: Vec<String> =
-            chart.notes.iter().flat_map(|note| wrapped(note, NOTE, WIDTH - 2.0 * MARGIN)).collect();
+        let frames: Vec<Frame> = chart.panels.iter().map(|p| Frame::of(p, width - left - 2.0 * MARGIN)).collect();
+        let across = |text: &String, size| match text.is_empty() {
+            true => Vec::new(),
+            false => wrapped(text, size, width - 2.0 * MARGIN),
+        };
+        let title = across(&chart.title, TITLE);
+        let legend = legend(chart, width);
+        let notes: Vec<String> = chart.notes.iter().flat_map(|note| across(note, NOTE)).collect();
         let height = 2.0 * MARGIN
             + SPACING * (TITLE * title.len() as f64 + TICK * legend.len() as f64 + NOTE * notes.len() as f64)
             + frames.iter().map(|f| f.height + x_labels_height() + GAP).sum::<f64>()
             + MARGIN;
-        Self { title, legend, left, frames, notes, height: height.ceil() }
+        Self { title, legend, left, frames, notes, width, height: height.ceil() }
     }
 
     pub(super) fn draw(&self, chart: &Chart, canvas: &Canvas) {
@@ -63,7 +66,8 @@ impl<'a> Page<'a> {
         y += 0.5 * MARGIN;
         for (panel, frame) in chart.panels.iter().zip(&self.frames) {
             let height = frame.height + x_labels_height();
-            let area = canvas.clone().shrink((units(MARGIN), units(y)), (units(WIDTH - 2.0 * MARGIN), units(height)));
+            let area =
+                canvas.clone().shrink((units(MARGIN), units(y)), (units(self.width - 2.0 * MARGIN), units(height)));
             frame.draw(panel, &area, self.left);
             y += height + GAP;
         }
@@ -75,15 +79,15 @@ impl<'a> Page<'a> {
 }
 
 /// Rows of legend entries, as many side by side as fit.
-fn legend(chart: &Chart) -> Vec<Vec<(&Series, f64)>> {
+fn legend(chart: &Chart, page: f64) -> Vec<Vec<(&Series, f64)>> {
     let mut rows: Vec<Vec<(&Series, f64)>> = Vec::new();
     let indent = if chart.legend.is_empty() { 0.0 } else { text_width(chart.legend, TICK) + 14.0 };
     let left = MARGIN + indent;
     let mut x = f64::INFINITY;
-    for series in chart.panels.iter().flat_map(|p| &p.series).filter(|series| series.look != Look::Text) {
+    for series in chart.panels.iter().flat_map(|p| &p.series).filter(|series| series.look.is_explained()) {
         let Some(label) = &series.label else { continue };
         let width = SAMPLE + 8.0 + text_width(label, TICK);
-        if x + width > WIDTH - MARGIN {
+        if x + width > page - MARGIN {
             rows.push(Vec::new());
             x = left;
         }
