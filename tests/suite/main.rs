@@ -8,6 +8,7 @@
 mod common;
 
 mod animation;
+mod answers;
 mod architecture;
 mod attack;
 mod bad_cases;
