@@ -331,8 +331,9 @@ fn an_import_says_its_size_and_picks_as_new_does() {
         assert_eq!(tool.friction, picked.friction);
     }
     let report = stampflow::assess::check::report(&right);
-    let pressure =
-        |label: &str| report.lines.iter().find(|line| line.label == label).unwrap().value.parse::<f64>().unwrap();
+    let pressure = |label: &str| {
+        report.lines.iter().find(|line| line.label == label).unwrap().value.to_string().parse::<f64>().unwrap()
+    };
     let more = pressure("holder pressure") - pressure("advised pressure");
     assert!((0.0..=0.01).contains(&more), "{more} MPa more than advised");
 }
@@ -355,6 +356,7 @@ fn a_cone_wider_than_its_die_is_drawn_as_far_as_it_fits() {
             .find(|line| line.label == label)
             .unwrap_or_else(|| panic!("no {label}"))
             .value
+            .to_string()
             .parse::<f64>()
             .unwrap()
     };

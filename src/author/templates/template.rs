@@ -6,7 +6,7 @@ use crate::author::page::{Page, plain};
 use crate::case::CaseError;
 use crate::model::{Geometry, Model};
 use crate::rules::size;
-use crate::units::{Length, Positive, Quantity};
+use crate::units::{Length, Positive, Quantity, significant};
 
 /// What writes a template's case.
 type Write = fn(&Inputs) -> Result<String, CaseError>;
@@ -68,7 +68,10 @@ impl Template {
             format!("is the unit right? --{key} {text:?} was given; try --{key} \"{number} mm\"")
         });
         let most = plain(*size::WIDTHS.end());
-        Err(CaseError::bare(format!("the blank would be {} wide; stampings are up to {most}", plain(across)), help))
+        Err(CaseError::bare(
+            format!("the blank would be {} wide; stampings are up to {most}", plain(significant(across, 3))),
+            help,
+        ))
     }
 
     /// An error of a case that nobody has seen yet, as one of the options that make it.
