@@ -39,6 +39,8 @@ mod trim;
 mod wrinkling;
 mod yielding;
 
+pub use holder::holder_lift;
+
 pub use finding::{Finding, Kind, Light, Limits, Sense, When, advice, headline, judgements, sentences};
 
 use crate::case::Case;

@@ -9,17 +9,20 @@ pub(super) fn judge(run: &Run) -> Option<Finding> {
     let (model, stop) = (&last.model, &last.stop);
     let words = match stop {
         Stop::FullTravel if model.release.is_some() => "the tools are taken away".to_owned(),
+        Stop::FullTravel if model.stop.drawn_through => format!("{stop}, and the cup is not through the die"),
         stop => stop.to_string(),
     };
-    // Many a cup leaves its die at the other end.
     let light = match stop {
-        Stop::DrawnThrough { .. } => Light::Amber,
+        Stop::FullTravel if model.stop.drawn_through && model.release.is_none() => Light::Amber,
         stop if stop.is_complete() => Light::Green,
+        // Many a cup leaves its die at the other end.
+        Stop::DrawnThrough { .. } => Light::Amber,
         _ => Light::Red,
     };
     let stages = 1 + run.case.later().len();
     let at = if stages > 1 { format!("stage {} of {stages}: ", run.stages.len()) } else { String::new() };
     let advice = match stop {
+        Stop::FullTravel if model.stop.drawn_through => "more travel",
         Stop::FullTravel | Stop::ContactShare { .. } | Stop::Interrupted { .. } => "",
         Stop::Refused(_) => "a value that the solver can take",
         Stop::Localised { .. } | Stop::Coalesced { .. } | Stop::LoadMaximum { .. } => thinning::ADVICE,
@@ -32,7 +35,10 @@ pub(super) fn judge(run: &Run) -> Option<Finding> {
         Stop::Arched { .. } => {
             "a holder that keeps the legs from swinging, a larger gap between punch and die, or a shorter travel"
         }
-        Stop::DrawnThrough { .. } => "a shorter travel or a larger blank; more holder force keeps the edge back",
+        Stop::DrawnThrough { .. } => {
+            "[stop] drawn_through = true where it is wished; else a shorter travel or a larger blank, or more holder force, \
+             which keeps the edge back"
+        }
         Stop::ToolsClosed { .. } => "a shorter travel, or a larger gap between punch and die",
         Stop::Creeping { .. } => {
             "coarser elements there, a larger solver.min_step; or look at the shape: the sheet may snap"

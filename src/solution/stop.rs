@@ -76,6 +76,8 @@ pub enum Stop {
     DrawnThrough {
         /// Punch travel there \[mm\].
         travel: f64,
+        /// Whether the case asks for it: then the rim has left the die's shoulder.
+        wished: bool,
     },
     /// Punch and die come closer than the sheet can be squeezed.
     ToolsClosed {
@@ -129,10 +131,10 @@ pub enum Stop {
 }
 
 impl Stop {
-    /// Whether the run came to the end it was asked for: its full travel or time, or the contact that the part is done
-    /// with. A fallen load is none, though a case may ask for it: the sheet has failed there.
+    /// Whether the run came to the end it was asked for: its full travel or time, the contact that the part is done with, or
+    /// the other side of the die. A fallen load is none, though a case may ask for it: the sheet has failed there.
     pub fn is_complete(&self) -> bool {
-        matches!(self, Stop::FullTravel | Stop::ContactShare { .. })
+        matches!(self, Stop::FullTravel | Stop::ContactShare { .. } | Stop::DrawnThrough { wished: true, .. })
     }
 
     /// Whether the sheet or the tools ended the run, not the numerics or the user.
@@ -211,8 +213,15 @@ impl std::fmt::Display for Stop {
                  are voids",
                 100.0 * porosity
             ),
-            Stop::DrawnThrough { travel } => {
+            Stop::DrawnThrough { travel, wished: false } => {
                 write!(f, "drawn through: the blank's edge has passed the die's throat at {travel:.2} mm of travel")
+            }
+            Stop::DrawnThrough { travel, wished: true } => {
+                write!(
+                    f,
+                    "drawn through: at {travel:.2} mm of travel the rim has left the die's shoulder, the cup is through the die: strip it \
+                 off the punch"
+                )
             }
             Stop::ToolsClosed { travel, r, z } => write!(
                 f,

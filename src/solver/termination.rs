@@ -14,6 +14,10 @@ use crate::state::{State, waiting_displacement};
 const GONE: f64 = 0.2;
 /// Share of the run over which a neck must have kept its lead \[–\].
 const LASTING: f64 = 0.01;
+/// How far behind the shoulder's end the rim stands when the cup is through the die, over the initial thickness \[–\].
+const THROUGH: f64 = 1.0;
+/// Difference of two sizes over the thickness that is none \[–\].
+const ROUND_OFF: f64 = 1e-6;
 /// Distance of two rigid tools over the initial thickness at which the run ends \[–\].
 const CLOSED: f64 = 0.5;
 
@@ -22,9 +26,11 @@ const CLOSED: f64 = 0.5;
 struct Throat {
     /// Which of the model's tools the die is.
     die: usize,
-    /// Least distance of the die from the axis, and its lowest place as drawn \[mm\].
+    /// Least distance of the die from the axis, its lowest place as drawn, and the lowest of that distance, where the shoulder
+    /// ends \[mm\].
     radius: f64,
     face: f64,
+    end: f64,
 }
 
 /// What ends a run, in the order of precedence.
@@ -66,8 +72,11 @@ impl Termination {
         let die = model.tools.iter().position(|tool| tool.role == Role::Die);
         let throat = die.map(|die| {
             let profile = &model.tools[die].profile;
-            let face = profile.polyline(0.01).iter().map(|p| p.y).fold(f64::INFINITY, f64::min);
-            Throat { die, radius: profile.least_r(), face }
+            let (points, radius) = (profile.polyline(0.01), profile.least_r());
+            let lowest =
+                |within: f64| points.iter().filter(|p| p.x <= within).map(|p| p.y).fold(f64::INFINITY, f64::min);
+            let end = lowest(radius + ROUND_OFF * model.blank.thickness);
+            Throat { die, radius, face: lowest(f64::INFINITY), end }
         });
         let throat = throat.filter(drawn_in);
         Self { necking_since: None, peak: 0.0, throat, closed: closed(model, state), neck: None, excess: -1.0 }
@@ -106,8 +115,12 @@ impl Termination {
             Rule::DrawnThrough => self.throat.as_ref().map_or(f64::NAN, |throat| {
                 // A free leg that has swung down below the die's face stands within the throat too, and has yet to pass it.
                 let [r, z, _] = state.nodes[state.nodes.len() - 1];
-                let passed = (throat.radius - r).min(z - state.tools[throat.die].y - throat.face);
-                passed / model.blank.thickness
+                let (within, height) = (throat.radius - r, z - state.tools[throat.die].y);
+                if model.stop.drawn_through {
+                    (height - throat.end) / model.blank.thickness - THROUGH
+                } else {
+                    within.min(height - throat.face) / model.blank.thickness
+                }
             }),
             Rule::Coalesced => beyond(record.porosity, model.material.gtn.map(|voids| voids.fracture())),
             Rule::ContactShare => beyond(record.contact_share, model.stop.contact_share),
@@ -133,7 +146,7 @@ impl Termination {
                 let (travel, at) = self.closed?;
                 Stop::ToolsClosed { travel, r: at.x, z: at.y }
             }
-            Rule::DrawnThrough => Stop::DrawnThrough { travel },
+            Rule::DrawnThrough => Stop::DrawnThrough { travel, wished: model.stop.drawn_through },
             Rule::Coalesced => Stop::Coalesced { travel, s0: record.porous_s0, porosity: record.porosity },
             Rule::ContactShare => {
                 Stop::ContactShare { share: record.contact_share, asked: model.stop.contact_share?, time, travel }

@@ -1,6 +1,7 @@
 //! What forming took, and what the part came out as.
 
 use super::{Group, Summary, Value, largest};
+use crate::assess::holder_lift;
 use crate::forming_limit::Assessment;
 use crate::measure::{Shape, part_height, thickest};
 use crate::model::{Mode, Model, Role};
@@ -159,7 +160,9 @@ impl Summary {
             self.number("peak_holder_force", "Largest holder force", force, peak_force);
             let shares = run.steps.iter().rev().find(|s| s.holder_force > 0.0).map_or(0.0, |s| s.rim_share);
             self.push("rim_share", &rim, Unit::Percent, Value::Number(100.0 * shares));
-            self.number("holder_lift", "  lifted by up to", Unit::Mm, largest(|s| -s.holder_move));
+            if let Some(lift) = holder_lift(run) {
+                self.number("holder_lift", "  lifted by up to, while there is a flange", Unit::Mm, lift);
+            }
         }
     }
 }
