@@ -1,7 +1,7 @@
 //! Whether the holder holds the sheet.
 
 use super::run::Run;
-use super::{Finding, Light, strength};
+use super::{Finding, Light, closing, strength};
 use crate::measure::rests_on_blocks;
 use crate::message::{Amount, Message, message};
 use crate::model::{Model, Motion, Role, Tool};
@@ -50,7 +50,9 @@ pub fn holder_lift(stage: &StageSolution) -> Option<f64> {
     model.tool(Role::Holder).filter(|holder| pressed(holder) && model.release.is_none())?;
     let width = model.blank.length - held_from(model)?;
     let held = stage.steps.iter().filter(|step| width - step.draw_in > RUN_OUT * model.blank.thickness);
-    Some(held.map(|step| -step.holder_move).fold(0.0, f64::max))
+    // A holder that has closed over a bead is lifted from there.
+    let closed = stage.closing.map_or(0.0, |closing| closing.way - closing.gap);
+    Some(held.map(|step| closed - step.holder_move).fold(0.0, f64::max))
 }
 
 /// How far the holder is lifted, over the thickness, until the flange runs out; how hard it presses at first, and how much
@@ -59,6 +61,11 @@ pub(super) fn judge(run: &Run) -> Option<Finding> {
     let first = run.stages.first()?;
     let model = &first.model;
     let lift = holder_lift(first)? / model.blank.thickness;
+    if let Some(gap) = closing::open(first) {
+        let found = message!("not judged: it stands open by {gap} on its bead", gap = Amount::thickness(gap));
+        let judged = Finding::judged("holder", "Holder", Light::Grey, found);
+        return Some(judged.limit("closed on the sheet").advice(closing::advice(model)));
+    }
     let last = first.steps.iter().rev().find(|step| step.holder_force > 0.0)?;
     let pressed = holder_pressure(model).unwrap_or(0.0) / tensile_strength(&model.material.hardening);
     let (lifts, presses) = (Light::of(lift, [LIFTED, OFF]), Light::within(pressed, PRESSURE));

@@ -10,6 +10,7 @@ mod blank_size;
 mod bottom_tearing;
 pub mod check;
 mod clearance;
+mod closing;
 mod contact_share;
 mod cut_off;
 mod draw_ratio;
@@ -69,6 +70,8 @@ enum After {
 /// What is asked of a case, in the order of telling.
 const BEFORE: &[Before] = &[
     Before::Model(strength::unusual),
+    Before::Model(closing::closes),
+    Before::Model(closing::drawn),
     Before::Model(holder::idle),
     Before::Model(holder::crushing),
     Before::Tool(bending_radius::small),
@@ -116,6 +119,7 @@ const AFTER: &[After] = &[
     After::Stage(hardening::beyond),
     After::Stage(hardening::other_temperatures),
     After::Stage(contact_share::missed),
+    After::Stage(closing::stays_open),
     After::Stage(holder::lifted),
     After::Stage(holder::rests),
     After::Stage(holder::lost),

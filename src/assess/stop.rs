@@ -1,6 +1,7 @@
 //! Whether the run came to its end.
 
 use super::{Finding, Light, run::Run, thinning};
+use crate::model::Role;
 use crate::solution::Stop;
 
 /// Red where a stage stopped early, amber where the cup left the die; the stop says why.
@@ -20,10 +21,13 @@ pub(super) fn judge(run: &Run) -> Option<Finding> {
         _ => Light::Red,
     };
     let stages = 1 + run.case.later().len();
-    let at = if stages > 1 { format!("stage {} of {stages}: ", run.stages.len()) } else { String::new() };
+    let mut at = if stages > 1 { format!("stage {} of {stages}: ", run.stages.len()) } else { String::new() };
+    if last.closing.is_some() && model.tool(Role::Punch).is_none() {
+        at += "while the holder closes: ";
+    }
     let advice = match stop {
         Stop::FullTravel if model.stop.drawn_through => "more travel",
-        Stop::FullTravel | Stop::ContactShare { .. } | Stop::Interrupted { .. } => "",
+        Stop::FullTravel | Stop::ContactShare { .. } | Stop::HolderClosed { .. } | Stop::Interrupted { .. } => "",
         Stop::Refused(_) => "a value that the solver can take",
         Stop::Localised { .. } | Stop::Coalesced { .. } | Stop::LoadMaximum { .. } => thinning::ADVICE,
         Stop::PressureMaximum { .. } => {

@@ -79,6 +79,11 @@ pub enum Stop {
         /// Whether the case asks for it: then the rim has left the die's shoulder.
         wished: bool,
     },
+    /// The holder has closed with its force.
+    HolderClosed {
+        /// How far it went \[mm\].
+        travel: f64,
+    },
     /// Punch and die come closer than the sheet can be squeezed.
     ToolsClosed {
         /// Punch travel there \[mm\].
@@ -134,7 +139,11 @@ impl Stop {
     /// Whether the run came to the end it was asked for: its full travel or time, the contact that the part is done with, or
     /// the other side of the die. A fallen load is none, though a case may ask for it: the sheet has failed there.
     pub fn is_complete(&self) -> bool {
-        matches!(self, Stop::FullTravel | Stop::ContactShare { .. } | Stop::DrawnThrough { wished: true, .. })
+        match self {
+            Stop::FullTravel | Stop::ContactShare { .. } | Stop::HolderClosed { .. } => true,
+            Stop::DrawnThrough { wished, .. } => *wished,
+            _ => false,
+        }
     }
 
     /// Whether the sheet or the tools ended the run, not the numerics or the user.
@@ -159,6 +168,7 @@ impl Stop {
             Stop::Localised { .. } => "localised",
             Stop::Coalesced { .. } => "voids coalesced",
             Stop::DrawnThrough { .. } => "drawn through",
+            Stop::HolderClosed { .. } => "holder closed",
             Stop::ToolsClosed { .. } => "tools closed",
             Stop::Interrupted { .. } => "interrupted",
             Stop::Creeping { .. } => "creeping",
@@ -222,6 +232,9 @@ impl std::fmt::Display for Stop {
                     "drawn through: at {travel:.2} mm of travel the rim has left the die's shoulder, the cup is through the die: strip it \
                  off the punch"
                 )
+            }
+            Stop::HolderClosed { travel } => {
+                write!(f, "holder closed: it has reached its force after {travel:.2} mm")
             }
             Stop::ToolsClosed { travel, r, z } => write!(
                 f,

@@ -42,11 +42,19 @@ enum Rule {
     ContactShare,
     LoadDrop,
     Localised,
+    HolderClosed,
 }
 
 impl Rule {
-    const ALL: [Rule; 6] =
-        [Rule::ToolsClosed, Rule::DrawnThrough, Rule::Coalesced, Rule::ContactShare, Rule::LoadDrop, Rule::Localised];
+    const ALL: [Rule; 7] = [
+        Rule::ToolsClosed,
+        Rule::DrawnThrough,
+        Rule::Coalesced,
+        Rule::ContactShare,
+        Rule::LoadDrop,
+        Rule::Localised,
+        Rule::HolderClosed,
+    ];
 }
 
 /// What the states of a run said so far of its end, the last one included; a step that is not accepted leaves no trace.
@@ -127,6 +135,7 @@ impl Termination {
             Rule::LoadDrop => {
                 beyond(1.0 - record.punch_force / self.peak, model.stop.load_drop.filter(|_| self.peak > 0.0))
             }
+            Rule::HolderClosed => beyond(record.holder_force, model.stop.holder_force),
             Rule::Localised => self.neck.filter(|_| model.stop.localised).map_or(f64::NAN, |neck| {
                 let lasted = self.necking_since.map_or(0.0, |since| model.process_time(since, state.time - since));
                 (lasted / (LASTING * model.duration) - 1.0).max(1.0 - neck.share / GONE)
@@ -153,6 +162,7 @@ impl Termination {
             }
             Rule::LoadDrop => Stop::LoadMaximum { travel, peak: self.peak, drop: 1.0 - record.punch_force / self.peak },
             Rule::Localised => localised(model, state, &self.neck?),
+            Rule::HolderClosed => Stop::HolderClosed { travel },
         })
     }
 }

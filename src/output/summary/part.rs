@@ -155,6 +155,11 @@ impl Summary {
         let force = model.extent().force_unit();
         let largest = |value| largest(run, value);
         if model.tool(Role::Holder).is_some() && model.release.is_none() {
+            if let Some(closing) = run.closing {
+                self.number("closing_way", "Way of the holder to close over the sheet", Unit::Mm, closing.way);
+                self.number("closing_gap", "  stands open by", Unit::Mm, closing.gap);
+                self.number("closing_force", "  with a force of", force, closing.force);
+            }
             let rim = format!("  last share on the outer {} thicknesses", StepRecord::RIM);
             let peak_force = largest(|s| s.holder_force);
             self.number("peak_holder_force", "Largest holder force", force, peak_force);
