@@ -3,6 +3,7 @@
 use super::code::{BadPath, Code, unusable};
 use super::say::{say, say_json};
 use super::suggested::Suggested;
+use super::table::wrapped;
 use clap::{Arg, ArgAction, ArgMatches, Command, value_parser};
 use serde_json::{Value, json};
 use stampflow::author::templates::{self as template, Choice, SHEET, TEMPLATES, Template};
@@ -28,7 +29,7 @@ pub enum Args {
 pub fn new(args: &Args) -> anyhow::Result<Code> {
     let (template, given, output, force, json) = match args {
         Args::List { json: true } => return say_json(&TEMPLATES.iter().map(of).collect::<Vec<_>>()),
-        Args::List { json: false } => return say(template::list()),
+        Args::List { json: false } => return say(wrapped(&template::list())),
         Args::Case { template, given, output, force, json } => (template, given, output, force, json),
     };
     let given: Vec<(&str, &str)> = given.iter().map(|(key, value)| (*key, value.as_str())).collect();

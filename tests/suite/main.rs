@@ -8,6 +8,7 @@
 mod common;
 
 mod animation;
+mod answers;
 mod architecture;
 mod attack;
 mod bad_cases;
@@ -32,6 +33,7 @@ mod numerics;
 mod observer;
 mod outputs;
 mod package;
+mod part;
 mod pictures;
 mod profiles;
 mod report;
