@@ -2,6 +2,7 @@
 
 use super::nose::NoseEnd;
 use super::{Finding, Light, run::Run, thinning};
+use crate::message::{Amount, message};
 use crate::model::{Edge, Geometry};
 use crate::rules::estimate::{draw_ratio, tensile_strength};
 use crate::solution::StageSolution;
@@ -27,14 +28,18 @@ pub(super) fn judge(run: &Run) -> Option<Finding> {
     let (i, [peak, tears]) = forces.max_by(|(_, [a, b]), (_, [c, d])| (a / b).total_cmp(&(c / d)))?;
     let factor = peak / tears;
     let light = Light::of(factor, [NEAR * FACTORS[0], FACTORS[1]]);
-    let found =
-        format!("punch force up to {:.1} kN, {:.0} % of the limit{}", 1e-3 * peak, 100.0 * factor, run.of_stage(i));
-    let limit = format!(
-        "{:.1} kN = π (d₁ + s₀) s₀ R_m at the end of the nose, near it from {:.0} % on; some metals and noses carry up to {} \
+    let found = message!(
+        "punch force up to {force}, {share} of the limit{stage}",
+        force = Amount::force(peak, Unit::N),
+        share = Amount::share(factor),
+        stage = run.of_stage(i)
+    );
+    let limit = message!(
+        "{force} = π (d₁ + s₀) s₀ R_m at the end of the nose, near it from {near} on; some metals and noses carry up to {most} \
          times that",
-        1e-3 * tears,
-        100.0 * NEAR,
-        FACTORS[1]
+        force = Amount::force(tears, Unit::N),
+        near = Amount::share(NEAR),
+        most = Amount::number(FACTORS[1])
     );
     Some(
         Finding::judged("bottom_tearing", "Bottom tearing", light, found)

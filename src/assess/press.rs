@@ -1,8 +1,8 @@
 //! What the press must give, against its rating where the case names it.
 
 use super::{Finding, Light, run::Run};
+use crate::message::{Amount, Message, message};
 use crate::table::{JOULES, Unit};
-use crate::units::four_digits;
 
 /// Largest punch force and its travel, over all stages.
 pub(super) fn force(run: &Run) -> Option<Finding> {
@@ -13,17 +13,9 @@ pub(super) fn force(run: &Run) -> Option<Finding> {
         return None;
     }
     let unit = stage.model.extent().force_unit();
-    Some(rated(
-        "punch_force",
-        "Punch force",
-        (peak.punch_force, unit),
-        run.case.press.force,
-        |force| match unit {
-            Unit::N => format!("{} kN", four_digits(1e-3 * force)),
-            other => format!("{} {} of depth", four_digits(force), other.symbol()),
-        },
-        format!(" at {:.2} mm of travel{}", peak.travel, run.of_stage(i)),
-    ))
+    let at = message!(" at {travel} of travel", travel = Amount::place(peak.travel));
+    let at = Message::joined([at, run.of_stage(i).into()], "");
+    Some(rated("punch_force", "Punch force", Amount::force(peak.punch_force, unit), run.case.press.force, at))
 }
 
 /// External work of the stroke that needs most of it.
@@ -32,21 +24,13 @@ pub(super) fn energy(run: &Run) -> Option<Finding> {
     let strokes = run.stages.iter().enumerate().filter(|(_, stage)| stage.model.release.is_none());
     let work = strokes.filter_map(|(i, stage)| Some((i, JOULES * stage.steps.last()?.work.external)));
     let (i, work) = work.max_by(|a, b| a.1.total_cmp(&b.1))?;
-    let per = if unit == Unit::Joule { "J" } else { "J per mm of depth" };
-    let written = |work: f64| format!("{} {per}", four_digits(work));
     let rating = run.case.press.energy.map(|energy| JOULES * energy);
-    Some(rated("energy", "Energy", (work, unit), rating, written, run.of_stage(i)))
+    Some(rated("energy", "Energy", Amount::energy(work, unit), rating, run.of_stage(i).into()))
 }
 
-/// A figure of the run against the press's rating, `written` with a unit.
-fn rated(
-    key: &'static str,
-    label: &'static str,
-    (value, unit): (f64, Unit),
-    rating: Option<f64>,
-    written: impl Fn(f64) -> String,
-    at: String,
-) -> Finding {
+/// A figure of the run against the press's rating, in its unit.
+fn rated(key: &'static str, label: &'static str, found: Amount, rating: Option<f64>, at: Message) -> Finding {
+    let Amount { value, unit, .. } = found;
     let light = rating.map_or(Light::Grey, |rating| Light::of(value, [rating, rating]));
     let advice = match rating {
         Some(_) => "a stronger press; less friction or holder force, a smaller blank, a thinner sheet",
@@ -55,8 +39,17 @@ fn rated(
         }
         None => "give [press] force and energy: the ratings on its data sheet",
     };
-    Finding::judged(key, label, light, written(value) + &at)
-        .against(value, unit, rating.map_or_else(|| "the press's rating, not in the case".into(), written))
+    let told = |amount: Amount| match unit {
+        Unit::NPerMm | Unit::JoulePerMm => message!("{amount} of depth", amount = amount),
+        _ => amount.into(),
+    };
+    let limit = match rating {
+        Some(rating) => told(Amount::new(rating, unit, found.digits)),
+        None => "the press's rating, not in the case".into(),
+    };
+    Finding::judged(key, label, light, Message::joined([told(found), at], ""))
+        .against(value, unit, limit)
+        .at_most(rating, rating)
         .source("the press's data sheet")
         .advice(advice)
 }

@@ -10,7 +10,7 @@ use super::titles::Titles;
 use clap::ValueEnum;
 use serde_json::json;
 use stampflow::files::{Disk, Files};
-use stampflow::output::{can_write, remove_others, write};
+use stampflow::output::{Extra, FrameRecorder, can_write, remove_others, write};
 use stampflow::report::{MARKER, Report, figure_folder, html, is_figure, markdown, pdf};
 use std::path::{Path, PathBuf};
 
@@ -39,6 +39,9 @@ pub struct Args {
     /// Kind of file [default: by the ending of FILE, else html]
     #[arg(long)]
     format: Option<Format>,
+    /// Let the reader move the section over the travel, by a slider (HTML only; a MB more)
+    #[arg(long)]
+    slider: bool,
     /// Replace a file that is no report, too
     #[arg(long)]
     force: bool,
@@ -72,6 +75,12 @@ impl Format {
 pub fn report(args: &Args) -> anyhow::Result<Code> {
     let case = job::load(&args.case, &args.overrides.set)?;
     let format = args.format()?;
+    if args.slider && format != Format::Html {
+        return Err(BadRequest(
+            "a slider moves only on an HTML page: leave out --slider, or write -o NAME.html".into(),
+        )
+        .into());
+    }
     let path = match &args.output {
         Some(path) => path.clone(),
         None => place::folder(Path::new("out"), &case)?.join(format.name()),
@@ -84,9 +93,12 @@ pub fn report(args: &Args) -> anyhow::Result<Code> {
         can_write(&figure_folder(&path).join("figure.svg")).map_err(unusable("--output"))?;
     }
 
-    let watch = Progress::new(args.quiet || args.json.json).watch(&case, Kept::default());
-    let (solution, _) = watch.solve(case);
+    let extras = args.slider.then_some(Extra::Animation);
+    let kept = Kept { trace: None, recorder: FrameRecorder::new(extras.into_iter().collect()) };
+    let watch = Progress::new(args.quiet || args.json.json).watch(&case, kept);
+    let (solution, kept) = watch.solve(case);
     let report = Report::of(&solution).titled(args.titles.title_block());
+    let report = if args.slider { report.moving(&kept.recorder) } else { report };
     let saved = save(&report, &path, format);
     let said = match (&saved, args.json.json) {
         (_, true) => {

@@ -3,10 +3,12 @@
 use super::document::{Block, Document, Issue, KeyNumber, Picture, Row, word};
 use super::program::{MARKER, PROGRAM};
 use crate::assess::Light;
-use crate::output::svg;
+use crate::output::{Chart, svg};
 use maud::{DOCTYPE, Markup, PreEscaped, html as markup};
 
 const STYLE: &str = include_str!("style.css");
+/// Shows the picture that a slider stands at.
+const SLIDER: &str = include_str!("slider.js");
 
 /// The whole file.
 pub fn html(document: &Document) -> String {
@@ -47,6 +49,9 @@ pub fn html(document: &Document) -> String {
                     }
                 }
                 footer { "Written by " (PROGRAM) "." }
+                @if document.blocks().any(|block| matches!(block, Block::Motion(..))) {
+                    script { (PreEscaped(SLIDER)) }
+                }
             }
         }
     };
@@ -63,6 +68,7 @@ fn block(block: &Block, number: &mut usize) -> Markup {
         Block::Issues(issues) => markup! { ul.issues { @for issue in issues { (of_issue(issue)) } } },
         Block::List(entries) => markup! { ul { @for entry in entries { li { (entry) } } } },
         Block::Table { head, rows } => table(head, rows),
+        Block::Motion(caption, charts) => motion(caption, charts),
         Block::Picture(Picture { caption, chart, .. }) => {
             *number += 1;
             markup! {
@@ -71,6 +77,20 @@ fn block(block: &Block, number: &mut usize) -> Markup {
                     figcaption { "Figure " (number) ": " (caption) "." }
                 }
             }
+        }
+    }
+}
+
+/// Without scripts, and on paper, the last picture is shown.
+fn motion(caption: &str, charts: &[Chart]) -> Markup {
+    let last = charts.len().saturating_sub(1);
+    markup! {
+        figure.motion {
+            @for (i, chart) in charts.iter().enumerate() {
+                div.picture.frame hidden[i < last] { (PreEscaped(inline(&svg(chart)))) }
+            }
+            input type="range" min="0" max=(last) value=(last) aria-label=(caption);
+            figcaption { (caption) "." }
         }
     }
 }

@@ -1,14 +1,16 @@
 //! What was given and what follows from it, as the check of a case has it.
 
 use super::document::{Block, Row, Section};
-use crate::assess::check::Check;
+use crate::assess::check::{Check, Line};
 use crate::message::Form;
 
 pub(super) fn section(check: &Check) -> Section {
-    let rows =
-        check.lines.iter().map(|line| Row::plain([line.label.clone(), line.value.clone(), line.meaning.clone()]));
-    let head = vec!["Input", "Value", "Unit and meaning"];
-    Section { heading: "Inputs".into(), blocks: vec![Block::Table { head, rows: rows.collect() }] }
+    let table = |head: &'static str, lines: &[Line]| {
+        let rows = lines.iter().map(|line| Row::plain([line.label.clone(), line.value.clone(), line.meaning.clone()]));
+        Block::Table { head: vec![head, "Value", "Unit and meaning"], rows: rows.collect() }
+    };
+    let blocks = vec![table("Input", &check.lines), table("Sheet, mesh and solver", &check.details)];
+    Section { heading: "Inputs".into(), blocks }
 }
 
 /// Declared assumptions, and what was assumed while reading.

@@ -8,7 +8,7 @@ use crate::assess::check::{self, Check};
 use crate::assess::{self, Finding, Kind};
 use crate::case::{Solution, TitleBlock};
 use crate::message::Form;
-use crate::output::{Dimension, StageView, Summary};
+use crate::output::{Dimension, FrameRecorder, StageView, Summary};
 use crate::units::rounded;
 use serde_json::{Map, Value, json};
 
@@ -23,6 +23,8 @@ pub struct Report<'a> {
     pub(super) findings: Vec<Finding>,
     pub(super) answers: Answers,
     pub(super) title_block: TitleBlock,
+    /// Frames on the way, for pictures that move.
+    pub(super) frames: Option<&'a FrameRecorder>,
 }
 
 impl<'a> Report<'a> {
@@ -39,12 +41,18 @@ impl<'a> Report<'a> {
             findings: before.into_iter().chain(after).collect(),
             answers: Answers::of(solution),
             title_block: solution.case.title_block.clone(),
+            frames: None,
         }
     }
 
     /// With what is given of the title block in place of what the case says.
     pub fn titled(self, given: TitleBlock) -> Self {
         Self { title_block: self.title_block.clone().replaced_by(given), ..self }
+    }
+
+    /// With the section as it moves, where the document can show it.
+    pub fn moving(self, frames: &'a FrameRecorder) -> Self {
+        Self { frames: Some(frames), ..self }
     }
 
     /// Every number of the document, with those behind its pictures that a summary has.

@@ -158,6 +158,7 @@ impl Writer {
                 self.flow.skip(2.0);
             }),
             Block::Table { head, rows } => table::draw(&mut self.flow, head, rows),
+            Block::Motion(..) => {}
             Block::Picture(picture) => {
                 let drawing = Drawing::of(&picture.chart, DRAWN);
                 let height = height(&drawing);
