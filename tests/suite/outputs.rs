@@ -382,7 +382,7 @@ fn no_line_of_the_summary_is_an_orphan() {
     let solution = stages(include_str!("../../cases/hat_springback.toml"));
     for pass in &solution.stages {
         let mut parent = "";
-        for figure in Summary::of(&drawn::view(pass)).figures() {
+        for figure in Summary::of(&drawn::view(pass)).figures(Form::default()) {
             if figure.label.starts_with(' ') {
                 let own = parents.iter().find(|entry| entry.0 == parent).map_or(&[][..], |entry| entry.1);
                 assert!(own.contains(&figure.key), "{} below {parent}", figure.key);
