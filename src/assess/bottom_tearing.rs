@@ -29,21 +29,21 @@ pub(super) fn judge(run: &Run) -> Option<Finding> {
     let factor = peak / tears;
     let light = Light::of(factor, [NEAR * FACTORS[0], FACTORS[1]]);
     let found = message!(
-        "punch force up to {force}, {share} of the limit{stage}",
+        "punch force up to {force}, {share} of the limit",
         force = Amount::force(peak, Unit::N),
-        share = Amount::share(factor),
-        stage = run.of_stage(i)
+        share = Amount::share(factor)
     );
     let limit = message!(
         "{force} = π (d₁ + s₀) s₀ R_m at the end of the nose, near it from {near} on; some metals and noses carry up to {most} \
          times that",
         force = Amount::force(tears, Unit::N),
-        near = Amount::share(NEAR),
+        near = Amount::given_share(NEAR),
         most = Amount::number(FACTORS[1])
     );
     Some(
-        Finding::judged("bottom_tearing", "Bottom tearing", light, found)
+        Finding::judged("bottom_tearing", "Bottom tearing", light, run.of_stage(found, i))
             .against(100.0 * factor, Unit::Percent, limit)
+            .at_most(100.0 * NEAR * FACTORS[0], 100.0 * FACTORS[1])
             .source("4ming, Forming handbook, Tearing force, eqs. 1 and 2")
             .advice(thinning::ADVICE),
     )

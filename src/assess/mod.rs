@@ -4,6 +4,7 @@
 //! `AFTER`. Each rule has one constant with its source; what has no source that could be read is called a declared rule of
 //! thumb.
 
+mod answer;
 mod bending_radius;
 mod bent_strength;
 mod blank_size;
@@ -36,9 +37,11 @@ mod stop;
 mod strength;
 mod thinning;
 mod trim;
+mod two_sheets;
 mod wrinkling;
 mod yielding;
 
+pub use answer::{Answer, KeyNumber};
 pub use finding::{Finding, Kind, Light, Limits, Sense, When, advice, headline, judgements, sentences};
 
 use crate::case::Case;
@@ -50,6 +53,8 @@ use run::Run;
 
 /// A question to a case.
 enum Before {
+    /// Of the case.
+    Case(fn(&Case) -> Option<Finding>),
     /// Of the first stage.
     Model(fn(&Model) -> Option<Finding>),
     /// Of each of its tools.
@@ -66,6 +71,8 @@ enum After {
 
 /// What is asked of a case, in the order of telling.
 const BEFORE: &[Before] = &[
+    Before::Case(two_sheets::mixed),
+    Before::Case(two_sheets::thickness),
     Before::Model(strength::unusual),
     Before::Model(holder::idle),
     Before::Model(holder::crushing),
@@ -124,6 +131,7 @@ const AFTER: &[After] = &[
 /// is trusted.
 pub fn before(case: &Case) -> Vec<Finding> {
     let asked = BEFORE.iter().flat_map(|question| match question {
+        Before::Case(ask) => ask(case).into_iter().collect(),
         Before::Model(ask) => ask(case.model()).into_iter().collect(),
         Before::Tool(ask) => case.model().tools.iter().filter_map(|tool| ask(case.model(), tool)).collect::<Vec<_>>(),
     });

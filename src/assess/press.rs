@@ -13,9 +13,20 @@ pub(super) fn force(run: &Run) -> Option<Finding> {
         return None;
     }
     let unit = stage.model.extent().force_unit();
-    let at = message!(" at {travel} of travel", travel = Amount::place(peak.travel));
-    let at = Message::joined([at, run.of_stage(i).into()], "");
-    Some(rated("punch_force", "Punch force", Amount::force(peak.punch_force, unit), run.case.press.force, at))
+    Some(rated(
+        "punch_force",
+        "Punch force",
+        (peak.punch_force, unit),
+        run.case.press.force,
+        |force| match unit {
+            Unit::N => Amount::force(force, unit).into(),
+            _ => message!("{force} of depth", force = Amount::force(force, unit)),
+        },
+        |force| {
+            let found = message!("{force} at {travel} of travel", force = force, travel = Amount::place(peak.travel));
+            run.of_stage(found, i)
+        },
+    ))
 }
 
 /// External work of the stroke that needs most of it.
@@ -24,13 +35,23 @@ pub(super) fn energy(run: &Run) -> Option<Finding> {
     let strokes = run.stages.iter().enumerate().filter(|(_, stage)| stage.model.release.is_none());
     let work = strokes.filter_map(|(i, stage)| Some((i, JOULES * stage.steps.last()?.work.external)));
     let (i, work) = work.max_by(|a, b| a.1.total_cmp(&b.1))?;
+    let told = |work: f64| match unit {
+        Unit::Joule => Amount::energy(work, unit).into(),
+        _ => message!("{work} of depth", work = Amount::energy(work, unit)),
+    };
     let rating = run.case.press.energy.map(|energy| JOULES * energy);
-    Some(rated("energy", "Energy", Amount::energy(work, unit), rating, run.of_stage(i).into()))
+    Some(rated("energy", "Energy", (work, unit), rating, told, |work| run.of_stage(work, i)))
 }
 
-/// A figure of the run against the press's rating, in its unit.
-fn rated(key: &'static str, label: &'static str, found: Amount, rating: Option<f64>, at: Message) -> Finding {
-    let Amount { value, unit, .. } = found;
+/// A figure of the run, as it is `told` and where it was `found`, against the press's rating.
+fn rated(
+    key: &'static str,
+    label: &'static str,
+    (value, unit): (f64, Unit),
+    rating: Option<f64>,
+    told: impl Fn(f64) -> Message,
+    found: impl Fn(Message) -> Message,
+) -> Finding {
     let light = rating.map_or(Light::Grey, |rating| Light::of(value, [rating, rating]));
     let advice = match rating {
         Some(_) => "a stronger press; less friction or holder force, a smaller blank, a thinner sheet",
@@ -39,17 +60,10 @@ fn rated(key: &'static str, label: &'static str, found: Amount, rating: Option<f
         }
         None => "give [press] force and energy: the ratings on its data sheet",
     };
-    let told = |amount: Amount| match unit {
-        Unit::NPerMm | Unit::JoulePerMm => message!("{amount} of depth", amount = amount),
-        _ => amount.into(),
+    let judged = Finding::judged(key, label, light, found(told(value)));
+    let judged = match rating {
+        Some(rating) => judged.against(value, unit, told(rating)).at_most(None, rating),
+        None => judged.against(value, unit, "the press's rating, not in the case"),
     };
-    let limit = match rating {
-        Some(rating) => told(Amount::new(rating, unit, found.digits)),
-        None => "the press's rating, not in the case".into(),
-    };
-    Finding::judged(key, label, light, Message::joined([told(found), at], ""))
-        .against(value, unit, limit)
-        .at_most(rating, rating)
-        .source("the press's data sheet")
-        .advice(advice)
+    judged.source("the press's data sheet").advice(advice)
 }

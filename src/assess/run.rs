@@ -2,6 +2,7 @@
 
 use super::nearest::Nearest;
 use crate::case::Case;
+use crate::message::{Message, message};
 use crate::solution::{StageSolution, StepRecord};
 
 /// A case with its solved stages.
@@ -13,9 +14,10 @@ pub(super) struct Run<'a> {
 }
 
 impl Run<'_> {
-    /// `, stage 2` where there are several.
-    pub fn of_stage(&self, i: usize) -> String {
-        if self.stages.len() > 1 { format!(", stage {}", i + 1) } else { String::new() }
+    /// What was found in a stage, counted from 0; with its number where there are several.
+    pub fn of_stage(&self, found: Message, i: usize) -> Message {
+        let stage = if self.stages.len() > 1 { message!("stage {n}", n = i + 1) } else { Message::default() };
+        Message::joined([found, stage], ", ")
     }
 
     /// Every step of every stage.

@@ -1,6 +1,7 @@
 //! Whether the run came to its end.
 
 use super::{Finding, Light, run::Run, thinning};
+use crate::message::{Message, message};
 use crate::solution::Stop;
 
 /// Red where a stage stopped early, amber where the cup left the die; the stop says why.
@@ -8,8 +9,8 @@ pub(super) fn judge(run: &Run) -> Option<Finding> {
     let last = run.stages.last()?;
     let (model, stop) = (&last.model, &last.stop);
     let words = match stop {
-        Stop::FullTravel if model.release.is_some() => "the tools are taken away".to_owned(),
-        stop => stop.to_string(),
+        Stop::FullTravel if model.release.is_some() => "the tools are taken away".into(),
+        stop => stop.message(),
     };
     // Many a cup leaves its die at the other end.
     let light = match stop {
@@ -18,7 +19,10 @@ pub(super) fn judge(run: &Run) -> Option<Finding> {
         _ => Light::Red,
     };
     let stages = 1 + run.case.later().len();
-    let at = if stages > 1 { format!("stage {} of {stages}: ", run.stages.len()) } else { String::new() };
+    let at = match stages {
+        1 => Message::default(),
+        all => message!("stage {n} of {all}", n = run.stages.len(), all = all),
+    };
     let advice = match stop {
         Stop::FullTravel | Stop::ContactShare { .. } | Stop::Interrupted { .. } => "",
         Stop::Refused(_) => "a value that the solver can take",
@@ -39,7 +43,6 @@ pub(super) fn judge(run: &Run) -> Option<Finding> {
         }
         Stop::NoEquilibrium { .. } => "what the stop names; else a finer mesh at the radii (blank.elements)",
     };
-    Some(
-        Finding::judged("stop", "Run", light, at + &words).limit("reaches its end").source("the solver").advice(advice),
-    )
+    let found = Message::joined([at, words], ": ");
+    Some(Finding::judged("stop", "Run", light, found).limit("reaches its end").source("the solver").advice(advice))
 }

@@ -36,6 +36,7 @@ mod solution;
 mod source;
 mod sources;
 mod syntax;
+mod wording;
 
 pub use error::CaseError;
 pub use file::{CaseFile, TitleBlock};
@@ -43,9 +44,9 @@ pub use read::{load, parse, parse_with};
 #[cfg(feature = "schema")]
 pub(crate) use schema::definition;
 #[cfg(feature = "schema")]
-pub use schema::schema;
+pub use schema::{keys, schema};
 pub use solution::Solution;
-pub use sources::Sources;
+pub use sources::{Sheets, Sources, Thickness};
 
 use crate::compare::Spec;
 use crate::model::{Model, Stage};

@@ -1,5 +1,6 @@
 //! The verbs of the command line, each a short table of contents in its own file.
 
+mod answer;
 mod bug;
 mod check;
 mod code;
@@ -17,6 +18,7 @@ mod report;
 mod run;
 mod say;
 mod shell;
+mod suggested;
 mod table;
 mod titles;
 mod validate;
@@ -35,7 +37,7 @@ use std::borrow::Cow;
 
 /// Sheet-metal stamping sections (axisymmetric or plane strain) by the flow approach.
 #[derive(Debug, Parser)]
-#[command(version, arg_required_else_help = true, after_help = code::HELP)]
+#[command(version, arg_required_else_help = true, max_term_width = 80, after_help = code::HELP)]
 pub struct Args {
     #[command(subcommand)]
     verb: Verb,

@@ -1,6 +1,8 @@
 //! Options that several verbs have.
 
+use super::suggested::Suggested;
 use clap::ValueEnum;
+use stampflow::message::{Form, LANGUAGES, Language, System};
 use stampflow::output::{Captions, Format, Pictures};
 use stampflow::units::{Length, Positive, Quantity};
 use std::ops::RangeInclusive;
@@ -24,8 +26,51 @@ impl Json {
 #[derive(Debug, clap::Args)]
 pub struct Overrides {
     /// Replace what the case says: a dotted path of keys and a value with its unit, as often as needed
-    #[arg(long = "set", value_name = "KEY=VALUE")]
-    pub set: Vec<String>,
+    #[arg(long = "set", value_name = "KEY=VALUE", value_parser = Suggested::KEYS, hide_possible_values = true)]
+    set: Vec<String>,
+    /// Another sheet: the whole of [material] is that of the library, but for what --set says besides; a name, a grade such
+    /// as DC04 or the beginning of one, see `stampflow materials`
+    #[arg(long, value_name = "NAME", value_parser = Suggested::SHEETS, hide_possible_values = true)]
+    material: Option<String>,
+}
+
+impl Overrides {
+    /// All of them as `KEY=VALUE`, in the order in which they are applied.
+    pub fn all(&self) -> Vec<String> {
+        let sheet = self.material.iter().map(|name| format!("material={name:?}"));
+        sheet.chain(self.set.iter().cloned()).collect()
+    }
+}
+
+/// The options of every verb that answers.
+#[derive(Debug, clap::Args)]
+pub struct Told {
+    /// Language of what is said: en or de
+    #[arg(long, value_name = "CODE", default_value = "en", value_parser = language)]
+    lang: Language,
+    /// Units of what is said: si (mm, kN, MPa) or us (in, US tonf, ksi); files for programs stay in si
+    #[arg(long, value_name = "SYSTEM", default_value = "si", value_parser = system)]
+    units: System,
+}
+
+impl Told {
+    /// How it is to be told.
+    pub fn form(&self) -> Form {
+        Form { language: self.lang, system: self.units }
+    }
+}
+
+fn language(code: &str) -> Result<Language, String> {
+    let known = || LANGUAGES.iter().map(|(code, name, _)| format!(", {code} ({name})")).collect::<String>();
+    Language::of(code).ok_or_else(|| format!("the languages are en (English){}", known()))
+}
+
+fn system(name: &str) -> Result<System, String> {
+    match name {
+        "si" => Ok(System::Si),
+        "us" => Ok(System::Us),
+        _ => Err("the systems are si (mm, kN, MPa) and us (in, US tonf, ksi)".to_owned()),
+    }
 }
 
 /// The option of every verb that solves several cases.

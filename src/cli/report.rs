@@ -2,7 +2,7 @@
 
 use super::code::{BadRequest, Code, unusable};
 use super::job;
-use super::options::{Json, Overrides};
+use super::options::{self, Json, Overrides};
 use super::place;
 use super::progress::{Kept, Progress};
 use super::say::{say, say_json};
@@ -11,7 +11,7 @@ use clap::ValueEnum;
 use serde_json::json;
 use stampflow::files::{Disk, Files};
 use stampflow::output::{Extra, FrameRecorder, can_write, remove_others, write};
-use stampflow::report::{MARKER, Report, figure_folder, html, is_figure, markdown, pdf};
+use stampflow::report::{Document, MARKER, Report, figure_folder, html, is_figure, markdown, pdf};
 use std::path::{Path, PathBuf};
 
 pub const HELP: &str = "\
@@ -51,6 +51,8 @@ pub struct Args {
     #[command(flatten)]
     json: Json,
     #[command(flatten)]
+    form: options::Told,
+    #[command(flatten)]
     titles: Titles,
 }
 
@@ -73,7 +75,7 @@ impl Format {
 }
 
 pub fn report(args: &Args) -> anyhow::Result<Code> {
-    let case = job::load(&args.case, &args.overrides.set)?;
+    let case = job::load(&args.case, &args.overrides.all())?;
     let format = args.format()?;
     if args.slider && format != Format::Html {
         return Err(BadRequest(
@@ -99,7 +101,7 @@ pub fn report(args: &Args) -> anyhow::Result<Code> {
     let (solution, kept) = watch.solve(case);
     let report = Report::of(&solution).titled(args.titles.title_block());
     let report = if args.slider { report.moving(&kept.recorder) } else { report };
-    let saved = save(&report, &path, format);
+    let saved = save(&report.told(args.form.form()), &path, format);
     let said = match (&saved, args.json.json) {
         (_, true) => {
             let mut value = report.json();
@@ -116,16 +118,15 @@ pub fn report(args: &Args) -> anyhow::Result<Code> {
 }
 
 /// Writes the pictures first: a text that is there has all of them. An earlier report's go.
-fn save(report: &Report, path: &Path, format: Format) -> anyhow::Result<Vec<PathBuf>> {
-    let document = report.document();
+fn save(document: &Document, path: &Path, format: Format) -> anyhow::Result<Vec<PathBuf>> {
     let mut files = Vec::new();
     let bytes = match format {
-        Format::Html => html(&document).into_bytes(),
-        Format::Pdf => pdf(&document),
+        Format::Html => html(document).into_bytes(),
+        Format::Pdf => pdf(document),
         Format::Md => {
             let folder = figure_folder(path);
             let name = folder.file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned());
-            let (text, pictures) = markdown(&document, &name);
+            let (text, pictures) = markdown(document, &name);
             for (name, svg) in pictures {
                 let file = folder.join(name);
                 write(&file, svg.as_bytes())?;

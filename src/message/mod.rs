@@ -86,6 +86,17 @@ impl Message {
         }
     }
 
+    /// The number, of a message that is nothing else.
+    pub fn amount(&self) -> Option<Amount> {
+        match self {
+            Self::Sentence { text: "{amount}", values } => values.iter().find_map(|(_, value)| match value {
+                Value::Amount(amount) => Some(*amount),
+                Value::Message(_) => None,
+            }),
+            _ => None,
+        }
+    }
+
     /// In words, numbers and units of a form; a number and its unit are kept on one line by a no-break space.
     pub fn told(&self, form: Form) -> String {
         match self {

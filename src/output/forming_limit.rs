@@ -83,7 +83,7 @@ pub(super) fn paths_of(view: &StageView) -> Option<Table> {
 }
 
 /// The diagram.
-pub(super) fn plot(view: &StageView) -> Option<Chart> {
+pub fn plot(view: &StageView) -> Option<Chart> {
     let assessment = view.forming_limit()?;
     let limit = view.model().forming_limit.as_ref()?;
     let worst = assessment.worst();

@@ -56,7 +56,7 @@ pub use results::Results;
 pub use sketch::sketch;
 pub use stage_view::StageView;
 pub use summary::{CaseSummary, Figure, Summary};
-pub use writing::{OutputError, comparison_folder, is_result, result_folder};
+pub use writing::{OutputError, REPORT_MARKER, comparison_folder, is_report, is_result, result_folder};
 
 /// Every file that may be written.
 pub const OUTPUTS: &[Output] = &[

@@ -76,5 +76,5 @@ fn longer(leg: &Leg) -> Vec<(f64, f64)> {
 
 /// `Wall to the punch direction: 0.3° → 8.2°`.
 fn worded(change: &Change) -> String {
-    format!("{}: {}", change.quantity.label, change.text())
+    format!("{}: {}", change.quantity.label, change.told())
 }

@@ -4,9 +4,10 @@ use super::document::{Block, Row, Section};
 use crate::assess::check::{Check, Line};
 use crate::message::Form;
 
-pub(super) fn section(check: &Check) -> Section {
+pub(super) fn section(check: &Check, form: Form) -> Section {
     let table = |head: &'static str, lines: &[Line]| {
-        let rows = lines.iter().map(|line| Row::plain([line.label.clone(), line.value.clone(), line.meaning.clone()]));
+        let rows =
+            lines.iter().map(|line| Row::plain([&line.label, &line.value, &line.meaning].map(|text| text.told(form))));
         Block::Table { head: vec![head, "Value", "Unit and meaning"], rows: rows.collect() }
     };
     let blocks = vec![table("Input", &check.lines), table("Sheet, mesh and solver", &check.details)];

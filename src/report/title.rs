@@ -22,7 +22,7 @@ pub(super) fn section(report: &Report) -> Section {
     let rows = [
         ("Case file", case.path.display().to_string()),
         ("Set on the command line", case.overrides.join(", ")),
-        ("Section", section_of(case.model().extent())),
+        ("Section", section_of(case.model().extent()).to_string()),
         ("Stages", if case.later().is_empty() { String::new() } else { names }),
         ("Run", ended),
         ("Program", PROGRAM.to_owned()),

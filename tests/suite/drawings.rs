@@ -197,7 +197,7 @@ fn splines_are_followed_within_their_tolerance() {
 /// Trust: by hand. What is repeated or lies on the axis goes, the left half is mirrored, the wall gives way to the nose.
 #[test]
 fn untidy_drawings_are_put_in_order_and_that_is_said() {
-    let found = sections("ezdxf_untidy.dxf", &Options { axis: 200.0, ..Options::default() });
+    let found = sections("ezdxf_untidy.dxf", &Options { axis: Some(200.0), ..Options::default() });
     assert_is(&found, Role::Punch, &punch(24.0, 6.0, 0.0, -100.0), "ezdxf_untidy.dxf");
     assert_is(&found, Role::Die, &die(90.0, 31.25, 6.0, 1.0, 100.0), "ezdxf_untidy.dxf");
     let notes = found.notes.join("\n");

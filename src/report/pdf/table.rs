@@ -64,7 +64,9 @@ fn of(row: &Row, widths: &[f64]) -> f64 {
 
 /// Of a row \[pt\].
 fn height<'a>(cells: impl Iterator<Item = &'a str>, style: Style, widths: &[f64]) -> f64 {
-    let most = cells.zip(widths).map(|(cell, width)| lines(cell, style, width - INDENT).len()).max().unwrap_or(1);
+    let indented = |i: usize| if i == 0 { INDENT } else { 0.0 };
+    let cells = cells.zip(widths).enumerate();
+    let most = cells.map(|(i, (cell, width))| lines(cell, style, width - indented(i)).len()).max().unwrap_or(1);
     most as f64 * style.leading() + 2.0 * PAD
 }
 

@@ -207,7 +207,8 @@ fn check_drawing(bytes: &[u8]) -> bool {
     let tools = sections.tools.iter().map(|tool| (tool.role, &tool.profile, tool.made_of.as_str())).collect();
     let (title, notes) = ("Tools of a drawing", &sections.notes[..]);
     let geometry = Geometry::Axisymmetric;
-    let draft = Draft { title, geometry, tools, thickness: None, blank: None, travel: None, notes };
+    let (name, later) = (None, Vec::new());
+    let draft = Draft { title, geometry, name, tools, later, thickness: None, blank: None, travel: None, notes };
     let _ = (draft.size(), draft.doubts());
     draft.case(&draft.toml(), "mutated.dxf").transpose().is_some_and(|case| check_read(case, WORK))
 }
