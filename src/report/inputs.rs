@@ -8,7 +8,7 @@ pub(super) fn section(check: &Check, form: Form) -> Section {
     let table = |head: &'static str, lines: &[Line]| {
         let rows =
             lines.iter().map(|line| Row::plain([&line.label, &line.value, &line.meaning].map(|text| text.told(form))));
-        Block::Table { head: vec![head, "Value", "Unit and meaning"], rows: rows.collect() }
+        Block::Table { head: vec![head, "Value", "Meaning"], rows: rows.collect() }
     };
     let blocks = vec![table("Input", &check.lines), table("Sheet, mesh and solver", &check.details)];
     Section { heading: "Inputs".into(), blocks }

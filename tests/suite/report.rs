@@ -102,9 +102,9 @@ fn a_report_is_whole_self_contained_and_agrees_with_its_json() {
         let pictures = elements(&page, "svg").filter(|svg| is_inside(svg, "figure")).count();
         let main = elements(&page, "main").map(text_of).collect::<String>();
         assert!(pictures >= 5 && main.contains(extra), "{pictures} {extra}");
-        // The case's table holds names only; the verdict's sentences have their units inside.
+        // The case's table holds names only; the verdict's sentences and the inputs have their units inside.
         let heads = elements(&page, "tr").filter(|row| is_inside(row, "thead")).map(text_of);
-        for head in heads.filter(|head| !head.starts_with("Light") && !head.starts_with("What")) {
+        for head in heads.filter(|head| !["Light", "What", "Input", "Sheet"].iter().any(|word| head.starts_with(word))) {
             assert!(head.to_lowercase().contains("unit"), "{head}");
         }
         let mut known = Vec::new();
