@@ -1,11 +1,12 @@
 //! Whether a cup's wall carries the punch force.
 
 use super::nose::NoseEnd;
-use super::{Finding, Light, run::Run, thinning};
-use crate::message::{Amount, message};
+use super::run::{Run, at_event};
+use super::{Finding, Light, thinning};
+use crate::message::{Amount, Message, message};
 use crate::model::{Edge, Geometry};
 use crate::rules::estimate::{draw_ratio, tensile_strength};
-use crate::solution::StageSolution;
+use crate::solution::{StageSolution, StepRecord};
 use crate::table::Unit;
 use std::f64::consts::PI;
 
@@ -25,14 +26,13 @@ const NEAR: f64 = 0.9;
 /// F_BR = π (d₁ + s₀) s₀ R_m a_R with a_R = 1 … 1.6. The works that it quotes were not read.
 pub(super) fn judge(run: &Run) -> Option<Finding> {
     let forces = run.stages.iter().enumerate().filter_map(|(i, solved)| Some((i, forces(solved, i)?)));
-    let (i, [peak, tears]) = forces.max_by(|(_, [a, b]), (_, [c, d])| (a / b).total_cmp(&(c / d)))?;
-    let factor = peak / tears;
+    let ratio = |(_, (peak, tears)): &(usize, (&StepRecord, f64))| peak.punch_force / tears;
+    let (i, (peak, tears)) = forces.max_by(|a, b| ratio(a).total_cmp(&ratio(b)))?;
+    let factor = peak.punch_force / tears;
     let light = Light::of(factor, [NEAR * FACTORS[0], FACTORS[1]]);
-    let found = message!(
-        "punch force up to {force}, {share} of the limit",
-        force = Amount::force(peak, Unit::N),
-        share = Amount::share(factor)
-    );
+    let force = message!("punch force up to {force}", force = Amount::force(peak.punch_force, Unit::N));
+    let force = Message::joined([force, at_event(&run.stages[i], peak)], " ");
+    let found = message!("{force}, {share} of the limit", force = force, share = Amount::share(factor));
     let limit = message!(
         "{force} = π (d₁ + s₀) s₀ R_m at the end of the nose, near it from {near} on; some metals and noses carry up to {most} \
          times that",
@@ -49,8 +49,8 @@ pub(super) fn judge(run: &Run) -> Option<Finding> {
     )
 }
 
-/// The peak force of a stage and the one that tears its wall off \[N\].
-fn forces(solved: &StageSolution, stage: usize) -> Option<[f64; 2]> {
+/// The step of a stage with the peak force, and the force that tears its wall off \[N\].
+fn forces(solved: &StageSolution, stage: usize) -> Option<(&StepRecord, f64)> {
     let model = &solved.model;
     let cold = model.geometry == Geometry::Axisymmetric && model.heat.is_none() && model.gas.is_empty();
     let drawn = if stage == 0 { draw_ratio(model).is_some() } else { model.blank.edge == Edge::Free };
@@ -58,5 +58,6 @@ fn forces(solved: &StageSolution, stage: usize) -> Option<[f64; 2]> {
     let thickness = model.blank.thickness;
     let strength = tensile_strength(&model.material.hardening);
     let tears = PI * (2.0 * nose.radius + thickness) * thickness * strength * nose.cosine;
-    Some([solved.steps.iter().map(|step| step.punch_force).fold(0.0, f64::max), tears])
+    let peak = solved.steps.iter().max_by(|a, b| a.punch_force.total_cmp(&b.punch_force))?;
+    Some((peak, tears))
 }

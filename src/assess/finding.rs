@@ -160,7 +160,7 @@ impl Finding {
     }
 
     /// A warning; with [`Self::advice`] its sentence is `found: advice`.
-    pub(super) fn warning(key: &'static str, label: &'static str, found: impl Into<Message>) -> Self {
+    pub(crate) fn warning(key: &'static str, label: &'static str, found: impl Into<Message>) -> Self {
         Self::new(Kind::Warning, key, label, Light::Amber, found.into())
     }
 

@@ -8,7 +8,7 @@ use crate::rules::design::THIN;
 use crate::table::Unit;
 
 /// Share of the limit strain above which scatter of metal and process may reach it \[–\].
-const CAREFUL: f64 = 0.9;
+pub const CAREFUL: f64 = 0.9;
 
 /// Share of the limit that a path which is not straight may use: its own limit may be far lower \[–\].
 const BENT: f64 = 0.5;

@@ -2,6 +2,7 @@
 
 use super::run::{Run, largest};
 use super::{Finding, Light, strength};
+use crate::measure::rests_on_blocks;
 use crate::message::{Amount, message};
 use crate::model::{Model, Motion, Role};
 use crate::rules::estimate::{held_from, holder_pressure, tensile_strength};
@@ -15,9 +16,8 @@ const OFF: f64 = 1.0;
 const RUN_OUT: f64 = 2.0 * StepRecord::RIM;
 /// Normal pressure over the tensile strength that a shell, which yields without one, can overlook \[–\].
 const PRESSURE: f64 = 0.1;
-/// Share of the travel from which it is worth a word that the holder rests on its blocks, and of its force \[–\].
+/// Share of the travel from which it is worth a word that the holder rests on its blocks \[–\].
 const RESTS: f64 = 0.1;
-const BORNE: f64 = 0.5;
 
 /// A holder without a force.
 pub(super) fn idle(model: &Model) -> Option<Finding> {
@@ -117,14 +117,10 @@ pub(super) fn rests(stage: &StageSolution) -> Option<Finding> {
 
 /// Where in the travel the holder rests on its blocks \[mm\], if it does for a good part of it.
 fn resting(travel: f64, history: &[StepRecord]) -> Option<[f64; 2]> {
-    let rests = |i: usize| {
-        let record = &history[i];
-        record.block_force > BORNE * (record.block_force + record.holder_force)
-    };
     let begins = |i: usize| i.checked_sub(1).map_or(0.0, |before| history[before].travel);
     let (mut longest, mut since) = ([0.0; 2], None);
     for (i, record) in history.iter().enumerate() {
-        since = if rests(i) { since.or(Some(begins(i))) } else { None };
+        since = if rests_on_blocks(&history[i]) { since.or(Some(begins(i))) } else { None };
         if let Some(from) = since.filter(|from| record.travel - from > longest[1] - longest[0]) {
             longest = [from, record.travel];
         }

@@ -43,6 +43,7 @@ mod yielding;
 
 pub use answer::{Answer, KeyNumber};
 pub use finding::{Finding, Kind, Light, Limits, Sense, When, advice, headline, judgements, sentences};
+pub use forming_limit::CAREFUL;
 
 use crate::case::Case;
 use crate::message::Message;

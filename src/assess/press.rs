@@ -1,6 +1,7 @@
 //! What the press must give, against its rating where the case names it.
 
-use super::{Finding, Light, run::Run};
+use super::run::{Run, at_event};
+use super::{Finding, Light};
 use crate::message::{Amount, Message, message};
 use crate::table::{JOULES, Unit};
 
@@ -24,7 +25,7 @@ pub(super) fn force(run: &Run) -> Option<Finding> {
         },
         |force| {
             let found = message!("{force} at {travel} of travel", force = force, travel = Amount::place(peak.travel));
-            run.of_stage(found, i)
+            run.of_stage(Message::joined([found, at_event(stage, peak)], " "), i)
         },
     ))
 }

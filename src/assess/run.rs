@@ -2,6 +2,7 @@
 
 use super::nearest::Nearest;
 use crate::case::Case;
+use crate::measure::events;
 use crate::message::{Message, message};
 use crate::solution::{StageSolution, StepRecord};
 
@@ -29,6 +30,14 @@ impl Run<'_> {
     pub fn largest(&self, value: impl Fn(&StepRecord) -> f64) -> Option<f64> {
         self.steps().map(value).reduce(f64::max).map(|largest| largest.max(0.0))
     }
+}
+
+/// Where a peak of the load lies on an event of its stage, to a step, what happens there: `(rim meets the die)`.
+pub(super) fn at_event(stage: &StageSolution, peak: &StepRecord) -> Message {
+    let events = events(stage);
+    let begins = stage.steps.iter().rev().find(|step| step.step < peak.step).map_or(0.0, |before| before.travel);
+    let here = events.iter().find(|event| event.travel > begins && event.travel <= peak.travel);
+    here.map_or_else(Message::default, |event| message!("({event})", event = event.kind.label()))
 }
 
 /// A run whose steps strain the sheet by less in all forms nothing: shares of its work say nothing \[–\].

@@ -107,6 +107,9 @@ pub struct PictureOptions {
     /// assumptions, which the summary has
     #[arg(long, value_name = "HOW_MUCH", value_enum, default_value_t = CaptionOption::Short)]
     captions: CaptionOption,
+    /// Draw the forming limit diagram in engineering strains instead of true ones
+    #[arg(long)]
+    engineering_strain: bool,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
@@ -157,6 +160,12 @@ impl PictureOptions {
             CaptionOption::Short => Captions::Short,
             CaptionOption::Full => Captions::Full,
         };
-        Pictures { formats, width: self.width.map(|width| width.0), dpi: self.dpi.map(f64::from), captions }
+        Pictures {
+            formats,
+            width: self.width.map(|width| width.0),
+            dpi: self.dpi.map(f64::from),
+            captions,
+            engineering_strain: self.engineering_strain,
+        }
     }
 }

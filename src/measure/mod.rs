@@ -29,6 +29,7 @@
 //! H. Huh, Y. H. Kim (eds.), Numisheet 2002, benchmark B, unconstrained cylindrical bending.
 
 mod bands;
+mod events;
 mod fit;
 mod meridian;
 mod moment;
@@ -36,6 +37,7 @@ mod part;
 mod quantity;
 
 pub use bands::{Band, PartPlace, Stretch, along, bands, place_on_part};
+pub use events::{Event, EventKind, events, rests_on_blocks};
 pub use moment::{MomentError, moment_error};
 pub use part::{part_height, thickest};
 pub use quantity::{Change, EDGE, FLANGE_ANGLE, OPENING_ANGLE, QUANTITIES, Quantity, WALL_ANGLE, changes};

@@ -46,6 +46,15 @@ pub enum Scale {
         /// Least window along y, in the unit of the axis.
         y: (f64, f64),
     },
+    /// This window and no more; areas are cut at its border.
+    Window {
+        /// Height of the panel \[px\].
+        height: f64,
+        /// Along x, in the unit of the axis.
+        x: (f64, f64),
+        /// Along y, in the unit of the axis.
+        y: (f64, f64),
+    },
 }
 
 /// One curve, set of points or filled outline.
@@ -76,6 +85,11 @@ pub enum Look {
         /// Of the outlines.
         color: Color,
     },
+    /// Dots at the points.
+    Dots {
+        /// Of the dots.
+        color: Color,
+    },
     /// The inside of the outline that the points make.
     Area {
         /// Of the inside.
@@ -85,6 +99,9 @@ pub enum Look {
     },
     /// The label itself, on white: each point is the middle of its left end. The legend leaves it out.
     Text,
+    /// A thin upright line at each point, with a dot there and the label above all curves, none on another. The legend leaves
+    /// it out.
+    Flag,
 }
 
 /// Red, green, blue.
@@ -129,6 +146,11 @@ impl Look {
         Self::Line { color: color(i), width: 2.4, dash: DASHES[i % DASHES.len()] }
     }
 
+    /// Whether the legend says what it is.
+    pub fn is_explained(self) -> bool {
+        !matches!(self, Self::Text | Self::Flag)
+    }
+
     /// The same line thin and pale, for the background.
     pub fn faint(self) -> Self {
         match self {
@@ -154,7 +176,7 @@ impl Panel {
     /// Ranges of x and y that hold every point of the series, or the window of a section.
     pub fn ranges(&self) -> [(f64, f64); 2] {
         match self.scale {
-            Scale::Section { x, y } => [x, y],
+            Scale::Section { x, y } | Scale::Window { x, y, .. } => [x, y],
             Scale::Fit { least, .. } => {
                 let points = || self.series.iter().flat_map(|s| &s.points);
                 let [x, y] = [fitted(points().map(|p| p.0), 0.02), fitted(points().map(|p| p.1), 0.05)];

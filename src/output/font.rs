@@ -45,6 +45,14 @@ pub fn extent() -> ([f64; 4], f64, f64) {
     ([all.x_min, all.y_min, all.x_max, all.y_max].map(of), of(FACE.ascender()), of(FACE.descender()))
 }
 
+/// The letters of a text that the font has not got, each once.
+pub fn missing(text: &str) -> Vec<char> {
+    let mut missing: Vec<char> = text.chars().filter(|c| !c.is_control() && FACE.glyph_index(*c).is_none()).collect();
+    missing.sort_unstable();
+    missing.dedup();
+    missing
+}
+
 /// How wide a line of text is \[em\].
 pub fn width(text: &str) -> f64 {
     text.chars().map(|letter| glyph(letter).1).sum()

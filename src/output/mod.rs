@@ -9,6 +9,7 @@ mod draw;
 mod file;
 pub mod flow_curve;
 mod font;
+mod forming_diagram;
 pub mod forming_limit;
 mod frame_recorder;
 mod gif;
@@ -40,7 +41,7 @@ mod writing;
 
 pub use chart::Chart;
 pub use csv::csv;
-pub use dimensions::{Dimension, Mark, dimensioned};
+pub use dimensions::{Dimension, Mark, Size, dimensioned};
 pub use draw::svg;
 #[cfg(feature = "report")]
 pub(crate) use draw::{Drawing, WIDTH as DRAWN};
@@ -84,7 +85,7 @@ pub const OUTPUTS: &[Output] = &[
         "strain path and margin of every element, where a forming limit is given",
         forming_limit::paths_of,
     ),
-    Output::plot("forming_limit.png", "the curve with every element's strain path", forming_limit::plot),
+    Output::plot("forming_limit.png", "how near every place comes to the forming limit", forming_diagram::plot),
     Output::plot("shapes.png", "the sheet's section at every kept frame, and the tools", sections::plot),
     Output {
         file: "section.pvd",

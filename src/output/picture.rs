@@ -41,6 +41,8 @@ pub struct Pictures {
     pub dpi: Option<f64>,
     /// How much they say.
     pub captions: Captions,
+    /// Whether forming limit diagrams are in engineering strains, as sheet makers' are, instead of logarithmic ones.
+    pub engineering_strain: bool,
 }
 
 /// Width on paper where nothing else is asked for: between the margins of A4 \[mm\].
@@ -63,7 +65,13 @@ const INCH: f64 = 72.0;
 
 impl Default for Pictures {
     fn default() -> Self {
-        Self { formats: vec![Format::Png], width: None, dpi: None, captions: Captions::default() }
+        Self {
+            formats: vec![Format::Png],
+            width: None,
+            dpi: None,
+            captions: Captions::default(),
+            engineering_strain: false,
+        }
     }
 }
 

@@ -1,10 +1,11 @@
 //! What outputs are made from: a solved stage, borrowed, with what its files say of the case that it belongs to.
 
 use super::chart::COLORS;
-use super::{Captions, Pictures};
+use super::{Captions, Pictures, font};
 use crate::assess::{self, Finding, Kind, sentences};
-use crate::case::Solution;
+use crate::case::{Press, Solution};
 use crate::forming_limit::{Assessment, assess};
+use crate::message::message;
 use crate::model::{Extent, Geometry, Model};
 use crate::solution::{Frame, StageSolution, Stop};
 use crate::table::{Unit, capitalised};
@@ -30,6 +31,8 @@ pub struct StageView<'a> {
     pub declared: &'a [String],
     /// What is told with the results: what was assumed while the case was read, and warnings.
     pub findings: Vec<Finding>,
+    /// What the press can give, as far as the case says.
+    pub press: Press,
     /// What came out of the stage.
     pub stage: &'a StageSolution,
     /// Time that the solution of the whole case took, where a clock was at hand.
@@ -48,8 +51,26 @@ impl Solution {
     /// The same with these findings from before the run.
     pub(crate) fn views_telling(&self, before: &[Finding]) -> Vec<StageView<'_>> {
         let told = assess::told(before, &self.stages).into_iter().enumerate();
-        told.map(|(i, findings)| StageView::of(self, i, findings)).collect()
+        let mut views: Vec<_> = told.map(|(i, findings)| StageView::of(self, i, findings)).collect();
+        if let Some(first) = views.first_mut() {
+            first.findings.extend(undrawn(first.title));
+        }
+        views
     }
+}
+
+/// What pictures cannot show of the title.
+fn undrawn(title: &str) -> Option<Finding> {
+    let missing: Vec<String> =
+        font::missing(title).into_iter().map(|letter| format!("{letter} (U+{:04X})", u32::from(letter))).collect();
+    if missing.is_empty() {
+        return None;
+    }
+    let found = message!(
+        "the title has letters that the built-in font has not got, boxes stand for them in PNG and PDF: {letters}",
+        letters = missing.join(", ")
+    );
+    Some(Finding::warning("letters", "Title", found))
 }
 
 impl<'a> StageView<'a> {
@@ -66,6 +87,7 @@ impl<'a> StageView<'a> {
             overrides: &[],
             declared: &stage.model.notes,
             findings: Vec::new(),
+            press: Press::default(),
             stage,
             wall: None,
             pictures: Pictures::default(),
@@ -81,6 +103,7 @@ impl<'a> StageView<'a> {
             case_text: &case.text,
             overrides: &case.overrides,
             findings,
+            press: case.press,
             wall: solution.wall,
             ..Self::plain(&name, &solution.stages[i])
         }
@@ -119,6 +142,11 @@ impl<'a> StageView<'a> {
             Captions::Own => capitalised(what),
             _ => format!("{}: {what}", self.title),
         }
+    }
+
+    /// Whether a picture says where its numbers come from: what is told nowhere else, or all there is.
+    pub(super) fn says_sources(&self) -> bool {
+        matches!(self.pictures.captions, Captions::Own | Captions::Full)
     }
 
     fn says_all(&self) -> bool {

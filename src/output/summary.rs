@@ -10,10 +10,11 @@ pub use whole::CaseSummary;
 use super::StageView;
 use super::stage_view::ended;
 use crate::assess::{Kind, sentences};
-use crate::measure::{Change, moment_error};
+use crate::measure::{Change, Event, events, moment_error};
 use crate::message::{Amount, Message, message};
 use crate::model::{Extent, Geometry, Mode};
 use crate::solution::{StageSolution, StepRecord, Stop};
+use crate::table::Unit;
 use sha2::{Digest, Sha256};
 
 /// Before a label that belongs to the line above.
@@ -54,6 +55,7 @@ enum Value {
     Text(Message),
     List(Vec<Message>),
     Changes(Vec<Change>),
+    Events(Vec<Event>, Unit),
 }
 
 /// A line for readers, its number apart from its unit, as told in a form.
@@ -101,6 +103,7 @@ impl Summary {
         summary.group = Group::Part;
         summary.push("complete", "", Value::Flag(run.stop.is_complete()));
         summary.load(model, run, &last);
+        summary.push("events", "Events", Value::Events(events(run), model.extent().force_unit()));
         summary.part(model, run, &last);
         if let Some(assessment) = view.forming_limit() {
             summary.forming_limit(model, assessment);

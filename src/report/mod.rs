@@ -36,11 +36,9 @@ impl Report<'_> {
     /// The first page and all sections as they are told in a form.
     pub fn told(&self, form: Form) -> Document {
         let model = self.solution.case.model();
-        let mut sections = vec![
-            verdict::section(&self.findings, form),
-            sketch::section(model, &self.dimensions, form),
-            inputs::section(&self.check, form),
-        ];
+        let mut sections = vec![verdict::section(&self.findings, form)];
+        sections.extend(sketch::sections(self, form));
+        sections.push(inputs::section(&self.check, form));
         sections.extend(results::sections(self, form));
         sections.extend([
             inputs::assumptions(&self.check, form),

@@ -36,7 +36,7 @@ impl<'a> Report<'a> {
             solution,
             stages: views.map(|view| (view.clone(), Summary::of(&view))).collect(),
             check: check::report(&solution.case),
-            dimensions: sketch::dimensions(solution.case.model()),
+            dimensions: sketch::dimensions(solution.case.model(), None),
             findings: before.into_iter().chain(after).collect(),
             answer,
             title_block: solution.case.title_block.clone(),
@@ -56,7 +56,7 @@ impl<'a> Report<'a> {
 
     /// Every number of the document, with those behind its pictures that a summary has.
     pub fn json(&self) -> Value {
-        let dimension = |d: &Dimension| json!({"label": d.label, "value": rounded(d.value), "unit": d.unit.symbol()});
+        let dimension = |d: &Dimension| json!({"label": d.name(), "value": rounded(d.value), "unit": d.unit.symbol()});
         let number = |n: &KeyNumber| {
             let Amount { value, unit, .. } = n.amount;
             json!({"key": n.key, "value": rounded(value), "unit": unit.spelled(), "told": n.amount.told(Form::default()), "about": n.about})

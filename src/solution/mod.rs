@@ -140,6 +140,14 @@ pub struct StepRecord {
     /// Share of the sheet's current area inside the gas's seal (of the whole sheet without gas) that lies on the punch or
     /// the die \[–\].
     pub contact_share: f64,
+    /// Gap between the sheet's edge and punch, die and holder, in the order of [`Role::ALL`](crate::model::Role::ALL), half its
+    /// thickness off \[mm\]; infinite where there is no such tool.
+    pub edge_gap: [f64; 3],
+    /// Likewise of the sheet's middle \[mm\].
+    pub middle_gap: [f64; 3],
+    /// Angle to the flat blank of the die's face nearest to the sheet's edge \[rad\]: 0 on a flat die, π/2 in its throat; 0
+    /// without a die.
+    pub die_slope: f64,
     /// How far the holder has moved towards the die from where it touched the flat sheet \[mm\]; negative when lifted. A
     /// holder that the sheet has left stays where it last touched.
     pub holder_move: f64,

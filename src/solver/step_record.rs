@@ -4,7 +4,8 @@ use super::converged::Converged;
 use super::evaluation::Evaluation;
 use super::places::Seal;
 use crate::element::surface::{STATIONS, stations};
-use crate::model::{Edge, Role};
+use crate::geometry::Point;
+use crate::model::{Edge, Model, Role};
 use crate::solution::{Energy, StepRecord};
 use crate::state::State;
 
@@ -41,6 +42,10 @@ pub(super) fn record(
         held_rate: model.rate_control().map_or(0.0, |control| control.target * evaluation.held_rate.norm),
         on_cap: evaluation.held_rate.on_cap,
         contact_share: contact_share(converged),
+        edge_gap: gaps(next, model, n - 1),
+        middle_gap: gaps(next, model, 0),
+        die_slope: tool(Role::Die)
+            .map_or(0.0, |j| slope(model.tools[j].profile.closest(next.in_frame_of(j, n - 1)).normal)),
         holder_move: tool(Role::Holder).filter(|_| model.release.is_none()).map_or(0.0, |j| trial.tools[j].y),
         block_force: evaluation.block_force,
         penetration: evaluation.penetration(),
@@ -84,6 +89,21 @@ fn contact_shares(converged: &Converged, before: &Evaluation) -> StepRecord {
         contact_changes,
         ..StepRecord::default()
     }
+}
+
+/// Gaps between a node and each of [`Role::ALL`] \[mm\].
+fn gaps(state: &State, model: &Model, node: usize) -> [f64; 3] {
+    Role::ALL.map(|role| {
+        let tool = model.tools.iter().position(|tool| tool.role == role);
+        tool.map_or(f64::INFINITY, |j| {
+            model.tools[j].profile.closest(state.in_frame_of(j, node)).distance - 0.5 * state.thickness_at(node)
+        })
+    })
+}
+
+/// Angle to the horizontal of a die's face whose normal towards the sheet is this \[rad\]: the normal of a flat die is −z.
+fn slope(normal: Point) -> f64 {
+    normal.x.abs().atan2(-normal.y)
 }
 
 /// Share of the current area inside the seal that lies on the punch or the die \[–\].

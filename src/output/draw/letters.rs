@@ -24,7 +24,8 @@ const ROOM: f64 = 1.065;
 pub(super) fn wrapped(paragraph: &str, size: f64, width: f64) -> Vec<String> {
     let mut lines = vec![String::new()];
     let (mut end, space) = (0.0, text_width(" ", size));
-    for word in paragraph.split_whitespace().flat_map(|word| pieces(word, size, width)) {
+    let words = paragraph.split(is_break).filter(|word| !word.is_empty());
+    for word in words.flat_map(|word| pieces(word, size, width)) {
         let line = lines.last_mut().expect("there is a line");
         let wide = text_width(&word, size);
         if line.is_empty() {
@@ -39,6 +40,11 @@ pub(super) fn wrapped(paragraph: &str, size: f64, width: f64) -> Vec<String> {
         }
     }
     lines
+}
+
+/// Whether a line may end here: not between a number and its unit.
+fn is_break(letter: char) -> bool {
+    letter.is_whitespace() && !matches!(letter, '\u{a0}' | '\u{2009}' | '\u{202f}')
 }
 
 /// A word in pieces no wider than `width`.
@@ -81,6 +87,12 @@ mod tests {
         let lines = wrapped(&note, NOTE, 300.0);
         assert!(lines.len() > 3 && lines.iter().all(|line| text_width(line, NOTE) <= 300.0));
         assert_eq!(lines.join(" "), note.trim());
+    }
+
+    #[test]
+    fn a_number_stays_with_its_unit() {
+        let lines = wrapped(&"force 26\u{a0}kN ".repeat(40), NOTE, 300.0);
+        assert!(lines.len() > 3 && lines.iter().all(|line| !line.starts_with("kN")), "{lines:?}");
     }
 
     #[test]

@@ -6,6 +6,7 @@ mod backend;
 mod canvas;
 mod cover;
 mod drawing;
+mod flags;
 mod glyphs;
 mod letters;
 mod mark;

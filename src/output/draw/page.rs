@@ -6,7 +6,7 @@ use super::letters::{NOTE, SPACING, TICK, TITLE, text_width, wrapped};
 use super::panel::{Frame, x_labels_height, y_labels_width};
 use super::shape::sample;
 use super::text::text;
-use crate::output::chart::{BLACK, Chart, GREY, Look, Series};
+use crate::output::chart::{BLACK, Chart, GREY, Series};
 
 /// Around every picture.
 const MARGIN: f64 = 14.0;
@@ -32,7 +32,7 @@ pub(super) struct Page<'a> {
 impl<'a> Page<'a> {
     pub(super) fn of(chart: &'a Chart, width: f64) -> Self {
         let left = chart.panels.iter().map(|p| y_labels_width(&p.ranges()[1], p)).fold(0.0, f64::max);
-        let frames: Vec<Frame> = chart.panels.iter().map(|p| Frame::of(p, width - left - 3.0 * MARGIN)).collect();
+        let frames: Vec<Frame> = chart.panels.iter().map(|p| Frame::of(p, width - left - 2.0 * MARGIN)).collect();
         let across = |text: &String, size| match text.is_empty() {
             true => Vec::new(),
             false => wrapped(text, size, width - 2.0 * MARGIN),
@@ -84,7 +84,7 @@ fn legend(chart: &Chart, page: f64) -> Vec<Vec<(&Series, f64)>> {
     let indent = if chart.legend.is_empty() { 0.0 } else { text_width(chart.legend, TICK) + 14.0 };
     let left = MARGIN + indent;
     let mut x = f64::INFINITY;
-    for series in chart.panels.iter().flat_map(|p| &p.series).filter(|series| series.look != Look::Text) {
+    for series in chart.panels.iter().flat_map(|p| &p.series).filter(|series| series.look.is_explained()) {
         let Some(label) = &series.label else { continue };
         let width = SAMPLE + 8.0 + text_width(label, TICK);
         if x + width > page - MARGIN {

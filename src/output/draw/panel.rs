@@ -2,6 +2,7 @@
 
 use super::backend::units;
 use super::canvas::{Canvas, NEVER};
+use super::flags::Flags;
 use super::letters::{LABEL, SPACING, TICK, text_width};
 use super::shape::{Shape, stroke};
 use super::text::style;
@@ -27,13 +28,14 @@ pub(super) struct Frame {
     pub(super) height: f64,
     x: (f64, f64),
     y: (f64, f64),
+    flags: Flags,
 }
 
 impl Frame {
     pub(super) fn of(panel: &Panel, width: f64) -> Self {
         let [mut x, mut y] = panel.ranges();
         let height = match panel.scale {
-            Scale::Fit { height, .. } => height,
+            Scale::Fit { height, .. } | Scale::Window { height, .. } => height,
             Scale::Section { .. } => {
                 let height = (width * (y.1 - y.0) / (x.1 - x.0)).clamp(290.0, 560.0);
                 // Whichever direction has room to spare shows more of its surroundings.
@@ -43,7 +45,11 @@ impl Frame {
                 height
             }
         };
-        Self { height, x, y }
+        let flags = Flags::of(panel, x, width);
+        // Their labels stand above all else.
+        let head = flags.height();
+        y.1 += (y.1 - y.0) * head / height;
+        Self { height: height + head, x, y, flags }
     }
 
     /// Draws the panel into its area; `left` is the width of its y labels.
@@ -85,6 +91,8 @@ impl Frame {
         }
         let plot = chart.plotting_area().strip_coord_spec();
         let (width, height) = plot.dim_in_pixel();
+        let up = |y: f64| (1.0 - (y - self.y.0) / (self.y.1 - self.y.0)) * self.height;
+        self.flags.draw(&plot, up, self.height);
         let corners = [(0, 0), (width as i32, height as i32)];
         plot.draw(&Rectangle::new(corners, stroke(BLACK, AXIS))).expect(NEVER);
     }
@@ -95,7 +103,10 @@ pub(super) fn x_labels_height() -> f64 {
 }
 
 pub(super) fn y_labels_width(range: &(f64, f64), panel: &Panel) -> f64 {
-    let height = if let Scale::Fit { height, .. } = panel.scale { height } else { 400.0 };
+    let height = match panel.scale {
+        Scale::Fit { height, .. } | Scale::Window { height, .. } => height,
+        Scale::Section { .. } => 400.0,
+    };
     let values = ticks(*range, tick_count(height));
     let widest = values.iter().map(|v| text_width(&tick(*v, &values), TICK)).fold(0.0, f64::max);
     SPACING * LABEL + widest + TICK_MARK + 14.0

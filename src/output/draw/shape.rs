@@ -12,6 +12,9 @@ use plotters::style::ShapeStyle;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 use plotters_backend::{BackendCoord, DrawingBackend, DrawingErrorKind};
 
+/// Radius of a dot.
+pub(super) const DOT: f64 = 2.6;
+
 /// A series or a legend sample, as plotters draws it wherever the points come to lie.
 pub(super) struct Shape<'a, C> {
     pub look: Look,
@@ -47,6 +50,11 @@ impl<C, B: DrawingBackend> Drawable<B> for Shape<'_, C> {
                     backend.draw_circle(at, units(5.0) as u32, &stroke(color, 2.2), false)?;
                 }
             }
+            Look::Dots { color } => {
+                for at in points {
+                    backend.draw_circle(at, units(DOT) as u32, &rgb(color), true)?;
+                }
+            }
             Look::Area { fill, edge } => {
                 let outline: Vec<_> = points.collect();
                 backend.fill_polygon(outline.iter().copied(), &rgb(fill))?;
@@ -55,6 +63,8 @@ impl<C, B: DrawingBackend> Drawable<B> for Shape<'_, C> {
                     backend.draw_path(around, &stroke(edge, 0.8))?;
                 }
             }
+            // Where they stand follows from all of them: the panel draws them.
+            Look::Flag => {}
             Look::Text => {
                 let (width, half) = (text_width(self.label, MARK), 0.5 * SPACING * MARK);
                 let style = style(MARK, BLACK).pos(Pos::new(HPos::Left, VPos::Top));
@@ -74,9 +84,9 @@ pub(super) fn sample(canvas: &Canvas, look: Look, at: (f64, f64), size: (f64, f6
     let ((x, y), (w, h)) = (at, size);
     let points = match look {
         Look::Line { .. } => vec![(x, y), (x + w, y)],
-        Look::Circles { .. } => vec![(x + 0.5 * w, y)],
+        Look::Circles { .. } | Look::Dots { .. } => vec![(x + 0.5 * w, y)],
         Look::Area { .. } => vec![(x, y - h), (x + w, y - h), (x + w, y + h), (x, y + h)],
-        Look::Text => Vec::new(),
+        Look::Text | Look::Flag => Vec::new(),
     };
     let points = points.into_iter().map(|(x, y)| (units(x), units(y))).collect();
     canvas.draw(&Shape { look, label: "", points }).expect(NEVER);

@@ -1,8 +1,9 @@
 //! The summary as text and as JSON.
 
 use super::{Entry, Figure, Group, INDENT, Summary, Value};
-use crate::measure::Change;
+use crate::measure::{Change, Event};
 use crate::message::{Amount, Form, Message, NO_BREAK, message};
+use crate::table::Unit;
 use crate::units::rounded;
 use serde::ser::{Serialize, SerializeMap, Serializer};
 use serde_json::json;
@@ -19,6 +20,9 @@ impl Serialize for Summary {
                 Value::Text(v) => map.serialize_entry(key, v)?,
                 Value::List(v) => map.serialize_entry(key, v)?,
                 Value::Changes(v) => map.serialize_entry(key, &v.iter().map(of_change).collect::<Vec<_>>())?,
+                Value::Events(v, force) => {
+                    map.serialize_entry(key, &v.iter().map(|event| of_event(event, *force)).collect::<Vec<_>>())?;
+                }
             }
         }
         map.end()
@@ -31,7 +35,7 @@ impl Summary {
         self.printed().filter_map(move |entry| {
             let (value, unit) = match &entry.value {
                 Value::Number(amount) => amount.parts(form),
-                Value::List(_) | Value::Changes(_) => return None,
+                Value::List(_) | Value::Changes(_) | Value::Events(..) => return None,
                 value => (said(value).told(form), ""),
             };
             Some(Figure { group: entry.group, key: entry.key, label: entry.indented(form), value, unit })
@@ -47,6 +51,10 @@ impl Summary {
                     let text = lines.iter().map(|line| format!("- {}", line.told(form)));
                     let labels = std::iter::once(label).chain(std::iter::repeat(String::new()));
                     labels.zip(text).collect()
+                }
+                Value::Events(events, force) => {
+                    let text = events.iter().map(|event| row_of_event(event, *force).told(form));
+                    std::iter::once(label).chain(std::iter::repeat(String::new())).zip(text).collect()
                 }
                 Value::Changes(changes) => {
                     let head = (label, Message::from("before → after (change)").told(form));
@@ -74,6 +82,7 @@ impl Summary {
                 Value::Changes(changes) => {
                     changes.iter().flat_map(|change| [change.quantity.label.into(), change.told()]).collect()
                 }
+                Value::Events(events, force) => events.iter().map(|event| row_of_event(event, *force)).collect(),
                 value => vec![said(value)],
             };
             std::iter::once(entry.label.clone()).chain(values)
@@ -99,7 +108,7 @@ fn said(value: &Value) -> Message {
         Value::Flag(true) => "yes".into(),
         Value::Flag(false) => "no".into(),
         Value::Text(text) => text.clone(),
-        Value::List(_) | Value::Changes(_) => Message::default(),
+        Value::List(_) | Value::Changes(_) | Value::Events(..) => Message::default(),
     }
 }
 
@@ -110,6 +119,30 @@ fn row_of_change(change: &Change, form: Form) -> (String, String) {
         None => change.told(),
     };
     (INDENT.to_owned() + &Message::from(change.quantity.label).told(form), said.told(form))
+}
+
+/// `44.1 mm, 48.3 kN: rim meets the die`; of a gas's work the time in place of travel and force.
+fn row_of_event(event: &Event, force: Unit) -> Message {
+    let what = event.kind.label();
+    match event.travel {
+        0.0 => message!("{time}: {event}", time = Amount::time(event.time), event = what),
+        travel => message!(
+            "{travel}, {force}: {event}",
+            travel = Amount::place(travel),
+            force = Amount::force(event.force, force),
+            event = what
+        ),
+    }
+}
+
+fn of_event(event: &Event, force: Unit) -> serde_json::Value {
+    json!({
+        "key": event.kind.key(),
+        "what": event.kind.label(),
+        Unit::Mm.keyed("travel"): rounded(event.travel),
+        Unit::Second.keyed("time"): rounded(event.time),
+        force.keyed("punch_force"): rounded(event.force),
+    })
 }
 
 fn of_change(change: &Change) -> serde_json::Value {

@@ -1,0 +1,152 @@
+//! What happens on the way: the events that explain kinks and jumps of a load curve.
+//!
+//! An event is looked for in the records of the accepted steps and stands at the end of the step in which it came, so that
+//! it is exact to one step of the travel; the forming limit and a tool that the sheet leaves are known more finely.
+//!
+//! What the sheet has touched all the time is no event, nor is a touch that is found again before the sheet has gone a
+//! thickness away, as under a rim that slides on its corner.
+
+use crate::forming_limit;
+use crate::model::{Edge, Motion, Role};
+use crate::solution::{StageSolution, StepRecord, Stop};
+
+/// Gap over the thickness from which on the sheet is off a tool, and up to which it is on it \[–\].
+const OFF: f64 = 1.0;
+const ON: f64 = 0.05;
+/// How much steeper than at the start the die is where its shoulder begins, and how near to upright its throat \[rad\]: less
+/// than can be seen.
+const STEEPER: f64 = 5.0 * std::f64::consts::PI / 180.0;
+const UPRIGHT: f64 = std::f64::consts::FRAC_PI_2 - std::f64::consts::PI / 180.0;
+/// Reduction by ironing up to which it is a rub \[–\].
+const RUBBED: f64 = 1e-3;
+/// Share of the holder's force on its blocks above which it rests on them \[–\].
+const BORNE: f64 = 0.5;
+
+/// What happens.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[non_exhaustive]
+pub enum EventKind {
+    /// The sheet's edge, which was off the die, comes to it: a flange that stood up, or the rim of an earlier draw.
+    RimMeetsDie,
+    /// The sheet's edge leaves the die's flat, or the cone that it lay on, for the shoulder: the flange is used up.
+    RimOnShoulder,
+    /// The sheet's edge leaves the die's shoulder for its throat.
+    RimInThroat,
+    /// The sheet's middle comes to this tool, off which it was.
+    BottomMeets(Role),
+    /// The sheet leaves this tool, which stands still from there on.
+    SheetLeaves(Role),
+    /// The holder comes to rest on its distance blocks and no longer on the sheet.
+    HolderOnBlocks,
+    /// Punch and die, nearer to each other than the sheet is thick, begin to thin it.
+    IroningBegins,
+    /// A place of the sheet comes to its forming limit.
+    LimitReached,
+    /// The sheet tears: the stretching gathers at one place, or the voids there grow together.
+    Tears,
+}
+
+impl EventKind {
+    /// Name in files.
+    pub fn key(self) -> &'static str {
+        self.words()[0]
+    }
+
+    /// In a few words, for a line of a table or a mark on a curve.
+    pub fn label(self) -> &'static str {
+        self.words()[1]
+    }
+
+    fn words(self) -> [&'static str; 2] {
+        match self {
+            Self::RimMeetsDie => ["rim_meets_die", "rim meets the die"],
+            Self::RimOnShoulder => ["rim_on_shoulder", "rim runs onto the die's shoulder"],
+            Self::RimInThroat => ["rim_in_throat", "rim enters the die's throat"],
+            Self::BottomMeets(Role::Punch) => ["bottom_meets_punch", "bottom meets the punch"],
+            Self::BottomMeets(Role::Die) => ["bottom_meets_die", "bottom meets the die"],
+            Self::BottomMeets(Role::Holder) => ["bottom_meets_holder", "bottom meets the holder"],
+            Self::SheetLeaves(Role::Punch) => ["sheet_leaves_punch", "sheet leaves the punch"],
+            Self::SheetLeaves(Role::Die) => ["sheet_leaves_die", "sheet leaves the die"],
+            Self::SheetLeaves(Role::Holder) => ["sheet_leaves_holder", "sheet leaves the holder"],
+            Self::HolderOnBlocks => ["holder_on_blocks", "holder comes to rest on its distance blocks"],
+            Self::IroningBegins => ["ironing_begins", "ironing begins"],
+            Self::LimitReached => ["limit_reached", "forming limit reached"],
+            Self::Tears => ["tears", "sheet tears"],
+        }
+    }
+}
+
+/// Something that happens in a stage.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Event {
+    /// What.
+    pub kind: EventKind,
+    /// Punch travel of the stage \[mm\].
+    pub travel: f64,
+    /// Time of the stage \[s\].
+    pub time: f64,
+    /// Punch force then, of the whole part \[N, or N/mm of depth\].
+    pub force: f64,
+}
+
+/// The events of a stage in the order of its travel, each kind once: the first of it. Empty of a release.
+pub fn events(stage: &StageSolution) -> Vec<Event> {
+    let steps = &stage.steps[..];
+    if stage.model.release.is_some() {
+        return Vec::new();
+    }
+    let mut found = Vec::new();
+    let mut at = |kind: EventKind, step: Option<&StepRecord>| {
+        found.extend(step.map(|s| Event { kind, travel: s.travel, time: s.time, force: s.punch_force }));
+    };
+    if stage.model.blank.edge == Edge::Free {
+        let first = steps.first().map_or(0.0, |step| step.die_slope);
+        let steeper = |by: f64| move |step: &&StepRecord| step.die_slope > by && step.die_slope > first + STEEPER;
+        at(EventKind::RimMeetsDie, comes(stage, |step| step.edge_gap[Role::Die as usize]));
+        at(EventKind::RimOnShoulder, steps.iter().find(steeper(STEEPER)));
+        at(EventKind::RimInThroat, steps.iter().find(steeper(UPRIGHT)));
+    }
+    for role in Role::ALL {
+        at(EventKind::BottomMeets(role), comes(stage, |step| step.middle_gap[role as usize]));
+    }
+    if stage.model.tools.iter().any(|tool| matches!(tool.motion, Motion::Pressed(_))) {
+        at(EventKind::HolderOnBlocks, steps.iter().find(|step| rests_on_blocks(step)));
+    }
+    at(EventKind::IroningBegins, steps.iter().find(|step| step.ironing > RUBBED));
+    if matches!(stage.stop, Stop::Localised { .. } | Stop::Coalesced { .. }) {
+        at(EventKind::Tears, steps.last());
+    }
+    for (tool, left) in stage.model.tools.iter().zip(&stage.left_at) {
+        found.extend(left.map(|travel| between(steps, EventKind::SheetLeaves(tool.role), travel)));
+    }
+    let limit = stage.model.forming_limit.as_ref();
+    let reached = limit.and_then(|curve| forming_limit::assess(curve, &stage.paths)?.reached);
+    found.extend(
+        reached.map(|reached| Event { time: reached.time, ..between(steps, EventKind::LimitReached, reached.travel) }),
+    );
+    found.sort_by(|a, b| a.travel.total_cmp(&b.travel).then(a.time.total_cmp(&b.time)));
+    found
+}
+
+/// Whether the holder rests on its blocks, and no longer on the sheet.
+pub fn rests_on_blocks(step: &StepRecord) -> bool {
+    step.block_force > BORNE * (step.block_force + step.holder_force)
+}
+
+/// The first step with the sheet on a tool that it was off, by the gap between them \[mm\].
+fn comes(stage: &StageSolution, gap: impl Fn(&StepRecord) -> f64) -> Option<&StepRecord> {
+    let thickness = stage.model.blank.thickness;
+    let off = stage.steps.iter().position(|step| gap(step) > OFF * thickness)?;
+    stage.steps[off..].iter().find(|step| gap(step) < ON * thickness)
+}
+
+/// An event at a travel between two steps, its time and force in proportion.
+fn between(steps: &[StepRecord], kind: EventKind, travel: f64) -> Event {
+    let after = steps.partition_point(|step| step.travel < travel).min(steps.len().saturating_sub(1));
+    let now = steps.get(after).copied().unwrap_or_default();
+    let before = after.checked_sub(1).map_or(StepRecord::default(), |before| steps[before]);
+    let way = now.travel - before.travel;
+    let share = if way > 0.0 { ((travel - before.travel) / way).clamp(0.0, 1.0) } else { 1.0 };
+    let of = |from: f64, to: f64| from + share * (to - from);
+    Event { kind, travel, time: of(before.time, now.time), force: of(before.punch_force, now.punch_force) }
+}

@@ -1,0 +1,105 @@
+//! The events of a stage, and whether they explain what its load curve does.
+
+use crate::common::shipped;
+use stampflow::assess::{after, judgements};
+use stampflow::author::templates::find;
+use stampflow::case::parse;
+use stampflow::measure::{Event, EventKind, events};
+use stampflow::model::Role;
+use stampflow::solution::{StageSolution, Stop};
+use stampflow::{Case, Solution};
+
+fn solved(template: &str, overrides: &[&str]) -> Solution {
+    let text = find(template).unwrap().fill(&[]).unwrap();
+    let overrides: Vec<String> = overrides.iter().map(|o| (*o).to_owned()).collect();
+    let case: Case =
+        parse(&text, "case.toml", &overrides).unwrap_or_else(|e| panic!("{template}: {}", e.render(false)));
+    case.solve(&mut ())
+}
+
+fn kinds(found: &[Event]) -> Vec<EventKind> {
+    found.iter().map(|event| event.kind).collect()
+}
+
+/// Steps of the load, after the first tenth of the travel, by more than this share of the peak: no smooth curve has them in
+/// a hundredth of the travel.
+const JUMP: f64 = 0.1;
+
+/// The travels between which the load jumps \[mm\].
+fn jumps(stage: &StageSolution) -> Vec<[f64; 2]> {
+    let peak = shipped::peak(stage);
+    let late = |travel: f64| travel > 0.1 * stage.model.travel;
+    let pairs = stage.steps.windows(2).filter(|pair| late(pair[0].travel));
+    let jumps = pairs.filter(|pair| (pair[1].punch_force - pair[0].punch_force).abs() > JUMP * peak);
+    jumps.map(|pair| [pair[0].travel, pair[1].travel]).collect()
+}
+
+/// Trust: the flare of the first cup stands off the second die's cone until it is drawn down to it; then the whole rim has to
+/// go in at once.
+#[test]
+fn the_jump_of_a_redraws_force_is_the_rim_that_meets_the_die() {
+    let solution = solved("redraw", &[]);
+    let [first, second] = &solution.stages[..] else { panic!("two stages") };
+    assert_eq!(kinds(&events(first)), [EventKind::SheetLeaves(Role::Holder), EventKind::RimOnShoulder]);
+    assert!(jumps(first).is_empty());
+    let found = events(second);
+    let meets = found.iter().find(|event| event.kind == EventKind::RimMeetsDie).expect("the rim meets the die");
+    let [jump] = jumps(second)[..] else { panic!("one jump") };
+    assert!(meets.travel > jump[0] && meets.travel <= jump[1], "{meets:?} {jump:?}");
+
+    let findings = after(&solution.case, &solution.stages);
+    for key in ["bottom_tearing", "punch_force"] {
+        let finding = judgements(&findings).find(|finding| finding.key == key).expect(key);
+        let told = finding.found.contains("(rim meets the die)");
+        assert_eq!(told, finding.found.contains("stage 2"), "{}", finding.found);
+    }
+    let summary = solution.summary();
+    assert!(
+        summary.to_string().contains("44.07 mm, 48261 N: rim meets the die") || meets.travel != 44.073,
+        "{summary}"
+    );
+    let json = serde_json::to_value(&summary).unwrap();
+    let told = &json["stages"][1]["events"][0];
+    assert_eq!(told["key"], "rim_meets_die");
+    assert!((told["travel_mm"].as_f64().unwrap() - meets.travel).abs() < 1e-6, "{told}");
+}
+
+/// Trust: of each event the number that another part of the program gives for it.
+#[test]
+fn events_stand_where_other_figures_have_them() {
+    let cup = &solved("cup", &[]).stages[0];
+    let found = events(cup);
+    assert_eq!(kinds(&found), [EventKind::SheetLeaves(Role::Holder), EventKind::RimOnShoulder]);
+    let holder = cup.model.tools.iter().position(|tool| tool.role == Role::Holder).unwrap();
+    assert_eq!(Some(found[0].travel), cup.left_at[holder]);
+    // The shoulder begins at throat + shoulder, and 5° round it the edge is R sin 5° = 0.6 mm further in; a step draws the edge
+    // in by about 0.6 mm.
+    let die = cup.model.tool(Role::Die).unwrap();
+    let begins = die.profile.corners().map(|arc| arc.center.x).fold(0.0, f64::max);
+    let edge = cup.model.blank.length - cup.steps.iter().find(|s| s.travel >= found[1].travel).unwrap().draw_in;
+    assert!(edge < begins && edge > begins - 1.5, "{edge} {begins}");
+
+    let limit = shipped::shipped_case("stretch_limit", &[]).solve(&mut ());
+    let stage = &limit.stages[0];
+    let reached = stampflow::forming_limit::assess(stage.model.forming_limit.as_ref().unwrap(), &stage.paths).unwrap();
+    let found = events(stage);
+    let at = found.iter().find(|event| event.kind == EventKind::LimitReached).map(|event| event.travel);
+    assert_eq!(at, reached.reached.map(|reached| reached.travel));
+    assert!(at.is_some());
+    let tears = matches!(stage.stop, Stop::Localised { .. });
+    assert_eq!(found.iter().any(|event| event.kind == EventKind::Tears), tears);
+}
+
+/// Trust: the list of templates; a jump without an event would stand unexplained in every report.
+#[test]
+fn a_jump_of_the_load_has_an_event() {
+    for template in ["cup", "hemispherical-cup", "conical-cup", "hat-section"] {
+        for stage in &solved(template, &[]).stages {
+            let found = events(stage);
+            for [from, to] in jumps(stage) {
+                let told = found.iter().any(|event| event.travel > from && event.travel <= to);
+                assert!(told, "{template}: the load jumps between {from} and {to} mm, {found:?}");
+            }
+        }
+    }
+}
