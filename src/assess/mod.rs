@@ -41,7 +41,7 @@ mod two_sheets;
 mod wrinkling;
 mod yielding;
 
-pub use answer::{Answer, KeyNumber};
+pub use answer::{Answer, KeyNumber, tears_at};
 pub use finding::{Finding, Kind, Light, Limits, Sense, When, advice, headline, judgements, sentences};
 pub use forming_limit::CAREFUL;
 

@@ -32,6 +32,7 @@ mod numerics;
 mod observer;
 mod outputs;
 mod package;
+mod part;
 mod pictures;
 mod profiles;
 mod report;
