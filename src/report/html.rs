@@ -109,9 +109,14 @@ fn of_issue(Issue { light, label, found, limit, advice }: &Issue) -> Markup {
     }
 }
 
-/// Wide tables are stacked on a phone, each cell under its column's name; of others value and unit stay together.
+/// A table with longer cells than that has no room beside each other on a phone \[letters\].
+const SHORT: usize = 24;
+
+/// On a phone the cells of tables with many columns, or with sentences in them, stand below each other under their columns'
+/// names; of others value and unit stay beside each other.
 fn table(head: &[&str], rows: &[Row]) -> Markup {
-    let is_wide = head.len() > 3;
+    let is_long = |row: &Row| row.cells.iter().skip(1).any(|cell| cell.chars().count() > SHORT);
+    let is_wide = head.len() > 3 || rows.iter().any(is_long);
     markup! {
         div.table {
             table.{ "columns-" (head.len()) }.wide[is_wide] {

@@ -49,7 +49,6 @@ fn sheet(material: &Material, lines: &mut Vec<Line>) {
         }
         None => lines.push(line("elasticity", "none given", "the flow law needs none")),
     }
-    lines.push(line("hardening", material.hardening.describe(), ""));
     let ratio = Amount::number(material.hill48.ratio());
     lines.push(match &material.gtn {
         Some(gtn) => line("yield condition", gtn.to_string(), message!("r̄ = {r}", r = ratio)),

@@ -6,7 +6,8 @@ use std::collections::HashMap;
 pub fn pages(file: &[u8]) -> Vec<String> {
     let streams: Vec<Vec<u8>> = streams(file);
     let map = streams.iter().find_map(|stream| letters(stream)).expect("a map of letters");
-    let drawn = streams.iter().filter(|stream| find(stream, b"BT").is_some() && find(stream, b"begincmap").is_none());
+    // Pages begin by turning the plane over: y goes down.
+    let drawn = streams.iter().filter(|stream| stream.starts_with(b"1 0 0 -1 0 "));
     drawn.map(|stream| words(stream, &map)).collect()
 }
 
@@ -41,9 +42,9 @@ fn letters(stream: &[u8]) -> Option<HashMap<u16, char>> {
 /// A line for each text that is shown.
 fn words(stream: &[u8], map: &HashMap<u16, char>) -> String {
     let (mut text, mut at) = (String::new(), 0);
-    while let Some(begin) = find(&stream[at..], b"BT") {
+    while let Some(begin) = find(&stream[at..], b"BT\n") {
         at += begin + 2;
-        let end = at + find(&stream[at..], b"ET\n").or_else(|| find(&stream[at..], b"ET")).expect("an end");
+        let end = at + find(&stream[at..], b"\nET").expect("an end");
         for glyph in strings(&stream[at..end]).chunks_exact(2) {
             text.push(map.get(&u16::from_be_bytes([glyph[0], glyph[1]])).copied().unwrap_or('?'));
         }
