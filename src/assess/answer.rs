@@ -1,6 +1,7 @@
 //! What a designer asks first: does it tear, where, what does the press see.
 
 use super::nearest::Nearest;
+use super::neck::torn;
 use super::{Finding, Light, judgements};
 use crate::case::Case;
 use crate::measure::{PartPlace, part_height, place_on_part};
@@ -100,6 +101,14 @@ fn tear(stages: &[StageSolution]) -> Option<Tear<'_>> {
     };
     // The limit is reached before a neck ends the run, and is where the tear begins.
     limit().or(ended)
+}
+
+/// Where the sheet of a stage tears, initially from the axis \[mm\]: where the verdict's sentence has it, or where it is
+/// too thin to be whole.
+pub fn tears_at(stage: &StageSolution) -> Option<f64> {
+    stage.steps.last()?;
+    let tear = tear(std::slice::from_ref(stage)).and_then(|tear| tear.s0);
+    tear.or_else(|| torn(stage).map(|neck| neck.s0))
 }
 
 impl Tear<'_> {

@@ -2,7 +2,7 @@
 
 use super::{Finding, Light, run::Run, thinning};
 use crate::message::{Amount, message};
-use crate::solution::neck::neck;
+use crate::solution::neck::{Neck, neck};
 use crate::solution::{StageSolution, Stop};
 use crate::table::Unit;
 
@@ -36,9 +36,8 @@ pub(super) fn seen(stage: &StageSolution) -> Option<Finding> {
     if matches!(stage.stop, Stop::Localised { .. } | Stop::Coalesced { .. }) {
         return None;
     }
-    let neck = neck(&stage.model, &stage.end, None);
+    let neck = torn(stage)?;
     let (s0, left) = (Amount::place(neck.s0), Amount::share(neck.share));
-    let superplastic = stage.model.material.rate.is_some_and(|rate| rate.is_superplastic());
     let found = if neck.stands_out {
         message!(
             "all thinning has gathered at s0 = {s0}, down to {left} of the thickness: the sheet tears there, and what is \
@@ -46,10 +45,15 @@ pub(super) fn seen(stage: &StageSolution) -> Option<Finding> {
             s0 = s0,
             left = left
         )
-    } else if neck.share < TORN && !superplastic {
-        message!("the sheet is down to {left} of its thickness at s0 = {s0}: it has torn before", left = left, s0 = s0)
     } else {
-        return None;
+        message!("the sheet is down to {left} of its thickness at s0 = {s0}: it has torn before", left = left, s0 = s0)
     };
     Some(Finding::warning("neck", "Neck", found).against(left.value, Unit::Percent, LIMIT).source(SOURCE))
+}
+
+/// The thinnest place of a stage that has taken a step, where it is a neck or too thin to be whole.
+pub(super) fn torn(stage: &StageSolution) -> Option<Neck> {
+    let neck = neck(&stage.model, &stage.end, None);
+    let superplastic = stage.model.material.rate.is_some_and(|rate| rate.is_superplastic());
+    (neck.stands_out || neck.share < TORN && !superplastic).then_some(neck)
 }

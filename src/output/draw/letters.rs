@@ -11,6 +11,8 @@ pub(super) const TICK: f64 = 17.0;
 pub(super) const NOTE: f64 = 13.5;
 /// Inside a panel.
 pub(super) const MARK: f64 = 15.0;
+/// What a picture is looked at for, read at the width of a column too.
+pub(super) const CALLOUT: f64 = 20.0;
 /// Line spacing over font size.
 pub(super) const SPACING: f64 = 1.3;
 /// Top of a line above its baseline, over the font size.

@@ -20,6 +20,12 @@ const AXIS: f64 = 1.2;
 const GRID: f64 = 0.8;
 const GRID_COLOR: Color = (215, 215, 215);
 
+/// Heights of sections, and of small ones.
+const HEIGHTS: (f64, f64) = (290.0, 560.0);
+const SMALL_HEIGHTS: (f64, f64) = (110.0, 320.0);
+/// Height of a scale of colours.
+const BAR: f64 = 18.0;
+
 /// What is further away, in widths of the panel, is left out: it would overflow plotters' units.
 const FAR: f64 = 1e3;
 
@@ -36,10 +42,14 @@ impl Frame {
         let [mut x, mut y] = panel.ranges();
         let height = match panel.scale {
             Scale::Fit { height, .. } | Scale::Window { height, .. } => height,
-            Scale::Section { .. } => {
-                let height = (width * (y.1 - y.0) / (x.1 - x.0)).clamp(290.0, 560.0);
-                // Whichever direction has room to spare shows more of its surroundings.
-                x.1 = x.1.max(x.0 + (y.1 - y.0) * width / height);
+            Scale::Bar => BAR,
+            Scale::Section { .. } | Scale::Small { .. } => {
+                let (least, most) = if is_small(panel) { SMALL_HEIGHTS } else { HEIGHTS };
+                let height = (width * (y.1 - y.0) / (x.1 - x.0)).clamp(least, most);
+                // Whichever direction has room to spare shows more of its surroundings, a whole section on both sides.
+                let wider = ((y.1 - y.0) * width / height - (x.1 - x.0)).max(0.0);
+                let before = if x.0 < 0.0 { 0.5 * wider } else { 0.0 };
+                x = (x.0 - before, x.1 + wider - before);
                 let more = 0.5 * ((x.1 - x.0) * height / width - (y.1 - y.0)).max(0.0);
                 y = (y.0 - more, y.1 + more);
                 height
@@ -55,30 +65,35 @@ impl Frame {
     /// Draws the panel into its area; `left` is the width of its y labels.
     pub(super) fn draw(&self, panel: &Panel, area: &Canvas, left: f64) {
         // Lengths of a section point down the page.
-        let y = if matches!(panel.scale, Scale::Section { .. }) { self.y.1..self.y.0 } else { self.y.0..self.y.1 };
+        let is_section = matches!(panel.scale, Scale::Section { .. } | Scale::Small { .. });
+        let y = if is_section { self.y.1..self.y.0 } else { self.y.0..self.y.1 };
+        let (left, below) = if is_small(panel) { (0.0, 0.0) } else { (left, x_labels_height()) };
         let mut chart = ChartBuilder::on(area)
             .set_label_area_size(LabelAreaPosition::Left, units(left))
-            .set_label_area_size(LabelAreaPosition::Bottom, units(x_labels_height()))
+            .set_label_area_size(LabelAreaPosition::Bottom, units(below))
             .build_cartesian_2d(self.x.0..self.x.1, y)
             .expect(NEVER);
         let y_count = tick_count(self.height);
         let (x_ticks, y_ticks) = (ticks(self.x, X_TICKS), ticks(self.y, y_count));
-        chart
-            .configure_mesh()
-            .x_labels(X_TICKS)
-            .y_labels(y_count)
-            .x_label_formatter(&|x| tick(*x, &x_ticks))
-            .y_label_formatter(&|y| tick(*y, &y_ticks))
+        let (x_tick, y_tick) = (|x: &f64| tick(*x, &x_ticks), |y: &f64| tick(*y, &y_ticks));
+        let mut mesh = chart.configure_mesh();
+        mesh.x_labels(X_TICKS)
+            .x_label_formatter(&x_tick)
             .x_desc(panel.x.text())
-            .y_desc(panel.y.text())
             .axis_desc_style(style(LABEL, BLACK))
             .label_style(style(TICK, BLACK))
             .set_all_tick_mark_size(units(TICK_MARK))
             .axis_style(stroke(BLACK, AXIS))
             .bold_line_style(stroke(GRID_COLOR, GRID))
-            .max_light_lines(0)
-            .draw()
-            .expect(NEVER);
+            .max_light_lines(0);
+        if panel.scale == Scale::Bar {
+            mesh.disable_mesh().disable_y_axis();
+        } else {
+            mesh.y_labels(y_count).y_label_formatter(&y_tick).y_desc(panel.y.text());
+        }
+        if !is_small(panel) {
+            mesh.draw().expect(NEVER);
+        }
         let near = |v: f64, (low, high): (f64, f64)| (v - low).abs() < FAR * (high - low);
         for series in &panel.series {
             let points = match series.look {
@@ -98,6 +113,11 @@ impl Frame {
     }
 }
 
+/// Whether a panel stands beside others.
+pub(super) fn is_small(panel: &Panel) -> bool {
+    matches!(panel.scale, Scale::Small { .. })
+}
+
 pub(super) fn x_labels_height() -> f64 {
     TICK_MARK + SPACING * (TICK + LABEL) + 4.0
 }
@@ -106,6 +126,8 @@ pub(super) fn y_labels_width(range: &(f64, f64), panel: &Panel) -> f64 {
     let height = match panel.scale {
         Scale::Fit { height, .. } | Scale::Window { height, .. } => height,
         Scale::Section { .. } => 400.0,
+        // No labels beside them.
+        Scale::Small { .. } | Scale::Bar => return 0.0,
     };
     let values = ticks(*range, tick_count(height));
     let widest = values.iter().map(|v| text_width(&tick(*v, &values), TICK)).fold(0.0, f64::max);

@@ -2,7 +2,8 @@
 
 use super::backend::{px, units};
 use super::canvas::{Canvas, NEVER, rgb};
-use super::letters::{MARK, SPACING, text_width};
+use super::letters::{CALLOUT, MARK, SPACING, text_width};
+use super::mark::Point;
 use super::text::style;
 
 use crate::output::chart::{BLACK, Color, Look, WHITE};
@@ -74,6 +75,17 @@ impl<C, B: DrawingBackend> Drawable<B> for Shape<'_, C> {
                     backend.draw_text(self.label, &style, whole((x, y - 0.6 * MARK)))?;
                 }
             }
+            Look::Callout => {
+                let points: Vec<Point> = points.map(px).collect();
+                let [at, (x, y)] = points[..] else { return Ok(()) };
+                backend.draw_path([whole(at), whole((x, y))], &stroke(BLACK, 1.4))?;
+                backend.draw_circle(whole(at), units(6.0) as u32, &rgb(WHITE), true)?;
+                backend.draw_circle(whole(at), units(4.0) as u32, &rgb(BLACK), true)?;
+                let (half, high) = (0.5 * text_width(self.label, CALLOUT) + 3.0, 0.5 * SPACING * CALLOUT);
+                backend.draw_rect(whole((x - half, y - high)), whole((x + half, y + high)), &rgb(WHITE), true)?;
+                let style = style(CALLOUT, BLACK).pos(Pos::new(HPos::Center, VPos::Center));
+                backend.draw_text(self.label, &style, whole((x, y)))?;
+            }
         }
         Ok(())
     }
@@ -86,7 +98,7 @@ pub(super) fn sample(canvas: &Canvas, look: Look, at: (f64, f64), size: (f64, f6
         Look::Line { .. } => vec![(x, y), (x + w, y)],
         Look::Circles { .. } | Look::Dots { .. } => vec![(x + 0.5 * w, y)],
         Look::Area { .. } => vec![(x, y - h), (x + w, y - h), (x + w, y + h), (x, y + h)],
-        Look::Text | Look::Flag => Vec::new(),
+        Look::Text | Look::Flag | Look::Callout => Vec::new(),
     };
     let points = points.into_iter().map(|(x, y)| (units(x), units(y))).collect();
     canvas.draw(&Shape { look, label: "", points }).expect(NEVER);
