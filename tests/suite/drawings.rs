@@ -332,7 +332,15 @@ fn an_import_says_its_size_and_picks_as_new_does() {
     }
     let report = stampflow::assess::check::report(&right);
     let pressure = |label: &str| {
-        report.lines.iter().find(|line| line.label == label).unwrap().value.to_string().parse::<f64>().unwrap()
+        report
+            .lines
+            .iter()
+            .find(|line| line.label.to_string() == label)
+            .unwrap()
+            .value
+            .to_string()
+            .parse::<f64>()
+            .unwrap()
     };
     let more = pressure("holder pressure") - pressure("advised pressure");
     assert!((0.0..=0.01).contains(&more), "{more} MPa more than advised");
@@ -353,7 +361,7 @@ fn a_cone_wider_than_its_die_is_drawn_as_far_as_it_fits() {
         report
             .lines
             .iter()
-            .find(|line| line.label == label)
+            .find(|line| line.label.to_string() == label)
             .unwrap_or_else(|| panic!("no {label}"))
             .value
             .to_string()
