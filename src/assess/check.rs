@@ -1,5 +1,6 @@
 //! What can be said of a case before it is solved: its numbers, rules of thumb, and warnings.
 
+mod details;
 mod loads;
 mod stages;
 mod tools;
@@ -32,6 +33,8 @@ pub struct Check {
     pub title: String,
     /// The case in numbers, in the order of telling.
     pub lines: Vec<Line>,
+    /// What a report adds, so that the run can be judged and repeated: constants of the sheet, mesh and settings.
+    pub details: Vec<Line>,
     /// What should be known before the result is trusted; the case can be solved all the same.
     pub warnings: Vec<Message>,
     /// Declared assumptions, and what was assumed while reading.
@@ -65,7 +68,13 @@ pub fn report(case: &Case) -> Check {
     lines.extend(compare);
     let findings = before(case);
     let notes = model.notes.iter().cloned().map(Message::from).chain(sentences(&findings, Kind::Assumption)).collect();
-    Check { title: model.title.clone(), lines, warnings: sentences(&findings, Kind::Warning), notes }
+    Check {
+        title: model.title.clone(),
+        lines,
+        details: details::lines(case),
+        warnings: sentences(&findings, Kind::Warning),
+        notes,
+    }
 }
 
 fn line(label: impl Into<Message>, value: impl Into<Message>, meaning: impl Into<Message>) -> Line {
