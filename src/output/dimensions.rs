@@ -110,7 +110,7 @@ pub fn dimensioned(title: String, model: &Model, start: Option<&Frame>, dimensio
     across.sort_by(|a, b| reach(a).x.total_cmp(&reach(b).x));
 
     let around = AROUND * model.blank.length;
-    let sheet = start.map_or_else(|| flat(model), |frame| sections::sheet(frame, 0..frame.elements.len()));
+    let sheet = start.map_or_else(|| flat(model), |frame| sections::sheet(frame, 0..frame.elements.len(), 1.0));
     let of_sheet = || sheet.iter().map(|p| Point::new(p.0, p.1));
     let marked = || aside.iter().map(|d| reach(d)).chain(dimensions.iter().filter_map(lower_end)).chain(of_sheet());
     let width = across.iter().map(|d| reach(d).x).fold(model.blank.length, f64::max) + around;

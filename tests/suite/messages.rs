@@ -112,8 +112,9 @@ fn a_verdict_in_german_has_no_english_words_and_one_in_us_units_no_millimetres()
     };
     let german = tell(Form { language: german(), ..Form::default() });
     let words = german.split(|c: char| !c.is_alphabetic());
-    let english: Vec<&str> =
-        words.filter(|word| ["the", "of", "and", "is", "are", "with", "from", "than", "which"].contains(word)).collect();
+    let english: Vec<&str> = words
+        .filter(|word| ["the", "of", "and", "is", "are", "with", "from", "than", "which"].contains(word))
+        .collect();
     assert!(english.is_empty(), "{english:?} in\n{german}");
     assert!(german.contains("Ausdünnung") && german.contains(" %") && german.contains(','), "{german}");
 
@@ -149,10 +150,12 @@ fn limits_are_numbers_on_the_side_of_their_lights() {
     assert!(with_limits > 10, "{with_limits}");
     for (finding, limits) in rows().filter_map(|finding| Some((finding, finding.limits?))) {
         let value = finding.value.expect("a number beside its limits");
-        let beyond = |limit: Option<f64>| limit.is_some_and(|limit| match limits.sense {
-            assess::Sense::AtMost => value > limit,
-            assess::Sense::AtLeast => value < limit,
-        });
+        let beyond = |limit: Option<f64>| {
+            limit.is_some_and(|limit| match limits.sense {
+                assess::Sense::AtMost => value > limit,
+                assess::Sense::AtLeast => value < limit,
+            })
+        };
         if finding.light == assess::Light::Green {
             assert!(!beyond(limits.amber) && !beyond(limits.red), "{finding:?}");
         }
@@ -222,7 +225,9 @@ fn unescaped(source: &str) -> (String, usize) {
 
 /// Whether there are words in it beside its names.
 fn has_words(text: &str) -> bool {
-    names(text).fold(text.to_owned(), |text, name| text.replace(&format!("{{{name}}}"), "")).contains(char::is_alphabetic)
+    names(text)
+        .fold(text.to_owned(), |text, name| text.replace(&format!("{{{name}}}"), ""))
+        .contains(char::is_alphabetic)
 }
 
 /// Trust: every `message!` of the program, and of the rooms that only speak to users every literal with a space in it.
