@@ -165,9 +165,9 @@ impl Finding {
     }
 
     /// What was assumed while a case was read.
-    pub(super) fn assumption(found: &str) -> Self {
+    pub(super) fn assumption(found: Message) -> Self {
         let limit = "what the case says".into();
-        Self { limit, ..Self::new(Kind::Assumption, "assumed", "Assumed", Light::Grey, found.to_owned().into()) }
+        Self { limit, ..Self::new(Kind::Assumption, "assumed", "Assumed", Light::Grey, found) }
     }
 
     /// With its number and the limit that it is held against.

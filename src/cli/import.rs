@@ -161,7 +161,7 @@ pub fn import(args: &Args) -> anyhow::Result<Code> {
     let case = draft.case(&text, &drawing.to_string()).with_context(|| drawing.to_string())?;
     write(&out, text.as_bytes())?;
     write(&picture, &png(&sketch(&name, args.geometry, &sections)))?;
-    let derived = case.map_or_else(Vec::new, |case| case.derived);
+    let derived = case.map_or_else(Vec::new, |case| case.derived).into_iter().map(|message| message.to_string());
     let notes: Vec<String> = sections.notes.iter().cloned().chain(derived).chain(draft.doubts()).collect();
     if args.json.json {
         let tool = |tool: &Section| json!({ "tool": tool.role.name(), "pieces": tool.profile.pieces().len(), "made_of": tool.made_of });
