@@ -165,9 +165,9 @@ impl Finding {
     }
 
     /// What was assumed while a case was read.
-    pub(super) fn assumption(found: Message) -> Self {
+    pub(super) fn assumed(found: impl Into<Message>) -> Self {
         let limit = "what the case says".into();
-        Self { limit, ..Self::new(Kind::Assumption, "assumed", "Assumed", Light::Grey, found) }
+        Self { limit, ..Self::new(Kind::Assumption, "assumed", "Assumed", Light::Grey, found.into()) }
     }
 
     /// With its number and the limit that it is held against.

@@ -4,10 +4,10 @@ use super::chart::{BLACK, Chart, Color, GREY, Look, PALE, Series, color};
 use super::outline::clipped;
 use super::sections::{self, body, flat, panel, place};
 use crate::geometry::Point;
+use crate::message::{Amount, Form};
 use crate::model::Model;
 use crate::solution::Frame;
 use crate::table::Unit;
-use crate::units::{four_digits, without_zeros};
 use std::f64::consts::PI;
 
 /// A size of the section, and where it is drawn.
@@ -88,7 +88,6 @@ impl Dimension {
 
     /// As on a drawing: `Punch Ø 60 mm`.
     fn text(&self) -> String {
-        let value = four_digits(self.value);
         let sign = match self.size {
             Size::Diameter => " Ø",
             Size::Width => " width",
@@ -96,7 +95,15 @@ impl Dimension {
             Size::Radius(alike) => &format!(" {alike} × R"),
             Size::Plain => "",
         };
-        format!("{}{sign} {}\u{a0}{}", self.of, without_zeros(&value), self.unit.symbol())
+        format!("{}{sign} {}", self.of, self.amount().told(Form::default()))
+    }
+
+    /// The size as it is told: a length that was given, or a force.
+    pub fn amount(&self) -> Amount {
+        match self.unit {
+            Unit::Mm => Amount::size(self.value),
+            unit => Amount::force(self.value, unit),
+        }
     }
 }
 

@@ -1,6 +1,6 @@
 //! What a solution leaves on disk: one file of this folder per table or plot, and one list, [`OUTPUTS`].
 
-mod animation;
+pub mod animation;
 pub mod chart;
 mod csv;
 mod dimensions;
@@ -9,12 +9,13 @@ mod draw;
 mod file;
 pub mod flow_curve;
 mod font;
-mod forming_diagram;
+pub mod forming_diagram;
 pub mod forming_limit;
 mod frame_recorder;
 mod gif;
 pub mod load_travel;
 mod lock;
+mod lzw;
 mod make;
 mod outline;
 mod overlay;

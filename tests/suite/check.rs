@@ -56,8 +56,7 @@ fn every_doubt_has_its_warning() {
 #[test]
 fn report_reads_as_text_with_notes() {
     let text = report(&quickstart(&[])).to_string();
-    for wanted in ["Steel cup", "  blank             55 mm radius", "notes\n  - declared: ", "Swift, σ = 520", "Siebel"]
-    {
+    for wanted in ["Steel cup", "  blank             Ø 110 mm", "notes\n  - declared: ", "Swift, σ = 520", "Siebel"] {
         assert!(text.contains(wanted), "{wanted} not in\n{text}");
     }
 }
