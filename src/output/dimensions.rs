@@ -4,10 +4,10 @@ use super::chart::{BLACK, Chart, Color, GREY, Look, PALE, Series, color};
 use super::outline::clipped;
 use super::sections::{self, body, flat, panel, place};
 use crate::geometry::Point;
+use crate::message::{Amount, Form};
 use crate::model::Model;
 use crate::solution::Frame;
 use crate::table::Unit;
-use crate::units::{four_digits, without_zeros};
 use std::f64::consts::PI;
 
 /// A size of the section, and where it is drawn.
@@ -88,7 +88,7 @@ impl Dimension {
 
     /// As on a drawing: `Punch Ø 60 mm`.
     fn text(&self) -> String {
-        let value = four_digits(self.value);
+        let value = self.amount().told(Form::default());
         let sign = match self.size {
             Size::Diameter => " Ø",
             Size::Width => " width",
@@ -96,7 +96,15 @@ impl Dimension {
             Size::Radius(alike) => &format!(" {alike} × R"),
             Size::Plain => "",
         };
-        format!("{}{sign} {}\u{a0}{}", self.of, without_zeros(&value), self.unit.symbol())
+        format!("{}{sign} {value}", self.of)
+    }
+
+    /// The size as it is told.
+    pub fn amount(&self) -> Amount {
+        match self.unit {
+            Unit::Mm => Amount::size(self.value),
+            unit => Amount::force(self.value, unit),
+        }
     }
 }
 
@@ -110,7 +118,7 @@ pub fn dimensioned(title: String, model: &Model, start: Option<&Frame>, dimensio
     across.sort_by(|a, b| reach(a).x.total_cmp(&reach(b).x));
 
     let around = AROUND * model.blank.length;
-    let sheet = start.map_or_else(|| flat(model), |frame| sections::sheet(frame, 0..frame.elements.len()));
+    let sheet = start.map_or_else(|| flat(model), |frame| sections::sheet(frame, 0..frame.elements.len(), 1.0));
     let of_sheet = || sheet.iter().map(|p| Point::new(p.0, p.1));
     let marked = || aside.iter().map(|d| reach(d)).chain(dimensions.iter().filter_map(lower_end)).chain(of_sheet());
     let width = across.iter().map(|d| reach(d).x).fold(model.blank.length, f64::max) + around;

@@ -9,7 +9,7 @@ mod draw;
 mod file;
 pub mod flow_curve;
 mod font;
-mod forming_diagram;
+pub mod forming_diagram;
 pub mod forming_limit;
 mod frame_recorder;
 mod gif;

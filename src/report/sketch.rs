@@ -3,7 +3,7 @@
 use super::document::{Block, Picture, Row, Section};
 use super::solved::Report;
 use crate::geometry::{Arc, Piece, Point};
-use crate::message::{Amount, Form};
+use crate::message::Form;
 use crate::model::{Geometry, Model, Motion, Role, Tool};
 use crate::output::{Dimension, Mark, Size, dimensioned};
 use crate::rules::tool_sizes::{extent, throat};
@@ -26,7 +26,7 @@ pub(super) fn sections(report: &Report, form: Form) -> Vec<Section> {
     let later = stages.iter().enumerate().skip(1).filter(|(i, stage)| brings_tools(&stages[..*i], stage));
     let later = later.map(|(i, stage)| {
         let dimensions = dimensions(&stage.model, stage.start.as_ref());
-        let heading = format!("{}Section", report.stage(i));
+        let heading = format!("{}section", report.stage(i));
         section(&format!("section-{}", i + 1), heading, &stage.model, stage.start.as_ref(), &dimensions, form)
     });
     std::iter::once(first).chain(later).collect()
@@ -47,21 +47,13 @@ fn section(
     form: Form,
 ) -> Section {
     let rows = dimensions.iter().map(|d| {
-        let (value, unit) = amount(d).parts(form);
+        let (value, unit) = d.amount().parts(form);
         Row::plain([d.name(), value, unit.to_owned()])
     });
     let chart = dimensioned(format!("{heading} at the start"), model, start, dimensions);
     let caption = "the section at the start with its dimensions".into();
     let table = Block::Table { head: vec!["Dimension", "Value", "Unit"], rows: rows.collect() };
     Section { blocks: vec![Block::Picture(Picture { name: name.to_owned(), caption, chart }), table], heading }
-}
-
-/// A size that was given.
-fn amount(dimension: &Dimension) -> Amount {
-    match dimension.unit {
-        Unit::Mm => Amount::size(dimension.value),
-        unit => Amount::force(dimension.value, unit),
-    }
 }
 
 /// Sizes of the blank and of every tool, the holder's load, the beads and the travel; of a later stage, which begins with
