@@ -13,6 +13,7 @@ mod markdown;
 mod pdf;
 mod program;
 mod results;
+mod sizes;
 mod sketch;
 mod solved;
 mod solver;

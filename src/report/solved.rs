@@ -3,7 +3,7 @@
 use super::answers::Answers;
 use super::document::KeyNumber;
 use super::program::PROGRAM;
-use super::{answers, sketch, title};
+use super::{answers, sizes, title};
 use crate::assess::check::{self, Check};
 use crate::assess::{self, Finding, Kind};
 use crate::case::{Solution, TitleBlock};
@@ -35,7 +35,7 @@ impl<'a> Report<'a> {
             solution,
             stages: views.map(|view| (view.clone(), Summary::of(&view))).collect(),
             check: check::report(&solution.case),
-            dimensions: sketch::dimensions(solution.case.model(), None),
+            dimensions: sizes::dimensions(solution.case.model(), None),
             findings: before.into_iter().chain(after).collect(),
             answers: Answers::of(solution),
             title_block: solution.case.title_block.clone(),
