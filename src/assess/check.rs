@@ -1,5 +1,6 @@
 //! What can be said of a case before it is solved: its numbers, rules of thumb, and warnings.
 
+mod details;
 mod loads;
 mod stages;
 mod tools;
@@ -32,6 +33,8 @@ pub struct Check {
     pub title: String,
     /// The case in numbers, in the order of telling.
     pub lines: Vec<Line>,
+    /// What a report adds, so that the run can be judged and repeated: constants of the sheet, mesh and settings.
+    pub details: Vec<Line>,
     /// What should be known before the result is trusted; the case can be solved all the same.
     pub warnings: Vec<Message>,
     /// Declared assumptions, and what was assumed while reading.
@@ -65,22 +68,36 @@ pub fn report(case: &Case) -> Check {
     lines.extend(compare);
     let findings = before(case);
     let notes = model.notes.iter().cloned().map(Message::from).chain(sentences(&findings, Kind::Assumption)).collect();
-    Check { title: model.title.clone(), lines, warnings: sentences(&findings, Kind::Warning), notes }
+    Check {
+        title: model.title.clone(),
+        lines,
+        details: details::lines(case),
+        warnings: sentences(&findings, Kind::Warning),
+        notes,
+    }
 }
 
 fn line(label: impl Into<Message>, value: impl Into<Message>, meaning: impl Into<Message>) -> Line {
     Line { label: label.into(), value: value.into(), meaning: meaning.into() }
 }
 
+/// A distance from the axis or symmetry plane \[mm\] as shops have it: of a round part the diameter.
+fn size_of(model: &Model, half: f64) -> Message {
+    match model.geometry {
+        Geometry::Axisymmetric => message!("Ø {diameter}", diameter = Amount::size(2.0 * half)),
+        Geometry::PlaneStrain => message!("{half}", half = Amount::size(half)),
+    }
+}
+
 fn blank(model: &Model, lines: &mut Vec<Line>) {
     let blank = &model.blank;
     let whole = Amount::size(2.0 * blank.length);
-    let (geometry, size) = match model.geometry {
-        Geometry::Axisymmetric => ("axisymmetric", message!("radius, {whole} diameter", whole = whole)),
+    let (geometry, meaning) = match model.geometry {
+        Geometry::Axisymmetric => ("axisymmetric", Message::default()),
         Geometry::PlaneStrain => ("plane strain", message!("half length, {whole} in all", whole = whole)),
     };
     lines.push(line("geometry", geometry, model.extent().described()));
-    lines.push(line("blank", Amount::size(blank.length), size));
+    lines.push(line("blank", size_of(model, blank.length), meaning));
     lines.push(line("thickness", Amount::size(blank.thickness), ""));
     let volume = Amount::new(model.extent().area(blank.length) * blank.thickness, Unit::None, Digits::Significant(3));
     let volume = match model.extent() {

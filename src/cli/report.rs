@@ -2,7 +2,7 @@
 
 use super::code::{BadRequest, Code, unusable};
 use super::job;
-use super::options::{Json, Overrides};
+use super::options::{self, Json, Overrides};
 use super::place;
 use super::progress::{Kept, Progress};
 use super::say::{say, say_json};
@@ -10,8 +10,8 @@ use super::titles::Titles;
 use clap::ValueEnum;
 use serde_json::json;
 use stampflow::files::{Disk, Files};
-use stampflow::output::{can_write, remove_others, write};
-use stampflow::report::{MARKER, Report, figure_folder, html, is_figure, markdown, pdf};
+use stampflow::output::{Extra, FrameRecorder, can_write, remove_others, write};
+use stampflow::report::{Document, MARKER, Report, figure_folder, html, is_figure, markdown, pdf};
 use std::path::{Path, PathBuf};
 
 pub const HELP: &str = "\
@@ -39,6 +39,9 @@ pub struct Args {
     /// Kind of file [default: by the ending of FILE, else html]
     #[arg(long)]
     format: Option<Format>,
+    /// Let the reader move the section over the travel, by a slider (HTML only; a MB more)
+    #[arg(long)]
+    slider: bool,
     /// Replace a file that is no report, too
     #[arg(long)]
     force: bool,
@@ -47,6 +50,8 @@ pub struct Args {
     quiet: bool,
     #[command(flatten)]
     json: Json,
+    #[command(flatten)]
+    form: options::Told,
     #[command(flatten)]
     titles: Titles,
 }
@@ -72,6 +77,12 @@ impl Format {
 pub fn report(args: &Args) -> anyhow::Result<Code> {
     let case = job::load(&args.case, &args.overrides.all())?;
     let format = args.format()?;
+    if args.slider && format != Format::Html {
+        return Err(BadRequest(
+            "a slider moves only on an HTML page: leave out --slider, or write -o NAME.html".into(),
+        )
+        .into());
+    }
     let path = match &args.output {
         Some(path) => path.clone(),
         None => place::folder(Path::new("out"), &case)?.join(format.name()),
@@ -84,10 +95,13 @@ pub fn report(args: &Args) -> anyhow::Result<Code> {
         can_write(&figure_folder(&path).join("figure.svg")).map_err(unusable("--output"))?;
     }
 
-    let watch = Progress::new(args.quiet || args.json.json).watch(&case, Kept::default());
-    let (solution, _) = watch.solve(case);
+    let extras = args.slider.then_some(Extra::Animation);
+    let kept = Kept { trace: None, recorder: FrameRecorder::new(extras.into_iter().collect()) };
+    let watch = Progress::new(args.quiet || args.json.json).watch(&case, kept);
+    let (solution, kept) = watch.solve(case);
     let report = Report::of(&solution).titled(args.titles.title_block());
-    let saved = save(&report, &path, format);
+    let report = if args.slider { report.moving(&kept.recorder) } else { report };
+    let saved = save(&report.told(args.form.form()), &path, format);
     let said = match (&saved, args.json.json) {
         (_, true) => {
             let mut value = report.json();
@@ -104,16 +118,15 @@ pub fn report(args: &Args) -> anyhow::Result<Code> {
 }
 
 /// Writes the pictures first: a text that is there has all of them. An earlier report's go.
-fn save(report: &Report, path: &Path, format: Format) -> anyhow::Result<Vec<PathBuf>> {
-    let document = report.document();
+fn save(document: &Document, path: &Path, format: Format) -> anyhow::Result<Vec<PathBuf>> {
     let mut files = Vec::new();
     let bytes = match format {
-        Format::Html => html(&document).into_bytes(),
-        Format::Pdf => pdf(&document),
+        Format::Html => html(document).into_bytes(),
+        Format::Pdf => pdf(document),
         Format::Md => {
             let folder = figure_folder(path);
             let name = folder.file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned());
-            let (text, pictures) = markdown(&document, &name);
+            let (text, pictures) = markdown(document, &name);
             for (name, svg) in pictures {
                 let file = folder.join(name);
                 write(&file, svg.as_bytes())?;

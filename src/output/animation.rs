@@ -27,6 +27,12 @@ pub(super) fn files<'a>(view: &'a StageView, frames: &'a [&Frame]) -> Files<'a> 
     Box::new(std::iter::once(("shapes.gif".to_owned(), gif(drawings, &delays(view, frames)))))
 }
 
+/// Some pictures of the moving section, `most` or fewer, spread over the frames, the last among them.
+pub fn pictures(view: &StageView, frames: &[&Frame], most: usize) -> Vec<Chart> {
+    let some = most.min(frames.len());
+    (1..=some).map(|i| picture(view, frames, i * frames.len() / some - 1)).collect()
+}
+
 /// How long each picture is shown \[hundredths of a second\].
 fn delays(view: &StageView, frames: &[&Frame]) -> Vec<u16> {
     let done = |frame: &Frame| view.model().progress(frame.time);

@@ -88,7 +88,6 @@ impl Dimension {
 
     /// As on a drawing: `Punch Ø 60 mm`.
     fn text(&self) -> String {
-        let value = self.amount().told(Form::default());
         let sign = match self.size {
             Size::Diameter => " Ø",
             Size::Width => " width",
@@ -96,10 +95,10 @@ impl Dimension {
             Size::Radius(alike) => &format!(" {alike} × R"),
             Size::Plain => "",
         };
-        format!("{}{sign} {value}", self.of)
+        format!("{}{sign} {}", self.of, self.amount().told(Form::default()))
     }
 
-    /// The size as it is told.
+    /// The size as it is told: a length that was given, or a force.
     pub fn amount(&self) -> Amount {
         match self.unit {
             Unit::Mm => Amount::size(self.value),

@@ -1,6 +1,6 @@
 //! What a solution leaves on disk: one file of this folder per table or plot, and one list, [`OUTPUTS`].
 
-mod animation;
+pub mod animation;
 pub mod chart;
 mod csv;
 mod dimensions;

@@ -51,6 +51,8 @@ pub enum Block {
     },
     /// A drawing with its caption.
     Picture(Picture),
+    /// Drawings of one thing as it moves, from its start to its end, with their caption: only where a reader can move them.
+    Motion(String, Vec<Chart>),
 }
 
 /// A number that stands out.

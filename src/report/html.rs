@@ -3,10 +3,12 @@
 use super::document::{Block, Document, Issue, KeyNumber, Picture, Row, word};
 use super::program::{MARKER, PROGRAM};
 use crate::assess::Light;
-use crate::output::svg;
+use crate::output::{Chart, svg};
 use maud::{DOCTYPE, Markup, PreEscaped, html as markup};
 
 const STYLE: &str = include_str!("style.css");
+/// Shows the picture that a slider stands at.
+const SLIDER: &str = include_str!("slider.js");
 
 /// The whole file.
 pub fn html(document: &Document) -> String {
@@ -47,6 +49,9 @@ pub fn html(document: &Document) -> String {
                     }
                 }
                 footer { "Written by " (PROGRAM) "." }
+                @if document.blocks().any(|block| matches!(block, Block::Motion(..))) {
+                    script { (PreEscaped(SLIDER)) }
+                }
             }
         }
     };
@@ -63,6 +68,7 @@ fn block(block: &Block, number: &mut usize) -> Markup {
         Block::Issues(issues) => markup! { ul.issues { @for issue in issues { (of_issue(issue)) } } },
         Block::List(entries) => markup! { ul { @for entry in entries { li { (entry) } } } },
         Block::Table { head, rows } => table(head, rows),
+        Block::Motion(caption, charts) => motion(caption, charts),
         Block::Picture(Picture { caption, chart, .. }) => {
             *number += 1;
             markup! {
@@ -71,6 +77,20 @@ fn block(block: &Block, number: &mut usize) -> Markup {
                     figcaption { "Figure " (number) ": " (caption) "." }
                 }
             }
+        }
+    }
+}
+
+/// Without scripts, and on paper, the last picture is shown.
+fn motion(caption: &str, charts: &[Chart]) -> Markup {
+    let last = charts.len().saturating_sub(1);
+    markup! {
+        figure.motion {
+            @for (i, chart) in charts.iter().enumerate() {
+                div.picture.frame hidden[i < last] { (PreEscaped(inline(&svg(chart)))) }
+            }
+            input type="range" min="0" max=(last) value=(last) aria-label=(caption);
+            figcaption { (caption) "." }
         }
     }
 }
@@ -89,9 +109,14 @@ fn of_issue(Issue { light, label, found, limit, advice }: &Issue) -> Markup {
     }
 }
 
-/// Wide tables are stacked on a phone, each cell under its column's name; of others value and unit stay together.
+/// A table with longer cells than that has no room beside each other on a phone \[letters\].
+const SHORT: usize = 24;
+
+/// On a phone the cells of tables with many columns, or with sentences in them, stand below each other under their columns'
+/// names; of others value and unit stay beside each other.
 fn table(head: &[&str], rows: &[Row]) -> Markup {
-    let is_wide = head.len() > 3;
+    let is_long = |row: &Row| row.cells.iter().skip(1).any(|cell| cell.chars().count() > SHORT);
+    let is_wide = head.len() > 3 || rows.iter().any(is_long);
     markup! {
         div.table {
             table.{ "columns-" (head.len()) }.wide[is_wide] {

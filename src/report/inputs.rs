@@ -1,14 +1,17 @@
 //! What was given and what follows from it, as the check of a case has it.
 
 use super::document::{Block, Row, Section};
-use crate::assess::check::Check;
+use crate::assess::check::{Check, Line};
 use crate::message::Form;
 
-pub(super) fn section(check: &Check) -> Section {
-    let rows =
-        check.lines.iter().map(|line| Row::plain([&line.label, &line.value, &line.meaning].map(ToString::to_string)));
-    let head = vec!["Input", "Value", "Unit and meaning"];
-    Section { heading: "Inputs".into(), blocks: vec![Block::Table { head, rows: rows.collect() }] }
+pub(super) fn section(check: &Check, form: Form) -> Section {
+    let table = |head: &'static str, lines: &[Line]| {
+        let rows =
+            lines.iter().map(|line| Row::plain([&line.label, &line.value, &line.meaning].map(|text| text.told(form))));
+        Block::Table { head: vec![head, "Value", "Meaning"], rows: rows.collect() }
+    };
+    let blocks = vec![table("Input", &check.lines), table("Sheet, mesh and solver", &check.details)];
+    Section { heading: "Inputs".into(), blocks }
 }
 
 /// Declared assumptions, and what was assumed while reading.

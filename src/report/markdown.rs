@@ -54,6 +54,7 @@ fn block(text: &mut String, block: &Block, folder: &str, pictures: &mut Vec<(Str
         }),
         Block::List(entries) => entries.iter().for_each(|entry| _ = writeln!(text, "- {}", escaped(entry))),
         Block::Table { head, rows } => table(text, head, rows),
+        Block::Motion(..) => {}
         Block::Picture(picture) => {
             let name = format!("{:02}-{}.svg", pictures.len() + 1, picture.name);
             let target = format!("{folder}/{name}").replace(' ', "%20");

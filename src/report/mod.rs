@@ -4,7 +4,6 @@
 //! Each file of this folder makes one part. The document holds nothing of the clock but the wall time of the solution, so
 //! two reports of one case can be compared.
 
-mod answers;
 mod document;
 mod front;
 mod html;
@@ -30,13 +29,17 @@ pub use solved::Report;
 use crate::message::Form;
 
 impl Report<'_> {
-    /// The first page and all sections.
+    /// The first page and all sections, in English and SI units.
     pub fn document(&self) -> Document {
-        let form = Form::default();
+        self.told(Form::default())
+    }
+
+    /// The first page and all sections as they are told in a form.
+    pub fn told(&self, form: Form) -> Document {
         let model = self.solution.case.model();
         let mut sections = vec![verdict::section(&self.findings, form)];
         sections.extend(sketch::sections(self, form));
-        sections.push(inputs::section(&self.check));
+        sections.push(inputs::section(&self.check, form));
         sections.extend(results::sections(self, form));
         sections.extend([
             inputs::assumptions(&self.check, form),

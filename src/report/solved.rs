@@ -1,14 +1,12 @@
 //! What a report is written from.
 
-use super::answers::Answers;
-use super::document::KeyNumber;
 use super::program::PROGRAM;
-use super::{answers, sizes, title};
+use super::{sizes, title};
 use crate::assess::check::{self, Check};
-use crate::assess::{self, Finding, Kind};
+use crate::assess::{self, Answer, Finding, KeyNumber, Kind};
 use crate::case::{Solution, TitleBlock};
-use crate::message::Form;
-use crate::output::{Dimension, StageView, Summary};
+use crate::message::{Amount, Form};
+use crate::output::{Dimension, FrameRecorder, StageView, Summary};
 use crate::units::rounded;
 use serde_json::{Map, Value, json};
 
@@ -21,14 +19,17 @@ pub struct Report<'a> {
     pub(super) check: Check,
     pub(super) dimensions: Vec<Dimension>,
     pub(super) findings: Vec<Finding>,
-    pub(super) answers: Answers,
+    pub(super) answer: Answer,
     pub(super) title_block: TitleBlock,
+    /// Frames on the way, for pictures that move.
+    pub(super) frames: Option<&'a FrameRecorder>,
 }
 
 impl<'a> Report<'a> {
     /// Looks a solution over.
     pub fn of(solution: &'a Solution) -> Self {
         let (before, after) = (assess::before(&solution.case), assess::after(&solution.case, &solution.stages));
+        let answer = Answer::of(&solution.case, &solution.stages, &after);
         let assumed: Vec<_> = before.iter().filter(|f| f.kind == Kind::Assumption).cloned().collect();
         let views = solution.views_telling(&assumed).into_iter().map(StageView::without_captions);
         Self {
@@ -37,8 +38,9 @@ impl<'a> Report<'a> {
             check: check::report(&solution.case),
             dimensions: sizes::dimensions(solution.case.model(), None),
             findings: before.into_iter().chain(after).collect(),
-            answers: Answers::of(solution),
+            answer,
             title_block: solution.case.title_block.clone(),
+            frames: None,
         }
     }
 
@@ -47,16 +49,25 @@ impl<'a> Report<'a> {
         Self { title_block: self.title_block.clone().replaced_by(given), ..self }
     }
 
+    /// With the section as it moves, where the document can show it.
+    pub fn moving(self, frames: &'a FrameRecorder) -> Self {
+        Self { frames: Some(frames), ..self }
+    }
+
     /// Every number of the document, with those behind its pictures that a summary has.
     pub fn json(&self) -> Value {
         let dimension = |d: &Dimension| json!({"label": d.name(), "value": rounded(d.value), "unit": d.unit.symbol()});
-        let answer = |n: &KeyNumber| json!({"label": n.label, "value": n.value, "detail": n.detail});
+        let number = |n: &KeyNumber| {
+            let Amount { value, unit, .. } = n.amount;
+            json!({"key": n.key, "value": rounded(value), "unit": unit.spelled(), "told": n.amount.told(Form::default()), "about": n.about})
+        };
+        let numbers: Vec<Value> = self.answer.numbers.iter().map(number).collect();
         json!({
             "case": self.solution.case.name,
             "complete": self.solution.is_complete(),
             "program": PROGRAM,
             "title_block": title::block(self).into_iter().map(|[name, value]| (name, value.into())).collect::<Map<_, _>>(),
-            "answers": answers::told(&self.answers, Form::default()).iter().map(answer).collect::<Vec<_>>(),
+            "answer": {"light": self.answer.light, "sentence": self.answer.sentence, "numbers": numbers},
             "check": self.check,
             "dimensions": self.dimensions.iter().map(dimension).collect::<Vec<_>>(),
             "verdict": assess::judgements(&self.findings).collect::<Vec<_>>(),

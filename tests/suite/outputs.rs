@@ -9,6 +9,7 @@ use stampflow::compare::{
 };
 use stampflow::forming_limit::{Instant, Paths};
 use stampflow::measure::{Shape, changes};
+use stampflow::message::Form;
 use stampflow::model::{Geometry, Model, Role};
 use stampflow::output::summary::sha256;
 use stampflow::output::{
@@ -250,7 +251,9 @@ fn stale_files_of_ours_go_and_a_users_stay() {
     for name in names.iter().chain(&mine) {
         fs::write(dir.path().join(name), "old").unwrap();
     }
-    let mut folder = ResultFolder::open(dir.path(), is_result).unwrap();
+    let mut folder =
+        ResultFolder::open(dir.path(), |path| path.file_name().and_then(|name| name.to_str()).is_some_and(is_result))
+            .unwrap();
     folder.write("summary.json", b"new");
     folder.publish().unwrap();
     let mut left: Vec<_> =
@@ -348,7 +351,7 @@ fn the_summary_of_a_release_has_its_spring_back_and_no_round_off() {
     assert_eq!(json["work_plastic_J_per_mm"], 0.0, "{printed}");
     assert!(json["work_elastic_J_per_mm"].as_f64().unwrap() < 0.0);
     assert!(Summary::of(&drawn::view(&passes[0])).to_string().contains("full travel reached"));
-    let report = solution.summary().lines;
+    let report = solution.summary().lines.to_string();
     let lines: Vec<&str> = report.lines().collect();
     assert!(lines[0].contains("full travel reached: ") && lines[1].contains("full time reached: "), "{report}");
 }
@@ -383,7 +386,7 @@ fn no_line_of_the_summary_is_an_orphan() {
     let solution = stages(include_str!("../../cases/hat_springback.toml"));
     for pass in &solution.stages {
         let mut parent = "";
-        for figure in Summary::of(&drawn::view(pass)).figures() {
+        for figure in Summary::of(&drawn::view(pass)).figures(Form::default()) {
             if figure.label.starts_with(' ') {
                 let own = parents.iter().find(|entry| entry.0 == parent).map_or(&[][..], |entry| entry.1);
                 assert!(own.contains(&figure.key), "{} below {parent}", figure.key);

@@ -28,6 +28,8 @@ const GROUND: Color = (244, 244, 244);
 
 /// Largest height of a picture after the first page \[pt\].
 const PICTURE: f64 = 115.0 * MM;
+/// Widths that pictures of the first page are laid out in \[px\].
+const LAYOUTS: [f64; 4] = [DRAWN, 700.0, 600.0, 520.0];
 /// Room that a heading wants below it \[pt\].
 const BELOW: f64 = 70.0;
 /// Cells of the title block in a row.
@@ -88,11 +90,17 @@ impl Writer {
         let (pictures, others): (Vec<&Block>, Vec<&Block>) =
             document.front.iter().partition(|block| matches!(block, Block::Picture(_)));
         others.into_iter().for_each(|block| self.block(block));
-        let drawn: Vec<_> = pictures.iter().filter_map(|block| drawn(block)).collect();
-        let wanted: f64 = drawn.iter().map(|(_, drawing)| drawing.height / drawing.width * WIDTH).sum();
-        let captions = drawn.len() as f64 * (SMALL.leading() + 8.0);
-        let scale = ((self.flow.left() - captions) / wanted).clamp(0.0, 1.0);
-        drawn.iter().for_each(|(picture, drawing)| self.figure(picture, drawing, scale * WIDTH));
+        let room = self.flow.left() - pictures.len() as f64 * (SMALL.leading() + 8.0);
+        // Narrower drawings are lower, and their letters as large: the width is taken that leaves letters largest.
+        let laid_out = LAYOUTS.map(|width| {
+            let drawn: Vec<_> = pictures.iter().filter_map(|block| drawn(block, width)).collect();
+            let height: f64 = drawn.iter().map(|(_, drawing)| drawing.height).sum();
+            ((WIDTH / width).min(room / height).max(0.0), drawn)
+        });
+        let largest = laid_out.into_iter().max_by(|a, b| a.0.total_cmp(&b.0));
+        if let Some((scale, drawn)) = largest {
+            drawn.iter().for_each(|(picture, drawing)| self.figure(picture, drawing, scale * drawing.width));
+        }
     }
 
     fn title_block(&mut self, entries: &[[String; 2]]) {
@@ -133,7 +141,7 @@ impl Writer {
 
     /// With room for something below it.
     fn heading(&mut self, text: &str, first: Option<&Block>) {
-        let first = first.and_then(drawn).map_or(BELOW, |(_, drawing)| height(&drawing));
+        let first = first.and_then(|block| drawn(block, DRAWN)).map_or(BELOW, |(_, drawing)| height(&drawing));
         self.flow.reserve(2.0 * HEADING.leading() + first);
         self.flow.skip(10.0);
         self.flow.words(text, HEADING, 0.0);
@@ -158,6 +166,7 @@ impl Writer {
                 self.flow.skip(2.0);
             }),
             Block::Table { head, rows } => table::draw(&mut self.flow, head, rows),
+            Block::Motion(..) => {}
             Block::Picture(picture) => {
                 let drawing = Drawing::of(&picture.chart, DRAWN);
                 let height = height(&drawing);
@@ -240,10 +249,10 @@ impl Writer {
     }
 }
 
-/// A picture laid out.
-fn drawn(block: &Block) -> Option<(&Picture, Drawing)> {
+/// A picture laid out so wide \[px\].
+fn drawn(block: &Block, width: f64) -> Option<(&Picture, Drawing)> {
     match block {
-        Block::Picture(picture) => Some((picture, Drawing::of(&picture.chart, DRAWN))),
+        Block::Picture(picture) => Some((picture, Drawing::of(&picture.chart, width))),
         _ => None,
     }
 }

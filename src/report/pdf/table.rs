@@ -64,20 +64,24 @@ fn of(row: &Row, widths: &[f64]) -> f64 {
 
 /// Of a row \[pt\].
 fn height<'a>(cells: impl Iterator<Item = &'a str>, style: Style, widths: &[f64]) -> f64 {
-    let most = cells.zip(widths).map(|(cell, width)| lines(cell, style, width - INDENT).len()).max().unwrap_or(1);
+    let indented = |i: usize| if i == 0 { INDENT } else { 0.0 };
+    let cells = cells.zip(widths).enumerate();
+    let most = cells.map(|(i, (cell, width))| lines(cell, style, width - indented(i)).len()).max().unwrap_or(1);
     most as f64 * style.leading() + 2.0 * PAD
 }
 
 /// Each column has room for its widest word, and of what is left as much as its cells want of it.
 fn widths(head: &[&str], rows: &[Row]) -> Vec<f64> {
     let room = WIDTH - GAP * (head.len() - 1) as f64;
+    // No column takes more than half of it from the others.
     let most = 0.5 * room;
     let of = |i: usize, measure: &dyn Fn(&str, Style) -> f64| {
         let cells = rows.iter().filter_map(|row| row.cells.get(i)).map(|cell| measure(cell, CELL.bold()));
         cells.fold(measure(head[i], HEAD), f64::max) + INDENT + 1.0
     };
-    let least: Vec<f64> = (0..head.len()).map(|i| of(i, &widest_word).min(most / head.len() as f64 * 2.0)).collect();
-    let wanted: Vec<f64> = (0..head.len()).map(|i| of(i, &|text, style| style.width(text)).max(least[i])).collect();
+    let columns = 0..head.len();
+    let least: Vec<f64> = columns.clone().map(|i| of(i, &widest_word).min(2.0 * most / head.len() as f64)).collect();
+    let wanted: Vec<f64> = columns.map(|i| of(i, &|text, style| style.width(text)).min(most).max(least[i])).collect();
     let (sure, all): (f64, f64) = (least.iter().sum(), wanted.iter().sum());
     if all <= room {
         // The last column takes what none needs.
