@@ -12,6 +12,7 @@ mod markdown;
 mod pdf;
 mod program;
 mod results;
+mod sizes;
 mod sketch;
 mod solved;
 mod solver;
