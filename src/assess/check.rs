@@ -81,15 +81,23 @@ fn line(label: impl Into<Message>, value: impl Into<Message>, meaning: impl Into
     Line { label: label.into(), value: value.into(), meaning: meaning.into() }
 }
 
+/// A distance from the axis or symmetry plane \[mm\] as shops have it: of a round part the diameter.
+fn size_of(model: &Model, half: f64) -> Message {
+    match model.geometry {
+        Geometry::Axisymmetric => message!("Ø {diameter}", diameter = Amount::size(2.0 * half)),
+        Geometry::PlaneStrain => message!("{half}", half = Amount::size(half)),
+    }
+}
+
 fn blank(model: &Model, lines: &mut Vec<Line>) {
     let blank = &model.blank;
     let whole = Amount::size(2.0 * blank.length);
-    let (geometry, size) = match model.geometry {
-        Geometry::Axisymmetric => ("axisymmetric", message!("radius, {whole} diameter", whole = whole)),
+    let (geometry, meaning) = match model.geometry {
+        Geometry::Axisymmetric => ("axisymmetric", Message::default()),
         Geometry::PlaneStrain => ("plane strain", message!("half length, {whole} in all", whole = whole)),
     };
     lines.push(line("geometry", geometry, model.extent().described()));
-    lines.push(line("blank", Amount::size(blank.length), size));
+    lines.push(line("blank", size_of(model, blank.length), meaning));
     lines.push(line("thickness", Amount::size(blank.thickness), ""));
     let volume = Amount::new(model.extent().area(blank.length) * blank.thickness, Unit::None, Digits::Significant(3));
     let volume = match model.extent() {

@@ -32,6 +32,7 @@ mod press;
 mod redraw_ratio;
 mod run;
 mod sharp_corner;
+mod size;
 mod springback;
 mod stop;
 mod strength;
@@ -72,6 +73,11 @@ enum After {
 
 /// What is asked of a case, in the order of telling.
 const BEFORE: &[Before] = &[
+    Before::Model(size::width),
+    Before::Model(size::thickness),
+    Before::Model(size::slender),
+    Before::Model(size::blank_diameter),
+    Before::Model(size::throat_diameter),
     Before::Case(two_sheets::mixed),
     Before::Case(two_sheets::thickness),
     Before::Model(strength::unusual),

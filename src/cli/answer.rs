@@ -14,7 +14,7 @@ pub fn answered(case: &str, answer: &Answer, findings: &[Finding], form: Form) -
             Cell::plain(number.about.told(form)),
         ]
     });
-    let mut shown = sentence(case, answer, form) + "\n".into() + judged(findings, form);
+    let mut shown = sentence(case, answer, "", form) + "\n".into() + judged(findings, form);
     shown = shown + table(None, numbers.collect());
     let warnings = sentences(findings, Kind::Warning);
     if !warnings.is_empty() {
@@ -34,10 +34,10 @@ pub fn answered(case: &str, answer: &Answer, findings: &[Finding], form: Form) -
         )
 }
 
-/// `cup: RED – it tears in the wall`: one line where several cases are told.
-pub fn sentence(case: &str, answer: &Answer, form: Form) -> Shown {
+/// `cup: RED – it tears in the wall`: one line where several cases are told, with `more` at its end.
+pub fn sentence(case: &str, answer: &Answer, more: &str, form: Form) -> Shown {
     let light = Message::from(answer.light.name()).told(form).to_uppercase();
-    let line = format!("{case}: {light}: {}.", answer.sentence.told(form));
+    let line = format!("{case}: {light}: {}. {more}", answer.sentence.told(form));
     toned(&line, &light, Tone::of(answer.light))
 }
 

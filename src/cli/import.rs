@@ -11,6 +11,7 @@ use stampflow::files::{Disk, FileError, Files};
 use stampflow::import::{self, DrawingUnit, Heading, Operation, Options, Section, Sections};
 use stampflow::model::{Geometry, Role};
 use stampflow::output::{png, sketch, write};
+use stampflow::rules::size::{DOUBTS, Doubt};
 use stampflow::units::{Length, Positive, Quantity};
 use std::fmt::Write;
 use std::path::PathBuf;
@@ -161,8 +162,17 @@ pub fn import(args: &Args) -> anyhow::Result<Code> {
     let case = draft.case(&text, &drawing.to_string()).with_context(|| drawing.to_string())?;
     write(&out, text.as_bytes())?;
     write(&picture, &png(&sketch(&name, args.geometry, &sections)))?;
-    let derived = case.map_or_else(Vec::new, |case| case.derived);
-    let notes: Vec<String> = sections.notes.iter().cloned().chain(derived).chain(draft.doubts()).collect();
+    let mut notes = sections.notes.clone();
+    let mut doubts = draft.doubts();
+    if let Some(case) = case {
+        // A drawing in a wrong unit makes a case in a wrong unit: that is said once.
+        if doubts.is_empty() {
+            let of_case = DOUBTS.iter().filter_map(|doubt| doubt(case.model()));
+            doubts.extend(of_case.map(|Doubt { found, advice, .. }| format!("{found}: {advice}")));
+        }
+        notes.extend(case.derived);
+    }
+    notes.extend(doubts);
     if args.json.json {
         let tool = |tool: &Section| json!({ "tool": tool.role.name(), "pieces": tool.profile.pieces().len(), "made_of": tool.made_of });
         let tools: Vec<_> = sections.tools.iter().map(tool).collect();

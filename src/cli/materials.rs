@@ -12,7 +12,6 @@ use stampflow::case::library::{self, Entry};
 use stampflow::forming_limit::{Curve, Hill, Kind, MarciniakKuczynski};
 use stampflow::output::{Chart, flow_curve, png, write};
 use stampflow::units::rounded;
-use std::fmt::Write;
 use std::path::PathBuf;
 
 pub const HELP: &str = "\
@@ -63,7 +62,7 @@ pub fn materials(args: &Args) -> Result<Code> {
         place::replaced(path, &picture[..PNG], "--plot")?;
         place::file(path, &[], "--plot")?;
         write(path, &picture)?;
-        text += &format!("\n{} written\n", path.display());
+        text = text + format!("\n{} written\n", path.display()).into();
     }
     if args.json.json { say_json(&of(&entry)) } else { say(text) }
 }
@@ -98,7 +97,7 @@ fn list(entries: &[Entry]) -> Shown {
 }
 
 /// Everything that is known of a material, and the table to paste.
-fn describe(entry: &Entry) -> String {
+fn describe(entry: &Entry) -> Shown {
     let Entry { name, title, material, .. } = entry;
     let n = entry.n().map_or(UNKNOWN.to_owned(), |n| format!("{n:.4}, the uniform strain of the law"));
     let limit = entry.forming_limit().map_or(UNKNOWN.to_owned(), |curve| {
@@ -124,11 +123,10 @@ fn describe(entry: &Entry) -> String {
         ("read", entry.grade.clone() + if entry.grade == "A" { ", in that source" } else { ", where that is quoted" }),
         ("licence", entry.licence.clone()),
     ];
-    let mut text = format!("{name}: {title}\n\n");
-    for (label, value) in known.into_iter().chain(entry.notes.iter().map(|note| ("note", note.clone()))) {
-        let _ = writeln!(text, "  {label:<12}{value}");
-    }
-    text + &format!("\nIn a case:\n\n[material]\nname = \"{name}\"\n\nor all of it:\n\n{}", entry.text)
+    let known = known.into_iter().chain(entry.notes.iter().map(|note| ("note", note.clone())));
+    let rows = known.map(|(label, value)| [Cell::plain(format!("  {label}")), Cell::plain(value)]);
+    let paste = format!("\nIn a case:\n\n[material]\nname = \"{name}\"\n\nor all of it:\n\n{}", entry.text);
+    Shown::from(format!("{name}: {title}\n\n")) + table(None, rows.collect()) + paste.into()
 }
 
 /// An entry for programs; the table to paste says the law with its units.

@@ -1,12 +1,15 @@
 //! `stampflow new`: a case file to begin with. Its subcommands and their options are read off the list of templates.
 
 use super::code::{BadPath, Code, unusable};
-use super::say::{say, say_json};
+use super::say::{say, say_json, warn};
 use super::suggested::Suggested;
+use super::table::wrapped;
 use clap::{Arg, ArgAction, ArgMatches, Command, value_parser};
 use serde_json::{Value, json};
 use stampflow::author::templates::{self as template, Choice, SHEET, TEMPLATES, Template};
+use stampflow::case;
 use stampflow::output::{can_write, write};
+use stampflow::rules::size::{DOUBTS, Doubt};
 use std::path::{Path, PathBuf};
 
 /// What was asked for.
@@ -28,11 +31,15 @@ pub enum Args {
 pub fn new(args: &Args) -> anyhow::Result<Code> {
     let (template, given, output, force, json) = match args {
         Args::List { json: true } => return say_json(&TEMPLATES.iter().map(of).collect::<Vec<_>>()),
-        Args::List { json: false } => return say(template::list()),
+        Args::List { json: false } => return say(wrapped(&template::list())),
         Args::Case { template, given, output, force, json } => (template, given, output, force, json),
     };
     let given: Vec<(&str, &str)> = given.iter().map(|(key, value)| (*key, value.as_str())).collect();
     let text = template.fill(&given)?;
+    let case = case::parse(&text, template.name, &[])?;
+    for Doubt { found, advice, .. } in DOUBTS.iter().filter_map(|doubt| doubt(case.model())) {
+        warn(format!("warning: {found}: {advice}"));
+    }
     let Some(path) = output else {
         return if *json { say_json(&json!({ "template": template.name, "case": text })) } else { say(text) };
     };

@@ -198,7 +198,8 @@ impl Args {
     ) -> Shown {
         let (name, form) = (&results.solution.case.name, self.form.form());
         if self.cases.len() > 1 && !self.verbose {
-            return answer::sentence(name, answer, form);
+            let written = files.map(|files| format!("{} files in {}", files.len(), dir.display()));
+            return answer::sentence(name, answer, &written.unwrap_or_default(), form);
         }
         let mut shown = answer::answered(name, answer, findings, form);
         if self.verbose {

@@ -77,7 +77,10 @@ pub(super) fn of_part(
     let mut said: BTreeMap<&str, usize> = BTreeMap::new();
     for Placed { listed, .. } in entities.iter().filter(ours).filter(|entity| entity.curve.is_none()) {
         if !SAID.contains(&listed.kind.as_str()) {
-            let help = "redraw or explode it to lines, arcs and polylines, or move it to another layer";
+            let help = match listed.kind.as_str() {
+                "INSERT" => "its block is in another file, or lies across the drawing's plane: bind or explode it",
+                _ => "redraw or explode it to lines, arcs and polylines, or move it to another layer",
+            };
             let place = frame.place(frame.point(listed.at[0], listed.at[1]));
             let what = format!("{listed} at {place} cannot be part of the {name}'s profile");
             return Err(ImportError::new(what, help).at(listed.line));

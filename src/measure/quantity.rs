@@ -124,29 +124,24 @@ pub fn changes(before: &Shape, after: &Shape) -> Vec<Change> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::message::NO_BREAK;
 
     fn change(key: &str, before: Option<f64>, after: Option<f64>) -> Change {
         Change { quantity: QUANTITIES.iter().find(|q| q.key == key).expect("a quantity"), before, after }
     }
 
-    fn words(message: &Message) -> String {
-        message.to_string().replace(NO_BREAK, " ")
-    }
-
     #[test]
     fn values_have_the_digits_that_a_mesh_supports() {
         let angle = change("wall_angle", Some(-0.311), Some(8.234));
-        assert_eq!(words(&angle.told()), "-0.3° → 8.2°");
-        assert_eq!(words(&angle.quantity.signed(angle.change().expect("both"))), "+8.5°");
-        assert_eq!(words(&angle.quantity.signed(0.04)), "0.0°");
-        assert_eq!(words(&change("height", Some(28.819_725), Some(27.646_222)).told()), "28.8 mm → 27.6 mm");
+        assert_eq!(angle.told().to_string(), "-0.3° → 8.2°");
+        assert_eq!(angle.quantity.signed(angle.change().expect("both")).to_string(), "+8.5°");
+        assert_eq!(angle.quantity.signed(0.04).to_string(), "0.0°");
+        assert_eq!(change("height", Some(28.819_725), Some(27.646_222)).told().to_string(), "28.8 mm → 27.6 mm");
     }
 
     #[test]
     fn a_wall_without_curl_is_called_straight() {
         let curl = change("curl_radius", Some(f64::INFINITY), Some(223.6));
-        assert_eq!((words(&curl.told()), curl.change()), ("straight → 224 mm".to_owned(), None));
-        assert_eq!(words(&change("curl_radius", None, Some(-150.0)).told()), "none → 150 mm inward");
+        assert_eq!((curl.told().to_string(), curl.change()), ("straight → 224 mm".to_owned(), None));
+        assert_eq!(change("curl_radius", None, Some(-150.0)).told().to_string(), "none → 150 mm inward");
     }
 }

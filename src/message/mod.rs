@@ -11,11 +11,15 @@
 
 mod amount;
 mod form;
+#[cfg(feature = "case")]
+mod glossary;
 mod language;
 
 pub use crate::told as message;
 pub use amount::{Amount, Digits};
 pub use form::{Form, NO_BREAK, System};
+#[cfg(feature = "case")]
+pub use glossary::{Term, terms};
 pub use language::{LANGUAGES, Language};
 
 use std::borrow::Cow;

@@ -2,4 +2,5 @@
 
 pub mod design;
 pub mod estimate;
+pub mod size;
 pub mod tool_sizes;

@@ -42,7 +42,9 @@ pub use quantity::Quantity;
 #[cfg(feature = "case")]
 pub use serde::{As, Plain};
 #[cfg(feature = "case")]
-pub(crate) use spelling::{closest, did_you_mean};
+pub use spelling::closest;
+#[cfg(feature = "case")]
+pub(crate) use spelling::did_you_mean;
 pub use types::{
     Angle, Conductivity, Density, Energy, Force, HeatTransfer, Length, LineForce, Number, PerKelvin, Ratio,
     SpecificHeat, Speed, StrainRate, Stress, StressRate, Temperature, Time,

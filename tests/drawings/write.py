@@ -145,11 +145,12 @@ space.add_line((31.5, 0), (31.5, -160), on("OP30_DIE"))
 end = (38.5 - 6 * (1 - math.sin(cone)), -6 * math.cos(cone))
 round = (32.5 + math.sin(cone), end[1] + (end[0] - 32.5 - math.sin(cone)) * -math.tan(cone))
 level = round[1] + math.cos(cone)
-space.add_line((38.5, 160), (38.5, 0), on("OP30_BINDER"))
-space.add_arc((32.5, 0), 6, 310, 360, dxfattribs=on("OP30_BINDER"))
-space.add_line(end, round, on("OP30_BINDER"))
-space.add_arc((32.5, level), 1, 180, 310, dxfattribs=on("OP30_BINDER"))
-space.add_line((31.5, level), (31.5, 160), on("OP30_BINDER"))
+up = 15  # The sleeve is drawn open.
+space.add_line((38.5, 160), (38.5, up), on("OP30_BINDER"))
+space.add_arc((32.5, up), 6, 310, 360, dxfattribs=on("OP30_BINDER"))
+space.add_line((end[0], end[1] + up), (round[0], round[1] + up), on("OP30_BINDER"))
+space.add_arc((32.5, level + up), 1, 180, 310, dxfattribs=on("OP30_BINDER"))
+space.add_line((31.5, level + up), (31.5, 160), on("OP30_BINDER"))
 save(doc, "ezdxf_operations.dxf")
 
 # Faulty ones.
@@ -271,8 +272,9 @@ def two_outlines(doc, space):
 
 
 def no_punch_in_an_operation(doc, space):
-    punch(space)
-    space.add_lwpolyline([(90, -1), (31, -1), (31, -50)], dxfattribs=on("OP30_DIE"))
+    space.add_lwpolyline([(0, 0), (30, 0), (30, 100)], dxfattribs=on("OP20_PUNCH"))
+    for layer in ["OP20_DIE", "OP30_DIE"]:
+        space.add_lwpolyline([(90, -1), (31, -1), (31, -50)], dxfattribs=on(layer))
 
 
 for name, draw in [

@@ -64,7 +64,6 @@ fn every_table_and_text_says_what_its_forces_are_of() {
             let text = format!("{} {} {}", row.found, row.limit, row.advice);
             assert!(!text.contains("half") && !text.contains("twice"), "{text}");
             if row.key == "punch_force" && force == Unit::N {
-                let text = text.replace('\u{a0}', " ");
                 assert!(text.contains(" kN at ") && text.contains("1000 kN"), "{text}");
             }
             if row.key == "energy" {
@@ -78,7 +77,7 @@ fn every_table_and_text_says_what_its_forces_are_of() {
 #[test]
 fn times_are_told_where_they_are_given_or_felt() {
     let limit =
-        "\n[forming_limit]\nkeeler_brazier = {}\nn = 0.05\n[[stages]]\nname = \"back\"\npunch.move = \"-5 mm\"\n";
+        "\n[forming_limit]\nkeeler_brazier = {}\nn = 0.03\n[[stages]]\nname = \"back\"\npunch.move = \"-5 mm\"\n";
     let told = |overrides: &[&str]| {
         let solution = solved(&format!("{CUP}{limit}"), overrides);
         let views = solution.views();

@@ -349,7 +349,7 @@ fn the_summary_of_a_release_has_its_spring_back_and_no_round_off() {
     assert_eq!(json["work_plastic_J_per_mm"], 0.0, "{printed}");
     assert!(json["work_elastic_J_per_mm"].as_f64().unwrap() < 0.0);
     assert!(Summary::of(&drawn::view(&passes[0])).to_string().contains("full travel reached"));
-    let report = solution.summary().lines;
+    let report = solution.summary().lines.to_string();
     let lines: Vec<&str> = report.lines().collect();
     assert!(lines[0].contains("full travel reached: ") && lines[1].contains("full time reached: "), "{report}");
 }

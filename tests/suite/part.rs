@@ -59,7 +59,7 @@ fn a_tear_is_crossed_out_where_the_verdict_has_it() {
     let mut run = drawn::run(&drawn::model(Geometry::Axisymmetric));
     let plain = part(&run);
     let torn = run.frames.last().unwrap().elements[30];
-    run.stop = Stop::Localised { travel: 50.0, s0: torn.s0, share: 0.5, why: String::new() };
+    run.stop = Stop::Localised { travel: 50.0, s0: torn.s0, share: 0.5, why: Default::default() };
     let series = part(&run);
     let callouts = labelled(&series, Look::Callout);
     assert_eq!(callouts[1].0, "tears here");

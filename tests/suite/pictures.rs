@@ -75,7 +75,7 @@ fn captions_say_nothing_little_or_all() {
     let [none, short, full] = [Captions::None, Captions::Short, Captions::Full].map(with);
     let of = |text: &str| [none.contains(text), short.contains(text), full.contains(text)];
     assert_eq!(of("drawn for tests"), [false, true, true], "the title");
-    assert_eq!(of("true to thickness"), [false, true, true], "what the picture shows");
+    assert_eq!(of("The sheet is"), [false, true, true], "what the picture shows");
     assert_eq!(of("The geometry is declared"), [false, false, true], "an assumption");
     assert_eq!(of("Punch travel"), [true; 3], "the legend");
 }

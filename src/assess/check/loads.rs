@@ -1,6 +1,6 @@
 //! What presses and pulls the sheet, in lines: holder, beads, gas.
 
-use super::{Line, line};
+use super::{Line, line, size_of};
 use crate::message::{Amount, Digits, Message, message};
 use crate::model::{Bead, Face, Gas, Model, Motion, Pressure, Role};
 use crate::rules::estimate;
@@ -39,13 +39,13 @@ pub(super) fn holder(model: &Model, strength: f64, lines: &mut Vec<Line>) {
     }
 }
 
-pub(super) fn bead(bead: &Bead) -> Line {
+pub(super) fn bead(model: &Model, bead: &Bead) -> Line {
     let meaning = message!(
-        "from the axis, restraining {restraining}, closing {closing}",
+        "restraining {restraining}, closing {closing}",
         restraining = Amount::force(bead.restraining, Unit::NPerMm),
         closing = Amount::force(bead.closing, Unit::NPerMm)
     );
-    line("bead", Amount::size(bead.at), meaning)
+    line("bead", size_of(model, bead.at), meaning)
 }
 
 pub(super) fn gas(model: &Model, gas: &Gas) -> Line {

@@ -1,5 +1,6 @@
 //! A later stage in a line.
 
+use super::size_of;
 use crate::message::{Amount, Message, message};
 use crate::model::stage::Stage;
 use crate::model::{Mode, Motion};
@@ -8,7 +9,7 @@ use crate::model::{Mode, Motion};
 pub(super) fn describe(stage: &Stage) -> Message {
     let Stage { model, begin, .. } = stage;
     let mut does = Vec::new();
-    does.extend(begin.trim.map(|radius| message!("cut at {radius}", radius = Amount::size(radius))));
+    does.extend(begin.trim.map(|half| message!("cut at {size}", size = size_of(model, half))));
     does.extend(begin.anneal.then(|| "annealed".into()));
     for tool in &model.tools {
         let name = tool.role.name();

@@ -1,12 +1,12 @@
 //! The tools in lines: sizes, radii, travel.
 
-use super::{Line, line, loads};
+use super::{Line, line, loads, size_of};
 use crate::contact::friction::Friction;
 use crate::message::{Amount, Message, message};
-use crate::model::{Model, Role, Tool};
+use crate::model::{Geometry, Model, Role, Tool};
 use crate::rules::design::LIMITING_RATIO;
 use crate::rules::estimate;
-use crate::rules::tool_sizes::{across, extent, mouth, throat, widens};
+use crate::rules::tool_sizes::{extent, mouth, throat, widens};
 
 /// More radii than these are told as a range: they round a curve off.
 const FEW: usize = 4;
@@ -16,7 +16,7 @@ pub(super) fn lines(model: &Model, lines: &mut Vec<Line>) {
     if model.travel > 0.0 {
         lines.push(line("travel", Amount::size(model.travel), pace(model)));
     }
-    lines.extend(model.beads.iter().map(loads::bead));
+    lines.extend(model.beads.iter().map(|bead| loads::bead(model, bead)));
     lines.extend(model.gas.iter().map(|gas| loads::gas(model, gas)));
     if let Some(clearance) = estimate::clearance(model) {
         let over_t = message!("or {ratio}", ratio = Amount::thicknesses(clearance / model.blank.thickness));
@@ -33,21 +33,24 @@ fn of_tool(model: &Model, tool: &Tool) -> Line {
     let (low, high) = extent(tool);
     let bottom = tool.role == Role::Die && throat(tool).is_none();
     let size = match tool.role {
-        Role::Punch => Amount::size(high).into(),
+        Role::Punch => size_of(model, high),
         Role::Die if bottom => Message::from("closed"),
-        Role::Die | Role::Holder => Amount::size(low).into(),
+        Role::Die | Role::Holder => size_of(model, low),
     };
-    let across = across(model.geometry);
+    let is_round = model.geometry == Geometry::Axisymmetric;
     let what = match tool.role {
         Role::Punch if widens(tool, model.travel) => message!(
-            "{across} to the wall, {mouth} at the sheet at the full travel",
-            across = across,
-            mouth = Amount::size(mouth(tool, model.travel))
+            "{wall}, {mouth} at the sheet at the full travel",
+            wall = if is_round { message!("to the wall") } else { message!("half-width to the wall") },
+            mouth = size_of(model, mouth(tool, model.travel))
         ),
-        Role::Punch => message!("{across} to the wall", across = across),
+        Role::Punch if is_round => message!("to the wall"),
+        Role::Punch => message!("half-width to the wall"),
         Role::Die if bottom => "by a bottom that reaches the axis".into(),
-        Role::Die => message!("{across} of the throat", across = across),
-        Role::Holder => message!("{across} of the inner edge", across = across),
+        Role::Die if is_round => message!("of the throat"),
+        Role::Die => message!("half-width of the throat"),
+        Role::Holder if is_round => message!("of the inner edge"),
+        Role::Holder => message!("half-width of the inner edge"),
     };
     let friction = match &tool.friction {
         Friction::Coulomb(_) => Amount::number(tool.friction.largest_coefficient()).into(),

@@ -194,7 +194,7 @@ pub enum HolderForce {
 
 /// Reads and describes an enum of one quantity in all and another per depth.
 macro_rules! in_all_or_per_depth {
-    ($type:ident, $ring:ty, $per_depth:ty, $expected:literal, $name:literal, $examples:expr) => {
+    ($type:ident, $in_all:ty, $per_depth:ty, $expected:literal, $name:literal, $examples:expr) => {
         impl<'de> Deserialize<'de> for $type {
             fn deserialize<D: serde::Deserializer<'de>>(from: D) -> Result<Self, D::Error> {
                 /// The text, after what is no text has been refused with the words of the quantity.
@@ -240,7 +240,7 @@ macro_rules! in_all_or_per_depth {
             }
 
             fn json_schema(_: &mut schemars::SchemaGenerator) -> schemars::Schema {
-                let pattern = crate::units::pattern(&[<$ring as Quantity>::KIND, <$per_depth as Quantity>::KIND]);
+                let pattern = crate::units::pattern(&[<$in_all as Quantity>::KIND, <$per_depth as Quantity>::KIND]);
                 schemars::json_schema!({ "type": "string", "examples": $examples, "pattern": pattern })
             }
         }
