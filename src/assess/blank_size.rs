@@ -6,9 +6,9 @@ use crate::model::{Edge, Model};
 use crate::rules::estimate;
 use crate::table::Unit;
 
-/// A free blank whose area is that of the part, or less.
+/// A free blank whose area is that of the part, or less, where that is not wished.
 pub(super) fn drawn_through(model: &Model) -> Option<Finding> {
-    let free = model.blank.edge == Edge::Free;
+    let free = model.blank.edge == Edge::Free && !model.stop.drawn_through;
     let share = estimate::drawn_share(model).filter(|share| free && *share >= 1.0)?;
     let found = message!(
         "at the full travel the part needs {share} of the blank's area: the blank will be drawn through the die",

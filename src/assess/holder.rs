@@ -1,10 +1,10 @@
 //! Whether the holder holds the sheet.
 
-use super::run::{Run, largest};
-use super::{Finding, Light, strength};
+use super::run::Run;
+use super::{Finding, Light, closing, strength};
 use crate::measure::rests_on_blocks;
-use crate::message::{Amount, message};
-use crate::model::{Model, Motion, Role};
+use crate::message::{Amount, Message, message};
+use crate::model::{Model, Motion, Role, Tool};
 use crate::rules::estimate::{held_from, holder_pressure, tensile_strength};
 use crate::solution::{StageSolution, StepRecord};
 use crate::table::Unit;
@@ -45,20 +45,31 @@ pub(super) fn crushing(model: &Model) -> Option<Finding> {
     )
 }
 
+/// How far a holder that is pressed is lifted until the flange runs out, [`RUN_OUT`] thicknesses wide \[mm\]; `None` of a
+/// stage without one. A narrower flange no longer buckles, and its rim tilts as it goes over the shoulder.
+pub fn holder_lift(stage: &StageSolution) -> Option<f64> {
+    let model = &stage.model;
+    let pressed = |holder: &Tool| matches!(&holder.motion, Motion::Pressed(press) if !press.is_idle());
+    model.tool(Role::Holder).filter(|holder| pressed(holder) && model.release.is_none())?;
+    let width = model.blank.length - held_from(model)?;
+    let held = stage.steps.iter().filter(|step| width - step.draw_in > RUN_OUT * model.blank.thickness);
+    // A holder that has closed over a bead is lifted from there.
+    let closed = stage.closing.map_or(0.0, |closing| closing.way - closing.gap);
+    Some(held.map(|step| closed - step.holder_move).fold(0.0, f64::max))
+}
+
 /// How far the holder is lifted, over the thickness, until the flange runs out; how hard it presses at first, and how much
 /// of its force the rim takes at the end.
 pub(super) fn judge(run: &Run) -> Option<Finding> {
     let first = run.stages.first()?;
     let model = &first.model;
-    let holder = model.tool(Role::Holder)?;
-    if !matches!(&holder.motion, Motion::Pressed(press) if !press.is_idle()) {
-        return None;
+    let lift = holder_lift(first)? / model.blank.thickness;
+    if let Some(gap) = closing::open(first) {
+        let found = message!("not judged: it stands open by {gap} on its bead", gap = Amount::thickness(gap));
+        let judged = Finding::judged("holder", "Holder", Light::Grey, found);
+        return Some(judged.limit("closed on the sheet").advice(closing::advice(model)));
     }
     let last = first.steps.iter().rev().find(|step| step.holder_force > 0.0)?;
-    let thickness = model.blank.thickness;
-    let width = model.blank.length - held_from(model).unwrap_or(0.0);
-    let held = first.steps.iter().filter(|step| width - step.draw_in > RUN_OUT * thickness);
-    let lift = held.map(|step| -step.holder_move / thickness).fold(0.0, f64::max);
     let pressed = holder_pressure(model).unwrap_or(0.0) / tensile_strength(&model.material.hardening);
     let (lifts, presses) = (Light::of(lift, [LIFTED, OFF]), Light::within(pressed, PRESSURE));
     let advice = match presses {
@@ -66,17 +77,16 @@ pub(super) fn judge(run: &Run) -> Option<Finding> {
         _ => "less holder force: the flange is squeezed thinner",
     };
     let found = message!(
-        "lifted by up to {lift}; at first {pressed} of the tensile strength; in the end {share} of its force on the outer {rim}",
-        lift = Amount::thicknesses(lift),
+        "{lifted}; at first {pressed} of the tensile strength; in the end {share} of its force on the outer {rim}",
+        lifted = lifted_by(lift),
         pressed = Amount::share(pressed),
         share = Amount::share(last.rim_share),
         rim = Amount::thicknesses(StepRecord::RIM)
     );
     let limit = message!(
-        "lifted by at most {lifted}, refused above {off}, until the flange is {width} wide; {pressure} of the tensile strength",
+        "lifted by at most {lifted}, refused above {off}; {pressure} of the tensile strength",
         lifted = Amount::thicknesses(LIFTED),
         off = Amount::thicknesses(OFF),
-        width = Amount::thicknesses(RUN_OUT),
         pressure = Amount::given_share(PRESSURE)
     );
     Some(
@@ -87,14 +97,20 @@ pub(super) fn judge(run: &Run) -> Option<Finding> {
     )
 }
 
-/// How far the holder was lifted, over the thickness.
+/// A lift over the thickness, and the span that it is of.
+fn lifted_by(lift: f64) -> Message {
+    message!(
+        "lifted by up to {lift} until the flange is {width} wide",
+        lift = Amount::thicknesses(lift),
+        width = Amount::thicknesses(RUN_OUT),
+    )
+}
+
+/// A holder that is lifted far while there is a flange to be held.
 pub(super) fn lifted(stage: &StageSolution) -> Option<Finding> {
-    let lift = largest(stage, |step| -step.holder_move) / stage.model.blank.thickness;
+    let lift = holder_lift(stage)? / stage.model.blank.thickness;
     (lift > LIFTED).then(|| {
-        let found = message!(
-            "the holder was lifted by up to {lift} as the flange thickened or rose under it",
-            lift = Amount::thicknesses(lift)
-        );
+        let found = message!("the holder is {lifted}: the flange thickens or rises under it", lifted = lifted_by(lift));
         Finding::warning("holder_lift", "Holder", found)
             .against(lift, Unit::None, Amount::thicknesses(LIFTED))
             .at_most(LIFTED, None)

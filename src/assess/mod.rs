@@ -11,6 +11,7 @@ mod blank_size;
 mod bottom_tearing;
 pub mod check;
 mod clearance;
+mod closing;
 mod contact_share;
 mod cut_off;
 mod draw_ratio;
@@ -45,6 +46,7 @@ mod yielding;
 pub use answer::{Answer, KeyNumber, tears_at};
 pub use finding::{Finding, Kind, Light, Limits, Sense, When, advice, headline, judgements, sentences};
 pub use forming_limit::CAREFUL;
+pub use holder::holder_lift;
 
 use crate::case::Case;
 use crate::message::Message;
@@ -81,6 +83,8 @@ const BEFORE: &[Before] = &[
     Before::Case(two_sheets::mixed),
     Before::Case(two_sheets::thickness),
     Before::Model(strength::unusual),
+    Before::Model(closing::closes),
+    Before::Model(closing::drawn),
     Before::Model(holder::idle),
     Before::Model(holder::crushing),
     Before::Tool(bending_radius::small),
@@ -128,6 +132,7 @@ const AFTER: &[After] = &[
     After::Stage(hardening::beyond),
     After::Stage(hardening::other_temperatures),
     After::Stage(contact_share::missed),
+    After::Stage(closing::stays_open),
     After::Stage(holder::lifted),
     After::Stage(holder::rests),
     After::Stage(holder::lost),

@@ -2,6 +2,7 @@
 
 use super::{Finding, Light, run::Run, thinning};
 use crate::message::{Message, message};
+use crate::model::Role;
 use crate::solution::Stop;
 
 /// Red where a stage stopped early, amber where the cup left the die; the stop says why.
@@ -10,12 +11,16 @@ pub(super) fn judge(run: &Run) -> Option<Finding> {
     let (model, stop) = (&last.model, &last.stop);
     let words = match stop {
         Stop::FullTravel if model.release.is_some() => "the tools are taken away".into(),
+        Stop::FullTravel if model.stop.drawn_through => {
+            message!("{stop}, and the cup is not through the die", stop = stop.message())
+        }
         stop => stop.message(),
     };
-    // Many a cup leaves its die at the other end.
     let light = match stop {
-        Stop::DrawnThrough { .. } => Light::Amber,
+        Stop::FullTravel if model.stop.drawn_through && model.release.is_none() => Light::Amber,
         stop if stop.is_complete() => Light::Green,
+        // Many a cup leaves its die at the other end.
+        Stop::DrawnThrough { .. } => Light::Amber,
         _ => Light::Red,
     };
     let stages = 1 + run.case.later().len();
@@ -24,7 +29,8 @@ pub(super) fn judge(run: &Run) -> Option<Finding> {
         all => message!("stage {n} of {all}", n = run.stages.len(), all = all),
     };
     let advice = match stop {
-        Stop::FullTravel | Stop::ContactShare { .. } | Stop::Interrupted { .. } => "",
+        Stop::FullTravel if model.stop.drawn_through => "more travel",
+        Stop::FullTravel | Stop::ContactShare { .. } | Stop::HolderClosed { .. } | Stop::Interrupted { .. } => "",
         Stop::Refused(_) => "a value that the solver can take",
         Stop::Localised { .. } | Stop::Coalesced { .. } | Stop::LoadMaximum { .. } => thinning::ADVICE,
         Stop::PressureMaximum { .. } => {
@@ -36,13 +42,18 @@ pub(super) fn judge(run: &Run) -> Option<Finding> {
         Stop::Arched { .. } => {
             "a holder that keeps the legs from swinging, a larger gap between punch and die, or a shorter travel"
         }
-        Stop::DrawnThrough { .. } => "a shorter travel or a larger blank; more holder force keeps the edge back",
+        Stop::DrawnThrough { .. } => {
+            "[stop] drawn_through = true where it is wished; else a shorter travel or a larger blank, or more holder force, \
+             which keeps the edge back"
+        }
         Stop::ToolsClosed { .. } => "a shorter travel, or a larger gap between punch and die",
         Stop::Creeping { .. } => {
             "coarser elements there, a larger solver.min_step; or look at the shape: the sheet may snap"
         }
         Stop::NoEquilibrium { .. } => "what the stop names; else a finer mesh at the radii (blank.elements)",
     };
-    let found = Message::joined([at, words], ": ");
+    let closes = last.closing.is_some() && model.tool(Role::Punch).is_none();
+    let closing = if closes { "while the holder closes".into() } else { Message::default() };
+    let found = Message::joined([at, closing, words], ": ");
     Some(Finding::judged("stop", "Run", light, found).limit("reaches its end").source("the solver").advice(advice))
 }

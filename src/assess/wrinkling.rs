@@ -1,7 +1,7 @@
 //! Whether the flange would wrinkle: an index, for an axisymmetric run cannot.
 
 use super::nose::NoseEnd;
-use super::{Finding, Light, run::Run};
+use super::{Finding, Light, closing, run::Run};
 use crate::message::{Amount, message};
 use crate::model::{Model, Motion, Role};
 use crate::rules::estimate::{draw_ratio, held_area, siebel_pressure, tensile_strength};
@@ -19,8 +19,14 @@ const GAP: f64 = 1.2;
 /// Siebel's pressure over the least that the holder exerts on the flange's first area, beads' closing force taken off; of a
 /// fixed holder its gap. Of the first stage of an axisymmetric draw.
 pub(super) fn judge(run: &Run) -> Option<Finding> {
-    let model = &run.stages.first()?.model;
+    let first = run.stages.first()?;
+    let model = &first.model;
     draw_ratio(model)?;
+    if let Some(gap) = closing::open(first) {
+        let found = message!("not judged: the holder stands open by {gap}", gap = Amount::thickness(gap));
+        let judged = Finding::judged("wrinkling", "Wrinkle index", Light::Grey, found);
+        return Some(judged.limit("a holder that is closed on the flange").advice(closing::advice(model)));
+    }
     match model.tool(Role::Holder).map(|holder| &holder.motion) {
         Some(Motion::Pressed(press)) if !press.is_idle() => pressed(model, press.force.smallest()),
         Some(Motion::Gap(gap)) => Some(fixed(gap / model.blank.thickness)),

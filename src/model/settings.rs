@@ -143,10 +143,18 @@ pub struct StopRules {
     #[cfg_attr(feature = "case", serde(with = "As::<Option<Positive<Ratio>>>"))]
     #[cfg_attr(feature = "schema", schemars(example = "95 %"))]
     pub contact_share: Option<f64>,
+    /// Ends, as wished, when the cup is through the die: its rim stands in the throat, a thickness behind the shoulder; in every
+    /// stage whose travel is long enough. False when not given: then a run ends early as soon as the rim comes to the throat.
+    #[cfg_attr(feature = "schema", schemars(example = true))]
+    pub drawn_through: bool,
+    /// Ends, as wished, when the holder presses with this force \[N, or N/mm of depth\]: it has closed. Not of a case file.
+    #[cfg_attr(feature = "case", serde(skip))]
+    #[cfg_attr(feature = "schema", schemars(skip))]
+    pub holder_force: Option<f64>,
 }
 
 impl Default for StopRules {
     fn default() -> Self {
-        Self { localised: true, load_drop: None, contact_share: None }
+        Self { localised: true, load_drop: None, contact_share: None, drawn_through: false, holder_force: None }
     }
 }

@@ -61,6 +61,11 @@ impl PiecewiseLinear {
         Self { points }
     }
 
+    /// Every value more by this much.
+    pub fn raised(&self, by: f64) -> Self {
+        Self { points: self.points.iter().map(|(x, value)| (*x, value + by)).collect() }
+    }
+
     /// The points (x, value).
     pub fn points(&self) -> &[(f64, f64)] {
         &self.points

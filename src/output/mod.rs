@@ -15,6 +15,7 @@ mod frame_recorder;
 mod gif;
 pub mod load_travel;
 mod lock;
+mod lzw;
 mod make;
 mod outline;
 mod overlay;

@@ -1,5 +1,6 @@
 //! Rules of die design and sizes of tools, each with its source.
 
+pub(crate) mod bead;
 pub mod design;
 pub mod estimate;
 pub mod size;

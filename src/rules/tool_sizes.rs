@@ -1,6 +1,6 @@
 //! Sizes read off a tool's section, however it was drawn.
 
-use crate::geometry::{Piece, Point};
+use crate::geometry::{Piece, Point, Segment};
 use crate::model::{Geometry, Role, Tool};
 use crate::numerics::bisect;
 
@@ -82,7 +82,28 @@ pub(crate) fn room(punch: &Tool, other: &Tool, least: f64, most: f64) -> f64 {
     free
 }
 
-/// Where the die's corners end and its flat begins [mm].
+/// Where the die's shoulder ends and its flat begins [mm]: at the innermost line on the level of its outermost one, so that
+/// the groove of a bead is no shoulder; of a die without a throat or without such lines where its last corner ends.
 pub(crate) fn shoulder_end(die: &Tool) -> f64 {
+    let level = flat_level(die);
+    let at_level = flats(die).filter(|flat| level.is_some_and(|level| (flat.to.y - level).abs() < ROUNDED));
+    let inner = at_level.map(|flat| flat.from.x.min(flat.to.x)).reduce(f64::min);
+    inner.filter(|_| throat(die).is_some()).unwrap_or_else(|| corners_end(die))
+}
+
+/// Level of the outermost flat of a tool \[mm\].
+pub(crate) fn flat_level(tool: &Tool) -> Option<f64> {
+    flats(tool).max_by(|a, b| a.from.x.max(a.to.x).total_cmp(&b.from.x.max(b.to.x))).map(|flat| flat.to.y)
+}
+
+/// The lines of a section that lie flat, in order.
+fn flats(tool: &Tool) -> impl Iterator<Item = Segment> {
+    tool.profile.pieces().iter().filter_map(|piece| match piece {
+        Piece::Segment(line) if (line.to.y - line.from.y).abs() < ROUNDED => Some(*line),
+        _ => None,
+    })
+}
+
+fn corners_end(die: &Tool) -> f64 {
     die.profile.corners().map(|a| a.at(0.0).x.max(a.at(1.0).x)).fold(extent(die).0, f64::max)
 }

@@ -262,11 +262,24 @@ pub struct StageSolution {
     pub stop: Stop,
     /// How the steps came to equilibrium.
     pub effort: Effort,
+    /// How the holder closed before the punch came; `None` where it lay on the flat sheet.
+    pub closing: Option<Closing>,
     /// What was cut off before the stage began; `None` where nothing was asked for.
     pub trimmed: Option<Trimmed>,
     /// Travel at which the sheet left each of the model's tools \[mm\], which stands still from there on; `None` of those
     /// that it has not left.
     pub left_at: Vec<Option<f64>>,
+}
+
+/// A holder that closed on the die over the sheet before the punch came.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Closing {
+    /// From where it touched the flat sheet to where it is one thickness from the die \[mm\].
+    pub way: f64,
+    /// What of the way was left where its force was reached: how far it stands open \[mm\].
+    pub gap: f64,
+    /// Its force at the end of closing \[N, or N/mm of depth\].
+    pub force: f64,
 }
 
 /// A rim that was cut off before a stage.
@@ -316,6 +329,7 @@ impl StageSolution {
             end: State::default(),
             stop,
             effort: Effort::default(),
+            closing: None,
             trimmed: None,
             left_at: vec![None; model.tools.len()],
             model,

@@ -80,6 +80,13 @@ pub enum Stop {
     DrawnThrough {
         /// Punch travel there \[mm\].
         travel: f64,
+        /// Whether the case asks for it: then the rim has left the die's shoulder.
+        wished: bool,
+    },
+    /// The holder has closed with its force.
+    HolderClosed {
+        /// How far it went \[mm\].
+        travel: f64,
     },
     /// Punch and die come closer than the sheet can be squeezed.
     ToolsClosed {
@@ -133,10 +140,14 @@ pub enum Stop {
 }
 
 impl Stop {
-    /// Whether the run came to the end it was asked for: its full travel or time, or the contact that the part is done
-    /// with. A fallen load is none, though a case may ask for it: the sheet has failed there.
+    /// Whether the run came to the end it was asked for: its full travel or time, the contact that the part is done with, or
+    /// the other side of the die. A fallen load is none, though a case may ask for it: the sheet has failed there.
     pub fn is_complete(&self) -> bool {
-        matches!(self, Stop::FullTravel | Stop::ContactShare { .. })
+        match self {
+            Stop::FullTravel | Stop::ContactShare { .. } | Stop::HolderClosed { .. } => true,
+            Stop::DrawnThrough { wished, .. } => *wished,
+            _ => false,
+        }
     }
 
     /// Whether the sheet or the tools ended the run, not the numerics or the user.
@@ -161,6 +172,7 @@ impl Stop {
             Stop::Localised { .. } => "localised",
             Stop::Coalesced { .. } => "voids coalesced",
             Stop::DrawnThrough { .. } => "drawn through",
+            Stop::HolderClosed { .. } => "holder closed",
             Stop::ToolsClosed { .. } => "tools closed",
             Stop::Interrupted { .. } => "interrupted",
             Stop::Creeping { .. } => "creeping",
@@ -219,10 +231,18 @@ impl Stop {
                 s0 = place(*s0),
                 voids = Amount::share(*porosity)
             ),
-            Stop::DrawnThrough { travel } => message!(
+            Stop::DrawnThrough { travel, wished: false } => message!(
                 "drawn through: the blank's edge has passed the die's throat at {travel} of travel",
                 travel = place(*travel)
             ),
+            Stop::DrawnThrough { travel, wished: true } => message!(
+                "drawn through: at {travel} of travel the rim has left the die's shoulder, the cup is through the die: strip it \
+                 off the punch",
+                travel = place(*travel)
+            ),
+            Stop::HolderClosed { travel } => {
+                message!("holder closed: it has reached its force after {travel}", travel = place(*travel))
+            }
             Stop::ToolsClosed { travel, r, z } => message!(
                 "tools closed: at {travel} of travel punch and die come closer than half the sheet's thickness, near r = {r}, \
                  z = {z}",

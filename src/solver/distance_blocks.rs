@@ -5,7 +5,7 @@ use crate::model::{Model, Role};
 
 /// Distance over the sheet thickness at which the blocks keep holder and die apart \[–\].
 const APART: f64 = 0.5;
-/// Rises of the search, and the one that ends it, over the thickness \[–\].
+/// Rises of the search, and the one that ends it, over the distance that is looked for \[–\].
 const RISES: usize = 200;
 const LAST_RISE: f64 = 1e-6;
 
@@ -22,18 +22,23 @@ pub(super) fn of_holder(model: &Model) -> Option<f64> {
 /// A holder whose face lies under the die's flat stands there with its face half a thickness off the die's. One that faces
 /// the die on a cone or at its shoulder alone comes further, and one that fits into the throat up to the die's other end.
 pub(super) fn height(holder: &Profile, die: &Profile, thickness: f64) -> f64 {
+    rise(holder, die, APART * thickness)
+}
+
+/// Move of a holder, from where it touches the flat sheet and relative to the die, at which the two are this far apart at
+/// their closest place \[mm\].
+pub(super) fn rise(holder: &Profile, die: &Profile, apart: f64) -> f64 {
     let heights = |profile: &Profile| {
         let points = profile.polyline(0.01);
         let low = points.iter().map(|p| p.y).fold(f64::INFINITY, f64::min);
         (low, points.iter().map(|p| p.y).fold(f64::NEG_INFINITY, f64::max))
     };
-    let apart = APART * thickness;
     let ((_, top), (face, end)) = (heights(holder), heights(die));
     // It may rise by what the two are too far apart: no place of them comes closer than by the rise.
     let mut moved = face - top - apart;
     for _ in 0..RISES {
         let spare = holder.distance_to(die, Point::new(0.0, moved)).0 - apart;
-        if spare < LAST_RISE * thickness || moved > end - top {
+        if spare < LAST_RISE * apart || moved > end - top {
             break;
         }
         moved += spare;

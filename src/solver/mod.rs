@@ -2,6 +2,7 @@
 
 mod augmented_lagrangian;
 mod budget;
+mod closing;
 mod converged;
 mod corrector;
 mod distance_blocks;
@@ -34,6 +35,7 @@ use crate::model::{Model, mesh};
 use crate::solution::{StageSolution, StepRecord, Stop};
 use crate::state::State;
 use budget::Budget;
+use closing::Closed;
 use converged::Converged;
 use evaluation::Evaluation;
 use heat::HeatSolver;
@@ -45,6 +47,7 @@ use termination::Termination;
 use time_step::StepControl;
 use trial::Trial;
 
+pub use closing::closing_way;
 pub use observer::{Iterate, Observer};
 pub use stages::{enter, solve};
 
@@ -55,7 +58,20 @@ pub fn run(model: &Model, observer: &mut dyn Observer) -> StageSolution {
     if let Err(error) = model.check() {
         return StageSolution::refused(model.clone(), Stop::Refused(error));
     }
-    run_from(model, State::flat(model, mesh::nodes(model)), observer)
+    from_flat(model, observer)
+}
+
+/// From the flat blank, over which the holder closes first where it must.
+fn from_flat(model: &Model, observer: &mut dyn Observer) -> StageSolution {
+    let Some(way) = closing_way(model) else {
+        return run_from(model, State::flat(model, mesh::nodes(model)), observer);
+    };
+    match closing::close(model, way, observer) {
+        Ok(Closed { model, state, closing }) => {
+            StageSolution { closing: Some(closing), ..run_from(&model, state, observer) }
+        }
+        Err(stopped) => *stopped,
+    }
 }
 
 /// As [`run`], from a given state.

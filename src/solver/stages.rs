@@ -1,9 +1,8 @@
 //! One stage after another: what the sheet and the tools that stay carry over.
 
-use super::{Observer, run_from};
+use super::{Observer, from_flat, run_from};
 use crate::element::surface::STATIONS;
 use crate::geometry::Point;
-use crate::model::mesh;
 use crate::model::stage::Stage;
 use crate::model::{Model, Role, Tool};
 use crate::numerics::Grid;
@@ -30,12 +29,14 @@ pub fn solve(stages: &[Stage], observer: &mut dyn Observer) -> Vec<StageSolution
             solutions.push(StageSolution::refused(stage.model.clone(), Stop::Refused(error)));
             break;
         }
-        let (model, state, trimmed) = match solutions.last() {
-            None => (stage.model.clone(), State::flat(&stage.model, mesh::nodes(&stage.model)), None),
-            Some(before) => begin(stage, before),
-        };
         observer.stage(stage);
-        solutions.push(StageSolution { trimmed, ..run_from(&model, state, observer) });
+        solutions.push(match solutions.last() {
+            None => from_flat(&stage.model, observer),
+            Some(before) => {
+                let (model, state, trimmed) = begin(stage, before);
+                StageSolution { trimmed, ..run_from(&model, state, observer) }
+            }
+        });
     }
     solutions
 }

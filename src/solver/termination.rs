@@ -15,6 +15,10 @@ use crate::state::{State, waiting_displacement};
 const GONE: f64 = 0.2;
 /// Share of the run over which a neck must have kept its lead \[–\].
 const LASTING: f64 = 0.01;
+/// How far behind the shoulder's end the rim stands when the cup is through the die, over the initial thickness \[–\].
+const THROUGH: f64 = 1.0;
+/// Difference of two sizes over the thickness that is none \[–\].
+const ROUND_OFF: f64 = 1e-6;
 /// Distance of two rigid tools over the initial thickness at which the run ends \[–\].
 const CLOSED: f64 = 0.5;
 
@@ -23,9 +27,11 @@ const CLOSED: f64 = 0.5;
 struct Throat {
     /// Which of the model's tools the die is.
     die: usize,
-    /// Least distance of the die from the axis, and its lowest place as drawn \[mm\].
+    /// Least distance of the die from the axis, its lowest place as drawn, and the lowest of that distance, where the shoulder
+    /// ends \[mm\].
     radius: f64,
     face: f64,
+    end: f64,
 }
 
 /// What ends a run, in the order of precedence.
@@ -37,11 +43,19 @@ enum Rule {
     ContactShare,
     LoadDrop,
     Localised,
+    HolderClosed,
 }
 
 impl Rule {
-    const ALL: [Rule; 6] =
-        [Rule::ToolsClosed, Rule::DrawnThrough, Rule::Coalesced, Rule::ContactShare, Rule::LoadDrop, Rule::Localised];
+    const ALL: [Rule; 7] = [
+        Rule::ToolsClosed,
+        Rule::DrawnThrough,
+        Rule::Coalesced,
+        Rule::ContactShare,
+        Rule::LoadDrop,
+        Rule::Localised,
+        Rule::HolderClosed,
+    ];
 }
 
 /// What the states of a run said so far of its end, the last one included; a step that is not accepted leaves no trace.
@@ -67,8 +81,11 @@ impl Termination {
         let die = model.tools.iter().position(|tool| tool.role == Role::Die);
         let throat = die.map(|die| {
             let profile = &model.tools[die].profile;
-            let face = profile.polyline(0.01).iter().map(|p| p.y).fold(f64::INFINITY, f64::min);
-            Throat { die, radius: profile.least_r(), face }
+            let (points, radius) = (profile.polyline(0.01), profile.least_r());
+            let lowest =
+                |within: f64| points.iter().filter(|p| p.x <= within).map(|p| p.y).fold(f64::INFINITY, f64::min);
+            let end = lowest(radius + ROUND_OFF * model.blank.thickness);
+            Throat { die, radius, face: lowest(f64::INFINITY), end }
         });
         let throat = throat.filter(drawn_in);
         Self { necking_since: None, peak: 0.0, throat, closed: closed(model, state), neck: None, excess: -1.0 }
@@ -107,14 +124,19 @@ impl Termination {
             Rule::DrawnThrough => self.throat.as_ref().map_or(f64::NAN, |throat| {
                 // A free leg that has swung down below the die's face stands within the throat too, and has yet to pass it.
                 let [r, z, _] = state.nodes[state.nodes.len() - 1];
-                let passed = (throat.radius - r).min(z - state.tools[throat.die].y - throat.face);
-                passed / model.blank.thickness
+                let (within, height) = (throat.radius - r, z - state.tools[throat.die].y);
+                if model.stop.drawn_through {
+                    (height - throat.end) / model.blank.thickness - THROUGH
+                } else {
+                    within.min(height - throat.face) / model.blank.thickness
+                }
             }),
             Rule::Coalesced => beyond(record.porosity, model.material.gtn.map(|voids| voids.fracture())),
             Rule::ContactShare => beyond(record.contact_share, model.stop.contact_share),
             Rule::LoadDrop => {
                 beyond(1.0 - record.punch_force / self.peak, model.stop.load_drop.filter(|_| self.peak > 0.0))
             }
+            Rule::HolderClosed => beyond(record.holder_force, model.stop.holder_force),
             Rule::Localised => self.neck.filter(|_| model.stop.localised).map_or(f64::NAN, |neck| {
                 let lasted = self.necking_since.map_or(0.0, |since| model.process_time(since, state.time - since));
                 (lasted / (LASTING * model.duration) - 1.0).max(1.0 - neck.share / GONE)
@@ -134,7 +156,7 @@ impl Termination {
                 let (travel, at) = self.closed?;
                 Stop::ToolsClosed { travel, r: at.x, z: at.y }
             }
-            Rule::DrawnThrough => Stop::DrawnThrough { travel },
+            Rule::DrawnThrough => Stop::DrawnThrough { travel, wished: model.stop.drawn_through },
             Rule::Coalesced => Stop::Coalesced { travel, s0: record.porous_s0, porosity: record.porosity },
             Rule::ContactShare => {
                 Stop::ContactShare { share: record.contact_share, asked: model.stop.contact_share?, time, travel }
@@ -146,6 +168,7 @@ impl Termination {
                 unit: model.extent().force_unit(),
             },
             Rule::Localised => localised(model, state, &self.neck?),
+            Rule::HolderClosed => Stop::HolderClosed { travel },
         })
     }
 }

@@ -1,7 +1,7 @@
 //! Runs that end for want of equilibrium are named after what the sheet does: it bursts, arches, or nothing holds it.
 
 use stampflow::Observer;
-use stampflow::assess;
+use stampflow::assess::{self, Light};
 use stampflow::case::{self, Case};
 use stampflow::solution::{StageSolution, StepRecord, Stop};
 use stampflow::solver::solve;
@@ -122,4 +122,46 @@ impl Observer for Tries {
         self.steps += 1;
         self.rejected += record.rejected;
     }
+}
+
+/// The quickstart, pushed on through its die, with and without the wish for it.
+///
+/// Trust: where the rim stands by the shape of the die alone, a thickness behind the end of the shoulder; the load has fallen
+/// to what rubs in the throat, by the quickstart's thick rim a seventh of the peak.
+#[test]
+fn a_cup_that_is_to_go_through_the_die_ends_as_wished_behind_the_shoulder() {
+    let text = std::fs::read_to_string("cases/quickstart.toml").expect("shipped");
+    let run = |overrides: &[&str]| {
+        let overrides: Vec<String> = overrides.iter().map(|o| (*o).to_owned()).collect();
+        let case = case::parse(&text, "cup.toml", &overrides).unwrap_or_else(|e| panic!("{}", e.render(false)));
+        let stages = solve(&case.stages, &mut ());
+        let found = assess::after(&case, &stages);
+        let run = found.into_iter().find(|finding| finding.key == "stop").expect("the stop is judged");
+        (stages.into_iter().next().expect("one stage"), run)
+    };
+    let through = |travel: &'static str| run(&[travel, "stop.drawn_through=true"]);
+    let (stage, judged) = through("tools.punch.travel=60 mm");
+    assert!(
+        matches!(stage.stop, Stop::DrawnThrough { wished: true, .. }) && stage.stop.is_complete(),
+        "{}",
+        stage.stop
+    );
+    assert!(judged.light == Light::Green && judged.found.to_string().contains("strip it off the punch"), "{judged:?}");
+    let rim = stage.end.nodes.last().expect("a rim");
+    // The shoulder of 6 mm begins half a thickness above the sheet's middle. Found to a thousandth of a step of 0.6 mm.
+    let end = 0.5 + 6.0 + 1.0;
+    assert!(rim[1] >= end && rim[1] < end + 1e-2, "{rim:?}");
+    let peak = stage.steps.iter().map(|step| step.punch_force).fold(0.0, f64::max);
+    assert!(stage.steps.last().expect("steps").punch_force < 0.2 * peak);
+
+    let (early, judged) = run(&["tools.punch.travel=60 mm"]);
+    assert!(
+        matches!(early.stop, Stop::DrawnThrough { wished: false, .. }) && !early.stop.is_complete(),
+        "{}",
+        early.stop
+    );
+    assert_eq!(judged.light, Light::Amber, "{judged:?}");
+    let (short, judged) = through("tools.punch.travel=30 mm");
+    assert_eq!((&short.stop, judged.light), (&Stop::FullTravel, Light::Amber));
+    assert!(judged.found.to_string().contains("not through the die"), "{judged:?}");
 }

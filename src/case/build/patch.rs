@@ -85,6 +85,7 @@ pub(super) fn at_rest(before: &Model, first: &Model, standing: Vec<Tool>) -> Mod
             motion => *motion = Motion::Fixed,
         }
     }
-    model.stop = StopRules { localised: first.stop.localised, ..StopRules::default() };
+    let StopRules { localised, drawn_through, .. } = first.stop;
+    model.stop = StopRules { localised, drawn_through, ..StopRules::default() };
     model
 }

@@ -6,6 +6,7 @@ use super::values::count;
 use crate::case::file;
 use crate::case::{CaseError, source::Source};
 use crate::model::{ModelError, Role, Settings, StopRules, Tool};
+use crate::rules::tool_sizes::throat;
 use crate::units::{Quantity, rounded};
 
 pub(super) fn check(settings: &Settings, source: &Source) -> Result<(), CaseError> {
@@ -44,6 +45,11 @@ pub(super) fn stop(rules: &StopRules, tools: &[Tool], source: &Source) -> Result
     if rules.contact_share.is_some() && tools.iter().all(|tool| tool.role == Role::Holder) {
         let what = "`contact_share` asks for contact with a punch or a die, and there is none";
         return Err(source.error(path, what, "add [tools.die], or drop it"));
+    }
+    let opens = |die: &Tool| die.role == Role::Die && throat(die).is_some();
+    if rules.drawn_through && !tools.iter().any(opens) {
+        let what = "`drawn_through` asks for a cup that is pushed through the die, and no die is open";
+        return Err(source.error("stop.drawn_through", what, "drop it, or give the die a throat"));
     }
     Ok(())
 }

@@ -1,6 +1,7 @@
 //! What forming took, and what the part came out as.
 
 use super::{Group, Summary, Value, largest};
+use crate::assess::holder_lift;
 use crate::forming_limit::Assessment;
 use crate::measure::{Shape, part_height, thickest};
 use crate::message::{Amount, Digits, message};
@@ -141,13 +142,21 @@ impl Summary {
     pub(super) fn holder(&mut self, model: &Model, run: &StageSolution) {
         let largest = |value| largest(run, value);
         if model.tool(Role::Holder).is_some() && model.release.is_none() {
+            let unit = model.extent().force_unit();
+            if let Some(closing) = run.closing {
+                self.number("closing_way", "Way of the holder to close over the sheet", Amount::place(closing.way));
+                self.number("closing_gap", "  stands open by", Amount::thickness(closing.gap));
+                self.number("closing_force", "  with a force of", Amount::force(closing.force, unit));
+            }
             let width = Amount::thicknesses(StepRecord::RIM);
             let rim = message!("last share on the outer {width}", width = width);
-            let peak = Amount::force(largest(|s| s.holder_force), model.extent().force_unit());
+            let peak = Amount::force(largest(|s| s.holder_force), unit);
             self.number("peak_holder_force", "Largest holder force", peak);
             let shares = run.steps.iter().rev().find(|s| s.holder_force > 0.0).map_or(0.0, |s| s.rim_share);
             self.labelled("rim_share", 1, rim, Value::Number(Amount::share(shares)));
-            self.number("holder_lift", "  lifted by up to", Amount::thickness(largest(|s| -s.holder_move)));
+            if let Some(lift) = holder_lift(run) {
+                self.number("holder_lift", "  lifted by up to, while there is a flange", Amount::thickness(lift));
+            }
         }
     }
 }

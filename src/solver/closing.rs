@@ -1,0 +1,99 @@
+//! The holder that closes on the die over the sheet before the punch comes, where the two cannot both lie on the flat sheet:
+//! a drawn bead, a cone, a curved face.
+//!
+//! The punch stands away. The holder goes towards the die until it presses with the force that it has when the draw begins,
+//! or, at a fixed gap, until it stands there; it may end short of that, with a gap.
+
+use super::stages::enter;
+use super::{Observer, distance_blocks, run_from};
+use crate::geometry::Point;
+use crate::model::{Beginning, Edge, Model, Motion, Role, Stage, StopRules, mesh};
+use crate::solution::{Closing, StageSolution};
+use crate::state::State;
+
+/// Way over the thickness up to which holder and die count as lying on the flat sheet \[–\].
+const LIES: f64 = 0.1;
+/// How far the holder may go on into the sheet that it has closed on, over the thickness \[–\]: any force is reached there.
+const SQUEEZE: f64 = 0.05;
+
+/// How far a model's holder goes towards the die from where it touches the flat sheet until the two, at their closest place,
+/// are one thickness apart, or the gap that is held \[mm\]; `None` where they lie on the flat sheet so, where the holder has no
+/// force, and where they do not meet over the blank.
+pub fn closing_way(model: &Model) -> Option<f64> {
+    let (holder, die) = (model.tool(Role::Holder)?, model.tool(Role::Die)?);
+    let apart = match &holder.motion {
+        Motion::Gap(gap) => *gap,
+        Motion::Pressed(press) if !press.is_idle() => model.blank.thickness,
+        _ => return None,
+    };
+    let way = distance_blocks::rise(&holder.profile, &die.profile, apart);
+    let (distance, at) = holder.profile.distance_to(&die.profile, Point::new(0.0, way));
+    let meets = distance < (1.0 + LIES) * apart && at.x < model.blank.length;
+    let held = !matches!(model.blank.edge, Edge::Pulled { .. });
+    (meets && held && model.release.is_none() && way > LIES * model.blank.thickness).then_some(way)
+}
+
+/// A model whose holder has closed, ready to be drawn, and the state that it begins with.
+pub(super) struct Closed {
+    pub model: Model,
+    pub state: State,
+    pub closing: Closing,
+}
+
+/// Closes the holder over the flat blank.
+///
+/// # Errors
+/// The solution that ended on the way.
+pub(super) fn close(model: &Model, way: f64, observer: &mut dyn Observer) -> Result<Closed, Box<StageSolution>> {
+    let apart = closing_model(model, way);
+    let flat = State::flat(&apart, mesh::nodes(&apart));
+    let solution = run_from(&apart, flat, &mut Unseen(observer));
+    let last = solution.steps.last().copied().unwrap_or_default();
+    let closing = Closing { way, gap: (way - last.travel).max(0.0), force: last.holder_force };
+    if !solution.stop.is_complete() {
+        return Err(Box::new(StageSolution { closing: Some(closing), ..solution }));
+    }
+    let mut model = model.clone();
+    for tool in &mut model.tools {
+        if let Motion::Pressed(press) = &mut tool.motion {
+            // A spring has its preload where the holder is closed.
+            press.force = press.force.raised(press.stiffness * last.travel);
+        }
+    }
+    let meets = model.tool(Role::Punch).map(|punch| punch.role).into_iter().collect();
+    let begin = Beginning { meets, ..Beginning::default() };
+    let stage = Stage { name: String::new(), model, begin };
+    let state = enter(&stage, &apart, solution.end);
+    Ok(Closed { model: stage.model, state, closing })
+}
+
+/// The model without its punch and its other loads, its holder on the way to the die.
+fn closing_model(model: &Model, way: f64) -> Model {
+    let mut model = model.clone();
+    model.tools.retain(|tool| tool.role != Role::Punch);
+    let (mut force, mut travel) = (None, way);
+    for tool in model.tools.iter_mut().filter(|tool| tool.role == Role::Holder) {
+        if let Motion::Pressed(press) = &tool.motion {
+            force = Some(press.force.at(0.0)).filter(|force| *force > 0.0);
+            travel = way + SQUEEZE * model.blank.thickness;
+        }
+        tool.motion = Motion::Path(Point::new(0.0, travel));
+    }
+    model.stop = StopRules { localised: model.stop.localised, holder_force: force, ..StopRules::default() };
+    (model.travel, model.duration, model.schedule) = (travel, travel / model.speed, None);
+    model.frames = vec![model.duration];
+    (model.beads, model.gas, model.forming_limit) = (Vec::new(), Vec::new(), None);
+    if let Some(heat) = &mut model.heat {
+        heat.flow = None;
+    }
+    model
+}
+
+/// Shows nothing of the closing to an observer, who may still end it.
+struct Unseen<'a>(&'a mut dyn Observer);
+
+impl Observer for Unseen<'_> {
+    fn wants_to_stop(&mut self) -> bool {
+        self.0.wants_to_stop()
+    }
+}
