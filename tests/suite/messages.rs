@@ -31,7 +31,11 @@ impl Observer for Few {
 /// Everything that is told of a case: its check, its verdict, its summary.
 fn told(solution: &Solution) -> Vec<Message> {
     let check = assess::check::report(&solution.case);
-    let lines = check.lines.iter().flat_map(|line| [line.label.clone(), line.value.clone(), line.meaning.clone()]);
+    let lines = check
+        .lines
+        .iter()
+        .chain(&check.details)
+        .flat_map(|line| [line.label.clone(), line.value.clone(), line.meaning.clone()]);
     let findings = assess::after(&solution.case, &solution.stages);
     let answer = Answer::of(&solution.case, &solution.stages, &findings);
     let numbers = answer.numbers.iter().flat_map(|number| [number.label.into(), number.about.clone()]);
