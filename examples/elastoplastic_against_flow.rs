@@ -41,7 +41,7 @@ fn compare(path: &str, picture: &Path) -> Result<(), String> {
         by_elastoplastic.iter().filter(|p| p.1 > 0.0).map(|&(x, force)| (x, 100.0 * (at(&by_flow, x) / force - 1.0)));
     // The first tenth is off the scale: the flow law has no elastic part to go through.
     let difference = difference.filter(|p| p.0 > 0.1 * case.model().travel).collect();
-    let [x, y] = [TRAVEL, PUNCH_FORCE].map(|field| field.axis(case.model().geometry));
+    let [x, y] = [TRAVEL, PUNCH_FORCE].map(|field| field.axis(case.model().extent()));
     let chart = Chart {
         title: format!("{}, elastoplastic and flow", case.model().title),
         legend: "",

@@ -7,7 +7,6 @@ mod random_die;
 
 use random_die::{RandomDie, random_die};
 use stampflow::output::StageView;
-use stampflow::table::force_unit;
 use std::path::Path;
 use std::process::ExitCode;
 use std::time::Instant;
@@ -49,7 +48,7 @@ fn run() -> Result<(), String> {
         last.travel,
         model.travel,
         last.punch_force,
-        force_unit(model.geometry).symbol(),
+        model.extent().force_unit().symbol(),
         last.thinnest,
         model.blank.thickness,
         run.steps.len(),

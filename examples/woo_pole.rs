@@ -32,13 +32,13 @@ fn main() -> ExitCode {
 fn draw(picture: &Path) -> Result<(), String> {
     let case = case::load(CASE, &[]).map_err(|error| error.to_string())?;
     let run = stampflow::run(case.model(), &mut ());
-    let geometry = case.model().geometry;
+    let extent = case.model().extent();
     let panel = |field: &Field<StepRecord>, column: &str, height: f64| {
         let series = vec![
             Series::new("With the normal stress", TRAVEL.against(field, &run.steps), Look::curve(0)),
             Series::new("Without it (version 0.1.0)", record(column)?, Look::curve(1)),
         ];
-        let (x, y) = (TRAVEL.axis(geometry), field.axis(geometry));
+        let (x, y) = (TRAVEL.axis(extent), field.axis(extent));
         Ok::<_, String>(Panel { x, y, series, scale: Scale::Fit { height, least: 0.0 } })
     };
     let thickness = panel(&THINNEST, "thinnest_mm", 250.0)?;

@@ -43,8 +43,8 @@
 //! | w | carried stress of the primal-dual matrix | MPa | [`material::flow::Iterate`] |
 //! | g, p, N, T | gap, contact pressure, normal force, friction | mm, MPa, N | [`contact`] |
 //!
-//! Axisymmetric forces are totals over the whole ring; plane-strain forces are per mm of depth of the half that is
-//! modelled.
+//! Forces of models and records are of the whole: of the ring, or of both halves of a plane section per mm of its depth, or
+//! over the depth that is given ([`model::Extent`]); inside the solver those of a plane section are of the half that is solved.
 //!
 //! # Features
 //!

@@ -77,6 +77,11 @@ impl Axis {
         Self(format!("{noun} [{}]", unit.symbol()))
     }
 
+    /// The same in a unit a thousand times as large, kN for N.
+    pub fn in_thousands(self) -> Self {
+        Self(self.0.replace(" [", " [k"))
+    }
+
     /// The text to draw.
     pub fn text(&self) -> &str {
         &self.0

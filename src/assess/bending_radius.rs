@@ -5,7 +5,6 @@ use crate::message::{Amount, message};
 use crate::model::{Model, Theory, Tool};
 use crate::rules::design::{SHARP, THIN, bent_strength};
 use crate::table::Unit;
-use crate::units::mm;
 
 /// What to change where a bend is sharp, and what a shell leaves out of it, of the radius R of its mid-surface.
 pub(super) const ADVICE: &str = "larger radii; else take strains and spring-back there with care: the shell's normal stress is right to second order in t/R \
@@ -21,18 +20,17 @@ pub(super) fn small(model: &Model, tool: &Tool) -> Option<Finding> {
         Theory::Membrane => "bending, which membrane theory leaves out, matters there",
     };
     (smallest.radius < THIN * model.blank.thickness).then(|| {
-        let found = format!(
-            "the {}'s radius of {} mm is {ratio:.1} thicknesses (below {THIN}), over which the sheet carries {:.0} % of its \
-             strength: {what}",
-            tool.role.name(),
-            mm(smallest.radius),
-            100.0 * bent_strength(ratio)
+        let found = message!(
+            "the {tool}'s radius of {radius} is {ratio}, over which the sheet carries {share} of its strength: {what}",
+            tool = tool.role.name(),
+            radius = Amount::size(smallest.radius),
+            ratio = Amount::thicknesses(ratio),
+            share = Amount::share(bent_strength(ratio)),
+            what = what
         );
-        Finding::warning("tool_radius", "Tool radius", found).against(
-            ratio,
-            Unit::None,
-            format!("{THIN} thicknesses at least"),
-        )
+        Finding::warning("tool_radius", "Tool radius", found)
+            .against(ratio, Unit::None, message!("{thin} at least", thin = Amount::thicknesses(THIN)))
+            .at_least(THIN, None)
     })
 }
 
@@ -45,16 +43,16 @@ pub(super) fn judge(run: &Run) -> Option<Finding> {
         r if r < THIN => Light::Amber,
         _ => Light::Green,
     };
-    let found = message!("{radius} thicknesses at the sharpest", radius = Amount::ratio(ratio));
+    let found = message!("{radius} at the sharpest", radius = Amount::thicknesses(ratio));
     Some(
         Finding::judged("bend_radius", "Bending radius", light, found)
             .against(
                 ratio,
                 Unit::None,
                 message!(
-                    "{thin} thicknesses at least, refused below {sharp}: thin-shell theory",
-                    thin = Amount::number(THIN),
-                    sharp = Amount::number(SHARP)
+                    "{thin} at least, refused below {sharp}: thin-shell theory",
+                    thin = Amount::thicknesses(THIN),
+                    sharp = Amount::thicknesses(SHARP)
                 ),
             )
             .at_least(THIN, SHARP)

@@ -2,11 +2,11 @@
 
 use super::{Finding, Light, bending_radius::ADVICE, nose::nose, run::Run};
 use crate::geometry::Arc;
+use crate::message::{Amount, message};
 use crate::model::{Role, Tool};
 use crate::rules::design::{SHARP, THIN, bent_strength};
 use crate::solution::StageSolution;
 use crate::table::Unit;
-use crate::units::mm;
 
 /// A corner that the sheet is bent over as soon as the punch moves.
 struct Corner {
@@ -40,18 +40,25 @@ pub(super) fn judge(run: &Run) -> Option<Finding> {
         r if r < THIN => Light::Amber,
         _ => Light::Green,
     };
-    let share = 100.0 * bent_strength(ratio);
-    let found = format!(
-        "the sheet carries {share:.0} % of its strength over the {} of {} mm, {ratio:.1} thicknesses{}",
-        sharpest.name,
-        mm(sharpest.radius),
-        run.of_stage(sharpest.stage)
+    let share = bent_strength(ratio);
+    let found = message!(
+        "the sheet carries {share} of its strength over the {corner} of {radius}, {ratio}",
+        share = Amount::share(share),
+        corner = sharpest.name,
+        radius = Amount::size(sharpest.radius),
+        ratio = Amount::thicknesses(ratio)
     );
-    let asked = 100.0 * bent_strength(THIN);
-    let limit = format!("{asked:.0} % = ρ ln(1 + 1/ρ) at ρ = {THIN} thicknesses, refused below {SHARP}");
+    let [asked, least] = [bent_strength(THIN), bent_strength(SHARP)];
+    let limit = message!(
+        "{asked} = ρ ln(1 + 1/ρ) at ρ = {thin}, refused below {sharp}",
+        asked = Amount::share(asked),
+        thin = Amount::thicknesses(THIN),
+        sharp = Amount::thicknesses(SHARP)
+    );
     Some(
-        Finding::judged("bent_strength", "Strength over radii", light, found)
-            .against(share, Unit::Percent, limit)
+        Finding::judged("bent_strength", "Strength over radii", light, run.of_stage(found, sharpest.stage))
+            .against(100.0 * share, Unit::Percent, limit)
+            .at_least(100.0 * asked, 100.0 * least)
             .source("4ming, Forming handbook, Punch radius: 4 to 5 thicknesses; the share: equilibrium of a bent strip")
             .advice(ADVICE),
     )

@@ -1,6 +1,7 @@
 //! Whether the blank is large enough for the part.
 
 use super::Finding;
+use crate::message::{Amount, message};
 use crate::model::{Edge, Model};
 use crate::rules::estimate;
 use crate::table::Unit;
@@ -9,13 +10,14 @@ use crate::table::Unit;
 pub(super) fn drawn_through(model: &Model) -> Option<Finding> {
     let free = model.blank.edge == Edge::Free && !model.stop.drawn_through;
     let share = estimate::drawn_share(model).filter(|share| free && *share >= 1.0)?;
-    let found = format!(
-        "at the full travel the part needs {:.0} % of the blank's area: the blank will be drawn through the die",
-        100.0 * share
+    let found = message!(
+        "at the full travel the part needs {share} of the blank's area: the blank will be drawn through the die",
+        share = Amount::share(share)
     );
     Some(
         Finding::warning("drawn_share", "Blank", found)
-            .against(100.0 * share, Unit::Percent, "below 100 %")
+            .against(100.0 * share, Unit::Percent, message!("below {share}", share = Amount::given_share(1.0)))
+            .at_most(100.0, None)
             .source("the sheet keeps its area, its mean thickness hardly changing"),
     )
 }

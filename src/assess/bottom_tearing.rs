@@ -3,6 +3,7 @@
 use super::nose::NoseEnd;
 use super::run::{Run, at_event};
 use super::{Finding, Light, thinning};
+use crate::message::{Amount, Message, message};
 use crate::model::{Edge, Geometry};
 use crate::rules::estimate::{draw_ratio, tensile_strength};
 use crate::solution::{StageSolution, StepRecord};
@@ -29,23 +30,20 @@ pub(super) fn judge(run: &Run) -> Option<Finding> {
     let (i, (peak, tears)) = forces.max_by(|a, b| ratio(a).total_cmp(&ratio(b)))?;
     let factor = peak.punch_force / tears;
     let light = Light::of(factor, [NEAR * FACTORS[0], FACTORS[1]]);
-    let found = format!(
-        "punch force up to {:.1} kN{}, {:.0} % of the limit{}",
-        1e-3 * peak.punch_force,
-        at_event(&run.stages[i], peak),
-        100.0 * factor,
-        run.of_stage(i)
-    );
-    let limit = format!(
-        "{:.1} kN = π (d₁ + s₀) s₀ R_m at the end of the nose, near it from {:.0} % on; some metals and noses carry up to {} \
+    let force = message!("punch force up to {force}", force = Amount::force(peak.punch_force, Unit::N));
+    let force = Message::joined([force, at_event(&run.stages[i], peak)], " ");
+    let found = message!("{force}, {share} of the limit", force = force, share = Amount::share(factor));
+    let limit = message!(
+        "{force} = π (d₁ + s₀) s₀ R_m at the end of the nose, near it from {near} on; some metals and noses carry up to {most} \
          times that",
-        1e-3 * tears,
-        100.0 * NEAR,
-        FACTORS[1]
+        force = Amount::force(tears, Unit::N),
+        near = Amount::given_share(NEAR),
+        most = Amount::number(FACTORS[1])
     );
     Some(
-        Finding::judged("bottom_tearing", "Bottom tearing", light, found)
+        Finding::judged("bottom_tearing", "Bottom tearing", light, run.of_stage(found, i))
             .against(100.0 * factor, Unit::Percent, limit)
+            .at_most(100.0 * NEAR * FACTORS[0], 100.0 * FACTORS[1])
             .source("4ming, Forming handbook, Tearing force, eqs. 1 and 2")
             .advice(thinning::ADVICE),
     )

@@ -2,10 +2,10 @@
 
 use super::nose::NoseEnd;
 use super::{Finding, Light, run::Run};
+use crate::message::{Amount, Digits, message};
 use crate::model::Model;
 use crate::rules::estimate;
 use crate::table::Unit;
-use crate::units::mm;
 
 /// Smallest gap over the thickness \[–\]; rounded sums of decimals may miss it.
 const LEAST: f64 = 1.0 - 1e-6;
@@ -16,13 +16,14 @@ const WIDE: f64 = 1.5;
 pub(super) fn narrow(model: &Model) -> Option<Finding> {
     let t = model.blank.thickness;
     let gap = estimate::clearance(model).filter(|gap| *gap < t * LEAST)?;
-    let found = format!(
-        "at the full travel punch and die are {} mm apart, less than the thickness of {} mm: sheet that does not thin to that \
-         is ironed",
-        mm(gap),
-        mm(t)
+    let found = message!(
+        "at the full travel punch and die are {gap} apart, less than the thickness of {thickness}: sheet that does not thin to \
+         that is ironed",
+        gap = Amount::size(gap),
+        thickness = Amount::size(t)
     );
-    Some(Finding::warning("narrow_clearance", "Clearance", found).against(gap, Unit::Mm, "one thickness at least"))
+    let warning = Finding::warning("narrow_clearance", "Clearance", found);
+    Some(warning.against(gap, Unit::Mm, "one thickness at least").at_least(t, None))
 }
 
 /// Gap between punch and die over the thickness; wide ones matter beside a straight wall only.
@@ -30,10 +31,17 @@ pub(super) fn judge(run: &Run) -> Option<Finding> {
     let gap = estimate::clearance(run.case.model())? / run.case.model().blank.thickness;
     let straight = run.stages.first().and_then(NoseEnd::of).is_some_and(NoseEnd::is_upright);
     let light = Light::doubtful(gap < LEAST || straight && gap > WIDE);
-    let most = if straight { format!(", {WIDE} at most beside a straight wall") } else { String::new() };
+    let limit = match straight {
+        true => {
+            message!("one thickness at least, {wide} at most beside a straight wall", wide = Amount::thicknesses(WIDE))
+        }
+        false => "one thickness at least".into(),
+    };
+    let found = message!("{gap} between punch and die", gap = Amount::thicknesses(gap).to(Digits::Decimals(2)));
+    let judged = Finding::judged("clearance", "Clearance", light, found).against(gap, Unit::None, limit);
+    let judged = if gap > WIDE { judged.at_most(straight.then_some(WIDE), None) } else { judged.at_least(1.0, None) };
     Some(
-        Finding::judged("clearance", "Clearance", light, format!("{gap:.2} thicknesses between punch and die"))
-            .against(gap, Unit::None, format!("one thickness at least{most}"))
+        judged
             .source("a sheet that does not thin is ironed in less; the upper one is a declared rule of thumb")
             .advice(match gap < LEAST {
                 true => "a larger throat, a smaller punch or a shorter travel",

@@ -1,20 +1,23 @@
 //! Whether as much of the sheet lies on its tools as was asked for.
 
 use super::Finding;
+use crate::message::{Amount, message};
 use crate::solution::{StageSolution, Stop};
 use crate::table::Unit;
 
 /// A stage that ended before.
 pub(super) fn missed(stage: &StageSolution) -> Option<Finding> {
-    let share = 100.0 * stage.steps.last()?.contact_share;
+    let share = stage.steps.last()?.contact_share;
     let asked = stage.model.stop.contact_share.filter(|_| !matches!(stage.stop, Stop::ContactShare { .. }))?;
-    let found = format!(
-        "{share:.1} % of the sheet lies on its tools at the end, not the {:.1} % that were to end the run",
-        100.0 * asked
+    let found = message!(
+        "{share} of the sheet lies on its tools at the end, not the {asked} that were to end the run",
+        share = Amount::share(share),
+        asked = Amount::given_share(asked)
     );
     Some(
         Finding::warning("contact_share", "Contact", found)
-            .against(share, Unit::Percent, format!("{:.1} %", 100.0 * asked))
+            .against(100.0 * share, Unit::Percent, Amount::given_share(asked))
+            .at_least(100.0 * asked, None)
             .source("the case's stop.contact_share")
             .advice("more time, travel or pressure gets further"),
     )

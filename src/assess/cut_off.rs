@@ -3,6 +3,7 @@
 use super::finding::ACCURACY;
 use super::run::{Run, formed};
 use super::{Finding, Light};
+use crate::message::{Amount, message};
 use crate::solution::StageSolution;
 
 /// Plastic work in cut-off zones, over all of it, that puts stresses in doubt \[–\].
@@ -18,21 +19,23 @@ fn share(stage: &StageSolution) -> Option<f64> {
 pub(super) fn judge(run: &Run) -> Option<Finding> {
     run.steps().next()?;
     let share = run.stages.iter().filter_map(share).fold(0.0, f64::max);
-    let found = format!("{:.2} % of the plastic work where the strain rate is cut off", 100.0 * share);
+    let found =
+        message!("{share} of the plastic work is done in zones that hardly deform", share = Amount::share(share));
     Some(
-        Finding::judged("cutoff", "Cut-off", Light::within(share, LARGEST), found)
+        Finding::judged("cutoff", "Nearly rigid zones", Light::within(share, LARGEST), found)
             .share(share, LARGEST)
             .source(ACCURACY)
-            .advice("a smaller solver.cutoff_strain: stresses there are not the true ones"),
+            .advice("a smaller solver.cutoff_strain: where the sheet strains more slowly than that its stress is not the true one"),
     )
 }
 
 /// A stage with more.
 pub(super) fn large(stage: &StageSolution) -> Option<Finding> {
     let share = share(stage).filter(|share| *share > LARGEST)?;
-    let found = format!(
-        "{:.1} % of the plastic work is done where the strain rate is cut off: stresses there are not the true ones",
-        100.0 * share
+    let found = message!(
+        "{share} of the plastic work is done in zones that hardly deform, more slowly than solver.cutoff_strain: stresses there \
+         are not the true ones",
+        share = Amount::share(share)
     );
-    Some(Finding::warning("cut_off", "Cut-off", found).share(share, LARGEST).source(ACCURACY))
+    Some(Finding::warning("cut_off", "Nearly rigid zones", found).share(share, LARGEST).source(ACCURACY))
 }

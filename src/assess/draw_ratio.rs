@@ -1,6 +1,7 @@
 //! Whether one draw reaches the draw ratio.
 
 use super::Finding;
+use crate::message::{Amount, message};
 use crate::model::Model;
 use crate::rules::design::LIMITING_RATIO;
 use crate::rules::estimate;
@@ -9,10 +10,12 @@ use crate::table::Unit;
 /// A blank that is too large for one draw over its punch.
 pub(super) fn large(model: &Model) -> Option<Finding> {
     let ratio = estimate::draw_ratio(model).filter(|ratio| *ratio > LIMITING_RATIO)?;
-    let found = format!("the draw ratio of {ratio:.2} is above {LIMITING_RATIO}: one draw will hardly reach it");
-    Some(Finding::warning("draw_ratio", "Draw ratio", found).against(
-        ratio,
-        Unit::None,
-        format!("{LIMITING_RATIO} at most"),
-    ))
+    let limit = Amount::number(LIMITING_RATIO);
+    let found = message!(
+        "the draw ratio of {ratio} is above {limit}: one draw will hardly reach it",
+        ratio = Amount::ratio(ratio),
+        limit = limit
+    );
+    let warning = Finding::warning("draw_ratio", "Draw ratio", found);
+    Some(warning.against(ratio, Unit::None, message!("{limit} at most", limit = limit)).at_most(LIMITING_RATIO, None))
 }

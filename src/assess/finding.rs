@@ -160,7 +160,7 @@ impl Finding {
     }
 
     /// A warning; with [`Self::advice`] its sentence is `found: advice`.
-    pub(super) fn warning(key: &'static str, label: &'static str, found: impl Into<Message>) -> Self {
+    pub(crate) fn warning(key: &'static str, label: &'static str, found: impl Into<Message>) -> Self {
         Self::new(Kind::Warning, key, label, Light::Amber, found.into())
     }
 
@@ -182,7 +182,7 @@ impl Finding {
 
     /// With a share and its limit, both \[–\], told in percent.
     pub(super) fn share(self, share: f64, limit: f64) -> Self {
-        self.against(100.0 * share, Unit::Percent, Amount::share(limit)).at_most(100.0 * limit, None)
+        self.against(100.0 * share, Unit::Percent, Amount::given_share(limit)).at_most(100.0 * limit, None)
     }
 
     /// With the numbers, in its unit, above which it turns amber and red.

@@ -3,11 +3,12 @@
 use super::nearest::Nearest;
 use super::{Finding, Light, run::Run, thinning};
 use crate::forming_limit::{CROOKED, Judged};
+use crate::message::{Amount, Message, message};
 use crate::rules::design::THIN;
 use crate::table::Unit;
 
 /// Share of the limit strain above which scatter of metal and process may reach it \[–\].
-const CAREFUL: f64 = 0.9;
+pub const CAREFUL: f64 = 0.9;
 
 /// Share of the limit that a path which is not straight may use: its own limit may be far lower \[–\].
 const BENT: f64 = 0.5;
@@ -23,28 +24,40 @@ pub(super) fn margin(run: &Run) -> Option<Finding> {
         None if bent => Light::Amber,
         None => Light::within(worst.ratio(), CAREFUL),
     };
-    let faces = match bent {
-        true => format!("; of the mid-surface: bends strain the faces by up to {:.2}", (1.0 + 0.5 * bend).ln()),
-        false => String::new(),
-    };
-    let reached = assessment.reached.map_or(String::new(), |reached| {
-        let when = if stage.model.travel > 0.0 {
-            format!("{:.2} mm of travel", reached.travel)
-        } else {
-            format!("{:.4} s", reached.time)
-        };
-        format!("; first reached at {when}, s0 = {:.1} mm", reached.s0)
+    let faces = bent.then(|| {
+        let strain = Amount::strain((1.0 + 0.5 * bend).ln());
+        message!("of the mid-surface: bends strain the faces by up to {strain}", strain = strain)
     });
-    let found = format!(
-        "uses {:.0} % of the limit at s0 = {:.1} mm, {:.3} of major true strain {}{reached}{faces}",
-        100.0 * worst.ratio(),
-        worst.s0,
-        worst.margin().abs(),
-        if worst.margin() < 0.0 { "beyond it" } else { "left" }
-    );
+    let reached = assessment.reached.map(|reached| {
+        let when = match stage.model.travel > 0.0 {
+            true => message!("{travel} of travel", travel = Amount::place(reached.travel)),
+            false => Amount::time(reached.time).into(),
+        };
+        message!("first reached at {when}, s0 = {s0}", when = when, s0 = Amount::place(reached.s0))
+    });
+    let (used, s0) = (Amount::share(worst.ratio()), Amount::place(worst.s0));
+    let margin = Amount::strain(worst.margin().abs());
+    let used = match worst.margin() < 0.0 {
+        true => message!(
+            "uses {used} of the limit at s0 = {s0}, {margin} of major true strain beyond it",
+            used = used,
+            s0 = s0,
+            margin = margin
+        ),
+        false => message!(
+            "uses {used} of the limit at s0 = {s0}, {margin} of major true strain left",
+            used = used,
+            s0 = s0,
+            margin = margin
+        ),
+    };
+    let found = Message::joined([Some(used), reached, faces].into_iter().flatten(), "; ");
+    let limit =
+        message!("{curve}: not reached, below {share} of it", curve = *name, share = Amount::given_share(CAREFUL));
     Some(
         Finding::judged("forming_limit", "Forming limit", light, found)
-            .against(worst.margin(), Unit::None, format!("{name}: not reached, below {:.0} % of it", 100.0 * CAREFUL))
+            .against(100.0 * worst.ratio(), Unit::Percent, limit)
+            .at_most(100.0 * CAREFUL, 100.0)
             .source("the case's curve; the share is a declared rule of thumb")
             .advice(match light == Light::Amber && bent {
                 true => "larger radii: a limit of stretched sheet says nothing of the faces of sharp bends",
@@ -66,17 +79,22 @@ pub(super) fn path(run: &Run) -> Option<Finding> {
     let used = assessment.elements.iter().filter(|judged| judged.is_crooked()).map(Judged::ratio).fold(0.0, f64::max);
     let found = match crooked {
         0 => "all straight".into(),
-        n => format!(
-            "{n} of {} elements not straight, they use up to {:.0} % of the limit",
-            assessment.elements.len(),
-            100.0 * used
+        n => message!(
+            "{n} of {all} elements not straight, they use up to {used} of the limit",
+            n = n,
+            all = assessment.elements.len(),
+            used = Amount::share(used)
         ),
     };
-    let limit =
-        format!("within {:.0} % of a straight line, or below {:.0} % of the limit", 100.0 * CROOKED, 100.0 * BENT);
+    let limit = message!(
+        "within {crooked} of a straight line, or below {bent} of the limit",
+        crooked = Amount::given_share(CROOKED),
+        bent = Amount::given_share(BENT)
+    );
     Some(
         Finding::judged("strain_paths", "Strain paths", Light::within(used, BENT), found)
-            .against(crooked as f64, Unit::None, limit)
+            .against(100.0 * used, Unit::Percent, limit)
+            .at_most(100.0 * BENT, None)
             .source("limit curves are measured on straight paths; the shares are declared rules of thumb")
             .advice("keep more margin there: look at strain_paths.csv of `run`"),
     )

@@ -1,6 +1,7 @@
 //! Whether the friction is known or guessed.
 
 use super::{Finding, Light, run::Run};
+use crate::message::{Amount, message};
 use crate::model::{Model, Tool};
 use crate::table::Unit;
 use std::ops::RangeInclusive;
@@ -13,8 +14,16 @@ const USUAL: RangeInclusive<f64> = 0.01..=0.3;
 pub(super) fn dry(_: &Model, tool: &Tool) -> Option<Finding> {
     let (friction, dry) = (tool.friction.largest_coefficient(), USUAL.end());
     (friction > *dry && !tool.friction.needs_shear_yield()).then(|| {
-        let found = format!("the {}'s friction of {friction} is above that of dry steel, {dry}", tool.role.name());
-        Finding::warning("dry_friction", "Friction", found).against(friction, Unit::None, format!("{dry} at most"))
+        let limit = Amount::number(*dry);
+        let found = message!(
+            "the {tool}'s friction of {friction} is above that of dry steel, {dry}",
+            tool = tool.role.name(),
+            friction = Amount::number(friction),
+            dry = limit
+        );
+        Finding::warning("dry_friction", "Friction", found)
+            .against(friction, Unit::None, message!("{limit} at most", limit = limit))
+            .at_most(*dry, None)
     })
 }
 
@@ -23,14 +32,21 @@ pub(super) fn judge(run: &Run) -> Option<Finding> {
     let coefficients = || run.case.model().tools.iter().map(|tool| tool.friction.largest_coefficient());
     let most = coefficients().reduce(f64::max)?;
     let usual = coefficients().all(|mu| USUAL.contains(&mu));
-    let (light, said) = match &run.case.sources.friction {
-        _ if !usual => (Light::Amber, ", outside what sheet on tools has".to_owned()),
-        Some(source) => (Light::Green, format!(": {source}")),
-        None => (Light::Amber, ", no source is given".to_owned()),
+    let largest = Amount::number(most);
+    let (light, found) = match &run.case.sources.friction {
+        _ if !usual => (Light::Amber, message!("{most} at most, outside what sheet on tools has", most = largest)),
+        Some(source) => (Light::Green, message!("{most} at most: {source}", most = largest, source = source.clone())),
+        None => (Light::Amber, message!("{most} at most, no source is given", most = largest)),
     };
+    let limit = message!(
+        "a measured or cited number, {low} to {high}",
+        low = Amount::number(*USUAL.start()),
+        high = Amount::number(*USUAL.end())
+    );
     Some(
-        Finding::judged("friction", "Friction", light, format!("{most} at most{said}"))
-            .against(most, Unit::None, format!("a measured or cited number, {} to {}", USUAL.start(), USUAL.end()))
+        Finding::judged("friction", "Friction", light, found)
+            .against(most, Unit::None, limit)
+            .at_most(*USUAL.end(), None)
             .advice(
                 "run it with 0.02 more and less (--set) to see what hangs on it; write as `source` of [friction] where it was \
                  measured, or author and year",

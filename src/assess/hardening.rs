@@ -2,6 +2,7 @@
 
 use super::run::{Run, largest};
 use super::{Finding, Light};
+use crate::message::{Amount, message};
 use crate::model::Model;
 use crate::solution::StageSolution;
 use crate::table::Unit;
@@ -17,8 +18,13 @@ const OWN: &str = "the case's material";
 /// A table that ends at a small strain.
 pub(super) fn short(model: &Model) -> Option<Finding> {
     let strain = model.material.hardening.valid_up_to().filter(|strain| *strain < FAR)?;
-    let found = format!("the hardening table ends at a strain of {strain}; beyond it the law is extrapolated");
-    Some(Finding::warning("short_table", "Hardening law", found).against(strain, Unit::None, format!("{FAR} at least")))
+    let found = message!(
+        "the hardening table ends at a strain of {strain}; beyond it the law is extrapolated",
+        strain = Amount::number(strain)
+    );
+    let limit = message!("{limit} at least", limit = Amount::number(FAR));
+    let warning = Finding::warning("short_table", "Hardening law", found);
+    Some(warning.against(strain, Unit::None, limit).at_least(FAR, None))
 }
 
 /// The largest equivalent strain of a layer.
@@ -34,21 +40,19 @@ pub(super) fn judge(run: &Run) -> Option<Finding> {
     let (light, limit, advice) = match range {
         Some(end) => (
             Light::within(strain, end),
-            format!("its table ends at {end:.3}"),
+            message!("its table ends at {end}", end = Amount::number(end)),
             "points at larger strains, from a bulge test; else the stress is extrapolated",
         ),
         None => (
             Light::Grey,
-            "a formula: the range of its fit is not in the case".to_owned(),
+            "a formula: the range of its fit is not in the case".into(),
             "hold that strain against the range of the fit in the law's source",
         ),
     };
-    Some(
-        Finding::judged("hardening_range", "Hardening law", light, format!("used up to a true strain of {strain:.3}"))
-            .against(strain, Unit::None, limit)
-            .source(OWN)
-            .advice(advice),
-    )
+    let found = message!("used up to a true strain of {strain}", strain = Amount::strain(strain));
+    let judged = Finding::judged("hardening_range", "Hardening law", light, found).against(strain, Unit::None, limit);
+    let judged = if range.is_some() { judged.at_most(range, None) } else { judged };
+    Some(judged.source(OWN).advice(advice))
 }
 
 /// A stage that strains the sheet beyond the last point of its table.
@@ -56,11 +60,15 @@ pub(super) fn beyond(stage: &StageSolution) -> Option<Finding> {
     stage.steps.last()?;
     let strain = reached(stage);
     let end = stage.model.material.hardening.valid_up_to().filter(|end| strain > *end)?;
-    let found =
-        format!("the hardening table ends at a strain of {end:.3}; the run reaches {strain:.3} on its extrapolation");
+    let found = message!(
+        "the hardening table ends at a strain of {end}; the run reaches {strain} on its extrapolation",
+        end = Amount::number(end),
+        strain = Amount::strain(strain)
+    );
     Some(
         Finding::warning("extrapolated", "Hardening law", found)
-            .against(strain, Unit::None, format!("{end:.3}"))
+            .against(strain, Unit::None, Amount::number(end))
+            .at_most(end, None)
             .source(OWN),
     )
 }
@@ -73,12 +81,21 @@ pub(super) fn other_temperatures(stage: &StageSolution) -> Option<Finding> {
     let coldest = stage.steps.iter().map(|step| step.coldest).fold(f64::INFINITY, f64::min);
     (coldest < cold - NEAR_ENOUGH || hottest > hot + NEAR_ENOUGH).then(|| {
         let [cold, hot, coldest, hottest] = [cold, hot, coldest, hottest].map(|kelvin| kelvin - ZERO_CELSIUS);
-        let found = format!(
-            "hardening is given from {cold:.0} to {hot:.0} °C; the sheet has {coldest:.0} to {hottest:.0} °C, and the outermost \
-             curves are held beyond"
+        let [low, high] = [cold, hot].map(Amount::temperature);
+        let found = message!(
+            "hardening is given from {low} to {high}; the sheet has {coldest} to {hottest}, and the outermost curves are held \
+             beyond",
+            low = low,
+            high = high,
+            coldest = Amount::temperature(coldest),
+            hottest = Amount::temperature(hottest)
         );
-        Finding::warning("temperature_range", "Hardening law", found)
-            .against(if hottest > hot { hottest } else { coldest }, Unit::Celsius, format!("{cold:.0} to {hot:.0} °C"))
-            .source(OWN)
+        let limit = message!("{low} to {high}", low = low, high = high);
+        let warning = Finding::warning("temperature_range", "Hardening law", found);
+        let warning = match hottest > hot {
+            true => warning.against(hottest, Unit::Celsius, limit).at_most(hot, None),
+            false => warning.against(coldest, Unit::Celsius, limit).at_least(cold, None),
+        };
+        warning.source(OWN)
     })
 }

@@ -32,12 +32,15 @@ pub(super) fn idle(model: &Model) -> Option<Finding> {
 pub(super) fn crushing(model: &Model) -> Option<Finding> {
     let strength = tensile_strength(&model.material.hardening);
     let pressure = holder_pressure(model).filter(|pressure| !strength::is_weak(model) && *pressure > strength)?;
-    let found = format!(
-        "the holder presses with {pressure:.0} MPa, more than the sheet's tensile strength of {strength:.0} MPa"
+    let found = message!(
+        "the holder presses with {pressure}, more than the sheet's tensile strength of {strength}",
+        pressure = Amount::stress(pressure),
+        strength = Amount::stress(strength)
     );
     Some(
         Finding::warning("holder_pressure", "Holder pressure", found)
-            .against(pressure, Unit::MPa, format!("{strength:.0} MPa"))
+            .against(pressure, Unit::MPa, Amount::stress(strength))
+            .at_most(strength, None)
             .advice("check its force"),
     )
 }
@@ -74,29 +77,32 @@ pub(super) fn judge(run: &Run) -> Option<Finding> {
         _ => "less holder force: the flange is squeezed thinner",
     };
     let found = message!(
-        "{lifted}; at first {pressed} of the tensile strength; in the end {share} of its force on the outer {rim} t{stage}",
+        "{lifted}; at first {pressed} of the tensile strength; in the end {share} of its force on the outer {rim}",
         lifted = lifted_by(lift),
         pressed = Amount::share(pressed),
         share = Amount::share(last.rim_share),
-        rim = Amount::number(StepRecord::RIM),
-        stage = run.of_stage(0),
+        rim = Amount::thicknesses(StepRecord::RIM)
     );
     let limit = message!(
-        "lifted by at most {lifted} t, refused above {off} t; {pressure} of the tensile strength",
-        lifted = Amount::number(LIFTED),
-        off = Amount::number(OFF),
-        pressure = Amount::share(PRESSURE),
+        "lifted by at most {lifted}, refused above {off}; {pressure} of the tensile strength",
+        lifted = Amount::thicknesses(LIFTED),
+        off = Amount::thicknesses(OFF),
+        pressure = Amount::given_share(PRESSURE)
     );
-    let judged = Finding::judged("holder", "Holder", lifts.max(presses), found);
-    Some(judged.against(lift, Unit::None, limit).at_most(LIFTED, OFF).advice(advice))
+    Some(
+        Finding::judged("holder", "Holder", lifts.max(presses), run.of_stage(found, 0))
+            .against(lift, Unit::None, limit)
+            .at_most(LIFTED, OFF)
+            .advice(advice),
+    )
 }
 
 /// A lift over the thickness, and the span that it is of.
 fn lifted_by(lift: f64) -> Message {
     message!(
-        "lifted by up to {lift} until the flange is {width} t wide",
+        "lifted by up to {lift} until the flange is {width} wide",
         lift = Amount::thicknesses(lift),
-        width = Amount::number(RUN_OUT),
+        width = Amount::thicknesses(RUN_OUT),
     )
 }
 
@@ -105,20 +111,24 @@ pub(super) fn lifted(stage: &StageSolution) -> Option<Finding> {
     let lift = holder_lift(stage)? / stage.model.blank.thickness;
     (lift > LIFTED).then(|| {
         let found = message!("the holder is {lifted}: the flange thickens or rises under it", lifted = lifted_by(lift));
-        let limit = message!("{lifted} t", lifted = Amount::number(LIFTED));
-        Finding::warning("holder_lift", "Holder", found).against(lift, Unit::None, limit)
+        Finding::warning("holder_lift", "Holder", found)
+            .against(lift, Unit::None, Amount::thicknesses(LIFTED))
+            .at_most(LIFTED, None)
     })
 }
 
 /// A holder that rests on its distance blocks presses no sheet there, however hard it is pressed.
 pub(super) fn rests(stage: &StageSolution) -> Option<Finding> {
     let [from, to] = resting(stage.model.travel, &stage.steps)?;
-    let found = format!(
-        "the holder rests on its distance blocks from {from:.2} to {to:.2} mm of travel, not on the sheet: it does not hold it \
-         there, whatever its force"
+    let found = message!(
+        "the holder rests on its distance blocks from {from} to {to} of travel, not on the sheet: it does not hold it there, \
+         whatever its force",
+        from = Amount::place(from),
+        to = Amount::place(to)
     );
-    let limit = format!("{:.0} % of the travel", 100.0 * RESTS);
-    Some(Finding::warning("holder_rests", "Distance blocks", found).against(to - from, Unit::Mm, limit))
+    let limit = message!("{share} of the travel", share = Amount::given_share(RESTS));
+    let warning = Finding::warning("holder_rests", "Distance blocks", found).against(to - from, Unit::Mm, limit);
+    Some(warning.at_most(RESTS * stage.model.travel, None))
 }
 
 /// Where in the travel the holder rests on its blocks \[mm\], if it does for a good part of it.
@@ -138,8 +148,13 @@ fn resting(travel: f64, history: &[StepRecord]) -> Option<[f64; 2]> {
 pub(super) fn lost(stage: &StageSolution) -> Option<Finding> {
     let mut tools = stage.model.tools.iter().zip(&stage.left_at);
     let (tool, travel) = tools.find_map(|(tool, left)| Some((tool.role.name(), (*left)?)))?;
-    let found = format!("the sheet left the {tool} at {travel:.2} mm of travel; the {tool} stands still from there on");
-    Some(Finding::warning("holder_lost", "Holder", found).against(travel, Unit::Mm, "the whole travel"))
+    let found = message!(
+        "the sheet left the {tool} at {travel} of travel; the {tool} stands still from there on",
+        tool = tool,
+        travel = Amount::place(travel)
+    );
+    let warning = Finding::warning("holder_lost", "Holder", found).against(travel, Unit::Mm, "the whole travel");
+    Some(warning.at_least(stage.model.travel, None))
 }
 
 #[cfg(test)]

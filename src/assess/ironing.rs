@@ -2,6 +2,7 @@
 
 use super::run::Run;
 use super::{Finding, Light};
+use crate::message::{Amount, message};
 use crate::rules::design::IRONING_LIMIT;
 use crate::table::Unit;
 
@@ -12,19 +13,24 @@ const IRONED: f64 = 0.01;
 pub(super) fn judge(run: &Run) -> Option<Finding> {
     let most = run.steps().max_by(|a, b| a.ironing.total_cmp(&b.ironing))?;
     let light = Light::of(most.ironing, [IRONED, IRONING_LIMIT]);
-    let share = 100.0 * most.ironing;
     let found = match run.steps().find(|step| step.ironing > IRONED) {
-        None => "no wall is ironed between two tools".to_owned(),
-        Some(first) => format!(
-            "wall ironed by {share:.0} % between two tools at s0 = {:.1} mm, from {:.2} mm of travel, with up to {:.0} MPa",
-            most.ironing_s0,
-            first.travel,
-            run.largest(|step| step.ironing_pressure)?,
+        None => "no wall is ironed between two tools".into(),
+        Some(first) => message!(
+            "wall ironed by {share} between two tools at s0 = {s0}, from {travel} of travel, with up to {pressure}",
+            share = Amount::share(most.ironing),
+            s0 = Amount::place(most.ironing_s0),
+            travel = Amount::place(first.travel),
+            pressure = Amount::stress(run.largest(|step| step.ironing_pressure)?)
         ),
     };
     Some(
         Finding::judged("ironing", "Ironing", light, found)
-            .against(share, Unit::Percent, format!("{:.0} % in one pass", 100.0 * IRONING_LIMIT))
+            .against(
+                100.0 * most.ironing,
+                Unit::Percent,
+                message!("{share} in one pass", share = Amount::given_share(IRONING_LIMIT)),
+            )
+            .at_most(100.0 * IRONED, 100.0 * IRONING_LIMIT)
             .source("a die for one pass is laid out for less (Chin. J. Mech. Eng. 2022, 10.1186/s10033-022-00681-9)")
             .advice(
                 "a wall that is not to be ironed wants a clearance of t √β, the thickness of the rim (4ming); a throat drawn \

@@ -4,6 +4,7 @@
 //! `AFTER`. Each rule has one constant with its source; what has no source that could be read is called a declared rule of
 //! thumb.
 
+mod answer;
 mod bending_radius;
 mod bent_strength;
 mod blank_size;
@@ -32,17 +33,20 @@ mod press;
 mod redraw_ratio;
 mod run;
 mod sharp_corner;
+mod size;
 mod springback;
 mod stop;
 mod strength;
 mod thinning;
 mod trim;
+mod two_sheets;
 mod wrinkling;
 mod yielding;
 
-pub use holder::holder_lift;
-
+pub use answer::{Answer, KeyNumber, tears_at};
 pub use finding::{Finding, Kind, Light, Limits, Sense, When, advice, headline, judgements, sentences};
+pub use forming_limit::CAREFUL;
+pub use holder::holder_lift;
 
 use crate::case::Case;
 use crate::message::Message;
@@ -53,6 +57,8 @@ use run::Run;
 
 /// A question to a case.
 enum Before {
+    /// Of the case.
+    Case(fn(&Case) -> Option<Finding>),
     /// Of the first stage.
     Model(fn(&Model) -> Option<Finding>),
     /// Of each of its tools.
@@ -69,6 +75,13 @@ enum After {
 
 /// What is asked of a case, in the order of telling.
 const BEFORE: &[Before] = &[
+    Before::Model(size::width),
+    Before::Model(size::thickness),
+    Before::Model(size::slender),
+    Before::Model(size::blank_diameter),
+    Before::Model(size::throat_diameter),
+    Before::Case(two_sheets::mixed),
+    Before::Case(two_sheets::thickness),
     Before::Model(strength::unusual),
     Before::Model(closing::closes),
     Before::Model(closing::drawn),
@@ -130,6 +143,7 @@ const AFTER: &[After] = &[
 /// is trusted.
 pub fn before(case: &Case) -> Vec<Finding> {
     let asked = BEFORE.iter().flat_map(|question| match question {
+        Before::Case(ask) => ask(case).into_iter().collect(),
         Before::Model(ask) => ask(case.model()).into_iter().collect(),
         Before::Tool(ask) => case.model().tools.iter().filter_map(|tool| ask(case.model(), tool)).collect::<Vec<_>>(),
     });

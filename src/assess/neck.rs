@@ -1,8 +1,8 @@
 //! Whether one place of the sheet takes all the stretching.
 
 use super::{Finding, Light, run::Run, thinning};
-use crate::message::message;
-use crate::solution::neck::neck;
+use crate::message::{Amount, message};
+use crate::solution::neck::{Neck, neck};
 use crate::solution::{StageSolution, Stop};
 use crate::table::Unit;
 
@@ -36,18 +36,24 @@ pub(super) fn seen(stage: &StageSolution) -> Option<Finding> {
     if matches!(stage.stop, Stop::Localised { .. } | Stop::Coalesced { .. }) {
         return None;
     }
-    let neck = neck(&stage.model, &stage.end, None);
-    let (place, left) = (neck.s0, 100.0 * neck.share);
-    let superplastic = stage.model.material.rate.is_some_and(|rate| rate.is_superplastic());
+    let neck = torn(stage)?;
+    let (s0, left) = (Amount::place(neck.s0), Amount::share(neck.share));
     let found = if neck.stands_out {
-        format!(
-            "thinning has localised at s0 = {place:.1} mm, down to {left:.0} % of the thickness: the sheet tears there, and \
-             what is computed after that depends on the mesh"
+        message!(
+            "all thinning has gathered at s0 = {s0}, down to {left} of the thickness: the sheet tears there, and what is \
+             computed after that depends on the mesh",
+            s0 = s0,
+            left = left
         )
-    } else if neck.share < TORN && !superplastic {
-        format!("the sheet is down to {left:.0} % of its thickness at s0 = {place:.1} mm: it has torn before")
     } else {
-        return None;
+        message!("the sheet is down to {left} of its thickness at s0 = {s0}: it has torn before", left = left, s0 = s0)
     };
-    Some(Finding::warning("neck", "Neck", found).against(left, Unit::Percent, LIMIT).source(SOURCE))
+    Some(Finding::warning("neck", "Neck", found).against(left.value, Unit::Percent, LIMIT).source(SOURCE))
+}
+
+/// The thinnest place of a stage that has taken a step, where it is a neck or too thin to be whole.
+pub(super) fn torn(stage: &StageSolution) -> Option<Neck> {
+    let neck = neck(&stage.model, &stage.end, None);
+    let superplastic = stage.model.material.rate.is_some_and(|rate| rate.is_superplastic());
+    (neck.stands_out || neck.share < TORN && !superplastic).then_some(neck)
 }

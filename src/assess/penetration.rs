@@ -3,9 +3,9 @@
 use super::finding::ACCURACY;
 use super::run::{Run, largest};
 use super::{Finding, Light};
+use crate::message::{Amount, message};
 use crate::model::{ContactMethod, Settings};
 use crate::solution::StageSolution;
-use crate::table::Unit;
 
 /// Penetration that would show in the result, over the thickness \[–\].
 const LARGEST: f64 = 0.05;
@@ -13,7 +13,8 @@ const LARGEST: f64 = 0.05;
 /// The deepest of all stages.
 pub(super) fn judge(run: &Run) -> Option<Finding> {
     let deepest = run.largest(|step| step.penetration)?;
-    let found = format!("{:.2} % of the thickness", 100.0 * deepest);
+    let found =
+        message!("tools sink into the sheet by {share} of its thickness at most", share = Amount::share(deepest));
     Some(
         Finding::judged("penetration", "Penetration", Light::within(deepest, LARGEST), found)
             .share(deepest, LARGEST)
@@ -26,7 +27,7 @@ pub(super) fn judge(run: &Run) -> Option<Finding> {
 pub(super) fn deep(stage: &StageSolution) -> Option<Finding> {
     let deepest = largest(stage, |step| step.penetration);
     (deepest > LARGEST).then(|| {
-        let found = format!("a tool penetrates the sheet by {:.1} % of its thickness", 100.0 * deepest);
+        let found = message!("a tool sinks into the sheet by {share} of its thickness", share = Amount::share(deepest));
         Finding::warning("deep_penetration", "Penetration", found)
             .share(deepest, LARGEST)
             .source(ACCURACY)
@@ -39,9 +40,12 @@ pub(super) fn left(stage: &StageSolution) -> Option<Finding> {
     let deepest = largest(stage, |step| step.penetration);
     let augmented = stage.model.settings.contact == ContactMethod::AugmentedLagrangian;
     (augmented && deepest > 1.01 * Settings::PENETRATION).then(|| {
-        let found = format!("the augmented Lagrangian left a penetration of {deepest:.1e} thicknesses");
+        let found = message!(
+            "contact by the augmented Lagrangian let a tool sink into the sheet by {share} of its thickness",
+            share = Amount::share(deepest)
+        );
         Finding::warning("penetration_left", "Penetration", found)
-            .against(100.0 * deepest, Unit::Percent, format!("{:e} thicknesses", Settings::PENETRATION))
+            .share(deepest, Settings::PENETRATION)
             .source(ACCURACY)
     })
 }

@@ -3,6 +3,7 @@
 use super::finding::ACCURACY;
 use super::run::{Run, formed};
 use super::{Finding, Light};
+use crate::message::{Amount, message};
 use crate::solution::StageSolution;
 
 /// Share of the external work that may be missing \[–\].
@@ -15,9 +16,9 @@ pub(super) fn judge(run: &Run) -> Option<Finding> {
     let largest = run.stages.iter().map(StageSolution::largest_work).fold(0.0, f64::max);
     let missing = run.stages.iter().filter_map(|stage| stage.steps.last()).map(|step| step.work.missing().abs());
     let missing = if largest > 0.0 { missing.fold(0.0, f64::max) / largest } else { 0.0 };
-    let found = format!("{:.2} % of the external work missing", 100.0 * missing);
+    let found = message!("{share} of the tools' work is missing in the balance", share = Amount::share(missing));
     Some(
-        Finding::judged("power_balance", "Power balance", Light::within(missing, LARGEST), found)
+        Finding::judged("power_balance", "Work balance", Light::within(missing, LARGEST), found)
             .share(missing, LARGEST)
             .source(ACCURACY)
             .advice("smaller steps (solver.max_step)"),
@@ -28,9 +29,10 @@ pub(super) fn judge(run: &Run) -> Option<Finding> {
 pub(super) fn missed(stage: &StageSolution) -> Option<Finding> {
     let missing = stage.steps.last()?.work.imbalance();
     (formed(stage) && missing.abs() > LARGEST).then(|| {
-        let found = format!("the power balance misses {:.2} % of the external work", 100.0 * missing);
-        Finding::warning("power_missing", "Power balance", found)
-            .share(missing, LARGEST)
+        let found =
+            message!("{share} of the tools' work is missing in the balance", share = Amount::share(missing.abs()));
+        Finding::warning("power_missing", "Work balance", found)
+            .share(missing.abs(), LARGEST)
             .source(ACCURACY)
             .advice("take smaller steps (solver.max_step)")
     })

@@ -2,8 +2,8 @@
 
 use super::run::{Run, at_event};
 use super::{Finding, Light};
+use crate::message::{Amount, Message, message};
 use crate::table::{JOULES, Unit};
-use crate::units::four_digits;
 
 /// Largest punch force and its travel, over all stages.
 pub(super) fn force(run: &Run) -> Option<Finding> {
@@ -20,10 +20,13 @@ pub(super) fn force(run: &Run) -> Option<Finding> {
         (peak.punch_force, unit),
         run.case.press.force,
         |force| match unit {
-            Unit::N => format!("{} kN", four_digits(1e-3 * force)),
-            other => format!("{} {} of depth", four_digits(force), other.symbol()),
+            Unit::N => Amount::force(force, unit).into(),
+            _ => message!("{force} of depth", force = Amount::force(force, unit)),
         },
-        format!(" at {:.2} mm of travel{}{}", peak.travel, at_event(stage, peak), run.of_stage(i)),
+        |force| {
+            let found = message!("{force} at {travel} of travel", force = force, travel = Amount::place(peak.travel));
+            run.of_stage(Message::joined([found, at_event(stage, peak)], " "), i)
+        },
     ))
 }
 
@@ -33,20 +36,22 @@ pub(super) fn energy(run: &Run) -> Option<Finding> {
     let strokes = run.stages.iter().enumerate().filter(|(_, stage)| stage.model.release.is_none());
     let work = strokes.filter_map(|(i, stage)| Some((i, JOULES * stage.steps.last()?.work.external)));
     let (i, work) = work.max_by(|a, b| a.1.total_cmp(&b.1))?;
-    let per = if unit == Unit::Joule { "J" } else { "J per mm of depth" };
-    let written = |work: f64| format!("{} {per}", four_digits(work));
+    let told = |work: f64| match unit {
+        Unit::Joule => Amount::energy(work, unit).into(),
+        _ => message!("{work} of depth", work = Amount::energy(work, unit)),
+    };
     let rating = run.case.press.energy.map(|energy| JOULES * energy);
-    Some(rated("energy", "Energy", (work, unit), rating, written, run.of_stage(i)))
+    Some(rated("energy", "Energy", (work, unit), rating, told, |work| run.of_stage(work, i)))
 }
 
-/// A figure of the run against the press's rating, `written` with a unit.
+/// A figure of the run, as it is `told` and where it was `found`, against the press's rating.
 fn rated(
     key: &'static str,
     label: &'static str,
     (value, unit): (f64, Unit),
     rating: Option<f64>,
-    written: impl Fn(f64) -> String,
-    at: String,
+    told: impl Fn(f64) -> Message,
+    found: impl Fn(Message) -> Message,
 ) -> Finding {
     let light = rating.map_or(Light::Grey, |rating| Light::of(value, [rating, rating]));
     let advice = match rating {
@@ -56,8 +61,10 @@ fn rated(
         }
         None => "give [press] force and energy: the ratings on its data sheet",
     };
-    Finding::judged(key, label, light, written(value) + &at)
-        .against(value, unit, rating.map_or_else(|| "the press's rating, not in the case".into(), written))
-        .source("the press's data sheet")
-        .advice(advice)
+    let judged = Finding::judged(key, label, light, found(told(value)));
+    let judged = match rating {
+        Some(rating) => judged.against(value, unit, told(rating)).at_most(None, rating),
+        None => judged.against(value, unit, "the press's rating, not in the case"),
+    };
+    judged.source("the press's data sheet").advice(advice)
 }

@@ -1,6 +1,7 @@
 //! Whether a later draw narrows the cup by no more than a draw can.
 
 use super::{Finding, Light, run::Run};
+use crate::message::{Amount, message};
 use crate::model::{Geometry, Role};
 use crate::rules::design::REDRAW_RATIO;
 use crate::rules::tool_sizes::extent;
@@ -17,10 +18,12 @@ pub(super) fn judge(run: &Run) -> Option<Finding> {
     let (i, ratio) = ratios.max_by(|a, b| a.1.total_cmp(&b.1))?;
     // The template's own radii are rounded.
     let light = Light::within(ratio, REDRAW_RATIO + 1e-3);
-    let found = format!("{ratio:.2} from punch to punch{}", run.of_stage(i));
+    let found = message!("{ratio} from punch to punch", ratio = Amount::ratio(ratio));
+    let limit = message!("{ratio}, of DC04 in a second draw without annealing", ratio = Amount::number(REDRAW_RATIO));
     Some(
-        Finding::judged("redraw_ratio", "Redraw ratio", light, found)
-            .against(ratio, Unit::None, format!("{REDRAW_RATIO}, of DC04 in a second draw without annealing"))
+        Finding::judged("redraw_ratio", "Redraw ratio", light, run.of_stage(found, i))
+            .against(ratio, Unit::None, limit)
+            .at_most(REDRAW_RATIO, None)
             .source("4ming, Forming handbook, table of draw ratios")
             .advice("a wider punch in the later draw, one more draw, or `anneal = true` before it"),
     )

@@ -3,6 +3,7 @@
 use super::nearest::Nearest;
 use crate::case::Case;
 use crate::measure::events;
+use crate::message::{Message, message};
 use crate::solution::{StageSolution, StepRecord};
 
 /// A case with its solved stages.
@@ -14,9 +15,10 @@ pub(super) struct Run<'a> {
 }
 
 impl Run<'_> {
-    /// `, stage 2` where there are several.
-    pub fn of_stage(&self, i: usize) -> String {
-        if self.stages.len() > 1 { format!(", stage {}", i + 1) } else { String::new() }
+    /// What was found in a stage, counted from 0; with its number where there are several.
+    pub fn of_stage(&self, found: Message, i: usize) -> Message {
+        let stage = if self.stages.len() > 1 { message!("stage {n}", n = i + 1) } else { Message::default() };
+        Message::joined([found, stage], ", ")
     }
 
     /// Every step of every stage.
@@ -30,12 +32,12 @@ impl Run<'_> {
     }
 }
 
-/// Where a peak of the load lies on an event of its stage, to a step, what happens there: ` (rim meets the die)`.
-pub(super) fn at_event(stage: &StageSolution, peak: &StepRecord) -> String {
+/// Where a peak of the load lies on an event of its stage, to a step, what happens there: `(rim meets the die)`.
+pub(super) fn at_event(stage: &StageSolution, peak: &StepRecord) -> Message {
     let events = events(stage);
     let begins = stage.steps.iter().rev().find(|step| step.step < peak.step).map_or(0.0, |before| before.travel);
     let here = events.iter().find(|event| event.travel > begins && event.travel <= peak.travel);
-    here.map_or(String::new(), |event| format!(" ({})", event.kind.label()))
+    here.map_or_else(Message::default, |event| message!("({event})", event = event.kind.label()))
 }
 
 /// A run whose steps strain the sheet by less in all forms nothing: shares of its work say nothing \[–\].

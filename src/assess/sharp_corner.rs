@@ -2,10 +2,10 @@
 
 use super::Finding;
 use crate::geometry::{CORNER, Point};
+use crate::message::{Amount, Message, message};
 use crate::model::{Model, Role, Tool};
 use crate::rules::tool_sizes::extent;
 use crate::table::Unit;
-use crate::units::mm;
 
 /// A tool with a sharp corner in the sheet's reach.
 pub(super) fn met(model: &Model, tool: &Tool) -> Option<Finding> {
@@ -13,20 +13,24 @@ pub(super) fn met(model: &Model, tool: &Tool) -> Option<Finding> {
         tool.profile.vertices().filter(|v| v.turn.abs() > CORNER && meets(model, tool, v.point)).collect();
     let first = sharp.first()?;
     let others = match sharp.len() {
-        1 => String::new(),
-        n => format!(" and at {} more", n - 1),
+        1 => Message::default(),
+        n => message!(" and at {n} more", n = n - 1),
     };
-    let found = format!(
-        "the {}'s profile has a sharp corner, radius 0, of {:.0}° at r = {} mm, z = {} mm (as placed, z = 0 is the flat sheet's \
-         middle){others}: no shell can follow it; draw an arc, or give `fillet`",
-        tool.role.name(),
-        first.turn.abs().to_degrees(),
-        mm(first.point.x),
-        mm(first.point.y)
+    let turn = first.turn.abs().to_degrees();
+    let found = message!(
+        "the {tool}'s profile has a sharp corner, radius 0, of {turn} at r = {r}, z = {z} (as placed, z = 0 is the flat sheet's \
+         middle){others}: no sheet can follow it",
+        tool = tool.role.name(),
+        turn = Amount::angle(turn),
+        r = Amount::size(first.point.x),
+        z = Amount::size(first.point.y),
+        others = others
     );
     Some(
         Finding::warning("sharp_corner", "Sharp corner", found)
-            .against(first.turn.abs().to_degrees(), Unit::Degree, format!("{:.0}°", CORNER.to_degrees()))
+            .against(turn, Unit::Degree, Amount::angle(CORNER.to_degrees()))
+            .at_most(CORNER.to_degrees(), None)
+            .advice("draw an arc, or give `fillet`")
             .source("the radius that a shell follows"),
     )
 }

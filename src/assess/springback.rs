@@ -3,7 +3,8 @@
 use super::{Finding, Light, run::Run};
 use crate::case::Springback;
 use crate::measure::{Change, EDGE, FLANGE_ANGLE, OPENING_ANGLE, Quantity, Shape, changes};
-use crate::model::{Geometry, Mode};
+use crate::message::{Message, message};
+use crate::model::{Geometry, Mode, Role};
 use crate::table::Unit;
 
 /// Share of a tolerance above which the scatter of sheet and process may use the rest: from coil to coil spring-back varies by
@@ -14,6 +15,8 @@ const NEAR: f64 = 0.8;
 struct Judged {
     change: Change,
     wanted: f64,
+    /// After less wanted, in the unit of the quantity.
+    missed: f64,
     tolerance: f64,
 }
 
@@ -31,32 +34,51 @@ pub(super) fn judge(run: &Run) -> Option<Finding> {
         };
         let advice =
             "[material] mode = \"elasto_viscoplastic\" with young and poisson, and a stage with release = true";
-        return Some(grey(why.to_owned(), advice.to_owned()));
+        return Some(grey(why, advice));
     };
     let changes = changes(&Shape::of(before), &Shape::of(after));
     let judged: Vec<Judged> = limits.of(&changes).collect();
     if judged.is_empty() {
-        let angles = changes.iter().filter(|change| change.quantity.unit == Unit::Degree);
-        let said: Vec<String> = angles.map(|change| format!("{} {}", change.quantity.label, change.text())).collect();
-        let over = changes.iter().filter_map(|change| overbend(change, change.before?));
-        let over: Vec<String> = over.collect();
-        let advice = format!("[springback] with the part's tolerance{}", compensated(&over));
-        return (!said.is_empty()).then(|| grey(said.join(", "), advice));
+        return unjudged(limits, &changes);
     }
     let worst = judged.iter().max_by(|a, b| a.used().total_cmp(&b.used()))?;
-    let found: Vec<String> = judged.iter().map(Judged::found).collect();
-    let bounds: Vec<String> = judged.iter().map(Judged::limit).collect();
-    let over: Vec<String> = judged.iter().filter_map(|judged| overbend(&judged.change, judged.wanted)).collect();
-    let tension = "more tension in the walls (holder force, beads) and smaller radii spring back less";
+    let over = judged.iter().filter_map(|judged| overbend(&judged.change, judged.wanted));
+    let less = match run.case.model().tool(Role::Holder) {
+        Some(_) => "more tension in the walls (holder force, beads) and smaller radii spring back less",
+        None => "a smaller radius springs back less",
+    };
     Some(
-        Finding::judged("springback", "Spring-back", Light::of(worst.used(), [NEAR, 1.0]), found.join("; "))
-            .against(worst.missed(), worst.change.quantity.unit, bounds.join("; "))
-            .source("the part's tolerance, [springback]; near it from 80 % on, a declared rule of thumb")
-            .advice(format!("{tension}{}", compensated(&over))),
+        Finding::judged(
+            "springback",
+            "Spring-back",
+            Light::of(worst.used(), [NEAR, 1.0]),
+            Message::joined(judged.iter().map(Judged::found), "; "),
+        )
+        .against(
+            worst.missed.abs(),
+            worst.change.quantity.unit,
+            Message::joined(judged.iter().map(Judged::limit), "; "),
+        )
+        .at_most(NEAR * worst.tolerance, worst.tolerance)
+        .source("the part's tolerance, [springback]; near it from 80 % on, a declared rule of thumb")
+        .advice(Message::joined([less.into(), compensated(over)], "; ")),
     )
 }
 
-fn grey(found: String, advice: String) -> Finding {
+/// What cannot be held against a tolerance: none is given, or nothing was found to measure.
+fn unjudged(limits: &Springback, changes: &[Change]) -> Option<Finding> {
+    if limits.is_given() {
+        let advice = "a bend by ten degrees or more, and a straight leg behind it that can be measured";
+        return Some(grey("no angle was found to measure", advice));
+    }
+    let angles = changes.iter().filter(|change| change.quantity.unit == Unit::Degree);
+    let said = Message::joined(angles.map(|change| change.quantity.named(change.told())), ", ");
+    let over = changes.iter().filter_map(|change| overbend(change, change.before?));
+    let advice = Message::joined(["[springback] with the part's tolerance".into(), compensated(over)], "; ");
+    (!said.is_empty()).then(|| grey(said, advice))
+}
+
+fn grey(found: impl Into<Message>, advice: impl Into<Message>) -> Finding {
     Finding::judged("springback", "Spring-back", Light::Grey, found)
         .limit("the part's tolerance, not in the case")
         .advice(advice)
@@ -72,56 +94,52 @@ impl Springback {
         ];
         limits.into_iter().filter_map(|(quantity, wanted, tolerance)| {
             let change = *changes.iter().find(|change| change.quantity.key == quantity.key)?;
-            Some(Judged { change, wanted: wanted.or(change.before)?, tolerance: tolerance? }).filter(Judged::is_there)
+            let after = change.after?;
+            let wanted = wanted.or(change.before)?;
+            Some(Judged { change, wanted, missed: after - wanted, tolerance: tolerance? })
         })
     }
 }
 
 impl Judged {
-    fn is_there(&self) -> bool {
-        self.change.after.is_some()
-    }
-
-    /// After less wanted, in the unit of the quantity.
-    fn missed(&self) -> f64 {
-        self.change.after.map_or(0.0, |after| after - self.wanted)
-    }
-
     /// Share of the tolerance \[–\].
     fn used(&self) -> f64 {
-        self.missed().abs() / self.tolerance
+        self.missed.abs() / self.tolerance
     }
 
     /// `Opening angle 90.0° → 94.9°, off by +4.9°`.
-    fn found(&self) -> String {
+    fn found(&self) -> Message {
         let quantity = self.change.quantity;
-        format!("{} {}, off by {}", quantity.label, self.change.text(), quantity.signed(self.missed()))
+        let by = quantity.signed(self.missed);
+        quantity.named(message!("{change}, off by {by}", change = self.change.told(), by = by))
     }
 
     /// `90.0° ± 1.0°`.
-    fn limit(&self) -> String {
+    fn limit(&self) -> Message {
         let quantity = self.change.quantity;
-        format!("{} ± {}", quantity.text(self.wanted), quantity.text(self.tolerance))
+        let (wanted, tolerance) = (quantity.told(self.wanted), quantity.told(self.tolerance));
+        message!("{wanted} ± {tolerance}", wanted = wanted, tolerance = tolerance)
     }
 }
 
 /// The angle under the tools that leaves the wanted one, to the first order: as much further as it springs back from where it
 /// is now. `None` of what is no angle of a tool.
-fn overbend(change: &Change, wanted: f64) -> Option<String> {
+fn overbend(change: &Change, wanted: f64) -> Option<Message> {
     let quantity = change.quantity;
     let back = change.change().filter(|_| [OPENING_ANGLE.key, FLANGE_ANGLE.key].contains(&quantity.key))?;
-    let label = quantity.label.to_lowercase();
-    Some(format!("{label} {} (over-bent by {})", quantity.text(wanted - back), quantity.text(back.abs())))
+    let (angle, by) = (quantity.told(wanted - back), quantity.told(back.abs()));
+    Some(quantity.named(message!("{angle}, over-bent by {by}", angle = angle, by = by)))
 }
 
-/// `; or tools that bend to an opening angle ...`; nothing where there is no angle.
-fn compensated(over: &[String]) -> String {
+/// Nothing where there is no angle.
+fn compensated(over: impl Iterator<Item = Message>) -> Message {
+    let over = Message::joined(over, "; ");
     if over.is_empty() {
-        return String::new();
+        return over;
     }
-    format!(
-        "; or over-bend under the tools to {}, a first estimate that takes the spring-back as it is now: run again, and go on by \
-         what is left",
-        over.join(", ")
+    message!(
+        "or tools that over-bend ({over}), a first estimate with the spring-back as it is now: run again, and go on by what is \
+         left",
+        over = over
     )
 }

@@ -1,6 +1,7 @@
 //! Whether the run came to its end.
 
 use super::{Finding, Light, run::Run, thinning};
+use crate::message::{Message, message};
 use crate::model::Role;
 use crate::solution::Stop;
 
@@ -9,9 +10,11 @@ pub(super) fn judge(run: &Run) -> Option<Finding> {
     let last = run.stages.last()?;
     let (model, stop) = (&last.model, &last.stop);
     let words = match stop {
-        Stop::FullTravel if model.release.is_some() => "the tools are taken away".to_owned(),
-        Stop::FullTravel if model.stop.drawn_through => format!("{stop}, and the cup is not through the die"),
-        stop => stop.to_string(),
+        Stop::FullTravel if model.release.is_some() => "the tools are taken away".into(),
+        Stop::FullTravel if model.stop.drawn_through => {
+            message!("{stop}, and the cup is not through the die", stop = stop.message())
+        }
+        stop => stop.message(),
     };
     let light = match stop {
         Stop::FullTravel if model.stop.drawn_through && model.release.is_none() => Light::Amber,
@@ -21,10 +24,10 @@ pub(super) fn judge(run: &Run) -> Option<Finding> {
         _ => Light::Red,
     };
     let stages = 1 + run.case.later().len();
-    let mut at = if stages > 1 { format!("stage {} of {stages}: ", run.stages.len()) } else { String::new() };
-    if last.closing.is_some() && model.tool(Role::Punch).is_none() {
-        at += "while the holder closes: ";
-    }
+    let at = match stages {
+        1 => Message::default(),
+        all => message!("stage {n} of {all}", n = run.stages.len(), all = all),
+    };
     let advice = match stop {
         Stop::FullTravel if model.stop.drawn_through => "more travel",
         Stop::FullTravel | Stop::ContactShare { .. } | Stop::HolderClosed { .. } | Stop::Interrupted { .. } => "",
@@ -49,7 +52,8 @@ pub(super) fn judge(run: &Run) -> Option<Finding> {
         }
         Stop::NoEquilibrium { .. } => "what the stop names; else a finer mesh at the radii (blank.elements)",
     };
-    Some(
-        Finding::judged("stop", "Run", light, at + &words).limit("reaches its end").source("the solver").advice(advice),
-    )
+    let closes = last.closing.is_some() && model.tool(Role::Punch).is_none();
+    let closing = if closes { "while the holder closes".into() } else { Message::default() };
+    let found = Message::joined([at, closing, words], ": ");
+    Some(Finding::judged("stop", "Run", light, found).limit("reaches its end").source("the solver").advice(advice))
 }

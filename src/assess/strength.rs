@@ -1,10 +1,10 @@
 //! Whether the hardening law is that of a sheet metal, or in a wrong unit.
 
 use super::Finding;
+use crate::message::{Amount, message};
 use crate::model::Model;
 use crate::rules::estimate::tensile_strength;
 use crate::table::Unit;
-use crate::units::mm;
 
 /// Tensile strength above that of any cold-formed sheet \[MPa\].
 const STRONGEST: f64 = 3000.0;
@@ -20,17 +20,22 @@ pub(super) fn is_weak(model: &Model) -> bool {
 pub(super) fn unusual(model: &Model) -> Option<Finding> {
     let strength = tensile_strength(&model.material.hardening);
     let (found, advice) = if strength > STRONGEST {
-        (format!("a tensile strength of {strength:.0} MPa is that of no sheet metal"), "check the law's units")
-    } else if is_weak(model) {
         let found =
-            format!("a tensile strength of {} MPa, below {WEAKEST} MPa, is that of no sheet metal", mm(strength));
+            message!("a tensile strength of {strength} is that of no sheet metal", strength = Amount::stress(strength));
+        (found, "check the law's units")
+    } else if is_weak(model) {
+        let found = message!(
+            "a tensile strength of {strength}, below {weakest}, is that of no sheet metal",
+            strength = Amount::stress(strength),
+            weakest = Amount::given_stress(WEAKEST)
+        );
         (found, "check the unit of the law's stresses")
     } else {
         return None;
     };
-    Some(
-        Finding::warning("strength", "Tensile strength", found)
-            .against(strength, Unit::MPa, format!("{WEAKEST} to {STRONGEST} MPa"))
-            .advice(advice),
-    )
+    let limit =
+        message!("{low} to {high}", low = Amount::given_stress(WEAKEST), high = Amount::given_stress(STRONGEST));
+    let warning = Finding::warning("strength", "Tensile strength", found).against(strength, Unit::MPa, limit);
+    let warning = if strength > STRONGEST { warning.at_most(STRONGEST, None) } else { warning.at_least(WEAKEST, None) };
+    Some(warning.advice(advice))
 }

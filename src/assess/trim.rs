@@ -1,19 +1,22 @@
 //! Where the sheet was cut before a stage.
 
 use super::Finding;
+use crate::message::{Amount, message};
 use crate::solution::StageSolution;
 use crate::table::Unit;
 
 /// A cut, which falls between elements.
 pub(super) fn cut(stage: &StageSolution) -> Option<Finding> {
     let cut = stage.trimmed?;
-    let found = format!(
-        "the sheet is cut to r = {:.3} mm ({} mm asked for): whole elements go, {} of them",
-        cut.edge, cut.asked, cut.elements
+    let found = message!(
+        "the sheet is cut to r = {edge} ({asked} asked for): whole elements go, {n} of them",
+        edge = Amount::size(cut.edge),
+        asked = Amount::size(cut.asked),
+        n = cut.elements
     );
     Some(
         Finding::warning("trim", "Trim", found)
-            .against(cut.edge, Unit::Mm, format!("{} mm", cut.asked))
+            .against(cut.edge, Unit::Mm, Amount::size(cut.asked))
             .source("the case's trim"),
     )
 }

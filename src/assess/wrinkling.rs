@@ -60,25 +60,38 @@ fn pressed(model: &Model, least: f64) -> Option<Finding> {
     let advised = siebel_pressure(model, tensile_strength(&model.material.hardening))?;
     let index = advised / pressure;
     let light = Light::of(index, LIMITS);
-    let force = 1e-3 * (advised * held_area(model)? + beads);
-    let found = format!(
-        "{index:.2}: {advised:.2} MPa advised over {pressure:.2} MPa; an axisymmetric run itself cannot wrinkle"
+    let force = advised * held_area(model)? + beads;
+    let found = message!(
+        "{index}: {advised} advised over {pressure}; an axisymmetric run itself cannot wrinkle",
+        index = Amount::ratio(index),
+        advised = Amount::stress(advised),
+        pressure = Amount::stress(pressure)
+    );
+    let limit = message!(
+        "{limit}, refused above {red}",
+        limit = Amount::count(LIMITS[0] as usize),
+        red = Amount::number(LIMITS[1])
     );
     Some(
         Finding::judged("wrinkling", "Wrinkle index", light, found)
-            .against(index.is_finite().then_some(index), Unit::None, format!("{:.0}, refused above {}", LIMITS[0], LIMITS[1]))
+            .against(index.is_finite().then_some(index), Unit::None, limit)
+            .at_most(LIMITS[0], LIMITS[1])
             .source("Siebel's holder pressure, after Kugler (2009) in 4ming; red is a declared rule of thumb")
-            .advice(format!(
-                "a holder force of {force:.1} kN or more; where the sheet tears too, a thicker sheet, a smaller blank or one \
-                 more draw"
+            .advice(message!(
+                "a holder force of {force} or more; where the sheet tears too, a thicker sheet, a smaller blank or one more draw",
+                force = Amount::force(force, Unit::N)
             )),
     )
 }
 
 fn fixed(gap: f64) -> Finding {
-    let found = format!("holder fixed at {gap:.2} thicknesses; an axisymmetric run itself cannot wrinkle");
+    let found = message!(
+        "holder fixed {gap} from the die; an axisymmetric run itself cannot wrinkle",
+        gap = Amount::thicknesses(gap)
+    );
     Finding::judged("wrinkling", "Wrinkle room", Light::within(gap, GAP), found)
-        .against(gap, Unit::None, format!("at most {GAP} thicknesses"))
+        .against(gap, Unit::None, message!("at most {limit}", limit = Amount::thicknesses(GAP)))
+        .at_most(GAP, None)
         .advice("a smaller holder gap, or a holder force")
 }
 
@@ -86,11 +99,17 @@ fn fixed(gap: f64) -> Finding {
 fn free(model: &Model) -> Finding {
     let beyond = model.tool(Role::Punch).map_or(0.0, |punch| 2.0 * (model.blank.length - extent(punch).1));
     let thicknesses = beyond / model.blank.thickness;
-    let found = format!(
-        "nothing holds the flange: blank less punch diameter is {thicknesses:.0} thicknesses; an axisymmetric run itself cannot \
-         wrinkle"
+    let found = message!(
+        "nothing holds the flange: blank less punch diameter is {ratio}; an axisymmetric run itself cannot wrinkle",
+        ratio = Amount::thicknesses(thicknesses)
+    );
+    let limit = message!(
+        "{limit}, refused above {red}",
+        limit = Amount::thicknesses(FREE[0]),
+        red = Amount::thicknesses(FREE[1])
     );
     Finding::judged("wrinkling", "Wrinkle index", Light::of(thicknesses, FREE), found)
-        .against(thicknesses, Unit::None, format!("{} thicknesses, refused above {}", FREE[0], FREE[1]))
+        .against(thicknesses, Unit::None, limit)
+        .at_most(FREE[0], FREE[1])
         .advice("give tools.holder a force; `check` says what Siebel's rule advises")
 }

@@ -1,14 +1,14 @@
 //! How much of the sheet yields again, the other way, while its tools are taken away.
 
 use super::Finding;
+use crate::message::{Amount, message};
 use crate::model::Mode;
 use crate::solution::StageSolution;
-use crate::table::Unit;
 
 /// Plastic strain, or stress over the yield stress, from which a point has yielded again \[–\].
 const YIELDED: f64 = 1e-4;
-/// Share of the sheet that is worth a word \[%\].
-const LEAST: f64 = 0.1;
+/// Share of the sheet that is worth a word \[–\].
+const LEAST: f64 = 1e-3;
 
 /// The share of the sheet's volume; by D(E, ν) alone that is where the stress that is left lies beyond the yield stress.
 pub(super) fn again(stage: &StageSolution) -> Option<Finding> {
@@ -26,16 +26,13 @@ pub(super) fn again(stage: &StageSolution) -> Option<Finding> {
         total += share;
         volume += if beyond || point.strain - before.strain_equivalent > YIELDED { share } else { 0.0 };
     }
-    let share = 100.0 * volume / total;
-    let what = match model.mode {
-        Mode::Elastic => "would yield again as the tools are taken away, which D(E, ν) alone leaves out",
-        _ => "yields again as the tools are taken away",
+    let share = volume / total;
+    let found = match model.mode {
+        Mode::Elastic => message!(
+            "{share} of the sheet would yield again as the tools are taken away, which elasticity alone leaves out",
+            share = Amount::share(share)
+        ),
+        _ => message!("{share} of the sheet yields again as the tools are taken away", share = Amount::share(share)),
     };
-    (share > LEAST).then(|| {
-        Finding::warning("yields_again", "Unloading", format!("{share:.1} % of the sheet {what}")).against(
-            share,
-            Unit::Percent,
-            format!("{LEAST} %"),
-        )
-    })
+    (share > LEAST).then(|| Finding::warning("yields_again", "Unloading", found).share(share, LEAST))
 }

@@ -1,10 +1,11 @@
 //! A case file written around tools that were drawn: their profiles, and declared placeholders for the rest.
 
 mod draft;
+mod later;
 mod refused;
 mod sizes;
 
-pub use draft::Draft;
+pub use draft::{Draft, Drawn};
 
 use super::page::{Page, exact, size_key};
 use super::templates::rules::strip_pressure;
@@ -23,6 +24,10 @@ impl Draft<'_> {
     pub fn toml(&self) -> String {
         let sizes = self.sizes();
         let mut page = self.head(&sizes);
+        if let Some(name) = &self.name {
+            page.table("stage", "");
+            page.set("name", format!("\"{name}\""), "");
+        }
         self.sheet(&sizes, &mut page);
         for (role, profile, made_of) in &self.tools {
             page.table(&format!("tools.{}", role.name()), made_of);
@@ -48,6 +53,7 @@ impl Draft<'_> {
                 "travel = \"10 mm\"",
             ]);
         }
+        self.later_stages(&sizes, &mut page);
         page.text()
     }
 
@@ -60,6 +66,7 @@ impl Draft<'_> {
             [("thickness", Some(&sizes.thickness)), ("blank", Some(&sizes.blank)), ("travel", sizes.travel.as_ref())];
         open.extend(picked.iter().filter(|(_, size)| size.is_some_and(|size| !size.is_given())).map(|(name, _)| name));
         open.extend(self.has(Role::Holder).then_some("holder pressure"));
+        open.extend((!self.later.is_empty()).then_some("ways and holder forces of the later stages"));
         let notes = [
             "declared: the tools' sections are those of the drawing".to_owned(),
             format!("declared: placeholders, not in the drawing: {}", open.join(", ")),

@@ -103,8 +103,8 @@ fn describe(text: &mut String, law: &Law) {
     if !law.name.is_empty() {
         let _ = writeln!(text, "  {}", law.name);
     }
-    for line in law.description.lines().filter(|line| !line.is_empty()) {
-        let _ = writeln!(text, "{indent}{line}");
+    for sentences in unbroken(&law.description) {
+        let _ = writeln!(text, "{indent}{sentences}");
     }
     for Parameter { key, optional, meaning } in &law.parameters {
         let inner = if key.contains('.') { "  " } else { "" };
@@ -112,6 +112,18 @@ fn describe(text: &mut String, law: &Law) {
         let _ = writeln!(text, "      {:<28} {meaning}", format!("{inner}{key}{optional}"));
     }
     text.push('\n');
+}
+
+/// A text's lines, those joined again that were broken within a sentence.
+fn unbroken(text: &str) -> Vec<String> {
+    let mut joined: Vec<String> = Vec::new();
+    for line in text.lines().map(str::trim).filter(|line| !line.is_empty()) {
+        match joined.last_mut().filter(|last| !last.ends_with(['.', ':'])) {
+            Some(last) => *last += &format!(" {line}"),
+            None => joined.push(line.to_owned()),
+        }
+    }
+    joined
 }
 
 fn law_of(kind: &'static str, place: &'static str, name: &str, law: &Value) -> Law {

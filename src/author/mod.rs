@@ -6,6 +6,6 @@ mod laws;
 mod page;
 pub mod templates;
 
-pub use from_drawing::Draft;
+pub use from_drawing::{Draft, Drawn};
 #[cfg(feature = "schema")]
 pub use laws::{Law, law_list, laws};

@@ -10,7 +10,14 @@ use std::fmt::{Display, Write};
 const WIDE: usize = 100;
 
 /// A case file being written.
-pub(super) struct Page(String);
+pub(super) struct Page {
+    text: String,
+    /// Whether the part is round: sizes are then also said as diameters.
+    is_round: bool,
+}
+
+/// Keys of a round part that are half of what shops measure.
+const HALVES: [&str; 3] = ["radius", "throat", "inner_radius"];
 
 impl Page {
     /// Begins with comments on the case as a whole, its title, its geometry and what is declared.
@@ -20,17 +27,18 @@ impl Page {
         geometry: Geometry,
         notes: &[String],
     ) -> Self {
+        let is_round = geometry == Geometry::Axisymmetric;
         let geometry = match geometry {
             Geometry::Axisymmetric => "axisymmetric",
             Geometry::PlaneStrain => "plane_strain",
         };
-        let mut page = Self(String::new());
+        let mut page = Self { text: String::new(), is_round };
         about.into_iter().for_each(|text| page.comment(text.as_ref()));
-        let _ = writeln!(page.0, "\ntitle = {}\ngeometry = {geometry:?}\nnotes = [", toml_edit::Value::from(title));
+        let _ = writeln!(page.text, "\ntitle = {}\ngeometry = {geometry:?}\nnotes = [", toml_edit::Value::from(title));
         for note in notes {
-            let _ = writeln!(page.0, "    {},", toml_edit::Value::from(note));
+            let _ = writeln!(page.text, "    {},", toml_edit::Value::from(note));
         }
-        page.0.push_str("]\n");
+        page.text.push_str("]\n");
         page
     }
 
@@ -39,46 +47,48 @@ impl Page {
         let mut line = String::from("#");
         for word in text.split_whitespace() {
             if line.chars().count() + 1 + word.chars().count() > WIDE {
-                let _ = writeln!(self.0, "{line}");
+                let _ = writeln!(self.text, "{line}");
                 line = String::from("#");
             }
             line.push(' ');
             line.extend(word.chars().filter(|c| !c.is_control()));
         }
-        let _ = writeln!(self.0, "{line}");
+        let _ = writeln!(self.text, "{line}");
     }
 
     /// Lines for someone to uncomment.
     pub fn proposal(&mut self, lines: &[&str]) {
-        self.0.push('\n');
+        self.text.push('\n');
         lines.iter().for_each(|line| self.comment(line));
     }
 
     /// Begins a table, `tools.punch` or `[stages]`, with a comment above it where there is one.
     pub fn table(&mut self, name: &str, why: &str) {
-        self.0.push('\n');
+        self.text.push('\n');
         if !why.is_empty() {
             self.comment(why);
         }
-        let _ = writeln!(self.0, "[{name}]");
+        let _ = writeln!(self.text, "[{name}]");
     }
 
     /// A key and its value as TOML, with why it is so.
     pub fn set(&mut self, key: &str, value: impl Display, why: &str) {
         let line = format!("{key} = {value}");
         if why.is_empty() {
-            let _ = writeln!(self.0, "{line}");
+            let _ = writeln!(self.text, "{line}");
         } else if line.chars().count() + 3 + why.chars().count() <= WIDE {
-            let _ = writeln!(self.0, "{line}   # {why}");
+            let _ = writeln!(self.text, "{line}   # {why}");
         } else {
             self.comment(why);
-            let _ = writeln!(self.0, "{line}");
+            let _ = writeln!(self.text, "{line}");
         }
     }
 
     /// A picked length.
     pub fn length(&mut self, key: &str, picked: &Picked) {
-        self.set(key, mm(picked.value), &picked.why);
+        let diameter = across(picked.value, if self.is_round { key } else { "" });
+        let parts = [diameter.as_str(), &picked.why].into_iter().filter(|part| !part.is_empty());
+        self.set(key, mm(picked.value), &parts.collect::<Vec<_>>().join(", "));
     }
 
     /// `[material.hardening.swift]`: k \[MPa\], n and offset strain \[–\].
@@ -107,8 +117,13 @@ impl Page {
     }
 
     pub fn text(self) -> String {
-        self.0
+        self.text
     }
+}
+
+/// The diameter that belongs to a key of a round part, as a comment has it; nothing for other keys.
+pub(super) fn across(half: f64, key: &str) -> String {
+    if HALVES.contains(&key) { format!("Ø {}", plain(2.0 * half)) } else { String::new() }
 }
 
 /// The key of a blank's size.

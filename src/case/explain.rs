@@ -3,6 +3,7 @@
 #[cfg(feature = "schema")]
 use super::schema::example_line;
 use super::source::Source;
+use super::wording::listed;
 use super::{CaseError, CaseFile};
 use crate::units::did_you_mean;
 use toml::de::Error;
@@ -21,7 +22,7 @@ pub(super) fn read(source: &Source) -> Result<CaseFile, CaseError> {
                     mostly [tools.die] and [tools.holder]; begin with a copy of cases/quickstart.toml";
         return Err(source.error_at(0..0, what.into(), "here".into(), help.into()));
     }
-    toml::from_str(source.text()).map_err(|error| content(&error, source))
+    source.read().map_err(|error| content(&error, source))
 }
 
 /// TOML that is not a case file.
@@ -33,17 +34,22 @@ fn content(error: &Error, source: &Source) -> CaseError {
     let subject = words.next().unwrap_or("");
     let known: Vec<&str> = words.collect();
     let (table, key) = path.rsplit_once('.').unwrap_or(("", &path));
+    let written = source.written(&path);
     let (what, help) = if message.starts_with("unknown field") {
-        (format!("unknown key `{subject}` in {}", shown(table)), proposal(subject, &known, "keys"))
+        (
+            format!("unknown key `{subject}` in {}", shown(table)),
+            proposal(subject, &listed(kind_of(table), &known), "keys"),
+        )
     } else if message.starts_with("missing field") {
         return missing(source, &path, subject);
     } else if message.starts_with("unknown variant") {
         (format!("`{key}` cannot be \"{subject}\""), proposal(subject, &known, "values"))
     } else {
         let (what, help) = message.split_once('\n').unwrap_or((message, ""));
-        let key = if path.is_empty() { "case".into() } else { last_name(&path) };
+        let key = if path.is_empty() { "case".into() } else { last_name(&written) };
         let joint = if what.starts_with("must ") { "" } else { ":" };
-        let help = match example_line(&path) {
+        let example = example_line(&path).filter(|_| written == path); // of the key that was written
+        let help = match example {
             Some(line) if help.is_empty() || help.starts_with("write for example") => {
                 format!("write for example {line}")
             }
@@ -51,7 +57,7 @@ fn content(error: &Error, source: &Source) -> CaseError {
         };
         (format!("`{key}`{joint} {}", plain(what)), help)
     };
-    let label = if path.is_empty() { "here".into() } else { path.clone() };
+    let label = if path.is_empty() { "here".into() } else { written };
     source.error_at(span, what, label, help)
 }
 
@@ -63,6 +69,11 @@ pub(super) fn missing(source: &Source, table: &str, key: &str) -> CaseError {
         None => format!("add it: [{path}]"),
     };
     source.error(table, format!("`{key}` is missing in {}", shown(table)), help)
+}
+
+/// The key that says what a table is: entries of arrays are called by their array.
+fn kind_of(table: &str) -> &str {
+    table.rsplit('.').find(|key| key.parse::<usize>().is_err()).unwrap_or("")
 }
 
 fn shown(table: &str) -> String {

@@ -1,11 +1,15 @@
 //! The built-in materials: one file of `library/` each, every number with its source.
 
+mod lookup;
+mod strength;
+
 use super::file::{self, CaseFile};
+use super::sources::{Sheets, Thickness};
 use super::{CaseError, build, source::Source};
 use crate::forming_limit::{Curve, Hill, Kind, Sheet, uniform_strain};
 use crate::material::Material;
 use crate::material::flow::ROOM_TEMPERATURE;
-use crate::units::did_you_mean;
+use lookup::Found;
 use serde::Deserialize;
 
 /// Name and text of every entry, by name.
@@ -29,8 +33,19 @@ struct EntryFile {
     grade: String,
     licence: String,
     thickness: Option<String>,
+    stands_for: Option<StandsFor>,
     notes: Vec<String>,
     material: file::Material,
+}
+
+/// The grades of standards that a sheet may be taken for.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct StandsFor {
+    /// As standards and mills call them, the usual one first.
+    pub grades: Vec<String>,
+    /// Why it may: a source, or what is declared.
+    pub because: String,
 }
 
 /// A material of the library.
@@ -48,6 +63,8 @@ pub struct Entry {
     pub licence: String,
     /// Of the sheet that the numbers are of, where the source says it.
     pub thickness: Option<String>,
+    /// The grades that it stands for, where there are any.
+    pub stands_for: Option<StandsFor>,
     /// What a user should know of the numbers.
     pub notes: Vec<String>,
     /// The material as a case would have it.
@@ -82,66 +99,73 @@ pub fn materials() -> Result<Vec<Entry>, CaseError> {
     TEXTS.iter().map(|(name, text)| entry(name, text)).collect()
 }
 
-/// The material of a name.
+/// The names of all materials.
+pub fn names() -> impl Iterator<Item = &'static str> {
+    TEXTS.iter().map(|(name, _)| *name)
+}
+
+/// The material of a name, of a grade that it stands for, or whose name alone begins so.
 ///
 /// # Errors
-/// When there is none; the error proposes the nearest.
+/// When there is none or more than one; the error proposes the nearest.
 pub fn material(name: &str) -> Result<Entry, CaseError> {
-    match TEXTS.iter().find(|(known, _)| *known == name) {
-        Some((known, text)) => entry(known, text),
-        None => {
-            let (what, help) = unknown(name);
-            Err(CaseError::bare(what, help))
-        }
-    }
+    let Found { name, text, .. } = lookup::find(name)?;
+    entry(name, text)
+}
+
+/// What a case takes from the library.
+#[derive(Debug, Default)]
+pub(super) struct Taken {
+    /// What was taken from where.
+    pub notes: Vec<String>,
+    /// Where hardening and r̄ come from, where that is two sheets.
+    pub sheets: Option<Sheets>,
+    /// The sheet's thickness, where its source says it.
+    pub thickness: Option<Thickness>,
 }
 
 /// Fills what a case leaves open of the material that it names.
-pub(super) fn complete(file: &mut CaseFile, source: &Source) -> Result<Vec<String>, CaseError> {
-    let Some(name) = file.material.name.clone() else { return Ok(Vec::new()) };
-    let Some((_, text)) = TEXTS.iter().find(|(known, _)| *known == name) else {
-        let (what, help) = unknown(&name);
-        return Err(source.error("material.name", what, help));
-    };
-    let EntryFile { material: known, .. } = read(&name, text)?;
-    let origin = known.source.unwrap_or_default();
-    let mut notes = vec![format!("material {name}: {origin}")];
+pub(super) fn complete(file: &mut CaseFile, source: &Source) -> Result<Taken, CaseError> {
+    let Some(written) = file.material.name.clone() else { return Ok(Taken::default()) };
+    let Found { name, file: found, note, .. } =
+        lookup::find(&written).map_err(|unknown| source.error("material.name", unknown.what, unknown.help))?;
+    let EntryFile { material: known, thickness, .. } = found;
+    let origin = known.source.clone().unwrap_or_default();
+    let mut notes: Vec<String> = note.into_iter().chain([format!("material {name}: {origin}")]).collect();
     let own = &mut file.material;
+    let own_hardening = source.has("material.hardening");
     let mut replaced = Vec::new();
     let mut keep = |key: &'static str, given: bool| replaced.extend(given.then_some(key));
     keep("young and poisson", own.young.is_some() || own.poisson.is_some());
     keep("anisotropy", own.anisotropy.is_some());
     keep("rate", own.rate.is_some());
     keep("softening", own.softening.is_some());
-    keep("hardening", source.has("material.hardening"));
+    keep("hardening", own_hardening);
+    let sheets = Sheets::of(name, own_hardening, own, &known);
     if own.young.is_none() && own.poisson.is_none() {
         (own.young, own.poisson) = (known.young, known.poisson);
     }
     own.anisotropy = own.anisotropy.or(known.anisotropy);
     own.rate = own.rate.or(known.rate);
     own.softening = own.softening.or(known.softening);
-    if !source.has("material.hardening") {
+    if !own_hardening {
         own.hardening = known.hardening;
         own.source.get_or_insert(origin);
     }
     if !replaced.is_empty() {
         notes.push(format!("material {name}: {} as this case has it, not as its source", replaced.join(", ")));
     }
-    Ok(notes)
-}
-
-fn unknown(name: &str) -> (String, String) {
-    let names = TEXTS.map(|(name, _)| name);
-    let help = format!("{}known materials: {}", did_you_mean(name, names.iter().copied()), names.join(", "));
-    (format!("the library has no material \"{name}\""), help)
+    // Of another law the sheet's thickness says nothing.
+    let thickness = thickness.filter(|_| !own_hardening).and_then(|words| Thickness::read(name, &words));
+    Ok(Taken { notes, sheets, thickness })
 }
 
 fn entry(name: &'static str, text: &'static str) -> Result<Entry, CaseError> {
-    let EntryFile { title, grade, licence, thickness, notes, material } = read(name, text)?;
+    let EntryFile { title, grade, licence, thickness, stands_for, notes, material } = read(name, text)?;
     let source = material.source.clone().unwrap_or_default();
     let material = build::material(&material, &Source::parse(name, text)?)?;
     let table = text.find("[material").map_or("", |at| &text[at..]);
-    Ok(Entry { name, title, source, grade, licence, thickness, notes, material, text: table })
+    Ok(Entry { name, title, source, grade, licence, thickness, stands_for, notes, material, text: table })
 }
 
 fn read(name: &str, text: &str) -> Result<EntryFile, CaseError> {

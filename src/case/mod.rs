@@ -36,16 +36,17 @@ mod solution;
 mod source;
 mod sources;
 mod syntax;
+mod wording;
 
 pub use error::CaseError;
-pub use file::CaseFile;
+pub use file::{CaseFile, TitleBlock};
 pub use read::{load, parse, parse_with};
 #[cfg(feature = "schema")]
 pub(crate) use schema::definition;
 #[cfg(feature = "schema")]
-pub use schema::schema;
+pub use schema::{keys, schema};
 pub use solution::Solution;
-pub use sources::Sources;
+pub use sources::{Sheets, Sources, Thickness};
 
 use crate::compare::Spec;
 use crate::model::{Model, Stage};
@@ -70,6 +71,8 @@ pub struct Case {
     pub compare: Vec<Spec>,
     /// The rating of the press.
     pub press: Press,
+    /// What heads its reports.
+    pub title_block: TitleBlock,
     /// The part's tolerances.
     pub springback: Springback,
     /// Where its numbers come from.

@@ -1,8 +1,11 @@
 //! `KEY=VALUE` from the command line, written into the text before it is read.
 
-use super::CaseError;
+use super::{CaseError, wording};
 use crate::units::did_you_mean;
 use toml_edit::{DocumentMut, Item, Table, Value};
+
+/// The table that may be replaced as a whole, by the name of a sheet.
+const MATERIAL: &str = "material";
 
 /// The text with every override applied in order; text that is not TOML is returned as it is, to be reported later.
 pub(super) fn apply(text: &str, overrides: &[String]) -> Result<String, CaseError> {
@@ -19,14 +22,19 @@ pub(super) fn apply(text: &str, overrides: &[String]) -> Result<String, CaseErro
         let Some((key, tables)) = segments.split_last().filter(|_| segments.iter().all(|s| !s.is_empty())) else {
             return Err(fail("it names no key".into(), usage.into()));
         };
-        for optional in ["solver", "output", "stop", "friction", "stage", "forming_limit", "press"] {
+        for optional in ["solver", "output", "stop", "friction", "stage", "forming_limit", "press", "springback"] {
             if tables == [optional] && !document.contains_key(optional) {
                 document.insert(optional, Item::Table(Table::new()));
             }
         }
-        let mut here = document.as_item_mut();
+        let (mut here, mut kind) = (document.as_item_mut(), String::new());
         for (depth, segment) in tables.iter().enumerate() {
             let known = keys(here);
+            let written = known.iter().find(|known| wording::is_same(&kind, known, segment));
+            let segment = written.map_or(*segment, String::as_str);
+            if segment.parse::<usize>().is_err() {
+                kind = wording::key(&kind, segment).to_owned();
+            }
             here = child(here, segment).ok_or_else(|| {
                 let near = did_you_mean(segment, known.iter().map(String::as_str));
                 let all = if known.is_empty() { "nothing".into() } else { known.join(", ") };
@@ -34,9 +42,30 @@ pub(super) fn apply(text: &str, overrides: &[String]) -> Result<String, CaseErro
             })?;
         }
         let value = value.trim().parse::<Value>().unwrap_or_else(|_| Value::from(value.trim()));
+        if let (&[MATERIAL], Some(name)) = (&segments[..], value.as_str()) {
+            replace_material(&mut document, name);
+            continue;
+        }
+        forget(here, &kind, key);
         set(here, key, value).ok_or_else(|| fail(format!("[{}] holds no `{key}`", tables.join(".")), usage.into()))?;
     }
     Ok(document.to_string())
+}
+
+/// Puts a sheet of the library in the place of all that the case says of its material but how it is solved, `mode`.
+fn replace_material(document: &mut DocumentMut, name: &str) {
+    let old = document.get(MATERIAL);
+    let mode = old.and_then(|material| material.get("mode")).and_then(Item::as_value).cloned();
+    let mut table = Table::new();
+    if let Some(Item::Table(old)) = old {
+        *table.decor_mut() = old.decor().clone();
+        table.set_position(old.position().or_else(|| old.iter().find_map(|(_, item)| item.as_table()?.position())));
+    }
+    table.insert("name", Item::Value(name.into()));
+    if let Some(mode) = mode {
+        table.insert("mode", Item::Value(mode));
+    }
+    document.insert(MATERIAL, Item::Table(table));
 }
 
 fn keys(item: &Item) -> Vec<String> {
@@ -57,6 +86,15 @@ fn child<'a>(item: &'a mut Item, segment: &str) -> Option<&'a mut Item> {
         _ => None,
     };
     found.filter(|item| item.is_table_like() || item.is_array() || item.is_array_of_tables())
+}
+
+/// Removes what says the same as a key that is about to be set: the radius of a diameter, another word for it.
+fn forget(item: &mut Item, kind: &str, key: &str) {
+    let same: Vec<String> =
+        keys(item).into_iter().filter(|old| old != key && wording::is_same(kind, old, key)).collect();
+    if let Some(table) = item.as_table_like_mut() {
+        same.iter().for_each(|old| drop(table.remove(old)));
+    }
 }
 
 /// Sets a key of a table (new or not) or an entry of an array (that exists); comments around it stay.

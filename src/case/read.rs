@@ -53,14 +53,16 @@ pub fn parse_with(text: &str, name: &str, overrides: &[String], files: &dyn File
     let source = Source::parse(&shown, &text)?;
     let mut file = explain::read(&source)?;
     sources::forget_replaced(&mut file, overrides);
-    let origin = library::complete(&mut file, &source)?;
+    let mut taken = library::complete(&mut file, &source)?;
     let folder = Folder { files: &reads, path: path.parent().unwrap_or(Path::new("")) };
     let (stages, mut derived) = build::stages(&file, &source, folder)?;
-    derived.splice(0..0, origin);
+    taken.notes.splice(0..0, source.notes());
+    taken.notes.extend(sources::limit_of_another_sheet(&file, overrides));
+    derived.splice(0..0, std::mem::take(&mut taken.notes));
     let compare = build::compare(&file, &source, folder)?;
     let press = build::press(&file, &source)?;
     let springback = build::springback(&file, &source)?;
-    let sources = sources::of(&file, &source)?;
+    let sources = sources::of(&file, taken, &source)?;
     let name = path.file_stem().map_or_else(|| "case".into(), |stem| stem.to_string_lossy().into_owned());
     let overrides = overrides.to_vec();
     Ok(Case {
@@ -70,6 +72,7 @@ pub fn parse_with(text: &str, name: &str, overrides: &[String], files: &dyn File
         stages,
         compare,
         press,
+        title_block: file.report,
         springback,
         sources,
         derived,

@@ -1,19 +1,71 @@
 //! The JSON schema of case files, for editors and for the examples in messages.
 
-use super::CaseFile;
-use serde_json::Value;
+use super::{CaseFile, wording};
+use serde_json::{Value, json};
 use std::sync::LazyLock;
 
 static SCHEMA: LazyLock<Value> = LazyLock::new(|| {
     let text = schemars::schema_for!(CaseFile).to_value().to_string();
     // Documentation has units as rustdoc wants them, \[MPa\].
-    serde_json::from_str(&text.replace(r"\\[", "[").replace(r"\\]", "]"))
-        .expect("a JSON value is read as it was written")
+    let mut schema: Value = serde_json::from_str(&text.replace(r"\\[", "[").replace(r"\\]", "]"))
+        .expect("a JSON value is read as it was written");
+    for (name, table) in schema["$defs"].as_object_mut().into_iter().flatten() {
+        across(name, table);
+    }
+    schema
 });
+
+/// Adds the keys that give a length of a round part across, each instead of the one from the axis.
+fn across(name: &str, table: &mut Value) {
+    for twin in
+        wording::in_schema(name).filter(|twin| table["properties"].get(twin.radius).is_some()).collect::<Vec<_>>()
+    {
+        let mut diameter = table["properties"][twin.radius].clone();
+        let about = format!("Instead of `{}`, of a round part: its diameter, twice as much.", twin.radius);
+        if let Some(diameter) = diameter.as_object_mut() {
+            diameter.remove("examples");
+            diameter.insert("description".into(), about.into());
+        }
+        table["properties"][twin.diameter] = diameter;
+        let Some(required) = table["required"].as_array_mut() else { continue };
+        if let Some(at) = required.iter().position(|key| *key == *twin.radius) {
+            required.remove(at);
+            table["oneOf"] = json!([{ "required": [twin.radius] }, { "required": [twin.diameter] }]);
+        }
+    }
+}
 
 /// The JSON schema of a case file, indented.
 pub fn schema() -> String {
     serde_json::to_string_pretty(&*SCHEMA).expect("a JSON value can be written")
+}
+
+/// The dotted path of every key that holds a value, in the tables of a case: `tools.punch.travel`. Of lists the keys of the
+/// first entry, `stages.0.trim`.
+pub fn keys() -> Vec<String> {
+    let mut keys = Vec::new();
+    collect(&SCHEMA, "", &mut keys);
+    keys
+}
+
+fn collect(node: &Value, path: &str, keys: &mut Vec<String>) {
+    let choices = node.get("anyOf").and_then(Value::as_array).into_iter().flatten();
+    let named = node.get("$ref").and_then(Value::as_str).and_then(|text| text.rsplit('/').next()).map(definition);
+    let tables: Vec<&Value> = choices.chain(named).filter(|node| node["type"] != "null").collect();
+    let deeper = |key: &str| if path.is_empty() { key.to_owned() } else { format!("{path}.{key}") };
+    let before = keys.len();
+    tables.iter().for_each(|table| collect(table, path, keys));
+    for (key, value) in node.get("properties").and_then(Value::as_object).into_iter().flatten() {
+        collect(value, &deeper(key), keys);
+    }
+    let entries = node.get("items").filter(|entry| entry.get("$ref").is_some());
+    entries.into_iter().for_each(|entry| collect(entry, &deeper("0"), keys));
+    if keys.len() == before && !path.is_empty() {
+        keys.push(path.to_owned());
+    }
+    // Alternatives of one key, and what they have in common.
+    let mut seen = std::collections::BTreeSet::new();
+    keys.retain(|key| seen.insert(key.clone()));
 }
 
 /// A named definition of the schema; null when there is none.

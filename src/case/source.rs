@@ -1,17 +1,21 @@
 //! The text of a case and where each key stands in it.
 
-use super::{CaseError, syntax};
+use super::wording::Wording;
+use super::{CaseError, CaseFile, syntax};
 use miette::NamedSource;
+use serde::Deserialize;
 use std::ops::Range;
 use std::sync::Arc;
 use toml::Spanned;
-use toml::de::{DeTable, DeValue};
+use toml::de::{DeTable, DeValue, Deserializer, Error};
 
-/// A case's text, parsed as TOML; knows the place of every key path.
+/// A case's text, parsed as TOML, in the words of case files; knows the place of every key path.
+#[derive(Clone)]
 pub(super) struct Source<'t> {
     shown: Arc<NamedSource<String>>,
     text: &'t str,
     tree: Spanned<DeTable<'t>>,
+    wording: Wording,
     /// The later stage whose tools are meant by `tools.…`.
     stage: Option<usize>,
 }
@@ -20,19 +24,33 @@ impl<'t> Source<'t> {
     /// Parses the text as TOML.
     pub fn parse(name: &str, text: &'t str) -> Result<Self, CaseError> {
         let shown = Arc::new(NamedSource::new(name, text.to_owned()));
-        match DeTable::parse(text) {
-            Ok(tree) => Ok(Self { shown, text, tree, stage: None }),
-            Err(error) => Err(syntax::error(&error, text, shown)),
+        let mut tree = match DeTable::parse(text) {
+            Ok(tree) => tree,
+            Err(error) => return Err(syntax::error(&error, text, shown)),
+        };
+        match Wording::of(tree.get_mut(), text) {
+            Ok(wording) => Ok(Self { shown, text, tree, wording, stage: None }),
+            Err(found) => Err(CaseError::at(shown, found.span, found.what, found.label, found.help)),
         }
     }
 
-    /// The same text, in which `tools.…` means what a later stage, from 0, writes of a tool, where it does.
-    pub fn of_stage(&self, stage: usize) -> Result<Self, CaseError> {
-        Ok(Self { stage: Some(stage), ..Self::parse(self.shown.name(), self.text)? })
+    /// What the keys say, each in its own type.
+    pub fn read(&self) -> Result<CaseFile, Error> {
+        CaseFile::deserialize(Deserializer::from(self.tree.clone()))
     }
 
-    /// A key path as it was written.
-    fn written(&self, path: &str) -> String {
+    /// What was written in other words than those of case files.
+    pub fn notes(&self) -> Option<String> {
+        self.wording.notes()
+    }
+
+    /// The same text, in which `tools.…` means what a later stage, from 0, writes of a tool, where it does.
+    pub fn of_stage(&self, stage: usize) -> Self {
+        Self { stage: Some(stage), ..self.clone() }
+    }
+
+    /// A key path of the whole case.
+    fn whole(&self, path: &str) -> String {
         let of_stage = self.stage.zip(path.strip_prefix("tools.")).map(|(i, rest)| (format!("stages.{i}."), rest));
         match of_stage {
             Some((stage, rest)) if self.locate(&format!("{stage}{}", rest.split('.').next().unwrap_or(rest))).1 => {
@@ -54,15 +72,15 @@ impl<'t> Source<'t> {
 
     /// An error at a dotted key path (entries of arrays by index); what is missing is shown at its table.
     pub fn error(&self, path: &str, what: impl Into<String>, help: impl Into<String>) -> CaseError {
-        let path = &self.written(path);
+        let path = &self.whole(path);
         let (span, _) = self.locate(path);
-        let label = if path.is_empty() { "here".into() } else { path.to_owned() };
+        let label = if path.is_empty() { "here".into() } else { self.wording.written(path) };
         CaseError::at(self.shown.clone(), span, what.into(), label, help.into())
     }
 
     /// Whether a key was written.
     pub fn has(&self, path: &str) -> bool {
-        self.locate(&self.written(path)).1
+        self.locate(&self.whole(path)).1
     }
 
     /// The deepest place on the path that was written, and whether that is all of the path.
@@ -86,6 +104,11 @@ impl<'t> Source<'t> {
             array = value.get_ref().as_array().map(|array| &array[..]);
         }
         (here, true)
+    }
+
+    /// A key path in the words that were written.
+    pub fn written(&self, path: &str) -> String {
+        self.wording.written(path)
     }
 
     /// The key path whose key or value stands exactly at `span`; "" for the whole file.

@@ -1,21 +1,85 @@
 //! Where the numbers of a case come from, as it says itself.
 
-use super::file::CaseFile;
-use super::{CaseError, source::Source};
+use super::file::{self, CaseFile};
+use super::{CaseError, library::Taken, source::Source};
+use crate::units::{Quantity, parse};
 
 /// Where the numbers of a case come from: how they were measured, or author and year. `None` where the case does not say;
 /// the run does not depend on it.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Sources {
     /// Of the friction of all tools.
     pub friction: Option<String>,
     /// Of the material, by its name in the library where the case names one.
     pub material: Option<String>,
+    /// Where hardening and r̄ come from, where that is two sheets.
+    pub sheets: Option<Sheets>,
+    /// Thickness of the sheet that the material's numbers are of.
+    pub thickness: Option<Thickness>,
+}
+
+/// A material whose hardening and r̄ are of two sheets, one of them the library's.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Sheets {
+    /// The sheet of the library.
+    pub library: String,
+    /// Where the case has the other numbers from, if it says so.
+    pub case: Option<String>,
+    /// Whether the hardening is the case's, and r̄ the library's; else the other way round.
+    pub own_hardening: bool,
+    /// r̄ \[–\].
+    pub anisotropy: f64,
+}
+
+impl Sheets {
+    /// Of a case that names a sheet of the library and says itself what it says; `None` where both are of one sheet.
+    pub(super) fn of(name: &str, own_hardening: bool, own: &file::Material, known: &file::Material) -> Option<Self> {
+        let anisotropy = if own_hardening { known.anisotropy } else { own.anisotropy };
+        (own_hardening != own.anisotropy.is_some()).then(|| Self {
+            library: name.to_owned(),
+            case: own.source.clone(),
+            own_hardening,
+            anisotropy: anisotropy.map_or(1.0, Quantity::value),
+        })
+    }
+}
+
+/// Thickness of the sheet that a material of the library is of.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Thickness {
+    /// The material's name.
+    pub name: String,
+    /// Smallest and largest \[mm\].
+    pub range: [f64; 2],
+}
+
+impl Thickness {
+    /// Reads `0.8 mm` or `0.67 to 0.712 mm`.
+    pub(super) fn read(name: &str, words: &str) -> Option<Self> {
+        let (low, high) = words.split_once(" to ").unwrap_or((words, words));
+        let unit = high.trim().rsplit_once(' ')?.1;
+        let low = if low.contains(unit) { low.to_owned() } else { format!("{low} {unit}") };
+        let range = [parse(&low).ok()?.value, parse(high).ok()?.value];
+        Some(Self { name: name.to_owned(), range })
+    }
+}
+
+/// The keys that overrides set.
+fn keys(overrides: &[String]) -> impl Iterator<Item = &str> {
+    overrides.iter().filter_map(|written| written.split_once('=')).map(|(path, _)| path.trim())
+}
+
+/// What is said of a measured forming limit that stays with another sheet.
+pub(super) fn limit_of_another_sheet(file: &CaseFile, overrides: &[String]) -> Option<String> {
+    let measured = file.forming_limit.as_ref().is_some_and(|limit| limit.points.is_some());
+    let stays = measured && !keys(overrides).any(|path| path.starts_with("forming_limit"));
+    let other = keys(overrides).any(|path| path == "material" || path == "material.name");
+    (stays && other).then(|| "the points of [forming_limit] are still those of the sheet before".to_owned())
 }
 
 /// A number that an override has replaced is no longer its source's.
 pub(super) fn forget_replaced(file: &mut CaseFile, overrides: &[String]) {
-    let keys = || overrides.iter().filter_map(|written| written.split_once('=')).map(|(path, _)| path.trim());
+    let keys = || keys(overrides);
     let replaced = |source: &str, is_of: fn(&str) -> bool| keys().any(is_of) && !keys().any(|path| path == source);
     if replaced("friction.source", |path| path.split('.').any(|key| key == "friction")) {
         file.friction.source = None;
@@ -29,7 +93,7 @@ pub(super) fn forget_replaced(file: &mut CaseFile, overrides: &[String]) {
 ///
 /// # Errors
 /// When a source is written and says nothing.
-pub(super) fn of(file: &CaseFile, source: &Source) -> Result<Sources, CaseError> {
+pub(super) fn of(file: &CaseFile, taken: Taken, source: &Source) -> Result<Sources, CaseError> {
     let said = |given: &Option<String>, path: &str| match given {
         Some(text) if text.trim().is_empty() => {
             let help = "write how it was measured, or author and year; leave it out where the numbers are assumed";
@@ -40,5 +104,7 @@ pub(super) fn of(file: &CaseFile, source: &Source) -> Result<Sources, CaseError>
     Ok(Sources {
         friction: said(&file.friction.source, "friction.source")?,
         material: said(&file.material.source, "material.source")?,
+        sheets: taken.sheets,
+        thickness: taken.thickness,
     })
 }

@@ -1,28 +1,33 @@
 //! `stampflow check`: what a case means and, with `--run`, what comes of it.
 
+use super::answer::answered;
 use super::code::Code;
 use super::job;
-use super::options::{Json, Overrides};
+use super::json;
+use super::options::{self, Json, Overrides};
 use super::progress::{Kept, Progress};
 use super::say::{Shown, say, say_json};
-use super::table::{Tone, table, wrapped};
+use super::table::{Cell, Tone, table, wrapped};
 use serde_json::json;
 use stampflow::assess::check::{self, Check};
-use stampflow::assess::{self, Finding, Kind, Light, advice, headline, judgements, sentences};
+use stampflow::assess::{self, Answer, Finding, Kind, Light, advice, headline, judgements, sentences};
+use stampflow::message::{Form, Message, message};
 use std::fmt::Write;
 use std::path::PathBuf;
 
 pub const HELP: &str = "\
-With --run the case is solved, all stages, and a verdict is printed: what tears, wrinkles, what press and tools must
-bear, and how far the result can be trusted, each line with its number, the limit, where that comes from and what to
-change. green is within the limit, amber near it or a guess that matters, red beyond it. Nothing is written.
+With --run the case is solved, all stages, and a verdict is printed: what tears, \
+wrinkles, what press and tools must bear, and how far the result can be trusted, \
+each line with its number, the limit, where that comes from and what to change. \
+green is within the limit, amber near it or a guess that matters, red beyond it. \
+Nothing is written.
 
 Examples:
   stampflow check cases/quickstart.toml --set tools.punch.friction=0.1
   stampflow check cases/quickstart.toml --run
   stampflow check cases/quickstart.toml --run --set tools.holder.force=\"40 kN\" --json
 
-Exit codes: 0 done, whatever the lights, 2 bad input, 3 with --run: stopped early, 130 interrupted";
+Exit codes: 0 done, 2 bad input, 3 with --run: stopped early, 4 with --run --strict: red, 130 interrupted";
 
 #[derive(Debug, clap::Args)]
 pub struct Args {
@@ -31,6 +36,11 @@ pub struct Args {
     /// Also solve it and give a verdict
     #[arg(long)]
     run: bool,
+    /// With --run: end with exit code 4 where the verdict is red
+    #[arg(long)]
+    strict: bool,
+    #[command(flatten)]
+    form: options::Told,
     #[command(flatten)]
     overrides: Overrides,
     /// Show no progress
@@ -41,7 +51,7 @@ pub struct Args {
 }
 
 pub fn check(args: &Args) -> anyhow::Result<Code> {
-    let case = job::load(&args.case, &args.overrides.set)?;
+    let case = job::load(&args.case, &args.overrides.all())?;
     let report = check::report(&case);
     if !args.run {
         return if args.json.json { say_json(&report) } else { say(wrapped(&report.to_string())) };
@@ -49,33 +59,39 @@ pub fn check(args: &Args) -> anyhow::Result<Code> {
     let watch = Progress::new(args.quiet || args.json.json).watch(&case, Kept::default());
     let (solution, _) = watch.solve(case);
     let findings = assess::after(&solution.case, &solution.stages);
+    let answer = Answer::of(&solution.case, &solution.stages, &findings);
     let complete = solution.is_complete();
     if args.json.json {
         let mut value = serde_json::to_value(&report)?;
         value["complete"] = json!(complete);
-        value["findings"] = judgements(&findings).map(serde_json::to_value).collect::<Result<_, _>>()?;
+        value["verdict"] = json::answer(&answer, &findings)?;
         value["run_warnings"] = serde_json::to_value(sentences(&findings, Kind::Warning))?;
         say_json(&value)?;
     } else {
-        say(printed(&report, &findings))?;
+        say(printed(&report, &answer, &findings, &solution.case.name, args.form.form()))?;
     }
-    Ok(if complete { Code::Done } else { Code::StoppedEarly })
+    Ok(match answer.light {
+        Light::Red if args.strict => Code::Red,
+        _ if complete => Code::Done,
+        _ => Code::StoppedEarly,
+    })
 }
 
-fn printed(report: &Check, findings: &[Finding]) -> Shown {
-    let rows = judgements(findings).map(row).collect();
-    let headers = ["verdict", "light", "found", "limit (source)"];
-    let mut text = format!("\nverdict: {}\n", headline(findings));
-    let told =
-        |is: fn(Light) -> bool| advice(findings, is).into_iter().map(|(labels, advice)| format!("{labels}: {advice}"));
-    list(&mut text, "what to change", told(|light| light != Light::Grey));
-    list(&mut text, "not judged", told(|light| light == Light::Grey));
+/// The answer, then what the case means and every row of the verdict.
+fn printed(report: &Check, answer: &Answer, findings: &[Finding], name: &str, form: Form) -> Shown {
+    let rows = judgements(findings).map(|finding| row(finding, form)).collect();
+    let headers = ["Verdict", "Light", "Found", "Limit (source)"];
+    let mut text = format!("\n{}\n", headline(findings).told(form));
+    let advised = advice(findings, |light| light == Light::Grey).into_iter();
     list(
         &mut text,
-        "warnings of the run",
-        sentences(findings, Kind::Warning).into_iter().map(|message| message.to_string()),
+        "Not judged",
+        advised.map(|(labels, advice)| format!("{}: {}", labels.told(form), advice.told(form))),
     );
-    wrapped(&format!("{report}\n")) + table(Some(headers), rows, 1) + wrapped(&text)
+    answered(name, answer, findings, form)
+        + wrapped(&format!("\n{report}\n"))
+        + table(Some(headers), rows)
+        + wrapped(&text)
 }
 
 /// Entries under a heading; nothing where there are none.
@@ -89,13 +105,12 @@ fn list(text: &mut String, heading: &str, entries: impl Iterator<Item = String>)
     }
 }
 
-fn row(finding: &Finding) -> ([String; 4], Tone) {
-    let tone = match finding.light {
-        Light::Grey => Tone::Plain,
-        Light::Green => Tone::Good,
-        Light::Amber => Tone::Warning,
-        Light::Red => Tone::Bad,
-    };
-    let limit = format!("{} ({})", finding.limit, finding.source);
-    ([finding.label.to_owned(), finding.light.name().to_owned(), finding.found.to_string(), limit], tone)
+fn row(finding: &Finding, form: Form) -> [Cell; 4] {
+    let limit = message!("{limit} ({source})", limit = finding.limit.clone(), source = finding.source.clone());
+    [
+        Cell::plain(Message::from(finding.label).told(form)),
+        Cell { text: Message::from(finding.light.name()).told(form), tone: Tone::of(finding.light) },
+        Cell::plain(finding.found.told(form)),
+        Cell::plain(limit.told(form)),
+    ]
 }

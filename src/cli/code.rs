@@ -21,6 +21,7 @@ Exit codes:
   1    any other failure; validate: a comparison is out of its tolerance
   2    bad input, nothing was written
   3    a run stopped before its full travel, its results are kept
+  4    with --strict: the verdict is red, the results are kept
   130  interrupted (Ctrl-C): the results up to there are kept; a second Ctrl-C ends at once";
 
 /// What the program's end means to a script.
@@ -30,6 +31,7 @@ pub enum Code {
     Failed = 1,
     BadInput = 2,
     StoppedEarly = 3,
+    Red = 4,
     Interrupted = 130,
 }
 

@@ -6,20 +6,23 @@ use super::place;
 use super::say::{say, say_json};
 use anyhow::Context;
 use serde_json::json;
-use stampflow::author::Draft;
+use stampflow::author::{Draft, Drawn};
 use stampflow::files::{Disk, FileError, Files};
-use stampflow::import::{self, DrawingUnit, Heading, Options, Section, Sections};
+use stampflow::import::{self, DrawingUnit, Heading, Operation, Options, Section, Sections};
 use stampflow::model::{Geometry, Role};
 use stampflow::output::{png, sketch, write};
+use stampflow::rules::size::{DOUBTS, Doubt};
 use stampflow::units::{Length, Positive, Quantity};
 use std::fmt::Write;
 use std::path::PathBuf;
 
 pub const HELP: &str = "\
-Layers whose names hold punch, die or holder are those tools; --layer says what others are. In the drawing x is the
-distance from the axis and y goes up. Lines, arcs, polylines and splines of a layer, in any order and direction, make one
-open line: the side of the tool that meets the sheet. Where both halves are drawn the right one is used. Tools may be drawn
-open or closed: a case moves each to where it touches the flat sheet.
+Layers whose names hold punch, die, holder or another word for one (binder, Stempel, Matrize, Niederhalter, poinçon,
+matrice, serre-flan) are those tools; --layer says what others are. A number as in OP20_PUNCH, OP30_PUNCH makes stages.
+In the drawing x is the distance from the axis and y goes up. Lines, arcs, polylines and splines of a layer, in any order
+and direction, in blocks too, make one line: the side of the tool that meets the sheet, or an outline all round it, of which
+that side is read. Where both halves are drawn the right one is used. Tools may be drawn open or closed: a case moves each
+to where it touches the flat sheet.
 
 Written: the case file, whose placeholders (sheet, material, friction, travel) are marked, and a picture of what was read
 beside it (die.png for die.toml).
@@ -48,9 +51,9 @@ pub struct Args {
     /// Unit of the drawing: mm, cm, m, in, ft, mil or um [default: the drawing's header]
     #[arg(long, value_name = "UNIT", value_parser = unit)]
     units: Option<DrawingUnit>,
-    /// x of the axis or symmetry plane in the drawing
-    #[arg(long, value_name = "LENGTH", default_value = "0 mm", allow_hyphen_values = true)]
-    axis: Length,
+    /// x of the axis or symmetry plane in the drawing [default: 0, where the punch is drawn there]
+    #[arg(long, value_name = "LENGTH", allow_hyphen_values = true)]
+    axis: Option<Length>,
     /// Which way the punch moves in the drawing: down or up [default: as the tools' walls tell]
     #[arg(long, value_name = "WAY", value_parser = heading)]
     punch_moves: Option<Heading>,
@@ -84,9 +87,11 @@ fn one_of<T: Copy>(text: &str, all: &[(&'static str, T)]) -> Result<T, String> {
 
 fn layer(text: &str) -> Result<(String, Option<Role>), String> {
     let (name, tool) = text.rsplit_once('=').ok_or("write NAME=punch, NAME=die, NAME=holder or NAME=none")?;
-    let mut tools = Role::ALL.map(|role| (role.name(), Some(role))).to_vec();
-    tools.push(("none", None));
-    Ok((name.to_owned(), one_of(tool, &tools)?))
+    let role = match Role::from_word(tool) {
+        None if tool != "none" => return Err("give punch, die, holder, none".to_owned()),
+        role => role,
+    };
+    Ok((name.to_owned(), role))
 }
 
 fn unit(text: &str) -> Result<DrawingUnit, String> {
@@ -99,6 +104,15 @@ fn heading(text: &str) -> Result<Heading, String> {
 
 fn geometry(text: &str) -> Result<Geometry, String> {
     one_of(text, &[("axisymmetric", Geometry::Axisymmetric), ("plane_strain", Geometry::PlaneStrain)])
+}
+
+/// The name of an operation's stage.
+fn stage(number: u32) -> String {
+    format!("op{number}")
+}
+
+fn drawn(tools: &[Section]) -> Vec<Drawn<'_>> {
+    tools.iter().map(|tool| (tool.role, &tool.profile, tool.made_of.as_str())).collect()
 }
 
 pub fn import(args: &Args) -> anyhow::Result<Code> {
@@ -132,7 +146,13 @@ pub fn import(args: &Args) -> anyhow::Result<Code> {
     let draft = Draft {
         title: &title,
         geometry: args.geometry,
-        tools: sections.tools.iter().map(|tool| (tool.role, &tool.profile, tool.made_of.as_str())).collect(),
+        name: sections.number.map(stage).or_else(|| (!sections.later.is_empty()).then(|| "first".to_owned())),
+        tools: drawn(&sections.tools),
+        later: sections
+            .later
+            .iter()
+            .map(|later| (later.number.map_or_else(String::new, stage), drawn(&later.tools)))
+            .collect(),
         thickness: mm(args.thickness),
         blank: mm(args.blank_radius),
         travel: mm(args.travel),
@@ -142,13 +162,26 @@ pub fn import(args: &Args) -> anyhow::Result<Code> {
     let case = draft.case(&text, &drawing.to_string()).with_context(|| drawing.to_string())?;
     write(&out, text.as_bytes())?;
     write(&picture, &png(&sketch(&name, args.geometry, &sections)))?;
-    let derived = case.map_or_else(Vec::new, |case| case.derived);
-    let notes: Vec<String> = sections.notes.iter().cloned().chain(derived).chain(draft.doubts()).collect();
+    let mut notes = sections.notes.clone();
+    let mut doubts = draft.doubts();
+    if let Some(case) = case {
+        // A drawing in a wrong unit makes a case in a wrong unit: that is said once.
+        if doubts.is_empty() {
+            let of_case = DOUBTS.iter().filter_map(|doubt| doubt(case.model()));
+            doubts.extend(of_case.map(|Doubt { found, advice, .. }| format!("{found}: {advice}")));
+        }
+        notes.extend(case.derived);
+    }
+    notes.extend(doubts);
     if args.json.json {
         let tool = |tool: &Section| json!({ "tool": tool.role.name(), "pieces": tool.profile.pieces().len(), "made_of": tool.made_of });
         let tools: Vec<_> = sections.tools.iter().map(tool).collect();
+        let stage = |later: &Operation| json!({ "name": later.name(), "tools": later.tools.iter().map(tool).collect::<Vec<_>>() });
+        let later: Vec<_> = sections.later.iter().map(stage).collect();
         let size = draft.size();
-        return say_json(&json!({ "case": out, "picture": picture, "tools": tools, "size": size, "notes": notes }));
+        return say_json(
+            &json!({ "case": out, "picture": picture, "tools": tools, "later": later, "size": size, "notes": notes }),
+        );
     }
     let mut said = report(&sections, &draft.size(), &notes);
     let _ = writeln!(said, "\n{} and {} are written", out.display(), picture.display());
@@ -165,7 +198,7 @@ impl Args {
         Options {
             layers: self.layers.clone(),
             unit: self.units,
-            axis: self.axis.value(),
+            axis: self.axis.map(Quantity::value),
             join: self.join.value(),
             tolerance: self.tolerance.value(),
             punch_moves: self.punch_moves,
@@ -176,10 +209,14 @@ impl Args {
 /// The tools, and how they were understood.
 fn report(sections: &Sections, size: &str, notes: &[String]) -> String {
     let mut text = String::new();
-    for tool in &sections.tools {
-        let pieces = tool.profile.pieces().len();
-        let _ = writeln!(text, "{:<8}{pieces} lines and arcs from {}", tool.role.name(), tool.made_of);
-    }
+    let mut list = |tools: &[Section]| {
+        for tool in tools {
+            let pieces = tool.profile.pieces().len();
+            let _ = writeln!(text, "{:<8}{pieces} lines and arcs from {}", tool.role.name(), tool.made_of);
+        }
+    };
+    list(&sections.tools);
+    sections.later.iter().for_each(|later| list(&later.tools));
     let _ = writeln!(text, "size    {size}");
     for note in notes {
         let _ = writeln!(text, "  - {note}");

@@ -1,6 +1,7 @@
-//! A comparison for programs that read it instead of the printed table.
+//! Answers and comparisons for programs that read them instead of what is printed.
 
 use serde_json::{Map, Value, json};
+use stampflow::assess::{Answer, Finding, judgements};
 use stampflow::compare::Comparison;
 use stampflow::units::rounded;
 
@@ -23,4 +24,22 @@ pub fn comparison(case: &str, comparison: &Comparison) -> Value {
         "reason": comparison.spec.reason,
         "values": numbers.collect::<Map<_, _>>(),
     })
+}
+
+/// The verdict: its light and sentence, the key numbers, and every row with its number, unit and limits.
+pub fn answer(answer: &Answer, findings: &[Finding]) -> serde_json::Result<Value> {
+    let number = |n: &stampflow::assess::KeyNumber| {
+        json!({
+            "key": n.key,
+            "value": rounded(n.amount.value),
+            "unit": n.amount.unit.spelled(),
+            "about": n.about.to_string(),
+        })
+    };
+    Ok(json!({
+        "light": answer.light,
+        "sentence": answer.sentence.to_string(),
+        "numbers": answer.numbers.iter().map(number).collect::<Vec<_>>(),
+        "findings": judgements(findings).map(serde_json::to_value).collect::<Result<Vec<_>, _>>()?,
+    }))
 }

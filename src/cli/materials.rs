@@ -4,23 +4,31 @@ use super::code::Code;
 use super::options::Json;
 use super::place;
 use super::say::{Shown, say, say_json};
-use super::table::{Tone, table};
+use super::suggested::Suggested;
+use super::table::{Cell, table};
 use anyhow::Result;
 use serde_json::{Value, json};
 use stampflow::case::library::{self, Entry};
 use stampflow::forming_limit::{Curve, Hill, Kind, MarciniakKuczynski};
 use stampflow::output::{Chart, flow_curve, png, write};
 use stampflow::units::rounded;
-use std::fmt::Write;
 use std::path::PathBuf;
 
 pub const HELP: &str = "\
-A case takes one by its name, [material] name = \"aa6016-t4\", and may replace any part of it. Every number names its
+A case takes one by its name, [material] name = \"aa6016-t4\", or a grade such as DC04, and may replace any part of it;
+--material NAME puts one in the place of a case's own sheet for one check, run or report. Every number names its
 source; forming limits that are drawn are computed from the law, not measured.
 
 Examples:
   stampflow materials
   stampflow materials aa6016-t4 --plot aa6016-t4.png";
+
+/// What stands below the list.
+const NOTES: &str = "
+Computed from each law: Rp0.2 at a plastic strain of 0.2 %; Rm, Ag (uniform
+elongation) and n (uniform true strain) at Considère's load maximum.
+stampflow materials NAME says all of one: law, source, and a table to paste.
+";
 
 /// Bytes by which a picture of this kind is known.
 const PNG: usize = 8;
@@ -30,7 +38,8 @@ const UNKNOWN: &str = "–";
 
 #[derive(Debug, clap::Args)]
 pub struct Args {
-    /// Material to say all of
+    /// Material to say all of: its name, a grade that it stands for, or the beginning of one
+    #[arg(value_parser = Suggested::SHEETS, hide_possible_values = true)]
     name: Option<String>,
     /// Also draw its flow curve and the limits that follow from it
     #[arg(long, value_name = "FILE.png", requires = "name")]
@@ -53,55 +62,71 @@ pub fn materials(args: &Args) -> Result<Code> {
         place::replaced(path, &picture[..PNG], "--plot")?;
         place::file(path, &[], "--plot")?;
         write(path, &picture)?;
-        text += &format!("\n{} written\n", path.display());
+        text = text + format!("\n{} written\n", path.display()).into();
     }
     if args.json.json { say_json(&of(&entry)) } else { say(text) }
 }
 
-/// A table of materials.
+/// A table of materials, within 80 columns.
 fn list(entries: &[Entry]) -> Shown {
+    let or_unknown =
+        |value: Option<f64>, decimals: usize| value.map_or(UNKNOWN.to_owned(), |value| format!("{value:.decimals$}"));
     let row = |entry: &Entry| {
-        let source: String = entry.source.split(", doi").next().unwrap_or_default().chars().take(70).collect();
         let cells = [
             entry.name.to_owned(),
-            entry.n().map_or(UNKNOWN.to_owned(), |n| format!("{n:.3}")),
+            entry
+                .stands_for
+                .as_ref()
+                .and_then(|stands| stands.grades.first())
+                .map_or(UNKNOWN, |grade| grade)
+                .to_owned(),
+            format!("{:.0}", entry.proof_stress()),
+            or_unknown(entry.tensile_strength(), 0),
+            or_unknown(entry.uniform_elongation().map(|share| 100.0 * share), 0),
             entry.material.hill48.ratio().to_string(),
-            entry.thickness.clone().unwrap_or(UNKNOWN.to_owned()),
-            entry.material.hardening.describe(),
-            source,
+            or_unknown(entry.n(), 3),
+            or_unknown(entry.material.elastic.map(|elastic| 1e-3 * elastic.young), 0),
+            entry.thickness.clone().unwrap_or(UNKNOWN.to_owned()).replace(" to ", "–"),
         ];
-        (cells, Tone::Plain)
+        cells.map(Cell::plain)
     };
-    let headers = ["name", "n [–]", "r̄ [–]", "thickness", "law", "source"];
-    let rows = entries.iter().map(row).collect();
-    table(Some(headers), rows, 1)
-        + Shown::from("\nstampflow materials NAME says all of one, with its source and a table to paste.\n")
+    let headers = ["name", "grade", "Rp0.2", "Rm", "Ag", "r̄", "n", "E", "thickness"];
+    let units = ["", "", "MPa", "MPa", "%", "–", "–", "GPa", ""].map(str::to_owned);
+    let rows = [units.map(Cell::plain)].into_iter().chain(entries.iter().map(row)).collect();
+    table(Some(headers), rows) + Shown::from(NOTES)
 }
 
 /// Everything that is known of a material, and the table to paste.
-fn describe(entry: &Entry) -> String {
+fn describe(entry: &Entry) -> Shown {
     let Entry { name, title, material, .. } = entry;
     let n = entry.n().map_or(UNKNOWN.to_owned(), |n| format!("{n:.4}, the uniform strain of the law"));
     let limit = entry.forming_limit().map_or(UNKNOWN.to_owned(), |curve| {
         format!("{:.4} in plane strain, true strain: computed from the law (Hill), not measured", curve.plane_strain())
     });
     let elastic = material.elastic.map_or(UNKNOWN.to_owned(), |e| format!("{} MPa, {}", e.young, e.poisson));
+    let stands = entry.stands_for.as_ref();
+    let tested =
+        entry.tensile_strength().zip(entry.uniform_elongation()).map_or(UNKNOWN.to_owned(), |(strength, ag)| {
+            format!("{strength:.0} MPa, {:.1} %, at Considère's load maximum of the law", 100.0 * ag)
+        });
     let known = [
+        ("stands for", stands.map_or(UNKNOWN.to_owned(), |s| format!("{}; {}", s.grades.join(", "), s.because))),
         ("law", material.describe()),
+        ("Rp0.2", format!("{:.0} MPa, the law's stress at a plastic strain of 0.2 %", entry.proof_stress())),
+        ("Rm, Ag", tested),
         ("n", n),
         ("r̄", material.hill48.ratio().to_string()),
         ("FLC", limit),
         ("E, ν", elastic),
         ("thickness", entry.thickness.clone().unwrap_or(UNKNOWN.to_owned())),
         ("source", entry.source.clone()),
-        ("grade", entry.grade.clone()),
+        ("read", entry.grade.clone() + if entry.grade == "A" { ", in that source" } else { ", where that is quoted" }),
         ("licence", entry.licence.clone()),
     ];
-    let mut text = format!("{name}: {title}\n\n");
-    for (label, value) in known.into_iter().chain(entry.notes.iter().map(|note| ("note", note.clone()))) {
-        let _ = writeln!(text, "  {label:<12}{value}");
-    }
-    text + &format!("\nIn a case:\n\n[material]\nname = \"{name}\"\n\nor all of it:\n\n{}", entry.text)
+    let known = known.into_iter().chain(entry.notes.iter().map(|note| ("note", note.clone())));
+    let rows = known.map(|(label, value)| [Cell::plain(format!("  {label}")), Cell::plain(value)]);
+    let paste = format!("\nIn a case:\n\n[material]\nname = \"{name}\"\n\nor all of it:\n\n{}", entry.text);
+    Shown::from(format!("{name}: {title}\n\n")) + table(None, rows.collect()) + paste.into()
 }
 
 /// An entry for programs; the table to paste says the law with its units.
@@ -109,6 +134,10 @@ fn of(entry: &Entry) -> Value {
     json!({
         "name": entry.name,
         "title": entry.title,
+        "stands_for": entry.stands_for.as_ref().map(|stands| json!({ "grades": stands.grades, "because": stands.because })),
+        "proof_stress_MPa": rounded(entry.proof_stress()),
+        "tensile_strength_MPa": entry.tensile_strength().map(rounded),
+        "uniform_elongation": entry.uniform_elongation().map(rounded),
         "law": entry.material.describe(),
         "n": entry.n().map(rounded),
         "flc_computed_by_hill": entry.forming_limit().map(|curve| curve.points().to_vec()),

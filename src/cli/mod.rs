@@ -1,8 +1,10 @@
 //! The verbs of the command line, each a short table of contents in its own file.
 
+mod answer;
 mod bug;
 mod check;
 mod code;
+mod explain;
 mod import;
 mod interrupt;
 mod job;
@@ -17,7 +19,9 @@ mod report;
 mod run;
 mod say;
 mod shell;
+mod suggested;
 mod table;
+mod titles;
 mod validate;
 
 pub use code::Code;
@@ -31,10 +35,11 @@ use say::{say, say_json};
 use stampflow::files::visible;
 use stampflow::{author, case};
 use std::borrow::Cow;
+use table::wrapped;
 
 /// Sheet-metal stamping sections (axisymmetric or plane strain) by the flow approach.
 #[derive(Debug, Parser)]
-#[command(version, arg_required_else_help = true, after_help = code::HELP)]
+#[command(version, arg_required_else_help = true, max_term_width = 80, after_help = code::HELP)]
 pub struct Args {
     #[command(subcommand)]
     verb: Verb,
@@ -62,6 +67,9 @@ enum Verb {
     /// List the built-in materials, or say all of one
     #[command(after_help = materials::HELP)]
     Materials(materials::Args),
+    /// Say what a word of verdict, report or shop means
+    #[command(after_help = explain::HELP)]
+    Explain(explain::Args),
     /// List the hardening, rate and friction laws with their parameters and sources
     Laws {
         #[command(flatten)]
@@ -103,8 +111,9 @@ fn command() -> anyhow::Result<Code> {
         Verb::Check(args) => check::check(&args),
         Verb::New(args) => new::new(&args),
         Verb::Materials(args) => materials::materials(&args),
+        Verb::Explain(args) => explain::explain(&args),
         Verb::Laws { json } if json.json => say_json(&author::law_list()),
-        Verb::Laws { .. } => say(author::laws()),
+        Verb::Laws { .. } => say(wrapped(&author::laws())),
         Verb::Schema => say(case::schema()),
         Verb::Completions { shell } => shell::completions(Args::command(), shell),
         Verb::Man { verb } => shell::man(Args::command(), verb.as_deref()),

@@ -1,11 +1,15 @@
 //! `stampflow new`: a case file to begin with. Its subcommands and their options are read off the list of templates.
 
 use super::code::{BadPath, Code, unusable};
-use super::say::{say, say_json};
+use super::say::{say, say_json, warn};
+use super::suggested::Suggested;
+use super::table::wrapped;
 use clap::{Arg, ArgAction, ArgMatches, Command, value_parser};
 use serde_json::{Value, json};
 use stampflow::author::templates::{self as template, Choice, SHEET, TEMPLATES, Template};
+use stampflow::case;
 use stampflow::output::{can_write, write};
+use stampflow::rules::size::{DOUBTS, Doubt};
 use std::path::{Path, PathBuf};
 
 /// What was asked for.
@@ -27,11 +31,15 @@ pub enum Args {
 pub fn new(args: &Args) -> anyhow::Result<Code> {
     let (template, given, output, force, json) = match args {
         Args::List { json: true } => return say_json(&TEMPLATES.iter().map(of).collect::<Vec<_>>()),
-        Args::List { json: false } => return say(template::list()),
+        Args::List { json: false } => return say(wrapped(&template::list())),
         Args::Case { template, given, output, force, json } => (template, given, output, force, json),
     };
     let given: Vec<(&str, &str)> = given.iter().map(|(key, value)| (*key, value.as_str())).collect();
     let text = template.fill(&given)?;
+    let case = case::parse(&text, template.name, &[])?;
+    for Doubt { found, advice, .. } in DOUBTS.iter().filter_map(|doubt| doubt(case.model())) {
+        warn(format!("warning: {found}: {advice}"));
+    }
     let Some(path) = output else {
         return if *json { say_json(&json!({ "template": template.name, "case": text })) } else { say(text) };
     };
@@ -53,6 +61,7 @@ fn of(template: &Template) -> Value {
     let option = |choice: &Choice| {
         json!({
             "key": choice.key,
+            "diameter": choice.diameter,
             "value": choice.kind.placeholder(),
             "about": choice.about,
             "default": choice.default.words(),
@@ -106,7 +115,7 @@ fn subcommand(template: &Template) -> Command {
     Command::new(template.name)
         .about(template.about)
         .override_usage(format!("stampflow new {} [-o FILE] [--force] {}", template.name, all.join(" ")))
-        .args(template.own.iter().map(|choice| option(choice, "Sizes")))
+        .args(template.own.iter().flat_map(|choice| [Some(option(choice, "Sizes")), diameter(choice)]).flatten())
         .args(SHEET.iter().map(|choice| option(choice, "Sheet")))
         .arg(
             Arg::new("output")
@@ -122,12 +131,28 @@ fn subcommand(template: &Template) -> Command {
 }
 
 fn option(choice: &'static Choice, heading: &'static str) -> Arg {
-    Arg::new(choice.key)
+    let arg = Arg::new(choice.key)
         .long(choice.key)
         .value_name(choice.kind.placeholder())
         .allow_negative_numbers(true)
         .help_heading(heading)
-        .help(format!("{} [default: {}]", choice.about, choice.default.words()))
+        .help(format!("{} [default: {}]", choice.about, choice.default.words()));
+    match choice.key {
+        "material" => arg.value_parser(Suggested::SHEETS).hide_possible_values(true),
+        _ => arg,
+    }
+}
+
+/// The option that takes the diameter of a radius; that of the punch is the diameter that a part is called by.
+fn diameter(choice: &'static Choice) -> Option<Arg> {
+    let key = choice.diameter?;
+    let arg = Arg::new(key)
+        .long(key)
+        .value_name(choice.kind.placeholder())
+        .conflicts_with(choice.key)
+        .help_heading("Sizes")
+        .help(format!("its diameter, instead of --{}", choice.key));
+    Some(if key == "punch-diameter" { arg.visible_alias("diameter") } else { arg })
 }
 
 impl clap::FromArgMatches for Args {
@@ -136,10 +161,10 @@ impl clap::FromArgMatches for Args {
             return Ok(Self::List { json: matches.get_flag("json") });
         };
         let template = template::find(name).expect("subcommands are templates");
-        let value = |choice: &'static Choice| Some((choice.key, matches.get_one::<String>(choice.key)?.clone()));
+        let value = |key: &'static str| Some((key, matches.get_one::<String>(key)?.clone()));
         Ok(Self::Case {
             template,
-            given: template.options().filter_map(value).collect(),
+            given: template.options().flat_map(|choice| choice.keys()).filter_map(value).collect(),
             output: matches.get_one::<PathBuf>("output").cloned(),
             force: matches.get_flag("force"),
             json: matches.get_flag("json"),

@@ -111,14 +111,14 @@ impl Watch {
     fn reached(&self) -> String {
         let record = &self.last;
         let load = if record.travel > 0.0 {
-            format!("travel {:.2} mm, force {:.0} {}", record.travel, record.punch_force, self.force_unit)
+            format!("travel {:.2} mm, force {:.0} {}, ", record.travel, record.punch_force, self.force_unit)
         } else if record.pressure != 0.0 {
-            format!("height {:.2} mm, pressure {:.3} MPa", record.pole_height, record.pressure)
+            format!("height {:.2} mm, pressure {:.3} MPa, ", record.pole_height, record.pressure)
         } else {
-            format!("time {:.2} s", record.time)
+            String::new()
         };
         let left = 100.0 * record.thinnest / self.thickness;
-        format!("{load}, step {}, {left:.0} % of the thickness left at the thinnest", record.step)
+        format!("{load}step {}, {left:.0} % of the thickness left at the thinnest", record.step)
     }
 
     /// Writes a line where it is time for one, or the stage `is_over`.

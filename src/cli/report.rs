@@ -2,24 +2,26 @@
 
 use super::code::{BadRequest, Code, unusable};
 use super::job;
-use super::options::{Json, Overrides};
+use super::options::{self, Json, Overrides};
 use super::place;
 use super::progress::{Kept, Progress};
 use super::say::{say, say_json};
+use super::titles::Titles;
 use clap::ValueEnum;
 use serde_json::json;
 use stampflow::files::{Disk, Files};
-use stampflow::output::{can_write, remove_others, write};
-use stampflow::report::{MARKER, Report, figure_folder, html, is_figure, markdown};
+use stampflow::output::{Extra, FrameRecorder, can_write, remove_others, write};
+use stampflow::report::{Document, MARKER, Report, figure_folder, html, is_figure, markdown, pdf};
 use std::path::{Path, PathBuf};
 
 pub const HELP: &str = "\
-The HTML file holds its pictures and needs nothing else; a browser prints it to PDF (A4). Markdown comes with its pictures
-as SVG files in a folder beside it, report_figures. A report of an earlier run is replaced; any other file is left alone.
+The HTML file holds its pictures and needs nothing else. The PDF file has A4 pages with numbers and contents. Markdown comes
+with its pictures as SVG files in a folder beside it, report_figures. A report of an earlier run is replaced; any other file is left alone.
 
 Examples:
   stampflow report cases/quickstart.toml
   stampflow report cases/hat_springback.toml -o hat.html --set tools.punch.friction=0.1
+  stampflow report cases/quickstart.toml -o cup.pdf --part Cup --number 4711 --revision B --author Ito
   stampflow report cases/quickstart.toml -o cup.md
   stampflow report cases/quickstart.toml --json
 
@@ -37,6 +39,9 @@ pub struct Args {
     /// Kind of file [default: by the ending of FILE, else html]
     #[arg(long)]
     format: Option<Format>,
+    /// Let the reader move the section over the travel, by a slider (HTML only; a MB more)
+    #[arg(long)]
+    slider: bool,
     /// Replace a file that is no report, too
     #[arg(long)]
     force: bool,
@@ -45,21 +50,42 @@ pub struct Args {
     quiet: bool,
     #[command(flatten)]
     json: Json,
+    #[command(flatten)]
+    form: options::Told,
+    #[command(flatten)]
+    titles: Titles,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 enum Format {
     Html,
     Md,
+    Pdf,
+}
+
+impl Format {
+    /// The file's name where none is given.
+    fn name(self) -> &'static str {
+        match self {
+            Self::Html => "report.html",
+            Self::Md => "report.md",
+            Self::Pdf => "report.pdf",
+        }
+    }
 }
 
 pub fn report(args: &Args) -> anyhow::Result<Code> {
-    let case = job::load(&args.case, &args.overrides.set)?;
+    let case = job::load(&args.case, &args.overrides.all())?;
     let format = args.format()?;
-    let name = if format == Format::Md { "report.md" } else { "report.html" };
+    if args.slider && format != Format::Html {
+        return Err(BadRequest(
+            "a slider moves only on an HTML page: leave out --slider, or write -o NAME.html".into(),
+        )
+        .into());
+    }
     let path = match &args.output {
         Some(path) => path.clone(),
-        None => place::folder(Path::new("out"), &case)?.join(name),
+        None => place::folder(Path::new("out"), &case)?.join(format.name()),
     };
     if !args.force {
         refuse_others(&path, format)?;
@@ -69,10 +95,13 @@ pub fn report(args: &Args) -> anyhow::Result<Code> {
         can_write(&figure_folder(&path).join("figure.svg")).map_err(unusable("--output"))?;
     }
 
-    let watch = Progress::new(args.quiet || args.json.json).watch(&case, Kept::default());
-    let (solution, _) = watch.solve(case);
-    let report = Report::of(&solution);
-    let saved = save(&report, &path, format);
+    let extras = args.slider.then_some(Extra::Animation);
+    let kept = Kept { trace: None, recorder: FrameRecorder::new(extras.into_iter().collect()) };
+    let watch = Progress::new(args.quiet || args.json.json).watch(&case, kept);
+    let (solution, kept) = watch.solve(case);
+    let report = Report::of(&solution).titled(args.titles.title_block());
+    let report = if args.slider { report.moving(&kept.recorder) } else { report };
+    let saved = save(&report.told(args.form.form()), &path, format);
     let said = match (&saved, args.json.json) {
         (_, true) => {
             let mut value = report.json();
@@ -89,25 +118,25 @@ pub fn report(args: &Args) -> anyhow::Result<Code> {
 }
 
 /// Writes the pictures first: a text that is there has all of them. An earlier report's go.
-fn save(report: &Report, path: &Path, format: Format) -> anyhow::Result<Vec<PathBuf>> {
-    let document = report.document();
+fn save(document: &Document, path: &Path, format: Format) -> anyhow::Result<Vec<PathBuf>> {
     let mut files = Vec::new();
-    let text = match format {
-        Format::Html => html(&document),
+    let bytes = match format {
+        Format::Html => html(document).into_bytes(),
+        Format::Pdf => pdf(document),
         Format::Md => {
             let folder = figure_folder(path);
             let name = folder.file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned());
-            let (text, pictures) = markdown(&document, &name);
+            let (text, pictures) = markdown(document, &name);
             for (name, svg) in pictures {
                 let file = folder.join(name);
                 write(&file, svg.as_bytes())?;
                 files.push(file);
             }
             remove_others(&folder, &files, is_figure)?;
-            text
+            text.into_bytes()
         }
     };
-    write(path, text.as_bytes())?;
+    write(path, &bytes)?;
     files.insert(0, path.to_owned());
     Ok(files)
 }
@@ -143,9 +172,9 @@ impl Args {
             (Some(format), _) => Ok(format),
             (None, None | Some("html" | "htm")) => Ok(Format::Html),
             (None, Some("md" | "markdown")) => Ok(Format::Md),
+            (None, Some("pdf")) => Ok(Format::Pdf),
             (None, Some(other)) => Err(BadRequest(format!(
-                "a report is no .{other} file: write -o NAME.html and print that to PDF from a browser, or -o NAME.md; \
-                 --format html or md takes any name"
+                "a report is no .{other} file: write -o NAME.html, NAME.pdf or NAME.md; --format takes any name"
             ))),
         }
     }

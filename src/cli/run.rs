@@ -1,20 +1,23 @@
 //! `stampflow run`: from case files to folders of results.
 
+use super::answer;
 use super::code::{BadRequest, Code};
 use super::job::{load_all, prepared, solve_all, told};
 use super::json;
-use super::options::{Json, Overrides, Threads};
+use super::options::{self, Json, Overrides, PictureOptions, Threads};
 use super::place;
 use super::progress::{Kept, Progress};
 use super::say::{Shown, say, say_json};
-use super::table::{Tone, table};
+use super::table::{Cell, table, wrapped};
 use serde_json::{Value, json};
-use stampflow::case::Case;
-use stampflow::output::summary::Group;
+use stampflow::assess::{self, Answer, Finding, Light};
+use stampflow::case::{Case, Solution};
+use stampflow::message::Form;
 use stampflow::output::{
-    CaseSummary, Extra, FrameRecorder, OUTPUTS, ResultFolder, Results, Summary, WriteError, csv, result_folder, trace,
-    write,
+    CaseSummary, Extra, FrameRecorder, OUTPUTS, ResultFolder, Results, WriteError, csv, is_report, result_folder,
+    trace, write,
 };
+use stampflow::report::{Report, html};
 use std::fmt::Write;
 use std::ops::Add;
 use std::path::{Path, PathBuf};
@@ -41,11 +44,27 @@ pub struct Args {
     /// Also write shapes.gif, the section and the load as they move
     #[arg(long)]
     animate: bool,
+    /// Also write report.html there, from the same run
+    #[arg(long)]
+    report: bool,
+    /// Say also what the solver has to tell: mesh, steps, norms, works
+    #[arg(long, short)]
+    verbose: bool,
+    /// End with exit code 4 where the verdict is red
+    #[arg(long)]
+    strict: bool,
+    #[command(flatten)]
+    form: options::Told,
+    #[command(flatten)]
+    pictures: PictureOptions,
     #[command(flatten)]
     threads: Threads,
     #[command(flatten)]
     json: Json,
 }
+
+/// The page that --report writes.
+const PAGE: &str = "report.html";
 
 /// What is written, from the list that writes it.
 pub fn help() -> String {
@@ -60,7 +79,7 @@ pub fn help() -> String {
             stampflow run cases/quickstart.toml\n  \
             stampflow run cases/quickstart.toml --set tools.punch.friction=0.1 --out out/friction-0.1\n  \
             stampflow run cases/*.toml --out results --quiet\n\n\
-            Exit codes: 0 done (full travel or time, or the contact share asked for), 2 bad input, or a place that cannot be written to or that another run writes to (nothing is written of that case; the others are run), 3 stopped early (results are kept), 130 interrupted by Ctrl-C (results are kept; a second one ends at once), 1 anything else"
+            Exit codes: 0 done (full travel or time, or the contact share asked for), 2 bad input, or a place that cannot be written to or that another run writes to (nothing is written of that case; the others are run), 3 stopped early (results are kept), 4 with --strict: the verdict is red (results are kept), 130 interrupted by Ctrl-C (results are kept; a second one ends at once), 1 anything else"
 }
 
 pub fn run(args: &Args) -> anyhow::Result<Code> {
@@ -68,7 +87,7 @@ pub fn run(args: &Args) -> anyhow::Result<Code> {
         return Err(BadRequest("--trace writes the iterations of one case: give one case".to_owned()).into());
     }
     let several = args.cases.len() > 1;
-    let (cases, mut failed) = load_all(&args.cases, &args.overrides.set);
+    let (cases, mut failed) = load_all(&args.cases, &args.overrides.all());
     share_no_folder(&cases)?;
     let jobs = prepared(cases, &mut failed, |case| prepare(args, several, case));
     args.threads.apply()?;
@@ -83,32 +102,35 @@ pub fn run(args: &Args) -> anyhow::Result<Code> {
         },
         |solution, kept, folder| {
             let dir = self::folder(args, several, &solution.case)?;
-            let results = Results::of(&solution)?;
+            let results = Results::of(&solution)?.with_pictures(&args.pictures.pictures());
             // Each is tried and told whatever became of the others.
-            let written = results.write_into(&kept.recorder, folder);
+            let pages = args.report.then(|| (PAGE.to_owned(), page(&solution).into_bytes()));
+            let written = results.write_into(&kept.recorder, pages, folder);
             let traced = match (&args.trace, &kept.trace) {
                 (Some(path), Some(iterations)) => write(path, &csv(&trace::table(iterations))),
                 _ => Ok(()),
             };
             let files = written.as_deref().ok();
-            let report = match args.json.json {
-                true => Report::Json(as_json(&results, &dir, files)?),
-                false => Report::Text(report(&results, &dir, files)),
+            let findings = assess::after(&solution.case, &solution.stages);
+            let answer = Answer::of(&solution.case, &solution.stages, &findings);
+            let told = match args.json.json {
+                true => Told::Json(as_json(&results, (&answer, &findings), &dir, files)?),
+                false => Told::Text(args.told(&results, (&answer, &findings), &dir, files)),
             };
             let failures: Vec<WriteError> = [written.err(), traced.err()].into_iter().flatten().collect();
-            Ok((report, solution.is_complete(), failures))
+            Ok((told, args.code(&solution, &answer), failures))
         },
     );
     let mut code = Code::Done;
     let (mut texts, mut values) = (Vec::new(), Vec::new());
     for report in reports {
         match report {
-            Ok((report, complete, unwritten)) => {
-                match report {
-                    Report::Text(text) => texts.push(if several { text + "\n".into() } else { text }),
-                    Report::Json(value) => values.push(value),
+            Ok((told, of_case, unwritten)) => {
+                match told {
+                    Told::Text(text) => texts.push(text),
+                    Told::Json(value) => values.push(value),
                 }
-                code = if complete { code } else { Code::StoppedEarly };
+                code = code.max(of_case);
                 failed.extend(unwritten.into_iter().map(anyhow::Error::from));
             }
             Err(error) => failed.push(error),
@@ -131,11 +153,16 @@ fn prepare(args: &Args, several: bool, case: &Case) -> anyhow::Result<ResultFold
         place::replaced(path, &csv(&trace::table(&[])), "--trace")?;
         place::file(path, &case.inputs, "--trace")?;
     }
+    let page = dir.join(PAGE);
+    if args.report && page.symlink_metadata().is_ok() && !is_report(&page) {
+        let what = format!("{} is there and is no report of ours: choose another folder with --out", page.display());
+        return Err(BadRequest(what).into());
+    }
     Ok(place::results(case, &dir, |dir| result_folder(case, dir))?)
 }
 
 /// What is printed of a case.
-enum Report {
+enum Told {
     Text(Shown),
     Json(Value),
 }
@@ -160,44 +187,69 @@ fn folder(args: &Args, several: bool, case: &Case) -> Result<PathBuf, BadRequest
     }
 }
 
-/// The summary, and the files where they could be written.
-fn report(results: &Results, dir: &Path, files: Option<&[PathBuf]>) -> Shown {
-    let CaseSummary { stages, lines, .. } = results.summary();
-    let stages = stages.iter().zip(&results.solution.stages);
-    let stages = stages.map(|(s, stage)| printed(s, stage.stop.is_complete()));
-    let mut text = stages.reduce(|all, next| all + "\n".into() + next).unwrap_or_default();
-    if !lines.is_empty() {
-        let _ = writeln!(text, "\nStages\n{lines}");
+impl Args {
+    /// The answer, of several cases in one line each; with --verbose also the solver's part.
+    fn told(
+        &self,
+        results: &Results,
+        (answer, findings): (&Answer, &[Finding]),
+        dir: &Path,
+        files: Option<&[PathBuf]>,
+    ) -> Shown {
+        let (name, form) = (&results.solution.case.name, self.form.form());
+        if self.cases.len() > 1 && !self.verbose {
+            let written = files.map(|files| format!("{} files in {}", files.len(), dir.display()));
+            return answer::sentence(name, answer, &written.unwrap_or_default(), form);
+        }
+        let mut shown = answer::answered(name, answer, findings, form);
+        if self.verbose {
+            shown = shown + summed_up(results, form);
+        }
+        let mut end = String::new();
+        for comparison in &results.comparisons {
+            let _ = writeln!(end, "{}", comparison.sentence());
+        }
+        if let Some(files) = files {
+            let _ = writeln!(end, "{} files in {}", files.len(), dir.display());
+        }
+        shown + wrapped(&format!("\n{end}"))
     }
-    for comparison in &results.comparisons {
-        let _ = writeln!(text, "{}", comparison.sentence());
+
+    /// What the end of a case is to a script.
+    fn code(&self, solution: &Solution, answer: &Answer) -> Code {
+        match answer.light {
+            Light::Red if self.strict => Code::Red,
+            _ if solution.is_complete() => Code::Done,
+            _ => Code::StoppedEarly,
+        }
     }
-    if let Some(files) = files {
-        let _ = writeln!(text, "{} files in {}", files.len(), dir.display());
-    }
-    if dir.join("report.html").is_file() {
-        let _ = writeln!(text, "report.html there is of an earlier run: `stampflow report` makes it anew");
-    }
-    text
 }
 
-/// The summary as a table.
-fn printed(summary: &Summary, complete: bool) -> Shown {
-    let rows = summary.rows().into_iter().map(|(group, row)| {
-        let tone = match group {
-            Group::End if complete => Tone::Good,
-            Group::End => Tone::Bad,
-            Group::Warnings => Tone::Warning,
-            _ => Tone::Plain,
-        };
-        (row, tone)
-    });
-    table(None, rows.collect(), 1)
+/// The report as one HTML file.
+fn page(solution: &Solution) -> String {
+    html(&Report::of(solution).document())
+}
+
+/// The summary of every stage as a table.
+fn summed_up(results: &Results, form: Form) -> Shown {
+    let CaseSummary { stages, lines, .. } = results.summary();
+    let mut shown = Shown::default();
+    for summary in stages {
+        let rows = summary.rows(form).into_iter().map(|(_, row)| row.map(Cell::plain));
+        shown = shown + "\n".into() + table(None, rows.collect());
+    }
+    if lines.is_empty() { shown } else { shown + format!("\nStages\n{lines}\n").into() }
 }
 
 /// What `summary.json` says of the case, or of each of its stages, and what was compared and written.
-fn as_json(results: &Results, dir: &Path, files: Option<&[PathBuf]>) -> anyhow::Result<Value> {
+fn as_json(
+    results: &Results,
+    (answer, findings): (&Answer, &[Finding]),
+    dir: &Path,
+    files: Option<&[PathBuf]>,
+) -> anyhow::Result<Value> {
     let mut value = serde_json::to_value(results.summary())?;
+    value["verdict"] = json::answer(answer, findings)?;
     let case = &results.solution.case.name;
     let comparisons = results.comparisons.iter().map(|comparison| json::comparison(case, comparison));
     value["comparisons"] = comparisons.collect();

@@ -3,6 +3,7 @@
 use super::code::Code;
 use serde::Serialize;
 use stampflow::files::visible;
+use stampflow::message::NO_BREAK;
 use std::fmt;
 use std::io::{self, Write};
 use std::ops::Add;
@@ -65,5 +66,6 @@ pub fn warn(text: impl Into<Shown>) {
 
 fn line(stream: &mut impl Write, text: &str) -> io::Result<()> {
     let end = if text.ends_with('\n') { "" } else { "\n" };
-    write!(stream, "{text}{end}")
+    // Lines are broken by now: what is copied from a screen has ordinary spaces.
+    write!(stream, "{}{end}", text.replace(NO_BREAK, " "))
 }

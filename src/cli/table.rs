@@ -1,11 +1,17 @@
-//! Printed tables: as wide as the terminal, and coloured where a human looks on.
+//! Printed tables and texts: as wide as the terminal, 80 columns elsewhere; a word is coloured where a human looks on.
 
 use super::say::Shown;
-use comfy_table::{Attribute, Cell, Color, ColumnConstraint, ContentArrangement, Table, presets};
+use comfy_table::{Attribute, Color, ColumnConstraint, ContentArrangement, Table, presets};
+use stampflow::assess::Light;
 use stampflow::files::visible;
 use std::io::{self, IsTerminal};
 
-/// What a row is about.
+/// Columns where no terminal says how many it has.
+const WIDTH: usize = 80;
+/// Longer lines are hard to read, however wide a terminal is.
+const WIDEST: usize = 120;
+
+/// What a word says of what it stands at.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Tone {
     Plain,
@@ -15,6 +21,16 @@ pub enum Tone {
 }
 
 impl Tone {
+    /// Of a light.
+    pub fn of(light: Light) -> Self {
+        match light {
+            Light::Grey => Self::Plain,
+            Light::Green => Self::Good,
+            Light::Amber => Self::Warning,
+            Light::Red => Self::Bad,
+        }
+    }
+
     fn color(self) -> Option<Color> {
         match self {
             Self::Plain => None,
@@ -25,30 +41,46 @@ impl Tone {
     }
 }
 
+/// A cell of a table.
+#[derive(Clone, Debug)]
+pub struct Cell {
+    pub text: String,
+    pub tone: Tone,
+}
+
+impl Cell {
+    pub fn plain(text: impl Into<String>) -> Self {
+        Self { text: text.into(), tone: Tone::Plain }
+    }
+}
+
 /// Whether to colour what goes to a stream: it is a terminal, and `NO_COLOR` is not set, or empty
 /// (<https://no-color.org>).
 pub fn colours(stream: &impl IsTerminal) -> bool {
     stream.is_terminal() && std::env::var_os("NO_COLOR").is_none_or(|value| value.is_empty())
 }
 
-/// Columns in line, two spaces apart, under their headers, if any; cells of a row are toned alike from `toned` on.
-///
-/// On a terminal cells are wrapped to its width, with the first column whole; elsewhere every row is one line.
-pub fn table<const N: usize>(headers: Option<[&str; N]>, rows: Vec<([String; N], Tone)>, toned: usize) -> Shown {
+/// Columns of what is printed.
+pub fn width() -> usize {
+    if io::stdout().is_terminal() { textwrap::termwidth().min(WIDEST) } else { WIDTH }
+}
+
+/// Columns in line, two spaces apart, under their headers, if any, wrapped to the width with the first column whole.
+pub fn table<const N: usize>(headers: Option<[&str; N]>, rows: Vec<[Cell; N]>) -> Shown {
     let coloured = colours(&io::stdout());
     let mut table = Table::new();
     table.load_preset(presets::NOTHING).set_content_arrangement(ContentArrangement::Dynamic);
+    table.set_width(width() as u16);
     if let Some(headers) = headers {
-        let cells = headers.map(|header| {
-            Cell::new(header).add_attributes(Some(Attribute::Bold).filter(|_| coloured).into_iter().collect())
-        });
-        table.set_header(cells);
+        let bold = Some(Attribute::Bold).filter(|_| coloured);
+        table.set_header(
+            headers.map(|header| comfy_table::Cell::new(header).add_attributes(bold.into_iter().collect())),
+        );
     }
-    for (row, tone) in rows {
-        let color = tone.color().filter(|_| coloured);
-        table.add_row(row.iter().enumerate().map(|(i, text)| {
-            let cell = Cell::new(visible(text));
-            color.filter(|_| i >= toned).map_or(cell.clone(), |color| cell.fg(color))
+    for row in rows {
+        table.add_row(row.map(|Cell { text, tone }| {
+            let cell = comfy_table::Cell::new(visible(&text));
+            tone.color().filter(|_| coloured).map_or(cell.clone(), |color| cell.fg(color))
         }));
     }
     for (i, column) in table.column_iter_mut().enumerate() {
@@ -60,13 +92,27 @@ pub fn table<const N: usize>(headers: Option<[&str; N]>, rows: Vec<([String; N],
     Shown::coloured(table.lines().map(|line| line.trim_end().to_owned() + "\n").collect())
 }
 
-/// Text as wide as the terminal, each line's rest under its last column; elsewhere as it is.
+/// Text within the width, each line's rest under its last column.
 pub fn wrapped(text: &str) -> Shown {
-    if !io::stdout().is_terminal() {
-        return text.into();
+    visible(text).lines().map(|line| hanging(line, width()) + "\n").collect::<String>().into()
+}
+
+/// A text with the first of its words that is `word` in a tone.
+pub fn toned(text: &str, word: &str, tone: Tone) -> Shown {
+    let text = wrapped(text);
+    match tone.color().filter(|_| colours(&io::stdout())) {
+        Some(color) => Shown::coloured(text.text().replacen(word, &painted(word, color), 1)),
+        None => text,
     }
-    let width = textwrap::termwidth();
-    visible(text).lines().map(|line| hanging(line, width) + "\n").collect::<String>().into()
+}
+
+fn painted(word: &str, color: Color) -> String {
+    let code = match color {
+        Color::Red => 31,
+        Color::Green => 32,
+        _ => 33,
+    };
+    format!("\u{1b}[1;{code}m{word}\u{1b}[0m")
 }
 
 fn hanging(line: &str, width: usize) -> String {

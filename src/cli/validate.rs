@@ -3,14 +3,16 @@
 use super::code::{BadRequest, Code};
 use super::job::{load_all, prepared, solve_all, told};
 use super::json;
-use super::options::{Json, Threads};
+use super::options::{Json, PictureOptions, Threads};
 use super::place;
 use super::progress::{Kept, Progress};
 use super::say::{say, say_json};
-use super::table::{Tone, table};
+use super::table::{Cell, Tone, table, wrapped};
 use anyhow::Context;
 use stampflow::compare::{Comparison, Verdict};
 use stampflow::output::{Results, comparison_folder};
+use std::collections::BTreeMap;
+use std::fmt::Write;
 use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 
@@ -37,15 +39,14 @@ pub struct Args {
     #[arg(long, short)]
     quiet: bool,
     #[command(flatten)]
+    pictures: PictureOptions,
+    #[command(flatten)]
     threads: Threads,
     #[command(flatten)]
     json: Json,
 }
 
-const HEADERS: [&str; 8] = ["case", "quantity", "reference", "kind, grade", "worst", "accepted", "verdict", "reason"];
-
-/// The column from which on rows are coloured by their verdict.
-const VERDICT: usize = 6;
+const HEADERS: [&str; 5] = ["case", "quantity", "kind", "worst", "verdict"];
 
 pub fn validate(args: &Args) -> anyhow::Result<Code> {
     let (mut cases, mut failed) = load_all(&case_files(&args.cases)?, &[]);
@@ -62,7 +63,7 @@ pub fn validate(args: &Args) -> anyhow::Result<Code> {
         jobs,
         |case| progress.watch(case, Kept::default()),
         |solution, _, folder| {
-            let results = Results::of(&solution)?;
+            let results = Results::of(&solution)?.with_pictures(&args.pictures.pictures());
             let failure = results.write_comparisons(folder).err();
             Ok((solution.case.name.clone(), results.comparisons, failure))
         },
@@ -81,11 +82,31 @@ pub fn validate(args: &Args) -> anyhow::Result<Code> {
     let said = if args.json.json {
         say_json(&all().map(|(case, comparison)| json::comparison(case, comparison)).collect::<Vec<_>>())
     } else {
-        say(table(Some(HEADERS), all().map(|(case, comparison)| row(case, comparison)).collect(), VERDICT))
+        let rows = all().map(|(case, comparison)| row(case, comparison)).collect();
+        say(table(Some(HEADERS), rows) + wrapped(&reasons(all())))
     };
     failed.extend(said.err());
     let code = if all().any(|(_, comparison)| comparison.is_failure()) { Code::Failed } else { Code::Done };
     Ok(told(&failed, code))
+}
+
+/// What each comparison is held against, why it is accepted as it is, and how many there are of each kind.
+fn reasons<'a>(all: impl Iterator<Item = (&'a String, &'a Comparison)>) -> String {
+    let (mut text, mut kinds) = ("\n".to_owned(), BTreeMap::<&str, [usize; 2]>::new());
+    for (case, comparison) in all {
+        let Comparison { spec, source, .. } = comparison;
+        let file = spec.reference.file_name().unwrap_or_default().to_string_lossy();
+        let grade = source.as_ref().map_or(String::new(), |source| format!(", grade {}", source.grade));
+        let accepted = comparison.accepted();
+        let _ =
+            writeln!(text, "- {case}, {}: {file}{grade}, accepted {accepted}: {}", spec.against.name(), spec.reason);
+        let [inside, of] = kinds.entry(source.as_ref().map_or("not stated", |source| &source.kind)).or_default();
+        *of += 1;
+        *inside += usize::from(comparison.verdict == Verdict::In);
+    }
+    let counts = kinds.into_iter().map(|(kind, [inside, of])| format!("{kind}: {inside} of {of} inside"));
+    let _ = writeln!(text, "\n{}", counts.collect::<Vec<_>>().join(", "));
+    text
 }
 
 /// The case files of a folder in alphabetical order.
@@ -112,23 +133,19 @@ fn case_files(dir: &Path) -> anyhow::Result<Vec<PathBuf>> {
     Ok(files)
 }
 
-fn row(case: &str, comparison: &Comparison) -> ([String; 8], Tone) {
+/// One line a comparison.
+fn row(case: &str, comparison: &Comparison) -> [Cell; 5] {
     let Comparison { spec, source, .. } = comparison;
-    let file = spec.reference.file_name().unwrap_or_default().to_string_lossy();
-    let cells = [
-        case.to_owned(),
-        spec.against.name().to_owned(),
-        file.into_owned(),
-        source.as_ref().map_or("not stated".to_owned(), |s| format!("{}, {}", s.kind, s.grade)),
-        comparison.worst().unwrap_or_else(|| "–".to_owned()),
-        comparison.accepted(),
-        comparison.outcome(),
-        spec.reason.clone(),
-    ];
     let tone = match comparison.verdict {
         _ if comparison.is_failure() => Tone::Bad,
         Verdict::In => Tone::Good,
         _ => Tone::Warning,
     };
-    (cells, tone)
+    [
+        Cell::plain(case),
+        Cell::plain(spec.against.name()),
+        Cell::plain(source.as_ref().map_or("not stated".to_owned(), |s| s.kind.to_string())),
+        Cell::plain(comparison.worst().unwrap_or_else(|| "–".to_owned())),
+        Cell { text: comparison.outcome(), tone },
+    ]
 }

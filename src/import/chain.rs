@@ -1,21 +1,23 @@
-//! Strokes joined end to end into one open line.
+//! Strokes joined end to end into one line.
 
 use super::error::ImportError;
 use super::frame::Frame;
 use super::listing::Listed;
+use super::parts::Part;
 use super::stroke::Stroke;
 use crate::geometry::{Arc, Bounds, Piece, Point, Segment, turn};
-use crate::model::Role;
 use crate::units::significant;
 use std::f64::consts::{FRAC_PI_2, PI};
 
 /// Lines that lie on each other go the same way within this angle \[rad\].
 const ALONG: f64 = 0.01;
 
-/// An open line of strokes, each beginning where the one before ends.
+/// A line of strokes, each beginning where the one before ends.
 #[derive(Clone, Debug)]
 pub(super) struct Chain {
     pub strokes: Vec<Stroke>,
+    /// Whether the last one ends where the first begins.
+    pub is_closed: bool,
 }
 
 /// One end of a stroke: its index, and whether it is the last point.
@@ -37,17 +39,17 @@ impl Chain {
 
     /// The same line walked the other way.
     pub fn reversed(&self) -> Self {
-        Self { strokes: self.strokes.iter().rev().map(Stroke::reversed).collect() }
+        Self { strokes: self.strokes.iter().rev().map(Stroke::reversed).collect(), ..*self }
     }
 }
 
 /// Joins the strokes of a tool.
 ///
 /// # Errors
-/// When they overlap, branch, close, cross, or leave a gap.
+/// When they overlap, branch, cross, or leave a gap.
 pub(super) fn join(
     strokes: Vec<Stroke>,
-    role: Role,
+    part: Part,
     frame: &Frame,
     notes: &mut Vec<String>,
 ) -> Result<Chain, ImportError> {
@@ -55,24 +57,31 @@ pub(super) fn join(
     let corners = corners(&strokes, frame.join);
     if let Some((at, ends)) = corners.iter().find(|(_, ends)| ends.len() > 2) {
         let named: Vec<String> = ends.iter().map(|(i, _)| strokes[*i].from.to_string()).collect();
-        let what = format!("the {}'s line branches at {}: {} meet", role.name(), frame.place(*at), named.join(", "));
+        let what = format!("the {}'s line branches at {}: {} meet", part.name(), frame.place(*at), named.join(", "));
         return Err(ImportError::new(
             what,
             "a section is one line without side branches: leave only what meets the sheet",
         )
         .at(strokes[ends[0].0].from.line));
     }
-    touching(&strokes, role, frame)?;
-    let mut lines = walk(&strokes, &corners, role, frame)?;
+    touching(&strokes, part, frame)?;
+    let mut lines = walk(&strokes, &corners);
+    if let Some((line, _)) = lines.iter().find(|(_, is_closed)| *is_closed).filter(|_| lines.len() > 1) {
+        let (from, place, count) = (&line[0].from, frame.place(line[0].first()), lines.len());
+        let what = format!("the {}'s line is {count} lines, one of them closed: {from} at {place}", part.name());
+        let help = "which one meets the sheet cannot be told: leave only that, an open line or one outline";
+        return Err(ImportError::new(what, help).at(from.line));
+    }
     if lines.len() > 1 {
-        return Err(gap(&lines, role, frame));
+        let open: Vec<_> = lines.into_iter().map(|(line, _)| line).collect();
+        return Err(gap(&open, part, frame));
     }
-    let mut strokes = lines.pop().expect("a tool has strokes");
-    let widest = close_joints(&mut strokes);
+    let (mut strokes, is_closed) = lines.pop().expect("a tool has strokes");
+    let widest = close_joints(&mut strokes, is_closed);
     if widest > 1e-6 {
-        notes.push(format!("ends of the {}'s line that were up to {widest:.2e} mm apart are joined", role.name()));
+        notes.push(format!("ends of the {}'s line that were up to {widest:.2e} mm apart are joined", part.name()));
     }
-    Ok(Chain { strokes })
+    Ok(Chain { strokes, is_closed })
 }
 
 /// The strokes without those that another one draws as well.
@@ -117,7 +126,7 @@ fn corners(strokes: &[Stroke], join: f64) -> Vec<(Point, Vec<End>)> {
 }
 
 /// Ends that lie on the inside of another stroke: overlaps and side branches.
-fn touching(strokes: &[Stroke], role: Role, frame: &Frame) -> Result<(), ImportError> {
+fn touching(strokes: &[Stroke], part: Part, frame: &Frame) -> Result<(), ImportError> {
     let boxes: Vec<Bounds> = strokes.iter().map(Stroke::bounds).collect();
     for (i, stroke) in strokes.iter().enumerate() {
         for (at, along) in [
@@ -130,7 +139,7 @@ fn touching(strokes: &[Stroke], role: Role, frame: &Frame) -> Result<(), ImportE
                 let on = other.pieces.iter().find(|piece| (piece.closest_point(at) - at).norm() <= frame.join);
                 let Some(piece) = on.filter(|_| !at_end) else { continue };
                 let angle = turn(along, tangent_near(piece, at)).abs();
-                let (name, place) = (role.name(), frame.place(at));
+                let (name, place) = (part.name(), frame.place(at));
                 if angle < ALONG || PI - angle < ALONG {
                     let what = format!(
                         "two parts of the {name}'s line overlap at {place}: {} and {}",
@@ -158,13 +167,8 @@ fn tangent_near(piece: &Piece, at: Point) -> Point {
     }
 }
 
-/// The open lines that the strokes make, each in order and one way.
-fn walk(
-    strokes: &[Stroke],
-    corners: &[(Point, Vec<End>)],
-    role: Role,
-    frame: &Frame,
-) -> Result<Vec<Vec<Stroke>>, ImportError> {
+/// The lines that the strokes make, each in order and one way, and whether it is closed.
+fn walk(strokes: &[Stroke], corners: &[(Point, Vec<End>)]) -> Vec<(Vec<Stroke>, bool)> {
     let mut done = vec![false; strokes.len()];
     let mut lines = Vec::new();
     // The corner of either end of each stroke.
@@ -172,8 +176,10 @@ fn walk(
     for (k, (i, last)) in corners.iter().enumerate().flat_map(|(k, (_, ends))| ends.iter().map(move |end| (k, *end))) {
         corner[i][usize::from(last)] = k;
     }
-    let starts = corners.iter().filter(|(_, ends)| ends.len() == 1).map(|(_, ends)| ends[0]);
-    for start in starts {
+    // What has no free end is closed, wherever one begins.
+    let free = corners.iter().filter(|(_, ends)| ends.len() == 1).map(|(_, ends)| (ends[0], false));
+    let anywhere = (0..strokes.len()).map(|i| ((i, false), true));
+    for (start, is_closed) in free.chain(anywhere) {
         let mut next = Some(start).filter(|(i, _)| !done[*i]);
         let mut line = Vec::new();
         while let Some((i, from_last)) = next {
@@ -184,20 +190,14 @@ fn walk(
             next = there.iter().copied().find(|end| *end != far && !done[end.0]);
         }
         if !line.is_empty() {
-            lines.push(line);
+            lines.push((line, is_closed));
         }
     }
-    if let Some(i) = done.iter().position(|done| !done) {
-        let (from, place) = (&strokes[i].from, frame.place(strokes[i].first()));
-        let what = format!("the {}'s line is closed: it comes back to {place}, where {from} begins", role.name());
-        let help = "draw only the side of the tool that meets the sheet, as an open line";
-        return Err(ImportError::new(what, help).at(from.line));
-    }
-    Ok(lines)
+    lines
 }
 
 /// The two ends of different lines that come closest.
-fn gap(lines: &[Vec<Stroke>], role: Role, frame: &Frame) -> ImportError {
+fn gap(lines: &[Vec<Stroke>], part: Part, frame: &Frame) -> ImportError {
     let ends = |line: &'_ [Stroke]| {
         let (first, last) = (&line[0], &line[line.len() - 1]);
         [(first.first(), first.from.clone()), (last.last(), last.from.clone())]
@@ -211,7 +211,7 @@ fn gap(lines: &[Vec<Stroke>], role: Role, frame: &Frame) -> ImportError {
     let (distance, ((a, from_a), (b, from_b))) = (distance(&closest), closest);
     let (a, b) = (frame.place(*a), frame.place(*b));
     let words = format!("{from_a} ends at {a} and {from_b} at {b}");
-    let what = format!("the {}'s line has a gap of {} mm: {words}", role.name(), significant(distance, 4));
+    let what = format!("the {}'s line has a gap of {} mm: {words}", part.name(), significant(distance, 4));
     let more = (1.2 * distance * 1e4).ceil() / 1e4;
     ImportError::new(what, format!("close it in the drawing, or let such ends meet with --join \"{more} mm\""))
         .at(from_a.line)
@@ -219,16 +219,26 @@ fn gap(lines: &[Vec<Stroke>], role: Role, frame: &Frame) -> ImportError {
 
 /// Makes every stroke begin exactly where the one before ends, and returns the widest joint \[mm\]. A line gives way to an
 /// arc, so that tangents stay.
-fn close_joints(strokes: &mut [Stroke]) -> f64 {
+fn close_joints(strokes: &mut [Stroke], is_closed: bool) -> f64 {
     let mut widest: f64 = 0.0;
-    for i in 1..strokes.len() {
-        let (before, after) = strokes.split_at_mut(i);
-        let (a, b) = (before[i - 1].pieces.last_mut().expect("a stroke"), &mut after[0].pieces[0]);
+    let mut close = |a: &mut Piece, b: &mut Piece| {
         let (end, start) = (a.last(), b.first());
         widest = widest.max((start - end).norm());
         let at = if matches!(a, Piece::Segment(_)) { start } else { end };
         *a = with_ends(a, a.first(), at);
         *b = with_ends(b, at, b.last());
+    };
+    for i in 1..strokes.len() {
+        let (before, after) = strokes.split_at_mut(i);
+        close(before[i - 1].pieces.last_mut().expect("a stroke"), &mut after[0].pieces[0]);
+    }
+    if is_closed {
+        // The joint of a line that is one stroke is between two pieces of it.
+        let last = strokes.len() - 1;
+        let (mut end, mut start) = (strokes[last].pieces[strokes[last].pieces.len() - 1], strokes[0].pieces[0]);
+        close(&mut end, &mut start);
+        *strokes[last].pieces.last_mut().expect("a stroke") = end;
+        strokes[0].pieces[0] = start;
     }
     widest
 }

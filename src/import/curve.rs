@@ -61,7 +61,8 @@ pub(super) enum Group<'a> {
     Other,
 }
 
-const UP: Place = [0.0, 0.0, 1.0];
+/// The normal of what is drawn in the drawing's plane.
+pub(super) const UP: Place = [0.0, 0.0, 1.0];
 
 impl Curve {
     /// An entity of a kind whose groups follow; `None` of a kind that is no curve.

@@ -30,10 +30,11 @@ impl Frame {
             None => of_header(header)?,
         };
         notes.push(format!("1 drawing unit is 1 {} ({from})", unit.symbol()));
-        if options.axis != 0.0 {
-            notes.push(format!("the axis is at x = {} mm of the drawing", rounded(options.axis)));
+        let axis = options.axis.unwrap_or(0.0);
+        if axis != 0.0 {
+            notes.push(format!("the axis is at x = {} mm of the drawing", rounded(axis)));
         }
-        Ok(Self { unit, axis: options.axis, join: options.join, tolerance: options.tolerance })
+        Ok(Self { unit, axis, join: options.join, tolerance: options.tolerance })
     }
 
     /// A point of the drawing in mm, x from the axis.
@@ -48,9 +49,13 @@ impl Frame {
 
     /// A place as it is found in the drawing: `x = 30 mm, y = -6 mm`.
     pub fn place(&self, p: Point) -> String {
-        let written = |mm: f64| (mm / self.unit.mm() * 1e6).round() / 1e6 + 0.0;
-        let symbol = self.unit.symbol();
-        format!("x = {} {symbol}, y = {} {symbol}", written(p.x + self.axis), written(p.y))
+        format!("x = {}, y = {}", self.along(p.x + self.axis), self.along(p.y))
+    }
+
+    /// A length \[mm\] as it is found in the drawing: `1.5 in`.
+    pub fn along(&self, mm: f64) -> String {
+        let written = (mm / self.unit.mm() * 1e6).round() / 1e6 + 0.0;
+        format!("{written} {}", self.unit.symbol())
     }
 }
 

@@ -3,14 +3,14 @@
 use super::chain::{Chain, join, with_ends};
 use super::error::ImportError;
 use super::frame::Frame;
+use super::parts::Part;
 use super::stroke::Stroke;
 use crate::geometry::{Bounds, Piece, Point};
-use crate::model::Role;
 
 /// The chain at x ≥ 0.
 pub(super) fn right(
     strokes: Vec<Stroke>,
-    role: Role,
+    part: Part,
     frame: &Frame,
     notes: &mut Vec<String>,
 ) -> Result<Chain, ImportError> {
@@ -20,22 +20,22 @@ pub(super) fn right(
             if is_right(&part.pieces[0]) { right.push(part) } else { left.push(mirrored(&part)) }
         }
     }
-    let name = role.name();
+    let name = part.name();
     match (right.is_empty(), left.is_empty()) {
-        (false, true) => join(right, role, frame, notes),
+        (false, true) => join(right, part, frame, notes),
         (true, false) => {
             notes.push(format!("the {name} is drawn on the left of the axis only: its mirror image is used"));
-            join(left, role, frame, notes)
+            join(left, part, frame, notes)
         }
         (true, true) => Err(ImportError::new(
             format!("all of the {name}'s line lies on the axis"),
             "draw the side of the tool that meets the sheet; --axis says where the axis is",
         )),
         (false, false) => {
-            let chain = join(right, role, frame, notes)?;
+            let chain = join(right, part, frame, notes)?;
             // What was left out on the right is left out on the left: no need to say it twice.
-            let image = join(left, role, frame, &mut Vec::new())?;
-            compare(&chain, &image, name, frame)?;
+            let image = join(left, part, frame, &mut Vec::new())?;
+            compare(&chain, &image, &name, frame)?;
             notes.push(format!("both halves of the {name} are drawn and are alike: the right one is used"));
             Ok(chain)
         }

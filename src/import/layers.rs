@@ -1,26 +1,22 @@
 //! Which layer draws which tool.
 
+use super::blocks::Placed;
 use super::error::ImportError;
-use super::listing::{Entity, cut};
+use super::listing::cut;
 use super::options::Options;
+use super::parts::{Part, Parts, operation, ordered};
 use crate::model::Role;
 use std::collections::BTreeMap;
 
-/// The tool of each layer that draws one, by the layer's name.
-pub(super) type Roles = BTreeMap<String, Role>;
-
-/// Which layers are tools: those named with `--layer`, then those whose names hold punch, die or holder.
-pub(super) fn roles(found: &[Entity], options: &Options, notes: &mut Vec<String>) -> Result<Roles, ImportError> {
+/// Which layers are tools: those named with `--layer`, then those whose names hold the word of one.
+pub(super) fn parts(found: &[Placed], options: &Options, notes: &mut Vec<String>) -> Result<Parts, ImportError> {
     let mut layers: BTreeMap<&str, usize> = BTreeMap::new();
-    for Entity { listed, .. } in found.iter().filter(|entity| !entity.listed.on_paper) {
+    for Placed { listed, .. } in found.iter().filter(|entity| !entity.listed.on_paper) {
         *layers.entry(&listed.layer).or_default() += 1;
     }
     if layers.is_empty() {
         let what = "the drawing is empty: there is no entity in its model space";
-        return Err(ImportError::new(
-            what,
-            "check what was saved; entities inside blocks and on paper sheets are not read",
-        ));
+        return Err(ImportError::new(what, "check what was saved; entities on paper sheets are not read"));
     }
     let counted = |(layer, count): (&&str, &usize)| format!("\"{}\" ({})", cut(layer), entities(*count));
     let there = || some(layers.iter().map(counted));
@@ -30,29 +26,29 @@ pub(super) fn roles(found: &[Entity], options: &Options, notes: &mut Vec<String>
             return Err(ImportError::new(what, "check the name after --layer"));
         }
     }
-    let mut roles = Roles::new();
+    let mut parts = Parts::new();
     for layer in layers.keys() {
         let asked = options.layers.iter().rev().find(|(name, _)| same(layer, name)).map(|(_, role)| *role);
         if let Some(role) = asked.map_or_else(|| by_name(layer), Ok)? {
-            roles.insert((*layer).to_owned(), role);
+            parts.insert((*layer).to_owned(), Part { operation: operation(layer), role });
         }
     }
-    if roles.is_empty() {
+    if parts.is_empty() {
         let what = format!("no layer is a tool: there are {}", there());
         let help = "say which is which, for example --layer NAME=punch --layer OTHER=die; layers whose names hold punch, \
-                    die or holder are found by themselves";
+                    die or holder are found by themselves, in German and French too";
         return Err(ImportError::new(what, help));
     }
-    let ignored = some(layers.iter().filter(|(layer, _)| !roles.contains_key(**layer)).map(counted));
+    let ignored = some(layers.iter().filter(|(layer, _)| !parts.contains_key(**layer)).map(counted));
     if !ignored.is_empty() {
         notes.push(format!("layers that are no tool are left out: {ignored}"));
     }
-    Ok(roles)
+    Ok(ordered(parts))
 }
 
 /// Layers are tools, but no line is on them.
-pub(super) fn nothing_drawn(roles: &Roles) -> ImportError {
-    let named = some(roles.iter().map(|(layer, role)| format!("\"{}\" ({})", cut(layer), role.name())));
+pub(super) fn nothing_drawn(parts: &Parts) -> ImportError {
+    let named = some(parts.iter().map(|(layer, part)| format!("\"{}\" ({})", cut(layer), part.name())));
     let what = format!("no line, arc, polyline or spline is on {named}");
     ImportError::new(what, "draw the side of each tool that meets the sheet as an open line")
 }
@@ -75,8 +71,7 @@ fn same(layer: &str, name: &str) -> bool {
 }
 
 fn by_name(layer: &str) -> Result<Option<Role>, ImportError> {
-    let lower = layer.to_lowercase();
-    let held: Vec<Role> = Role::ALL.into_iter().filter(|role| lower.contains(role.name())).collect();
+    let held = Role::named_in(layer);
     match held[..] {
         [] => Ok(None),
         [role] => Ok(Some(role)),

@@ -3,9 +3,11 @@
 //! # References
 //! Autodesk, DXF Reference (group codes of the HEADER and ENTITIES sections; not read: codes as commonly used).
 
+use super::blocks::{Block, Reference};
 use super::curve::{Curve, Group, Vertex};
 use super::error::ImportError;
 use std::borrow::Cow;
+use std::collections::BTreeMap;
 use std::fmt;
 
 /// More of a file is no drawing of a few tools \[bytes\].
@@ -14,7 +16,7 @@ pub const LARGEST: usize = 50_000_000;
 pub(super) const MOST: usize = 5000;
 
 /// Entities of a drawing, and points and knots of its lines and curves: an assembly with all its parts has fewer.
-const ENTITIES: usize = 200_000;
+pub(super) const ENTITIES: usize = 200_000;
 const POINTS: usize = 1_000_000;
 
 const AGAIN: &str = "open the drawing in a CAD program and save it as DXF again";
@@ -29,8 +31,11 @@ const WINDOWS: [char; 32] = [
 #[derive(Debug, Default)]
 pub(super) struct Drawing {
     pub header: Header,
-    /// The entities of the model and of paper sheets; those inside blocks are not among them.
+    /// The entities of the model and of paper sheets, references to blocks among them.
     pub entities: Vec<Entity>,
+    pub blocks: Vec<Block>,
+    /// The line type of each layer, by the layer's name.
+    pub line_types: BTreeMap<String, String>,
 }
 
 /// What a drawing says about its unit.
@@ -42,11 +47,40 @@ pub(super) struct Header {
     pub is_metric: bool,
 }
 
-/// An entity, and its shape where it is one that tools are drawn with.
+/// An entity and its shape.
 #[derive(Debug)]
 pub(super) struct Entity {
     pub listed: Listed,
-    pub curve: Option<Curve>,
+    pub shape: Shape,
+}
+
+/// What an entity draws.
+#[derive(Debug)]
+pub(super) enum Shape {
+    /// What tools are drawn with.
+    Curve(Curve),
+    /// INSERT.
+    Reference(Reference),
+    /// Nothing that a tool is drawn with.
+    Other,
+}
+
+impl Shape {
+    fn new(kind: &str) -> Self {
+        match Curve::new(kind) {
+            Some(curve) => Self::Curve(curve),
+            None if kind == "INSERT" => Self::Reference(Reference::default()),
+            None => Self::Other,
+        }
+    }
+
+    fn group(&mut self, code: i32) -> Group<'_> {
+        match self {
+            Self::Curve(curve) => curve.group(code),
+            Self::Reference(reference) => reference.group(code),
+            Self::Other => Group::Other,
+        }
+    }
 }
 
 /// An entity as the file names it.
@@ -61,15 +95,20 @@ pub(super) struct Listed {
     pub line: usize,
     /// Drawn on a sheet of paper, not in the model.
     pub on_paper: bool,
-    /// Its point, in drawing units: where a circle's centre, a text or a block is.
+    /// Its point, in drawing units: where a circle's centre or a text is.
     pub at: [f64; 2],
+    /// Its line type; empty where it is that of the layer.
+    pub line_type: String,
+    /// The block that it is in, or that it refers to; empty for others.
+    pub block: String,
 }
 
 impl fmt::Display for Listed {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { kind, layer, handle, line, .. } = self;
         let handle = if handle.is_empty() { String::new() } else { format!(" #{}", cut(handle)) };
-        write!(f, "{}{handle} of layer \"{}\" (line {line} of the file)", cut(kind), cut(layer))
+        let block = if self.block.is_empty() { String::new() } else { format!(", block \"{}\"", cut(&self.block)) };
+        write!(f, "{}{handle} of layer \"{}\"{block} (line {line} of the file)", cut(kind), cut(layer))
     }
 }
 
@@ -96,8 +135,10 @@ pub(super) fn decode(bytes: &[u8]) -> Result<Cow<'_, str>, ImportError> {
     })
 }
 
-/// What the pairs that follow belong to, inside the ENTITIES section.
+/// What the pairs that follow belong to, inside the BLOCKS and ENTITIES sections.
 enum Part {
+    /// The last block itself.
+    Block,
     Entity,
     /// The last vertex of the last entity, a POLYLINE.
     Vertex,
@@ -111,9 +152,11 @@ enum Part {
 /// When it is no DXF, ends inside a section, holds more than any drawing of tools, or has something else where a group code
 /// or a curve's number has to be.
 pub(super) fn drawing(text: &str) -> Result<Drawing, ImportError> {
-    let Drawing { mut header, entities: mut found } = Drawing::default();
+    let Drawing { mut header, mut entities, mut blocks, mut line_types } = Drawing::default();
     let (mut section, mut opens, mut is_dxf) = ("", false, false);
-    let (mut variable, mut part, mut last_line, mut points) = ("", Part::Other, 0, 0);
+    let (mut variable, mut part, mut last_line, mut count, mut points) = ("", Part::Other, 0, 0, 0);
+    // The table entry that is being read, where it is a layer.
+    let mut layer = None;
     let mut lines = text.lines().map(str::trim).enumerate();
     while let Some((i, code)) = lines.next() {
         let Some((_, value)) = lines.next() else { break };
@@ -136,19 +179,37 @@ pub(super) fn drawing(text: &str) -> Result<Drawing, ImportError> {
                 "$MEASUREMENT" => header.is_metric = whole(value) == 1,
                 _ => {}
             },
-            (0, kind) if section == "ENTITIES" => {
-                points += usize::from(kind == "VERTEX");
-                part = begun(kind, last_line, &mut found);
+            (0, kind) if section == "TABLES" => layer = (kind == "LAYER").then_some(""),
+            (2, name) if section == "TABLES" && layer == Some("") => layer = Some(name),
+            (6, line_type) if section == "TABLES" => {
+                line_types.extend(layer.map(|layer| (layer.to_owned(), line_type.to_owned())));
             }
-            _ if section == "ENTITIES" => {
-                points += usize::from(matches!((&part, code), (Part::Entity, 10 | 40 | 41)));
-                if let Some(entity) = found.last_mut() {
-                    entity.take(&part, code, value, last_line)?;
+            (0, "BLOCK") if section == "BLOCKS" => {
+                blocks.push(Block::default());
+                part = Part::Block;
+            }
+            (0, "ENDBLK") if section == "BLOCKS" => part = Part::Other,
+            (code, value) if matches!(section, "BLOCKS" | "ENTITIES") => {
+                let in_block = section == "BLOCKS";
+                match (blocks.last_mut().filter(|_| in_block), &part, code) {
+                    (Some(block), Part::Block, 1..) => block.take(code, value),
+                    (None, ..) if in_block => {}
+                    (block, ..) => {
+                        let found = block.map_or(&mut entities, |block| &mut block.entities);
+                        if code == 0 {
+                            part = begun(value, last_line, found);
+                            points += usize::from(matches!(part, Part::Vertex));
+                            count += usize::from(matches!(part, Part::Entity));
+                        } else if let Some(entity) = found.last_mut() {
+                            points += usize::from(matches!((&part, code), (Part::Entity, 10 | 40 | 41)));
+                            entity.take(&part, code, value, last_line)?;
+                        }
+                    }
                 }
             }
             _ => {}
         }
-        if found.len() > ENTITIES || points > POINTS {
+        if count > ENTITIES || points > POINTS {
             let what = format!(
                 "the drawing has more than {ENTITIES} entities or {POINTS} points: line {last_line} is one more"
             );
@@ -164,20 +225,20 @@ pub(super) fn drawing(text: &str) -> Result<Drawing, ImportError> {
             format!("the drawing is cut short: it ends inside its {} section, at line {last_line}", cut(section));
         return Err(ImportError::new(what, AGAIN).at(last_line));
     }
-    Ok(Drawing { header, entities: found })
+    Ok(Drawing { header, entities, blocks, line_types })
 }
 
 /// Begins an entity, or a part of the last one.
 fn begun(kind: &str, line: usize, found: &mut Vec<Entity>) -> Part {
     match (kind, found.last_mut()) {
-        ("VERTEX", Some(Entity { curve: Some(Curve::Old(polyline)), .. })) => {
+        ("VERTEX", Some(Entity { shape: Shape::Curve(Curve::Old(polyline)), .. })) => {
             polyline.vertices.push(Vertex::default());
             Part::Vertex
         }
         ("VERTEX" | "SEQEND" | "ATTRIB", _) => Part::Other,
         _ => {
             let listed = Listed { kind: kind.to_owned(), layer: "0".to_owned(), line, ..Listed::default() };
-            found.push(Entity { listed, curve: Curve::new(kind) });
+            found.push(Entity { listed, shape: Shape::new(kind) });
             Part::Entity
         }
     }
@@ -185,13 +246,13 @@ fn begun(kind: &str, line: usize, found: &mut Vec<Entity>) -> Part {
 
 impl Entity {
     fn take(&mut self, part: &Part, code: i32, value: &str, line: usize) -> Result<(), ImportError> {
-        let Self { listed, curve } = self;
-        let group = match (part, curve) {
+        let Self { listed, shape } = self;
+        let group = match (part, shape) {
             (Part::Other, _) => return Ok(()),
-            (Part::Vertex, Some(Curve::Old(polyline))) => {
+            (Part::Vertex, Shape::Curve(Curve::Old(polyline))) => {
                 polyline.vertices.last_mut().map_or(Group::Other, |vertex| vertex.group(code))
             }
-            (Part::Entity, Some(curve)) => curve.group(code),
+            (Part::Entity, shape) => shape.group(code),
             _ => Group::Other,
         };
         match (group, part, code) {
@@ -207,6 +268,8 @@ impl Entity {
                 let what = format!("{listed} cannot be read: line {line} belongs to a point that has no x before it");
                 return Err(ImportError::new(what, AGAIN).at(line));
             }
+            (Group::Other, Part::Entity, 2) if listed.kind == "INSERT" => listed.block = value.to_owned(),
+            (Group::Other, Part::Entity, 6) => listed.line_type = value.to_owned(),
             (Group::Other, Part::Entity, 5) => listed.handle = value.to_owned(),
             (Group::Other, Part::Entity, 8) => listed.layer = value.to_owned(),
             (Group::Other, Part::Entity, 10 | 20) => listed.at[usize::from(code == 20)] = value.parse().unwrap_or(0.0),
@@ -218,7 +281,7 @@ impl Entity {
 }
 
 /// A whole number, which some programs write with decimals; 0 for anything else.
-fn whole(value: &str) -> usize {
+pub(super) fn whole(value: &str) -> usize {
     value.parse::<f64>().map_or(0, |value| value as usize)
 }
 

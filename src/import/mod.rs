@@ -3,11 +3,13 @@
 //! ```text
 //! text → listing               what the file holds, line by line: the header's unit, entities and where they stand
 //!    │ curve                      the shape of those that tools are drawn with
-//!    │ layers                     which layer is which tool
+//!    │ blocks                     each block as often as it is referred to
+//!    │ layers, parts              which layer is which tool of which operation
 //!    │ stroke, spline             entity → Stroke: pieces in mm, and where they were drawn
+//!    │ axis                       is the axis at x = 0?
 //!    │ halves                     cut at the axis; a second half is compared and left out
 //!    │ chain                      strokes joined end to end: gaps, overlaps, branches are named
-//!    │ orient                     which way the punch moves; the sheet on the left
+//!    │ orient, outline            which way the punch moves; the sheet on the left; of outlines the side towards the sheet
 //!    └ Sections                   a Profile for each tool, as drawn
 //! ```
 //!
@@ -16,6 +18,8 @@
 //! the way the punch moves: z = −y for a punch that is drawn above the sheet. Tools stay where they are drawn; a case
 //! file's reader moves each to where it touches the flat sheet.
 
+mod axis;
+mod blocks;
 mod chain;
 mod curve;
 mod error;
@@ -25,6 +29,8 @@ mod layers;
 mod listing;
 mod options;
 mod orient;
+mod outline;
+mod parts;
 mod section;
 mod spline;
 mod stroke;
@@ -32,31 +38,63 @@ mod stroke;
 pub use error::ImportError;
 pub use listing::LARGEST;
 pub use options::{DrawingUnit, Heading, Options};
-pub use section::{Section, Sections};
+pub use section::{Operation, Section, Sections};
 
 use crate::model::Role;
+use parts::{Part, Parts};
+use std::collections::BTreeSet;
 
 /// Reads the tools' sections from the bytes of a DXF file (text; binary DXF is refused).
 ///
 /// # Errors
-/// When the bytes are no DXF, the unit is not known, no layer is a tool, or a tool's lines do not make one open chain;
+/// When the bytes are no DXF, the unit or the axis is not known, no layer is a tool, or a tool's lines do not make one chain;
 /// the message names the entities and the place in the drawing's own unit.
 pub fn read(bytes: &[u8], options: &Options) -> Result<Sections, ImportError> {
     let drawing = listing::drawing(&listing::decode(bytes)?)?;
     let mut notes = Vec::new();
     let frame = frame::Frame::of(&drawing.header, options, &mut notes)?;
-    let roles = layers::roles(&drawing.entities, options, &mut notes)?;
-    let mut chains = Vec::new();
-    for role in Role::ALL {
-        let strokes = stroke::of_role(&drawing.entities, &roles, role, &frame, &mut notes)?;
-        if !strokes.is_empty() {
-            chains.push((role, halves::right(strokes, role, &frame, &mut notes)?));
+    let entities = blocks::exploded(&drawing)?;
+    let parts = layers::parts(&entities, options, &mut notes)?;
+    let mut strokes = Vec::new();
+    for part in in_order(&parts) {
+        let drawn = stroke::of_part(&entities, &parts, part, &frame, &mut notes)?;
+        if !drawn.is_empty() {
+            strokes.push((part, drawn));
         }
     }
-    if chains.is_empty() {
-        return Err(layers::nothing_drawn(&roles));
+    if strokes.is_empty() {
+        return Err(layers::nothing_drawn(&parts));
+    }
+    if options.axis.is_none() {
+        axis::ask(&strokes, &entities, &frame)?;
+    }
+    let mut chains = Vec::new();
+    for (part, strokes) in strokes {
+        chains.push((part, halves::right(strokes, part, &frame, &mut notes)?));
     }
     let heading = orient::heading(&chains, options.punch_moves, &mut notes)?;
-    let oriented = chains.into_iter().map(|(role, chain)| orient::section(role, chain, heading, &frame));
-    Ok(Sections { tools: oriented.collect::<Result<_, _>>()?, notes })
+    let mut operations: Vec<Operation> = Vec::new();
+    for (part, chain) in chains {
+        let section = orient::section(part, chain, heading, &frame, &mut notes)?;
+        match operations.last_mut().filter(|operation| operation.number == part.operation) {
+            Some(operation) => operation.tools.push(section),
+            None => operations.push(Operation { number: part.operation, tools: vec![section] }),
+        }
+    }
+    let idle = operations.iter().find(|operation| operation.tool(Role::Punch).is_none());
+    if let Some(operation) = idle.filter(|_| operations.len() > 1) {
+        let what = format!("of {} operations, {} has no punch", operations.len(), operation.name());
+        let help = "draw one on a layer of that operation, or leave its other layers out with --layer NAME=none";
+        return Err(ImportError::new(what, help));
+    }
+    let later = operations.split_off(1);
+    let Operation { number, tools } = operations.remove(0);
+    Ok(Sections { number, tools, later, notes })
+}
+
+/// Every part once: operations by their numbers, in each of them punch, die, holder.
+fn in_order(parts: &Parts) -> Vec<Part> {
+    let operations: BTreeSet<Option<u32>> = parts.values().map(|part| part.operation).collect();
+    let all = operations.into_iter().flat_map(|operation| Role::ALL.map(|role| Part { operation, role }));
+    all.filter(|part| parts.values().any(|other| other == part)).collect()
 }

@@ -10,8 +10,9 @@ pub struct Options {
     pub layers: Vec<(String, Option<Role>)>,
     /// Unit of the drawing; the header's when `None`.
     pub unit: Option<DrawingUnit>,
-    /// x of the axis or symmetry plane in the drawing \[mm\].
-    pub axis: f64,
+    /// x of the axis or symmetry plane in the drawing \[mm\]; where `None` it is 0, and tools that are drawn elsewhere are
+    /// refused.
+    pub axis: Option<f64>,
     /// Ends that are no farther apart meet \[mm\].
     pub join: f64,
     /// How far the arcs that replace a spline may leave it \[mm\].
@@ -22,7 +23,7 @@ pub struct Options {
 
 impl Default for Options {
     fn default() -> Self {
-        Self { layers: Vec::new(), unit: None, axis: 0.0, join: 0.01, tolerance: 0.001, punch_moves: None }
+        Self { layers: Vec::new(), unit: None, axis: None, join: 0.01, tolerance: 0.001, punch_moves: None }
     }
 }
 

@@ -6,6 +6,8 @@ use super::frame::Frame;
 use super::layers::{entities, some};
 use super::listing::cut;
 use super::options::Heading;
+use super::outline::{self, is_outline, sheet_side};
+use super::parts::Part;
 use super::section::Section;
 use crate::geometry::{Fold, Piece, Point, Profile};
 use crate::model::Role;
@@ -14,35 +16,53 @@ use crate::model::Role;
 const WALL: f64 = 1e-3;
 
 /// The heading asked for, or the one that the walls of punch and die tell: a punch's body lies behind its face, so that
-/// its outer end is behind its inner one, and a die's cavity is ahead of its face.
+/// its outer end is behind its inner one, and a die's cavity is ahead of its face. Of tools that are drawn all round, their
+/// places tell.
 pub(super) fn heading(
-    chains: &[(Role, Chain)],
+    chains: &[(Part, Chain)],
     asked: Option<Heading>,
     notes: &mut Vec<String>,
 ) -> Result<Heading, ImportError> {
-    let told = chains.iter().filter(|(role, _)| *role != Role::Holder).filter_map(|(role, chain)| {
+    let open = chains.iter().filter(|(part, chain)| part.role != Role::Holder && !is_outline(chain));
+    let told = open.filter_map(|(part, chain)| {
         let (inner, outer) = from_axis(chain);
         let rise = outer.y - inner.y;
-        (rise.abs() > WALL).then_some((*role, if rise > 0.0 { Heading::Down } else { Heading::Up }))
+        (rise.abs() > WALL).then_some((*part, if rise > 0.0 { Heading::Down } else { Heading::Up }))
     });
-    let told: Vec<(Role, Heading)> = told.collect();
-    let (heading, why) = match (asked, &told[..]) {
-        (Some(asked), _) => (asked, "as asked for".to_owned()),
-        (None, [(_, a), (_, b)]) if a != b => {
+    let told: Vec<(Part, Heading)> = told.collect();
+    let other = told.iter().find(|(_, heading)| *heading != told[0].1);
+    let (heading, why) = match (asked, told.first(), other) {
+        (Some(asked), ..) => (asked, "as asked for".to_owned()),
+        (None, Some((first, a)), Some((second, b))) => {
             let what = format!(
-                "the walls disagree about which way the punch moves: the punch's say {}, the die's say {}",
+                "the walls disagree about which way the punch moves: the {}'s say {}, the {}'s say {}",
+                first.name(),
                 a.name(),
+                second.name(),
                 b.name()
             );
             let help = "a punch's wall goes away from the sheet, and so does a die's, to the other side; is a layer named \
                         after the wrong tool? --punch-moves down or up decides";
             return Err(ImportError::new(what, help));
         }
-        (None, [(role, heading), ..]) => (*heading, format!("by the {}'s wall", role.name())),
-        (None, []) => (Heading::Down, "assumed: no wall tells; --punch-moves up says otherwise".to_owned()),
+        (None, Some((part, heading)), None) => (*heading, format!("by the {}'s wall", part.name())),
+        (None, None, _) => by_place(chains)?,
     };
     notes.push(format!("the punch moves {} in the drawing ({why})", heading.name()));
     Ok(heading)
+}
+
+fn by_place(chains: &[(Part, Chain)]) -> Result<(Heading, String), ImportError> {
+    if let Some((heading, why)) = outline::heading(chains) {
+        return Ok((heading, why));
+    }
+    if let Some((part, chain)) = chains.iter().find(|(_, chain)| is_outline(chain)) {
+        let (name, from) = (part.name(), &chain.strokes[0].from);
+        let what = format!("which side of the {name}'s outline meets the sheet cannot be told: {from}");
+        let help = "say --punch-moves down or up, or draw only that side, as an open line";
+        return Err(ImportError::new(what, help).at(from.line));
+    }
+    Ok((Heading::Down, "assumed: no wall tells; --punch-moves up says otherwise".to_owned()))
 }
 
 /// The ends of a chain, the one nearer to the axis first.
@@ -52,17 +72,25 @@ fn from_axis(chain: &Chain) -> (Point, Point) {
 }
 
 /// The section of a tool: z in the direction of the punch travel, the sheet on its left.
-pub(super) fn section(role: Role, chain: Chain, heading: Heading, frame: &Frame) -> Result<Section, ImportError> {
-    let outward = outward(role, chain, heading, frame)?;
+pub(super) fn section(
+    part: Part,
+    chain: Chain,
+    heading: Heading,
+    frame: &Frame,
+    notes: &mut Vec<String>,
+) -> Result<Section, ImportError> {
+    let role = part.role;
+    let chain = if is_outline(&chain) { sheet_side(part, chain, heading, frame, notes)? } else { chain };
+    let outward = outward(part, chain, heading, frame)?;
     // Below the sheet one walks outward, above it inward.
     let chain = if role == Role::Die { outward.reversed() } else { outward };
     let to_section = |piece: &Piece| if heading == Heading::Down { piece.upside_down() } else { *piece };
     let profile = Profile::new(chain.pieces().map(|(piece, _)| to_section(piece)).collect())
-        .map_err(|error| ImportError::new(format!("the {}'s line is no section: {error}", role.name()), "redraw it"))?;
+        .map_err(|error| ImportError::new(format!("the {}'s line is no section: {error}", part.name()), "redraw it"))?;
     let strokes: Vec<usize> = chain.pieces().map(|(_, stroke)| stroke).collect();
     let drawn = |p: Point| frame.place(if heading == Heading::Down { Point::new(p.x, -p.y) } else { p });
     let from = |piece: usize| &chain.strokes[strokes[piece]].from;
-    let name = role.name();
+    let name = part.name();
     let help = "a section is one open line along the side that meets the sheet";
     match profile.fold() {
         None => {}
@@ -90,17 +118,21 @@ pub(super) fn section(role: Role, chain: Chain, heading: Heading, frame: &Frame)
     layers.sort_unstable();
     layers.dedup();
     let layers = some(layers.into_iter().map(|layer| format!("\"{}\"", cut(layer))));
-    let made_of = format!("{} of layer {layers}", entities(chain.strokes.len()));
+    let mut drawn: Vec<(&str, usize)> =
+        chain.strokes.iter().map(|stroke| (stroke.from.block.as_str(), stroke.from.line)).collect();
+    drawn.sort_unstable();
+    drawn.dedup();
+    let made_of = format!("{} of layer {layers}", entities(drawn.len()));
     Ok(Section { role, profile, ends, made_of })
 }
 
 /// The chain from the axis outward. Where both ends are equally far from it (a body drawn as far as the axis, a ring), the
 /// end nearer to the sheet is the inner one.
-fn outward(role: Role, chain: Chain, heading: Heading, frame: &Frame) -> Result<Chain, ImportError> {
+fn outward(part: Part, chain: Chain, heading: Heading, frame: &Frame) -> Result<Chain, ImportError> {
     let (a, b) = (chain.first(), chain.last());
     let along = if heading == Heading::Down { -1.0 } else { 1.0 };
     let ahead = along * (b.y - a.y);
-    let name = role.name();
+    let name = part.name();
     if (b.x - a.x).abs() > frame.join {
         return Ok(if b.x > a.x { chain } else { chain.reversed() });
     }
@@ -113,6 +145,6 @@ fn outward(role: Role, chain: Chain, heading: Heading, frame: &Frame) -> Result<
         let help = "draw the face that meets the sheet too, from its inner to its outer end";
         return Err(ImportError::new(what, help));
     }
-    let begins_at_sheet = if role == Role::Die { ahead > 0.0 } else { ahead < 0.0 };
+    let begins_at_sheet = if part.role == Role::Die { ahead > 0.0 } else { ahead < 0.0 };
     Ok(if begins_at_sheet { chain } else { chain.reversed() })
 }

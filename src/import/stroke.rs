@@ -1,13 +1,13 @@
 //! Entities as strokes: pieces in mm, x from the axis, in the drawing's sense of y.
 
+use super::blocks::{Placed, Placement};
 use super::curve::{self, Curve, Place, Polyline, Vertex};
 use super::error::ImportError;
 use super::frame::Frame;
-use super::layers::Roles;
-use super::listing::{Entity, Listed, MOST};
+use super::listing::{Listed, MOST};
+use super::parts::{Part, Parts};
 use super::spline;
 use crate::geometry::{Arc, Bounds, Piece, Point, Segment};
-use crate::model::Role;
 use crate::units::{Kind, Length, Quantity, rounded};
 use std::collections::BTreeMap;
 use std::f64::consts::{PI, TAU};
@@ -65,19 +65,22 @@ impl Stroke {
 }
 
 /// The strokes of a tool, from all of its layers.
-pub(super) fn of_role(
-    entities: &[Entity],
-    roles: &Roles,
-    role: Role,
+pub(super) fn of_part(
+    entities: &[Placed],
+    parts: &Parts,
+    part: Part,
     frame: &Frame,
     notes: &mut Vec<String>,
 ) -> Result<Vec<Stroke>, ImportError> {
-    let ours = |entity: &&Entity| !entity.listed.on_paper && roles.get(&entity.listed.layer) == Some(&role);
-    let name = role.name();
+    let ours = |entity: &&Placed| !entity.listed.on_paper && parts.get(&entity.listed.layer) == Some(&part);
+    let name = part.name();
     let mut said: BTreeMap<&str, usize> = BTreeMap::new();
-    for Entity { listed, .. } in entities.iter().filter(ours).filter(|entity| entity.curve.is_none()) {
+    for Placed { listed, .. } in entities.iter().filter(ours).filter(|entity| entity.curve.is_none()) {
         if !SAID.contains(&listed.kind.as_str()) {
-            let help = "redraw or explode it to lines, arcs and polylines, or move it to another layer";
+            let help = match listed.kind.as_str() {
+                "INSERT" => "its block is in another file, or lies across the drawing's plane: bind or explode it",
+                _ => "redraw or explode it to lines, arcs and polylines, or move it to another layer",
+            };
             let place = frame.place(frame.point(listed.at[0], listed.at[1]));
             let what = format!("{listed} at {place} cannot be part of the {name}'s profile");
             return Err(ImportError::new(what, help).at(listed.line));
@@ -88,16 +91,16 @@ pub(super) fn of_role(
         let said: Vec<String> = said.iter().map(|(kind, count)| format!("{count} {kind}")).collect();
         notes.push(format!("left out of the {name}'s layer: {}", said.join(", ")));
     }
-    let curves = || entities.iter().filter(ours).filter_map(|Entity { listed, curve }| Some((curve.as_ref()?, listed)));
-    let splines = curves().filter(|(_, listed)| listed.kind == "SPLINE").count();
+    let curves = || entities.iter().filter(ours).filter_map(|placed| Some((placed.curve?, placed)));
+    let splines = curves().filter(|(_, placed)| placed.listed.kind == "SPLINE").count();
     if splines > 0 {
         let tolerance = rounded(frame.tolerance);
         notes
             .push(format!("SPLINE in the {name}'s line ({splines}) is followed by tangent arcs within {tolerance} mm"));
     }
     let (mut strokes, mut pieces) = (Vec::new(), 0);
-    for (curve, listed) in curves() {
-        let stroke = stroke(curve, listed, frame)?;
+    for (curve, Placed { listed, placement, .. }) in curves() {
+        let stroke = stroke(curve, listed, placement, frame)?;
         pieces += stroke.pieces.len();
         if pieces > MOST {
             let what = format!("the {name} is drawn in more than {MOST} lines and arcs, {listed} among them");
@@ -110,8 +113,8 @@ pub(super) fn of_role(
     Ok(strokes)
 }
 
-fn stroke(curve: &Curve, from: &Listed, frame: &Frame) -> Result<Stroke, ImportError> {
-    let pen = Pen { entry: from, frame };
+fn stroke(curve: &Curve, from: &Listed, placement: &Placement, frame: &Frame) -> Result<Stroke, ImportError> {
+    let pen = Pen { entry: from, placement, frame };
     let pieces = match curve {
         Curve::Line([from, to]) => {
             pen.flat([from[2], to[2]])?;
@@ -132,6 +135,7 @@ fn stroke(curve: &Curve, from: &Listed, frame: &Frame) -> Result<Stroke, ImportE
 /// Draws the pieces of one entity, and names it where it cannot.
 struct Pen<'a> {
     entry: &'a Listed,
+    placement: &'a Placement,
     frame: &'a Frame,
 }
 
@@ -143,7 +147,8 @@ impl Pen<'_> {
 
     /// A point in mm; `side` is −1 in a coordinate system seen from behind.
     fn point(&self, side: f64, [x, y, _]: Place) -> Result<Point, ImportError> {
-        let point = self.frame.point(side * x, y);
+        let [x, y] = self.placement.at(Point::new(side * x, y)).into();
+        let point = self.frame.point(x, y);
         let Kind { largest, .. } = Length::KIND;
         if point.iter().all(|c| c.abs() <= *largest) {
             return Ok(point);
@@ -173,7 +178,8 @@ impl Pen<'_> {
     fn arc(&self, arc: &curve::Arc) -> Result<Vec<Piece>, ImportError> {
         let side = self.side(arc.normal)?;
         let center = self.point(side, arc.center)?;
-        let radius = self.frame.length(arc.radius);
+        let similarity = self.placement.similarity().ok_or_else(|| self.elliptic())?;
+        let radius = self.frame.length(similarity.scale * arc.radius);
         let [start, end] = arc.angles.map(f64::to_radians);
         let sweep = (end - start).rem_euclid(TAU);
         if !(radius > SHORTEST && radius <= Length::KIND.largest && sweep.is_finite()) {
@@ -183,8 +189,14 @@ impl Pen<'_> {
         if sweep < 1e-12 {
             return Err(self.error(format!("is a whole circle about {}", self.frame.place(center))));
         }
-        let piece = Piece::Arc(Arc::new(center, radius, start, sweep));
-        Ok(vec![if side > 0.0 { piece } else { Piece::Arc(Arc::new(center, radius, PI - start, -sweep)) }])
+        let (start, sweep) = if side > 0.0 { (start, sweep) } else { (PI - start, -sweep) };
+        let start = similarity.rotation + similarity.sense * start;
+        Ok(vec![Piece::Arc(Arc::new(center, radius, start, similarity.sense * sweep))])
+    }
+
+    /// The error of an arc that its block's scales make an ellipse of.
+    fn elliptic(&self) -> ImportError {
+        self.error("is an arc in a block that is placed with different scales along x and y".to_owned())
     }
 
     fn old(&self, line: &Polyline) -> Result<Vec<Piece>, ImportError> {
@@ -204,7 +216,11 @@ impl Pen<'_> {
     ) -> Result<Vec<Piece>, ImportError> {
         let side = self.side(line.normal)?;
         let mut points = vertices.clone().map(|v| self.point(side, v.at)).collect::<Result<Vec<_>, _>>()?;
-        let bulges: Vec<f64> = vertices.map(|v| side * v.bulge).collect();
+        let sense = side * self.placement.sense();
+        let bulges: Vec<f64> = vertices.map(|v| sense * v.bulge).collect();
+        if bulges.iter().any(|bulge| bulge.abs() >= STRAIGHT) && self.placement.similarity().is_none() {
+            return Err(self.elliptic());
+        }
         points.extend(points.first().copied().filter(|_| line.is_closed()));
         self.polyline(&points, &bulges)
     }

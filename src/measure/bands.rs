@@ -128,7 +128,7 @@ pub fn along(frame: &Frame) -> Vec<f64> {
     std::iter::once(0.0).chain(ends).collect()
 }
 
-/// The bands of the part that a stage left, from the middle outward; none where the sheet lies against no tool.
+/// The bands of the part that a stage left, from the middle outward; none where neither punch nor gas made it.
 pub fn bands(stage: &StageSolution) -> Vec<Stretch> {
     let Some(last) = stage.frames.last() else { return Vec::new() };
     let Some(names) = named_of(stage, last) else { return Vec::new() };
@@ -192,7 +192,7 @@ impl Touch<'_> {
     }
 }
 
-/// The band of each node by the frame in which the tools formed it; `None` where the sheet lies against no tool.
+/// The band of each node by the frame in which the tools formed it; `None` where no punch and no gas made it.
 fn named_of(stage: &StageSolution, last: &Frame) -> Option<Vec<Band>> {
     let (at_end, at_start) =
         (touches(&stage.model, last), stage.start.as_ref().map(|start| touches(&stage.model, start)));
@@ -202,7 +202,9 @@ fn named_of(stage: &StageSolution, last: &Frame) -> Option<Vec<Band>> {
         (Some(start), Some(at_start)) if leaves && punched(at_start) => (start, at_start),
         _ => (last, &at_end),
     };
-    touches.iter().any(Option::is_some).then(|| named(stage.model.geometry, frame, touches))
+    // Without a punch or a gas that made the part, contact says nothing of its bands.
+    let formed = punched(touches) || !stage.model.gas.is_empty() && touches.iter().any(Option::is_some);
+    formed.then(|| named(stage.model.geometry, frame, touches))
 }
 
 /// What each node lies against.

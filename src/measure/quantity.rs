@@ -1,6 +1,7 @@
 //! What is measured on a shape, by name, and how it is written: with the digits that a mesh supports.
 
 use super::Shape;
+use crate::message::{Amount, Digits, Message, message};
 use crate::table::Unit;
 
 /// Decimals of an angle \[°\] and of a length \[mm\]. Twice the elements, or four times, move the angle of a bent strip by
@@ -19,8 +20,8 @@ pub struct Quantity {
     pub unit: Unit,
     /// Measures it; `None` where the shape has no such thing.
     pub of: fn(&Shape) -> Option<f64>,
-    /// What is written of a value.
-    written: fn(f64, Unit) -> String,
+    /// How a value is told.
+    told: fn(f64, Unit) -> Message,
 }
 
 /// Of the wall to the direction of the punch \[°\].
@@ -41,43 +42,48 @@ pub const QUANTITIES: &[Quantity] = &[
     Quantity::new("bottom_to_wall", "Bottom to wall, θ₁", Unit::Degree, Shape::bottom_to_wall),
     Quantity::new("wall_to_flange", "Wall to flange, θ₂", Unit::Degree, Shape::wall_to_flange),
     FLANGE_ANGLE,
-    Quantity { written: radius, ..Quantity::new("curl_radius", "Wall curl radius, ρ", Unit::Mm, Shape::curl_radius) },
+    Quantity { told: radius, ..Quantity::new("curl_radius", "Wall curl radius, ρ", Unit::Mm, Shape::curl_radius) },
     Quantity::new("height", "Height of the middle over the edge", Unit::Mm, |shape| shape.height),
     EDGE,
 ];
 
 impl Quantity {
     const fn new(key: &'static str, label: &'static str, unit: Unit, of: fn(&Shape) -> Option<f64>) -> Self {
-        Self { key, label, unit, of, written: measured }
+        Self { key, label, unit, of, told: measured }
     }
 
-    /// A value in words: `47.5°`, `224 mm`, `straight`.
-    pub fn text(&self, value: f64) -> String {
-        (self.written)(value, self.unit)
+    /// A value as a reader is told it: `47.5°`, `224 mm`, `straight`.
+    pub fn told(&self, value: f64) -> Message {
+        (self.told)(value, self.unit)
+    }
+
+    /// What is told of it behind its name: `Opening angle 90.0°`.
+    pub fn named(&self, told: Message) -> Message {
+        message!("{quantity} {told}", quantity = self.label, told = told)
     }
 
     /// A difference of values: `+7.9°`.
-    pub fn signed(&self, difference: f64) -> String {
-        let text = self.text(difference);
-        let is_nothing = text == self.text(0.0);
-        if difference > 0.0 && !is_nothing { format!("+{text}") } else { text }
+    pub fn signed(&self, difference: f64) -> Message {
+        let by = (self.told)(difference, self.unit);
+        let is_more = difference > 0.0 && by != (self.told)(0.0, self.unit);
+        if is_more { message!("+{by}", by = by) } else { by }
     }
 }
 
-/// `−0.3°`, `12.0 mm`.
-fn measured(value: f64, unit: Unit) -> String {
-    // What is rounded to nothing has no sign.
-    let value = if value.abs() < 0.5 * 0.1_f64.powi(DECIMALS as i32) { 0.0 } else { value };
-    let space = if unit == Unit::Degree { "" } else { " " };
-    format!("{value:.DECIMALS$}{space}{}", unit.symbol()).replace('-', "−")
+/// `-0.3°`, `12.0 mm`.
+fn measured(value: f64, unit: Unit) -> Message {
+    let least = 0.5 * 0.1_f64.powi(DECIMALS as i32);
+    let value = if value.abs() < least { 0.0 } else { value };
+    Amount::new(value, unit, Digits::Decimals(DECIMALS)).into()
 }
 
 /// `224 mm`, to whole millimetres, for twice the elements move it by a hundredth; an infinite one is that of a straight wall.
-fn radius(value: f64, unit: Unit) -> String {
+fn radius(value: f64, unit: Unit) -> Message {
+    let radius = Amount::new(value.abs(), unit, Digits::Decimals(0));
     match value {
-        r if r.is_infinite() => "straight".to_owned(),
-        r if r < 0.0 => format!("{:.0} {} inward", -r, unit.symbol()),
-        r => format!("{r:.0} {}", unit.symbol()),
+        r if r.is_infinite() => "straight".into(),
+        r if r < 0.0 => message!("{radius} inward", radius = radius),
+        _ => radius.into(),
     }
 }
 
@@ -99,9 +105,9 @@ impl Change {
     }
 
     /// `0.3° → 8.2°`.
-    pub fn text(&self) -> String {
-        let text = |value: Option<f64>| value.map_or("none".to_owned(), |value| self.quantity.text(value));
-        format!("{} → {}", text(self.before), text(self.after))
+    pub fn told(&self) -> Message {
+        let told = |value: Option<f64>| value.map_or("none".into(), |value| self.quantity.told(value));
+        message!("{before} → {after}", before = told(self.before), after = told(self.after))
     }
 }
 
@@ -126,16 +132,16 @@ mod tests {
     #[test]
     fn values_have_the_digits_that_a_mesh_supports() {
         let angle = change("wall_angle", Some(-0.311), Some(8.234));
-        assert_eq!(angle.text(), "−0.3° → 8.2°");
-        assert_eq!(angle.quantity.signed(angle.change().expect("both")), "+8.5°");
-        assert_eq!(angle.quantity.signed(-0.04), "0.0°");
-        assert_eq!(change("height", Some(28.819_725), Some(27.646_222)).text(), "28.8 mm → 27.6 mm");
+        assert_eq!(angle.told().to_string(), "-0.3° → 8.2°");
+        assert_eq!(angle.quantity.signed(angle.change().expect("both")).to_string(), "+8.5°");
+        assert_eq!(angle.quantity.signed(0.04).to_string(), "0.0°");
+        assert_eq!(change("height", Some(28.819_725), Some(27.646_222)).told().to_string(), "28.8 mm → 27.6 mm");
     }
 
     #[test]
     fn a_wall_without_curl_is_called_straight() {
         let curl = change("curl_radius", Some(f64::INFINITY), Some(223.6));
-        assert_eq!((curl.text(), curl.change()), ("straight → 224 mm".to_owned(), None));
-        assert_eq!(change("curl_radius", None, Some(-150.0)).text(), "none → 150 mm inward");
+        assert_eq!((curl.told().to_string(), curl.change()), ("straight → 224 mm".to_owned(), None));
+        assert_eq!(change("curl_radius", None, Some(-150.0)).told().to_string(), "none → 150 mm inward");
     }
 }

@@ -21,7 +21,7 @@ pub struct Amount {
 pub enum Digits {
     /// So many behind the decimal sign.
     Decimals(usize),
-    /// So many from the first that is not 0, and all of larger whole parts.
+    /// So many from the first that is not 0, and all of larger whole parts; of the smallest numbers with a power of ten.
     Significant(usize),
     /// At most so many behind the decimal sign, without zeros at the end: what was given, not computed.
     Given(usize),
@@ -29,10 +29,18 @@ pub enum Digits {
 
 use Digits::{Decimals, Given, Significant};
 
+/// The power of ten below which a number is told with it.
+const SMALLEST: i32 = -4;
+
 impl Amount {
     /// Any number.
     pub const fn new(value: f64, unit: Unit, digits: Digits) -> Self {
         Self { value, unit, digits, times: "" }
+    }
+
+    /// The same, told with other digits.
+    pub const fn to(self, digits: Digits) -> Self {
+        Self { digits, ..self }
     }
 
     /// How many.
@@ -48,6 +56,11 @@ impl Amount {
     /// A share, told in percent \[–\].
     pub const fn share(share: f64) -> Self {
         Self::new(100.0 * share, Unit::Percent, Significant(2))
+    }
+
+    /// A share that was given, told in percent \[–\].
+    pub const fn given_share(share: f64) -> Self {
+        Self::new(100.0 * share, Unit::Percent, Given(3))
     }
 
     /// A place, a height or a travel \[mm\], to a tenth.
@@ -80,9 +93,19 @@ impl Amount {
         Self::new(stress, Unit::MPa, Significant(3))
     }
 
+    /// A stress or a pressure that was given \[MPa\].
+    pub const fn given_stress(stress: f64) -> Self {
+        Self::new(stress, Unit::MPa, Given(3))
+    }
+
     /// A work or a heat \[J, or J/mm of depth\] in its unit.
     pub const fn energy(energy: f64, unit: Unit) -> Self {
         Self::new(energy, unit, Significant(3))
+    }
+
+    /// A residual or another small number of the solver \[–\].
+    pub const fn norm(norm: f64) -> Self {
+        Self::new(norm, Unit::None, Significant(2))
     }
 
     /// An angle \[degrees\], to a tenth.
@@ -131,10 +154,11 @@ impl Amount {
         let written = match self.digits {
             Decimals(n) => format!("{value:.*}", n + to.finer),
             Given(n) => crate::units::trimmed(value, (n + to.finer) as i32),
-            Significant(n) => {
-                let magnitude = if value == 0.0 { 0 } else { value.abs().log10().floor() as i32 };
-                format!("{value:.*}", (n as i32 - 1 - magnitude).clamp(0, 12) as usize)
-            }
+            Significant(_) if value == 0.0 => "0".to_owned(),
+            Significant(n) => match value.abs().log10().floor() as i32 {
+                magnitude if magnitude < SMALLEST => format!("{value:.*e}", n.max(1) - 1),
+                magnitude => format!("{value:.*}", (n as i32 - 1 - magnitude).max(0) as usize),
+            },
         };
         (form.language.number(&unsigned_zero(&written)), unit)
     }
@@ -171,6 +195,10 @@ mod tests {
             (Amount::angle(-0.04), ["0.0°", "0.0°", "0,0°"]),
             (Amount::thicknesses(0.193), ["0.19 t", "0.19 t", "0,19 t"]),
             (Amount::count(12), ["12", "12", "12"]),
+            (Amount::share(0.0), ["0 %", "0 %", "0 %"]),
+            (Amount::given_share(0.05), ["5 %", "5 %", "5 %"]),
+            (Amount::ratio(1.287), ["1.29", "1.29", "1,29"]),
+            (Amount::share(1.23e-8), ["1.2e-6 %", "1.2e-6 %", "1,2e-6 %"]),
             (Amount::stress(f64::NAN), ["– MPa", "– psi", "– MPa"]),
         ] {
             assert_eq!([tell(amount, si), tell(amount, us), tell(amount, de)], expected);

@@ -11,11 +11,15 @@
 
 mod amount;
 mod form;
+#[cfg(feature = "case")]
+mod glossary;
 mod language;
 
 pub use crate::told as message;
-pub use amount::Amount;
+pub use amount::{Amount, Digits};
 pub use form::{Form, NO_BREAK, System};
+#[cfg(feature = "case")]
+pub use glossary::{Term, terms};
 pub use language::{LANGUAGES, Language};
 
 use std::borrow::Cow;
@@ -83,6 +87,17 @@ impl Message {
             Self::Plain(text) => text.is_empty(),
             Self::Sentence { text, .. } => text.is_empty(),
             Self::Joined { parts, .. } => parts.iter().all(Self::is_empty),
+        }
+    }
+
+    /// The number, of a message that is nothing else.
+    pub fn amount(&self) -> Option<Amount> {
+        match self {
+            Self::Sentence { text: "{amount}", values } => values.iter().find_map(|(_, value)| match value {
+                Value::Amount(amount) => Some(*amount),
+                Value::Message(_) => None,
+            }),
+            _ => None,
         }
     }
 

@@ -8,6 +8,7 @@ mod heat;
 mod loads;
 pub mod mesh;
 mod mode;
+mod role_names;
 mod settings;
 pub mod stage;
 mod tools;

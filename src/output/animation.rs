@@ -1,8 +1,9 @@
-//! The draw as a moving picture: the section, true to thickness, with its tools, and how far the load has come.
+//! The draw as a moving picture: the section, coloured by thinning, with its tools, and how far the load has come.
 
-use super::chart::{Chart, Look, Panel, Series, color};
-use super::draw::Drawing;
+use super::chart::{Chart, Panel, Series};
+use super::draw::{Drawing, WIDTH};
 use super::gif::gif;
+use super::thinning::{Thinning, said, times};
 use super::{Files, StageView, load_travel, sections};
 use crate::solution::Frame;
 
@@ -15,13 +16,21 @@ const LAST: u16 = 150;
 /// What viewers show at all; several take less for a tenth of a second \[hundredths of a second\].
 const SHORTEST: f64 = 2.0;
 
+/// Width of the section \[px of a picture 800 wide\].
+const WIDE: f64 = 680.0;
 /// Height of the load's panel \[px of a picture 800 wide\].
 const LOAD_HEIGHT: f64 = 130.0;
 
 /// `shapes.gif`: each picture is shown for as long as its frame lasts, so that the tools move evenly.
 pub(super) fn files<'a>(view: &'a StageView, frames: &'a [&Frame]) -> Files<'a> {
-    let drawings = (0..frames.len()).map(|i| Drawing::of(&picture(view, frames, i)));
+    let drawings = (0..frames.len()).map(|i| Drawing::of(&picture(view, frames, i), WIDTH));
     Box::new(std::iter::once(("shapes.gif".to_owned(), gif(drawings, &delays(view, frames)))))
+}
+
+/// Some pictures of the moving section, `most` or fewer, spread over the frames, the last among them.
+pub fn pictures(view: &StageView, frames: &[&Frame], most: usize) -> Vec<Chart> {
+    let some = most.min(frames.len());
+    (1..=some).map(|i| picture(view, frames, i * frames.len() / some - 1)).collect()
 }
 
 /// How long each picture is shown \[hundredths of a second\].
@@ -38,18 +47,16 @@ fn picture(view: &StageView, frames: &[&Frame], i: usize) -> Chart {
     let window = sections::window(frames.iter().flat_map(|f| &f.nodes), model.blank.length);
     let (value, unit) = view.reaches(frame);
     let decimals = decimals(frames.iter().map(|frame| view.reaches(frame).0).fold(0.0, f64::max));
-    let sheet = Series::new(
-        format!("{value:.decimals$} {}", unit.symbol()),
-        sections::sheet(frame, 0..frame.elements.len()),
-        Look::Area { fill: color(0), edge: None },
-    );
+    let thinning = Thinning::of(model.blank.thickness, frames.iter().copied());
+    let times = times(model.blank.thickness, WIDE / window[0].1);
+    let sheet = thinning.section(frame, times);
     let tools = sections::tools(model, Some(frame), window[0].1);
-    let section = sections::panel(model.geometry, tools.chain([sheet]), window);
+    let section = sections::panel(model.geometry, tools.chain(sheet), window);
     Chart {
-        title: view.title.to_owned(),
-        legend: view.progress(),
-        panels: std::iter::once(section).chain(load(view, frame.time)).collect(),
-        notes: view.notes(),
+        title: format!("{}: {} {value:.decimals$} {}", view.title, view.progress().to_lowercase(), unit.symbol()),
+        legend: "",
+        panels: [section, thinning.scale()].into_iter().chain(load(view, frame.time)).collect(),
+        notes: std::iter::once(said(times)).chain(view.notes()).collect(),
     }
 }
 

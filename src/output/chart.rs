@@ -46,6 +46,25 @@ pub enum Scale {
         /// Least window along y, in the unit of the axis.
         y: (f64, f64),
     },
+    /// A section without axes and a third as wide: such panels stand side by side, each below its caption, which is the
+    /// label of its series that is [`Look::Text`] without points.
+    Small {
+        /// Least window along x, in the unit of the axis.
+        x: (f64, f64),
+        /// Least window along y, in the unit of the axis.
+        y: (f64, f64),
+    },
+    /// A bar filled from side to side, y from 0 to 1: a scale of colours over the values of x.
+    Bar,
+    /// This window and no more; areas are cut at its border.
+    Window {
+        /// Height of the panel \[px\].
+        height: f64,
+        /// Along x, in the unit of the axis.
+        x: (f64, f64),
+        /// Along y, in the unit of the axis.
+        y: (f64, f64),
+    },
 }
 
 /// One curve, set of points or filled outline.
@@ -76,6 +95,11 @@ pub enum Look {
         /// Of the outlines.
         color: Color,
     },
+    /// Dots at the points.
+    Dots {
+        /// Of the dots.
+        color: Color,
+    },
     /// The inside of the outline that the points make.
     Area {
         /// Of the inside.
@@ -85,6 +109,11 @@ pub enum Look {
     },
     /// The label itself, on white: each point is the middle of its left end. The legend leaves it out.
     Text,
+    /// The label on white about the second point, with a line to a dot at the first. The legend leaves it out.
+    Callout,
+    /// A thin upright line at each point, with a dot there and the label above all curves, none on another. The legend leaves
+    /// it out.
+    Flag,
 }
 
 /// Red, green, blue.
@@ -129,6 +158,11 @@ impl Look {
         Self::Line { color: color(i), width: 2.4, dash: DASHES[i % DASHES.len()] }
     }
 
+    /// Whether the legend says what it is.
+    pub fn is_explained(self) -> bool {
+        !matches!(self, Self::Text | Self::Flag | Self::Callout)
+    }
+
     /// The same line thin and pale, for the background.
     pub fn faint(self) -> Self {
         match self {
@@ -154,7 +188,13 @@ impl Panel {
     /// Ranges of x and y that hold every point of the series, or the window of a section.
     pub fn ranges(&self) -> [(f64, f64); 2] {
         match self.scale {
-            Scale::Section { x, y } => [x, y],
+            Scale::Section { x, y } | Scale::Small { x, y } | Scale::Window { x, y, .. } => [x, y],
+            Scale::Bar => {
+                let ends = self.series.iter().flat_map(|s| &s.points).map(|p| p.0);
+                let (low, high) =
+                    ends.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), x| (x.min(low), x.max(high)));
+                [(low, high), (0.0, 1.0)]
+            }
             Scale::Fit { least, .. } => {
                 let points = || self.series.iter().flat_map(|s| &s.points);
                 let [x, y] = [fitted(points().map(|p| p.0), 0.02), fitted(points().map(|p| p.1), 0.05)];

@@ -2,23 +2,40 @@
 
 use super::chart::{BLACK, Chart, Color, GREY, Look, PALE, Series, color};
 use super::outline::clipped;
-use super::sections::{body, flat, panel};
+use super::sections::{self, body, flat, panel, place};
 use crate::geometry::Point;
+use crate::message::{Amount, Form};
 use crate::model::Model;
+use crate::solution::Frame;
 use crate::table::Unit;
-use crate::units::{four_digits, without_zeros};
+use std::f64::consts::PI;
 
 /// A size of the section, and where it is drawn.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Dimension {
-    /// `Punch radius`.
-    pub label: String,
+    /// What is that large: `Punch`.
+    pub of: String,
+    /// Which of its sizes it is.
+    pub size: Size,
     /// The size, in `unit`.
     pub value: f64,
     /// Unit of the size.
     pub unit: Unit,
     /// Where it is drawn.
     pub mark: Mark,
+}
+
+/// Sizes that drawings have a sign for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Size {
+    /// Of a round part: Ø.
+    Diameter,
+    /// Of a strip, over both halves.
+    Width,
+    /// Of a rounding: R; so many are alike.
+    Radius(usize),
+    /// Any other: its name says all.
+    Plain,
 }
 
 /// How a size is drawn.
@@ -47,6 +64,9 @@ const LETTER: f64 = 9.2;
 const PANEL: [f64; 2] = [640.0, 540.0];
 /// Length and half width of an arrow's head [px].
 const HEAD: [f64; 2] = [9.0, 3.0];
+/// Radius of a bead's sign [px], and its chords.
+const BEAD: f64 = 7.0;
+const RIDGE: usize = 16;
 /// Space around the section, over the blank's length.
 const AROUND: f64 = 0.05;
 
@@ -55,25 +75,51 @@ const EXTENSION: Look = Look::Line { color: GREY, width: 0.8, dash: &[4.0, 3.0] 
 const SHEET: Color = (0, 114, 178);
 
 impl Dimension {
-    /// `Punch radius 30 mm`.
+    /// In words, for a table: `Punch diameter`.
+    pub fn name(&self) -> String {
+        match self.size {
+            Size::Diameter => format!("{} diameter", self.of),
+            Size::Width => format!("{} width", self.of),
+            Size::Radius(1) => format!("{} radius", self.of),
+            Size::Radius(alike) => format!("{} radius, {alike} times", self.of),
+            Size::Plain => self.of.clone(),
+        }
+    }
+
+    /// As on a drawing: `Punch Ø 60 mm`.
     fn text(&self) -> String {
-        let value = four_digits(self.value);
-        format!("{} {} {}", self.label, without_zeros(&value), self.unit.symbol())
+        let sign = match self.size {
+            Size::Diameter => " Ø",
+            Size::Width => " width",
+            Size::Radius(1) => " R",
+            Size::Radius(alike) => &format!(" {alike} × R"),
+            Size::Plain => "",
+        };
+        format!("{}{sign} {}", self.of, self.amount().told(Form::default()))
+    }
+
+    /// The size as it is told: a length that was given, or a force.
+    pub fn amount(&self) -> Amount {
+        match self.unit {
+            Unit::Mm => Amount::size(self.value),
+            unit => Amount::force(self.value, unit),
+        }
     }
 }
 
-/// The blank and the tools before the first step with their dimensions. Widths stand below the section, a row each;
-/// heights beside their arrows; all others at the section's side, a row each, in the order of the points that they lead
-/// to: no label lies on another.
-pub fn dimensioned(model: &Model, dimensions: &[Dimension]) -> Chart {
+/// The sheet and the tools before the first step of a stage with their dimensions; `start` is what a later stage begins
+/// with. Widths stand below the section, a row each; heights beside their arrows; all others at the section's side, a row
+/// each, in the order in which their leaders do not cross: no label lies on another.
+pub fn dimensioned(title: String, model: &Model, start: Option<&Frame>, dimensions: &[Dimension]) -> Chart {
     let that = |is: fn(&Mark) -> bool| dimensions.iter().filter(move |d| is(&d.mark));
     let mut across: Vec<_> = that(|mark| matches!(mark, Mark::Across(_))).collect();
     let mut aside: Vec<_> = that(|mark| matches!(mark, Mark::At(_))).collect();
     across.sort_by(|a, b| reach(a).x.total_cmp(&reach(b).x));
-    aside.sort_by(|a, b| reach(a).y.total_cmp(&reach(b).y));
 
     let around = AROUND * model.blank.length;
-    let marked = || aside.iter().map(|d| reach(d)).chain(dimensions.iter().filter_map(lower_end));
+    let sheet = start.map_or_else(|| flat(model), |frame| sections::sheet(frame, 0..frame.elements.len(), 1.0));
+    let of_sheet = || sheet.iter().map(|p| Point::new(p.0, p.1));
+    let marked = || aside.iter().map(|d| reach(d)).chain(dimensions.iter().filter_map(lower_end)).chain(of_sheet());
     let width = across.iter().map(|d| reach(d).x).fold(model.blank.length, f64::max) + around;
     let (low, high) = marked().fold((-4.0 * around, 4.0 * around), |(low, high), p| (p.y.min(low), p.y.max(high)));
     let (top, bottom) = (low - around, high + around);
@@ -87,12 +133,19 @@ pub fn dimensioned(model: &Model, dimensions: &[Dimension]) -> Chart {
     let (top, bottom) = (top - 0.5 * short, bottom + 0.5 * short);
 
     let mut series: Vec<Series> = Vec::new();
-    for tool in &model.tools {
-        let whole = body(tool.role, &tool.profile, Point::zeros(), 1e-4 * width);
+    for (i, tool) in model.tools.iter().enumerate() {
+        let moved = start.map_or_else(Point::zeros, |frame| place(frame, i));
+        let whole = body(tool.role, &tool.profile, moved, 1e-4 * width);
         let look = Look::Area { fill: PALE, edge: Some(GREY) };
         series.push(Series::silent(clipped(&whole, (0.0, width), (top, bottom)), look));
     }
-    series.push(Series::silent(flat(model), Look::Area { fill: SHEET, edge: Some(color(0)) }));
+    series.push(Series::silent(sheet.clone(), Look::Area { fill: SHEET, edge: Some(color(0)) }));
+    for bead in &model.beads {
+        series.push(Series::silent(
+            ridge(bead.at, -0.5 * model.blank.thickness, BEAD * px),
+            Look::Area { fill: BLACK, edge: None },
+        ));
+    }
     for (i, dimension) in across.iter().enumerate() {
         let (x, z) = (reach(dimension).x, bottom + px * ROW * (i as f64 + 0.8));
         series.push(Series::silent(vec![(x, 0.0), (x, z + 4.0 * px)], EXTENSION));
@@ -104,8 +157,10 @@ pub fn dimensioned(model: &Model, dimensions: &[Dimension]) -> Chart {
         series.push(Series::new(dimension.text(), vec![(14.0 * px, z - 12.0 * px)], Look::Text));
     }
     let step = (bottom - top) / (1.0 + aside.len() as f64);
+    let side = |i: usize| Point::new(width + 20.0 * px, top + step * (i as f64 + 1.0));
+    untangle(&mut aside, side);
     for (i, dimension) in aside.iter().enumerate() {
-        let (from, at) = (reach(dimension), (width + 20.0 * px, top + step * (i as f64 + 1.0)));
+        let (from, at) = (reach(dimension), (side(i).x, side(i).y));
         series.push(Series::silent(vec![(from.x, from.y), (at.0 - 4.0 * px, at.1)], THIN));
         series.push(Series::new(dimension.text(), vec![at], Look::Text));
     }
@@ -118,11 +173,49 @@ pub fn dimensioned(model: &Model, dimensions: &[Dimension]) -> Chart {
         }
     }
     Chart {
-        title: "Section at the start".to_owned(),
+        title,
         legend: "",
         panels: vec![panel(model.geometry, series, [(0.0, width + beside * px), (top, bottom + px * below)])],
-        notes: vec!["Blue: the blank. Grey: the tools, where they touch the flat sheet.".to_owned()],
+        notes: vec![legend(model, start)],
     }
+}
+
+/// What the colours mean.
+fn legend(model: &Model, start: Option<&Frame>) -> String {
+    let sheet = match start {
+        Some(_) => "Blue: the sheet that the stage begins with. Grey: the tools.",
+        None => "Blue: the blank. Grey: the tools, where they touch the flat sheet.",
+    };
+    let beads = if model.beads.is_empty() { "" } else { " Black: draw beads, lines that hold the sheet back." };
+    format!("{sheet}{beads}")
+}
+
+/// Puts labels, whose leaders end at `side` of their number, in an order in which no two leaders cross: two that do change
+/// places, which makes both together shorter, so that this ends.
+fn untangle(labels: &mut [&Dimension], side: impl Fn(usize) -> Point) {
+    labels.sort_by(|a, b| reach(a).y.total_cmp(&reach(b).y));
+    let crossed = |labels: &[&Dimension]| {
+        let pairs = (0..labels.len()).flat_map(|i| (0..i).map(move |j| (j, i)));
+        pairs.into_iter().find(|&(j, i)| cross([reach(labels[j]), side(j)], [reach(labels[i]), side(i)]))
+    };
+    while let Some((j, i)) = crossed(labels) {
+        labels.swap(j, i);
+    }
+}
+
+/// Whether two lines cross inside of both.
+fn cross(a: [Point; 2], b: [Point; 2]) -> bool {
+    let side = |[from, to]: [Point; 2], p: Point| (to - from).perp(&(p - from));
+    side(a, b[0]) * side(a, b[1]) < 0.0 && side(b, a[0]) * side(b, a[1]) < 0.0
+}
+
+/// A half circle that stands on a face of the sheet, as a bead does.
+fn ridge(at: f64, face: f64, radius: f64) -> Vec<(f64, f64)> {
+    let point = |i: usize| {
+        let (sin, cos) = (PI * i as f64 / RIDGE as f64).sin_cos();
+        (at + radius * cos, face - radius * sin)
+    };
+    (0..=RIDGE).map(point).collect()
 }
 
 /// The point that a dimension leads to.

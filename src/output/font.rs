@@ -7,7 +7,7 @@ use ttf_parser::{Face, GlyphId, OutlineBuilder};
 pub const FAMILY: &str = "DejaVu Sans";
 
 /// DejaVu Sans, Latin, Greek and mathematical signs only.
-static DATA: &[u8] = include_bytes!("../../assets/DejaVuSans-subset.ttf");
+pub static DATA: &[u8] = include_bytes!("../../assets/DejaVuSans-subset.ttf");
 
 static FACE: LazyLock<Face<'static>> = LazyLock::new(|| Face::parse(DATA, 0).expect("the built-in font is a font"));
 
@@ -22,9 +22,56 @@ pub fn glyph(letter: char) -> (GlyphId, f64) {
     (glyph, f64::from(FACE.glyph_hor_advance(glyph).unwrap_or(0)) / em())
 }
 
+/// Every letter of the font with its glyph.
+pub fn letters() -> impl Iterator<Item = (char, GlyphId)> {
+    let tables = FACE.tables().cmap.into_iter().flat_map(|map| map.subtables).filter(|table| table.is_unicode());
+    tables.flat_map(|table| {
+        let mut found = Vec::new();
+        table.codepoints(|code| found.extend(char::from_u32(code).zip(table.glyph_index(code))));
+        found
+    })
+}
+
+/// How far the letter behind each glyph is \[em\], in the order of their numbers.
+pub fn advances() -> impl Iterator<Item = f64> {
+    (0..FACE.number_of_glyphs()).map(|i| f64::from(FACE.glyph_hor_advance(GlyphId(i)).unwrap_or(0)) / em())
+}
+
+/// The box around all letters: left, bottom, right, top; how far letters rise, and how far they reach below the baseline
+/// (negative) \[em\].
+pub fn extent() -> ([f64; 4], f64, f64) {
+    let of = |v: i16| f64::from(v) / em();
+    let all = FACE.global_bounding_box();
+    ([all.x_min, all.y_min, all.x_max, all.y_max].map(of), of(FACE.ascender()), of(FACE.descender()))
+}
+
+/// The letters of a text that the font has not got, each once.
+pub fn missing(text: &str) -> Vec<char> {
+    let mut missing: Vec<char> = text.chars().filter(|c| !c.is_control() && FACE.glyph_index(*c).is_none()).collect();
+    missing.sort_unstable();
+    missing.dedup();
+    missing
+}
+
 /// How wide a line of text is \[em\].
 pub fn width(text: &str) -> f64 {
     text.chars().map(|letter| glyph(letter).1).sum()
+}
+
+/// The letters of a line and where each has its origin \[em\]. An accent of its own, the bar of r̄, stands over the middle
+/// of the letter before it.
+pub fn placed(text: &str) -> impl Iterator<Item = (char, GlyphId, f64)> {
+    let (mut end, mut middle) = (0.0, 0.0);
+    text.chars().map(move |letter| {
+        let (glyph, advance) = glyph(letter);
+        let half = || FACE.glyph_bounding_box(glyph).map_or(0.0, |b| 0.5 * f64::from(b.x_min + b.x_max) / em());
+        if matches!(letter, '\u{300}'..='\u{36f}') {
+            return (letter, glyph, middle - half());
+        }
+        let at = end;
+        (end, middle) = (at + advance, at + half());
+        (letter, glyph, at)
+    })
 }
 
 /// Takes every edge of a letter's outline, which is turned into chords; x along the baseline and y down \[em\]. Chords

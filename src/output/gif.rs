@@ -1,6 +1,7 @@
 //! Pictures one after another as an animated GIF; the only place that knows the GIF encoder.
 
 use super::draw::{Drawing, Palette};
+use super::lzw::Lzw;
 use gif::{Encoder, Frame, Repeat};
 
 /// Pixels per px of the picture: 800 pixels wide.
@@ -21,6 +22,7 @@ pub fn gif(drawings: impl IntoIterator<Item = Drawing>, hundredths: &[u16]) -> V
     let never = "encoding into memory";
     let (columns, rows) = (width as u16, height as u16);
     let mut encoder = Encoder::new(&mut bytes, columns, rows, palette.colors().as_flattened()).expect(never);
+    let mut lzw = Lzw::default();
     encoder.set_repeat(Repeat::Infinite).expect(never);
     for (i, (picture, &delay)) in indexed.iter().zip(hundredths).enumerate() {
         let rows = changed(i.checked_sub(1).map(|before| &indexed[before][..]), picture, width);
@@ -29,10 +31,10 @@ pub fn gif(drawings: impl IntoIterator<Item = Drawing>, hundredths: &[u16]) -> V
             top: rows.start as u16,
             width: columns,
             height: rows.len() as u16,
-            buffer: picture[rows.start * width..rows.end * width].into(),
+            buffer: lzw.compressed(&picture[rows.start * width..rows.end * width]).into(),
             ..Frame::default()
         };
-        encoder.write_frame(&frame).expect(never);
+        encoder.write_lzw_pre_encoded_frame(&frame).expect(never);
     }
     drop(encoder);
     bytes
@@ -59,7 +61,7 @@ mod tests {
     fn pictures_come_back_with_their_colours_and_delays() {
         let drawing = |x: f64| {
             let outline = vec![(x, 10.0), (x + 10.0, 10.0), (x + 10.0, 20.0), (x, 20.0)];
-            Drawing { height: 40.0, marks: vec![Mark::Area { outline, fill: (0, 0x72, 0xb2) }] }
+            Drawing { width: 800.0, height: 40.0, marks: vec![Mark::Area { outline, fill: (0, 0x72, 0xb2) }] }
         };
         let bytes = gif([0.0, 20.0, 20.0, 40.0].map(drawing), &[5, 6, 7, 8]);
         let mut options = DecodeOptions::new();

@@ -1,6 +1,6 @@
 //! What an output is: a file, what it holds, and how it is made.
 
-use super::{Chart, Results, StageView, csv, png};
+use super::{Chart, Format, Results, StageView, csv};
 use crate::solution::Frame;
 use crate::table::Table;
 
@@ -34,7 +34,7 @@ pub enum Make {
 /// A file that is written, or a family of them, where a solution has what it holds.
 #[derive(Clone, Copy, Debug)]
 pub struct Output {
-    /// Its name, or that of the first of a family.
+    /// Its name, or that of the first of a family; a plot may be written in other formats, with their endings.
     pub file: &'static str,
     /// What it holds, for help texts and below pictures.
     pub about: &'static str,
@@ -59,16 +59,29 @@ impl Output {
 
     /// Whether a file of this name is written here.
     pub fn is_named(&self, name: &str) -> bool {
-        self.file == name || self.family.is_some_and(|is_one| is_one(self.file, name))
+        let is_picture = || matches!(self.make, Make::Plot(_)) && Format::stem(name) == Some(self.stem());
+        self.file == name || is_picture() || self.family.is_some_and(|is_one| is_one(self.file, name))
     }
 
-    /// The content of a single file of a stage; none for a plot or a table of nothing.
-    pub fn bytes(&self, view: &StageView) -> Option<Vec<u8>> {
+    /// Its files of a stage, a plot in every format that is asked for; none for a plot or a table of nothing.
+    pub fn files(&self, view: &StageView) -> Vec<(String, Vec<u8>)> {
+        let whole = |bytes| vec![(self.file.to_owned(), bytes)];
         match self.make {
-            Make::Table(make) => make(view).map(|table| csv(&table)),
-            Make::Text(make) => make(view).map(String::into_bytes),
-            Make::Plot(make) => make(view).map(|chart| png(&chart)),
+            Make::Table(make) => make(view).map(|table| whole(csv(&table))),
+            Make::Text(make) => make(view).map(|text| whole(text.into_bytes())),
+            Make::Plot(make) => make(view).map(|chart| view.pictures.files(self.stem(), &chart)),
             Make::Moving(..) | Make::OfCase(_) => None,
         }
+        .unwrap_or_default()
+    }
+
+    /// The content of the first of them.
+    pub fn bytes(&self, view: &StageView) -> Option<Vec<u8>> {
+        self.files(view).into_iter().next().map(|(_, bytes)| bytes)
+    }
+
+    /// Its name without the ending of a picture.
+    pub fn stem(&self) -> &'static str {
+        Format::stem(self.file).unwrap_or(self.file)
     }
 }

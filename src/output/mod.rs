@@ -1,6 +1,6 @@
 //! What a solution leaves on disk: one file of this folder per table or plot, and one list, [`OUTPUTS`].
 
-mod animation;
+pub mod animation;
 pub mod chart;
 mod csv;
 mod dimensions;
@@ -9,14 +9,20 @@ mod draw;
 mod file;
 pub mod flow_curve;
 mod font;
+pub mod forming_diagram;
 pub mod forming_limit;
 mod frame_recorder;
 mod gif;
 pub mod load_travel;
 mod lock;
+mod lzw;
 mod make;
 mod outline;
 mod overlay;
+mod part;
+mod part_bands;
+pub mod pdf;
+mod picture;
 mod png;
 pub mod pressure_cycle;
 pub mod profile;
@@ -32,18 +38,22 @@ mod stages;
 mod strains;
 pub mod summary;
 mod thickness_profile;
+mod thinning;
 pub mod trace;
 pub mod vtk;
 mod writing;
 
 pub use chart::Chart;
 pub use csv::csv;
-pub use dimensions::{Dimension, Mark, dimensioned};
+pub use dimensions::{Dimension, Mark, Size, dimensioned};
 pub use draw::svg;
+#[cfg(feature = "report")]
+pub(crate) use draw::{Drawing, WIDTH as DRAWN};
 pub use file::{WriteError, can_write, remove_others, write};
 pub use frame_recorder::FrameRecorder;
 pub use make::{Extra, Files, Make, Output};
 pub use overlay::comparisons;
+pub use picture::{Captions, Format, PAPER, Pictures};
 pub use png::png;
 pub use result_folder::ResultFolder;
 pub use results::Results;
@@ -51,11 +61,12 @@ pub use results::Results;
 pub use sketch::sketch;
 pub use stage_view::StageView;
 pub use summary::{CaseSummary, Figure, Summary};
-pub use writing::{OutputError, comparison_folder, is_result, result_folder};
+pub use writing::{OutputError, REPORT_MARKER, comparison_folder, is_report, is_result, result_folder};
 
 /// Every file that may be written.
 pub const OUTPUTS: &[Output] = &[
     Output::text("summary.json", "the printed summary, versions and checksums", summary::json),
+    Output::plot("part.png", "the part coloured by thinning, its thinnest place and where it tears", part::plot),
     Output::table("load_travel.csv", "forces, draw-in, energy and iterations of every step", load_travel::of),
     Output::table("profile.csv", "shape, thickness, strains and stresses of every kept frame", profile::of),
     Output::text("springback.csv", "what was measured before and after a release of the tools", springback::csv),
@@ -69,7 +80,11 @@ pub const OUTPUTS: &[Output] = &[
         pressure_cycle::of,
     ),
     Output::plot("pressure_cycle.png", "the same, and the height of the dome", pressure_cycle::plot),
-    Output::plot("thickness.png", "thickness over the blank at every kept frame", thickness_profile::thickness),
+    Output::plot(
+        "thickness.png",
+        "thickness over the blank at every kept frame, and over the part",
+        thickness_profile::thickness,
+    ),
     Output::plot("porosity.png", "porosity over the blank, of a sheet with voids", thickness_profile::porosity),
     Output::plot("temperature.png", "temperature over the blank, where it is given", thickness_profile::temperature),
     Output::plot("strains.png", "strains over the blank at the last frame", strains::plot),
@@ -79,8 +94,12 @@ pub const OUTPUTS: &[Output] = &[
         "strain path and margin of every element, where a forming limit is given",
         forming_limit::paths_of,
     ),
-    Output::plot("forming_limit.png", "the curve with every element's strain path", forming_limit::plot),
-    Output::plot("shapes.png", "the sheet's section at every kept frame, and the tools", sections::plot),
+    Output::plot("forming_limit.png", "how near every place comes to the forming limit", forming_diagram::plot),
+    Output::plot(
+        "shapes.png",
+        "the section over the travel, coloured by thinning, and the tools where they were then",
+        sections::plot,
+    ),
     Output {
         file: "section.pvd",
         about: "with --vtu: some 25 states from the start to the end, for ParaView",

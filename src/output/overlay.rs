@@ -1,7 +1,7 @@
 //! A computed curve over a reference: points with their difference below, or a band.
 
 use super::chart::{BLACK, Chart, Color, GREY, Look, Panel, Scale, Series, color};
-use super::{Files, Results, StageView, csv, png};
+use super::{Files, Format, Results, StageView, csv};
 use crate::case::{Case, Solution};
 use crate::compare::{
     Against, Band, BandQuantity, BandSpec, CompareError, Comparison, Computed, CurveSpec, Found, Interval, Points,
@@ -27,21 +27,22 @@ pub fn comparisons(case: &Case, computed: &Computed) -> Result<Vec<Comparison>, 
     case.compare.iter().map(|spec| compare(spec, computed)).collect()
 }
 
-/// `compare_<n>_<quantity>.csv` and `.png` of every comparison, counted from 1; nothing of those without data.
+/// `compare_<n>_<quantity>.csv` and the picture of every comparison, counted from 1; nothing of those without data.
 pub(super) fn files<'a>(results: &'a Results<'a>) -> Files<'a> {
     let view = results.views.first();
     let charts = results.comparisons.iter().enumerate().filter_map(move |(i, comparison)| {
         let stem = format!("compare_{}_{}", i + 1, comparison.spec.against.name());
         Some((stem, comparison, plot(view?, comparison)?))
     });
-    Box::new(charts.flat_map(|(stem, comparison, chart)| {
-        [(format!("{stem}.csv"), csv(&comparison.table())), (format!("{stem}.png"), png(&chart))]
+    Box::new(charts.flat_map(move |(stem, comparison, chart)| {
+        let pictures = view.map_or_else(Vec::new, |view| view.pictures.files(&stem, &chart));
+        std::iter::once((format!("{stem}.csv"), csv(&comparison.table()))).chain(pictures)
     }))
 }
 
 /// Whether a file's name is one that [`files`] gives.
 pub(super) fn is_comparison(_: &str, name: &str) -> bool {
-    let stem = name.strip_suffix(".csv").or(name.strip_suffix(".png"));
+    let stem = name.strip_suffix(".csv").or(Format::stem(name));
     let parts = stem.and_then(|stem| stem.strip_prefix("compare_")).and_then(|rest| rest.split_once('_'));
     parts.is_some_and(|(n, quantity)| n.parse::<usize>().is_ok() && is_quantity(quantity))
 }

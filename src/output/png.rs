@@ -1,11 +1,14 @@
 //! Charts as PNG with a palette, antialiased, with the built-in font only.
 
 use super::chart::Chart;
-use super::draw::{Drawing, Palette};
+use super::draw::{Drawing, Palette, WIDTH};
 use miniz_oxide::deflate::compress_to_vec_zlib;
 
 /// Pixels per px of the picture: 1600 pixels wide.
 const DENSITY: f64 = 2.0;
+
+/// An inch \[m\].
+const INCH: f64 = 0.0254;
 
 /// Flat drawings compress well at the fastest level that looks for repeated rows (1 to 9).
 const LEVEL: u8 = 1;
@@ -15,8 +18,13 @@ const LEVEL: u8 = 1;
 /// # References
 /// W3C, Portable Network Graphics (PNG) Specification, third edition, sections 5 and 11.
 pub fn png(chart: &Chart) -> Vec<u8> {
+    drawn(&Drawing::of(chart, WIDTH), DENSITY, None)
+}
+
+/// A drawing as a PNG file of so many pixels per px, which says how many there are to an inch on paper.
+pub(super) fn drawn(drawing: &Drawing, density: f64, dpi: Option<f64>) -> Vec<u8> {
     let mut palette = Palette::default();
-    let picture = Drawing::of(chart).pixels(DENSITY, &mut palette);
+    let picture = drawing.pixels(density, &mut palette);
     let size = [picture.width as u32, picture.height as u32].map(u32::to_be_bytes);
     // Eight bits per pixel, a palette, and the only ways there are to compress, filter and order rows.
     let header = [size.as_flattened(), &[8, 3, 0, 0, 0]].concat();
@@ -27,6 +35,11 @@ pub fn png(chart: &Chart) -> Vec<u8> {
     }
     let mut bytes = b"\x89PNG\r\n\x1a\n".to_vec();
     chunk(&mut bytes, b"IHDR", &header);
+    if let Some(dpi) = dpi {
+        // Along x and along y, per metre.
+        let density = ((dpi / INCH).round() as u32).to_be_bytes();
+        chunk(&mut bytes, b"pHYs", &[&density[..], &density, &[1]].concat());
+    }
     chunk(&mut bytes, b"PLTE", palette.colors().as_flattened());
     chunk(&mut bytes, b"IDAT", &compress_to_vec_zlib(&rows, LEVEL));
     chunk(&mut bytes, b"IEND", &[]);

@@ -1,6 +1,6 @@
 //! A solution looked over: what all of its outputs are made from.
 
-use super::StageView;
+use super::{Pictures, StageView};
 use crate::case::Solution;
 use crate::compare::{CompareError, Comparison};
 
@@ -22,5 +22,11 @@ impl<'a> Results<'a> {
     /// When a reference of the case cannot be read or does not fit.
     pub fn of(solution: &'a Solution) -> Result<Self, CompareError> {
         Ok(Self { solution, views: solution.views(), comparisons: solution.comparisons()? })
+    }
+
+    /// The same with pictures that are made so.
+    pub fn with_pictures(mut self, pictures: &Pictures) -> Self {
+        self.views.iter_mut().for_each(|view| view.pictures = pictures.clone());
+        self
     }
 }

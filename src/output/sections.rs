@@ -1,9 +1,10 @@
-//! The section of the sheet, true to thickness, at the kept frames, and the tools where the run ended.
+//! The section of the sheet over the travel, coloured by thinning, and the tools where they were then.
 
 use super::StageView;
-use super::chart::{Chart, Color, GREY, Look, PALE, Panel, Scale, Series, color, pale};
-use crate::geometry::{Piece, Point, Profile};
-use crate::model::{Extent, Geometry, Model, Role, Theory};
+use super::chart::{Chart, Color, GREY, Look, PALE, Panel, Scale, Series, color};
+use super::thinning::{Thinning, said, times};
+use crate::geometry::{Piece, Point, Profile, on_axis};
+use crate::model::{Extent, Geometry, Model, Role};
 use crate::solution::{Frame, NodeRecord};
 use crate::table::fields::element::{R, Z};
 use std::ops::Range;
@@ -14,29 +15,45 @@ const SAGITTA: f64 = 1e-4;
 /// What is shown around the sheet, over the section's width.
 const AROUND: f64 = 0.06;
 
+/// As many states as are shown.
+const STATES: usize = 6;
+/// Width of the section in a small panel \[px of a picture 800 wide\].
+const SMALL: f64 = 230.0;
+
+/// The states of a stage in small panels, each with the tools where they were then.
 pub(super) fn plot(view: &StageView) -> Option<Chart> {
     let (model, frames) = (view.model(), &view.stage.frames);
-    let [x, y] = window(frames.iter().flat_map(|f| &f.nodes), model.blank.length);
-    let last = frames.last();
-    let selective = model.blank.theory == Theory::Selective;
-    let sheets = view.shown().enumerate().flat_map(|(i, frame)| {
-        let whole = Series::new(view.reached(frame), sheet(frame, 0..frame.elements.len()), filled(color(i)));
-        let membranes = if selective { membranes(frame) } else { Vec::new() };
-        let paler = membranes.into_iter().map(move |part| Series::silent(sheet(frame, part), filled(pale(color(i)))));
-        std::iter::once(whole).chain(paler)
-    });
+    let window = window(frames.iter().flat_map(|f| &f.nodes), model.blank.length);
+    let width = window[0].1;
+    let thinning = Thinning::of(model.blank.thickness, frames.iter());
+    let times = times(model.blank.thickness, SMALL / width);
+    let small = |caption: String, at: Option<&Frame>, sheet: Vec<Series>| {
+        let caption = Series::new(caption, Vec::new(), Look::Text);
+        let [x, y] = window;
+        let series = tools(model, at, width).chain(sheet).chain([caption]);
+        Panel { scale: Scale::Small { x, y }, ..panel(model.geometry, series, window) }
+    };
+    let states = states(view);
+    let named = |frame: &Frame| format!("{} {}", view.progress(), view.reached(frame));
+    let shown = states.iter().map(|frame| small(named(frame), Some(frame), thinning.section(frame, times)));
     // A run that never started shows where it would have.
-    let flat = last.is_none().then(|| Series::new("0 mm", flat(model), filled(color(0))));
-    let tools_at = if last.is_some() { "the end" } else { "the start" };
+    let flat = || vec![Series::silent(flat(model), filled(color(0)))];
+    let unsolved = states.is_empty().then(|| small(format!("{} 0 mm", view.progress()), None, flat()));
+    let scale = (!states.is_empty()).then(|| thinning.scale());
     Some(Chart {
         title: view.titled("sections"),
-        legend: view.progress(),
-        panels: vec![panel(model.geometry, tools(model, last, x.1).chain(sheets).chain(flat), [x, y])],
-        notes: std::iter::once(format!("The sheet is true to thickness. Grey: the tools at {tools_at}."))
-            .chain(selective.then(|| "Pale: elements that were membranes; the others bent.".to_owned()))
-            .chain(view.notes_of_frames())
-            .collect(),
+        legend: "",
+        panels: shown.chain(unsolved).chain(scale).collect(),
+        notes: std::iter::once(said(times)).chain(view.notes_of_frames()).collect(),
     })
+}
+
+/// The start where there is room for it, and frames spread evenly up to the last.
+fn states<'a>(view: &StageView<'a>) -> Vec<&'a Frame> {
+    let frames = &view.stage.frames;
+    let most = frames.len().min(STATES);
+    let start = view.stage.start.as_ref().filter(|_| (1..STATES).contains(&most));
+    start.into_iter().chain((1..=most).map(|i| &frames[i * frames.len() / most - 1])).collect()
 }
 
 /// A section's plane, at least this window of it \[mm\].
@@ -62,6 +79,28 @@ pub(super) fn tools<'a>(model: &'a Model, at: Option<&'a Frame>, width: f64) -> 
         let body = body(tool.role, &tool.profile, moved, SAGITTA * width);
         Series::silent(body, Look::Area { fill: PALE, edge: Some(GREY) })
     })
+}
+
+/// The same with their mirror images beyond the middle.
+pub(super) fn whole_tools<'a>(model: &'a Model, at: &'a Frame, width: f64) -> impl Iterator<Item = Series> + 'a {
+    model.tools.iter().enumerate().flat_map(move |(i, tool)| {
+        let body = body(tool.role, &tool.profile, place(at, i), SAGITTA * width);
+        let look = Look::Area { fill: PALE, edge: Some(GREY) };
+        mirrored(body).into_iter().map(move |body| Series::silent(body, look))
+    })
+}
+
+/// An outline and its mirror image beyond the middle: one outline where it has an edge there.
+pub(super) fn mirrored(mut outline: Vec<(f64, f64)>) -> Vec<Vec<(f64, f64)>> {
+    let n = outline.len();
+    let in_the_middle = |i: usize| on_axis(&Point::new(outline[i % n].0, 0.0));
+    let seam = (0..n).find(|&i| in_the_middle(i) && in_the_middle(i + 1));
+    outline.rotate_left(seam.map_or(0, |i| (i + 1) % n));
+    let image = outline.iter().rev().map(|p| (-p.0, p.1)).collect();
+    match seam {
+        Some(_) => vec![[outline, image].concat()],
+        None => vec![outline, image],
+    }
 }
 
 /// How far tool `i` has moved from where it is drawn in the model \[mm\].
@@ -105,22 +144,10 @@ fn filled(fill: Color) -> Look {
     Look::Area { fill, edge: None }
 }
 
-/// Stretches of the sheet whose elements are membranes.
-fn membranes(frame: &Frame) -> Vec<Range<usize>> {
-    let mut from = 0;
-    let alike = frame.elements.chunk_by(|a, b| a.bends == b.bends);
-    let stretches = alike.map(|stretch| {
-        let elements = from..from + stretch.len();
-        from = elements.end;
-        (stretch[0].bends, elements)
-    });
-    stretches.filter(|(bends, _)| !bends).map(|(_, elements)| elements).collect()
-}
-
-/// Both surfaces of some elements of the sheet.
-pub(super) fn sheet(frame: &Frame, elements: Range<usize>) -> Vec<(f64, f64)> {
+/// Both surfaces of some elements of the sheet, so many `times` as far apart as they are.
+pub(super) fn sheet(frame: &Frame, elements: Range<usize>, times: f64) -> Vec<(f64, f64)> {
     let part = elements.start..(elements.end + 1).min(frame.nodes.len());
-    part.clone().map(|i| surface(frame, i, 1.0)).chain(part.rev().map(|i| surface(frame, i, -1.0))).collect()
+    part.clone().map(|i| surface(frame, i, times)).chain(part.rev().map(|i| surface(frame, i, -times))).collect()
 }
 
 /// A surface of the sheet at node `i`: half a thickness from the mid-surface along its normal, on the die's side (+1) or
@@ -163,6 +190,18 @@ mod tests {
             through: ThroughThickness::default(),
             tool_displacement: vec![],
         };
-        assert_eq!(sheet(&frame, 0..1), [(0.0, 3.4), (5.0, 3.4), (5.0, 2.6), (0.0, 2.6)]);
+        assert_eq!(sheet(&frame, 0..1, 1.0), [(0.0, 3.4), (5.0, 3.4), (5.0, 2.6), (0.0, 2.6)]);
+    }
+    /// Trust: by hand: a rectangle at the middle becomes one of twice the width, one beside it stays two.
+    #[test]
+    fn what_lies_on_the_middle_is_one_with_its_image() {
+        for start in 0..4 {
+            let mut rectangle = vec![(0.0, 0.0), (0.0, 1.0), (3.0, 1.0), (3.0, 0.0)];
+            rectangle.rotate_left(start);
+            let [whole] = &mirrored(rectangle)[..] else { panic!("one outline") };
+            let area = whole.iter().zip(whole.iter().cycle().skip(1)).map(|(a, b)| a.0 * b.1 - b.0 * a.1).sum::<f64>();
+            assert_eq!((whole.len(), area.abs()), (8, 12.0), "from corner {start}");
+        }
+        assert_eq!(mirrored(vec![(1.0, 0.0), (2.0, 1.0), (2.0, 0.0)]).len(), 2);
     }
 }

@@ -26,7 +26,7 @@ pub fn plot(view: &StageView) -> Option<Chart> {
     let found = measure::changes(&shapes[0], &shapes[1]);
     let nodes = || before.nodes.iter().chain(&after.nodes);
     let [x, y] = sections::window(nodes(), model.blank.thickness);
-    let [first, second] = [before, after].map(|frame| sections::sheet(frame, 0..frame.elements.len()));
+    let [first, second] = [before, after].map(|frame| sections::sheet(frame, 0..frame.elements.len(), 1.0));
     let outline = second.iter().chain(second.first()).copied().collect();
     let sheets = [
         Series::new("Before", first, Look::Area { fill: pale(color(0)), edge: Some(color(0)) }),
@@ -76,5 +76,5 @@ fn longer(leg: &Leg) -> Vec<(f64, f64)> {
 
 /// `Wall to the punch direction: 0.3° → 8.2°`.
 fn worded(change: &Change) -> String {
-    format!("{}: {}", change.quantity.label, change.text())
+    format!("{}: {}", change.quantity.label, change.told())
 }

@@ -1,9 +1,11 @@
 //! What outputs are made from: a solved stage, borrowed, with what its files say of the case that it belongs to.
 
 use super::chart::COLORS;
+use super::{Captions, Pictures, font};
 use crate::assess::{self, Finding, Kind, sentences};
-use crate::case::Solution;
+use crate::case::{Press, Solution};
 use crate::forming_limit::{Assessment, assess};
+use crate::message::message;
 use crate::model::{Extent, Geometry, Model};
 use crate::solution::{Frame, StageSolution, Stop};
 use crate::table::{Unit, capitalised};
@@ -29,12 +31,14 @@ pub struct StageView<'a> {
     pub declared: &'a [String],
     /// What is told with the results: what was assumed while the case was read, and warnings.
     pub findings: Vec<Finding>,
+    /// What the press can give, as far as the case says.
+    pub press: Press,
     /// What came out of the stage.
     pub stage: &'a StageSolution,
     /// Time that the solution of the whole case took, where a clock was at hand.
     pub wall: Option<Duration>,
-    /// Whether charts say by themselves what a page has above all of them: title, settings, warnings and assumptions.
-    pub captions: bool,
+    /// How its pictures are made, and how much they say by themselves.
+    pub pictures: Pictures,
     assessment: OnceLock<Option<Assessment>>,
 }
 
@@ -47,8 +51,26 @@ impl Solution {
     /// The same with these findings from before the run.
     pub(crate) fn views_telling(&self, before: &[Finding]) -> Vec<StageView<'_>> {
         let told = assess::told(before, &self.stages).into_iter().enumerate();
-        told.map(|(i, findings)| StageView::of(self, i, findings)).collect()
+        let mut views: Vec<_> = told.map(|(i, findings)| StageView::of(self, i, findings)).collect();
+        if let Some(first) = views.first_mut() {
+            first.findings.extend(undrawn(first.title));
+        }
+        views
     }
+}
+
+/// What pictures cannot show of the title.
+fn undrawn(title: &str) -> Option<Finding> {
+    let missing: Vec<String> =
+        font::missing(title).into_iter().map(|letter| format!("{letter} (U+{:04X})", u32::from(letter))).collect();
+    if missing.is_empty() {
+        return None;
+    }
+    let found = message!(
+        "the title has letters that the built-in font has not got, boxes stand for them in PNG and PDF: {letters}",
+        letters = missing.join(", ")
+    );
+    Some(Finding::warning("letters", "Title", found))
 }
 
 impl<'a> StageView<'a> {
@@ -65,9 +87,10 @@ impl<'a> StageView<'a> {
             overrides: &[],
             declared: &stage.model.notes,
             findings: Vec::new(),
+            press: Press::default(),
             stage,
             wall: None,
-            captions: true,
+            pictures: Pictures::default(),
             assessment: OnceLock::new(),
         }
     }
@@ -80,6 +103,7 @@ impl<'a> StageView<'a> {
             case_text: &case.text,
             overrides: &case.overrides,
             findings,
+            press: case.press,
             wall: solution.wall,
             ..Self::plain(&name, &solution.stages[i])
         }
@@ -87,7 +111,7 @@ impl<'a> StageView<'a> {
 
     /// The same for a page that has all captions above: charts say only what is their own.
     pub fn without_captions(self) -> Self {
-        Self { captions: false, ..self }
+        Self { pictures: Pictures { captions: Captions::Own, ..self.pictures }, ..self }
     }
 
     /// The model that was solved.
@@ -112,20 +136,33 @@ impl<'a> StageView<'a> {
         self.assessment.get_or_init(assessed).as_ref()
     }
 
-    /// The title of a chart: `Cup: sections`, or `Sections` without captions.
+    /// The title of a chart: `Cup: sections`, or `Sections` where the case's stands above.
     pub(super) fn titled(&self, what: &str) -> String {
-        if self.captions { format!("{}: {what}", self.title) } else { capitalised(what) }
+        match self.pictures.captions {
+            Captions::Own => capitalised(what),
+            _ => format!("{}: {what}", self.title),
+        }
     }
 
-    /// Small print of every plot: why an incomplete stage ended, what was set and warned of, what was assumed.
+    /// Whether a picture says where its numbers come from: what is told nowhere else, or all there is.
+    pub(super) fn says_sources(&self) -> bool {
+        matches!(self.pictures.captions, Captions::Own | Captions::Full)
+    }
+
+    fn says_all(&self) -> bool {
+        self.pictures.captions == Captions::Full
+    }
+
+    /// Small print of every plot: why an incomplete stage ended; where all is to be said also what was set and warned of, and
+    /// what was assumed.
     pub(super) fn notes(&self) -> Vec<String> {
         let stop = &self.stage.stop;
         let mut notes: Vec<String> =
             (!stop.is_complete()).then(|| format!("Stopped early: {stop}.")).into_iter().collect();
-        if self.captions && !self.overrides.is_empty() {
+        if self.says_all() && !self.overrides.is_empty() {
             notes.push(format!("Set on the command line: {}.", self.overrides.join(", ")));
         }
-        if self.captions {
+        if self.says_all() {
             notes.extend(sentences(&self.findings, Kind::Warning).into_iter().map(|w| format!("Warning: {w}.")));
         }
         notes.extend(self.assumptions());
@@ -134,7 +171,7 @@ impl<'a> StageView<'a> {
 
     /// The declared assumptions, as far as charts say them.
     pub(super) fn assumptions(&self) -> impl Iterator<Item = String> {
-        self.declared.iter().filter(|_| self.captions).cloned()
+        self.declared.iter().filter(|_| self.says_all()).cloned()
     }
 
     /// As [`Self::notes`], after a word on frames that a plot leaves out.

@@ -4,6 +4,7 @@ use super::csv::with_texts;
 use super::stage_view::ended;
 use super::{Files, Results};
 use crate::case::Solution;
+use crate::message::{Amount, Message, message};
 use crate::solution::{StageSolution, StepRecord, Stop};
 use crate::table::fields::step::{HOLDER_FORCE, POLE_HEIGHT, PUNCH_FORCE, THINNEST};
 use crate::table::{Column, Field, Table, Unit};
@@ -65,28 +66,36 @@ pub(super) fn files<'a>(results: &'a Results<'a>) -> Files<'a> {
 }
 
 /// One printed line for every stage; nothing where there is one only.
-pub(super) fn printed(solution: &Solution) -> String {
+pub(super) fn printed(solution: &Solution) -> Message {
     if lines(solution).nth(1).is_none() {
-        return String::new();
+        return Message::default();
     }
-    let unit = solution.case.model().extent().force_unit().symbol();
     let width = lines(solution).map(|line| line.0.len()).max().unwrap_or(0);
-    let text = lines(solution).enumerate().map(|(i, (name, stage))| {
-        let figures = stage.and_then(|stage| Some((stage, stage.steps.last()?))).map_or(String::new(), |(stage, last)| {
-            let time = if stage.model.timed { format!("{:.3} s, ", last.time) } else { String::new() };
-            format!(
-                ": {time}travel {:.2} mm, punch {:.0} {unit}, holder {:.0} {unit}, thinnest {:.4} mm, edge at {:.2} \
-                 mm, middle at {:.2} mm",
-                last.travel,
-                last.punch_force,
-                last.holder_force,
-                last.thinnest,
-                stage.model.blank.length - last.draw_in,
-                last.pole_height
-            )
-        });
-        let reached = if stage.is_some_and(|stage| stage.stop == Stop::FullTravel) { " reached" } else { "" };
-        format!("{:>2} {:<width$}  {}{reached}{figures}\n", i + 1, name, stop(stage))
+    let each = lines(solution).enumerate().map(|(i, (name, stage))| {
+        let name = Message::from(format!("{:>2} {name:<width$}  ", i + 1));
+        let ended = match stage {
+            Some(stage) if stage.stop == Stop::FullTravel => message!("{end} reached", end = ended(stage)),
+            stage => stop(stage).into(),
+        };
+        let figures = stage.and_then(figures).unwrap_or_default();
+        Message::joined([name, Message::joined([ended, figures], ": ")], "")
     });
-    text.collect()
+    Message::joined(each, "\n")
+}
+
+/// Where a stage ended, in its main numbers.
+fn figures(stage: &StageSolution) -> Option<Message> {
+    let last = stage.steps.last()?;
+    let unit = stage.model.extent().force_unit();
+    let time = if stage.model.timed { Amount::time(last.time).into() } else { Message::default() };
+    let figures = message!(
+        "travel {travel}, punch {punch}, holder {holder}, thinnest {thinnest}, edge at {edge}, middle at {middle}",
+        travel = Amount::place(last.travel),
+        punch = Amount::force(last.punch_force, unit),
+        holder = Amount::force(last.holder_force, unit),
+        thinnest = Amount::thickness(last.thinnest),
+        edge = Amount::place(stage.model.blank.length - last.draw_in),
+        middle = Amount::place(last.pole_height)
+    );
+    Some(Message::joined([time, figures], ", "))
 }

@@ -11,11 +11,14 @@ use super::StageView;
 use super::stage_view::ended;
 use crate::assess::{Kind, sentences};
 use crate::measure::{Change, Event, events, moment_error};
-use crate::message::Message;
+use crate::message::{Amount, Message, message};
 use crate::model::{Extent, Geometry, Mode};
 use crate::solution::{StageSolution, StepRecord, Stop};
 use crate::table::Unit;
 use sha2::{Digest, Sha256};
+
+/// Before a label that belongs to the line above.
+const INDENT: &str = "  ";
 
 /// What a line of the summary is about.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -38,23 +41,24 @@ struct Entry {
     group: Group,
     key: &'static str,
     /// Empty for what only a program wants to know.
-    label: String,
-    unit: Unit,
+    label: Message,
+    /// 0, and more where it belongs to the line above.
+    level: usize,
     value: Value,
 }
 
 #[derive(Clone, Debug)]
 enum Value {
-    Number(f64),
+    Number(Amount),
     Count(usize),
     Flag(bool),
-    Text(String),
+    Text(Message),
     List(Vec<Message>),
     Changes(Vec<Change>),
     Events(Vec<Event>, Unit),
 }
 
-/// A line for readers, its number apart from its unit.
+/// A line for readers, its number apart from its unit, as told in a form.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Figure {
     /// What the line is about.
@@ -63,7 +67,7 @@ pub struct Figure {
     pub key: &'static str,
     /// Begins with spaces where it belongs to the line above.
     pub label: String,
-    /// As it is printed, without its unit.
+    /// Without its unit.
     pub value: String,
     /// Empty for words.
     pub unit: &'static str,
@@ -85,65 +89,66 @@ impl Summary {
         let largest = |value| largest(run, value);
 
         let mut summary = Self { entries: Vec::new(), group: Group::Case };
-        summary.text("case", "Case", &view.name);
-        summary.text("title", "Title", view.title);
-        summary.text("section", "Section", &section_of(model.extent()));
+        summary.text("case", "Case", view.name.clone());
+        summary.text("title", "Title", view.title.to_owned());
+        summary.text("section", "Section", section_of(model.extent()));
         summary.group = Group::Part;
-        summary.text("hardening", "Hardening", &model.material.describe());
+        summary.text("hardening", "Hardening", model.material.describe());
         let ended = match &run.stop {
-            Stop::FullTravel => format!("{} reached", ended(run)),
-            stop => stop.to_string(),
+            Stop::FullTravel => message!("{end} reached", end = ended(run)),
+            stop => stop.message(),
         };
         summary.group = Group::End;
-        summary.text("stop", "Ended", &ended);
+        summary.text("stop", "Ended", ended);
         summary.group = Group::Part;
-        summary.push("complete", "", Unit::None, Value::Flag(run.stop.is_complete()));
+        summary.push("complete", "", Value::Flag(run.stop.is_complete()));
         summary.load(model, run, &last);
-        summary.push("events", "Events", Unit::None, Value::Events(events(run), model.extent().force_unit()));
+        summary.push("events", "Events", Value::Events(events(run), model.extent().force_unit()));
         summary.part(model, run, &last);
         if let Some(assessment) = view.forming_limit() {
             summary.forming_limit(model, assessment);
         }
         if run.paths.stride() > 1 {
-            let kept = format!("kept of every {}th step and of the last", run.paths.stride());
-            summary.text("strain_paths", "Strain paths", &kept);
+            let kept = message!("kept of each {n}th step and of the last", n = run.paths.stride());
+            summary.text("strain_paths", "Strain paths", kept);
         }
-        summary.number("draw_in", "Draw-in of the edge", Unit::Mm, last.draw_in);
+        summary.number("draw_in", "Draw-in of the edge", Amount::place(last.draw_in));
         summary.balance(model, run, &last);
         if let Some(error) =
             run.frames.last().filter(|_| model.mode != Mode::Flow && model.release.is_none()).and_then(moment_error)
         {
-            let share = 100.0 * error.share;
             summary.group = Group::Solution;
-            summary.number("moment_error", "Moment missed by the layers, estimated", Unit::Percent, share);
+            summary.number(
+                "moment_error",
+                "Bending moment missed by the layers, estimated",
+                Amount::share(error.share),
+            );
         }
         summary.group = Group::Part;
         summary.condition(model, run, &last);
         summary.group = Group::Solution;
-        summary.number(
-            "penetration",
-            "Largest penetration over thickness",
-            Unit::Percent,
-            100.0 * largest(|s| s.penetration),
-        );
+        let deepest = Amount::share(largest(|s| s.penetration));
+        summary.number("penetration", "Tools in the sheet, of its thickness", deepest);
         summary.group = Group::Part;
         let ironing = largest(|s| s.ironing);
         if ironing > 0.0 {
-            let force = model.extent().force_unit();
-            summary.number("ironing", "Ironing: reduction of the thickness", Unit::Percent, 100.0 * ironing);
-            summary.number("ironing_force", "Largest ironing force of the die", force, largest(|s| s.ironing_force));
-            summary.number("ironing_friction", "Largest friction in it", force, largest(|s| s.ironing_friction));
-            summary.number("ironing_pressure", "Largest ironing pressure", Unit::MPa, largest(|s| s.ironing_pressure));
+            let unit = model.extent().force_unit();
+            let force = |value| Amount::force(largest(value), unit);
+            summary.number("ironing", "Ironing: reduction of the thickness", Amount::share(ironing));
+            summary.number("ironing_force", "Largest ironing force of the die", force(|s| s.ironing_force));
+            summary.number("ironing_friction", "Largest friction in it", force(|s| s.ironing_friction));
+            let pressure = Amount::stress(largest(|s| s.ironing_pressure));
+            summary.number("ironing_pressure", "Largest ironing pressure", pressure);
         }
-        summary.number("sharpest_bend", "Smallest bending radius over thickness", Unit::None, bend_radius(run));
+        summary.number("sharpest_bend", "Smallest bending radius", Amount::thicknesses(bend_radius(run)));
         summary.holder(model, run);
         summary.group = Group::Solution;
         summary.solver(model, run, &last);
         if let Some(wall) = view.wall {
-            summary.number("wall_time", "Wall time", Unit::Second, wall.as_secs_f64());
+            summary.number("wall_time", "Wall time", Amount::time(wall.as_secs_f64()));
         }
-        summary.text("program", "", concat!(env!("CARGO_PKG_NAME"), " ", env!("CARGO_PKG_VERSION")));
-        summary.text("case_sha256", "", &sha256(view.case_text));
+        summary.text("program", "", concat!(env!("CARGO_PKG_NAME"), " ", env!("CARGO_PKG_VERSION")).to_owned());
+        summary.text("case_sha256", "", sha256(view.case_text));
         summary.group = Group::Case;
         summary.list("overrides", "Set on the command line", plain(view.overrides));
         summary.list("derived", "Assumed while reading", sentences(&view.findings, Kind::Assumption));
@@ -154,24 +159,30 @@ impl Summary {
         summary
     }
 
-    fn push(&mut self, key: &'static str, label: &str, unit: Unit, value: Value) {
-        self.entries.push(Entry { group: self.group, key, label: label.to_owned(), unit, value });
+    /// A label that begins with spaces belongs to the line above.
+    fn push(&mut self, key: &'static str, label: &'static str, value: Value) {
+        let name = label.trim_start();
+        self.labelled(key, (label.len() - name.len()) / INDENT.len(), name.into(), value);
     }
 
-    fn number(&mut self, key: &'static str, label: &'static str, unit: Unit, value: f64) {
-        self.push(key, label, unit, Value::Number(value));
+    fn labelled(&mut self, key: &'static str, level: usize, label: Message, value: Value) {
+        self.entries.push(Entry { group: self.group, key, label, level, value });
+    }
+
+    fn number(&mut self, key: &'static str, label: &'static str, value: Amount) {
+        self.push(key, label, Value::Number(value));
     }
 
     fn count(&mut self, key: &'static str, label: &'static str, value: usize) {
-        self.push(key, label, Unit::None, Value::Count(value));
+        self.push(key, label, Value::Count(value));
     }
 
-    fn text(&mut self, key: &'static str, label: &'static str, value: &str) {
-        self.push(key, label, Unit::None, Value::Text(value.to_owned()));
+    fn text(&mut self, key: &'static str, label: &'static str, value: impl Into<Message>) {
+        self.push(key, label, Value::Text(value.into()));
     }
 
     fn list(&mut self, key: &'static str, label: &'static str, values: Vec<Message>) {
-        self.push(key, label, Unit::None, Value::List(values));
+        self.push(key, label, Value::List(values));
     }
 }
 
@@ -214,12 +225,12 @@ pub(super) fn json(view: &StageView) -> Option<String> {
 }
 
 /// What is modelled, and what its forces are of.
-pub fn section_of(extent: Extent) -> String {
+pub fn section_of(extent: Extent) -> Message {
     let section = match extent.geometry() {
         Geometry::Axisymmetric => "axisymmetric",
         Geometry::PlaneStrain => "plane strain",
     };
-    format!("{section}; {}", extent.described())
+    Message::joined([section.into(), extent.described()], "; ")
 }
 
 /// Checksum of a text in hexadecimal.

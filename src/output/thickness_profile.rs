@@ -1,7 +1,8 @@
-//! Thickness over the blank at the kept frames, and in the same way porosity and temperature.
+//! Thickness over the blank at the kept frames, and over the part that came out; in the first way porosity and temperature
+//! too.
 
-use super::StageView;
 use super::chart::{Chart, Look, Panel, Scale, Series};
+use super::{StageView, part_bands};
 use crate::solution::ElementRecord;
 use crate::table::Field;
 use crate::table::fields::element::{POROSITY, S0, TEMPERATURE, THICKNESS};
@@ -16,7 +17,12 @@ pub(super) fn thickness(view: &StageView) -> Option<Chart> {
     let initial = view.model().blank.thickness;
     let values = view.stage.frames.iter().flat_map(|frame| &frame.elements).map(|element| element.thickness);
     let is_level = view.is_level(initial, values, LEAST * initial);
-    if is_level { None } else { plot(view, &THICKNESS, LEAST * initial) }
+    if is_level {
+        return None;
+    }
+    let mut chart = plot(view, &THICKNESS, LEAST * initial)?;
+    chart.panels.extend(part_bands::panel(view, Scale::Fit { height: 270.0, least: LEAST * initial }));
+    Some(chart)
 }
 
 pub(super) fn porosity(view: &StageView) -> Option<Chart> {

@@ -3,6 +3,7 @@
 use super::{FrameRecorder, Make, OUTPUTS, ResultFolder, Results, StageView, WriteError, overlay, stages};
 use crate::case::{Case, Solution};
 use crate::compare::CompareError;
+use crate::files::{Disk, Files};
 use std::fs;
 use std::io::{self, ErrorKind};
 use std::path::{Path, PathBuf};
@@ -23,6 +24,23 @@ pub fn is_result(name: &str) -> bool {
     OUTPUTS.iter().any(|output| output.is_named(name))
 }
 
+/// What a report of ours contains.
+pub const REPORT_MARKER: &str = concat!(env!("CARGO_PKG_NAME"), " report, version");
+/// A report is a few MB \[bytes\].
+const LARGEST_REPORT: usize = 100_000_000;
+
+/// Whether a file is a report of ours, whatever its name.
+pub fn is_report(path: &Path) -> bool {
+    let marked = |bytes: Vec<u8>| bytes.windows(REPORT_MARKER.len()).any(|part| part == REPORT_MARKER.as_bytes());
+    Disk.read(path, LARGEST_REPORT).is_ok_and(marked)
+}
+
+/// Whether a file in a folder of results goes with them: a result by its name, or a report on what is no longer there.
+fn goes_with_results(path: &Path) -> bool {
+    let name = path.file_name().and_then(|name| name.to_str()).unwrap_or_default();
+    is_result(name) || (name.starts_with("report.") && is_report(path))
+}
+
 /// A folder for all that a run of a case writes.
 ///
 /// # Errors
@@ -35,7 +53,7 @@ pub fn result_folder(case: &Case, dir: &Path) -> Result<ResultFolder, WriteError
 
 /// A folder for what is written of one stage.
 fn stage_folder(dir: &Path) -> Result<ResultFolder, WriteError> {
-    let folder = ResultFolder::open(dir, is_result)?;
+    let folder = ResultFolder::open(dir, goes_with_results)?;
     refuse_others(dir)?;
     Ok(folder)
 }
@@ -45,7 +63,9 @@ fn stage_folder(dir: &Path) -> Result<ResultFolder, WriteError> {
 /// # Errors
 /// As [`ResultFolder::open`].
 pub fn comparison_folder(dir: &Path) -> Result<ResultFolder, WriteError> {
-    ResultFolder::open(dir, |name| overlay::is_comparison("", name))
+    ResultFolder::open(dir, |path| {
+        path.file_name().and_then(|name| name.to_str()).is_some_and(|name| overlay::is_comparison("", name))
+    })
 }
 
 /// A file that has the name of a result is one where a run has left its summary or its list of stages beside it.
@@ -90,14 +110,19 @@ impl Results<'_> {
     /// # Errors
     /// When a folder or file cannot be written: the earlier results are then still there.
     pub fn write(&self, recorder: &FrameRecorder, dir: &Path) -> Result<Vec<PathBuf>, WriteError> {
-        self.write_into(recorder, result_folder(&self.solution.case, dir)?)
+        self.write_into(recorder, None, result_folder(&self.solution.case, dir)?)
     }
 
-    /// The same into a folder that was taken before.
+    /// The same, and a page about them, by its name, into a folder that was taken before.
     ///
     /// # Errors
     /// As [`ResultFolder::publish`].
-    pub fn write_into(&self, recorder: &FrameRecorder, mut folder: ResultFolder) -> Result<Vec<PathBuf>, WriteError> {
+    pub fn write_into(
+        &self,
+        recorder: &FrameRecorder,
+        page: Option<(String, Vec<u8>)>,
+        mut folder: ResultFolder,
+    ) -> Result<Vec<PathBuf>, WriteError> {
         for output in OUTPUTS {
             if let Make::OfCase(make) = output.make {
                 make(self).for_each(|(name, bytes)| folder.write(name, &bytes));
@@ -106,6 +131,9 @@ impl Results<'_> {
         for (i, view) in self.views.iter().enumerate() {
             let label = self.solution.case.stage_label(i).unwrap_or_default();
             write_stage(view, i, recorder, &mut folder, Path::new(&label));
+        }
+        if let Some((name, bytes)) = page {
+            folder.write(name, &bytes);
         }
         folder.publish()
     }
@@ -141,8 +169,8 @@ fn write_stage(view: &StageView, i: usize, recorder: &FrameRecorder, folder: &mu
             if recorder.extras.contains(&extra) && frames.len() > 1 {
                 make(view, &frames).for_each(|(name, bytes)| folder.write(inside.join(name), &bytes));
             }
-        } else if let Some(bytes) = output.bytes(view) {
-            folder.write(inside.join(output.file), &bytes);
+        } else {
+            output.files(view).iter().for_each(|(name, bytes)| folder.write(inside.join(name), bytes));
         }
     }
 }

@@ -1,13 +1,22 @@
 //! What a report says, whatever file it goes to.
 
 use crate::assess::Light;
+use crate::output::Chart;
 
-/// A report: its title and its sections in order.
+/// A report: its first page, which answers, and its sections in order.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Document {
     /// Its heading.
     pub title: String,
-    /// What stands below, in order.
+    /// Who answers for it; empty where nobody is named.
+    pub author: String,
+    /// Code of its language: `en`.
+    pub language: &'static str,
+    /// Names and values of the title block, in order.
+    pub title_block: Vec<[String; 2]>,
+    /// What stands below them on the first page, in order.
+    pub front: Vec<Block>,
+    /// What follows from the second page on, in order.
     pub sections: Vec<Section>,
 }
 
@@ -25,6 +34,12 @@ pub struct Section {
 pub enum Block {
     /// Running text.
     Paragraph(String),
+    /// One sentence that stands out, in the colour of a light whose word it says.
+    Sentence(Light, String),
+    /// The numbers that are asked for first.
+    Numbers(Vec<KeyNumber>),
+    /// What is beyond or near its limit, each with what to change below it.
+    Issues(Vec<Issue>),
     /// One entry each.
     List(Vec<String>),
     /// As many cells in each row as in the head.
@@ -36,6 +51,34 @@ pub enum Block {
     },
     /// A drawing with its caption.
     Picture(Picture),
+    /// Drawings of one thing as it moves, from its start to its end, with their caption: only where a reader can move them.
+    Motion(String, Vec<Chart>),
+}
+
+/// A number that stands out.
+#[derive(Clone, Debug, PartialEq)]
+pub struct KeyNumber {
+    /// What it is of: `Peak punch force`.
+    pub label: String,
+    /// The number with its unit; a word where there is none.
+    pub value: String,
+    /// Where, when or of what; may be empty.
+    pub detail: String,
+}
+
+/// A row of the verdict by itself.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Issue {
+    /// How it stands to its limit.
+    pub light: Light,
+    /// Its question: `Thinning`.
+    pub label: String,
+    /// The number or the words, with the unit, and where.
+    pub found: String,
+    /// The limit in words.
+    pub limit: String,
+    /// What to change; may be empty.
+    pub advice: String,
 }
 
 /// One row of a table.
@@ -45,6 +88,8 @@ pub struct Row {
     pub cells: Vec<String>,
     /// Colours the first cell, whose word says the same.
     pub light: Option<Light>,
+    /// Whether it belongs to the row above, and is indented.
+    pub belongs: bool,
 }
 
 /// A drawing.
@@ -54,23 +99,38 @@ pub struct Picture {
     pub name: String,
     /// What it shows, without a full stop.
     pub caption: String,
-    /// A standalone SVG.
-    pub svg: String,
+    /// What is drawn.
+    pub chart: Chart,
 }
 
 impl Row {
     /// A row without a light.
     pub fn plain(cells: impl IntoIterator<Item = String>) -> Self {
-        Self { cells: cells.into_iter().collect(), light: None }
+        Self { cells: cells.into_iter().collect(), light: None, belongs: false }
     }
 }
 
 impl Document {
+    /// Everything below a heading and on the first page, in order.
+    pub fn blocks(&self) -> impl Iterator<Item = &Block> {
+        self.front.iter().chain(self.sections.iter().flat_map(|section| &section.blocks))
+    }
+
     /// All pictures in order.
     pub fn pictures(&self) -> impl Iterator<Item = &Picture> {
-        self.sections.iter().flat_map(|section| &section.blocks).filter_map(|block| match block {
+        self.blocks().filter_map(|block| match block {
             Block::Picture(picture) => Some(picture),
             _ => None,
         })
+    }
+}
+
+/// Sign and word of a light: the colour only repeats them.
+pub(super) fn word(light: Light) -> &'static str {
+    match light {
+        Light::Grey => "○ grey",
+        Light::Green => "● green",
+        Light::Amber => "▲ amber",
+        Light::Red => "■ red",
     }
 }

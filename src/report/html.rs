@@ -1,36 +1,57 @@
 //! A document as one HTML file: pictures and style inside, nothing fetched from elsewhere.
 
-use super::document::{Block, Document, Picture, Row};
+use super::document::{Block, Document, Issue, KeyNumber, Picture, Row, word};
 use super::program::{MARKER, PROGRAM};
 use crate::assess::Light;
+use crate::output::{Chart, svg};
 use maud::{DOCTYPE, Markup, PreEscaped, html as markup};
 
 const STYLE: &str = include_str!("style.css");
+/// Shows the picture that a slider stands at.
+const SLIDER: &str = include_str!("slider.js");
 
 /// The whole file.
 pub fn html(document: &Document) -> String {
     let mut number = 0;
     let page = markup! {
         (DOCTYPE)
-        html lang="en" {
+        html lang=(document.language) {
             head {
                 meta charset="utf-8";
                 meta name="viewport" content="width=device-width, initial-scale=1";
                 meta name="generator" content={ (MARKER) " " (env!("CARGO_PKG_VERSION")) };
+                @if !document.author.is_empty() { meta name="author" content=(document.author); }
                 title { (document.title) }
                 style { (PreEscaped(STYLE)) }
             }
             body {
                 main {
-                    h1 { (document.title) }
-                    @for section in &document.sections {
-                        section {
+                    header {
+                        h1 { (document.title) }
+                        dl.title-block {
+                            @for [name, value] in &document.title_block { div { dt { (name) } dd { (value) } } }
+                        }
+                    }
+                    section.front { @for part in &document.front { (block(part, &mut number)) } }
+                    nav {
+                        h2 { "Contents" }
+                        ol {
+                            @for (i, section) in document.sections.iter().enumerate() {
+                                li { a href={ "#s" (i + 1) } { (section.heading) } }
+                            }
+                        }
+                    }
+                    @for (i, section) in document.sections.iter().enumerate() {
+                        section id={ "s" (i + 1) } {
                             h2 { (section.heading) }
                             @for part in &section.blocks { (block(part, &mut number)) }
                         }
                     }
                 }
                 footer { "Written by " (PROGRAM) "." }
+                @if document.blocks().any(|block| matches!(block, Block::Motion(..))) {
+                    script { (PreEscaped(SLIDER)) }
+                }
             }
         }
     };
@@ -40,13 +61,19 @@ pub fn html(document: &Document) -> String {
 fn block(block: &Block, number: &mut usize) -> Markup {
     match block {
         Block::Paragraph(text) => markup! { p { (text) } },
+        Block::Sentence(light, text) => markup! {
+            p.sentence.{ "on-" (light.name()) } { span.{ (light.name()) } { (word(*light)) } " " (text) }
+        },
+        Block::Numbers(numbers) => markup! { dl.numbers { @for number in numbers { (key_number(number)) } } },
+        Block::Issues(issues) => markup! { ul.issues { @for issue in issues { (of_issue(issue)) } } },
         Block::List(entries) => markup! { ul { @for entry in entries { li { (entry) } } } },
         Block::Table { head, rows } => table(head, rows),
-        Block::Picture(Picture { caption, svg, .. }) => {
+        Block::Motion(caption, charts) => motion(caption, charts),
+        Block::Picture(Picture { caption, chart, .. }) => {
             *number += 1;
             markup! {
                 figure {
-                    div.picture role="img" aria-label=(caption) { (PreEscaped(inline(svg))) }
+                    div.picture role="img" aria-label=(caption) { (PreEscaped(inline(&svg(chart)))) }
                     figcaption { "Figure " (number) ": " (caption) "." }
                 }
             }
@@ -54,18 +81,51 @@ fn block(block: &Block, number: &mut usize) -> Markup {
     }
 }
 
-/// Rows with lights are stacked on a phone, each cell under its column's name.
+/// Without scripts, and on paper, the last picture is shown.
+fn motion(caption: &str, charts: &[Chart]) -> Markup {
+    let last = charts.len().saturating_sub(1);
+    markup! {
+        figure.motion {
+            @for (i, chart) in charts.iter().enumerate() {
+                div.picture.frame hidden[i < last] { (PreEscaped(inline(&svg(chart)))) }
+            }
+            input type="range" min="0" max=(last) value=(last) aria-label=(caption);
+            figcaption { (caption) "." }
+        }
+    }
+}
+
+fn key_number(KeyNumber { label, value, detail }: &KeyNumber) -> Markup {
+    markup! { div { dt { (label) } dd { strong { (value) } @if !detail.is_empty() { span { (detail) } } } } }
+}
+
+fn of_issue(Issue { light, label, found, limit, advice }: &Issue) -> Markup {
+    markup! {
+        li {
+            p { span.{ (light.name()) } { (word(*light)) } " " strong { (label) } ": " (found)
+                @if !limit.is_empty() { " (limit: " (limit) ")" } }
+            @if !advice.is_empty() { p.advice { "What to change: " (advice) } }
+        }
+    }
+}
+
+/// A table with longer cells than that has no room beside each other on a phone \[letters\].
+const SHORT: usize = 24;
+
+/// On a phone the cells of tables with many columns, or with sentences in them, stand below each other under their columns'
+/// names; of others value and unit stay beside each other.
 fn table(head: &[&str], rows: &[Row]) -> Markup {
-    let findings = rows.iter().any(|row| row.light.is_some());
+    let is_long = |row: &Row| row.cells.iter().skip(1).any(|cell| cell.chars().count() > SHORT);
+    let is_wide = head.len() > 3 || rows.iter().any(is_long);
     markup! {
         div.table {
-            table.{ "columns-" (head.len()) }.findings[findings] {
+            table.{ "columns-" (head.len()) }.wide[is_wide] {
                 thead { tr { @for cell in head { th scope="col" { (cell) } } } }
                 tbody {
                     @for row in rows {
-                        tr {
+                        tr.belongs[row.belongs] {
                             @for (i, (cell, name)) in row.cells.iter().zip(head).enumerate() {
-                                td class=[row.light.filter(|_| i == 0).map(Light::name)] data-column=[findings.then_some(name)] {
+                                td class=[row.light.filter(|_| i == 0).map(Light::name)] data-column=[is_wide.then_some(name)] {
                                     (cell)
                                 }
                             }

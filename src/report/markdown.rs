@@ -1,7 +1,8 @@
 //! A document as Markdown with its pictures as SVG files in a folder beside it.
 
-use super::document::{Block, Document, Row};
+use super::document::{Block, Document, KeyNumber, Row, word};
 use super::program::{MARKER, PROGRAM};
+use crate::output::svg;
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 
@@ -17,35 +18,62 @@ pub fn is_figure(name: &str) -> bool {
     number.is_some_and(|(number, _)| number.len() == 2 && number.bytes().all(|b| b.is_ascii_digit()))
 }
 
-/// The text, and the pictures by the names that it calls them in `folder`.
+/// The text, and the pictures as SVG by the names that it calls them in `folder`.
 pub fn markdown(document: &Document, folder: &str) -> (String, Vec<(String, String)>) {
-    let mut text = format!("<!-- {MARKER} {} -->\n\n# {}\n", env!("CARGO_PKG_VERSION"), escaped(&document.title));
+    let mut text = format!("<!-- {MARKER} {} -->\n\n# {}\n\n", env!("CARGO_PKG_VERSION"), escaped(&document.title));
+    for [name, value] in &document.title_block {
+        let _ = writeln!(text, "- {}: {}", escaped(name), escaped(value));
+    }
     let mut pictures = Vec::new();
+    document.front.iter().for_each(|part| block(&mut text, part, folder, &mut pictures));
     for section in &document.sections {
         let _ = writeln!(text, "\n## {}", escaped(&section.heading));
-        for block in &section.blocks {
-            text.push('\n');
-            match block {
-                Block::Paragraph(words) => _ = writeln!(text, "{}", escaped(words)),
-                Block::List(entries) => entries.iter().for_each(|entry| _ = writeln!(text, "- {}", escaped(entry))),
-                Block::Table { head, rows } => table(&mut text, head, rows),
-                Block::Picture(picture) => {
-                    let name = format!("{:02}-{}.svg", pictures.len() + 1, picture.name);
-                    let target = format!("{folder}/{name}").replace(' ', "%20");
-                    let _ = writeln!(text, "![Figure {}: {}]({target})", pictures.len() + 1, escaped(&picture.caption));
-                    pictures.push((name, picture.svg.clone()));
-                }
-            }
-        }
+        section.blocks.iter().for_each(|part| block(&mut text, part, folder, &mut pictures));
     }
     let _ = writeln!(text, "\nWritten by {PROGRAM}.");
     (text, pictures)
 }
 
+fn block(text: &mut String, block: &Block, folder: &str, pictures: &mut Vec<(String, String)>) {
+    text.push('\n');
+    match block {
+        Block::Paragraph(words) => _ = writeln!(text, "{}", escaped(words)),
+        Block::Sentence(light, words) => _ = writeln!(text, "**{} {}**", word(*light), escaped(words)),
+        Block::Numbers(numbers) => {
+            let row = |n: &KeyNumber| Row::plain([n.label.clone(), n.value.clone(), n.detail.clone()]);
+            let rows: Vec<Row> = numbers.iter().map(row).collect();
+            table(text, &["Number", "Value", "Where"], &rows);
+        }
+        Block::Issues(issues) => issues.iter().for_each(|issue| {
+            let [found, limit, advice] = [&issue.found, &issue.limit, &issue.advice].map(|words| escaped(words));
+            let limit = if limit.is_empty() { limit } else { format!(" (limit: {limit})") };
+            let _ = writeln!(text, "- {} **{}**: {found}{limit}", word(issue.light), escaped(&issue.label));
+            if !advice.is_empty() {
+                let _ = writeln!(text, "  - What to change: {advice}");
+            }
+        }),
+        Block::List(entries) => entries.iter().for_each(|entry| _ = writeln!(text, "- {}", escaped(entry))),
+        Block::Table { head, rows } => table(text, head, rows),
+        Block::Motion(..) => {}
+        Block::Picture(picture) => {
+            let name = format!("{:02}-{}.svg", pictures.len() + 1, picture.name);
+            let target = format!("{folder}/{name}").replace(' ', "%20");
+            let _ = writeln!(text, "![Figure {}: {}]({target})", pictures.len() + 1, escaped(&picture.caption));
+            pictures.push((name, svg(&picture.chart)));
+        }
+    }
+}
+
 fn table(text: &mut String, head: &[&str], rows: &[Row]) {
     let _ = writeln!(text, "| {} |\n|{}", head.join(" | "), "---|".repeat(head.len()));
     for row in rows {
-        let cells: Vec<String> = row.cells.iter().map(|cell| escaped(cell)).collect();
+        let indent = if row.belongs { "\u{2003}" } else { "" };
+        let cells: Vec<String> = row
+            .cells
+            .iter()
+            .enumerate()
+            .map(|(i, cell)| if i == 0 { indent } else { "" }.to_owned() + &escaped(cell))
+            .collect();
         let _ = writeln!(text, "| {} |", cells.join(" | "));
     }
 }

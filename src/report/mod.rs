@@ -5,9 +5,11 @@
 //! two reports of one case can be compared.
 
 mod document;
+mod front;
 mod html;
 mod inputs;
 mod markdown;
+mod pdf;
 mod program;
 mod results;
 mod sketch;
@@ -16,24 +18,41 @@ mod solver;
 mod title;
 mod verdict;
 
-pub use document::{Block, Document, Picture, Row, Section};
+pub use document::{Block, Document, Issue, KeyNumber, Picture, Row, Section};
 pub use html::html;
 pub use markdown::{figure_folder, is_figure, markdown};
+pub use pdf::pdf;
 pub use program::MARKER;
 pub use solved::Report;
 
+use crate::message::Form;
+
 impl Report<'_> {
-    /// All sections.
+    /// The first page and all sections, in English and SI units.
     pub fn document(&self) -> Document {
+        self.told(Form::default())
+    }
+
+    /// The first page and all sections as they are told in a form.
+    pub fn told(&self, form: Form) -> Document {
         let model = self.solution.case.model();
-        let mut sections = vec![
+        let mut sections = vec![verdict::section(&self.findings, form)];
+        sections.extend(sketch::sections(self, form));
+        sections.push(inputs::section(&self.check, form));
+        sections.extend(results::sections(self, form));
+        sections.extend([
+            inputs::assumptions(&self.check, form),
+            solver::warnings(self, form),
+            solver::section(self, form),
             title::section(self),
-            verdict::section(&self.findings),
-            sketch::section(model, &self.dimensions),
-            inputs::section(&self.check),
-        ];
-        sections.extend(results::sections(self));
-        sections.extend([inputs::assumptions(&self.check), solver::warnings(self), solver::section(self)]);
-        Document { title: model.title.clone(), sections }
+        ]);
+        Document {
+            title: model.title.clone(),
+            author: self.title_block.author.clone().unwrap_or_default(),
+            language: form.language.code(),
+            title_block: title::block(self),
+            front: front::blocks(self, form),
+            sections,
+        }
     }
 }

@@ -1,39 +1,57 @@
 //! What came out, stage by stage: the summary's lines, of a release its spring-back, and every plot of a stage.
 
 use super::document::{Block, Picture, Row, Section};
+use super::front;
 use super::solved::Report;
 use super::solver::figures;
+use crate::message::{Amount, Form};
 use crate::output::summary::Group;
-use crate::output::{Make, OUTPUTS, StageView, springback, svg};
-use crate::units::four_digits;
+use crate::output::{Make, OUTPUTS, StageView, animation, springback};
+use crate::table::Unit;
 
-pub(super) fn sections(report: &Report) -> Vec<Section> {
+/// Pictures of the moving section: a report with them stays below a few MB.
+const FRAMES: usize = 25;
+
+/// A section for each stage; the pictures of the first page are not repeated.
+pub(super) fn sections(report: &Report, form: Form) -> Vec<Section> {
+    let shown: Vec<(usize, &str)> = front::pictures(report).map(|(stage, file, _)| (stage, file)).collect();
     let stages = report.stages.iter().enumerate();
     stages
         .map(|(i, (view, summary))| {
-            let part = figures(summary, |group| matches!(group, Group::End | Group::Part));
-            let blocks = std::iter::once(part).chain(released(view)).chain(plots(view));
+            let part = figures(summary, form, |group| matches!(group, Group::End | Group::Part));
+            let files = OUTPUTS.iter().map(|output| output.file).filter(|file| !shown.contains(&(i, *file)));
+            let plots = files.filter_map(|file| plot(view, file)).map(Block::Picture);
+            let blocks = std::iter::once(part).chain(motion(report, i)).chain(released(view, form)).chain(plots);
             Section { heading: format!("{}Results", report.stage(i)), blocks: blocks.collect() }
         })
         .collect()
 }
 
-/// Every plot of a stage.
-fn plots(view: &StageView) -> Vec<Block> {
-    let plots = OUTPUTS.iter().filter_map(|output| {
-        let Make::Plot(make) = output.make else { return None };
-        let name = output.file.trim_end_matches(".png").to_owned();
-        Some(Block::Picture(Picture { name, caption: output.about.to_owned(), svg: svg(&make(view)?) }))
-    });
-    plots.collect()
+/// The plot of a stage that stands in this file of a result folder.
+pub(super) fn plot(view: &StageView, file: &str) -> Option<Picture> {
+    let output = OUTPUTS.iter().find(|output| output.file == file)?;
+    let Make::Plot(make) = output.make else { return None };
+    let name = output.stem().to_owned();
+    Some(Picture { name, caption: output.about.to_owned(), chart: make(view)? })
+}
+
+/// The section of a stage as it moves, where frames were kept for it.
+fn motion(report: &Report, i: usize) -> Option<Block> {
+    let (view, _) = &report.stages[i];
+    let frames = report.frames?.of_stage(i, view.stage);
+    let charts = animation::pictures(view, &frames, FRAMES);
+    (charts.len() > 1)
+        .then(|| Block::Motion("the section and the load as they move: pull the slider".to_owned(), charts))
 }
 
 /// What was measured before and after, of a stage that takes its tools away.
-fn released(view: &StageView) -> Option<Block> {
-    let number = |value: Option<f64>| value.map_or_else(|| "none".to_owned(), four_digits);
-    let rows = springback::changes(view.stage)?.into_iter().map(|c| {
-        let [a, b, d] = [c.before, c.after, c.change()].map(number);
-        Row::plain([c.quantity.label.to_owned(), a, b, d, c.quantity.unit.symbol().to_owned()])
+fn released(view: &StageView, form: Form) -> Option<Block> {
+    let rows = springback::changes(view.stage)?.into_iter().map(|change| {
+        let unit = change.quantity.unit;
+        let amount = |value: f64| if unit == Unit::Degree { Amount::angle(value) } else { Amount::place(value) };
+        let number = |value: Option<f64>| value.map_or_else(|| "none".to_owned(), |value| amount(value).parts(form).0);
+        let [before, after, by] = [change.before, change.after, change.change()].map(number);
+        Row::plain([change.quantity.label.to_owned(), before, after, by, amount(0.0).parts(form).1.to_owned()])
     });
     Some(Block::Table { head: vec!["Spring-back", "Before", "After", "Change", "Unit"], rows: rows.collect() })
 }

@@ -1,85 +1,158 @@
-//! The section at the start with its dimensions, drawn and in a table.
+//! The section at the start with its dimensions, drawn and in a table, of every stage that brings tools of its own.
 
 use super::document::{Block, Picture, Row, Section};
-use crate::geometry::{Arc, Point};
-use crate::model::{Model, Motion, Role, Tool};
-use crate::output::{Dimension, Mark, dimensioned, svg};
-use crate::rules::tool_sizes::{across, extent, throat};
+use super::solved::Report;
+use crate::geometry::{Arc, Piece, Point};
+use crate::message::Form;
+use crate::model::{Geometry, Model, Motion, Role, Tool};
+use crate::output::{Dimension, Mark, Size, dimensioned};
+use crate::rules::tool_sizes::{extent, throat};
+use crate::solution::{Frame, StageSolution};
 use crate::table::Unit;
-use crate::units::four_digits;
 
-/// More corners than that are a curve's: its smallest radius is given.
-const CORNERS: usize = 3;
+/// Roundings of one tool that are given; of a curve of more arcs the smallest radius is.
+const ROUNDINGS: usize = 8;
 
-pub(super) fn section(model: &Model, dimensions: &[Dimension]) -> Section {
-    let rows =
-        dimensions.iter().map(|d| Row::plain([d.label.clone(), four_digits(d.value), d.unit.symbol().to_owned()]));
-    Section {
-        heading: "Section".into(),
-        blocks: vec![
-            Block::Picture(Picture {
-                name: "section".into(),
-                caption: "the section at the start with its dimensions".into(),
-                svg: svg(&dimensioned(model, dimensions)),
-            }),
-            Block::Table { head: vec!["Dimension", "Value", "Unit"], rows: rows.collect() },
-        ],
-    }
+/// Radii that differ by less are one \[–\].
+const ALIKE: f64 = 1e-4;
+
+/// What is no further from the axis lies on it \[mm\].
+const ON_AXIS: f64 = 1e-6;
+
+/// A section for each stage with tools that no stage before it had.
+pub(super) fn sections(report: &Report, form: Form) -> Vec<Section> {
+    let (case, stages) = (&report.solution.case, &report.solution.stages);
+    let first = section("section", "Section".to_owned(), case.model(), None, &report.dimensions, form);
+    let later = stages.iter().enumerate().skip(1).filter(|(i, stage)| brings_tools(&stages[..*i], stage));
+    let later = later.map(|(i, stage)| {
+        let dimensions = dimensions(&stage.model, stage.start.as_ref());
+        let heading = format!("{}Section", report.stage(i));
+        section(&format!("section-{}", i + 1), heading, &stage.model, stage.start.as_ref(), &dimensions, form)
+    });
+    std::iter::once(first).chain(later).collect()
 }
 
-/// Sizes of the blank and of every tool, the holder's load and the travel.
-pub(super) fn dimensions(model: &Model) -> Vec<Dimension> {
-    let blank = &model.blank;
-    let wide = |label: &str, r: f64| of(&format!("{label} {}", across(model.geometry)), r, Unit::Mm, Mark::Across(r));
-    let mut found = vec![
-        wide("Blank", blank.length),
-        of("Thickness", blank.thickness, Unit::Mm, Mark::At(Point::new(0.97 * blank.length, 0.0))),
-    ];
-    for tool in &model.tools {
+/// Whether a stage has a tool that none before it had.
+fn brings_tools(before: &[StageSolution], stage: &StageSolution) -> bool {
+    let known = |tool: &Tool| before.iter().flat_map(|stage| &stage.model.tools).any(|t| t.profile == tool.profile);
+    stage.model.release.is_none() && stage.model.tools.iter().any(|tool| !known(tool))
+}
+
+fn section(
+    name: &str,
+    heading: String,
+    model: &Model,
+    start: Option<&Frame>,
+    dimensions: &[Dimension],
+    form: Form,
+) -> Section {
+    let rows = dimensions.iter().map(|d| {
+        let (value, unit) = d.amount().parts(form);
+        Row::plain([d.name(), value, unit.to_owned()])
+    });
+    let chart = dimensioned(format!("{heading} at the start"), model, start, dimensions);
+    let caption = "the section at the start with its dimensions".into();
+    let table = Block::Table { head: vec!["Dimension", "Value", "Unit"], rows: rows.collect() };
+    Section { blocks: vec![Block::Picture(Picture { name: name.to_owned(), caption, chart }), table], heading }
+}
+
+/// Sizes of the blank and of every tool, the holder's load, the beads and the travel; of a later stage, which begins with
+/// the sheet of `start`, without the blank's.
+pub(super) fn dimensions(model: &Model, start: Option<&Frame>) -> Vec<Dimension> {
+    let (blank, half) = (&model.blank, 0.5 * model.blank.thickness);
+    let mut found = Vec::new();
+    if start.is_none() {
+        found.push(wide(model, "Blank", blank.length, Mark::Across(blank.length)));
+        found.push(plain("Thickness", blank.thickness, Unit::Mm, Mark::At(Point::new(0.97 * blank.length, 0.0))));
+    }
+    for (i, tool) in model.tools.iter().enumerate() {
+        let moved = start.and_then(|frame| frame.tool_displacement.get(i)).copied().unwrap_or_default();
+        let across = |name: &str, r: f64| wide(model, name, r, Mark::Across(r));
         match tool.role {
-            Role::Punch => found.push(wide("Punch", extent(tool).1)),
-            Role::Die => found.extend(throat(tool).map(|r| wide("Die throat", r))),
-            Role::Holder => found.push(wide("Holder inner", extent(tool).0)),
+            Role::Punch => found.push(across("Punch", extent(tool).1)),
+            Role::Die => found.extend(throat(tool).map(|r| across("Die throat", r))),
+            Role::Holder => found.push(across("Holder inner", extent(tool).0)),
         }
-        found.extend(corners(tool));
-        found.extend(load(model, tool));
+        found.extend(roundings(tool, moved));
+        found.extend(load(model, tool, moved));
+        if tool.role == Role::Punch && model.travel > 0.0 {
+            let from = tool.profile.polyline(0.01).iter().map(|p| p.y).fold(f64::NEG_INFINITY, f64::max) + moved.y;
+            let r = 0.25 * extent(tool).1.min(blank.length);
+            found.push(plain("Travel", model.travel, Unit::Mm, Mark::Along { r, from, to: from + model.travel }));
+        }
     }
-    if model.travel > 0.0
-        && let Some(punch) = model.tool(Role::Punch)
-    {
-        let r = 0.25 * extent(punch).1.min(blank.length);
-        found.push(of("Travel", model.travel, Unit::Mm, Mark::Along { r, from: 0.0, to: model.travel }));
-    }
+    found
+        .extend(model.beads.iter().map(|bead| wide(model, "Draw bead", bead.at, Mark::At(Point::new(bead.at, -half)))));
     found
 }
 
-fn of(label: &str, value: f64, unit: Unit, mark: Mark) -> Dimension {
-    Dimension { label: label.to_owned(), value, unit, mark }
+fn plain(of: &str, value: f64, unit: Unit, mark: Mark) -> Dimension {
+    Dimension { of: of.to_owned(), size: Size::Plain, value, unit, mark }
 }
 
-/// The radii of a tool's corners; of many the smallest.
-fn corners(tool: &Tool) -> Vec<Dimension> {
-    let mut arcs: Vec<Arc> = tool.profile.corners().collect();
-    let name = match tool.role {
-        Role::Punch => "Punch nose",
-        Role::Die => "Die shoulder",
-        Role::Holder => "Holder",
+/// The diameter of a round part, or the width of a strip, at a distance from its middle.
+fn wide(model: &Model, of: &str, r: f64, mark: Mark) -> Dimension {
+    let size = match model.geometry {
+        Geometry::Axisymmetric => Size::Diameter,
+        Geometry::PlaneStrain => Size::Width,
     };
-    let label = if arcs.len() > CORNERS { format!("{name} least R") } else { format!("{name} R") };
-    if arcs.len() > CORNERS {
-        arcs.sort_by(|a, b| a.radius.total_cmp(&b.radius));
-        arcs.truncate(1);
+    Dimension { of: of.to_owned(), size, value: 2.0 * r, unit: Unit::Mm, mark }
+}
+
+/// The radii of a tool, those that are alike together; of a curve of many arcs the smallest.
+fn roundings(tool: &Tool, moved: Point) -> Vec<Dimension> {
+    // Arcs that are one rounding of the sheet's side come together, hollows as they are.
+    let hollows = tool.profile.pieces().iter().filter_map(|piece| match piece {
+        Piece::Arc(arc) if arc.sweep > 0.0 => Some(*arc),
+        _ => None,
+    });
+    let mut found: Vec<(String, usize, Arc)> = Vec::new();
+    for arc in tool.profile.corners().chain(hollows) {
+        let name = named(tool.role, &arc);
+        match found.iter_mut().find(|(n, _, a)| *n == name && (a.radius / arc.radius - 1.0).abs() < ALIKE) {
+            Some((_, alike, _)) => *alike += 1,
+            None => found.push((name, 1, arc)),
+        }
     }
-    arcs.iter().map(|arc| of(&label, arc.radius, Unit::Mm, Mark::At(arc.at(0.5)))).collect()
+    if found.len() > ROUNDINGS {
+        found.sort_by(|a, b| a.2.radius.total_cmp(&b.2.radius));
+        found.truncate(1);
+        found[0].0 += " least";
+    }
+    let radius = |(of, alike, arc): (String, usize, Arc)| Dimension {
+        of,
+        size: Size::Radius(alike),
+        value: arc.radius,
+        unit: Unit::Mm,
+        mark: Mark::At(arc.at(0.5) + moved),
+    };
+    found.into_iter().map(radius).collect()
+}
+
+/// What a rounding of a tool is called.
+fn named(role: Role, arc: &Arc) -> String {
+    let on_axis = [arc.at(0.0), arc.at(1.0)].iter().any(|end| end.x.abs() < ON_AXIS);
+    match (role, arc.sweep < 0.0) {
+        (Role::Punch, true) if on_axis => "Punch crown",
+        (Role::Punch, true) => "Punch nose",
+        (Role::Die, true) => "Die shoulder",
+        (Role::Die, false) if on_axis => "Die bottom",
+        (Role::Holder, true) => "Holder",
+        (Role::Punch, false) => "Punch hollow",
+        (Role::Die, false) => "Die hollow",
+        (Role::Holder, false) => "Holder hollow",
+    }
+    .to_owned()
 }
 
 /// What presses a holder, or how far it stands off.
-fn load(model: &Model, tool: &Tool) -> Option<Dimension> {
-    let half = 0.5 * model.blank.thickness;
-    let at = Mark::At(Point::new(0.5 * (extent(tool).0 + model.blank.length), -half));
+fn load(model: &Model, tool: &Tool, moved: Point) -> Option<Dimension> {
+    let (inner, outer) = extent(tool);
+    let under = Point::new(0.5 * (inner + outer.min(model.blank.length.max(inner))), -0.5 * model.blank.thickness);
+    let at = Mark::At(under + moved);
     match &tool.motion {
-        Motion::Gap(gap) => Some(of("Holder gap", *gap, Unit::Mm, at)),
-        Motion::Pressed(press) => Some(of("Holder force", press.force.largest(), model.extent().force_unit(), at)),
+        Motion::Gap(gap) => Some(plain("Holder gap", *gap, Unit::Mm, at)),
+        Motion::Pressed(press) => Some(plain("Holder force", press.force.largest(), model.extent().force_unit(), at)),
         Motion::Fixed | Motion::Travel | Motion::Path(_) => None,
     }
 }

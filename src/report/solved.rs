@@ -1,13 +1,14 @@
 //! What a report is written from.
 
 use super::program::PROGRAM;
-use super::sketch;
+use super::{sketch, title};
 use crate::assess::check::{self, Check};
-use crate::assess::{self, Finding, Kind};
-use crate::case::Solution;
-use crate::output::{Dimension, StageView, Summary};
+use crate::assess::{self, Answer, Finding, KeyNumber, Kind};
+use crate::case::{Solution, TitleBlock};
+use crate::message::{Amount, Form};
+use crate::output::{Dimension, FrameRecorder, StageView, Summary};
 use crate::units::rounded;
-use serde_json::{Value, json};
+use serde_json::{Map, Value, json};
 
 /// A solved case with all that is said of it.
 #[derive(Clone, Debug)]
@@ -18,30 +19,55 @@ pub struct Report<'a> {
     pub(super) check: Check,
     pub(super) dimensions: Vec<Dimension>,
     pub(super) findings: Vec<Finding>,
+    pub(super) answer: Answer,
+    pub(super) title_block: TitleBlock,
+    /// Frames on the way, for pictures that move.
+    pub(super) frames: Option<&'a FrameRecorder>,
 }
 
 impl<'a> Report<'a> {
     /// Looks a solution over.
     pub fn of(solution: &'a Solution) -> Self {
         let (before, after) = (assess::before(&solution.case), assess::after(&solution.case, &solution.stages));
+        let answer = Answer::of(&solution.case, &solution.stages, &after);
         let assumed: Vec<_> = before.iter().filter(|f| f.kind == Kind::Assumption).cloned().collect();
         let views = solution.views_telling(&assumed).into_iter().map(StageView::without_captions);
         Self {
             solution,
             stages: views.map(|view| (view.clone(), Summary::of(&view))).collect(),
             check: check::report(&solution.case),
-            dimensions: sketch::dimensions(solution.case.model()),
+            dimensions: sketch::dimensions(solution.case.model(), None),
             findings: before.into_iter().chain(after).collect(),
+            answer,
+            title_block: solution.case.title_block.clone(),
+            frames: None,
         }
+    }
+
+    /// With what is given of the title block in place of what the case says.
+    pub fn titled(self, given: TitleBlock) -> Self {
+        Self { title_block: self.title_block.clone().replaced_by(given), ..self }
+    }
+
+    /// With the section as it moves, where the document can show it.
+    pub fn moving(self, frames: &'a FrameRecorder) -> Self {
+        Self { frames: Some(frames), ..self }
     }
 
     /// Every number of the document, with those behind its pictures that a summary has.
     pub fn json(&self) -> Value {
-        let dimension = |d: &Dimension| json!({"label": d.label, "value": rounded(d.value), "unit": d.unit.symbol()});
+        let dimension = |d: &Dimension| json!({"label": d.name(), "value": rounded(d.value), "unit": d.unit.symbol()});
+        let number = |n: &KeyNumber| {
+            let Amount { value, unit, .. } = n.amount;
+            json!({"key": n.key, "value": rounded(value), "unit": unit.spelled(), "told": n.amount.told(Form::default()), "about": n.about})
+        };
+        let numbers: Vec<Value> = self.answer.numbers.iter().map(number).collect();
         json!({
             "case": self.solution.case.name,
             "complete": self.solution.is_complete(),
             "program": PROGRAM,
+            "title_block": title::block(self).into_iter().map(|[name, value]| (name, value.into())).collect::<Map<_, _>>(),
+            "answer": {"light": self.answer.light, "sentence": self.answer.sentence, "numbers": numbers},
             "check": self.check,
             "dimensions": self.dimensions.iter().map(dimension).collect::<Vec<_>>(),
             "verdict": assess::judgements(&self.findings).collect::<Vec<_>>(),

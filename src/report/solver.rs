@@ -3,36 +3,36 @@
 use super::document::{Block, Row, Section};
 use super::solved::Report;
 use crate::assess::Kind;
+use crate::message::Form;
 use crate::output::summary::{Figure, Group, Summary};
 
-pub(super) fn section(report: &Report) -> Section {
+pub(super) fn section(report: &Report, form: Form) -> Section {
     let mut blocks = Vec::new();
     for (i, (_, summary)) in report.stages.iter().enumerate() {
         let stage = report.stage(i);
         if !stage.is_empty() {
             blocks.push(Block::Paragraph(format!("Stage {}", stage.trim_end_matches(": "))));
         }
-        blocks.push(figures(summary, |group| group == Group::Solution));
+        blocks.push(figures(summary, form, |group| group == Group::Solution));
     }
     Section { heading: "Solver".into(), blocks }
 }
 
 /// A table of the summary's lines that are about something; what belongs to the line above is indented.
-pub(super) fn figures(summary: &Summary, is_wanted: fn(Group) -> bool) -> Block {
-    let row = |f: Figure| {
-        let label = f.label.trim_start();
-        let indent = "\u{2003}".repeat((f.label.len() - label.len()) / 2);
-        Row::plain([format!("{indent}{label}"), f.value, f.unit.to_owned()])
+pub(super) fn figures(summary: &Summary, form: Form, is_wanted: fn(Group) -> bool) -> Block {
+    let row = |f: Figure| Row {
+        belongs: f.label.starts_with(' '),
+        ..Row::plain([f.label.trim_start().to_owned(), f.value, f.unit.to_owned()])
     };
-    let wanted = summary.figures().filter(|figure| is_wanted(figure.group));
+    let wanted = summary.figures(form).filter(|figure| is_wanted(figure.group));
     Block::Table { head: vec!["Quantity", "Value", "Unit"], rows: wanted.map(row).collect() }
 }
 
 /// What the check says before and the solver after the run.
-pub(super) fn warnings(report: &Report) -> Section {
+pub(super) fn warnings(report: &Report, form: Form) -> Section {
     let warnings = report.findings.iter().filter(|finding| finding.kind == Kind::Warning);
     let stage = |i: Option<usize>| i.map_or(String::new(), |i| report.stage(i));
-    let all: Vec<String> = warnings.map(|finding| stage(finding.stage) + &finding.sentence().to_string()).collect();
+    let all: Vec<String> = warnings.map(|finding| stage(finding.stage) + &finding.sentence().told(form)).collect();
     let none = || Block::Paragraph("None.".into());
     let block = if all.is_empty() { none() } else { Block::List(all) };
     Section { heading: "Warnings".into(), blocks: vec![block] }

@@ -1,30 +1,24 @@
-//! The verdict, line by line: a light as a sign, a word and a colour.
+//! The full verdict, line by line: a light as a sign, a word and a colour; the worst first.
 
-use super::document::{Block, Row, Section};
-use crate::assess::{Finding, Light, headline, judgements};
+use super::document::{Block, Row, Section, word};
+use crate::assess::{Finding, Light, judgements};
+use crate::message::{Form, Message};
 
-pub(super) fn section(findings: &[Finding]) -> Section {
-    let rows = judgements(findings).map(|finding| Row {
-        cells: vec![
-            word(finding.light).to_owned(),
-            finding.label.to_owned(),
-            finding.found.to_string(),
-            format!("{} ({})", finding.limit, finding.source),
-            finding.advice.to_string(),
-        ],
+/// In this order, each in the order of telling.
+const ORDER: [Light; 4] = [Light::Red, Light::Amber, Light::Grey, Light::Green];
+
+pub(super) fn section(findings: &[Finding], form: Form) -> Section {
+    let of = |light| judgements(findings).filter(move |finding| finding.light == light);
+    let rows = ORDER.into_iter().flat_map(of).map(|finding| Row {
         light: Some(finding.light),
+        ..Row::plain([
+            word(finding.light).to_owned(),
+            Message::from(finding.label).told(form),
+            finding.found.told(form),
+            format!("{} ({})", finding.limit.told(form), finding.source.told(form)),
+            finding.advice.told(form),
+        ])
     });
     let head = vec!["Light", "Question", "Found", "Limit (source)", "What to change"];
-    let all = Block::Paragraph(format!("{}.", headline(findings)));
-    Section { heading: "Verdict".into(), blocks: vec![all, Block::Table { head, rows: rows.collect() }] }
-}
-
-/// Sign and word: the colour only repeats them.
-fn word(light: Light) -> &'static str {
-    match light {
-        Light::Grey => "○ grey",
-        Light::Green => "● green",
-        Light::Amber => "▲ amber",
-        Light::Red => "■ red",
-    }
+    Section { heading: "Verdict".into(), blocks: vec![Block::Table { head, rows: rows.collect() }] }
 }

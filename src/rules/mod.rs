@@ -3,4 +3,5 @@
 pub(crate) mod bead;
 pub mod design;
 pub mod estimate;
+pub mod size;
 pub mod tool_sizes;

@@ -1,6 +1,8 @@
 //! Why a run ended.
 
+use crate::message::{Amount, Message, message};
 use crate::model::ModelError;
+use crate::units::Unit;
 
 /// Why a run ended.
 #[derive(Clone, Debug, PartialEq)]
@@ -15,6 +17,8 @@ pub enum Stop {
         travel: f64,
         /// Largest load before \[N, or N/mm\].
         peak: f64,
+        /// Its unit.
+        unit: Unit,
         /// Share of the peak by which the load has fallen \[–\].
         drop: f64,
     },
@@ -61,7 +65,7 @@ pub enum Stop {
         /// Thickness there over the initial one \[–\].
         share: f64,
         /// Where it is and why, in words.
-        why: String,
+        why: Message,
     },
     /// The voids at a place have grown together through the thickness.
     Coalesced {
@@ -114,7 +118,7 @@ pub enum Stop {
         /// did, of the place that strained most \[mm\].
         worst_s0: f64,
         /// What the sheet was doing there, in words; may be empty.
-        seen: String,
+        seen: Message,
     },
     /// No equilibrium was found down to the smallest step.
     NoEquilibrium {
@@ -131,7 +135,7 @@ pub enum Stop {
         /// Initial distance from the axis of the node with the largest residual \[mm\].
         worst_s0: f64,
         /// What the sheet was doing there, and what to try.
-        diagnosis: String,
+        diagnosis: Message,
     },
 }
 
@@ -175,102 +179,121 @@ impl Stop {
             Stop::NoEquilibrium { .. } => "no equilibrium",
         }
     }
-}
 
-impl std::fmt::Display for Stop {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+    /// What happened, in a sentence.
+    pub fn message(&self) -> Message {
+        let place = Amount::place;
         match self {
-            Stop::Refused(why) => write!(f, "{why}"),
-            Stop::FullTravel => write!(f, "full travel reached"),
-            Stop::LoadMaximum { travel, peak, drop } => write!(
-                f,
-                "load maximum passed: at {travel:.2} mm of travel the load is {:.1} % below its peak of {peak:.0}",
-                100.0 * drop
+            Stop::Refused(why) => why.to_string().into(),
+            Stop::FullTravel => "full travel reached".into(),
+            Stop::LoadMaximum { travel, peak, unit, drop } => message!(
+                "load maximum passed: at {travel} of travel the load is {drop} below its peak of {peak}",
+                travel = place(*travel),
+                drop = Amount::share(*drop),
+                peak = Amount::force(*peak, *unit)
             ),
-            Stop::ContactShare { share, asked, time, travel } => {
-                write!(
-                    f,
-                    "contact share reached: at {} {:.1} % of the sheet lies on its tools ({:.1} % asked for)",
-                    place(*travel, *time, 2),
-                    100.0 * share,
-                    100.0 * asked
-                )
-            }
-            Stop::PressureMaximum { pressure, height, s0 } => write!(
-                f,
-                "pressure maximum reached: no equilibrium beyond {pressure:.4} MPa, where the sheet at s0 = {s0:.1} mm is at a \
-                 height of {height:.2} mm; it would run away there, to burst or to fold"
+            Stop::ContactShare { share, asked, time, travel } => message!(
+                "contact share reached: at {reached} {share} of the sheet lies on its tools ({asked} asked for)",
+                reached = reached(*travel, *time),
+                share = Amount::share(*share),
+                asked = Amount::given_share(*asked)
             ),
-            Stop::Mechanism { travel, s0 } => write!(
-                f,
-                "mechanism: at {travel:.2} mm of travel nothing holds the strip of membranes, which bears load by tension \
-                 alone; it gives way at s0 = {s0:.1} mm"
+            Stop::PressureMaximum { pressure, height, s0 } => message!(
+                "pressure maximum reached: no equilibrium beyond {pressure}, where the sheet at s0 = {s0} is at a height of \
+                 {height}; it would run away there, to burst or to fold",
+                pressure = Amount::stress(*pressure),
+                s0 = place(*s0),
+                height = place(*height)
             ),
-            Stop::Arched { travel, ahead } => write!(
-                f,
-                "arched: at {travel:.2} mm of travel the sheet's middle is {ahead:.2} mm ahead of the punch, an arch that its \
-                 legs push up and that snaps through"
+            Stop::Mechanism { travel, s0 } => message!(
+                "mechanism: at {travel} of travel nothing holds the strip of membranes, which bears load by tension alone; it \
+                 gives way at s0 = {s0}",
+                travel = place(*travel),
+                s0 = place(*s0)
             ),
-            Stop::Localised { travel, s0, share, why } => write!(
-                f,
-                "localised at {travel:.2} mm of travel: the sheet tears at s0 = {s0:.1} mm, where {:.0} % of its thickness \
-                 is left; {why}",
-                100.0 * share
+            Stop::Arched { travel, ahead } => message!(
+                "arched: at {travel} of travel the sheet's middle is {ahead} ahead of the punch, an arch that its legs push up \
+                 and that snaps through",
+                travel = place(*travel),
+                ahead = Amount::thickness(*ahead)
             ),
-            Stop::Coalesced { travel, s0, porosity } => write!(
-                f,
-                "voids coalesced at {travel:.2} mm of travel: the sheet tears at s0 = {s0:.1} mm, where {:.1} % of its volume \
-                 are voids",
-                100.0 * porosity
+            Stop::Localised { travel, s0, share, why } => message!(
+                "torn at {travel} of travel: the sheet necks at s0 = {s0}, where {left} of its thickness is left; {why}",
+                travel = place(*travel),
+                s0 = place(*s0),
+                left = Amount::share(*share),
+                why = why.clone()
             ),
-            Stop::DrawnThrough { travel, wished: false } => {
-                write!(f, "drawn through: the blank's edge has passed the die's throat at {travel:.2} mm of travel")
-            }
-            Stop::DrawnThrough { travel, wished: true } => {
-                write!(
-                    f,
-                    "drawn through: at {travel:.2} mm of travel the rim has left the die's shoulder, the cup is through the die: strip it \
-                 off the punch"
-                )
-            }
+            Stop::Coalesced { travel, s0, porosity } => message!(
+                "voids grown together at {travel} of travel: the sheet tears at s0 = {s0}, where {voids} of its volume are \
+                 voids",
+                travel = place(*travel),
+                s0 = place(*s0),
+                voids = Amount::share(*porosity)
+            ),
+            Stop::DrawnThrough { travel, wished: false } => message!(
+                "drawn through: the blank's edge has passed the die's throat at {travel} of travel",
+                travel = place(*travel)
+            ),
+            Stop::DrawnThrough { travel, wished: true } => message!(
+                "drawn through: at {travel} of travel the rim has left the die's shoulder, the cup is through the die: strip it \
+                 off the punch",
+                travel = place(*travel)
+            ),
             Stop::HolderClosed { travel } => {
-                write!(f, "holder closed: it has reached its force after {travel:.2} mm")
+                message!("holder closed: it has reached its force after {travel}", travel = place(*travel))
             }
-            Stop::ToolsClosed { travel, r, z } => write!(
-                f,
-                "travel limit by geometry: at {travel:.2} mm of travel punch and die come closer than half the sheet's \
-                 thickness, near r = {r:.2} mm, z = {z:.2} mm"
+            Stop::ToolsClosed { travel, r, z } => message!(
+                "tools closed: at {travel} of travel punch and die come closer than half the sheet's thickness, near r = {r}, \
+                 z = {z}",
+                travel = place(*travel),
+                r = place(*r),
+                z = place(*z)
             ),
-            Stop::Interrupted { travel, time } => write!(
-                f,
-                "interrupted at {}: what was computed up to there is kept, but the run has not come to its end",
-                place(*travel, *time, 2)
+            Stop::Interrupted { travel, time } => message!(
+                "interrupted at {reached}: what was computed up to there is kept, but the run has not come to its end",
+                reached = reached(*travel, *time)
             ),
-            Stop::Creeping { travel, time, tries, step, worst_s0, seen } => write!(
-                f,
-                "creeping: {tries} tries of a step have come to {}, the next would take {step:.2e} s; what holds it up is at \
-                 s0 = {worst_s0:.2} mm{}{seen}",
-                place(*travel, *time, 3),
-                if seen.is_empty() { "" } else { ": " }
-            ),
-            Stop::NoEquilibrium { travel, time, step, velocity_norm, residual_norm, worst_s0, diagnosis } => write!(
-                f,
-                "no equilibrium found at {} with steps down to {step:.2e} s (velocity norm {}, residual norm {}, worst at s0 = \
-                 {worst_s0:.2} mm); {diagnosis}",
-                place(*travel, *time, 3),
-                norm(*velocity_norm),
-                norm(*residual_norm)
+            Stop::Creeping { travel, time, tries, step, worst_s0, seen } => {
+                let found = message!(
+                    "creeping: {tries} tries of a step have come to {reached}, the next would take {step}; what holds it up is \
+                     at s0 = {s0}",
+                    tries = *tries,
+                    reached = reached(*travel, *time),
+                    step = Amount::time(*step),
+                    s0 = place(*worst_s0)
+                );
+                Message::joined([found, seen.clone()], ": ")
+            }
+            Stop::NoEquilibrium { travel, time, step, velocity_norm, residual_norm, worst_s0, diagnosis } => message!(
+                "no equilibrium found at {reached} with steps down to {step} (velocity norm {velocity}, residual norm \
+                 {residual}, worst at s0 = {s0}); {diagnosis}",
+                reached = reached(*travel, *time),
+                step = Amount::time(*step),
+                velocity = norm(*velocity_norm),
+                residual = norm(*residual_norm),
+                s0 = place(*worst_s0),
+                diagnosis = diagnosis.clone()
             ),
         }
     }
 }
 
 /// How far a run has come: by its travel, or by its time where there is no travel.
-fn place(travel: f64, time: f64, decimals: usize) -> String {
-    if travel > 0.0 { format!("{travel:.decimals$} mm of travel") } else { format!("{time:.4} s") }
+fn reached(travel: f64, time: f64) -> Message {
+    match travel {
+        travel if travel > 0.0 => message!("{travel} of travel", travel = Amount::place(travel)),
+        _ => Amount::time(time).into(),
+    }
 }
 
 /// A norm for readers; there is none where the corrector came to no whole increment.
-fn norm(value: f64) -> String {
-    if value.is_finite() { format!("{value:.1e}") } else { "not known".into() }
+fn norm(value: f64) -> Message {
+    if value.is_finite() { Amount::norm(value).into() } else { "not known".into() }
+}
+
+impl std::fmt::Display for Stop {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        self.message().fmt(f)
+    }
 }

@@ -4,6 +4,7 @@ use super::corrector::Outcome;
 use super::evaluation::Evaluation;
 use super::step::Step;
 use crate::element::surface::STATIONS;
+use crate::message::{Amount, Message, message};
 use crate::model::{Edge, Geometry, Motion, Role};
 use crate::solution::neck::neck;
 use crate::solution::{StepRecord, Stop};
@@ -26,10 +27,7 @@ pub(super) fn no_equilibrium(step: &Step, evaluation: &Evaluation, outcome: &Out
         velocity_norm: outcome.increment,
         residual_norm: outcome.residual_norm,
         worst_s0: state.s0[worst],
-        diagnosis: match seen(step, evaluation, worst, steps).as_slice() {
-            [] => ADVICE.into(),
-            seen => format!("{}; {ADVICE}", seen.join(", ")),
-        },
+        diagnosis: Message::joined([seen(step, evaluation, worst, steps), ADVICE.into()], "; "),
     })
 }
 
@@ -50,7 +48,7 @@ pub(super) fn creeping(
         tries,
         step: step.dt,
         worst_s0: state.s0[worst],
-        seen: seen(step, evaluation, worst, steps).join(", "),
+        seen: seen(step, evaluation, worst, steps),
     })
 }
 
@@ -125,7 +123,7 @@ fn arch(step: &Step, steps: &[StepRecord]) -> Option<Stop> {
 }
 
 /// What the sheet was doing where the solver got no further, at node `i`.
-fn seen(step: &Step, evaluation: &Evaluation, i: usize, steps: &[StepRecord]) -> Vec<String> {
+fn seen(step: &Step, evaluation: &Evaluation, i: usize, steps: &[StepRecord]) -> Message {
     let Step { model, state, .. } = *step;
     let last = steps.last().copied().unwrap_or_default();
     let mut seen = Vec::new();
@@ -136,13 +134,15 @@ fn seen(step: &Step, evaluation: &Evaluation, i: usize, steps: &[StepRecord]) ->
         );
     }
     if neck.stands_out {
-        seen.push(format!("the sheet has necked at s0 = {:.1} mm ({:.0} % left)", neck.s0, 100.0 * neck.share));
+        let (s0, left) = (Amount::place(neck.s0), Amount::share(neck.share));
+        seen.push(message!("the sheet has necked at s0 = {s0} ({left} left)", s0 = s0, left = left));
     }
     if last.ironing > 0.02 {
-        seen.push(format!("two tools iron the sheet by {:.0} % of its thickness", 100.0 * last.ironing));
+        let share = Amount::share(last.ironing);
+        seen.push(message!("two tools iron the sheet by {share} of its thickness", share = share));
     }
     if 8 * last.contact_changes > evaluation.nodes.len() {
-        seen.push(format!("{} contacts came or went in the last step", last.contact_changes));
+        seen.push(message!("{n} contacts came or went in the last step", n = last.contact_changes));
     }
     if i + 2 >= evaluation.nodes.len() && model.blank.edge == Edge::Free {
         seen.push("the worst place is the blank's edge".into());
@@ -152,7 +152,7 @@ fn seen(step: &Step, evaluation: &Evaluation, i: usize, steps: &[StepRecord]) ->
     if let Some((_, tool)) =
         tools.find(|(j, _)| points.clone().any(|point| evaluation.contacts[(*j, point)].normal > 0.0))
     {
-        seen.push(format!("the {} touches the sheet at the worst place", tool.role.name()));
+        seen.push(message!("the {tool} touches the sheet at the worst place", tool = tool.role.name()));
     }
-    seen
+    Message::joined(seen, ", ")
 }

@@ -4,6 +4,7 @@
 //! the instant at which the run ends.
 
 use crate::geometry::Point;
+use crate::message::{Amount, Message, message};
 use crate::model::{Edge, Model, Motion, Role};
 use crate::numerics::bisect;
 use crate::solution::neck::{AWAY, NEAR, Neck, neck};
@@ -160,7 +161,12 @@ impl Termination {
             Rule::ContactShare => {
                 Stop::ContactShare { share: record.contact_share, asked: model.stop.contact_share?, time, travel }
             }
-            Rule::LoadDrop => Stop::LoadMaximum { travel, peak: self.peak, drop: 1.0 - record.punch_force / self.peak },
+            Rule::LoadDrop => Stop::LoadMaximum {
+                travel,
+                peak: self.peak,
+                drop: 1.0 - record.punch_force / self.peak,
+                unit: model.extent().force_unit(),
+            },
             Rule::Localised => localised(model, state, &self.neck?),
             Rule::HolderClosed => Stop::HolderClosed { travel },
         })
@@ -172,19 +178,24 @@ fn localised(model: &Model, state: &State, neck: &Neck) -> Stop {
 }
 
 /// Where a neck sits, and what made it.
-fn why(model: &Model, state: &State, neck: &Neck) -> String {
+fn why(model: &Model, state: &State, neck: &Neck) -> Message {
     let i = state.s0.partition_point(|&s| s < neck.s0).min(state.nodes.len() - 1);
     let closest = model.tools.iter().enumerate().map(|(j, tool)| {
         let distance = tool.profile.closest(state.in_frame_of(j, i)).distance - 0.5 * state.thickness_at(i);
         (tool.role, distance)
     });
     let place = match closest.min_by(|a, b| a.1.total_cmp(&b.1)) {
-        Some((role, distance)) if distance < 0.5 * model.blank.thickness => format!("on the {}", role.name()),
+        Some((role, distance)) if distance < 0.5 * model.blank.thickness => {
+            message!("on the {tool}", tool = role.name())
+        }
         _ => "where no tool supports it".into(),
     };
-    format!(
-        "{place}, one place takes all the stretching while the sheet {NEAR} to {AWAY} thicknesses away has stopped: hardening \
-         no longer makes up for thinning. Less holder force or friction, or a larger radius there, lets it go deeper"
+    message!(
+        "{place}, one place takes all the stretching while the sheet {near} to {away} away has stopped: hardening no longer \
+         makes up for thinning. Less holder force or friction, or a larger radius there, lets it go deeper",
+        place = place,
+        near = Amount::thicknesses(NEAR),
+        away = Amount::thicknesses(AWAY)
     )
 }
 

@@ -2,7 +2,7 @@
 
 use super::kind::Kind;
 use super::spelling::closest;
-use super::unit::{Dimension, UNITS, meant};
+use super::unit::{Dimension, UNITS, meant, told};
 
 /// Why a text is not a quantity. The message's first line says what is wrong, the second what to write.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -38,6 +38,39 @@ pub enum QuantityError {
         unit: String,
         /// Known units that are spelled alike, nearest first.
         closest: Vec<&'static str>,
+    },
+    /// Sheet thicknesses, where nothing says how thick the sheet is.
+    #[error("{found:?} are thicknesses of the sheet, and here no sheet is known\nwrite a length, such as \"6 mm\"")]
+    Thicknesses {
+        /// The text that was read.
+        found: String,
+    },
+    /// A gauge of no named metal.
+    #[error(
+        "{found:?} is {steel:.3} mm of steel and {aluminium:.3} mm of aluminium\n\
+         write \"{gauge} ga_steel\" (Manufacturers' Standard Gauge) or \"{gauge} ga_al\" (Brown & Sharpe)"
+    )]
+    GaugeOfWhat {
+        /// The text that was read.
+        found: String,
+        /// The gauge.
+        gauge: usize,
+        /// Thickness in steel \[mm\].
+        steel: f64,
+        /// Thickness in aluminium \[mm\].
+        aluminium: f64,
+    },
+    /// A number that is no gauge.
+    #[error(
+        "{found:?} is no gauge of sheet\ngauges are whole numbers from {from} to {to}; else write the thickness in mm or in"
+    )]
+    NoGauge {
+        /// The text that was read.
+        found: String,
+        /// The heaviest gauge.
+        from: usize,
+        /// The thinnest gauge.
+        to: usize,
     },
     /// The units are not joined as they may be.
     #[error(
@@ -93,10 +126,11 @@ pub enum QuantityError {
 
 impl QuantityError {
     pub(super) fn unknown_unit(found: &str, unit: &str) -> Self {
-        let closest = match meant(unit) {
-            Some(name) => vec![name],
-            None => closest(unit, UNITS.iter().map(|known| known.0)),
-        };
+        let mut meant = meant(unit);
+        if meant.is_empty() {
+            meant = closest(unit, UNITS.iter().map(|known| known.0));
+        }
+        let closest = meant;
         Self::UnknownUnit { found: found.into(), unit: unit.into(), closest }
     }
 }
@@ -106,6 +140,6 @@ fn known(closest: &[&str]) -> String {
         let all: Vec<&str> = UNITS.iter().map(|unit| unit.0).collect();
         format!("known units: {}", all.join(", "))
     } else {
-        format!("did you mean {}?", closest.iter().map(|c| format!("`{c}`")).collect::<Vec<_>>().join(" or "))
+        format!("did you mean {}?", closest.iter().map(|c| told(c)).collect::<Vec<_>>().join(" or "))
     }
 }

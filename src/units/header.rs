@@ -49,7 +49,7 @@ pub struct UnitError {
 const SPELLINGS: [(Unit, &[&str]); 12] = [
     (Unit::Percent, &["percent"]),
     (Unit::Mm, &["mm", "um", "cm", "m", "in"]),
-    (Unit::N, &["N", "kN", "MN", "lbf", "tonf_uk"]),
+    (Unit::N, &["N", "kN", "MN", "lbf", "tonf", "tonf_us", "tonf_uk"]),
     (Unit::NPerMm, &["N_per_mm", "N_per_m", "kN_per_mm", "kN_per_m"]),
     (Unit::MPa, &["MPa", "kPa", "GPa"]),
     (Unit::Second, &["s", "ms"]),

@@ -13,10 +13,13 @@
 
 mod bounds;
 mod error;
+mod gauge;
 mod header;
 mod kind;
 mod number;
 mod parse;
+#[cfg(feature = "schema")]
+mod pattern;
 mod quantity;
 #[cfg(feature = "schema")]
 mod schema;
@@ -32,12 +35,16 @@ pub use error::QuantityError;
 pub use header::{Unit, UnitError};
 pub use kind::Kind;
 pub use number::{four_digits, mm, rounded, significant, trimmed, without_zeros};
-pub use parse::{Parsed, parse};
+pub use parse::{Parsed, parse, thicknesses};
+#[cfg(feature = "schema")]
+pub(crate) use pattern::pattern;
 pub use quantity::Quantity;
 #[cfg(feature = "case")]
 pub use serde::{As, Plain};
 #[cfg(feature = "case")]
-pub(crate) use spelling::{closest, did_you_mean};
+pub use spelling::closest;
+#[cfg(feature = "case")]
+pub(crate) use spelling::did_you_mean;
 pub use types::{
     Angle, Conductivity, Density, Energy, Force, HeatTransfer, Length, LineForce, Number, PerKelvin, Ratio,
     SpecificHeat, Speed, StrainRate, Stress, StressRate, Temperature, Time,

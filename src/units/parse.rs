@@ -1,7 +1,11 @@
 //! The grammar: number, then factors joined by `*`, `·`, a space or `/`, each with an optional power.
 
 use super::error::QuantityError;
+use super::gauge;
 use super::unit::{self, Dimension};
+
+/// What stands behind a number of sheet thicknesses: "6 t".
+const THICKNESSES: &str = "t";
 
 /// A number in solver units and what it measures.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -14,7 +18,8 @@ pub struct Parsed {
     pub has_unit: bool,
 }
 
-/// Reads a quantity such as `0.9 mm`, `60mm` or `5.4 tonf_uk/in^2`; `/` divides by the next factor only.
+/// Reads a quantity such as `0.9 mm`, `60mm`, `20 ga_steel`, `30 N/mm2` or `5.4 tonf_uk/in^2`; `/` divides by the next factor
+/// only.
 ///
 /// # Errors
 /// When there is no number, a unit is unknown (the closest known ones are named) or the text is malformed.
@@ -32,6 +37,12 @@ pub fn parse(text: &str) -> Result<Parsed, QuantityError> {
     if rest.trim() == unit::CELSIUS {
         return Ok(Parsed { value: value + unit::ZERO_CELSIUS, dimension: unit::TEMPERATURE, has_unit: true });
     }
+    if let Some(thickness) = gauge::thickness(text, value, rest.trim()) {
+        return Ok(Parsed { value: thickness?, dimension: unit::LENGTH, has_unit: true });
+    }
+    if rest.trim() == THICKNESSES {
+        return Err(QuantityError::Thicknesses { found: text.into() });
+    }
     let (mut dimension, has_unit) = (unit::NONE, !rest.trim().is_empty());
     while !rest.trim_start().is_empty() {
         let joint = rest.trim_start();
@@ -42,6 +53,7 @@ pub fn parse(text: &str) -> Result<Parsed, QuantityError> {
         };
         let factor = factor.trim_start();
         let end = factor.find(|c: char| !(c.is_alphabetic() || matches!(c, '_' | '%' | '°'))).unwrap_or(factor.len());
+        let end = if factor.starts_with(['"', '″']) { factor.chars().next().map_or(0, char::len_utf8) } else { end };
         let (name, after) = factor.split_at(end);
         if name.is_empty() {
             return Err(malformed(joint));
@@ -74,14 +86,24 @@ fn split_number(text: &str) -> (&str, &str) {
     text.split_at(end)
 }
 
-/// Splits `^2`, `²` or `³` off; no power is 1.
+/// The number of sheet thicknesses in "6 t"; `None` of any other text.
+pub fn thicknesses(text: &str) -> Option<f64> {
+    let (number, rest) = split_number(text.trim());
+    (rest.trim() == THICKNESSES).then(|| number.replace('−', "-").parse().ok())?
+}
+
+/// Splits `^2`, `2`, `²` or `³` off; no power is 1.
 fn split_power(text: &str) -> Option<(i32, &str)> {
     for (sign, power) in [("²", 2), ("³", 3)] {
         if let Some(rest) = text.strip_prefix(sign) {
             return Some((power, rest));
         }
     }
-    let Some(power) = text.strip_prefix('^') else { return Some((1, text)) };
+    let power = match text.strip_prefix('^') {
+        Some(power) => power,
+        None if text.starts_with(|c: char| c.is_ascii_digit()) => text,
+        None => return Some((1, text)),
+    };
     let sign = power.len() - power.strip_prefix('-').unwrap_or(power).len();
     let end = power[sign..].find(|c: char| !c.is_ascii_digit()).map_or(power.len(), |n| sign + n);
     let (value, rest) = power.split_at(end);

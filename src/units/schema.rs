@@ -1,5 +1,6 @@
 //! Quantities in the JSON schema of a case file.
 
+use super::pattern::pattern;
 use super::quantity::Quantity;
 use super::serde::As;
 use schemars::JsonSchema;
@@ -11,7 +12,8 @@ pub(super) fn of<Q: Quantity>() -> schemars::Schema {
         schemars::json_schema!({ "type": "number" })
     } else {
         let note = format!("{} with its unit; solved in {}", kind.name, kind.unit);
-        schemars::json_schema!({ "type": "string", "description": note, "examples": kind.examples })
+        let pattern = pattern(&[kind]);
+        schemars::json_schema!({ "type": "string", "description": note, "examples": kind.examples, "pattern": pattern })
     };
     if kind.unit.is_empty() {
         for (keyword, bound) in Q::BOUND {

@@ -1,7 +1,7 @@
 //! The word that was probably meant.
 
 /// The words closest to `word`, at most three: few edits, upper and lower case counted as half of one.
-pub(crate) fn closest<'a>(word: &str, known: impl Iterator<Item = &'a str>) -> Vec<&'a str> {
+pub fn closest<'a>(word: &str, known: impl Iterator<Item = &'a str>) -> Vec<&'a str> {
     let allowed = match word.chars().count() {
         0..=2 => 2,
         3..=5 => 4,

@@ -66,15 +66,17 @@ pub(super) struct Unit(pub &'static str, pub f64, pub Dimension);
 
 /// Pound-force [N]: 0.453 592 37 kg × 9.806 65 m/s².
 const LBF: f64 = 4.448_221_615_260_5;
-const INCH: f64 = 25.4;
+pub(super) const INCH: f64 = 25.4;
 
 /// Every unit that may be written.
-pub(super) const UNITS: [Unit; 36] = [
+pub(super) const UNITS: [Unit; 41] = [
     Unit("mm", 1.0, LENGTH),
     Unit("cm", 10.0, LENGTH),
     Unit("m", 1000.0, LENGTH),
     Unit("um", 1e-3, LENGTH),
     Unit("in", INCH, LENGTH),
+    Unit("\"", INCH, LENGTH),
+    Unit("″", INCH, LENGTH),
     Unit("mil", 1e-3 * INCH, LENGTH),
     Unit("ft", 304.8, LENGTH),
     Unit("N", 1.0, FORCE),
@@ -83,9 +85,12 @@ pub(super) const UNITS: [Unit; 36] = [
     Unit("lbf", LBF, FORCE),
     Unit("kgf", 9.806_65, FORCE),
     Unit("kp", 9.806_65, FORCE),
+    Unit("tonf", 9_806.65, FORCE), // metric: the ratings of presses mostly are
+    Unit("tonf_us", 2000.0 * LBF, FORCE),
     Unit("tonf_uk", 2240.0 * LBF, FORCE),
     Unit("Pa", 1e-6, STRESS),
     Unit("kPa", 1e-3, STRESS),
+    Unit("bar", 0.1, STRESS),
     Unit("MPa", 1.0, STRESS),
     Unit("GPa", 1e3, STRESS),
     Unit("psi", LBF / (INCH * INCH), STRESS),
@@ -109,7 +114,7 @@ pub(super) const UNITS: [Unit; 36] = [
 ];
 
 /// What units are also called, in lower case, and how they are written here.
-const CALLED: [(&str, &str); 30] = [
+const CALLED: [(&str, &str); 36] = [
     ("inch", "in"),
     ("inches", "in"),
     ("ins", "in"),
@@ -127,8 +132,14 @@ const CALLED: [(&str, &str); 30] = [
     ("kilonewton", "kN"),
     ("lb", "lbf"),
     ("lbs", "lbf"),
-    ("tonf", "tonf_uk"),
+    ("ton", "tonf"),
+    ("ton", "tonf_us"),
     ("ton", "tonf_uk"),
+    ("tonne", "tonf"),
+    ("t_f", "tonf"),
+    ("tf", "tonf"),
+    ("tonf_metric", "tonf"),
+    ("tonf_short", "tonf_us"),
     ("pascal", "Pa"),
     ("sec", "s"),
     ("second", "s"),
@@ -147,11 +158,18 @@ pub(super) const CELSIUS: &str = "°C";
 /// 0 °C \[K\].
 pub const ZERO_CELSIUS: f64 = 273.15;
 
-/// The unit that a word, or its plural, stands for.
-pub(super) fn meant(word: &str) -> Option<&'static str> {
+/// The units that a word, or its plural, may stand for: several of a ton.
+pub(super) fn meant(word: &str) -> Vec<&'static str> {
     let word = word.to_lowercase();
     let one = word.strip_suffix('s').unwrap_or(&word);
-    CALLED.iter().find(|(called, _)| *called == word || *called == one).map(|(_, name)| *name)
+    CALLED.iter().filter(|(called, _)| *called == word || *called == one).map(|(_, name)| *name).collect()
+}
+
+/// A unit in a message: a ton with what it weighs, because there are three.
+pub(super) fn told(name: &str) -> String {
+    let tons = [("tonf", "metric"), ("tonf_us", "short"), ("tonf_uk", "long")];
+    let of = tons.iter().find(|(ton, _)| *ton == name).zip(find(name));
+    of.map_or(format!("`{name}`"), |((_, which), unit)| format!("`{name}` ({which}, {:.3} kN)", 1e-3 * unit.1))
 }
 
 /// The unit of that name.

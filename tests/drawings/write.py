@@ -99,6 +99,60 @@ space.add_lwpolyline([(110, -1, 0), (162.75, -1, -quarter), (168.75, -7, 0), (16
                      dxfattribs=on("DIE"))
 save(doc, "ezdxf_untidy.dxf")
 
+# 7: the same tools from blocks. The punch is half a block in half size, placed twice as large, and its mirror image; the die's
+# corner is a block inside a block, turned by 90 degrees; the holder's face is two columns of one line, its wall lies in a block
+# on a layer of its own.
+doc, space = drawing()
+block = doc.blocks.new("HALF", base_point=(5, 5))
+block.add_lwpolyline([(5, 15, 0), (17, 15, quarter), (20, 18, 0), (20, 105, 0)], format="xyb")
+for side in (1, -1):
+    space.add_blockref("HALF", (0, 0), dxfattribs={**on("PUNCH"), "xscale": 2 * side, "yscale": 2})
+doc.blocks.new("CORNER").add_arc((0, 0), 6, 0, 90)
+block = doc.blocks.new("RING")
+block.add_blockref("CORNER", (37.25, -6), dxfattribs={"rotation": 90})
+block.add_line((31.25, -6), (31.25, -119.5))
+block.add_line((37.25, 0), (90, 0))
+space.add_blockref("RING", (0, -0.5), dxfattribs=on("DIE"))
+doc.blocks.new("PIECE").add_line((0, 0), (29, 0))
+space.add_blockref("PIECE", (32, 10), dxfattribs={**on("HOLDER"), "column_count": 2, "column_spacing": 29})
+doc.blocks.new("Blechhalter").add_line((0, 0), (0, 30))
+space.add_blockref("Blechhalter", (32, 10))
+save(doc, "ezdxf_blocks.dxf")
+
+# 8: outlines all round, layers in German: the punch with its left half, the die and the holder as rings.
+doc, space = drawing()
+space.add_lwpolyline(
+    [(30, 200, 0), (-30, 200, 0), (-30, 26, quarter), (-24, 20, 0), (24, 20, quarter), (30, 26, 0)],
+    format="xyb", close=True, dxfattribs=on("Stempel"))
+space.add_lwpolyline(
+    [(90, -120, 0), (90, -0.5, 0), (37.25, -0.5, quarter), (31.25, -6.5, 0), (31.25, -120, 0)],
+    format="xyb", close=True, dxfattribs=on("Ziehring"))
+for a, b in [((32, 40), (90, 40)), ((90, 10), (90, 40)), ((32, 10), (32, 40)), ((32, 10), (90, 10))]:
+    space.add_line(a, b, on("Nieder-Halter"))
+save(doc, "ezdxf_outlines.dxf")
+
+# 9: two draws: the cup of 39 mm is drawn on to 30 mm through a die with a cone of 40 degrees.
+doc, space = drawing()
+space.add_lwpolyline([(0, 0, 0), (33, 0, quarter), (39, 6, 0), (39, 120, 0)], format="xyb", dxfattribs=on("OP20_PUNCH"))
+space.add_lwpolyline([(90, -1, 0), (47, -1, quarter), (40.5, -7.5, 0), (40.5, -120, 0)], format="xyb", dxfattribs=on("OP20_DIE"))
+space.add_lwpolyline([(90, 0), (47.5, 0), (47.5, 40)], dxfattribs=on("OP20_BINDER"))
+space.add_lwpolyline([(0, 0, 0), (24, 0, quarter), (30, 6, 0), (30, 160, 0)], format="xyb", dxfattribs=on("OP30_PUNCH"))
+cone = math.radians(40)
+start = (31.5 + 6.8 * (1 - math.sin(cone)), 6.8 * math.cos(cone))
+space.add_line((57.5, start[1] + (57.5 - start[0]) * math.tan(cone)), start, on("OP30_DIE"))
+space.add_arc((38.3, 0), 6.8, 130, 180, dxfattribs=on("OP30_DIE"))
+space.add_line((31.5, 0), (31.5, -160), on("OP30_DIE"))
+end = (38.5 - 6 * (1 - math.sin(cone)), -6 * math.cos(cone))
+round = (32.5 + math.sin(cone), end[1] + (end[0] - 32.5 - math.sin(cone)) * -math.tan(cone))
+level = round[1] + math.cos(cone)
+up = 15  # The sleeve is drawn open.
+space.add_line((38.5, 160), (38.5, up), on("OP30_BINDER"))
+space.add_arc((32.5, up), 6, 310, 360, dxfattribs=on("OP30_BINDER"))
+space.add_line((end[0], end[1] + up), (round[0], round[1] + up), on("OP30_BINDER"))
+space.add_arc((32.5, level + up), 1, 180, 310, dxfattribs=on("OP30_BINDER"))
+space.add_line((31.5, level + up), (31.5, 160), on("OP30_BINDER"))
+save(doc, "ezdxf_operations.dxf")
+
 # Faulty ones.
 def faulty(name, draw, unit=units.MM, measurement=1):
     doc, space = drawing("R2010", unit, measurement)
@@ -127,7 +181,7 @@ def branch(doc, space):
 
 
 def branch_at_end(doc, space):
-    gap_free = [((0, 0), (30, 0)), ((30, 0), (30, 100)), ((30, 0), (60, 0))]
+    gap_free = [((0, 0), (30, 0)), ((30, 0), (30, 100)), ((30, 0), (70, 0))]
     for a, b in gap_free:
         space.add_line(a, b, on("PUNCH"))
 
@@ -137,8 +191,8 @@ def halves(doc, space):
 
 
 def unknown(doc, space):
-    space.add_line((0, 0), (30, 0), on("Stempel"))
-    space.add_line((40, 0), (90, 0), on("Matrize"))
+    space.add_line((0, 0), (30, 0), on("Teil 1"))
+    space.add_line((40, 0), (90, 0), on("Teil 2"))
 
 
 def circle(doc, space):
@@ -180,8 +234,47 @@ def out_of_plane(doc, space):
 
 
 def block(doc, space):
-    doc.blocks.new("TOOL").add_line((0, 0), (30, 0))
+    space.add_blockref("ANOTHER FILE", (0, 0), dxfattribs=on("PUNCH"))
+
+
+def block_in_itself(doc, space):
+    block = doc.blocks.new("TOOL")
+    block.add_line((0, 0), (30, 0))
+    block.add_blockref("TOOL", (30, 0))
     space.add_blockref("TOOL", (0, 0), dxfattribs=on("PUNCH"))
+
+
+def block_stretched(doc, space):
+    doc.blocks.new("TOOL").add_lwpolyline([(0, 0, 0), (24, 0, quarter), (30, 6, 0), (30, 100, 0)], format="xyb")
+    space.add_blockref("TOOL", (0, 0), dxfattribs={**on("PUNCH"), "xscale": 1.5})
+
+
+def off_the_axis(doc, space):
+    cup(space, dx=100)
+
+
+def off_the_axis_with_a_centre_line(doc, space):
+    doc.linetypes.add("CENTER", [2.0, 1.25, -0.25, 0.25, -0.25])
+    cup(space, dx=-100)
+    space.add_line((-100, -150), (-100, 250), {**on("Hilfslinien"), "linetype": "CENTER"})
+
+
+def whole_off_the_axis(doc, space):
+    space.add_lwpolyline(
+        [(0, 80, 0), (0, 6, quarter), (6, 0, 0), (54, 0, quarter), (60, 6, 0), (60, 80, 0)],
+        format="xyb", dxfattribs=on("PUNCH"))
+
+
+def two_outlines(doc, space):
+    punch(space)
+    closed(doc, space)
+    space.add_lwpolyline([(40, -60), (80, -60), (80, -90), (40, -90)], close=True, dxfattribs=on("DIE"))
+
+
+def no_punch_in_an_operation(doc, space):
+    space.add_lwpolyline([(0, 0), (30, 0), (30, 100)], dxfattribs=on("OP20_PUNCH"))
+    for layer in ["OP20_DIE", "OP30_DIE"]:
+        space.add_lwpolyline([(90, -1), (31, -1), (31, -50)], dxfattribs=on(layer))
 
 
 for name, draw in [
@@ -189,7 +282,10 @@ for name, draw in [
     ("halves_differ", halves), ("unknown_layers", unknown), ("circle", circle), ("closed", closed),
     ("no_length", no_length), ("crosses_itself", crosses), ("sheet_on_no_side", no_side),
     ("two_tools_in_one_name", two_names), ("walls_disagree", disagree), ("fit_points_only", fit_points),
-    ("out_of_plane", out_of_plane), ("block", block), ("empty", lambda doc, space: None),
+    ("out_of_plane", out_of_plane), ("block", block),
+    ("block_in_itself", block_in_itself), ("block_stretched", block_stretched), ("off_the_axis", off_the_axis),
+    ("off_the_axis_with_a_centre_line", off_the_axis_with_a_centre_line), ("whole_off_the_axis", whole_off_the_axis),
+    ("two_outlines", two_outlines), ("no_punch_in_an_operation", no_punch_in_an_operation), ("empty", lambda doc, space: None),
 ]:
     faulty(name, draw)
 faulty("no_units", lambda doc, space: punch(space), 0, 0)

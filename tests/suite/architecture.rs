@@ -37,6 +37,7 @@ const CRATES: &[(&str, &[&str])] = &[
     ("maud", &["report"]),
     ("miette", &["case"]),
     ("miniz_oxide", &["output"]),
+    ("pdf_writer", &["output"]),
     ("plotters", &["output"]),
     ("plotters_backend", &["output"]),
     ("rayon", &["cli"]),

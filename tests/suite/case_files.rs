@@ -7,7 +7,7 @@ use stampflow::case::{self, Case};
 use stampflow::files::{Files, Memory};
 use stampflow::geometry::Point;
 use stampflow::model::{
-    Edge, Geometry, Grading, Mode, Motion, Press, Release, ReleaseStiffness, Role, Theory, ThicknessRule,
+    Edge, Extent, Geometry, Grading, Mode, Motion, Press, Release, ReleaseStiffness, Role, Theory, ThicknessRule,
 };
 use std::path::Path;
 
@@ -121,8 +121,32 @@ fn inches_and_tons_of_the_paper_become_millimetres_and_megapascals() {
 fn plane_strain_takes_the_holder_force_per_depth_and_membrane_theory_one_layer() {
     let model = load("cases/strip_draw.toml", &[]).model().clone();
     assert_eq!(model.geometry, Geometry::PlaneStrain);
-    assert_eq!(model.tool(Role::Holder).unwrap().motion, Motion::Pressed(Press::constant(1300.0)));
+    assert_eq!(model.tool(Role::Holder).unwrap().motion, Motion::Pressed(Press::constant(2600.0)));
     assert_eq!((model.blank.theory, model.blank.layers), (Theory::Membrane, 1));
+}
+
+/// Trust: by hand. 2600 N/mm over 500 mm are 1.3 MN, whichever way it is said; springs of 50 N/mm² are 25 kN/mm.
+#[test]
+fn with_a_depth_forces_are_of_the_whole_part() {
+    let holder = |overrides: &[&str]| {
+        let model = load("cases/strip_draw.toml", overrides).model().clone();
+        assert_eq!(model.extent(), Extent::Depth(500.0));
+        model.tool(Role::Holder).unwrap().motion.clone()
+    };
+    let depth = "blank.depth=500 mm";
+    for force in ["2600 N/mm", "1300 kN"] {
+        let press = holder(&[depth, &format!("tools.holder.force={force}")]);
+        assert_eq!(press, Motion::Pressed(Press::constant(1.3e6)), "{force}");
+    }
+    let text = include_str!("../../cases/strip_draw.toml").split("[[compare]]").next().unwrap();
+    for stiffness in ["50 N/mm^2", "25 kN/mm"] {
+        let spring = format!("spring = {{ preload = \"10 kN\", stiffness = \"{stiffness}\" }}");
+        let text = text.replace("force = \"2600 N/mm\"", &spring);
+        let case = case::parse(&text, "strip.toml", &[depth.to_owned()]).unwrap_or_else(|e| panic!("{e}"));
+        let model = case.model();
+        let press = Motion::Pressed(Press { force: 10e3.into(), stiffness: 25e3 });
+        assert_eq!(model.tool(Role::Holder).unwrap().motion, press, "{stiffness}");
+    }
 }
 
 #[test]

@@ -58,9 +58,57 @@ fn a_case_replaces_what_it_says_itself() {
 
 #[test]
 fn an_unknown_material_is_answered_with_the_nearest() {
-    let error = parsed("name = \"aa6016\"", "").expect_err("unknown");
-    assert!(error.contains("no material \"aa6016\"") && error.contains("did you mean `aa6016-t4`?"), "{error}");
+    let error = parsed("name = \"aa6061-t4\"", "").expect_err("unknown");
+    assert!(error.contains("no material \"aa6061-t4\"") && error.contains("did you mean `aa6016-t4`?"), "{error}");
     assert!(error.contains("case.toml:7:8"), "{error}");
+    let error = parsed("name = \"aa60\"", "").expect_err("two");
+    assert!(error.contains("\"aa60\" may be aa6016-t4 or aa6022-t4"), "{error}");
+    assert!(parsed("name = \"\"", "").expect_err("nothing").contains("no material \"\""));
+}
+
+/// Trust: EN 10130:1999 as a mill's leaflet tabulates it: yield stress, tensile strength [MPa], r and n at least.
+#[test]
+fn a_grade_is_the_sheet_that_stands_for_it_and_keeps_its_limits() {
+    for (word, name) in [
+        ("DC04", "drawing-steel"),
+        ("dc 04", "drawing-steel"),
+        ("1.0338", "drawing-steel"),
+        ("St 14", "drawing-steel"),
+        ("DC01", "radioss-steel"),
+        ("aa6016", "aa6016-t4"),
+        ("AA6016-T4", "aa6016-t4"),
+        ("EN AW-6016", "aa6016-t4"),
+        ("woo", "woo-1968"),
+    ] {
+        let entry = library::material(word).unwrap_or_else(|e| panic!("{word}: {}", e.render(false)));
+        assert_eq!(entry.name, name, "{word}");
+        let case = parsed(&format!("name = {word:?}"), "").unwrap_or_else(|e| panic!("{e}"));
+        assert_eq!(case.model().material, entry.material);
+        assert!(case.derived[0].contains(word) && case.derived[0].contains(name), "{:?}", case.derived);
+    }
+    for (grade, yields, strength, r, n) in
+        [("DC04", 210.0, 270.0..=350.0, 1.6, 0.18), ("DC01", 280.0, 270.0..=410.0, 0.0, 0.0)]
+    {
+        let entry = library::material(grade).expect("a sheet");
+        assert!(entry.proof_stress() <= yields, "{grade}: {}", entry.proof_stress());
+        assert!(
+            strength.contains(&entry.tensile_strength().expect("a maximum")),
+            "{grade}: {:?}",
+            entry.tensile_strength()
+        );
+        assert!(entry.material.hill48.ratio() >= r && entry.n().expect("a maximum") >= n, "{grade}");
+    }
+}
+
+/// Trust: by hand for σ = k (ε₀ + ε)^n: Considère at ε = n − ε₀; the maximum is searched in steps and bisected.
+#[test]
+fn a_tension_test_is_computed_from_the_law() {
+    let entry = library::material("drawing-steel").expect("a sheet");
+    let (k, n, offset) = (549.03_f64, 0.22_f64, 0.007);
+    assert!((entry.proof_stress() - k * (offset + 0.002_f64).powf(n)).abs() < 1e-9);
+    let strength = k * n.powf(n) * (offset - n).exp();
+    assert!((entry.tensile_strength().expect("a maximum") / strength - 1.0).abs() < 1e-6);
+    assert!((entry.uniform_elongation().expect("a maximum") - (n - offset).exp_m1()).abs() < 1e-6);
 }
 
 #[test]
@@ -147,7 +195,8 @@ fn materials_are_listed_described_and_drawn() {
         Command::new(env!("CARGO_BIN_EXE_stampflow")).args(args).current_dir(dir.path()).output().expect("runs")
     };
     let list = String::from_utf8(run(&["materials"]).stdout).expect("text");
-    assert!(list.contains("n [–]"), "{list}");
+    assert!(list.contains("Rp0.2") && list.contains("Considère"), "{list}");
+    assert!(list.lines().all(|line| line.chars().count() <= 80), "{list}");
     for entry in library::materials().unwrap_or_else(|e| panic!("{}", e.render(false))) {
         assert!(list.contains(entry.name), "{list}");
         let all = String::from_utf8(run(&["materials", entry.name]).stdout).expect("text");

@@ -9,6 +9,7 @@ use stampflow::compare::{
 };
 use stampflow::forming_limit::{Instant, Paths};
 use stampflow::measure::{Shape, changes};
+use stampflow::message::Form;
 use stampflow::model::{Geometry, Model, Role};
 use stampflow::output::summary::sha256;
 use stampflow::output::{
@@ -250,7 +251,9 @@ fn stale_files_of_ours_go_and_a_users_stay() {
     for name in names.iter().chain(&mine) {
         fs::write(dir.path().join(name), "old").unwrap();
     }
-    let mut folder = ResultFolder::open(dir.path(), is_result).unwrap();
+    let mut folder =
+        ResultFolder::open(dir.path(), |path| path.file_name().and_then(|name| name.to_str()).is_some_and(is_result))
+            .unwrap();
     folder.write("summary.json", b"new");
     folder.publish().unwrap();
     let mut left: Vec<_> =
@@ -342,13 +345,13 @@ fn the_summary_of_a_release_has_its_spring_back_and_no_round_off() {
         assert!(printed.contains(change.quantity.label), "{printed}");
     }
     let angle = ends[1].opening_angle().unwrap();
-    assert!(printed.contains(&format!("→ {angle:.2}° (+")), "{printed}");
+    assert!(printed.contains(&format!("→ {angle:.1}° (+")), "{printed}");
     assert!(printed.contains("full time reached") && !printed.contains("Largest holder force"), "{printed}");
     // Nothing yields as the bend opens; what the sums leave of its plastic work is 1e-14 of the others.
     assert_eq!(json["work_plastic_J_per_mm"], 0.0, "{printed}");
     assert!(json["work_elastic_J_per_mm"].as_f64().unwrap() < 0.0);
     assert!(Summary::of(&drawn::view(&passes[0])).to_string().contains("full travel reached"));
-    let report = solution.summary().lines;
+    let report = solution.summary().lines.to_string();
     let lines: Vec<&str> = report.lines().collect();
     assert!(lines[0].contains("full travel reached: ") && lines[1].contains("full time reached: "), "{report}");
 }
@@ -374,6 +377,7 @@ fn no_line_of_the_summary_is_an_orphan() {
         ("peak_punch_force", &["peak_travel"][..]),
         ("thinnest", &["thinnest_over_initial", "thinnest_s0"]),
         ("thickest", &["thickest_over_initial", "thickest_s0"]),
+        ("work_given_back", &["work_out_of_sheet", "work_out_of_contact", "work_plastic", "work_friction"]),
         ("work_external", &["work_plastic", "work_elastic", "work_friction", "work_contact"]),
         ("peak_holder_force", &["rim_share", "holder_lift"]),
         ("steps", &["steps_from_predictor", "steps_from_secant", "steps_from_softened"]),
@@ -382,7 +386,7 @@ fn no_line_of_the_summary_is_an_orphan() {
     let solution = stages(include_str!("../../cases/hat_springback.toml"));
     for pass in &solution.stages {
         let mut parent = "";
-        for figure in Summary::of(&drawn::view(pass)).figures() {
+        for figure in Summary::of(&drawn::view(pass)).figures(Form::default()) {
             if figure.label.starts_with(' ') {
                 let own = parents.iter().find(|entry| entry.0 == parent).map_or(&[][..], |entry| entry.1);
                 assert!(own.contains(&figure.key), "{} below {parent}", figure.key);
@@ -530,8 +534,9 @@ fn every_plot_has_a_title_and_curves_without_system_fonts() {
         let row = |y: usize| &pixels.rgb[y * 1600..(y + 1) * 1600];
         let title = (20..75).flat_map(row).filter(|p| p[0] < 100).count();
         assert!(title > 1000, "{}: {title} dark pixels in the title", output.file);
-        let vivid = pixels.rgb.iter().filter(|p| p[2] > 150 && p[0] < 20).count();
-        assert!(vivid > 1000, "{}: {vivid} pixels in the first curve's blue", output.file);
+        // Text, tools and grid are grey.
+        let vivid = pixels.rgb.iter().filter(|p| p.iter().max().unwrap() - p.iter().min().unwrap() > 80).count();
+        assert!(vivid > 1000, "{}: {vivid} coloured pixels", output.file);
     }
 }
 

@@ -1,6 +1,7 @@
 //! Reports: whole, self-contained, with units, and with no number that the JSON has not.
 
 use crate::common::cli::{CUP, STAGES, folder, stampflow, text};
+use crate::common::pdf;
 use roxmltree::{Document, Node};
 use serde_json::Value;
 use std::fs;
@@ -87,9 +88,13 @@ fn a_report_is_whole_self_contained_and_agrees_with_its_json() {
                 paragraph.descendants().skip(1).find(|node| blocks.iter().any(|&name| node.has_tag_name(name)));
             assert!(inside.is_none(), "a paragraph ends where {inside:?} begins");
         }
-        for outside in ["http:", "https:", "src=", "url(", "@import", "<script", "<link", "xlink", " id="] {
+        for outside in ["http:", "https:", "src=", "url(", "@import", "<script", "<link", "xlink"] {
             assert!(!html.contains(outside), "{outside}");
         }
+        // Each heading of the contents leads to one section.
+        let sections: Vec<&str> = elements(&page, "section").filter_map(|section| section.attribute("id")).collect();
+        let links: Vec<&str> = elements(&page, "a").map(|a| a.attribute("href").expect("a target")).collect();
+        assert_eq!(links, sections.iter().map(|id| format!("#{id}")).collect::<Vec<_>>());
         let headings: Vec<String> = elements(&page, "h2").map(text_of).collect();
         for part in PARTS.iter().chain(&["Results"]) {
             assert!(headings.iter().any(|h| h.ends_with(part)), "{part} in {headings:?}");
@@ -97,9 +102,10 @@ fn a_report_is_whole_self_contained_and_agrees_with_its_json() {
         let pictures = elements(&page, "svg").filter(|svg| is_inside(svg, "figure")).count();
         let main = elements(&page, "main").map(text_of).collect::<String>();
         assert!(pictures >= 5 && main.contains(extra), "{pictures} {extra}");
-        // The title block's table holds names only; the verdict's sentences have their units inside.
+        // The case's table holds names only; the verdict's sentences and the inputs have their units inside.
         let heads = elements(&page, "tr").filter(|row| is_inside(row, "thead")).map(text_of);
-        for head in heads.skip(2) {
+        for head in heads.filter(|head| !["Light", "What", "Input", "Sheet"].iter().any(|word| head.starts_with(word)))
+        {
             assert!(head.to_lowercase().contains("unit"), "{head}");
         }
         let mut known = Vec::new();
@@ -108,7 +114,9 @@ fn a_report_is_whole_self_contained_and_agrees_with_its_json() {
         for cell in elements(&page, "td").filter(|cell| cell.prev_sibling_element().is_some()).map(text_of) {
             for written in numbers(&cell) {
                 let value: f64 = written.parse().unwrap();
-                let near = known.iter().any(|k| (k - value).abs() <= rounding(&written) || *k == value);
+                // Forces and works that are large are told in thousands: kN, kJ.
+                let is = |k: f64| (k - value).abs() <= rounding(&written) || k == value;
+                let near = known.iter().any(|k| is(*k) || is(1e-3 * k));
                 assert!(near, "{written} of {cell:?} is not in the JSON");
             }
         }
@@ -158,4 +166,144 @@ fn files_of_others_are_left_alone() {
     assert_eq!(fs::read_to_string(&path).unwrap(), "mine");
     assert_eq!(stampflow(dir.path(), &[&args[..], &["--force"]].concat()).status.code(), Some(0));
     assert_eq!(stampflow(dir.path(), &args).status.code(), Some(0), "a report of ours is replaced");
+}
+
+/// What the page says of the class.
+fn of_class<'a>(page: &'a Document, class: &str) -> Node<'a, 'a> {
+    let has = |node: &Node| node.attribute("class").is_some_and(|all| all.split(' ').any(|one| one == class));
+    page.descendants().find(has).unwrap_or_else(|| panic!("no {class}"))
+}
+
+#[test]
+fn the_first_page_answers_what_is_asked_first() {
+    let case = CUP.replace("[blank]", "[report]\npart = \"Cup <1>\"\nrevision = \"B\"\n[blank]");
+    let dir = folder(&case);
+    let args = ["report", "cases/cup.toml", "-q", "--revision", "C", "--author", "A. Ito", "--date", "2026-11-22"];
+    let done = stampflow(dir.path(), &args);
+    assert_eq!(done.status.code(), Some(0), "{}", text(&done.stderr));
+    let html = fs::read_to_string(dir.path().join("out/cup/report.html")).unwrap();
+    let xml = as_xml(&html);
+    let page = Document::parse(&xml).unwrap();
+    let block = text_of(of_class(&page, "title-block"));
+    assert_eq!(block, "PartCup <1>RevisionCAuthorA. ItoDate2026-11-22Casecup", "an option replaces what the case says");
+    assert!(html.contains("<meta name=\"author\" content=\"A. Ito\">"));
+
+    let front = of_class(&page, "front");
+    let inside = |name: &str| front.descendants().filter(|node| node.has_tag_name(name)).count();
+    assert_eq!(inside("svg"), 2, "the part and the load");
+    assert_eq!(inside("dt"), 5);
+    let sentence = text_of(of_class(&page, "sentence"));
+    assert!(sentence.starts_with("▲ amber ") && sentence.contains("Friction"), "{sentence}");
+    let issues = of_class(&page, "issues");
+    assert!(issues.descendants().any(|node| node.attribute("class") == Some("advice")), "advice stands under its row");
+    let numbers = text_of(of_class(&page, "numbers"));
+    for said in ["Thinnest0.9", "\u{a0}mm", "Punch force", "\u{a0}kN", "Holder", "Height", "Draw-in"] {
+        assert!(numbers.contains(said), "{said} in {numbers}");
+    }
+}
+
+/// Trust: what is red comes before what is amber, on the first page and in the full verdict.
+#[test]
+fn the_worst_comes_first() {
+    let (html, _) = report(&format!("{CUP}[press]\nforce = \"1 kN\"\n"));
+    let words = ["■ red", "▲ amber", "○ grey", "● green"];
+    let full = &html[html.find("<h2>Verdict").expect("the full verdict")..];
+    let at = |text: &str| words.map(|word| text.find(word));
+    let [red, amber, grey, green] = at(full).map(|at| at.expect("each light"));
+    assert!(red < amber && amber < grey && grey < green);
+    let [red, amber, ..] = at(&html[..html.find("<h2>Contents").expect("the end of the first page")]);
+    assert!(red.expect("red") < amber.expect("amber"));
+    assert!(html.contains("<p class=\"sentence on-red\">"));
+}
+
+/// Trust: a number printed twice is the same text: the peak force on the first page, in the verdict and in the results.
+#[test]
+fn a_quantity_has_one_form_wherever_it_stands() {
+    let (html, json) = report(CUP);
+    let peak = json["stages"][0]["peak_punch_force_N"].as_f64().expect("a force");
+    let written = format!("{:.1}", 1e-3 * peak);
+    let all: Vec<&str> = html.split("kN").filter_map(|before| before.rsplit(['>', ' ', '(']).next()).collect();
+    let near = |text: &&&str| {
+        let text = text.trim_end_matches("\u{a0}").trim_end_matches("</td><td>");
+        text.parse::<f64>().is_ok_and(|kn| (kn - 1e-3 * peak).abs() < 0.06)
+    };
+    let found: Vec<&&str> = all.iter().filter(near).collect();
+    assert!(
+        found.len() >= 2 && found.iter().all(|text| text.trim_end_matches("\u{a0}") == written),
+        "{found:?} {written}"
+    );
+}
+
+#[test]
+fn inputs_are_enough_to_judge_and_repeat_a_run() {
+    let (html, json) = report(RELEASE);
+    let inputs = &html[html.find("<h2>Inputs").expect("inputs")..html.find("Results</h2>").expect("results")];
+    for said in [
+        "mode",
+        "Young&#39;s modulus",
+        "Poisson&#39;s ratio",
+        "yield condition",
+        "back-stress",
+        "rate law",
+        "temperature",
+        "friction source",
+        "mesh",
+        "corrector",
+        "contact",
+        "cut-off strain",
+    ] {
+        assert!(inputs.contains(said) || inputs.contains(&said.replace("&#39;", "'")), "{said}");
+    }
+    assert!(json["check"]["details"].as_array().is_some_and(|lines| lines.len() > 10));
+}
+
+#[test]
+fn a_pdf_answers_on_its_first_page_and_numbers_the_others() {
+    let dir = folder(&format!("{CUP}{STAGES}"));
+    let args = ["report", "cases/cup.toml", "-q", "-o", "cup.pdf", "--author", "A. Ito"];
+    for _ in 0..2 {
+        let done = stampflow(dir.path(), &args);
+        assert_eq!(done.status.code(), Some(0), "a report of ours is replaced: {}", text(&done.stderr));
+    }
+    let file = fs::read(dir.path().join("cup.pdf")).unwrap();
+    let has = |what: &str| file.windows(what.len()).any(|part| part == what.as_bytes());
+    assert!(file.starts_with(b"%PDF-") && has("/Title (Cup)") && has("/Author (A. Ito)") && has("/Lang (en)"));
+    let pages = pdf::pages(&file);
+    assert!(pages.len() > 3, "{}", pages.len());
+    for said in ["Thinnest", "Punch force", "What to change", "Figure 1", "Figure 2", "1 of "] {
+        assert!(pages[0].contains(said), "{said} on {}", pages[0]);
+    }
+    for (i, page) in pages.iter().enumerate() {
+        assert!(page.contains(&format!("{} of {}", i + 1, pages.len())), "page {}", i + 1);
+    }
+    // Each heading of the contents stands on the page that they say.
+    let contents = &pages[1][..pages[1].find("Solver\n").expect("the last but one") + 7];
+    for heading in ["Verdict", "Inputs", "1-draw: Results", "2-retract: Results", "Solver"] {
+        assert!(contents.contains(&format!("{heading}\n")), "{heading} in {contents}");
+        assert!(has(&format!("/Title ({heading})")), "a bookmark for {heading}");
+        let on =
+            pages.iter().skip(1).enumerate().filter(|(i, page)| page.matches(heading).count() > usize::from(*i == 0));
+        assert_eq!(on.count(), 1, "{heading}");
+    }
+}
+
+/// Trust: as many pictures as the slider has places, the last one shown; a page with it fetches nothing either.
+#[test]
+fn a_slider_moves_the_section_without_a_network() {
+    let dir = folder(CUP);
+    let done = stampflow(dir.path(), &["report", "cases/cup.toml", "-q", "--slider", "-o", "cup.html"]);
+    assert_eq!(done.status.code(), Some(0), "{}", text(&done.stderr));
+    let html = fs::read_to_string(dir.path().join("cup.html")).unwrap();
+    let motion = &html[html.find("class=\"motion\"").expect("a slider")..];
+    let motion = &motion[..motion.find("</figure>").expect("an end")];
+    let (all, hidden) = (motion.matches("<svg").count(), motion.matches(" hidden>").count());
+    assert!(all > 10 && hidden == all - 1, "{hidden} of {all}");
+    assert!(motion.contains(&format!("max=\"{0}\" value=\"{0}\"", all - 1)));
+    assert_eq!(html.matches("<script>").count(), 1);
+    for outside in ["http:", "https:", "src=", "url(", "fetch(", "import"] {
+        assert!(!html.contains(outside), "{outside}");
+    }
+    assert!(html.len() < 4_000_000, "{} bytes", html.len());
+    let refused = stampflow(dir.path(), &["report", "cases/cup.toml", "-q", "--slider", "-o", "cup.pdf"]);
+    assert_eq!(refused.status.code(), Some(2), "paper does not move");
 }

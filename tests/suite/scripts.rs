@@ -194,6 +194,54 @@ fn completions_of_every_shell_name_every_verb() {
 }
 
 #[test]
+fn completions_offer_the_sheets_and_the_keys_of_a_case() {
+    let dir = temp_dir::TempDir::new().unwrap();
+    for shell in ["bash", "zsh", "fish"] {
+        let done = stampflow(dir.path(), &["completions", shell]);
+        let script = text(&done.stdout);
+        for word in [
+            "drawing-steel",
+            "DC04",
+            "tools.punch.friction=",
+            "blank.diameter=",
+            "stages.0.trim=",
+            "tools.holder.force=",
+        ] {
+            assert!(script.contains(word), "{shell}: {word}");
+        }
+    }
+    // What is offered is no limit of what is taken.
+    let cup = folder(CUP);
+    let done = stampflow(cup.path(), &["check", "cases/cup.toml", "--material", "woo", "--set", "tools.beads=[]"]);
+    assert_eq!(done.status.code(), Some(0), "{}", text(&done.stderr));
+    assert!(text(&done.stdout).contains("material woo read as woo-1968"), "{}", text(&done.stdout));
+}
+
+/// Trust: over the whole schema: every key that has an example takes it by its own pattern.
+#[test]
+fn the_patterns_of_the_schema_take_its_examples_and_no_bare_numbers() {
+    let schema: Value = serde_json::from_str(&stampflow::case::schema()).unwrap();
+    let mut tried = 0;
+    for (name, table) in schema["$defs"].as_object().unwrap() {
+        for (key, property) in table["properties"].as_object().into_iter().flatten() {
+            let Some(pattern) = property["pattern"].as_str() else { continue };
+            let pattern = regex::Regex::new(pattern).unwrap();
+            for example in property["examples"].as_array().into_iter().flatten().filter_map(Value::as_str) {
+                assert!(pattern.is_match(example), "{name}.{key}: {example}");
+                tried += 1;
+            }
+            assert!(!pattern.is_match("12") && !pattern.is_match("12 furlong"), "{name}.{key}");
+        }
+    }
+    assert!(tried > 50, "{tried}");
+    let of = |name: &str| schema["$defs"][name]["properties"].as_object().unwrap().keys().cloned().collect::<Vec<_>>();
+    for (table, key) in [("Blank", "diameter"), ("StageDie", "throat_diameter"), ("Holder", "inner_diameter")] {
+        assert!(of(table).contains(&key.to_owned()), "{table}: {:?}", of(table));
+    }
+    assert!(schema["$defs"]["Hemispherical"]["oneOf"].is_array(), "a radius or a diameter is wanted");
+}
+
+#[test]
 fn manual_pages_name_every_verb_and_its_options() {
     let dir = temp_dir::TempDir::new().unwrap();
     let page = |args: &[&str]| {

@@ -100,7 +100,10 @@ fn a_run_that_creeps_ends_soon_and_says_where() {
     let rejected = tried.rejected + stages[0].effort.abandoned;
     assert!((tried.steps + rejected / 3..=tried.steps + rejected + 1).contains(&tries), "{tries} {tried:?}");
     assert!(travel > 0.0 && travel < 0.01 * case.model().travel && step < 1e-3, "{travel} {step}");
-    assert!((0.0..=case.model().blank.length).contains(&worst_s0) && seen.contains("touches"), "{worst_s0} {seen}");
+    assert!(
+        (0.0..=case.model().blank.length).contains(&worst_s0) && seen.to_string().contains("touches"),
+        "{worst_s0} {seen}"
+    );
     let found = assess::after(&case, &stages);
     let run = found.iter().find(|finding| finding.key == "stop").expect("the stop is judged");
     assert!(run.found.to_string().contains("creeping") && !run.advice.is_empty(), "{run:?}");

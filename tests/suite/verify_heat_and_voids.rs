@@ -43,7 +43,7 @@ fn adiabatic_heating_keeps_the_energy() {
             let run = solve(&model);
             let last = run.steps.last().expect("steps");
             let frame = run.frames.last().expect("a frame");
-            let volume = model.geometry.area(model.blank.length) * model.blank.thickness / frame.elements.len() as f64;
+            let volume = model.extent().area(model.blank.length) * model.blank.thickness / frame.elements.len() as f64;
             let rise: f64 = frame.elements.iter().map(|e| e.temperature - 293.15).sum::<f64>();
             if geometry == Geometry::PlaneStrain {
                 // Equal volumes: the sum over elements is the integral.
@@ -106,7 +106,7 @@ fn pressed(seconds: f64, conductivity: f64, transfer: f64, initial: impl Into<Pi
     model.blank.elements = 80;
     model.tools = vec![
         tool(Role::Die, Profile::die(4.0, 1.0, 1.0), Motion::Fixed),
-        tool(Role::Holder, Profile::holder(5.0, 1.0), Motion::Pressed(Press::constant(400.0))),
+        tool(Role::Holder, Profile::holder(5.0, 1.0), Motion::Pressed(Press::constant(800.0))),
     ];
     model.speed = 1.0 / seconds;
     (model.duration, model.frames) = (seconds, vec![seconds]);

@@ -50,7 +50,7 @@ const EXIT: f64 = 0.5 + SHOULDER + LAND;
 /// A channel or a cup of 1 mm sheet through a gap of `clearance` \[mm\], whose die falls back behind its land.
 fn drawn(geometry: Geometry, clearance: f64, elements: usize) -> Model {
     let [name, blank, length, punch, holder, force] = match geometry {
-        Geometry::PlaneStrain => ["plane_strain", "half_length", "90", "half_width", "inner_half_width", "20 N/mm"],
+        Geometry::PlaneStrain => ["plane_strain", "half_length", "90", "half_width", "inner_half_width", "40 N/mm"],
         Geometry::Axisymmetric => ["axisymmetric", "radius", "65", "radius", "inner_radius", "6 kN"],
     };
     let text = format!(
@@ -113,7 +113,7 @@ fn entering(elements: &[ElementRecord], clearance: f64) -> Option<&ElementRecord
     })
 }
 
-/// What the slab method gives for what `enters` under a `tension` \[MPa\]: force of the die \[N/mm\], and thickness behind the
+/// What the slab method gives for what `enters` under a `tension` \[MPa\]: force of the die on one wall \[N/mm\], and thickness behind the
 /// land \[mm\].
 fn slab(model: &Model, clearance: f64, enters: &ElementRecord, tension: f64) -> (f64, f64) {
     let settings = &model.settings;
@@ -184,7 +184,7 @@ fn compare(model: &Model, run: &StageSolution, clearance: f64) -> [[f64; 2]; 2] 
             let end = &run.frames.last().expect("the end").elements;
             let enters = entering(end, clearance).expect("a wall in the gap");
             let tension = enters.stress_meridional - 0.5 * pressure(run, enters);
-            (1.0, vec![slab(model, clearance, enters, tension)])
+            (2.0, vec![slab(model, clearance, enters, tension)])
         }
         // A cup's wall lies on the shoulder, p = σ h/(R + h/2), under a tension that falls as its rim comes in.
         Geometry::Axisymmetric => {

@@ -37,7 +37,7 @@ fn behind_arc(law: &Friction, tension: f64, rho: f64, wrap: f64, v: f64) -> f64 
 }
 
 /// Trust: the capstan equation of each law, integrated in closed form. The rope is held back by a bead, and by hardly
-/// more: a frictionless holder of 1 N/mm keeps the flange on the die, whose friction under it is a percent of the bead's.
+/// more: a frictionless holder of 1 N/mm on each side keeps the flange on the die, whose friction under it is a percent of the bead's.
 #[test]
 fn capstan_with_every_friction_law() {
     let (restraint, rho) = (60.0, 10.5);
@@ -50,7 +50,7 @@ fn capstan_with_every_friction_law() {
             }
             other => other,
         };
-        let mut model = simple::capstan(0.0, 1.0, 20);
+        let mut model = simple::capstan(0.0, 2.0, 20);
         model.tools[1].friction = law;
         model.tools[2].friction = 0.0.into();
         model.beads = vec![Bead { at: 60.0, restraining: restraint, closing: 0.0 }];
@@ -64,7 +64,7 @@ fn capstan_with_every_friction_law() {
             let (dr, dz) = (41.3 - 20.0, w[1].travel - 21.0);
             let wrap = (21.0 / f64::hypot(dr, dz)).asin() + dz.atan2(dr);
             let v = (w[1].draw_in - w[0].draw_in) / (w[1].time - w[0].time);
-            w[1].punch_force / (behind_arc(&law, restraint + on_flange(&w[1], v), rho, wrap, v) * wrap.sin())
+            0.5 * w[1].punch_force / (behind_arc(&law, restraint + on_flange(&w[1], v), rho, wrap, v) * wrap.sin())
         });
         let (sum, count) = ratios.fold((0.0, 0.0), |(sum, count), ratio| (sum + ratio, count + 1.0));
         let error: f64 = sum / count - 1.0;
@@ -141,18 +141,18 @@ fn holder_pressure_acts_on_the_initial_area() {
     assert!((press.force.at(0.0) / (2.0 * area) - 1.0).abs() < 1e-9);
 }
 
-/// Trust: equilibrium of a strip drawn over a die without friction: the punch feels the holder's friction, 0.05 · 100 N/mm,
-/// and the bead's restraint, turned by the wrap, until the edge has passed the bead.
+/// Trust: equilibrium of a strip drawn over a die without friction: on each side the punch feels the holder's friction,
+/// 0.05 · 100 N/mm, and the bead's restraint, turned by the wrap, until the edge has passed the bead.
 #[test]
 fn bead_restrains_while_the_sheet_passes_it() {
-    let mut model = simple::capstan(0.0, 100.0, 10);
+    let mut model = simple::capstan(0.0, 200.0, 10);
     model.tools[0].friction = 0.0.into();
     model.tools[2].friction = 0.05.into();
     model.beads = vec![Bead { at: 100.0, restraining: 40.0, closing: 0.0 }];
     let run = solve(&model);
     let wall = |r: &StepRecord| {
         let (dr, dz) = (41.3 - 20.0, r.travel - 21.0);
-        r.punch_force / ((21.0 / f64::hypot(dr, dz)).asin() + dz.atan2(dr)).sin()
+        0.5 * r.punch_force / ((21.0 / f64::hypot(dr, dz)).asin() + dz.atan2(dr)).sin()
     };
     // The edge starts at 120 mm: 20 mm of draw-in bring it to the bead.
     for r in run.steps.iter().filter(|r| r.travel > 22.0 && r.draw_in < 16.0) {
@@ -160,7 +160,7 @@ fn bead_restrains_while_the_sheet_passes_it() {
     }
     // As long as the holder has hold of its width: then its force fades. In single steps the chain of chords ticks over the
     // die's edge.
-    let passed = run.steps.iter().filter(|r| r.draw_in > 21.0 && r.holder_force > 99.0);
+    let passed = run.steps.iter().filter(|r| r.draw_in > 21.0 && r.holder_force > 198.0);
     let walls: Vec<f64> = passed.map(wall).collect();
     let mean = walls.iter().sum::<f64>() / walls.len() as f64;
     assert!((mean / 5.0 - 1.0).abs() < 0.01, "{mean} N/mm");
@@ -436,7 +436,7 @@ fn a_contact_share_that_is_not_reached_is_said() {
     let run = solve(&shipped("superplastic_box", &["gas.duration=200 s"]));
     assert_eq!(run.stop, Stop::FullTravel);
     let warnings = assess::warnings(&run);
-    assert!(warnings.iter().any(|w| w.to_string().contains("not the 95.0 % that were to end the run")), "{warnings:?}");
+    assert!(warnings.iter().any(|w| w.to_string().contains("not the 95 % that were to end the run")), "{warnings:?}");
 }
 
 /// Pressure from above on a sheet over a punch that draws it in: the sheet wraps the punch more closely than without.
@@ -474,7 +474,7 @@ fn tools_that_meet_end_the_run() {
 fn a_run_ends_after_the_load_maximum_when_asked() {
     let model = shipped("quickstart", &["tools.punch.travel=32 mm", "stop.load_drop=10 %"]);
     let run = solver::run(&model, &mut ());
-    let Stop::LoadMaximum { travel, peak: highest, drop } = run.stop else { panic!("{}", run.stop) };
+    let Stop::LoadMaximum { travel, peak: highest, drop, .. } = run.stop else { panic!("{}", run.stop) };
     assert_eq!((travel, highest), (last(&run).travel, peak(&run)));
     assert!((0.10..0.15).contains(&drop), "{drop}");
 }

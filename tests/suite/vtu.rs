@@ -77,11 +77,15 @@ fn read(path: &Path) -> Grid {
     let (connectivity, offsets) = (numbers(cells("connectivity", "Int64")), numbers(cells("offsets", "Int64")));
     let starts = std::iter::once(&0).chain(&offsets);
     let corners = starts.zip(&offsets).map(|(&from, &to)| connectivity[from..to].to_vec());
-    let fields = of(root, "CellData").children().filter(Node::is_element);
+    let fields = || of(root, "CellData").children().filter(Node::is_element);
+    // What a viewer shows first.
+    let shown = of(root, "CellData").attribute("Scalars").expect("a field to colour by");
+    assert!(["thinning [%]", "role [-]"].contains(&shown), "{shown}");
+    assert!(fields().any(|array| array.attribute("Name") == Some(shown)), "{shown}");
     let grid = Grid {
         points: doubles(of(of(root, "Points"), "DataArray")).chunks(3).map(Vector3::from_column_slice).collect(),
         cells: cells("types", "UInt8").into_iter().zip(corners).collect(),
-        fields: fields.map(|array| (array.attribute("Name").unwrap().to_owned(), doubles(array))).collect(),
+        fields: fields().map(|array| (array.attribute("Name").unwrap().to_owned(), doubles(array))).collect(),
     };
     let count = |name: &str| of(root, "Piece").attribute(name).unwrap().parse::<usize>().unwrap();
     assert_eq!((count("NumberOfPoints"), count("NumberOfCells")), (grid.points.len(), grid.cells.len()));

@@ -1,37 +1,47 @@
 //! A later stage in a line.
 
+use super::size_of;
+use crate::message::{Amount, Message, message};
 use crate::model::stage::Stage;
 use crate::model::{Mode, Motion};
-use crate::units::rounded;
 
 /// What happens in a stage.
-pub(super) fn describe(stage: &Stage) -> String {
+pub(super) fn describe(stage: &Stage) -> Message {
     let Stage { model, begin, .. } = stage;
     let mut does = Vec::new();
-    does.extend(begin.trim.map(|radius| format!("cut at {} mm", rounded(radius))));
-    does.extend(begin.anneal.then(|| "annealed".to_owned()));
+    does.extend(begin.trim.map(|half| message!("cut at {size}", size = size_of(model, half))));
+    does.extend(begin.anneal.then(|| "annealed".into()));
     for tool in &model.tools {
-        let (name, new) = (tool.role.name(), if begin.meets.contains(&tool.role) { "new " } else { "" });
+        let name = tool.role.name();
+        let tool_name = match begin.meets.contains(&tool.role) {
+            true => message!("new {tool}", tool = name),
+            false => name.into(),
+        };
         does.push(match &tool.motion {
-            Motion::Path(way) if way.x == 0.0 => format!("{new}{name} goes {} mm", rounded(way.y)),
-            Motion::Path(way) => {
-                format!("{new}{name} goes {} mm and {} mm aside", rounded(way.y), rounded(way.x))
+            Motion::Path(way) if way.x == 0.0 => {
+                message!("{tool} goes {way}", tool = tool_name, way = Amount::size(way.y))
             }
-            Motion::Pressed(press) => {
-                let unit = model.extent().force_unit().symbol();
-                format!("{new}{name} presses with {:.0} {unit} at the end", press.force.at(model.travel))
-            }
-            Motion::Fixed | Motion::Gap(_) | Motion::Travel => format!("{new}{name} stands"),
+            Motion::Path(way) => message!(
+                "{tool} goes {way} and {aside} aside",
+                tool = tool_name,
+                way = Amount::size(way.y),
+                aside = Amount::size(way.x)
+            ),
+            Motion::Pressed(press) => message!(
+                "{tool} presses with {force} at the end",
+                tool = tool_name,
+                force = Amount::force(press.force.at(model.travel), model.extent().force_unit())
+            ),
+            Motion::Fixed | Motion::Gap(_) | Motion::Travel => message!("{tool} stands", tool = tool_name),
         });
     }
-    does.extend(model.release.map(|_| "tools taken away".to_owned()));
+    does.extend(model.release.map(|_| "tools taken away".into()));
     let mode = match model.mode {
-        Mode::Flow => None,
-        Mode::ElastoViscoplastic => Some("elasto-viscoplastic".to_owned()),
-        Mode::Elastic => Some("elastic".to_owned()),
+        Mode::Flow => Message::default(),
+        Mode::ElastoViscoplastic => "elasto-viscoplastic".into(),
+        Mode::Elastic => "elastic".into(),
     };
-    let time = model.timed.then(|| format!("{} s", rounded(model.duration)));
-    let how: Vec<String> = mode.into_iter().chain(time).collect();
-    does.extend((!how.is_empty()).then(|| how.join(", ")));
-    does.join("; ")
+    let time = if model.timed { Amount::time(model.duration).into() } else { Message::default() };
+    does.push(Message::joined([mode, time], ", "));
+    Message::joined(does, "; ")
 }

@@ -3,6 +3,9 @@
 use crate::geometry::Profile;
 use crate::model::{Geometry, Role};
 
+/// A tool, its section, and a line that says where it comes from.
+pub type Drawn<'a> = (Role, &'a Profile, &'a str);
+
 /// What a case file is written from.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Draft<'a> {
@@ -10,8 +13,12 @@ pub struct Draft<'a> {
     pub title: &'a str,
     /// What a section of the drawing stands for.
     pub geometry: Geometry,
+    /// Name of the first operation, where there are several.
+    pub name: Option<String>,
     /// Sections in the order punch, die, holder, each with a line that says where it comes from.
-    pub tools: Vec<(Role, &'a Profile, &'a str)>,
+    pub tools: Vec<Drawn<'a>>,
+    /// Names of later operations and their sections likewise, each with a punch.
+    pub later: Vec<(String, Vec<Drawn<'a>>)>,
     /// Of the sheet \[mm\]; a placeholder where `None`.
     pub thickness: Option<f64>,
     /// Radius or half-length \[mm\]; a placeholder where `None`.

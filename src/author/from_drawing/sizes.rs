@@ -3,6 +3,7 @@
 use super::draft::Draft;
 use crate::model::{Motion, Role, Tool};
 use crate::rules::design::Picked;
+use crate::rules::size::WIDTHS;
 use crate::rules::tool_sizes::{across, extent, gap, mouth, shoulder_end, throat};
 use crate::units::{mm, rounded};
 use std::ops::RangeInclusive;
@@ -13,8 +14,9 @@ const THICKNESS: f64 = 1.0;
 const CLEARANCE: f64 = 1.25;
 /// Clearance over thickness above which the thickness, or the drawing's unit, is doubted [–].
 const WIDE: f64 = 3.0;
-/// Widths of drawings and thicknesses of sheets outside of which the unit is doubted \[mm\].
-const WIDTHS: RangeInclusive<f64> = 10.0..=3000.0;
+/// Width of a drawing below which its unit is doubted \[mm\]: inches that are read as mm make most parts smaller.
+const NARROW: f64 = 10.0;
+/// Thicknesses of sheets for which a gap is drawn, outside of which the unit is doubted \[mm\].
 const THICKNESSES: RangeInclusive<f64> = 0.2..=6.0;
 /// Largest draw ratio of a placeholder blank [–].
 const RATIO: f64 = 1.8;
@@ -70,7 +72,7 @@ impl Draft<'_> {
 
     fn odd_width(&self) -> Option<String> {
         let width = self.width();
-        (!WIDTHS.contains(&width))
+        (!(NARROW..=*WIDTHS.end()).contains(&width))
             .then(|| format!("the tools are {} mm wide in all, which is odd for a stamping: check --units", mm(width)))
     }
 

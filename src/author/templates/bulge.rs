@@ -14,7 +14,7 @@ pub(super) const TEMPLATE: Template =
     Template::new("bulge", "a clamped disc bulged by oil through a round opening", OPTIONS, write);
 
 const OPTIONS: &[Choice] = &[
-    Choice::length("opening", Value("50 mm"), "radius of the die's opening, half its diameter"),
+    Choice::radius("opening", "opening-diameter", Value("50 mm"), "radius of the die's opening, half its diameter"),
     Choice::length("height", Rule("0.4 openings"), "height of the dome that the pressure is for"),
     SHOULDER,
     Choice::new("pressure", Kind::Stress, Rule("of a spherical membrane"), "pressure at the end"),

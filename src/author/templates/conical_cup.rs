@@ -18,7 +18,12 @@ pub(super) const TEMPLATE: Template = Template::new(
 );
 
 const OPTIONS: &[Choice] = &[
-    Choice::length("punch-radius", Value("35 mm"), "radius of the cone at its mouth, half its diameter"),
+    Choice::radius(
+        "punch-radius",
+        "punch-diameter",
+        Value("35 mm"),
+        "radius of the cone at its mouth, half its diameter",
+    ),
     Choice::new("angle", Kind::Angle, Value("20 deg"), "angle of the wall to the axis"),
     Choice::length("height", Value("25 mm"), "depth: the punch's travel, up to the flange"),
     Choice::length("flange", Value("6 mm"), "width of flat flange left at the end"),

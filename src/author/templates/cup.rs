@@ -19,7 +19,12 @@ pub(super) const TEMPLATE: Template =
     Template::new("cup", "a flat-bottomed cup of a wanted height, drawn until no flange is left", OPTIONS, write);
 
 const OPTIONS: &[Choice] = &[
-    Choice::length("punch-radius", Value("30 mm"), "radius of the punch, half the inner diameter of the cup"),
+    Choice::radius(
+        "punch-radius",
+        "punch-diameter",
+        Value("30 mm"),
+        "radius of the punch, half the inner diameter of the cup",
+    ),
     Choice::length("height", Value("30 mm"), "overall height of the cup, outside of the bottom to rim"),
     Choice::new(
         "trim",

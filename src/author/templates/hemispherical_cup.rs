@@ -18,7 +18,12 @@ pub(super) const TEMPLATE: Template = Template::new(
 );
 
 const OPTIONS: &[Choice] = &[
-    Choice::length("punch-radius", Value("30 mm"), "radius of the punch and of its nose, half its diameter"),
+    Choice::radius(
+        "punch-radius",
+        "punch-diameter",
+        Value("30 mm"),
+        "radius of the punch and of its nose, half its diameter",
+    ),
     Choice::length("height", Value("32 mm"), "depth: the punch's travel, up to the flange"),
     Choice::length("flange", Value("6 mm"), "width of flat flange left at the end"),
     SHOULDER,

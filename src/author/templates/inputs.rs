@@ -6,7 +6,9 @@ use super::rules::Picked;
 use crate::case::CaseError;
 use crate::units::{
     Angle, Fraction, Length, NonNegative, Number, Positive, Quantity, QuantityError, Ratio, Stress, closest,
+    thicknesses,
 };
+use std::borrow::Cow;
 
 /// What kind of value an option takes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -86,15 +88,32 @@ pub struct Choice {
     pub default: Default,
     /// What it is, in one line.
     pub about: &'static str,
+    /// Of a radius of a round part: the name of the option that takes its diameter instead.
+    pub diameter: Option<&'static str>,
 }
 
 impl Choice {
     pub(super) const fn new(key: &'static str, kind: Kind, default: Default, about: &'static str) -> Self {
-        Self { key, kind, default, about }
+        Self { key, kind, default, about, diameter: None }
     }
 
     pub(super) const fn length(key: &'static str, default: Default, about: &'static str) -> Self {
         Self::new(key, Kind::Length, default, about)
+    }
+
+    /// A radius of a round part, which may also be given as a diameter.
+    pub(super) const fn radius(
+        key: &'static str,
+        diameter: &'static str,
+        default: Default,
+        about: &'static str,
+    ) -> Self {
+        Self { diameter: Some(diameter), ..Self::length(key, default, about) }
+    }
+
+    /// The names under which it may be given.
+    pub fn keys(&self) -> impl Iterator<Item = &'static str> + use<> {
+        std::iter::once(self.key).chain(self.diameter)
     }
 }
 
@@ -121,18 +140,30 @@ impl Inputs {
         given: &[(&str, &str)],
     ) -> Result<Self, CaseError> {
         let mut values: Vec<(Choice, Option<Given>)> = options.map(|choice| (*choice, None)).collect();
+        let thickness = thickness(&values, given);
+        let mut seen: Vec<&str> = Vec::new();
         for (key, text) in given {
-            let Some((choice, value)) = values.iter_mut().find(|(choice, _)| choice.key == *key) else {
-                return Err(unknown(template, values.iter().map(|(choice, _)| choice.key).collect(), key));
+            let Some((choice, value)) = values.iter_mut().find(|(choice, _)| choice.keys().any(|known| known == *key))
+            else {
+                return Err(unknown(template, values.iter().flat_map(|(choice, _)| choice.keys()).collect(), key));
             };
-            let read = choice.kind.read(text).map_err(|error| {
+            if let Some(other) = seen.iter().find(|seen| choice.keys().any(|known| known == **seen)) {
+                let what = match other == key {
+                    true => format!("--{key} is given twice"),
+                    false => format!("--{other} and --{key} are both given"),
+                };
+                return Err(CaseError::bare(what, "keep one of them".into()));
+            }
+            seen.push(key);
+            let read = choice.kind.read(&plain(text, choice, thickness)).map_err(|error| {
                 let message = error.to_string();
                 let (what, help) = message.split_once('\n').unwrap_or((&message, ""));
                 CaseError::bare(format!("--{key}: {what}"), help.to_owned())
             })?;
-            if value.replace(read).is_some() {
-                return Err(CaseError::bare(format!("--{key} is given twice"), "keep one of them".into()));
-            }
+            *value = Some(match read {
+                Given::Number(across) if choice.diameter == Some(*key) => Given::Number(0.5 * across),
+                read => read,
+            });
         }
         Ok(Self { values })
     }
@@ -171,6 +202,28 @@ impl Inputs {
     /// What was given, or what a rule picks.
     pub fn pick(&self, key: &str, rule: impl FnOnce() -> Picked) -> Picked {
         Picked::or(self.given(key), rule)
+    }
+}
+
+/// The option whose value is the thickness of the sheet.
+const THICKNESS: &str = "thickness";
+
+/// Thickness of the sheet \[mm\], given or not; `None` where it is ill written, which is said where it is read.
+fn thickness(values: &[(Choice, Option<Given>)], given: &[(&str, &str)]) -> Option<f64> {
+    let (choice, _) = values.iter().find(|(choice, _)| choice.key == THICKNESS)?;
+    let written = given.iter().find(|(key, _)| *key == THICKNESS).map_or(choice.default.words(), |(_, text)| text);
+    match choice.kind.read(written) {
+        Ok(Given::Number(thickness)) => Some(thickness),
+        _ => None,
+    }
+}
+
+/// A length in thicknesses of the sheet, "6 t", in millimetres; other texts as they are.
+fn plain<'t>(text: &'t str, choice: &Choice, thickness: Option<f64>) -> Cow<'t, str> {
+    let is_multiple = choice.kind == Kind::Length && choice.key != THICKNESS;
+    match thicknesses(text).zip(thickness).filter(|_| is_multiple) {
+        Some((count, thickness)) => format!("{} mm", count * thickness).into(),
+        None => text.into(),
     }
 }
 

@@ -63,7 +63,8 @@ pub fn list() -> String {
     let lines = |text: &mut String, options: &[Choice]| {
         for choice in options {
             let option = format!("--{} {}", choice.key, choice.kind.placeholder());
-            let _ = writeln!(text, "    {option:<26} {} [{}]", choice.about, choice.default.words());
+            let across = choice.diameter.map_or(String::new(), |key| format!("; or --{key}"));
+            let _ = writeln!(text, "    {option:<26} {} [{}]{across}", choice.about, choice.default.words());
         }
     };
     for template in TEMPLATES {

@@ -17,10 +17,15 @@ pub(super) const TEMPLATE: Template =
     Template::new("redraw", "a cup too high for one draw, in two stages: drawn wider, then redrawn", OPTIONS, write);
 
 const OPTIONS: &[Choice] = &[
-    Choice::length("punch-radius", Value("30 mm"), "radius of the second punch, half the cup's inner diameter"),
+    Choice::radius(
+        "punch-radius",
+        "punch-diameter",
+        Value("30 mm"),
+        "radius of the second punch, half the cup's inner diameter",
+    ),
     Choice::length("height", Value("60 mm"), "height of the whole cup; the second draw stops at nine tenths of it"),
     Choice::new("trim", Kind::Share, Rule("8 %"), "blank for that much more height: the rim thickens and is trimmed"),
-    Choice::length("first-radius", Rule("1.3 punch radii"), "radius of the first punch"),
+    Choice::radius("first-radius", "first-diameter", Rule("1.3 punch radii"), "radius of the first punch"),
     Choice::length("nose", Rule("6 thicknesses"), "radius of both punches' corners"),
     Choice::length("shoulder", Rule("6 thicknesses, or 4.5 of the rim"), "radius of both dies' corners"),
     Choice::length("clearance", Rule("t √β"), "gap between punch and die, both draws"),

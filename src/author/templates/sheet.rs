@@ -55,6 +55,8 @@ const LIMIT: &str = "Where the sheet necks, computed from the hardening law: Hil
 enum Origin {
     Library {
         name: &'static str,
+        /// The word that it was asked for by: its name, or a grade that it stands for.
+        word: String,
         /// Of the sheet that the library's numbers are of.
         thickness: Option<String>,
     },
@@ -83,9 +85,9 @@ impl Sheet {
                 let what = format!("--material {name} has its own hardening law, and --{key} is of another one");
                 return Err(CaseError::bare(what, "give either --material, or --k, --n and --offset".into()));
             }
-            (Some(name), None) => {
-                let Entry { name, thickness, material, .. } = library::material(name)?;
-                (Origin::Library { name, thickness }, material)
+            (Some(word), None) => {
+                let Entry { name, thickness, material, .. } = library::material(word)?;
+                (Origin::Library { name, word: word.to_owned(), thickness }, material)
             }
             (None, own) => {
                 let law = LAW.map(|key| inputs.value(key));
@@ -140,15 +142,19 @@ impl Sheet {
 
     /// `[material]`, of elastoplastic metal where `elastic`.
     pub fn material(&self, page: &mut Page, elastic: bool) {
-        let named = match self.origin {
-            Origin::Library { name, .. } => Some(name),
+        let named = match &self.origin {
+            Origin::Library { name, word, .. } => Some((name, word)),
             Origin::Swift { .. } => None,
         };
         if elastic || named.is_some() {
             page.table("material", if elastic { "Elastic and plastic, so that the sheet springs back." } else { "" });
         }
-        if let Some(name) = named {
-            page.set("name", format!("{name:?}"), "of the library: stampflow materials");
+        if let Some((name, word)) = named {
+            let why = match word == name {
+                true => "of the library: stampflow materials".to_owned(),
+                false => format!("of the library, asked for as {word}: stampflow materials {name}"),
+            };
+            page.set("name", format!("{name:?}"), &why);
         }
         if elastic {
             page.set("mode", "\"elasto_viscoplastic\"", "");

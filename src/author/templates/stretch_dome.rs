@@ -13,7 +13,7 @@ pub(super) const TEMPLATE: Template =
     Template::new("stretch-dome", "a clamped sheet stretched over a hemispherical punch", OPTIONS, write);
 
 const OPTIONS: &[Choice] = &[
-    Choice::length("punch-radius", Value("50 mm"), "radius of the punch, half its diameter"),
+    Choice::radius("punch-radius", "punch-diameter", Value("50 mm"), "radius of the punch, half its diameter"),
     Choice::length("height", Rule("half the punch's radius"), "height of the dome: the punch's travel"),
     SHOULDER,
     Choice::length("clearance", Rule("2 thicknesses"), "gap between punch and die"),

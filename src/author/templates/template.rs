@@ -1,10 +1,12 @@
 //! What a template is: its options, and the text made of them.
 
-use super::inputs::{Choice, Inputs};
+use super::inputs::{Choice, Inputs, Kind};
 use super::sheet::SHEET;
-use crate::author::page::Page;
+use crate::author::page::{Page, plain};
 use crate::case::CaseError;
-use crate::model::Geometry;
+use crate::model::{Geometry, Model};
+use crate::rules::size;
+use crate::units::{Length, Positive, Quantity, significant};
 
 /// What writes a template's case.
 type Write = fn(&Inputs) -> Result<String, CaseError>;
@@ -41,14 +43,35 @@ impl Template {
     /// The text of a case file; `given` are names of options and their values with units.
     ///
     /// # Errors
-    /// When an option is not one of this template's, a value is none of its kind, or the sizes do not go together.
+    /// When an option is not one of this template's, a value is none of its kind, the sizes do not go together, or the blank
+    /// would be wider than any.
     pub fn fill(&self, given: &[(&str, &str)]) -> Result<String, CaseError> {
         let text = (self.write)(&Inputs::read(self.name, self.options(), given)?)?;
         // What the rules above let pass and a case does not.
         match crate::case::parse(&text, &format!("{}.toml", self.name), &[]) {
-            Ok(_) => Ok(text),
+            Ok(case) => self.small_enough(given, case.model()).map(|()| text),
             Err(error) => Err(self.refused(given, &error)),
         }
+    }
+
+    /// A blank that is wider than any is made by a wrong unit.
+    fn small_enough(&self, given: &[(&str, &str)], model: &Model) -> Result<(), CaseError> {
+        let across = size::across(model);
+        if across <= *size::WIDTHS.end() {
+            return Ok(());
+        }
+        let length = |text: &str| text.parse::<Positive<Length>>().map_or(0.0, Quantity::value);
+        let lengths = given.iter().filter(|(key, _)| self.options().any(|o| o.key == *key && o.kind == Kind::Length));
+        let largest = lengths.max_by(|(_, a), (_, b)| length(a).total_cmp(&length(b)));
+        let help = largest.map_or_else(String::new, |(key, text)| {
+            let number = text.trim_end_matches(|c: char| !c.is_ascii_digit());
+            format!("is the unit right? --{key} {text:?} was given; try --{key} \"{number} mm\"")
+        });
+        let most = plain(*size::WIDTHS.end());
+        Err(CaseError::bare(
+            format!("the blank would be {} wide; stampings are up to {most}", plain(significant(across, 3))),
+            help,
+        ))
     }
 
     /// An error of a case that nobody has seen yet, as one of the options that make it.

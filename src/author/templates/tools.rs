@@ -3,7 +3,7 @@
 use super::inputs::{Choice, Kind, Rule};
 use super::rules::{self, Picked};
 use super::sheet::Sheet;
-use crate::author::page::{Page, mm, plain};
+use crate::author::page::{Page, across, mm, plain};
 use crate::case::CaseError;
 use crate::model::{Extent, Geometry};
 use crate::rules::design::CAREFUL_RATIO;
@@ -142,7 +142,11 @@ pub(super) fn flat_punch(size: &str, value: f64, nose: &Picked) -> Shape {
     Shape {
         key: "flat",
         value: format!("{{ {size} = {}, nose = {} }}", mm(value), mm(nose.value)),
-        why: nose.reason("nose: "),
+        why: [across(value, size), nose.reason("nose: ")]
+            .into_iter()
+            .filter(|why| !why.is_empty())
+            .collect::<Vec<_>>()
+            .join(", "),
     }
 }
 

@@ -85,5 +85,12 @@ fn write(inputs: &Inputs) -> Result<String, CaseError> {
         &sheet.notes("a made-up bend"),
     );
     bend(&mut page, &sheet, &blank, nose.value, &tools);
+    let wanted = format!("angle = \"{} deg\"", rounded(angle.to_degrees()));
+    page.proposal(&[
+        "The wanted angle after release and its tolerance: the verdict then judges it, and says how far to over-bend.",
+        "[springback]",
+        &wanted,
+        "tolerance = \"1 deg\"",
+    ]);
     Ok(page.text())
 }

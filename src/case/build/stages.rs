@@ -46,7 +46,7 @@ pub(super) fn convert(
             let what = format!("two stages are called `{}`", written.name);
             return Err(source.error(&format!("{path}.name"), what, "name them apart: each has its own folder"));
         }
-        let (first, before, source) = (&stages[0].model, &stages[i].model, &source.of_stage(i)?);
+        let (first, before, source) = (&stages[0].model, &stages[i].model, &source.of_stage(i));
         let context = StageContext { written, before, first, source, folder, path };
         let mut said = Vec::new();
         let stage = context.stage(&mut frictions, &mut said)?;

@@ -17,7 +17,8 @@ pub struct Compare {
     /// Column of the CSV along which to compare with a curve.
     #[cfg_attr(feature = "schema", schemars(example = &"travel_mm"))]
     pub x: Option<String>,
-    /// Column of the CSV that is compared with a curve.
+    /// Column of the CSV that is compared with a curve. Forces of a plane section are of both halves: per mm of depth, N_per_mm,
+    /// or in all where blank.depth is given; a published curve of one half is doubled in the file, with a word on it.
     #[cfg_attr(feature = "schema", schemars(example = &"punch_force_N"))]
     pub y: Option<String>,
     /// Part of the curve that is compared, in units of the x column; all of it when not given.

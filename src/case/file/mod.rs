@@ -12,6 +12,7 @@ mod history;
 mod material;
 mod output;
 mod press;
+mod report;
 mod section;
 mod springback;
 mod stages;
@@ -26,6 +27,7 @@ pub use history::Given;
 pub use material::Material;
 pub use output::Output;
 pub use press::Press;
+pub use report::TitleBlock;
 pub use section::{ProfileStep, Section, SectionTable, Turn};
 pub use springback::Springback;
 pub use stages::{FirstStage, Release, Stage, StageDie, StageHolder, StagePunch};
@@ -68,6 +70,9 @@ pub struct CaseFile {
     /// What the press can give, for the verdict; the run does not depend on it.
     #[serde(default)]
     pub press: Press,
+    /// The title block of reports.
+    #[serde(default)]
+    pub report: TitleBlock,
     /// The part's tolerances on spring-back, for the verdict; not judged when not given.
     pub springback: Option<Springback>,
     /// How the problem is solved.

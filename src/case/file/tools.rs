@@ -195,7 +195,7 @@ pub enum HolderForce {
 
 /// Reads and describes an enum of one quantity in all and another per depth.
 macro_rules! in_all_or_per_depth {
-    ($type:ident, $per_depth:ty, $expected:literal, $name:literal, $examples:expr) => {
+    ($type:ident, $in_all:ty, $per_depth:ty, $expected:literal, $name:literal, $examples:expr) => {
         impl<'de> Deserialize<'de> for $type {
             fn deserialize<D: serde::Deserializer<'de>>(from: D) -> Result<Self, D::Error> {
                 /// The text, after what is no text has been refused with the words of the quantity.
@@ -241,7 +241,8 @@ macro_rules! in_all_or_per_depth {
             }
 
             fn json_schema(_: &mut schemars::SchemaGenerator) -> schemars::Schema {
-                schemars::json_schema!({ "type": "string", "examples": $examples })
+                let pattern = crate::units::pattern(&[<$in_all as Quantity>::KIND, <$per_depth as Quantity>::KIND]);
+                schemars::json_schema!({ "type": "string", "examples": $examples, "pattern": pattern })
             }
         }
     };
@@ -249,6 +250,7 @@ macro_rules! in_all_or_per_depth {
 
 in_all_or_per_depth!(
     HolderForce,
+    NonNegative<Force>,
     NonNegative<LineForce>,
     "a force with its unit, such as \"80 kN\" (axisymmetric) or \"2600 N/mm\" (plane strain)",
     "HolderForce",
@@ -256,6 +258,7 @@ in_all_or_per_depth!(
 );
 in_all_or_per_depth!(
     Stiffness,
+    NonNegative<LineForce>,
     NonNegative<Stress>,
     "a stiffness with its unit, such as \"5 kN/mm\" (axisymmetric) or \"50 N/mm^2\" (plane strain)",
     "Stiffness",

@@ -1,7 +1,7 @@
 //! What plotters draws, recorded as [`Mark`]s.
 
 use super::letters::{CAP, MIDDLE, text_width};
-use super::mark::{Mark, Point, WIDTH};
+use super::mark::{Mark, Point};
 use super::stroke::circle;
 use crate::output::chart::Color;
 use plotters::style::text_anchor::VPos;
@@ -23,9 +23,9 @@ pub(super) fn px(at: BackendCoord) -> Point {
     (f64::from(at.0) / FINE, f64::from(at.1) / FINE)
 }
 
-/// Takes down marks, on a page of this height \[px\]. Colours are opaque, or nothing is drawn.
+/// Takes down marks, on a page of this width and height \[px\]. Colours are opaque, or nothing is drawn.
 pub(super) struct Recorder<'a> {
-    pub height: f64,
+    pub size: [f64; 2],
     pub marks: &'a mut Vec<Mark>,
 }
 
@@ -51,7 +51,7 @@ impl DrawingBackend for Recorder<'_> {
     type ErrorType = Infallible;
 
     fn get_size(&self) -> (u32, u32) {
-        (units(WIDTH) as u32, units(self.height) as u32)
+        self.size.map(|px| units(px) as u32).into()
     }
 
     fn ensure_prepared(&mut self) -> Drawn {

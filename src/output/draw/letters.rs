@@ -1,6 +1,7 @@
 //! Letters: sizes, widths and line breaks.
 
 use crate::output::font;
+use plotters::style::text_anchor::HPos;
 
 pub(super) const TITLE: f64 = 21.0;
 /// Axes.
@@ -10,6 +11,8 @@ pub(super) const TICK: f64 = 17.0;
 pub(super) const NOTE: f64 = 13.5;
 /// Inside a panel.
 pub(super) const MARK: f64 = 15.0;
+/// What a picture is looked at for, read at the width of a column too.
+pub(super) const CALLOUT: f64 = 20.0;
 /// Line spacing over font size.
 pub(super) const SPACING: f64 = 1.3;
 /// Top of a line above its baseline, over the font size.
@@ -23,7 +26,8 @@ const ROOM: f64 = 1.065;
 pub(super) fn wrapped(paragraph: &str, size: f64, width: f64) -> Vec<String> {
     let mut lines = vec![String::new()];
     let (mut end, space) = (0.0, text_width(" ", size));
-    for word in paragraph.split_whitespace().flat_map(|word| pieces(word, size, width)) {
+    let words = paragraph.split(is_break).filter(|word| !word.is_empty());
+    for word in words.flat_map(|word| pieces(word, size, width)) {
         let line = lines.last_mut().expect("there is a line");
         let wide = text_width(&word, size);
         if line.is_empty() {
@@ -38,6 +42,11 @@ pub(super) fn wrapped(paragraph: &str, size: f64, width: f64) -> Vec<String> {
         }
     }
     lines
+}
+
+/// Whether a line may end here: not between a number and its unit.
+fn is_break(letter: char) -> bool {
+    letter.is_whitespace() && !matches!(letter, '\u{a0}' | '\u{2009}' | '\u{202f}')
 }
 
 /// A word in pieces no wider than `width`.
@@ -57,6 +66,15 @@ fn pieces(word: &str, size: f64, width: f64) -> Vec<String> {
     pieces
 }
 
+/// Where a line of text begins from the place that it is anchored at \[em\].
+pub(super) fn start(text: &str, anchor: HPos) -> f64 {
+    match anchor {
+        HPos::Left => 0.0,
+        HPos::Center => -0.5 * font::width(text),
+        HPos::Right => -font::width(text),
+    }
+}
+
 pub(super) fn text_width(text: &str, size: f64) -> f64 {
     ROOM * size * font::width(text)
 }
@@ -71,6 +89,12 @@ mod tests {
         let lines = wrapped(&note, NOTE, 300.0);
         assert!(lines.len() > 3 && lines.iter().all(|line| text_width(line, NOTE) <= 300.0));
         assert_eq!(lines.join(" "), note.trim());
+    }
+
+    #[test]
+    fn a_number_stays_with_its_unit() {
+        let lines = wrapped(&"force 26\u{a0}kN ".repeat(40), NOTE, 300.0);
+        assert!(lines.len() > 3 && lines.iter().all(|line| !line.starts_with("kN")), "{lines:?}");
     }
 
     #[test]

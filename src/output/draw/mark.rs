@@ -3,8 +3,8 @@
 use crate::output::chart::Color;
 use plotters::style::text_anchor::HPos;
 
-/// Width of every picture; its height follows from what it holds.
-pub(super) const WIDTH: f64 = 800.0;
+/// Width of a picture where nothing else is asked for; its height follows from what it holds.
+pub(crate) const WIDTH: f64 = 800.0;
 
 /// A place on the page \[px\].
 pub(super) type Point = (f64, f64);

@@ -2,6 +2,7 @@
 
 use super::backend::units;
 use super::canvas::{Canvas, NEVER};
+use super::flags::Flags;
 use super::letters::{LABEL, SPACING, TICK, text_width};
 use super::shape::{Shape, stroke};
 use super::text::style;
@@ -19,6 +20,12 @@ const AXIS: f64 = 1.2;
 const GRID: f64 = 0.8;
 const GRID_COLOR: Color = (215, 215, 215);
 
+/// Heights of sections, and of small ones.
+const HEIGHTS: (f64, f64) = (290.0, 560.0);
+const SMALL_HEIGHTS: (f64, f64) = (110.0, 320.0);
+/// Height of a scale of colours.
+const BAR: f64 = 18.0;
+
 /// What is further away, in widths of the panel, is left out: it would overflow plotters' units.
 const FAR: f64 = 1e3;
 
@@ -27,52 +34,66 @@ pub(super) struct Frame {
     pub(super) height: f64,
     x: (f64, f64),
     y: (f64, f64),
+    flags: Flags,
 }
 
 impl Frame {
     pub(super) fn of(panel: &Panel, width: f64) -> Self {
         let [mut x, mut y] = panel.ranges();
         let height = match panel.scale {
-            Scale::Fit { height, .. } => height,
-            Scale::Section { .. } => {
-                let height = (width * (y.1 - y.0) / (x.1 - x.0)).clamp(290.0, 560.0);
-                // Whichever direction has room to spare shows more of its surroundings.
-                x.1 = x.1.max(x.0 + (y.1 - y.0) * width / height);
+            Scale::Fit { height, .. } | Scale::Window { height, .. } => height,
+            Scale::Bar => BAR,
+            Scale::Section { .. } | Scale::Small { .. } => {
+                let (least, most) = if is_small(panel) { SMALL_HEIGHTS } else { HEIGHTS };
+                let height = (width * (y.1 - y.0) / (x.1 - x.0)).clamp(least, most);
+                // Whichever direction has room to spare shows more of its surroundings, a whole section on both sides.
+                let wider = ((y.1 - y.0) * width / height - (x.1 - x.0)).max(0.0);
+                let before = if x.0 < 0.0 { 0.5 * wider } else { 0.0 };
+                x = (x.0 - before, x.1 + wider - before);
                 let more = 0.5 * ((x.1 - x.0) * height / width - (y.1 - y.0)).max(0.0);
                 y = (y.0 - more, y.1 + more);
                 height
             }
         };
-        Self { height, x, y }
+        let flags = Flags::of(panel, x, width);
+        // Their labels stand above all else.
+        let head = flags.height();
+        y.1 += (y.1 - y.0) * head / height;
+        Self { height: height + head, x, y, flags }
     }
 
     /// Draws the panel into its area; `left` is the width of its y labels.
     pub(super) fn draw(&self, panel: &Panel, area: &Canvas, left: f64) {
         // Lengths of a section point down the page.
-        let y = if matches!(panel.scale, Scale::Section { .. }) { self.y.1..self.y.0 } else { self.y.0..self.y.1 };
+        let is_section = matches!(panel.scale, Scale::Section { .. } | Scale::Small { .. });
+        let y = if is_section { self.y.1..self.y.0 } else { self.y.0..self.y.1 };
+        let (left, below) = if is_small(panel) { (0.0, 0.0) } else { (left, x_labels_height()) };
         let mut chart = ChartBuilder::on(area)
             .set_label_area_size(LabelAreaPosition::Left, units(left))
-            .set_label_area_size(LabelAreaPosition::Bottom, units(x_labels_height()))
+            .set_label_area_size(LabelAreaPosition::Bottom, units(below))
             .build_cartesian_2d(self.x.0..self.x.1, y)
             .expect(NEVER);
         let y_count = tick_count(self.height);
         let (x_ticks, y_ticks) = (ticks(self.x, X_TICKS), ticks(self.y, y_count));
-        chart
-            .configure_mesh()
-            .x_labels(X_TICKS)
-            .y_labels(y_count)
-            .x_label_formatter(&|x| tick(*x, &x_ticks))
-            .y_label_formatter(&|y| tick(*y, &y_ticks))
+        let (x_tick, y_tick) = (|x: &f64| tick(*x, &x_ticks), |y: &f64| tick(*y, &y_ticks));
+        let mut mesh = chart.configure_mesh();
+        mesh.x_labels(X_TICKS)
+            .x_label_formatter(&x_tick)
             .x_desc(panel.x.text())
-            .y_desc(panel.y.text())
             .axis_desc_style(style(LABEL, BLACK))
             .label_style(style(TICK, BLACK))
             .set_all_tick_mark_size(units(TICK_MARK))
             .axis_style(stroke(BLACK, AXIS))
             .bold_line_style(stroke(GRID_COLOR, GRID))
-            .max_light_lines(0)
-            .draw()
-            .expect(NEVER);
+            .max_light_lines(0);
+        if panel.scale == Scale::Bar {
+            mesh.disable_mesh().disable_y_axis();
+        } else {
+            mesh.y_labels(y_count).y_label_formatter(&y_tick).y_desc(panel.y.text());
+        }
+        if !is_small(panel) {
+            mesh.draw().expect(NEVER);
+        }
         let near = |v: f64, (low, high): (f64, f64)| (v - low).abs() < FAR * (high - low);
         for series in &panel.series {
             let points = match series.look {
@@ -85,9 +106,16 @@ impl Frame {
         }
         let plot = chart.plotting_area().strip_coord_spec();
         let (width, height) = plot.dim_in_pixel();
+        let up = |y: f64| (1.0 - (y - self.y.0) / (self.y.1 - self.y.0)) * self.height;
+        self.flags.draw(&plot, up, self.height);
         let corners = [(0, 0), (width as i32, height as i32)];
         plot.draw(&Rectangle::new(corners, stroke(BLACK, AXIS))).expect(NEVER);
     }
+}
+
+/// Whether a panel stands beside others.
+pub(super) fn is_small(panel: &Panel) -> bool {
+    matches!(panel.scale, Scale::Small { .. })
 }
 
 pub(super) fn x_labels_height() -> f64 {
@@ -95,7 +123,12 @@ pub(super) fn x_labels_height() -> f64 {
 }
 
 pub(super) fn y_labels_width(range: &(f64, f64), panel: &Panel) -> f64 {
-    let height = if let Scale::Fit { height, .. } = panel.scale { height } else { 400.0 };
+    let height = match panel.scale {
+        Scale::Fit { height, .. } | Scale::Window { height, .. } => height,
+        Scale::Section { .. } => 400.0,
+        // No labels beside them.
+        Scale::Small { .. } | Scale::Bar => return 0.0,
+    };
     let values = ticks(*range, tick_count(height));
     let widest = values.iter().map(|v| text_width(&tick(*v, &values), TICK)).fold(0.0, f64::max);
     SPACING * LABEL + widest + TICK_MARK + 14.0
@@ -116,7 +149,7 @@ mod tests {
         for scale in [Scale::Fit { height: 200.0, least: 0.0 }, Scale::Section { x: (0.0, 10.0), y: (-2.0, 4.0) }] {
             let series = vec![Series::silent(points.clone(), Look::Line { color: (9, 9, 9), width: 2.0, dash: &[] })];
             let panels = vec![Panel { x: axis.clone(), y: axis.clone(), series, scale }];
-            let drawing = Drawing::of(&Chart { title: String::new(), legend: "", panels, notes: vec![] });
+            let drawing = Drawing::of(&Chart { title: String::new(), legend: "", panels, notes: vec![] }, 800.0);
             let line = drawing.marks.iter().find_map(|mark| match mark {
                 Mark::Line { pieces, color: (9, 9, 9), width } if *width == 2.0 => Some(&pieces[0]),
                 _ => None,

@@ -2,12 +2,12 @@
 
 use super::cover::{Cover, Span};
 use super::glyphs;
+use super::letters::start;
 use super::mark::{Mark, Point};
 use super::palette::Palette;
 use super::stroke::{circle, outline};
 use crate::output::chart::{Color, WHITE};
 use crate::output::font;
-use plotters::style::text_anchor::HPos;
 
 /// Pixels as numbers of a palette, row by row.
 pub struct Picture {
@@ -73,20 +73,15 @@ impl<'a> Raster<'a> {
                 self.fill(*color);
             }
             Mark::Text { text, size, color, at, anchor, turned } => {
-                let mut along = match anchor {
-                    HPos::Left => 0.0,
-                    HPos::Center => -0.5 * font::width(text),
-                    HPos::Right => -font::width(text),
-                };
+                let start = start(text, *anchor);
                 let ink = self.palette.number(*color);
-                for letter in text.chars() {
-                    let (glyph, advance) = font::glyph(letter);
+                for (_, glyph, along) in font::placed(text) {
+                    let along = start + along;
                     let (x, y) = if *turned { (at.0, at.1 - size * along) } else { (at.0 + size * along, at.1) };
                     let at = (self.density * x, self.density * y);
                     glyphs::spans(glyph, size * self.density, *turned, at, |span| {
                         self.picture.paint(span, ink, self.palette);
                     });
-                    along += advance;
                 }
             }
         }

@@ -2,7 +2,8 @@
 
 use super::backend::{px, units};
 use super::canvas::{Canvas, NEVER, rgb};
-use super::letters::{MARK, SPACING, text_width};
+use super::letters::{CALLOUT, MARK, SPACING, text_width};
+use super::mark::Point;
 use super::text::style;
 
 use crate::output::chart::{BLACK, Color, Look, WHITE};
@@ -11,6 +12,9 @@ use plotters::element::{Drawable, PointCollection};
 use plotters::style::ShapeStyle;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 use plotters_backend::{BackendCoord, DrawingBackend, DrawingErrorKind};
+
+/// Radius of a dot.
+pub(super) const DOT: f64 = 2.6;
 
 /// A series or a legend sample, as plotters draws it wherever the points come to lie.
 pub(super) struct Shape<'a, C> {
@@ -47,6 +51,11 @@ impl<C, B: DrawingBackend> Drawable<B> for Shape<'_, C> {
                     backend.draw_circle(at, units(5.0) as u32, &stroke(color, 2.2), false)?;
                 }
             }
+            Look::Dots { color } => {
+                for at in points {
+                    backend.draw_circle(at, units(DOT) as u32, &rgb(color), true)?;
+                }
+            }
             Look::Area { fill, edge } => {
                 let outline: Vec<_> = points.collect();
                 backend.fill_polygon(outline.iter().copied(), &rgb(fill))?;
@@ -55,6 +64,8 @@ impl<C, B: DrawingBackend> Drawable<B> for Shape<'_, C> {
                     backend.draw_path(around, &stroke(edge, 0.8))?;
                 }
             }
+            // Where they stand follows from all of them: the panel draws them.
+            Look::Flag => {}
             Look::Text => {
                 let (width, half) = (text_width(self.label, MARK), 0.5 * SPACING * MARK);
                 let style = style(MARK, BLACK).pos(Pos::new(HPos::Left, VPos::Top));
@@ -63,6 +74,17 @@ impl<C, B: DrawingBackend> Drawable<B> for Shape<'_, C> {
                     backend.draw_rect(whole(from), whole(to), &rgb(WHITE), true)?;
                     backend.draw_text(self.label, &style, whole((x, y - 0.6 * MARK)))?;
                 }
+            }
+            Look::Callout => {
+                let points: Vec<Point> = points.map(px).collect();
+                let [at, (x, y)] = points[..] else { return Ok(()) };
+                backend.draw_path([whole(at), whole((x, y))], &stroke(BLACK, 1.4))?;
+                backend.draw_circle(whole(at), units(6.0) as u32, &rgb(WHITE), true)?;
+                backend.draw_circle(whole(at), units(4.0) as u32, &rgb(BLACK), true)?;
+                let (half, high) = (0.5 * text_width(self.label, CALLOUT) + 3.0, 0.5 * SPACING * CALLOUT);
+                backend.draw_rect(whole((x - half, y - high)), whole((x + half, y + high)), &rgb(WHITE), true)?;
+                let style = style(CALLOUT, BLACK).pos(Pos::new(HPos::Center, VPos::Center));
+                backend.draw_text(self.label, &style, whole((x, y)))?;
             }
         }
         Ok(())
@@ -74,9 +96,9 @@ pub(super) fn sample(canvas: &Canvas, look: Look, at: (f64, f64), size: (f64, f6
     let ((x, y), (w, h)) = (at, size);
     let points = match look {
         Look::Line { .. } => vec![(x, y), (x + w, y)],
-        Look::Circles { .. } => vec![(x + 0.5 * w, y)],
+        Look::Circles { .. } | Look::Dots { .. } => vec![(x + 0.5 * w, y)],
         Look::Area { .. } => vec![(x, y - h), (x + w, y - h), (x + w, y + h), (x, y + h)],
-        Look::Text => Vec::new(),
+        Look::Text | Look::Flag | Look::Callout => Vec::new(),
     };
     let points = points.into_iter().map(|(x, y)| (units(x), units(y))).collect();
     canvas.draw(&Shape { look, label: "", points }).expect(NEVER);

@@ -1,19 +1,24 @@
 //! Marks as SVG.
 
 use super::drawing::Drawing;
-use super::mark::{Mark, Point, WIDTH};
+use super::mark::{Mark, Point};
 use crate::output::chart::Color;
 use crate::output::font::FAMILY;
 use plotters::style::text_anchor::HPos;
 use std::fmt::{Display, Write};
 
-/// A standalone SVG; the font falls back smoothly where it is not installed.
-pub(super) fn svg(drawing: &Drawing) -> String {
-    let height = drawing.height;
+/// A standalone SVG, so wide on paper \[mm\] or else as many px as it is laid out in; the font falls back smoothly where it
+/// is not installed.
+pub(super) fn svg(drawing: &Drawing, paper: Option<f64>) -> String {
+    let Drawing { width, height, .. } = drawing;
+    let size = match paper {
+        Some(mm) => format!("width=\"{mm}mm\" height=\"{}mm\"", rounded(height * mm / width)),
+        None => format!("width=\"{width}\" height=\"{height}\""),
+    };
     let mut svg = format!(
-        "<svg width=\"{WIDTH}\" height=\"{height}\" viewBox=\"0 0 {WIDTH} {height}\" stroke-linejoin=\"round\" \
+        "<svg {size} viewBox=\"0 0 {width} {height}\" stroke-linejoin=\"round\" \
          font-family=\"{FAMILY}, Verdana, sans-serif\" xmlns=\"http://www.w3.org/2000/svg\">\n\
-         <rect width=\"{WIDTH}\" height=\"{height}\" fill=\"#FFFFFF\"/>\n"
+         <rect width=\"{width}\" height=\"{height}\" fill=\"#FFFFFF\"/>\n"
     );
     for mark in &drawing.marks {
         // Nothing fails on the way into a string.

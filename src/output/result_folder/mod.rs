@@ -49,16 +49,16 @@ pub struct ResultFolder {
 }
 
 impl ResultFolder {
-    /// Takes a folder, which need not exist, for results whose files are `is_ours` by their names; ends what a killed run
+    /// Takes a folder, which need not exist, for results whose files are `is_ours` by their paths; ends what a killed run
     /// left half done.
     ///
     /// # Errors
     /// When it is no folder, cannot be written to, or another process writes there.
-    pub fn open(named: &Path, is_ours: fn(&str) -> bool) -> Result<Self, WriteError> {
+    pub fn open(named: &Path, is_ours: fn(&Path) -> bool) -> Result<Self, WriteError> {
         Self::take(named, is_ours).map_err(|source| WriteError { path: named.to_owned(), source })
     }
 
-    fn take(named: &Path, is_ours: fn(&str) -> bool) -> io::Result<Self> {
+    fn take(named: &Path, is_ours: fn(&Path) -> bool) -> io::Result<Self> {
         let (path, way) = located(named)?;
         let (stem, lock) = claimed(&path)?;
         let site = Site { path, stem, is_ours };

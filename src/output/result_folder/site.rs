@@ -17,7 +17,8 @@ pub(super) struct Site {
     pub(super) path: PathBuf,
     /// What the names begin with: `out/.cup`, or `out/cup/.stampflow`.
     pub(super) stem: PathBuf,
-    pub(super) is_ours: fn(&str) -> bool,
+    /// Whether a file, by its path, is of a run.
+    pub(super) is_ours: fn(&Path) -> bool,
 }
 
 /// What stands in a folder of results, by its path from it.
@@ -157,25 +158,22 @@ impl Site {
 
     fn contents(&self, folder: &Path) -> io::Result<Contents> {
         let mut found = Contents::default();
-        let list = fs::read_to_string(folder.join(stages::FILE)).ok().filter(|_| (self.is_ours)(stages::FILE));
+        let list = fs::read_to_string(folder.join(stages::FILE)).ok();
+        let list = list.filter(|_| (self.is_ours)(&folder.join(stages::FILE)));
         let stages = list.map_or_else(Vec::new, |list| stages::folders(&list));
         for (name, kind) in entries(folder)? {
             if kind.is_dir() && name.to_str().is_some_and(|name| stages.iter().any(|stage| stage == name)) {
                 for (inner, kind) in entries(&folder.join(&name))? {
-                    found.add(name.join(&inner), kind.is_file() && self.is_named(&inner));
+                    found.add(name.join(&inner), kind.is_file() && (self.is_ours)(&folder.join(&name).join(&inner)));
                 }
                 found.ours.push(name);
             } else {
-                let is_ours = kind.is_file() && self.is_named(&name);
+                let is_ours = kind.is_file() && (self.is_ours)(&folder.join(&name));
                 found.add(name, is_ours);
             }
         }
         found.ours.sort_by_key(|name| name == Path::new(stages::FILE));
         Ok(found)
-    }
-
-    fn is_named(&self, name: &Path) -> bool {
-        name.to_str().is_some_and(self.is_ours)
     }
 }
 

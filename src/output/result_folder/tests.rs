@@ -16,7 +16,8 @@ const OLD: [&str; 4] = ["r-plot", "stages.csv", "1-draw/r-table", "2-back/r-tabl
 const NEW: [&str; 4] = ["r-plot", "r-more", "stages.csv", "1-draw/r-table"];
 const NEXT: [&str; 2] = ["r-plot", "r-table"];
 
-fn is_ours(name: &str) -> bool {
+fn is_ours(path: &Path) -> bool {
+    let name = path.file_name().unwrap().to_str().unwrap();
     name.starts_with("r-") || name == stages::FILE
 }
 

@@ -1,24 +1,24 @@
 //! How the numbers of a stage were found.
 
 use super::{Summary, largest};
+use crate::message::{Amount, Message, message};
 use crate::model::{Grading, Iteration, Model, Norm, Theory};
 use crate::solution::{Effort, StageSolution, StepRecord};
-use crate::table::Unit;
 
 impl Summary {
     /// Contact, mesh, method and effort.
     pub(super) fn solver(&mut self, model: &Model, run: &StageSolution, last: &StepRecord) {
         let largest = |value| largest(run, value);
-        self.number("sticking", "Contacts that stick at the end", Unit::Percent, 100.0 * last.sticking);
+        self.number("sticking", "Contacts that stick at the end", Amount::share(last.sticking));
         self.count("flips", "Contacts that came or went", run.steps.iter().map(|s| s.contact_changes).sum());
-        self.number("strain_increment", "Largest strain of one step", Unit::None, largest(|s| s.strain_increment));
-        self.text("mesh", "Mesh", &mesh(model));
+        self.number("strain_increment", "Largest strain of one step", Amount::strain(largest(|s| s.strain_increment)));
+        self.text("mesh", "Mesh", mesh(model));
         if model.blank.theory == Theory::Selective {
             let (share, points) = bent(model, run);
-            self.number("bending_share", "  elements times steps that bent", Unit::Percent, 100.0 * share);
-            self.number("point_share", "  law points over those of full bending", Unit::Percent, 100.0 * points);
+            self.number("bending_share", "  elements times steps that bent", Amount::share(share));
+            self.number("point_share", "  law points over those of full bending", Amount::share(points));
         }
-        self.text("corrector", "Corrector", &corrector(model));
+        self.text("corrector", "Corrector", corrector(model));
         let Effort { predictor, secant, softened, halved, overstrained, overstepped, abandoned } = run.effort;
         self.count("steps", "Steps", run.steps.len());
         self.count("steps_from_predictor", "  solved from the predictor", predictor);
@@ -28,9 +28,10 @@ impl Summary {
         // Where the residual alone decides, a step may be accepted without an increment that says how far it was.
         let known = run.steps.iter().map(|s| s.velocity_norm).filter(|norm| norm.is_finite());
         if let Some(norm) = known.reduce(f64::max) {
-            self.number("velocity_norm", "Largest accepted velocity norm", Unit::None, norm);
+            self.number("velocity_norm", "Largest accepted velocity norm", Amount::norm(norm));
         }
-        self.number("residual_norm", "Largest accepted residual norm", Unit::None, largest(|s| s.residual_norm));
+        let residual = Amount::norm(largest(|s| s.residual_norm));
+        self.number("residual_norm", "Largest accepted residual norm", residual);
         self.count("rejected", "Rejected tries", run.steps.iter().map(|s| s.rejected).sum::<usize>() + abandoned);
         self.count("steps_halved", "  steps halved", halved);
         self.count("steps_overstrained", "  repeated for too much strain", overstrained);
@@ -55,33 +56,37 @@ fn bent(model: &Model, run: &StageSolution) -> (f64, f64) {
     if all > 0.0 { (bent / all, points / full) } else { (0.0, 0.0) }
 }
 
-fn mesh(model: &Model) -> String {
+fn mesh(model: &Model) -> Message {
     let blank = &model.blank;
     let theory = match blank.theory {
-        Theory::Bending => format!("bending elements, {} layers", blank.layers),
-        Theory::Membrane => "membrane elements".to_owned(),
-        Theory::Selective => {
-            format!("elements, bending with {} layers where t/R is above {}", blank.layers, model.settings.bend_ratio)
-        }
+        Theory::Bending => message!("{n} bending elements, {layers} layers", n = blank.elements, layers = blank.layers),
+        Theory::Membrane => message!("{n} membrane elements", n = blank.elements),
+        Theory::Selective => message!(
+            "{n} elements, bending with {layers} layers where t/R is above {ratio}",
+            n = blank.elements,
+            layers = blank.layers,
+            ratio = Amount::number(model.settings.bend_ratio)
+        ),
     };
     let grading = match blank.grading {
         Grading::Uniform => "uniform",
         Grading::Radii => "graded where the tools' radii ask for it",
     };
-    format!("{} {theory}, {grading}", blank.elements)
+    Message::joined([theory, grading.into()], ", ")
 }
 
-fn corrector(model: &Model) -> String {
+fn corrector(model: &Model) -> Message {
     let settings = &model.settings;
     let matrix = match settings.iteration {
-        Iteration::PrimalDual => "primal-dual Newton",
-        Iteration::Newton => "Newton",
-        Iteration::Secant => "secant",
+        Iteration::PrimalDual => "primal-dual Newton matrix",
+        Iteration::Newton => "Newton matrix",
+        Iteration::Secant => "secant matrix",
     };
+    let tolerance = Amount::norm(settings.tolerance);
     let norm = match settings.norm {
-        Norm::Velocity => "velocity norm",
-        Norm::Residual => "residual norm",
-        Norm::Both => "velocity and residual norm",
+        Norm::Velocity => message!("velocity norm below {tolerance}", tolerance = tolerance),
+        Norm::Residual => message!("residual norm below {tolerance}", tolerance = tolerance),
+        Norm::Both => message!("velocity and residual norm below {tolerance}", tolerance = tolerance),
     };
-    format!("{matrix} matrix, {norm} below {:e}", settings.tolerance)
+    Message::joined([matrix.into(), norm], ", ")
 }

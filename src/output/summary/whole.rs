@@ -2,6 +2,7 @@
 
 use super::Summary;
 use crate::case::Solution;
+use crate::message::{Form, Message, NO_BREAK};
 use crate::output::{Results, StageView, stages};
 use serde::ser::{Serialize, SerializeMap, Serializer};
 use std::fmt;
@@ -16,7 +17,7 @@ pub struct CaseSummary {
     /// Of every stage that was run.
     pub stages: Vec<Summary>,
     /// A line for every stage; empty in a case of one stage.
-    pub lines: String,
+    pub lines: Message,
 }
 
 impl CaseSummary {
@@ -27,6 +28,18 @@ impl CaseSummary {
             stages: views.iter().map(Summary::of).collect(),
             lines: stages::printed(solution),
         }
+    }
+}
+
+impl CaseSummary {
+    /// As aligned text, stage by stage.
+    pub fn told(&self, form: Form) -> String {
+        let stages: Vec<String> = self.stages.iter().map(|stage| stage.told(form)).collect();
+        let stages = stages.join("\n");
+        if self.lines.is_empty() {
+            return stages;
+        }
+        format!("{stages}\n{}\n{}\n", Message::from("Stages").told(form), self.lines.told(form))
     }
 }
 
@@ -46,8 +59,9 @@ impl Results<'_> {
 
 impl Serialize for CaseSummary {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        if let ([one], "") = (&self.stages[..], &self.lines[..]) {
-            return one.serialize(serializer);
+        match &self.stages[..] {
+            [one] if self.lines.is_empty() => return one.serialize(serializer),
+            _ => {}
         }
         let mut map = serializer.serialize_map(Some(3))?;
         map.serialize_entry("case", &self.case)?;
@@ -59,9 +73,6 @@ impl Serialize for CaseSummary {
 
 impl fmt::Display for CaseSummary {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        for (i, stage) in self.stages.iter().enumerate() {
-            write!(f, "{}{stage}", if i > 0 { "\n" } else { "" })?;
-        }
-        if self.lines.is_empty() { Ok(()) } else { write!(f, "\nStages\n{}", self.lines) }
+        f.write_str(&self.told(Form::default()).replace(NO_BREAK, " "))
     }
 }

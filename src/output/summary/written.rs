@@ -1,9 +1,9 @@
 //! The summary as text and as JSON.
 
-use super::{Entry, Figure, Group, Summary, Value};
+use super::{Entry, Figure, Group, INDENT, Summary, Value};
 use crate::measure::{Change, Event};
+use crate::message::{Amount, Form, Message, NO_BREAK, message};
 use crate::table::Unit;
-use crate::units::four_digits;
 use crate::units::rounded;
 use serde::ser::{Serialize, SerializeMap, Serializer};
 use serde_json::json;
@@ -12,17 +12,16 @@ use std::fmt;
 impl Serialize for Summary {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let mut map = serializer.serialize_map(Some(self.entries.len()))?;
-        for Entry { key, unit, value, .. } in &self.entries {
-            let key = unit.keyed(key);
+        for Entry { key, value, .. } in &self.entries {
             match value {
-                Value::Number(v) => map.serialize_entry(&key, &rounded(*v))?,
-                Value::Count(v) => map.serialize_entry(&key, v)?,
-                Value::Flag(v) => map.serialize_entry(&key, v)?,
-                Value::Text(v) => map.serialize_entry(&key, v)?,
-                Value::List(v) => map.serialize_entry(&key, v)?,
-                Value::Changes(v) => map.serialize_entry(&key, &v.iter().map(of_change).collect::<Vec<_>>())?,
+                Value::Number(amount) => map.serialize_entry(&amount.unit.keyed(key), &rounded(amount.value))?,
+                Value::Count(v) => map.serialize_entry(key, v)?,
+                Value::Flag(v) => map.serialize_entry(key, v)?,
+                Value::Text(v) => map.serialize_entry(key, v)?,
+                Value::List(v) => map.serialize_entry(key, v)?,
+                Value::Changes(v) => map.serialize_entry(key, &v.iter().map(of_change).collect::<Vec<_>>())?,
                 Value::Events(v, force) => {
-                    map.serialize_entry(&key, &v.iter().map(|event| of_event(event, *force)).collect::<Vec<_>>())?;
+                    map.serialize_entry(key, &v.iter().map(|event| of_event(event, *force)).collect::<Vec<_>>())?;
                 }
             }
         }
@@ -32,74 +31,108 @@ impl Serialize for Summary {
 
 impl Summary {
     /// The printed lines but the lists and what was measured before and after.
-    pub fn figures(&self) -> impl Iterator<Item = Figure> {
-        self.entries.iter().filter(|entry| !entry.label.is_empty()).filter_map(|entry| {
+    pub fn figures(&self, form: Form) -> impl Iterator<Item = Figure> {
+        self.printed().filter_map(move |entry| {
             let (value, unit) = match &entry.value {
-                Value::Number(v) => (digits(*v, entry.unit), entry.unit.symbol()),
-                Value::Count(v) => (v.to_string(), Unit::None.symbol()),
-                Value::Flag(v) => (if *v { "yes" } else { "no" }.to_owned(), ""),
-                Value::Text(v) => (v.clone(), ""),
+                Value::Number(amount) => amount.parts(form),
                 Value::List(_) | Value::Changes(_) | Value::Events(..) => return None,
+                value => (said(value).told(form), ""),
             };
-            Some(Figure { group: entry.group, key: entry.key, label: entry.label.clone(), value, unit })
+            Some(Figure { group: entry.group, key: entry.key, label: entry.indented(form), value, unit })
         })
     }
 
     /// Labels and values of the printed lines; the entries of a list stand below each other, the first at its label.
-    pub fn rows(&self) -> Vec<(Group, [String; 2])> {
-        let printed = self.entries.iter().filter(|entry| !entry.label.is_empty());
-        let rows = printed.flat_map(|Entry { group, label, unit, value, .. }| {
-            let one = |text: String| vec![(label.clone(), text)];
-            let rows = match value {
-                Value::Number(v) => one(with_unit(*v, *unit)),
-                Value::Count(v) => one(v.to_string()),
-                Value::Flag(v) => one(if *v { "yes" } else { "no" }.to_owned()),
-                Value::Text(v) => one(v.clone()),
+    pub fn rows(&self, form: Form) -> Vec<(Group, [String; 2])> {
+        let rows = self.printed().flat_map(|entry| {
+            let label = entry.indented(form);
+            let rows = match &entry.value {
                 Value::List(lines) => {
-                    let labelled =
-                        |(i, line)| (if i == 0 { label.clone() } else { String::new() }, format!("- {line}"));
-                    lines.iter().enumerate().map(labelled).collect()
+                    let text = lines.iter().map(|line| format!("- {}", line.told(form)));
+                    let labels = std::iter::once(label).chain(std::iter::repeat(String::new()));
+                    labels.zip(text).collect()
                 }
                 Value::Events(events, force) => {
-                    let labelled =
-                        |(i, event)| (if i == 0 { label.clone() } else { String::new() }, row_of_event(event, *force));
-                    events.iter().enumerate().map(labelled).collect()
+                    let text = events.iter().map(|event| row_of_event(event, *force).told(form));
+                    std::iter::once(label).chain(std::iter::repeat(String::new())).zip(text).collect()
                 }
                 Value::Changes(changes) => {
-                    let head = (label.clone(), "before → after (change)".to_owned());
-                    std::iter::once(head).chain(changes.iter().map(row_of_change)).collect()
+                    let head = (label, Message::from("before → after (change)").told(form));
+                    std::iter::once(head).chain(changes.iter().map(|change| row_of_change(change, form))).collect()
                 }
+                value => vec![(label, said(value).told(form))],
             };
-            rows.into_iter().map(|(label, value)| (*group, [label, value]))
+            rows.into_iter().map(|(label, value)| (entry.group, [label, value]))
         });
         rows.collect()
     }
+
+    /// As aligned text.
+    pub fn told(&self, form: Form) -> String {
+        let rows = self.rows(form);
+        let width = rows.iter().map(|(_, [label, _])| label.chars().count()).max().unwrap_or(0);
+        rows.iter().map(|(_, [label, value])| format!("{label:<width$}  {value}\n")).collect()
+    }
+
+    /// What readers are told: labels, words and lists.
+    pub fn messages(&self) -> impl Iterator<Item = Message> {
+        self.printed().flat_map(|entry| {
+            let values = match &entry.value {
+                Value::List(lines) => lines.clone(),
+                Value::Changes(changes) => {
+                    changes.iter().flat_map(|change| [change.quantity.label.into(), change.told()]).collect()
+                }
+                Value::Events(events, force) => events.iter().map(|event| row_of_event(event, *force)).collect(),
+                value => vec![said(value)],
+            };
+            std::iter::once(entry.label.clone()).chain(values)
+        })
+    }
+
+    fn printed(&self) -> impl Iterator<Item = &Entry> {
+        self.entries.iter().filter(|entry| !entry.label.is_empty())
+    }
 }
 
-/// Four digits; of an angle tenths, as [`Quantity`](crate::measure::Quantity) has them.
-fn digits(value: f64, unit: Unit) -> String {
-    if unit == Unit::Degree { format!("{value:.1}") } else { four_digits(value) }
+impl Entry {
+    fn indented(&self, form: Form) -> String {
+        INDENT.repeat(self.level) + &self.label.told(form)
+    }
 }
 
-/// Degrees stand close to their number.
-fn with_unit(value: f64, unit: Unit) -> String {
-    let space = if unit == Unit::Degree { "" } else { " " };
-    format!("{}{space}{}", digits(value, unit), unit.symbol())
+/// A value that is neither a list nor a table, with its unit.
+fn said(value: &Value) -> Message {
+    match value {
+        Value::Number(amount) => (*amount).into(),
+        Value::Count(count) => Amount::count(*count).into(),
+        Value::Flag(true) => "yes".into(),
+        Value::Flag(false) => "no".into(),
+        Value::Text(text) => text.clone(),
+        Value::List(_) | Value::Changes(_) | Value::Events(..) => Message::default(),
+    }
 }
 
 /// `Wall to the punch direction`, `0.3° → 8.2° (+7.9°)`.
-fn row_of_change(change: &Change) -> (String, String) {
-    let by = change.change().map_or(String::new(), |by| format!(" ({})", change.quantity.signed(by)));
-    (format!("  {}", change.quantity.label), change.text() + &by)
+fn row_of_change(change: &Change, form: Form) -> (String, String) {
+    let said = match change.change() {
+        Some(by) => message!("{change} ({by})", change = change.told(), by = change.quantity.signed(by)),
+        None => change.told(),
+    };
+    (INDENT.to_owned() + &Message::from(change.quantity.label).told(form), said.told(form))
 }
 
-/// `44.07 mm, 48261 N: rim meets the die`; of a gas's work the time in place of travel and force.
-fn row_of_event(event: &Event, force: Unit) -> String {
-    let at = match event.travel {
-        0.0 => with_unit(event.time, Unit::Second),
-        travel => format!("{}, {}", with_unit(travel, Unit::Mm), with_unit(event.force, force)),
-    };
-    format!("{at}: {}", event.kind.label())
+/// `44.1 mm, 48.3 kN: rim meets the die`; of a gas's work the time in place of travel and force.
+fn row_of_event(event: &Event, force: Unit) -> Message {
+    let what = event.kind.label();
+    match event.travel {
+        0.0 => message!("{time}: {event}", time = Amount::time(event.time), event = what),
+        travel => message!(
+            "{travel}, {force}: {event}",
+            travel = Amount::place(travel),
+            force = Amount::force(event.force, force),
+            event = what
+        ),
+    }
 }
 
 fn of_event(event: &Event, force: Unit) -> serde_json::Value {
@@ -124,8 +157,6 @@ fn of_change(change: &Change) -> serde_json::Value {
 
 impl fmt::Display for Summary {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let rows = self.rows();
-        let width = rows.iter().map(|(_, [label, _])| label.chars().count()).max().unwrap_or(0);
-        rows.iter().try_for_each(|(_, [label, value])| writeln!(f, "{label:<width$}  {value}"))
+        f.write_str(&self.told(Form::default()).replace(NO_BREAK, " "))
     }
 }

@@ -21,6 +21,7 @@ pub(super) struct Grid {
     points: Vec<[f64; 3]>,
     /// Numbers of each cell's points, in VTK's order.
     cells: Vec<(CellType, Vec<u64>)>,
+    /// The first one is what a viewer colours by.
     fields: Vec<Column>,
 }
 
@@ -108,18 +109,24 @@ impl Grid {
         array(&mut text, "type=\"Int64\" Name=\"connectivity\"", &corners);
         array(&mut text, "type=\"Int64\" Name=\"offsets\"", &ends);
         array(&mut text, "type=\"UInt8\" Name=\"types\"", &types);
-        text.push_str("</Cells>\n<CellData>\n");
+        text.push_str("</Cells>\n");
+        let _ = writeln!(text, "<CellData Scalars=\"{}\">", self.fields.first().map_or_else(String::new, name));
         for column in &self.fields {
-            let unit = match column.unit.spelled() {
-                "" => "-",
-                "percent" => "%",
-                unit => unit,
-            };
-            array(&mut text, &format!("type=\"Float64\" Name=\"{} [{unit}]\"", column.key), &doubles(&column.values));
+            array(&mut text, &format!("type=\"Float64\" Name=\"{}\"", name(column)), &doubles(&column.values));
         }
         text.push_str("</CellData>\n</Piece>\n</UnstructuredGrid>\n</VTKFile>\n");
         text.into_bytes()
     }
+}
+
+/// `thickness [mm]`
+fn name(column: &Column) -> String {
+    let unit = match column.unit.spelled() {
+        "" => "-",
+        "percent" => "%",
+        unit => unit,
+    };
+    format!("{} [{unit}]", column.key)
 }
 
 /// One array: how many bytes it has, and the bytes.

@@ -8,7 +8,7 @@
 //! | `tools.pvd` | `tools_0001.vtu` … | the lines of the tools, by `role [-]`: punch 0, die 1, holder 2 |
 //!
 //! Cells carry the columns of `profile.csv`, named with their units: `thickness [mm]`, `stress_hoop [MPa]`, and
-//! `thinning [%]`. Coordinates are in mm: x is the distance from the axis or the symmetry plane and y is z of the
+//! `thinning [%]`, which viewers show first. Coordinates are in mm: x is the distance from the axis or the symmetry plane and y is z of the
 //! section; the turned sheet's axis is z.
 //!
 //! # References
@@ -17,6 +17,7 @@
 mod base64;
 mod grid;
 
+use super::thinning::percent;
 use super::{Files, StageView, animation, profile, sections};
 use crate::model::{Geometry, Model};
 use crate::solution::{ElementRecord, Frame};
@@ -100,13 +101,15 @@ fn section(model: &Model, frame: &Frame) -> Grid {
     Grid::strip(faces.collect(), fields(model, frame))
 }
 
-/// The columns of `profile.csv` that are no places of the section and no times, and how much thinner the sheet is.
+/// How much thinner the sheet is, by which viewers colour it, and the columns of `profile.csv` that are no places of the
+/// section and no times.
 fn fields(model: &Model, frame: &Frame) -> Vec<Column> {
     let column = |field: Field<ElementRecord>| field.column(model.extent(), &frame.elements);
-    let thinning = |element: &ElementRecord| 100.0 * (1.0 - element.thickness / model.blank.thickness);
+    let thinning = |element: &ElementRecord| percent(model.blank.thickness, element.thickness);
     let thinning = frame.elements.iter().map(thinning).collect();
     let thinning = Column::new("thinning", "Thinning", Unit::Percent, thinning);
-    std::iter::once(S0).chain(profile::fields(model)).map(column).chain([thinning]).collect()
+    let others = std::iter::once(S0).chain(profile::fields(model)).map(column);
+    std::iter::once(thinning).chain(others).collect()
 }
 
 /// A line for every tool, where it stands in the frame; its number is that of the role: punch 0, die 1, holder 2.

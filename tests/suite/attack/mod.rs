@@ -13,7 +13,7 @@ mod promises;
 use crate::common::files::files;
 use fastrand::Rng;
 use mutate::{Form, mutated};
-use stampflow::author::Draft;
+use stampflow::author::{Draft, Drawn};
 use stampflow::case::{self, Case, CaseError};
 use stampflow::compare::Computed;
 use stampflow::files::{Disk, Files, Memory};
@@ -195,6 +195,10 @@ fn check_case(text: &str, files: &dyn Files) -> bool {
     check_read(case::parse_with(text, "cases/mutated.toml", &[], files), WORK)
 }
 
+fn drawn(tools: &[import::Section]) -> Vec<Drawn<'_>> {
+    tools.iter().map(|tool| (tool.role, &tool.profile, tool.made_of.as_str())).collect()
+}
+
 fn check_drawing(bytes: &[u8]) -> bool {
     let sections = match import::read(bytes, &Options::default()) {
         Ok(sections) => sections,
@@ -204,10 +208,12 @@ fn check_drawing(bytes: &[u8]) -> bool {
             return false;
         }
     };
-    let tools = sections.tools.iter().map(|tool| (tool.role, &tool.profile, tool.made_of.as_str())).collect();
+    let tools = drawn(&sections.tools);
+    let later: Vec<_> = sections.later.iter().map(|later| (later.name(), drawn(&later.tools))).collect();
     let (title, notes) = ("Tools of a drawing", &sections.notes[..]);
     let geometry = Geometry::Axisymmetric;
-    let draft = Draft { title, geometry, tools, thickness: None, blank: None, travel: None, notes };
+    let name = (!later.is_empty()).then(|| "first".to_owned());
+    let draft = Draft { title, geometry, name, tools, later, thickness: None, blank: None, travel: None, notes };
     let _ = (draft.size(), draft.doubts());
     draft.case(&draft.toml(), "mutated.dxf").transpose().is_some_and(|case| check_read(case, WORK))
 }

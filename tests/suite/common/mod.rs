@@ -5,6 +5,7 @@ pub mod convergence;
 pub mod cup;
 pub mod drawn;
 pub mod files;
+pub mod pdf;
 pub mod pixels;
 #[allow(dead_code, reason = "the benchmark of the campaign also prints the process")]
 pub mod random_die;

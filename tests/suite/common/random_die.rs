@@ -139,7 +139,7 @@ pub fn random_die(seed: u64) -> RandomDie {
     let strength = (0..400).map(|i| 5e-3 * f64::from(i)).map(|e| law.at(e).stress * (-e).exp()).fold(0.0, f64::max);
     let beta = length / radius;
     let siebel = 0.0025 * ((beta - 1.0).powi(2) + radius / (100.0 * t)) * strength;
-    let held = if plane { length - flange } else { std::f64::consts::PI * (length * length - flange * flange) };
+    let held = if plane { 2.0 * (length - flange) } else { std::f64::consts::PI * (length * length - flange * flange) };
     let force = siebels * siebel * held;
     let tool = |role, profile, motion| Tool { role, profile, friction: friction.into(), motion };
     let mut tools = vec![

@@ -45,7 +45,7 @@ pub fn pulled(geometry: Geometry, theory: Theory, travel: f64) -> Model {
 }
 
 /// A strip too strong to yield, drawn by a flat punch over a die shoulder of 10 mm with friction `mu` there:
-/// a rope over a bollard. The holder's own friction holds it back with `2 · 0.1 · holder` [N/mm].
+/// a rope over a bollard on either side. The holder's own friction holds them back with `2 · 0.1 · holder` together [N/mm].
 pub fn capstan(mu: f64, holder: f64, per_quarter: usize) -> Model {
     let t = 1.0;
     let shoulder = 10.0;

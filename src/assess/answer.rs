@@ -1,0 +1,247 @@
+//! What a designer asks first: does it tear, where, what does the press see.
+
+use super::nearest::Nearest;
+use super::neck::torn;
+use super::{Finding, Light, judgements};
+use crate::case::Case;
+use crate::measure::{PartPlace, part_height, place_on_part};
+use crate::message::{Amount, Message, message};
+use crate::model::{Geometry, Model, Motion, Role};
+use crate::solution::{StageSolution, StepRecord, Stop};
+use crate::table::Unit;
+
+/// The verdict in one sentence, and the numbers that a part is known by.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Answer {
+    /// The worst of the verdict's lights but grey.
+    pub light: Light,
+    /// Whether it tears and where, or what else speaks against it.
+    pub sentence: Message,
+    /// In the order of telling.
+    pub numbers: Vec<KeyNumber>,
+}
+
+/// One of the numbers that a part is known by.
+#[derive(Clone, Debug, PartialEq)]
+pub struct KeyNumber {
+    /// Name in JSON: `thinnest`.
+    pub key: &'static str,
+    /// Name in tables: `Thinnest`.
+    pub label: &'static str,
+    /// The number.
+    pub amount: Amount,
+    /// Where, when, and against what.
+    pub about: Message,
+}
+
+/// Where the sheet tears.
+struct Tear<'a> {
+    stage: usize,
+    on: &'a StageSolution,
+    /// \[mm\]; `None` of a stage without a travel.
+    travel: Option<f64>,
+    /// Initial distance from the axis or symmetry plane \[mm\].
+    s0: Option<f64>,
+}
+
+impl Answer {
+    /// From what was solved and what was [found](super::after) on it.
+    pub fn of(case: &Case, stages: &[StageSolution], findings: &[Finding]) -> Self {
+        let light = judgements(findings).map(|finding| finding.light).max().unwrap_or(Light::Grey);
+        Self { light, sentence: sentence(stages, findings, light), numbers: numbers(case, stages) }
+    }
+}
+
+/// What speaks loudest: a tear, a run that did not end, red lights, amber ones.
+fn sentence(stages: &[StageSolution], findings: &[Finding], light: Light) -> Message {
+    let labels =
+        |of: Light| Message::joined(judgements(findings).filter(|f| f.light == of).map(|f| f.label.into()), ", ");
+    let is = |key: &str, light: Light| judgements(findings).any(|f| f.key == key && f.light == light);
+    let is_red = |key: &str| is(key, Light::Red);
+    if let Some(tear) = tear(stages) {
+        return Message::joined([tear.sentence(stages.len()), tear.when()], ", ");
+    }
+    if let Some(stop) = stages.last().map(|stage| &stage.stop).filter(|stop| !stop.is_complete() && is_red("stop")) {
+        return message!("not solved to its end: {why}", why = stop.kind());
+    }
+    match light {
+        _ if is_red("bottom_tearing") => "it tears at the bottom: the punch pulls harder than the wall can bear".into(),
+        _ if is_red("localisation") || is_red("thinning") => {
+            let place = stages.last().and_then(thinnest).map_or_else(Message::default, |(_, s0)| place(stages, s0));
+            Message::joined(["it thins too far".into(), place], " ")
+        }
+        _ if is_red("wrinkling") => "it wrinkles: the holder presses too little for this flange".into(),
+        Light::Red => message!("it does not tear, but not as it is: {labels}", labels = labels(Light::Red)),
+        Light::Amber if is("forming_limit", Light::Amber) || is("thinning", Light::Amber) => {
+            let near = stages.last().and_then(thinnest).map_or_else(Message::default, |(_, s0)| place(stages, s0));
+            Message::joined(["it comes near to tearing".into(), near], " ")
+        }
+        Light::Amber => message!("it does not tear; look at {labels}", labels = labels(Light::Amber)),
+        _ => "it does not tear, and nothing speaks against it".into(),
+    }
+}
+
+/// Where the run saw the sheet tear, or where its forming limit was first reached.
+fn tear(stages: &[StageSolution]) -> Option<Tear<'_>> {
+    let ended = stages.iter().enumerate().find_map(|(stage, on)| {
+        let (travel, s0) = match on.stop {
+            Stop::Localised { travel, s0, .. } | Stop::Coalesced { travel, s0, .. } => (Some(travel), Some(s0)),
+            Stop::LoadMaximum { travel, .. } => (Some(travel), thinnest(on).map(|(_, s0)| s0)),
+            Stop::PressureMaximum { s0, .. } => (None, Some(s0)),
+            _ => return None,
+        };
+        Some(Tear { stage, on, travel, s0 })
+    });
+    let limit = || {
+        let nearest = Nearest::of(stages)?;
+        let reached = nearest.assessment.reached?;
+        let stage = stages.iter().position(|stage| std::ptr::eq(stage, nearest.stage))?;
+        let travel = (nearest.stage.model.travel > 0.0).then_some(reached.travel);
+        Some(Tear { stage, on: nearest.stage, travel, s0: Some(reached.s0) })
+    };
+    // The limit is reached before a neck ends the run, and is where the tear begins.
+    limit().or(ended)
+}
+
+/// Where the sheet of a stage tears, initially from the axis \[mm\]: where the verdict's sentence has it, or where it is
+/// too thin to be whole.
+pub fn tears_at(stage: &StageSolution) -> Option<f64> {
+    stage.steps.last()?;
+    let tear = tear(std::slice::from_ref(stage)).and_then(|tear| tear.s0);
+    tear.or_else(|| torn(stage).map(|neck| neck.s0))
+}
+
+impl Tear<'_> {
+    /// `it tears in the wall, next to the punch radius, in stage 2`
+    fn sentence(&self, stages: usize) -> Message {
+        let place = self.s0.map_or_else(Message::default, |s0| on_part(self.on, s0));
+        let stage = if stages > 1 { message!("in stage {n}", n = self.stage + 1) } else { Message::default() };
+        Message::joined([Message::joined(["it tears".into(), place], " "), stage], ", ")
+    }
+
+    /// `after 18.2 of 32.0 mm of travel`
+    fn when(&self) -> Message {
+        let whole = self.on.model.travel;
+        self.travel.map_or_else(Message::default, |travel| {
+            let (reached, all) = (Amount::place(travel), Amount::place(whole));
+            message!("after {travel} of {all} of travel", travel = reached, all = all)
+        })
+    }
+}
+
+/// The numbers that a part is known by: thinnest place, force and press, holder, blank, height, draw-in.
+fn numbers(case: &Case, stages: &[StageSolution]) -> Vec<KeyNumber> {
+    let all = [
+        thinnest_number(stages),
+        load(case, stages),
+        holder(stages),
+        blank(case.model()),
+        height(stages),
+        draw_in(stages),
+    ];
+    all.into_iter().flatten().collect()
+}
+
+/// Thickness \[mm\] and initial distance \[mm\] of the thinnest element at the end of a stage.
+fn thinnest(stage: &StageSolution) -> Option<(f64, f64)> {
+    stage.steps.last().map(|step| (step.thinnest, step.thinnest_s0))
+}
+
+fn thinnest_number(stages: &[StageSolution]) -> Option<KeyNumber> {
+    let stage = stages.last()?;
+    let (thickness, s0) = thinnest(stage)?;
+    let thinning = 1.0 - thickness / stage.model.blank.thickness;
+    let about = message!("{thinning} thinner", thinning = Amount::share(thinning));
+    let about = Message::joined([about, place(stages, s0)], ", ");
+    Some(KeyNumber { key: "thinnest", label: "Thinnest", amount: Amount::thickness(thickness), about })
+}
+
+/// The largest force over all stages, or the largest gas pressure where no punch moves.
+fn load(case: &Case, stages: &[StageSolution]) -> Option<KeyNumber> {
+    let formed = stages.iter().filter(|stage| stage.model.release.is_none());
+    let steps: Vec<(&Model, &StepRecord)> = formed.flat_map(|s| s.steps.iter().map(|step| (&s.model, step))).collect();
+    let of = |value: fn(&StepRecord) -> f64| steps.iter().max_by(|a, b| value(a.1).total_cmp(&value(b.1))).copied();
+    let (model, peak) = of(|step| step.punch_force)?;
+    if peak.punch_force <= 0.0 {
+        let (_, peak) = of(|step| step.pressure.abs()).filter(|(_, peak)| peak.pressure != 0.0)?;
+        let about = message!("at a height of {height}", height = Amount::place(peak.pole_height.abs()));
+        return Some(KeyNumber {
+            key: "pressure",
+            label: "Pressure",
+            amount: Amount::stress(peak.pressure.abs()),
+            about,
+        });
+    }
+    let unit = model.extent().force_unit();
+    let at = message!("at {travel} of travel", travel = Amount::place(peak.travel));
+    let press = match case.press.force {
+        Some(rating) => message!(
+            "{share} of the press's {rating}",
+            share = Amount::share(peak.punch_force / rating),
+            rating = Amount::force(rating, unit)
+        ),
+        None => "press's rating not given".into(),
+    };
+    let about = Message::joined([at, press], "; ");
+    Some(KeyNumber { key: "punch_force", label: "Punch force", amount: Amount::force(peak.punch_force, unit), about })
+}
+
+/// The largest holder force, or the gap of a holder that stands.
+fn holder(stages: &[StageSolution]) -> Option<KeyNumber> {
+    let stage = stages.first()?;
+    let holder = stage.model.tool(Role::Holder)?;
+    if let Motion::Gap(gap) = holder.motion {
+        let about = message!("to the die, {ratio}", ratio = Amount::thicknesses(gap / stage.model.blank.thickness));
+        return Some(KeyNumber { key: "holder_gap", label: "Holder gap", amount: Amount::size(gap), about });
+    }
+    let force = stage.steps.iter().map(|step| step.holder_force).fold(0.0, f64::max);
+    let amount = Amount::force(force, stage.model.extent().force_unit());
+    Some(KeyNumber { key: "holder_force", label: "Holder", amount, about: "at its largest".into() })
+}
+
+fn blank(model: &Model) -> Option<KeyNumber> {
+    let (label, about) = match model.geometry {
+        Geometry::Axisymmetric => {
+            ("Blank", message!("in diameter, {t} thick", t = Amount::size(model.blank.thickness)))
+        }
+        Geometry::PlaneStrain => ("Blank", message!("wide, {t} thick", t = Amount::size(model.blank.thickness))),
+    };
+    let amount = Amount::new(2.0 * model.blank.length, Unit::Mm, crate::message::Digits::Given(2));
+    Some(KeyNumber { key: "blank", label, amount, about })
+}
+
+fn height(stages: &[StageSolution]) -> Option<KeyNumber> {
+    let height = part_height(stages.last()?.frames.last()?)?;
+    Some(KeyNumber { key: "part_height", label: "Height", amount: Amount::place(height), about: "over all".into() })
+}
+
+fn draw_in(stages: &[StageSolution]) -> Option<KeyNumber> {
+    let drawn = stages.last()?.steps.last()?.draw_in;
+    Some(KeyNumber {
+        key: "draw_in",
+        label: "Draw-in",
+        amount: Amount::place(drawn),
+        about: "of the edge, on each side".into(),
+    })
+}
+
+/// A place by its name on the part, where the part has one, and where it is on the flat blank.
+fn place(stages: &[StageSolution], s0: f64) -> Message {
+    stages.last().map_or_else(Message::default, |stage| on_part(stage, s0))
+}
+
+fn on_part(stage: &StageSolution, s0: f64) -> Message {
+    let blank = match stage.model.geometry {
+        Geometry::Axisymmetric => message!("{s0} from the axis on the flat blank", s0 = Amount::place(s0)),
+        Geometry::PlaneStrain => message!("{s0} from the middle of the flat blank", s0 = Amount::place(s0)),
+    };
+    match place_on_part(stage, s0) {
+        Some(PartPlace { band, next_to: None, .. }) => {
+            message!("{band} ({blank})", band = band.at(), blank = blank)
+        }
+        Some(PartPlace { band, next_to: Some(other), .. }) => {
+            message!("{band}, next to the {other} ({blank})", band = band.at(), other = other.name(), blank = blank)
+        }
+        None => blank,
+    }
+}

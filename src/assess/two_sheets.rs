@@ -1,0 +1,51 @@
+//! Whether the numbers of the material are of one sheet, and of this thickness.
+
+use super::Finding;
+use crate::case::Case;
+use crate::message::{Amount, Message, message};
+use crate::table::Unit;
+
+/// Hardening of one sheet with the r̄ of another.
+pub(super) fn mixed(case: &Case) -> Option<Finding> {
+    let sheets = case.sources.sheets.as_ref()?;
+    let library = Message::Plain(sheets.library.clone());
+    let own = match sheets.case.clone() {
+        Some(source) => message!("this case ({source})", source = Message::Plain(source)),
+        None => message!("this case"),
+    };
+    let (hardening, anisotropy) = if sheets.own_hardening { (own, library) } else { (library, own) };
+    let found = message!(
+        "the hardening of {hardening} goes with r̄ = {r} of {anisotropy}: numbers of two sheets, which no sheet has",
+        hardening = hardening,
+        r = Amount::number(sheets.anisotropy),
+        anisotropy = anisotropy
+    );
+    let advice = message!("take all of one sheet: --material NAME, or [material] with `name` alone");
+    Some(Finding::warning("two_sheets", "Material", found).advice(advice))
+}
+
+/// How far from the thickness that the numbers are of a blank may be rolled without a word \[–\]: more than a mill's tolerance.
+const NEAR: f64 = 0.1;
+
+/// A law of a sheet that is thinner or thicker than the blank.
+pub(super) fn thickness(case: &Case) -> Option<Finding> {
+    let of = case.sources.thickness.as_ref()?;
+    let t = case.model().blank.thickness;
+    let [low, high] = of.range;
+    (t < low * (1.0 - NEAR) || t > high * (1.0 + NEAR)).then(|| {
+        let range = match of.range.map(Amount::size) {
+            [one, other] if one == other => message!("{thickness}", thickness = one),
+            [low, high] => message!("{low} to {high}", low = low, high = high),
+        };
+        let found = message!(
+            "the numbers of {material} are of sheet of {range}; this blank is {thickness} thick",
+            material = Message::Plain(of.name.clone()),
+            range = range.clone(),
+            thickness = Amount::size(t)
+        );
+        Finding::warning("sheet_thickness", "Material", found)
+            .against(t, Unit::Mm, range)
+            .source("the library; how far from it is a declared rule of thumb")
+            .advice("take the numbers of a coil of this thickness where there are some")
+    })
+}

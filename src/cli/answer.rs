@@ -1,0 +1,69 @@
+//! The screen that answers: the verdict's sentence, what is red and amber with what to change, the key numbers.
+
+use super::say::Shown;
+use super::table::{Cell, Tone, table, toned, wrapped};
+use stampflow::assess::{Answer, Finding, Kind, Light, judgements, sentences};
+use stampflow::message::{Form, Message, message};
+
+/// Of a case: the sentence first, then what it rests on.
+pub fn answered(case: &str, answer: &Answer, findings: &[Finding], form: Form) -> Shown {
+    let numbers = answer.numbers.iter().map(|number| {
+        [
+            Cell::plain(Message::from(number.label).told(form)),
+            Cell::plain(number.amount.told(form)),
+            Cell::plain(number.about.told(form)),
+        ]
+    });
+    let mut shown = sentence(case, answer, "", form) + "\n".into() + judged(findings, form);
+    shown = shown + table(None, numbers.collect());
+    let warnings = sentences(findings, Kind::Warning);
+    if !warnings.is_empty() {
+        shown = shown + "\n".into();
+    }
+    for warning in warnings {
+        shown = shown + wrapped(&format!("- {}", warning.told(form)));
+    }
+    let grey = judgements(findings).filter(|f| f.light == Light::Grey).map(|f| f.label.into());
+    let grey = Message::joined(grey, ", ");
+    if grey.is_empty() {
+        return shown;
+    }
+    shown
+        + wrapped(
+            &message!("\nNot judged, for want of what it would be held against: {labels}.", labels = grey).told(form),
+        )
+}
+
+/// `cup: RED – it tears in the wall`: one line where several cases are told, with `more` at its end.
+pub fn sentence(case: &str, answer: &Answer, more: &str, form: Form) -> Shown {
+    let light = Message::from(answer.light.name()).told(form).to_uppercase();
+    let line = format!("{case}: {light}: {}. {more}", answer.sentence.told(form));
+    toned(&line, &light, Tone::of(answer.light))
+}
+
+/// Red rows, then amber ones; what to change stands once under those that it is good for.
+fn judged(findings: &[Finding], form: Form) -> Shown {
+    let mut rows: Vec<[Cell; 3]> = Vec::new();
+    for light in [Light::Red, Light::Amber] {
+        let mut rest: Vec<&Finding> = judgements(findings).filter(|finding| finding.light == light).collect();
+        while let Some(first) = rest.first().copied() {
+            let (same, others): (Vec<_>, Vec<_>) = rest.into_iter().partition(|finding| finding.advice == first.advice);
+            rest = others;
+            rows.extend(same.iter().map(|finding| row(finding, form)));
+            let change = Message::from("→ change").told(form);
+            rows.push(["", &change, &first.advice.told(form)].map(Cell::plain));
+            rows.push([""; 3].map(Cell::plain));
+        }
+    }
+    table(None, rows)
+}
+
+fn row(finding: &Finding, form: Form) -> [Cell; 3] {
+    let light = Message::from(finding.light.name()).told(form);
+    let found = message!("{found}; limit: {limit}", found = finding.found.clone(), limit = finding.limit.clone());
+    [
+        Cell { text: light, tone: Tone::of(finding.light) },
+        Cell::plain(Message::from(finding.label).told(form)),
+        Cell::plain(found.told(form)),
+    ]
+}

@@ -1,0 +1,263 @@
+//! A document as a PDF file: A4, from the same pictures, each page numbered, contents with their pages, and nothing that is
+//! cut: no picture, no row of a table.
+
+mod flow;
+mod table;
+mod words;
+
+use super::document::{Block, Document, Issue, KeyNumber, Picture, word};
+use super::program::{MARKER, PROGRAM};
+use crate::assess::Light;
+use crate::output::chart::Color;
+use crate::output::pdf::{MM, Pdf};
+use crate::output::{DRAWN, Drawing};
+use flow::{Flow, WIDTH};
+use words::{Style, lines};
+
+const TITLE: Style = Style::new(17.0).bold();
+const HEADING: Style = Style::new(13.0).bold();
+const TEXT: Style = Style::new(9.5);
+const SMALL: Style = Style::new(8.0);
+const NUMBER: Style = Style::new(12.5).bold();
+
+/// Words of less weight, thin lines, the line below a heading, the ground of what stands out.
+const GREY_TEXT: Color = (85, 85, 85);
+const RULE: Color = (200, 200, 200);
+const BLUE: Color = (0, 114, 178);
+const GROUND: Color = (244, 244, 244);
+
+/// Largest height of a picture after the first page \[pt\].
+const PICTURE: f64 = 115.0 * MM;
+/// Widths that pictures of the first page are laid out in \[px\].
+const LAYOUTS: [f64; 4] = [DRAWN, 700.0, 600.0, 520.0];
+/// Room that a heading wants below it \[pt\].
+const BELOW: f64 = 70.0;
+/// Cells of the title block in a row.
+const BLOCK: usize = 4;
+/// How far lists and advice are indented \[pt\].
+const INDENT: f64 = 12.0;
+
+/// The whole file.
+pub fn pdf(document: &Document) -> Vec<u8> {
+    let mut writer = Writer { flow: Flow::new(), figures: 0 };
+    writer.front(document);
+    writer.flow.turn();
+    let mut headings = Vec::new();
+    let (page, tops) = writer.contents(document);
+    for section in &document.sections {
+        writer.heading(&section.heading, section.blocks.first());
+        headings.push((section.heading.clone(), writer.flow.number(), writer.flow.y - 3.0 * HEADING.leading()));
+        section.blocks.iter().for_each(|block| writer.block(block));
+    }
+    let mut flow = writer.flow;
+    for (top, (_, number, _)) in tops.iter().zip(&headings) {
+        flow.write_right(page, &(number + 1).to_string(), TEXT, *top);
+    }
+    flow.number_pages(&format!("{} · {PROGRAM}", document.title), SMALL.in_color(GREY_TEXT));
+    let file = Pdf {
+        title: document.title.clone(),
+        author: document.author.clone(),
+        creator: format!("{MARKER} {}", env!("CARGO_PKG_VERSION")),
+        language: document.language.to_owned(),
+        pages: flow.pages,
+        headings,
+    };
+    file.bytes()
+}
+
+/// The colour of a light's word.
+fn light_color(light: Light) -> Color {
+    match light {
+        Light::Grey => GREY_TEXT,
+        Light::Green => (0, 102, 74),
+        Light::Amber => (138, 90, 0),
+        Light::Red => (176, 0, 32),
+    }
+}
+
+struct Writer {
+    flow: Flow,
+    /// How many pictures there were.
+    figures: usize,
+}
+
+impl Writer {
+    /// The first page: its pictures share what room the rest leaves.
+    fn front(&mut self, document: &Document) {
+        self.flow.words(&document.title, TITLE, 0.0);
+        self.flow.skip(4.0);
+        self.title_block(&document.title_block);
+        let (pictures, others): (Vec<&Block>, Vec<&Block>) =
+            document.front.iter().partition(|block| matches!(block, Block::Picture(_)));
+        others.into_iter().for_each(|block| self.block(block));
+        let room = self.flow.left() - pictures.len() as f64 * (SMALL.leading() + 8.0);
+        // Narrower drawings are lower, and their letters as large: the width is taken that leaves letters largest.
+        let laid_out = LAYOUTS.map(|width| {
+            let drawn: Vec<_> = pictures.iter().filter_map(|block| drawn(block, width)).collect();
+            let height: f64 = drawn.iter().map(|(_, drawing)| drawing.height).sum();
+            ((WIDTH / width).min(room / height).max(0.0), drawn)
+        });
+        let largest = laid_out.into_iter().max_by(|a, b| a.0.total_cmp(&b.0));
+        if let Some((scale, drawn)) = largest {
+            drawn.iter().for_each(|(picture, drawing)| self.figure(picture, drawing, scale * drawing.width));
+        }
+    }
+
+    fn title_block(&mut self, entries: &[[String; 2]]) {
+        let columns = entries.len().clamp(1, BLOCK);
+        let wide = WIDTH / columns as f64;
+        for row in entries.chunks(columns) {
+            let values: Vec<Vec<String>> = row.iter().map(|[_, value]| lines(value, TEXT, wide - 8.0)).collect();
+            let most = values.iter().map(Vec::len).max().unwrap_or(1) as f64;
+            let height = SMALL.leading() + most * TEXT.leading() + 5.0;
+            let top = self.flow.y;
+            for (i, ([name, _], value)) in row.iter().zip(values).enumerate() {
+                let x = i as f64 * wide;
+                self.flow.frame((x, top), (wide, height), GREY_TEXT);
+                self.flow.write(name, SMALL.in_color(GREY_TEXT), x + 4.0, top + 2.0);
+                for (j, line) in value.iter().enumerate() {
+                    self.flow.write(line, TEXT, x + 4.0, top + 2.0 + SMALL.leading() + j as f64 * TEXT.leading());
+                }
+            }
+            self.flow.skip(height);
+        }
+        self.flow.skip(8.0);
+    }
+
+    /// A line for each section; its page is written when it is known: the page of the list, and where each line stands.
+    fn contents(&mut self, document: &Document) -> (usize, Vec<f64>) {
+        self.heading("Contents", None);
+        let mut tops = Vec::new();
+        for section in &document.sections {
+            let line = lines(&section.heading, TEXT, 0.85 * WIDTH).swap_remove(0);
+            self.flow.write(&line, TEXT, 0.0, self.flow.y);
+            tops.push(self.flow.y);
+            self.flow.skip(TEXT.leading());
+            self.flow.rule(self.flow.y, RULE, 0.3);
+        }
+        self.flow.skip(6.0);
+        (self.flow.number(), tops)
+    }
+
+    /// With room for something below it.
+    fn heading(&mut self, text: &str, first: Option<&Block>) {
+        let first = first.and_then(|block| drawn(block, DRAWN)).map_or(BELOW, |(_, drawing)| height(&drawing));
+        self.flow.reserve(2.0 * HEADING.leading() + first);
+        self.flow.skip(10.0);
+        self.flow.words(text, HEADING, 0.0);
+        self.flow.rule(self.flow.y + 1.0, BLUE, 1.2);
+        self.flow.skip(6.0);
+    }
+
+    fn block(&mut self, block: &Block) {
+        match block {
+            Block::Paragraph(text) => {
+                self.flow.words(text, TEXT, 0.0);
+                self.flow.skip(5.0);
+            }
+            Block::Sentence(light, text) => self.sentence(*light, text),
+            Block::Numbers(numbers) => self.numbers(numbers),
+            Block::Issues(issues) => issues.iter().for_each(|issue| self.issue(issue)),
+            Block::List(entries) => entries.iter().for_each(|entry| {
+                let all = lines(entry, TEXT, WIDTH - INDENT).len() as f64;
+                self.flow.reserve((all * TEXT.leading()).min(BELOW));
+                self.flow.write("–", TEXT, 0.0, self.flow.y);
+                self.flow.words(entry, TEXT, INDENT);
+                self.flow.skip(2.0);
+            }),
+            Block::Table { head, rows } => table::draw(&mut self.flow, head, rows),
+            Block::Motion(..) => {}
+            Block::Picture(picture) => {
+                let drawing = Drawing::of(&picture.chart, DRAWN);
+                let height = height(&drawing);
+                self.flow.reserve(height + 2.0 * SMALL.leading());
+                self.figure(picture, &drawing, height * drawing.width / drawing.height);
+            }
+        }
+    }
+
+    /// A picture with its caption below.
+    fn figure(&mut self, picture: &Picture, drawing: &Drawing, width: f64) {
+        self.figures += 1;
+        self.flow.drawing(drawing, width);
+        let caption = format!("Figure {}: {}.", self.figures, picture.caption);
+        self.flow.words(&caption, SMALL.in_color(GREY_TEXT), 0.0);
+        self.flow.skip(6.0);
+    }
+
+    /// On a ground of its own, beside a bar in its light's colour.
+    fn sentence(&mut self, light: Light, text: &str) {
+        let (style, x) = (Style::new(11.0).bold(), 12.0);
+        let all = lines(&format!("{} {text}", word(light)), style, WIDTH - 2.0 * x);
+        let height = all.len() as f64 * style.leading() + 10.0;
+        self.flow.reserve(height);
+        let top = self.flow.y;
+        self.flow.bar((0.0, top), (WIDTH, height), GROUND);
+        self.flow.bar((0.0, top), (4.0, height), light_color(light));
+        let mark = word(light);
+        self.flow.write(mark, style.in_color(light_color(light)), x, top + 5.0);
+        for (i, line) in all.iter().enumerate() {
+            let behind = if i == 0 { style.width(mark) } else { 0.0 };
+            let words = if i == 0 { line.trim_start_matches(mark) } else { line };
+            self.flow.write(words, style, x + behind, top + 5.0 + i as f64 * style.leading());
+        }
+        self.flow.skip(height + 7.0);
+    }
+
+    fn issue(&mut self, issue: &Issue) {
+        let Issue { light, label, found, limit, advice } = issue;
+        let head = format!("{} {label}", word(*light));
+        let style = TEXT.in_color(light_color(*light)).bold();
+        let limit = if limit.is_empty() { String::new() } else { format!(" (limit: {limit})") };
+        let advice = if advice.is_empty() { String::new() } else { format!("What to change: {advice}") };
+        let below = [format!("{found}{limit}"), advice];
+        let all: usize =
+            below.iter().filter(|text| !text.is_empty()).map(|t| lines(t, TEXT, WIDTH - INDENT).len()).sum();
+        self.flow.reserve((1 + all) as f64 * TEXT.leading());
+        self.flow.words(&head, style, 0.0);
+        below.iter().filter(|text| !text.is_empty()).for_each(|text| self.flow.words(text, TEXT, INDENT));
+        self.flow.skip(4.0);
+    }
+
+    /// Boxes beside each other.
+    fn numbers(&mut self, numbers: &[KeyNumber]) {
+        let gap = 5.0;
+        let wide = (WIDTH - gap * (numbers.len().max(1) - 1) as f64) / numbers.len().max(1) as f64;
+        let grey = SMALL.in_color(GREY_TEXT);
+        let boxes: Vec<_> = numbers
+            .iter()
+            .map(|n| (lines(&n.label, grey, wide - 8.0), &n.value, lines(&n.detail, SMALL, wide - 8.0)))
+            .collect();
+        let labels = boxes.iter().map(|b| b.0.len()).max().unwrap_or(0) as f64 * grey.leading();
+        let details = boxes.iter().map(|b| b.2.len()).max().unwrap_or(0) as f64 * SMALL.leading();
+        let height = labels + NUMBER.leading() + details + 8.0;
+        self.flow.reserve(height);
+        let top = self.flow.y;
+        for (i, (label, value, detail)) in boxes.iter().enumerate() {
+            let x = i as f64 * (wide + gap);
+            self.flow.frame((x, top), (wide, height), RULE);
+            for (j, line) in label.iter().enumerate() {
+                self.flow.write(line, grey, x + 4.0, top + 3.0 + j as f64 * grey.leading());
+            }
+            self.flow.write(value, NUMBER, x + 4.0, top + 3.0 + labels);
+            for (j, line) in detail.iter().enumerate() {
+                let down = top + 3.0 + labels + NUMBER.leading() + j as f64 * SMALL.leading();
+                self.flow.write(line, SMALL, x + 4.0, down);
+            }
+        }
+        self.flow.skip(height + 8.0);
+    }
+}
+
+/// A picture laid out so wide \[px\].
+fn drawn(block: &Block, width: f64) -> Option<(&Picture, Drawing)> {
+    match block {
+        Block::Picture(picture) => Some((picture, Drawing::of(&picture.chart, width))),
+        _ => None,
+    }
+}
+
+/// As high as it is between the margins, or as is left for a picture \[pt\].
+fn height(drawing: &Drawing) -> f64 {
+    (drawing.height / drawing.width * WIDTH).min(PICTURE)
+}

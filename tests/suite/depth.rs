@@ -1,0 +1,100 @@
+//! What forces and works of a plane section are of: both halves, and over a depth that is given the whole part; and which times
+//! are told.
+
+use stampflow::assess::{self, check};
+use stampflow::case::{Solution, parse};
+use stampflow::output::{StageView, Summary, load_travel};
+use stampflow::table::Unit;
+
+const STRIP: &str = include_str!("../../cases/strip_draw.toml");
+const CUP: &str = include_str!("../../cases/quickstart.toml");
+
+/// A case without its references.
+fn solved(text: &str, overrides: &[&str]) -> Solution {
+    let text = text.split("[[compare]]").next().unwrap();
+    let overrides: Vec<String> = overrides.iter().map(|o| (*o).to_owned()).collect();
+    parse(text, "case.toml", &overrides).unwrap_or_else(|e| panic!("{}", e.render(false))).solve(&mut ())
+}
+
+/// Trust: a part is as many sections as it has millimetres of depth, each pressed alike: the run is the same to the last digits
+/// of a factor. That the section counts twice is in the closed forms of strips.
+#[test]
+fn over_a_depth_forces_and_works_are_as_many_times_those_per_millimetre() {
+    let short = ["tools.punch.travel=10 mm", "blank.elements=60"];
+    let per_mm = solved(STRIP, &short);
+    let part = solved(STRIP, &[&short[..], &["blank.depth=800 mm"]].concat());
+    let [a, b] = [&per_mm, &part].map(|solution| &solution.stages[0]);
+    assert_eq!(a.steps.len(), b.steps.len());
+    for (a, b) in a.steps.iter().zip(&b.steps) {
+        let pairs = [
+            (a.punch_force, b.punch_force),
+            (a.holder_force, b.holder_force),
+            (a.work.external, b.work.external),
+            (a.work.plastic, b.work.plastic),
+            (a.power.friction, b.power.friction),
+        ];
+        for (section, whole) in pairs {
+            assert!((whole - 800.0 * section).abs() <= 1e-6 * whole.abs(), "{section} {whole} at {} mm", a.travel);
+        }
+        assert!((a.thinnest - b.thinnest).abs() < 1e-9);
+    }
+    // 2600 N/mm on 800 mm.
+    assert!((b.steps.last().unwrap().holder_force / 2.08e6 - 1.0).abs() < 1e-2);
+}
+
+#[test]
+fn every_table_and_text_says_what_its_forces_are_of() {
+    let depth =
+        ["tools.punch.travel=3 mm", "blank.elements=60", "blank.depth=800 mm", "press.force=1 MN", "press.energy=5 kJ"];
+    for (given, force, work, says) in [
+        (&depth[..2], Unit::NPerMm, Unit::JoulePerMm, "both halves, per mm of depth"),
+        (&depth[..], Unit::N, Unit::Joule, "of the whole part, 800 mm deep"),
+    ] {
+        let solution = solved(STRIP, given);
+        let stage = &solution.stages[0];
+        let table = load_travel::table(stage);
+        assert_eq!((table.column("punch_force").unit, table.column("work_external").unit), (force, work));
+        let summary = Summary::of(&StageView::alone("strip", stage));
+        let json = serde_json::to_value(&summary).unwrap();
+        assert!(json[force.keyed("peak_punch_force")].is_number() && json[work.keyed("work_plastic")].is_number());
+        assert!(summary.to_string().contains(says), "{summary}");
+        let report = check::report(&solution.case).to_string();
+        assert!(report.contains(says) && !report.contains("modelled"), "{report}");
+        for row in assess::after(&solution.case, &solution.stages) {
+            let text = format!("{} {} {}", row.found, row.limit, row.advice);
+            assert!(!text.contains("half") && !text.contains("twice"), "{text}");
+            if row.key == "punch_force" && force == Unit::N {
+                assert!(text.contains(" N at ") && text.contains("1000 kN"), "{text}");
+            }
+            if row.key == "energy" {
+                assert_eq!(row.unit, work, "{text}");
+            }
+        }
+    }
+}
+
+/// Trust: a metal without rate goes the same way at every speed; what is not given is not told as if it were known.
+#[test]
+fn times_are_told_where_they_are_given_or_felt() {
+    let limit =
+        "\n[forming_limit]\nkeeler_brazier = {}\nn = 0.03\n[[stages]]\nname = \"back\"\npunch.move = \"-5 mm\"\n";
+    let told = |more: &str, overrides: &[&str]| {
+        let solution = solved(&format!("{CUP}{limit}{more}"), overrides);
+        let views = solution.views();
+        let diagram = stampflow::output::forming_diagram::plot(&views[0]).expect("a diagram").notes.join(" ");
+        assert!(diagram.contains("The limit is reached at"), "{diagram}");
+        format!("{}{}{diagram}", check::report(&solution.case), solution.summary().lines)
+    };
+    let seconds = |text: &str| {
+        let words: Vec<&str> = text.split_whitespace().collect();
+        let is_number = |word: &str| word.trim_start_matches('(').parse::<f64>().is_ok();
+        words.windows(2).any(|w| is_number(w[0]) && ["s", "s,", "s)."].contains(&w[1])) || text.contains("mm/s")
+    };
+    let silent = told("", &[]);
+    assert!(!seconds(&silent), "{silent}");
+    let timed = told("", &["tools.punch.speed=20 mm/s"]);
+    assert!(seconds(&timed) && timed.contains("20 mm/s"), "{timed}");
+    // The rate is felt, so that the speed that is taken matters.
+    let rate = "\n[material.rate.power]\nexponent = 0.02\nreference = \"1 /s\"\n";
+    assert!(seconds(&told(rate, &[])));
+}
