@@ -1,11 +1,13 @@
 //! What a run leaves behind: the history of every step, the kept frames, and why it stopped.
 
+mod beginning;
 mod energy;
 mod frame;
 pub mod neck;
 mod step_record;
 mod stop;
 
+pub use beginning::{Closing, Trimmed};
 pub use energy::{Energy, Heat};
 pub use step_record::StepRecord;
 pub use stop::Stop;
@@ -154,28 +156,6 @@ pub struct StageSolution {
     /// Travel at which the sheet left each of the model's tools \[mm\], which stands still from there on; `None` of those
     /// that it has not left.
     pub left_at: Vec<Option<f64>>,
-}
-
-/// A holder that closed on the die over the sheet before the punch came.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Closing {
-    /// From where it touched the flat sheet to where it is one thickness from the die \[mm\].
-    pub way: f64,
-    /// What of the way was left where its force was reached: how far it stands open \[mm\].
-    pub gap: f64,
-    /// Its force at the end of closing \[N, or N/mm of depth\].
-    pub force: f64,
-}
-
-/// A rim that was cut off before a stage.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Trimmed {
-    /// Distance from the axis or symmetry plane that was asked for \[mm\].
-    pub asked: f64,
-    /// Where the edge is: whole elements go \[mm\].
-    pub edge: f64,
-    /// Elements that were cut off.
-    pub elements: usize,
 }
 
 impl StageSolution {
