@@ -4,8 +4,10 @@ use super::StageView;
 use super::chart::{Chart, Color, GREY, Look, PALE, Panel, Scale, Series, color};
 use super::thinning::{Thinning, said, times};
 use crate::geometry::{Piece, Point, Profile, on_axis};
+use crate::message::{Amount, message};
 use crate::model::{Extent, Geometry, Model, Role};
 use crate::solution::{Frame, NodeRecord};
+use crate::table::capitalised;
 use crate::table::fields::element::{R, Z};
 use std::ops::Range;
 
@@ -34,17 +36,20 @@ pub(super) fn plot(view: &StageView) -> Option<Chart> {
         Panel { scale: Scale::Small { x, y }, ..panel(model.geometry, series, window) }
     };
     let states = states(view);
-    let named = |frame: &Frame| format!("{} {}", view.progress(), view.reached(frame));
-    let shown = states.iter().map(|frame| small(named(frame), Some(frame), thinning.section(frame, times)));
+    let caption = |at: Amount| {
+        let caption = message!("{progress} {at}", progress = view.progress(), at = at);
+        capitalised(&view.tell(caption))
+    };
+    let shown = states.iter().map(|frame| small(caption(view.reached(frame)), Some(frame), thinning.section(frame, times)));
     // A run that never started shows where it would have.
     let flat = || vec![Series::silent(flat(model), filled(color(0)))];
-    let unsolved = states.is_empty().then(|| small(format!("{} 0 mm", view.progress()), None, flat()));
+    let unsolved = states.is_empty().then(|| small(caption(Amount::size(0.0)), None, flat()));
     let scale = (!states.is_empty()).then(|| thinning.scale());
     Some(Chart {
         title: view.titled("sections"),
-        legend: "",
+        legend: String::new(),
         panels: shown.chain(unsolved).chain(scale).collect(),
-        notes: std::iter::once(said(times)).chain(view.notes_of_frames()).collect(),
+        notes: std::iter::once(view.tell(said(times))).chain(view.notes_of_frames()).collect(),
     })
 }
 

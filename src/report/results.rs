@@ -6,7 +6,7 @@ use super::solved::Report;
 use super::solver::figures;
 use crate::message::{Amount, Form};
 use crate::output::summary::Group;
-use crate::output::{Make, OUTPUTS, StageView, animation, springback};
+use crate::output::{OUTPUTS, StageView, animation, springback};
 use crate::table::Unit;
 
 /// Pictures of the moving section: a report with them stays below a few MB.
@@ -22,7 +22,7 @@ pub(super) fn sections(report: &Report, form: Form) -> Vec<Section> {
             let files = OUTPUTS.iter().map(|output| output.file).filter(|file| !shown.contains(&(i, *file)));
             let plots = files.filter_map(|file| plot(view, file)).map(Block::Picture);
             let blocks = std::iter::once(part).chain(motion(report, i)).chain(released(view, form)).chain(plots);
-            Section { heading: format!("{}Results", report.stage(i)), blocks: blocks.collect() }
+            Section { heading: report.stage(i) + &form.tell("Results"), blocks: blocks.collect() }
         })
         .collect()
 }
@@ -30,9 +30,8 @@ pub(super) fn sections(report: &Report, form: Form) -> Vec<Section> {
 /// The plot of a stage that stands in this file of a result folder.
 pub(super) fn plot(view: &StageView, file: &str) -> Option<Picture> {
     let output = OUTPUTS.iter().find(|output| output.file == file)?;
-    let Make::Plot(make) = output.make else { return None };
-    let name = output.stem().to_owned();
-    Some(Picture { name, caption: output.about.to_owned(), chart: make(view)? })
+    let (name, caption) = (output.stem().to_owned(), view.form.tell(output.about));
+    Some(Picture { name, caption, chart: output.chart(view)? })
 }
 
 /// The section of a stage as it moves, where frames were kept for it.
@@ -41,7 +40,7 @@ fn motion(report: &Report, i: usize) -> Option<Block> {
     let frames = report.frames?.of_stage(i, view.stage);
     let charts = animation::pictures(view, &frames, FRAMES);
     (charts.len() > 1)
-        .then(|| Block::Motion("the section and the load as they move: pull the slider".to_owned(), charts))
+        .then(|| Block::Motion(view.form.tell("the section and the load as they move: pull the slider"), charts))
 }
 
 /// What was measured before and after, of a stage that takes its tools away.
@@ -49,9 +48,9 @@ fn released(view: &StageView, form: Form) -> Option<Block> {
     let rows = springback::changes(view.stage)?.into_iter().map(|change| {
         let unit = change.quantity.unit;
         let amount = |value: f64| if unit == Unit::Degree { Amount::angle(value) } else { Amount::place(value) };
-        let number = |value: Option<f64>| value.map_or_else(|| "none".to_owned(), |value| amount(value).parts(form).0);
+        let number = |value: Option<f64>| value.map_or_else(|| form.tell("none"), |value| amount(value).parts(form).0);
         let [before, after, by] = [change.before, change.after, change.change()].map(number);
-        Row::plain([change.quantity.label.to_owned(), before, after, by, amount(0.0).parts(form).1.to_owned()])
+        Row::plain([form.tell(change.quantity.label), before, after, by, amount(0.0).parts(form).1.to_owned()])
     });
-    Some(Block::Table { head: vec!["Spring-back", "Before", "After", "Change", "Unit"], rows: rows.collect() })
+    Some(Block::table(["Spring-back", "Before", "After", "Change", "Unit"], rows.collect(), form))
 }
