@@ -8,15 +8,14 @@ use stampflow::case::{Case, Press, parse};
 use stampflow::forming_limit::{Instant, Paths};
 use stampflow::model::{Bead, Geometry};
 use stampflow::output::chart::{Look, Scale, Series};
-use stampflow::output::{Captions, Chart, Format, Make, OUTPUTS, Pictures, StageView};
+use stampflow::output::{Captions, Chart, Format, OUTPUTS, Pictures, StageView};
 use stampflow::report::Report;
 use stampflow::solution::StageSolution;
 
 /// The picture of this name.
 fn chart(view: &StageView, name: &str) -> Chart {
     let output = OUTPUTS.iter().find(|output| output.stem() == name).expect("a picture of this name");
-    let Make::Plot(make) = output.make else { panic!("{name} is no picture") };
-    make(view).expect("there is something to draw")
+    output.chart(view).expect("there is something to draw")
 }
 
 fn drawn_chart(name: &str) -> Chart {
