@@ -131,7 +131,7 @@ fn the_limit_is_drawn_where_places_can_be_and_in_either_strain() {
     let series = &logarithmic.panels[0].series;
     assert!(series.iter().flat_map(|s| &s.points).all(|p| p.0 <= p.1 + 1e-12), "nothing beyond equal strains");
     let zones = labels(&logarithmic, |look| matches!(look, Look::Area { .. }));
-    assert_eq!(zones, ["Failed", "Marginal, above 90 % of the limit", "Safe"]);
+    assert_eq!(zones, ["Failed", "Marginal, above 90\u{a0}% of the limit", "Safe"]);
     view.pictures.engineering_strain = true;
     let engineering = chart(&view, "forming_limit");
     assert_eq!(engineering.panels[0].y.text(), "Major engineering strain, mid-surface [–]");

@@ -101,6 +101,8 @@ fn given(solution: &Solution) -> Vec<String> {
         given.extend(model.forming_limit.iter().flat_map(|limit| limit.notes.clone()));
     }
     given.extend([&case.sources.friction, &case.sources.material].into_iter().flatten().cloned());
+    given.extend(case.model().material.gtn.iter().map(ToString::to_string));
+    given.extend(case.compare.iter().map(|spec| spec.against.to_string()));
     given.extend(case.stage_names().map(str::to_owned));
     // The longest first: one may be part of another.
     given.sort_by_key(|text| std::cmp::Reverse(text.len()));
