@@ -1,23 +1,12 @@
 //! The section at the start with its dimensions, drawn and in a table, of every stage that brings tools of its own.
 
 use super::document::{Block, Picture, Row, Section};
+use super::sizes::dimensions;
 use super::solved::Report;
-use crate::geometry::{Arc, Piece, Point};
 use crate::message::Form;
-use crate::model::{Geometry, Model, Motion, Role, Tool};
-use crate::output::{Dimension, Mark, Size, dimensioned};
-use crate::rules::tool_sizes::{extent, throat};
+use crate::model::{Model, Tool};
+use crate::output::{Dimension, dimensioned};
 use crate::solution::{Frame, StageSolution};
-use crate::table::Unit;
-
-/// Roundings of one tool that are given; of a curve of more arcs the smallest radius is.
-const ROUNDINGS: usize = 8;
-
-/// Radii that differ by less are one \[–\].
-const ALIKE: f64 = 1e-4;
-
-/// What is no further from the axis lies on it \[mm\].
-const ON_AXIS: f64 = 1e-6;
 
 /// A section for each stage with tools that no stage before it had.
 pub(super) fn sections(report: &Report, form: Form) -> Vec<Section> {
@@ -54,105 +43,4 @@ fn section(
     let caption = "the section at the start with its dimensions".into();
     let table = Block::Table { head: vec!["Dimension", "Value", "Unit"], rows: rows.collect() };
     Section { blocks: vec![Block::Picture(Picture { name: name.to_owned(), caption, chart }), table], heading }
-}
-
-/// Sizes of the blank and of every tool, the holder's load, the beads and the travel; of a later stage, which begins with
-/// the sheet of `start`, without the blank's.
-pub(super) fn dimensions(model: &Model, start: Option<&Frame>) -> Vec<Dimension> {
-    let (blank, half) = (&model.blank, 0.5 * model.blank.thickness);
-    let mut found = Vec::new();
-    if start.is_none() {
-        found.push(wide(model, "Blank", blank.length, Mark::Across(blank.length)));
-        found.push(plain("Thickness", blank.thickness, Unit::Mm, Mark::At(Point::new(0.97 * blank.length, 0.0))));
-    }
-    for (i, tool) in model.tools.iter().enumerate() {
-        let moved = start.and_then(|frame| frame.tool_displacement.get(i)).copied().unwrap_or_default();
-        let across = |name: &str, r: f64| wide(model, name, r, Mark::Across(r));
-        match tool.role {
-            Role::Punch => found.push(across("Punch", extent(tool).1)),
-            Role::Die => found.extend(throat(tool).map(|r| across("Die throat", r))),
-            Role::Holder => found.push(across("Holder inner", extent(tool).0)),
-        }
-        found.extend(roundings(tool, moved));
-        found.extend(load(model, tool, moved));
-        if tool.role == Role::Punch && model.travel > 0.0 {
-            let from = tool.profile.polyline(0.01).iter().map(|p| p.y).fold(f64::NEG_INFINITY, f64::max) + moved.y;
-            let r = 0.25 * extent(tool).1.min(blank.length);
-            found.push(plain("Travel", model.travel, Unit::Mm, Mark::Along { r, from, to: from + model.travel }));
-        }
-    }
-    found
-        .extend(model.beads.iter().map(|bead| wide(model, "Draw bead", bead.at, Mark::At(Point::new(bead.at, -half)))));
-    found
-}
-
-fn plain(of: &str, value: f64, unit: Unit, mark: Mark) -> Dimension {
-    Dimension { of: of.to_owned(), size: Size::Plain, value, unit, mark }
-}
-
-/// The diameter of a round part, or the width of a strip, at a distance from its middle.
-fn wide(model: &Model, of: &str, r: f64, mark: Mark) -> Dimension {
-    let size = match model.geometry {
-        Geometry::Axisymmetric => Size::Diameter,
-        Geometry::PlaneStrain => Size::Width,
-    };
-    Dimension { of: of.to_owned(), size, value: 2.0 * r, unit: Unit::Mm, mark }
-}
-
-/// The radii of a tool, those that are alike together; of a curve of many arcs the smallest.
-fn roundings(tool: &Tool, moved: Point) -> Vec<Dimension> {
-    // Arcs that are one rounding of the sheet's side come together, hollows as they are.
-    let hollows = tool.profile.pieces().iter().filter_map(|piece| match piece {
-        Piece::Arc(arc) if arc.sweep > 0.0 => Some(*arc),
-        _ => None,
-    });
-    let mut found: Vec<(String, usize, Arc)> = Vec::new();
-    for arc in tool.profile.corners().chain(hollows) {
-        let name = named(tool.role, &arc);
-        match found.iter_mut().find(|(n, _, a)| *n == name && (a.radius / arc.radius - 1.0).abs() < ALIKE) {
-            Some((_, alike, _)) => *alike += 1,
-            None => found.push((name, 1, arc)),
-        }
-    }
-    if found.len() > ROUNDINGS {
-        found.sort_by(|a, b| a.2.radius.total_cmp(&b.2.radius));
-        found.truncate(1);
-        found[0].0 += " least";
-    }
-    let radius = |(of, alike, arc): (String, usize, Arc)| Dimension {
-        of,
-        size: Size::Radius(alike),
-        value: arc.radius,
-        unit: Unit::Mm,
-        mark: Mark::At(arc.at(0.5) + moved),
-    };
-    found.into_iter().map(radius).collect()
-}
-
-/// What a rounding of a tool is called.
-fn named(role: Role, arc: &Arc) -> String {
-    let on_axis = [arc.at(0.0), arc.at(1.0)].iter().any(|end| end.x.abs() < ON_AXIS);
-    match (role, arc.sweep < 0.0) {
-        (Role::Punch, true) if on_axis => "Punch crown",
-        (Role::Punch, true) => "Punch nose",
-        (Role::Die, true) => "Die shoulder",
-        (Role::Die, false) if on_axis => "Die bottom",
-        (Role::Holder, true) => "Holder",
-        (Role::Punch, false) => "Punch hollow",
-        (Role::Die, false) => "Die hollow",
-        (Role::Holder, false) => "Holder hollow",
-    }
-    .to_owned()
-}
-
-/// What presses a holder, or how far it stands off.
-fn load(model: &Model, tool: &Tool, moved: Point) -> Option<Dimension> {
-    let (inner, outer) = extent(tool);
-    let under = Point::new(0.5 * (inner + outer.min(model.blank.length.max(inner))), -0.5 * model.blank.thickness);
-    let at = Mark::At(under + moved);
-    match &tool.motion {
-        Motion::Gap(gap) => Some(plain("Holder gap", *gap, Unit::Mm, at)),
-        Motion::Pressed(press) => Some(plain("Holder force", press.force.largest(), model.extent().force_unit(), at)),
-        Motion::Fixed | Motion::Travel | Motion::Path(_) => None,
-    }
 }
