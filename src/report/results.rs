@@ -1,12 +1,13 @@
 //! What came out, stage by stage: the summary's lines, of a release its spring-back, and every plot of a stage.
 
-use super::document::{Block, Picture, Row, Section};
+use super::document::{Block, Row, Section};
 use super::front;
+use super::plots::plot;
 use super::solved::Report;
 use super::solver::figures;
 use crate::message::{Amount, Form};
 use crate::output::summary::Group;
-use crate::output::{Make, OUTPUTS, StageView, animation, springback};
+use crate::output::{OUTPUTS, StageView, animation, springback};
 use crate::table::Unit;
 
 /// Pictures of the moving section: a report with them stays below a few MB.
@@ -25,14 +26,6 @@ pub(super) fn sections(report: &Report, form: Form) -> Vec<Section> {
             Section { heading: format!("{}Results", report.stage(i)), blocks: blocks.collect() }
         })
         .collect()
-}
-
-/// The plot of a stage that stands in this file of a result folder.
-pub(super) fn plot(view: &StageView, file: &str) -> Option<Picture> {
-    let output = OUTPUTS.iter().find(|output| output.file == file)?;
-    let Make::Plot(make) = output.make else { return None };
-    let name = output.stem().to_owned();
-    Some(Picture { name, caption: output.about.to_owned(), chart: make(view)? })
 }
 
 /// The section of a stage as it moves, where frames were kept for it.
