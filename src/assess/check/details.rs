@@ -1,7 +1,7 @@
 //! What a report adds, so that a run can be judged and repeated from it: constants of the sheet, its temperature, where
 //! friction comes from, mesh and settings of the solver.
 
-use super::{Line, line};
+use super::line::{Line, line};
 use crate::case::Case;
 use crate::material::chaboche::shifting;
 use crate::material::{Elastic, Material};
