@@ -42,12 +42,12 @@ pub(super) fn advice(model: &Model) -> Message {
     let more: Message = "more holder force, until it closes".into();
     let Some(bead) = bead::drawn(model) else { return more };
     let line = message!(
-        "a flat holder and die with the bead as a line, [[tools.beads]] at = \"{at}\", restraining = \"{force} N/mm\": declared, \
+        "or a flat holder and die with the bead as a line, [[tools.beads]] at = \"{at}\", restraining = \"{force} N/mm\": declared, \
          the work of bending over its radii",
         at = Amount::place(bead.at),
         force = Amount::number(bead.restraining.round()),
     );
-    Message::joined([more, line], "; or ")
+    Message::joined([more, line], "; ")
 }
 
 /// A bead that is drawn, and how it would be written as a line; told where the case is checked.

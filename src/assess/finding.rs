@@ -165,11 +165,6 @@ impl Finding {
     }
 
     /// What was assumed while a case was read.
-    pub(super) fn assumption(found: &str) -> Self {
-        Self::assumed(found.to_owned())
-    }
-
-    /// As [`Self::assumption`], in a sentence of its own.
     pub(super) fn assumed(found: impl Into<Message>) -> Self {
         let limit = "what the case says".into();
         Self { limit, ..Self::new(Kind::Assumption, "assumed", "Assumed", Light::Grey, found.into()) }

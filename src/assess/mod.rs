@@ -147,7 +147,7 @@ pub fn before(case: &Case) -> Vec<Finding> {
         Before::Model(ask) => ask(case.model()).into_iter().collect(),
         Before::Tool(ask) => case.model().tools.iter().filter_map(|tool| ask(case.model(), tool)).collect::<Vec<_>>(),
     });
-    let assumed = case.derived.iter().map(|text| Finding::assumption(text));
+    let assumed = case.derived.iter().cloned().map(Finding::assumed);
     assumed.chain(asked).map(|finding| Finding { when: When::Before, ..finding }).collect()
 }
 

@@ -9,6 +9,7 @@ use super::{CaseError, build, source::Source};
 use crate::forming_limit::{Curve, Hill, Kind, Sheet, uniform_strain};
 use crate::material::Material;
 use crate::material::flow::ROOM_TEMPERATURE;
+use crate::message::{Message, message};
 use lookup::Found;
 use serde::Deserialize;
 
@@ -117,7 +118,7 @@ pub fn material(name: &str) -> Result<Entry, CaseError> {
 #[derive(Debug, Default)]
 pub(super) struct Taken {
     /// What was taken from where.
-    pub notes: Vec<String>,
+    pub notes: Vec<Message>,
     /// Where hardening and r̄ come from, where that is two sheets.
     pub sheets: Option<Sheets>,
     /// The sheet's thickness, where its source says it.
@@ -131,7 +132,8 @@ pub(super) fn complete(file: &mut CaseFile, source: &Source) -> Result<Taken, Ca
         lookup::find(&written).map_err(|unknown| source.error("material.name", unknown.what, unknown.help))?;
     let EntryFile { material: known, thickness, .. } = found;
     let origin = known.source.clone().unwrap_or_default();
-    let mut notes: Vec<String> = note.into_iter().chain([format!("material {name}: {origin}")]).collect();
+    let from = message!("material {name}: {source}", name = name.to_owned(), source = origin.clone());
+    let mut notes: Vec<Message> = note.into_iter().map(Message::from).chain([from]).collect();
     let own = &mut file.material;
     let own_hardening = source.has("material.hardening");
     let mut replaced = Vec::new();
@@ -153,7 +155,11 @@ pub(super) fn complete(file: &mut CaseFile, source: &Source) -> Result<Taken, Ca
         own.source.get_or_insert(origin);
     }
     if !replaced.is_empty() {
-        notes.push(format!("material {name}: {} as this case has it, not as its source", replaced.join(", ")));
+        notes.push(message!(
+            "material {name}: {keys} as this case has it, not as its source",
+            name = name.to_owned(),
+            keys = replaced.join(", ")
+        ));
     }
     // Of another law the sheet's thickness says nothing.
     let thickness = thickness.filter(|_| !own_hardening).and_then(|words| Thickness::read(name, &words));

@@ -49,6 +49,7 @@ pub use solution::Solution;
 pub use sources::{Sheets, Sources, Thickness};
 
 use crate::compare::Spec;
+use crate::message::Message;
 use crate::model::{Model, Stage};
 use std::path::PathBuf;
 
@@ -78,7 +79,7 @@ pub struct Case {
     /// Where its numbers come from.
     pub sources: Sources,
     /// What was assumed or changed while reading: defaults that matter, profiles that were shifted.
-    pub derived: Vec<String>,
+    pub derived: Vec<Message>,
 }
 
 /// What the press can give; `None` where the case does not say.

@@ -3,6 +3,7 @@
 use super::source::Source;
 use super::{Case, CaseError, build, explain, library, overrides, sources};
 use crate::files::{self, Disk, FileError, Files, Folder, Noted};
+use crate::message::Message;
 use std::path::{Path, PathBuf};
 
 /// Reads a case file from the disk and applies overrides such as `tools.punch.friction=0.1` or `blank.thickness=0.9 mm`.
@@ -56,7 +57,7 @@ pub fn parse_with(text: &str, name: &str, overrides: &[String], files: &dyn File
     let mut taken = library::complete(&mut file, &source)?;
     let folder = Folder { files: &reads, path: path.parent().unwrap_or(Path::new("")) };
     let (stages, mut derived) = build::stages(&file, &source, folder)?;
-    taken.notes.splice(0..0, source.notes());
+    taken.notes.splice(0..0, source.notes().into_iter().map(Message::from));
     taken.notes.extend(sources::limit_of_another_sheet(&file, overrides));
     derived.splice(0..0, std::mem::take(&mut taken.notes));
     let compare = build::compare(&file, &source, folder)?;

@@ -60,7 +60,14 @@ fn collect(node: &Value, path: &str, keys: &mut Vec<String>) {
     }
     let entries = node.get("items").filter(|entry| entry.get("$ref").is_some());
     entries.into_iter().for_each(|entry| collect(entry, &deeper("0"), keys));
-    if keys.len() == before && !path.is_empty() {
+    // What may be one value and a table too is offered as both.
+    let is_plain = |kind: &Value| kind != "object" && kind != "null";
+    let plain = |node: &Value| match &node["type"] {
+        Value::Array(kinds) => kinds.iter().any(is_plain),
+        kind => kind.is_string() && is_plain(kind),
+    };
+    let is_value = plain(node) || tables.iter().any(|table| table.get("$ref").is_none() && plain(table));
+    if (keys.len() == before || is_value) && !path.is_empty() {
         keys.push(path.to_owned());
     }
     // Alternatives of one key, and what they have in common.

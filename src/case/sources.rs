@@ -2,6 +2,7 @@
 
 use super::file::{self, CaseFile};
 use super::{CaseError, library::Taken, source::Source};
+use crate::message::Message;
 use crate::units::{Quantity, parse};
 
 /// Where the numbers of a case come from: how they were measured, or author and year. `None` where the case does not say;
@@ -70,11 +71,11 @@ fn keys(overrides: &[String]) -> impl Iterator<Item = &str> {
 }
 
 /// What is said of a measured forming limit that stays with another sheet.
-pub(super) fn limit_of_another_sheet(file: &CaseFile, overrides: &[String]) -> Option<String> {
+pub(super) fn limit_of_another_sheet(file: &CaseFile, overrides: &[String]) -> Option<Message> {
     let measured = file.forming_limit.as_ref().is_some_and(|limit| limit.points.is_some());
     let stays = measured && !keys(overrides).any(|path| path.starts_with("forming_limit"));
     let other = keys(overrides).any(|path| path == "material" || path == "material.name");
-    (stays && other).then(|| "the points of [forming_limit] are still those of the sheet before".to_owned())
+    (stays && other).then(|| "the points of [forming_limit] are still those of the sheet before".into())
 }
 
 /// A number that an override has replaced is no longer its source's.

@@ -170,7 +170,7 @@ pub fn import(args: &Args) -> anyhow::Result<Code> {
             let of_case = DOUBTS.iter().filter_map(|doubt| doubt(case.model()));
             doubts.extend(of_case.map(|Doubt { found, advice, .. }| format!("{found}: {advice}")));
         }
-        notes.extend(case.derived);
+        notes.extend(case.derived.iter().map(ToString::to_string));
     }
     notes.extend(doubts);
     if args.json.json {

@@ -33,7 +33,7 @@ const LIMIT: Look = Look::Line { color: BLACK, width: 2.4, dash: &[] };
 const AXIS: Look = Look::Line { color: GREY, width: 0.8, dash: &[2.5, 3.0] };
 
 /// The diagram.
-pub(super) fn plot(view: &StageView) -> Option<Chart> {
+pub fn plot(view: &StageView) -> Option<Chart> {
     let assessment = view.forming_limit()?;
     let limit = view.model().forming_limit.as_ref()?;
     let strains = Strains { engineering: view.pictures.engineering_strain };

@@ -33,11 +33,14 @@ pub(super) fn plot(view: &StageView) -> Option<Chart> {
     let tools = whole_tools(model, frame, window[0].1).filter(|_| model.release.is_none());
     let thinnest = frame.elements.iter().min_by(|a, b| a.thickness.total_cmp(&b.thickness))?;
     let number = number(initial, thinnest.thickness);
-    let mut marks = vec![callout(number, thinnest, 1.0, frame, window, narrow)];
-    if let Some(s0) = tears_at(view.stage) {
+    let tears_at = tears_at(view.stage);
+    // The other half is that of the tear.
+    let room = if tears_at.is_some() { 0.0 } else { -window[0].1 };
+    let mut marks = vec![callout(number, thinnest, (1.0, room), frame, window, narrow)];
+    if let Some(s0) = tears_at {
         let away = |element: &&ElementRecord| (element.s0 - s0).abs();
         let torn = frame.elements.iter().min_by(|a, b| away(a).total_cmp(&away(b)))?;
-        marks.push(callout("tears here".to_owned(), torn, -1.0, frame, window, narrow));
+        marks.push(callout("tears here".to_owned(), torn, (-1.0, 0.0), frame, window, narrow));
         marks.extend(cross((-torn.r, torn.z), CROSS * mm));
     }
     let tools_at = if model.release.is_some() { "" } else { " Grey: the tools at the end." };
@@ -68,12 +71,12 @@ fn number(initial: f64, thickness: f64) -> String {
     format!("{thickness:.decimals$}\u{a0}mm, {sign}{:.0}\u{a0}%", thinner.abs())
 }
 
-/// Words beside an element on one `side` of the middle (1 or −1), at the nearest place where they cover no sheet; a px is
-/// so many `mm`.
+/// Words beside an element on one `side` of the middle (1 or −1), at the nearest place where they cover no sheet, from the
+/// border at `left` on (negative: beyond the middle) \[mm\]; a px is so many `mm`.
 fn callout(
     text: String,
     element: &ElementRecord,
-    side: f64,
+    (side, left): (f64, f64),
     frame: &Frame,
     window: [(f64, f64); 2],
     mm: f64,
@@ -84,11 +87,11 @@ fn callout(
     let surfaces: Vec<(f64, f64)> =
         (0..frame.nodes.len()).flat_map(|i| [1.0, -1.0].map(|face| surface(frame, i, face))).collect();
     let steps = |from: f64, to: f64| (0..=STEPS).map(move |i| from + (to - from) * f64::from(i) / f64::from(STEPS));
-    let columns = steps(half, (right - half).max(half));
+    let columns = steps(left + half, (right - half).max(left + half));
     let places = columns.flat_map(|x| steps(top + high, bottom - high).map(move |y| (x, y)));
     // Room for the leader, so that it is seen where it points.
     let covers = |p: &(f64, f64), q: &(f64, f64)| {
-        (p.0 - q.0).abs() < half + CROSS * mm && (p.1 - q.1).abs() < high + 1.5 * CROSS * mm
+        (p.0 - q.0).abs().min((p.0 + q.0).abs()) < half + CROSS * mm && (p.1 - q.1).abs() < high + 1.5 * CROSS * mm
     };
     let free = places.filter(|place| !surfaces.iter().any(|surface| covers(place, surface)));
     let away = |p: &(f64, f64)| (p.0 - at.0).hypot(p.1 - at.1);

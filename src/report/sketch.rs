@@ -15,7 +15,7 @@ pub(super) fn sections(report: &Report, form: Form) -> Vec<Section> {
     let later = stages.iter().enumerate().skip(1).filter(|(i, stage)| brings_tools(&stages[..*i], stage));
     let later = later.map(|(i, stage)| {
         let dimensions = dimensions(&stage.model, stage.start.as_ref());
-        let heading = format!("{}Section", report.stage(i));
+        let heading = format!("{}section", report.stage(i));
         section(&format!("section-{}", i + 1), heading, &stage.model, stage.start.as_ref(), &dimensions, form)
     });
     std::iter::once(first).chain(later).collect()

@@ -4,10 +4,9 @@
 //! The punch stands away. The holder goes towards the die until it presses with the force that it has when the draw begins,
 //! or, at a fixed gap, until it stands there; it may end short of that, with a gap.
 
-use super::stages::enter;
 use super::{Observer, distance_blocks, run_from};
 use crate::geometry::Point;
-use crate::model::{Beginning, Edge, Model, Motion, Role, Stage, StopRules, mesh};
+use crate::model::{Edge, Model, Motion, Role, StopRules, mesh};
 use crate::solution::{Closing, StageSolution};
 use crate::state::State;
 
@@ -33,38 +32,25 @@ pub fn closing_way(model: &Model) -> Option<f64> {
     (meets && held && model.release.is_none() && way > LIES * model.blank.thickness).then_some(way)
 }
 
-/// A model whose holder has closed, ready to be drawn, and the state that it begins with.
-pub(super) struct Closed {
-    pub model: Model,
-    pub state: State,
-    pub closing: Closing,
-}
-
-/// Closes the holder over the flat blank.
-///
-/// # Errors
-/// The solution that ended on the way.
-pub(super) fn close(model: &Model, way: f64, observer: &mut dyn Observer) -> Result<Closed, Box<StageSolution>> {
+/// Closes the holder of a model over the flat blank: what came of it, in the model without its punch.
+pub(super) fn close(model: &Model, way: f64, observer: &mut dyn Observer) -> StageSolution {
     let apart = closing_model(model, way);
     let flat = State::flat(&apart, mesh::nodes(&apart));
     let solution = run_from(&apart, flat, &mut Unseen(observer));
     let last = solution.steps.last().copied().unwrap_or_default();
     let closing = Closing { way, gap: (way - last.travel).max(0.0), force: last.holder_force };
-    if !solution.stop.is_complete() {
-        return Err(Box::new(StageSolution { closing: Some(closing), ..solution }));
-    }
+    StageSolution { closing: Some(closing), ..solution }
+}
+
+/// The model that is drawn once its holder has closed so far \[mm\]: a spring has its preload where the holder is closed.
+pub(super) fn closed(model: &Model, way: f64) -> Model {
     let mut model = model.clone();
     for tool in &mut model.tools {
         if let Motion::Pressed(press) = &mut tool.motion {
-            // A spring has its preload where the holder is closed.
-            press.force = press.force.raised(press.stiffness * last.travel);
+            press.force = press.force.raised(press.stiffness * way);
         }
     }
-    let meets = model.tool(Role::Punch).map(|punch| punch.role).into_iter().collect();
-    let begin = Beginning { meets, ..Beginning::default() };
-    let stage = Stage { name: String::new(), model, begin };
-    let state = enter(&stage, &apart, solution.end);
-    Ok(Closed { model: stage.model, state, closing })
+    model
 }
 
 /// The model without its punch and its other loads, its holder on the way to the die.

@@ -31,11 +31,10 @@ mod terms;
 mod time_step;
 mod trial;
 
-use crate::model::{Model, mesh};
+use crate::model::Model;
 use crate::solution::{StageSolution, StepRecord, Stop};
 use crate::state::State;
 use budget::Budget;
-use closing::Closed;
 use converged::Converged;
 use evaluation::Evaluation;
 use heat::HeatSolver;
@@ -49,30 +48,7 @@ use trial::Trial;
 
 pub use closing::closing_way;
 pub use observer::{Iterate, Observer};
-pub use stages::{enter, solve};
-
-/// Solves a model from the flat blank to its full travel, or as far as equilibrium is found.
-///
-/// A model that [`Model::check`] refuses is not tried: the solution ends with [`Stop::Refused`].
-pub fn run(model: &Model, observer: &mut dyn Observer) -> StageSolution {
-    if let Err(error) = model.check() {
-        return StageSolution::refused(model.clone(), Stop::Refused(error));
-    }
-    from_flat(model, observer)
-}
-
-/// From the flat blank, over which the holder closes first where it must.
-fn from_flat(model: &Model, observer: &mut dyn Observer) -> StageSolution {
-    let Some(way) = closing_way(model) else {
-        return run_from(model, State::flat(model, mesh::nodes(model)), observer);
-    };
-    match closing::close(model, way, observer) {
-        Ok(Closed { model, state, closing }) => {
-            StageSolution { closing: Some(closing), ..run_from(&model, state, observer) }
-        }
-        Err(stopped) => *stopped,
-    }
-}
+pub use stages::{enter, run, solve};
 
 /// As [`run`], from a given state.
 pub fn run_from(model: &Model, mut state: State, observer: &mut dyn Observer) -> StageSolution {

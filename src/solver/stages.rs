@@ -1,10 +1,11 @@
 //! One stage after another: what the sheet and the tools that stay carry over.
 
-use super::{Observer, from_flat, run_from};
+use super::closing::{close, closed, closing_way};
+use super::{Observer, run_from};
 use crate::element::surface::STATIONS;
 use crate::geometry::Point;
-use crate::model::stage::Stage;
-use crate::model::{Model, Role, Tool};
+use crate::model::stage::{Beginning, Stage};
+use crate::model::{Model, Role, Tool, mesh};
 use crate::numerics::Grid;
 use crate::numerics::bisect;
 use crate::solution::{StageSolution, Stop, Trimmed};
@@ -39,6 +40,32 @@ pub fn solve(stages: &[Stage], observer: &mut dyn Observer) -> Vec<StageSolution
         });
     }
     solutions
+}
+
+/// Solves a model from the flat blank to its full travel, or as far as equilibrium is found.
+///
+/// A model that [`Model::check`] refuses is not tried: the solution ends with [`Stop::Refused`].
+pub fn run(model: &Model, observer: &mut dyn Observer) -> StageSolution {
+    if let Err(error) = model.check() {
+        return StageSolution::refused(model.clone(), Stop::Refused(error));
+    }
+    from_flat(model, observer)
+}
+
+/// From the flat blank, over which the holder closes first where it must.
+fn from_flat(model: &Model, observer: &mut dyn Observer) -> StageSolution {
+    let Some(way) = closing_way(model) else {
+        return run_from(model, State::flat(model, mesh::nodes(model)), observer);
+    };
+    let before = close(model, way, observer);
+    if !before.stop.is_complete() {
+        return before;
+    }
+    let model = closed(model, before.steps.last().map_or(0.0, |last| last.travel));
+    let meets = model.tools.iter().map(|tool| tool.role).filter(|role| *role == Role::Punch).collect();
+    let stage = Stage { name: String::new(), model, begin: Beginning { meets, ..Beginning::default() } };
+    let state = enter(&stage, &before.model, before.end);
+    StageSolution { closing: before.closing, ..run_from(&stage.model, state, observer) }
 }
 
 /// The model and the first state of a stage, and what is cut off.

@@ -19,10 +19,11 @@ const POWER: &str = r"(?:\^-?[0-9]|[0-9]|²|³)?";
 /// One unit, and the quotient of two, are told apart by what they measure. Products and longer quotients of words all match:
 /// whether they are units, and of the dimension, is for the program to say.
 pub(crate) fn pattern(kinds: &[&Kind]) -> String {
-    let units = kinds.iter().flat_map(|kind| written(kind.dimension)).collect::<Vec<_>>().join("|");
+    let mut units: Vec<String> = kinds.iter().flat_map(|kind| written(kind.dimension)).collect();
     let product = format!(r"{WORD}{POWER}(?:\s*[*·]\s*|\s+){WORD}{POWER}");
     let longer = format!(r"(?:/\s*)?{WORD}{POWER}(?:(?:\s*[*·/]\s*|\s+){WORD}{POWER}){{2,}}");
-    let mut forms = vec![format!(r"{NUMBER}\s*(?:{units}|{product}|{longer})")];
+    units.extend([product, longer]);
+    let mut forms = vec![format!(r"{NUMBER}\s*(?:{})", units.join("|"))];
     if kinds.iter().any(|kind| kind.dimension == LENGTH) {
         let gauges = GAUGES.map(|gauge| gauge.to_string()).collect::<Vec<_>>().join("|");
         forms.push(format!(r"{NUMBER}\s*t|(?:{gauges})\s*(?:ga_steel|ga_al)"));
@@ -42,7 +43,7 @@ fn written(dimension: Dimension) -> Vec<String> {
             classes.push(unit.2);
         }
     }
-    for by in classes.iter().filter(|by| **by != NONE) {
+    for by in &classes {
         for (power, spelled) in [(1, ""), (2, SQUARE), (3, CUBE)] {
             let over = dimension.times(*by, power);
             let below = alternatives(|of| of == *by).unwrap_or_default();

@@ -320,7 +320,7 @@ fn a_drawn_punch_equals_the_standard_one() {
         let x = stampflow::geometry::Point::new(0.2 * f64::from(i), 3.0 - 0.07 * f64::from(i));
         assert!((a.profile.closest(x).distance - b.profile.closest(x).distance).abs() < 1e-9);
     }
-    assert!(case.derived.iter().any(|line| line.contains("moved by -100.5")), "{:?}", case.derived);
+    assert!(case.derived.iter().any(|line| line.to_string().contains("moved by -100.5")), "{:?}", case.derived);
 }
 
 #[test]

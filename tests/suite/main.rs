@@ -51,6 +51,7 @@ mod tool_sizes;
 mod units;
 mod validation;
 mod verdict;
+mod verify_beads;
 mod verify_bulge;
 mod verify_closed_forms;
 mod verify_draw_ratio;

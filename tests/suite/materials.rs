@@ -25,7 +25,7 @@ fn every_material_loads_runs_and_cites_its_source() {
         let named = parsed(&format!("name = \"{}\"", entry.name), "").unwrap_or_else(|e| panic!("{e}"));
         assert_eq!(named.model().material, entry.material);
         assert_eq!(named.sources.material.as_ref(), Some(&entry.source));
-        assert!(named.derived[0].contains(&entry.source), "{:?}", named.derived);
+        assert!(named.derived[0].to_string().contains(&entry.source), "{:?}", named.derived);
         let pasted = parsed(entry.text.trim_start_matches("[material]"), "");
         assert_eq!(pasted.unwrap_or_else(|e| panic!("{e}")).model().material, entry.material);
         let limit = parsed(&format!("name = \"{}\"", entry.name), "[forming_limit]\nmarciniak_kuczynski = {}");
@@ -48,7 +48,11 @@ fn a_case_replaces_what_it_says_itself() {
     let own = parsed("name = \"aa6016-t4\"\nanisotropy = 0.7", "").unwrap_or_else(|e| panic!("{e}"));
     assert_eq!(own.model().material.hill48.ratio(), 0.7);
     assert_eq!(own.model().material.hardening, plain.model().material.hardening);
-    assert!(own.derived.iter().any(|note| note.contains("anisotropy as this case has it")), "{:?}", own.derived);
+    assert!(
+        own.derived.iter().any(|note| note.to_string().contains("anisotropy as this case has it")),
+        "{:?}",
+        own.derived
+    );
     let law = "name = \"aa6016-t4\"\nhardening.voce = { initial = \"100 MPa\", saturation = \"300 MPa\", rate = 9 }";
     let own = parsed(law, "").unwrap_or_else(|e| panic!("{e}"));
     assert!(own.model().material.hardening.describe().starts_with("Voce"));
@@ -84,7 +88,11 @@ fn a_grade_is_the_sheet_that_stands_for_it_and_keeps_its_limits() {
         assert_eq!(entry.name, name, "{word}");
         let case = parsed(&format!("name = {word:?}"), "").unwrap_or_else(|e| panic!("{e}"));
         assert_eq!(case.model().material, entry.material);
-        assert!(case.derived[0].contains(word) && case.derived[0].contains(name), "{:?}", case.derived);
+        assert!(
+            case.derived[0].to_string().contains(word) && case.derived[0].to_string().contains(name),
+            "{:?}",
+            case.derived
+        );
     }
     for (grade, yields, strength, r, n) in
         [("DC04", 210.0, 270.0..=350.0, 1.6, 0.18), ("DC01", 280.0, 270.0..=410.0, 0.0, 0.0)]

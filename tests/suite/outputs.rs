@@ -251,7 +251,9 @@ fn stale_files_of_ours_go_and_a_users_stay() {
     for name in names.iter().chain(&mine) {
         fs::write(dir.path().join(name), "old").unwrap();
     }
-    let mut folder = ResultFolder::open(dir.path(), is_result).unwrap();
+    let mut folder =
+        ResultFolder::open(dir.path(), |path| path.file_name().and_then(|name| name.to_str()).is_some_and(is_result))
+            .unwrap();
     folder.write("summary.json", b"new");
     folder.publish().unwrap();
     let mut left: Vec<_> =

@@ -70,14 +70,14 @@ fn captions_say_nothing_little_or_all() {
     let with = |captions| {
         let mut view = drawn::view(&run);
         view.pictures = Pictures { formats: vec![Format::Svg], captions, ..Pictures::default() };
-        String::from_utf8(view.pictures.files("a", &chart(&view, "shapes")).remove(0).1).unwrap()
+        String::from_utf8(view.pictures.files("a", &chart(&view, "forming_limit")).remove(0).1).unwrap()
     };
     let [none, short, full] = [Captions::None, Captions::Short, Captions::Full].map(with);
     let of = |text: &str| [none.contains(text), short.contains(text), full.contains(text)];
     assert_eq!(of("drawn for tests"), [false, true, true], "the title");
-    assert_eq!(of("The sheet is"), [false, true, true], "what the picture shows");
+    assert_eq!(of("The limit is"), [false, true, true], "what the picture shows");
     assert_eq!(of("The geometry is declared"), [false, false, true], "an assumption");
-    assert_eq!(of("Punch travel"), [true; 3], "the legend");
+    assert_eq!(of("Marginal"), [true; 3], "the legend");
 }
 
 /// Trust: the drawn run's forces are some 95 kN; the peak is the largest of its records.

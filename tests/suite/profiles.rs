@@ -73,8 +73,16 @@ fn chords_of_a_punch_are_the_punch() {
     for (unit, mm) in [("mm", 1.0), ("in", 25.4)] {
         let case = with_punch(&chords(unit, mm), "\"punch.csv\"");
         assert!(difference(profile(case.model(), Role::Punch), &standard) < 1e-5, "{unit}");
-        assert!(case.derived.iter().any(|line| line.contains("punch.csv: 33 points")), "{:?}", case.derived);
-        assert!(case.derived.iter().any(|line| line.contains("rounded off by tangent arcs")), "{:?}", case.derived);
+        assert!(
+            case.derived.iter().any(|line| line.to_string().contains("punch.csv: 33 points")),
+            "{:?}",
+            case.derived
+        );
+        assert!(
+            case.derived.iter().any(|line| line.to_string().contains("rounded off by tangent arcs")),
+            "{:?}",
+            case.derived
+        );
         let check = check::report(&case);
         assert!(check.warnings.iter().all(|w| w.to_string().contains("elements per 90°")), "{:?}", check.warnings);
         assert!(check.to_string().contains("Ø 60 mm to the wall, R 6 (6.0 t), friction"), "{check}");
@@ -92,10 +100,15 @@ fn a_fillet_makes_the_standard_punch_of_three_points() {
     for (points, section) in [(plain, file), (marked, file), (column, "\"punch.csv\"")] {
         let case = with_punch(points, section);
         assert!(difference(profile(case.model(), Role::Punch), &standard) < 1e-9, "{points}");
-        assert!(!case.derived.iter().any(|line| line.contains("rounded off")), "{:?}", case.derived);
+        assert!(!case.derived.iter().any(|line| line.to_string().contains("rounded off")), "{:?}", case.derived);
         let repeated =
             "line 4 of punch.csv repeats the point of line 3 and is left out, as are 1 more that repeat the one before";
-        assert_eq!(case.derived.iter().any(|line| line == repeated), points == marked, "{:?}", case.derived);
+        assert_eq!(
+            case.derived.iter().any(|line| line.to_string() == repeated),
+            points == marked,
+            "{:?}",
+            case.derived
+        );
     }
 }
 
@@ -133,8 +146,8 @@ fn a_die_around_a_punch_closes_with_the_gap_asked_for() {
         assert!(gaps.len() > 50 && gaps.iter().all(|gap| (gap - 1.25).abs() < 1e-7), "{gaps:?}");
         // The flat sheet lies on its face.
         assert!((die.closest(Point::new(50.0, 0.0)).distance - 0.5).abs() < 1e-9);
-        let said = format!("the die follows the punch at 1.25 mm: they have closed at a travel of {closed:.4} mm");
-        assert!(case.derived.contains(&said), "{:?}", case.derived);
+        let said = format!("the die follows the punch at 1.25 mm: they have closed at a travel of {closed} mm");
+        assert!(case.derived.iter().any(|line| line.to_string() == said), "{:?}", case.derived);
         run(case.model());
     }
 }
@@ -145,7 +158,11 @@ fn a_die_around_a_punch_closes_with_the_gap_asked_for() {
 fn a_die_as_wide_as_the_blank_touches_it_and_closes_where_it_must() {
     let die_section = r#"profile = { offset_of = "punch", by = "1.05 mm" }"#;
     let case = read(&text(r#"profile = "embossing.csv""#, die_section, "", "7.9 mm"));
-    assert!(case.derived.iter().any(|line| line.contains("closed at a travel of 7.9500 mm")), "{:?}", case.derived);
+    assert!(
+        case.derived.iter().any(|line| line.to_string().contains("closed at a travel of 7.95 mm")),
+        "{:?}",
+        case.derived
+    );
     let (punch, die) = (profile(case.model(), Role::Punch), profile(case.model(), Role::Die));
     for p in punch.shifted(7.95).polyline(0.02) {
         assert!((die.closest(p).distance - 1.05).abs() < 1e-7, "{p:?}");

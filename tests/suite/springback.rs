@@ -110,12 +110,12 @@ fn a_release_tells_the_work_that_it_gives_back() {
     let solution = v_bend(90.0, "").solve(&mut ());
     let [bend, release] = [0, 1].map(|i| Summary::of(&StageView::alone("stage", &solution.stages[i])));
     let (printed, json) = (release.to_string(), serde_json::to_value(&release).unwrap());
-    assert!(printed.contains("Work given back to the tools") && !printed.contains("External work"), "{printed}");
+    assert!(printed.contains("Work given back to the tools") && !printed.contains("Work of the tools"), "{printed}");
     assert!(printed.lines().filter(|line| line.ends_with(" J/mm")).all(|line| !line.contains('-')), "{printed}");
     let number = |key: &str| json[key].as_f64().unwrap_or_else(|| panic!("{key} in {json}"));
     assert_eq!(number("work_given_back_J_per_mm"), -number("work_external_J_per_mm"));
     let out = number("work_out_of_sheet_J_per_mm") + number("work_out_of_contact_J_per_mm");
     let taken = number("work_given_back_J_per_mm") + number("work_plastic_J_per_mm") + number("work_friction_J_per_mm");
     assert!((out / taken - 1.0).abs() < 0.05, "{printed}");
-    assert!(bend.to_string().contains("External work") && !bend.to_string().contains("given back"));
+    assert!(bend.to_string().contains("Work of the tools") && !bend.to_string().contains("given back"));
 }

@@ -144,7 +144,12 @@ fn the_sheet_may_be_one_of_the_library() {
             let case = case(template.name, &[("material", entry.name)]);
             assert_eq!(case.model().material.hardening, entry.material.hardening, "{} {}", template.name, entry.name);
             assert!(!case.model().notes.iter().any(|note| note.contains("mild deep-drawing steel")));
-            assert!(case.derived.iter().any(|note| note.contains(&entry.source)), "{} {}", template.name, entry.name);
+            assert!(
+                case.derived.iter().any(|note| note.to_string().contains(&entry.source)),
+                "{} {}",
+                template.name,
+                entry.name
+            );
         }
         let cup = check::report(&case("cup", &[("material", entry.name)]));
         let pressure = |label: &str| cup.lines.iter().find(|line| line.label.to_string() == label).unwrap().number();

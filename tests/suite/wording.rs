@@ -129,7 +129,7 @@ fn words_of_shops_are_read_and_noted() {
     ]);
     let case = read(&shop, &[]);
     assert_eq!(case.model(), read(MINIMAL, &[]).model());
-    let note = &case.derived[0];
+    let note = case.derived[0].to_string();
     for said in ["sheet as blank", "Stempel as punch", "matrix as die", "blank_holder as holder", "stroke as travel"] {
         assert!(note.starts_with("read ") && note.contains(said), "{said}: {note}");
     }

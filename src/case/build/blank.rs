@@ -3,6 +3,7 @@
 use super::values::{by_geometry, count};
 use crate::case::file::CaseFile;
 use crate::case::{CaseError, source::Source};
+use crate::message::Message;
 use crate::model::{Blank, Geometry, Mode, Theory, ThicknessRule};
 use crate::units::{Quantity, rounded};
 use std::ops::RangeInclusive;
@@ -59,7 +60,7 @@ pub(super) fn convert(
     case: &CaseFile,
     geometry: Geometry,
     source: &Source,
-    derived: &mut Vec<String>,
+    derived: &mut Vec<Message>,
 ) -> Result<Blank, CaseError> {
     let file = &case.blank;
     let (_, length) =

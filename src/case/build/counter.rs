@@ -6,6 +6,7 @@ use super::place::{Placed, place};
 use crate::case::file::{Section, SectionTable};
 use crate::case::{CaseError, explain::missing};
 use crate::geometry::{CavityError, Profile};
+use crate::message::{Amount, Message, message};
 use crate::model::Role;
 use crate::units::Quantity;
 
@@ -27,7 +28,7 @@ pub(super) struct Counter<'a> {
 
 impl Counter<'_> {
     /// The tool that follows the outline of the other at the distance `by`, turned round so that the sheet lies between.
-    pub fn offset(self, table: &SectionTable, derived: &mut Vec<String>) -> Result<Profile, CaseError> {
+    pub fn offset(self, table: &SectionTable, derived: &mut Vec<Message>) -> Result<Profile, CaseError> {
         let Self { role, of, ref path, context } = self;
         let (name, other) = (role.name(), of.name());
         if !matches!((role, of), (Role::Die, Role::Punch) | (Role::Punch, Role::Die)) {
@@ -67,8 +68,7 @@ impl Counter<'_> {
         if let Some(shoulder) = table.shoulder {
             let depth = table.closed_at.map_or(context.travel, Quantity::value);
             let die = self.die_with_face(&line, shoulder.value(), depth)?;
-            derived
-                .push(format!("the die follows the punch at {by} mm: they have closed at a travel of {depth:.4} mm"));
+            derived.push(closed(self.role, self.of, by, depth));
             return Ok(die);
         }
         let end = line.last();
@@ -84,13 +84,12 @@ impl Counter<'_> {
         }
         let placed = self.placed(line.reversed(), &mut Vec::new())?;
         let travel = if role == Role::Die { placed.shift } else { -placed.shift };
-        derived
-            .push(format!("the {name} follows the {other} at {by} mm: they have closed at a travel of {travel:.4} mm"));
+        derived.push(closed(role, of, by, travel));
         Ok(placed.profile)
     }
 
     /// The mirror image of the other tool in the middle plane of the flat sheet.
-    pub fn mirror(self, derived: &mut Vec<String>) -> Result<Profile, CaseError> {
+    pub fn mirror(self, derived: &mut Vec<Message>) -> Result<Profile, CaseError> {
         let (name, other) = (self.role.name(), self.of.name());
         if !matches!((self.role, self.of), (Role::Die, Role::Holder) | (Role::Holder, Role::Die)) {
             let (what, help) = match (self.role, self.of) {
@@ -108,7 +107,7 @@ impl Counter<'_> {
             return Err(self.error("mirror_of", what, help));
         }
         let original = self.original("mirror_of")?;
-        derived.push(format!("the {name} is the {other}'s mirror image"));
+        derived.push(message!("the {tool} is the {other}'s mirror image", tool = name, other = other));
         self.placed(original.mirrored(), derived).map(|placed| placed.profile)
     }
 
@@ -157,7 +156,18 @@ impl Counter<'_> {
         Ok(die)
     }
 
-    fn placed(self, profile: Profile, derived: &mut Vec<String>) -> Result<Placed, CaseError> {
+    fn placed(self, profile: Profile, derived: &mut Vec<Message>) -> Result<Placed, CaseError> {
         place(Drawn { profile, path: self.path, origin: Origin::Tool }, self.role, self.context, derived)
     }
+}
+
+/// What an offset makes of two tools: the travel at which they have closed.
+fn closed(role: Role, of: Role, by: f64, travel: f64) -> Message {
+    message!(
+        "the {tool} follows the {other} at {by}: they have closed at a travel of {travel}",
+        tool = role.name(),
+        other = of.name(),
+        by = Amount::size(by),
+        travel = Amount::size(travel)
+    )
 }

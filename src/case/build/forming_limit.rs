@@ -6,8 +6,9 @@ use crate::case::{CaseError, source::Source};
 use crate::forming_limit::{Curve, Hill, KeelerBrazier, Kind, Points, Sheet, Strain, Swift};
 use crate::material::Material;
 use crate::material::flow::ROOM_TEMPERATURE;
+use crate::message::{Amount, Message, message};
 use crate::model::Heat;
-use crate::units::{Number, Quantity, ZERO_CELSIUS, rounded};
+use crate::units::{Number, Quantity, ZERO_CELSIUS};
 
 const PATH: &str = "forming_limit";
 
@@ -17,7 +18,7 @@ pub(super) fn convert(
     thickness: f64,
     heat: Option<&Heat>,
     source: &Source,
-    derived: &mut Vec<String>,
+    derived: &mut Vec<Message>,
 ) -> Result<Curve, CaseError> {
     let n = file.n.map(Quantity::value);
     let points = file.points.as_ref().map(|points| self::points(points, file.strain, source)).transpose()?;
@@ -51,10 +52,11 @@ pub(super) fn convert(
     let temperature = heat.map_or(ROOM_TEMPERATURE, |heat| heat.initial.smallest());
     let sheet = Sheet { material, thickness, temperature };
     let curve = kind.curve(&sheet).map_err(|e| source.error(&format!("{PATH}.{name}"), e.message, e.help))?;
-    derived.extend(curve.notes.iter().cloned());
+    derived.extend(curve.notes.iter().cloned().map(Message::from));
     if heat.is_some() && !matches!(kind, Kind::Points(_)) {
-        let celsius = rounded(temperature - ZERO_CELSIUS);
-        derived.push(format!("forming limit: computed at {celsius} °C, the lowest initial temperature"));
+        let celsius = Amount::temperature(temperature - ZERO_CELSIUS);
+        derived
+            .push(message!("forming limit: computed at {celsius}, the lowest initial temperature", celsius = celsius));
     }
     Ok(curve)
 }

@@ -4,6 +4,7 @@ use super::laws::prepared;
 use crate::case::file;
 use crate::case::{CaseError, explain::missing, source::Source};
 use crate::law::Family;
+use crate::message::{Message, message};
 use crate::model::{Friction, Role};
 
 /// The laws that are written, by tool and by side of the sheet.
@@ -32,7 +33,7 @@ pub(super) fn of(
     role: Role,
     written: &Frictions,
     source: &Source,
-    derived: &mut Vec<String>,
+    derived: &mut Vec<Message>,
 ) -> Result<Friction, CaseError> {
     let table = format!("tools.{}", role.name());
     if let Some(law) = written.tools[role as usize] {
@@ -44,12 +45,16 @@ pub(super) fn of(
     };
     if let Some(law) = side {
         let law = convert(law, source, &format!("friction.{key}"))?;
-        derived.push(format!("the {}'s friction is that of its side of the sheet, {law}", role.name()));
+        derived.push(message!(
+            "the {tool}'s friction is that of its side of the sheet, {law}",
+            tool = role.name(),
+            law = law.to_string()
+        ));
         return Ok(law);
     }
     if role == Role::Holder {
         let law = of(Role::Die, written, source, &mut Vec::new())?;
-        derived.push(format!("the holder's friction is the die's, {law}"));
+        derived.push(message!("the holder's friction is the die's, {law}", law = law.to_string()));
         return Ok(law);
     }
     Err(missing(source, &table, "friction"))

@@ -7,6 +7,7 @@ use super::{place, points, profile};
 use crate::case::file::{Section, SectionTable};
 use crate::case::{CaseError, source::Source};
 use crate::geometry::Profile;
+use crate::message::Message;
 use crate::model::Role;
 use crate::units::Quantity;
 
@@ -14,7 +15,7 @@ pub(super) fn convert(
     section: &Section,
     role: Role,
     context: &ToolContext,
-    derived: &mut Vec<String>,
+    derived: &mut Vec<Message>,
 ) -> Result<Profile, CaseError> {
     let path = format!("tools.{}.profile", role.name());
     let drawn = match section {

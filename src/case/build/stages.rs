@@ -9,6 +9,7 @@ use crate::case::file::{self, CaseFile, Given};
 use crate::case::{CaseError, source::Source};
 use crate::files::Folder;
 use crate::geometry::{Point, Profile};
+use crate::message::{Message, message};
 use crate::model::{Beginning, Mode, Model, Motion, Press, Release, Role, Stage, Tool};
 use crate::numerics::PiecewiseLinear;
 use crate::units::{Length, Quantity, rounded};
@@ -29,7 +30,7 @@ pub(super) fn convert(
     first: Model,
     source: &Source,
     folder: Folder,
-    derived: &mut Vec<String>,
+    derived: &mut Vec<Message>,
 ) -> Result<Vec<Stage>, CaseError> {
     let name = file.stage.name.clone().unwrap_or_else(|| FIRST.to_owned());
     check_name(&name, "stage.name", source)?;
@@ -50,7 +51,9 @@ pub(super) fn convert(
         let context = StageContext { written, before, first, source, folder, path };
         let mut said = Vec::new();
         let stage = context.stage(&mut frictions, &mut said)?;
-        derived.extend(said.into_iter().map(|what| format!("stage {}: {what}", written.name)));
+        derived.extend(
+            said.into_iter().map(|what| message!("stage {name}: {what}", name = written.name.clone(), what = what)),
+        );
         stages.push(stage);
     }
     Ok(stages)
@@ -92,7 +95,7 @@ impl StageContext<'_> {
     }
 
     /// The stage; `frictions` are those that were written so far.
-    fn stage(&self, frictions: &mut Frictions, derived: &mut Vec<String>) -> Result<Stage, CaseError> {
+    fn stage(&self, frictions: &mut Frictions, derived: &mut Vec<Message>) -> Result<Stage, CaseError> {
         if !self.before.gas.is_empty() {
             derived.push("gas acts in the first stage only".into());
         }
@@ -131,7 +134,7 @@ impl StageContext<'_> {
         &self,
         standing: &[Tool],
         frictions: &mut Frictions,
-        derived: &mut Vec<String>,
+        derived: &mut Vec<Message>,
     ) -> Result<StagePatch, CaseError> {
         let written = self.tools();
         for tool in &written {
@@ -240,7 +243,7 @@ impl StageContext<'_> {
         standing: &[Tool],
         travel: f64,
         frictions: &Frictions,
-        derived: &mut Vec<String>,
+        derived: &mut Vec<Message>,
     ) -> Result<ToolPatch, CaseError> {
         let WrittenTool { role, path, shaped, .. } = *tool;
         if !shaped && standing.iter().all(|other| other.role != role) {
@@ -261,7 +264,7 @@ impl StageContext<'_> {
         role: Role,
         standing: &[Tool],
         travel: f64,
-        derived: &mut Vec<String>,
+        derived: &mut Vec<Message>,
     ) -> Result<Option<Profile>, CaseError> {
         let sheet = Sheet::of(&self.before.blank, self.before.extent());
         let written = &self.new_tools();

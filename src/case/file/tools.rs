@@ -140,7 +140,8 @@ pub struct Holder {
     /// Distance of its inner edge from the symmetry plane (plane strain).
     #[cfg_attr(feature = "schema", schemars(example = "341 mm"))]
     pub inner_half_width: Option<Positive<Length>>,
-    /// A section of one's own, from inside outward.
+    /// A section of one's own, from inside outward. Where it and the die cannot both lie on the flat sheet, for a bead or a slope,
+    /// the holder closes over the sheet before the punch comes.
     pub profile: Option<Section>,
     /// Force of the whole holder ("80 kN"); in plane strain on both sides of the symmetry plane together, per mm of depth
     /// ("2600 N/mm"), or in all where blank.depth is given. Or its history over the punch travel: [["0 mm", "40 kN"],
