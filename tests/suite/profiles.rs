@@ -85,7 +85,7 @@ fn chords_of_a_punch_are_the_punch() {
         );
         let check = check::report(&case);
         assert!(check.warnings.iter().all(|w| w.to_string().contains("elements per 90°")), "{:?}", check.warnings);
-        assert!(check.to_string().contains("Ø 60 mm to the wall, R 6 (6.0 t), friction"), "{check}");
+        assert!(check.to_string().contains("Ø 60 mm to the wall, R 6 mm (6.0 t), friction"), "{check}");
     }
 }
 

@@ -79,7 +79,9 @@ fn check_and_laws_are_json_with_all_that_is_printed() {
     let printed = stampflow(dir.path(), &["check", "cases/cup.toml"]);
     for line in check["lines"].as_array().unwrap() {
         let said = format!("{} {}", line["value"].as_str().unwrap(), line["meaning"].as_str().unwrap());
-        assert!(text(&printed.stdout).contains(said.trim_end()), "{said}");
+        // Long lines are broken.
+        let words = |text: &str| text.split_whitespace().collect::<Vec<_>>().join(" ");
+        assert!(words(text(&printed.stdout)).contains(&words(&said)), "{said}");
     }
     let laws = silent(&stampflow(dir.path(), &["laws", "--json"]), 0);
     let printed = stampflow(dir.path(), &["laws"]);
@@ -268,12 +270,12 @@ fn the_readme_shows_what_a_run_of_the_quickstart_prints() {
     let readme = fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/README.md")).expect("shipped");
     let (_, from) = readme.split_once("It says, among more:").expect("the block");
     let shown: Vec<&str> =
-        from.lines().skip_while(|line| line.is_empty()).take_while(|line| line.starts_with("    ")).collect();
+        from.lines().take_while(|line| !line.starts_with("![")).filter(|line| !line.is_empty()).collect();
     let dir = folder(CUP);
     let case = concat!(env!("CARGO_MANIFEST_DIR"), "/cases/quickstart.toml");
     let printed = stampflow(dir.path(), &["run", case]);
     let printed: Vec<&str> = text(&printed.stdout).lines().map(str::trim_end).collect();
-    assert!(shown.len() > 10, "{shown:?}");
+    assert!(shown.len() > 8 && shown.iter().all(|line| line.starts_with("    ")), "{shown:?}");
     for line in shown {
         assert!(printed.contains(&line[4..].trim_end()), "{line}");
     }
