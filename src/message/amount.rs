@@ -83,6 +83,11 @@ impl Amount {
         Self { times: "t", ..Self::new(ratio, Unit::None, Significant(2)) }
     }
 
+    /// A length over the sheet's thickness that was given \[–\].
+    pub const fn given_thicknesses(ratio: f64) -> Self {
+        Self::thicknesses(ratio).to(Given(3))
+    }
+
     /// A force \[`N`, or `N/mm` of depth\] in its unit, see [`force_unit`](crate::table::force_unit).
     pub const fn force(force: f64, unit: Unit) -> Self {
         Self::new(force, unit, Significant(3))
