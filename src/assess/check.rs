@@ -41,7 +41,7 @@ pub fn report(case: &Case) -> Check {
     lines.push(line("material", model.material.describe(), ""));
     lines.extend(case.sources.material.as_ref().map(|source| line("material source", source.clone(), "")));
     let strength = estimate::tensile_strength(&model.material.hardening);
-    lines.push(line("tensile strength", Amount::stress(strength), "from the law at Considère's load maximum"));
+    lines.push(line("tensile strength", Amount::stress(strength), "by the law, at Considère's load maximum"));
     tools::lines(model, &mut lines);
     lines.extend(case.sources.friction.as_ref().map(|source| line("friction source", source.clone(), "")));
     loads::holder(model, strength, &mut lines);
@@ -72,11 +72,11 @@ pub fn report(case: &Case) -> Check {
 fn blank(model: &Model, lines: &mut Vec<Line>) {
     let blank = &model.blank;
     let whole = Amount::size(2.0 * blank.length);
-    let (geometry, meaning) = match model.geometry {
-        Geometry::Axisymmetric => ("axisymmetric", Message::default()),
-        Geometry::PlaneStrain => ("plane strain", message!("half length, {whole} in all", whole = whole)),
+    let (geometry, meaning): (Message, _) = match model.geometry {
+        Geometry::Axisymmetric => ("axisymmetric".into(), Message::default()),
+        Geometry::PlaneStrain => ("plane strain".into(), message!("half length, {whole} in all", whole = whole)),
     };
-    lines.push(line("geometry", geometry, model.extent().described()));
+    lines.push(line("geometry", Message::joined([geometry, model.extent().described().into()], "; "), ""));
     lines.push(line("blank", size_of(model, blank.length), meaning));
     lines.push(line("thickness", Amount::size(blank.thickness), ""));
     let volume = Amount::new(model.extent().area(blank.length) * blank.thickness, Unit::None, Digits::Significant(3));
