@@ -11,10 +11,10 @@ pub mod fields;
 pub use crate::units::{Unit, UnitError};
 
 use crate::message::{Form, Told};
-use std::borrow::Cow;
 #[cfg(feature = "case")]
 pub use csv::{Csv, CsvError, Record};
 pub use field::{Field, worded};
+use std::borrow::Cow;
 
 /// One N·mm, the solver's unit of work \[J\].
 pub const JOULES: f64 = 1e-3;

@@ -17,6 +17,8 @@ pub struct Answer {
     pub light: Light,
     /// Whether it tears and where, or what else speaks against it.
     pub sentence: Message,
+    /// How the last stage ended, where that is as wished but not at its full travel; else empty.
+    pub end: Message,
     /// In the order of telling.
     pub numbers: Vec<KeyNumber>,
 }
@@ -48,7 +50,14 @@ impl Answer {
     /// From what was solved and what was [found](super::after) on it.
     pub fn of(case: &Case, stages: &[StageSolution], findings: &[Finding]) -> Self {
         let light = judgements(findings).map(|finding| finding.light).max().unwrap_or(Light::Grey);
-        Self { light, sentence: sentence(stages, findings, light), numbers: numbers(case, stages) }
+        let end = stages.last().map(|stage| &stage.stop);
+        let end = end.filter(|stop| stop.is_complete() && !matches!(stop, Stop::FullTravel));
+        Self {
+            light,
+            sentence: sentence(stages, findings, light),
+            end: end.map_or_else(Message::default, Stop::message),
+            numbers: numbers(case, stages),
+        }
     }
 }
 
@@ -225,9 +234,10 @@ fn draw_in(stages: &[StageSolution]) -> Option<KeyNumber> {
     })
 }
 
-/// A place by its name on the part, where the part has one, and where it is on the flat blank.
+/// A place by its name on the part, as the last stage has one, and where it is on the flat blank.
 fn place(stages: &[StageSolution], s0: f64) -> Message {
-    stages.last().map_or_else(Message::default, |stage| on_part(stage, s0))
+    let named = stages.iter().rev().find(|stage| place_on_part(stage, s0).is_some());
+    named.or(stages.last()).map_or_else(Message::default, |stage| on_part(stage, s0))
 }
 
 fn on_part(stage: &StageSolution, s0: f64) -> Message {

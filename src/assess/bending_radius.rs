@@ -29,7 +29,7 @@ pub(super) fn small(model: &Model, tool: &Tool) -> Option<Finding> {
             what = what
         );
         Finding::warning("tool_radius", "Tool radius", found)
-            .against(ratio, Unit::None, message!("{thin} at least", thin = Amount::thicknesses(THIN)))
+            .against(ratio, Unit::None, message!("{thin} at least", thin = Amount::given_thicknesses(THIN)))
             .at_least(THIN, None)
     })
 }
@@ -51,8 +51,8 @@ pub(super) fn judge(run: &Run) -> Option<Finding> {
                 Unit::None,
                 message!(
                     "{thin} at least, refused below {sharp}: thin-shell theory",
-                    thin = Amount::thicknesses(THIN),
-                    sharp = Amount::thicknesses(SHARP)
+                    thin = Amount::given_thicknesses(THIN),
+                    sharp = Amount::given_thicknesses(SHARP)
                 ),
             )
             .at_least(THIN, SHARP)

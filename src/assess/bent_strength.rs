@@ -52,8 +52,8 @@ pub(super) fn judge(run: &Run) -> Option<Finding> {
     let limit = message!(
         "{asked} = ρ ln(1 + 1/ρ) at ρ = {thin}, refused below {sharp}",
         asked = Amount::share(asked),
-        thin = Amount::thicknesses(THIN),
-        sharp = Amount::thicknesses(SHARP)
+        thin = Amount::given_thicknesses(THIN),
+        sharp = Amount::given_thicknesses(SHARP)
     );
     Some(
         Finding::judged("bent_strength", "Strength over radii", light, run.of_stage(found, sharpest.stage))

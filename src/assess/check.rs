@@ -1,9 +1,12 @@
 //! What can be said of a case before it is solved: its numbers, rules of thumb, and warnings.
 
 mod details;
+mod line;
 mod loads;
 mod stages;
 mod tools;
+
+pub use line::Line;
 
 use super::{Kind, before, sentences};
 use crate::case::Case;
@@ -12,19 +15,8 @@ use crate::model::{Extent, Geometry, Model, Theory};
 use crate::rules::estimate;
 use crate::table::Unit;
 use crate::units::ZERO_CELSIUS;
-use serde::ser::{Serialize, SerializeStruct, Serializer};
+use line::{line, size_of};
 use std::fmt;
-
-/// One line of the report.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Line {
-    /// What is said.
-    pub label: Message,
-    /// The number with its unit, or the word itself.
-    pub value: Message,
-    /// What it means or where it comes from; may be empty.
-    pub meaning: Message,
-}
 
 /// A case looked over before it is solved.
 #[derive(Clone, Debug, PartialEq, serde::Serialize)]
@@ -49,7 +41,7 @@ pub fn report(case: &Case) -> Check {
     lines.push(line("material", model.material.describe(), ""));
     lines.extend(case.sources.material.as_ref().map(|source| line("material source", source.clone(), "")));
     let strength = estimate::tensile_strength(&model.material.hardening);
-    lines.push(line("tensile strength", Amount::stress(strength), "from the law at Considère's load maximum"));
+    lines.push(line("tensile strength", Amount::stress(strength), "by the law, at Considère's load maximum"));
     tools::lines(model, &mut lines);
     lines.extend(case.sources.friction.as_ref().map(|source| line("friction source", source.clone(), "")));
     loads::holder(model, strength, &mut lines);
@@ -77,26 +69,14 @@ pub fn report(case: &Case) -> Check {
     }
 }
 
-fn line(label: impl Into<Message>, value: impl Into<Message>, meaning: impl Into<Message>) -> Line {
-    Line { label: label.into(), value: value.into(), meaning: meaning.into() }
-}
-
-/// A distance from the axis or symmetry plane \[mm\] as shops have it: of a round part the diameter.
-fn size_of(model: &Model, half: f64) -> Message {
-    match model.geometry {
-        Geometry::Axisymmetric => message!("Ø {diameter}", diameter = Amount::size(2.0 * half)),
-        Geometry::PlaneStrain => message!("{half}", half = Amount::size(half)),
-    }
-}
-
 fn blank(model: &Model, lines: &mut Vec<Line>) {
     let blank = &model.blank;
     let whole = Amount::size(2.0 * blank.length);
-    let (geometry, meaning) = match model.geometry {
-        Geometry::Axisymmetric => ("axisymmetric", Message::default()),
-        Geometry::PlaneStrain => ("plane strain", message!("half length, {whole} in all", whole = whole)),
+    let (geometry, meaning): (Message, _) = match model.geometry {
+        Geometry::Axisymmetric => ("axisymmetric".into(), Message::default()),
+        Geometry::PlaneStrain => ("plane strain".into(), message!("half length, {whole} in all", whole = whole)),
     };
-    lines.push(line("geometry", geometry, model.extent().described()));
+    lines.push(line("geometry", Message::joined([geometry, model.extent().described().into()], "; "), ""));
     lines.push(line("blank", size_of(model, blank.length), meaning));
     lines.push(line("thickness", Amount::size(blank.thickness), ""));
     let volume = Amount::new(model.extent().area(blank.length) * blank.thickness, Unit::None, Digits::Significant(3));
@@ -134,25 +114,6 @@ fn mesh(model: &Model, lines: &mut Vec<Line>) {
             n = Amount::new(fit.per_quarter, Unit::None, Digits::Significant(2))
         );
         lines.push(line("element size", Amount::size(fit.size), meaning));
-    }
-}
-
-impl Line {
-    /// The value in its unit; `None` where it is a word.
-    pub fn number(&self) -> Option<f64> {
-        self.value.amount().map(|amount| amount.value)
-    }
-}
-
-impl Serialize for Line {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let mut map = serializer.serialize_struct("Line", 5)?;
-        map.serialize_field("label", &self.label)?;
-        map.serialize_field("value", &self.value)?;
-        map.serialize_field("meaning", &self.meaning)?;
-        map.serialize_field("number", &self.number())?;
-        map.serialize_field("unit", self.value.amount().map_or("", |amount| amount.unit.spelled()))?;
-        map.end()
     }
 }
 

@@ -33,7 +33,10 @@ pub(super) fn judge(run: &Run) -> Option<Finding> {
     let light = Light::doubtful(gap < LEAST || straight && gap > WIDE);
     let limit = match straight {
         true => {
-            message!("one thickness at least, {wide} at most beside a straight wall", wide = Amount::thicknesses(WIDE))
+            message!(
+                "one thickness at least, {wide} at most beside a straight wall",
+                wide = Amount::given_thicknesses(WIDE)
+            )
         }
         false => "one thickness at least".into(),
     };

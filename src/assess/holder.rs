@@ -81,12 +81,12 @@ pub(super) fn judge(run: &Run) -> Option<Finding> {
         lifted = lifted_by(lift),
         pressed = Amount::share(pressed),
         share = Amount::share(last.rim_share),
-        rim = Amount::thicknesses(StepRecord::RIM)
+        rim = Amount::given_thicknesses(StepRecord::RIM)
     );
     let limit = message!(
         "lifted by at most {lifted}, refused above {off}; {pressure} of the tensile strength",
-        lifted = Amount::thicknesses(LIFTED),
-        off = Amount::thicknesses(OFF),
+        lifted = Amount::given_thicknesses(LIFTED),
+        off = Amount::given_thicknesses(OFF),
         pressure = Amount::given_share(PRESSURE)
     );
     Some(
@@ -102,7 +102,7 @@ fn lifted_by(lift: f64) -> Message {
     message!(
         "lifted by up to {lift} until the flange is {width} wide",
         lift = Amount::thicknesses(lift),
-        width = Amount::thicknesses(RUN_OUT),
+        width = Amount::given_thicknesses(RUN_OUT),
     )
 }
 
@@ -112,7 +112,7 @@ pub(super) fn lifted(stage: &StageSolution) -> Option<Finding> {
     (lift > LIFTED).then(|| {
         let found = message!("the holder is {lifted}: the flange thickens or rises under it", lifted = lifted_by(lift));
         Finding::warning("holder_lift", "Holder", found)
-            .against(lift, Unit::None, Amount::thicknesses(LIFTED))
+            .against(lift, Unit::None, Amount::given_thicknesses(LIFTED))
             .at_most(LIFTED, None)
     })
 }

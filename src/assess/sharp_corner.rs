@@ -2,7 +2,7 @@
 
 use super::Finding;
 use crate::geometry::{CORNER, Point};
-use crate::message::{Amount, Message, message};
+use crate::message::{Amount, Digits, Message, message};
 use crate::model::{Model, Role, Tool};
 use crate::rules::tool_sizes::extent;
 use crate::table::Unit;
@@ -21,14 +21,14 @@ pub(super) fn met(model: &Model, tool: &Tool) -> Option<Finding> {
         "the {tool}'s profile has a sharp corner, radius 0, of {turn} at r = {r}, z = {z} (as placed, z = 0 is the flat sheet's \
          middle){others}: no sheet can follow it",
         tool = tool.role.name(),
-        turn = Amount::angle(turn),
+        turn = Amount::angle(turn).to(Digits::Given(1)),
         r = Amount::size(first.point.x),
         z = Amount::size(first.point.y),
         others = others
     );
     Some(
         Finding::warning("sharp_corner", "Sharp corner", found)
-            .against(turn, Unit::Degree, Amount::angle(CORNER.to_degrees()))
+            .against(turn, Unit::Degree, Amount::angle(CORNER.to_degrees()).to(Digits::Given(1)))
             .at_most(CORNER.to_degrees(), None)
             .advice("draw an arc, or give `fillet`")
             .source("the radius that a shell follows"),

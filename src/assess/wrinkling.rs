@@ -90,7 +90,7 @@ fn fixed(gap: f64) -> Finding {
         gap = Amount::thicknesses(gap)
     );
     Finding::judged("wrinkling", "Wrinkle room", Light::within(gap, GAP), found)
-        .against(gap, Unit::None, message!("at most {limit}", limit = Amount::thicknesses(GAP)))
+        .against(gap, Unit::None, message!("at most {limit}", limit = Amount::given_thicknesses(GAP)))
         .at_most(GAP, None)
         .advice("a smaller holder gap, or a holder force")
 }
@@ -105,8 +105,8 @@ fn free(model: &Model) -> Finding {
     );
     let limit = message!(
         "{limit}, refused above {red}",
-        limit = Amount::thicknesses(FREE[0]),
-        red = Amount::thicknesses(FREE[1])
+        limit = Amount::given_thicknesses(FREE[0]),
+        red = Amount::given_thicknesses(FREE[1])
     );
     Finding::judged("wrinkling", "Wrinkle index", Light::of(thicknesses, FREE), found)
         .against(thicknesses, Unit::None, limit)

@@ -1,53 +1,20 @@
 //! The built-in materials: one file of `library/` each, every number with its source.
 
+mod entries;
 mod lookup;
 mod strength;
 
-use super::file::{self, CaseFile};
-use super::sources::{Sheets, Thickness};
+pub use entries::StandsFor;
+
+use super::file::CaseFile;
+use super::sources::{Sheets, Taken, Thickness};
 use super::{CaseError, build, source::Source};
 use crate::forming_limit::{Curve, Hill, Kind, Sheet, uniform_strain};
 use crate::material::Material;
 use crate::material::flow::ROOM_TEMPERATURE;
 use crate::message::{Message, message};
+use entries::{EntryFile, TEXTS, read};
 use lookup::Found;
-use serde::Deserialize;
-
-/// Name and text of every entry, by name.
-const TEXTS: [(&str, &str); 9] = [
-    ("aa6016-t4", include_str!("library/aa6016-t4.toml")),
-    ("aa6022-t4", include_str!("library/aa6022-t4.toml")),
-    ("ap04xr", include_str!("library/ap04xr.toml")),
-    ("chalmers-steel", include_str!("library/chalmers-steel.toml")),
-    ("draw-die-steel", include_str!("library/draw-die-steel.toml")),
-    ("drawing-steel", include_str!("library/drawing-steel.toml")),
-    ("osu-steel", include_str!("library/osu-steel.toml")),
-    ("radioss-steel", include_str!("library/radioss-steel.toml")),
-    ("woo-1968", include_str!("library/woo-1968.toml")),
-];
-
-/// What a file of the library says.
-#[derive(Clone, Debug, Deserialize)]
-#[serde(deny_unknown_fields)]
-struct EntryFile {
-    title: String,
-    grade: String,
-    licence: String,
-    thickness: Option<String>,
-    stands_for: Option<StandsFor>,
-    notes: Vec<String>,
-    material: file::Material,
-}
-
-/// The grades of standards that a sheet may be taken for.
-#[derive(Clone, Debug, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct StandsFor {
-    /// As standards and mills call them, the usual one first.
-    pub grades: Vec<String>,
-    /// Why it may: a source, or what is declared.
-    pub because: String,
-}
 
 /// A material of the library.
 #[derive(Clone, Debug)]
@@ -114,17 +81,6 @@ pub fn material(name: &str) -> Result<Entry, CaseError> {
     entry(name, text)
 }
 
-/// What a case takes from the library.
-#[derive(Debug, Default)]
-pub(super) struct Taken {
-    /// What was taken from where.
-    pub notes: Vec<Message>,
-    /// Where hardening and r̄ come from, where that is two sheets.
-    pub sheets: Option<Sheets>,
-    /// The sheet's thickness, where its source says it.
-    pub thickness: Option<Thickness>,
-}
-
 /// Fills what a case leaves open of the material that it names.
 pub(super) fn complete(file: &mut CaseFile, source: &Source) -> Result<Taken, CaseError> {
     let Some(written) = file.material.name.clone() else { return Ok(Taken::default()) };
@@ -172,9 +128,4 @@ fn entry(name: &'static str, text: &'static str) -> Result<Entry, CaseError> {
     let material = build::material(&material, &Source::parse(name, text)?)?;
     let table = text.find("[material").map_or("", |at| &text[at..]);
     Ok(Entry { name, title, source, grade, licence, thickness, stands_for, notes, material, text: table })
-}
-
-fn read(name: &str, text: &str) -> Result<EntryFile, CaseError> {
-    toml::from_str(text)
-        .map_err(|error| CaseError::bare(format!("{name}: {}", error.message()), "mend the library".into()))
 }

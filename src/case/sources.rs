@@ -1,7 +1,7 @@
 //! Where the numbers of a case come from, as it says itself.
 
 use super::file::{self, CaseFile};
-use super::{CaseError, library::Taken, source::Source};
+use super::{CaseError, source::Source};
 use crate::message::Message;
 use crate::units::{Quantity, parse};
 
@@ -43,6 +43,17 @@ impl Sheets {
             anisotropy: anisotropy.map_or(1.0, Quantity::value),
         })
     }
+}
+
+/// What a case takes from the library.
+#[derive(Debug, Default)]
+pub(super) struct Taken {
+    /// What was taken from where.
+    pub notes: Vec<Message>,
+    /// Where hardening and r̄ come from, where that is two sheets.
+    pub sheets: Option<Sheets>,
+    /// The sheet's thickness, where its source says it.
+    pub thickness: Option<Thickness>,
 }
 
 /// Thickness of the sheet that a material of the library is of.

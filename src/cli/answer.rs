@@ -16,7 +16,8 @@ pub fn answered(case: &str, answer: &Answer, findings: &[Finding], form: Form) -
     });
     let mut shown = sentence(case, answer, "", form) + "\n".into() + judged(findings, form);
     shown = shown + table(None, numbers.collect());
-    let warnings = sentences(findings, Kind::Warning);
+    let ended = Some(answer.end.clone()).filter(|end| !end.is_empty());
+    let warnings: Vec<Message> = ended.into_iter().chain(sentences(findings, Kind::Warning)).collect();
     if !warnings.is_empty() {
         shown = shown + "\n".into();
     }
@@ -50,8 +51,10 @@ fn judged(findings: &[Finding], form: Form) -> Shown {
             let (same, others): (Vec<_>, Vec<_>) = rest.into_iter().partition(|finding| finding.advice == first.advice);
             rest = others;
             rows.extend(same.iter().map(|finding| row(finding, form)));
-            let change = Message::from("→ change").told(form);
-            rows.push(["", &change, &first.advice.told(form)].map(Cell::plain));
+            if !first.advice.is_empty() {
+                let change = Message::from("→ change").told(form);
+                rows.push(["", &change, &first.advice.told(form)].map(Cell::plain));
+            }
             rows.push([""; 3].map(Cell::plain));
         }
     }
@@ -60,7 +63,11 @@ fn judged(findings: &[Finding], form: Form) -> Shown {
 
 fn row(finding: &Finding, form: Form) -> [Cell; 3] {
     let light = Message::from(finding.light.name()).told(form);
-    let found = message!("{found}; limit: {limit}", found = finding.found.clone(), limit = finding.limit.clone());
+    // Words are no limit of a number.
+    let found = match finding.value {
+        Some(_) => message!("{found}; limit: {limit}", found = finding.found.clone(), limit = finding.limit.clone()),
+        None => finding.found.clone(),
+    };
     [
         Cell { text: light, tone: Tone::of(finding.light) },
         Cell::plain(Message::from(finding.label).told(form)),

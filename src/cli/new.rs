@@ -87,9 +87,8 @@ fn written(path: &Path) -> String {
 
 impl clap::Args for Args {
     fn augment_args(command: Command) -> Command {
-        let names: Vec<&str> = TEMPLATES.iter().map(|template| template.name).collect();
         command
-            .override_usage(format!("stampflow new <{}> [OPTIONS]\n       stampflow new --list", names.join("|")))
+            .override_usage("stampflow new TEMPLATE [OPTIONS]\n       stampflow new --list")
             .arg(Arg::new("list").long("list").action(ArgAction::SetTrue).help("List all templates with their options"))
             .arg(json())
             .subcommands(TEMPLATES.iter().map(subcommand))
@@ -110,11 +109,9 @@ impl clap::Args for Args {
 }
 
 fn subcommand(template: &Template) -> Command {
-    let usage = |choice: &Choice| format!("[--{} {}]", choice.key, choice.kind.placeholder());
-    let all: Vec<String> = template.options().map(usage).collect();
     Command::new(template.name)
         .about(template.about)
-        .override_usage(format!("stampflow new {} [-o FILE] [--force] {}", template.name, all.join(" ")))
+        .override_usage(format!("stampflow new {} [-o FILE] [--force] [OPTIONS]", template.name))
         .args(template.own.iter().flat_map(|choice| [Some(option(choice, "Sizes")), diameter(choice)]).flatten())
         .args(SHEET.iter().map(|choice| option(choice, "Sheet")))
         .arg(

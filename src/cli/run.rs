@@ -202,8 +202,12 @@ impl Args {
             return answer::sentence(name, answer, &written.unwrap_or_default(), form);
         }
         let mut shown = answer::answered(name, answer, findings, form);
+        let summary = results.summary();
+        if !summary.lines.is_empty() {
+            shown = shown + wrapped(&format!("\n{}", form.tell(summary.lines.clone())));
+        }
         if self.verbose {
-            shown = shown + summed_up(results, form);
+            shown = shown + summed_up(&summary, form);
         }
         let mut end = String::new();
         for comparison in &results.comparisons {
@@ -235,14 +239,12 @@ fn page(solution: &Solution, form: Form) -> String {
 }
 
 /// The summary of every stage as a table.
-fn summed_up(results: &Results, form: Form) -> Shown {
-    let CaseSummary { stages, lines, .. } = results.summary();
-    let mut shown = Shown::default();
-    for summary in stages {
-        let rows = summary.rows(form).into_iter().map(|(_, row)| row.map(Cell::plain));
-        shown = shown + "\n".into() + table(None, rows.collect());
-    }
-    if lines.is_empty() { shown } else { shown + format!("\n{}\n{}\n", form.tell("Stages"), form.tell(lines)).into() }
+fn summed_up(summary: &CaseSummary, form: Form) -> Shown {
+    let tables = summary.stages.iter().map(|stage| {
+        let rows = stage.rows(form).into_iter().map(|(_, row)| row.map(Cell::plain));
+        Shown::from("\n") + table(None, rows.collect())
+    });
+    tables.reduce(Shown::add).unwrap_or_default()
 }
 
 /// What `summary.json` says of the case, or of each of its stages, and what was compared and written.

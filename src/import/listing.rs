@@ -3,9 +3,10 @@
 //! # References
 //! Autodesk, DXF Reference (group codes of the HEADER and ENTITIES sections; not read: codes as commonly used).
 
-use super::blocks::{Block, Reference};
 use super::curve::{Curve, Group, Vertex};
 use super::error::ImportError;
+use super::reference::Reference;
+use crate::geometry::Point;
 use std::borrow::Cow;
 use std::collections::BTreeMap;
 use std::fmt;
@@ -109,6 +110,31 @@ impl fmt::Display for Listed {
         let handle = if handle.is_empty() { String::new() } else { format!(" #{}", cut(handle)) };
         let block = if self.block.is_empty() { String::new() } else { format!(", block \"{}\"", cut(&self.block)) };
         write!(f, "{}{handle} of layer \"{}\"{block} (line {line} of the file)", cut(kind), cut(layer))
+    }
+}
+
+/// A block as the file lists it.
+#[derive(Debug, Default)]
+pub(super) struct Block {
+    pub name: String,
+    /// The point that a reference places, in drawing units.
+    pub base: Point,
+    /// Whether it stands for another file.
+    pub is_external: bool,
+    pub entities: Vec<Entity>,
+}
+
+impl Block {
+    /// Takes a group of the block itself.
+    pub fn take(&mut self, code: i32, value: &str) {
+        let number = || value.parse::<f64>().ok().filter(|number| number.is_finite()).unwrap_or(0.0);
+        match code {
+            2 => self.name = value.to_owned(),
+            10 => self.base.x = number(),
+            20 => self.base.y = number(),
+            70 => self.is_external = whole(value) & (4 | 8) != 0,
+            _ => {}
+        }
     }
 }
 

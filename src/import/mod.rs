@@ -31,6 +31,7 @@ mod options;
 mod orient;
 mod outline;
 mod parts;
+mod reference;
 mod section;
 mod spline;
 mod stroke;

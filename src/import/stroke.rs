@@ -1,11 +1,12 @@
 //! Entities as strokes: pieces in mm, x from the axis, in the drawing's sense of y.
 
-use super::blocks::{Placed, Placement};
+use super::blocks::Placed;
 use super::curve::{self, Curve, Place, Polyline, Vertex};
 use super::error::ImportError;
 use super::frame::Frame;
 use super::listing::{Listed, MOST};
 use super::parts::{Part, Parts};
+use super::reference::Placement;
 use super::spline;
 use crate::geometry::{Arc, Bounds, Piece, Point, Segment};
 use crate::units::{Kind, Length, Quantity, rounded};

@@ -83,6 +83,11 @@ impl Amount {
         Self { times: "t", ..Self::new(ratio, Unit::None, Significant(2)) }
     }
 
+    /// A length over the sheet's thickness that was given \[–\].
+    pub const fn given_thicknesses(ratio: f64) -> Self {
+        Self::thicknesses(ratio).to(Given(3))
+    }
+
     /// A force \[`N`, or `N/mm` of depth\] in its unit, see [`force_unit`](crate::table::force_unit).
     pub const fn force(force: f64, unit: Unit) -> Self {
         Self::new(force, unit, Significant(3))
@@ -156,6 +161,7 @@ impl Amount {
             Given(n) => crate::units::trimmed(value, (n + to.finer) as i32),
             Significant(_) if value == 0.0 => "0".to_owned(),
             Significant(n) => match value.abs().log10().floor() as i32 {
+                magnitude if magnitude < SMALLEST && self.unit == Unit::Percent => "0".to_owned(),
                 magnitude if magnitude < SMALLEST => format!("{value:.*e}", n.max(1) - 1),
                 magnitude => format!("{value:.*}", (n as i32 - 1 - magnitude).max(0) as usize),
             },
@@ -198,7 +204,8 @@ mod tests {
             (Amount::share(0.0), ["0 %", "0 %", "0 %"]),
             (Amount::given_share(0.05), ["5 %", "5 %", "5 %"]),
             (Amount::ratio(1.287), ["1.29", "1.29", "1,29"]),
-            (Amount::share(1.23e-8), ["1.2e-6 %", "1.2e-6 %", "1,2e-6 %"]),
+            (Amount::share(1.23e-8), ["0 %", "0 %", "0 %"]),
+            (Amount::new(1.23e-6, Unit::None, Significant(2)), ["1.2e-6", "1.2e-6", "1,2e-6"]),
             (Amount::stress(f64::NAN), ["– MPa", "– psi", "– MPa"]),
         ] {
             assert_eq!([tell(amount, si), tell(amount, us), tell(amount, de)], expected);

@@ -55,7 +55,7 @@ impl Role {
             }
             words.iter().any(|part| part.starts_with(*word) || part.ends_with(*word))
         };
-        WORDS.iter().filter(|(_, words)| words.iter().any(&names)).map(|(role, _)| *role).collect()
+        WORDS.iter().filter(|(_, words)| words.iter().any(names)).map(|(role, _)| *role).collect()
     }
 }
 

@@ -111,13 +111,7 @@ impl Dimension {
 /// The sheet and the tools before the first step of a stage with their dimensions; `start` is what a later stage begins
 /// with. Widths stand below the section, a row each; heights beside their arrows; all others at the section's side, a row
 /// each, in the order in which their leaders do not cross: no label lies on another.
-pub fn dimensioned(
-    title: String,
-    model: &Model,
-    start: Option<&Frame>,
-    dimensions: &[Dimension],
-    form: Form,
-) -> Chart {
+pub fn dimensioned(title: String, model: &Model, start: Option<&Frame>, dimensions: &[Dimension], form: Form) -> Chart {
     let text = |dimension: &Dimension| form.tell(dimension.text());
     let that = |is: fn(&Mark) -> bool| dimensions.iter().filter(move |d| is(&d.mark));
     let mut across: Vec<_> = that(|mark| matches!(mark, Mark::Across(_))).collect();

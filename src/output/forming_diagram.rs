@@ -131,7 +131,8 @@ fn diagram(view: &StageView, assessment: &Assessment, limit: &Curve, strains: St
         ("Places, major strain along the hoop", of(|element| element.hoop_is_major), 2),
     ];
     let places = places.into_iter().filter(|(_, points, _)| !points.is_empty());
-    series.extend(places.map(|(label, points, i)| Series::new(view.tell(label), points, Look::Dots { color: color(i) })));
+    series
+        .extend(places.map(|(label, points, i)| Series::new(view.tell(label), points, Look::Dots { color: color(i) })));
     let name = view.tell(named(limit));
     let shown = curve.iter().filter(|p| p[0] <= p[1]).map(|p| strains.point(*p)).collect();
     series.push(Series::new(name, shown, LIMIT));
@@ -173,7 +174,11 @@ fn strip(view: &StageView, assessment: &Assessment, limit: &Curve, strains: Stra
         zone("Safe".into(), below(over(&|e| CAREFUL * e.limit)), SAFE),
         Series::new(view.tell(named(limit)), over(&|e| e.limit), LIMIT),
         Series::new(view.tell("Major strain"), over(&|e| e.major), Look::curve(0)),
-        Series::new(view.tell(nearest(worst)), vec![(worst.s0, strains.of(worst.major))], Look::Circles { color: color(1) }),
+        Series::new(
+            view.tell(nearest(worst)),
+            vec![(worst.s0, strains.of(worst.major))],
+            Look::Circles { color: color(1) },
+        ),
     ];
     let [_, y] = strains.axes();
     Panel {
@@ -232,7 +237,9 @@ fn words(view: &StageView, assessment: &Assessment) -> Message {
                     travel = travel,
                     time = time
                 ),
-                false => message!("The limit is reached at s0 = {s0}, at {travel} of travel.", s0 = s0, travel = travel),
+                false => {
+                    message!("The limit is reached at s0 = {s0}, at {travel} of travel.", s0 = s0, travel = travel)
+                }
             }
         },
     );

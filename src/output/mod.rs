@@ -35,6 +35,7 @@ mod sketch;
 pub mod springback;
 mod stage_view;
 mod stages;
+mod states;
 mod strains;
 pub mod summary;
 mod thickness_profile;
@@ -99,7 +100,7 @@ pub const OUTPUTS: &[Output] = &[
     Output::plot(
         "shapes.png",
         "the section over the travel, coloured by thinning, and the tools where they were then",
-        sections::plot,
+        states::plot,
     ),
     Output {
         file: "section.pvd",

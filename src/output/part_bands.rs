@@ -32,9 +32,10 @@ pub(super) fn panel(view: &StageView, scale: Scale) -> Option<Panel> {
     let named: Vec<String> = bands.iter().map(|stretch| view.tell(stretch.band.name())).collect();
     let names = names(&bands, &named, NARROW / along[along.len() - 1]);
     let top = high + row * (1.0 + names.iter().map(|name| name.1).max().unwrap_or(0) as f64);
-    let named = names.into_iter().zip(named).map(|((x, at), name)| {
-        Series::new(name, vec![(x, high + row * (0.7 + at as f64))], Look::Text)
-    });
+    let named = names
+        .into_iter()
+        .zip(named)
+        .map(|((x, at), name)| Series::new(name, vec![(x, high + row * (0.7 + at as f64))], Look::Text));
     let border = Look::Line { color: GREY, width: 1.2, dash: &[4.0, 3.0] };
     let borders = bands
         .iter()

@@ -55,7 +55,8 @@ pub(super) fn plot(view: &StageView) -> Option<Chart> {
     let panel = |field: Field<StepRecord>, i: usize, height: f64, beside: Option<Series>| {
         let points = steps.iter().map(|step| (factor * step.time, (field.value)(step))).collect();
         // One curve a panel: no pattern is needed to tell it from others.
-        let curve = Series::new(view.tell(field.label(extent)), points, Look::Line { color: color(i), width: 2.4, dash: &[] });
+        let curve =
+            Series::new(view.tell(field.label(extent)), points, Look::Line { color: color(i), width: 2.4, dash: &[] });
         let least = 0.02 * steps.iter().map(field.value).fold(0.0, f64::max);
         Panel {
             x: time.clone(),

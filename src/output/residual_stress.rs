@@ -67,7 +67,7 @@ pub fn plot(view: &StageView) -> Option<Chart> {
         let series = shown.iter().enumerate().map(|(i, place)| {
             let points = frame.through.elements().nth(place.element).unwrap_or_default();
             Series {
-                label: labelled.then(|| view.tell(message!("{place}, s0 = {s0}", place = place.name, s0 = at(place)))) ,
+                label: labelled.then(|| view.tell(message!("{place}, s0 = {s0}", place = place.name, s0 = at(place)))),
                 points: layers.iter().zip(points).map(|(layer, point)| (0.5 * layer.xi, stress(point))).collect(),
                 look: Look::curve(i),
             }

@@ -2,8 +2,8 @@
 
 use super::{Pictures, StageView};
 use crate::case::Solution;
-use crate::message::Form;
 use crate::compare::{CompareError, Comparison};
+use crate::message::Form;
 
 /// A solution looked over once: what its outputs are made from.
 #[derive(Clone, Debug)]

@@ -1,13 +1,9 @@
-//! The section of the sheet over the travel, coloured by thinning, and the tools where they were then.
+//! The sections of sheet and tools, as outlines that pictures are made of.
 
-use super::StageView;
-use super::chart::{Chart, Color, GREY, Look, PALE, Panel, Scale, Series, color};
-use super::thinning::{Thinning, said, times};
+use super::chart::{GREY, Look, PALE, Panel, Scale, Series};
 use crate::geometry::{Piece, Point, Profile, on_axis};
-use crate::message::{Amount, message};
 use crate::model::{Extent, Geometry, Model, Role};
 use crate::solution::{Frame, NodeRecord};
-use crate::table::capitalised;
 use crate::table::fields::element::{R, Z};
 use std::ops::Range;
 
@@ -16,50 +12,6 @@ const CHORD: f64 = 0.03;
 const SAGITTA: f64 = 1e-4;
 /// What is shown around the sheet, over the section's width.
 const AROUND: f64 = 0.06;
-
-/// As many states as are shown.
-const STATES: usize = 6;
-/// Width of the section in a small panel \[px of a picture 800 wide\].
-const SMALL: f64 = 230.0;
-
-/// The states of a stage in small panels, each with the tools where they were then.
-pub(super) fn plot(view: &StageView) -> Option<Chart> {
-    let (model, frames) = (view.model(), &view.stage.frames);
-    let window = window(frames.iter().flat_map(|f| &f.nodes), model.blank.length);
-    let width = window[0].1;
-    let thinning = Thinning::of(model.blank.thickness, frames.iter());
-    let times = times(model.blank.thickness, SMALL / width);
-    let small = |caption: String, at: Option<&Frame>, sheet: Vec<Series>| {
-        let caption = Series::new(caption, Vec::new(), Look::Text);
-        let [x, y] = window;
-        let series = tools(model, at, width).chain(sheet).chain([caption]);
-        Panel { scale: Scale::Small { x, y }, ..panel(model.geometry, series, window) }
-    };
-    let states = states(view);
-    let caption = |at: Amount| {
-        let caption = message!("{progress} {at}", progress = view.progress(), at = at);
-        capitalised(&view.tell(caption))
-    };
-    let shown = states.iter().map(|frame| small(caption(view.reached(frame)), Some(frame), thinning.section(frame, times)));
-    // A run that never started shows where it would have.
-    let flat = || vec![Series::silent(flat(model), filled(color(0)))];
-    let unsolved = states.is_empty().then(|| small(caption(Amount::size(0.0)), None, flat()));
-    let scale = (!states.is_empty()).then(|| thinning.scale());
-    Some(Chart {
-        title: view.titled("sections"),
-        legend: String::new(),
-        panels: shown.chain(unsolved).chain(scale).collect(),
-        notes: std::iter::once(view.tell(said(times))).chain(view.notes_of_frames()).collect(),
-    })
-}
-
-/// The start where there is room for it, and frames spread evenly up to the last.
-fn states<'a>(view: &StageView<'a>) -> Vec<&'a Frame> {
-    let frames = &view.stage.frames;
-    let most = frames.len().min(STATES);
-    let start = view.stage.start.as_ref().filter(|_| (1..STATES).contains(&most));
-    start.into_iter().chain((1..=most).map(|i| &frames[i * frames.len() / most - 1])).collect()
-}
 
 /// A section's plane, at least this window of it \[mm\].
 pub(super) fn panel(geometry: Geometry, series: impl IntoIterator<Item = Series>, [x, y]: [(f64, f64); 2]) -> Panel {
@@ -143,10 +95,6 @@ fn chords(piece: &Piece, sagitta: f64) -> usize {
 pub(super) fn flat(model: &Model) -> Vec<(f64, f64)> {
     let (length, half) = (model.blank.length, 0.5 * model.blank.thickness);
     vec![(0.0, half), (length, half), (length, -half), (0.0, -half)]
-}
-
-fn filled(fill: Color) -> Look {
-    Look::Area { fill, edge: None }
 }
 
 /// Both surfaces of some elements of the sheet, so many `times` as far apart as they are.

@@ -35,7 +35,8 @@ pub fn plot(view: &StageView) -> Option<Chart> {
     ];
     let measured = |quantity: Quantity, of: fn(&Shape) -> Option<&Leg>, dash| {
         let look = Look::Line { color: BLACK, width: 1.4, dash };
-        let label = found.iter().find(|change| change.quantity.key == quantity.key).map(|change| view.tell(worded(change)));
+        let label =
+            found.iter().find(|change| change.quantity.key == quantity.key).map(|change| view.tell(worded(change)));
         let lines = shapes.iter().filter_map(of).map(|leg| Series::silent(longer(leg), look)).collect::<Vec<_>>();
         lines
             .into_iter()
@@ -59,7 +60,9 @@ pub fn plot(view: &StageView) -> Option<Chart> {
             sections::tools(model, Some(before), x.1).chain(sheets).chain(lines),
             [x, y],
         )],
-        notes: std::iter::once(view.tell("The sheet is true to thickness. Grey: the tools before they were taken away."))
+        notes: std::iter::once(
+            view.tell("The sheet is true to thickness. Grey: the tools before they were taken away."),
+        )
         .chain(others)
         .chain(view.assumptions())
         .collect(),

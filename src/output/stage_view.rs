@@ -175,7 +175,9 @@ impl<'a> StageView<'a> {
             notes.push(self.tell(message!("Stopped early: {why}.", why = stop.message())));
         }
         if self.says_all() && !self.overrides.is_empty() {
-            notes.push(self.tell(message!("Set on the command line: {settings}.", settings = self.overrides.join(", "))));
+            notes.push(
+                self.tell(message!("Set on the command line: {settings}.", settings = self.overrides.join(", "))),
+            );
         }
         if self.says_all() {
             let warnings = sentences(&self.findings, Kind::Warning).into_iter();

@@ -22,7 +22,8 @@ pub(super) fn plot(view: &StageView) -> Option<Chart> {
     let earlier = view.shown().rev().skip(1).flat_map(|frame| {
         curves(frame).map(|(i, points)| Series::silent(points, Look::curve(i).faint())).collect::<Vec<_>>()
     });
-    let at_last = curves(last).map(|(i, points)| Series::new(view.tell(STRAINS[i].label(extent)), points, Look::curve(i)));
+    let at_last =
+        curves(last).map(|(i, points)| Series::new(view.tell(STRAINS[i].label(extent)), points, Look::curve(i)));
     Some(Chart {
         title: view.titled(message!("strains, {progress} {at}", progress = view.progress(), at = view.reached(last))),
         legend: String::new(),

@@ -109,7 +109,7 @@ impl Summary {
             summary.forming_limit(model, assessment);
         }
         if run.paths.stride() > 1 {
-            let kept = message!("kept of each {n}th step and of the last", n = run.paths.stride());
+            let kept = message!("kept of every {n}th step and of the last", n = run.paths.stride());
             summary.text("strain_paths", "Strain paths", kept);
         }
         summary.number("draw_in", "Draw-in of the edge", Amount::place(last.draw_in));

@@ -4,8 +4,8 @@
 use super::chart::{Chart, Look, Panel, Scale, Series};
 use super::{StageView, part_bands};
 use crate::solution::ElementRecord;
-use crate::table::{Field, capitalised};
 use crate::table::fields::element::{POROSITY, S0, TEMPERATURE, THICKNESS};
+use crate::table::{Field, capitalised};
 
 /// Least height of the thickness axis over the initial thickness: smaller differences are noise or nothing to look at [–].
 const LEAST: f64 = 0.02;
@@ -36,10 +36,9 @@ pub(super) fn temperature(view: &StageView) -> Option<Chart> {
 fn plot(view: &StageView, what: &'static str, field: &Field<ElementRecord>, least: f64) -> Option<Chart> {
     view.stage.frames.last()?;
     let extent = view.extent();
-    let curves = view
-        .shown()
-        .enumerate()
-        .map(|(i, frame)| Series::new(view.tell(view.reached(frame)), S0.against(field, &frame.elements), Look::curve(i)));
+    let curves = view.shown().enumerate().map(|(i, frame)| {
+        Series::new(view.tell(view.reached(frame)), S0.against(field, &frame.elements), Look::curve(i))
+    });
     Some(Chart {
         title: view.titled(what),
         legend: capitalised(&view.tell(view.progress())),

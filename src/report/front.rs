@@ -1,7 +1,7 @@
 //! The first page: what was asked, answered.
 
 use super::document::{Block, Issue, KeyNumber, Picture};
-use super::results::plot;
+use super::plots::plot;
 use super::solved::Report;
 use crate::assess::{Answer, Finding, Light, judgements};
 use crate::message::{Form, message};

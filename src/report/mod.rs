@@ -10,6 +10,7 @@ mod html;
 mod inputs;
 mod markdown;
 mod pdf;
+mod plots;
 mod program;
 mod results;
 mod sizes;

@@ -1,7 +1,8 @@
 //! What came out, stage by stage: the summary's lines, of a release its spring-back, and every plot of a stage.
 
-use super::document::{Block, Picture, Row, Section};
+use super::document::{Block, Row, Section};
 use super::front;
+use super::plots::plot;
 use super::solved::Report;
 use super::solver::figures;
 use crate::message::{Amount, Form};
@@ -25,13 +26,6 @@ pub(super) fn sections(report: &Report, form: Form) -> Vec<Section> {
             Section { heading: report.stage(i) + &form.tell("Results"), blocks: blocks.collect() }
         })
         .collect()
-}
-
-/// The plot of a stage that stands in this file of a result folder.
-pub(super) fn plot(view: &StageView, file: &str) -> Option<Picture> {
-    let output = OUTPUTS.iter().find(|output| output.file == file)?;
-    let (name, caption) = (output.stem().to_owned(), view.form.tell(output.about));
-    Some(Picture { name, caption, chart: output.chart(view)? })
 }
 
 /// The section of a stage as it moves, where frames were kept for it.

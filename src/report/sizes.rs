@@ -1,4 +1,4 @@
-//! The sizes that the dimensioned section shows.
+//! The sizes of a section, and where they are drawn.
 
 use crate::geometry::{Arc, Piece, Point};
 use crate::message::{Message, message};

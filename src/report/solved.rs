@@ -1,7 +1,7 @@
 //! What a report is written from.
 
 use super::program::PROGRAM;
-use super::{sizes, title};
+use super::sizes;
 use crate::assess::check::{self, Check};
 use crate::assess::{self, Answer, Finding, KeyNumber, Kind};
 use crate::case::{Solution, TitleBlock};
@@ -72,7 +72,7 @@ impl<'a> Report<'a> {
             "case": self.solution.case.name,
             "complete": self.solution.is_complete(),
             "program": PROGRAM,
-            "title_block": title::block(self).map(|(name, value)| (name.to_owned(), value.into())).collect::<Map<_, _>>(),
+            "title_block": self.title_block.entries().map(|(name, value)| (name.to_owned(), value.into())).collect::<Map<_, _>>(),
             "answer": {"light": self.answer.light, "sentence": self.answer.sentence, "numbers": numbers},
             "check": self.check,
             "dimensions": self.dimensions.iter().map(dimension).collect::<Vec<_>>(),

@@ -11,7 +11,9 @@ pub(super) fn section(report: &Report, form: Form) -> Section {
     for (i, (_, summary)) in report.stages.iter().enumerate() {
         let stage = report.stage(i);
         if !stage.is_empty() {
-            blocks.push(Block::Paragraph(form.tell(message!("Stage {name}", name = stage.trim_end_matches(": ").to_owned()))));
+            blocks.push(Block::Paragraph(
+                form.tell(message!("Stage {name}", name = stage.trim_end_matches(": ").to_owned())),
+            ));
         }
         blocks.push(figures(summary, form, |group| group == Group::Solution));
     }

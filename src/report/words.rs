@@ -12,6 +12,7 @@ pub(super) fn section(findings: &[Finding], form: Form) -> Section {
             terms.push(term);
         }
     }
-    let rows = terms.into_iter().map(|term| Row::plain([&term.name, &term.meaning].map(|text| form.tell(text.as_str()))));
+    let rows =
+        terms.into_iter().map(|term| Row::plain([&term.name, &term.meaning].map(|text| form.tell(text.as_str()))));
     Section { heading: form.tell("Words"), blocks: vec![Block::table(["Word", "Meaning"], rows.collect(), form)] }
 }

@@ -194,8 +194,8 @@ fn why(model: &Model, state: &State, neck: &Neck) -> Message {
         "{place}, one place takes all the stretching while the sheet {near} to {away} away has stopped: hardening no longer \
          makes up for thinning. Less holder force or friction, or a larger radius there, lets it go deeper",
         place = place,
-        near = Amount::thicknesses(NEAR),
-        away = Amount::thicknesses(AWAY)
+        near = Amount::given_thicknesses(NEAR),
+        away = Amount::given_thicknesses(AWAY)
     )
 }
 

@@ -9,7 +9,7 @@ use std::process::{Command, Stdio};
 #[test]
 fn a_run_writes_every_file_and_sums_up() {
     let dir = folder(CUP);
-    let done = stampflow(dir.path(), &["run", "cases/cup.toml", "--trace", "trace.csv"]);
+    let done = stampflow(dir.path(), &["run", "cases/cup.toml", "--trace", "trace.csv", "--verbose"]);
     assert_eq!(done.status.code(), Some(0), "{}", text(&done.stderr));
     for output in stampflow::output::OUTPUTS {
         let path = dir.path().join("out/cup").join(output.file);
@@ -291,7 +291,7 @@ fn validation_passes_on_its_own_curve_and_fails_on_another() {
         fs::write(reference.join("curve.csv"), curve).unwrap();
         let done = stampflow(dir.path(), &["validate", "-q"]);
         assert_eq!(done.status.code(), Some(code), "{}{}", text(&done.stdout), text(&done.stderr));
-        assert!(text(&done.stdout).contains(verdict), "{}", text(&done.stdout));
+        assert!(text(&done.stdout).contains(verdict.trim_end()), "{}", text(&done.stdout));
         assert!(dir.path().join("out/validate/cup/compare_1_punch_force.png").exists());
     }
 }

@@ -208,15 +208,13 @@ fn materials_are_listed_described_and_drawn() {
     for entry in library::materials().unwrap_or_else(|e| panic!("{}", e.render(false))) {
         assert!(list.contains(entry.name), "{list}");
         let all = String::from_utf8(run(&["materials", entry.name]).stdout).expect("text");
-        assert!(all.contains(&entry.source) && all.ends_with(entry.text), "{all}");
+        let one_line = all.split_whitespace().collect::<Vec<_>>().join(" ");
+        assert!(one_line.contains(&entry.source) && all.ends_with(entry.text), "{all}");
     }
     let one = run(&["materials", "aa6016-t4", "--plot", "a.png"]);
     assert_eq!(one.status.code(), Some(0), "{}", String::from_utf8_lossy(&one.stderr));
     let said = String::from_utf8(one.stdout).expect("text");
-    assert!(
-        said.contains("name = \"aa6016-t4\"") && said.contains("computed from the law (Hill), not measured"),
-        "{said}"
-    );
+    assert!(said.contains("name = \"aa6016-t4\"") && said.contains("computed from the law (Hill)"), "{said}");
     let json =
         serde_json::from_slice::<serde_json::Value>(&run(&["materials", "aa6016-t4", "--json"]).stdout).expect("JSON");
     assert!(json["flc_computed_by_hill"].as_array().is_some_and(|points| points.len() > 10), "{json}");

@@ -138,7 +138,7 @@ fn the_summary_says_the_same_in_print_and_in_json() {
     let json = serde_json::to_value(&summary).unwrap();
     let peak = run.steps.iter().map(|s| s.punch_force).fold(0.0, f64::max);
     assert!((json["peak_punch_force_N"].as_f64().unwrap() - peak).abs() < 1e-6 * peak);
-    assert!(printed.contains(&format!("{peak:.0} N")), "{printed}");
+    assert!(printed.contains(&format!("{:.1} kN", 1e-3 * peak)), "{printed}");
     assert_eq!(json["complete"], true);
     assert_eq!(json["steps"], 100);
     assert_eq!(json["case_sha256"].as_str().unwrap().len(), 64);

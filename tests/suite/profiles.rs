@@ -85,7 +85,7 @@ fn chords_of_a_punch_are_the_punch() {
         );
         let check = check::report(&case);
         assert!(check.warnings.iter().all(|w| w.to_string().contains("elements per 90°")), "{:?}", check.warnings);
-        assert!(check.to_string().contains("Ø 60 mm to the wall, R 6 (6.0 t), friction"), "{check}");
+        assert!(check.to_string().contains("Ø 60 mm to the wall, R 6 mm (6.0 t), friction"), "{check}");
     }
 }
 
@@ -212,7 +212,7 @@ fn sharp_corners_are_warned_of_where_the_sheet_meets_them() {
         check::report(&case).warnings.into_iter().filter(|w| w.to_string().contains("sharp corner")).collect::<Vec<_>>()
     };
     let found = sharp("r_mm,z_mm\n0,0\n30,0\n30,-200\n", "25 mm");
-    assert!(found.len() == 1 && found[0].to_string().contains("of 90° at r = 30 mm, z = -0.5 mm"), "{found:?}");
+    assert!(found.len() == 1 && found[0].to_string().contains("of 90.0° at r = 30 mm, z = -0.5 mm"), "{found:?}");
     // A foot 50 mm below the face is out of the sheet's reach.
     let foot = "r_mm,z_mm,radius_mm\n0,0,\n28,0,6\n28,-50,\n29.5,-50,\n29.5,-90,\n";
     assert_eq!(sharp(foot, "25 mm"), Vec::<stampflow::message::Message>::new());

@@ -253,7 +253,7 @@ fn results_that_cannot_be_written_are_summed_up_nevertheless() {
     });
     assert_eq!(done.status.code(), Some(1), "{}", text(&done.stderr));
     assert!(text(&done.stderr).contains("cannot write out/cup/"), "{}", text(&done.stderr));
-    assert!(text(&done.stdout).contains("Peak punch force"), "{}", text(&done.stdout));
+    assert!(text(&done.stdout).contains("Punch force"), "{}", text(&done.stdout));
     assert_eq!(fs::read_to_string(dir.path().join("out")).unwrap(), "in the way");
 }
 
@@ -273,7 +273,7 @@ fn a_full_disk_leaves_the_earlier_results_and_tells_where_the_new_ones_are() {
         said.contains("what could be written is until the next run in") && said.contains("out/.cup.part"),
         "{said}"
     );
-    assert!(text(&done.stdout).contains("Peak punch force") && !text(&done.stdout).contains("files in"));
+    assert!(text(&done.stdout).contains("Punch force") && !text(&done.stdout).contains("files in"));
     let left = dir.path().join("out/.cup.part");
     assert!(left.join("summary.json").is_file());
     fs::remove_dir_all(left).unwrap();

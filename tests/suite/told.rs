@@ -39,8 +39,7 @@ fn of_template(name: &str) -> Solution {
 /// A cup that tears, under a press, and one that is drawn through; springs and strips; gas with and without a rate to hold; a
 /// warm sheet and one with voids; several stages.
 fn solutions() -> Vec<Solution> {
-    let torn =
-        ["tools.holder.force=150 kN", "tools.die.friction=0.2", "forming_limit.hill=true", "press.force=100 kN"];
+    let torn = ["tools.holder.force=150 kN", "tools.die.friction=0.2", "forming_limit.hill=true", "press.force=100 kN"];
     let through = ["tools.punch.travel=40 mm", "blank.radius=45 mm", "blank.elements=40"];
     vec![
         shipped_case("quickstart", &torn).solve(&mut ()),
@@ -71,10 +70,9 @@ fn of_document(document: &Document) -> Vec<String> {
         Block::Numbers(numbers) => {
             numbers.iter().flat_map(|n| [n.label.clone(), n.value.clone(), n.detail.clone()]).collect()
         }
-        Block::Issues(issues) => issues
-            .iter()
-            .flat_map(|i| [i.label.clone(), i.found.clone(), i.limit.clone(), i.advice.clone()])
-            .collect(),
+        Block::Issues(issues) => {
+            issues.iter().flat_map(|i| [i.label.clone(), i.found.clone(), i.limit.clone(), i.advice.clone()]).collect()
+        }
         Block::Table { head, rows } => head.iter().chain(rows.iter().flat_map(|row| &row.cells)).cloned().collect(),
         Block::Picture(picture) => std::iter::once(picture.caption.clone()).chain(of_chart(&picture.chart)).collect(),
         Block::Motion(caption, _) => vec![caption.clone()],
@@ -115,7 +113,9 @@ fn pictures_and_reports_are_told_in_german() {
     let mut english = std::collections::BTreeSet::new();
     for solution in solutions() {
         let given = given(&solution);
-        let own = |text: &str| given.iter().filter(|text| !text.is_empty()).fold(text.to_owned(), |t, g| t.replace(g.as_str(), ""));
+        let own = |text: &str| {
+            given.iter().filter(|text| !text.is_empty()).fold(text.to_owned(), |t, g| t.replace(g.as_str(), ""))
+        };
         let report = Report::of(&solution);
         let pictures = Pictures { captions: Captions::Full, ..Pictures::default() };
         let mut results = Results::of(&solution).expect("no references").with_pictures(&pictures).told(german());

@@ -193,14 +193,14 @@ fn check_run_prints_its_table_and_its_json_and_writes_nothing() {
     let printed = stampflow(dir.path(), &["check", "cases/cup.toml", "--run", "--quiet"]);
     assert_eq!(printed.status.code(), Some(0), "{}", text(&printed.stderr));
     let out = text(&printed.stdout);
-    for word in ["what to change", "green", "amber", "Thinning", "no forming limit given"] {
+    for word in ["→ change", "green", "amber", "Thinning", "no forming limit given"] {
         assert!(out.contains(word), "no {word}: {out}");
     }
     assert!(!out.contains('\u{1b}'), "no terminal, no colours");
     let json = stampflow(dir.path(), &["check", "cases/cup.toml", "--run", "--json"]);
     let value: Value = serde_json::from_slice(&json.stdout).expect("JSON");
     assert_eq!(value["complete"], true);
-    let found = value["findings"].as_array().expect("an array");
+    let found = value["verdict"]["findings"].as_array().expect("an array");
     assert!(found.len() > 10 && found.iter().all(|f| f["light"].is_string() && f["unit"].is_string()));
     assert!(value["lines"].is_array(), "the check is there too");
     let left: Vec<_> = std::fs::read_dir(dir.path()).unwrap().map(|entry| entry.unwrap().file_name()).collect();
@@ -225,7 +225,7 @@ fn stages_are_judged_together() {
     let json = stampflow(dir.path(), &["check", "cases/cup.toml", "--run", "--json"]);
     assert_eq!(json.status.code(), Some(0), "{}", text(&json.stderr));
     let value: Value = serde_json::from_slice(&json.stdout).expect("JSON");
-    let found = value["findings"].as_array().expect("an array");
+    let found = value["verdict"]["findings"].as_array().expect("an array");
     let of = |key: &str| found.iter().find(|f| f["key"] == key).and_then(|f| f["found"].as_str()).expect("a finding");
     assert!(of("stop").starts_with("stage 2 of 2: "), "{}", of("stop"));
     assert!(of("punch_force").ends_with("stage 1"), "{}", of("punch_force"));

@@ -1,7 +1,7 @@
 //! What a report adds, so that a run can be judged and repeated from it: constants of the sheet, its temperature, where
 //! friction comes from, mesh and settings of the solver.
 
-use super::{Line, line};
+use super::line::{Line, line};
 use crate::case::Case;
 use crate::material::chaboche::shifting;
 use crate::material::{Elastic, Material};
@@ -21,7 +21,9 @@ pub(super) fn lines(case: &Case) -> Vec<Line> {
     }
     let sources = [("material source", &case.sources.material), ("friction source", &case.sources.friction)];
     lines.extend(sources.iter().filter(|(_, given)| given.is_none()).map(|(label, _)| line(*label, "not given", "")));
-    lines.push(line("forming limit", model.forming_limit.as_ref().map_or("none", |curve| curve.name), ""));
+    let limit =
+        model.forming_limit.as_ref().map_or_else(|| Message::from("none"), |curve| curve.name.to_owned().into());
+    lines.push(line("forming limit", limit, ""));
     lines.push(mesh(model));
     solver(&model.settings, &mut lines);
     lines

@@ -1,6 +1,6 @@
 //! What presses and pulls the sheet, in lines: holder, beads, gas.
 
-use super::{Line, line, size_of};
+use super::line::{Line, line, size_of};
 use crate::message::{Amount, Digits, Message, message};
 use crate::model::{Bead, Face, Gas, Model, Motion, Pressure, Role};
 use crate::rules::estimate;

@@ -1,6 +1,6 @@
 //! A later stage in a line.
 
-use super::size_of;
+use super::line::size_of;
 use crate::message::{Amount, Message, message};
 use crate::model::stage::Stage;
 use crate::model::{Mode, Motion};

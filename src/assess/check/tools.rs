@@ -1,6 +1,7 @@
 //! The tools in lines: sizes, radii, travel.
 
-use super::{Line, line, loads, size_of};
+use super::line::{Line, line, size_of};
+use super::loads;
 use crate::contact::friction::Friction;
 use crate::message::{Amount, Message, message};
 use crate::model::{Geometry, Model, Role, Tool};

@@ -1,6 +1,6 @@
 //! The sheet that a word means: its name, a grade that it stands for, or the beginning of either.
 
-use super::{EntryFile, TEXTS, read};
+use super::entries::{EntryFile, TEXTS, read};
 use crate::case::CaseError;
 use crate::units::did_you_mean;
 

@@ -150,7 +150,8 @@ mod tests {
         for scale in [Scale::Fit { height: 200.0, least: 0.0 }, Scale::Section { x: (0.0, 10.0), y: (-2.0, 4.0) }] {
             let series = vec![Series::silent(points.clone(), Look::Line { color: (9, 9, 9), width: 2.0, dash: &[] })];
             let panels = vec![Panel { x: axis.clone(), y: axis.clone(), series, scale }];
-            let drawing = Drawing::of(&Chart { title: String::new(), legend: String::new(), panels, notes: vec![] }, 800.0);
+            let drawing =
+                Drawing::of(&Chart { title: String::new(), legend: String::new(), panels, notes: vec![] }, 800.0);
             let line = drawing.marks.iter().find_map(|mark| match mark {
                 Mark::Line { pieces, color: (9, 9, 9), width } if *width == 2.0 => Some(&pieces[0]),
                 _ => None,

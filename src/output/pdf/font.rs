@@ -1,10 +1,10 @@
 //! The built-in font inside of a PDF file, its letters by the numbers of their glyphs.
 
-use super::{Content, FONT, stream_of};
+use super::stream::{FONT, LEVEL, stream_of};
 use crate::output::font;
 use miniz_oxide::deflate::compress_to_vec_zlib;
 use pdf_writer::types::{CidFontType, FontFlags, SystemInfo, UnicodeCmap};
-use pdf_writer::{Filter, Finish, Name, Rect, Ref, Str};
+use pdf_writer::{Content, Filter, Finish, Name, Rect, Ref, Str};
 
 const NAME: Name = Name(b"STMPFL+DejaVuSans");
 const SYSTEM: SystemInfo = SystemInfo { registry: Str(b"Adobe"), ordering: Str(b"Identity"), supplement: 0 };
@@ -60,6 +60,6 @@ pub(super) fn embed(file: &mut pdf_writer::Pdf, id: Ref, next: &mut dyn FnMut() 
     font::letters().for_each(|(letter, glyph)| map.pair(glyph.0, letter));
     stream_of(file, unicode, map.finish().as_slice());
 
-    let pressed = compress_to_vec_zlib(font::DATA, super::LEVEL);
+    let pressed = compress_to_vec_zlib(font::DATA, LEVEL);
     file.stream(data, &pressed).filter(Filter::FlateDecode).pair(Name(b"Length1"), font::DATA.len() as i32);
 }

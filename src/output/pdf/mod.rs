@@ -5,20 +5,15 @@
 
 mod font;
 mod page;
+mod stream;
 
 pub use page::{Letters, Page};
 
-use miniz_oxide::deflate::compress_to_vec_zlib;
-use pdf_writer::{Content, Filter, Finish, Name, Rect, Ref, TextStr};
+use pdf_writer::{Finish, Rect, Ref, TextStr};
+use stream::{FONT, stream_of};
 
 /// One mm \[pt\].
 pub const MM: f64 = 72.0 / 25.4;
-
-/// How hard streams are pressed together.
-const LEVEL: u8 = 6;
-
-/// What the font is called inside of a file.
-const FONT: Name = Name(b"F");
 
 /// A file in the making.
 #[derive(Debug, Default)]
@@ -104,9 +99,4 @@ impl Pdf {
 /// How wide a line of text is in a font of this size \[pt\].
 pub fn text_width(text: &str, size: f64) -> f64 {
     size * crate::output::font::width(text)
-}
-
-/// Writes a pressed stream.
-fn stream_of(file: &mut pdf_writer::Pdf, id: Ref, content: &[u8]) {
-    file.stream(id, &compress_to_vec_zlib(content, LEVEL)).filter(Filter::FlateDecode);
 }

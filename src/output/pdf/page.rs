@@ -1,8 +1,9 @@
 //! A page as it is drawn.
 
 use super::font::show;
-use super::{Content, FONT};
+use super::stream::FONT;
 use crate::output::chart::Color;
+use pdf_writer::Content;
 use pdf_writer::types::{LineJoinStyle, TextRenderingMode};
 
 /// Strokes of bold letters are so much wider \[em\].

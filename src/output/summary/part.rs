@@ -148,7 +148,7 @@ impl Summary {
                 self.number("closing_gap", "  stands open by", Amount::thickness(closing.gap));
                 self.number("closing_force", "  with a force of", Amount::force(closing.force, unit));
             }
-            let width = Amount::thicknesses(StepRecord::RIM);
+            let width = Amount::given_thicknesses(StepRecord::RIM);
             let rim = message!("last share on the outer {width}", width = width);
             let peak = Amount::force(largest(|s| s.holder_force), unit);
             self.number("peak_holder_force", "Largest holder force", peak);

@@ -1,6 +1,7 @@
 //! A document as a PDF file: A4, from the same pictures, each page numbered, contents with their pages, and nothing that is
 //! cut: no picture, no row of a table.
 
+mod colors;
 mod flow;
 mod table;
 mod words;
@@ -12,6 +13,7 @@ use crate::message::Form;
 use crate::output::chart::Color;
 use crate::output::pdf::{MM, Pdf};
 use crate::output::{DRAWN, Drawing};
+use colors::{GREY_TEXT, RULE, of_light};
 use flow::{Flow, WIDTH};
 use words::{Style, lines};
 
@@ -21,9 +23,7 @@ const TEXT: Style = Style::new(9.5);
 const SMALL: Style = Style::new(8.0);
 const NUMBER: Style = Style::new(12.5).bold();
 
-/// Words of less weight, thin lines, the line below a heading, the ground of what stands out.
-const GREY_TEXT: Color = (85, 85, 85);
-const RULE: Color = (200, 200, 200);
+/// The line below a heading, the ground of what stands out.
 const BLUE: Color = (0, 114, 178);
 const GROUND: Color = (244, 244, 244);
 
@@ -65,16 +65,6 @@ pub fn pdf(document: &Document) -> Vec<u8> {
         headings,
     };
     file.bytes()
-}
-
-/// The colour of a light's word.
-fn light_color(light: Light) -> Color {
-    match light {
-        Light::Grey => GREY_TEXT,
-        Light::Green => (0, 102, 74),
-        Light::Amber => (138, 90, 0),
-        Light::Red => (176, 0, 32),
-    }
 }
 
 struct Writer {
@@ -196,8 +186,8 @@ impl Writer {
         self.flow.reserve(height);
         let top = self.flow.y;
         self.flow.bar((0.0, top), (WIDTH, height), GROUND);
-        self.flow.bar((0.0, top), (4.0, height), light_color(light));
-        self.flow.write(&mark, style.in_color(light_color(light)), x, top + 5.0);
+        self.flow.bar((0.0, top), (4.0, height), of_light(light));
+        self.flow.write(&mark, style.in_color(of_light(light)), x, top + 5.0);
         for (i, line) in all.iter().enumerate() {
             let behind = if i == 0 { style.width(&mark) } else { 0.0 };
             let words = if i == 0 { line.trim_start_matches(&mark) } else { line };
@@ -209,7 +199,7 @@ impl Writer {
     fn issue(&mut self, issue: &Issue) {
         let Issue { light, label, .. } = issue;
         let head = format!("{} {label}", word(*light, self.form));
-        let style = TEXT.in_color(light_color(*light)).bold();
+        let style = TEXT.in_color(of_light(*light)).bold();
         let below = [issue.judged(), issue.advised()].map(|words| self.form.tell(words));
         let all: usize =
             below.iter().filter(|text| !text.is_empty()).map(|t| lines(t, TEXT, WIDTH - INDENT).len()).sum();

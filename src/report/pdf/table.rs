@@ -1,8 +1,8 @@
 //! Tables: columns as wide as their words want, rows that are never cut, the head again on each page.
 
+use super::colors::{GREY_TEXT, RULE, of_light};
 use super::flow::{Flow, WIDTH};
 use super::words::{Style, lines, widest_word};
-use super::{GREY_TEXT, RULE, light_color};
 use crate::report::document::Row;
 
 const HEAD: Style = Style::new(8.0).in_color(GREY_TEXT);
@@ -29,7 +29,7 @@ pub(super) fn draw(flow: &mut Flow, head: &[String], rows: &[Row]) {
         let (mut x, top) = (0.0, flow.y);
         for (i, (cell, width)) in row.cells.iter().zip(&widths).enumerate() {
             let style = match row.light.filter(|_| i == 0) {
-                Some(light) => CELL.in_color(light_color(light)).bold(),
+                Some(light) => CELL.in_color(of_light(light)).bold(),
                 None => CELL,
             };
             let indent = if i == 0 && row.belongs { INDENT } else { 0.0 };
