@@ -166,12 +166,12 @@ impl<'a> StageView<'a> {
         self.pictures.captions == Captions::Full
     }
 
-    /// Small print of every plot: why an incomplete stage ended; where all is to be said also what was set and warned of, and
+    /// Small print of every plot: why an incomplete stage ended, unless it stands above; where all is to be said also what was set and warned of, and
     /// what was assumed.
     pub(super) fn notes(&self) -> Vec<String> {
         let stop = &self.stage.stop;
         let mut notes = Vec::new();
-        if !stop.is_complete() {
+        if !stop.is_complete() && self.pictures.captions != Captions::Own {
             notes.push(self.tell(message!("Stopped early: {why}.", why = stop.message())));
         }
         if self.says_all() && !self.overrides.is_empty() {

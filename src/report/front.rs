@@ -48,16 +48,25 @@ fn numbers(answer: &Answer, form: Form) -> Vec<KeyNumber> {
     told.collect()
 }
 
-/// Reds, then ambers, as many as there is room for; and how many more there are.
+/// Reds, then ambers, as many as there is room for, what to change once under those that it is good for; and how many more
+/// there are.
 fn issues(findings: &[Finding], form: Form) -> (Vec<Issue>, usize) {
-    let of = |light| judgements(findings).filter(move |finding| finding.light == light);
-    let all: Vec<&Finding> = of(Light::Red).chain(of(Light::Amber)).collect();
-    let shown = all.iter().take(ISSUES).map(|finding| Issue {
+    let mut all: Vec<&Finding> = Vec::new();
+    for light in [Light::Red, Light::Amber] {
+        let mut rest: Vec<&Finding> = judgements(findings).filter(|finding| finding.light == light).collect();
+        while let Some(first) = rest.first().copied() {
+            let (alike, others): (Vec<_>, Vec<_>) = rest.into_iter().partition(|other| other.advice == first.advice);
+            all.extend(alike);
+            rest = others;
+        }
+    }
+    let advised = |i: usize| all[i + 1..].iter().take(ISSUES - i - 1).all(|next| next.advice != all[i].advice);
+    let shown = all.iter().enumerate().take(ISSUES).map(|(i, finding)| Issue {
         light: finding.light,
         label: form.tell(finding.label),
         found: finding.found.told(form),
         limit: finding.limit.told(form),
-        advice: finding.advice.told(form),
+        advice: if advised(i) { finding.advice.told(form) } else { String::new() },
     });
     (shown.collect(), all.len().saturating_sub(ISSUES))
 }

@@ -21,8 +21,7 @@ pub(super) fn lines(case: &Case) -> Vec<Line> {
     }
     let sources = [("material source", &case.sources.material), ("friction source", &case.sources.friction)];
     lines.extend(sources.iter().filter(|(_, given)| given.is_none()).map(|(label, _)| line(*label, "not given", "")));
-    let limit =
-        model.forming_limit.as_ref().map_or_else(|| Message::from("none"), |curve| curve.name.to_owned().into());
+    let limit = model.forming_limit.as_ref().map_or_else(|| Message::from("none"), |curve| curve.name.into());
     lines.push(line("forming limit", limit, ""));
     lines.push(mesh(model));
     solver(&model.settings, &mut lines);
