@@ -9,9 +9,12 @@ mod field;
 pub mod fields;
 
 pub use crate::units::{Unit, UnitError};
+
+use crate::message::{Form, Told};
 #[cfg(feature = "case")]
 pub use csv::{Csv, CsvError, Record};
 pub use field::{Field, worded};
+use std::borrow::Cow;
 
 /// One N·mm, the solver's unit of work \[J\].
 pub const JOULES: f64 = 1e-3;
@@ -36,9 +39,14 @@ pub struct Table {
     pub columns: Vec<Column>,
 }
 
-/// The text of an axis; it can only be made from columns.
+/// What an axis is of, and the unit of its values; it can only be made from columns.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Axis(String);
+pub struct Axis {
+    labels: Vec<Cow<'static, str>>,
+    unit: Unit,
+    symbol: &'static str,
+    form: Form,
+}
 
 impl Column {
     /// A column of values in `unit`.
@@ -53,11 +61,15 @@ impl Column {
 
     /// Label and unit: `Punch force [N]`.
     pub fn axis(&self) -> Axis {
-        Axis(format!("{} [{}]", self.label, self.unit.symbol()))
+        Axis::new(vec![self.label.into()], self.unit)
     }
 }
 
 impl Axis {
+    fn new(labels: Vec<Cow<'static, str>>, unit: Unit) -> Self {
+        Self { labels, unit, symbol: unit.symbol(), form: Form::default() }
+    }
+
     /// One axis for several columns: the words that their labels end with in common, or all labels.
     ///
     /// # Panics
@@ -68,23 +80,31 @@ impl Axis {
         let words: Vec<Vec<&str>> = columns.iter().map(|c| c.label.rsplit(' ').collect()).collect();
         let fewest = words.iter().map(Vec::len).min().unwrap_or(0);
         let common = (0..fewest).take_while(|&i| words.iter().all(|w| w[i] == words[0][i])).count();
-        let noun = match words.as_slice() {
+        let labels = match words.as_slice() {
             [first, _, ..] if common > 0 => {
-                capitalised(&first[..common].iter().rev().copied().collect::<Vec<_>>().join(" "))
+                vec![capitalised(&first[..common].iter().rev().copied().collect::<Vec<_>>().join(" ")).into()]
             }
-            _ => columns.iter().map(|c| c.label).collect::<Vec<_>>().join(", "),
+            _ => columns.iter().map(|c| c.label.into()).collect(),
         };
-        Self(format!("{noun} [{}]", unit.symbol()))
+        Self::new(labels, unit)
     }
 
-    /// The same in a unit a thousand times as large, kN for N.
-    pub fn in_thousands(self) -> Self {
-        Self(self.0.replace(" [", " [k"))
+    /// In the words of a form, for values up to `largest` in the unit of the columns; and the unit that they are told in.
+    pub fn told(self, form: Form, largest: f64) -> (Self, Told) {
+        let unit = form.system.told(self.unit, largest);
+        let symbol = if unit.symbol.is_empty() { self.symbol } else { unit.symbol };
+        (Self { symbol, form, ..self }, unit)
     }
 
-    /// The text to draw.
-    pub fn text(&self) -> &str {
-        &self.0
+    /// The text to draw: `Punch force [N]`.
+    pub fn text(&self) -> String {
+        let labels = self.labels.iter().map(|label| self.form.language.of_text(label));
+        format!("{} [{}]", labels.collect::<Vec<_>>().join(", "), self.symbol)
+    }
+
+    /// A decimal number along it.
+    pub fn number(&self, number: &str) -> String {
+        self.form.language.number(number)
     }
 }
 

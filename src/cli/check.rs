@@ -54,7 +54,7 @@ pub fn check(args: &Args) -> anyhow::Result<Code> {
     let case = job::load(&args.case, &args.overrides.all())?;
     let report = check::report(&case);
     if !args.run {
-        return if args.json.json { say_json(&report) } else { say(wrapped(&report.to_string())) };
+        return if args.json.json { say_json(&report) } else { say(wrapped(&report.told(args.form.form()))) };
     }
     let watch = Progress::new(args.quiet || args.json.json).watch(&case, Kept::default());
     let (solution, _) = watch.solve(case);
@@ -80,17 +80,17 @@ pub fn check(args: &Args) -> anyhow::Result<Code> {
 /// The answer, then what the case means and every row of the verdict.
 fn printed(report: &Check, answer: &Answer, findings: &[Finding], name: &str, form: Form) -> Shown {
     let rows = judgements(findings).map(|finding| row(finding, form)).collect();
-    let headers = ["Verdict", "Light", "Found", "Limit (source)"];
+    let headers = ["Verdict", "Light", "Found", "Limit (source)"].map(|header| form.tell(header));
     let mut text = format!("\n{}\n", headline(findings).told(form));
     let advised = advice(findings, |light| light == Light::Grey).into_iter();
     list(
         &mut text,
-        "Not judged",
+        &form.tell("Not judged"),
         advised.map(|(labels, advice)| format!("{}: {}", labels.told(form), advice.told(form))),
     );
     answered(name, answer, findings, form)
-        + wrapped(&format!("\n{report}\n"))
-        + table(Some(headers), rows)
+        + wrapped(&format!("\n{}\n", report.told(form)))
+        + table(Some(headers.each_ref().map(String::as_str)), rows)
         + wrapped(&text)
 }
 

@@ -10,6 +10,7 @@ use super::titles::Titles;
 use clap::ValueEnum;
 use serde_json::json;
 use stampflow::files::{Disk, Files};
+use stampflow::message::message;
 use stampflow::output::{Extra, FrameRecorder, can_write, remove_others, write};
 use stampflow::report::{Document, MARKER, Report, figure_folder, html, is_figure, markdown, pdf};
 use std::path::{Path, PathBuf};
@@ -101,16 +102,17 @@ pub fn report(args: &Args) -> anyhow::Result<Code> {
     let (solution, kept) = watch.solve(case);
     let report = Report::of(&solution).titled(args.titles.title_block());
     let report = if args.slider { report.moving(&kept.recorder) } else { report };
-    let saved = save(&report.told(args.form.form()), &path, format);
+    let form = args.form.form();
+    let saved = save(&report.told(form), &path, format);
     let said = match (&saved, args.json.json) {
         (_, true) => {
             let mut value = report.json();
             value["files"] = json!(saved.as_deref().unwrap_or_default());
             say_json(&value)
         }
-        (Ok(_), false) => say(format!("{} is written", path.display())),
+        (Ok(_), false) => say(form.tell(message!("{file} is written", file = path.display().to_string()))),
         // What was computed is told at least.
-        (Err(_), false) => say(solution.summary().to_string()),
+        (Err(_), false) => say(solution.summary().told(form)),
     };
     saved?;
     said?;

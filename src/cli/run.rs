@@ -12,7 +12,7 @@ use super::table::{Cell, table, wrapped};
 use serde_json::{Value, json};
 use stampflow::assess::{self, Answer, Finding, Light};
 use stampflow::case::{Case, Solution};
-use stampflow::message::Form;
+use stampflow::message::{Form, Message, message};
 use stampflow::output::{
     CaseSummary, Extra, FrameRecorder, OUTPUTS, ResultFolder, Results, WriteError, csv, is_report, result_folder,
     trace, write,
@@ -102,9 +102,9 @@ pub fn run(args: &Args) -> anyhow::Result<Code> {
         },
         |solution, kept, folder| {
             let dir = self::folder(args, several, &solution.case)?;
-            let results = Results::of(&solution)?.with_pictures(&args.pictures.pictures());
+            let results = Results::of(&solution)?.with_pictures(&args.pictures.pictures()).told(args.form.form());
             // Each is tried and told whatever became of the others.
-            let pages = args.report.then(|| (PAGE.to_owned(), page(&solution).into_bytes()));
+            let pages = args.report.then(|| (PAGE.to_owned(), page(&solution, args.form.form()).into_bytes()));
             let written = results.write_into(&kept.recorder, pages, folder);
             let traced = match (&args.trace, &kept.trace) {
                 (Some(path), Some(iterations)) => write(path, &csv(&trace::table(iterations))),
@@ -198,13 +198,13 @@ impl Args {
     ) -> Shown {
         let (name, form) = (&results.solution.case.name, self.form.form());
         if self.cases.len() > 1 && !self.verbose {
-            let written = files.map(|files| format!("{} files in {}", files.len(), dir.display()));
+            let written = files.map(|files| form.tell(written(files, dir)));
             return answer::sentence(name, answer, &written.unwrap_or_default(), form);
         }
         let mut shown = answer::answered(name, answer, findings, form);
         let summary = results.summary();
         if !summary.lines.is_empty() {
-            shown = shown + wrapped(&format!("\n{}", summary.lines));
+            shown = shown + wrapped(&format!("\n{}", form.tell(summary.lines.clone())));
         }
         if self.verbose {
             shown = shown + summed_up(&summary, form);
@@ -214,7 +214,7 @@ impl Args {
             let _ = writeln!(end, "{}", comparison.sentence());
         }
         if let Some(files) = files {
-            let _ = writeln!(end, "{} files in {}", files.len(), dir.display());
+            let _ = writeln!(end, "{}", form.tell(written(files, dir)));
         }
         shown + wrapped(&format!("\n{end}"))
     }
@@ -229,9 +229,13 @@ impl Args {
     }
 }
 
+fn written(files: &[PathBuf], dir: &Path) -> Message {
+    message!("{n} files in {folder}", n = files.len(), folder = dir.display().to_string())
+}
+
 /// The report as one HTML file.
-fn page(solution: &Solution) -> String {
-    html(&Report::of(solution).document())
+fn page(solution: &Solution, form: Form) -> String {
+    html(&Report::of(solution).told(form))
 }
 
 /// The summary of every stage as a table.

@@ -1,5 +1,6 @@
 //! How a user wants to be told.
 
+use super::Message;
 use super::language::Language;
 use crate::units::Unit;
 
@@ -13,6 +14,13 @@ pub struct Form {
     pub language: Language,
     /// Of numbers.
     pub system: System,
+}
+
+impl Form {
+    /// The words for it.
+    pub fn tell(self, what: impl Into<Message>) -> String {
+        what.into().told(self)
+    }
 }
 
 /// A system of units.
@@ -49,6 +57,7 @@ impl System {
         match (self, unit) {
             (_, Unit::None) => of("", 1.0),
             (Self::Si, Unit::N) if size.abs() >= 1000.0 => of("kN", 1e-3),
+            (Self::Si, Unit::NPerMm) if size.abs() >= 1000.0 => of("kN/mm", 1e-3),
             (Self::Si, Unit::Joule) if size.abs() >= 1e4 => of("kJ", 1e-3),
             (Self::Us, Unit::Mm) => Told { finer: 2, ..of("in", 1.0 / INCH) },
             (Self::Us, Unit::N) if size.abs() >= 2000.0 * LBF => of("US tonf", 1.0 / (2000.0 * LBF)),

@@ -41,7 +41,7 @@ impl Language {
     }
 
     /// The text in this language; English where its table lacks it.
-    pub(super) fn of_text(self, text: &'static str) -> &'static str {
+    pub fn of_text<'a>(self, text: &'a str) -> &'a str {
         self.words().and_then(|words| words.text.get(text)).map_or(text, String::as_str)
     }
 
@@ -53,7 +53,7 @@ impl Language {
     }
 
     /// A decimal number with the language's sign.
-    pub(super) fn number(self, number: &str) -> String {
+    pub fn number(self, number: &str) -> String {
         self.words().map_or_else(|| number.to_owned(), |words| number.replace('.', &words.decimal))
     }
 

@@ -17,7 +17,7 @@ mod language;
 
 pub use crate::told as message;
 pub use amount::{Amount, Digits};
-pub use form::{Form, NO_BREAK, System};
+pub use form::{Form, NO_BREAK, System, Told};
 #[cfg(feature = "case")]
 pub use glossary::{Term, terms};
 pub use language::{LANGUAGES, Language};

@@ -5,6 +5,7 @@ use super::draw::{Drawing, WIDTH};
 use super::gif::gif;
 use super::thinning::{Thinning, said, times};
 use super::{Files, StageView, load_travel, sections};
+use crate::message::{Amount, Digits, message};
 use crate::solution::Frame;
 
 /// How many pictures are wanted of a run: every second of its steps, which are at most a hundredth of it by default.
@@ -47,17 +48,20 @@ fn picture(view: &StageView, frames: &[&Frame], i: usize) -> Chart {
     let window = sections::window(frames.iter().flat_map(|f| &f.nodes), model.blank.length);
     let (value, unit) = view.reaches(frame);
     let decimals = decimals(frames.iter().map(|frame| view.reaches(frame).0).fold(0.0, f64::max));
+    let at = Amount::new(value, unit, Digits::Decimals(decimals));
+    let reached = view.tell(message!("{progress} {at}", progress = view.progress(), at = at));
     let thinning = Thinning::of(model.blank.thickness, frames.iter().copied());
     let times = times(model.blank.thickness, WIDE / window[0].1);
     let sheet = thinning.section(frame, times);
     let tools = sections::tools(model, Some(frame), window[0].1);
     let section = sections::panel(model.geometry, tools.chain(sheet), window);
-    Chart {
-        title: format!("{}: {} {value:.decimals$} {}", view.title, view.progress().to_lowercase(), unit.symbol()),
-        legend: "",
+    let chart = Chart {
+        title: format!("{}: {reached}", view.title),
+        legend: String::new(),
         panels: [section, thinning.scale()].into_iter().chain(load(view, frame.time)).collect(),
-        notes: std::iter::once(said(times)).chain(view.notes()).collect(),
-    }
+        notes: std::iter::once(view.tell(said(times))).chain(view.notes()).collect(),
+    };
+    chart.told(view.form)
 }
 
 /// The load up to a time, on what it comes to; nothing where nothing loads the sheet.

@@ -8,7 +8,7 @@ pub struct Chart {
     /// Above the panels.
     pub title: String,
     /// What the legend's entries have in common; may be empty.
-    pub legend: &'static str,
+    pub legend: String,
     /// From the top down.
     pub panels: Vec<Panel>,
     /// Small print: assumptions and sources; long lines are wrapped.

@@ -4,7 +4,7 @@ use super::chart::{BLACK, Chart, Color, GREY, Look, PALE, Series, color};
 use super::outline::clipped;
 use super::sections::{self, body, flat, panel, place};
 use crate::geometry::Point;
-use crate::message::{Amount, Form};
+use crate::message::{Amount, Form, Message, message};
 use crate::model::Model;
 use crate::solution::Frame;
 use crate::table::Unit;
@@ -14,7 +14,7 @@ use std::f64::consts::PI;
 #[derive(Clone, Debug, PartialEq)]
 pub struct Dimension {
     /// What is that large: `Punch`.
-    pub of: String,
+    pub of: Message,
     /// Which of its sizes it is.
     pub size: Size,
     /// The size, in `unit`.
@@ -76,26 +76,27 @@ const SHEET: Color = (0, 114, 178);
 
 impl Dimension {
     /// In words, for a table: `Punch diameter`.
-    pub fn name(&self) -> String {
+    pub fn name(&self) -> Message {
+        let of = self.of.clone();
         match self.size {
-            Size::Diameter => format!("{} diameter", self.of),
-            Size::Width => format!("{} width", self.of),
-            Size::Radius(1) => format!("{} radius", self.of),
-            Size::Radius(alike) => format!("{} radius, {alike} times", self.of),
-            Size::Plain => self.of.clone(),
+            Size::Diameter => message!("{of} diameter", of = of),
+            Size::Width => message!("{of} width", of = of),
+            Size::Radius(1) => message!("{of} radius", of = of),
+            Size::Radius(alike) => message!("{of} radius, {n} times", of = of, n = alike),
+            Size::Plain => of,
         }
     }
 
     /// As on a drawing: `Punch Ø 60 mm`.
-    fn text(&self) -> String {
-        let sign = match self.size {
-            Size::Diameter => " Ø",
-            Size::Width => " width",
-            Size::Radius(1) => " R",
-            Size::Radius(alike) => &format!(" {alike} × R"),
-            Size::Plain => "",
-        };
-        format!("{}{sign} {}", self.of, self.amount().told(Form::default()))
+    fn text(&self) -> Message {
+        let (of, size) = (self.of.clone(), self.amount());
+        match self.size {
+            Size::Diameter => message!("{of} Ø {size}", of = of, size = size),
+            Size::Width => message!("{of} width {size}", of = of, size = size),
+            Size::Radius(1) => message!("{of} R {size}", of = of, size = size),
+            Size::Radius(alike) => message!("{of} {n} × R {size}", of = of, n = alike, size = size),
+            Size::Plain => message!("{of} {size}", of = of, size = size),
+        }
     }
 
     /// The size as it is told: a length that was given, or a force.
@@ -110,7 +111,8 @@ impl Dimension {
 /// The sheet and the tools before the first step of a stage with their dimensions; `start` is what a later stage begins
 /// with. Widths stand below the section, a row each; heights beside their arrows; all others at the section's side, a row
 /// each, in the order in which their leaders do not cross: no label lies on another.
-pub fn dimensioned(title: String, model: &Model, start: Option<&Frame>, dimensions: &[Dimension]) -> Chart {
+pub fn dimensioned(title: String, model: &Model, start: Option<&Frame>, dimensions: &[Dimension], form: Form) -> Chart {
+    let text = |dimension: &Dimension| form.tell(dimension.text());
     let that = |is: fn(&Mark) -> bool| dimensions.iter().filter(move |d| is(&d.mark));
     let mut across: Vec<_> = that(|mark| matches!(mark, Mark::Across(_))).collect();
     let mut aside: Vec<_> = that(|mark| matches!(mark, Mark::At(_))).collect();
@@ -123,7 +125,7 @@ pub fn dimensioned(title: String, model: &Model, start: Option<&Frame>, dimensio
     let width = across.iter().map(|d| reach(d).x).fold(model.blank.length, f64::max) + around;
     let (low, high) = marked().fold((-4.0 * around, 4.0 * around), |(low, high), p| (p.y.min(low), p.y.max(high)));
     let (top, bottom) = (low - around, high + around);
-    let letters = aside.iter().map(|d| d.text().chars().count()).max().unwrap_or(0) as f64;
+    let letters = aside.iter().map(|d| text(d).chars().count()).max().unwrap_or(0) as f64;
     let beside = LETTER * letters + 40.0;
     // mm per px, whichever direction has less room.
     let below = ROW * across.len() as f64;
@@ -154,7 +156,7 @@ pub fn dimensioned(title: String, model: &Model, start: Option<&Frame>, dimensio
     // Labels after all lines: they lie on white.
     for (i, dimension) in across.iter().enumerate() {
         let z = bottom + px * ROW * (i as f64 + 0.8);
-        series.push(Series::new(dimension.text(), vec![(14.0 * px, z - 12.0 * px)], Look::Text));
+        series.push(Series::new(text(dimension), vec![(14.0 * px, z - 12.0 * px)], Look::Text));
     }
     let step = (bottom - top) / (1.0 + aside.len() as f64);
     let side = |i: usize| Point::new(width + 20.0 * px, top + step * (i as f64 + 1.0));
@@ -162,32 +164,33 @@ pub fn dimensioned(title: String, model: &Model, start: Option<&Frame>, dimensio
     for (i, dimension) in aside.iter().enumerate() {
         let (from, at) = (reach(dimension), (side(i).x, side(i).y));
         series.push(Series::silent(vec![(from.x, from.y), (at.0 - 4.0 * px, at.1)], THIN));
-        series.push(Series::new(dimension.text(), vec![at], Look::Text));
+        series.push(Series::new(text(dimension), vec![at], Look::Text));
     }
     for dimension in dimensions {
         if let Mark::Along { r, from, to } = dimension.mark {
             series.extend(arrow([(r, from), (r, to)], px));
             // Beside a short arrow the label would lie on the sheet.
             let middle = from + (0.5 * (to - from).abs()).max(0.5 * LINE * px).copysign(to - from);
-            series.push(Series::new(dimension.text(), vec![(r + 8.0 * px, middle)], Look::Text));
+            series.push(Series::new(text(dimension), vec![(r + 8.0 * px, middle)], Look::Text));
         }
     }
-    Chart {
+    let chart = Chart {
         title,
-        legend: "",
+        legend: String::new(),
         panels: vec![panel(model.geometry, series, [(0.0, width + beside * px), (top, bottom + px * below)])],
-        notes: vec![legend(model, start)],
-    }
+        notes: vec![form.tell(legend(model, start))],
+    };
+    chart.told(form)
 }
 
 /// What the colours mean.
-fn legend(model: &Model, start: Option<&Frame>) -> String {
+fn legend(model: &Model, start: Option<&Frame>) -> Message {
     let sheet = match start {
         Some(_) => "Blue: the sheet that the stage begins with. Grey: the tools.",
         None => "Blue: the blank. Grey: the tools, where they touch the flat sheet.",
     };
-    let beads = if model.beads.is_empty() { "" } else { " Black: draw beads, lines that hold the sheet back." };
-    format!("{sheet}{beads}")
+    let beads = if model.beads.is_empty() { "" } else { "Black: draw beads, lines that hold the sheet back." };
+    Message::joined([sheet, beads].map(Message::from), " ")
 }
 
 /// Puts labels, whose leaders end at `side` of their number, in an order in which no two leaders cross: two that do change

@@ -32,5 +32,5 @@ pub fn chart(title: &str, material: &Material, limits: &[Curve], notes: Vec<Stri
         });
         panels.push(Panel { x, y, series: series.collect(), scale: Scale::Fit { height: 260.0, least: 0.1 } });
     }
-    Chart { title: title.to_owned(), legend: "", panels, notes }
+    Chart { title: title.to_owned(), legend: String::new(), panels, notes }
 }

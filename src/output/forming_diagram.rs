@@ -5,6 +5,7 @@ use super::chart::{BLACK, Chart, Color, GREY, Look, Panel, Scale, Series, color,
 use super::{StageView, forming_limit};
 use crate::assess::CAREFUL;
 use crate::forming_limit::{Assessment, CROOKED, Curve, Judged};
+use crate::message::{Amount, Digits, Message, message};
 use crate::model::Geometry;
 use crate::table::fields::element::S0;
 use crate::table::{Column, Unit};
@@ -42,8 +43,8 @@ pub fn plot(view: &StageView) -> Option<Chart> {
         Geometry::PlaneStrain => ("major strain and forming limit", strip(view, assessment, limit, strains)),
     };
     let sources = limit.notes.iter().filter(|_| view.says_sources()).cloned();
-    let notes = std::iter::once(words(view, assessment)).chain(sources).chain(view.notes()).collect();
-    Some(Chart { title: view.titled(what), legend: "", panels: vec![panel], notes })
+    let notes = std::iter::once(view.tell(words(view, assessment))).chain(sources).chain(view.notes()).collect();
+    Some(Chart { title: view.titled(what), legend: String::new(), panels: vec![panel], notes })
 }
 
 /// In which measure strains are drawn.
@@ -109,15 +110,14 @@ fn diagram(view: &StageView, assessment: &Assessment, limit: &Curve, strains: St
         [least.min(0.0), least.min(0.0)],
         [minors.0, least.min(0.0)],
     ];
-    let zone = |label: String, outline: Vec<[f64; 2]>, fill| {
+    let zone = |label: Message, outline: Vec<[f64; 2]>, fill| {
         let points = outline.into_iter().map(|p| strains.point(p)).collect();
-        Series::new(label, points, Look::Area { fill, edge: None })
+        Series::new(view.tell(label), points, Look::Area { fill, edge: None })
     };
-    let careful = 100.0 * CAREFUL;
     let mut series = vec![
-        zone("Failed".to_owned(), all, FAILED),
-        zone(format!("Marginal, above {careful:.0} % of the limit"), below(1.0), MARGINAL),
-        zone("Safe".to_owned(), below(CAREFUL), SAFE),
+        zone("Failed".into(), all, FAILED),
+        zone(marginal(), below(1.0), MARGINAL),
+        zone("Safe".into(), below(CAREFUL), SAFE),
         Series::silent(vec![strains.point([0.0, least.min(0.0)]), strains.point([0.0, top])], AXIS),
     ];
     let thin = Look::Line { color: pale(GREY), width: 0.9, dash: &[] };
@@ -131,13 +131,14 @@ fn diagram(view: &StageView, assessment: &Assessment, limit: &Curve, strains: St
         ("Places, major strain along the hoop", of(|element| element.hoop_is_major), 2),
     ];
     let places = places.into_iter().filter(|(_, points, _)| !points.is_empty());
-    series.extend(places.map(|(label, points, i)| Series::new(label, points, Look::Dots { color: color(i) })));
-    let name = format!("Limit: {}", limit.name);
+    series
+        .extend(places.map(|(label, points, i)| Series::new(view.tell(label), points, Look::Dots { color: color(i) })));
+    let name = view.tell(named(limit));
     let shown = curve.iter().filter(|p| p[0] <= p[1]).map(|p| strains.point(*p)).collect();
     series.push(Series::new(name, shown, LIMIT));
     let end = emphasised.last().copied().into_iter().collect();
     series.push(Series::silent(emphasised, Look::Line { color: color(1), width: 2.2, dash: &[] }));
-    series.push(Series::new(nearest(&assessment.elements[worst]), end, Look::Circles { color: color(1) }));
+    series.push(Series::new(view.tell(nearest(&assessment.elements[worst])), end, Look::Circles { color: color(1) }));
     let [x, y] = strains.axes();
     let window = (minors.0, right);
     let scale = Scale::Window {
@@ -165,15 +166,19 @@ fn strip(view: &StageView, assessment: &Assessment, limit: &Curve, strains: Stra
         line.extend([(length, low), (0.0, low)]);
         line
     };
-    let zone = |label: String, outline, fill| Series::new(label, outline, Look::Area { fill, edge: None });
+    let zone = |label: Message, outline, fill| Series::new(view.tell(label), outline, Look::Area { fill, edge: None });
     let worst = &elements[worst(assessment)];
     let series = vec![
-        zone("Failed".to_owned(), below(vec![(0.0, high), (length, high)]), FAILED),
-        zone(format!("Marginal, above {:.0} % of the limit", 100.0 * CAREFUL), below(over(&|e| e.limit)), MARGINAL),
-        zone("Safe".to_owned(), below(over(&|e| CAREFUL * e.limit)), SAFE),
-        Series::new(format!("Limit: {}", limit.name), over(&|e| e.limit), LIMIT),
-        Series::new("Major strain", over(&|e| e.major), Look::curve(0)),
-        Series::new(nearest(worst), vec![(worst.s0, strains.of(worst.major))], Look::Circles { color: color(1) }),
+        zone("Failed".into(), below(vec![(0.0, high), (length, high)]), FAILED),
+        zone(marginal(), below(over(&|e| e.limit)), MARGINAL),
+        zone("Safe".into(), below(over(&|e| CAREFUL * e.limit)), SAFE),
+        Series::new(view.tell(named(limit)), over(&|e| e.limit), LIMIT),
+        Series::new(view.tell("Major strain"), over(&|e| e.major), Look::curve(0)),
+        Series::new(
+            view.tell(nearest(worst)),
+            vec![(worst.s0, strains.of(worst.major))],
+            Look::Circles { color: color(1) },
+        ),
     ];
     let [_, y] = strains.axes();
     Panel {
@@ -184,8 +189,22 @@ fn strip(view: &StageView, assessment: &Assessment, limit: &Curve, strains: Stra
     }
 }
 
-fn nearest(worst: &Judged) -> String {
-    format!("Nearest to the limit, {:.0} % of it, s0 = {:.1} mm", 100.0 * worst.ratio(), worst.s0)
+fn nearest(worst: &Judged) -> Message {
+    let [share, s0] = [percent(worst.ratio()), Amount::place(worst.s0)];
+    message!("Nearest to the limit, {share} of it, s0 = {s0}", share = share, s0 = s0)
+}
+
+fn marginal() -> Message {
+    message!("Marginal, above {share} of the limit", share = percent(CAREFUL))
+}
+
+fn named(limit: &Curve) -> Message {
+    message!("Limit: {curve}", curve = limit.name)
+}
+
+/// A share to a percent.
+fn percent(share: f64) -> Amount {
+    Amount::share(share).to(Digits::Decimals(0))
 }
 
 /// The number of the element with the least margin.
@@ -204,26 +223,40 @@ fn along(curve: &Curve, (low, high): (f64, f64)) -> Vec<[f64; 2]> {
 }
 
 /// What the diagram says.
-fn words(view: &StageView, assessment: &Assessment) -> String {
+fn words(view: &StageView, assessment: &Assessment) -> Message {
     let worst = assessment.worst();
-    let reached = assessment.reached.map_or("The limit is not reached.".to_owned(), |reached| {
-        let time = if view.model().timed { format!(" ({:.4} s)", reached.time) } else { String::new() };
-        format!("The limit is reached at s0 = {:.1} mm, at {:.2} mm of travel{time}.", reached.s0, reached.travel)
-    });
-    let crooked = match assessment.crooked() {
-        0 => String::new(),
-        n => format!(
-            " {n} of {} paths leave a straight line by more than {:.0} % of their length: limits are measured on straight ones.",
-            assessment.elements.len(),
-            100.0 * CROOKED
-        ),
-    };
-    format!(
-        "{reached} Least margin in major strain {:.3} at s0 = {:.1} mm, where the major strain is {:.0} % of the limit.{crooked}",
-        worst.margin(),
-        worst.s0,
-        100.0 * worst.ratio()
-    )
+    let reached = assessment.reached.map_or_else(
+        || Message::from("The limit is not reached."),
+        |reached| {
+            let (s0, travel) = (Amount::place(reached.s0), Amount::place(reached.travel).to(Digits::Decimals(2)));
+            let time = Amount::time(reached.time).to(Digits::Decimals(4));
+            match view.model().timed {
+                true => message!(
+                    "The limit is reached at s0 = {s0}, at {travel} of travel ({time}).",
+                    s0 = s0,
+                    travel = travel,
+                    time = time
+                ),
+                false => {
+                    message!("The limit is reached at s0 = {s0}, at {travel} of travel.", s0 = s0, travel = travel)
+                }
+            }
+        },
+    );
+    let least = message!(
+        "Least margin in major strain {margin} at s0 = {s0}, where the major strain is {share} of the limit.",
+        margin = Amount::strain(worst.margin()).to(Digits::Decimals(3)),
+        s0 = Amount::place(worst.s0),
+        share = percent(worst.ratio())
+    );
+    let crooked = message!(
+        "{n} of {all} paths leave a straight line by more than {share} of their length: limits are measured on straight ones.",
+        n = assessment.crooked(),
+        all = assessment.elements.len(),
+        share = percent(CROOKED)
+    );
+    let crooked = Some(crooked).filter(|_| assessment.crooked() > 0);
+    Message::joined([reached, least].into_iter().chain(crooked), " ")
 }
 
 fn drawn(path: &[[f64; 2]]) -> Vec<[f64; 2]> {

@@ -3,7 +3,7 @@
 use super::StageView;
 use super::chart::{BLACK, Chart, Look, Panel, Scale, Series};
 use crate::measure;
-use crate::message::{Amount, Form};
+use crate::message::{Amount, message};
 use crate::solution::{StageSolution, StepRecord};
 use crate::table::fields::step::{
     self, DRAW_IN, EDGE_FORCE, HOLDER_FORCE, POLE_HEIGHT, PRESSURE, PUNCH_FORCE, THINNEST, TRAVEL,
@@ -86,9 +86,6 @@ pub(super) fn of(view: &StageView) -> Option<Table> {
     Some(table(view.stage))
 }
 
-/// From so large a force on it is told in thousands of its unit.
-const KILO: f64 = 1e3;
-
 /// A press's rating is drawn where it is no larger than so many times the largest force: else the curve would be flat.
 const NEAR: f64 = 2.0;
 
@@ -98,45 +95,36 @@ pub(super) fn plot(view: &StageView) -> Option<Chart> {
     let forces = view.model().travel > 0.0;
     let mut notes = Vec::new();
     if forces {
-        let scale = scale(view);
         let unit = view.extent().force_unit();
-        let written = |force: f64| Amount::force(force, unit).told(Form::default());
-        let place = |travel: f64| Amount::place(travel).told(Form::default());
-        let at = |force: f64| force / scale;
         for event in measure::events(view.stage) {
-            let label = format!("{}, {}", event.kind.label(), place(event.travel));
-            panel.series.push(Series::new(label, vec![(event.travel, at(event.force))], Look::Flag));
+            let label = message!("{event}, {travel}", event = event.kind.label(), travel = Amount::place(event.travel));
+            panel.series.push(Series::new(view.tell(label), vec![(event.travel, event.force)], Look::Flag));
         }
         let peak = view.stage.steps.iter().max_by(|a, b| a.punch_force.total_cmp(&b.punch_force));
         if let Some(peak) = peak.filter(|peak| peak.punch_force > 0.0) {
-            let label = format!("peak {} at {}", written(peak.punch_force), place(peak.travel));
-            panel.series.push(Series::new(label, vec![(peak.travel, at(peak.punch_force))], Look::Flag));
+            let (force, travel) = (Amount::force(peak.punch_force, unit), Amount::place(peak.travel));
+            let label = view.tell(message!("peak {force} at {travel}", force = force, travel = travel));
+            panel.series.push(Series::new(label, vec![(peak.travel, peak.punch_force)], Look::Flag));
             if let Some(rating) = view.press.force {
-                let label = format!("Press rating, {}", written(rating));
+                let label = message!("Press rating, {force}", force = Amount::force(rating, unit));
                 match rating <= NEAR * peak.punch_force {
                     true => {
                         let ends = [view.stage.steps.first(), view.stage.steps.last()].into_iter().flatten();
-                        let line = ends.map(|step| (step.travel, at(rating))).collect();
+                        let line = ends.map(|step| (step.travel, rating)).collect();
                         panel.series.push(Series::new(
-                            label,
+                            view.tell(label),
                             line,
                             Look::Line { color: BLACK, width: 1.4, dash: &[7.0, 3.0, 1.5, 3.0] },
                         ));
                     }
-                    false => notes.push(format!("{label}: above the picture.")),
+                    false => notes.push(view.tell(message!("{press}: above the picture.", press = label))),
                 }
             }
         }
     }
     let what = if forces { "forces" } else { "pressure" };
     notes.extend(view.notes());
-    Some(Chart { title: view.titled(what), legend: "", panels: vec![panel], notes })
-}
-
-/// What forces are divided by in pictures: [`KILO`] where one of them is that large.
-fn scale(view: &StageView) -> f64 {
-    let forces = view.stage.steps.iter().flat_map(|step| [step.punch_force, step.holder_force, step.edge_force]);
-    if forces.fold(0.0, |largest, force| force.abs().max(largest)) < KILO { 1.0 } else { KILO }
+    Some(Chart { title: view.titled(what), legend: String::new(), panels: vec![panel], notes })
 }
 
 /// Punch and holder force over the travel, and the held edge's force where there is one; under gas alone, its pressure
@@ -145,22 +133,20 @@ pub(super) fn panel(view: &StageView, height: f64) -> Option<Panel> {
     let (extent, steps) = (view.extent(), &view.stage.steps);
     steps.first().filter(|_| view.model().release.is_none())?;
     let pressure = view.model().travel == 0.0;
-    let (over, fields, scale) = match pressure {
-        true => (POLE_HEIGHT, vec![PRESSURE], 1.0),
+    let (over, fields) = match pressure {
+        true => (POLE_HEIGHT, vec![PRESSURE]),
         false => {
             let acts = |field: &Field<StepRecord>| steps.iter().any(|step| (field.value)(step) != 0.0);
             let others = [HOLDER_FORCE, EDGE_FORCE].into_iter().filter(acts);
-            (TRAVEL, std::iter::once(PUNCH_FORCE).chain(others).collect(), scale(view))
+            (TRAVEL, std::iter::once(PUNCH_FORCE).chain(others).collect())
         }
     };
     let curve = |(i, field): (usize, &Field<StepRecord>)| {
-        let points = over.against(field, steps).into_iter().map(|(x, y)| (x, y / scale)).collect();
-        Series::new(field.label(extent), points, Look::curve(i))
+        Series::new(view.tell(field.label(extent)), over.against(field, steps), Look::curve(i))
     };
-    let y = Field::shared_axis(&fields, extent);
     Some(Panel {
         x: over.axis(extent),
-        y: if scale == 1.0 { y } else { y.in_thousands() },
+        y: Field::shared_axis(&fields, extent),
         series: fields.iter().enumerate().map(curve).collect(),
         scale: Scale::Fit { height, least: 0.0 },
     })

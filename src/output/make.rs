@@ -69,10 +69,16 @@ impl Output {
         match self.make {
             Make::Table(make) => make(view).map(|table| whole(csv(&table))),
             Make::Text(make) => make(view).map(|text| whole(text.into_bytes())),
-            Make::Plot(make) => make(view).map(|chart| view.pictures.files(self.stem(), &chart)),
+            Make::Plot(_) => self.chart(view).map(|chart| view.pictures.files(self.stem(), &chart)),
             Make::Moving(..) | Make::OfCase(_) => None,
         }
         .unwrap_or_default()
+    }
+
+    /// Its picture of a stage, in the view's form; nothing where there is nothing to draw, or where it is no plot.
+    pub fn chart(&self, view: &StageView) -> Option<Chart> {
+        let Make::Plot(make) = self.make else { return None };
+        Some(make(view)?.told(view.form))
     }
 
     /// The content of the first of them.

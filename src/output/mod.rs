@@ -40,6 +40,7 @@ mod strains;
 pub mod summary;
 mod thickness_profile;
 mod thinning;
+mod told;
 pub mod trace;
 pub mod vtk;
 mod writing;

@@ -64,7 +64,7 @@ pub fn plot(view: &StageView, comparison: &Comparison) -> Option<Chart> {
     };
     Some(Chart {
         title: view.titled("computed and reference"),
-        legend: "",
+        legend: String::new(),
         panels,
         notes: notes.into_iter().chain(view.notes()).collect(),
     })

@@ -6,7 +6,9 @@ use super::font;
 use super::sections::{panel, surface, whole_tools};
 use super::thinning::{Thinning, percent, said, times};
 use crate::assess::tears_at;
+use crate::message::{Amount, Digits, Message, message};
 use crate::solution::{ElementRecord, Frame};
+use crate::table::Unit;
 
 /// What is shown around the part, over its width.
 const AROUND: f64 = 0.03;
@@ -36,20 +38,21 @@ pub(super) fn plot(view: &StageView) -> Option<Chart> {
     let tears_at = tears_at(view.stage);
     // The other half is that of the tear.
     let room = if tears_at.is_some() { 0.0 } else { -window[0].1 };
-    let mut marks = vec![callout(number, thinnest, (1.0, room), frame, window, narrow)];
+    let mut marks = vec![callout(view.tell(number), thinnest, (1.0, room), frame, window, narrow)];
     if let Some(s0) = tears_at {
         let away = |element: &&ElementRecord| (element.s0 - s0).abs();
         let torn = frame.elements.iter().min_by(|a, b| away(a).total_cmp(&away(b)))?;
-        marks.push(callout("tears here".to_owned(), torn, (-1.0, 0.0), frame, window, narrow));
+        marks.push(callout(view.tell("tears here"), torn, (-1.0, 0.0), frame, window, narrow));
         marks.extend(cross((-torn.r, torn.z), CROSS * mm));
     }
-    let tools_at = if model.release.is_some() { "" } else { " Grey: the tools at the end." };
+    let tools_at = model.release.is_none().then(|| "Grey: the tools at the end.".into());
+    let drawn = Message::joined(std::iter::once(said(times)).chain(tools_at), " ");
     let section = panel(model.geometry, tools.chain(thinning.whole(frame, times)).chain(marks), window);
     Some(Chart {
         title: view.titled("the part and its thinning"),
-        legend: "",
+        legend: String::new(),
         panels: vec![section, thinning.scale()],
-        notes: std::iter::once(format!("{}{tools_at}", said(times))).chain(view.notes()).collect(),
+        notes: std::iter::once(view.tell(drawn)).chain(view.notes()).collect(),
     })
 }
 
@@ -64,11 +67,15 @@ fn window(frame: &Frame) -> [(f64, f64); 2] {
 }
 
 /// `0.61 mm, −39 %`, with as many decimals as show a fiftieth of the blank's thickness.
-fn number(initial: f64, thickness: f64) -> String {
+fn number(initial: f64, thickness: f64) -> Message {
     let decimals = (-(0.02 * initial).log10()).ceil().clamp(1.0, 6.0) as usize;
     let thinner = percent(initial, thickness);
-    let sign = if thinner > 0.0 { '−' } else { '+' };
-    format!("{thickness:.decimals$}\u{a0}mm, {sign}{:.0}\u{a0}%", thinner.abs())
+    let thickness = Amount::new(thickness, Unit::Mm, Digits::Decimals(decimals));
+    let by = Amount::new(thinner.abs(), Unit::Percent, Digits::Decimals(0));
+    match thinner > 0.0 {
+        true => message!("{thickness}, −{by}", thickness = thickness, by = by),
+        false => message!("{thickness}, +{by}", thickness = thickness, by = by),
+    }
 }
 
 /// Words beside an element on one `side` of the middle (1 or −1), at the nearest place where they cover no sheet, from the

@@ -29,11 +29,13 @@ pub(super) fn panel(view: &StageView, scale: Scale) -> Option<Panel> {
     // The axis begins at zero where that is near.
     let foot = if low < 0.5 * high { 0.0 } else { low };
     let row = ROW * (high - foot).max(least);
-    let names = names(&bands, NARROW / along[along.len() - 1]);
+    let named: Vec<String> = bands.iter().map(|stretch| view.tell(stretch.band.name())).collect();
+    let names = names(&bands, &named, NARROW / along[along.len() - 1]);
     let top = high + row * (1.0 + names.iter().map(|name| name.1).max().unwrap_or(0) as f64);
-    let named = names.into_iter().zip(&bands).map(|((x, at), stretch)| {
-        Series::new(stretch.band.name(), vec![(x, high + row * (0.7 + at as f64))], Look::Text)
-    });
+    let named = names
+        .into_iter()
+        .zip(named)
+        .map(|((x, at), name)| Series::new(name, vec![(x, high + row * (0.7 + at as f64))], Look::Text));
     let border = Look::Line { color: GREY, width: 1.2, dash: &[4.0, 3.0] };
     let borders = bands
         .iter()
@@ -53,11 +55,11 @@ pub(super) fn panel(view: &StageView, scale: Scale) -> Option<Panel> {
 
 /// Where the name of each band begins \[mm\], about its middle, and in which row, so that none covers another; a mm takes
 /// so many px.
-fn names(bands: &[Stretch], px: f64) -> Vec<(f64, usize)> {
+fn names(bands: &[Stretch], named: &[String], px: f64) -> Vec<(f64, usize)> {
     let whole = bands.last().map_or(0.0, |last| last.along[1]);
     let mut ends: Vec<f64> = Vec::new();
-    let place = |stretch: &Stretch| {
-        let width = LETTERS * font::width(stretch.band.name()) / px;
+    let place = |(stretch, name): (&Stretch, &String)| {
+        let width = LETTERS * font::width(name) / px;
         let from = (0.5 * (stretch.along[0] + stretch.along[1] - width)).min(whole - width).max(0.0);
         let row = ends.iter().position(|end| *end <= from).unwrap_or(ends.len());
         if row == ends.len() {
@@ -66,7 +68,7 @@ fn names(bands: &[Stretch], px: f64) -> Vec<(f64, usize)> {
         ends[row] = from + width + GAP / px;
         (from, row)
     };
-    bands.iter().map(place).collect()
+    bands.iter().zip(named).map(place).collect()
 }
 
 #[cfg(test)]
@@ -82,7 +84,8 @@ mod tests {
         let stretch = |i: usize| Stretch { band: named[i], elements: i..i + 1, along: [ends[i], ends[i + 1]] };
         let bands: Vec<Stretch> = (0..named.len()).map(stretch).collect();
         let px = NARROW / 435.0;
-        let places = names(&bands, px);
+        let words = named.map(|band| band.name().to_owned());
+        let places = names(&bands, &words, px);
         assert!(places.iter().any(|place| place.1 > 0), "narrow bands need rows: {places:?}");
         for (i, (a, row)) in places.iter().enumerate() {
             let end = a + LETTERS * font::width(named[i].name()) / px;

@@ -81,7 +81,7 @@ mod tests {
     #[test]
     fn text_is_drawn_without_system_fonts() {
         for text in ["Force", "ąłż", "σε̄ ∂", "≈ ≤ −", "s₀²"] {
-            let chart = Chart { title: text.to_owned(), legend: "", panels: Vec::new(), notes: Vec::new() };
+            let chart = Chart { title: text.to_owned(), legend: String::new(), panels: Vec::new(), notes: Vec::new() };
             let bytes = png(&chart);
             let mut decoder = png::Decoder::new(std::io::Cursor::new(bytes));
             decoder.set_transformations(png::Transformations::EXPAND);

@@ -3,6 +3,7 @@
 use super::StageView;
 use super::chart::{Chart, Look, Panel, Scale, Series};
 use crate::measure::{Place, places};
+use crate::message::{Amount, message};
 use crate::solution::{ElementRecord, Frame, PointRecord};
 use crate::table::fields::element::{R, S0, STRAIN_EQUIVALENT, STRESS_HOOP, STRESS_MERIDIONAL, Z};
 use crate::table::{Column, Field, Table, Unit};
@@ -61,11 +62,12 @@ pub fn plot(view: &StageView) -> Option<Chart> {
     let (extent, layers) = (view.extent(), &frame.through.layers);
     let shown = shown(frame, elements);
     shown.first()?;
+    let at = |place: &Place| Amount::place(elements[place.element].s0);
     let panel = |field: Field<ElementRecord>, stress: fn(&PointRecord) -> f64, labelled: bool| {
         let series = shown.iter().enumerate().map(|(i, place)| {
             let points = frame.through.elements().nth(place.element).unwrap_or_default();
             Series {
-                label: labelled.then(|| format!("{}, s0 = {:.1} mm", place.name, elements[place.element].s0)),
+                label: labelled.then(|| view.tell(message!("{place}, s0 = {s0}", place = place.name, s0 = at(place)))),
                 points: layers.iter().zip(points).map(|(layer, point)| (0.5 * layer.xi, stress(point))).collect(),
                 look: Look::curve(i),
             }
@@ -78,15 +80,15 @@ pub fn plot(view: &StageView) -> Option<Chart> {
         }
     };
     let is_held = shown.iter().any(|place| place.name == Place::FLANGE);
-    let held = is_held.then(|| "In the flange the punch's face is the holder's.".to_owned());
+    let held = is_held.then(|| view.tell("In the flange the punch's face is the holder's."));
     Some(Chart {
         title: view.titled("stress through the thickness"),
-        legend: "",
+        legend: String::new(),
         panels: vec![
             panel(STRESS_MERIDIONAL, |point| point.stress_meridional, true),
             panel(STRESS_HOOP, |point| point.stress_hoop, false),
         ],
-        notes: std::iter::once(format!("{} thickness points.", layers.len()))
+        notes: std::iter::once(view.tell(message!("{n} thickness points.", n = layers.len())))
             .chain(held)
             .chain(view.assumptions())
             .collect(),

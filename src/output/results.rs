@@ -3,6 +3,7 @@
 use super::{Pictures, StageView};
 use crate::case::Solution;
 use crate::compare::{CompareError, Comparison};
+use crate::message::Form;
 
 /// A solution looked over once: what its outputs are made from.
 #[derive(Clone, Debug)]
@@ -22,6 +23,12 @@ impl<'a> Results<'a> {
     /// When a reference of the case cannot be read or does not fit.
     pub fn of(solution: &'a Solution) -> Result<Self, CompareError> {
         Ok(Self { solution, views: solution.views(), comparisons: solution.comparisons()? })
+    }
+
+    /// The same with pictures that are told in a form.
+    pub fn told(mut self, form: Form) -> Self {
+        self.views.iter_mut().for_each(|view| view.form = form);
+        self
     }
 
     /// The same with pictures that are made so.

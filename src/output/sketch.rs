@@ -22,7 +22,7 @@ pub fn sketch(name: &str, geometry: Geometry, sections: &Sections) -> Chart {
                    each along z to where it touches the sheet.";
     Chart {
         title: format!("{name}: the tools that were read"),
-        legend: "",
+        legend: String::new(),
         panels,
         notes: std::iter::once(caption.to_owned())
             .chain(sections.notes.iter().map(|note| format!("{}.", capitalised(note))))

@@ -3,6 +3,7 @@
 use super::chart::{BLACK, Chart, Look, Series, color, pale};
 use super::{StageView, sections};
 use crate::measure::{self, Change, FLANGE_ANGLE, Leg, Quantity, Shape, WALL_ANGLE};
+use crate::message::{Message, message};
 use crate::solution::StageSolution;
 
 /// How much farther than they were fitted the measured lines are drawn, over their length.
@@ -29,12 +30,13 @@ pub fn plot(view: &StageView) -> Option<Chart> {
     let [first, second] = [before, after].map(|frame| sections::sheet(frame, 0..frame.elements.len(), 1.0));
     let outline = second.iter().chain(second.first()).copied().collect();
     let sheets = [
-        Series::new("Before", first, Look::Area { fill: pale(color(0)), edge: Some(color(0)) }),
-        Series::new("After", outline, Look::Line { color: color(1), width: 2.0, dash: &[] }),
+        Series::new(view.tell("Before"), first, Look::Area { fill: pale(color(0)), edge: Some(color(0)) }),
+        Series::new(view.tell("After"), outline, Look::Line { color: color(1), width: 2.0, dash: &[] }),
     ];
     let measured = |quantity: Quantity, of: fn(&Shape) -> Option<&Leg>, dash| {
         let look = Look::Line { color: BLACK, width: 1.4, dash };
-        let label = found.iter().find(|change| change.quantity.key == quantity.key).map(worded);
+        let label =
+            found.iter().find(|change| change.quantity.key == quantity.key).map(|change| view.tell(worded(change)));
         let lines = shapes.iter().filter_map(of).map(|leg| Series::silent(longer(leg), look)).collect::<Vec<_>>();
         lines
             .into_iter()
@@ -49,17 +51,17 @@ pub fn plot(view: &StageView) -> Option<Chart> {
     ));
     let in_legend = [WALL_ANGLE.key, FLANGE_ANGLE.key];
     let others =
-        found.iter().filter(|change| !in_legend.contains(&change.quantity.key)).map(|c| format!("{}.", worded(c)));
+        found.iter().filter(|change| !in_legend.contains(&change.quantity.key)).map(|c| view.tell(worded(c)) + ".");
     Some(Chart {
         title: view.titled("spring-back"),
-        legend: "",
+        legend: String::new(),
         panels: vec![sections::panel(
             model.geometry,
             sections::tools(model, Some(before), x.1).chain(sheets).chain(lines),
             [x, y],
         )],
         notes: std::iter::once(
-            "The sheet is true to thickness. Grey: the tools before they were taken away.".to_owned(),
+            view.tell("The sheet is true to thickness. Grey: the tools before they were taken away."),
         )
         .chain(others)
         .chain(view.assumptions())
@@ -75,6 +77,6 @@ fn longer(leg: &Leg) -> Vec<(f64, f64)> {
 }
 
 /// `Wall to the punch direction: 0.3° → 8.2°`.
-fn worded(change: &Change) -> String {
-    format!("{}: {}", change.quantity.label, change.told())
+fn worded(change: &Change) -> Message {
+    message!("{quantity}: {change}", quantity = change.quantity.label, change = change.told())
 }

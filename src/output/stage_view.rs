@@ -5,11 +5,10 @@ use super::{Captions, Pictures, font};
 use crate::assess::{self, Finding, Kind, sentences};
 use crate::case::{Press, Solution};
 use crate::forming_limit::{Assessment, assess};
-use crate::message::message;
+use crate::message::{Amount, Digits, Form, Message, message};
 use crate::model::{Extent, Geometry, Model};
 use crate::solution::{Frame, StageSolution, Stop};
 use crate::table::{Unit, capitalised};
-use crate::units::without_zeros;
 use std::sync::OnceLock;
 use std::time::Duration;
 
@@ -39,6 +38,8 @@ pub struct StageView<'a> {
     pub wall: Option<Duration>,
     /// How its pictures are made, and how much they say by themselves.
     pub pictures: Pictures,
+    /// How its pictures are told; files for programs are in English and SI.
+    pub form: Form,
     assessment: OnceLock<Option<Assessment>>,
 }
 
@@ -91,6 +92,7 @@ impl<'a> StageView<'a> {
             stage,
             wall: None,
             pictures: Pictures::default(),
+            form: Form::default(),
             assessment: OnceLock::new(),
         }
     }
@@ -112,6 +114,16 @@ impl<'a> StageView<'a> {
     /// The same for a page that has all captions above: charts say only what is their own.
     pub fn without_captions(self) -> Self {
         Self { pictures: Pictures { captions: Captions::Own, ..self.pictures }, ..self }
+    }
+
+    /// The same with pictures that are told in a form.
+    pub fn told(self, form: Form) -> Self {
+        Self { form, ..self }
+    }
+
+    /// What pictures say, in the view's form.
+    pub(super) fn tell(&self, what: impl Into<Message>) -> String {
+        self.form.tell(what)
     }
 
     /// The model that was solved.
@@ -137,9 +149,10 @@ impl<'a> StageView<'a> {
     }
 
     /// The title of a chart: `Cup: sections`, or `Sections` where the case's stands above.
-    pub(super) fn titled(&self, what: &str) -> String {
+    pub(super) fn titled(&self, what: impl Into<Message>) -> String {
+        let what = self.tell(what);
         match self.pictures.captions {
-            Captions::Own => capitalised(what),
+            Captions::Own => capitalised(&what),
             _ => format!("{}: {what}", self.title),
         }
     }
@@ -157,13 +170,18 @@ impl<'a> StageView<'a> {
     /// what was assumed.
     pub(super) fn notes(&self) -> Vec<String> {
         let stop = &self.stage.stop;
-        let mut notes: Vec<String> =
-            (!stop.is_complete()).then(|| format!("Stopped early: {stop}.")).into_iter().collect();
+        let mut notes = Vec::new();
+        if !stop.is_complete() {
+            notes.push(self.tell(message!("Stopped early: {why}.", why = stop.message())));
+        }
         if self.says_all() && !self.overrides.is_empty() {
-            notes.push(format!("Set on the command line: {}.", self.overrides.join(", ")));
+            notes.push(
+                self.tell(message!("Set on the command line: {settings}.", settings = self.overrides.join(", "))),
+            );
         }
         if self.says_all() {
-            notes.extend(sentences(&self.findings, Kind::Warning).into_iter().map(|w| format!("Warning: {w}.")));
+            let warnings = sentences(&self.findings, Kind::Warning).into_iter();
+            notes.extend(warnings.map(|warning| self.tell(message!("Warning: {warning}.", warning = warning))));
         }
         notes.extend(self.assumptions());
         notes
@@ -177,9 +195,8 @@ impl<'a> StageView<'a> {
     /// As [`Self::notes`], after a word on frames that a plot leaves out.
     pub(super) fn notes_of_frames(&self) -> Vec<String> {
         let kept = self.stage.frames.len();
-        let some =
-            (kept > COLORS).then(|| format!("{COLORS} of {kept} kept frames are shown; profile.csv has them all."));
-        some.into_iter().chain(self.notes()).collect()
+        let some = message!("{n} of {all} kept frames are shown; profile.csv has them all.", n = COLORS, all = kept);
+        (kept > COLORS).then(|| self.tell(some)).into_iter().chain(self.notes()).collect()
     }
 
     /// The frames that plots show: all of them, or as many as there are colours, spread evenly up to the last.
@@ -199,17 +216,17 @@ impl<'a> StageView<'a> {
     /// What frames are named by.
     pub(super) fn progress(&self) -> &'static str {
         match self.model().rate_control() {
-            _ if self.model().travel > 0.0 => "Punch travel",
-            _ if self.model().release.is_some() => "Tools' forces gone",
-            Some(_) => "Time",
-            None => "Dome height",
+            _ if self.model().travel > 0.0 => "punch travel",
+            _ if self.model().release.is_some() => "tools' forces gone",
+            Some(_) => "time",
+            None => "dome height",
         }
     }
 
     /// How plots name a frame.
-    pub(super) fn reached(&self, frame: &Frame) -> String {
+    pub(super) fn reached(&self, frame: &Frame) -> Amount {
         let (value, unit) = self.reaches(frame);
-        format!("{} {}", shortened(value), unit.symbol())
+        shortened(value, unit)
     }
 
     /// What a frame is named by: its travel; while the tools are taken away by the share of their forces that is gone;
@@ -233,9 +250,8 @@ pub(super) fn ended(stage: &StageSolution) -> &'static str {
 }
 
 /// A number with as many decimals as it needs, at most two, more below 1.
-fn shortened(value: f64) -> String {
-    let decimals = (2.0 - value.log10().floor().clamp(-12.0, 0.0)) as usize;
-    without_zeros(&format!("{value:.decimals$}")).to_owned()
+fn shortened(value: f64, unit: Unit) -> Amount {
+    Amount::new(value, unit, Digits::Given((2.0 - value.log10().floor().clamp(-12.0, 0.0)) as usize))
 }
 
 #[cfg(test)]
@@ -247,7 +263,7 @@ mod tests {
         for (value, text) in
             [(25.0, "25"), (16.75, "16.75"), (6.333_333, "6.33"), (0.000_25, "0.00025"), (600.0, "600")]
         {
-            assert_eq!(shortened(value), text);
+            assert_eq!(shortened(value, Unit::Mm).parts(Form::default()).0, text);
         }
     }
 }

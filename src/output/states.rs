@@ -4,7 +4,9 @@ use super::StageView;
 use super::chart::{Chart, Look, Panel, Scale, Series, color};
 use super::sections::{flat, panel, tools, window};
 use super::thinning::{Thinning, said, times};
+use crate::message::{Amount, message};
 use crate::solution::Frame;
+use crate::table::capitalised;
 
 /// As many states as are shown.
 const STATES: usize = 6;
@@ -25,17 +27,21 @@ pub(super) fn plot(view: &StageView) -> Option<Chart> {
         Panel { scale: Scale::Small { x, y }, ..panel(model.geometry, series, window) }
     };
     let states = states(view);
-    let named = |frame: &Frame| format!("{} {}", view.progress(), view.reached(frame));
-    let shown = states.iter().map(|frame| small(named(frame), Some(frame), thinning.section(frame, times)));
+    let caption = |at: Amount| {
+        let caption = message!("{progress} {at}", progress = view.progress(), at = at);
+        capitalised(&view.tell(caption))
+    };
+    let shown =
+        states.iter().map(|frame| small(caption(view.reached(frame)), Some(frame), thinning.section(frame, times)));
     // A run that never started shows where it would have.
     let flat = || vec![Series::silent(flat(model), Look::Area { fill: color(0), edge: None })];
-    let unsolved = states.is_empty().then(|| small(format!("{} 0 mm", view.progress()), None, flat()));
+    let unsolved = states.is_empty().then(|| small(caption(Amount::size(0.0)), None, flat()));
     let scale = (!states.is_empty()).then(|| thinning.scale());
     Some(Chart {
         title: view.titled("sections"),
-        legend: "",
+        legend: String::new(),
         panels: shown.chain(unsolved).chain(scale).collect(),
-        notes: std::iter::once(said(times)).chain(view.notes_of_frames()).collect(),
+        notes: std::iter::once(view.tell(said(times))).chain(view.notes_of_frames()).collect(),
     })
 }
 

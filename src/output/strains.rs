@@ -2,6 +2,7 @@
 
 use super::StageView;
 use super::chart::{Chart, Look, Panel, Scale, Series};
+use crate::message::message;
 use crate::solution::{ElementRecord, Frame};
 use crate::table::Field;
 use crate::table::fields::element::{S0, STRAIN_HOOP, STRAIN_MERIDIONAL, STRAIN_THICKNESS};
@@ -21,17 +22,18 @@ pub(super) fn plot(view: &StageView) -> Option<Chart> {
     let earlier = view.shown().rev().skip(1).flat_map(|frame| {
         curves(frame).map(|(i, points)| Series::silent(points, Look::curve(i).faint())).collect::<Vec<_>>()
     });
-    let at_last = curves(last).map(|(i, points)| Series::new(STRAINS[i].label(extent), points, Look::curve(i)));
+    let at_last =
+        curves(last).map(|(i, points)| Series::new(view.tell(STRAINS[i].label(extent)), points, Look::curve(i)));
     Some(Chart {
-        title: view.titled(&format!("strains, {} {}", view.progress().to_lowercase(), view.reached(last))),
-        legend: "",
+        title: view.titled(message!("strains, {progress} {at}", progress = view.progress(), at = view.reached(last))),
+        legend: String::new(),
         panels: vec![Panel {
             x: S0.axis(extent),
             y: Field::shared_axis(&STRAINS, extent),
             series: earlier.chain(at_last).collect(),
             scale: Scale::Fit { height: 350.0, least: LEAST },
         }],
-        notes: std::iter::once("Thin: the earlier frames. Logarithmic strains of the mid-surface.".to_owned())
+        notes: std::iter::once(view.tell("Thin: the earlier frames. Logarithmic strains of the mid-surface."))
             .chain(view.notes_of_frames())
             .collect(),
     })

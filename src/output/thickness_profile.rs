@@ -4,8 +4,8 @@
 use super::chart::{Chart, Look, Panel, Scale, Series};
 use super::{StageView, part_bands};
 use crate::solution::ElementRecord;
-use crate::table::Field;
 use crate::table::fields::element::{POROSITY, S0, TEMPERATURE, THICKNESS};
+use crate::table::{Field, capitalised};
 
 /// Least height of the thickness axis over the initial thickness: smaller differences are noise or nothing to look at [–].
 const LEAST: f64 = 0.02;
@@ -20,29 +20,28 @@ pub(super) fn thickness(view: &StageView) -> Option<Chart> {
     if is_level {
         return None;
     }
-    let mut chart = plot(view, &THICKNESS, LEAST * initial)?;
+    let mut chart = plot(view, "thickness", &THICKNESS, LEAST * initial)?;
     chart.panels.extend(part_bands::panel(view, Scale::Fit { height: 270.0, least: LEAST * initial }));
     Some(chart)
 }
 
 pub(super) fn porosity(view: &StageView) -> Option<Chart> {
-    view.model().material.gtn.and_then(|_| plot(view, &POROSITY, LEAST_POROSITY))
+    view.model().material.gtn.and_then(|_| plot(view, "porosity", &POROSITY, LEAST_POROSITY))
 }
 
 pub(super) fn temperature(view: &StageView) -> Option<Chart> {
-    view.model().heat.as_ref().and_then(|_| plot(view, &TEMPERATURE, LEAST_TEMPERATURE))
+    view.model().heat.as_ref().and_then(|_| plot(view, "temperature", &TEMPERATURE, LEAST_TEMPERATURE))
 }
 
-fn plot(view: &StageView, field: &Field<ElementRecord>, least: f64) -> Option<Chart> {
+fn plot(view: &StageView, what: &'static str, field: &Field<ElementRecord>, least: f64) -> Option<Chart> {
     view.stage.frames.last()?;
     let extent = view.extent();
-    let curves = view
-        .shown()
-        .enumerate()
-        .map(|(i, frame)| Series::new(view.reached(frame), S0.against(field, &frame.elements), Look::curve(i)));
+    let curves = view.shown().enumerate().map(|(i, frame)| {
+        Series::new(view.tell(view.reached(frame)), S0.against(field, &frame.elements), Look::curve(i))
+    });
     Some(Chart {
-        title: view.titled(&field.label(extent).to_lowercase()),
-        legend: view.progress(),
+        title: view.titled(what),
+        legend: capitalised(&view.tell(view.progress())),
         panels: vec![Panel {
             x: S0.axis(extent),
             y: field.axis(extent),

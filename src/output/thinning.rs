@@ -2,6 +2,7 @@
 
 use super::chart::{BLACK, Color, Look, Panel, Scale, Series};
 use super::sections::{self, sheet};
+use crate::message::{Amount, Message, message};
 use crate::solution::Frame;
 use crate::table::{Column, Unit};
 use std::ops::Range;
@@ -143,10 +144,10 @@ pub(super) fn times(thickness: f64, px: f64) -> f64 {
 }
 
 /// What a picture says of its sheet's thickness.
-pub(super) fn said(times: f64) -> String {
+pub(super) fn said(times: f64) -> Message {
     match times {
-        1.0 => "The sheet is true to thickness.".to_owned(),
-        _ => format!("The sheet is drawn {times:.0} times as thick as it is."),
+        1.0 => "The sheet is true to thickness.".into(),
+        _ => message!("The sheet is drawn {times} times as thick as it is.", times = Amount::number(times)),
     }
 }
 

@@ -1,6 +1,7 @@
 //! What a report says, whatever file it goes to.
 
 use crate::assess::Light;
+use crate::message::{Form, Message, message};
 use crate::output::Chart;
 
 /// A report: its first page, which answers, and its sections in order.
@@ -10,8 +11,8 @@ pub struct Document {
     pub title: String,
     /// Who answers for it; empty where nobody is named.
     pub author: String,
-    /// Code of its language: `en`.
-    pub language: &'static str,
+    /// How it is told.
+    pub form: Form,
     /// Names and values of the title block, in order.
     pub title_block: Vec<[String; 2]>,
     /// What stands below them on the first page, in order.
@@ -45,7 +46,7 @@ pub enum Block {
     /// As many cells in each row as in the head.
     Table {
         /// Names of the columns.
-        head: Vec<&'static str>,
+        head: Vec<String>,
         /// From the top.
         rows: Vec<Row>,
     },
@@ -103,6 +104,39 @@ pub struct Picture {
     pub chart: Chart,
 }
 
+impl Block {
+    /// A table whose columns have these names.
+    pub(super) fn table<const N: usize>(head: [&'static str; N], rows: Vec<Row>, form: Form) -> Self {
+        Self::Table { head: head.map(|name| form.tell(name)).to_vec(), rows }
+    }
+}
+
+impl Issue {
+    /// What was found, and the limit.
+    pub(super) fn judged(&self) -> Message {
+        let found = self.found.clone();
+        match self.limit.as_str() {
+            "" => found.into(),
+            limit => message!("{found} (limit: {limit})", found = found, limit = limit.to_owned()),
+        }
+    }
+
+    /// What to change; empty where nothing is advised.
+    pub(super) fn advised(&self) -> Message {
+        match self.advice.as_str() {
+            "" => Message::default(),
+            advice => message!("What to change: {advice}", advice = advice.to_owned()),
+        }
+    }
+}
+
+impl Picture {
+    /// What stands below the `n`-th picture.
+    pub(super) fn below(&self, n: usize) -> Message {
+        message!("Figure {n}: {caption}", n = n, caption = self.caption.clone())
+    }
+}
+
 impl Row {
     /// A row without a light.
     pub fn plain(cells: impl IntoIterator<Item = String>) -> Self {
@@ -126,11 +160,12 @@ impl Document {
 }
 
 /// Sign and word of a light: the colour only repeats them.
-pub(super) fn word(light: Light) -> &'static str {
-    match light {
-        Light::Grey => "○ grey",
-        Light::Green => "● green",
-        Light::Amber => "▲ amber",
-        Light::Red => "■ red",
-    }
+pub(super) fn word(light: Light, form: Form) -> String {
+    let sign = match light {
+        Light::Grey => '○',
+        Light::Green => '●',
+        Light::Amber => '▲',
+        Light::Red => '■',
+    };
+    format!("{sign} {}", form.tell(light.name()))
 }

@@ -4,7 +4,7 @@ use super::document::{Block, Issue, KeyNumber, Picture};
 use super::plots::plot;
 use super::solved::Report;
 use crate::assess::{Answer, Finding, Light, judgements};
-use crate::message::{Form, Message};
+use crate::message::{Form, message};
 use crate::output::chart::Scale;
 use crate::solution::StepRecord;
 use crate::table::capitalised;
@@ -30,7 +30,7 @@ pub(super) fn blocks(report: &Report, form: Form) -> Vec<Block> {
         blocks.push(Block::Issues(issues));
     }
     if left > 0 {
-        blocks.push(Block::Paragraph(format!("{left} more below: see Verdict.")));
+        blocks.push(Block::Paragraph(form.tell(message!("{n} more below: see Verdict.", n = left))));
     }
     blocks.push(Block::Numbers(numbers(answer, form)));
     blocks.extend(pictures(report).map(|(_, _, picture)| Block::Picture(picture)));
@@ -41,7 +41,7 @@ pub(super) fn blocks(report: &Report, form: Form) -> Vec<Block> {
 fn numbers(answer: &Answer, form: Form) -> Vec<KeyNumber> {
     let known = answer.numbers.iter().filter(|number| number.key != "blank");
     let told = known.map(|number| KeyNumber {
-        label: Message::from(number.label).told(form),
+        label: form.tell(number.label),
         value: number.amount.told(form),
         detail: number.about.told(form),
     });
@@ -54,7 +54,7 @@ fn issues(findings: &[Finding], form: Form) -> (Vec<Issue>, usize) {
     let all: Vec<&Finding> = of(Light::Red).chain(of(Light::Amber)).collect();
     let shown = all.iter().take(ISSUES).map(|finding| Issue {
         light: finding.light,
-        label: Message::from(finding.label).told(form),
+        label: form.tell(finding.label),
         found: finding.found.told(form),
         limit: finding.limit.told(form),
         advice: finding.advice.told(form),

@@ -1,8 +1,9 @@
 //! A document as one HTML file: pictures and style inside, nothing fetched from elsewhere.
 
-use super::document::{Block, Document, Issue, KeyNumber, Picture, Row, word};
-use super::program::{MARKER, PROGRAM};
+use super::document::{Block, Document, Issue, KeyNumber, Row, word};
+use super::program::{MARKER, page_of, written};
 use crate::assess::Light;
+use crate::message::Form;
 use crate::output::{Chart, svg};
 use maud::{DOCTYPE, Markup, PreEscaped, html as markup};
 
@@ -12,17 +13,17 @@ const SLIDER: &str = include_str!("slider.js");
 
 /// The whole file.
 pub fn html(document: &Document) -> String {
-    let mut number = 0;
+    let (form, mut number) = (document.form, 0);
     let page = markup! {
         (DOCTYPE)
-        html lang=(document.language) {
+        html lang=(form.language.code()) {
             head {
                 meta charset="utf-8";
                 meta name="viewport" content="width=device-width, initial-scale=1";
                 meta name="generator" content={ (MARKER) " " (env!("CARGO_PKG_VERSION")) };
                 @if !document.author.is_empty() { meta name="author" content=(document.author); }
                 title { (document.title) }
-                style { (PreEscaped(STYLE)) }
+                style { (PreEscaped(style(form))) }
             }
             body {
                 main {
@@ -32,9 +33,9 @@ pub fn html(document: &Document) -> String {
                             @for [name, value] in &document.title_block { div { dt { (name) } dd { (value) } } }
                         }
                     }
-                    section.front { @for part in &document.front { (block(part, &mut number)) } }
+                    section.front { @for part in &document.front { (block(part, &mut number, form)) } }
                     nav {
-                        h2 { "Contents" }
+                        h2 { (form.tell("Contents")) }
                         ol {
                             @for (i, section) in document.sections.iter().enumerate() {
                                 li { a href={ "#s" (i + 1) } { (section.heading) } }
@@ -44,11 +45,11 @@ pub fn html(document: &Document) -> String {
                     @for (i, section) in document.sections.iter().enumerate() {
                         section id={ "s" (i + 1) } {
                             h2 { (section.heading) }
-                            @for part in &section.blocks { (block(part, &mut number)) }
+                            @for part in &section.blocks { (block(part, &mut number, form)) }
                         }
                     }
                 }
-                footer { "Written by " (PROGRAM) "." }
+                footer { (form.tell(written())) }
                 @if document.blocks().any(|block| matches!(block, Block::Motion(..))) {
                     script { (PreEscaped(SLIDER)) }
                 }
@@ -58,23 +59,29 @@ pub fn html(document: &Document) -> String {
     page.into_string()
 }
 
-fn block(block: &Block, number: &mut usize) -> Markup {
+/// The style, with the words that stand beside page numbers.
+fn style(form: Form) -> String {
+    let [n, all] = ["page", "pages"].map(|counter| format!("\" counter({counter}) \""));
+    STYLE.replace("PAGE", &form.tell(page_of(n, all)))
+}
+
+fn block(block: &Block, number: &mut usize, form: Form) -> Markup {
     match block {
         Block::Paragraph(text) => markup! { p { (text) } },
         Block::Sentence(light, text) => markup! {
-            p.sentence.{ "on-" (light.name()) } { span.{ (light.name()) } { (word(*light)) } " " (text) }
+            p.sentence.{ "on-" (light.name()) } { span.{ (light.name()) } { (word(*light, form)) } " " (text) }
         },
         Block::Numbers(numbers) => markup! { dl.numbers { @for number in numbers { (key_number(number)) } } },
-        Block::Issues(issues) => markup! { ul.issues { @for issue in issues { (of_issue(issue)) } } },
+        Block::Issues(issues) => markup! { ul.issues { @for issue in issues { (of_issue(issue, form)) } } },
         Block::List(entries) => markup! { ul { @for entry in entries { li { (entry) } } } },
         Block::Table { head, rows } => table(head, rows),
         Block::Motion(caption, charts) => motion(caption, charts),
-        Block::Picture(Picture { caption, chart, .. }) => {
+        Block::Picture(picture) => {
             *number += 1;
             markup! {
                 figure {
-                    div.picture role="img" aria-label=(caption) { (PreEscaped(inline(&svg(chart)))) }
-                    figcaption { "Figure " (number) ": " (caption) "." }
+                    div.picture role="img" aria-label=(picture.caption) { (PreEscaped(inline(&svg(&picture.chart)))) }
+                    figcaption { (form.tell(picture.below(*number))) "." }
                 }
             }
         }
@@ -99,12 +106,12 @@ fn key_number(KeyNumber { label, value, detail }: &KeyNumber) -> Markup {
     markup! { div { dt { (label) } dd { strong { (value) } @if !detail.is_empty() { span { (detail) } } } } }
 }
 
-fn of_issue(Issue { light, label, found, limit, advice }: &Issue) -> Markup {
+fn of_issue(issue: &Issue, form: Form) -> Markup {
+    let (Issue { light, label, .. }, advice) = (issue, form.tell(issue.advised()));
     markup! {
         li {
-            p { span.{ (light.name()) } { (word(*light)) } " " strong { (label) } ": " (found)
-                @if !limit.is_empty() { " (limit: " (limit) ")" } }
-            @if !advice.is_empty() { p.advice { "What to change: " (advice) } }
+            p { span.{ (light.name()) } { (word(*light, form)) } " " strong { (label) } ": " (form.tell(issue.judged())) }
+            @if !advice.is_empty() { p.advice { (advice) } }
         }
     }
 }
@@ -114,7 +121,7 @@ const SHORT: usize = 24;
 
 /// On a phone the cells of tables with many columns, or with sentences in them, stand below each other under their columns'
 /// names; of others value and unit stay beside each other.
-fn table(head: &[&str], rows: &[Row]) -> Markup {
+fn table(head: &[String], rows: &[Row]) -> Markup {
     let is_long = |row: &Row| row.cells.iter().skip(1).any(|cell| cell.chars().count() > SHORT);
     let is_wide = head.len() > 3 || rows.iter().any(is_long);
     markup! {

@@ -1,7 +1,8 @@
 //! A document as Markdown with its pictures as SVG files in a folder beside it.
 
 use super::document::{Block, Document, KeyNumber, Row, word};
-use super::program::{MARKER, PROGRAM};
+use super::program::{MARKER, written};
+use crate::message::Form;
 use crate::output::svg;
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
@@ -25,31 +26,30 @@ pub fn markdown(document: &Document, folder: &str) -> (String, Vec<(String, Stri
         let _ = writeln!(text, "- {}: {}", escaped(name), escaped(value));
     }
     let mut pictures = Vec::new();
-    document.front.iter().for_each(|part| block(&mut text, part, folder, &mut pictures));
+    document.front.iter().for_each(|part| block(&mut text, part, folder, &mut pictures, document.form));
     for section in &document.sections {
         let _ = writeln!(text, "\n## {}", escaped(&section.heading));
-        section.blocks.iter().for_each(|part| block(&mut text, part, folder, &mut pictures));
+        section.blocks.iter().for_each(|part| block(&mut text, part, folder, &mut pictures, document.form));
     }
-    let _ = writeln!(text, "\nWritten by {PROGRAM}.");
+    let _ = writeln!(text, "\n{}", document.form.tell(written()));
     (text, pictures)
 }
 
-fn block(text: &mut String, block: &Block, folder: &str, pictures: &mut Vec<(String, String)>) {
+fn block(text: &mut String, block: &Block, folder: &str, pictures: &mut Vec<(String, String)>, form: Form) {
     text.push('\n');
     match block {
         Block::Paragraph(words) => _ = writeln!(text, "{}", escaped(words)),
-        Block::Sentence(light, words) => _ = writeln!(text, "**{} {}**", word(*light), escaped(words)),
+        Block::Sentence(light, words) => _ = writeln!(text, "**{} {}**", word(*light, form), escaped(words)),
         Block::Numbers(numbers) => {
             let row = |n: &KeyNumber| Row::plain([n.label.clone(), n.value.clone(), n.detail.clone()]);
             let rows: Vec<Row> = numbers.iter().map(row).collect();
-            table(text, &["Number", "Value", "Where"], &rows);
+            table(text, &["Number", "Value", "Where"].map(|name| form.tell(name)), &rows);
         }
         Block::Issues(issues) => issues.iter().for_each(|issue| {
-            let [found, limit, advice] = [&issue.found, &issue.limit, &issue.advice].map(|words| escaped(words));
-            let limit = if limit.is_empty() { limit } else { format!(" (limit: {limit})") };
-            let _ = writeln!(text, "- {} **{}**: {found}{limit}", word(issue.light), escaped(&issue.label));
+            let [judged, advice] = [issue.judged(), issue.advised()].map(|words| escaped(&form.tell(words)));
+            let _ = writeln!(text, "- {} **{}**: {judged}", word(issue.light, form), escaped(&issue.label));
             if !advice.is_empty() {
-                let _ = writeln!(text, "  - What to change: {advice}");
+                let _ = writeln!(text, "  - {advice}");
             }
         }),
         Block::List(entries) => entries.iter().for_each(|entry| _ = writeln!(text, "- {}", escaped(entry))),
@@ -58,13 +58,13 @@ fn block(text: &mut String, block: &Block, folder: &str, pictures: &mut Vec<(Str
         Block::Picture(picture) => {
             let name = format!("{:02}-{}.svg", pictures.len() + 1, picture.name);
             let target = format!("{folder}/{name}").replace(' ', "%20");
-            let _ = writeln!(text, "![Figure {}: {}]({target})", pictures.len() + 1, escaped(&picture.caption));
+            let _ = writeln!(text, "![{}]({target})", escaped(&form.tell(picture.below(pictures.len() + 1))));
             pictures.push((name, svg(&picture.chart)));
         }
     }
 }
 
-fn table(text: &mut String, head: &[&str], rows: &[Row]) {
+fn table(text: &mut String, head: &[String], rows: &[Row]) {
     let _ = writeln!(text, "| {} |\n|{}", head.join(" | "), "---|".repeat(head.len()));
     for row in rows {
         let indent = if row.belongs { "\u{2003}" } else { "" };

@@ -19,6 +19,7 @@ mod solved;
 mod solver;
 mod title;
 mod verdict;
+mod words;
 
 pub use document::{Block, Document, Issue, KeyNumber, Picture, Row, Section};
 pub use html::html;
@@ -37,23 +38,25 @@ impl Report<'_> {
 
     /// The first page and all sections as they are told in a form.
     pub fn told(&self, form: Form) -> Document {
+        let report = &self.in_form(form);
         let model = self.solution.case.model();
         let mut sections = vec![verdict::section(&self.findings, form)];
-        sections.extend(sketch::sections(self, form));
+        sections.extend(sketch::sections(report, form));
         sections.push(inputs::section(&self.check, form));
-        sections.extend(results::sections(self, form));
+        sections.extend(results::sections(report, form));
         sections.extend([
             inputs::assumptions(&self.check, form),
-            solver::warnings(self, form),
-            solver::section(self, form),
-            title::section(self),
+            solver::warnings(report, form),
+            solver::section(report, form),
+            title::section(report, form),
+            words::section(&self.findings, form),
         ]);
         Document {
             title: model.title.clone(),
             author: self.title_block.author.clone().unwrap_or_default(),
-            language: form.language.code(),
-            title_block: title::block(self),
-            front: front::blocks(self, form),
+            form,
+            title_block: title::block(report).map(|(name, value)| [form.tell(name), value.to_owned()]).collect(),
+            front: front::blocks(report, form),
             sections,
         }
     }

@@ -23,7 +23,7 @@ pub(super) fn sections(report: &Report, form: Form) -> Vec<Section> {
             let files = OUTPUTS.iter().map(|output| output.file).filter(|file| !shown.contains(&(i, *file)));
             let plots = files.filter_map(|file| plot(view, file)).map(Block::Picture);
             let blocks = std::iter::once(part).chain(motion(report, i)).chain(released(view, form)).chain(plots);
-            Section { heading: format!("{}Results", report.stage(i)), blocks: blocks.collect() }
+            Section { heading: report.stage(i) + &form.tell("Results"), blocks: blocks.collect() }
         })
         .collect()
 }
@@ -34,7 +34,7 @@ fn motion(report: &Report, i: usize) -> Option<Block> {
     let frames = report.frames?.of_stage(i, view.stage);
     let charts = animation::pictures(view, &frames, FRAMES);
     (charts.len() > 1)
-        .then(|| Block::Motion("the section and the load as they move: pull the slider".to_owned(), charts))
+        .then(|| Block::Motion(view.form.tell("the section and the load as they move: pull the slider"), charts))
 }
 
 /// What was measured before and after, of a stage that takes its tools away.
@@ -42,9 +42,9 @@ fn released(view: &StageView, form: Form) -> Option<Block> {
     let rows = springback::changes(view.stage)?.into_iter().map(|change| {
         let unit = change.quantity.unit;
         let amount = |value: f64| if unit == Unit::Degree { Amount::angle(value) } else { Amount::place(value) };
-        let number = |value: Option<f64>| value.map_or_else(|| "none".to_owned(), |value| amount(value).parts(form).0);
+        let number = |value: Option<f64>| value.map_or_else(|| form.tell("none"), |value| amount(value).parts(form).0);
         let [before, after, by] = [change.before, change.after, change.change()].map(number);
-        Row::plain([change.quantity.label.to_owned(), before, after, by, amount(0.0).parts(form).1.to_owned()])
+        Row::plain([form.tell(change.quantity.label), before, after, by, amount(0.0).parts(form).1.to_owned()])
     });
-    Some(Block::Table { head: vec!["Spring-back", "Before", "After", "Change", "Unit"], rows: rows.collect() })
+    Some(Block::table(["Spring-back", "Before", "After", "Change", "Unit"], rows.collect(), form))
 }

@@ -1,6 +1,7 @@
 //! The sizes of a section, and where they are drawn.
 
 use crate::geometry::{Arc, Piece, Point};
+use crate::message::{Message, message};
 use crate::model::{Geometry, Model, Motion, Role, Tool};
 use crate::output::{Dimension, Mark, Size};
 use crate::rules::tool_sizes::{extent, throat};
@@ -27,7 +28,7 @@ pub(super) fn dimensions(model: &Model, start: Option<&Frame>) -> Vec<Dimension>
     }
     for (i, tool) in model.tools.iter().enumerate() {
         let moved = start.and_then(|frame| frame.tool_displacement.get(i)).copied().unwrap_or_default();
-        let across = |name: &str, r: f64| wide(model, name, r, Mark::Across(r));
+        let across = |name: &'static str, r: f64| wide(model, name, r, Mark::Across(r));
         match tool.role {
             Role::Punch => found.push(across("Punch", extent(tool).1)),
             Role::Die => found.extend(throat(tool).map(|r| across("Die throat", r))),
@@ -46,17 +47,17 @@ pub(super) fn dimensions(model: &Model, start: Option<&Frame>) -> Vec<Dimension>
     found
 }
 
-fn plain(of: &str, value: f64, unit: Unit, mark: Mark) -> Dimension {
-    Dimension { of: of.to_owned(), size: Size::Plain, value, unit, mark }
+fn plain(of: &'static str, value: f64, unit: Unit, mark: Mark) -> Dimension {
+    Dimension { of: of.into(), size: Size::Plain, value, unit, mark }
 }
 
 /// The diameter of a round part, or the width of a strip, at a distance from its middle.
-fn wide(model: &Model, of: &str, r: f64, mark: Mark) -> Dimension {
+fn wide(model: &Model, of: &'static str, r: f64, mark: Mark) -> Dimension {
     let size = match model.geometry {
         Geometry::Axisymmetric => Size::Diameter,
         Geometry::PlaneStrain => Size::Width,
     };
-    Dimension { of: of.to_owned(), size, value: 2.0 * r, unit: Unit::Mm, mark }
+    Dimension { of: of.into(), size, value: 2.0 * r, unit: Unit::Mm, mark }
 }
 
 /// The radii of a tool, those that are alike together; of a curve of many arcs the smallest.
@@ -66,7 +67,7 @@ fn roundings(tool: &Tool, moved: Point) -> Vec<Dimension> {
         Piece::Arc(arc) if arc.sweep > 0.0 => Some(*arc),
         _ => None,
     });
-    let mut found: Vec<(String, usize, Arc)> = Vec::new();
+    let mut found: Vec<(Message, usize, Arc)> = Vec::new();
     for arc in tool.profile.corners().chain(hollows) {
         let name = named(tool.role, &arc);
         match found.iter_mut().find(|(n, _, a)| *n == name && (a.radius / arc.radius - 1.0).abs() < ALIKE) {
@@ -77,9 +78,9 @@ fn roundings(tool: &Tool, moved: Point) -> Vec<Dimension> {
     if found.len() > ROUNDINGS {
         found.sort_by(|a, b| a.2.radius.total_cmp(&b.2.radius));
         found.truncate(1);
-        found[0].0 += " least";
+        found[0].0 = message!("{of} least", of = found[0].0.clone());
     }
-    let radius = |(of, alike, arc): (String, usize, Arc)| Dimension {
+    let radius = |(of, alike, arc): (Message, usize, Arc)| Dimension {
         of,
         size: Size::Radius(alike),
         value: arc.radius,
@@ -90,7 +91,7 @@ fn roundings(tool: &Tool, moved: Point) -> Vec<Dimension> {
 }
 
 /// What a rounding of a tool is called.
-fn named(role: Role, arc: &Arc) -> String {
+fn named(role: Role, arc: &Arc) -> Message {
     let on_axis = [arc.at(0.0), arc.at(1.0)].iter().any(|end| end.x.abs() < ON_AXIS);
     match (role, arc.sweep < 0.0) {
         (Role::Punch, true) if on_axis => "Punch crown",
@@ -102,7 +103,7 @@ fn named(role: Role, arc: &Arc) -> String {
         (Role::Die, false) => "Die hollow",
         (Role::Holder, false) => "Holder hollow",
     }
-    .to_owned()
+    .into()
 }
 
 /// What presses a holder, or how far it stands off.

@@ -3,7 +3,7 @@
 use super::document::{Block, Picture, Row, Section};
 use super::sizes::dimensions;
 use super::solved::Report;
-use crate::message::Form;
+use crate::message::{Form, message};
 use crate::model::{Model, Tool};
 use crate::output::{Dimension, dimensioned};
 use crate::solution::{Frame, StageSolution};
@@ -11,11 +11,11 @@ use crate::solution::{Frame, StageSolution};
 /// A section for each stage with tools that no stage before it had.
 pub(super) fn sections(report: &Report, form: Form) -> Vec<Section> {
     let (case, stages) = (&report.solution.case, &report.solution.stages);
-    let first = section("section", "Section".to_owned(), case.model(), None, &report.dimensions, form);
+    let first = section("section", form.tell("Section"), case.model(), None, &report.dimensions, form);
     let later = stages.iter().enumerate().skip(1).filter(|(i, stage)| brings_tools(&stages[..*i], stage));
     let later = later.map(|(i, stage)| {
         let dimensions = dimensions(&stage.model, stage.start.as_ref());
-        let heading = format!("{}section", report.stage(i));
+        let heading = report.stage(i) + &form.tell("section");
         section(&format!("section-{}", i + 1), heading, &stage.model, stage.start.as_ref(), &dimensions, form)
     });
     std::iter::once(first).chain(later).collect()
@@ -37,10 +37,11 @@ fn section(
 ) -> Section {
     let rows = dimensions.iter().map(|d| {
         let (value, unit) = d.amount().parts(form);
-        Row::plain([d.name(), value, unit.to_owned()])
+        Row::plain([form.tell(d.name()), value, unit.to_owned()])
     });
-    let chart = dimensioned(format!("{heading} at the start"), model, start, dimensions);
-    let caption = "the section at the start with its dimensions".into();
-    let table = Block::Table { head: vec!["Dimension", "Value", "Unit"], rows: rows.collect() };
+    let title = message!("{section} at the start", section = heading.clone());
+    let chart = dimensioned(form.tell(title), model, start, dimensions, form);
+    let caption = form.tell("the section at the start with its dimensions");
+    let table = Block::table(["Dimension", "Value", "Unit"], rows.collect(), form);
     Section { blocks: vec![Block::Picture(Picture { name: name.to_owned(), caption, chart }), table], heading }
 }

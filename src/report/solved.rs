@@ -54,6 +54,12 @@ impl<'a> Report<'a> {
         Self { frames: Some(frames), ..self }
     }
 
+    /// With pictures that are told in a form.
+    pub(super) fn in_form(&self, form: Form) -> Self {
+        let told = |(view, summary): &(StageView<'a>, Summary)| (view.clone().told(form), summary.clone());
+        Self { stages: self.stages.iter().map(told).collect(), ..self.clone() }
+    }
+
     /// Every number of the document, with those behind its pictures that a summary has.
     pub fn json(&self) -> Value {
         let dimension = |d: &Dimension| json!({"label": d.name(), "value": rounded(d.value), "unit": d.unit.symbol()});

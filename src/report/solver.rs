@@ -3,7 +3,7 @@
 use super::document::{Block, Row, Section};
 use super::solved::Report;
 use crate::assess::Kind;
-use crate::message::Form;
+use crate::message::{Form, message};
 use crate::output::summary::{Figure, Group, Summary};
 
 pub(super) fn section(report: &Report, form: Form) -> Section {
@@ -11,11 +11,13 @@ pub(super) fn section(report: &Report, form: Form) -> Section {
     for (i, (_, summary)) in report.stages.iter().enumerate() {
         let stage = report.stage(i);
         if !stage.is_empty() {
-            blocks.push(Block::Paragraph(format!("Stage {}", stage.trim_end_matches(": "))));
+            blocks.push(Block::Paragraph(
+                form.tell(message!("Stage {name}", name = stage.trim_end_matches(": ").to_owned())),
+            ));
         }
         blocks.push(figures(summary, form, |group| group == Group::Solution));
     }
-    Section { heading: "Solver".into(), blocks }
+    Section { heading: form.tell("Solver"), blocks }
 }
 
 /// A table of the summary's lines that are about something; what belongs to the line above is indented.
@@ -25,7 +27,7 @@ pub(super) fn figures(summary: &Summary, form: Form, is_wanted: fn(Group) -> boo
         ..Row::plain([f.label.trim_start().to_owned(), f.value, f.unit.to_owned()])
     };
     let wanted = summary.figures(form).filter(|figure| is_wanted(figure.group));
-    Block::Table { head: vec!["Quantity", "Value", "Unit"], rows: wanted.map(row).collect() }
+    Block::table(["Quantity", "Value", "Unit"], wanted.map(row).collect(), form)
 }
 
 /// What the check says before and the solver after the run.
@@ -33,7 +35,7 @@ pub(super) fn warnings(report: &Report, form: Form) -> Section {
     let warnings = report.findings.iter().filter(|finding| finding.kind == Kind::Warning);
     let stage = |i: Option<usize>| i.map_or(String::new(), |i| report.stage(i));
     let all: Vec<String> = warnings.map(|finding| stage(finding.stage) + &finding.sentence().told(form)).collect();
-    let none = || Block::Paragraph("None.".into());
+    let none = || Block::Paragraph(form.tell("None."));
     let block = if all.is_empty() { none() } else { Block::List(all) };
-    Section { heading: "Warnings".into(), blocks: vec![block] }
+    Section { heading: form.tell("Warnings"), blocks: vec![block] }
 }

@@ -2,7 +2,7 @@
 
 use super::document::{Block, Row, Section, word};
 use crate::assess::{Finding, Light, judgements};
-use crate::message::{Form, Message};
+use crate::message::Form;
 
 /// In this order, each in the order of telling.
 const ORDER: [Light; 4] = [Light::Red, Light::Amber, Light::Grey, Light::Green];
@@ -12,13 +12,13 @@ pub(super) fn section(findings: &[Finding], form: Form) -> Section {
     let rows = ORDER.into_iter().flat_map(of).map(|finding| Row {
         light: Some(finding.light),
         ..Row::plain([
-            word(finding.light).to_owned(),
-            Message::from(finding.label).told(form),
+            word(finding.light, form),
+            form.tell(finding.label),
             finding.found.told(form),
             format!("{} ({})", finding.limit.told(form), finding.source.told(form)),
             finding.advice.told(form),
         ])
     });
-    let head = vec!["Light", "Question", "Found", "Limit (source)", "What to change"];
-    Section { heading: "Verdict".into(), blocks: vec![Block::Table { head, rows: rows.collect() }] }
+    let head = ["Light", "Question", "Found", "Limit (source)", "What to change"];
+    Section { heading: form.tell("Verdict"), blocks: vec![Block::table(head, rows.collect(), form)] }
 }

@@ -46,6 +46,7 @@ mod springback;
 mod stops;
 mod tables;
 mod templates;
+mod told;
 mod tool_ends;
 mod tool_sizes;
 mod units;

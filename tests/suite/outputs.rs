@@ -71,7 +71,8 @@ fn every_table_names_its_units_alike_in_header_and_axis() {
             let Some(table) = make(&drawn::view(&run)) else { continue };
             for column in &table.columns {
                 let axis = column.axis();
-                let symbol = axis.text().rsplit_once(" [").unwrap().1.trim_end_matches(']');
+                let text = axis.text();
+                let symbol = text.rsplit_once(" [").unwrap().1.trim_end_matches(']');
                 assert_eq!(axis.text(), format!("{} [{symbol}]", column.label));
                 let spelled = symbol.replace('/', "_per_").replace('°', ""); // 1/s: 1_per_s, °C: C
                 let header = if symbol == "–" { column.key.to_owned() } else { format!("{}_{spelled}", column.key) };

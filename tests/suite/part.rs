@@ -100,7 +100,7 @@ fn every_state_has_its_own_frame_and_the_tools_of_its_time() {
     assert_eq!(small.len(), run.frames.len());
     for (panel, frame) in small.iter().zip(&run.frames) {
         let [(caption, _)] = labelled(&panel.series, Look::Text)[..] else { panic!("one caption") };
-        assert_eq!(caption, format!("Punch travel {} mm", frame.travel));
+        assert_eq!(caption, format!("Punch travel {}\u{a0}mm", frame.travel));
         let punch = panel.series[0].points.iter().map(|p| p.1).fold(f64::NEG_INFINITY, f64::max);
         assert!((punch - (frame.travel - 0.5)).abs() < 1e-9, "{punch} at {}", frame.travel);
     }

@@ -8,15 +8,14 @@ use stampflow::case::{Case, Press, parse};
 use stampflow::forming_limit::{Instant, Paths};
 use stampflow::model::{Bead, Geometry};
 use stampflow::output::chart::{Look, Scale, Series};
-use stampflow::output::{Captions, Chart, Format, Make, OUTPUTS, Pictures, StageView};
+use stampflow::output::{Captions, Chart, Format, OUTPUTS, Pictures, StageView};
 use stampflow::report::Report;
 use stampflow::solution::StageSolution;
 
 /// The picture of this name.
 fn chart(view: &StageView, name: &str) -> Chart {
     let output = OUTPUTS.iter().find(|output| output.stem() == name).expect("a picture of this name");
-    let Make::Plot(make) = output.make else { panic!("{name} is no picture") };
-    make(view).expect("there is something to draw")
+    output.chart(view).expect("there is something to draw")
 }
 
 fn drawn_chart(name: &str) -> Chart {
@@ -132,7 +131,7 @@ fn the_limit_is_drawn_where_places_can_be_and_in_either_strain() {
     let series = &logarithmic.panels[0].series;
     assert!(series.iter().flat_map(|s| &s.points).all(|p| p.0 <= p.1 + 1e-12), "nothing beyond equal strains");
     let zones = labels(&logarithmic, |look| matches!(look, Look::Area { .. }));
-    assert_eq!(zones, ["Failed", "Marginal, above 90 % of the limit", "Safe"]);
+    assert_eq!(zones, ["Failed", "Marginal, above 90\u{a0}% of the limit", "Safe"]);
     view.pictures.engineering_strain = true;
     let engineering = chart(&view, "forming_limit");
     assert_eq!(engineering.panels[0].y.text(), "Major engineering strain, mid-surface [–]");

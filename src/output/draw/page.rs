@@ -65,7 +65,7 @@ impl<'a> Page<'a> {
             y += SPACING * TITLE;
         }
         y += 0.5 * MARGIN;
-        text(canvas, chart.legend, TICK, BLACK, (MARGIN, y));
+        text(canvas, &chart.legend, TICK, BLACK, (MARGIN, y));
         for row in &self.legend {
             for (series, x) in row {
                 sample(canvas, series.look, (*x, y + 0.5 * TICK), (SAMPLE, 0.3 * TICK));
@@ -129,7 +129,7 @@ fn caption(panel: &Panel) -> &str {
 /// Rows of legend entries, as many side by side as fit.
 fn legend(chart: &Chart, page: f64) -> Vec<Vec<(&Series, f64)>> {
     let mut rows: Vec<Vec<(&Series, f64)>> = Vec::new();
-    let indent = if chart.legend.is_empty() { 0.0 } else { text_width(chart.legend, TICK) + 14.0 };
+    let indent = if chart.legend.is_empty() { 0.0 } else { text_width(&chart.legend, TICK) + 14.0 };
     let left = MARGIN + indent;
     let mut x = f64::INFINITY;
     for series in chart.panels.iter().flat_map(|p| &p.series).filter(|series| series.look.is_explained()) {

@@ -75,7 +75,8 @@ impl Frame {
             .expect(NEVER);
         let y_count = tick_count(self.height);
         let (x_ticks, y_ticks) = (ticks(self.x, X_TICKS), ticks(self.y, y_count));
-        let (x_tick, y_tick) = (|x: &f64| tick(*x, &x_ticks), |y: &f64| tick(*y, &y_ticks));
+        let x_tick = |x: &f64| panel.x.number(&tick(*x, &x_ticks));
+        let y_tick = |y: &f64| panel.y.number(&tick(*y, &y_ticks));
         let mut mesh = chart.configure_mesh();
         mesh.x_labels(X_TICKS)
             .x_label_formatter(&x_tick)
@@ -149,7 +150,8 @@ mod tests {
         for scale in [Scale::Fit { height: 200.0, least: 0.0 }, Scale::Section { x: (0.0, 10.0), y: (-2.0, 4.0) }] {
             let series = vec![Series::silent(points.clone(), Look::Line { color: (9, 9, 9), width: 2.0, dash: &[] })];
             let panels = vec![Panel { x: axis.clone(), y: axis.clone(), series, scale }];
-            let drawing = Drawing::of(&Chart { title: String::new(), legend: "", panels, notes: vec![] }, 800.0);
+            let drawing =
+                Drawing::of(&Chart { title: String::new(), legend: String::new(), panels, notes: vec![] }, 800.0);
             let line = drawing.marks.iter().find_map(|mark| match mark {
                 Mark::Line { pieces, color: (9, 9, 9), width } if *width == 2.0 => Some(&pieces[0]),
                 _ => None,

@@ -108,12 +108,12 @@ impl Flow {
     }
 
     /// The foot of every page: `left`, and which of how many it is.
-    pub fn number_pages(&mut self, left: &str, style: Style) {
+    pub fn number_pages(&mut self, left: &str, number: impl Fn(usize, usize) -> String, style: Style) {
         let all = self.pages.len();
         let left = lines(left, style, 0.8 * WIDTH).swap_remove(0);
         for i in 0..all {
             self.pages[i].text(&left, (SIDE, FOOT + style.ascent()), style.letters());
-            self.write_right(i, &format!("{} of {all}", i + 1), style, FOOT);
+            self.write_right(i, &number(i + 1, all), style, FOOT);
         }
     }
 }

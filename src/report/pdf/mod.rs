@@ -7,8 +7,9 @@ mod table;
 mod words;
 
 use super::document::{Block, Document, Issue, KeyNumber, Picture, word};
-use super::program::{MARKER, PROGRAM};
+use super::program::{MARKER, PROGRAM, page_of};
 use crate::assess::Light;
+use crate::message::Form;
 use crate::output::chart::Color;
 use crate::output::pdf::{MM, Pdf};
 use crate::output::{DRAWN, Drawing};
@@ -39,7 +40,7 @@ const INDENT: f64 = 12.0;
 
 /// The whole file.
 pub fn pdf(document: &Document) -> Vec<u8> {
-    let mut writer = Writer { flow: Flow::new(), figures: 0 };
+    let mut writer = Writer { flow: Flow::new(), form: document.form, figures: 0 };
     writer.front(document);
     writer.flow.turn();
     let mut headings = Vec::new();
@@ -53,12 +54,13 @@ pub fn pdf(document: &Document) -> Vec<u8> {
     for (top, (_, number, _)) in tops.iter().zip(&headings) {
         flow.write_right(page, &(number + 1).to_string(), TEXT, *top);
     }
-    flow.number_pages(&format!("{} · {PROGRAM}", document.title), SMALL.in_color(GREY_TEXT));
+    let number = |n: usize, all: usize| document.form.tell(page_of(n.to_string(), all.to_string()));
+    flow.number_pages(&format!("{} · {PROGRAM}", document.title), number, SMALL.in_color(GREY_TEXT));
     let file = Pdf {
         title: document.title.clone(),
         author: document.author.clone(),
         creator: format!("{MARKER} {}", env!("CARGO_PKG_VERSION")),
-        language: document.language.to_owned(),
+        language: document.form.language.code().to_owned(),
         pages: flow.pages,
         headings,
     };
@@ -67,6 +69,7 @@ pub fn pdf(document: &Document) -> Vec<u8> {
 
 struct Writer {
     flow: Flow,
+    form: Form,
     /// How many pictures there were.
     figures: usize,
 }
@@ -116,7 +119,7 @@ impl Writer {
 
     /// A line for each section; its page is written when it is known: the page of the list, and where each line stands.
     fn contents(&mut self, document: &Document) -> (usize, Vec<f64>) {
-        self.heading("Contents", None);
+        self.heading(&self.form.tell("Contents"), None);
         let mut tops = Vec::new();
         for section in &document.sections {
             let line = lines(&section.heading, TEXT, 0.85 * WIDTH).swap_remove(0);
@@ -170,37 +173,34 @@ impl Writer {
     fn figure(&mut self, picture: &Picture, drawing: &Drawing, width: f64) {
         self.figures += 1;
         self.flow.drawing(drawing, width);
-        let caption = format!("Figure {}: {}.", self.figures, picture.caption);
+        let caption = self.form.tell(picture.below(self.figures)) + ".";
         self.flow.words(&caption, SMALL.in_color(GREY_TEXT), 0.0);
         self.flow.skip(6.0);
     }
 
     /// On a ground of its own, beside a bar in its light's colour.
     fn sentence(&mut self, light: Light, text: &str) {
-        let (style, x) = (Style::new(11.0).bold(), 12.0);
-        let all = lines(&format!("{} {text}", word(light)), style, WIDTH - 2.0 * x);
+        let (style, x, mark) = (Style::new(11.0).bold(), 12.0, word(light, self.form));
+        let all = lines(&format!("{mark} {text}"), style, WIDTH - 2.0 * x);
         let height = all.len() as f64 * style.leading() + 10.0;
         self.flow.reserve(height);
         let top = self.flow.y;
         self.flow.bar((0.0, top), (WIDTH, height), GROUND);
         self.flow.bar((0.0, top), (4.0, height), of_light(light));
-        let mark = word(light);
-        self.flow.write(mark, style.in_color(of_light(light)), x, top + 5.0);
+        self.flow.write(&mark, style.in_color(of_light(light)), x, top + 5.0);
         for (i, line) in all.iter().enumerate() {
-            let behind = if i == 0 { style.width(mark) } else { 0.0 };
-            let words = if i == 0 { line.trim_start_matches(mark) } else { line };
+            let behind = if i == 0 { style.width(&mark) } else { 0.0 };
+            let words = if i == 0 { line.trim_start_matches(&mark) } else { line };
             self.flow.write(words, style, x + behind, top + 5.0 + i as f64 * style.leading());
         }
         self.flow.skip(height + 7.0);
     }
 
     fn issue(&mut self, issue: &Issue) {
-        let Issue { light, label, found, limit, advice } = issue;
-        let head = format!("{} {label}", word(*light));
+        let Issue { light, label, .. } = issue;
+        let head = format!("{} {label}", word(*light, self.form));
         let style = TEXT.in_color(of_light(*light)).bold();
-        let limit = if limit.is_empty() { String::new() } else { format!(" (limit: {limit})") };
-        let advice = if advice.is_empty() { String::new() } else { format!("What to change: {advice}") };
-        let below = [format!("{found}{limit}"), advice];
+        let below = [issue.judged(), issue.advised()].map(|words| self.form.tell(words));
         let all: usize =
             below.iter().filter(|text| !text.is_empty()).map(|t| lines(t, TEXT, WIDTH - INDENT).len()).sum();
         self.flow.reserve((1 + all) as f64 * TEXT.leading());

@@ -14,10 +14,10 @@ const PAD: f64 = 2.2;
 const INDENT: f64 = 10.0;
 
 /// Draws a table from where the page is filled to.
-pub(super) fn draw(flow: &mut Flow, head: &[&str], rows: &[Row]) {
+pub(super) fn draw(flow: &mut Flow, head: &[String], rows: &[Row]) {
     let widths = widths(head, rows);
     let [head_height, first] =
-        [height(head.iter().copied(), HEAD, &widths), rows.first().map_or(0.0, |row| of(row, &widths))];
+        [height(head.iter().map(String::as_str), HEAD, &widths), rows.first().map_or(0.0, |row| of(row, &widths))];
     flow.reserve(head_height + first);
     draw_head(flow, head, &widths, head_height);
     for row in rows {
@@ -42,7 +42,7 @@ pub(super) fn draw(flow: &mut Flow, head: &[&str], rows: &[Row]) {
     flow.skip(8.0);
 }
 
-fn draw_head(flow: &mut Flow, head: &[&str], widths: &[f64], height: f64) {
+fn draw_head(flow: &mut Flow, head: &[String], widths: &[f64], height: f64) {
     let (mut x, top) = (0.0, flow.y);
     for (cell, width) in head.iter().zip(widths) {
         draw_cell(flow, cell, HEAD, (x, top + PAD), *width);
@@ -71,13 +71,13 @@ fn height<'a>(cells: impl Iterator<Item = &'a str>, style: Style, widths: &[f64]
 }
 
 /// Each column has room for its widest word, and of what is left as much as its cells want of it.
-fn widths(head: &[&str], rows: &[Row]) -> Vec<f64> {
+fn widths(head: &[String], rows: &[Row]) -> Vec<f64> {
     let room = WIDTH - GAP * (head.len() - 1) as f64;
     // No column takes more than half of it from the others.
     let most = 0.5 * room;
     let of = |i: usize, measure: &dyn Fn(&str, Style) -> f64| {
         let cells = rows.iter().filter_map(|row| row.cells.get(i)).map(|cell| measure(cell, CELL.bold()));
-        cells.fold(measure(head[i], HEAD), f64::max) + INDENT + 1.0
+        cells.fold(measure(&head[i], HEAD), f64::max) + INDENT + 1.0
     };
     let columns = 0..head.len();
     let least: Vec<f64> = columns.clone().map(|i| of(i, &widest_word).min(2.0 * most / head.len() as f64)).collect();
