@@ -76,7 +76,7 @@ fn blank(model: &Model, lines: &mut Vec<Line>) {
         Geometry::Axisymmetric => ("axisymmetric".into(), Message::default()),
         Geometry::PlaneStrain => ("plane strain".into(), message!("half length, {whole} in all", whole = whole)),
     };
-    lines.push(line("geometry", Message::joined([geometry, model.extent().described().into()], "; "), ""));
+    lines.push(line("geometry", Message::joined([geometry, model.extent().described()], "; "), ""));
     lines.push(line("blank", size_of(model, blank.length), meaning));
     lines.push(line("thickness", Amount::size(blank.thickness), ""));
     let volume = Amount::new(model.extent().area(blank.length) * blank.thickness, Unit::None, Digits::Significant(3));

@@ -160,7 +160,7 @@ impl Amount {
             Decimals(n) => format!("{value:.*}", n + to.finer),
             Given(n) => crate::units::trimmed(value, (n + to.finer) as i32),
             Significant(_) if value == 0.0 => "0".to_owned(),
-            Significant(n) => match value.abs().log10().floor() as i32 {
+            Significant(n) => match magnitude(value, n) {
                 magnitude if magnitude < SMALLEST && self.unit == Unit::Percent => "0".to_owned(),
                 magnitude if magnitude < SMALLEST => format!("{value:.*e}", n.max(1) - 1),
                 magnitude => format!("{value:.*}", (n as i32 - 1 - magnitude).max(0) as usize),
@@ -168,6 +168,12 @@ impl Amount {
         };
         (form.language.number(&unsigned_zero(&written)), unit)
     }
+}
+
+/// The power of ten of a number once it is rounded to so many digits: 9.996 is 10.0.
+fn magnitude(value: f64, digits: usize) -> i32 {
+    let rounded = format!("{value:.*e}", digits.max(1) - 1);
+    rounded.split_once('e').and_then(|(_, power)| power.parse().ok()).unwrap_or(0)
 }
 
 /// Without a minus before 0.
@@ -201,6 +207,7 @@ mod tests {
             (Amount::angle(-0.04), ["0.0°", "0.0°", "0,0°"]),
             (Amount::thicknesses(0.193), ["0.19 t", "0.19 t", "0,19 t"]),
             (Amount::count(12), ["12", "12", "12"]),
+            (Amount::force(9_999.0, Unit::N), ["10.0 kN", "1.12 US tonf", "10,0 kN"]),
             (Amount::share(0.0), ["0 %", "0 %", "0 %"]),
             (Amount::given_share(0.05), ["5 %", "5 %", "5 %"]),
             (Amount::ratio(1.287), ["1.29", "1.29", "1,29"]),
