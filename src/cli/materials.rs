@@ -165,7 +165,7 @@ fn chart(entry: &Entry) -> Chart {
     for kind in [Kind::Hill(Hill { n: None }), Kind::MarciniakKuczynski(groove)] {
         match kind.curve(&entry.sheet()) {
             Ok(curve) => {
-                notes.extend(curve.notes.iter().cloned());
+                notes.extend(curve.notes.iter().map(ToString::to_string));
                 limits.push(curve);
             }
             Err(error) => notes.push(format!("A forming limit is left out: {error}.")),

@@ -2,6 +2,7 @@
 
 use super::instability::{Proportional, hardening_note, left, limit, right};
 use super::{Curve, LimitError, Sheet, swift};
+use crate::message::message;
 
 /// Hill's localised necking: a neck along the line that does not stretch, where σ_y'/σ_y = (1 + β) dε₁/dε̄.
 ///
@@ -32,8 +33,9 @@ impl Hill {
             points.push(swift::point(sheet, self.n, beta)?);
         }
         let law = hardening_note(self.n);
-        let notes = vec![format!(
-            "Forming limit: Hill's localised necking on the left, Swift's diffuse necking on the right, by {law}."
+        let notes = vec![message!(
+            "Forming limit: Hill's localised necking on the left, Swift's diffuse necking on the right, by {law}.",
+            law = law
         )];
         Curve::new("Hill and Swift", points, notes)
     }

@@ -10,6 +10,7 @@
 
 use super::{LimitError, Sheet};
 use crate::material::Hill48;
+use crate::message::{Amount, Digits, Message, message};
 use crate::numerics::bisect;
 
 /// Strains are searched up to this equivalent strain, in steps of [`STEP`] \[–\].
@@ -88,6 +89,8 @@ pub(super) fn right(count: usize) -> impl Iterator<Item = f64> {
 }
 
 /// The words for n, and for a law's own hardening.
-pub(super) fn hardening_note(n: Option<f64>) -> String {
-    n.map_or("the hardening law of the sheet".to_owned(), |n| format!("a power law of n = {n}, as given"))
+pub(super) fn hardening_note(n: Option<f64>) -> Message {
+    n.map_or("the hardening law of the sheet".into(), |n| {
+        message!("a power law of n = {n}, as given", n = Amount::number(n).to(Digits::Given(6)))
+    })
 }

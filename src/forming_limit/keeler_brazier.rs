@@ -15,6 +15,7 @@
 use super::{Curve, LimitError, Sheet, uniform_strain};
 #[cfg(feature = "case")]
 use crate::law::prelude::*;
+use crate::message::{Amount, Digits, Message, message};
 
 /// FLC₀ = (23.3 + 14.13 t/mm) n/0.21 percent (engineering) at plane strain; left ε₁ + ε₂ = const, right a slope of 0.6.
 ///
@@ -55,11 +56,15 @@ impl KeelerBrazier {
             None => (uniform_strain(sheet)?, "the uniform strain of the hardening law"),
         };
         let flc0 = Self::plane_strain(n, thickness).ln_1p();
-        let capped = if n > Self::N { format!(", counted as {}", Self::N) } else { String::new() };
+        let capped = Some(message!("counted as {n}", n = Amount::number(Self::N))).filter(|_| n > Self::N);
+        let origin = Message::joined(std::iter::once(Message::from(origin)).chain(capped), ", ");
         let right = 0.2_f64.ln_1p();
-        let notes = vec![format!(
-            "Forming limit: Keeler and Brazier, for steel, with n = {n:.4} ({origin}{capped}) and t = {thickness} mm; \
-             FLC₀ = {flc0:.4}."
+        let notes = vec![message!(
+            "Forming limit: Keeler and Brazier, for steel, with n = {n} ({origin}) and t = {thickness}; FLC₀ = {flc0}.",
+            n = Amount::ratio(n).to(Digits::Decimals(4)),
+            origin = origin,
+            thickness = Amount::size(thickness),
+            flc0 = Amount::strain(flc0).to(Digits::Decimals(4))
         )];
         Curve::new("Keeler-Brazier", vec![[-0.5 * flc0, 1.5 * flc0], [0.0, flc0], [right, flc0 + 0.6 * right]], notes)
     }

@@ -17,6 +17,7 @@
 use super::instability::{Proportional, left, right};
 use super::{Curve, LimitError, Sheet};
 use crate::law::prelude::*;
+use crate::message::{Amount, Digits, message};
 use groove::{Failure, Groove};
 use std::ops::RangeInclusive;
 
@@ -96,16 +97,18 @@ impl MarciniakKuczynski {
         let ratios = left(sheet.material.hill48, 8).chain(right(10));
         let limits = ratios.map(|beta| self.limit(sheet, beta)).collect::<Result<Vec<_>, _>>()?;
         let points = limits.iter().map(|limit| [limit.minor, limit.major]).collect();
-        let rate = if sheet.material.rate.is_some() {
-            format!(" at a strain rate of {} 1/s", self.strain_rate)
-        } else {
-            String::new()
+        let law = match sheet.material.rate {
+            Some(_) => message!(
+                "the hardening law of the sheet at a strain rate of {rate} 1/s",
+                rate = Amount::norm(self.strain_rate)
+            ),
+            None => "the hardening law of the sheet".into(),
         };
-        let note = format!(
-            "Forming limit: Marciniak and Kuczyński with f₀ = {} (an assumption unless it was fitted), by the hardening law of \
-             the sheet{rate}; necked where the groove strains {} times as fast.",
-            self.imperfection,
-            Self::CRITICAL
+        let note = message!(
+            "Forming limit: Marciniak and Kuczyński with f₀ = {groove} (an assumption unless it was fitted), by {law}; necked where the groove strains {times} times as fast.",
+            groove = Amount::number(self.imperfection).to(Digits::Given(6)),
+            law = law,
+            times = Amount::number(Self::CRITICAL)
         );
         Curve::new("Marciniak-Kuczyński", points, vec![note])
     }

@@ -29,6 +29,7 @@ pub use points::{Points, Strain};
 pub use swift::Swift;
 
 use crate::material::Material;
+use crate::message::Message;
 
 /// Why there is no curve.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -106,7 +107,7 @@ pub struct Curve {
     /// What it is called.
     pub name: &'static str,
     /// Where its numbers come from and what was assumed, in sentences.
-    pub notes: Vec<String>,
+    pub notes: Vec<Message>,
 }
 
 impl Curve {
@@ -114,7 +115,7 @@ impl Curve {
     ///
     /// # Errors
     /// When there are fewer than two, or the minor strain does not rise.
-    fn new(name: &'static str, points: Vec<[f64; 2]>, notes: Vec<String>) -> Result<Self, LimitError> {
+    fn new(name: &'static str, points: Vec<[f64; 2]>, notes: Vec<Message>) -> Result<Self, LimitError> {
         if points.len() < 2 {
             let what = format!("a curve has two points at least, found {}", points.len());
             return Err(LimitError::new(what, "give more points"));

@@ -1,6 +1,7 @@
 //! A measured curve.
 
 use super::{Curve, LimitError};
+use crate::message::message;
 
 /// Strains of a measured curve.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -51,6 +52,6 @@ impl Points {
             Strain::Logarithmic => "logarithmic as given",
             Strain::Engineering => "logarithmic from the engineering strains given",
         };
-        Curve::new("Points", points, vec![format!("Forming limit: points of the case, {measure}.")])
+        Curve::new("Points", points, vec![message!("Forming limit: points of the case, {measure}.", measure = measure)])
     }
 }

@@ -2,6 +2,7 @@
 
 use super::instability::{Proportional, hardening_note, left, limit, right};
 use super::{Curve, LimitError, Sheet};
+use crate::message::message;
 
 /// Swift's diffuse necking: both forces are at their maxima, dσ₁ = σ₁ dε₁ and dσ₂ = σ₂ dε₂, so that
 ///
@@ -25,7 +26,7 @@ impl Swift {
     pub(super) fn curve(&self, sheet: &Sheet) -> Result<Curve, LimitError> {
         let points = left(sheet.material.hill48, 20).chain(right(20)).map(|beta| point(sheet, self.n, beta));
         let points = points.collect::<Result<Vec<_>, _>>()?;
-        let note = format!("Forming limit: Swift's diffuse necking by {}.", hardening_note(self.n));
+        let note = message!("Forming limit: Swift's diffuse necking by {law}.", law = hardening_note(self.n));
         Curve::new("Swift", points, vec![note])
     }
 }

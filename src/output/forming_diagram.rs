@@ -42,7 +42,7 @@ pub fn plot(view: &StageView) -> Option<Chart> {
         Geometry::Axisymmetric => ("forming limit diagram", diagram(view, assessment, limit, strains)),
         Geometry::PlaneStrain => ("major strain and forming limit", strip(view, assessment, limit, strains)),
     };
-    let sources = limit.notes.iter().filter(|_| view.says_sources()).cloned();
+    let sources = limit.notes.iter().filter(|_| view.says_sources()).map(|note| view.tell(note.clone()));
     let notes = std::iter::once(view.tell(words(view, assessment))).chain(sources).chain(view.notes()).collect();
     Some(Chart { title: view.titled(what), legend: String::new(), panels: vec![panel], notes })
 }

@@ -96,7 +96,6 @@ fn given(solution: &Solution) -> Vec<String> {
     for model in solution.stages.iter().map(|stage| &stage.model) {
         given.extend([model.title.clone(), model.material.describe()]);
         given.extend(model.notes.iter().cloned());
-        given.extend(model.forming_limit.iter().flat_map(|limit| limit.notes.clone()));
     }
     given.extend([&case.sources.friction, &case.sources.material].into_iter().flatten().cloned());
     given.extend(case.model().material.gtn.iter().map(ToString::to_string));

@@ -52,7 +52,7 @@ pub(super) fn convert(
     let temperature = heat.map_or(ROOM_TEMPERATURE, |heat| heat.initial.smallest());
     let sheet = Sheet { material, thickness, temperature };
     let curve = kind.curve(&sheet).map_err(|e| source.error(&format!("{PATH}.{name}"), e.message, e.help))?;
-    derived.extend(curve.notes.iter().cloned().map(Message::from));
+    derived.extend(curve.notes.iter().cloned());
     if heat.is_some() && !matches!(kind, Kind::Points(_)) {
         let celsius = Amount::temperature(temperature - ZERO_CELSIUS);
         derived
