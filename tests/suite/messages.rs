@@ -195,8 +195,8 @@ fn literals(source: &str) -> Vec<(&str, String)> {
             at += rest.find('\n').unwrap_or(rest.len());
         } else if rest.starts_with("'\"'") || rest.starts_with("'\\") {
             at += 2 + rest[2..].find('\'').expect("a character's end") + 1;
-        } else if rest.starts_with("r#\"") {
-            at += 3 + rest[3..].find("\"#").expect("a raw string's end") + 2;
+        } else if let Some(raw) = rest.strip_prefix("r#\"") {
+            at += 3 + raw.find("\"#").expect("a raw string's end") + 2;
         } else if c == '"' {
             let (text, length) = unescaped(&rest[1..]);
             found.push((source[..at].trim_end(), text));
