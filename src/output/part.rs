@@ -4,11 +4,10 @@ use super::StageView;
 use super::chart::{BLACK, Chart, Color, Look, Series, WHITE};
 use super::font;
 use super::sections::{panel, surface, whole_tools};
-use super::thinning::{Thinning, percent, said, times};
+use super::thinning::{Thinning, said, times};
 use crate::assess::tears_at;
-use crate::message::{Amount, Digits, Message, message};
+use crate::message::{Amount, Message, message};
 use crate::solution::{ElementRecord, Frame};
-use crate::table::Unit;
 
 /// What is shown around the part, over its width.
 const AROUND: f64 = 0.03;
@@ -66,16 +65,14 @@ fn window(frame: &Frame) -> [(f64, f64); 2] {
     [(-width, width), (top - 2.0 * around, bottom + around)]
 }
 
-/// `0.61 mm, −39 %`, with as many decimals as show a fiftieth of the blank's thickness.
+/// `0.61 mm, 39 % thinner`, with the digits of the summary.
 fn number(initial: f64, thickness: f64) -> Message {
-    let decimals = (-(0.02 * initial).log10()).ceil().clamp(1.0, 6.0) as usize;
-    let thinner = percent(initial, thickness);
-    let thickness = Amount::new(thickness, Unit::Mm, Digits::Decimals(decimals));
-    let by = Amount::new(thinner.abs(), Unit::Percent, Digits::Decimals(0));
-    match thinner > 0.0 {
-        true => message!("{thickness}, −{by}", thickness = thickness, by = by),
-        false => message!("{thickness}, +{by}", thickness = thickness, by = by),
-    }
+    let thinner = 1.0 - thickness / initial;
+    let by = match thinner < 0.0 {
+        false => message!("{thinning} thinner", thinning = Amount::share(thinner)),
+        true => message!("{thickening} thicker", thickening = Amount::share(-thinner)),
+    };
+    Message::joined([Amount::thickness(thickness).into(), by], ", ")
 }
 
 /// Words beside an element on one `side` of the middle (1 or −1), at the nearest place where they cover no sheet, from the
