@@ -18,6 +18,8 @@ const NARROW: f64 = 430.0;
 const LETTERS: f64 = 20.0;
 /// Half the size of the cross \[px of a picture 800 wide\].
 const CROSS: f64 = 9.0;
+/// How much of the half that tears is left to the words of the thinnest place.
+const SHARED: f64 = 0.25;
 /// Places for words that are tried along each direction.
 const STEPS: u32 = 24;
 
@@ -35,13 +37,13 @@ pub(super) fn plot(view: &StageView) -> Option<Chart> {
     let thinnest = frame.elements.iter().min_by(|a, b| a.thickness.total_cmp(&b.thickness))?;
     let number = number(initial, thinnest.thickness);
     let tears_at = tears_at(view.stage);
-    // The other half is that of the tear.
-    let room = if tears_at.is_some() { 0.0 } else { -window[0].1 };
+    // What lies beyond is that of the tear, whose words are shorter.
+    let room = if tears_at.is_some() { -SHARED * window[0].1 } else { -window[0].1 };
     let mut marks = vec![callout(view.tell(number), thinnest, (1.0, room), frame, window, narrow)];
     if let Some(s0) = tears_at {
         let away = |element: &&ElementRecord| (element.s0 - s0).abs();
         let torn = frame.elements.iter().min_by(|a, b| away(a).total_cmp(&away(b)))?;
-        marks.push(callout(view.tell("tears here"), torn, (-1.0, 0.0), frame, window, narrow));
+        marks.push(callout(view.tell("tears here"), torn, (-1.0, SHARED * window[0].1), frame, window, narrow));
         marks.extend(cross((-torn.r, torn.z), CROSS * mm));
     }
     let tools_at = model.release.is_none().then(|| "Grey: the tools at the end.".into());

@@ -33,17 +33,17 @@ pub(super) fn panel(view: &StageView, scale: Scale) -> Option<Panel> {
     let row = ROW * (high - foot).max(least);
     let named: Vec<String> = bands.iter().map(|stretch| view.tell(stretch.band.name())).collect();
     let names = names(&bands, &named, NARROW / along[along.len() - 1]);
-    let top = high + row * if names.iter().any(|name| name.is_above) { 3.0 } else { 1.4 };
+    let top = high + row * if names.iter().any(|name| name.is_above) { 3.6 } else { 1.4 };
     let leaders = bands.iter().zip(&names).filter(|(_, name)| name.is_above).map(|(stretch, name)| {
         let bend = high + 1.4 * row;
         Series::silent(
-            vec![(middle(stretch), high + 0.2 * row), (middle(stretch), bend), (name.at, bend + row)],
+            vec![(middle(stretch), high + 0.2 * row), (middle(stretch), bend), (name.at, bend + 1.2 * row)],
             LEADER,
         )
     });
     let leaders: Vec<Series> = leaders.collect();
     let named = names.iter().zip(named).map(|(name, text)| {
-        let up = if name.is_above { 2.4 } else { 0.7 };
+        let up = if name.is_above { 3.0 } else { 0.7 };
         Series::new(text, vec![(name.at, high + up * row)], Look::Name)
     });
     let border = Look::Line { color: GREY, width: 1.2, dash: &[4.0, 3.0] };

@@ -53,11 +53,16 @@ fn issues(findings: &[Finding], form: Form) -> (Vec<Issue>, usize) {
     let shown = all.iter().take(ISSUES).map(|finding| Issue {
         light: finding.light,
         label: form.tell(finding.label),
-        found: finding.found.told(form),
-        limit: finding.limit.told(form),
+        found: brief(finding.found.told(form)),
+        limit: brief(finding.limit.told(form)),
         advice: finding.advice.told(form),
     });
     (advised_once(shown.collect()), all.len().saturating_sub(ISSUES))
+}
+
+/// What is told up to the first semicolon: the full verdict has the rest.
+fn brief(told: String) -> String {
+    told.split_once("; ").map_or_else(|| told.clone(), |(first, _)| first.to_owned())
 }
 
 /// Issues with the same advice after each other, where the first of them stood, and the advice with the last of them.
@@ -81,6 +86,9 @@ pub(super) fn pictures<'a>(report: &'a Report) -> impl Iterator<Item = (usize, &
     PICTURES.iter().zip(stages).filter_map(|(files, stage)| {
         let view = &report.stages.get(stage?)?.0;
         let mut picture = files.iter().find_map(|file| Some((stage?, *file, low(plot(view, file)?))))?;
+        // The rows above say how it ended.
+        let said = view.notes();
+        picture.2.chart.notes.retain(|note| !said.contains(note));
         picture.2.caption.insert_str(0, &report.stage(picture.0));
         Some(picture)
     })
@@ -110,6 +118,12 @@ fn low(mut picture: Picture) -> Picture {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_row_is_told_in_one_clause() {
+        assert_eq!(brief("80 % of it; first at 20 mm; more".into()), "80 % of it");
+        assert_eq!(brief("80 %, at 20 mm".into()), "80 %, at 20 mm");
+    }
 
     #[test]
     fn rows_with_the_same_advice_have_it_once() {

@@ -3,6 +3,7 @@
 
 mod colors;
 mod flow;
+mod layout;
 mod table;
 mod words;
 
@@ -15,6 +16,7 @@ use crate::output::pdf::{MM, Pdf};
 use crate::output::{DRAWN, Drawing};
 use colors::{GREY_TEXT, RULE, of_light};
 use flow::{Flow, WIDTH};
+use layout::{BETWEEN, Layout, column};
 use words::{Style, lines};
 
 const TITLE: Style = Style::new(17.0).bold();
@@ -29,11 +31,6 @@ const GROUND: Color = (244, 244, 244);
 
 /// Largest height of a picture after the first page \[pt\].
 const PICTURE: f64 = 115.0 * MM;
-/// Widths that pictures of the first page are laid out in \[px\].
-const LAYOUTS: [f64; 6] = [DRAWN, 700.0, 600.0, 520.0, 470.0, 430.0];
-/// No picture of the first page is narrower \[pt\], and what is between two side by side.
-const NARROWEST: f64 = 75.0 * MM;
-const BETWEEN: f64 = 6.0 * MM;
 /// Room that a heading wants below it \[pt\].
 const BELOW: f64 = 70.0;
 /// Cells of the title block in a row.
@@ -254,37 +251,4 @@ impl Writer {
 /// As high as it is between the margins, or as is left for a picture \[pt\].
 fn height(drawing: &Drawing) -> f64 {
     (drawing.height / drawing.width * WIDTH).min(PICTURE)
-}
-
-/// How wide each of so many side by side is \[pt\].
-fn column(beside: usize) -> f64 {
-    (WIDTH - (beside - 1) as f64 * BETWEEN) / beside as f64
-}
-
-/// How the pictures of the first page stand.
-struct Layout {
-    /// So many in a row.
-    beside: usize,
-    drawings: Vec<Drawing>,
-    /// Size on the page over that of the drawing \[pt/px\].
-    scale: f64,
-}
-
-impl Layout {
-    /// That with the largest letters, below each other or two and two, of those that fit into this height \[pt\] and are not
-    /// too narrow. Narrower drawings have letters as large.
-    fn best(pictures: &[&Picture], room: f64) -> Option<Self> {
-        let laid_out = |beside: usize, width: f64| {
-            let drawings: Vec<_> = pictures.iter().map(|picture| Drawing::of(&picture.chart, width)).collect();
-            let rows = drawings.chunks(beside);
-            // A caption may take two lines of a narrow column.
-            let room = room - rows.len() as f64 * (beside as f64 * SMALL.leading() + 8.0);
-            let high: f64 = rows.map(|row| row.iter().map(|drawing| drawing.height).fold(0.0, f64::max)).sum();
-            let scale = (column(beside) / width).min(room / high);
-            Self { beside, drawings, scale }
-        };
-        let all = [1, 2].into_iter().flat_map(|beside| LAYOUTS.map(|width| laid_out(beside, width)));
-        let wide = |layout: &Self| layout.drawings.iter().all(|drawing| layout.scale * drawing.width >= NARROWEST);
-        all.filter(wide).max_by(|a, b| a.scale.total_cmp(&b.scale))
-    }
 }
