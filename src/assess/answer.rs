@@ -167,13 +167,15 @@ fn thinnest_number(stages: &[StageSolution]) -> Option<KeyNumber> {
 
 /// The largest force over all stages, or the largest gas pressure where no punch moves.
 fn load(case: &Case, stages: &[StageSolution]) -> Option<KeyNumber> {
-    let formed = stages.iter().filter(|stage| stage.model.release.is_none());
-    let steps: Vec<(&Model, &StepRecord)> = formed.flat_map(|s| s.steps.iter().map(|step| (&s.model, step))).collect();
-    let of = |value: fn(&StepRecord) -> f64| steps.iter().max_by(|a, b| value(a.1).total_cmp(&value(b.1))).copied();
-    let (model, peak) = of(|step| step.punch_force)?;
+    let formed: Vec<_> = stages.iter().enumerate().filter(|(_, stage)| stage.model.release.is_none()).collect();
+    let steps = || formed.iter().flat_map(|(i, stage)| stage.steps.iter().map(move |step| (*i, step)));
+    let of = |value: fn(&StepRecord) -> f64| steps().max_by(|a, b| value(a.1).total_cmp(&value(b.1)));
+    let stage = |i: usize| if formed.len() > 1 { message!("in stage {n}", n = i + 1) } else { Message::default() };
+    let (i, peak) = of(|step| step.punch_force)?;
     if peak.punch_force <= 0.0 {
-        let (_, peak) = of(|step| step.pressure.abs()).filter(|(_, peak)| peak.pressure != 0.0)?;
-        let about = message!("at a height of {height}", height = Amount::place(peak.pole_height.abs()));
+        let (i, peak) = of(|step| step.pressure.abs()).filter(|(_, peak)| peak.pressure != 0.0)?;
+        let at = message!("at a height of {height}", height = Amount::place(peak.pole_height.abs()));
+        let about = Message::joined([stage(i), at], ", ");
         return Some(KeyNumber {
             key: "pressure",
             label: "Pressure",
@@ -181,8 +183,9 @@ fn load(case: &Case, stages: &[StageSolution]) -> Option<KeyNumber> {
             about,
         });
     }
-    let unit = model.extent().force_unit();
+    let unit = stages[i].model.extent().force_unit();
     let at = message!("at {travel} of travel", travel = Amount::place(peak.travel));
+    let at = Message::joined([stage(i), at], ", ");
     let press = match case.press.force {
         Some(rating) => message!(
             "{share} of the press's {rating}",

@@ -100,6 +100,11 @@ pub enum Look {
         /// Of the dots.
         color: Color,
     },
+    /// Triangles on the points, apart from dots in grey print.
+    Triangles {
+        /// Of the triangles.
+        color: Color,
+    },
     /// The inside of the outline that the points make.
     Area {
         /// Of the inside.
@@ -109,6 +114,8 @@ pub enum Look {
     },
     /// The label itself, on white: each point is the middle of its left end. The legend leaves it out.
     Text,
+    /// The label itself, on white about each point. The legend leaves it out.
+    Name,
     /// The label on white about the second point, with a line to a dot at the first. The legend leaves it out.
     Callout,
     /// A thin upright line at each point, with a dot there and the label above all curves, none on another. The legend leaves
@@ -160,7 +167,7 @@ impl Look {
 
     /// Whether the legend says what it is.
     pub fn is_explained(self) -> bool {
-        !matches!(self, Self::Text | Self::Flag | Self::Callout)
+        !matches!(self, Self::Text | Self::Name | Self::Flag | Self::Callout)
     }
 
     /// The same line thin and pale, for the background.

@@ -41,7 +41,7 @@ pub enum Size {
 /// How a size is drawn.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Mark {
-    /// From the axis to this distance \[mm\], below the section.
+    /// Over both halves, of which one is drawn: from beyond the axis to this distance from it \[mm\], below the section.
     Across(f64),
     /// Along z at this distance from the axis, from one z to another \[mm\].
     Along {
@@ -71,6 +71,10 @@ const RIDGE: usize = 16;
 const AROUND: f64 = 0.05;
 
 const THIN: Look = Look::Line { color: BLACK, width: 1.0, dash: &[] };
+/// As far beyond the axis begins the line of a size over both halves [px].
+const BEYOND: f64 = 22.0;
+/// The axis or symmetry plane, as drawings have it.
+const CENTRE: Look = Look::Line { color: BLACK, width: 0.9, dash: &[14.0, 3.5, 2.5, 3.5] };
 const EXTENSION: Look = Look::Line { color: GREY, width: 0.8, dash: &[4.0, 3.0] };
 const SHEET: Color = (0, 114, 178);
 
@@ -129,7 +133,7 @@ pub fn dimensioned(title: String, model: &Model, start: Option<&Frame>, dimensio
     let beside = LETTER * letters + 40.0;
     // mm per px, whichever direction has less room.
     let below = ROW * across.len() as f64;
-    let px = (width / (PANEL[0] - beside)).max((bottom - top) / (PANEL[1] - below));
+    let px = (width / (PANEL[0] - beside - BEYOND)).max((bottom - top) / (PANEL[1] - below));
     // The labels at the side may need more height than the section.
     let short = (LINE * px * (1.0 + aside.len() as f64) - (bottom - top)).max(0.0);
     let (top, bottom) = (top - 0.5 * short, bottom + 0.5 * short);
@@ -148,10 +152,11 @@ pub fn dimensioned(title: String, model: &Model, start: Option<&Frame>, dimensio
             Look::Area { fill: BLACK, edge: None },
         ));
     }
+    series.push(Series::silent(vec![(0.0, top), (0.0, bottom + px * below)], CENTRE));
     for (i, dimension) in across.iter().enumerate() {
         let (x, z) = (reach(dimension).x, bottom + px * ROW * (i as f64 + 0.8));
         series.push(Series::silent(vec![(x, 0.0), (x, z + 4.0 * px)], EXTENSION));
-        series.extend(arrow([(0.0, z), (x, z)], px));
+        series.extend(arrow([(-BEYOND * px, z), (x, z)], px));
     }
     // Labels after all lines: they lie on white.
     for (i, dimension) in across.iter().enumerate() {
@@ -177,7 +182,7 @@ pub fn dimensioned(title: String, model: &Model, start: Option<&Frame>, dimensio
     let chart = Chart {
         title,
         legend: String::new(),
-        panels: vec![panel(model.geometry, series, [(0.0, width + beside * px), (top, bottom + px * below)])],
+        panels: vec![panel(model.geometry, series, [(-BEYOND * px, width + beside * px), (top, bottom + px * below)])],
         notes: vec![form.tell(legend(model, start))],
     };
     chart.told(form)

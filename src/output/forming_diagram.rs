@@ -127,12 +127,11 @@ fn diagram(view: &StageView, assessment: &Assessment, limit: &Curve, strains: St
         those.map(|element| strains.point([element.minor, element.major])).collect::<Vec<_>>()
     };
     let places = [
-        ("Places, major strain along the meridian", of(|element| !element.hoop_is_major), 0),
-        ("Places, major strain along the hoop", of(|element| element.hoop_is_major), 2),
+        ("Major strain along the meridian", of(|element| !element.hoop_is_major), Look::Dots { color: color(0) }),
+        ("Major strain along the hoop", of(|element| element.hoop_is_major), Look::Triangles { color: color(2) }),
     ];
     let places = places.into_iter().filter(|(_, points, _)| !points.is_empty());
-    series
-        .extend(places.map(|(label, points, i)| Series::new(view.tell(label), points, Look::Dots { color: color(i) })));
+    series.extend(places.map(|(label, points, look)| Series::new(view.tell(label), points, look)));
     let name = view.tell(named(limit));
     let shown = curve.iter().filter(|p| p[0] <= p[1]).map(|p| strains.point(*p)).collect();
     series.push(Series::new(name, shown, LIMIT));

@@ -68,7 +68,7 @@ pub use writing::{OutputError, REPORT_MARKER, comparison_folder, is_report, is_r
 /// Every file that may be written.
 pub const OUTPUTS: &[Output] = &[
     Output::text("summary.json", "the printed summary, versions and checksums", summary::json),
-    Output::plot("part.png", "the part coloured by thinning, its thinnest place and where it tears", part::plot),
+    Output::plot("part.png", "the part coloured by thinning, and its thinnest place", part::plot),
     Output::table("load_travel.csv", "forces, draw-in, energy and iterations of every step", load_travel::of),
     Output::table("profile.csv", "shape, thickness, strains and stresses of every kept frame", profile::of),
     Output::text("springback.csv", "what was measured before and after a release of the tools", springback::csv),

@@ -4,11 +4,10 @@ use super::StageView;
 use super::chart::{BLACK, Chart, Color, Look, Series, WHITE};
 use super::font;
 use super::sections::{panel, surface, whole_tools};
-use super::thinning::{Thinning, percent, said, times};
+use super::thinning::{Thinning, said, times};
 use crate::assess::tears_at;
-use crate::message::{Amount, Digits, Message, message};
+use crate::message::{Amount, Message, message};
 use crate::solution::{ElementRecord, Frame};
-use crate::table::Unit;
 
 /// What is shown around the part, over its width.
 const AROUND: f64 = 0.03;
@@ -19,6 +18,8 @@ const NARROW: f64 = 430.0;
 const LETTERS: f64 = 20.0;
 /// Half the size of the cross \[px of a picture 800 wide\].
 const CROSS: f64 = 9.0;
+/// How much of the half that tears is left to the words of the thinnest place.
+const SHARED: f64 = 0.25;
 /// Places for words that are tried along each direction.
 const STEPS: u32 = 24;
 
@@ -36,13 +37,13 @@ pub(super) fn plot(view: &StageView) -> Option<Chart> {
     let thinnest = frame.elements.iter().min_by(|a, b| a.thickness.total_cmp(&b.thickness))?;
     let number = number(initial, thinnest.thickness);
     let tears_at = tears_at(view.stage);
-    // The other half is that of the tear.
-    let room = if tears_at.is_some() { 0.0 } else { -window[0].1 };
+    // What lies beyond is that of the tear, whose words are shorter.
+    let room = if tears_at.is_some() { -SHARED * window[0].1 } else { -window[0].1 };
     let mut marks = vec![callout(view.tell(number), thinnest, (1.0, room), frame, window, narrow)];
     if let Some(s0) = tears_at {
         let away = |element: &&ElementRecord| (element.s0 - s0).abs();
         let torn = frame.elements.iter().min_by(|a, b| away(a).total_cmp(&away(b)))?;
-        marks.push(callout(view.tell("tears here"), torn, (-1.0, 0.0), frame, window, narrow));
+        marks.push(callout(view.tell("tears here"), torn, (-1.0, SHARED * window[0].1), frame, window, narrow));
         marks.extend(cross((-torn.r, torn.z), CROSS * mm));
     }
     let tools_at = model.release.is_none().then(|| "Grey: the tools at the end.".into());
@@ -66,16 +67,14 @@ fn window(frame: &Frame) -> [(f64, f64); 2] {
     [(-width, width), (top - 2.0 * around, bottom + around)]
 }
 
-/// `0.61 mm, −39 %`, with as many decimals as show a fiftieth of the blank's thickness.
+/// `0.61 mm, 39 % thinner`, with the digits of the summary.
 fn number(initial: f64, thickness: f64) -> Message {
-    let decimals = (-(0.02 * initial).log10()).ceil().clamp(1.0, 6.0) as usize;
-    let thinner = percent(initial, thickness);
-    let thickness = Amount::new(thickness, Unit::Mm, Digits::Decimals(decimals));
-    let by = Amount::new(thinner.abs(), Unit::Percent, Digits::Decimals(0));
-    match thinner > 0.0 {
-        true => message!("{thickness}, −{by}", thickness = thickness, by = by),
-        false => message!("{thickness}, +{by}", thickness = thickness, by = by),
-    }
+    let thinner = 1.0 - thickness / initial;
+    let by = match thinner < 0.0 {
+        false => message!("{thinning} thinner", thinning = Amount::share(thinner)),
+        true => message!("{thickening} thicker", thickening = Amount::share(-thinner)),
+    };
+    Message::joined([Amount::thickness(thickness).into(), by], ", ")
 }
 
 /// Words beside an element on one `side` of the middle (1 or −1), at the nearest place where they cover no sheet, from the

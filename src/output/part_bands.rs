@@ -14,6 +14,8 @@ const LETTERS: f64 = 15.0;
 const GAP: f64 = 8.0;
 /// Height of a row of names over that of the curve \[–\].
 const ROW: f64 = 0.1;
+/// From a name to its band.
+const LEADER: Look = Look::Line { color: GREY, width: 0.8, dash: &[] };
 
 /// The last frame's thickness over the length along the part, with the names of its bands above; `None` of a sheet that
 /// lies against no tool.
@@ -31,11 +33,19 @@ pub(super) fn panel(view: &StageView, scale: Scale) -> Option<Panel> {
     let row = ROW * (high - foot).max(least);
     let named: Vec<String> = bands.iter().map(|stretch| view.tell(stretch.band.name())).collect();
     let names = names(&bands, &named, NARROW / along[along.len() - 1]);
-    let top = high + row * (1.0 + names.iter().map(|name| name.1).max().unwrap_or(0) as f64);
-    let named = names
-        .into_iter()
-        .zip(named)
-        .map(|((x, at), name)| Series::new(name, vec![(x, high + row * (0.7 + at as f64))], Look::Text));
+    let top = high + row * if names.iter().any(|name| name.is_above) { 3.6 } else { 1.4 };
+    let leaders = bands.iter().zip(&names).filter(|(_, name)| name.is_above).map(|(stretch, name)| {
+        let bend = high + 1.4 * row;
+        Series::silent(
+            vec![(middle(stretch), high + 0.2 * row), (middle(stretch), bend), (name.at, bend + 1.2 * row)],
+            LEADER,
+        )
+    });
+    let leaders: Vec<Series> = leaders.collect();
+    let named = names.iter().zip(named).map(|(name, text)| {
+        let up = if name.is_above { 3.0 } else { 0.7 };
+        Series::new(text, vec![(name.at, high + up * row)], Look::Name)
+    });
     let border = Look::Line { color: GREY, width: 1.2, dash: &[4.0, 3.0] };
     let borders = bands
         .iter()
@@ -48,27 +58,44 @@ pub(super) fn panel(view: &StageView, scale: Scale) -> Option<Panel> {
     Some(Panel {
         x: x.axis(),
         y: THICKNESS.axis(view.extent()),
-        series: borders.chain([curve]).chain(named).collect(),
+        series: borders.chain([curve]).chain(leaders).chain(named).collect(),
         scale,
     })
 }
 
-/// Where the name of each band begins \[mm\], about its middle, and in which row, so that none covers another; a mm takes
-/// so many px.
-fn names(bands: &[Stretch], named: &[String], px: f64) -> Vec<(f64, usize)> {
+/// Where the name of a band stands.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Name {
+    /// Its middle \[mm\].
+    at: f64,
+    /// Whether it has no room in its band: then it stands above those that have, with a leader to its band.
+    is_above: bool,
+}
+
+fn middle(stretch: &Stretch) -> f64 {
+    0.5 * (stretch.along[0] + stretch.along[1])
+}
+
+/// The names of the bands in their middles, or as near to them as they have room beside each other above; a mm takes so many
+/// px.
+fn names(bands: &[Stretch], named: &[String], px: f64) -> Vec<Name> {
     let whole = bands.last().map_or(0.0, |last| last.along[1]);
-    let mut ends: Vec<f64> = Vec::new();
-    let place = |(stretch, name): (&Stretch, &String)| {
-        let width = LETTERS * font::width(name) / px;
-        let from = (0.5 * (stretch.along[0] + stretch.along[1] - width)).min(whole - width).max(0.0);
-        let row = ends.iter().position(|end| *end <= from).unwrap_or(ends.len());
-        if row == ends.len() {
-            ends.push(0.0);
-        }
-        ends[row] = from + width + GAP / px;
-        (from, row)
-    };
-    bands.iter().zip(named).map(place).collect()
+    let width = |name: &String| (LETTERS * font::width(name) + GAP) / px;
+    let fits = |stretch: &Stretch, name: &String| width(name) <= stretch.along[1] - stretch.along[0];
+    let mut names: Vec<Name> =
+        bands.iter().zip(named).map(|(s, name)| Name { at: middle(s), is_above: !fits(s, name) }).collect();
+    // From the left and back again each is moved no further than it must.
+    let mut end = 0.0;
+    for (name, text) in names.iter_mut().zip(named).filter(|(name, _)| name.is_above) {
+        name.at = name.at.max(end + 0.5 * width(text));
+        end = name.at + 0.5 * width(text);
+    }
+    let mut end = whole;
+    for (name, text) in names.iter_mut().zip(named).rev().filter(|(name, _)| name.is_above) {
+        name.at = name.at.min(end - 0.5 * width(text));
+        end = name.at - 0.5 * width(text);
+    }
+    names
 }
 
 #[cfg(test)]
@@ -76,22 +103,24 @@ mod tests {
     use super::*;
     use crate::measure::Band;
 
-    /// Trust: every pair is held against each other; 100 mm of a hat of 435 mm are bands of two letters' width.
+    /// Trust: every pair is held against each other; 100 mm of a hat of 435 mm are bands of two letters' width. Names keep the
+    /// order of their bands, so that leaders do not cross.
     #[test]
-    fn names_do_not_cover_each_other() {
+    fn names_stand_in_their_bands_or_above_them_in_order() {
         let ends = [0.0, 320.0, 336.0, 365.0, 382.0, 435.0];
         let named = [Band::Bottom, Band::PunchRadius, Band::Wall, Band::DieRadius, Band::Flange];
         let stretch = |i: usize| Stretch { band: named[i], elements: i..i + 1, along: [ends[i], ends[i + 1]] };
         let bands: Vec<Stretch> = (0..named.len()).map(stretch).collect();
         let px = NARROW / 435.0;
         let words = named.map(|band| band.name().to_owned());
-        let places = names(&bands, &words, px);
-        assert!(places.iter().any(|place| place.1 > 0), "narrow bands need rows: {places:?}");
-        for (i, (a, row)) in places.iter().enumerate() {
-            let end = a + LETTERS * font::width(named[i].name()) / px;
-            assert!(*a >= 0.0 && end <= 435.0 + 1e-9, "{}", named[i].name());
-            let clear = places[i + 1..].iter().filter(|other| other.1 == *row).all(|other| other.0 >= end);
-            assert!(clear, "{} in {places:?}", named[i].name());
+        let names = names(&bands, &words, px);
+        assert_eq!(names.iter().map(|name| name.is_above).collect::<Vec<_>>(), [false, true, true, true, true]);
+        assert_eq!(names[0].at, 160.0);
+        let half = |i: usize| 0.5 * LETTERS * font::width(&words[i]) / px;
+        for i in 1..names.len() {
+            assert!(names[i].at - half(i) >= 0.0 && names[i].at + half(i) <= 435.0, "{} in {names:?}", words[i]);
+            let apart = i == 1 || names[i - 1].at + half(i - 1) < names[i].at - half(i);
+            assert!(apart, "{} in {names:?}", words[i]);
         }
     }
 }

@@ -168,7 +168,7 @@ impl<'a> StageView<'a> {
 
     /// Small print of every plot: why an incomplete stage ended, unless it stands above; where all is to be said also what was set and warned of, and
     /// what was assumed.
-    pub(super) fn notes(&self) -> Vec<String> {
+    pub(crate) fn notes(&self) -> Vec<String> {
         let stop = &self.stage.stop;
         let mut notes = Vec::new();
         if !stop.is_complete() && self.pictures.captions != Captions::Own {

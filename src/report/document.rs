@@ -78,7 +78,7 @@ pub struct Issue {
     pub found: String,
     /// The limit in words.
     pub limit: String,
-    /// What to change; may be empty.
+    /// What to change, for it and for those right above it that say nothing of it; may be empty.
     pub advice: String,
 }
 
@@ -105,6 +105,14 @@ pub struct Picture {
 }
 
 impl Block {
+    /// The drawing that it is.
+    pub(super) fn picture(&self) -> Option<&Picture> {
+        match self {
+            Self::Picture(picture) => Some(picture),
+            _ => None,
+        }
+    }
+
     /// A table whose columns have these names.
     pub(super) fn table<const N: usize>(head: [&'static str; N], rows: Vec<Row>, form: Form) -> Self {
         Self::Table { head: head.map(|name| form.tell(name)).to_vec(), rows }
@@ -152,10 +160,7 @@ impl Document {
 
     /// All pictures in order.
     pub fn pictures(&self) -> impl Iterator<Item = &Picture> {
-        self.blocks().filter_map(|block| match block {
-            Block::Picture(picture) => Some(picture),
-            _ => None,
-        })
+        self.blocks().filter_map(Block::picture)
     }
 }
 

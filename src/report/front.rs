@@ -1,21 +1,20 @@
 //! The first page: what was asked, answered.
 
 use super::document::{Block, Issue, KeyNumber, Picture};
-use super::plots::plot;
+use super::plots::{PART, plot};
 use super::solved::Report;
-use crate::assess::{Answer, Finding, Light, judgements};
+use crate::assess::{Answer, Finding, Light, judgements, tears_at};
 use crate::message::{Form, message};
 use crate::output::chart::Scale;
 use crate::solution::StepRecord;
 use crate::table::capitalised;
 
 /// More rows than that leave no room for the pictures on the first page: the full verdict has them all.
-const ISSUES: usize = 5;
+const ISSUES: usize = 4;
 
 /// The pictures of the first page by the files that they are in a result folder, the first that there is of each line: the
 /// part, coloured, and the load.
-const PICTURES: [&[&str]; 2] =
-    [&["part.png", "shapes.png", "springback.png"], &["load_travel.png", "pressure_cycle.png"]];
+const PICTURES: [&[&str]; 2] = [&[PART, "shapes.png", "springback.png"], &["load_travel.png", "pressure_cycle.png"]];
 
 /// Largest height of curves on the first page \[px of a picture 800 wide\].
 const CURVES: f64 = 230.0;
@@ -37,10 +36,9 @@ pub(super) fn blocks(report: &Report, form: Form) -> Vec<Block> {
     blocks
 }
 
-/// The numbers that a part is known by; its blank is among the inputs.
+/// The numbers that a part is known by.
 fn numbers(answer: &Answer, form: Form) -> Vec<KeyNumber> {
-    let known = answer.numbers.iter().filter(|number| number.key != "blank");
-    let told = known.map(|number| KeyNumber {
+    let told = answer.numbers.iter().map(|number| KeyNumber {
         label: form.tell(number.label),
         value: number.amount.told(form),
         detail: number.about.told(form),
@@ -48,35 +46,51 @@ fn numbers(answer: &Answer, form: Form) -> Vec<KeyNumber> {
     told.collect()
 }
 
-/// Reds, then ambers, as many as there is room for, what to change once under those that it is good for; and how many more
-/// there are.
+/// Reds, then ambers, as many as there is room for, those with the same advice after each other; and how many more there are.
 fn issues(findings: &[Finding], form: Form) -> (Vec<Issue>, usize) {
-    let mut all: Vec<&Finding> = Vec::new();
-    for light in [Light::Red, Light::Amber] {
-        let mut rest: Vec<&Finding> = judgements(findings).filter(|finding| finding.light == light).collect();
-        while let Some(first) = rest.first().copied() {
-            let (alike, others): (Vec<_>, Vec<_>) = rest.into_iter().partition(|other| other.advice == first.advice);
-            all.extend(alike);
-            rest = others;
-        }
-    }
-    let advised = |i: usize| all[i + 1..].iter().take(ISSUES - i - 1).all(|next| next.advice != all[i].advice);
-    let shown = all.iter().enumerate().take(ISSUES).map(|(i, finding)| Issue {
+    let of = |light| judgements(findings).filter(move |finding| finding.light == light);
+    let all: Vec<&Finding> = of(Light::Red).chain(of(Light::Amber)).collect();
+    let shown = all.iter().take(ISSUES).map(|finding| Issue {
         light: finding.light,
         label: form.tell(finding.label),
-        found: finding.found.told(form),
-        limit: finding.limit.told(form),
-        advice: if advised(i) { finding.advice.told(form) } else { String::new() },
+        found: brief(finding.found.told(form)),
+        limit: brief(finding.limit.told(form)),
+        advice: finding.advice.told(form),
     });
-    (shown.collect(), all.len().saturating_sub(ISSUES))
+    (advised_once(shown.collect()), all.len().saturating_sub(ISSUES))
 }
 
-/// Each with its stage and its file: the part as it is at the end, and the load of the stage that takes most of it.
+/// What is told up to the first semicolon: the full verdict has the rest.
+fn brief(told: String) -> String {
+    told.split_once("; ").map_or_else(|| told.clone(), |(first, _)| first.to_owned())
+}
+
+/// Issues with the same advice after each other, where the first of them stood, and the advice with the last of them.
+fn advised_once(mut issues: Vec<Issue>) -> Vec<Issue> {
+    let first = |of: &str, among: &[String]| among.iter().position(|advice| advice == of);
+    let advice: Vec<String> = issues.iter().map(|issue| issue.advice.clone()).collect();
+    issues.sort_by_key(|issue| first(&issue.advice, &advice));
+    for i in 1..issues.len() {
+        if issues[i - 1].advice == issues[i].advice {
+            issues[i - 1].advice.clear();
+        }
+    }
+    issues
+}
+
+/// Each with its stage and its file: the part as it is at the end, and the load of the stage that tears, or else of that
+/// which takes most of it. Of several stages the caption says which.
 pub(super) fn pictures<'a>(report: &'a Report) -> impl Iterator<Item = (usize, &'static str, Picture)> + 'a {
-    let stages = [report.stages.len().checked_sub(1), heaviest(report)];
+    let torn = report.stages.iter().position(|(view, _)| tears_at(view.stage).is_some());
+    let stages = [report.stages.len().checked_sub(1), torn.or_else(|| heaviest(report))];
     PICTURES.iter().zip(stages).filter_map(|(files, stage)| {
         let view = &report.stages.get(stage?)?.0;
-        files.iter().find_map(|file| Some((stage?, *file, low(plot(view, file)?))))
+        let mut picture = files.iter().find_map(|file| Some((stage?, *file, low(plot(view, file)?))))?;
+        // The rows above say how it ended.
+        let said = view.notes();
+        picture.2.chart.notes.retain(|note| !said.contains(note));
+        picture.2.caption.insert_str(0, &report.stage(picture.0));
+        Some(picture)
     })
 }
 
@@ -99,4 +113,31 @@ fn low(mut picture: Picture) -> Picture {
         }
     }
     picture
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_row_is_told_in_one_clause() {
+        assert_eq!(brief("80 % of it; first at 20 mm; more".into()), "80 % of it");
+        assert_eq!(brief("80 %, at 20 mm".into()), "80 %, at 20 mm");
+    }
+
+    #[test]
+    fn rows_with_the_same_advice_have_it_once() {
+        let issue = |label: &str, advice: &str| Issue {
+            light: Light::Red,
+            label: label.into(),
+            found: String::new(),
+            limit: String::new(),
+            advice: advice.into(),
+        };
+        let all =
+            [("a", "x"), ("b", "y"), ("c", "x"), ("d", ""), ("e", "x")].map(|(label, advice)| issue(label, advice));
+        let once = advised_once(all.to_vec());
+        let told: Vec<_> = once.iter().map(|issue| (issue.label.as_str(), issue.advice.as_str())).collect();
+        assert_eq!(told, [("a", ""), ("c", ""), ("e", "x"), ("b", "y"), ("d", "")]);
+    }
 }

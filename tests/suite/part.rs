@@ -33,9 +33,9 @@ fn the_part_is_whole_and_its_thinnest_place_is_named() {
         let thinnest = last.elements.iter().min_by(|a, b| a.thickness.total_cmp(&b.thickness)).unwrap();
         let series = part(&run);
         let [(text, points)] = labelled(&series, Look::Callout)[..] else { panic!("one callout") };
-        // The blank is 1 mm thick.
-        let percent = 100.0 * (1.0 - thinnest.thickness);
-        assert_eq!(text, format!("{:.2}\u{a0}mm, −{percent:.0}\u{a0}%", thinnest.thickness));
+        // The blank is 1 mm thick; the summary tells shares by the same rule.
+        let share = stampflow::message::Amount::share(1.0 - thinnest.thickness).told(Default::default());
+        assert_eq!(text, format!("{:.2}\u{a0}mm, {share} thinner", thinnest.thickness));
         assert_eq!(points[0], (thinnest.r, thinnest.z));
 
         let areas = || series.iter().filter(|series| matches!(series.look, Look::Area { .. }));
@@ -129,14 +129,14 @@ fn thickness_is_shown_over_the_part_band_by_band() {
     let chart = chart("thickness.png", &stage).unwrap();
     let [over_blank, over_part] = &chart.panels[..] else { panic!("two panels") };
     let bands = bands(&stage);
-    let names: Vec<&str> = labelled(&over_part.series, Look::Text).iter().map(|name| name.0).collect();
+    let names: Vec<&str> = labelled(&over_part.series, Look::Name).iter().map(|name| name.0).collect();
     assert_eq!(names, bands.iter().map(|stretch| stretch.band.name()).collect::<Vec<_>>());
     let borders: Vec<f64> =
         over_part.series.iter().filter(|series| series.points.len() == 2).map(|series| series.points[0].0).collect();
     assert_eq!(borders, bands[1..].iter().map(|stretch| stretch.along[0]).collect::<Vec<_>>());
     // The same thicknesses as over the blank, at other places.
     let values = |series: &Series| series.points.iter().map(|p| p.1).collect::<Vec<_>>();
-    let curve = over_part.series.iter().find(|series| series.points.len() > 2).expect("a curve");
+    let curve = over_part.series.iter().max_by_key(|series| series.points.len()).expect("a curve");
     assert_eq!(values(curve), values(over_blank.series.last().unwrap()));
     assert_eq!(curve.look, over_blank.series.last().unwrap().look);
 }

@@ -190,7 +190,15 @@ fn a_dimensioned_section_has_diameters_and_leaders_that_do_not_cross() {
         for (i, a) in leaders.iter().enumerate() {
             assert!(leaders[..i].iter().all(|b| !cross(a, b)), "{name}: leaders cross");
         }
+        // Half of the width is drawn: its line begins beyond the axis, where a dash-dotted line stands.
         let texts = labels(&picture.chart, |look| look == Look::Text);
+        let whole = series.iter().filter(thin).filter(|s| s.points[0].0 < 0.0 && s.points[0].1 == s.points[1].1);
+        let sizes = texts.iter().filter(|text| text.contains(" Ø ") || text.contains(" width "));
+        assert_eq!(whole.count(), sizes.filter(|text| !text.starts_with("Draw bead")).count(), "{name}: {texts:?}");
+        let is_axis = |s: &&Series| {
+            s.points.iter().all(|p| p.0 == 0.0) && matches!(s.look, Look::Line { dash: [_, _, _, _], .. })
+        };
+        assert_eq!(series.iter().filter(is_axis).count(), 1, "{name}");
         assert!(texts.iter().any(|text| text.starts_with("Draw bead")), "{name}: {texts:?}");
         if name == "quickstart" {
             for text in

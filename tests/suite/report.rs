@@ -194,13 +194,15 @@ fn the_first_page_answers_what_is_asked_first() {
     let front = of_class(&page, "front");
     let inside = |name: &str| front.descendants().filter(|node| node.has_tag_name(name)).count();
     assert_eq!(inside("svg"), 2, "the part and the load");
-    assert_eq!(inside("dt"), 5);
+    assert_eq!(inside("dt"), 6);
+    let caption = "Figure 1: the part coloured by thinning, and its thinnest place.";
+    assert!(html.contains(caption), "it does not tear");
     let sentence = text_of(of_class(&page, "sentence"));
     assert!(sentence.starts_with("▲ amber ") && sentence.contains("Friction"), "{sentence}");
     let issues = of_class(&page, "issues");
     assert!(issues.descendants().any(|node| node.attribute("class") == Some("advice")), "advice stands under its row");
     let numbers = text_of(of_class(&page, "numbers"));
-    for said in ["Thinnest0.9", "\u{a0}mm", "Punch force", "\u{a0}kN", "Holder", "Height", "Draw-in"] {
+    for said in ["Thinnest0.9", "\u{a0}mm", "Punch force", "\u{a0}kN", "Holder", "Blank110", "Height", "Draw-in"] {
         assert!(numbers.contains(said), "{said} in {numbers}");
     }
 }

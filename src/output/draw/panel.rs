@@ -6,7 +6,7 @@ use super::flags::Flags;
 use super::letters::{LABEL, SPACING, TICK, text_width};
 use super::shape::{Shape, stroke};
 use super::text::style;
-use super::ticks::{tick, tick_count, ticks};
+use super::ticks::{Ticked, spread, tick, tick_count, ticks};
 use crate::output::chart::{BLACK, Color, Look, Panel, Scale};
 use crate::output::outline::clipped;
 use plotters::chart::{ChartBuilder, LabelAreaPosition};
@@ -62,6 +62,17 @@ impl Frame {
         Self { height: height + head, x, y, flags }
     }
 
+    /// Values of x that are written: round ones, of a scale of colours where colours meet.
+    fn x_ticks(&self, panel: &Panel) -> Vec<f64> {
+        if panel.scale != Scale::Bar {
+            return ticks(self.x, X_TICKS);
+        }
+        let mut borders: Vec<f64> = panel.series.iter().flat_map(|series| &series.points).map(|p| p.0).collect();
+        borders.sort_by(f64::total_cmp);
+        borders.dedup();
+        spread(&borders, X_TICKS)
+    }
+
     /// Draws the panel into its area; `left` is the width of its y labels.
     pub(super) fn draw(&self, panel: &Panel, area: &Canvas, left: f64) {
         // Lengths of a section point down the page.
@@ -71,10 +82,10 @@ impl Frame {
         let mut chart = ChartBuilder::on(area)
             .set_label_area_size(LabelAreaPosition::Left, units(left))
             .set_label_area_size(LabelAreaPosition::Bottom, units(below))
-            .build_cartesian_2d(self.x.0..self.x.1, y)
+            .build_cartesian_2d(Ticked::new(self.x, self.x_ticks(panel)), y)
             .expect(NEVER);
         let y_count = tick_count(self.height);
-        let (x_ticks, y_ticks) = (ticks(self.x, X_TICKS), ticks(self.y, y_count));
+        let (x_ticks, y_ticks) = (self.x_ticks(panel), ticks(self.y, y_count));
         let x_tick = |x: &f64| panel.x.number(&tick(*x, &x_ticks));
         let y_tick = |y: &f64| panel.y.number(&tick(*y, &y_ticks));
         let mut mesh = chart.configure_mesh();

@@ -12,9 +12,14 @@ use plotters::element::{Drawable, PointCollection};
 use plotters::style::ShapeStyle;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 use plotters_backend::{BackendCoord, DrawingBackend, DrawingErrorKind};
+use std::f64::consts::TAU;
 
-/// Radius of a dot.
+/// Radius of a dot, and of the circle about a triangle of the same area.
 pub(super) const DOT: f64 = 2.6;
+const TRIANGLE: f64 = 4.0;
+/// Radii of a callout's dot and of the white about it: it is seen before all else, on every colour and in grey print.
+const CALLOUT_DOT: f64 = 7.0;
+const CALLOUT_EDGE: f64 = 10.5;
 
 /// A series or a legend sample, as plotters draws it wherever the points come to lie.
 pub(super) struct Shape<'a, C> {
@@ -56,6 +61,13 @@ impl<C, B: DrawingBackend> Drawable<B> for Shape<'_, C> {
                     backend.draw_circle(at, units(DOT) as u32, &rgb(color), true)?;
                 }
             }
+            Look::Triangles { color } => {
+                let corner = |i: usize| (TAU * (i as f64 / 3.0 - 0.25)).sin_cos();
+                for (x, y) in points.map(px) {
+                    let corners = (0..3).map(corner).map(|(sin, cos)| (x + TRIANGLE * cos, y + TRIANGLE * sin));
+                    backend.fill_polygon(corners.map(whole), &rgb(color))?;
+                }
+            }
             Look::Area { fill, edge } => {
                 let outline: Vec<_> = points.collect();
                 backend.fill_polygon(outline.iter().copied(), &rgb(fill))?;
@@ -66,10 +78,11 @@ impl<C, B: DrawingBackend> Drawable<B> for Shape<'_, C> {
             }
             // Where they stand follows from all of them: the panel draws them.
             Look::Flag => {}
-            Look::Text => {
+            Look::Text | Look::Name => {
                 let (width, half) = (text_width(self.label, MARK), 0.5 * SPACING * MARK);
                 let style = style(MARK, BLACK).pos(Pos::new(HPos::Left, VPos::Top));
-                for (x, y) in points.map(px) {
+                let before = if self.look == Look::Name { 0.5 * width } else { 0.0 };
+                for (x, y) in points.map(px).map(|(x, y)| (x - before, y)) {
                     let (from, to) = ((x - 2.0, y - half), (x + width + 2.0, y + half));
                     backend.draw_rect(whole(from), whole(to), &rgb(WHITE), true)?;
                     backend.draw_text(self.label, &style, whole((x, y - 0.6 * MARK)))?;
@@ -79,8 +92,8 @@ impl<C, B: DrawingBackend> Drawable<B> for Shape<'_, C> {
                 let points: Vec<Point> = points.map(px).collect();
                 let [at, (x, y)] = points[..] else { return Ok(()) };
                 backend.draw_path([whole(at), whole((x, y))], &stroke(BLACK, 1.4))?;
-                backend.draw_circle(whole(at), units(6.0) as u32, &rgb(WHITE), true)?;
-                backend.draw_circle(whole(at), units(4.0) as u32, &rgb(BLACK), true)?;
+                backend.draw_circle(whole(at), units(CALLOUT_EDGE) as u32, &rgb(WHITE), true)?;
+                backend.draw_circle(whole(at), units(CALLOUT_DOT) as u32, &rgb(BLACK), true)?;
                 let (half, high) = (0.5 * text_width(self.label, CALLOUT) + 3.0, 0.5 * SPACING * CALLOUT);
                 backend.draw_rect(whole((x - half, y - high)), whole((x + half, y + high)), &rgb(WHITE), true)?;
                 let style = style(CALLOUT, BLACK).pos(Pos::new(HPos::Center, VPos::Center));
@@ -96,9 +109,9 @@ pub(super) fn sample(canvas: &Canvas, look: Look, at: (f64, f64), size: (f64, f6
     let ((x, y), (w, h)) = (at, size);
     let points = match look {
         Look::Line { .. } => vec![(x, y), (x + w, y)],
-        Look::Circles { .. } | Look::Dots { .. } => vec![(x + 0.5 * w, y)],
+        Look::Circles { .. } | Look::Dots { .. } | Look::Triangles { .. } => vec![(x + 0.5 * w, y)],
         Look::Area { .. } => vec![(x, y - h), (x + w, y - h), (x + w, y + h), (x, y + h)],
-        Look::Text | Look::Flag | Look::Callout => Vec::new(),
+        Look::Text | Look::Name | Look::Flag | Look::Callout => Vec::new(),
     };
     let points = points.into_iter().map(|(x, y)| (units(x), units(y))).collect();
     canvas.draw(&Shape { look, label: "", points }).expect(NEVER);

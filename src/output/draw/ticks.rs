@@ -1,7 +1,8 @@
 //! Ticks: how many, where, and their labels.
 
-use plotters::coord::ranged1d::{BoldPoints, Ranged};
+use plotters::coord::ranged1d::{BoldPoints, DefaultFormatting, KeyPointHint, Ranged};
 use plotters::coord::types::RangedCoordf64;
+use std::ops::Range;
 
 pub(super) fn tick_count(height: f64) -> usize {
     ((height / 45.0) as usize).clamp(4, 8)
@@ -10,6 +11,45 @@ pub(super) fn tick_count(height: f64) -> usize {
 /// The round values of the range that plotters labels, `most` of them or fewer.
 pub(super) fn ticks(range: (f64, f64), most: usize) -> Vec<f64> {
     RangedCoordf64::from(range.0..range.1).key_points(BoldPoints(most))
+}
+
+/// A range whose ticks are given.
+pub(super) struct Ticked {
+    range: RangedCoordf64,
+    ticks: Vec<f64>,
+}
+
+impl Ticked {
+    pub fn new((low, high): (f64, f64), ticks: Vec<f64>) -> Self {
+        Self { range: (low..high).into(), ticks }
+    }
+}
+
+impl Ranged for Ticked {
+    type FormatOption = DefaultFormatting;
+    type ValueType = f64;
+
+    fn map(&self, value: &f64, limit: (i32, i32)) -> i32 {
+        self.range.map(value, limit)
+    }
+
+    fn key_points<Hint: KeyPointHint>(&self, _: Hint) -> Vec<f64> {
+        self.ticks.clone()
+    }
+
+    fn range(&self) -> Range<f64> {
+        self.range.range()
+    }
+}
+
+/// Of values in order some `most` or fewer: both ends, zero, and those between at even steps from zero.
+pub(super) fn spread(values: &[f64], most: usize) -> Vec<f64> {
+    let Some(last) = values.len().checked_sub(1) else { return Vec::new() };
+    let zero = values.iter().position(|value| *value == 0.0).unwrap_or(0);
+    let step = values.len().div_ceil(most).max(1);
+    let is_apart = |i: usize| (i >= step || i == 0) && (last - i >= step || i == last);
+    let is_kept = |i: usize| i == 0 || i == last || i == zero || (i.abs_diff(zero).is_multiple_of(step) && is_apart(i));
+    (0..=last).filter(|i| is_kept(*i)).map(|i| values[i]).collect()
 }
 
 /// A tick's label: as many decimals as the ticks beside it need, digits in groups of three from 10 000 on.
@@ -51,6 +91,15 @@ mod tests {
         assert_eq!(ticks((0.0, 46_900.0), 7), [0.0, 10_000.0, 20_000.0, 30_000.0, 40_000.0]);
         assert_eq!(ticks((99.5, 100.5), 4), [99.5, 100.0, 100.5]);
         assert_eq!(ticks((3.0, 3.0), 8), [3.0]);
+    }
+
+    #[test]
+    fn a_scale_of_colours_has_numbers_at_both_ends() {
+        let steps = |levels: std::ops::RangeInclusive<i32>| levels.map(|i| 2.0 * f64::from(i)).collect::<Vec<_>>();
+        assert_eq!(spread(&steps(-2..=3), 8), steps(-2..=3));
+        assert_eq!(spread(&steps(-5..=6), 8), [-10.0, -4.0, 0.0, 4.0, 8.0, 12.0]);
+        assert_eq!(spread(&steps(0..=9), 8), [0.0, 4.0, 8.0, 12.0, 18.0]);
+        assert!(spread(&[], 8).is_empty());
     }
 
     #[test]

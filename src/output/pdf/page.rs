@@ -71,18 +71,24 @@ impl Page {
         self.content.end_text();
     }
 
-    /// The inside of an outline.
+    /// The inside of an outline; nothing where it has none: a path without points cannot be closed.
     pub fn area(&mut self, outline: &[Point], fill: Color) {
+        if outline.len() < 3 {
+            return;
+        }
         self.fill(fill);
         self.path(outline);
         self.content.close_path().fill_nonzero();
     }
 
-    /// Lines, each through its points.
+    /// Lines, each through its points; nothing where there are none: a path without points cannot be drawn.
     pub fn lines<'a>(&mut self, pieces: impl IntoIterator<Item = &'a [Point]>, color: Color, width: f64) {
-        self.stroke(color, width);
-        pieces.into_iter().for_each(|piece| self.path(piece));
-        self.content.stroke();
+        let mut pieces = pieces.into_iter().filter(|piece| piece.len() > 1).peekable();
+        if pieces.peek().is_some() {
+            self.stroke(color, width);
+            pieces.for_each(|piece| self.path(piece));
+            self.content.stroke();
+        }
     }
 
     /// What `draw` draws, in a plane whose origin lies at a point and that is `scale` times as large.
@@ -124,4 +130,42 @@ fn parts((red, green, blue): Color) -> [f32; 3] {
 fn rounded(length: f64) -> f32 {
     let near = if length.is_finite() { length.clamp(-1e5, 1e5) } else { 0.0 };
     ((100.0 * near).round() / 100.0) as f32
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Whether every operator that closes, fills or strokes a path comes after one that begins it.
+    fn is_sound(commands: &[u8]) -> bool {
+        let mut begun = false;
+        String::from_utf8_lossy(commands).split_whitespace().all(|word| {
+            match word {
+                "m" => begun = true,
+                "h" => return begun,
+                "f" | "S" => return std::mem::take(&mut begun),
+                _ => {}
+            }
+            true
+        })
+    }
+
+    #[test]
+    fn no_path_is_closed_filled_or_drawn_without_a_point() {
+        let (black, corners) = ((0, 0, 0), [(0.0, 0.0), (5.0, 0.0), (5.0, 5.0)]);
+        let mut page = Page::new(10.0, 10.0);
+        for outline in [&[], &corners[..1], &corners[..2], &corners[..]] {
+            page.area(outline, black);
+            page.lines([outline], black, 1.0);
+        }
+        page.lines(std::iter::empty(), black, 1.0);
+        let commands = page.finish();
+        assert!(is_sound(&commands), "{}", String::from_utf8_lossy(&commands));
+        let count = |operator: &str| {
+            String::from_utf8_lossy(&commands).split_whitespace().filter(|word| *word == operator).count()
+        };
+        // The triangle is the one area; it and the line between two points are the lines.
+        assert_eq!([count("f"), count("S")], [1, 2]);
+        assert!(!is_sound(b"1 0 0 rg\nh\nf\n"));
+    }
 }

@@ -100,11 +100,9 @@ impl Flow {
         self.page().lines([&[(SIDE, top), (SIDE + WIDTH, top)][..]], color, width);
     }
 
-    /// A drawing, this wide, in the middle between the margins.
-    pub fn drawing(&mut self, drawing: &Drawing, width: f64) {
-        let at = (SIDE + 0.5 * (WIDTH - width), self.y);
-        drawing.onto(self.page(), at, width);
-        self.skip(drawing.height * width / drawing.width);
+    /// A drawing by its upper left corner, so many times as large.
+    pub fn drawing(&mut self, drawing: &Drawing, (x, top): (f64, f64), scale: f64) {
+        drawing.onto(self.page(), (SIDE + x, top), scale * drawing.width);
     }
 
     /// The foot of every page: `left`, and which of how many it is.

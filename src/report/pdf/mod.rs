@@ -3,6 +3,7 @@
 
 mod colors;
 mod flow;
+mod layout;
 mod table;
 mod words;
 
@@ -15,6 +16,7 @@ use crate::output::pdf::{MM, Pdf};
 use crate::output::{DRAWN, Drawing};
 use colors::{GREY_TEXT, RULE, of_light};
 use flow::{Flow, WIDTH};
+use layout::{BETWEEN, Layout, column};
 use words::{Style, lines};
 
 const TITLE: Style = Style::new(17.0).bold();
@@ -29,8 +31,6 @@ const GROUND: Color = (244, 244, 244);
 
 /// Largest height of a picture after the first page \[pt\].
 const PICTURE: f64 = 115.0 * MM;
-/// Widths that pictures of the first page are laid out in \[px\].
-const LAYOUTS: [f64; 4] = [DRAWN, 700.0, 600.0, 520.0];
 /// Room that a heading wants below it \[pt\].
 const BELOW: f64 = 70.0;
 /// Cells of the title block in a row.
@@ -83,16 +83,14 @@ impl Writer {
         let (pictures, others): (Vec<&Block>, Vec<&Block>) =
             document.front.iter().partition(|block| matches!(block, Block::Picture(_)));
         others.into_iter().for_each(|block| self.block(block));
-        let room = self.flow.left() - pictures.len() as f64 * (SMALL.leading() + 8.0);
-        // Narrower drawings are lower, and their letters as large: the width is taken that leaves letters largest.
-        let laid_out = LAYOUTS.map(|width| {
-            let drawn: Vec<_> = pictures.iter().filter_map(|block| drawn(block, width)).collect();
-            let height: f64 = drawn.iter().map(|(_, drawing)| drawing.height).sum();
-            ((WIDTH / width).min(room / height).max(0.0), drawn)
+        let pictures: Vec<&Picture> = pictures.into_iter().filter_map(Block::picture).collect();
+        let layout = Layout::best(&pictures, self.flow.left()).or_else(|| {
+            self.flow.turn();
+            Layout::best(&pictures, self.flow.left())
         });
-        let largest = laid_out.into_iter().max_by(|a, b| a.0.total_cmp(&b.0));
-        if let Some((scale, drawn)) = largest {
-            drawn.iter().for_each(|(picture, drawing)| self.figure(picture, drawing, scale * drawing.width));
+        let Some(layout) = layout else { return };
+        for (row, drawings) in pictures.chunks(layout.beside).zip(layout.drawings.chunks(layout.beside)) {
+            self.figures(row, drawings, layout.scale);
         }
     }
 
@@ -134,7 +132,7 @@ impl Writer {
 
     /// With room for something below it.
     fn heading(&mut self, text: &str, first: Option<&Block>) {
-        let first = first.and_then(|block| drawn(block, DRAWN)).map_or(BELOW, |(_, drawing)| height(&drawing));
+        let first = first.and_then(Block::picture).map_or(BELOW, |picture| height(&Drawing::of(&picture.chart, DRAWN)));
         self.flow.reserve(2.0 * HEADING.leading() + first);
         self.flow.skip(10.0);
         self.flow.words(text, HEADING, 0.0);
@@ -164,18 +162,29 @@ impl Writer {
                 let drawing = Drawing::of(&picture.chart, DRAWN);
                 let height = height(&drawing);
                 self.flow.reserve(height + 2.0 * SMALL.leading());
-                self.figure(picture, &drawing, height * drawing.width / drawing.height);
+                self.figures(&[picture], std::slice::from_ref(&drawing), height / drawing.height);
             }
         }
     }
 
-    /// A picture with its caption below.
-    fn figure(&mut self, picture: &Picture, drawing: &Drawing, width: f64) {
-        self.figures += 1;
-        self.flow.drawing(drawing, width);
-        let caption = self.form.tell(picture.below(self.figures)) + ".";
-        self.flow.words(&caption, SMALL.in_color(GREY_TEXT), 0.0);
-        self.flow.skip(6.0);
+    /// Pictures side by side, so many times as large as they are laid out, each with its caption below.
+    fn figures(&mut self, pictures: &[&Picture], drawings: &[Drawing], scale: f64) {
+        let grey = SMALL.in_color(GREY_TEXT);
+        let wide = column(pictures.len());
+        let high = drawings.iter().map(|drawing| scale * drawing.height).fold(0.0, f64::max);
+        let top = self.flow.y;
+        let mut bottom = top;
+        for (i, (picture, drawing)) in pictures.iter().zip(drawings).enumerate() {
+            self.figures += 1;
+            let x = i as f64 * (wide + BETWEEN);
+            self.flow.drawing(drawing, (x + 0.5 * (wide - scale * drawing.width), top), scale);
+            let caption = self.form.tell(picture.below(self.figures)) + ".";
+            for (j, line) in lines(&caption, grey, wide).iter().enumerate() {
+                self.flow.write(line, grey, x, top + high + j as f64 * grey.leading());
+                bottom = f64::max(bottom, top + high + (j + 1) as f64 * grey.leading());
+            }
+        }
+        self.flow.skip(bottom - top + 6.0);
     }
 
     /// On a ground of its own, beside a bar in its light's colour.
@@ -236,14 +245,6 @@ impl Writer {
             }
         }
         self.flow.skip(height + 8.0);
-    }
-}
-
-/// A picture laid out so wide \[px\].
-fn drawn(block: &Block, width: f64) -> Option<(&Picture, Drawing)> {
-    match block {
-        Block::Picture(picture) => Some((picture, Drawing::of(&picture.chart, width))),
-        _ => None,
     }
 }
 
