@@ -41,7 +41,7 @@ impl Language {
     }
 
     /// The text in this language; English where its table lacks it.
-    pub fn of_text<'a>(self, text: &'a str) -> &'a str {
+    pub fn of_text(self, text: &str) -> &str {
         self.words().and_then(|words| words.text.get(text)).map_or(text, String::as_str)
     }
 
