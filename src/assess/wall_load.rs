@@ -8,13 +8,10 @@ use crate::solution::Frame;
 /// What tension does for the spring-back of a wall, with the share of its yield load that it carries under the tools.
 pub(super) fn advice(model: &Model, frame: &Frame, shape: &Shape) -> Message {
     let carried = share(model, frame, shape).map_or_else(Message::default, |share| {
-        message!(
-            "(the wall carries {share} of its yield load; it straightens from about 100 % on)",
-            share = Amount::share(share)
-        )
+        message!("(the wall carries {share} of it, and is straight from about 100 % on)", share = Amount::share(share))
     });
-    let tension = "smaller radii spring back less; more tension in the walls (holder force, beads) helps only where it makes \
-                   the whole wall yield";
+    let tension = "smaller radii spring back less; more tension in the walls (holder force, beads) helps only as it nears the \
+                   load at which the whole wall yields";
     Message::joined([tension.into(), carried], " ")
 }
 
