@@ -44,7 +44,7 @@ fn compare(path: &str, picture: &Path) -> Result<(), String> {
     let [x, y] = [TRAVEL, PUNCH_FORCE].map(|field| field.axis(case.model().extent()));
     let chart = Chart {
         title: format!("{}, elastoplastic and flow", case.model().title),
-        legend: "",
+        legend: String::new(),
         panels: vec![
             Panel {
                 x: x.clone(),

@@ -47,7 +47,7 @@ fn draw(picture: &Path) -> Result<(), String> {
     force.series.iter_mut().for_each(|series| series.label = None);
     let chart = Chart {
         title: case.model().title.clone(),
-        legend: "",
+        legend: String::new(),
         panels: vec![thickness, force],
         notes: case.model().notes.clone(),
     };

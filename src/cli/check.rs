@@ -36,6 +36,9 @@ pub struct Args {
     /// Also solve it and give a verdict
     #[arg(long)]
     run: bool,
+    /// With --run: say also what the case means, as without
+    #[arg(long, short)]
+    verbose: bool,
     /// With --run: end with exit code 4 where the verdict is red
     #[arg(long)]
     strict: bool,
@@ -68,7 +71,7 @@ pub fn check(args: &Args) -> anyhow::Result<Code> {
         value["run_warnings"] = serde_json::to_value(sentences(&findings, Kind::Warning))?;
         say_json(&value)?;
     } else {
-        say(printed(&report, &answer, &findings, &solution.case.name, args.form.form()))?;
+        say(printed(args.verbose.then_some(&report), &answer, &findings, &solution.case.name, args.form.form()))?;
     }
     Ok(match answer.light {
         Light::Red if args.strict => Code::Red,
@@ -77,8 +80,8 @@ pub fn check(args: &Args) -> anyhow::Result<Code> {
     })
 }
 
-/// The answer, then what the case means and every row of the verdict.
-fn printed(report: &Check, answer: &Answer, findings: &[Finding], name: &str, form: Form) -> Shown {
+/// The answer, what the case means where it is given, and every row of the verdict.
+fn printed(report: Option<&Check>, answer: &Answer, findings: &[Finding], name: &str, form: Form) -> Shown {
     let rows = judgements(findings).map(|finding| row(finding, form)).collect();
     let headers = ["Verdict", "Light", "Found", "Limit (source)"].map(|header| form.tell(header));
     let mut text = format!("\n{}\n", headline(findings).told(form));
@@ -88,8 +91,10 @@ fn printed(report: &Check, answer: &Answer, findings: &[Finding], name: &str, fo
         &form.tell("Not judged"),
         advised.map(|(labels, advice)| format!("{}: {}", labels.told(form), advice.told(form))),
     );
+    let case = report.map_or_else(Shown::default, |report| wrapped(&format!("{}\n", report.told(form))));
     answered(name, answer, findings, form)
-        + wrapped(&format!("\n{}\n", report.told(form)))
+        + "\n".into()
+        + case
         + table(Some(headers.each_ref().map(String::as_str)), rows)
         + wrapped(&text)
 }
