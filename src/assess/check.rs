@@ -71,13 +71,13 @@ pub fn report(case: &Case) -> Check {
 
 fn blank(model: &Model, lines: &mut Vec<Line>) {
     let blank = &model.blank;
-    let whole = Amount::size(2.0 * blank.length);
+    let whole = Amount::set(2.0 * blank.length);
     let (geometry, meaning): (Message, _) = match model.geometry {
         Geometry::Axisymmetric => ("axisymmetric".into(), Message::default()),
         Geometry::PlaneStrain => ("plane strain".into(), message!("half length, {whole} in all", whole = whole)),
     };
     lines.push(line("geometry", Message::joined([geometry, model.extent().described()], "; "), ""));
-    lines.push(line("blank", size_of(model, blank.length), meaning));
+    lines.push(line("blank", size_of(model, blank.length, Amount::set), meaning));
     lines.push(line("thickness", Amount::size(blank.thickness), ""));
     let volume = Amount::new(model.extent().area(blank.length) * blank.thickness, Unit::None, Digits::Significant(3));
     let volume = match model.extent() {
@@ -110,7 +110,7 @@ fn mesh(model: &Model, lines: &mut Vec<Line>) {
         let meaning = message!(
             "at the {tool}'s radius of {radius}: {n} elements per 90°",
             tool = fit.role.name(),
-            radius = Amount::size(fit.radius),
+            radius = Amount::drawn(fit.radius),
             n = Amount::new(fit.per_quarter, Unit::None, Digits::Significant(2))
         );
         lines.push(line("element size", Amount::size(fit.size), meaning));

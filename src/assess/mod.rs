@@ -40,6 +40,7 @@ mod strength;
 mod thinning;
 mod trim;
 mod two_sheets;
+mod wall_load;
 mod wrinkling;
 mod yielding;
 

@@ -1,20 +1,26 @@
 //! What a bent section does when its tools are taken away, and what compensates it.
 
-use super::{Finding, Light, run::Run};
+use super::{Finding, Light, run::Run, wall_load};
 use crate::case::Springback;
-use crate::measure::{Change, EDGE, FLANGE_ANGLE, OPENING_ANGLE, Quantity, Shape, changes};
+use crate::geometry::{Piece, Profile};
+use crate::measure::{Change, EDGE, FLANGE_ANGLE, OPENING_ANGLE, Quantity, Shape, WALL_ANGLE, changes};
 use crate::message::{Message, message};
-use crate::model::{Geometry, Mode, Role};
+use crate::model::{Geometry, Mode, Model, Role};
 use crate::table::Unit;
 
 /// Share of a tolerance above which the scatter of sheet and process may use the rest: from coil to coil spring-back varies by
 /// a fifth and more \[–\].
 const NEAR: f64 = 0.8;
+/// A wall that leans by less from the punch's straight wall was drawn against it \[°\]; a strip that is bent in air leans by
+/// tens of degrees.
+const BESIDE: f64 = 8.0;
 
 /// A quantity of the released part against what is wanted.
 struct Judged {
     change: Change,
     wanted: f64,
+    /// Whether the wanted angle is that of the punch's wall.
+    of_punch: bool,
     /// After less wanted, in the unit of the quantity.
     missed: f64,
     tolerance: f64,
@@ -36,16 +42,18 @@ pub(super) fn judge(run: &Run) -> Option<Finding> {
             "[material] mode = \"elasto_viscoplastic\" with young and poisson, and a stage with release = true";
         return Some(grey(why, advice));
     };
-    let changes = changes(&Shape::of(before), &Shape::of(after));
-    let judged: Vec<Judged> = limits.of(&changes).collect();
+    let shape = Shape::of(before);
+    let changes = changes(&shape, &Shape::of(after));
+    let punch = punch_wall(&last.model, &changes);
+    let judged: Vec<Judged> = limits.of(&changes, punch).collect();
     if judged.is_empty() {
-        return unjudged(limits, &changes);
+        return unjudged(limits, &changes, punch);
     }
     let worst = judged.iter().max_by(|a, b| a.used().total_cmp(&b.used()))?;
     let over = judged.iter().filter_map(|judged| overbend(&judged.change, judged.wanted));
     let less = match run.case.model().tool(Role::Holder) {
-        Some(_) => "more tension in the walls (holder force, beads) and smaller radii spring back less",
-        None => "a smaller radius springs back less",
+        Some(_) => wall_load::advice(&last.model, before, &shape),
+        None => "a smaller radius springs back less".into(),
     };
     Some(
         Finding::judged(
@@ -61,19 +69,23 @@ pub(super) fn judge(run: &Run) -> Option<Finding> {
         )
         .at_most(NEAR * worst.tolerance, worst.tolerance)
         .source("the part's tolerance, [springback]; near it from 80 % on, a declared rule of thumb")
-        .advice(Message::joined([less.into(), compensated(over)], "; ")),
+        .advice(Message::joined([less, compensated(over)], "; ")),
     )
 }
 
 /// What cannot be held against a tolerance: none is given, or nothing was found to measure.
-fn unjudged(limits: &Springback, changes: &[Change]) -> Option<Finding> {
+fn unjudged(limits: &Springback, changes: &[Change], punch: Option<f64>) -> Option<Finding> {
     if limits.is_given() {
         let advice = "a bend by ten degrees or more, and a straight leg behind it that can be measured";
         return Some(grey("no angle was found to measure", advice));
     }
     let angles = changes.iter().filter(|change| change.quantity.unit == Unit::Degree);
     let said = Message::joined(angles.map(|change| change.quantity.named(change.told())), ", ");
-    let over = changes.iter().filter_map(|change| overbend(change, change.before?));
+    let over = changes.iter().filter_map(|change| {
+        // The wall's is half of the opening angle's.
+        let is_told = change.quantity.key != WALL_ANGLE.key;
+        overbend(change, of_punch(change.quantity, punch).or(change.before)?).filter(|_| is_told)
+    });
     let advice = Message::joined(["[springback] with the part's tolerance".into(), compensated(over)], "; ");
     (!said.is_empty()).then(|| grey(said, advice))
 }
@@ -84,19 +96,49 @@ fn grey(found: impl Into<Message>, advice: impl Into<Message>) -> Finding {
         .advice(advice)
 }
 
+/// The angle of the punch's wall to its direction \[°\], where the sheet's wall lies against it.
+fn punch_wall(model: &Model, changes: &[Change]) -> Option<f64> {
+    let sheet = changes.iter().find(|change| change.quantity.key == WALL_ANGLE.key)?.before?;
+    steepest(&model.tool(Role::Punch)?.profile).filter(|angle| (angle - sheet).abs() < BESIDE)
+}
+
+/// The angle of a profile's steepest straight piece to the punch's direction \[°\]: 0 upright, positive opened.
+fn steepest(profile: &Profile) -> Option<f64> {
+    let angles = profile.pieces().iter().filter_map(|piece| match piece {
+        Piece::Segment(line) => {
+            let (from, to) = (line.from, line.to);
+            Some((to.x - from.x).atan2((to.y - from.y).abs()) * (from.y - to.y).signum())
+        }
+        Piece::Arc(_) => None,
+    });
+    angles.map(f64::to_degrees).min_by(|a, b| a.abs().total_cmp(&b.abs()))
+}
+
+/// What the punch's wall wants of a quantity: its own angle, or that between it and its mirror image.
+fn of_punch(quantity: &Quantity, wall: Option<f64>) -> Option<f64> {
+    match quantity.key {
+        key if key == WALL_ANGLE.key => wall,
+        key if key == OPENING_ANGLE.key => wall.map(|angle| 2.0 * angle),
+        _ => None,
+    }
+}
+
 impl Springback {
-    /// What is judged of what was measured.
-    fn of<'a>(&'a self, changes: &'a [Change]) -> impl Iterator<Item = Judged> + 'a {
-        let limits: [(Quantity, Option<f64>, Option<f64>); 3] = [
+    /// What is judged of what was measured; `punch` is the angle of its wall \[°\].
+    fn of<'a>(&'a self, changes: &'a [Change], punch: Option<f64>) -> impl Iterator<Item = Judged> + 'a {
+        let limits: [(Quantity, Option<f64>, Option<f64>); 4] = [
             (OPENING_ANGLE, self.angle, self.tolerance),
+            (WALL_ANGLE, self.angle.map(|angle| 0.5 * angle), self.wall_tolerance),
             (FLANGE_ANGLE, None, self.flange_tolerance),
             (EDGE, None, self.edge_tolerance),
         ];
-        limits.into_iter().filter_map(|(quantity, wanted, tolerance)| {
+        limits.into_iter().filter_map(move |(quantity, given, tolerance)| {
             let change = *changes.iter().find(|change| change.quantity.key == quantity.key)?;
             let after = change.after?;
-            let wanted = wanted.or(change.before)?;
-            Some(Judged { change, wanted, missed: after - wanted, tolerance: tolerance? })
+            let punch = of_punch(&quantity, punch).filter(|_| given.is_none());
+            let wanted = given.or(punch).or(change.before)?;
+            let of_punch = punch.is_some();
+            Some(Judged { change, wanted, of_punch, missed: after - wanted, tolerance: tolerance? })
         })
     }
 }
@@ -107,39 +149,84 @@ impl Judged {
         self.missed.abs() / self.tolerance
     }
 
-    /// `Opening angle 90.0° → 94.9°, off by +4.9°`.
+    /// `Opening angle 90.0° → 94.9°, off by +4.9°, each wall opens by 2.5°`.
     fn found(&self) -> Message {
         let quantity = self.change.quantity;
         let by = quantity.signed(self.missed);
-        quantity.named(message!("{change}, off by {by}", change = self.change.told(), by = by))
+        let missed = quantity.named(message!("{change}, off by {by}", change = self.change.told(), by = by));
+        Message::joined([missed, self.each_wall()], ", ")
     }
 
-    /// `90.0° ± 1.0°`.
+    /// What one wall does; nothing of what is no angle of a wall.
+    fn each_wall(&self) -> Message {
+        let share = match self.change.quantity.key {
+            key if key == OPENING_ANGLE.key => 0.5,
+            key if key == WALL_ANGLE.key => 1.0,
+            _ => return Message::default(),
+        };
+        let Some(change) = self.change.change() else { return Message::default() };
+        let by = self.change.quantity.told(share * change.abs());
+        match change < 0.0 {
+            true => message!("each wall closes by {by}", by = by),
+            false => message!("each wall opens by {by}", by = by),
+        }
+    }
+
+    /// `0.0° ± 1.0° of the punch's wall`.
     fn limit(&self) -> Message {
         let quantity = self.change.quantity;
         let (wanted, tolerance) = (quantity.told(self.wanted), quantity.told(self.tolerance));
-        message!("{wanted} ± {tolerance}", wanted = wanted, tolerance = tolerance)
+        let limit = message!("{wanted} ± {tolerance}", wanted = wanted, tolerance = tolerance);
+        if self.of_punch { message!("{limit} of the punch's wall", limit = limit) } else { limit }
     }
+}
+
+/// How the tools give the wanted angle.
+enum Overbend {
+    /// By the angle under the tools that leaves the wanted one.
+    By(Message),
+    /// The wall would have to lie under the punch.
+    Undercut,
 }
 
 /// The angle under the tools that leaves the wanted one, to the first order: as much further as it springs back from where it
 /// is now. `None` of what is no angle of a tool.
-fn overbend(change: &Change, wanted: f64) -> Option<Message> {
+fn overbend(change: &Change, wanted: f64) -> Option<Overbend> {
     let quantity = change.quantity;
-    let back = change.change().filter(|_| [OPENING_ANGLE.key, FLANGE_ANGLE.key].contains(&quantity.key))?;
-    let (angle, by) = (quantity.told(wanted - back), quantity.told(back.abs()));
-    Some(quantity.named(message!("{angle}, over-bent by {by}", angle = angle, by = by)))
+    let of_wall = [OPENING_ANGLE.key, WALL_ANGLE.key].contains(&quantity.key);
+    let back = change.change().filter(|_| of_wall || quantity.key == FLANGE_ANGLE.key)?;
+    let angle = wanted - back;
+    // To the digit that is told: 0.0° is upright.
+    if of_wall && back > 0.0 && quantity.told(angle) != quantity.told(angle.max(0.0)) {
+        return Some(Overbend::Undercut);
+    }
+    let (angle, by) = (quantity.told(angle), quantity.told(back.abs()));
+    Some(Overbend::By(quantity.named(message!("{angle}, over-bent by {by}", angle = angle, by = by))))
 }
 
 /// Nothing where there is no angle.
-fn compensated(over: impl Iterator<Item = Message>) -> Message {
-    let over = Message::joined(over, "; ");
-    if over.is_empty() {
-        return over;
+fn compensated(over: impl Iterator<Item = Overbend>) -> Message {
+    let mut angles = Vec::new();
+    let mut undercut = Message::default();
+    for over in over {
+        match over {
+            Overbend::By(angle) => angles.push(angle),
+            Overbend::Undercut => {
+                undercut =
+                    "over-bending the wall is not for this tool alone, a straight punch cannot bend past upright: \
+                            restrike, a cam or more tension"
+                        .into();
+            }
+        }
     }
-    message!(
+    let over = Message::joined(angles, "; ");
+    if over.is_empty() {
+        return undercut;
+    }
+    let told = message!(
         "or tools that over-bend ({over}), a first estimate with the spring-back as it is now: run again, and go on by what is \
          left",
         over = over
-    )
+    );
+    Message::joined([undercut, told], "; ")
 }

@@ -94,10 +94,12 @@ pub struct Press {
 /// How far the part may be from what is wanted once its tools are taken away; `None` where the case does not say.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Springback {
-    /// Wanted angle between both walls \[°\]; `None` for the one under the tools.
+    /// Wanted angle between both walls \[°\]; `None` for that of the punch's wall, or the one under the tools.
     pub angle: Option<f64>,
     /// Of that angle \[°\].
     pub tolerance: Option<f64>,
+    /// Of each wall, half of that angle \[°\].
+    pub wall_tolerance: Option<f64>,
     /// Of each flange, from where it is under the tools \[°\].
     pub flange_tolerance: Option<f64>,
     /// Of each edge, likewise \[mm\].
@@ -107,7 +109,7 @@ pub struct Springback {
 impl Springback {
     /// Whether there is anything to judge by.
     pub fn is_given(&self) -> bool {
-        [self.tolerance, self.flange_tolerance, self.edge_tolerance].iter().any(Option::is_some)
+        [self.tolerance, self.wall_tolerance, self.flange_tolerance, self.edge_tolerance].iter().any(Option::is_some)
     }
 }
 

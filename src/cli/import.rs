@@ -58,22 +58,22 @@ pub struct Args {
     #[arg(long, value_name = "WAY", value_parser = heading)]
     punch_moves: Option<Heading>,
     /// Ends that are no farther apart meet
-    #[arg(long, value_name = "LENGTH", default_value = "0.01 mm")]
+    #[arg(long, value_name = "LENGTH", default_value = "0.01 mm", allow_hyphen_values = true)]
     join: Positive<Length>,
     /// How far the arcs that replace a spline may leave it
-    #[arg(long, value_name = "LENGTH", default_value = "0.001 mm")]
+    #[arg(long, value_name = "LENGTH", default_value = "0.001 mm", allow_hyphen_values = true)]
     tolerance: Positive<Length>,
     /// What the section stands for: axisymmetric or plane_strain
     #[arg(long, value_name = "GEOMETRY", default_value = "axisymmetric", value_parser = geometry)]
     geometry: Geometry,
     /// Thickness of the sheet [default: a placeholder]
-    #[arg(long, value_name = "LENGTH")]
+    #[arg(long, value_name = "LENGTH", allow_hyphen_values = true)]
     thickness: Option<Positive<Length>>,
     /// Radius of the blank, in plane strain its half-length [default: a placeholder]
-    #[arg(long, visible_alias = "blank-half-length", value_name = "LENGTH")]
+    #[arg(long, visible_alias = "blank-half-length", value_name = "LENGTH", allow_hyphen_values = true)]
     blank_radius: Option<Positive<Length>>,
     /// Punch travel [default: a placeholder]
-    #[arg(long, value_name = "LENGTH")]
+    #[arg(long, value_name = "LENGTH", allow_hyphen_values = true)]
     travel: Option<Positive<Length>>,
     #[command(flatten)]
     json: Json,

@@ -53,7 +53,7 @@ enum Verb {
     /// Read a case and say what it means; with --run solve it and give a verdict
     #[command(after_help = check::HELP)]
     Check(check::Args),
-    /// Solve a case and write a report for people: HTML or Markdown
+    /// Solve a case and write a report for people: HTML, Markdown or PDF
     #[command(after_help = report::HELP)]
     Report(report::Args),
     /// Write a case file to begin with, from a few sizes

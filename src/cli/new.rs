@@ -82,7 +82,7 @@ fn json() -> Arg {
 }
 
 fn written(path: &Path) -> String {
-    format!("{0} is written; next: stampflow check {0}, stampflow run {0}", path.display())
+    format!("{0} is written; next: stampflow run {0} (or check {0} first)", path.display())
 }
 
 impl clap::Args for Args {
@@ -131,7 +131,7 @@ fn option(choice: &'static Choice, heading: &'static str) -> Arg {
     let arg = Arg::new(choice.key)
         .long(choice.key)
         .value_name(choice.kind.placeholder())
-        .allow_negative_numbers(true)
+        .allow_hyphen_values(true)
         .help_heading(heading)
         .help(format!("{} [default: {}]", choice.about, choice.default.words()));
     match choice.key {
@@ -146,6 +146,7 @@ fn diameter(choice: &'static Choice) -> Option<Arg> {
     let arg = Arg::new(key)
         .long(key)
         .value_name(choice.kind.placeholder())
+        .allow_hyphen_values(true)
         .conflicts_with(choice.key)
         .help_heading("Sizes")
         .help(format!("its diameter, instead of --{}", choice.key));

@@ -66,7 +66,7 @@ fn language(code: &str) -> Result<Language, String> {
 }
 
 fn system(name: &str) -> Result<System, String> {
-    match name {
+    match name.to_lowercase().as_str() {
         "si" => Ok(System::Si),
         "us" => Ok(System::Us),
         _ => Err("the systems are si (mm, kN, MPa) and us (in, US tonf, ksi)".to_owned()),
@@ -98,7 +98,7 @@ pub struct PictureOptions {
     #[arg(long, value_name = "FORMAT", value_delimiter = ',', default_value = "png")]
     format: Vec<PictureFormat>,
     /// Width of pictures on paper, 50 to 400 mm: no letter is smaller than 6 pt [default: 170 mm]
-    #[arg(long, value_name = "LENGTH", value_parser = width)]
+    #[arg(long, value_name = "LENGTH", value_parser = width, allow_hyphen_values = true)]
     width: Option<Millimetres>,
     /// Pixels per inch of png, 50 to 1200 [default: 300 of a width that is given, else 1600 pixels across]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(50..=1200))]

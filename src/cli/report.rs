@@ -21,6 +21,8 @@ with its pictures as SVG files in a folder beside it, report_figures. A report o
 
 Examples:
   stampflow report cases/quickstart.toml
+  stampflow new cup -o cup.toml
+  stampflow report cup.toml -o cup_report.html
   stampflow report cases/hat_springback.toml -o hat.html --set tools.punch.friction=0.1
   stampflow report cases/quickstart.toml -o cup.pdf --part Cup --number 4711 --revision B --author Ito
   stampflow report cases/quickstart.toml -o cup.md

@@ -25,9 +25,19 @@ pub enum Digits {
     Significant(usize),
     /// At most so many behind the decimal sign, without zeros at the end: what was given, not computed.
     Given(usize),
+    /// Likewise of a length \[mm\] as drawings have it; of inches three.
+    Drawn(usize),
+    /// As it was given; in a unit other than the solver's so many from the first that is not 0.
+    Converted(usize),
 }
 
-use Digits::{Decimals, Given, Significant};
+use Digits::{Converted, Decimals, Drawn, Given, Significant};
+
+/// Decimals of a length on a drawing in inches.
+const OF_INCHES: usize = 3;
+
+/// Decimals of a number as it was given.
+const FINEST: i32 = 6;
 
 /// The power of ten below which a number is told with it.
 const SMALLEST: i32 = -4;
@@ -76,6 +86,16 @@ impl Amount {
     /// A size that was given \[mm\], to a micrometre where it has as many digits.
     pub const fn size(length: f64) -> Self {
         Self::new(length, Unit::Mm, Given(3))
+    }
+
+    /// A radius, a gap or an opening of tools \[mm\], to a hundredth.
+    pub const fn drawn(length: f64) -> Self {
+        Self::new(length, Unit::Mm, Drawn(2))
+    }
+
+    /// A blank or a travel as a press shop sets it \[mm\], to a tenth.
+    pub const fn set(length: f64) -> Self {
+        Self::new(length, Unit::Mm, Drawn(1))
     }
 
     /// A length over the sheet's thickness \[–\].
@@ -159,6 +179,9 @@ impl Amount {
         let written = match self.digits {
             Decimals(n) => format!("{value:.*}", n + to.finer),
             Given(n) => crate::units::trimmed(value, (n + to.finer) as i32),
+            Drawn(n) => crate::units::trimmed(value, if to.finer > 0 { OF_INCHES } else { n } as i32),
+            Converted(_) if to.factor == 1.0 => crate::units::trimmed(value, FINEST),
+            Converted(n) => crate::units::trimmed(value, n as i32 - 1 - magnitude(value, n)),
             Significant(_) if value == 0.0 => "0".to_owned(),
             Significant(n) => match magnitude(value, n) {
                 magnitude if magnitude < SMALLEST && self.unit == Unit::Percent => "0".to_owned(),
@@ -202,6 +225,9 @@ mod tests {
             (Amount::thickness(0.612), ["0.61 mm", "0.0241 in", "0,61 mm"]),
             (Amount::thickness(0.0123), ["0.012 mm", "0.00048 in", "0,012 mm"]),
             (Amount::size(30.0), ["30 mm", "1.1811 in", "30 mm"]),
+            (Amount::drawn(30.126), ["30.13 mm", "1.186 in", "30,13 mm"]),
+            (Amount::set(200.48), ["200.5 mm", "7.893 in", "200,5 mm"]),
+            (Amount::new(68_950.0, Unit::MPa, Converted(3)), ["68950 MPa", "10000 ksi", "68950 MPa"]),
             (Amount::force(36_180.0, Unit::N), ["36.2 kN", "4.07 US tonf", "36,2 kN"]),
             (Amount::force(246.0, Unit::N), ["246 N", "55.3 lbf", "246 N"]),
             (Amount::angle(-0.04), ["0.0°", "0.0°", "0,0°"]),

@@ -7,7 +7,6 @@ use crate::geometry::Point;
 use crate::message::{Amount, Form, Message, message};
 use crate::model::Model;
 use crate::solution::Frame;
-use crate::table::Unit;
 use std::f64::consts::PI;
 
 /// A size of the section, and where it is drawn.
@@ -17,10 +16,8 @@ pub struct Dimension {
     pub of: Message,
     /// Which of its sizes it is.
     pub size: Size,
-    /// The size, in `unit`.
-    pub value: f64,
-    /// Unit of the size.
-    pub unit: Unit,
+    /// The size as it is told.
+    pub amount: Amount,
     /// Where it is drawn.
     pub mark: Mark,
 }
@@ -93,21 +90,13 @@ impl Dimension {
 
     /// As on a drawing: `Punch Ø 60 mm`.
     fn text(&self) -> Message {
-        let (of, size) = (self.of.clone(), self.amount());
+        let (of, size) = (self.of.clone(), self.amount);
         match self.size {
             Size::Diameter => message!("{of} Ø {size}", of = of, size = size),
             Size::Width => message!("{of} width {size}", of = of, size = size),
             Size::Radius(1) => message!("{of} R {size}", of = of, size = size),
             Size::Radius(alike) => message!("{of} {n} × R {size}", of = of, n = alike, size = size),
             Size::Plain => message!("{of} {size}", of = of, size = size),
-        }
-    }
-
-    /// The size as it is told: a length that was given, or a force.
-    pub fn amount(&self) -> Amount {
-        match self.unit {
-            Unit::Mm => Amount::size(self.value),
-            unit => Amount::force(self.value, unit),
         }
     }
 }

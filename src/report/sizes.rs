@@ -1,12 +1,11 @@
 //! The sizes of a section, and where they are drawn.
 
 use crate::geometry::{Arc, Piece, Point};
-use crate::message::{Message, message};
+use crate::message::{Amount, Message, message};
 use crate::model::{Geometry, Model, Motion, Role, Tool};
 use crate::output::{Dimension, Mark, Size};
 use crate::rules::tool_sizes::{extent, throat};
 use crate::solution::Frame;
-use crate::table::Unit;
 
 /// Roundings of one tool that are given; of a curve of more arcs the smallest radius is.
 const ROUNDINGS: usize = 8;
@@ -23,12 +22,12 @@ pub(super) fn dimensions(model: &Model, start: Option<&Frame>) -> Vec<Dimension>
     let (blank, half) = (&model.blank, 0.5 * model.blank.thickness);
     let mut found = Vec::new();
     if start.is_none() {
-        found.push(wide(model, "Blank", blank.length, Mark::Across(blank.length)));
-        found.push(plain("Thickness", blank.thickness, Unit::Mm, Mark::At(Point::new(0.97 * blank.length, 0.0))));
+        found.push(wide(model, "Blank", blank.length, Amount::set, Mark::Across(blank.length)));
+        found.push(plain("Thickness", Amount::size(blank.thickness), Mark::At(Point::new(0.97 * blank.length, 0.0))));
     }
     for (i, tool) in model.tools.iter().enumerate() {
         let moved = start.and_then(|frame| frame.tool_displacement.get(i)).copied().unwrap_or_default();
-        let across = |name: &'static str, r: f64| wide(model, name, r, Mark::Across(r));
+        let across = |name: &'static str, r: f64| wide(model, name, r, Amount::drawn, Mark::Across(r));
         match tool.role {
             Role::Punch => found.push(across("Punch", extent(tool).1)),
             Role::Die => found.extend(throat(tool).map(|r| across("Die throat", r))),
@@ -39,25 +38,29 @@ pub(super) fn dimensions(model: &Model, start: Option<&Frame>) -> Vec<Dimension>
         if tool.role == Role::Punch && model.travel > 0.0 {
             let from = tool.profile.polyline(0.01).iter().map(|p| p.y).fold(f64::NEG_INFINITY, f64::max) + moved.y;
             let r = 0.25 * extent(tool).1.min(blank.length);
-            found.push(plain("Travel", model.travel, Unit::Mm, Mark::Along { r, from, to: from + model.travel }));
+            found.push(plain("Travel", Amount::set(model.travel), Mark::Along { r, from, to: from + model.travel }));
         }
     }
-    found
-        .extend(model.beads.iter().map(|bead| wide(model, "Draw bead", bead.at, Mark::At(Point::new(bead.at, -half)))));
+    found.extend(
+        model
+            .beads
+            .iter()
+            .map(|bead| wide(model, "Draw bead", bead.at, Amount::drawn, Mark::At(Point::new(bead.at, -half)))),
+    );
     found
 }
 
-fn plain(of: &'static str, value: f64, unit: Unit, mark: Mark) -> Dimension {
-    Dimension { of: of.into(), size: Size::Plain, value, unit, mark }
+fn plain(of: &'static str, amount: Amount, mark: Mark) -> Dimension {
+    Dimension { of: of.into(), size: Size::Plain, amount, mark }
 }
 
 /// The diameter of a round part, or the width of a strip, at a distance from its middle.
-fn wide(model: &Model, of: &'static str, r: f64, mark: Mark) -> Dimension {
+fn wide(model: &Model, of: &'static str, r: f64, told: fn(f64) -> Amount, mark: Mark) -> Dimension {
     let size = match model.geometry {
         Geometry::Axisymmetric => Size::Diameter,
         Geometry::PlaneStrain => Size::Width,
     };
-    Dimension { of: of.into(), size, value: 2.0 * r, unit: Unit::Mm, mark }
+    Dimension { of: of.into(), size, amount: told(2.0 * r), mark }
 }
 
 /// The radii of a tool, those that are alike together; of a curve of many arcs the smallest.
@@ -83,8 +86,7 @@ fn roundings(tool: &Tool, moved: Point) -> Vec<Dimension> {
     let radius = |(of, alike, arc): (Message, usize, Arc)| Dimension {
         of,
         size: Size::Radius(alike),
-        value: arc.radius,
-        unit: Unit::Mm,
+        amount: Amount::drawn(arc.radius),
         mark: Mark::At(arc.at(0.5) + moved),
     };
     found.into_iter().map(radius).collect()
@@ -112,8 +114,10 @@ fn load(model: &Model, tool: &Tool, moved: Point) -> Option<Dimension> {
     let under = Point::new(0.5 * (inner + outer.min(model.blank.length.max(inner))), -0.5 * model.blank.thickness);
     let at = Mark::At(under + moved);
     match &tool.motion {
-        Motion::Gap(gap) => Some(plain("Holder gap", *gap, Unit::Mm, at)),
-        Motion::Pressed(press) => Some(plain("Holder force", press.force.largest(), model.extent().force_unit(), at)),
+        Motion::Gap(gap) => Some(plain("Holder gap", Amount::drawn(*gap), at)),
+        Motion::Pressed(press) => {
+            Some(plain("Holder force", Amount::force(press.force.largest(), model.extent().force_unit()), at))
+        }
         Motion::Fixed | Motion::Travel | Motion::Path(_) => None,
     }
 }

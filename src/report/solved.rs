@@ -62,7 +62,7 @@ impl<'a> Report<'a> {
 
     /// Every number of the document, with those behind its pictures that a summary has.
     pub fn json(&self) -> Value {
-        let dimension = |d: &Dimension| json!({"label": d.name(), "value": rounded(d.value), "unit": d.unit.symbol()});
+        let dimension = |d: &Dimension| json!({"label": d.name(), "value": rounded(d.amount.value), "unit": d.amount.unit.symbol()});
         let number = |n: &KeyNumber| {
             let Amount { value, unit, .. } = n.amount;
             json!({"key": n.key, "value": rounded(value), "unit": unit.spelled(), "told": n.amount.told(Form::default()), "about": n.about})

@@ -2,7 +2,7 @@
 
 use super::kind::Kind;
 use super::spelling::closest;
-use super::unit::{Dimension, UNITS, meant, told};
+use super::unit::{Dimension, UNITS, find, meant, told};
 
 /// Why a text is not a quantity. The message's first line says what is wrong, the second what to write.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -44,6 +44,22 @@ pub enum QuantityError {
     Thicknesses {
         /// The text that was read.
         found: String,
+    },
+    /// Sheet thicknesses, where a force is wanted.
+    #[error(
+        "{found:?} are thicknesses of the sheet, wanted {}\n\
+         t is thicknesses of the sheet here: write {tonnes} tonf (tonnes-force) or {kilonewtons:.0} kN",
+        .kind.name
+    )]
+    Tonnes {
+        /// The text that was read.
+        found: String,
+        /// Its number.
+        tonnes: f64,
+        /// So many tonnes-force \[kN\].
+        kilonewtons: f64,
+        /// The kind of quantity that is wanted.
+        kind: &'static Kind,
     },
     /// A gauge of no named metal.
     #[error(
@@ -125,6 +141,11 @@ pub enum QuantityError {
 }
 
 impl QuantityError {
+    pub(super) fn tonnes(found: &str, tonnes: f64, kind: &'static Kind) -> Self {
+        let newtons = find("tonf").map_or(f64::NAN, |unit| unit.1);
+        Self::Tonnes { found: found.into(), tonnes, kilonewtons: 1e-3 * tonnes * newtons, kind }
+    }
+
     pub(super) fn unknown_unit(found: &str, unit: &str) -> Self {
         let mut meant = meant(unit);
         if meant.is_empty() {

@@ -2,7 +2,8 @@
 
 use super::error::QuantityError;
 use super::kind::Kind;
-use super::parse::parse;
+use super::parse::{parse, thicknesses};
+use super::unit::FORCE;
 
 /// A number whose dimension and range have been checked.
 pub trait Quantity: Copy {
@@ -24,8 +25,13 @@ pub trait Quantity: Copy {
 
 /// Checks text against a type: number, unit, dimension, range.
 pub(super) fn read<Q: Quantity>(text: &str) -> Result<Q, QuantityError> {
-    let (parsed, kind) = (parse(text)?, Q::KIND);
-    let found = text.trim();
+    let (kind, found) = (Q::KIND, text.trim());
+    let parsed = parse(text).map_err(|error| match (error, thicknesses(text)) {
+        (QuantityError::Thicknesses { .. }, Some(tonnes)) if kind.dimension == FORCE => {
+            QuantityError::tonnes(found, tonnes, kind)
+        }
+        (error, _) => error,
+    })?;
     // A bare 8 would be 800 %: who writes a percentage says so.
     let is_bare_share = kind.unit == "%" && !parsed.has_unit;
     if parsed.dimension == kind.dimension && !is_bare_share {

@@ -69,12 +69,14 @@ const LBF: f64 = 4.448_221_615_260_5;
 pub(super) const INCH: f64 = 25.4;
 
 /// Every unit that may be written.
-pub(super) const UNITS: [Unit; 41] = [
+pub(super) const UNITS: [Unit; 43] = [
     Unit("mm", 1.0, LENGTH),
     Unit("cm", 10.0, LENGTH),
     Unit("m", 1000.0, LENGTH),
     Unit("um", 1e-3, LENGTH),
     Unit("in", INCH, LENGTH),
+    Unit("inch", INCH, LENGTH),
+    Unit("inches", INCH, LENGTH),
     Unit("\"", INCH, LENGTH),
     Unit("″", INCH, LENGTH),
     Unit("mil", 1e-3 * INCH, LENGTH),
@@ -114,9 +116,7 @@ pub(super) const UNITS: [Unit; 41] = [
 ];
 
 /// What units are also called, in lower case, and how they are written here.
-const CALLED: [(&str, &str); 36] = [
-    ("inch", "in"),
-    ("inches", "in"),
+const CALLED: [(&str, &str); 34] = [
     ("ins", "in"),
     ("millimetre", "mm"),
     ("millimeter", "mm"),

@@ -146,7 +146,7 @@ fn the_answer_is_told_in_german_and_in_us_units() {
     for english in [" the ", " at ", "Thinnest", "Holder"] {
         assert!(!told.contains(english), "{english}: {told}");
     }
-    let us = stampflow(dir.path(), &["run", "cases/cup.toml", "-q", "--units", "us"]);
+    let us = stampflow(dir.path(), &["run", "cases/cup.toml", "-q", "--units", "US"]);
     let us = text(&us.stdout);
     assert!(us.contains(" in ") && us.contains("US tonf") && !us.contains(" kN"), "{us}");
     let unknown = stampflow(dir.path(), &["run", "cases/cup.toml", "--lang", "xx"]);

@@ -81,11 +81,17 @@ fn what_does_not_spring_back_is_not_judged() {
 
 /// A hat by the template, elastic too, and let go.
 fn hat(elements: usize) -> Solution {
+    hat_held(elements, &[])
+}
+
+/// The same, with other values in its case.
+fn hat_held(elements: usize, overrides: &[&str]) -> Solution {
     let text = find("hat-section").unwrap().fill(&[]).unwrap();
     let elastic =
         "[material]\nmode = \"elasto_viscoplastic\"\nyoung = \"206 GPa\"\npoisson = 0.3\n\n[material.hardening";
     let text = text.replacen("[material.hardening", elastic, 1) + "\n[[stages]]\nname = \"release\"\nrelease = true\n";
-    read(&text, &[&format!("blank.elements={elements}")]).solve(&mut ())
+    let elements = format!("blank.elements={elements}");
+    read(&text, &[&[elements.as_str()], overrides].concat()).solve(&mut ())
 }
 
 /// Trust: an upright wall between punch and die is straight, by a sag of some micrometres; released, the curl of a wall that was
@@ -102,6 +108,51 @@ fn a_wall_between_the_tools_is_straight_and_angles_have_the_digits_of_the_mesh()
     for (a, b) in coarse.iter().zip(&fine).filter(|(a, _)| a.quantity.key.ends_with("angle")) {
         assert!((a.after.unwrap() - b.after.unwrap()).abs() < 0.2, "{} {}", a.told(), b.told());
     }
+}
+
+/// Trust: a wall's angle is half of the one between both walls, and a punch with an upright wall wants 0°, whatever the sheet
+/// leans by under the tools; past that no straight punch bends.
+#[test]
+fn a_wall_has_its_own_tolerance_from_the_punchs_wall() {
+    let mut solution = hat(97);
+    let wall = *of(&released(&solution), "wall_angle");
+    let (before, after) = (wall.before.unwrap(), wall.after.unwrap());
+    assert!(before.abs() > 1e-3 && after > before, "{}", wall.told());
+    solution.case.springback.wall_tolerance = Some(after);
+    let found = verdict(&solution);
+    assert_eq!((found.light, found.value), (Light::Amber, Some(after)), "{found:?}");
+    let each = format!("each wall opens by {:.1}°", after - before);
+    assert!(found.found.to_string().ends_with(&each), "{found:?}");
+    assert!(found.limit.to_string().starts_with("0.0° ± ") && found.limit.to_string().ends_with("of the punch's wall"));
+    let advice = found.advice.to_string();
+    assert!(advice.contains("cannot bend past upright") && !advice.contains("over-bent by"), "{advice}");
+    // Of both walls together: twice.
+    solution.case.springback = Default::default();
+    solution.case.springback.tolerance = Some(2.0 * after);
+    let both = verdict(&solution);
+    assert_eq!((both.light, both.value), (Light::Amber, Some(2.0 * after)), "{both:?}");
+    assert!(both.found.to_string().ends_with(&each), "{both:?}");
+    // A part that is wanted open leaves room to over-bend.
+    solution.case.springback.angle = Some(4.0 * after);
+    let open = verdict(&solution);
+    assert!(!open.limit.to_string().contains("punch"), "{open:?}");
+    assert!(open.advice.to_string().contains("over-bent by"), "{open:?}");
+}
+
+/// Trust: a wall that yields through its whole thickness has the same stress through it and nothing left to turn it, by what is
+/// known of stretch forming; the yield load is that of the strip without strain across it.
+#[test]
+fn tension_straightens_a_wall_only_once_all_of_it_yields() {
+    let pulled = |force: &str| {
+        let solution = hat_held(97, &[&format!("tools.holder.force={force}")]);
+        let advice = verdict(&solution).advice.to_string();
+        let share = advice.split("the wall carries ").nth(1).and_then(|text| text.split(' ').next()).expect("a share");
+        println!("{force}: {share} %, {}", of(&released(&solution), "wall_angle").told());
+        (share.parse::<f64>().expect("a number"), of(&released(&solution), "wall_angle").after.unwrap())
+    };
+    let [slack, tight] = ["100 N/mm", "3200 N/mm"].map(pulled);
+    assert!(slack.0 < 30.0 && tight.0 > 75.0, "{slack:?} {tight:?}");
+    assert!(tight.1 < 0.5 * slack.1, "{slack:?} {tight:?}");
 }
 
 /// Trust: what the sheet's elasticity gives is what the tools get and what friction and flow take, as the balance has it.

@@ -239,6 +239,10 @@ fn what_does_not_go_together_is_refused_with_exit_code_2() {
         (&["bulge", "--pressure", "90 MPa"], "it would burst"),
         (&["stretch-dome", "--height", "60 mm"], "higher than its punch"),
         (&["hat-section", "--height", "5 mm"], "no wall"),
+        (&["hat-section", "--press", "250 tonf"], "give --length too"),
+        (&["hat-section", "--length", "60 in", "--press", "250 t"], "write 250 tonf (tonnes-force) or 2452 kN"),
+        (&["cup", "--thickness", "-0.8 mm"], "--thickness: must be positive, found -0.8 mm"),
+        (&["cup", "--punch-diameter", "-80 mm"], "--punch-diameter: must be positive, found -80 mm"),
         (&["v-bend", "--angle", "20 deg"], "60 deg to 170 deg"),
         (&["v-bend", "--width", "20 mm"], "no room for the punch"),
         (&["u-bend", "--leg", "9 mm"], "hardly rests"),
@@ -253,6 +257,21 @@ fn what_does_not_go_together_is_refused_with_exit_code_2() {
     }
     let error = find("cup").unwrap().fill(&[("angle", "30 deg")]).unwrap_err();
     assert!(error.remedy().unwrap().contains("--punch-radius, --height"), "{error}");
+}
+
+/// Trust: a tonne-force is 9.80665 kN; the rounding is upward, to 0.01 kN.
+#[test]
+fn a_hat_is_let_go_over_its_length_in_its_press() {
+    let hat = case("hat-section", &[("length", "60 inch"), ("press", "250 tonf"), ("springback", "1 deg")]);
+    assert_eq!(hat.model().depth, Some(1524.0));
+    let force = hat.press.force.expect("a press");
+    assert!((force - 250.0 * 9_806.65).abs() < 10.0, "{force}");
+    assert_eq!(hat.springback.wall_tolerance.map(f64::round), Some(1.0));
+    assert!(hat.model().elasticity().is_some() && hat.later().len() == 1 && hat.later()[0].model.release.is_some());
+    let library = case("hat-section", &[("material", "dc04"), ("springback", "0.5 deg")]);
+    assert!(library.model().elasticity().is_some() && library.model().depth.is_none());
+    let flows = case("hat-section", &[]);
+    assert!(flows.later().is_empty() && !flows.springback.is_given() && flows.press.force.is_none());
 }
 
 #[test]

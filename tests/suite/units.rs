@@ -105,8 +105,15 @@ fn messages_name_the_value_and_the_remedy() {
         message::<Force>("5 MPa"),
         "\"5 MPa\" is a stress, wanted a force\nwrite for example \"80 kN\" or \"5000 N\""
     );
+    assert_eq!(
+        message::<Force>("250 t"),
+        "\"250 t\" are thicknesses of the sheet, wanted a force\nt is thicknesses of the sheet here: write 250 tonf \
+         (tonnes-force) or 2452 kN"
+    );
+    assert_eq!("60 inch".parse::<Length>().unwrap(), "60 in".parse().unwrap());
+    assert_eq!("60 inches".parse::<Length>().unwrap(), "60 in".parse().unwrap());
     assert_eq!(message::<Stress>("210 Gpa"), "unknown unit `Gpa` in \"210 Gpa\"\ndid you mean `GPa`?");
-    for (word, unit) in [("inch", "in"), ("Inches", "in"), ("µm", "um"), ("millimeters", "mm"), ("meter", "m")] {
+    for (word, unit) in [("Inches", "in"), ("µm", "um"), ("millimeters", "mm"), ("meter", "m")] {
         let message = message::<Length>(&format!("0.04 {word}"));
         assert!(message.ends_with(&format!("did you mean `{unit}`?")), "{message}");
     }

@@ -45,7 +45,7 @@ fn mode(model: &Model) -> Line {
 fn sheet(material: &Material, lines: &mut Vec<Line>) {
     match material.elastic {
         Some(Elastic { young, poisson }) => {
-            lines.push(line("Young's modulus", given(young, Unit::MPa), ""));
+            lines.push(line("Young's modulus", Amount::new(young, Unit::MPa, Digits::Converted(3)), ""));
             lines.push(line("Poisson's ratio", Amount::number(poisson), ""));
         }
         None => lines.push(line("elasticity", "none given", "the flow law needs none")),

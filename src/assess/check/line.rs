@@ -39,10 +39,10 @@ pub(super) fn line(label: impl Into<Message>, value: impl Into<Message>, meaning
     Line { label: label.into(), value: value.into(), meaning: meaning.into() }
 }
 
-/// A distance from the axis or symmetry plane \[mm\] as shops have it: of a round part the diameter.
-pub(super) fn size_of(model: &Model, half: f64) -> Message {
+/// A distance from the axis or symmetry plane \[mm\] as shops have it: of a round part the diameter; told as `amount` does.
+pub(super) fn size_of(model: &Model, half: f64, amount: fn(f64) -> Amount) -> Message {
     match model.geometry {
-        Geometry::Axisymmetric => message!("Ø {diameter}", diameter = Amount::size(2.0 * half)),
-        Geometry::PlaneStrain => message!("{half}", half = Amount::size(half)),
+        Geometry::Axisymmetric => message!("Ø {diameter}", diameter = amount(2.0 * half)),
+        Geometry::PlaneStrain => message!("{half}", half = amount(half)),
     }
 }

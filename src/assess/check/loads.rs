@@ -45,7 +45,7 @@ pub(super) fn bead(model: &Model, bead: &Bead) -> Line {
         restraining = Amount::force(bead.restraining, Unit::NPerMm),
         closing = Amount::force(bead.closing, Unit::NPerMm)
     );
-    line("bead", size_of(model, bead.at), meaning)
+    line("bead", size_of(model, bead.at, Amount::drawn), meaning)
 }
 
 pub(super) fn gas(model: &Model, gas: &Gas) -> Line {

@@ -9,7 +9,7 @@ use crate::model::{Mode, Motion};
 pub(super) fn describe(stage: &Stage) -> Message {
     let Stage { model, begin, .. } = stage;
     let mut does = Vec::new();
-    does.extend(begin.trim.map(|half| message!("cut at {size}", size = size_of(model, half))));
+    does.extend(begin.trim.map(|half| message!("cut at {size}", size = size_of(model, half, Amount::set))));
     does.extend(begin.anneal.then(|| "annealed".into()));
     for tool in &model.tools {
         let name = tool.role.name();

@@ -15,13 +15,13 @@ const FEW: usize = 4;
 pub(super) fn lines(model: &Model, lines: &mut Vec<Line>) {
     lines.extend(model.tools.iter().map(|tool| of_tool(model, tool)));
     if model.travel > 0.0 {
-        lines.push(line("travel", Amount::size(model.travel), pace(model)));
+        lines.push(line("travel", Amount::set(model.travel), pace(model)));
     }
     lines.extend(model.beads.iter().map(|bead| loads::bead(model, bead)));
     lines.extend(model.gas.iter().map(|gas| loads::gas(model, gas)));
     if let Some(clearance) = estimate::clearance(model) {
         let over_t = message!("or {ratio}", ratio = Amount::thicknesses(clearance / model.blank.thickness));
-        lines.push(line("clearance", Amount::size(clearance), over_t));
+        lines.push(line("clearance", Amount::drawn(clearance), over_t));
     }
     if let Some(ratio) = estimate::draw_ratio(model) {
         let limit = Amount::number(LIMITING_RATIO);
@@ -34,16 +34,16 @@ fn of_tool(model: &Model, tool: &Tool) -> Line {
     let (low, high) = extent(tool);
     let bottom = tool.role == Role::Die && throat(tool).is_none();
     let size = match tool.role {
-        Role::Punch => size_of(model, high),
+        Role::Punch => size_of(model, high, Amount::drawn),
         Role::Die if bottom => Message::from("closed"),
-        Role::Die | Role::Holder => size_of(model, low),
+        Role::Die | Role::Holder => size_of(model, low, Amount::drawn),
     };
     let is_round = model.geometry == Geometry::Axisymmetric;
     let what = match tool.role {
         Role::Punch if widens(tool, model.travel) => message!(
             "{wall}, {mouth} at the sheet at the full travel",
             wall = if is_round { message!("to the wall") } else { message!("half-width to the wall") },
-            mouth = size_of(model, mouth(tool, model.travel))
+            mouth = size_of(model, mouth(tool, model.travel), Amount::drawn)
         ),
         Role::Punch if is_round => message!("to the wall"),
         Role::Punch => message!("half-width to the wall"),
@@ -65,7 +65,11 @@ fn of_tool(model: &Model, tool: &Tool) -> Line {
 /// The radii over which the sheet is bent; of many the smallest and the largest.
 fn corners(tool: &Tool, thickness: f64) -> Message {
     let told = |radius: f64| {
-        message!("R {radius} ({ratio})", radius = Amount::size(radius), ratio = Amount::thicknesses(radius / thickness))
+        message!(
+            "R {radius} ({ratio})",
+            radius = Amount::drawn(radius),
+            ratio = Amount::thicknesses(radius / thickness)
+        )
     };
     let mut radii: Vec<f64> = tool.profile.corners().map(|arc| arc.radius).collect();
     if radii.len() > FEW {

@@ -4,10 +4,11 @@ use super::inputs::{Choice, Inputs, Kind, Rule, Value};
 use super::rules::{self, Picked};
 use super::sheet::Sheet;
 use super::template::{Template, begin};
-use super::tools::{NOSE, SHOULDER, Tools, draw, flat_punch, nose_fits, throat};
+use super::tools::{Draw, NOSE, SHOULDER, Tools, drawn, flat_punch, newtons, nose_fits, release, throat};
 use crate::author::page::plain;
 use crate::case::CaseError;
 use crate::model::Geometry;
+use crate::units::rounded;
 
 pub(super) const TEMPLATE: Template =
     Template::new("hat-section", "a hat section (plane strain) drawn to a wanted depth under a holder", OPTIONS, write);
@@ -24,6 +25,14 @@ const OPTIONS: &[Choice] = &[
         Kind::Stress,
         Rule("1 % of the tensile strength"),
         "pressure of the holder on the flange",
+    ),
+    Choice::length("length", Rule("forces per mm of depth"), "length of the part, over which forces are told"),
+    Choice::new("press", Kind::Force, Rule("no press"), "force of the press, such as 250 tonf; wants --length"),
+    Choice::new(
+        "springback",
+        Kind::Angle,
+        Rule("no spring-back"),
+        "tolerance of each wall's angle: the sheet is elastic too and let go, which takes longer",
     ),
 ];
 
@@ -60,12 +69,42 @@ fn write(inputs: &Inputs) -> Result<String, CaseError> {
     }
     .held(&pressure, blank.value)?;
 
-    let page = begin(
-        "One half of a hat section, drawn. By the flow law, which does not spring back: for that see cases/hat_springback.toml, \
-         which takes longer, or stampflow new u-bend.",
+    let (depth, springback, press) = (inputs.given("length"), inputs.given("springback"), inputs.given("press"));
+    if press.is_some() && depth.is_none() {
+        let what = "--press is the force of the whole press, and nothing says how long the part is";
+        return Err(CaseError::bare(what.into(), "give --length too, such as --length \"60 in\"".into()));
+    }
+
+    let about = match springback {
+        Some(_) => "One half of a hat section, drawn and then let go.",
+        None => {
+            "One half of a hat section, drawn. By the flow law, which does not spring back: for that give --springback, which \
+                 takes longer."
+        }
+    };
+    let mut page = begin(
+        about,
         &format!("Hat section, punch {} wide", plain(2.0 * half_width)),
         Geometry::PlaneStrain,
         &sheet.notes("a made-up section"),
     );
-    Ok(draw(page, &sheet, &blank, tools.shoulder.value.min(nose.value), &tools))
+    if springback.is_some() {
+        page.table("stage", "");
+        page.set("name", "\"draw\"", "");
+    }
+    let corner = tools.shoulder.value.min(nose.value);
+    drawn(&mut page, &sheet, &blank, &Draw { corner, depth, elastic: springback.is_some() }, &tools);
+    if springback.is_some() {
+        release(&mut page);
+    }
+    if let Some(force) = press {
+        page.table("press", "");
+        page.set("force", newtons(force), "of the press: the verdict says how much of it is used");
+    }
+    if let Some(tolerance) = springback {
+        page.table("springback", "How far the part may be from the punch's wall once it is let go.");
+        let tolerance = format!("\"{} deg\"", rounded(tolerance.to_degrees()));
+        page.set("wall_tolerance", tolerance, "of the angle of each wall");
+    }
+    Ok(page.text())
 }

@@ -5,7 +5,7 @@ pub(super) use self::Default::{Rule, Value};
 use super::rules::Picked;
 use crate::case::CaseError;
 use crate::units::{
-    Angle, Fraction, Length, NonNegative, Number, Positive, Quantity, QuantityError, Ratio, Stress, closest,
+    Angle, Force, Fraction, Length, NonNegative, Number, Positive, Quantity, QuantityError, Ratio, Stress, closest,
     thicknesses,
 };
 use std::borrow::Cow;
@@ -19,6 +19,8 @@ pub enum Kind {
     Stress,
     /// Above zero \[rad\].
     Angle,
+    /// Above zero \[N\].
+    Force,
     /// Zero or above, in percent \[–\].
     Share,
     /// Zero or above \[–\].
@@ -36,6 +38,7 @@ impl Kind {
             Kind::Length => "LENGTH",
             Kind::Stress => "STRESS",
             Kind::Angle => "ANGLE",
+            Kind::Force => "FORCE",
             Kind::Share => "PERCENT",
             Kind::Number => "NUMBER",
             Kind::Fraction => "FRACTION",
@@ -52,6 +55,7 @@ impl Kind {
             Kind::Length => value::<Positive<Length>>(text),
             Kind::Stress => value::<Positive<Stress>>(text),
             Kind::Angle => value::<Positive<Angle>>(text),
+            Kind::Force => value::<Positive<Force>>(text),
             Kind::Share => value::<NonNegative<Ratio>>(text),
             Kind::Number => value::<NonNegative<Number>>(text),
             Kind::Fraction => value::<Fraction>(text),

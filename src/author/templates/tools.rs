@@ -167,15 +167,40 @@ pub(super) fn elements(page: &mut Page, length: f64, radius: f64) {
 /// The case file of a part that is drawn, or stretched where no holder is; `corner` is the smallest radius \[mm\] that
 /// the sheet is bent over.
 pub(super) fn draw(mut page: Page, sheet: &Sheet, blank: &Picked, corner: f64, tools: &Tools) -> String {
-    sheet.blank(&mut page, tools.geometry, blank);
+    drawn(&mut page, sheet, blank, &Draw { corner, depth: None, elastic: false }, tools);
+    page.text()
+}
+
+/// What tells one draw from another, beside its sheet and its tools.
+pub(super) struct Draw {
+    /// Smallest radius that the sheet is bent over \[mm\].
+    pub corner: f64,
+    /// Of a strip, where it is known \[mm\].
+    pub depth: Option<f64>,
+    /// Whether the sheet is elastic too.
+    pub elastic: bool,
+}
+
+/// Sheet and tools of a draw.
+pub(super) fn drawn(page: &mut Page, sheet: &Sheet, blank: &Picked, draw: &Draw, tools: &Tools) {
+    sheet.blank(page, tools.geometry, blank);
+    if let Some(depth) = draw.depth {
+        page.set("depth", mm(depth), "length of the part: forces are those of all of it");
+    }
     if tools.holder.is_none() {
         page.set("edge", "\"clamped\"", "");
     }
-    elements(&mut page, blank.value, corner);
-    sheet.material(&mut page, false);
-    sheet.forming_limit(&mut page);
-    tools.write(&mut page, sheet);
-    page.text()
+    elements(page, blank.value, draw.corner);
+    sheet.material(page, draw.elastic);
+    sheet.forming_limit(page);
+    tools.write(page, sheet);
+}
+
+/// The stage that takes the tools away.
+pub(super) fn release(page: &mut Page) {
+    page.table("[stages]", "All tools are taken away at once: their forces fade, and the sheet springs back.");
+    page.set("name", "\"release\"", "");
+    page.set("release", true, "");
 }
 
 /// The sheet and the tools of a strip that is bent, and the stage that takes them away.
@@ -186,7 +211,5 @@ pub(super) fn bend(page: &mut Page, sheet: &Sheet, blank: &Picked, nose: f64, to
     elements(page, blank.value, tools.shoulder.value.min(nose));
     sheet.material(page, true);
     tools.write(page, sheet);
-    page.table("[stages]", "All tools are taken away at once: their forces fade, and the sheet springs back.");
-    page.set("name", "\"release\"", "");
-    page.set("release", true, "");
+    release(page);
 }

@@ -12,6 +12,7 @@ pub(in crate::case) fn springback(file: &CaseFile, source: &Source) -> Result<Sp
     let found = Springback {
         angle: file.angle.map(|angle| degrees(angle.value())),
         tolerance: file.tolerance.map(|angle| degrees(angle.value())),
+        wall_tolerance: file.wall_tolerance.map(|angle| degrees(angle.value())),
         flange_tolerance: file.flange_tolerance.map(|angle| degrees(angle.value())),
         edge_tolerance: file.edge_tolerance.map(Quantity::value),
     };
@@ -19,9 +20,16 @@ pub(in crate::case) fn springback(file: &CaseFile, source: &Source) -> Result<Sp
         let what = "an angle of 180° or more between the legs is no bend";
         return Err(source.error("springback.angle", what, "write the angle between the legs, such as \"90 deg\""));
     }
-    if found.tolerance.is_none() && (found.angle.is_some() || !found.is_given()) {
+    if found.tolerance.is_some() && found.wall_tolerance.is_some() {
+        let what = "`tolerance` is of the angle between both walls, twice that of `wall_tolerance`: both are given";
+        return Err(source.error("springback.wall_tolerance", what, "keep one of them"));
+    }
+    let no_angle = found.tolerance.or(found.wall_tolerance).is_none();
+    if no_angle && (found.angle.is_some() || !found.is_given()) {
         let what = "[springback] has no `tolerance`: nothing says how far the angle may miss";
-        return Err(source.error("springback", what, "write tolerance = \"1 deg\""));
+        let help =
+            "write tolerance = \"1 deg\" of the angle between both walls, or wall_tolerance = \"0.5 deg\" of each";
+        return Err(source.error("springback", what, help));
     }
     Ok(found)
 }

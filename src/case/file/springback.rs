@@ -8,13 +8,16 @@ use serde::Deserialize;
 #[serde(deny_unknown_fields)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Springback {
-    /// Wanted angle between the two legs or walls of the whole section, 0 deg where they are upright; the one under the tools
-    /// when not given.
+    /// Wanted angle between the two legs or walls of the whole section, 0 deg where they are upright. When not given, that of
+    /// the punch's straight wall where the sheet lies against it, else the one under the tools.
     #[cfg_attr(feature = "schema", schemars(example = "90 deg"))]
     pub angle: Option<NonNegative<Angle>>,
-    /// By how much that angle may miss.
+    /// By how much that angle, of both walls together, may miss; instead of `wall_tolerance`.
     #[cfg_attr(feature = "schema", schemars(example = "1 deg"))]
     pub tolerance: Option<Positive<Angle>>,
+    /// By how much the angle of each wall may miss: half of what the angle between both may.
+    #[cfg_attr(feature = "schema", schemars(example = "0.5 deg"))]
+    pub wall_tolerance: Option<Positive<Angle>>,
     /// By how much each flange may turn from where it is under the tools.
     #[cfg_attr(feature = "schema", schemars(example = "1 deg"))]
     pub flange_tolerance: Option<Positive<Angle>>,

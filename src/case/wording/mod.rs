@@ -17,6 +17,9 @@ use toml::de::{DeTable, DeValue};
 /// Keys whose values are words for people or names.
 const WORDS: [&str; 6] = ["title", "notes", "name", "source", "file", "quantity"];
 
+/// Keys of forces, of which "250 t" is no length: it is told as what it is.
+const FORCES: [&str; 2] = ["force", "preload"];
+
 /// What was written otherwise than it is read.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Wording {
@@ -168,7 +171,7 @@ impl Wording {
                     self.lengths_in(value, &Place { path: &place.path_of(&i.to_string()), table: place.table }, case)?;
                 }
             }
-            DeValue::String(text) if !WORDS.contains(&place.table) => {
+            DeValue::String(text) if !WORDS.contains(&place.table) && !FORCES.contains(&last(place.path)) => {
                 if let Some((count, thickness)) = units::thicknesses(text).zip(case.thickness) {
                     *text = millimetres(count * thickness).into();
                 }
