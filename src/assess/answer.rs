@@ -83,20 +83,19 @@ fn sentence(stages: &[StageSolution], findings: &[Finding], light: Light) -> Mes
     let bottom = share("bottom_tearing");
     match light {
         _ if is_red("bottom_tearing") => "it tears at the bottom: the punch pulls harder than the wall can bear".into(),
-        _ if is_red("localisation") || is_red("thinning") => {
-            Message::joined(["it thins too far".into(), at()], " ")
-        }
+        _ if is_red("localisation") || is_red("thinning") => Message::joined(["it thins too far".into(), at()], " "),
         _ if is_red("wrinkling") => "it wrinkles: the holder presses too little for this flange".into(),
         Light::Amber if bottom.is_some_and(|used| used > 1.0) => message!(
             "it may tear at the bottom: the punch needs {used} of what the wall surely carries",
             used = Amount::share(bottom.unwrap_or_default())
         ),
-        Light::Red if bottom.is_some_and(|used| used > 1.0) => message!(
-            "it may tear at the bottom, and not as it is: {labels}",
-            labels = labels(Light::Red)
-        ),
+        Light::Red if bottom.is_some_and(|used| used > 1.0) => {
+            message!("it may tear at the bottom, and not as it is: {labels}", labels = labels(Light::Red))
+        }
         Light::Red => message!("it does not tear, but not as it is: {labels}", labels = labels(Light::Red)),
-        Light::Amber if is("forming_limit", Light::Amber) => Message::joined(["it comes near to tearing".into(), at()], " "),
+        Light::Amber if is("forming_limit", Light::Amber) => {
+            Message::joined(["it comes near to tearing".into(), at()], " ")
+        }
         Light::Amber if is("thinning", Light::Amber) => {
             let thins = message!(
                 "it thins by {thinning} {place}, more than the {rule} rule of thumb",

@@ -23,9 +23,8 @@ impl<'a> Load<'a> {
     pub fn largest(stages: &'a [StageSolution]) -> Option<Self> {
         let formed = stages.iter().enumerate().filter(|(_, stage)| stage.model.release.is_none());
         let pressed = |step: &&StepRecord| step.punch_force > 0.0;
-        let loads = formed.flat_map(|(stage, on)| {
-            on.steps.iter().filter(pressed).map(move |step| Self { stage, on, step })
-        });
+        let loads =
+            formed.flat_map(|(stage, on)| on.steps.iter().filter(pressed).map(move |step| Self { stage, on, step }));
         loads.max_by(|a, b| a.force().total_cmp(&b.force()))
     }
 

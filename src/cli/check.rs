@@ -11,6 +11,7 @@ use super::table::{Cell, Tone, table, wrapped};
 use serde_json::json;
 use stampflow::assess::check::{self, Check};
 use stampflow::assess::{self, Answer, Finding, Kind, Light, advice, headline, judgements, sentences};
+use stampflow::case::Case;
 use stampflow::message::{Form, Message, message};
 use std::fmt::Write;
 use std::path::PathBuf;
@@ -68,7 +69,7 @@ pub fn check(args: &Args) -> anyhow::Result<Code> {
         value["run_warnings"] = serde_json::to_value(sentences(&findings, Kind::Warning))?;
         say_json(&value)?;
     } else {
-        say(printed(&report, &answer, &findings, &solution.case.name, args.form.form()))?;
+        say(printed(&report, &answer, &findings, &solution.case, args.form.form()))?;
     }
     Ok(match answer.light {
         Light::Red if args.strict => Code::Red,
@@ -78,7 +79,7 @@ pub fn check(args: &Args) -> anyhow::Result<Code> {
 }
 
 /// The answer, then what the case means and every row of the verdict.
-fn printed(report: &Check, answer: &Answer, findings: &[Finding], name: &str, form: Form) -> Shown {
+fn printed(report: &Check, answer: &Answer, findings: &[Finding], case: &Case, form: Form) -> Shown {
     let rows = judgements(findings).map(|finding| row(finding, form)).collect();
     let headers = ["Verdict", "Light", "Found", "Limit (source)"].map(|header| form.tell(header));
     let mut text = format!("\n{}\n", headline(findings).told(form));
@@ -88,7 +89,7 @@ fn printed(report: &Check, answer: &Answer, findings: &[Finding], name: &str, fo
         &form.tell("Not judged"),
         advised.map(|(labels, advice)| format!("{}: {}", labels.told(form), advice.told(form))),
     );
-    answered(name, answer, findings, form)
+    answered(case, answer, findings, form)
         + wrapped(&format!("\n{}\n", report.told(form)))
         + table(Some(headers.each_ref().map(String::as_str)), rows)
         + wrapped(&text)
