@@ -2,7 +2,8 @@
 
 use super::nearest::Nearest;
 use super::neck::torn;
-use super::{Finding, Light, judgements};
+use super::press::Load;
+use super::{Finding, Light, judgements, thinning};
 use crate::case::Case;
 use crate::measure::{PartPlace, part_height, place_on_part};
 use crate::message::{Amount, Message, message};
@@ -70,20 +71,43 @@ fn sentence(stages: &[StageSolution], findings: &[Finding], light: Light) -> Mes
     if let Some(tear) = tear(stages) {
         return Message::joined([tear.sentence(stages.len()), tear.when()], ", ");
     }
+    if stages.last().is_some_and(|stage| matches!(stage.stop, Stop::Interrupted { .. })) {
+        return "interrupted by the user".into();
+    }
     if let Some(stop) = stages.last().map(|stage| &stage.stop).filter(|stop| !stop.is_complete() && is_red("stop")) {
         return message!("not solved to its end: {why}", why = stop.kind());
     }
+    // Of the thinnest place, and of a finding in percent.
+    let at = || stages.last().and_then(thinnest).map_or_else(Message::default, |(_, s0)| place(stages, s0));
+    let share = |key: &str| judgements(findings).find(|f| f.key == key)?.value.map(|percent| 0.01 * percent);
+    let bottom = share("bottom_tearing");
     match light {
         _ if is_red("bottom_tearing") => "it tears at the bottom: the punch pulls harder than the wall can bear".into(),
-        _ if is_red("localisation") || is_red("thinning") => {
-            let place = stages.last().and_then(thinnest).map_or_else(Message::default, |(_, s0)| place(stages, s0));
-            Message::joined(["it thins too far".into(), place], " ")
-        }
+        _ if is_red("localisation") || is_red("thinning") => Message::joined(["it thins too far".into(), at()], " "),
         _ if is_red("wrinkling") => "it wrinkles: the holder presses too little for this flange".into(),
+        Light::Amber if bottom.is_some_and(|used| used > 1.0) => message!(
+            "it may tear at the bottom: the punch needs {used} of what the wall surely carries",
+            used = Amount::share(bottom.unwrap_or_default())
+        ),
+        Light::Red if bottom.is_some_and(|used| used > 1.0) => {
+            message!("it may tear at the bottom, and not as it is: {labels}", labels = labels(Light::Red))
+        }
         Light::Red => message!("it does not tear, but not as it is: {labels}", labels = labels(Light::Red)),
-        Light::Amber if is("forming_limit", Light::Amber) || is("thinning", Light::Amber) => {
-            let near = stages.last().and_then(thinnest).map_or_else(Message::default, |(_, s0)| place(stages, s0));
-            Message::joined(["it comes near to tearing".into(), near], " ")
+        Light::Amber if is("forming_limit", Light::Amber) => {
+            Message::joined(["it comes near to tearing".into(), at()], " ")
+        }
+        Light::Amber if is("thinning", Light::Amber) => {
+            let thins = message!(
+                "it thins by {thinning} {place}, more than the {rule} rule of thumb",
+                thinning = Amount::share(share("thinning").unwrap_or_default()),
+                place = at(),
+                rule = Amount::given_share(thinning::CAREFUL)
+            );
+            let limit = match share("forming_limit") {
+                Some(used) => message!("the forming limit is used to {used}", used = Amount::share(used)),
+                None => "no forming limit is given".into(),
+            };
+            Message::joined([thins, limit], "; ")
         }
         Light::Amber => message!("it does not tear; look at {labels}", labels = labels(Light::Amber)),
         _ => "it does not tear, and nothing speaks against it".into(),
@@ -186,14 +210,17 @@ fn load(case: &Case, stages: &[StageSolution]) -> Option<KeyNumber> {
     let unit = stages[i].model.extent().force_unit();
     let at = message!("at {travel} of travel", travel = Amount::place(peak.travel));
     let at = Message::joined([stage(i), at], ", ");
+    let pressed = Load::largest(stages)?;
     let press = match case.press.force {
         Some(rating) => message!(
             "{share} of the press's {rating}",
-            share = Amount::share(peak.punch_force / rating),
+            share = Amount::share(pressed.force() / rating),
             rating = Amount::force(rating, unit)
         ),
-        None => "press's rating not given".into(),
+        None => message!("a press of at least {rating}", rating = pressed.rating()),
     };
+    let with_holder = if pressed.holder() > 0.0 { "with the holder".into() } else { Message::default() };
+    let press = Message::joined([press, with_holder], " ");
     let about = Message::joined([at, press], "; ");
     Some(KeyNumber { key: "punch_force", label: "Punch force", amount: Amount::force(peak.punch_force, unit), about })
 }

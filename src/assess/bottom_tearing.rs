@@ -45,7 +45,7 @@ pub(super) fn judge(run: &Run) -> Option<Finding> {
             .against(100.0 * factor, Unit::Percent, limit)
             .at_most(100.0 * NEAR * FACTORS[0], 100.0 * FACTORS[1])
             .source("4ming, Forming handbook, Tearing force, eqs. 1 and 2")
-            .advice(thinning::ADVICE),
+            .advice(thinning::advice(run, &run.stages[i], NoseEnd::of(&run.stages[i])?.radius)),
     )
 }
 

@@ -12,7 +12,7 @@ pub(super) fn large(model: &Model) -> Option<Finding> {
     let ratio = estimate::draw_ratio(model).filter(|ratio| *ratio > LIMITING_RATIO)?;
     let limit = Amount::number(LIMITING_RATIO);
     let found = message!(
-        "the draw ratio of {ratio} is above {limit}: one draw will hardly reach it",
+        "the draw ratio of {ratio} is above {limit}, about the limit of mild steel: one draw will hardly reach it",
         ratio = Amount::ratio(ratio),
         limit = limit
     );

@@ -60,8 +60,8 @@ pub(super) fn margin(run: &Run) -> Option<Finding> {
             .at_most(100.0 * CAREFUL, 100.0)
             .source("the case's curve; the share is a declared rule of thumb")
             .advice(match light == Light::Amber && bent {
-                true => "larger radii: a limit of stretched sheet says nothing of the faces of sharp bends",
-                false => thinning::ADVICE,
+                true => "larger radii: a limit of stretched sheet says nothing of the faces of sharp bends".into(),
+                false => thinning::advice(run, stage, worst.s0),
             }),
     )
 }

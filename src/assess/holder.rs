@@ -16,6 +16,8 @@ const OFF: f64 = 1.0;
 const RUN_OUT: f64 = 2.0 * StepRecord::RIM;
 /// Normal pressure over the tensile strength that a shell, which yields without one, can overlook \[–\].
 const PRESSURE: f64 = 0.1;
+/// Share of the holder's force on the rim alone from which it is worth a word \[–\].
+const RIM_SHARE: f64 = 0.9;
 /// Share of the travel from which it is worth a word that the holder rests on its blocks \[–\].
 const RESTS: f64 = 0.1;
 
@@ -58,8 +60,8 @@ pub fn holder_lift(stage: &StageSolution) -> Option<f64> {
     Some(held.map(|step| closed - step.holder_move).fold(0.0, f64::max))
 }
 
-/// How far the holder is lifted, over the thickness, until the flange runs out; how hard it presses at first, and how much
-/// of its force the rim takes at the end.
+/// How far the holder is lifted, over the thickness, until the flange runs out; how hard it presses at first, and whether
+/// the rim takes nearly all of its force at the end.
 pub(super) fn judge(run: &Run) -> Option<Finding> {
     let first = run.stages.first()?;
     let model = &first.model;
@@ -70,24 +72,27 @@ pub(super) fn judge(run: &Run) -> Option<Finding> {
         return Some(judged.limit("closed on the sheet").advice(closing::advice(model)));
     }
     let last = first.steps.iter().rev().find(|step| step.holder_force > 0.0)?;
-    let pressed = holder_pressure(model).unwrap_or(0.0) / tensile_strength(&model.material.hardening);
-    let (lifts, presses) = (Light::of(lift, [LIFTED, OFF]), Light::within(pressed, PRESSURE));
+    let (pressure, strength) = (holder_pressure(model).unwrap_or(0.0), tensile_strength(&model.material.hardening));
+    let (lifts, presses) = (Light::of(lift, [LIFTED, OFF]), Light::within(pressure / strength, PRESSURE));
     let advice = match presses {
         Light::Green => "more holder force; a larger die shoulder raises the flange less",
         _ => "less holder force: the flange is squeezed thinner",
     };
     let found = message!(
-        "{lifted}; at first {pressed} of the tensile strength; in the end {share} of its force on the outer {rim}",
-        lifted = lifted_by(lift),
-        pressed = Amount::share(pressed),
-        share = Amount::share(last.rim_share),
-        rim = Amount::given_thicknesses(StepRecord::RIM)
+        "{lifted}; presses with {pressure} at first",
+        lifted = lifted_by(lift * model.blank.thickness),
+        pressure = Amount::stress(pressure)
     );
+    let rim = (last.rim_share > RIM_SHARE).then(|| {
+        let (share, rim) = (Amount::share(last.rim_share), Amount::size(StepRecord::RIM * model.blank.thickness));
+        message!("in the end {share} of its force on the outer {rim}", share = share, rim = rim)
+    });
+    let found = Message::joined([found, rim.unwrap_or_default()], "; ");
     let limit = message!(
-        "lifted by at most {lifted}, refused above {off}; {pressure} of the tensile strength",
-        lifted = Amount::given_thicknesses(LIFTED),
-        off = Amount::given_thicknesses(OFF),
-        pressure = Amount::given_share(PRESSURE)
+        "lifted by {lifted}, refused above {off}; {pressure}",
+        lifted = Amount::thickness(LIFTED * model.blank.thickness),
+        off = Amount::thickness(OFF * model.blank.thickness),
+        pressure = Amount::stress(PRESSURE * strength)
     );
     Some(
         Finding::judged("holder", "Holder", lifts.max(presses), run.of_stage(found, 0))
@@ -97,20 +102,19 @@ pub(super) fn judge(run: &Run) -> Option<Finding> {
     )
 }
 
-/// A lift over the thickness, and the span that it is of.
+/// A lift \[mm\].
 fn lifted_by(lift: f64) -> Message {
-    message!(
-        "lifted by up to {lift} until the flange is {width} wide",
-        lift = Amount::thicknesses(lift),
-        width = Amount::given_thicknesses(RUN_OUT),
-    )
+    message!("lifted by {lift} at most", lift = Amount::thickness(lift))
 }
 
 /// A holder that is lifted far while there is a flange to be held.
 pub(super) fn lifted(stage: &StageSolution) -> Option<Finding> {
     let lift = holder_lift(stage)? / stage.model.blank.thickness;
     (lift > LIFTED).then(|| {
-        let found = message!("the holder is {lifted}: the flange thickens or rises under it", lifted = lifted_by(lift));
+        let found = message!(
+            "the holder is {lifted}: the flange thickens or rises under it",
+            lifted = lifted_by(lift * stage.model.blank.thickness)
+        );
         Finding::warning("holder_lift", "Holder", found)
             .against(lift, Unit::None, Amount::given_thicknesses(LIFTED))
             .at_most(LIFTED, None)

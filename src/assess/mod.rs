@@ -48,6 +48,7 @@ pub use answer::{Answer, KeyNumber, tears_at};
 pub use finding::{Finding, Kind, Light, Limits, Sense, When, advice, headline, judgements, sentences};
 pub use forming_limit::CAREFUL;
 pub use holder::holder_lift;
+pub use size::size_doubts;
 
 use crate::case::Case;
 use crate::message::Message;

@@ -14,7 +14,7 @@ const SOURCE: &str = "the solver's watch for necks; declared thresholds";
 /// Red where the solver saw a neck or grown-together voids, or where the sheet is too thin to be whole.
 pub(super) fn judge(run: &Run) -> Option<Finding> {
     let last = run.stages.last()?;
-    last.steps.last()?;
+    let thinnest = last.steps.last()?.thinnest_s0;
     let seen = match &last.stop {
         stop @ (Stop::Localised { .. } | Stop::Coalesced { .. }) => {
             Some(message!("the run ended by it: {kind}", kind = stop.kind()))
@@ -26,7 +26,7 @@ pub(super) fn judge(run: &Run) -> Option<Finding> {
         Finding::judged("localisation", "Neck", light, seen.unwrap_or_else(|| "none".into()))
             .limit(LIMIT)
             .source(SOURCE)
-            .advice(thinning::ADVICE),
+            .advice(thinning::advice(run, last, thinnest)),
     )
 }
 

@@ -2,30 +2,74 @@
 
 use super::run::{Run, at_event};
 use super::{Finding, Light};
-use crate::message::{Amount, Message, message};
+use crate::message::{Amount, Digits, Message, message};
+use crate::solution::{StageSolution, StepRecord};
 use crate::table::{JOULES, Unit};
 
-/// Largest punch force and its travel, over all stages.
-pub(super) fn force(run: &Run) -> Option<Finding> {
-    let steps = run.stages.iter().enumerate().filter(|(_, stage)| stage.model.release.is_none());
-    let steps = steps.flat_map(|(i, stage)| stage.steps.iter().map(move |step| (i, stage, step)));
-    let (i, stage, peak) = steps.max_by(|a, b| a.2.punch_force.total_cmp(&b.2.punch_force))?;
-    if peak.punch_force <= 0.0 {
-        return None;
+/// Share of a rating from which on little of it is left \[–\]: a declared rule of thumb.
+const NEAR: f64 = 0.8;
+/// What a press is chosen for, over its largest load \[–\]: a declared rule of thumb.
+const RESERVE: f64 = 1.2;
+
+/// Where a press is loaded most: the ram bears the punch's force, and with it the cushion's that presses the holder.
+pub(super) struct Load<'a> {
+    stage: usize,
+    on: &'a StageSolution,
+    step: &'a StepRecord,
+}
+
+impl<'a> Load<'a> {
+    /// Over all stages; `None` where no punch presses.
+    pub fn largest(stages: &'a [StageSolution]) -> Option<Self> {
+        let formed = stages.iter().enumerate().filter(|(_, stage)| stage.model.release.is_none());
+        let pressed = |step: &&StepRecord| step.punch_force > 0.0;
+        let loads =
+            formed.flat_map(|(stage, on)| on.steps.iter().filter(pressed).map(move |step| Self { stage, on, step }));
+        loads.max_by(|a, b| a.force().total_cmp(&b.force()))
     }
-    let unit = stage.model.extent().force_unit();
+
+    /// Of the holder, what its distance blocks bear included \[N, or N/mm\].
+    pub fn holder(&self) -> f64 {
+        self.step.holder_force + self.step.block_force
+    }
+
+    /// Of punch and holder at the same instant \[N, or N/mm\].
+    pub fn force(&self) -> f64 {
+        self.step.punch_force + self.holder()
+    }
+
+    /// What a press for it should be rated at least, rounded up to two digits.
+    pub fn rating(&self) -> Amount {
+        let wanted = RESERVE * self.force();
+        let digit = 10_f64.powf(wanted.log10().floor() - 1.0);
+        Amount::force((wanted / digit).ceil() * digit, self.on.model.extent().force_unit()).to(Digits::Given(3))
+    }
+}
+
+/// Largest force of punch and holder together and its travel, over all stages.
+pub(super) fn force(run: &Run) -> Option<Finding> {
+    let load = Load::largest(run.stages)?;
+    let unit = load.on.model.extent().force_unit();
     Some(rated(
-        "punch_force",
-        "Punch force",
-        (peak.punch_force, unit),
+        "press_force",
+        "Press force",
+        (load.force(), unit),
         run.case.press.force,
         |force| match unit {
             Unit::N => Amount::force(force, unit).into(),
             _ => message!("{force} of depth", force = Amount::force(force, unit)),
         },
         |force| {
-            let found = message!("{force} at {travel} of travel", force = force, travel = Amount::place(peak.travel));
-            run.of_stage(Message::joined([found, at_event(stage, peak)], " "), i)
+            let found =
+                message!("{force} at {travel} of travel", force = force, travel = Amount::place(load.step.travel));
+            let found = Message::joined([found, at_event(load.on, load.step)], " ");
+            let parts = message!(
+                "punch {punch}, holder {holder}",
+                punch = Amount::force(load.step.punch_force, unit),
+                holder = Amount::force(load.holder(), unit)
+            );
+            let parts = if load.holder() > 0.0 { parts } else { Message::default() };
+            run.of_stage(Message::joined([found, parts], ": "), load.stage)
         },
     ))
 }
@@ -53,7 +97,7 @@ fn rated(
     told: impl Fn(f64) -> Message,
     found: impl Fn(Message) -> Message,
 ) -> Finding {
-    let light = rating.map_or(Light::Grey, |rating| Light::of(value, [rating, rating]));
+    let light = rating.map_or(Light::Grey, |rating| Light::of(value, [NEAR * rating, rating]));
     let advice = match rating {
         Some(_) => "a stronger press; less friction or holder force, a smaller blank, a thinner sheet",
         None if matches!(unit, Unit::NPerMm | Unit::JoulePerMm) => {
@@ -63,7 +107,7 @@ fn rated(
     };
     let judged = Finding::judged(key, label, light, found(told(value)));
     let judged = match rating {
-        Some(rating) => judged.against(value, unit, told(rating)).at_most(None, rating),
+        Some(rating) => judged.against(value, unit, told(rating)).at_most(NEAR * rating, rating),
         None => judged.against(value, unit, "the press's rating, not in the case"),
     };
     judged.source("the press's data sheet").advice(advice)

@@ -1,8 +1,16 @@
 //! Whether the sizes of a case are those of a stamping.
 
-use super::Finding;
+use super::{Finding, Kind, sentences};
+use crate::case::Case;
+use crate::message::Message;
 use crate::model::Model;
 use crate::rules::size::{self, Doubt};
+
+/// What is doubted of a case's sizes, as sentences: where one is wrong, nothing else is worth reading.
+pub fn size_doubts(case: &Case) -> Vec<Message> {
+    let doubts = [width, thickness, slender, blank_diameter, throat_diameter].map(|ask| ask(case.model()));
+    sentences(&doubts.into_iter().flatten().collect::<Vec<_>>(), Kind::Warning)
+}
 
 pub(super) fn width(model: &Model) -> Option<Finding> {
     size::width(model).map(|doubt| doubted("width", "Width", doubt))

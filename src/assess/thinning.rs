@@ -1,16 +1,47 @@
 //! How thin the sheet has become.
 
 use super::nearest::Nearest;
-use super::{Finding, Light, run::Run};
-use crate::message::{Amount, message};
+use super::nose::NoseEnd;
+use super::{Finding, Light, run::Run, wrinkling};
+use crate::measure::{Band, place_on_part};
+use crate::message::{Amount, Message, message};
+use crate::model::{Edge, Geometry, Role};
+use crate::solution::StageSolution;
 use crate::table::Unit;
 
 /// Thinning that a designer looks at twice, and that is refused without a forming limit that allows it \[–\].
-const LIMITS: [f64; 2] = [0.20, 0.30];
+const LIMITS: [f64; 2] = [CAREFUL, 0.30];
+/// The first of them \[–\].
+pub(super) const CAREFUL: f64 = 0.20;
 
-/// What makes a sheet thin less.
-pub(super) const ADVICE: &str =
-    "less holder force or friction, a larger punch nose or die shoulder, a smaller blank or a shorter travel";
+/// What makes a sheet thin less at a place, initially `s0` from the axis \[mm\]: over a round punch the pole is spared by
+/// friction that holds it, at a nose by whatever lets the flange come. A flange or a wall that may wrinkle is not let loose.
+pub(super) fn advice(run: &Run, stage: &StageSolution, s0: f64) -> Message {
+    let model = &stage.model;
+    if model.tool(Role::Punch).is_none() {
+        return "a smaller height, a larger die shoulder or a thicker sheet".into();
+    }
+    if model.blank.edge == Edge::Clamped {
+        return "a shorter travel, larger radii, or an edge that is let in".into();
+    }
+    let on_dome = || match place_on_part(stage, s0) {
+        Some(place) => matches!(place.band, Band::Dome | Band::Unsupported),
+        None => false,
+    };
+    let is_round = model.geometry == Geometry::Axisymmetric && (on_dome() || NoseEnd::of(stage).is_none());
+    let holder = model.tool(Role::Holder).is_some() && !wrinkling::wants_holding(run);
+    match (is_round, holder) {
+        (true, true) => {
+            "a smaller blank, less holder force, less friction at die and holder but more at the punch (no oil there)"
+        }
+        (true, false) => "a smaller blank, less friction at die and holder but more at the punch (no oil there)",
+        (false, true) => {
+            "a larger punch nose or die shoulder, a smaller blank, less holder force or friction at die and holder"
+        }
+        (false, false) => "a larger punch nose or die shoulder, a smaller blank, less friction at die and holder",
+    }
+    .into()
+}
 
 /// The least thickness of the last stage over that of the blank.
 pub(super) fn judge(run: &Run) -> Option<Finding> {
@@ -36,6 +67,6 @@ pub(super) fn judge(run: &Run) -> Option<Finding> {
         Finding::judged("thinning", "Thinning", light, found)
             .against(100.0 * thinning, Unit::Percent, limit)
             .at_most(100.0 * LIMITS[0], (!allowed).then_some(100.0 * LIMITS[1]))
-            .advice(ADVICE),
+            .advice(advice(run, run.stages.last()?, last.thinnest_s0)),
     )
 }

@@ -54,6 +54,11 @@ pub(super) fn wall(run: &Run) -> Option<Finding> {
     )
 }
 
+/// Whether flange or wall may wrinkle if the holder lets go of them.
+pub(super) fn wants_holding(run: &Run) -> bool {
+    wall(run).is_some() || judge(run).is_some_and(|index| index.light > Light::Green)
+}
+
 fn pressed(model: &Model, least: f64) -> Option<Finding> {
     let beads: f64 = model.beads.iter().map(|bead| bead.closing * bead.line(model.geometry)).sum();
     let pressure = (least - beads).max(0.0) / held_area(model)?;

@@ -10,8 +10,9 @@ pub use draft::{Draft, Drawn};
 use super::page::{Page, exact, size_key};
 use super::templates::rules::strip_pressure;
 use super::templates::{FRICTION, typical};
-use crate::material::Hardening;
+use crate::case::library;
 use crate::material::hardening::Swift;
+use crate::material::{Hardening, Material};
 use crate::model::{Geometry, Role};
 use crate::rules::design::Picked;
 use crate::rules::estimate::{siebel, tensile_strength};
@@ -61,7 +62,8 @@ impl Draft<'_> {
         let written = "Written by `stampflow import`: the tools are as drawn, what is marked as placeholder is not in the drawing.";
         let about = std::iter::once(written.to_owned()).chain(self.notes.iter().map(|note| format!("- {note}")));
         let title: String = self.title.chars().filter(|c| !c.is_control()).take(150).collect();
-        let mut open = vec!["material", "friction"];
+        let mut open: Vec<&str> =
+            self.material.is_none().then_some("material").into_iter().chain(["friction"]).collect();
         let picked =
             [("thickness", Some(&sizes.thickness)), ("blank", Some(&sizes.blank)), ("travel", sizes.travel.as_ref())];
         open.extend(picked.iter().filter(|(_, size)| size.is_some_and(|size| !size.is_given())).map(|(name, _)| name));
@@ -79,21 +81,32 @@ impl Draft<'_> {
         page.table("blank", "");
         page.set(size_key(self.geometry), exact(blank.value), &change(blank));
         page.set("thickness", exact(thickness.value), &change(thickness));
-        if !self.has(Role::Die) {
-            page.set("edge", "\"clamped\"", "placeholder: no die is drawn that the blank could rest on");
+        match self.material {
+            Some(name) => {
+                page.table("material", "");
+                page.set("name", format!("{name:?}"), "of the library: stampflow materials");
+            }
+            None => page.swift(
+                typical(),
+                "placeholder: typical of mild deep-drawing steel; change it, or name one of `stampflow materials`. \
+                 σ = k (offset + ε)^n",
+            ),
         }
-        page.swift(
-            typical(),
-            "placeholder: typical of mild deep-drawing steel; change it, or name one of `stampflow materials`. \
-             σ = k (offset + ε)^n",
-        );
+        page.forming_limit(&self.law(), thickness.value);
+    }
+
+    /// The sheet's metal: that of the library, or the placeholder.
+    fn law(&self) -> Material {
+        let named = self.material.and_then(|name| library::material(name).ok()).map(|entry| entry.material);
+        named.unwrap_or_else(|| {
+            let [k, n, offset] = typical();
+            Material::plain(Hardening::Swift(Swift::new(k, n, offset).expect("the law is one")))
+        })
     }
 
     /// The holder's pressure \[MPa\], rounded up, and its rule: Siebel's for a blank that is drawn in round an axis.
     fn pressure(&self, sizes: &Sizes) -> (f64, &'static str) {
-        let [k, n, offset] = typical();
-        let law = Swift::new(k, n, offset).expect("the law is one");
-        let strength = tensile_strength(&Hardening::Swift(law));
+        let strength = tensile_strength(&self.law().hardening);
         let travel = sizes.travel.as_ref().map_or(0.0, |travel| travel.value);
         let punch = self.tool(Role::Punch).map(|punch| mouth(&punch, travel));
         let drawn = punch.filter(|punch| self.geometry == Geometry::Axisymmetric && sizes.blank.value > *punch);

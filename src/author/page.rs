@@ -1,6 +1,9 @@
 //! The text of a case file as it grows: tables, keys, and a comment for every number that was picked.
 
+use crate::forming_limit::{Hill, Kind, Sheet};
 use crate::geometry::{Piece, Point, Profile};
+use crate::material::Material;
+use crate::material::flow::ROOM_TEMPERATURE;
 use crate::model::Geometry;
 use crate::rules::design::Picked;
 use crate::units::trimmed;
@@ -15,6 +18,11 @@ pub(super) struct Page {
     /// Whether the part is round: sizes are then also said as diameters.
     is_round: bool,
 }
+
+/// What is said of the forming limit.
+const LIMIT: &str = "Where the sheet necks, computed from the hardening law: Hill's localised necking on the left, Swift's \
+                     diffuse necking on the right. Measured points of the coil should replace it: points = [[-0.2, 0.5], ...] and \
+                     strain = \"logarithmic\".";
 
 /// Keys of a round part that are half of what shops measure.
 const HALVES: [&str; 3] = ["radius", "throat", "inner_radius"];
@@ -98,6 +106,19 @@ impl Page {
         self.set("k", format!("\"{k} MPa\""), "");
         self.set("n", n, "");
         self.set("offset", offset, "");
+    }
+
+    /// `[forming_limit]` of a sheet \[mm\] that is drawn or stretched, where its hardening law gives one.
+    pub fn forming_limit(&mut self, material: &Material, thickness: f64) {
+        let sheet = Sheet { material, thickness, temperature: ROOM_TEMPERATURE };
+        if Kind::Hill(Hill { n: None }).curve(&sheet).is_err() {
+            self.comment(
+                "No [forming_limit]: this hardening law has no load maximum; give measured points of the coil.",
+            );
+            return;
+        }
+        self.table("forming_limit", LIMIT);
+        self.set("hill", true, "");
     }
 
     /// A profile as steps.

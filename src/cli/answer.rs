@@ -2,11 +2,12 @@
 
 use super::say::Shown;
 use super::table::{Cell, Tone, table, toned, wrapped};
-use stampflow::assess::{Answer, Finding, Kind, Light, judgements, sentences};
+use stampflow::assess::{Answer, Finding, Kind, Light, judgements, sentences, size_doubts};
+use stampflow::case::Case;
 use stampflow::message::{Form, Message, message};
 
-/// Of a case: the sentence first, then what it rests on.
-pub fn answered(case: &str, answer: &Answer, findings: &[Finding], form: Form) -> Shown {
+/// Of a case: the sentence and doubts of its sizes first, then what it rests on.
+pub fn answered(case: &Case, answer: &Answer, findings: &[Finding], form: Form) -> Shown {
     let numbers = answer.numbers.iter().map(|number| {
         [
             Cell::plain(Message::from(number.label).told(form)),
@@ -14,8 +15,11 @@ pub fn answered(case: &str, answer: &Answer, findings: &[Finding], form: Form) -
             Cell::plain(number.about.told(form)),
         ]
     });
-    let mut shown = sentence(case, answer, "", form) + "\n".into() + judged(findings, form);
-    shown = shown + table(None, numbers.collect());
+    let mut shown = sentence(&case.name, answer, "", form);
+    for doubt in size_doubts(case) {
+        shown = shown + wrapped(&format!("- {}", doubt.told(form)));
+    }
+    shown = shown + "\n".into() + judged(findings, form) + table(None, numbers.collect());
     let ended = Some(answer.end.clone()).filter(|end| !end.is_empty());
     let warnings: Vec<Message> = ended.into_iter().chain(sentences(findings, Kind::Warning)).collect();
     if !warnings.is_empty() {

@@ -11,6 +11,7 @@ use super::table::{Cell, Tone, table, wrapped};
 use serde_json::json;
 use stampflow::assess::check::{self, Check};
 use stampflow::assess::{self, Answer, Finding, Kind, Light, advice, headline, judgements, sentences};
+use stampflow::case::Case;
 use stampflow::message::{Form, Message, message};
 use std::fmt::Write;
 use std::path::PathBuf;
@@ -71,7 +72,7 @@ pub fn check(args: &Args) -> anyhow::Result<Code> {
         value["run_warnings"] = serde_json::to_value(sentences(&findings, Kind::Warning))?;
         say_json(&value)?;
     } else {
-        say(printed(args.verbose.then_some(&report), &answer, &findings, &solution.case.name, args.form.form()))?;
+        say(printed(args.verbose.then_some(&report), &answer, &findings, &solution.case, args.form.form()))?;
     }
     Ok(match answer.light {
         Light::Red if args.strict => Code::Red,
@@ -81,7 +82,7 @@ pub fn check(args: &Args) -> anyhow::Result<Code> {
 }
 
 /// The answer, what the case means where it is given, and every row of the verdict.
-fn printed(report: Option<&Check>, answer: &Answer, findings: &[Finding], name: &str, form: Form) -> Shown {
+fn printed(report: Option<&Check>, answer: &Answer, findings: &[Finding], case: &Case, form: Form) -> Shown {
     let rows = judgements(findings).map(|finding| row(finding, form)).collect();
     let headers = ["Verdict", "Light", "Found", "Limit (source)"].map(|header| form.tell(header));
     let mut text = format!("\n{}\n", headline(findings).told(form));
@@ -91,10 +92,10 @@ fn printed(report: Option<&Check>, answer: &Answer, findings: &[Finding], name: 
         &form.tell("Not judged"),
         advised.map(|(labels, advice)| format!("{}: {}", labels.told(form), advice.told(form))),
     );
-    let case = report.map_or_else(Shown::default, |report| wrapped(&format!("{}\n", report.told(form))));
-    answered(name, answer, findings, form)
+    let meaning = report.map_or_else(Shown::default, |report| wrapped(&format!("{}\n", report.told(form))));
+    answered(case, answer, findings, form)
         + "\n".into()
-        + case
+        + meaning
         + table(Some(headers.each_ref().map(String::as_str)), rows)
         + wrapped(&text)
 }

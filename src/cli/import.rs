@@ -4,9 +4,11 @@ use super::code::{BadPath, Code};
 use super::options::Json;
 use super::place;
 use super::say::{say, say_json};
+use super::suggested::Suggested;
 use anyhow::Context;
 use serde_json::json;
 use stampflow::author::{Draft, Drawn};
+use stampflow::case::library;
 use stampflow::files::{Disk, FileError, Files};
 use stampflow::import::{self, DrawingUnit, Heading, Operation, Options, Section, Sections};
 use stampflow::model::{Geometry, Role};
@@ -66,6 +68,9 @@ pub struct Args {
     /// What the section stands for: axisymmetric or plane_strain
     #[arg(long, value_name = "GEOMETRY", default_value = "axisymmetric", value_parser = geometry)]
     geometry: Geometry,
+    /// Sheet of the library, a grade such as DC04 or the beginning of one, see `stampflow materials` [default: a placeholder]
+    #[arg(long, value_name = "NAME", value_parser = Suggested::SHEETS, hide_possible_values = true)]
+    material: Option<String>,
     /// Thickness of the sheet [default: a placeholder]
     #[arg(long, value_name = "LENGTH", allow_hyphen_values = true)]
     thickness: Option<Positive<Length>>,
@@ -141,6 +146,7 @@ pub fn import(args: &Args) -> anyhow::Result<Code> {
     }
     let sections = import::read(&bytes, &args.options()).with_context(|| drawing.to_string())?;
     let name = args.drawing.file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned());
+    args.material.as_deref().map(library::material).transpose()?;
     let title = format!("Tools of {name}");
     let mm = |length: Option<Positive<Length>>| length.map(Quantity::value);
     let draft = Draft {
@@ -153,6 +159,7 @@ pub fn import(args: &Args) -> anyhow::Result<Code> {
             .iter()
             .map(|later| (later.number.map_or_else(String::new, stage), drawn(&later.tools)))
             .collect(),
+        material: args.material.as_deref(),
         thickness: mm(args.thickness),
         blank: mm(args.blank_radius),
         travel: mm(args.travel),

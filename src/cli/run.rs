@@ -196,12 +196,12 @@ impl Args {
         dir: &Path,
         files: Option<&[PathBuf]>,
     ) -> Shown {
-        let (name, form) = (&results.solution.case.name, self.form.form());
+        let (case, form) = (&results.solution.case, self.form.form());
         if self.cases.len() > 1 && !self.verbose {
             let written = files.map(|files| form.tell(written(files, dir)));
-            return answer::sentence(name, answer, &written.unwrap_or_default(), form);
+            return answer::sentence(&case.name, answer, &written.unwrap_or_default(), form);
         }
-        let mut shown = answer::answered(name, answer, findings, form);
+        let mut shown = answer::answered(case, answer, findings, form);
         let summary = results.summary();
         if !summary.lines.is_empty() {
             shown = shown + wrapped(&format!("\n{}", form.tell(summary.lines.clone())));

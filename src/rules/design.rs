@@ -15,7 +15,8 @@ pub const THIN: f64 = 5.0;
 /// Radius over thickness below which a bend is no longer a shell's at all \[–\], its outer fibre strained by a fifth: a
 /// declared rule of thumb.
 pub const SHARP: f64 = 2.0;
-/// Blank over punch that one draw of good steel reaches \[–\]: a declared rule of thumb, above 4ming's table.
+/// Blank over punch that one draw of mild steel reaches \[–\]: a declared rule of thumb, above 4ming's table. A higher r̄ reaches
+/// more, a lower one less.
 pub const LIMITING_RATIO: f64 = 2.2;
 /// A draw ratio above this is close to the limit: that of DC04 for a punch of 100 mm (4ming, table of draw ratios).
 pub const CAREFUL_RATIO: f64 = 2.0;

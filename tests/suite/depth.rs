@@ -63,7 +63,7 @@ fn every_table_and_text_says_what_its_forces_are_of() {
         for row in assess::after(&solution.case, &solution.stages) {
             let text = format!("{} {} {}", row.found, row.limit, row.advice);
             assert!(!text.contains("half") && !text.contains("twice"), "{text}");
-            if row.key == "punch_force" && force == Unit::N {
+            if row.key == "press_force" && force == Unit::N {
                 assert!(text.contains(" N at ") && text.contains("1000 kN"), "{text}");
             }
             if row.key == "energy" {

@@ -588,3 +588,33 @@ proptest! {
         }
     }
 }
+
+/// Trust: Siebel's pressure goes with the tensile strength, and AA6016's is not that of the placeholder.
+#[test]
+fn an_imported_sheet_is_of_the_library_and_has_its_limit() {
+    let dir = folder(Path::new("tests/drawings/ezdxf_lines_and_arcs.dxf"));
+    let written = |more: &[&str]| {
+        let done =
+            stampflow(dir.path(), &[&["import", "ezdxf_lines_and_arcs.dxf", "--force", "-o", "d.toml"], more].concat());
+        assert_eq!(done.status.code(), Some(0), "{}", text(&done.stderr));
+        fs::read_to_string(dir.path().join("d.toml")).unwrap()
+    };
+    let pressure = |case: &str| case.lines().find(|line| line.starts_with("pressure = ")).expect("a holder").to_owned();
+    let (placeholder, named) = (written(&[]), written(&["--material", "aa6016"]));
+    for case in [&placeholder, &named] {
+        assert!(case.contains("[forming_limit]\nhill = true"), "{case}");
+    }
+    assert!(named.contains("name = \"aa6016\"") && !named.contains("[material.hardening"), "{named}");
+    assert_ne!(pressure(&placeholder), pressure(&named));
+    let unknown = stampflow(dir.path(), &["import", "ezdxf_lines_and_arcs.dxf", "--force", "--material", "butter"]);
+    assert_eq!(unknown.status.code(), Some(2), "{}", text(&unknown.stderr));
+}
+
+#[test]
+fn a_drawing_without_a_die_is_refused() {
+    let dir = folder(Path::new("tests/drawings/ezdxf_lines_and_arcs.dxf"));
+    let done = stampflow(dir.path(), &["import", "ezdxf_lines_and_arcs.dxf", "--layer", "DIE=none"]);
+    let said = text(&done.stderr);
+    assert!(done.status.code() == Some(2) && said.contains("no die in") && said.contains("--layer NAME=die"), "{said}");
+    assert!(!dir.path().join("ezdxf_lines_and_arcs.toml").exists());
+}

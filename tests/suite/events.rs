@@ -48,7 +48,7 @@ fn the_jump_of_a_redraws_force_is_the_rim_that_meets_the_die() {
     assert!(meets.travel > jump[0] && meets.travel <= jump[1], "{meets:?} {jump:?}");
 
     let findings = after(&solution.case, &solution.stages);
-    for key in ["bottom_tearing", "punch_force"] {
+    for key in ["bottom_tearing", "press_force"] {
         let finding = judgements(&findings).find(|finding| finding.key == key).expect(key);
         let told = finding.found.to_string().contains("(rim meets the die)");
         assert_eq!(told, finding.found.to_string().contains("stage 2"), "{}", finding.found);

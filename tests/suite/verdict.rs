@@ -2,7 +2,7 @@
 
 use crate::common::cli::{CUP, STAGES, folder, stampflow, text};
 use serde_json::Value;
-use stampflow::assess::{self, Finding, Kind, Light, advice, headline};
+use stampflow::assess::{self, Answer, Finding, Kind, Light, advice, headline};
 use stampflow::case::{self, Case};
 use stampflow::solution::StageSolution;
 use stampflow::solver::solve;
@@ -45,12 +45,12 @@ fn the_quickstart_is_a_good_cup_with_a_guess_and_open_questions() {
     assert!(found.iter().all(|f| f.light != Light::Red), "{found:?}");
     let lit = |light| found.iter().filter(|f| f.light == light).map(|f| f.key).collect::<Vec<_>>();
     assert_eq!(lit(Light::Amber), ["friction"]);
-    assert_eq!(lit(Light::Grey), ["forming_limit", "punch_force", "energy", "hardening_range"]);
+    assert_eq!(lit(Light::Grey), ["forming_limit", "press_force", "energy", "hardening_range"]);
     let said = headline(&found);
-    assert!(said.to_string().starts_with("1 amber (Friction), 4 not judged (Forming limit, Punch force, "), "{said}");
+    assert!(said.to_string().starts_with("1 amber (Friction), 4 not judged (Forming limit, Press force, "), "{said}");
     let told = advice(&found, |light| light == Light::Grey);
     assert!(
-        told.iter().any(|(labels, _)| labels.to_string() == "Punch force, Energy"),
+        told.iter().any(|(labels, _)| labels.to_string() == "Press force, Energy"),
         "advice is given once: {told:?}"
     );
     // By hand, as in `check`: Siebel's 0.0025 [(β − 1)² + 0.3] R_m with R_m = 520 n^n exp(offset − n), over 10 kN on the flat.
@@ -60,7 +60,8 @@ fn the_quickstart_is_a_good_cup_with_a_guess_and_open_questions() {
     // The strength is the largest of steps of 5e-4 in strain: flat at the maximum, so right to 1e-6.
     assert!((value(&found, "wrinkling") / (advised * held / 10_000.0) - 1.0).abs() < 1e-4);
     let tears = std::f64::consts::PI * 61.0 * strength;
-    let share = value(&found, "punch_force") / tears;
+    // The holder's 10 kN are constant.
+    let share = (value(&found, "press_force") - 10_000.0) / tears;
     assert!((value(&found, "bottom_tearing") / (100.0 * share) - 1.0).abs() < 1e-4);
 }
 
@@ -70,7 +71,7 @@ fn force_and_work_are_held_against_the_press() {
     for (force, energy, lights) in [("1 MN", "1 kJ", Light::Green), ("1 kN", "1 J", Light::Red)] {
         let press = [&format!("press.force={force}") as &str, &format!("press.energy={energy}"), short[0]];
         let found = findings("quickstart.toml", &press);
-        assert_eq!([light(&found, "punch_force"), light(&found, "energy")], [lights; 2], "{found:?}");
+        assert_eq!([light(&found, "press_force"), light(&found, "energy")], [lights; 2], "{found:?}");
     }
     let wrong = |name: &str, given: &str| {
         let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("cases").join(name);
@@ -88,15 +89,17 @@ fn a_cone_tears_where_its_nose_ends() {
         let text =
             stampflow::author::templates::find(template).and_then(|template| template.fill(&[])).expect("a case");
         let case = case::parse(&text, "made.toml", &["tools.punch.travel=5 mm".to_owned()]).expect("valid");
-        judged(&case, &solve(&case.stages, &mut ()))
+        let stages = solve(&case.stages, &mut ());
+        let peak = stages[0].steps.iter().map(|step| step.punch_force).fold(0.0, f64::max);
+        (judged(&case, &stages), peak)
     };
-    let cone = judged("conical-cup");
+    let (cone, peak) = judged("conical-cup");
     let strength = 520.0 * 0.22_f64.powf(0.22) * (0.005_f64 - 0.22).exp();
     let tears = std::f64::consts::PI * (2.0 * 27.338 + 1.0) * strength * 20_f64.to_radians().cos();
     // The sizes are written to 1e-3 mm.
-    let share = value(&cone, "punch_force") / tears;
+    let share = peak / tears;
     assert!((value(&cone, "bottom_tearing") / (100.0 * share) - 1.0).abs() < 1e-4, "{cone:?}");
-    assert!(judged("hemispherical-cup").iter().all(|f| f.key != "bottom_tearing"));
+    assert!(judged("hemispherical-cup").0.iter().all(|f| f.key != "bottom_tearing"));
 }
 
 /// Trust: by hand, 1.5 of the second punch is beyond 1.3; its wall carries π·61·1·301 N and tears in the second stage.
@@ -228,7 +231,7 @@ fn stages_are_judged_together() {
     let found = value["verdict"]["findings"].as_array().expect("an array");
     let of = |key: &str| found.iter().find(|f| f["key"] == key).and_then(|f| f["found"].as_str()).expect("a finding");
     assert!(of("stop").starts_with("stage 2 of 2: "), "{}", of("stop"));
-    assert!(of("punch_force").ends_with("stage 1"), "{}", of("punch_force"));
+    assert!(of("press_force").ends_with("stage 1"), "{}", of("press_force"));
 }
 
 /// Trust: by hand, ρ ln(1 + 1/ρ) of 1.5, 3 and 6 mm on a sheet of 1 mm. Membranes, which do not bend, are judged too.
@@ -276,6 +279,96 @@ fn the_lift_of_the_holder_is_one_number_wherever_it_stands() {
     let most = solution.stages[0].steps.iter().map(|step| -step.holder_move).fold(0.0, f64::max);
     assert!(most > row.value.unwrap() + 0.05, "{most} {row:?}");
     for finding in [row, warning] {
-        assert!(finding.found.to_string().contains(" t until the flange is 6 t wide"), "{finding:?}");
+        assert!(finding.found.to_string().contains("lifted by 0."), "{finding:?}");
     }
+    assert!(row.found.to_string().contains("MPa at first"), "{row:?}");
+}
+
+/// The verdict on a shipped case with overrides.
+fn answered(name: &str, overrides: &[&str]) -> (Answer, Vec<Finding>) {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("cases").join(name);
+    let overrides: Vec<String> = overrides.iter().map(|o| (*o).to_owned()).collect();
+    let case = case::load(path, &overrides).expect("valid");
+    let stages = solve(&case.stages, &mut ());
+    let findings = judged(&case, &stages);
+    (Answer::of(&case, &stages, &findings), findings)
+}
+
+/// Trust: by hand, the run's own largest 45.3 kN of the punch and 10 kN of a holder whose force is constant; 20 % more of it
+/// are 66.4 kN.
+#[test]
+fn a_press_bears_the_punch_and_its_cushion() {
+    let told = |overrides: &[&str]| {
+        let (answer, findings) = answered("quickstart.toml", overrides);
+        let number =
+            answer.numbers.iter().find(|number| number.key == "punch_force").expect("a force").about.to_string();
+        (number.replace('\u{a0}', " "), light(&findings, "press_force"))
+    };
+    let (number, unrated) = told(&[]);
+    assert!(number.ends_with("a press of at least 67 kN with the holder") && unrated == Light::Grey, "{number}");
+    for (force, share, light) in [
+        ("press.force=50 kN", "111 %", Light::Red),
+        ("press.force=60 kN", "92 %", Light::Amber),
+        ("press.force=80 kN", "69 %", Light::Green),
+    ] {
+        let (number, rated) = told(&[force]);
+        assert!(number.contains(share) && number.ends_with("with the holder") && rated == light, "{number}");
+    }
+}
+
+/// Trust: the finding's own share; a long draw of this sheet pulls harder than what any wall carries, less than some do.
+#[test]
+fn a_force_beyond_what_the_wall_surely_carries_may_tear_the_bottom() {
+    let strong = ["blank.radius=64 mm", "tools.holder.force=14 kN", "tools.punch.travel=26 mm"];
+    let (answer, findings) = answered("quickstart.toml", &strong);
+    assert!(value(&findings, "bottom_tearing") > 100.0 && light(&findings, "bottom_tearing") == Light::Amber);
+    assert!(answer.sentence.to_string().starts_with("it may tear at the bottom"), "{}", answer.sentence);
+}
+
+/// Trust: the findings' own numbers.
+#[test]
+fn a_kept_forming_limit_is_not_called_near_to_tearing() {
+    let template = stampflow::author::templates::find("hemispherical-cup").expect("a template");
+    let text = template.fill(&[("height", "38 mm")]).expect("a case");
+    let case = case::parse(&text, "made.toml", &[]).expect("valid");
+    let stages = solve(&case.stages, &mut ());
+    let findings = judged(&case, &stages);
+    assert_eq!([light(&findings, "thinning"), light(&findings, "forming_limit")], [Light::Amber, Light::Green]);
+    let sentence = Answer::of(&case, &stages, &findings).sentence.to_string().replace('\u{a0}', " ");
+    let share = |key: &str| format!("{:.0} %", value(&findings, key));
+    assert!(sentence.starts_with(&format!("it thins by {} on the dome", share("thinning"))), "{sentence}");
+    assert!(sentence.ends_with(&format!("the forming limit is used to {}", share("forming_limit"))), "{sentence}");
+}
+
+/// Trust: friction holds a dome's pole on its punch; what a flat punch's nose tears is not helped by it.
+#[test]
+fn what_to_change_goes_by_the_place() {
+    let advice = |template: &str, given: &[(&str, &str)]| {
+        let template = stampflow::author::templates::find(template).expect("a template");
+        let case = case::parse(&template.fill(given).expect("a case"), "made.toml", &[]).expect("valid");
+        let findings = judged(&case, &solve(&case.stages, &mut ()));
+        findings.iter().find(|f| f.key == "forming_limit").map(|f| f.advice.to_string()).expect("a finding")
+    };
+    let dome = advice("hemispherical-cup", &[("material", "aa6016"), ("height", "45 mm")]);
+    assert!(dome.contains("more at the punch") && !dome.contains("nose") && !dome.contains("less holder"), "{dome}");
+}
+
+/// Trust: the user's own doing is no fault of the part.
+#[test]
+fn an_interrupted_run_is_not_red() {
+    struct Early(usize);
+    impl stampflow::solver::Observer for Early {
+        fn step(&mut self, _: &stampflow::solution::StepRecord) {
+            self.0 -= 1;
+        }
+        fn wants_to_stop(&mut self) -> bool {
+            self.0 == 0
+        }
+    }
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("cases/quickstart.toml");
+    let case = case::load(path, &[]).expect("valid");
+    let stages = solve(&case.stages, &mut Early(5));
+    let findings = judged(&case, &stages);
+    let answer = Answer::of(&case, &stages, &findings);
+    assert_eq!((answer.light, answer.sentence.to_string().as_str()), (Light::Amber, "interrupted by the user"));
 }

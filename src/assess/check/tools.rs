@@ -25,7 +25,8 @@ pub(super) fn lines(model: &Model, lines: &mut Vec<Line>) {
     }
     if let Some(ratio) = estimate::draw_ratio(model) {
         let limit = Amount::number(LIMITING_RATIO);
-        let meaning = message!("blank over punch; about {limit} is the limit of one draw", limit = limit);
+        let meaning =
+            message!("blank over punch; about {limit} is the limit of one draw for mild steel", limit = limit);
         lines.push(line("draw ratio", Amount::ratio(ratio), meaning));
     }
 }

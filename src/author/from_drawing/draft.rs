@@ -19,6 +19,8 @@ pub struct Draft<'a> {
     pub tools: Vec<Drawn<'a>>,
     /// Names of later operations and their sections likewise, each with a punch.
     pub later: Vec<(String, Vec<Drawn<'a>>)>,
+    /// A sheet of the library, by its name or a grade that it stands for; a placeholder where `None`.
+    pub material: Option<&'a str>,
     /// Of the sheet \[mm\]; a placeholder where `None`.
     pub thickness: Option<f64>,
     /// Radius or half-length \[mm\]; a placeholder where `None`.

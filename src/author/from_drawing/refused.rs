@@ -8,8 +8,12 @@ impl Draft<'_> {
     /// The case that the text from [`toml`](Self::toml) is; `None` without a punch, which it waits for.
     ///
     /// # Errors
-    /// When it cannot be solved; the message names the drawing and what of it, or which option, is to be changed.
+    /// When no die is drawn, or it cannot be solved; the message names the drawing and what of it, or which option, is to be changed.
     pub fn case(&self, text: &str, drawing: &str) -> Result<Option<Case>, CaseError> {
+        if !self.has(Role::Die) {
+            let what = format!("no die in {drawing}: nothing would draw the sheet over the punch");
+            return Err(CaseError::bare(what, "name its layer with --layer NAME=die".to_owned()));
+        }
         if !self.has(Role::Punch) {
             return Ok(None);
         }

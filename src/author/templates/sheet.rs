@@ -5,8 +5,6 @@ use super::rules::{self, Picked};
 use crate::author::page::{Page, mm, size_key};
 use crate::case::CaseError;
 use crate::case::library::{self, Entry};
-use crate::forming_limit::{self, Hill, Kind};
-use crate::material::flow::ROOM_TEMPERATURE;
 use crate::material::hardening::Swift;
 use crate::material::{Elastic, Hardening, Material};
 use crate::model::Geometry;
@@ -46,11 +44,6 @@ const STEEL: Elastic = Elastic { young: 206e3, poisson: 0.3 };
 /// What is said of the law that is taken where none is given.
 const TYPICAL: &str =
     "declared: hardening typical of mild deep-drawing steel (tensile strength near 300 MPa), not of one coil";
-/// What is said of the forming limit.
-const LIMIT: &str = "Where the sheet necks, computed from the hardening law: Hill's localised necking on the left, Swift's \
-                     diffuse necking on the right. Measured points of the coil should replace it: points = [[-0.2, 0.5], ...] and \
-                     strain = \"logarithmic\".";
-
 /// Where the hardening comes from.
 enum Origin {
     Library {
@@ -170,15 +163,6 @@ impl Sheet {
 
     /// `[forming_limit]` of a part that is drawn or stretched, where the hardening law gives one.
     pub fn forming_limit(&self, page: &mut Page) {
-        let sheet =
-            forming_limit::Sheet { material: &self.material, thickness: self.thickness, temperature: ROOM_TEMPERATURE };
-        if Kind::Hill(Hill { n: None }).curve(&sheet).is_err() {
-            page.comment(
-                "No [forming_limit]: this hardening law has no load maximum; give measured points of the coil.",
-            );
-            return;
-        }
-        page.table("forming_limit", LIMIT);
-        page.set("hill", true, "");
+        page.forming_limit(&self.material, self.thickness);
     }
 }

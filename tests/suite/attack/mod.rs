@@ -213,7 +213,18 @@ fn check_drawing(bytes: &[u8]) -> bool {
     let (title, notes) = ("Tools of a drawing", &sections.notes[..]);
     let geometry = Geometry::Axisymmetric;
     let name = (!later.is_empty()).then(|| "first".to_owned());
-    let draft = Draft { title, geometry, name, tools, later, thickness: None, blank: None, travel: None, notes };
+    let draft = Draft {
+        title,
+        geometry,
+        name,
+        tools,
+        later,
+        material: None,
+        thickness: None,
+        blank: None,
+        travel: None,
+        notes,
+    };
     let _ = (draft.size(), draft.doubts());
     draft.case(&draft.toml(), "mutated.dxf").transpose().is_some_and(|case| check_read(case, WORK))
 }
