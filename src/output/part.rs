@@ -101,7 +101,8 @@ fn callout(
     };
     let free = places.filter(|place| !surfaces.iter().any(|surface| covers(place, surface)));
     let away = |p: &(f64, f64)| (p.0 - at.0).hypot(p.1 - at.1);
-    let nearest = free.min_by(|a, b| away(a).total_cmp(&away(b))).unwrap_or((half, top + high));
+    let nearest =
+        free.min_by(|a, b| away(a).total_cmp(&away(b))).unwrap_or(((right - half).max(left + half), top + high));
     Series::new(text, [at, nearest].map(|p| (side * p.0, p.1)).to_vec(), Look::Callout)
 }
 

@@ -1,6 +1,5 @@
 //! How the pictures of the first page share what room the rest leaves.
 
-use super::SMALL;
 use super::flow::WIDTH;
 use crate::output::pdf::MM;
 use crate::output::{DRAWN, Drawing};
@@ -27,14 +26,14 @@ pub(super) struct Layout {
 }
 
 impl Layout {
-    /// That with the largest letters, below each other or two and two, of those that fit into this height \[pt\] and are not
+    /// That with the largest letters, below each other or two and two, of those that fit into this height \[pt\] with captions of so high a line and are not
     /// too narrow. Narrower drawings have letters as large.
-    pub fn best(pictures: &[&Picture], room: f64) -> Option<Self> {
+    pub fn best(pictures: &[&Picture], room: f64, line: f64) -> Option<Self> {
         let laid_out = |beside: usize, width: f64| {
             let drawings: Vec<_> = pictures.iter().map(|picture| Drawing::of(&picture.chart, width)).collect();
             let rows = drawings.chunks(beside);
             // A caption may take two lines of a narrow column.
-            let room = room - rows.len() as f64 * (beside as f64 * SMALL.leading() + 8.0);
+            let room = room - rows.len() as f64 * (beside as f64 * line + 8.0);
             let high: f64 = rows.map(|row| row.iter().map(|drawing| drawing.height).fold(0.0, f64::max)).sum();
             let scale = (column(beside) / width).min(room / high);
             Self { beside, drawings, scale }
@@ -60,7 +59,7 @@ mod tests {
         let chart = Chart { title: "T".into(), legend: String::new(), panels: vec![panel], notes: vec![] };
         let picture = Picture { name: "p".into(), caption: "p".into(), chart };
         let beside = |room: f64| {
-            let layout = Layout::best(&[&picture, &picture], room * MM)?;
+            let layout = Layout::best(&[&picture, &picture], room * MM, 10.0)?;
             assert!(layout.drawings.iter().all(|drawing| layout.scale * drawing.width >= NARROWEST), "{room}");
             let high: f64 = layout.drawings.chunks(layout.beside).map(|row| layout.scale * row[0].height).sum();
             assert!(high <= room * MM, "{room}");

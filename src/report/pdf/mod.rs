@@ -84,9 +84,9 @@ impl Writer {
             document.front.iter().partition(|block| matches!(block, Block::Picture(_)));
         others.into_iter().for_each(|block| self.block(block));
         let pictures: Vec<&Picture> = pictures.into_iter().filter_map(Block::picture).collect();
-        let layout = Layout::best(&pictures, self.flow.left()).or_else(|| {
+        let layout = Layout::best(&pictures, self.flow.left(), SMALL.leading()).or_else(|| {
             self.flow.turn();
-            Layout::best(&pictures, self.flow.left())
+            Layout::best(&pictures, self.flow.left(), SMALL.leading())
         });
         let Some(layout) = layout else { return };
         for (row, drawings) in pictures.chunks(layout.beside).zip(layout.drawings.chunks(layout.beside)) {
