@@ -3,6 +3,7 @@
 use super::run::{Run, at_event};
 use super::{Finding, Light};
 use crate::message::{Amount, Digits, Message, message};
+use crate::model::{Motion, Role};
 use crate::solution::{StageSolution, StepRecord};
 use crate::table::{JOULES, Unit};
 
@@ -28,9 +29,13 @@ impl<'a> Load<'a> {
         loads.max_by(|a, b| a.force().total_cmp(&b.force()))
     }
 
-    /// Of the holder, what its distance blocks bear included \[N, or N/mm\].
+    /// Of a holder that is pressed, what its distance blocks bear included \[N, or N/mm\]; one that stands is bolted to the
+    /// die.
     pub fn holder(&self) -> f64 {
-        self.step.holder_force + self.step.block_force
+        match self.on.model.tool(Role::Holder).map(|holder| &holder.motion) {
+            Some(Motion::Pressed(_)) => self.step.holder_force + self.step.block_force,
+            _ => 0.0,
+        }
     }
 
     /// Of punch and holder at the same instant \[N, or N/mm\].

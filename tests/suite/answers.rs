@@ -41,7 +41,8 @@ fn a_sound_cup_has_its_sentence_and_its_numbers() {
     let run = stampflow(dir.path(), &["run", "cases/cup.toml", "-q"]);
     assert_eq!(run.status.code(), Some(0), "{}", text(&run.stderr));
     let told = text(&run.stdout);
-    for says in ["does not tear", "Thinnest", "Punch force", "Holder", "Blank", "Height", "Draw-in", "with the holder"]
+    for says in
+        ["does not tear", "Thinnest", "Punch force", "Holder", "Blank", "Height", "Draw-in", "a press of at least"]
     {
         assert!(told.contains(says), "{says}: {told}");
     }

@@ -289,7 +289,6 @@ fn an_imported_case_can_be_checked_and_run() {
         ("ezdxf_lines_and_arcs", &[][..]),
         ("tarikjabiri_bulges", &["--thickness", "0.9 mm", "--travel", "5 mm", "--geometry", "plane_strain"]),
         ("ezdxf_splines", &["--tolerance", "0.01 mm"]),
-        ("tarikjabiri_spline_cm", &[]),
     ] {
         let dir = folder(&Path::new("tests/drawings").join(drawing).with_extension("dxf"));
         let file = format!("{drawing}.dxf");
@@ -443,13 +442,17 @@ fn options_say_what_a_drawing_does_not() {
         let done = stampflow(dir.path(), &[&["import", name], more].concat());
         (done.status.code(), text(&done.stdout).to_owned() + text(&done.stderr))
     };
-    for (name, more, says) in [
-        ("no_units.dxf", &["--units", "mm"][..], "1 drawing unit is 1 mm (as asked for)"),
-        ("gap.dxf", &["--join", "0.3 mm"], "are joined"),
-        ("two_tools_in_one_name.dxf", &["--layer", "punch_and_die=punch"], "the punch moves down"),
+    for (name, options, says) in [
+        ("no_units.dxf", Options { unit: Some(DrawingUnit::Mm), ..Options::default() }, "1 mm (as asked for)"),
+        ("gap.dxf", Options { join: 0.3, ..Options::default() }, "are joined"),
+        (
+            "two_tools_in_one_name.dxf",
+            Options { layers: vec![("punch_and_die".to_owned(), Some(Role::Punch))], ..Options::default() },
+            "the punch moves down",
+        ),
     ] {
-        let (code, said) = faulty(name, more);
-        assert!(code == Some(0) && said.contains(says), "{name}: {said}");
+        let notes = sections(&format!("faulty/{name}"), &options).notes.join("\n");
+        assert!(notes.contains(says), "{name}: {notes}");
     }
     for (more, says) in [
         (&["--layer", "Stempel=punches"][..], "give punch, die, holder, none"),
