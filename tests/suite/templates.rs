@@ -232,7 +232,7 @@ fn what_does_not_go_together_is_refused_with_exit_code_2() {
         ),
         (&["cup", "--material", "ap05x"], "did you mean `ap04xr`"),
         (&["cup", "--material", "ap04xr", "--n", "0.2"], "--n is of another one"),
-        (&["cup", "--angle", "30 deg"], "--punch-radius"),
+        (&["cup", "--angle", "30 deg"], "unexpected argument '--angle'"),
         (&["cupp"], "cup"),
         (&["conical-cup", "--angle", "60 deg"], "narrows from"),
         (&["bulge", "--height", "49 mm"], "it would burst"),
