@@ -116,7 +116,9 @@ pub(super) const UNITS: [Unit; 43] = [
 ];
 
 /// What units are also called, in lower case, and how they are written here.
-const CALLED: [(&str, &str); 34] = [
+const CALLED: [(&str, &str); 36] = [
+    ("inch", "in"),
+    ("inches", "in"),
     ("ins", "in"),
     ("millimetre", "mm"),
     ("millimeter", "mm"),

@@ -144,7 +144,8 @@ fn a_wall_has_its_own_tolerance_from_the_punchs_wall() {
 #[test]
 fn tension_straightens_a_wall_only_once_all_of_it_yields() {
     let pulled = |force: &str| {
-        let solution = hat_held(97, &[&format!("tools.holder.force={force}")]);
+        let force = format!("tools.holder.force={force}");
+        let solution = hat_held(97, &[&force, "springback.wall_tolerance=1 deg"]);
         let advice = verdict(&solution).advice.to_string();
         let share = advice.split("the wall carries ").nth(1).and_then(|text| text.split(' ').next()).expect("a share");
         println!("{force}: {share} %, {}", of(&released(&solution), "wall_angle").told());

@@ -232,7 +232,7 @@ fn what_does_not_go_together_is_refused_with_exit_code_2() {
         ),
         (&["cup", "--material", "ap05x"], "did you mean `ap04xr`"),
         (&["cup", "--material", "ap04xr", "--n", "0.2"], "--n is of another one"),
-        (&["cup", "--angle", "30 deg"], "--punch-radius"),
+        (&["cup", "--angle", "30 deg"], "unexpected argument '--angle'"),
         (&["cupp"], "cup"),
         (&["conical-cup", "--angle", "60 deg"], "narrows from"),
         (&["bulge", "--height", "49 mm"], "it would burst"),
@@ -256,7 +256,7 @@ fn what_does_not_go_together_is_refused_with_exit_code_2() {
         assert!(!dir.path().join("case.toml").exists());
     }
     let error = find("cup").unwrap().fill(&[("angle", "30 deg")]).unwrap_err();
-    assert!(error.remedy().unwrap().contains("--punch-radius, --height"), "{error}");
+    assert!(error.remedy().unwrap().contains("--punch-radius, --punch-diameter"), "{error}");
 }
 
 /// Trust: a tonne-force is 9.80665 kN; the rounding is upward, to 0.01 kN.
