@@ -12,7 +12,9 @@ fn torn(dir: &Path) {
 }
 
 fn fits(told: &str) {
-    let wide: Vec<&str> = told.lines().filter(|line| line.chars().count() > 80).collect();
+    // Accents of their own stand over the letter before them.
+    let width = |line: &&str| line.chars().filter(|c| !('\u{300}'..='\u{36f}').contains(c)).count();
+    let wide: Vec<&str> = told.lines().filter(|line| width(line) > 80).collect();
     assert!(wide.is_empty(), "wider than 80 columns: {wide:#?}");
 }
 

@@ -303,7 +303,7 @@ fn the_list_and_the_help_name_every_option() {
     assert_eq!(one_line(&String::from_utf8_lossy(&listed.stdout)), one_line(&list()));
     for template in TEMPLATES {
         let help = stampflow(dir.path(), &["new", template.name, "--help"]);
-        let help = String::from_utf8_lossy(&help.stdout).into_owned();
+        let help = one_line(&String::from_utf8_lossy(&help.stdout));
         for choice in template.options() {
             let option = format!("--{} ", choice.key);
             assert!(list().contains(&option) && help.contains(&option), "{}: {option}", template.name);

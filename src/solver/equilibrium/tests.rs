@@ -16,7 +16,7 @@ use nalgebra::Vector3;
 fn model(geometry: Geometry, theory: Theory) -> Model {
     let t = 1.0;
     let tool = |role, profile, motion| Tool { role, profile, friction: 0.12.into(), motion };
-    let holder = if geometry == Geometry::Axisymmetric { 9e3 } else { 60.0 };
+    let holder = if geometry == Geometry::Axisymmetric { 9e3 } else { 120.0 };
     Model {
         title: "small cup".into(),
         notes: vec![],
