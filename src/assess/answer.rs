@@ -185,7 +185,9 @@ fn thinnest_number(stages: &[StageSolution]) -> Option<KeyNumber> {
     let (thickness, s0) = thinnest(stage)?;
     let thinning = 1.0 - thickness / stage.model.blank.thickness;
     let about = message!("{thinning} thinner", thinning = Amount::share(thinning));
-    let about = Message::joined([about, place(stages, s0)], ", ");
+    // What comes after it is another sheet.
+    let after = if tear(stages).is_some() { "after the tear".into() } else { Message::default() };
+    let about = Message::joined([about, place(stages, s0), after], ", ");
     Some(KeyNumber { key: "thinnest", label: "Thinnest", amount: Amount::thickness(thickness), about })
 }
 

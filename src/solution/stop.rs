@@ -218,7 +218,7 @@ impl Stop {
                 ahead = Amount::thickness(*ahead)
             ),
             Stop::Localised { travel, s0, share, why } => message!(
-                "torn at {travel} of travel: the sheet necks at s0 = {s0}, where {left} of its thickness is left; {why}",
+                "ended at {travel} of travel by a neck at s0 = {s0}, where {left} of its thickness is left; {why}",
                 travel = place(*travel),
                 s0 = place(*s0),
                 left = Amount::share(*share),
