@@ -47,7 +47,7 @@ pub(super) fn crushing(model: &Model) -> Option<Finding> {
     )
 }
 
-/// How far a holder that is pressed is lifted until the flange runs out, [`RUN_OUT`] thicknesses wide \[mm\]; `None` of a
+/// How far a holder that is pressed is lifted until the flange runs out, six thicknesses wide \[mm\]; `None` of a
 /// stage without one. A narrower flange no longer buckles, and its rim tilts as it goes over the shoulder.
 pub fn holder_lift(stage: &StageSolution) -> Option<f64> {
     let model = &stage.model;

@@ -108,7 +108,7 @@ impl Amount {
         Self::thicknesses(ratio).to(Given(3))
     }
 
-    /// A force \[`N`, or `N/mm` of depth\] in its unit, see [`force_unit`](crate::table::force_unit).
+    /// A force \[`N`, or `N/mm` of depth\] in its unit, see [`Extent`](crate::model::Extent).
     pub const fn force(force: f64, unit: Unit) -> Self {
         Self::new(force, unit, Significant(3))
     }

@@ -37,7 +37,7 @@ pub struct Pictures {
     pub formats: Vec<Format>,
     /// Width on paper \[mm\]; [`PAPER`] where nothing else is asked for.
     pub width: Option<f64>,
-    /// Pixels per inch on paper; [`PIXELS`] wide where nothing else is asked for.
+    /// Pixels per inch on paper; 1600 pixels wide where nothing else is asked for.
     pub dpi: Option<f64>,
     /// How much they say.
     pub captions: Captions,
