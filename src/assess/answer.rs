@@ -6,19 +6,23 @@ use super::press::Load;
 use super::{Finding, Light, judgements, thinning};
 use crate::case::Case;
 use crate::measure::{PartPlace, part_height, place_on_part};
-use crate::message::{Amount, Message, message};
+use crate::message::{Amount, Digits, Message, message};
 use crate::model::{Geometry, Model, Motion, Role};
 use crate::solution::{StageSolution, StepRecord, Stop};
 use crate::table::Unit;
+use crate::units::rounded;
+use serde::Serialize;
+use serde::ser::{SerializeStruct, Serializer};
 
 /// The verdict in one sentence, and the numbers that a part is known by.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Answer {
     /// The worst of the verdict's lights but grey.
     pub light: Light,
     /// Whether it tears and where, or what else speaks against it.
     pub sentence: Message,
     /// How the last stage ended, where that is as wished but not at its full travel; else empty.
+    #[serde(skip)]
     pub end: Message,
     /// In the order of telling.
     pub numbers: Vec<KeyNumber>,
@@ -37,6 +41,17 @@ pub struct KeyNumber {
     pub about: Message,
 }
 
+impl Serialize for KeyNumber {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let mut fields = serializer.serialize_struct("KeyNumber", 4)?;
+        fields.serialize_field("key", self.key)?;
+        fields.serialize_field("value", &rounded(self.amount.value))?;
+        fields.serialize_field("unit", self.amount.unit.spelled())?;
+        fields.serialize_field("about", &self.about)?;
+        fields.end()
+    }
+}
+
 /// Where the sheet tears.
 struct Tear<'a> {
     stage: usize,
@@ -53,22 +68,23 @@ impl Answer {
         let light = judgements(findings).map(|finding| finding.light).max().unwrap_or(Light::Grey);
         let end = stages.last().map(|stage| &stage.stop);
         let end = end.filter(|stop| stop.is_complete() && !matches!(stop, Stop::FullTravel));
+        let tear = tear(stages);
         Self {
             light,
-            sentence: sentence(stages, findings, light),
+            sentence: sentence(stages, findings, light, tear.as_ref()),
             end: end.map_or_else(Message::default, Stop::message),
-            numbers: numbers(case, stages),
+            numbers: numbers(case, stages, tear.is_some()),
         }
     }
 }
 
 /// What speaks loudest: a tear, a run that did not end, red lights, amber ones.
-fn sentence(stages: &[StageSolution], findings: &[Finding], light: Light) -> Message {
+fn sentence(stages: &[StageSolution], findings: &[Finding], light: Light, tear: Option<&Tear>) -> Message {
     let labels =
         |of: Light| Message::joined(judgements(findings).filter(|f| f.light == of).map(|f| f.label.into()), ", ");
     let is = |key: &str, light: Light| judgements(findings).any(|f| f.key == key && f.light == light);
     let is_red = |key: &str| is(key, Light::Red);
-    if let Some(tear) = tear(stages) {
+    if let Some(tear) = tear {
         return Message::joined([tear.sentence(stages.len()), tear.when()], ", ");
     }
     if stages.last().is_some_and(|stage| matches!(stage.stop, Stop::Interrupted { .. })) {
@@ -163,12 +179,12 @@ impl Tear<'_> {
 }
 
 /// The numbers that a part is known by: thinnest place, force and press, holder, blank, height, draw-in.
-fn numbers(case: &Case, stages: &[StageSolution]) -> Vec<KeyNumber> {
+fn numbers(case: &Case, stages: &[StageSolution], is_torn: bool) -> Vec<KeyNumber> {
     let all = [
-        thinnest_number(stages),
+        thinnest_number(stages, is_torn),
         load(case, stages),
         holder(stages),
-        blank(case.model()),
+        Some(blank(case.model())),
         height(stages),
         draw_in(stages),
     ];
@@ -180,13 +196,13 @@ fn thinnest(stage: &StageSolution) -> Option<(f64, f64)> {
     stage.steps.last().map(|step| (step.thinnest, step.thinnest_s0))
 }
 
-fn thinnest_number(stages: &[StageSolution]) -> Option<KeyNumber> {
+fn thinnest_number(stages: &[StageSolution], is_torn: bool) -> Option<KeyNumber> {
     let stage = stages.last()?;
     let (thickness, s0) = thinnest(stage)?;
     let thinning = 1.0 - thickness / stage.model.blank.thickness;
     let about = message!("{thinning} thinner", thinning = Amount::share(thinning));
     // What comes after it is another sheet.
-    let after = if tear(stages).is_some() { "after the tear".into() } else { Message::default() };
+    let after = if is_torn { "after the tear".into() } else { Message::default() };
     let about = Message::joined([about, place(stages, s0), after], ", ");
     Some(KeyNumber { key: "thinnest", label: "Thinnest", amount: Amount::thickness(thickness), about })
 }
@@ -240,15 +256,14 @@ fn holder(stages: &[StageSolution]) -> Option<KeyNumber> {
     Some(KeyNumber { key: "holder_force", label: "Holder", amount, about: "at its largest".into() })
 }
 
-fn blank(model: &Model) -> Option<KeyNumber> {
-    let (label, about) = match model.geometry {
-        Geometry::Axisymmetric => {
-            ("Blank", message!("in diameter, {t} thick", t = Amount::size(model.blank.thickness)))
-        }
-        Geometry::PlaneStrain => ("Blank", message!("wide, {t} thick", t = Amount::size(model.blank.thickness))),
+fn blank(model: &Model) -> KeyNumber {
+    let t = Amount::size(model.blank.thickness);
+    let about = match model.geometry {
+        Geometry::Axisymmetric => message!("in diameter, {t} thick", t = t),
+        Geometry::PlaneStrain => message!("wide, {t} thick", t = t),
     };
-    let amount = Amount::new(2.0 * model.blank.length, Unit::Mm, crate::message::Digits::Given(2));
-    Some(KeyNumber { key: "blank", label, amount, about })
+    let amount = Amount::new(2.0 * model.blank.length, Unit::Mm, Digits::Given(2));
+    KeyNumber { key: "blank", label: "Blank", amount, about }
 }
 
 fn height(stages: &[StageSolution]) -> Option<KeyNumber> {

@@ -241,14 +241,21 @@ pub fn headline(findings: &[Finding]) -> Message {
     Message::joined(parts, ", ")
 }
 
-/// The advice of the verdict's rows of a light, rows of one advice together: their labels, and what to change.
-pub fn advice(findings: &[Finding], is: impl Fn(Light) -> bool) -> Vec<(Message, &Message)> {
-    let mut given: Vec<(Vec<Message>, &Message)> = Vec::new();
-    for finding in judgements(findings).filter(|f| is(f.light) && !f.advice.is_empty()) {
-        match given.iter_mut().find(|(_, advice)| **advice == finding.advice) {
-            Some((labels, _)) => labels.push(finding.label.into()),
-            None => given.push((vec![finding.label.into()], &finding.advice)),
+/// The verdict's rows of a light, those with one advice together, where the first of them stands.
+pub fn by_advice(findings: &[Finding], is: impl Fn(Light) -> bool) -> Vec<Vec<&Finding>> {
+    let mut groups: Vec<Vec<&Finding>> = Vec::new();
+    for finding in judgements(findings).filter(|f| is(f.light)) {
+        match groups.iter_mut().find(|group| group[0].advice == finding.advice) {
+            Some(group) => group.push(finding),
+            None => groups.push(vec![finding]),
         }
     }
-    given.into_iter().map(|(labels, advice)| (Message::joined(labels, ", "), advice)).collect()
+    groups
+}
+
+/// The advice of the verdict's rows of a light, rows of one advice together: their labels, and what to change.
+pub fn advice(findings: &[Finding], is: impl Fn(Light) -> bool) -> Vec<(Message, &Message)> {
+    let groups = by_advice(findings, is).into_iter().filter(|group| !group[0].advice.is_empty());
+    let labels = |group: &[&Finding]| Message::joined(group.iter().map(|finding| finding.label.into()), ", ");
+    groups.map(|group| (labels(&group), &group[0].advice)).collect()
 }

@@ -45,7 +45,7 @@ mod wrinkling;
 mod yielding;
 
 pub use answer::{Answer, KeyNumber, tears_at};
-pub use finding::{Finding, Kind, Light, Limits, Sense, When, advice, headline, judgements, sentences};
+pub use finding::{Finding, Kind, Light, Limits, Sense, When, advice, by_advice, headline, judgements, sentences};
 pub use forming_limit::CAREFUL;
 pub use holder::holder_lift;
 pub use size::size_doubts;

@@ -2,7 +2,7 @@
 
 use super::say::Shown;
 use super::table::{Cell, Tone, table, toned, wrapped};
-use stampflow::assess::{Answer, Finding, Kind, Light, judgements, sentences, size_doubts};
+use stampflow::assess::{Answer, Finding, Kind, Light, by_advice, judgements, sentences, size_doubts};
 use stampflow::case::Case;
 use stampflow::message::{Form, Message, message};
 
@@ -10,7 +10,7 @@ use stampflow::message::{Form, Message, message};
 pub fn answered(case: &Case, answer: &Answer, findings: &[Finding], form: Form) -> Shown {
     let numbers = answer.numbers.iter().map(|number| {
         [
-            Cell::plain(Message::from(number.label).told(form)),
+            Cell::plain(form.tell(number.label)),
             Cell::plain(number.amount.told(form)),
             Cell::plain(number.about.told(form)),
         ]
@@ -41,7 +41,7 @@ pub fn answered(case: &Case, answer: &Answer, findings: &[Finding], form: Form) 
 
 /// `cup: RED – it tears in the wall`: one line where several cases are told, with `more` at its end.
 pub fn sentence(case: &str, answer: &Answer, more: &str, form: Form) -> Shown {
-    let light = Message::from(answer.light.name()).told(form).to_uppercase();
+    let light = form.tell(answer.light.name()).to_uppercase();
     let line = format!("{case}: {light}: {}. {more}", answer.sentence.told(form));
     toned(&line, &light, Tone::of(answer.light))
 }
@@ -50,14 +50,11 @@ pub fn sentence(case: &str, answer: &Answer, more: &str, form: Form) -> Shown {
 fn judged(findings: &[Finding], form: Form) -> Shown {
     let mut rows: Vec<[Cell; 3]> = Vec::new();
     for light in [Light::Red, Light::Amber] {
-        let mut rest: Vec<&Finding> = judgements(findings).filter(|finding| finding.light == light).collect();
-        while let Some(first) = rest.first().copied() {
-            let (same, others): (Vec<_>, Vec<_>) = rest.into_iter().partition(|finding| finding.advice == first.advice);
-            rest = others;
-            rows.extend(same.iter().map(|finding| row(finding, form)));
-            if !first.advice.is_empty() {
-                let change = Message::from("→ change").told(form);
-                rows.push(["", &change, &first.advice.told(form)].map(Cell::plain));
+        for alike in by_advice(findings, |is| is == light) {
+            rows.extend(alike.iter().map(|finding| row(finding, form)));
+            let advice = &alike[0].advice;
+            if !advice.is_empty() {
+                rows.push(["", &form.tell("→ change"), &advice.told(form)].map(Cell::plain));
             }
             rows.push([""; 3].map(Cell::plain));
         }
@@ -66,15 +63,14 @@ fn judged(findings: &[Finding], form: Form) -> Shown {
 }
 
 fn row(finding: &Finding, form: Form) -> [Cell; 3] {
-    let light = Message::from(finding.light.name()).told(form);
     // Words are no limit of a number.
     let found = match finding.value {
         Some(_) => message!("{found}; limit: {limit}", found = finding.found.clone(), limit = finding.limit.clone()),
         None => finding.found.clone(),
     };
     [
-        Cell { text: light, tone: Tone::of(finding.light) },
-        Cell::plain(Message::from(finding.label).told(form)),
+        Cell { text: form.tell(finding.light.name()), tone: Tone::of(finding.light) },
+        Cell::plain(form.tell(finding.label)),
         Cell::plain(found.told(form)),
     ]
 }

@@ -12,7 +12,7 @@ use serde_json::json;
 use stampflow::assess::check::{self, Check};
 use stampflow::assess::{self, Answer, Finding, Kind, Light, advice, headline, judgements, sentences};
 use stampflow::case::Case;
-use stampflow::message::{Form, Message, message};
+use stampflow::message::{Form, message};
 use std::fmt::Write;
 use std::path::PathBuf;
 
@@ -74,11 +74,7 @@ pub fn check(args: &Args) -> anyhow::Result<Code> {
     } else {
         say(printed(args.verbose.then_some(&report), &answer, &findings, &solution.case, args.form.form()))?;
     }
-    Ok(match answer.light {
-        Light::Red if args.strict => Code::Red,
-        _ if complete => Code::Done,
-        _ => Code::StoppedEarly,
-    })
+    Ok(Code::of_run(args.strict, complete, &answer))
 }
 
 /// The answer, what the case means where it is given, and every row of the verdict.
@@ -114,8 +110,8 @@ fn list(text: &mut String, heading: &str, entries: impl Iterator<Item = String>)
 fn row(finding: &Finding, form: Form) -> [Cell; 4] {
     let limit = message!("{limit} ({source})", limit = finding.limit.clone(), source = finding.source.clone());
     [
-        Cell::plain(Message::from(finding.label).told(form)),
-        Cell { text: Message::from(finding.light.name()).told(form), tone: Tone::of(finding.light) },
+        Cell::plain(form.tell(finding.label)),
+        Cell { text: form.tell(finding.light.name()), tone: Tone::of(finding.light) },
         Cell::plain(finding.found.told(form)),
         Cell::plain(limit.told(form)),
     ]

@@ -1,5 +1,6 @@
 //! Exit codes, and the errors of the command line itself.
 
+use stampflow::assess::{Answer, Light};
 use stampflow::case::CaseError;
 use stampflow::compare::CompareError;
 use stampflow::import::ImportError;
@@ -59,6 +60,15 @@ pub fn unusable(option: &str) -> impl Fn(WriteError) -> BadPath {
 }
 
 impl Code {
+    /// What a run that came to an end is to a script: red where that is asked for, complete or not.
+    pub fn of_run(strict: bool, complete: bool, answer: &Answer) -> Self {
+        match answer.light {
+            Light::Red if strict => Self::Red,
+            _ if complete => Self::Done,
+            _ => Self::StoppedEarly,
+        }
+    }
+
     /// The code that an error ends the program with.
     pub fn of(error: &anyhow::Error) -> Self {
         let bad_input = error.is::<CaseError>() || error.is::<CompareError>() || error.is::<ImportError>();

@@ -28,18 +28,7 @@ pub fn comparison(case: &str, comparison: &Comparison) -> Value {
 
 /// The verdict: its light and sentence, the key numbers, and every row with its number, unit and limits.
 pub fn answer(answer: &Answer, findings: &[Finding]) -> serde_json::Result<Value> {
-    let number = |n: &stampflow::assess::KeyNumber| {
-        json!({
-            "key": n.key,
-            "value": rounded(n.amount.value),
-            "unit": n.amount.unit.spelled(),
-            "about": n.about.to_string(),
-        })
-    };
-    Ok(json!({
-        "light": answer.light,
-        "sentence": answer.sentence.to_string(),
-        "numbers": answer.numbers.iter().map(number).collect::<Vec<_>>(),
-        "findings": judgements(findings).map(serde_json::to_value).collect::<Result<Vec<_>, _>>()?,
-    }))
+    let mut value = serde_json::to_value(answer)?;
+    value["findings"] = judgements(findings).map(serde_json::to_value).collect::<Result<_, _>>()?;
+    Ok(value)
 }

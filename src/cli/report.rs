@@ -9,10 +9,9 @@ use super::say::{say, say_json};
 use super::titles::Titles;
 use clap::ValueEnum;
 use serde_json::json;
-use stampflow::files::{Disk, Files};
 use stampflow::message::message;
-use stampflow::output::{Extra, FrameRecorder, can_write, remove_others, write};
-use stampflow::report::{Document, MARKER, Report, figure_folder, html, is_figure, markdown, pdf};
+use stampflow::output::{Extra, FrameRecorder, can_write, is_report, remove_others, write};
+use stampflow::report::{Document, Report, figure_folder, html, is_figure, markdown, pdf};
 use std::path::{Path, PathBuf};
 
 pub const HELP: &str = "\
@@ -145,9 +144,6 @@ fn save(document: &Document, path: &Path, format: Format) -> anyhow::Result<Vec<
     Ok(files)
 }
 
-/// A report is a few MB \[bytes\].
-const LARGEST: usize = 100_000_000;
-
 /// A file of someone else's stays, and so does a folder where our pictures would go without a report beside it.
 fn refuse_others(path: &Path, format: Format) -> Result<(), BadRequest> {
     let refuse = |what: &Path| {
@@ -157,15 +153,11 @@ fn refuse_others(path: &Path, format: Format) -> Result<(), BadRequest> {
         )))
     };
     let is_there = path.symlink_metadata().is_ok();
-    if is_there && !path.is_dir() && !Disk.read(path, LARGEST).is_ok_and(|bytes| is_report(&bytes)) {
+    if is_there && !path.is_dir() && !is_report(path) {
         return refuse(path);
     }
     let folder = figure_folder(path);
     if format == Format::Md && !is_there && folder.symlink_metadata().is_ok() { refuse(&folder) } else { Ok(()) }
-}
-
-fn is_report(bytes: &[u8]) -> bool {
-    bytes.windows(MARKER.len()).any(|part| part == MARKER.as_bytes())
 }
 
 impl Args {

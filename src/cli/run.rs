@@ -10,7 +10,7 @@ use super::progress::{Kept, Progress};
 use super::say::{Shown, say, say_json};
 use super::table::{Cell, table, wrapped};
 use serde_json::{Value, json};
-use stampflow::assess::{self, Answer, Finding, Light};
+use stampflow::assess::{self, Answer, Finding};
 use stampflow::case::{Case, Solution};
 use stampflow::message::{Form, Message, message};
 use stampflow::output::{
@@ -118,7 +118,7 @@ pub fn run(args: &Args) -> anyhow::Result<Code> {
                 false => Told::Text(args.told(&results, (&answer, &findings), &dir, files)),
             };
             let failures: Vec<WriteError> = [written.err(), traced.err()].into_iter().flatten().collect();
-            Ok((told, args.code(&solution, &answer), failures))
+            Ok((told, Code::of_run(args.strict, solution.is_complete(), &answer), failures))
         },
     );
     let mut code = Code::Done;
@@ -217,15 +217,6 @@ impl Args {
             let _ = writeln!(end, "{}", form.tell(written(files, dir)));
         }
         shown + wrapped(&format!("\n{end}"))
-    }
-
-    /// What the end of a case is to a script.
-    fn code(&self, solution: &Solution, answer: &Answer) -> Code {
-        match answer.light {
-            Light::Red if self.strict => Code::Red,
-            _ if solution.is_complete() => Code::Done,
-            _ => Code::StoppedEarly,
-        }
     }
 }
 

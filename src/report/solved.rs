@@ -3,9 +3,9 @@
 use super::program::PROGRAM;
 use super::sizes;
 use crate::assess::check::{self, Check};
-use crate::assess::{self, Answer, Finding, KeyNumber, Kind};
+use crate::assess::{self, Answer, Finding, Kind};
 use crate::case::{Solution, TitleBlock};
-use crate::message::{Amount, Form};
+use crate::message::Form;
 use crate::output::{Dimension, FrameRecorder, StageView, Summary};
 use crate::units::rounded;
 use serde_json::{Map, Value, json};
@@ -63,17 +63,16 @@ impl<'a> Report<'a> {
     /// Every number of the document, with those behind its pictures that a summary has.
     pub fn json(&self) -> Value {
         let dimension = |d: &Dimension| json!({"label": d.name(), "value": rounded(d.amount.value), "unit": d.amount.unit.symbol()});
-        let number = |n: &KeyNumber| {
-            let Amount { value, unit, .. } = n.amount;
-            json!({"key": n.key, "value": rounded(value), "unit": unit.spelled(), "told": n.amount.told(Form::default()), "about": n.about})
-        };
-        let numbers: Vec<Value> = self.answer.numbers.iter().map(number).collect();
+        let mut answer = json!(self.answer);
+        for (value, number) in answer["numbers"].as_array_mut().into_iter().flatten().zip(&self.answer.numbers) {
+            value["told"] = number.amount.told(Form::default()).into();
+        }
         json!({
             "case": self.solution.case.name,
             "complete": self.solution.is_complete(),
             "program": PROGRAM,
             "title_block": self.title_block.entries().map(|(name, value)| (name.to_owned(), value.into())).collect::<Map<_, _>>(),
-            "answer": {"light": self.answer.light, "sentence": self.answer.sentence, "numbers": numbers},
+            "answer": answer,
             "check": self.check,
             "dimensions": self.dimensions.iter().map(dimension).collect::<Vec<_>>(),
             "verdict": assess::judgements(&self.findings).collect::<Vec<_>>(),

@@ -1,31 +1,17 @@
 //! What users are told, in German and in US units: nothing stays in English or in mm.
 
+use crate::common::few::Few;
 use crate::common::shipped::shipped_case;
 use stampflow::assess::{self, Answer, Finding, Kind};
 use stampflow::author::templates::TEMPLATES;
 use stampflow::case::{self, Case, Solution};
 use stampflow::message::{Form, Language, Message, System, names};
-use stampflow::solution::StepRecord;
-use stampflow::solver::Observer;
 use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
 
 fn german() -> Language {
     Language::of("de").expect("German")
-}
-
-/// Ends a run after so many steps.
-struct Few(usize);
-
-impl Observer for Few {
-    fn step(&mut self, _: &StepRecord) {
-        self.0 = self.0.saturating_sub(1);
-    }
-
-    fn wants_to_stop(&mut self) -> bool {
-        self.0 == 0
-    }
 }
 
 /// Everything that is told of a case: its check, its verdict, its summary.

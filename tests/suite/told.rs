@@ -1,5 +1,6 @@
 //! Pictures and reports, in German and in US units: nothing stays in English or in mm.
 
+use crate::common::few::Few;
 use crate::common::shipped::shipped_case;
 use stampflow::assess::{self, judgements};
 use stampflow::author::templates::TEMPLATES;
@@ -7,8 +8,6 @@ use stampflow::case::{self, Solution};
 use stampflow::message::{Form, Language, System, Term};
 use stampflow::output::{Captions, Chart, OUTPUTS, Pictures, Results};
 use stampflow::report::{Block, Document, Report, html, markdown};
-use stampflow::solution::StepRecord;
-use stampflow::solver::Observer;
 
 fn german() -> Form {
     Form { language: Language::of("de").expect("German"), ..Form::default() }
@@ -16,19 +15,6 @@ fn german() -> Form {
 
 fn us() -> Form {
     Form { system: System::Us, ..Form::default() }
-}
-
-/// Ends a run after so many steps.
-struct Few(usize);
-
-impl Observer for Few {
-    fn step(&mut self, _: &StepRecord) {
-        self.0 = self.0.saturating_sub(1);
-    }
-
-    fn wants_to_stop(&mut self) -> bool {
-        self.0 == 0
-    }
 }
 
 fn of_template(name: &str) -> Solution {

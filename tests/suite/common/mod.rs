@@ -4,6 +4,7 @@ pub mod cli;
 pub mod convergence;
 pub mod cup;
 pub mod drawn;
+pub mod few;
 pub mod files;
 pub mod pdf;
 pub mod pixels;
