@@ -99,6 +99,8 @@ pub mod solver;
 pub mod state;
 pub mod table;
 pub mod units;
+#[cfg(feature = "case")]
+pub mod verification;
 
 #[cfg(feature = "case")]
 pub use case::{Case, Solution};

@@ -207,15 +207,28 @@ fn thinnest_number(stages: &[StageSolution], is_torn: bool) -> Option<KeyNumber>
     Some(KeyNumber { key: "thinnest", label: "Thinnest", amount: Amount::thickness(thickness), about })
 }
 
+/// The stages that form the sheet, with their numbers.
+fn formed(stages: &[StageSolution]) -> impl Iterator<Item = (usize, &StageSolution)> {
+    stages.iter().enumerate().filter(|(_, stage)| stage.model.release.is_none())
+}
+
+/// The step where something is largest, and the number of its stage.
+fn largest(stages: &[StageSolution], value: fn(&StepRecord) -> f64) -> Option<(usize, &StepRecord)> {
+    let steps = formed(stages).flat_map(|(i, stage)| stage.steps.iter().map(move |step| (i, step)));
+    steps.max_by(|a, b| value(a.1).total_cmp(&value(b.1)))
+}
+
+/// The step with the largest punch force, and the number of its stage; `None` where no punch presses.
+pub fn largest_force(stages: &[StageSolution]) -> Option<(usize, &StepRecord)> {
+    largest(stages, |step| step.punch_force).filter(|(_, peak)| peak.punch_force > 0.0)
+}
+
 /// The largest force over all stages, or the largest gas pressure where no punch moves.
 fn load(case: &Case, stages: &[StageSolution]) -> Option<KeyNumber> {
-    let formed: Vec<_> = stages.iter().enumerate().filter(|(_, stage)| stage.model.release.is_none()).collect();
-    let steps = || formed.iter().flat_map(|(i, stage)| stage.steps.iter().map(move |step| (*i, step)));
-    let of = |value: fn(&StepRecord) -> f64| steps().max_by(|a, b| value(a.1).total_cmp(&value(b.1)));
-    let stage = |i: usize| if formed.len() > 1 { message!("in stage {n}", n = i + 1) } else { Message::default() };
-    let (i, peak) = of(|step| step.punch_force)?;
-    if peak.punch_force <= 0.0 {
-        let (i, peak) = of(|step| step.pressure.abs()).filter(|(_, peak)| peak.pressure != 0.0)?;
+    let several = formed(stages).count() > 1;
+    let stage = |i: usize| if several { message!("in stage {n}", n = i + 1) } else { Message::default() };
+    let Some((i, peak)) = largest_force(stages) else {
+        let (i, peak) = largest(stages, |step| step.pressure.abs()).filter(|(_, peak)| peak.pressure != 0.0)?;
         let at = message!("at a height of {height}", height = Amount::place(peak.pole_height.abs()));
         let about = Message::joined([stage(i), at], ", ");
         return Some(KeyNumber {
@@ -224,7 +237,7 @@ fn load(case: &Case, stages: &[StageSolution]) -> Option<KeyNumber> {
             amount: Amount::stress(peak.pressure.abs()),
             about,
         });
-    }
+    };
     let unit = stages[i].model.extent().force_unit();
     let at = message!("at {travel} of travel", travel = Amount::place(peak.travel));
     let at = Message::joined([stage(i), at], ", ");

@@ -44,7 +44,7 @@ mod wall_load;
 mod wrinkling;
 mod yielding;
 
-pub use answer::{Answer, KeyNumber, tears_at};
+pub use answer::{Answer, KeyNumber, largest_force, tears_at};
 pub use finding::{Finding, Kind, Light, Limits, Sense, When, advice, by_advice, headline, judgements, sentences};
 pub use forming_limit::CAREFUL;
 pub use holder::holder_lift;

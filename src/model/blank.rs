@@ -55,6 +55,13 @@ pub enum Grading {
     /// Smaller elements where the sheet meets the tools' radii.
     #[default]
     Radii,
+    /// As `Radii` with so many elements, which are then divided, or put together, to as many as the blank has: so that the
+    /// meshes of a refinement are alike, which no case file asks for.
+    #[cfg_attr(feature = "case", serde(skip))]
+    Divided {
+        /// Elements of the mesh that is divided.
+        of: usize,
+    },
 }
 
 /// The blank's outer edge.

@@ -28,12 +28,28 @@ struct Zone {
 
 /// Initial distances of the nodes from the axis \[mm\], rising from 0 to the blank's length.
 pub fn nodes(model: &Model) -> Vec<f64> {
-    let (length, n) = (model.blank.length, model.blank.elements);
-    let uniform = |i: usize| length * i as f64 / n as f64;
-    let zones = match model.blank.grading {
-        Grading::Uniform => Vec::new(),
-        Grading::Radii => zones(model),
+    match model.blank.grading {
+        Grading::Uniform => graded(model, model.blank.elements, &[]),
+        Grading::Radii => graded(model, model.blank.elements, &zones(model)),
+        Grading::Divided { of } => divided(&graded(model, of, &zones(model)), model.blank.elements),
+    }
+}
+
+/// Nodes of `n` elements in the place of as many as there are, as if each were divided into equal parts.
+fn divided(nodes: &[f64], n: usize) -> Vec<f64> {
+    let elements = nodes.len() - 1;
+    let at = |i: usize| {
+        let (e, part) = (i * elements / n, i * elements % n);
+        let from = nodes[e];
+        if part == 0 { from } else { from + (nodes[e + 1] - from) * part as f64 / n as f64 }
     };
+    (0..=n).map(at).collect()
+}
+
+/// `n` elements, small enough for every zone.
+fn graded(model: &Model, n: usize, zones: &[Zone]) -> Vec<f64> {
+    let length = model.blank.length;
+    let uniform = |i: usize| length * i as f64 / n as f64;
     let finest = zones.iter().map(|z| z.size).fold(f64::INFINITY, f64::min);
     if finest >= length / n as f64 {
         return (0..=n).map(uniform).collect();

@@ -91,7 +91,9 @@ fn mesh(model: &Model) -> Line {
     let size = Amount::size(blank.length / blank.elements as f64);
     let spread = match blank.grading {
         Grading::Uniform => message!("elements, each {size} wide", size = size),
-        Grading::Radii => message!("elements, {size} on average, finer where the tools' radii ask for it", size = size),
+        Grading::Radii | Grading::Divided { .. } => {
+            message!("elements, {size} on average, finer where the tools' radii ask for it", size = size)
+        }
     };
     line("mesh", Amount::count(blank.elements), spread)
 }

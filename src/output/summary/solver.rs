@@ -70,7 +70,7 @@ fn mesh(model: &Model) -> Message {
     };
     let grading = match blank.grading {
         Grading::Uniform => "uniform",
-        Grading::Radii => "graded where the tools' radii ask for it",
+        Grading::Radii | Grading::Divided { .. } => "graded where the tools' radii ask for it",
     };
     Message::joined([theory, grading.into()], ", ")
 }

@@ -1,0 +1,99 @@
+//! The error bar of a number, and what it is made of.
+
+use super::direction::Direction;
+use super::estimate::Estimate;
+use super::numbers::Number;
+use super::said;
+use crate::message::Message;
+
+/// A number with its error bar.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Bar {
+    /// The number, of the run as it is.
+    pub number: Number,
+    /// The truth, as fine as can be, lies within this of it, in its unit; `None` where no small error can be told.
+    pub half: Option<f64>,
+    /// Why there is none; else empty.
+    pub why: Message,
+    /// What it is made of, the largest first.
+    pub parts: Vec<Part>,
+}
+
+/// What one direction gives to an error bar.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Part {
+    /// What was refined.
+    pub direction: Direction,
+    /// The error by it.
+    pub estimate: Estimate,
+    /// Of the whole bar, 1 for all of it \[–\].
+    pub share: f64,
+}
+
+/// A number of one direction: on every level that counts, the run as it is first.
+pub(super) struct Levels {
+    pub direction: Direction,
+    /// How many times finer, and the value there; `None` where the run has no such number.
+    pub values: Vec<(f64, Option<f64>)>,
+}
+
+/// Errors are never less than this times the tolerance to which every step was solved, over the number \[–\].
+const SOLVED: f64 = 10.0;
+
+/// A number jumps where the finer pair of levels differs by so many times what the coarser does \[–\], and by more than this
+/// share of it; a place, where it moves by so many elements or steps.
+const OUT_OF_LINE: f64 = 4.0;
+const MUCH: f64 = 0.05;
+const FAR: f64 = 4.0;
+
+/// The errors of several directions in one: the root of the sum of their squares.
+pub fn combined(errors: impl Iterator<Item = f64>) -> f64 {
+    errors.map(|error| error * error).sum::<f64>().sqrt()
+}
+
+impl Bar {
+    /// No bar.
+    pub(super) fn none(number: Number, why: Message) -> Self {
+        Self { number, half: None, why, parts: Vec::new() }
+    }
+
+    /// From its levels in every direction, solved to a tolerance.
+    pub(super) fn of(
+        number: Number,
+        directions: &[Levels],
+        tolerance: f64,
+        estimate: impl Fn(Direction, &[f64]) -> Estimate,
+    ) -> Self {
+        let mut parts = Vec::new();
+        for Levels { direction, values } in directions {
+            let Some(known) = values.iter().map(|(_, value)| *value).collect::<Option<Vec<f64>>>() else {
+                return Self::none(number, said::not_everywhere(*direction));
+            };
+            if let Some((i, j)) = jump(&number, &known) {
+                let why = said::jumps(&number, [known[i], known[j]], direction.told(values[j].0));
+                return Self::none(number, why);
+            }
+            parts.push(Part { direction: *direction, estimate: estimate(*direction, &known), share: 0.0 });
+        }
+        let squares: f64 = parts.iter().map(|part| part.estimate.error.powi(2)).sum();
+        if squares > 0.0 {
+            parts.iter_mut().for_each(|part| part.share = part.estimate.error.powi(2) / squares);
+        }
+        parts.sort_by(|a, b| b.share.total_cmp(&a.share));
+        let least = SOLVED * tolerance * number.amount.value.abs();
+        let half = combined(parts.iter().map(|part| part.estimate.error)).max(least).max(0.5 * number.resolution);
+        // What no refinement moves by a bit is an input.
+        let half = if squares > 0.0 { half } else { 0.0 };
+        Self { number, half: Some(half), why: Message::default(), parts }
+    }
+}
+
+/// The two levels between which a number jumps, where it does.
+fn jump(number: &Number, levels: &[f64]) -> Option<(usize, usize)> {
+    let step = |i: usize| (levels[i] - levels[i - 1]).abs();
+    if number.resolution > 0.0 {
+        return (1..levels.len()).find(|&i| step(i) > FAR * number.resolution).map(|i| (i - 1, i));
+    }
+    let is_far = |i: &usize| step(*i) > OUT_OF_LINE * step(i - 1) && step(*i) > MUCH * levels[0].abs();
+    (2..levels.len()).find(is_far).map(|i| (i - 1, i))
+}

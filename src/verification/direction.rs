@@ -1,0 +1,148 @@
+//! What is refined, and how.
+
+use crate::message::{Amount, Message, message};
+use crate::model::{Blank, Grading, Model, Stage};
+
+/// A direction in which a solution is refined.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Direction {
+    /// Elements along the meridian.
+    Elements,
+    /// Points through the thickness.
+    Points,
+    /// Steps: the longest, the first, and the strain of one.
+    Steps,
+    /// Stiffness of the contact.
+    Stiffness,
+    /// Gap over which contact sets in: the foot of its law.
+    Smoothing,
+    /// Sliding speed at which friction sets in.
+    Slip,
+    /// Strain below which the sheet is rigid.
+    CutOff,
+    /// All of them at once.
+    Together,
+}
+
+/// Fewest elements and points that a coarser run has.
+const LEAST_ELEMENTS: usize = 8;
+const LEAST_POINTS: usize = 3;
+
+impl Direction {
+    /// Those that are refined each on its own.
+    pub const ALL: [Self; 7] = [
+        Self::Elements,
+        Self::Points,
+        Self::Steps,
+        Self::Stiffness,
+        Self::Smoothing,
+        Self::Slip,
+        Self::CutOff,
+    ];
+
+    /// Name in files and JSON.
+    pub fn key(self) -> &'static str {
+        match self {
+            Self::Elements => "elements",
+            Self::Points => "points",
+            Self::Steps => "steps",
+            Self::Stiffness => "contact_stiffness",
+            Self::Smoothing => "contact_smoothing",
+            Self::Slip => "slip_speed",
+            Self::CutOff => "cut_off",
+            Self::Together => "together",
+        }
+    }
+
+    /// Name in tables.
+    pub fn label(self) -> &'static str {
+        match self {
+            Self::Elements => "elements",
+            Self::Points => "points",
+            Self::Steps => "steps",
+            Self::Stiffness => "contact stiffness",
+            Self::Smoothing => "contact smoothing",
+            Self::Slip => "slip speed",
+            Self::CutOff => "cut-off",
+            Self::Together => "all together",
+        }
+    }
+
+    /// What a run has, so many `times` finer: `4 times the elements`.
+    pub fn told(self, times: f64) -> Message {
+        let n = Amount::number(times);
+        match self {
+            Self::Elements => message!("{n} times the elements", n = n),
+            Self::Points => message!("{n} times the points through the thickness", n = n),
+            Self::Steps => message!("steps of 1/{n} of the length", n = n),
+            Self::Stiffness => message!("{n} times the contact stiffness", n = n),
+            Self::Smoothing => message!("1/{n} of the contact smoothing", n = n),
+            Self::Slip => message!("1/{n} of the slip speed", n = n),
+            Self::CutOff => message!("1/{n} of the cut-off strain", n = n),
+            Self::Together => message!("everything {n} times as fine", n = n),
+        }
+    }
+
+    /// Formal order of convergence \[–\]: two-node elements are of the second; steps and what regularises contact of the
+    /// first. `None` of the points through the thickness, whose number decides whether one lies where the stress turns about.
+    pub fn order(self) -> Option<f64> {
+        match self {
+            Self::Elements => Some(2.0),
+            Self::Points | Self::Together => None,
+            Self::Steps | Self::Stiffness | Self::Smoothing | Self::Slip | Self::CutOff => Some(1.0),
+        }
+    }
+
+    /// What a run costs so many `times` finer, over what it costs as it is \[–\].
+    pub fn cost(self, times: f64) -> f64 {
+        match self {
+            Self::Elements | Self::Points | Self::Steps => times,
+            Self::Together => times.powi(3),
+            _ => 1.0,
+        }
+    }
+
+    /// The stages, each so many `times` finer, or coarser below 1; `None` where there is nothing to refine.
+    pub fn refined(self, stages: &[Stage], times: f64) -> Option<Vec<Stage>> {
+        let mut refined = stages.to_vec();
+        for stage in &mut refined {
+            match self {
+                Self::Together => Self::ALL.iter().for_each(|each| each.refine(&mut stage.model, times)),
+                _ => self.refine(&mut stage.model, times),
+            }
+        }
+        let changed = refined.iter().zip(stages).any(|(refined, stage)| refined.model != stage.model);
+        (changed && refined.iter().all(|stage| stage.model.check().is_ok())).then_some(refined)
+    }
+
+    fn refine(self, model: &mut Model, times: f64) {
+        let Model { blank, settings, .. } = model;
+        let contact = !model.tools.is_empty();
+        match self {
+            Self::Elements => divide(blank, times),
+            Self::Points if blank.layers > 1 => blank.layers = scaled(blank.layers, times, LEAST_POINTS),
+            Self::Steps => {
+                settings.max_step = (settings.max_step / times).min(1.0);
+                settings.first_step = (settings.first_step / times).min(settings.max_step);
+                settings.strain_step /= times;
+            }
+            Self::Stiffness if contact => settings.contact_stiffness *= times,
+            Self::Smoothing if contact => settings.contact_smoothing /= times,
+            Self::Slip if contact => settings.slip_speed /= times,
+            Self::CutOff => settings.cutoff_strain /= times,
+            _ => {}
+        }
+    }
+}
+
+fn divide(blank: &mut Blank, times: f64) {
+    if blank.grading == Grading::Radii {
+        blank.grading = Grading::Divided { of: blank.elements };
+    }
+    blank.elements = scaled(blank.elements, times, LEAST_ELEMENTS);
+}
+
+/// So many `times` as many, but no fewer than `least`, or than there are.
+fn scaled(count: usize, times: f64, least: usize) -> usize {
+    ((count as f64 * times).round() as usize).max(least.min(count))
+}

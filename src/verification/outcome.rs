@@ -1,0 +1,88 @@
+//! What is kept of each of the runs of a verification.
+
+use super::direction::Direction;
+use super::numbers::{Number, numbers};
+use crate::assess::largest_force;
+use crate::case::{Case, Solution};
+use crate::message::Message;
+use crate::model::mesh;
+use crate::solution::{StageSolution, Stop};
+
+/// What is kept of a run.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Outcome {
+    /// What was refined; `None` of the run as it is.
+    pub direction: Option<Direction>,
+    /// So many times finer \[–\]; below 1 coarser.
+    pub times: f64,
+    /// How it ended.
+    pub end: End,
+    /// Its numbers.
+    pub numbers: Vec<Number>,
+    /// Punch force \[N, or N/mm\] over the travel \[mm\] of the stage with the largest; empty where no punch moves.
+    pub load: Vec<(f64, f64)>,
+    /// Thickness \[mm\] of the part over the initial distance from the axis \[mm\].
+    pub thickness: Vec<(f64, f64)>,
+    /// Of the flat blank's elements, over its thickness \[–\].
+    pub shortest: f64,
+}
+
+/// How a run ended.
+#[derive(Clone, Debug, PartialEq)]
+pub struct End {
+    /// Stages that were run.
+    pub stages: usize,
+    /// Why the last of them ended, in a few words.
+    pub kind: &'static str,
+    /// As a sentence.
+    pub why: Message,
+    /// Whether it came to the end that was asked for.
+    pub complete: bool,
+    /// Whether the numerics or the user ended it: then it says nothing of the part.
+    pub lost: bool,
+}
+
+impl End {
+    fn of(case: &Case, stages: &[StageSolution]) -> Self {
+        let last = stages.last().map_or(&Stop::FullTravel, |stage| &stage.stop);
+        Self {
+            stages: stages.len(),
+            kind: last.kind(),
+            why: last.message(),
+            complete: stages.len() == case.stages.len() && last.is_complete(),
+            lost: !last.is_complete() && !last.is_physical(),
+        }
+    }
+
+    /// Whether another run ended in the same stage for the same reason.
+    pub fn is_like(&self, other: &Self) -> bool {
+        (self.stages, self.kind) == (other.stages, other.kind)
+    }
+}
+
+impl Outcome {
+    /// Of a run that was refined in a direction so many `times`; of the run as it is without.
+    pub fn of(solution: &Solution, refined: Option<(Direction, f64)>) -> Self {
+        let Solution { case, stages, .. } = solution;
+        let load = largest_force(stages).map(|(i, _)| stages[i].steps.iter().map(|s| (s.travel, s.punch_force)).collect());
+        let last = stages.last().and_then(|stage| stage.frames.last());
+        let elements = last.into_iter().flat_map(|frame| &frame.elements);
+        let first = case.model();
+        let nodes = mesh::nodes(first);
+        let shortest = nodes.windows(2).map(|w| w[1] - w[0]).fold(f64::INFINITY, f64::min);
+        Self {
+            direction: refined.map(|(direction, _)| direction),
+            times: refined.map_or(1.0, |(_, times)| times),
+            end: End::of(case, stages),
+            numbers: numbers(case, stages),
+            load: load.unwrap_or_default(),
+            thickness: elements.map(|element| (element.s0, element.thickness)).collect(),
+            shortest: shortest / first.blank.thickness,
+        }
+    }
+
+    /// Its value of a number.
+    pub fn value(&self, number: &Number) -> Option<f64> {
+        self.numbers.iter().find(|own| own.is(number)).map(|own| own.amount.value)
+    }
+}
