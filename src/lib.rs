@@ -97,6 +97,8 @@ pub mod rules;
 pub mod solution;
 pub mod solver;
 pub mod state;
+#[cfg(feature = "plot")]
+pub mod study;
 pub mod table;
 pub mod units;
 #[cfg(feature = "case")]

@@ -13,7 +13,8 @@ pub(super) fn apply(text: &str, overrides: &[String]) -> Result<String, CaseErro
         return Ok(text.to_owned());
     }
     let Ok(mut document) = text.parse::<DocumentMut>() else { return Ok(text.to_owned()) };
-    for written in overrides {
+    for written in overrides.iter().flat_map(|written| spread(&document, written)).collect::<Vec<_>>() {
+        let written = &written;
         let fail = |what: String, help: String| CaseError::bare(format!("override `{written}`: {what}"), help);
         let usage = "write KEY=VALUE, such as tools.punch.friction=0.1 or blank.thickness=\"0.9 mm\"";
         let (path, value) =
@@ -50,6 +51,21 @@ pub(super) fn apply(text: &str, overrides: &[String]) -> Result<String, CaseErro
         set(here, key, value).ok_or_else(|| fail(format!("[{}] holds no `{key}`", tables.join(".")), usage.into()))?;
     }
     Ok(document.to_string())
+}
+
+/// An override of all tables of one table at once, `tools.*.friction=0.1`, for each of them; `friction=0.1` is that of every
+/// tool.
+fn spread(document: &DocumentMut, written: &str) -> Vec<String> {
+    let Some((path, value)) = written.split_once('=') else { return vec![written.to_owned()] };
+    let path = if path.trim() == "friction" { "tools.*.friction" } else { path };
+    let Some((above, below)) = path.split_once(".*.") else { return vec![format!("{path}={value}")] };
+    let all = above.split('.').map(str::trim).try_fold(document.as_item(), |item, key| item.get(key));
+    let tables = all.and_then(Item::as_table_like).into_iter().flat_map(|table| table.iter());
+    let tables: Vec<&str> = tables.filter(|(_, item)| item.is_table_like()).map(|(key, _)| key).collect();
+    match tables.is_empty() {
+        true => vec![format!("{path}={value}")],
+        false => tables.into_iter().map(|table| format!("{above}.{table}.{below}={value}")).collect(),
+    }
 }
 
 /// Puts a sheet of the library in the place of all that the case says of its material but how it is solved, `mode`.

@@ -10,6 +10,7 @@ const FLOORS: &[&[&str]] = &[
     &["main", "cli"],
     &["report"],
     &["author", "output"],
+    &["study"],
     &["verification"],
     &["assess"],
     &["case"],

@@ -44,6 +44,7 @@ mod scripts;
 mod sizes;
 mod springback;
 mod stops;
+mod study;
 mod tables;
 mod templates;
 mod told;

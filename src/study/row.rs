@@ -1,0 +1,138 @@
+//! What came of one design, and its line in a table.
+
+use super::plan::{Design, Plan};
+use crate::assess::{self, Light};
+use crate::case::{Case, Solution};
+use crate::units::{Unit, rounded};
+use crate::verification::{Number, Of, Outcome};
+
+/// A design, and what came of it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Row {
+    /// What was run.
+    pub design: Design,
+    /// SHA-256 of the case's text with its settings and of the files beside it, the first 16 digits; empty where it is no case.
+    pub inputs: String,
+    /// What came out, or why nothing did.
+    pub result: Result<Solved, String>,
+    /// Time that it took \[s\].
+    pub seconds: f64,
+}
+
+/// What came of a design that is a case.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Solved {
+    /// Its numbers, its curves, and how it ended.
+    pub outcome: Outcome,
+    /// The worst light of its verdict.
+    pub light: Light,
+    /// The verdict's rows that are red, and those that are amber.
+    pub red: Vec<&'static str>,
+    /// See `red`.
+    pub amber: Vec<&'static str>,
+}
+
+impl Solved {
+    /// From a solved case.
+    pub fn of(solution: &Solution) -> Self {
+        let findings = assess::after(&solution.case, &solution.stages);
+        let of = |light: Light| assess::judgements(&findings).filter(|f| f.light == light).map(|f| f.key).collect();
+        Self {
+            outcome: Outcome::of(solution, None),
+            light: assess::judgements(&findings).map(|finding| finding.light).max().unwrap_or(Light::Grey),
+            red: of(Light::Red),
+            amber: of(Light::Amber),
+        }
+    }
+
+    /// A number by its column: `thinnest_mm`.
+    pub fn number(&self, header: &str) -> Option<f64> {
+        self.outcome.numbers.iter().find(|number| self::header(number) == header).map(|number| number.amount.value)
+    }
+}
+
+/// The columns of a study's table.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Columns {
+    /// Of what is varied.
+    pub varied: Vec<String>,
+    /// Of the numbers that the case as it stands has; those of other designs besides go into the last column.
+    pub numbers: Vec<String>,
+}
+
+/// Before what is varied, and after the numbers.
+const FIRST: [&str; 4] = ["study", "designs", "index", "inputs_sha256"];
+const LAST: [&str; 7] = ["verdict", "red", "amber", "end", "reason", "version", "other_numbers"];
+
+/// The version that every row names.
+const VERSION: &str = env!("CARGO_PKG_VERSION");
+
+impl Columns {
+    /// For the designs of a plan, whose case as it stands came to `base`.
+    pub fn of(plan: &Plan, base: &Solved) -> Self {
+        let mut numbers: Vec<String> = base.outcome.numbers.iter().map(header).collect();
+        numbers.dedup();
+        Self { varied: plan.varied().map(super::Vary::header).collect(), numbers }
+    }
+
+    /// The first line.
+    pub fn header(&self) -> Vec<String> {
+        let own = self.varied.iter().chain(&self.numbers).cloned();
+        FIRST.into_iter().map(str::to_owned).chain(own).chain(LAST.into_iter().map(str::to_owned)).collect()
+    }
+
+    /// The line of a row.
+    pub fn line(&self, plan: &Plan, row: &Row) -> Vec<String> {
+        let mut line =
+            vec![plan.key().to_owned(), plan.count().to_string(), row.design.index.to_string(), row.inputs.clone()];
+        line.extend(row.design.values.iter().map(|value| value.text.clone()));
+        let solved = row.result.as_ref();
+        let number =
+            |header: &String| solved.ok().and_then(|solved| solved.number(header)).map_or_else(String::new, written);
+        line.extend(self.numbers.iter().map(number));
+        line.extend(match solved {
+            Ok(Solved { outcome, light, red, amber }) => {
+                let others = outcome.numbers.iter().map(|number| (header(number), number.amount.value));
+                let others = others.filter(|(header, _)| !self.numbers.contains(header));
+                let others: Vec<String> =
+                    others.map(|(header, value)| format!("{header}={}", written(value))).collect();
+                let end = &outcome.end;
+                let reason = if end.complete { String::new() } else { end.why.to_string() };
+                [
+                    light.name().into(),
+                    red.join(" "),
+                    amber.join(" "),
+                    end.kind.into(),
+                    reason,
+                    VERSION.into(),
+                    others.join(" "),
+                ]
+            }
+            Err(why) => {
+                let nothing = String::new;
+                [nothing(), nothing(), nothing(), "not run".into(), why.clone(), VERSION.into(), nothing()]
+            }
+        });
+        line
+    }
+}
+
+/// A number's column.
+fn header(number: &Number) -> String {
+    let header = number.amount.unit.keyed(number.key);
+    match (number.of, number.amount.unit) {
+        // What a row of the verdict judges may have the name of another number.
+        (Of::Verdict, Unit::None) => format!("{header}_judged"),
+        (Of::Verdict, _) => number.amount.unit.keyed(&format!("{}_judged", number.key)),
+        _ => header,
+    }
+}
+
+fn written(value: f64) -> String {
+    if value.is_finite() { rounded(value).to_string() } else { String::new() }
+}
+
+/// What came of a case.
+pub(super) fn solve(case: Case, observer: &mut dyn crate::Observer) -> Solved {
+    Solved::of(&case.solve(observer))
+}

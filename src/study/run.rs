@@ -1,0 +1,116 @@
+//! Runs the designs of a study on all cores, and hands on what came of them in order.
+
+use super::plan::{Design, Plan};
+use super::row::{self, Row};
+use crate::case::Case;
+use crate::files::{CSV, Disk, Files};
+use crate::solver::Observer;
+use crate::verification::Watch;
+use sha2::{Digest, Sha256};
+use std::any::Any;
+use std::collections::BTreeMap;
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::sync::atomic::{AtomicU64, Ordering};
+use std::sync::{Mutex, mpsc};
+use std::thread;
+use std::time::{Duration, Instant};
+
+/// So many rows at most are waiting for one before them that is slow: what keeps memory flat.
+const AHEAD: u64 = 4096;
+
+/// How long a thread sleeps that is that far ahead.
+const NAP: Duration = Duration::from_millis(1);
+
+/// Hex digits of a hash that tell inputs apart.
+const DIGITS: usize = 16;
+
+/// Ends a run when all are to end.
+struct Watched<'a>(&'a dyn Watch);
+
+impl Observer for Watched<'_> {
+    fn wants_to_stop(&mut self) -> bool {
+        self.0.wants_to_stop()
+    }
+}
+
+/// Runs designs of a plan by their indices on so many threads and hands each row to `each`, in the order of the indices. Once
+/// `watch` wants to stop no row is handed on of which the run was cut short.
+///
+/// # Errors
+/// The first that `each` returns, which ends the study.
+pub fn run<E>(
+    plan: &Plan,
+    indices: &[u64],
+    threads: usize,
+    watch: &dyn Watch,
+    mut each: impl FnMut(Row) -> Result<(), E>,
+) -> Result<(), E> {
+    let taken = Mutex::new(indices.iter().copied().enumerate());
+    let written = AtomicU64::new(0);
+    let (send, receive) = mpsc::channel();
+    thread::scope(|scope| {
+        for _ in 0..threads.clamp(1, indices.len().max(1)) {
+            let (send, taken, written) = (send.clone(), &taken, &written);
+            scope.spawn(move || {
+                let next = || taken.lock().ok()?.next();
+                while let Some((place, index)) = next().filter(|_| !watch.wants_to_stop()) {
+                    while place as u64 > written.load(Ordering::Relaxed) + AHEAD && !watch.wants_to_stop() {
+                        thread::sleep(NAP);
+                    }
+                    let row = one(plan, plan.design(index), watch);
+                    // A receiver that has gone has returned an error: there is nothing left to do.
+                    if watch.wants_to_stop() || send.send((place, row)).is_err() {
+                        break;
+                    }
+                }
+            });
+        }
+        drop(send);
+        let mut waiting = BTreeMap::new();
+        let mut next = 0;
+        for (place, row) in receive {
+            waiting.insert(place, row);
+            while let Some(row) = waiting.remove(&next) {
+                each(row)?;
+                next += 1;
+                written.store(next as u64, Ordering::Relaxed);
+                watch.ran(next, indices.len());
+            }
+        }
+        Ok(())
+    })
+}
+
+/// What comes of one design.
+pub fn one(plan: &Plan, design: Design, watch: &dyn Watch) -> Row {
+    let start = Instant::now();
+    let mut inputs = String::new();
+    let result = match plan.case(&design.settings) {
+        Ok(case) => {
+            inputs = hash(&case);
+            // A mistake of this program in one design is told in its row.
+            catch_unwind(AssertUnwindSafe(|| row::solve(case, &mut Watched(watch))))
+                .map_err(|panic| words(panic.as_ref()))
+        }
+        Err(error) => Err(error.to_string()),
+    };
+    Row { design, inputs, result, seconds: start.elapsed().as_secs_f64() }
+}
+
+/// Of all that a case was read from.
+fn hash(case: &Case) -> String {
+    let beside = case.inputs.iter().filter(|path| **path != case.path);
+    let beside = beside.map(|path| Disk.read(path, CSV).unwrap_or_default());
+    short_hash([case.text.clone().into_bytes()].into_iter().chain(beside))
+}
+
+/// SHA-256 of some bytes, as many of its hex digits as tell inputs apart.
+pub(super) fn short_hash(all: impl IntoIterator<Item = impl AsRef<[u8]>>) -> String {
+    let hash = all.into_iter().fold(Sha256::new(), |hash, bytes| hash.chain_update(bytes));
+    hash.finalize().iter().map(|byte| format!("{byte:02x}")).collect::<String>()[..DIGITS].to_owned()
+}
+
+fn words(panic: &(dyn Any + Send)) -> String {
+    let said = panic.downcast_ref::<String>().map(String::as_str).or(panic.downcast_ref::<&str>().copied());
+    format!("a mistake of this program: {}", said.unwrap_or("no words"))
+}
