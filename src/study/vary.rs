@@ -54,10 +54,17 @@ impl Vary {
     /// # Errors
     /// When something is missing, a range is empty, or keys that go together have not as many values.
     pub fn together(text: &str) -> Result<Vec<Self>, StudyError> {
-        let keys: Vec<Self> = text.split('&').map(Self::read).collect::<Result<_, _>>()?;
+        Self::as_many(text.split('&').map(Self::read).collect::<Result<_, _>>()?)
+    }
+
+    /// Keys that go together.
+    ///
+    /// # Errors
+    /// When they have not as many values.
+    pub fn as_many(keys: Vec<Self>) -> Result<Vec<Self>, StudyError> {
         if let Some(other) = keys.iter().find(|other| other.values.len() != keys[0].values.len()) {
             let [a, b] = [&keys[0], other].map(|vary| format!("{} has {} values", vary.key, vary.values.len()));
-            return Err(StudyError::new(format!("{a} but {b}"), "keys that go together, joined by `&`, have as many"));
+            return Err(StudyError::new(format!("{a} but {b}"), "keys that go together have as many"));
         }
         Ok(keys)
     }

@@ -47,7 +47,7 @@ const CRATES: &[(&str, &[&str])] = &[
     ("signal_hook", &["cli"]),
     ("serde_json", &["cli", "output", "report", "author", "case", "law", "units"]),
     ("toml", &["case", "compare", "message"]),
-    ("toml_edit", &["case", "author"]),
+    ("toml_edit", &["case", "author", "study"]),
     ("ttf_parser", &["output"]),
 ];
 
