@@ -154,7 +154,7 @@ struct Told<'a> {
 const PARTS: usize = 3;
 const SHARE: f64 = 0.05;
 
-const HEADERS: [&str; 3] = ["Number", "Value", "Made of (observed order)"];
+const HEADERS: [&str; 3] = ["Quantity", "Value", "Made of (observed order)"];
 
 impl Told<'_> {
     /// Numbers of the part; of the verdict's only that of the forming limit, which has no other.
