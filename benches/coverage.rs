@@ -21,7 +21,8 @@ fn main() {
     let (count, seed) = (argument("--count", 300), argument("--seed", 7));
     let start = Instant::now();
     let seeds: Vec<u64> = (0..count).map(|i| seed * 1_000_003 + i).collect();
-    let checked: Vec<Checked> = seeds.par_iter().map(|seed| check(case_of(random_die::random_die(*seed).model))).collect();
+    let checked: Vec<Checked> =
+        seeds.par_iter().map(|seed| check(case_of(random_die::random_die(*seed).model))).collect();
     if std::env::args().any(|a| a == "--raw") {
         for (seed, checked) in seeds.iter().zip(&checked) {
             checked.print_raw(*seed);

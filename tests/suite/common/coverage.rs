@@ -1,10 +1,10 @@
 //! Error bars held against a truth that is eight times finer in each direction.
 
+use stampflow::Stage;
 use stampflow::case::{self, Case};
 use stampflow::forming_limit::{Kind, Sheet, Swift};
 use stampflow::model::{Beginning, Model};
 use stampflow::verification::{Direction, Number, Of, Outcome, Verification, quick, verify};
-use stampflow::Stage;
 
 /// How many times finer the truth is \[–\].
 const TRUTH: f64 = 8.0;
