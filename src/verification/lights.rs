@@ -23,26 +23,24 @@ pub fn moved(findings: &[Finding], verification: &Verification) -> Vec<Moved> {
         let bar = verification.bar(Of::Verdict, finding.key)?.half?;
         let (value, limits) = (finding.value?, finding.limits?);
         let (reached, limit) = reached(value, bar, &limits)?;
-        let is_beyond = reached > finding.light;
-        let tell = |value: f64| Amount::new(value, finding.unit, Digits::Significant(3));
+        let told = Amount::new(value, finding.unit, Digits::Significant(3)).with_bar(bar);
+        let limit = Amount::new(limit, finding.unit, Digits::Given(3));
         let sentence = match (finding.light, reached) {
             (Light::Green, Light::Amber) => message!(
-                "{label}: green by itself, but its error bar, {value} ± {bar}, reaches amber at {limit}",
+                "{label}: green by itself, but its error bar, {value}, reaches amber at {limit}",
                 label = finding.label,
-                value = tell(value),
-                bar = tell(bar).to(Digits::Significant(2)),
-                limit = tell(limit)
+                value = told,
+                limit = limit
             ),
             (Light::Green | Light::Amber, Light::Red) => message!(
-                "{label}: its error bar, {value} ± {bar}, reaches red at {limit}",
+                "{label}: its error bar, {value}, reaches red at {limit}",
                 label = finding.label,
-                value = tell(value),
-                bar = tell(bar).to(Digits::Significant(2)),
-                limit = tell(limit)
+                value = told,
+                limit = limit
             ),
             _ => return None,
         };
-        is_beyond.then_some(Moved { key: finding.key, light: Light::Amber, sentence })
+        Some(Moved { key: finding.key, light: Light::Amber, sentence })
     };
     judgements(findings).filter(|finding| finding.light != Light::Grey).filter_map(of_row).collect()
 }

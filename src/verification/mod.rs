@@ -37,6 +37,9 @@ mod quick;
 mod said;
 mod verify;
 
+#[cfg(test)]
+mod tests;
+
 pub use band::Band;
 pub use bar::{Bar, Part, combined};
 pub use direction::Direction;

@@ -52,6 +52,7 @@ mod tool_sizes;
 mod units;
 mod validation;
 mod verdict;
+mod verification;
 mod verify_beads;
 mod verify_bulge;
 mod verify_closed_forms;
