@@ -56,6 +56,15 @@ pub(super) fn ended_otherwise(base: &Outcome, outcome: &Outcome) -> Option<Messa
     ))
 }
 
+/// Of a run that would take too long.
+pub(super) fn left_out((direction, times): (Direction, f64), seconds: f64) -> Message {
+    message!(
+        "left out, for it would take some {time}: {finer}",
+        time = Amount::time(seconds),
+        finer = direction.told(times)
+    )
+}
+
 /// Of elements shorter than what a shell resolves, the run as it is among them where it has such.
 pub(super) fn below_shell_length(base: &Outcome, outcomes: &[Outcome]) -> Option<Message> {
     let is_short = |outcome: &&Outcome| outcome.shortest < SHELL_LENGTH;
