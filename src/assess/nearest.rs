@@ -21,8 +21,8 @@ impl<'a> Nearest<'a> {
         all.min_by(|a, b| a.assessment.worst().margin().total_cmp(&b.assessment.worst().margin()))
     }
 
-    /// Whether no stage has reached its limit.
+    /// Whether no stage has reached its limit, nor gone beyond where the curve ends.
     pub fn is_kept(&self) -> bool {
-        self.assessment.reached.is_none()
+        self.assessment.is_kept()
     }
 }
