@@ -75,13 +75,16 @@ pub struct Assessment {
 }
 
 impl Assessment {
-    /// The element with the least margin.
+    /// The element with the least margin of those that are judged; of all where none is.
     ///
     /// # Panics
     /// Never: there is one element at least.
     pub fn worst(&self) -> &Judged {
-        let least = self.elements.iter().min_by(|a, b| a.margin().total_cmp(&b.margin()));
-        least.expect("an assessment has elements")
+        let least = |open: bool| {
+            let those = self.elements.iter().filter(|element| open || !element.is_open());
+            those.min_by(|a, b| a.margin().total_cmp(&b.margin()))
+        };
+        least(false).or(least(true)).expect("an assessment has elements")
     }
 
     /// The element that is strained most of those that the curve, having ended, does not judge.

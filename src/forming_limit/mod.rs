@@ -175,6 +175,11 @@ impl Curve {
         self.kind.curve(&Sheet { material, thickness: self.thickness, temperature: self.temperature })
     }
 
+    /// Whether it stands for measured points.
+    pub fn is_measured(&self) -> bool {
+        matches!(self.kind, Kind::Points(_))
+    }
+
     /// The minor strain at which it ends, because what is computed beyond is known to be wrong; `None` where it goes on
     /// \[–\].
     pub fn ends_at(&self) -> Option<f64> {

@@ -5,7 +5,9 @@ use crate::case::file;
 use crate::case::{CaseError, explain::missing, source::Source};
 use crate::law::{Family, Named};
 use crate::material::{BackStress, BackStresses, Elastic, Hardening, Hill48, Material};
+use crate::message::{Amount, Message, message};
 use crate::model::Mode;
+use crate::rules::r_values::RValues;
 use crate::units::Quantity;
 use std::ops::RangeInclusive;
 
@@ -32,7 +34,7 @@ pub(in crate::case) fn convert(file: &file::Material, source: &Source) -> Result
         let help = format!("between {} and {} MPa; check the units of the constants", YIELD.start(), YIELD.end());
         return Err(source.error(HARDENING, what, help));
     }
-    let hill48 = file.anisotropy.map_or(Ok(Hill48::default()), |r| Hill48::checked(r.value()));
+    let hill48 = file.anisotropy.map_or(Ok(Hill48::default()), |r| Hill48::checked(r.mean()));
     let hill48 = hill48.map_err(|error| blame(error, "material.anisotropy", source))?;
     let rate = file.rate.map(|laws| only(laws, "material.rate", source)).transpose()?;
     let thermal = file.softening.map(|laws| only(laws, "material.softening", source)).transpose()?;
@@ -96,4 +98,18 @@ fn hardening(
     let listed: Vec<String> = names.iter().map(|name| format!("`{name}`")).collect();
     let what = format!("the material has {} hardening laws: {}", names.len(), listed.join(" and "));
     Err(source.error(&format!("{HARDENING}.{second}"), what, "keep one of them"))
+}
+
+/// What is said of r-values by direction: which mean of them is taken.
+pub(in crate::case) fn mean_of(r: RValues) -> Message {
+    let [mean, r0, r45, r90, planar] = [r.mean(), r.r0, r.r45, r.r90, r.planar()].map(Amount::number);
+    message!(
+        "r̄ = {mean}, the normal anisotropy: (r0 + 2 r45 + r90)/4 of {r0}, {r45} and {r90}; what is computed is the mean over \
+         the directions, about which the rim has ears (Δr = {planar})",
+        mean = mean,
+        r0 = r0,
+        r45 = r45,
+        r90 = r90,
+        planar = planar
+    )
 }

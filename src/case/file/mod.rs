@@ -3,6 +3,7 @@
 //! The documentation of the fields is what an editor shows through the JSON schema, the examples are what error
 //! messages propose.
 
+mod anisotropy;
 mod compare;
 mod forming_limit;
 mod friction;
@@ -18,6 +19,7 @@ mod springback;
 mod stages;
 mod tools;
 
+pub use anisotropy::{Anisotropy, Directions};
 pub use compare::{Compare, ComparedQuantity};
 pub use forming_limit::FormingLimit;
 pub use friction::{Friction, Sides};
