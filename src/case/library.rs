@@ -96,6 +96,7 @@ pub(super) fn complete(file: &mut CaseFile, source: &Source) -> Result<Taken, Ca
     let mut keep = |key: &'static str, given: bool| replaced.extend(given.then_some(key));
     keep("young and poisson", own.young.is_some() || own.poisson.is_some());
     keep("anisotropy", own.anisotropy.is_some());
+    keep("yield_condition", own.yield_condition.is_some());
     keep("rate", own.rate.is_some());
     keep("softening", own.softening.is_some());
     keep("hardening", own_hardening);
@@ -104,6 +105,7 @@ pub(super) fn complete(file: &mut CaseFile, source: &Source) -> Result<Taken, Ca
         (own.young, own.poisson) = (known.young, known.poisson);
     }
     own.anisotropy = own.anisotropy.or(known.anisotropy);
+    own.yield_condition = own.yield_condition.or(known.yield_condition);
     own.rate = own.rate.or(known.rate);
     own.softening = own.softening.or(known.softening);
     if !own_hardening {

@@ -22,7 +22,7 @@ pub struct Hill {
 
 impl Hill {
     pub(super) fn curve(&self, sheet: &Sheet) -> Result<Curve, LimitError> {
-        let r = sheet.material.hill48;
+        let r = sheet.material.yield_criterion.quadratic();
         let mut points = Vec::new();
         for beta in left(r, 20) {
             let path = Proportional::new(r, beta);

@@ -94,7 +94,7 @@ impl MarciniakKuczynski {
     }
 
     pub(super) fn curve(&self, sheet: &Sheet) -> Result<Curve, LimitError> {
-        let ratios = left(sheet.material.hill48, 8).chain(right(10));
+        let ratios = left(sheet.material.yield_criterion.quadratic(), 8).chain(right(10));
         let limits = ratios.map(|beta| self.limit(sheet, beta)).collect::<Result<Vec<_>, _>>()?;
         let points = limits.iter().map(|limit| [limit.minor, limit.major]).collect();
         let law = match sheet.material.rate {
@@ -120,7 +120,7 @@ impl MarciniakKuczynski {
     /// halved.
     pub fn limit(&self, sheet: &Sheet, beta: f64) -> Result<Limit, LimitError> {
         let angle = if beta < 0.0 { self.worst_angle(sheet, beta)? } else { 0.0 };
-        let path = Proportional::new(sheet.material.hill48, beta);
+        let path = Proportional::new(sheet.material.yield_criterion.quadratic(), beta);
         let mut before = f64::NAN;
         for step in Self::STEPS {
             let strain = self.strain_at(sheet, beta, angle, step)?.ok_or_else(|| beyond(beta))?;

@@ -24,7 +24,9 @@ pub struct Swift {
 
 impl Swift {
     pub(super) fn curve(&self, sheet: &Sheet) -> Result<Curve, LimitError> {
-        let points = left(sheet.material.hill48, 20).chain(right(20)).map(|beta| point(sheet, self.n, beta));
+        let points = left(sheet.material.yield_criterion.quadratic(), 20)
+            .chain(right(20))
+            .map(|beta| point(sheet, self.n, beta));
         let points = points.collect::<Result<Vec<_>, _>>()?;
         let note = message!("Forming limit: Swift's diffuse necking by {law}.", law = hardening_note(self.n));
         Curve::new("Swift", points, vec![note])
@@ -33,7 +35,8 @@ impl Swift {
 
 /// Minor and major strain at the limit of a strain ratio.
 pub(super) fn point(sheet: &Sheet, n: Option<f64>, beta: f64) -> Result<[f64; 2], LimitError> {
-    let Proportional { strain: [e1, e2], stress: [s1, s2] } = Proportional::new(sheet.material.hill48, beta);
+    let Proportional { strain: [e1, e2], stress: [s1, s2] } =
+        Proportional::new(sheet.material.yield_criterion.quadratic(), beta);
     let strain = limit(sheet, n, s1 * e1 * e1 + s2 * e2 * e2)?;
     Ok([e2 * strain, e1 * strain])
 }

@@ -67,7 +67,7 @@ struct Demand {
 impl<'a> Groove<'a> {
     /// A groove of `imperfection` times the sheet's thickness, whose normal lies at `angle` \[rad\] from the major strain at the start.
     pub fn new(imperfection: f64, strain_rate: f64, sheet: &'a Sheet<'a>, beta: f64, angle: f64) -> Self {
-        let anisotropy = sheet.material.hill48;
+        let anisotropy = sheet.material.yield_criterion.quadratic();
         let path = Proportional::new(anisotropy, beta);
         Self { imperfection, strain_rate, sheet, path, q: anisotropy.coupling(), tangent: angle.tan() }
     }
