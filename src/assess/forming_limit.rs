@@ -89,8 +89,7 @@ fn unjudged(name: &'static str, open: &Judged, light: Light) -> Finding {
 }
 
 /// What to write where Hill's condition says too little.
-pub(super) const YIELD_CONDITION: &str =
-    "write yield_condition = { hosford = { crystal = \"fcc\" } } in [material] (bcc for steel), or measured points of the coil in [forming_limit]";
+pub(super) const YIELD_CONDITION: &str = "write yield_condition = { hosford = { crystal = \"fcc\" } } in [material] (bcc for steel), or measured points of the coil in [forming_limit]";
 
 fn missing() -> Finding {
     Finding::judged("forming_limit", "Forming limit", Light::Grey, "no forming limit given")

@@ -3,6 +3,7 @@
 use super::answer::whether_it_tears;
 use super::forming_limit::YIELD_CONDITION;
 use super::{Finding, Light, run::Run};
+use crate::case::file::Crystal;
 use crate::forming_limit::SHORTEST;
 use crate::material::{Hosford, YieldCriterion};
 use crate::message::{Amount, Message, message};
@@ -14,8 +15,8 @@ use crate::table::Unit;
 /// r̄ from which on Hill's condition of 1948 is taken at its word in biaxial stretching \[–\]: below it is softer there than
 /// aluminium is.
 const LEAST: f64 = 0.8;
-/// Exponent that the other answer is computed with \[–\]: sheets of such low r̄ are of aluminium, whose crystals are fcc.
-const FCC: f64 = 8.0;
+/// What the other answer is computed with: sheets of such low r̄ are of aluminium.
+const CRYSTAL: Crystal = Crystal::Fcc;
 
 /// Amber where a low r̄ goes by Hill's condition and the thinnest place, or the one nearest to the forming limit, is
 /// stretched both ways; then with what Hosford's condition says of the same case.
@@ -37,7 +38,10 @@ pub(super) fn judge(run: &Run) -> Option<Finding> {
         }
         false => name,
     };
-    let limit = message!("r̄ of {least} and more by Hill 1948, where the sheet is stretched both ways", least = Amount::number(LEAST));
+    let limit = message!(
+        "r̄ of {least} and more by Hill 1948, where the sheet is stretched both ways",
+        least = Amount::number(LEAST)
+    );
     Some(
         Finding::judged("yield_condition", "Yield condition", Light::doubtful(doubtful), found)
             .against(r, Unit::None, limit)
@@ -71,7 +75,7 @@ fn other(run: &Run) -> Option<Message> {
     let end = solved.last()?.steps.last()?;
     Some(message!(
         "with Hosford's condition of fcc metal, exponent {a}, it thins by {thinning} at s0 = {s0}, and {tears}",
-        a = Amount::number(FCC),
+        a = Amount::number(CRYSTAL.exponent()),
         thinning = Amount::share(1.0 - end.thinnest / run.case.model().blank.thickness),
         s0 = Amount::place(end.thinnest_s0),
         tears = whether_it_tears(&solved)
@@ -81,7 +85,7 @@ fn other(run: &Run) -> Option<Message> {
 /// The stage with the other condition, and the forming limit that follows from it; none where it has none.
 fn with_hosford(mut stage: Stage) -> Stage {
     let material = &mut stage.model.material;
-    material.yield_criterion = Hosford::new(material.yield_criterion.ratio(), FCC).into();
+    material.yield_criterion = Hosford::new(material.yield_criterion.ratio(), CRYSTAL.exponent()).into();
     stage.model.forming_limit = stage.model.forming_limit.and_then(|curve| curve.of_material(material).ok());
     stage
 }

@@ -100,6 +100,7 @@ pub(super) fn complete(file: &mut CaseFile, source: &Source) -> Result<Taken, Ca
     let mut keep = |key: &'static str, given: bool| replaced.extend(given.then_some(key));
     keep("young and poisson", own.young.is_some() || own.poisson.is_some());
     keep("anisotropy", own.anisotropy.is_some());
+    keep("yield_condition", own.yield_condition.is_some());
     keep("rate", own.rate.is_some());
     keep("softening", own.softening.is_some());
     keep("hardening", own_hardening);
@@ -108,6 +109,7 @@ pub(super) fn complete(file: &mut CaseFile, source: &Source) -> Result<Taken, Ca
         (own.young, own.poisson) = (known.young, known.poisson);
     }
     own.anisotropy = own.anisotropy.or(known.anisotropy);
+    own.yield_condition = own.yield_condition.or(known.yield_condition);
     own.rate = own.rate.or(known.rate);
     own.softening = own.softening.or(known.softening);
     if !own_hardening {
@@ -135,7 +137,8 @@ fn measured(name: &str, known: Option<FormingLimit>, file: &mut CaseFile) -> Opt
 }
 
 fn entry(name: &'static str, text: &'static str) -> Result<Entry, CaseError> {
-    let EntryFile { title, grade, licence, thickness, stands_for, mut notes, material, forming_limit } = read(name, text)?;
+    let EntryFile { title, grade, licence, thickness, stands_for, mut notes, material, forming_limit } =
+        read(name, text)?;
     let source = material.source.clone().unwrap_or_default();
     let r_values = material.anisotropy.and_then(Anisotropy::directions);
     notes.extend(r_values.map(|r| build::mean_of(r).to_string()));
@@ -144,5 +147,17 @@ fn entry(name: &'static str, text: &'static str) -> Result<Entry, CaseError> {
     let sheet = Sheet { material: &material, thickness: 1.0, temperature: ROOM_TEMPERATURE };
     let points = forming_limit.map(|limit| build::measured(&limit, &sheet, &parsed)).transpose()?;
     let table = text.find("[material").map_or("", |at| &text[at..]);
-    Ok(Entry { name, title, source, grade, licence, thickness, stands_for, notes, material, measured: points, text: table })
+    Ok(Entry {
+        name,
+        title,
+        source,
+        grade,
+        licence,
+        thickness,
+        stands_for,
+        notes,
+        material,
+        measured: points,
+        text: table,
+    })
 }

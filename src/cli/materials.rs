@@ -83,7 +83,7 @@ fn list(entries: &[Entry]) -> Shown {
             format!("{:.0}", entry.proof_stress()),
             or_unknown(entry.tensile_strength(), 0),
             or_unknown(entry.uniform_elongation().map(|share| 100.0 * share), 0),
-            entry.material.hill48.ratio().to_string(),
+            entry.material.yield_criterion.ratio().to_string(),
             or_unknown(entry.n(), 3),
             or_unknown(entry.material.elastic.map(|elastic| 1e-3 * elastic.young), 0),
             entry.thickness.clone().unwrap_or(UNKNOWN.to_owned()).replace(" to ", "–"),
@@ -104,7 +104,10 @@ fn describe(entry: &Entry) -> Shown {
         format!("{:.4} in plane strain, true strain: computed from the law (Hill), not measured", curve.plane_strain())
     });
     let measured = entry.measured.as_ref().map_or(UNKNOWN.to_owned(), |curve| {
-        format!("{:.3} in plane strain, true strain: [forming_limit] measured = true takes its points", curve.plane_strain())
+        format!(
+            "{:.3} in plane strain, true strain: [forming_limit] measured = true takes its points",
+            curve.plane_strain()
+        )
     });
     let elastic = material.elastic.map_or(UNKNOWN.to_owned(), |e| format!("{} MPa, {}", e.young, e.poisson));
     let stands = entry.stands_for.as_ref();
@@ -118,7 +121,7 @@ fn describe(entry: &Entry) -> Shown {
         ("Rp0.2", format!("{:.0} MPa, the law's stress at a plastic strain of 0.2 %", entry.proof_stress())),
         ("Rm, Ag", tested),
         ("n", n),
-        ("r̄", material.hill48.ratio().to_string()),
+        ("r̄", material.yield_criterion.ratio().to_string()),
         ("FLC", limit),
         ("measured FLC", measured),
         ("E, ν", elastic),
@@ -155,7 +158,7 @@ fn of(entry: &Entry) -> Value {
         "n": entry.n().map(rounded),
         "flc_measured": entry.measured.as_ref().map(|curve| curve.points().to_vec()),
         "flc_computed_by_hill": entry.forming_limit().map(|curve| curve.points().to_vec()),
-        "r": entry.material.hill48.ratio(),
+        "r": entry.material.yield_criterion.ratio(),
         "young_MPa": entry.material.elastic.map(|elastic| elastic.young),
         "poisson": entry.material.elastic.map(|elastic| elastic.poisson),
         "thickness": entry.thickness,

@@ -96,7 +96,9 @@ impl MarciniakKuczynski {
     }
 
     pub(super) fn curve(&self, sheet: &Sheet) -> Result<Curve, LimitError> {
-        let limits = ratios(Plane::of(sheet.material), 8, 10).map(|beta| self.limit(sheet, beta)).collect::<Result<Vec<_>, _>>()?;
+        let limits = ratios(Plane::of(sheet.material), 8, 10)
+            .map(|beta| self.limit(sheet, beta))
+            .collect::<Result<Vec<_>, _>>()?;
         let points = limits.iter().map(|limit| [limit.minor, limit.major]).collect();
         let law = match sheet.material.rate {
             Some(_) => message!(

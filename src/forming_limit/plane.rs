@@ -1,37 +1,25 @@
 //! The yield condition in the plane of the sheet, in which it is isotropic: principal strains make principal stresses of the
 //! same directions, and in-plane shear is only a turn of them.
 
-use crate::material::{Hill48, Hosford, Material};
+use crate::material::{Material, YieldCriterion};
 
 /// The yield condition of a sheet, of in-plane strains.
 #[derive(Clone, Copy, Debug)]
-pub(super) enum Plane {
-    Hill48(Hill48),
-    Hosford(Hosford),
-}
+pub(super) struct Plane(YieldCriterion);
 
 impl Plane {
     pub fn of(material: &Material) -> Self {
-        Self::Hill48(material.hill48)
+        Self(material.yield_criterion)
     }
 
     /// Equivalent strain increment of principal ones \[–\].
     pub fn equivalent_increment(&self, [e1, e2]: [f64; 2]) -> f64 {
-        match self {
-            Self::Hill48(hill) => hill.equivalent_increment([e1, e2, 0.0]),
-            Self::Hosford(hosford) => hosford.equivalent_increment([e1, e2, 0.0]),
-        }
+        self.0.equivalent_increment([e1, e2, 0.0])
     }
 
     /// Principal stresses over the yield stress, of principal strain increments of any size \[–\].
     pub fn stress(&self, [e1, e2]: [f64; 2]) -> [f64; 2] {
-        let [s1, s2, _] = match self {
-            Self::Hill48(hill) => {
-                let equivalent = hill.equivalent_increment([e1, e2, 0.0]);
-                hill.apply([e1, e2, 0.0]).map(|s| s / equivalent)
-            }
-            Self::Hosford(hosford) => hosford.stress([e1, e2, 0.0]),
-        };
+        let [s1, s2, _] = self.0.stress([e1, e2, 0.0]);
         [s1, s2]
     }
 
@@ -50,10 +38,7 @@ impl Plane {
 
     /// r̄ \[–\].
     pub fn ratio(&self) -> f64 {
-        match self {
-            Self::Hill48(hill) => hill.ratio(),
-            Self::Hosford(hosford) => hosford.ratio(),
-        }
+        self.0.ratio()
     }
 
     /// β of uniaxial tension, by the meaning of r̄ \[–\].
@@ -72,6 +57,6 @@ impl Plane {
     /// B. Baudelet, Plastic behaviour and stretchability of sheet metals, Int. J. Plasticity 5 (1989) 131–147 (all not
     /// read).
     pub fn overrates_biaxial(&self) -> bool {
-        matches!(self, Self::Hill48(hill) if hill.ratio() < 1.0)
+        matches!(self.0, YieldCriterion::Hill48(hill) if hill.ratio() < 1.0)
     }
 }

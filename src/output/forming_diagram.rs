@@ -126,9 +126,7 @@ fn diagram(view: &StageView, assessment: &Assessment, limit: &Curve, strains: St
         let beyond = vec![[end, level], [right.min(level), level], [right, level.max(right)], [right, top], [end, top]];
         zone("Not judged: the limit has ended".into(), beyond, UNJUDGED)
     }));
-    series.extend([
-        Series::silent(vec![strains.point([0.0, least.min(0.0)]), strains.point([0.0, top])], AXIS),
-    ]);
+    series.extend([Series::silent(vec![strains.point([0.0, least.min(0.0)]), strains.point([0.0, top])], AXIS)]);
     let thin = Look::Line { color: pale(GREY), width: 0.9, dash: &[] };
     series.extend(some.into_iter().map(|path| Series::silent(path, thin)));
     let of = |is: fn(&Judged) -> bool| {
@@ -259,12 +257,14 @@ fn words(view: &StageView, assessment: &Assessment) -> Message {
             }
         },
     );
-    let least = (!worst.is_open()).then(|| message!(
-        "Least margin in major strain {margin} at s0 = {s0}, where the major strain is {share} of the limit.",
-        margin = Amount::strain(worst.margin()).to(Digits::Decimals(3)),
-        s0 = Amount::place(worst.s0),
-        share = percent(worst.ratio())
-    ));
+    let least = (!worst.is_open()).then(|| {
+        message!(
+            "Least margin in major strain {margin} at s0 = {s0}, where the major strain is {share} of the limit.",
+            margin = Amount::strain(worst.margin()).to(Digits::Decimals(3)),
+            s0 = Amount::place(worst.s0),
+            share = percent(worst.ratio())
+        )
+    });
     let crooked = message!(
         "{n} of {all} paths leave a straight line by more than {share} of their length: limits are measured on straight ones.",
         n = assessment.crooked(),

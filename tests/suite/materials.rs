@@ -46,7 +46,7 @@ fn every_material_loads_runs_and_cites_its_source() {
 fn a_case_replaces_what_it_says_itself() {
     let plain = parsed("name = \"aa6016-t4\"", "").unwrap_or_else(|e| panic!("{e}"));
     let own = parsed("name = \"aa6016-t4\"\nanisotropy = 0.7", "").unwrap_or_else(|e| panic!("{e}"));
-    assert_eq!(own.model().material.hill48.ratio(), 0.7);
+    assert_eq!(own.model().material.yield_criterion.ratio(), 0.7);
     assert_eq!(own.model().material.hardening, plain.model().material.hardening);
     assert!(
         own.derived.iter().any(|note| note.to_string().contains("anisotropy as this case has it")),
@@ -104,7 +104,7 @@ fn a_grade_is_the_sheet_that_stands_for_it_and_keeps_its_limits() {
             "{grade}: {:?}",
             entry.tensile_strength()
         );
-        assert!(entry.material.hill48.ratio() >= r && entry.n().expect("a maximum") >= n, "{grade}");
+        assert!(entry.material.yield_criterion.ratio() >= r && entry.n().expect("a maximum") >= n, "{grade}");
     }
 }
 

@@ -105,7 +105,7 @@ impl Sheet {
 
     /// Mean r-value \[–\].
     pub fn anisotropy(&self) -> f64 {
-        self.material.hill48.ratio()
+        self.material.yield_criterion.ratio()
     }
 
     /// E and ν: the material's, or those of steel.

@@ -1,10 +1,10 @@
 //! `[material]`: elastic constants and exactly one hardening law.
 
 use super::laws::{blame, only, prepared};
-use crate::case::file;
+use crate::case::file::{self, Anisotropy, YieldCondition};
 use crate::case::{CaseError, explain::missing, source::Source};
 use crate::law::{Family, Named};
-use crate::material::{BackStress, BackStresses, Elastic, Hardening, Hill48, Material};
+use crate::material::{BackStress, BackStresses, Elastic, Hardening, Hill48, Hosford, Material, YieldCriterion};
 use crate::message::{Amount, Message, message};
 use crate::model::Mode;
 use crate::rules::r_values::RValues;
@@ -34,8 +34,7 @@ pub(in crate::case) fn convert(file: &file::Material, source: &Source) -> Result
         let help = format!("between {} and {} MPa; check the units of the constants", YIELD.start(), YIELD.end());
         return Err(source.error(HARDENING, what, help));
     }
-    let hill48 = file.anisotropy.map_or(Ok(Hill48::default()), |r| Hill48::checked(r.mean()));
-    let hill48 = hill48.map_err(|error| blame(error, "material.anisotropy", source))?;
+    let yield_criterion = yield_criterion(file, source)?;
     let rate = file.rate.map(|laws| only(laws, "material.rate", source)).transpose()?;
     let thermal = file.softening.map(|laws| only(laws, "material.softening", source)).transpose()?;
     let mut gtn = file.voids;
@@ -47,10 +46,39 @@ pub(in crate::case) fn convert(file: &file::Material, source: &Source) -> Result
         elastic,
         rate,
         thermal,
-        hill48,
+        yield_criterion,
         chaboche: chaboche(&file.kinematic, file.mode, source)?,
         gtn,
     })
+}
+
+/// Of r̄ and the curve.
+fn yield_criterion(file: &file::Material, source: &Source) -> Result<YieldCriterion, CaseError> {
+    let r = file.anisotropy.map_or(1.0, Anisotropy::mean);
+    let hill = Hill48::checked(r).map_err(|error| blame(error, "material.anisotropy", source))?;
+    let Some(YieldCondition::Hosford(of)) = file.yield_condition else { return Ok(hill.into()) };
+    let path = "material.yield_condition.hosford";
+    let exponent = match (of.crystal, of.exponent) {
+        (Some(crystal), None) => crystal.exponent(),
+        (None, Some(exponent)) => exponent.value(),
+        (None, None) => {
+            let help = "write crystal = \"fcc\" for aluminium, \"bcc\" for ferritic steel, or exponent = 8";
+            return Err(source.error(
+                path,
+                "Hosford's condition needs its exponent, or the crystal that says it",
+                help,
+            ));
+        }
+        (Some(_), Some(_)) => {
+            let what = "`crystal` and `exponent` both say the exponent";
+            return Err(source.error(&format!("{path}.exponent"), what, "keep one of them"));
+        }
+    };
+    if file.voids.is_some() {
+        let help = "drop [material.voids], or write yield_condition = \"hill48\"";
+        return Err(source.error(path, "the model of voids is made for Hill's condition, not for Hosford's", help));
+    }
+    Ok(Hosford::checked(r, exponent).map_err(|error| blame(error, path, source))?.into())
 }
 
 /// At most two back-stresses, of a sheet that is not left to the flow law alone.

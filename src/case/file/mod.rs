@@ -18,6 +18,7 @@ mod section;
 mod springback;
 mod stages;
 mod tools;
+mod yield_condition;
 
 pub use anisotropy::{Anisotropy, Directions};
 pub use compare::{Compare, ComparedQuantity};
@@ -34,6 +35,7 @@ pub use section::{ProfileStep, Section, SectionTable, Turn};
 pub use springback::Springback;
 pub use stages::{FirstStage, Release, Stage, StageDie, StageHolder, StagePunch};
 pub use tools::{Bead, Crowned, Die, Flat, Hemispherical, Holder, HolderForce, Punch, Spring, Stiffness, Tools};
+pub use yield_condition::{Crystal, YieldCondition};
 
 use crate::model::{Edge, Geometry, Grading, Settings, StopRules, Theory};
 use crate::units::{Length, Positive};
