@@ -85,11 +85,19 @@ fn unjudged(name: &'static str, open: &Judged, light: Light) -> Finding {
     Finding::judged("forming_limit", "Forming limit", light, found)
         .limit(message!("{curve}, which ends in plane strain", curve = name))
         .source("by Hill 1948 with r̄ below 1 limits of biaxial stretching come out too high")
-        .advice(YIELD_CONDITION)
+        .advice(Message::joined(
+            [other_condition(), "or give measured points of the coil in [forming_limit]".into()],
+            ", ",
+        ))
 }
 
 /// What to write where Hill's condition says too little.
-pub(super) const YIELD_CONDITION: &str = "write yield_condition = { hosford = { crystal = \"fcc\" } } in [material] (bcc for steel), or measured points of the coil in [forming_limit]";
+pub(super) fn other_condition() -> Message {
+    message!("write {line} in [material] (bcc for steel)", line = OTHER_CONDITION.to_owned())
+}
+
+/// Hosford's condition of fcc metal, as a case has it.
+const OTHER_CONDITION: &str = "yield_condition = { hosford = { crystal = \"fcc\" } }";
 
 fn missing() -> Finding {
     Finding::judged("forming_limit", "Forming limit", Light::Grey, "no forming limit given")

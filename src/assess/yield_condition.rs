@@ -1,7 +1,7 @@
 //! Whether the sheet's yield condition says what biaxial stretching asks of it.
 
 use super::answer::whether_it_tears;
-use super::forming_limit::YIELD_CONDITION;
+use super::forming_limit::other_condition;
 use super::{Finding, Light, run::Run};
 use crate::case::file::Crystal;
 use crate::forming_limit::SHORTEST;
@@ -42,13 +42,11 @@ pub(super) fn judge(run: &Run) -> Option<Finding> {
         "r̄ of {least} and more by Hill 1948, where the sheet is stretched both ways",
         least = Amount::number(LEAST)
     );
-    Some(
-        Finding::judged("yield_condition", "Yield condition", Light::doubtful(doubtful), found)
-            .against(r, Unit::None, limit)
-            .at_least(matches!(criterion, YieldCriterion::Hill48(_)).then_some(LEAST), None)
-            .source("Woodthorpe and Pearce (1970), not read; the number is a declared rule of thumb")
-            .advice(YIELD_CONDITION),
-    )
+    let finding = Finding::judged("yield_condition", "Yield condition", Light::doubtful(doubtful), found)
+        .against(r, Unit::None, limit)
+        .source("Woodthorpe and Pearce (1970), not read; the number is a declared rule of thumb");
+    // With another condition, or without biaxial stretching, any r̄ will do.
+    Some(if doubtful { finding.at_least(LEAST, None).advice(other_condition()) } else { finding })
 }
 
 /// Whether the thinnest place, or that which comes nearest to the forming limit, is stretched both ways.

@@ -19,7 +19,9 @@ fn every_material_loads_runs_and_cites_its_source() {
     assert!(all.len() >= 9);
     for entry in &all {
         assert!(entry.source.contains("20") || entry.source.contains("19"), "{}: no year", entry.name);
-        assert!(["A", "B"].contains(&entry.grade.as_str()) && !entry.licence.is_empty(), "{}", entry.name);
+        assert!(["A", "B", "C"].contains(&entry.grade.as_str()) && !entry.licence.is_empty(), "{}", entry.name);
+        let declared = entry.source.contains("declared");
+        assert_eq!(entry.grade == "C", declared, "{}: an assumed law is called so", entry.name);
         let n = entry.n().expect("a load maximum");
         assert!((0.05..0.5).contains(&n), "{}: {n}", entry.name);
         let named = parsed(&format!("name = \"{}\"", entry.name), "").unwrap_or_else(|e| panic!("{e}"));
