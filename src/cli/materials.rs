@@ -105,7 +105,7 @@ fn describe(entry: &Entry) -> Shown {
     });
     let measured = entry.measured.as_ref().map_or(UNKNOWN.to_owned(), |curve| {
         format!(
-            "{:.3} in plane strain, true strain: [forming_limit] measured = true takes its points",
+            "{:.3} in plane strain, true strain: measured; [forming_limit] measured = true takes them",
             curve.plane_strain()
         )
     });
@@ -123,7 +123,7 @@ fn describe(entry: &Entry) -> Shown {
         ("n", n),
         ("r̄", material.yield_criterion.ratio().to_string()),
         ("FLC", limit),
-        ("measured FLC", measured),
+        ("FLC points", measured),
         ("E, ν", elastic),
         ("thickness", entry.thickness.clone().unwrap_or(UNKNOWN.to_owned())),
         ("source", entry.source.clone()),

@@ -159,7 +159,7 @@ impl Curve {
         let ends = kind.feels_yield_condition() && plane.overrates_biaxial();
         if ends {
             notes.push(message!(
-                "It ends in plane strain: by Hill 1948 with r̄ = {r}, below 1, limits of biaxial stretching come out too high.",
+                "The limit ends in plane strain: by Hill 1948 with r̄ = {r}, below 1, limits of biaxial stretching come out too high.",
                 r = Amount::number(plane.ratio())
             ));
         }

@@ -5,7 +5,7 @@ use crate::case::file::{self, Anisotropy, YieldCondition};
 use crate::case::{CaseError, explain::missing, source::Source};
 use crate::law::{Family, Named};
 use crate::material::{BackStress, BackStresses, Elastic, Hardening, Hill48, Hosford, Material, YieldCriterion};
-use crate::message::{Amount, Message, message};
+use crate::message::{Amount, Digits, Message, message};
 use crate::model::Mode;
 use crate::rules::r_values::RValues;
 use crate::units::Quantity;
@@ -130,7 +130,8 @@ fn hardening(
 
 /// What is said of r-values by direction: which mean of them is taken.
 pub(in crate::case) fn mean_of(r: RValues) -> Message {
-    let [mean, r0, r45, r90, planar] = [r.mean(), r.r0, r.r45, r.r90, r.planar()].map(Amount::number);
+    let [mean, r0, r45, r90, planar] =
+        [r.mean(), r.r0, r.r45, r.r90, r.planar()].map(|r| Amount::number(r).to(Digits::Given(6)));
     message!(
         "r̄ = {mean}, the normal anisotropy: (r0 + 2 r45 + r90)/4 of {r0}, {r45} and {r90}; what is computed is the mean over \
          the directions, about which the rim has ears (Δr = {planar})",
