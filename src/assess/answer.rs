@@ -109,6 +109,11 @@ fn sentence(stages: &[StageSolution], findings: &[Finding], light: Light, tear: 
             message!("it may tear at the bottom, and not as it is: {labels}", labels = labels(Light::Red))
         }
         Light::Red => message!("it does not tear, but not as it is: {labels}", labels = labels(Light::Red)),
+        Light::Amber if is("forming_limit", Light::Amber) && share("forming_limit").is_none() => message!(
+            "whether it tears is not known: it thins by {thinning} {place}, and the forming limit ends before",
+            thinning = Amount::share(share("thinning").unwrap_or_default()),
+            place = at()
+        ),
         Light::Amber if is("forming_limit", Light::Amber) => {
             Message::joined(["it comes near to tearing".into(), at()], " ")
         }
@@ -150,6 +155,15 @@ fn tear(stages: &[StageSolution]) -> Option<Tear<'_>> {
     };
     // The limit is reached before a neck ends the run, and is where the tear begins.
     limit().or(ended)
+}
+
+/// Whether and where it tears: `it tears on the dome`.
+pub(super) fn whether_it_tears(stages: &[StageSolution]) -> Message {
+    match (tear(stages), stages.last().and_then(torn)) {
+        (Some(tear), _) => tear.sentence(stages.len()),
+        (None, Some(neck)) => Message::joined(["it thins too far".into(), place(stages, neck.s0)], " "),
+        (None, None) => "no tear is seen".into(),
+    }
 }
 
 /// Where the sheet of a stage tears, initially from the axis \[mm\]: where the verdict's sentence has it, or where it is

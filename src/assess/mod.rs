@@ -15,6 +15,7 @@ mod closing;
 mod contact_share;
 mod cut_off;
 mod draw_ratio;
+mod ears;
 mod finding;
 mod forming_limit;
 mod friction;
@@ -42,6 +43,7 @@ mod trim;
 mod two_sheets;
 mod wall_load;
 mod wrinkling;
+mod yield_condition;
 mod yielding;
 
 pub use answer::{Answer, KeyNumber, largest_force, tears_at};
@@ -119,8 +121,10 @@ const AFTER: &[After] = &[
     After::Run(clearance::judge),
     After::Run(ironing::judge),
     After::Run(springback::judge),
+    After::Run(ears::expected),
     After::Run(bending_radius::judge),
     After::Run(bent_strength::judge),
+    After::Run(yield_condition::judge),
     After::Run(hardening::judge),
     After::Run(friction::judge),
     After::Run(power_balance::judge),

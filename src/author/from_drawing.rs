@@ -92,7 +92,7 @@ impl Draft<'_> {
                  σ = k (offset + ε)^n",
             ),
         }
-        page.forming_limit(&self.law(), thickness.value);
+        page.forming_limit(&self.law(), thickness.value, false);
     }
 
     /// The sheet's metal: that of the library, or the placeholder.

@@ -6,7 +6,7 @@ mod strength;
 
 pub use entries::StandsFor;
 
-use super::file::CaseFile;
+use super::file::{Anisotropy, CaseFile, FormingLimit};
 use super::sources::{Sheets, Taken, Thickness};
 use super::{CaseError, build, source::Source};
 use crate::forming_limit::{Curve, Hill, Kind, Sheet, uniform_strain};
@@ -25,7 +25,8 @@ pub struct Entry {
     pub title: String,
     /// Author, year and place of the numbers.
     pub source: String,
-    /// As in `reference_data/sources.toml`: A, read in the named source; B, read where that is quoted.
+    /// As in `reference_data/sources.toml`: A, read in the named source; B, read where that is quoted; C, the hardening is
+    /// assumed.
     pub grade: String,
     /// Under which terms the numbers may be used.
     pub licence: String,
@@ -37,6 +38,8 @@ pub struct Entry {
     pub notes: Vec<String>,
     /// The material as a case would have it.
     pub material: Material,
+    /// Its measured forming limit; `None` where there is none.
+    pub measured: Option<Curve>,
     /// Its `[material]` table, to paste into a case.
     pub text: &'static str,
 }
@@ -47,7 +50,7 @@ impl Entry {
         uniform_strain(&self.sheet()).ok()
     }
 
-    /// The forming limit by Hill and Swift, computed from the law: no source here has a measured one. `None` where the law
+    /// The forming limit by Hill and Swift, computed from the law. `None` where the law
     /// has no load maximum.
     pub fn forming_limit(&self) -> Option<Curve> {
         Kind::Hill(Hill { n: None }).curve(&self.sheet()).ok()
@@ -86,16 +89,18 @@ pub(super) fn complete(file: &mut CaseFile, source: &Source) -> Result<Taken, Ca
     let Some(written) = file.material.name.clone() else { return Ok(Taken::default()) };
     let Found { name, file: found, note, .. } =
         lookup::find(&written).map_err(|unknown| source.error("material.name", unknown.what, unknown.help))?;
-    let EntryFile { material: known, thickness, .. } = found;
+    let EntryFile { material: known, thickness, forming_limit, .. } = found;
     let origin = known.source.clone().unwrap_or_default();
     let from = message!("material {name}: {source}", name = name.to_owned(), source = origin.clone());
     let mut notes: Vec<Message> = note.into_iter().map(Message::from).chain([from]).collect();
+    notes.extend(measured(name, forming_limit, file));
     let own = &mut file.material;
     let own_hardening = source.has("material.hardening");
     let mut replaced = Vec::new();
     let mut keep = |key: &'static str, given: bool| replaced.extend(given.then_some(key));
     keep("young and poisson", own.young.is_some() || own.poisson.is_some());
     keep("anisotropy", own.anisotropy.is_some());
+    keep("yield_condition", own.yield_condition.is_some());
     keep("rate", own.rate.is_some());
     keep("softening", own.softening.is_some());
     keep("hardening", own_hardening);
@@ -104,6 +109,7 @@ pub(super) fn complete(file: &mut CaseFile, source: &Source) -> Result<Taken, Ca
         (own.young, own.poisson) = (known.young, known.poisson);
     }
     own.anisotropy = own.anisotropy.or(known.anisotropy);
+    own.yield_condition = own.yield_condition.or(known.yield_condition);
     own.rate = own.rate.or(known.rate);
     own.softening = own.softening.or(known.softening);
     if !own_hardening {
@@ -122,10 +128,36 @@ pub(super) fn complete(file: &mut CaseFile, source: &Source) -> Result<Taken, Ca
     Ok(Taken { notes, sheets, thickness })
 }
 
+/// Puts the measured points of a sheet of the library where a case asks for them, and says so.
+fn measured(name: &str, known: Option<FormingLimit>, file: &mut CaseFile) -> Option<Message> {
+    let asked = file.forming_limit.as_mut().filter(|own| own.measured == Some(true) && own.points.is_none())?;
+    let FormingLimit { points, strain, .. } = known?;
+    (asked.points, asked.strain, asked.measured) = (points, asked.strain.or(strain), None);
+    Some(message!("forming limit: the measured points of {name}", name = name.to_owned()))
+}
+
 fn entry(name: &'static str, text: &'static str) -> Result<Entry, CaseError> {
-    let EntryFile { title, grade, licence, thickness, stands_for, notes, material } = read(name, text)?;
+    let EntryFile { title, grade, licence, thickness, stands_for, mut notes, material, forming_limit } =
+        read(name, text)?;
     let source = material.source.clone().unwrap_or_default();
-    let material = build::material(&material, &Source::parse(name, text)?)?;
+    let r_values = material.anisotropy.and_then(Anisotropy::directions);
+    notes.extend(r_values.map(|r| build::mean_of(r).to_string()));
+    let parsed = Source::parse(name, text)?;
+    let material = build::material(&material, &parsed)?;
+    let sheet = Sheet { material: &material, thickness: 1.0, temperature: ROOM_TEMPERATURE };
+    let points = forming_limit.map(|limit| build::measured(&limit, &sheet, &parsed)).transpose()?;
     let table = text.find("[material").map_or("", |at| &text[at..]);
-    Ok(Entry { name, title, source, grade, licence, thickness, stands_for, notes, material, text: table })
+    Ok(Entry {
+        name,
+        title,
+        source,
+        grade,
+        licence,
+        thickness,
+        stands_for,
+        notes,
+        material,
+        measured: points,
+        text: table,
+    })
 }

@@ -83,7 +83,7 @@ fn list(entries: &[Entry]) -> Shown {
             format!("{:.0}", entry.proof_stress()),
             or_unknown(entry.tensile_strength(), 0),
             or_unknown(entry.uniform_elongation().map(|share| 100.0 * share), 0),
-            entry.material.hill48.ratio().to_string(),
+            entry.material.yield_criterion.ratio().to_string(),
             or_unknown(entry.n(), 3),
             or_unknown(entry.material.elastic.map(|elastic| 1e-3 * elastic.young), 0),
             entry.thickness.clone().unwrap_or(UNKNOWN.to_owned()).replace(" to ", "–"),
@@ -103,6 +103,12 @@ fn describe(entry: &Entry) -> Shown {
     let limit = entry.forming_limit().map_or(UNKNOWN.to_owned(), |curve| {
         format!("{:.4} in plane strain, true strain: computed from the law (Hill), not measured", curve.plane_strain())
     });
+    let measured = entry.measured.as_ref().map_or(UNKNOWN.to_owned(), |curve| {
+        format!(
+            "{:.3} in plane strain, true strain: measured; [forming_limit] measured = true takes them",
+            curve.plane_strain()
+        )
+    });
     let elastic = material.elastic.map_or(UNKNOWN.to_owned(), |e| format!("{} MPa, {}", e.young, e.poisson));
     let stands = entry.stands_for.as_ref();
     let tested =
@@ -115,18 +121,28 @@ fn describe(entry: &Entry) -> Shown {
         ("Rp0.2", format!("{:.0} MPa, the law's stress at a plastic strain of 0.2 %", entry.proof_stress())),
         ("Rm, Ag", tested),
         ("n", n),
-        ("r̄", material.hill48.ratio().to_string()),
+        ("r̄", material.yield_criterion.ratio().to_string()),
         ("FLC", limit),
+        ("FLC points", measured),
         ("E, ν", elastic),
         ("thickness", entry.thickness.clone().unwrap_or(UNKNOWN.to_owned())),
         ("source", entry.source.clone()),
-        ("read", entry.grade.clone() + if entry.grade == "A" { ", in that source" } else { ", where that is quoted" }),
+        ("read", entry.grade.clone() + grade(&entry.grade)),
         ("licence", entry.licence.clone()),
     ];
     let known = known.into_iter().chain(entry.notes.iter().map(|note| ("note", note.clone())));
     let rows = known.map(|(label, value)| [Cell::plain(format!("  {label}")), Cell::plain(value)]);
     let paste = format!("\nIn a case:\n\n[material]\nname = \"{name}\"\n\nor all of it:\n\n{}", entry.text);
     Shown::from(format!("{name}: {title}\n\n")) + table(None, rows.collect()) + paste.into()
+}
+
+/// What a grade means.
+fn grade(grade: &str) -> &'static str {
+    match grade {
+        "A" => ", in that source",
+        "B" => ", where that is quoted",
+        _ => ", hardening assumed from another sheet",
+    }
 }
 
 /// An entry for programs; the table to paste says the law with its units.
@@ -140,8 +156,9 @@ fn of(entry: &Entry) -> Value {
         "uniform_elongation": entry.uniform_elongation().map(rounded),
         "law": entry.material.describe(),
         "n": entry.n().map(rounded),
+        "flc_measured": entry.measured.as_ref().map(|curve| curve.points().to_vec()),
         "flc_computed_by_hill": entry.forming_limit().map(|curve| curve.points().to_vec()),
-        "r": entry.material.hill48.ratio(),
+        "r": entry.material.yield_criterion.ratio(),
         "young_MPa": entry.material.elastic.map(|elastic| elastic.young),
         "poisson": entry.material.elastic.map(|elastic| elastic.poisson),
         "thickness": entry.thickness,
@@ -161,7 +178,7 @@ fn chart(entry: &Entry) -> Chart {
     };
     let mut notes = vec![format!("Source: {}.", entry.source)];
     notes.extend(entry.notes.iter().cloned());
-    let mut limits: Vec<Curve> = Vec::new();
+    let mut limits: Vec<Curve> = entry.measured.iter().cloned().collect();
     for kind in [Kind::Hill(Hill { n: None }), Kind::MarciniakKuczynski(groove)] {
         match kind.curve(&entry.sheet()) {
             Ok(curve) => {

@@ -103,15 +103,16 @@ pub fn run(args: &Args) -> anyhow::Result<Code> {
         |solution, kept, folder| {
             let dir = self::folder(args, several, &solution.case)?;
             let results = Results::of(&solution)?.with_pictures(&args.pictures.pictures()).told(args.form.form());
+            let findings = assess::after(&solution.case, &solution.stages);
             // Each is tried and told whatever became of the others.
-            let pages = args.report.then(|| (PAGE.to_owned(), page(&solution, args.form.form()).into_bytes()));
+            let pages =
+                args.report.then(|| (PAGE.to_owned(), page(&solution, &findings, args.form.form()).into_bytes()));
             let written = results.write_into(&kept.recorder, pages, folder);
             let traced = match (&args.trace, &kept.trace) {
                 (Some(path), Some(iterations)) => write(path, &csv(&trace::table(iterations))),
                 _ => Ok(()),
             };
             let files = written.as_deref().ok();
-            let findings = assess::after(&solution.case, &solution.stages);
             let answer = Answer::of(&solution.case, &solution.stages, &findings);
             let told = match args.json.json {
                 true => Told::Json(as_json(&results, (&answer, &findings), &dir, files)?),
@@ -225,8 +226,8 @@ fn written(files: &[PathBuf], dir: &Path) -> Message {
 }
 
 /// The report as one HTML file.
-fn page(solution: &Solution, form: Form) -> String {
-    html(&Report::of(solution).told(form))
+fn page(solution: &Solution, findings: &[Finding], form: Form) -> String {
+    html(&Report::found(solution, findings.to_vec()).told(form))
 }
 
 /// The summary of every stage as a table.

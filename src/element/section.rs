@@ -103,14 +103,15 @@ impl Stiffness {
     #[inline]
     fn add_part(&mut self, zeta: f64, half: f64, v: f64, part: &Across) {
         let Self { c0, c1, c2 } = self;
-        let [direct, coupled, shear] = part.metric.map(|k| v * k);
-        let square = zeta * zeta + MEAN_SQUARE * half * half;
-        for (j, k) in [(0, direct), (1, coupled), (2, direct)] {
+        let [ss, st, tt, shear] = part.metric.map(|k| v * k);
+        let own = MEAN_SQUARE * half * half;
+        let square = zeta * zeta + own;
+        for (j, k) in [(0, ss), (1, st), (2, tt)] {
             c0[j] += k;
-            c2[j] += square * k;
+            c2[j] += square * k + own * v * part.excess[j];
         }
         c0[5] += shear;
-        for (j, k) in [(0, direct), (1, coupled), (2, coupled), (3, direct)] {
+        for (j, k) in [(0, ss), (1, st), (2, st), (3, tt)] {
             c1[j] += zeta * k;
         }
         // g and h by the strains, and by the curvatures.

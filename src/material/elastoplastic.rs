@@ -23,7 +23,7 @@
 use super::chaboche::BackStresses;
 use super::point_law::StressUpdate;
 use super::yield_condition::{SHEAR_FACTOR, Triple};
-use super::{Elastic, FlowStress, Hardening, Hill48, PointLaw, Rate, Surroundings, ThermalLaw};
+use super::{Elastic, FlowStress, Hardening, PointLaw, Rate, Surroundings, ThermalLaw, YieldCriterion};
 use std::f64::consts::FRAC_1_SQRT_2;
 
 /// What is the same for every thickness point in an iteration.
@@ -56,8 +56,8 @@ pub struct Operators {
 
 impl Operators {
     /// Of a metal that yields by Hill 1948.
-    pub fn new(elastic: Elastic, anisotropy: Hill48) -> Self {
-        let (elastic, q) = (elastic.moduli(), anisotropy.coupling());
+    pub fn new(elastic: Elastic, criterion: YieldCriterion) -> Self {
+        let (elastic, q) = (elastic.moduli(), criterion.quadratic().coupling());
         let yielding = [1.0 - q, 1.0 + q, 3.0 / SHEAR_FACTOR];
         Self { elastic, yielding, both: each(|j| elastic[j] * yielding[j]) }
     }

@@ -1,7 +1,8 @@
 //! The flow law of a rigid-plastic Huber-Mises sheet at one thickness point.
 //!
 //! ```text
-//! A = [4/3 2/3 0; 2/3 4/3 0; 0 0 k/3],  k = 5/6       acting on Δε = (Δε_s, Δε_θ, Δγ); by r̄ in [`Hill48`]
+//! A = [4/3 2/3 0; 2/3 4/3 0; 0 0 k/3],  k = 5/6       acting on Δε = (Δε_s, Δε_θ, Δγ); by r̄ in
+//!                                                     [`Hill48`](super::Hill48), or the matrix of [`Hosford`]
 //! Δε̄² = Δεᵀ A Δε        σ = (σ_y/Δε̄) A Δε = μ·3A ε̇,   μ = σ_y/(3 ε̄̇)
 //! ```
 //!
@@ -25,7 +26,7 @@
 mod parts;
 
 use super::yield_condition::dot;
-use super::{FlowStress, Gtn, Hardening, Hill48, PointLaw, Rate, Surroundings, ThermalLaw};
+use super::{FlowStress, Gtn, Hardening, Hosford, PointLaw, Rate, Surroundings, ThermalLaw, YieldCriterion};
 use crate::units::ZERO_CELSIUS;
 
 pub use super::point_law::{Across, StressUpdate};
@@ -57,8 +58,8 @@ pub struct FlowLaw<'a> {
     pub rate: Option<&'a Rate>,
     /// `None` for a metal that does not feel its temperature.
     pub softening: Option<&'a ThermalLaw>,
-    /// Hill's yield condition.
-    pub anisotropy: Hill48,
+    /// The yield condition of the metal without voids.
+    pub criterion: YieldCriterion,
     /// `None` for a metal without voids.
     pub voids: Option<&'a Gtn>,
     /// The matrix to iterate with.
@@ -158,13 +159,20 @@ impl PointState {
     /// The point of a sheet that goes on flowing: with what the last rate would strain in this step, p, its spread over the
     /// point's part of the thickness, and with its weight a in the rate at the end.
     #[must_use]
-    pub fn following(self, p: Triple, spread: [f64; 2], a: f64, anisotropy: Hill48, voids: Option<&Gtn>) -> Self {
+    pub fn following(
+        self,
+        p: Triple,
+        spread: [f64; 2],
+        a: f64,
+        criterion: YieldCriterion,
+        voids: Option<&Gtn>,
+    ) -> Self {
         let equivalent = match voids {
             None => {
-                let across = anisotropy.equivalent_increment([spread[0], spread[1], 0.0]);
-                anisotropy.equivalent_increment(p).hypot(MEAN_SQUARE.sqrt() * across)
+                let across = criterion.equivalent_increment([spread[0], spread[1], 0.0]);
+                criterion.equivalent_increment(p).hypot(MEAN_SQUARE.sqrt() * across)
             }
-            Some(voids) => voids.condition(anisotropy, self.porosity).equivalent_increment(p),
+            Some(voids) => voids.condition(criterion.quadratic(), self.porosity).equivalent_increment(p),
         };
         let past =
             Past { weight: a, strain: p.map(|p| a * p), spread: spread.map(|k| a * k), equivalent: a * equivalent };
@@ -218,16 +226,22 @@ impl Iterate {
     /// The carried stress: Chan, Golub, Mulet, SIAM J. Sci. Comput. 20 (1999) 1964–1977, for a potential with the same kink.
     #[inline]
     pub fn advance(&mut self, law: &FlowLaw, point: &PointState, e: Triple) -> StressUpdate {
-        match law.voids {
-            None => self.flow(law, &law.anisotropy, point, e),
-            Some(voids) => self.flow_voided(law, voids, point, e),
+        match (law.voids, &law.criterion) {
+            (None, YieldCriterion::Hill48(hill)) => self.flow(law, hill, point, e),
+            (None, YieldCriterion::Hosford(hosford)) => self.flow_by_hosford(law, hosford, point, e),
+            (Some(voids), _) => self.flow_voided(law, voids, point, e),
         }
     }
 
-    /// Apart from the plain law, so that this one stays small where it is called.
+    /// Apart from the plain law, so that this one stays small where it is called; so is the next one.
+    #[inline(never)]
+    fn flow_by_hosford(&mut self, law: &FlowLaw, hosford: &Hosford, point: &PointState, e: Triple) -> StressUpdate {
+        self.flow(law, hosford, point, e)
+    }
+
     #[inline(never)]
     fn flow_voided(&mut self, law: &FlowLaw, voids: &Gtn, point: &PointState, e: Triple) -> StressUpdate {
-        self.flow(law, &voids.condition(law.anisotropy, point.porosity), point, e)
+        self.flow(law, &voids.condition(law.criterion.quadratic(), point.porosity), point, e)
     }
 
     #[inline(always)]

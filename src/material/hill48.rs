@@ -19,7 +19,7 @@ use std::ops::RangeInclusive;
 const RATIO: RangeInclusive<f64> = 0.1..=10.0;
 
 /// The shear's entry of P.
-const SHEAR_INVERSE: f64 = 3.0 / SHEAR_FACTOR;
+pub(super) const SHEAR_INVERSE: f64 = 3.0 / SHEAR_FACTOR;
 
 /// The metric of the yield condition.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -116,10 +116,5 @@ impl YieldCondition for Hill48 {
     #[inline]
     fn stress_square(&self, _: &Metric, w: Triple) -> f64 {
         self.stress_square(w)
-    }
-
-    #[inline]
-    fn strain_share(&self) -> f64 {
-        1.0
     }
 }

@@ -32,14 +32,24 @@ pub trait YieldCondition {
     fn metric(&self, e: Triple) -> Metric;
 
     /// f A.
-    fn scaled(&self, metric: &Metric, f: f64) -> Symmetric;
+    #[inline]
+    fn scaled(&self, metric: &Metric, f: f64) -> Symmetric {
+        metric.matrix.map(|a| f * a)
+    }
 
     /// A e' of another increment.
-    fn product(&self, metric: &Metric, e: Triple) -> Triple;
+    #[inline]
+    fn product(&self, metric: &Metric, e: Triple) -> Triple {
+        let [ss, st, tt, sg, tg, gg] = metric.matrix;
+        [ss * e[0] + st * e[1] + sg * e[2], st * e[0] + tt * e[1] + tg * e[2], sg * e[0] + tg * e[1] + gg * e[2]]
+    }
 
     /// wᵀ A⁻¹ w \[MPa²\] of a carried stress.
     fn stress_square(&self, metric: &Metric, w: Triple) -> f64;
 
     /// Strain of the metal that bears the stress per D: more than 1 where there are voids.
-    fn strain_share(&self) -> f64;
+    #[inline]
+    fn strain_share(&self) -> f64 {
+        1.0
+    }
 }

@@ -28,7 +28,8 @@ pub fn chart(title: &str, material: &Material, limits: &[Curve], notes: Vec<Stri
         let [x, y] = axes();
         let series = limits.iter().enumerate().map(|(i, limit)| {
             let points = limit.points().iter().map(|p| (p[0], p[1])).collect();
-            Series::new(format!("{}, computed", limit.name), points, Look::curve(i + 1))
+            let label = if limit.is_measured() { "Measured".into() } else { format!("{}, computed", limit.name) };
+            Series::new(label, points, Look::curve(i + 1))
         });
         panels.push(Panel { x, y, series: series.collect(), scale: Scale::Fit { height: 260.0, least: 0.1 } });
     }

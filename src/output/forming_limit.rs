@@ -39,7 +39,7 @@ pub(super) fn paths_of(view: &StageView) -> Option<Table> {
     for (e, judged) in assessment.elements.iter().enumerate() {
         for (instant, [minor, major]) in paths.instants.iter().zip(paths.of(e)) {
             let [meridional, hoop] = instant.strains[e];
-            let limit = curve.major_at(minor);
+            let limit = if curve.knows(minor) { curve.major_at(minor) } else { f64::NAN };
             let row = [
                 judged.s0,
                 instant.time,

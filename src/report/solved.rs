@@ -28,7 +28,13 @@ pub struct Report<'a> {
 impl<'a> Report<'a> {
     /// Looks a solution over.
     pub fn of(solution: &'a Solution) -> Self {
-        let (before, after) = (assess::before(&solution.case), assess::after(&solution.case, &solution.stages));
+        Self::found(solution, assess::after(&solution.case, &solution.stages))
+    }
+
+    /// Looks a solution over that the verdict has been given on: `after` is what was [found](assess::after) on it, which
+    /// may have taken a second solution.
+    pub fn found(solution: &'a Solution, after: Vec<Finding>) -> Self {
+        let before = assess::before(&solution.case);
         let answer = Answer::of(&solution.case, &solution.stages, &after);
         let assumed: Vec<_> = before.iter().filter(|f| f.kind == Kind::Assumption).cloned().collect();
         let views = solution.views_telling(&assumed).into_iter().map(StageView::without_captions);

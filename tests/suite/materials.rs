@@ -19,7 +19,9 @@ fn every_material_loads_runs_and_cites_its_source() {
     assert!(all.len() >= 9);
     for entry in &all {
         assert!(entry.source.contains("20") || entry.source.contains("19"), "{}: no year", entry.name);
-        assert!(["A", "B"].contains(&entry.grade.as_str()) && !entry.licence.is_empty(), "{}", entry.name);
+        assert!(["A", "B", "C"].contains(&entry.grade.as_str()) && !entry.licence.is_empty(), "{}", entry.name);
+        let declared = entry.source.contains("declared");
+        assert_eq!(entry.grade == "C", declared, "{}: an assumed law is called so", entry.name);
         let n = entry.n().expect("a load maximum");
         assert!((0.05..0.5).contains(&n), "{}: {n}", entry.name);
         let named = parsed(&format!("name = \"{}\"", entry.name), "").unwrap_or_else(|e| panic!("{e}"));
@@ -46,7 +48,7 @@ fn every_material_loads_runs_and_cites_its_source() {
 fn a_case_replaces_what_it_says_itself() {
     let plain = parsed("name = \"aa6016-t4\"", "").unwrap_or_else(|e| panic!("{e}"));
     let own = parsed("name = \"aa6016-t4\"\nanisotropy = 0.7", "").unwrap_or_else(|e| panic!("{e}"));
-    assert_eq!(own.model().material.hill48.ratio(), 0.7);
+    assert_eq!(own.model().material.yield_criterion.ratio(), 0.7);
     assert_eq!(own.model().material.hardening, plain.model().material.hardening);
     assert!(
         own.derived.iter().any(|note| note.to_string().contains("anisotropy as this case has it")),
@@ -66,7 +68,7 @@ fn an_unknown_material_is_answered_with_the_nearest() {
     assert!(error.contains("no material \"aa6061-t4\"") && error.contains("did you mean `aa6016-t4`?"), "{error}");
     assert!(error.contains("case.toml:7:8"), "{error}");
     let error = parsed("name = \"aa60\"", "").expect_err("two");
-    assert!(error.contains("\"aa60\" may be aa6016-t4 or aa6022-t4"), "{error}");
+    assert!(error.contains("\"aa60\" may be aa6016-t4 or "), "{error}");
     assert!(parsed("name = \"\"", "").expect_err("nothing").contains("no material \"\""));
 }
 
@@ -104,7 +106,7 @@ fn a_grade_is_the_sheet_that_stands_for_it_and_keeps_its_limits() {
             "{grade}: {:?}",
             entry.tensile_strength()
         );
-        assert!(entry.material.hill48.ratio() >= r && entry.n().expect("a maximum") >= n, "{grade}");
+        assert!(entry.material.yield_criterion.ratio() >= r && entry.n().expect("a maximum") >= n, "{grade}");
     }
 }
 

@@ -9,7 +9,7 @@ use stampflow::element::section::Law;
 use stampflow::material::elastoplastic::{Carried, ElastoplasticLaw, Operators, Trial};
 use stampflow::material::flow::{ROOM_TEMPERATURE, StressUpdate};
 use stampflow::material::hardening::Ludwik;
-use stampflow::material::{Elastic, Hardening, Hill48, Material};
+use stampflow::material::{Elastic, Hardening, Material, YieldCriterion};
 use stampflow::measure::Shape;
 use stampflow::model::{Edge, Face, Gas, Geometry, Mode, Model, Theory};
 use stampflow::numerics::PiecewiseLinear;
@@ -42,7 +42,7 @@ impl Strip {
         let hardening = Hardening::Ludwik(Ludwik::new(YIELD, 0.0, 1.0).expect("valid"));
         let point = ElastoplasticLaw {
             hardening: Some(&hardening),
-            operators: Operators::new(STRIP, Hill48::default()),
+            operators: Operators::new(STRIP, YieldCriterion::default()),
             kinematic: None,
             rate: None,
             softening: None,

@@ -5,8 +5,9 @@ use crate::case::file;
 use serde::Deserialize;
 
 /// Name and text of every entry, by name.
-pub(super) const TEXTS: [(&str, &str); 9] = [
+pub(super) const TEXTS: [(&str, &str); 10] = [
     ("aa6016-t4", include_str!("aa6016-t4.toml")),
+    ("aa6016a-surfalex", include_str!("aa6016a-surfalex.toml")),
     ("aa6022-t4", include_str!("aa6022-t4.toml")),
     ("ap04xr", include_str!("ap04xr.toml")),
     ("chalmers-steel", include_str!("chalmers-steel.toml")),
@@ -28,6 +29,8 @@ pub(super) struct EntryFile {
     pub stands_for: Option<StandsFor>,
     pub notes: Vec<String>,
     pub material: file::Material,
+    /// Measured points.
+    pub forming_limit: Option<file::FormingLimit>,
 }
 
 /// The grades of standards that a sheet may be taken for.

@@ -1,6 +1,6 @@
 use super::*;
-use crate::material::BackStress;
 use crate::material::chaboche::shifting;
+use crate::material::{BackStress, Hill48};
 use approx::assert_relative_eq;
 
 const STEEL: Elastic = Elastic { young: 206_000.0, poisson: 0.3 };
@@ -14,7 +14,7 @@ const KINEMATICS: [BackStresses; 3] = [
 fn law(hardening: &Hardening) -> ElastoplasticLaw<'_> {
     ElastoplasticLaw {
         hardening: Some(hardening),
-        operators: Operators::new(STEEL, Hill48::default()),
+        operators: Operators::new(STEEL, YieldCriterion::default()),
         kinematic: shifting(KINEMATICS[0]),
         rate: None,
         softening: None,
@@ -57,7 +57,7 @@ fn for_every_law(look: impl Fn(&Setting, &ElastoplasticLaw)) {
                 let law = ElastoplasticLaw {
                     kinematic: shifting(kinematic),
                     rate,
-                    operators: Operators::new(STEEL, Hill48::new(r)),
+                    operators: Operators::new(STEEL, Hill48::new(r).into()),
                     ..law(&hardening)
                 };
                 look(&Setting { name, kinematic, r }, &law);

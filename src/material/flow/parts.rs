@@ -1,7 +1,9 @@
 //! The flow law where a thickness point stands for a part of the thickness that bending turns about.
 
-use super::{Across, FlowLaw, Iterate, Iteration, MEAN_SQUARE, Past, PointState, StressUpdate, Triple, dot};
-use crate::material::{FlowStress, Hill48};
+use super::{
+    Across, FlowLaw, Iterate, Iteration, MEAN_SQUARE, Metric, Past, PointState, StressUpdate, Triple, YieldCondition,
+};
+use crate::material::{FlowStress, Hosford, YieldCriterion};
 
 impl Iterate {
     /// Where bending turns the flow about within the point's part of the thickness the stress jumps: a point by itself would
@@ -9,11 +11,12 @@ impl Iterate {
     /// mean square of the strain over it
     ///
     /// ```text
-    /// P² = Δεᵀ A Δε + ⅓ kᵀ A k + Δε₀²,   σ = σ_y ∂P/∂Δε = σ_y/P A Δε,   m = σ_y ∂P/∂k = σ_y/P ⅓ A k
+    /// P² = Δε̄²(Δε) + ⅓ Δε̄²(k) + Δε₀²,   σ = σ_y ∂P/∂Δε = σ_y/P A Δε,   m = σ_y ∂P/∂k = σ_y/P ⅓ A' k
     /// ```
     ///
-    /// stands for the mean: a quadratic norm of both, so that stress, moment and matrices are those of a point with five
-    /// strains. `None` for a sheet with voids.
+    /// stands for the mean, so that stress, moment and matrices are those of a point with five strains; A is that of Δε, A'
+    /// that of k. For Hill's condition, where they are one, P is the root mean square; for Hosford's it is as convex, and the
+    /// root mean square where k is a multiple of Δε. `None` for a sheet with voids.
     #[inline]
     pub(super) fn advance_across(
         &mut self,
@@ -22,19 +25,46 @@ impl Iterate {
         strain: Triple,
         bending: [f64; 2],
     ) -> Option<Across> {
-        if law.voids.is_some() {
-            return None;
+        match (law.voids, &law.criterion) {
+            (Some(_), _) => None,
+            (None, YieldCriterion::Hill48(hill)) => Some(self.flow_across(law, hill, point, strain, bending)),
+            (None, YieldCriterion::Hosford(hosford)) => {
+                Some(self.flow_across_by_hosford(law, hosford, point, strain, bending))
+            }
         }
+    }
+
+    /// Apart from Hill's, so that that one stays small where it is called.
+    #[inline(never)]
+    fn flow_across_by_hosford(
+        &mut self,
+        law: &FlowLaw,
+        hosford: &Hosford,
+        point: &PointState,
+        strain: Triple,
+        bending: [f64; 2],
+    ) -> Across {
+        self.flow_across(law, hosford, point, strain, bending)
+    }
+
+    #[inline(always)]
+    fn flow_across(
+        &mut self,
+        law: &FlowLaw,
+        condition: &impl YieldCondition,
+        point: &PointState,
+        strain: Triple,
+        bending: [f64; 2],
+    ) -> Across {
         let Past { weight, strain: past, spread: past_spread, equivalent } = point.past;
         let steep = 1.0 + weight;
         let e = [steep * strain[0] - past[0], steep * strain[1] - past[1], steep * strain[2] - past[2]];
         let spread = [steep * bending[0] - past_spread[0], steep * bending[1] - past_spread[1]];
-        let hill = &law.anisotropy;
-        let a = hill.apply(e);
-        let q = MEAN_SQUARE * hill.direct;
-        let r = MEAN_SQUARE * hill.coupled;
-        let b = [q * spread[0] + r * spread[1], r * spread[0] + q * spread[1]];
-        let square = dot(e, a) + b[0] * spread[0] + b[1] * spread[1];
+        let metric = condition.metric(e);
+        let turning = condition.metric([spread[0], spread[1], 0.0]);
+        let a = metric.gradient;
+        let b = [0, 1].map(|d| MEAN_SQUARE * turning.gradient[d]);
+        let square = metric.square + b[0] * spread[0] + b[1] * spread[1];
         let increment = square.sqrt();
         let inverse_square = 1.0 / (square + law.cutoff * law.cutoff);
         let inverse = inverse_square.sqrt();
@@ -51,7 +81,7 @@ impl Iterate {
             Iteration::Secant => [0.0; 5],
             Iteration::Newton => g.map(|g| half * (h - f * inverse_square) * g),
             Iteration::PrimalDual => {
-                let w = self.carried_across(law, e, spread, yield_stress);
+                let w = self.carried_across(condition, (&metric, &turning), e, spread, yield_stress);
                 self.carried = [w[0], w[1], w[2]];
                 self.carried_moment = [w[3], w[4]];
                 let by = |i: usize| half * (h * g[i] - inverse_square * w[i]);
@@ -61,23 +91,30 @@ impl Iterate {
         let work_across = moment[0] * bending[0] + moment[1] * bending[1];
         *self = Self { strain, flow: e, spread, fluidity: f, hardening: h, inverse_square, ..*self };
         let update = StressUpdate { stress, tangent: [0.0; 6], increment: hardening, yield_stress, work_across };
-        let metric = [hill.direct, hill.coupled, hill.shear].map(|entry| steep * f * entry);
-        Some(Across { update, moment, metric, outer: [g, other] })
+        let [ss, st, tt, .., shear] = metric.matrix;
+        let own = [ss, st, tt, shear].map(|entry| steep * f * entry);
+        let excess = [0, 1, 2].map(|j| steep * f * (turning.matrix[j] - metric.matrix[j]));
+        Across { update, moment, metric: own, excess, outer: [g, other] }
     }
 
     /// The same of stress and moment.
     #[inline]
-    fn carried_across(&self, law: &FlowLaw, e: Triple, spread: [f64; 2], yield_stress: f64) -> [f64; 5] {
-        let hill = &law.anisotropy;
+    fn carried_across(
+        &self,
+        condition: &impl YieldCondition,
+        (now, turning): (&Metric, &Metric),
+        e: Triple,
+        spread: [f64; 2],
+        yield_stress: f64,
+    ) -> [f64; 5] {
         let mut w = [self.carried[0], self.carried[1], self.carried[2], self.carried_moment[0], self.carried_moment[1]];
         if self.fluidity > 0.0 {
-            let of = |e: Triple, k: [f64; 2]| {
-                let (a, b) = (hill.apply(e), hill.apply([k[0], k[1], 0.0]));
-                [a[0], a[1], a[2], MEAN_SQUARE * b[0], MEAN_SQUARE * b[1]]
-            };
+            let both = |a: Triple, b: Triple| [a[0], a[1], a[2], MEAN_SQUARE * b[0], MEAN_SQUARE * b[1]];
             let de = [e[0] - self.flow[0], e[1] - self.flow[1], e[2] - self.flow[2]];
             let dk = [spread[0] - self.spread[0], spread[1] - self.spread[1]];
-            let (g, c) = (of(self.flow, self.spread), of(de, dk));
+            let (last, turned) = (condition.metric(self.flow), condition.metric([self.spread[0], self.spread[1], 0.0]));
+            let g = both(last.gradient, turned.gradient);
+            let c = both(condition.product(&last, de), condition.product(&turned, [dk[0], dk[1], 0.0]));
             let product = |v: &[f64; 5]| v[0] * de[0] + v[1] * de[1] + v[2] * de[2] + v[3] * dk[0] + v[4] * dk[1];
             let along = product(&g);
             let on_g = self.fluidity + self.hardening * along - 0.5 * self.inverse_square * product(&w);
@@ -86,8 +123,8 @@ impl Iterate {
                 w[i] = on_g * g[i] + on_w * w[i] + self.fluidity * c[i];
             }
         }
-        let square = Hill48::stress_square(hill, [w[0], w[1], w[2]])
-            + Hill48::stress_square(hill, [w[3], w[4], 0.0]) / MEAN_SQUARE;
+        let square = condition.stress_square(now, [w[0], w[1], w[2]])
+            + condition.stress_square(turning, [w[3], w[4], 0.0]) / MEAN_SQUARE;
         if square > yield_stress * yield_stress {
             let back = yield_stress / square.sqrt();
             return w.map(|w| back * w);

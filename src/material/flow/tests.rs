@@ -1,6 +1,7 @@
 //! The flow law against its closed forms and its matrices against differences.
 
 use super::*;
+use crate::material::Hill48;
 use approx::assert_relative_eq;
 
 const CUTOFF: f64 = 1e-6;
@@ -17,9 +18,9 @@ fn points() -> Vec<Triple> {
 }
 
 fn flow(hardening: &Hardening, matrix: Iteration) -> FlowLaw<'_> {
-    let anisotropy = Hill48::default();
+    let criterion = YieldCriterion::default();
     let (softening, voids) = (None, None);
-    FlowLaw { hardening, rate: None, softening, anisotropy, voids, matrix, cutoff: CUTOFF, duration: 0.1 }
+    FlowLaw { hardening, rate: None, softening, criterion, voids, matrix, cutoff: CUTOFF, duration: 0.1 }
 }
 
 fn at(law: &FlowLaw, e: Triple) -> StressUpdate {
@@ -37,13 +38,13 @@ fn newton_matrix_is_the_derivative_of_the_stress_for_every_law() {
     let rates = std::iter::once(("rate-free", None)).chain(rates.iter().map(|(name, rate)| (*name, Some(rate))));
     for (rate_name, rate) in rates {
         for ((name, hardening), r) in Hardening::examples().into_iter().zip([1.0, 0.5, 1.8].into_iter().cycle()) {
-            let law = FlowLaw { rate, anisotropy: Hill48::new(r), ..flow(&hardening, Iteration::Newton) };
+            let law = FlowLaw { rate, criterion: Hill48::new(r).into(), ..flow(&hardening, Iteration::Newton) };
             let surroundings = Surroundings { exponent: 0.005, increment: 2e-3, floor: 1e-4 };
             let point = PointState { surroundings, ..PointState::at(0.05) };
             let at = |law: &FlowLaw, e: Triple| Iterate::start([0.0; 3]).advance(law, &point, e);
             for e in points() {
                 let c = full(at(&law, e).tangent);
-                let h = 1e-4 * law.anisotropy.equivalent_increment(e);
+                let h = 1e-4 * law.criterion.equivalent_increment(e);
                 for j in 0..3 {
                     let shifted = |sign: f64| {
                         let mut e = e;
@@ -63,7 +64,7 @@ fn newton_matrix_is_the_derivative_of_the_stress_for_every_law() {
 }
 
 fn following(p: Triple, law: &FlowLaw) -> PointState {
-    PointState::at(0.05).following(p, [0.0; 2], 0.4, law.anisotropy, law.voids)
+    PointState::at(0.05).following(p, [0.0; 2], 0.4, law.criterion, law.voids)
 }
 
 /// Trust: as above, with a past.
@@ -76,7 +77,7 @@ fn newton_matrix_is_the_derivative_where_the_flow_goes_on() {
             let point = following([1.2 * e[0], 0.9 * e[1], 0.7 * e[2]], &law);
             let at = |e: Triple| Iterate::start([0.0; 3]).advance(&law, &point, e);
             let c = full(at(e).tangent);
-            let h = 1e-4 * law.anisotropy.equivalent_increment(e);
+            let h = 1e-4 * law.criterion.equivalent_increment(e);
             for j in 0..3 {
                 let shifted = |sign: f64| {
                     let mut e = e;
@@ -118,7 +119,7 @@ fn stress_is_second_order_in_the_step_where_the_flow_goes_on() {
             let t = dt * f64::from(k);
             let mut point = PointState::at(total);
             if k > 0 {
-                point = point.following(chord(t - dt, t), [0.0; 2], weight, metal, None);
+                point = point.following(chord(t - dt, t), [0.0; 2], weight, metal.into(), None);
             }
             let update = Iterate::start([0.0; 3]).advance(&law, &point, chord(t, t + dt));
             (total, stress) = (total + update.increment, update.stress);
@@ -195,10 +196,11 @@ fn primal_dual_matrix_is_positive_semidefinite_along_any_path() {
 
 /// The matrix of a part, by the strains and their spread.
 fn whole(part: &Across) -> [[f64; 5]; 5] {
-    let ([direct, coupled, shear], [g, h]) = (part.metric, part.outer);
+    let ([ss, st, tt, shear], [g, h]) = (part.metric, part.outer);
     let mut c = std::array::from_fn(|i| std::array::from_fn(|j| g[i] * h[j] + h[i] * g[j]));
-    for (first, share) in [(0, 1.0), (3, MEAN_SQUARE)] {
-        for (i, j, k) in [(0, 0, direct), (0, 1, coupled), (1, 0, coupled), (1, 1, direct)] {
+    let [xs, xst, xt] = part.excess;
+    for (first, share, [ss, st, tt]) in [(0, 1.0, [ss, st, tt]), (3, MEAN_SQUARE, [ss + xs, st + xst, tt + xt])] {
+        for (i, j, k) in [(0, 0, ss), (0, 1, st), (1, 0, st), (1, 1, tt)] {
             c[first + i][first + j] += share * k;
         }
     }
@@ -211,8 +213,11 @@ fn whole(part: &Across) -> [[f64; 5]; 5] {
 fn newton_matrix_of_a_part_is_the_derivative_of_its_stress_and_moment() {
     for (name, hardening) in Hardening::examples() {
         for (r, rate) in [(1.0, None), (1.8, Some(Rate::examples()[0].1))] {
-            let law =
-                FlowLaw { rate: rate.as_ref(), anisotropy: Hill48::new(r), ..flow(&hardening, Iteration::Newton) };
+            let law = FlowLaw {
+                rate: rate.as_ref(),
+                criterion: Hill48::new(r).into(),
+                ..flow(&hardening, Iteration::Newton)
+            };
             for ([s, t, shear], [ks, kt]) in points().into_iter().zip([[4e-3, 1e-3], [-2e-3, 0.0]].into_iter().cycle())
             {
                 let u = [s, t, shear, ks, kt];
