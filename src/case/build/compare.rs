@@ -69,6 +69,7 @@ impl Entry<'_> {
                 ComparedQuantity::Thinnest => self.band(BandQuantity::Thinnest)?,
                 ComparedQuantity::Thickness => self.band(BandQuantity::Thickness)?,
                 ComparedQuantity::PeakForce => self.band(BandQuantity::PeakForce)?,
+                ComparedQuantity::PeakTravel => self.band(BandQuantity::PeakTravel)?,
             },
             reason: c.reason.clone(),
             optional: c.optional,
