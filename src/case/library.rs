@@ -2,9 +2,11 @@
 
 mod entries;
 mod lookup;
+mod measured;
 mod strength;
 
 pub use entries::StandsFor;
+pub use measured::{Fit, Measured, Point, Rates};
 
 use super::file::CaseFile;
 use super::sources::{Sheets, Taken, Thickness};
@@ -13,6 +15,7 @@ use crate::forming_limit::{Curve, Hill, Kind, Sheet, uniform_strain};
 use crate::material::Material;
 use crate::material::flow::ROOM_TEMPERATURE;
 use crate::message::{Message, message};
+use crate::model::Mode;
 use entries::{EntryFile, TEXTS, read};
 use lookup::Found;
 
@@ -35,8 +38,12 @@ pub struct Entry {
     pub stands_for: Option<StandsFor>,
     /// What a user should know of the numbers.
     pub notes: Vec<String>,
+    /// What the laws are fitted to, where the library has it.
+    pub measured: Option<Measured>,
     /// The material as a case would have it.
     pub material: Material,
+    /// The same of a case in the elasto-viscoplastic mode, where it has back-stresses there.
+    pub elastoplastic: Option<Material>,
     /// Its `[material]` table, to paste into a case.
     pub text: &'static str,
 }
@@ -86,6 +93,7 @@ pub(super) fn complete(file: &mut CaseFile, source: &Source) -> Result<Taken, Ca
     let Some(written) = file.material.name.clone() else { return Ok(Taken::default()) };
     let Found { name, file: found, note, .. } =
         lookup::find(&written).map_err(|unknown| source.error("material.name", unknown.what, unknown.help))?;
+    let elastoplastic = found.elastoplastic();
     let EntryFile { material: known, thickness, .. } = found;
     let origin = known.source.clone().unwrap_or_default();
     let from = message!("material {name}: {source}", name = name.to_owned(), source = origin.clone());
@@ -107,7 +115,17 @@ pub(super) fn complete(file: &mut CaseFile, source: &Source) -> Result<Taken, Ca
     own.rate = own.rate.or(known.rate);
     own.softening = own.softening.or(known.softening);
     if !own_hardening {
-        own.hardening = known.hardening;
+        let shifts = own.mode == Some(Mode::ElastoViscoplastic) && own.kinematic.is_empty();
+        if let Some(shifting) = elastoplastic.filter(|_| shifts) {
+            (own.kinematic, own.hardening) = (shifting.kinematic, shifting.hardening);
+            notes.push(message!(
+                "material {name}: with its back-stresses, and the hardening that they leave of its yield stress",
+                name = name.to_owned()
+            ));
+        } else {
+            own.hardening = known.hardening;
+        }
+        own.fitted_up_to = own.fitted_up_to.or(known.fitted_up_to);
         own.source.get_or_insert(origin);
     }
     if !replaced.is_empty() {
@@ -123,9 +141,25 @@ pub(super) fn complete(file: &mut CaseFile, source: &Source) -> Result<Taken, Ca
 }
 
 fn entry(name: &'static str, text: &'static str) -> Result<Entry, CaseError> {
-    let EntryFile { title, grade, licence, thickness, stands_for, notes, material } = read(name, text)?;
-    let source = material.source.clone().unwrap_or_default();
-    let material = build::material(&material, &Source::parse(name, text)?)?;
+    let file = read(name, text)?;
+    let written = Source::parse(name, text)?;
+    let material = build::material(&file.material, &written)?;
+    let elastoplastic = file.elastoplastic().map(|shifting| build::material(&shifting, &written)).transpose()?;
+    let EntryFile { title, grade, licence, thickness, stands_for, notes, measured, material: said, .. } = file;
+    let source = said.source.unwrap_or_default();
     let table = text.find("[material").map_or("", |at| &text[at..]);
-    Ok(Entry { name, title, source, grade, licence, thickness, stands_for, notes, material, text: table })
+    Ok(Entry {
+        name,
+        title,
+        source,
+        grade,
+        licence,
+        thickness,
+        stands_for,
+        notes,
+        measured,
+        material,
+        elastoplastic,
+        text: table,
+    })
 }

@@ -29,6 +29,8 @@ pub use thermal::ThermalLaw;
 pub struct Material {
     /// σ_y(ε̄) of tension, slow and cold.
     pub hardening: Hardening,
+    /// Largest strain of the measurements that a formula of hardening is fitted to, where it is known \[–\].
+    pub fitted_up_to: Option<f64>,
     /// Elastic constants; `None` where the case gives none.
     pub elastic: Option<Elastic>,
     /// `None` for a rate-free metal.
@@ -58,6 +60,7 @@ impl Material {
     pub fn plain(hardening: Hardening) -> Self {
         Self {
             hardening,
+            fitted_up_to: None,
             elastic: None,
             rate: None,
             thermal: None,
@@ -65,6 +68,11 @@ impl Material {
             chaboche: BackStresses::default(),
             gtn: None,
         }
+    }
+
+    /// Largest strain that the hardening was measured to: of the fit, else of a table's last point \[–\].
+    pub fn measured_up_to(&self) -> Option<f64> {
+        self.fitted_up_to.or_else(|| self.hardening.valid_up_to())
     }
 
     /// Yield stress at a strain and a temperature \[K\], without the rate \[MPa\].

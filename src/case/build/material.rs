@@ -42,6 +42,7 @@ pub(in crate::case) fn convert(file: &file::Material, source: &Source) -> Result
     }
     Ok(Material {
         hardening,
+        fitted_up_to: file.fitted_up_to.map(Quantity::value),
         elastic,
         rate,
         thermal,

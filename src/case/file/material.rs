@@ -48,6 +48,10 @@ pub struct Material {
     pub kinematic: Vec<BackStress>,
     /// Microscopic voids; none when not given.
     pub voids: Option<Gtn>,
+    /// Largest strain of the measurements that a formula of hardening is fitted to; a run that strains the sheet further says
+    /// so. A table ends where it ends.
+    #[cfg_attr(feature = "schema", schemars(example = 0.22))]
+    pub fitted_up_to: Option<Positive<Number>>,
     /// Exactly one law, such as `[material.hardening.swift]`.
     pub hardening: Option<Named<Hardening>>,
 }
