@@ -6,6 +6,7 @@ use super::curve::difference;
 use super::error::CompareError;
 use super::reference::{NOTHING, Reference};
 use super::verdict::Verdict;
+use crate::measure::Ring;
 use crate::table::fields::{element, step};
 use crate::table::{Column, Table, Unit};
 use crate::units::{four_digits, without_zeros};
@@ -25,6 +26,8 @@ pub enum BandQuantity {
     PeakForce,
     /// Travel at the largest punch force, once the force has fallen from it: the index of a cupping test.
     PeakTravel,
+    /// By how much a ring of the released cup's wall opens when it is slit.
+    RingOpening,
 }
 
 /// A comparison with the interval that measured values span.
@@ -69,13 +72,14 @@ enum Of {
 
 impl BandQuantity {
     /// Every quantity that is compared with a band.
-    pub const ALL: [Self; 6] = [
+    pub const ALL: [Self; 7] = [
         Self::EdgeDiameter,
         Self::DrawIn,
         Self::Thinnest,
         Self::Thickness,
         Self::PeakForce,
         Self::PeakTravel,
+        Self::RingOpening,
     ];
 
     /// The word used in case files, tables and file names.
@@ -87,6 +91,7 @@ impl BandQuantity {
             Self::Thickness => "thickness",
             Self::PeakForce => "peak_force",
             Self::PeakTravel => "peak_travel",
+            Self::RingOpening => "ring_opening",
         }
     }
 
@@ -98,6 +103,7 @@ impl BandQuantity {
             Self::Thickness => "thickness",
             Self::PeakForce => "peak force",
             Self::PeakTravel => "peak at",
+            Self::RingOpening => "ring",
         }
     }
 
@@ -112,6 +118,13 @@ impl BandQuantity {
             Self::Thickness => (computed.element(element::R), computed.element(element::THICKNESS)),
             Self::PeakForce => over_travel(computed.step(step::PUNCH_FORCE)),
             Self::PeakTravel => (computed.step(step::PUNCH_FORCE), computed.step(step::TRAVEL)),
+            Self::RingOpening => {
+                let of = |value: fn(&(Ring, f64)) -> f64| computed.ring.iter().map(value).collect();
+                (
+                    Column::new("ring_height", "Height of the ring", Unit::Mm, of(|(ring, _)| ring.height)),
+                    Column::new("ring_opening", "Opening of the slit ring", Unit::Mm, of(|(_, opening)| *opening)),
+                )
+            }
         }
     }
 
@@ -127,7 +140,7 @@ impl BandQuantity {
 
     fn of(self) -> Of {
         match self {
-            Self::EdgeDiameter | Self::DrawIn | Self::Thinnest => Of::Last,
+            Self::EdgeDiameter | Self::DrawIn | Self::Thinnest | Self::RingOpening => Of::Last,
             Self::Thickness => Of::All,
             Self::PeakForce => Of::Largest,
             Self::PeakTravel => Of::Peak,

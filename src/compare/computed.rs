@@ -1,5 +1,6 @@
 //! What a stage offers for comparison.
 
+use crate::measure::Ring;
 use crate::model::{Extent, Model};
 use crate::solution::{ElementRecord, StageSolution, StepRecord};
 use crate::table::{Column, Field};
@@ -17,6 +18,8 @@ pub struct Computed<'a> {
     pub elements: &'a [ElementRecord],
     /// Whether the stage came to its end.
     pub complete: bool,
+    /// The ring that is cut from the case's part, and its opening \[mm\].
+    pub ring: Option<(Ring, f64)>,
 }
 
 impl<'a> Computed<'a> {
@@ -32,7 +35,7 @@ impl<'a> Computed<'a> {
 
     /// Nothing yet, to find out whether references fit before anything is solved.
     pub fn nothing(model: &Model) -> Self {
-        Self { extent: model.extent(), length: model.blank.length, steps: &[], elements: &[], complete: true }
+        Self { extent: model.extent(), length: model.blank.length, steps: &[], elements: &[], complete: true, ring: None }
     }
 
     pub(super) fn step(&self, field: Field<StepRecord>) -> Column {

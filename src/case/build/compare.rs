@@ -70,6 +70,7 @@ impl Entry<'_> {
                 ComparedQuantity::Thickness => self.band(BandQuantity::Thickness)?,
                 ComparedQuantity::PeakForce => self.band(BandQuantity::PeakForce)?,
                 ComparedQuantity::PeakTravel => self.band(BandQuantity::PeakTravel)?,
+                ComparedQuantity::RingOpening => self.band(BandQuantity::RingOpening)?,
             },
             reason: c.reason.clone(),
             optional: c.optional,

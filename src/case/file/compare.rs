@@ -68,4 +68,6 @@ pub enum ComparedQuantity {
     PeakForce,
     /// Punch travel at the largest punch force, once the force has fallen from it, a band: the index of a cupping test.
     PeakTravel,
+    /// By how much the ring of `[springback]` opens when it is slit, a band.
+    RingOpening,
 }
