@@ -192,7 +192,8 @@ impl Tear<'_> {
     }
 }
 
-/// The numbers that a part is known by: thinnest place, force and press, holder, blank, height, draw-in.
+/// The numbers that a part is known by: thinnest place, force and press, holder, blank, height, draw-in, and the
+/// opening of a slit ring.
 fn numbers(case: &Case, stages: &[StageSolution], is_torn: bool) -> Vec<KeyNumber> {
     let all = [
         thinnest_number(stages, is_torn),
@@ -201,6 +202,7 @@ fn numbers(case: &Case, stages: &[StageSolution], is_torn: bool) -> Vec<KeyNumbe
         Some(blank(case.model())),
         height(stages),
         draw_in(stages),
+        ring(case, stages),
     ];
     all.into_iter().flatten().collect()
 }
@@ -306,6 +308,17 @@ fn draw_in(stages: &[StageSolution]) -> Option<KeyNumber> {
         amount: Amount::place(drawn),
         about: "of the edge, on each side".into(),
     })
+}
+
+fn ring(case: &Case, stages: &[StageSolution]) -> Option<KeyNumber> {
+    let ring = case.springback.ring?;
+    let about = message!(
+        "when slit; a ring {height} high, cut {from} over the bottom",
+        height = Amount::size(ring.height),
+        from = Amount::size(ring.from)
+    );
+    let amount = Amount::place(ring.opening(stages)?);
+    Some(KeyNumber { key: "ring_opening", label: "Ring opening", amount, about })
 }
 
 /// A place by its name on the part, as the last stage has one, and where it is on the flat blank.

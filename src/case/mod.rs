@@ -49,6 +49,7 @@ pub use solution::Solution;
 pub use sources::{Sheets, Sources, Thickness};
 
 use crate::compare::Spec;
+use crate::measure::Ring;
 use crate::message::Message;
 use crate::model::{Model, Stage};
 use crate::rules::r_values::RValues;
@@ -107,6 +108,8 @@ pub struct Springback {
     pub flange_tolerance: Option<f64>,
     /// Of each edge, likewise \[mm\].
     pub edge_tolerance: Option<f64>,
+    /// The ring that is cut from the wall and slit.
+    pub ring: Option<Ring>,
 }
 
 impl Springback {

@@ -6,6 +6,7 @@ use super::curve::difference;
 use super::error::CompareError;
 use super::reference::{NOTHING, Reference};
 use super::verdict::Verdict;
+use crate::measure::Ring;
 use crate::table::fields::{element, step};
 use crate::table::{Column, Table, Unit};
 use crate::units::{four_digits, without_zeros};
@@ -23,6 +24,10 @@ pub enum BandQuantity {
     Thickness,
     /// Largest punch force of the run.
     PeakForce,
+    /// Travel at the largest punch force, once the force has fallen from it: the index of a cupping test.
+    PeakTravel,
+    /// By how much a ring of the released cup's wall opens when it is slit.
+    RingOpening,
 }
 
 /// A comparison with the interval that measured values span.
@@ -61,11 +66,21 @@ enum Of {
     All,
     Last,
     Largest,
+    /// Where the abscissa is largest.
+    Peak,
 }
 
 impl BandQuantity {
     /// Every quantity that is compared with a band.
-    pub const ALL: [Self; 5] = [Self::EdgeDiameter, Self::DrawIn, Self::Thinnest, Self::Thickness, Self::PeakForce];
+    pub const ALL: [Self; 7] = [
+        Self::EdgeDiameter,
+        Self::DrawIn,
+        Self::Thinnest,
+        Self::Thickness,
+        Self::PeakForce,
+        Self::PeakTravel,
+        Self::RingOpening,
+    ];
 
     /// The word used in case files, tables and file names.
     pub fn name(self) -> &'static str {
@@ -75,6 +90,20 @@ impl BandQuantity {
             Self::Thinnest => "thinnest",
             Self::Thickness => "thickness",
             Self::PeakForce => "peak_force",
+            Self::PeakTravel => "peak_travel",
+            Self::RingOpening => "ring_opening",
+        }
+    }
+
+    pub(super) fn label(self) -> &'static str {
+        match self {
+            Self::EdgeDiameter => "diameter",
+            Self::DrawIn => "draw-in",
+            Self::Thinnest => "thinnest",
+            Self::Thickness => "thickness",
+            Self::PeakForce => "peak force",
+            Self::PeakTravel => "peak at",
+            Self::RingOpening => "ring",
         }
     }
 
@@ -88,6 +117,14 @@ impl BandQuantity {
             Self::Thinnest => over_travel(computed.step(step::THINNEST)),
             Self::Thickness => (computed.element(element::R), computed.element(element::THICKNESS)),
             Self::PeakForce => over_travel(computed.step(step::PUNCH_FORCE)),
+            Self::PeakTravel => (computed.step(step::PUNCH_FORCE), computed.step(step::TRAVEL)),
+            Self::RingOpening => {
+                let of = |value: fn(&(Ring, f64)) -> f64| computed.ring.iter().map(value).collect();
+                (
+                    Column::new("ring_height", "Height of the ring", Unit::Mm, of(|(ring, _)| ring.height)),
+                    Column::new("ring_opening", "Opening of the slit ring", Unit::Mm, of(|(_, opening)| *opening)),
+                )
+            }
         }
     }
 
@@ -97,14 +134,16 @@ impl BandQuantity {
             Of::All => "least and largest",
             Of::Last => "at the end",
             Of::Largest => "at its peak",
+            Of::Peak => "at the peak",
         }
     }
 
     fn of(self) -> Of {
         match self {
-            Self::EdgeDiameter | Self::DrawIn | Self::Thinnest => Of::Last,
+            Self::EdgeDiameter | Self::DrawIn | Self::Thinnest | Self::RingOpening => Of::Last,
             Self::Thickness => Of::All,
             Self::PeakForce => Of::Largest,
+            Self::PeakTravel => Of::Peak,
         }
     }
 }
@@ -143,6 +182,13 @@ impl Band {
         let outside = self.outside()?;
         let end = self.end_left(outside).abs();
         if outside == 0.0 { Some(0.0) } else { (end >= NOTHING).then(|| outside / end) }
+    }
+
+    /// The computed value that is farthest out of the accepted band; the one nearest its end where none is out.
+    pub(super) fn farthest(&self) -> Option<f64> {
+        let Interval { low, high } = self.computed?;
+        let is_low = self.accepted.low - low > high - self.accepted.high;
+        Some(if is_low { low } else { high })
     }
 
     fn end_left(&self, outside: f64) -> f64 {
@@ -190,7 +236,7 @@ impl Band {
 pub(super) fn compare(
     spec: &BandSpec,
     reference: Reference,
-    computed: &Column,
+    (x, computed): (&Column, &Column),
     complete: bool,
 ) -> Result<Band, CompareError> {
     let path = || reference.path.to_owned();
@@ -218,6 +264,15 @@ pub(super) fn compare(
         Of::All => Interval::of(all()),
         Of::Last => Interval::of(all().next_back()),
         Of::Largest => Interval::of(all().reduce(f64::max)),
+        Of::Peak => Interval::of(peak(&x.values).map(|at| computed.values[at])),
     };
-    Ok(Band { measured, accepted, computed: compared.filter(|_| complete) })
+    // What ends a run at its peak is what is compared there.
+    let is_known = complete || matches!(spec.quantity.of(), Of::Peak);
+    Ok(Band { measured, accepted, computed: compared.filter(|_| is_known) })
+}
+
+/// The index of the largest value; `None` where it is the last: it may rise further.
+fn peak(values: &[f64]) -> Option<usize> {
+    let at = (0..values.len()).max_by(|a, b| values[*a].total_cmp(&values[*b]))?;
+    (at + 1 < values.len()).then_some(at)
 }

@@ -1,6 +1,7 @@
 //! What a stage offers for comparison.
 
 use crate::forming_limit::Paths;
+use crate::measure::Ring;
 use crate::model::{Extent, Model};
 use crate::solution::{ElementRecord, StageSolution, StepRecord};
 use crate::table::fields::path;
@@ -21,6 +22,8 @@ pub struct Computed<'a> {
     pub paths: Option<&'a Paths>,
     /// Whether the stage came to its end.
     pub complete: bool,
+    /// The ring that is cut from the case's part, and its opening \[mm\].
+    pub ring: Option<(Ring, f64)>,
 }
 
 impl<'a> Computed<'a> {
@@ -38,7 +41,7 @@ impl<'a> Computed<'a> {
     /// Nothing yet, to find out whether references fit before anything is solved.
     pub fn nothing(model: &Model) -> Self {
         let (extent, length) = (model.extent(), model.blank.length);
-        Self { extent, length, steps: &[], elements: &[], paths: None, complete: true }
+        Self { extent, length, steps: &[], elements: &[], paths: None, complete: true, ring: None }
     }
 
     /// Major and minor strain of the place that is thinnest at the end, over its way there.

@@ -71,6 +71,14 @@ impl Quantity {
         }
     }
 
+    pub(super) fn label(self) -> &'static str {
+        match self {
+            Self::PunchForce => "force",
+            Self::Travel => "travel",
+            Self::ThicknessAtS0 | Self::ThicknessAtRadius => "thickness",
+        }
+    }
+
     pub(super) fn columns(self, computed: &Computed) -> (Column, Column) {
         match self {
             Self::PunchForce => (computed.step(step::TRAVEL), computed.step(step::PUNCH_FORCE)),

@@ -10,12 +10,14 @@ use crate::compare::{
 use crate::units::rounded;
 
 impl Solution {
-    /// What the case is compared with beside what its first stage computed.
+    /// What the case is compared with beside what its first stage computed, and with the ring of the last.
     ///
     /// # Errors
     /// When a reference cannot be read or does not fit.
     pub fn comparisons(&self) -> Result<Vec<Comparison>, CompareError> {
-        self.stages.first().map_or(Ok(Vec::new()), |first| comparisons(&self.case, &Computed::of(first)))
+        let Some(first) = self.stages.first() else { return Ok(Vec::new()) };
+        let ring = self.case.springback.ring.and_then(|ring| Some((ring, ring.opening(&self.stages)?)));
+        comparisons(&self.case, &Computed { ring, ..Computed::of(first) })
     }
 }
 

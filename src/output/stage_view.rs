@@ -5,6 +5,7 @@ use super::{Captions, Pictures, font};
 use crate::assess::{self, Finding, Kind, sentences};
 use crate::case::{Press, Solution};
 use crate::forming_limit::{Assessment, assess};
+use crate::measure::Ring;
 use crate::message::{Amount, Digits, Form, Message, message};
 use crate::model::{Extent, Geometry, Model};
 use crate::solution::{Frame, StageSolution, Stop};
@@ -32,6 +33,8 @@ pub struct StageView<'a> {
     pub findings: Vec<Finding>,
     /// What the press can give, as far as the case says.
     pub press: Press,
+    /// The ring that is cut from the part, of the last stage.
+    pub ring: Option<Ring>,
     /// What came out of the stage.
     pub stage: &'a StageSolution,
     /// Time that the solution of the whole case took, where a clock was at hand.
@@ -89,6 +92,7 @@ impl<'a> StageView<'a> {
             declared: &stage.model.notes,
             findings: Vec::new(),
             press: Press::default(),
+            ring: None,
             stage,
             wall: None,
             pictures: Pictures::default(),
@@ -106,9 +110,15 @@ impl<'a> StageView<'a> {
             overrides: &case.overrides,
             findings,
             press: case.press,
+            ring: case.springback.ring.filter(|_| i + 1 == case.stages.len()),
             wall: solution.wall,
             ..Self::plain(&name, &solution.stages[i])
         }
+    }
+
+    /// By how much the ring of the part opens when it is slit \[mm\].
+    pub(super) fn ring_opening(&self) -> Option<f64> {
+        self.ring?.opening(std::slice::from_ref(self.stage))
     }
 
     /// The same for a page that has all captions above: charts say only what is their own.

@@ -105,6 +105,9 @@ impl Summary {
         summary.load(model, run, &last);
         summary.push("events", "Events", Value::Events(events(run), model.extent().force_unit()));
         summary.part(model, run, &last);
+        if let Some(opening) = view.ring_opening() {
+            summary.number("ring_opening", "Opening of a slit ring", Amount::place(opening));
+        }
         if let Some(assessment) = view.forming_limit() {
             summary.forming_limit(model, assessment);
         }

@@ -5,6 +5,7 @@ use stampflow::compare::{
     Source, Spec, Verdict, compare,
 };
 use stampflow::forming_limit::{Instant, Paths};
+use stampflow::message::Form;
 use stampflow::model::Extent;
 use stampflow::solution::{ElementRecord, StepRecord};
 use stampflow::table::{Column, Csv};
@@ -33,7 +34,7 @@ fn profile() -> Vec<ElementRecord> {
 /// Of a blank of 50 mm.
 fn against_drawn(spec: &Spec, complete: bool) -> Result<Comparison, CompareError> {
     let (steps, elements) = (&history()[..], &profile()[..]);
-    compare(spec, &Computed { extent: Extent::Ring, length: 50.0, steps, elements, paths: None, complete })
+    compare(spec, &Computed { extent: Extent::Ring, length: 50.0, steps, elements, paths: None, complete, ring: None })
 }
 
 /// A comparison with the text of a CSV file.
@@ -201,6 +202,21 @@ fn a_peak_is_compared_wherever_it_is_and_a_band_needs_the_whole_run() {
     );
     assert_eq!((band(false).verdict, band(false).worst()), (Verdict::NotReached, None));
     assert_eq!(band(false).sentence(), "peak_force against curve.csv: not reached");
+}
+
+/// Trust: the force of the history has its peak at 10 mm, and at half of it rises still.
+#[test]
+fn the_travel_at_the_peak_is_known_once_the_force_has_fallen() {
+    let against = || BandSpec { quantity: BandQuantity::PeakTravel, columns: vec!["index_mm".to_owned()], error: None };
+    let spec = spec(Some("index_mm\n9.5\n10.5\n"), Against::Band(against()));
+    let of = |steps: &[StepRecord]| {
+        let (length, elements) = (50.0, &profile()[..]);
+        compare(&spec, &Computed { extent: Extent::Ring, length, steps, elements, complete: false, ring: None }).unwrap()
+    };
+    let fallen = of(&history());
+    assert_eq!((fallen.verdict, fallen.farthest().map(|found| found.value)), (Verdict::In, Some(10.0)));
+    assert_eq!(fallen.target(Form::default()).as_deref(), Some("9.50–10.5\u{a0}mm"));
+    assert_eq!(of(&history()[..8]).verdict, Verdict::NotReached);
 }
 
 #[test]

@@ -68,6 +68,7 @@ mod verify_ironing;
 mod verify_loads;
 mod verify_motion;
 mod verify_necking;
+mod verify_ring;
 mod verify_selective;
 mod verify_solver;
 mod verify_stages;

@@ -11,14 +11,16 @@ use std::path::Path;
 type Outcome = (&'static str, &'static str, &'static str);
 
 /// Measured curves that are lost are no failure, and the demonstrations are outside of what was measured (README).
-const OUTCOMES: [Outcome; 11] = [
+const OUTCOMES: [Outcome; 13] = [
     ("brite_cylindrical", "edge_diameter", "OUT, demonstration"),
     ("brite_cylindrical", "thickness", "OUT, demonstration"),
     ("brite_four_steps", "edge_diameter", "OUT, demonstration"),
     ("brite_four_steps", "thickness", "OUT, demonstration"),
     ("chalmers_cup", "punch_force", "no data"),
+    ("erichsen_304l", "peak_travel", "OUT, demonstration"),
     ("osu_stretch", "travel", "in"),
     ("osu_stretch_friction", "travel", "in"),
+    ("split_ring", "ring_opening", "OUT, demonstration"),
     ("stretch_thin", "punch_force", "in"),
     ("strip_draw", "thickness_at_radius", "in"),
     ("surfalex_full_circle", "strain_path", "OUT, demonstration"),

@@ -71,6 +71,8 @@ impl Entry<'_> {
                 ComparedQuantity::Thinnest => self.band(BandQuantity::Thinnest)?,
                 ComparedQuantity::Thickness => self.band(BandQuantity::Thickness)?,
                 ComparedQuantity::PeakForce => self.band(BandQuantity::PeakForce)?,
+                ComparedQuantity::PeakTravel => self.band(BandQuantity::PeakTravel)?,
+                ComparedQuantity::RingOpening => self.band(BandQuantity::RingOpening)?,
             },
             reason: c.reason.clone(),
             optional: c.optional,

@@ -68,4 +68,8 @@ pub enum ComparedQuantity {
     Thickness,
     /// Largest punch force of the run, a band.
     PeakForce,
+    /// Punch travel at the largest punch force, once the force has fallen from it, a band: the index of a cupping test.
+    PeakTravel,
+    /// By how much the ring of `[springback]` opens when it is slit, a band.
+    RingOpening,
 }
