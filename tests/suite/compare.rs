@@ -211,7 +211,7 @@ fn the_travel_at_the_peak_is_known_once_the_force_has_fallen() {
     let spec = spec(Some("index_mm\n9.5\n10.5\n"), Against::Band(against()));
     let of = |steps: &[StepRecord]| {
         let (length, elements) = (50.0, &profile()[..]);
-        compare(&spec, &Computed { extent: Extent::Ring, length, steps, elements, complete: false, ring: None }).unwrap()
+        compare(&spec, &Computed { extent: Extent::Ring, length, steps, elements, paths: None, complete: false, ring: None }).unwrap()
     };
     let fallen = of(&history());
     assert_eq!((fallen.verdict, fallen.farthest().map(|found| found.value)), (Verdict::In, Some(10.0)));
@@ -250,6 +250,7 @@ fn a_strain_path_is_that_of_the_thinnest_place() {
         elements: &elements,
         paths: Some(&paths),
         complete: false,
+        ring: None,
     };
     let c = compare(&spec, &computed).unwrap();
     let values: Vec<_> = points(&c).0.iter().map(|p| p.computed.map(|y| (1e6 * y).round() / 1e6)).collect();

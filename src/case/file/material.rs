@@ -5,7 +5,7 @@ use super::yield_condition::YieldCondition;
 use crate::law::Named;
 use crate::material::{BackStress, Gtn, Hardening, Rate, ThermalLaw};
 use crate::model::Mode;
-use crate::units::{Fraction, Positive, Stress};
+use crate::units::{Fraction, Number, Positive, Stress};
 use serde::Deserialize;
 
 /// The sheet's material, isotropic in its plane.
