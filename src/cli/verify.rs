@@ -155,6 +155,7 @@ impl Told<'_> {
         let row = |bar: &Bar| {
             let made_of = match bar.half {
                 None => message!("no bar: {why}", why = bar.why.clone()),
+                Some(0.0) => "no refinement moves it".into(),
                 Some(_) => made_of(bar),
             };
             [self.form.tell(bar.number.label), self.form.tell(bar.amount()), made_of.told(self.form)]

@@ -53,9 +53,10 @@ pub fn combined(errors: impl Iterator<Item = f64>) -> f64 {
 }
 
 impl Bar {
-    /// The number as it is told: with its bar, where there is one.
+    /// The number as it is told: with its bar, where it has one and that is none of nothing.
     pub fn amount(&self) -> Amount {
-        self.half.map_or(self.number.amount, |half| self.number.amount.with_bar(half))
+        let half = self.half.filter(|half| *half > 0.0);
+        half.map_or(self.number.amount, |half| self.number.amount.with_bar(half))
     }
 
     /// No bar.
