@@ -15,6 +15,7 @@ mod closing;
 mod contact_share;
 mod cut_off;
 mod draw_ratio;
+mod error_bar;
 mod finding;
 mod forming_limit;
 mod friction;
@@ -45,6 +46,7 @@ mod wrinkling;
 mod yielding;
 
 pub use answer::{Answer, KeyNumber, largest_force, tears_at};
+pub use error_bar::ErrorBar;
 pub use finding::{Finding, Kind, Light, Limits, Sense, When, advice, by_advice, headline, judgements, sentences};
 pub use forming_limit::CAREFUL;
 pub use holder::holder_lift;
