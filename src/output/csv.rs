@@ -40,7 +40,7 @@ pub(super) fn springback(changes: &[Change]) -> String {
 }
 
 /// Nothing for what is no number: an empty cell.
-fn number(value: f64) -> String {
+pub(super) fn number(value: f64) -> String {
     if !value.is_finite() {
         return String::new();
     }

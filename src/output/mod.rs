@@ -42,6 +42,7 @@ mod thickness_profile;
 mod thinning;
 mod told;
 pub mod trace;
+pub mod verification;
 pub mod vtk;
 mod writing;
 

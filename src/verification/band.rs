@@ -74,8 +74,7 @@ mod tests {
             (0..=n).map(|i| 4.0 * i as f64 / n as f64).map(|x| (x, 2.0 * x + raised)).collect()
         };
         let (own, finer) = (curve(0.0, 4), [curve(1.0, 8), curve(1.5, 16)]);
-        let directions =
-            [Curves { direction: Direction::Steps, finer: finer.iter().map(Vec::as_slice).collect() }];
+        let directions = [Curves { direction: Direction::Steps, finer: finer.iter().map(Vec::as_slice).collect() }];
         let band = Band::around(&own, &directions, |direction, levels| estimate(levels, direction.order()));
         let band = band.expect("a curve");
         for (i, (x, value)) in own.iter().enumerate() {

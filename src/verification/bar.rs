@@ -4,7 +4,7 @@ use super::direction::Direction;
 use super::estimate::Estimate;
 use super::numbers::Number;
 use super::said;
-use crate::message::Message;
+use crate::message::{Amount, Message};
 
 /// A number with its error bar.
 #[derive(Clone, Debug, PartialEq)]
@@ -52,6 +52,11 @@ pub fn combined(errors: impl Iterator<Item = f64>) -> f64 {
 }
 
 impl Bar {
+    /// The number as it is told: with its bar, where there is one.
+    pub fn amount(&self) -> Amount {
+        self.half.map_or(self.number.amount, |half| self.number.amount.with_bar(half))
+    }
+
     /// No bar.
     pub(super) fn none(number: Number, why: Message) -> Self {
         Self { number, half: None, why, parts: Vec::new() }

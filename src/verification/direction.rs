@@ -30,15 +30,8 @@ const LEAST_POINTS: usize = 3;
 
 impl Direction {
     /// Those that are refined each on its own.
-    pub const ALL: [Self; 7] = [
-        Self::Elements,
-        Self::Points,
-        Self::Steps,
-        Self::Stiffness,
-        Self::Smoothing,
-        Self::Slip,
-        Self::CutOff,
-    ];
+    pub const ALL: [Self; 7] =
+        [Self::Elements, Self::Points, Self::Steps, Self::Stiffness, Self::Smoothing, Self::Slip, Self::CutOff];
 
     /// Name in files and JSON.
     pub fn key(self) -> &'static str {

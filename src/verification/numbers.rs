@@ -58,10 +58,9 @@ impl Number {
 pub fn numbers(case: &Case, stages: &[StageSolution]) -> Vec<Number> {
     let findings = assess::after(case, stages);
     let answer = Answer::of(case, stages, &findings).numbers.into_iter();
-    let answer = answer.filter(|number| !GIVEN.contains(&number.key)).map(|number| Number {
-        of: Of::Answer,
-        ..Number::new(number.key, number.label, number.amount)
-    });
+    let answer = answer
+        .filter(|number| !GIVEN.contains(&number.key))
+        .map(|number| Number { of: Of::Answer, ..Number::new(number.key, number.label, number.amount) });
     let judged = assess::judgements(&findings).filter(|row| row.limits.is_some() && !OF_THE_SOLVER.contains(&row.key));
     let judged = judged.filter_map(|row| {
         let amount = Amount::new(row.value?, row.unit, Digits::Significant(3));

@@ -64,7 +64,8 @@ impl Outcome {
     /// Of a run that was refined in a direction so many `times`; of the run as it is without.
     pub fn of(solution: &Solution, refined: Option<(Direction, f64)>) -> Self {
         let Solution { case, stages, .. } = solution;
-        let load = largest_force(stages).map(|(i, _)| stages[i].steps.iter().map(|s| (s.travel, s.punch_force)).collect());
+        let load =
+            largest_force(stages).map(|(i, _)| stages[i].steps.iter().map(|s| (s.travel, s.punch_force)).collect());
         let last = stages.last().and_then(|stage| stage.frames.last());
         let elements = last.into_iter().flat_map(|frame| &frame.elements);
         let first = case.model();

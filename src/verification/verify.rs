@@ -155,10 +155,9 @@ impl Verification {
         });
         let bars: Vec<Bar> = bars.collect();
         let band = |curve: fn(&Outcome) -> &[(f64, f64)]| {
-            let finer = counted.iter().map(|(direction, runs)| Curves {
-                direction: *direction,
-                finer: runs.iter().map(curve).collect(),
-            });
+            let finer = counted
+                .iter()
+                .map(|(direction, runs)| Curves { direction: *direction, finer: runs.iter().map(curve).collect() });
             let finer: Vec<Curves> = finer.collect();
             Band::around(curve(&base), &finer, estimate).filter(|_| without.is_none())
         };
