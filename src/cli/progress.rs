@@ -15,7 +15,7 @@ use std::time::{Duration, Instant};
 /// Ticks of a bar for the whole travel.
 const FULL: u64 = 1000;
 /// Time between two lines of progress; the end of a run has one of its own.
-const PATIENCE: Duration = Duration::from_secs(3);
+pub const PATIENCE: Duration = Duration::from_secs(3);
 
 /// Where progress is shown; always on the error stream, so that results can be piped.
 pub enum Progress {

@@ -1,6 +1,7 @@
 //! `stampflow verify`: how much of every number is mesh, step, points and contact.
 
 use super::code::Code;
+use super::error_bars::Refining;
 use super::interrupt;
 use super::job::{load_all, told};
 use super::json;
@@ -15,7 +16,7 @@ use stampflow::case::{Case, Solution};
 use stampflow::message::{Amount, Form, Message, message};
 use stampflow::output::verification::{BEGINNING, FILE, csv};
 use stampflow::output::write;
-use stampflow::verification::{self, Bar, Of, Verification, Watch, moved};
+use stampflow::verification::{self, Bar, Of, Verification, moved};
 use std::fmt::Write;
 use std::path::PathBuf;
 use std::time::Instant;
@@ -95,7 +96,7 @@ fn one(args: &Args, progress: &Progress, case: Case) -> anyhow::Result<(Code, Op
     }
     let start = Instant::now();
     let (solution, _) = progress.watch(&case, Kept::default()).solve(case);
-    let verification = verification::verify(&solution, &Interrupted);
+    let verification = verification::verify(&solution, &Refining::of(&solution.case.name, progress));
     let seconds = start.elapsed().as_secs_f64();
     if let Some(path) = &path {
         write(path, csv(&verification).as_bytes())?;
@@ -133,15 +134,6 @@ impl Args {
     }
 }
 
-/// Ends all runs with Ctrl-C.
-struct Interrupted;
-
-impl Watch for Interrupted {
-    fn wants_to_stop(&self) -> bool {
-        interrupt::is_wanted()
-    }
-}
-
 /// A verification as it is told.
 struct Told<'a> {
     verification: &'a Verification,
@@ -150,10 +142,6 @@ struct Told<'a> {
     form: Form,
 }
 
-/// Parts of a bar that are told: the largest, each at least this share of it \[–\].
-const PARTS: usize = 3;
-const SHARE: f64 = 0.05;
-
 const HEADERS: [&str; 3] = ["Number", "Value", "Made of (observed order)"];
 
 impl Told<'_> {
@@ -161,11 +149,7 @@ impl Told<'_> {
     fn rows(&self) -> Vec<[String; 3]> {
         let told = |bar: &&Bar| bar.number.of != Of::Verdict || bar.number.key == "forming_limit";
         let row = |bar: &Bar| {
-            let made_of = match bar.half {
-                None => message!("no bar: {why}", why = bar.why.clone()),
-                Some(_) => made_of(bar),
-            };
-            [self.form.tell(bar.number.label), self.form.tell(bar.amount()), made_of.told(self.form)]
+            [self.form.tell(bar.number.label), self.form.tell(bar.amount()), bar.made_of().told(self.form)]
         };
         self.verification.bars.iter().filter(told).map(row).collect()
     }
@@ -203,21 +187,4 @@ impl Told<'_> {
         }
         text
     }
-}
-
-/// `elements 62 % (2.1), steps 30 %`
-fn made_of(bar: &Bar) -> Message {
-    let parts = bar.parts.iter().filter(|part| part.share >= SHARE).take(PARTS).map(|part| {
-        let (direction, share) = (part.direction.label(), Amount::share(part.share));
-        match part.estimate.order.filter(|_| part.estimate.extrapolated) {
-            Some(order) => message!(
-                "{direction} {share} ({order})",
-                direction = direction,
-                share = share,
-                order = Amount::norm(order)
-            ),
-            None => message!("{direction} {share}", direction = direction, share = share),
-        }
-    });
-    Message::joined(parts, ", ")
 }

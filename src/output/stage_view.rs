@@ -2,13 +2,14 @@
 
 use super::chart::COLORS;
 use super::{Captions, Pictures, font};
-use crate::assess::{self, Finding, Kind, sentences};
+use crate::assess::{self, Finding, Kind, largest_force, sentences};
 use crate::case::{Press, Solution};
 use crate::forming_limit::{Assessment, assess};
 use crate::message::{Amount, Digits, Form, Message, message};
 use crate::model::{Extent, Geometry, Model};
 use crate::solution::{Frame, StageSolution, Stop};
 use crate::table::{Unit, capitalised};
+use crate::verification::{Band, Verification};
 use std::sync::OnceLock;
 use std::time::Duration;
 
@@ -40,6 +41,12 @@ pub struct StageView<'a> {
     pub pictures: Pictures,
     /// How its pictures are told; files for programs are in English and SI.
     pub form: Form,
+    /// How far its numbers can be trusted, where that was looked at.
+    pub verification: Option<&'a Verification>,
+    /// Around its punch force over the travel, where its is the largest of the case.
+    pub(super) load_band: Option<&'a Band>,
+    /// Around its thickness over the blank at its end, of the last stage.
+    pub(super) thickness_band: Option<&'a Band>,
     assessment: OnceLock<Option<Assessment>>,
 }
 
@@ -93,6 +100,9 @@ impl<'a> StageView<'a> {
             wall: None,
             pictures: Pictures::default(),
             form: Form::default(),
+            verification: None,
+            load_band: None,
+            thickness_band: None,
             assessment: OnceLock::new(),
         }
     }
@@ -108,6 +118,18 @@ impl<'a> StageView<'a> {
             press: case.press,
             wall: solution.wall,
             ..Self::plain(&name, &solution.stages[i])
+        }
+    }
+
+    /// Gives the views of all of a case's stages its error bars, each the bands that are its own.
+    pub(crate) fn verify(views: &mut [Self], stages: &[StageSolution], verification: Option<&'a Verification>) {
+        views.iter_mut().for_each(|view| view.verification = verification);
+        let heaviest = largest_force(stages).and_then(|(i, _)| views.get_mut(i));
+        if let Some(view) = heaviest {
+            view.load_band = verification.and_then(|bars| bars.load.as_ref());
+        }
+        if let Some(view) = views.last_mut() {
+            view.thickness_band = verification.and_then(|bars| bars.thickness.as_ref());
         }
     }
 

@@ -1,7 +1,7 @@
 //! Thickness over the blank at the kept frames, and over the part that came out; in the first way porosity and temperature
 //! too.
 
-use super::chart::{Chart, Look, Panel, Scale, Series};
+use super::chart::{Chart, Look, Panel, Scale, Series, color};
 use super::{StageView, part_bands};
 use crate::solution::ElementRecord;
 use crate::table::fields::element::{POROSITY, S0, TEMPERATURE, THICKNESS};
@@ -21,6 +21,12 @@ pub(super) fn thickness(view: &StageView) -> Option<Chart> {
         return None;
     }
     let mut chart = plot(view, "thickness", &THICKNESS, LEAST * initial)?;
+    if let (Some(band), [over_blank]) = (view.thickness_band, &mut chart.panels[..]) {
+        // Around the last curve.
+        let of = color(over_blank.series.len().saturating_sub(1));
+        let band = Series::band(view.tell("Error band"), &band.x, [&band.low, &band.high], of);
+        over_blank.series.insert(0, band);
+    }
     chart.panels.extend(part_bands::panel(view, Scale::Fit { height: 270.0, least: LEAST * initial }));
     Some(chart)
 }

@@ -4,7 +4,8 @@ use super::direction::Direction;
 use super::estimate::Estimate;
 use super::numbers::Number;
 use super::said;
-use crate::message::{Amount, Message};
+use crate::assess::ErrorBar;
+use crate::message::{Amount, Message, message};
 
 /// A number with its error bar.
 #[derive(Clone, Debug, PartialEq)]
@@ -46,6 +47,10 @@ const OUT_OF_LINE: f64 = 4.0;
 const MUCH: f64 = 0.05;
 const FAR: f64 = 4.0;
 
+/// Parts of a bar that are told: the largest, each at least this share of it \[–\].
+const PARTS: usize = 3;
+const SHARE: f64 = 0.05;
+
 /// The errors of several directions in one: the root of the sum of their squares.
 pub fn combined(errors: impl Iterator<Item = f64>) -> f64 {
     errors.map(|error| error * error).sum::<f64>().sqrt()
@@ -55,6 +60,32 @@ impl Bar {
     /// The number as it is told: with its bar, where there is one.
     pub fn amount(&self) -> Amount {
         self.half.map_or(self.number.amount, |half| self.number.amount.with_bar(half))
+    }
+
+    /// As it is told with a number of its own.
+    pub fn told(&self) -> ErrorBar {
+        self.half.map_or_else(|| ErrorBar::Missing(self.why.clone()), ErrorBar::Half)
+    }
+
+    /// What it is made of, or why there is none: `elements 62 % (2.1), steps 30 %`, with the observed order where it was
+    /// extrapolated.
+    pub fn made_of(&self) -> Message {
+        if self.half.is_none() {
+            return message!("no bar: {why}", why = self.why.clone());
+        }
+        let parts = self.parts.iter().filter(|part| part.share >= SHARE).take(PARTS).map(|part| {
+            let (direction, share) = (part.direction.label(), Amount::share(part.share));
+            match part.estimate.order.filter(|_| part.estimate.extrapolated) {
+                Some(order) => message!(
+                    "{direction} {share} ({order})",
+                    direction = direction,
+                    share = share,
+                    order = Amount::norm(order)
+                ),
+                None => message!("{direction} {share}", direction = direction, share = share),
+            }
+        });
+        Message::joined(parts, ", ")
     }
 
     /// No bar.

@@ -18,6 +18,17 @@ pub enum Of {
     Verdict,
 }
 
+impl Of {
+    /// Name in files.
+    pub fn key(self) -> &'static str {
+        match self {
+            Self::Answer => "answer",
+            Self::Part => "part",
+            Self::Verdict => "verdict",
+        }
+    }
+}
+
 /// A number of a solution, of all its stages together.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Number {

@@ -30,6 +30,11 @@ pub(super) fn ends_differ() -> Message {
     "finer runs end otherwise".into()
 }
 
+/// Of runs that the user ended.
+pub(super) fn interrupted() -> Message {
+    "interrupted by the user".into()
+}
+
 /// Of a direction in which no finer run came to its end.
 pub(super) fn no_finer(direction: Direction) -> Message {
     message!("no run with finer {direction} came to its end", direction = direction.label())
