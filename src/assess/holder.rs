@@ -96,8 +96,8 @@ pub(super) fn judge(run: &Run) -> Option<Finding> {
     );
     Some(
         Finding::judged("holder", "Holder", lifts.max(presses), run.of_stage(found, 0))
-            .against(lift, Unit::None, limit)
-            .at_most(LIFTED, OFF)
+            .against(lift * model.blank.thickness, Unit::Mm, limit)
+            .at_most(LIFTED * model.blank.thickness, OFF * model.blank.thickness)
             .advice(advice),
     )
 }

@@ -199,7 +199,7 @@ impl Amount {
             let [value, bar] = within_bar(value, bar, self.decimals(value, to.finer));
             let value = form.language.number(&value);
             return match self.tells_bar {
-                true => (format!("{value} ± {}", form.language.number(&bar)), unit),
+                true => (format!("{value} ±{NO_BREAK}{}", form.language.number(&bar)), unit),
                 false => (value, unit),
             };
         }

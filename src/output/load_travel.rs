@@ -93,7 +93,7 @@ const NEAR: f64 = 2.0;
 pub(super) fn plot(view: &StageView) -> Option<Chart> {
     let mut panel = panel(view, 350.0)?;
     if let Some(band) = view.load_band {
-        panel.series.insert(0, Series::band(view.tell("Error band"), &band.x, [&band.low, &band.high], color(0)));
+        panel = panel.with_band(view.tell("Error band"), &band.x, [&band.low, &band.high], color(0));
     }
     let forces = view.model().travel > 0.0;
     let mut notes = Vec::new();

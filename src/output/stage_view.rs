@@ -143,9 +143,10 @@ impl<'a> StageView<'a> {
         Self { form, ..self }
     }
 
-    /// What pictures say, in the view's form.
+    /// What pictures say, in the view's form; no number with a digit beyond its error bar.
     pub(super) fn tell(&self, what: impl Into<Message>) -> String {
-        self.form.tell(what)
+        let what = what.into();
+        self.form.tell(self.verification.map_or_else(|| what.clone(), |bars| bars.within(&what)))
     }
 
     /// The model that was solved.

@@ -21,11 +21,13 @@ pub(super) fn thickness(view: &StageView) -> Option<Chart> {
         return None;
     }
     let mut chart = plot(view, "thickness", &THICKNESS, LEAST * initial)?;
-    if let (Some(band), [over_blank]) = (view.thickness_band, &mut chart.panels[..]) {
+    if let Some(band) = view.thickness_band {
         // Around the last curve.
-        let of = color(over_blank.series.len().saturating_sub(1));
-        let band = Series::band(view.tell("Error band"), &band.x, [&band.low, &band.high], of);
-        over_blank.series.insert(0, band);
+        let around = |panel: Panel| {
+            let of = color(panel.series.len().saturating_sub(1));
+            panel.with_band(view.tell("Error band"), &band.x, [&band.low, &band.high], of)
+        };
+        chart.panels = chart.panels.into_iter().map(around).collect();
     }
     chart.panels.extend(part_bands::panel(view, Scale::Fit { height: 270.0, least: LEAST * initial }));
     Some(chart)

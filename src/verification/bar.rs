@@ -57,14 +57,22 @@ pub fn combined(errors: impl Iterator<Item = f64>) -> f64 {
 }
 
 impl Bar {
-    /// The number as it is told: with its bar, where there is one.
+    /// The number as it is told: with its bar, where there is one to tell.
     pub fn amount(&self) -> Amount {
-        self.half.map_or(self.number.amount, |half| self.number.amount.with_bar(half))
+        self.moves().map_or(self.number.amount, |half| self.number.amount.with_bar(half))
+    }
+
+    /// Half the bar of a number that refinement moves; an input has none.
+    pub fn moves(&self) -> Option<f64> {
+        self.half.filter(|half| *half > 0.0)
     }
 
     /// As it is told with a number of its own.
     pub fn told(&self) -> ErrorBar {
-        self.half.map_or_else(|| ErrorBar::Missing(self.why.clone()), ErrorBar::Half)
+        match self.half {
+            None => ErrorBar::Missing(self.why.clone()),
+            Some(_) => self.moves().map_or_else(|| ErrorBar::Missing(said::unmoved()), ErrorBar::Half),
+        }
     }
 
     /// What it is made of, or why there is none: `elements 62 % (2.1), steps 30 %`, with the observed order where it was

@@ -46,12 +46,14 @@ pub fn moved(findings: &[Finding], verification: &Verification) -> Vec<Moved> {
         let bar = verification.bar(Of::Verdict, finding.key)?.half?;
         let (value, limits) = (finding.value?, finding.limits?);
         let (reached, limit) = reached(value, bar, &limits)?;
-        let tell = |value: f64| Amount::new(value, finding.unit, Digits::Significant(3));
+        let tell = |value: f64, digits: Digits| Amount::new(value, finding.unit, digits);
+        let limit = tell(limit, Digits::Given(3));
         let clause = match reached {
-            Light::Red => message!("with its error bar it reaches red at {limit}", limit = tell(limit)),
-            _ => message!("with its error bar it reaches the limit of {limit}", limit = tell(limit)),
+            Light::Red => message!("with its error bar it reaches red at {limit}", limit = limit),
+            _ => message!("with its error bar it reaches the limit of {limit}", limit = limit),
         };
-        (reached > finding.light).then(|| Moved::told(finding, tell(value).with_bar(bar).into(), clause))
+        let number = tell(value, Digits::Significant(3)).with_bar(bar);
+        (reached > finding.light).then(|| Moved::told(finding, number.into(), clause))
     };
     let run = judgements(findings).find(|finding| finding.key == RUN && finding.light == Light::Green);
     let run = run.and_then(|finding| {

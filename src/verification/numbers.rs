@@ -72,7 +72,7 @@ pub fn numbers(case: &Case, stages: &[StageSolution]) -> Vec<Number> {
     let answer = answer
         .filter(|number| !GIVEN.contains(&number.key))
         .map(|number| Number { of: Of::Answer, ..Number::new(number.key, number.label, number.amount) });
-    let judged = assess::judgements(&findings).filter(|row| row.limits.is_some() && !OF_THE_SOLVER.contains(&row.key));
+    let judged = assess::judgements(&findings).filter(|row| !OF_THE_SOLVER.contains(&row.key));
     let judged = judged.filter_map(|row| {
         let amount = Amount::new(row.value?, row.unit, Digits::Significant(3));
         Some(Number { of: Of::Verdict, ..Number::new(row.key, row.label, amount) })

@@ -72,7 +72,7 @@ impl Verification {
         let Some(value) = finding.value else { return Finding { found: self.within(&finding.found), ..finding } };
         let bar = match self.bar(Of::Verdict, finding.key) {
             Some(bar) => bar.told(),
-            None => ErrorBar::Missing("not estimated: nothing of the part is judged by it".into()),
+            None => ErrorBar::Missing("not estimated: it judges the solution, not the part".into()),
         };
         let own = Amount::new(value, finding.unit, Digits::Significant(3));
         let is_told = Cell::new(false);
@@ -86,7 +86,7 @@ impl Verification {
         });
         let found = match bar {
             // Told in other words than its number's.
-            ErrorBar::Half(half) if !is_told.get() && half > 0.0 => {
+            ErrorBar::Half(half) if !is_told.get() => {
                 message!("{found} ({number})", found = found, number = own.with_bar(half))
             }
             _ => found,
@@ -111,8 +111,8 @@ impl Verification {
     /// Half the bar of the number that an amount tells, in its unit.
     pub fn half(&self, amount: Amount) -> Option<f64> {
         let is_computed = matches!(amount.digits, Digits::Decimals(_) | Digits::Significant(_));
-        let own = |bar: &&super::Bar| is_same(bar.number.amount, amount) && bar.half.is_some();
-        self.bars.iter().filter(|_| is_computed && amount.value != 0.0).find(own)?.half
+        let own = |bar: &&super::Bar| is_same(bar.number.amount, amount) && bar.moves().is_some();
+        self.bars.iter().filter(|_| is_computed && amount.value != 0.0).find(own)?.moves()
     }
 
     /// What the bars are from, in a few words.
