@@ -99,10 +99,7 @@ fn printed(report: Option<&Check>, findings: &[Finding], form: Form) -> Shown {
         advised.map(|(labels, advice)| format!("{}: {}", labels.told(form), advice.told(form))),
     );
     let meaning = report.map_or_else(Shown::default, |report| wrapped(&format!("{}\n", report.told(form))));
-    Shown::from("\n")
-        + meaning
-        + table(Some(headers.each_ref().map(String::as_str)), rows)
-        + wrapped(&text)
+    Shown::from("\n") + meaning + table(Some(headers.each_ref().map(String::as_str)), rows) + wrapped(&text)
 }
 
 /// Entries under a heading; nothing where there are none.

@@ -29,11 +29,7 @@ pub fn comparison(case: &str, comparison: &Comparison) -> Value {
 
 /// The verdict: its light and sentence, the key numbers, and every row with its number, unit and limits; with error bars
 /// what those are from, and what is told of them.
-pub fn answer(
-    answer: &Answer,
-    findings: &[Finding],
-    verification: Option<&Verification>,
-) -> serde_json::Result<Value> {
+pub fn answer(answer: &Answer, findings: &[Finding], verification: Option<&Verification>) -> serde_json::Result<Value> {
     let mut value = serde_json::to_value(answer)?;
     value["findings"] = judgements(findings).map(serde_json::to_value).collect::<Result<_, _>>()?;
     if let Some(verification) = verification {

@@ -112,7 +112,8 @@ pub fn run(args: &Args) -> anyhow::Result<Code> {
             let results = Results::of(&solution)?.verified(verification);
             let results = results.with_pictures(&args.pictures.pictures()).told(args.form.form());
             // Each is tried and told whatever became of the others.
-            let pages = args.report.then(|| (PAGE.to_owned(), page(&solution, verification, args.form.form()).into_bytes()));
+            let pages =
+                args.report.then(|| (PAGE.to_owned(), page(&solution, verification, args.form.form()).into_bytes()));
             let written = results.write_into(&kept.recorder, pages, folder);
             let traced = match (&args.trace, &kept.trace) {
                 (Some(path), Some(iterations)) => write(path, &csv(&trace::table(iterations))),

@@ -142,15 +142,14 @@ struct Told<'a> {
     form: Form,
 }
 
-const HEADERS: [&str; 3] = ["Number", "Value", "Made of (observed order)"];
+const HEADERS: [&str; 3] = ["Quantity", "Value", "Made of (observed order)"];
 
 impl Told<'_> {
     /// Numbers of the part; of the verdict's only that of the forming limit, which has no other.
     fn rows(&self) -> Vec<[String; 3]> {
         let told = |bar: &&Bar| bar.number.of != Of::Verdict || bar.number.key == "forming_limit";
-        let row = |bar: &Bar| {
-            [self.form.tell(bar.number.label), self.form.tell(bar.amount()), bar.made_of().told(self.form)]
-        };
+        let row =
+            |bar: &Bar| [self.form.tell(bar.number.label), self.form.tell(bar.amount()), bar.made_of().told(self.form)];
         self.verification.bars.iter().filter(told).map(row).collect()
     }
 

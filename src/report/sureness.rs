@@ -13,8 +13,8 @@ pub(super) fn section(report: &Report, form: Form) -> Option<Section> {
     let is_made_of = verification.bars.iter().any(|bar| bar.parts.len() > 1);
     if verification.bars.iter().any(|bar| bar.half.is_some()) {
         blocks.push(match is_made_of {
-            true => Block::table(["Number", "Value", "Made of (observed order)"], rows(verification, form, 3), form),
-            false => Block::table(["Number", "Value"], rows(verification, form, 2), form),
+            true => Block::table(["Quantity", "Value", "Made of (observed order)"], rows(verification, form, 3), form),
+            false => Block::table(["Quantity", "Value"], rows(verification, form, 2), form),
         });
     }
     Some(Section { heading: form.tell("How sure"), blocks })

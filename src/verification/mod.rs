@@ -38,6 +38,9 @@ mod said;
 mod telling;
 mod verify;
 
+#[cfg(test)]
+mod tests;
+
 pub use band::Band;
 pub use bar::{Bar, Part, combined};
 pub use direction::Direction;

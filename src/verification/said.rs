@@ -27,7 +27,7 @@ pub(super) fn jumps(number: &Number, [from, to]: [f64; 2], finer: Message) -> Me
 
 /// Of the number where runs end otherwise.
 pub(super) fn ends_differ() -> Message {
-    "finer runs end otherwise".into()
+    "other runs end otherwise".into()
 }
 
 /// Of a number that no refinement moves.

@@ -12,7 +12,6 @@ use crate::message::Message;
 use crate::solver::Observer;
 #[cfg(feature = "cli")]
 use rayon::prelude::*;
-use std::collections::BTreeSet;
 
 /// How many times finer the levels are \[–\].
 const LEVELS: [f64; 2] = [2.0, 4.0];
@@ -183,10 +182,5 @@ impl Verification {
     /// The bar of a number.
     pub fn bar(&self, of: Of, key: &str) -> Option<&Bar> {
         self.bars.iter().find(|bar| bar.number.of == of && bar.number.key == key)
-    }
-
-    /// The reasons why numbers have no bar, each once.
-    pub fn reasons(&self) -> BTreeSet<String> {
-        self.bars.iter().filter(|bar| bar.half.is_none()).map(|bar| bar.why.to_string()).collect()
     }
 }

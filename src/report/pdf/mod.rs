@@ -24,6 +24,8 @@ const HEADING: Style = Style::new(13.0).bold();
 const TEXT: Style = Style::new(9.5);
 const SMALL: Style = Style::new(8.0);
 const NUMBER: Style = Style::new(12.5).bold();
+/// An error bar below its number.
+const BAR: Style = Style::new(9.5).bold();
 
 /// The line below a heading, the ground of what stands out.
 const BLUE: Color = (0, 114, 178);
@@ -225,7 +227,9 @@ impl Writer {
         let grey = SMALL.in_color(GREY_TEXT);
         let boxes: Vec<_> = numbers
             .iter()
-            .map(|n| (lines(&n.label, grey, wide - 8.0), valued(&n.value, wide - 8.0), lines(&n.detail, SMALL, wide - 8.0)))
+            .map(|n| {
+                (lines(&n.label, grey, wide - 8.0), valued(&n.value, wide - 8.0), lines(&n.detail, SMALL, wide - 8.0))
+            })
             .collect();
         let barred = boxes.iter().any(|b| b.1.1.is_some());
         let values = NUMBER.leading() + if barred { BAR.leading() } else { 0.0 };
