@@ -29,7 +29,7 @@ fn csv(verification: &Verification, force: Unit) -> Vec<u8> {
     }));
     let curves = [("punch_force", force, &verification.load), ("thickness", Unit::Mm, &verification.thickness)];
     for (key, unit, band) in curves {
-        rows.extend(band.iter().flat_map(|band| points(band)).map(|[at, value, half]| {
+        rows.extend(band.iter().flat_map(points).map(|[at, value, half]| {
             let [at, value, half] = [at, value, half].map(number);
             ["curve".to_owned(), key.to_owned(), unit.spelled().to_owned(), at, value, half, String::new()]
         }));

@@ -3,28 +3,27 @@
 use super::document::{Block, Row, Section};
 use super::solved::Report;
 use crate::message::Form;
-use crate::verification::{Of, Verification};
+use crate::verification::{Bar, Of};
 
-/// Of a case that was verified; from one coarser run alone it is not known what a bar is made of.
+/// Of a case that was verified; what a bar is made of is not known from one coarser run alone.
 pub(super) fn section(report: &Report, form: Form) -> Option<Section> {
     let verification = report.verification?;
     let sentences = verification.sentences().into_iter().map(|sentence| form.tell(sentence));
     let mut blocks = vec![Block::List(sentences.collect())];
-    let is_made_of = verification.bars.iter().any(|bar| bar.parts.len() > 1);
-    if verification.bars.iter().any(|bar| bar.half.is_some()) {
-        blocks.push(match is_made_of {
-            true => Block::table(["Quantity", "Value", "Made of (observed order)"], rows(verification, form, 3), form),
-            false => Block::table(["Quantity", "Value"], rows(verification, form, 2), form),
-        });
+    // The verdict above tells its own.
+    let bars: Vec<&Bar> = verification.bars.iter().filter(|bar| bar.number.of != Of::Verdict).collect();
+    if bars.iter().any(|bar| bar.parts.len() > 1) {
+        let rows = bars.iter().map(|bar| Row::plain(row(bar, form).into_iter().chain([form.tell(bar.made_of())])));
+        blocks.push(Block::table(["Quantity", "Value", "Unit", "Made of (observed order)"], rows.collect(), form));
+    } else if bars.iter().any(|bar| bar.half.is_some()) {
+        let rows = bars.iter().map(|bar| Row::plain(row(bar, form)));
+        blocks.push(Block::table(["Quantity", "Value", "Unit"], rows.collect(), form));
     }
     Some(Section { heading: form.tell("How sure"), blocks })
 }
 
-/// Numbers of the part and the press, in so many columns: the verdict above has its own.
-fn rows(verification: &Verification, form: Form, columns: usize) -> Vec<Row> {
-    let told = verification.bars.iter().filter(|bar| bar.number.of != Of::Verdict);
-    let cells = |bar: &crate::verification::Bar| {
-        [form.tell(bar.number.label), form.tell(bar.amount()), form.tell(bar.made_of())].into_iter().take(columns)
-    };
-    told.map(|bar| Row::plain(cells(bar))).collect()
+/// A number with its bar, and its unit.
+fn row(bar: &Bar, form: Form) -> [String; 3] {
+    let (value, unit) = bar.amount().parts(form);
+    [form.tell(bar.number.label), value, unit.to_owned()]
 }

@@ -49,5 +49,5 @@ pub use lights::{Moved, moved};
 pub use numbers::{Number, Of, numbers};
 pub use outcome::{End, Outcome};
 pub use quick::quick;
-pub use telling::{Told, answered};
+pub use telling::{Told, ToldNumber, answered};
 pub use verify::{Verification, Watch, verify};

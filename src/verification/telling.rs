@@ -1,12 +1,14 @@
 //! A verification as it is told with the answer that it is of: bars on the numbers, lights that they move, sentences.
 
+use super::bar::Bar;
 use super::direction::Direction;
 use super::lights::moved;
-use super::numbers::Of;
+use super::numbers::{Number, Of};
 use super::verify::Verification;
 use crate::assess::{self, Answer, ErrorBar, Finding, KeyNumber};
 use crate::case::Solution;
 use crate::message::{Amount, Digits, Message, message};
+use crate::units::rounded;
 use serde::Serialize;
 use std::cell::Cell;
 
@@ -39,12 +41,41 @@ pub struct Told {
     pub runs: usize,
     /// See [`Verification::sentences`].
     pub told: Vec<Message>,
+    /// Of the part and the press; the verdict has its own.
+    pub numbers: Vec<ToldNumber>,
+}
+
+/// A number with its bar, for programs.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct ToldNumber {
+    /// Name: `thinnest`.
+    pub key: &'static str,
+    /// In `unit`.
+    pub value: f64,
+    /// How far it can be trusted.
+    #[serde(flatten)]
+    pub bar: ErrorBar,
+    /// As at the end of a header.
+    pub unit: &'static str,
+    /// Number and bar, with its unit, for people.
+    pub told: Message,
+    /// What the bar is made of.
+    pub made_of: Message,
+}
+
+impl From<&Bar> for ToldNumber {
+    fn from(bar: &Bar) -> Self {
+        let Number { key, amount, .. } = bar.number;
+        let (value, unit) = (rounded(amount.value), amount.unit.spelled());
+        Self { key, value, bar: bar.told(), unit, told: bar.amount().into(), made_of: bar.made_of() }
+    }
 }
 
 impl From<&Verification> for Told {
     fn from(verification: &Verification) -> Self {
         let runs = verification.outcomes.len() - 1;
-        Self { method: verification.method(), runs, told: verification.sentences() }
+        let numbers = verification.bars.iter().filter(|bar| bar.number.of != Of::Verdict).map(ToldNumber::from);
+        Self { method: verification.method(), runs, told: verification.sentences(), numbers: numbers.collect() }
     }
 }
 
@@ -111,7 +142,7 @@ impl Verification {
     /// Half the bar of the number that an amount tells, in its unit.
     pub fn half(&self, amount: Amount) -> Option<f64> {
         let is_computed = matches!(amount.digits, Digits::Decimals(_) | Digits::Significant(_));
-        let own = |bar: &&super::Bar| is_same(bar.number.amount, amount) && bar.moves().is_some();
+        let own = |bar: &&Bar| is_same(bar.number.amount, amount) && bar.moves().is_some();
         self.bars.iter().filter(|_| is_computed && amount.value != 0.0).find(own)?.moves()
     }
 
