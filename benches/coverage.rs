@@ -1,15 +1,14 @@
 //! Whether the error bars hold what they promise: random dies, each verified, against a truth that is eight times finer.
 //!
-//! `cargo bench --bench coverage -- --count 300 --seed 7`; `--together 20` also compares, for so many of the dies, the sum of
-//! the directions with one run that is finer in all of them at once.
+//! `cargo bench --bench coverage -- --count 300 --seed 7`; `--raw` also prints every number on every level.
 //!
 //! # Truth
-//! Each direction on its own is refined eight times, and the deviations from the run as it is are summed. A run that is
-//! finer in all at once would cost five hundred times as much; and the bars are of the directions one by one, so that the
-//! sum is what they can know. How far both differ is what `--together` shows.
+//! Each direction on its own is refined eight times, and the deviations from the run as it is are summed: to the first
+//! order that is a run that is finer in all directions at once, which would cost five hundred times as much.
 
 #[path = "../tests/suite/common/coverage.rs"]
 mod coverage;
+#[allow(dead_code, reason = "the campaign prints the process and the description")]
 #[path = "../tests/suite/common/random_die.rs"]
 mod random_die;
 

@@ -1,7 +1,6 @@
 //! `stampflow verify`: how much of every number is mesh, step, points and contact.
 
 use super::code::Code;
-use super::error_bars::Refining;
 use super::interrupt;
 use super::job::{load_all, told};
 use super::json;
@@ -26,7 +25,7 @@ Each of these is refined on its own, twice and four times, all runs side by side
 elements, points through the thickness, steps, contact stiffness, contact smoothing, \
 slip speed, cut-off strain. A bar is what Richardson's extrapolation gives with the \
 observed order, where that is near the formal one (1.25 times), else three times the \
-spread; the errors of all directions are put together as the root of their squares. \
+spread; the bar is the sum over all of them. \
 Runs that end otherwise, numbers that jump and elements below what a shell resolves \
 are told. What the model has wrong, laws, friction, tools, is no part of a bar.
 
@@ -95,8 +94,9 @@ fn one(args: &Args, progress: &Progress, case: Case) -> anyhow::Result<(Code, Op
         place::replaced(path, BEGINNING.as_bytes(), "--out")?;
     }
     let start = Instant::now();
+    let count = progress.count(&case);
     let (solution, _) = progress.watch(&case, Kept::default()).solve(case);
-    let verification = verification::verify(&solution, &Refining::of(&solution.case.name, progress));
+    let verification = verification::verify(&solution, &count);
     let seconds = start.elapsed().as_secs_f64();
     if let Some(path) = &path {
         write(path, csv(&verification).as_bytes())?;

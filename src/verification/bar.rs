@@ -51,9 +51,10 @@ const FAR: f64 = 4.0;
 const PARTS: usize = 3;
 const SHARE: f64 = 0.05;
 
-/// The errors of several directions in one: the root of the sum of their squares.
+/// The errors of several directions in one: their sum. Measured on random dies, the root of the sum of squares leaves the truth
+/// outside in one number of fifteen, for errors of one cause go one way; the sum in fewer than one in fifty.
 pub fn combined(errors: impl Iterator<Item = f64>) -> f64 {
-    errors.map(|error| error * error).sum::<f64>().sqrt()
+    errors.sum()
 }
 
 impl Bar {
@@ -78,8 +79,10 @@ impl Bar {
     /// What it is made of, or why there is none: `elements 62 % (2.1), steps 30 %`, with the observed order where it was
     /// extrapolated.
     pub fn made_of(&self) -> Message {
-        if self.half.is_none() {
-            return message!("no bar: {why}", why = self.why.clone());
+        match self.half {
+            None => return message!("no bar: {why}", why = self.why.clone()),
+            Some(0.0) => return said::unmoved(),
+            Some(_) => {}
         }
         let parts = self.parts.iter().filter(|part| part.share >= SHARE).take(PARTS).map(|part| {
             let (direction, share) = (part.direction.label(), Amount::share(part.share));
@@ -119,15 +122,14 @@ impl Bar {
             }
             parts.push(Part { direction: *direction, estimate: estimate(*direction, &known), share: 0.0 });
         }
-        let squares: f64 = parts.iter().map(|part| part.estimate.error.powi(2)).sum();
-        if squares > 0.0 {
-            parts.iter_mut().for_each(|part| part.share = part.estimate.error.powi(2) / squares);
+        let all = combined(parts.iter().map(|part| part.estimate.error));
+        if all > 0.0 {
+            parts.iter_mut().for_each(|part| part.share = part.estimate.error / all);
         }
         parts.sort_by(|a, b| b.share.total_cmp(&a.share));
-        let least = SOLVED * tolerance * number.amount.value.abs();
-        let half = combined(parts.iter().map(|part| part.estimate.error)).max(least).max(0.5 * number.resolution);
+        let least = (SOLVED * tolerance * number.amount.value.abs()).max(number.resolution);
         // What no refinement moves by a bit is an input.
-        let half = if squares > 0.0 { half } else { 0.0 };
+        let half = if all > 0.0 { all.max(least) } else { 0.0 };
         Self { number, half: Some(half), why: Message::default(), parts }
     }
 }

@@ -32,7 +32,7 @@ pub(super) fn ends_differ() -> Message {
 
 /// Of a number that no refinement moves.
 pub(super) fn unmoved() -> Message {
-    "given, or what no refinement moves".into()
+    "no refinement moves it".into()
 }
 
 /// Of runs that the user ended.
@@ -64,6 +64,15 @@ pub(super) fn ended_otherwise(base: &Outcome, outcome: &Outcome) -> Option<Messa
         why = outcome.end.why.clone(),
         own = base.end.why.clone()
     ))
+}
+
+/// Of a run that would take too long.
+pub(super) fn left_out((direction, times): (Direction, f64), seconds: f64) -> Message {
+    message!(
+        "left out, for it would take some {time}: {finer}",
+        time = Amount::time(seconds),
+        finer = direction.told(times)
+    )
 }
 
 /// Of finer runs whose elements are shorter than what a shell resolves, the run as it is among them where it has such.

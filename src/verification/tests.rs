@@ -107,7 +107,7 @@ fn a_place_is_no_finer_than_its_element_and_an_input_is_exact() {
     let still = vec![run(Some((Direction::Steps, 2.0)), [4.0, 30.1, 80.0])];
     let found = verified(still);
     let halves: Vec<Option<f64>> = found.bars.iter().map(|bar| bar.half).collect();
-    assert_eq!(halves, [Some(0.0), Some(0.5), Some(0.0)]);
+    assert_eq!(halves, [Some(0.0), Some(1.0), Some(0.0)]);
 }
 
 #[test]

@@ -16,6 +16,9 @@ use rayon::prelude::*;
 /// How many times finer the levels are \[–\].
 const LEVELS: [f64; 2] = [2.0, 4.0];
 
+/// Longest that a finer run may take, by what the run as it is took \[s\].
+const LONGEST: f64 = 300.0;
+
 /// How far the numbers of a solution can be trusted.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Verification {
@@ -61,12 +64,19 @@ pub fn verify(solution: &Solution, watch: &dyn Watch) -> Verification {
     if base.end.lost {
         jobs.clear();
     }
+    let seconds = |(direction, times): &(Direction, f64)| {
+        solution.wall.map_or(0.0, |wall| wall.as_secs_f64() * direction.cost(*times))
+    };
+    let long: Vec<_> = jobs.extract_if(.., |job| seconds(job) > LONGEST).collect();
     jobs.sort_by(|a, b| b.0.cost(b.1).total_cmp(&a.0.cost(a.1)));
     let refined = solved(&solution.case, &jobs, watch);
     if watch.wants_to_stop() {
         return Verification::without(base, &said::interrupted());
     }
-    Verification::of(base, refined, tolerance(&solution.case), |direction, levels| estimate(levels, direction.order()))
+    let estimated = |direction: Direction, levels: &[f64]| estimate(levels, direction.order());
+    let mut verification = Verification::of(base, refined, tolerance(&solution.case), estimated);
+    verification.told.extend(long.iter().map(|job| said::left_out(*job, seconds(job))));
+    verification
 }
 
 /// To which every step is solved \[–\].

@@ -86,6 +86,7 @@ pub struct Row {
     pub ratios: Vec<f64>,
 }
 
+/// Of all numbers, by `verify` and by the quick estimate.
 pub struct Tally {
     pub full: Vec<Row>,
     pub quick: Vec<Row>,
@@ -107,7 +108,8 @@ impl Tally {
                     None => rows[i].without += 1,
                     Some(half) => {
                         rows[i].inside += usize::from(error <= half);
-                        rows[i].ratios.push(half / error.max(f64::MIN_POSITIVE));
+                        // What nothing moves has no bar, and needs none.
+                        rows[i].ratios.push(if half == error { 1.0 } else { half / error });
                     }
                 }
             }
