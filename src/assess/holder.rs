@@ -96,8 +96,8 @@ pub(super) fn judge(run: &Run) -> Option<Finding> {
     );
     Some(
         Finding::judged("holder", "Holder", lifts.max(presses), run.of_stage(found, 0))
-            .against(lift, Unit::None, limit)
-            .at_most(LIFTED, OFF)
+            .against(lift * model.blank.thickness, Unit::Mm, limit)
+            .at_most(LIFTED * model.blank.thickness, OFF * model.blank.thickness)
             .advice(advice),
     )
 }
@@ -111,13 +111,12 @@ fn lifted_by(lift: f64) -> Message {
 pub(super) fn lifted(stage: &StageSolution) -> Option<Finding> {
     let lift = holder_lift(stage)? / stage.model.blank.thickness;
     (lift > LIFTED).then(|| {
-        let found = message!(
-            "the holder is {lifted}: the flange thickens or rises under it",
-            lifted = lifted_by(lift * stage.model.blank.thickness)
-        );
+        let thickness = stage.model.blank.thickness;
+        let lifted = lifted_by(lift * thickness);
+        let found = message!("the holder is {lifted}: the flange thickens or rises under it", lifted = lifted);
         Finding::warning("holder_lift", "Holder", found)
-            .against(lift, Unit::None, Amount::given_thicknesses(LIFTED))
-            .at_most(LIFTED, None)
+            .against(lift * thickness, Unit::Mm, Amount::thickness(LIFTED * thickness))
+            .at_most(LIFTED * thickness, None)
     })
 }
 

@@ -16,6 +16,7 @@ mod contact_share;
 mod cut_off;
 mod draw_ratio;
 mod ears;
+mod error_bar;
 mod finding;
 mod forming_limit;
 mod friction;
@@ -47,6 +48,7 @@ mod yield_condition;
 mod yielding;
 
 pub use answer::{Answer, KeyNumber, largest_force, tears_at};
+pub use error_bar::ErrorBar;
 pub use finding::{Finding, Kind, Light, Limits, Sense, When, advice, by_advice, headline, judgements, sentences};
 pub use forming_limit::CAREFUL;
 pub use holder::holder_lift;

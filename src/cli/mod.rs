@@ -4,6 +4,7 @@ mod answer;
 mod bug;
 mod check;
 mod code;
+mod error_bars;
 mod explain;
 mod import;
 mod interrupt;

@@ -142,24 +142,14 @@ struct Told<'a> {
     form: Form,
 }
 
-/// Parts of a bar that are told: the largest, each at least this share of it \[–\].
-const PARTS: usize = 3;
-const SHARE: f64 = 0.05;
-
 const HEADERS: [&str; 3] = ["Quantity", "Value", "Made of (observed order)"];
 
 impl Told<'_> {
     /// Numbers of the part; of the verdict's only that of the forming limit, which has no other.
     fn rows(&self) -> Vec<[String; 3]> {
         let told = |bar: &&Bar| bar.number.of != Of::Verdict || bar.number.key == "forming_limit";
-        let row = |bar: &Bar| {
-            let made_of = match bar.half {
-                None => message!("no bar: {why}", why = bar.why.clone()),
-                Some(0.0) => "no refinement moves it".into(),
-                Some(_) => made_of(bar),
-            };
-            [self.form.tell(bar.number.label), self.form.tell(bar.amount()), made_of.told(self.form)]
-        };
+        let row =
+            |bar: &Bar| [self.form.tell(bar.number.label), self.form.tell(bar.amount()), bar.made_of().told(self.form)];
         self.verification.bars.iter().filter(told).map(row).collect()
     }
 
@@ -196,21 +186,4 @@ impl Told<'_> {
         }
         text
     }
-}
-
-/// `elements 62 % (2.1), steps 30 %`
-fn made_of(bar: &Bar) -> Message {
-    let parts = bar.parts.iter().filter(|part| part.share >= SHARE).take(PARTS).map(|part| {
-        let (direction, share) = (part.direction.label(), Amount::share(part.share));
-        match part.estimate.order.filter(|_| part.estimate.extrapolated) {
-            Some(order) => message!(
-                "{direction} {share} ({order})",
-                direction = direction,
-                share = share,
-                order = Amount::norm(order)
-            ),
-            None => message!("{direction} {share}", direction = direction, share = share),
-        }
-    });
-    Message::joined(parts, ", ")
 }

@@ -1,7 +1,7 @@
 //! The numbers of a verification, of every run.
 
 use super::csv::number;
-use crate::verification::{Number, Of, Outcome, Verification};
+use crate::verification::{Number, Outcome, Verification};
 use std::fmt::Write;
 
 /// File of the numbers.
@@ -21,13 +21,8 @@ pub fn csv(verification: &Verification) -> String {
     text.push('\n');
     for bar in &verification.bars {
         let Number { of, key, amount, .. } = &bar.number;
-        let told_by = match of {
-            Of::Answer => "answer",
-            Of::Part => "part",
-            Of::Verdict => "verdict",
-        };
         let half = bar.half.map_or_else(String::new, number);
-        let _ = write!(text, "{told_by},{key},{},{},{half}", amount.unit.spelled(), number(amount.value));
+        let _ = write!(text, "{},{key},{},{},{half}", of.key(), amount.unit.spelled(), number(amount.value));
         for run in &runs {
             let _ = write!(text, ",{}", run.value(&bar.number).map_or_else(String::new, number));
         }

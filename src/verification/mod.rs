@@ -35,6 +35,7 @@ mod numbers;
 mod outcome;
 mod quick;
 mod said;
+mod telling;
 mod verify;
 
 #[cfg(test)]
@@ -48,4 +49,5 @@ pub use lights::{Moved, moved};
 pub use numbers::{Number, Of, numbers};
 pub use outcome::{End, Outcome};
 pub use quick::quick;
+pub use telling::{Told, ToldNumber, answered};
 pub use verify::{Verification, Watch, verify};

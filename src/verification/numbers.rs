@@ -18,6 +18,17 @@ pub enum Of {
     Verdict,
 }
 
+impl Of {
+    /// Name in files.
+    pub fn key(self) -> &'static str {
+        match self {
+            Self::Answer => "answer",
+            Self::Part => "part",
+            Self::Verdict => "verdict",
+        }
+    }
+}
+
 /// A number of a solution, of all its stages together.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Number {
@@ -63,7 +74,7 @@ pub fn numbers(case: &Case, stages: &[StageSolution]) -> Vec<Number> {
     let answer = answer
         .filter(|number| !is_given(number.key))
         .map(|number| Number { of: Of::Answer, ..Number::new(number.key, number.label, number.amount) });
-    let judged = assess::judgements(&findings).filter(|row| row.limits.is_some() && !OF_THE_SOLVER.contains(&row.key));
+    let judged = assess::judgements(&findings).filter(|row| !OF_THE_SOLVER.contains(&row.key));
     let judged = judged.filter_map(|row| {
         let amount = Amount::new(row.value?, row.unit, Digits::Significant(3));
         Some(Number { of: Of::Verdict, ..Number::new(row.key, row.label, amount) })

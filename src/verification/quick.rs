@@ -3,6 +3,7 @@
 use super::direction::Direction;
 use super::estimate::Estimate;
 use super::outcome::Outcome;
+use super::said;
 use super::verify::{Verification, Watch, solved, tolerance};
 use crate::case::Solution;
 use crate::units::Unit;
@@ -26,6 +27,9 @@ pub fn quick(solution: &Solution, watch: &dyn Watch) -> Verification {
     let base = Outcome::of(solution, None);
     let jobs: &[_] = if base.end.complete { &[(Direction::Together, COARSER)] } else { &[] };
     let coarser = solved(&solution.case, jobs, watch);
+    if watch.wants_to_stop() {
+        return Verification::without(base, &said::interrupted());
+    }
     let mut verification = Verification::of(base, coarser, tolerance(&solution.case), |_, levels| Estimate {
         error: FACTOR * levels.get(1).map_or(0.0, |coarser| (coarser - levels[0]).abs()),
         order: None,

@@ -1,8 +1,8 @@
 //! What becomes of runs that are made up: their numbers, their ends and what is told of them.
 
 use super::*;
-use crate::assess::{Finding, Kind, Light, Limits, Sense, When};
-use crate::message::{Amount, Message};
+use crate::assess::{ErrorBar, Finding, Kind, Light, Limits, Sense, When};
+use crate::message::{Amount, Message, message};
 use crate::units::Unit;
 use approx::assert_relative_eq;
 
@@ -125,6 +125,7 @@ fn row(light: Light, value: f64) -> Finding {
         label: "Forming limit",
         light,
         value: Some(value),
+        bar: ErrorBar::Unasked,
         unit: Unit::Percent,
         limits: Some(limits),
         found: Message::default(),
@@ -143,8 +144,8 @@ fn a_light_is_green_only_where_its_whole_bar_is() {
     let found = verified(finer());
     for (light, value, expected) in [
         (Light::Green, 79.0, None),
-        (Light::Green, 81.0, Some((Light::Amber, "81 ± 10 %, reaches amber at 90 %"))),
-        (Light::Amber, 95.0, Some((Light::Amber, "95 ± 10 %, reaches red at 100 %"))),
+        (Light::Green, 81.0, Some((Light::Amber, "81 ± 10 %, with its error bar it reaches the limit of 90 %"))),
+        (Light::Amber, 95.0, Some((Light::Amber, "95 ± 10 %, with its error bar it reaches red at 100 %"))),
         (Light::Red, 105.0, None),
     ] {
         let moved = moved(&[row(light, value)], &found);
@@ -157,4 +158,45 @@ fn a_light_is_green_only_where_its_whole_bar_is() {
             }
         }
     }
+}
+
+/// Trust: by hand, as above; what the found words tell of the number has its bar, other numbers none.
+#[test]
+fn a_finding_is_told_with_its_bar_and_what_to_do_about_it() {
+    let found =
+        |value: f64| message!("{used} at {place}", used = Amount::share(0.01 * value), place = Amount::place(7.0));
+    let finding = |value: f64| Finding { found: found(value), ..row(Light::Green, value) };
+    let weighed = |value: f64| {
+        let mut finer = finer();
+        finer.iter_mut().for_each(|run| run.numbers[2].amount.value += value - 80.0);
+        let base = run(None, [4.0, 30.0, value]);
+        let estimate = |direction: Direction, levels: &[f64]| estimate(levels, direction.order());
+        Verification::of(base, finer, 1e-5, estimate).weigh(vec![finding(value)]).remove(0)
+    };
+    let told = |finding: &Finding| finding.found.to_string().replace('\u{a0}', " ");
+    let low = weighed(79.0);
+    assert_eq!((low.light, told(&low).as_str()), (Light::Green, "79 ± 10 % at 7.0 mm"));
+    assert!(low.bar == ErrorBar::Half(10.0) && low.advice.is_empty(), "{low:?}");
+    let high = weighed(81.0);
+    let expected = "with its error bar it reaches the limit of 90 %: 81 ± 10 % at 7.0 mm";
+    assert_eq!((high.light, told(&high).as_str()), (Light::Amber, expected));
+    assert!(high.advice.to_string().contains("smaller error bar"), "{high:?}");
+}
+
+/// The run that tears has no say in a number, and the run as it is no longer a green light.
+#[test]
+fn where_a_finer_run_tears_the_run_is_amber() {
+    let mut finer = finer();
+    finer[3].end = end("localised", false);
+    let found = verified(finer);
+    let stop =
+        Finding { key: "stop", value: None, limits: None, found: "full travel".into(), ..row(Light::Green, 0.0) };
+    let stop = found.weigh(vec![stop]).remove(0);
+    let told = stop.found.to_string();
+    assert_eq!((stop.light, told.as_str()), (Light::Amber, "with 4 times the elements it ends otherwise: full travel"));
+    let sentences: Vec<String> = found.sentences().iter().map(ToString::to_string).collect();
+    assert_eq!(sentences[0], "no error bars: other runs end otherwise");
+    assert!(sentences.len() == 2 && sentences[1].contains("localised"), "{sentences:?}");
+    let weighed = found.weigh(vec![row(Light::Green, 85.0)]).remove(0);
+    assert_eq!(weighed.bar, ErrorBar::Missing("other runs end otherwise".into()));
 }

@@ -70,6 +70,9 @@ pub fn verify(solution: &Solution, watch: &dyn Watch) -> Verification {
     let long: Vec<_> = jobs.extract_if(.., |job| seconds(job) > LONGEST).collect();
     jobs.sort_by(|a, b| b.0.cost(b.1).total_cmp(&a.0.cost(a.1)));
     let refined = solved(&solution.case, &jobs, watch);
+    if watch.wants_to_stop() {
+        return Verification::without(base, &said::interrupted());
+    }
     let estimated = |direction: Direction, levels: &[f64]| estimate(levels, direction.order());
     let mut verification = Verification::of(base, refined, tolerance(&solution.case), estimated);
     verification.told.extend(long.iter().map(|job| said::left_out(*job, seconds(job))));
@@ -172,6 +175,18 @@ impl Verification {
         };
         let (load, thickness) = (band(|run| &run.load), band(|run| &run.thickness));
         Self { bars, told, outcomes: all, load, thickness }
+    }
+
+    /// Of a run that was not verified to its end: no bars, and why.
+    pub(super) fn without(base: Outcome, why: &Message) -> Self {
+        let bars = base.numbers.iter().map(|number| Bar::none(number.clone(), why.clone())).collect();
+        Self { bars, told: Vec::new(), outcomes: vec![base], load: None, thickness: None }
+    }
+
+    /// The first of the finer runs that came to another end, for a reason of the part's.
+    pub(super) fn finer_that_ends_otherwise(&self) -> Option<&Outcome> {
+        let (base, refined) = self.outcomes.split_first()?;
+        refined.iter().find(|run| run.times > 1.0 && !run.end.lost && !run.end.is_like(&base.end))
     }
 
     /// The bar of a number.

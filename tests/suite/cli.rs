@@ -15,7 +15,7 @@ fn a_run_writes_every_file_and_sums_up() {
         let path = dir.path().join("out/cup").join(output.file);
         let sheets = ["pressure_cycle", "porosity", "temperature", "forming_limit", "strain_paths"];
         let releases_and_stages = ["springback", "residual_stress", "stages.csv", "compare_"];
-        let asked_for = ["section.pvd", "revolved.pvd", "tools.pvd", "shapes.gif"];
+        let asked_for = ["section.pvd", "revolved.pvd", "tools.pvd", "shapes.gif", "error_bars"];
         let mut special = sheets.iter().chain(&releases_and_stages).chain(&asked_for);
         if special.any(|special| output.file.starts_with(special)) {
             assert!(!path.exists(), "a plain cup has no {}", output.file);

@@ -21,6 +21,7 @@ mod compare;
 mod depth;
 mod drawings;
 mod drawn_tools;
+mod error_bars;
 mod events;
 mod files;
 mod forming_limit;
