@@ -4,8 +4,8 @@ use super::chart::{BLACK, Chart, Color, GREY, Look, Panel, Scale, Series, color}
 use super::{Files, Format, Results, StageView, csv};
 use crate::case::{Case, Solution};
 use crate::compare::{
-    Against, Band, BandQuantity, BandSpec, CompareError, Comparison, Computed, CurveSpec, Found, Interval, Point, Points,
-    Quantity, compare,
+    Against, Band, BandQuantity, BandSpec, CompareError, Comparison, Computed, CurveSpec, Found, Interval, Point,
+    Points, Quantity, compare,
 };
 use crate::units::rounded;
 

@@ -255,7 +255,6 @@ fn a_strain_path_is_that_of_the_thinnest_place() {
     let c = compare(&spec, &computed).unwrap();
     let values: Vec<_> = points(&c).0.iter().map(|p| p.computed.map(|y| (1e6 * y).round() / 1e6)).collect();
     assert_eq!((values, c.verdict), (vec![Some(0.1), Some(0.175), Some(0.2)], Verdict::In));
-    let told =
-        "strain_path against curve.csv: in, worst +2.9 % at major true strain = 0.35 (tolerance 5 %)";
+    let told = "strain_path against curve.csv: in, worst +2.9 % at major true strain = 0.35 (tolerance 5 %)";
     assert_eq!(c.sentence(), told);
 }

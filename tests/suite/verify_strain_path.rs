@@ -30,7 +30,11 @@ fn the_miss_of_the_strain_path_at_every_friction_is_as_the_readme_has_it() {
         let at = |major: f64| points.0.iter().find(|p| (p.x - major).abs() < 1e-9).expect("a point");
         let found = [0.1, 0.16, 0.2].map(|major| at(major).computed.unwrap_or(f64::NAN));
         if found.iter().zip(recorded).any(|(found, recorded)| (found - recorded).abs() > 0.002 || found.is_nan()) {
-            moved.push(format!("({friction}, {ratio}, {found:.4?}) {} {:?}", comparison.sentence(), solution.stages[0].stop));
+            moved.push(format!(
+                "({friction}, {ratio}, {found:.4?}) {} {:?}",
+                comparison.sentence(),
+                solution.stages[0].stop
+            ));
         }
         let row = recorded.map(|minor| format!("{minor:.3}")).join(" | ");
         let row = format!("| {friction} | {ratio} | {row} |");
