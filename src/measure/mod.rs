@@ -41,7 +41,7 @@ pub use bands::{Band, PartPlace, Stretch, along, bands, place_on_part};
 pub use events::{Event, EventKind, events, rests_on_blocks};
 pub use moment::{MomentError, moment_error};
 pub use part::{part_height, thickest};
-pub use ring::{CutRing, Ring};
+pub use ring::{CutRing, Ring, RingTest};
 pub use quantity::{Change, EDGE, FLANGE_ANGLE, OPENING_ANGLE, QUANTITIES, Quantity, WALL_ANGLE, changes};
 
 use crate::solution::Frame;

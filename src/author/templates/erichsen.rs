@@ -27,6 +27,8 @@ const SPECIMEN: f64 = 45.0;
 const THICKEST: f64 = 2.0;
 /// No sheet is pushed so far before it tears \[mm\].
 const TRAVEL: f64 = 25.0;
+/// To which an index is given \[mm\].
+const DIGIT: f64 = 0.1;
 
 fn write(inputs: &Inputs) -> Result<String, CaseError> {
     let sheet = Sheet::read(inputs)?;
@@ -72,5 +74,7 @@ fn write(inputs: &Inputs) -> Result<String, CaseError> {
     page.table("stop", "The load maximum is the end of the test.");
     page.set("localised", false, "the force says when it tears");
     page.set("load_drop", "\"2 %\"", "");
+    page.table("solver", "");
+    page.set("max_step", rounded(DIGIT / TRAVEL), "of the travel: the index is given to a tenth of a millimetre");
     Ok(page.text())
 }
