@@ -1,7 +1,7 @@
 //! Random dies: how they end, and what they cost.
 //!
 //! `cargo bench --bench campaign -- --count 1000 --seed 7`, with `--selective 1` for selective bending, `--elastoplastic 1` for
-//! the elastoplastic law, `--work 1` for bends, ironing, gas, free flanges and second stages in place of sections that are
+//! the elastoplastic law, `--sheets 1` for the sheets of the library in place of random laws, `--work 1` for bends, ironing, gas, free flanges and second stages in place of sections that are
 //! drawn
 
 #[path = "../tests/suite/common/random_die.rs"]
@@ -9,7 +9,7 @@ mod random_die;
 #[path = "../tests/suite/common/random_work.rs"]
 mod random_work;
 
-use random_die::random_die;
+use random_die::{THIRD_SERIES, random_die};
 use random_work::{make_elastic, random_work};
 use rayon::prelude::*;
 use stampflow::model::{Beginning, Theory};
@@ -40,7 +40,8 @@ fn main() {
     let asked = |name: &str| argument(name, 0) != 0;
     let theory = if asked("--selective") { Theory::Selective } else { Theory::Bending };
     let make = if asked("--work") { work } else { section };
-    let seeds = (0..count).into_par_iter().map(|i| seed.wrapping_mul(1_000_003) + i);
+    let series = if asked("--sheets") { THIRD_SERIES } else { 0 };
+    let seeds = (0..count).into_par_iter().map(|i| series + seed.wrapping_mul(1_000_003) + i);
     let elastoplastic = asked("--elastoplastic");
     let outcomes: Vec<Outcome> = seeds.map(|seed| one(seed, make(seed, elastoplastic), theory)).collect();
 

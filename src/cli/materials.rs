@@ -134,7 +134,9 @@ fn describe(entry: &Entry) -> Shown {
 fn fitted(entry: &Entry) -> Vec<(&'static str, String)> {
     let Entry { material, measured, elastoplastic, .. } = entry;
     let mut rows = Vec::new();
-    rows.extend(material.fitted_up_to.map(|end| ("fitted", format!("up to a true strain of {end}; a run beyond says so"))));
+    rows.extend(
+        material.fitted_up_to.map(|end| ("fitted", format!("up to a true strain of {end}; a run beyond says so"))),
+    );
     if let Some((measured, fit)) = measured.as_ref().and_then(|m| Some((m, m.fit(material)?))) {
         let Fit { points, rms, largest, at, range: [from, to] } = fit;
         let scatter = measured.points().map(|point| point.scatter).fold(0.0, f64::max);

@@ -8,7 +8,7 @@ use super::source::Source;
 use super::spec::{Against, Spec};
 use super::verdict::Verdict;
 use crate::message::{Amount, Digits, Form};
-use crate::table::{Axis, Column, Table};
+use crate::table::{Axis, Column, Table, Unit};
 use crate::units::rounded;
 
 /// Of a value in a table of many comparisons: no reference is known better.
@@ -57,7 +57,8 @@ impl Comparison {
     /// Where a point is, in words: `punch travel = 12.5 mm`.
     pub fn place(&self, point: &Point) -> String {
         let x = (1e3 * point.x).round() / 1e3;
-        format!("{} = {x} {}", self.x.label.to_lowercase(), self.x.unit.symbol())
+        let unit = if self.x.unit == Unit::None { "" } else { self.x.unit.symbol() };
+        format!("{} = {x} {unit}", self.x.label.to_lowercase()).trim_end().to_owned()
     }
 
     /// The largest difference, in short: `+2.1 %`, `3.4 mm above (+0.7 %)`.

@@ -168,12 +168,7 @@ fn released(stages: &[StageSolution]) -> Option<(&Frame, Elastic)> {
 }
 
 /// ∫ σ ζ dζ, ζ from the mid-surface towards the punch's face \[N\].
-fn moment(
-    thickness: f64,
-    layers: &[ThicknessPoint],
-    points: &[PointRecord],
-    stress: fn(&PointRecord) -> f64,
-) -> f64 {
+fn moment(thickness: f64, layers: &[ThicknessPoint], points: &[PointRecord], stress: fn(&PointRecord) -> f64) -> f64 {
     let sum: f64 = layers.iter().zip(points).map(|(layer, point)| layer.weight * layer.xi * stress(point)).sum();
     0.5 * thickness * thickness * sum
 }

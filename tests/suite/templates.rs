@@ -57,7 +57,8 @@ fn every_template_runs_to_its_end_and_check_has_no_doubt() {
         let runs = solved(&case);
         assert_eq!(runs.len(), case.stages.len(), "{name} {given:?}: {}", runs.last().unwrap().stop);
         for run in runs {
-            let is_end = if is_torn { matches!(run.stop, Stop::LoadMaximum { .. }) } else { run.stop == Stop::FullTravel };
+            let is_end =
+                if is_torn { matches!(run.stop, Stop::LoadMaximum { .. }) } else { run.stop == Stop::FullTravel };
             assert!(is_end, "{name} {given:?}: {}", run.stop);
         }
     }

@@ -11,7 +11,7 @@ use std::path::Path;
 type Outcome = (&'static str, &'static str, &'static str);
 
 /// Measured curves that are lost are no failure, and the demonstrations are outside of what was measured (README).
-const OUTCOMES: [Outcome; 12] = [
+const OUTCOMES: [Outcome; 13] = [
     ("brite_cylindrical", "edge_diameter", "OUT, demonstration"),
     ("brite_cylindrical", "thickness", "OUT, demonstration"),
     ("brite_four_steps", "edge_diameter", "OUT, demonstration"),
@@ -23,6 +23,7 @@ const OUTCOMES: [Outcome; 12] = [
     ("split_ring", "ring_opening", "OUT, demonstration"),
     ("stretch_thin", "punch_force", "in"),
     ("strip_draw", "thickness_at_radius", "in"),
+    ("surfalex_full_circle", "strain_path", "OUT, demonstration"),
     ("woo_hemispherical", "punch_force", "no data"),
 ];
 
@@ -68,6 +69,7 @@ const FIGURES: &[(&str, &str, f64, f64, f64)] = &[
     ("strip_draw", "forming", 610.1132, 0.736644, 324.2103),
     ("superplastic_box", "forming", 0.5463, 0.73713, 24.8438),
     ("superplastic_dome", "forming", 0.11585284, 0.48299, 0.25),
+    ("surfalex_full_circle", "forming", 69360.6865, 0.817874, 11.025),
     ("warm_cup", "forming", 44512.5803, 0.871476, 71.5714),
     ("woo_hemispherical", "forming", 34811.8207, 0.347782, 4.9507),
     ("woo_porous", "forming", 28073.7179, 0.458321, 4.499),

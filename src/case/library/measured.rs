@@ -86,11 +86,16 @@ impl Measured {
         })
     }
 
-    /// How far the hardening law is from the points at their rate.
-    pub fn fit(&self, material: &Material) -> Option<Fit> {
+    /// Of every point its strain, and by how much the hardening law at the points' rate lies above it \[MPa\].
+    pub fn misses(&self, material: &Material) -> Vec<(f64, f64)> {
         let factor = rate_factor(material, self.rate());
         let miss = |point: Point| (point.strain, factor * material.hardening.at(point.strain).stress - point.stress);
-        Fit::of(&self.points().map(miss).collect::<Vec<_>>())
+        self.points().map(miss).collect()
+    }
+
+    /// How far the hardening law is from the points.
+    pub fn fit(&self, material: &Material) -> Option<Fit> {
+        Fit::of(&self.misses(material))
     }
 
     /// How far the rate law's ratios are from those of the tests.
