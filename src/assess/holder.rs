@@ -32,7 +32,7 @@ pub(super) fn idle(model: &Model) -> Option<Finding> {
 
 /// A holder that presses harder than the sheet is strong; where that is weaker than any, the law is to blame.
 pub(super) fn crushing(model: &Model) -> Option<Finding> {
-    let strength = tensile_strength(&model.material.hardening);
+    let strength = tensile_strength(&model.material);
     let pressure = holder_pressure(model).filter(|pressure| !strength::is_weak(model) && *pressure > strength)?;
     let found = message!(
         "the holder presses with {pressure}, more than the sheet's tensile strength of {strength}",
@@ -72,7 +72,7 @@ pub(super) fn judge(run: &Run) -> Option<Finding> {
         return Some(judged.limit("closed on the sheet").advice(closing::advice(model)));
     }
     let last = first.steps.iter().rev().find(|step| step.holder_force > 0.0)?;
-    let (pressure, strength) = (holder_pressure(model).unwrap_or(0.0), tensile_strength(&model.material.hardening));
+    let (pressure, strength) = (holder_pressure(model).unwrap_or(0.0), tensile_strength(&model.material));
     let (lifts, presses) = (Light::of(lift, [LIFTED, OFF]), Light::within(pressure / strength, PRESSURE));
     let advice = match presses {
         Light::Green => "more holder force; a larger die shoulder raises the flange less",

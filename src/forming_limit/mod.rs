@@ -59,9 +59,9 @@ pub struct Sheet<'a> {
 }
 
 impl Sheet<'_> {
-    /// Yield stress \[MPa\] and its slope \[MPa\] at an equivalent strain, without the rate.
+    /// Yield stress \[MPa\] and its slope \[MPa\] at an equivalent strain on a straight path, without the rate.
     fn hardening(&self, strain: f64) -> crate::material::FlowStress {
-        self.material.hardening.at_temperature(strain, self.temperature)
+        self.material.monotonic(strain, self.temperature)
     }
 }
 

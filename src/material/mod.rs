@@ -75,9 +75,19 @@ impl Material {
         self.fitted_up_to.or_else(|| self.hardening.valid_up_to())
     }
 
-    /// Yield stress at a strain and a temperature \[K\], without the rate \[MPa\].
+    /// Stress and slope of tension that is never reversed, at a strain and a temperature \[K\]: what back-stresses leave of it,
+    /// and they; without rate and softening \[MPa\].
+    pub fn monotonic(&self, strain: f64, temperature: f64) -> FlowStress {
+        let left = self.hardening.at_temperature(strain, temperature);
+        self.chaboche
+            .iter()
+            .map(|law| law.in_tension(strain))
+            .fold(left, |sum, shift| FlowStress { stress: sum.stress + shift.stress, slope: sum.slope + shift.slope })
+    }
+
+    /// Yield stress at a strain that came without reversal and a temperature \[K\], without the rate \[MPa\].
     pub fn yield_stress(&self, strain: f64, temperature: f64) -> f64 {
-        let cold = self.hardening.at_temperature(strain, temperature).stress;
+        let cold = self.monotonic(strain, temperature).stress;
         self.thermal.map_or(cold, |thermal| cold * thermal.at(temperature))
     }
 }

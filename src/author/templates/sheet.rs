@@ -90,7 +90,7 @@ impl Sheet {
                 (Origin::Swift { law, own: own.is_some() }, Material::plain(Hardening::Swift(swift)))
             }
         };
-        let strength = rules::tensile_strength(&material.hardening);
+        let strength = rules::tensile_strength(&material);
         let [thickness, friction] = ["thickness", "friction"].map(|key| inputs.value(key));
         Ok(Self { thickness, origin, material, friction, strength })
     }
