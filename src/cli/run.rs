@@ -12,14 +12,14 @@ use super::say::{Shown, say, say_json};
 use super::table::{Cell, table, wrapped};
 use serde_json::{Value, json};
 use stampflow::assess::{Answer, Finding};
-use stampflow::case::{Case, Solution};
+use stampflow::case::Case;
 use stampflow::message::{Form, Message, message};
 use stampflow::output::{
     CaseSummary, Extra, FrameRecorder, OUTPUTS, ResultFolder, Results, WriteError, csv, is_report, result_folder,
     trace, write,
 };
 use stampflow::report::{Report, html};
-use stampflow::verification::{self, Verification};
+use stampflow::verification;
 use std::fmt::Write;
 use std::ops::Add;
 use std::path::{Path, PathBuf};

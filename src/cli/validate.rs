@@ -11,7 +11,7 @@ use super::place;
 use super::progress::{Kept, Progress};
 use super::say::{say, say_json};
 use anyhow::Context;
-use stampflow::compare::Comparison;
+use screen::Compared;
 use stampflow::output::{Results, comparison_folder};
 use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
@@ -52,9 +52,6 @@ pub struct Args {
     #[command(flatten)]
     json: Json,
 }
-
-/// The name of a case, and one of its comparisons.
-type Compared = (String, Comparison);
 
 pub fn validate(args: &Args) -> anyhow::Result<Code> {
     let (mut cases, mut failed) = load_all(&case_files(&args.cases)?, &[]);

@@ -6,7 +6,6 @@ use super::curve::difference;
 use super::error::CompareError;
 use super::reference::{NOTHING, Reference};
 use super::verdict::Verdict;
-use crate::measure::Ring;
 use crate::table::fields::{element, step};
 use crate::table::{Column, Table, Unit};
 use crate::units::{four_digits, without_zeros};
@@ -68,6 +67,8 @@ enum Of {
     Largest,
     /// Where the abscissa is largest.
     Peak,
+    /// That of the ring which is asked for.
+    Ring,
 }
 
 impl BandQuantity {
@@ -119,11 +120,10 @@ impl BandQuantity {
             Self::PeakForce => over_travel(computed.step(step::PUNCH_FORCE)),
             Self::PeakTravel => (computed.step(step::PUNCH_FORCE), computed.step(step::TRAVEL)),
             Self::RingOpening => {
-                let of = |value: fn(&(Ring, f64)) -> f64| computed.ring.iter().map(value).collect();
-                (
-                    Column::new("ring_height", "Height of the ring", Unit::Mm, of(|(ring, _)| ring.height)),
-                    Column::new("ring_opening", "Opening of the slit ring", Unit::Mm, of(|(_, opening)| *opening)),
-                )
+                let places = computed.ring.map_or(&[][..], |test| &test.places);
+                let (from, openings) = places.iter().copied().unzip();
+                let from = Column::new("ring_from", "Lower edge of the ring over the bottom", Unit::Mm, from);
+                (from, Column::new("ring_opening", "Opening of the slit ring", Unit::Mm, openings))
             }
         }
     }
@@ -135,12 +135,14 @@ impl BandQuantity {
             Of::Last => "at the end",
             Of::Largest => "at its peak",
             Of::Peak => "at the peak",
+            Of::Ring => "of the ring",
         }
     }
 
     fn of(self) -> Of {
         match self {
-            Self::EdgeDiameter | Self::DrawIn | Self::Thinnest | Self::RingOpening => Of::Last,
+            Self::RingOpening => Of::Ring,
+            Self::EdgeDiameter | Self::DrawIn | Self::Thinnest => Of::Last,
             Self::Thickness => Of::All,
             Self::PeakForce => Of::Largest,
             Self::PeakTravel => Of::Peak,
@@ -236,11 +238,11 @@ impl Band {
 pub(super) fn compare(
     spec: &BandSpec,
     reference: Reference,
-    (x, computed): (&Column, &Column),
-    complete: bool,
+    (x, y): (&Column, &Column),
+    computed: &Computed,
 ) -> Result<Band, CompareError> {
     let path = || reference.path.to_owned();
-    let errors = spec.error.as_ref().map(|header| reference.column(header, computed)).transpose()?;
+    let errors = spec.error.as_ref().map(|header| reference.column(header, y)).transpose()?;
     let errors = errors.map(|column| column.values).unwrap_or_default();
     let negative = errors.iter().position(|e| e.is_some_and(|e| e < 0.0));
     if let (Some(row), Some(column)) = (negative, &spec.error) {
@@ -249,7 +251,7 @@ pub(super) fn compare(
     }
     let mut values = Vec::new();
     for header in &spec.columns {
-        for (row, value) in reference.column(header, computed)?.values.into_iter().enumerate() {
+        for (row, value) in reference.column(header, y)?.values.into_iter().enumerate() {
             let error = errors.get(row).copied().flatten().unwrap_or(0.0);
             values.extend(value.map(|value| (value, error)));
         }
@@ -259,15 +261,16 @@ pub(super) fn compare(
     let (Some(measured), Some(accepted)) = (measured, accepted) else {
         return Err(CompareError::NoBand { path: path(), columns: spec.columns.join(", ") });
     };
-    let all = || computed.values.iter().copied();
+    let all = || y.values.iter().copied();
     let compared = match spec.quantity.of() {
         Of::All => Interval::of(all()),
         Of::Last => Interval::of(all().next_back()),
         Of::Largest => Interval::of(all().reduce(f64::max)),
-        Of::Peak => Interval::of(peak(&x.values).map(|at| computed.values[at])),
+        Of::Peak => Interval::of(peak(&x.values).map(|at| y.values[at])),
+        Of::Ring => Interval::of(computed.ring.map(|test| test.opening)),
     };
     // What ends a run at its peak is what is compared there.
-    let is_known = complete || matches!(spec.quantity.of(), Of::Peak);
+    let is_known = computed.complete || matches!(spec.quantity.of(), Of::Peak);
     Ok(Band { measured, accepted, computed: compared.filter(|_| is_known) })
 }
 

@@ -173,7 +173,7 @@ pub fn compare(spec: &Spec, computed: &Computed) -> Result<Comparison, CompareEr
             (Found::Points(points), verdict)
         }
         (Some(reference), Against::Band(against)) => {
-            let band = band::compare(against, reference, (&x, &y), computed.complete)?;
+            let band = band::compare(against, reference, (&x, &y), computed)?;
             (Found::Band(band), band.verdict())
         }
     };

@@ -1,7 +1,7 @@
 //! What a stage offers for comparison.
 
 use crate::forming_limit::Paths;
-use crate::measure::Ring;
+use crate::measure::RingTest;
 use crate::model::{Extent, Model};
 use crate::solution::{ElementRecord, StageSolution, StepRecord};
 use crate::table::fields::path;
@@ -22,8 +22,8 @@ pub struct Computed<'a> {
     pub paths: Option<&'a Paths>,
     /// Whether the stage came to its end.
     pub complete: bool,
-    /// The ring that is cut from the case's part, and its opening \[mm\].
-    pub ring: Option<(Ring, f64)>,
+    /// Of the ring that is cut from the case's part.
+    pub ring: Option<&'a RingTest>,
 }
 
 impl<'a> Computed<'a> {

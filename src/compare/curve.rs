@@ -76,7 +76,7 @@ impl Quantity {
             Self::PunchForce => "force",
             Self::Travel => "travel",
             Self::ThicknessAtS0 | Self::ThicknessAtRadius => "thickness",
-            Self::StrainPath => "minor strain",
+            Self::StrainPath => "strain",
         }
     }
 

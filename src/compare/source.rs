@@ -9,7 +9,7 @@ use std::fmt;
 pub const SOURCES: &str = "sources.toml";
 
 /// Kinds of reference as a reader is told them, the hardest proof first.
-pub const KINDS: [&str; 5] = ["experiment", "producer's rule", "benchmark", "cross-check", "closed form"];
+pub const KINDS: [&str; 5] = ["experiment", "producer", "benchmark", "cross-check", "closed form"];
 
 /// Provenance of one reference file.
 #[derive(Clone, Debug, PartialEq, Deserialize, Serialize)]
@@ -17,7 +17,7 @@ pub const KINDS: [&str; 5] = ["experiment", "producer's rule", "benchmark", "cro
 pub struct Source {
     /// Author, title, year, figure.
     pub citation: String,
-    /// One of [`KINDS`], a benchmark and a cross-check with "numerical" before it; or what else it is.
+    /// One of [`KINDS`], a benchmark and a cross-check with "numerical" before it, a producer's rule; or what else it is.
     pub kind: String,
     /// A: read in the named source; B: one source and an arithmetic check; C: assumption.
     pub grade: String,
@@ -34,9 +34,11 @@ impl Source {
         toml::from_str(sources).map(|mut sources: BTreeMap<String, Self>| sources.remove(file))
     }
 
-    /// The kind in short: of a benchmark and a cross-check, which are numerical here, without that word.
+    /// The kind in short: of a benchmark and a cross-check, which are numerical here, without that word; the rule of a producer
+    /// by the producer.
     pub fn kind(&self) -> Message {
         let short = self.kind.strip_prefix("numerical ").unwrap_or(&self.kind);
+        let short = short.strip_suffix("'s rule").unwrap_or(short);
         KINDS.iter().find(|known| **known == short).map_or_else(|| short.to_owned().into(), |known| (*known).into())
     }
 }

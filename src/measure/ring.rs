@@ -25,6 +25,7 @@
 //! M. Y. Demeri, M. Lou, M. J. Saran, SAE 2000-01-2657 (not read); H. Lamb, Proc. London Math. Soc. 21 (1891) 70–91 (not read:
 //! derived here); S. Timoshenko, S. Woinowsky-Krieger, Theory of Plates and Shells, §114, for the shell equation.
 
+use super::part_height;
 use crate::material::Elastic;
 use crate::model::Geometry;
 use crate::numerics::lobatto::ThicknessPoint;
@@ -36,6 +37,9 @@ const UPRIGHT: f64 = 0.866;
 /// Share of a ring's height that may lie beyond the wall by round-off \[–\].
 const ROUND_OFF: f64 = 1e-9;
 
+/// Rings over the height of a cup.
+const PLACES: u32 = 100;
+
 /// Where a ring is cut from the wall of a cup that stands on its bottom.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Ring {
@@ -43,6 +47,17 @@ pub struct Ring {
     pub from: f64,
     /// From edge to edge along the axis \[mm\].
     pub height: f64,
+}
+
+/// The openings of rings of one wall.
+#[derive(Clone, Debug, PartialEq)]
+pub struct RingTest {
+    /// The one that is asked for.
+    pub ring: Ring,
+    /// Its opening \[mm\].
+    pub opening: f64,
+    /// Lower edges of rings as high \[mm\], rising, and their openings \[mm\]; it is among them.
+    pub places: Vec<(f64, f64)>,
 }
 
 /// A ring as it is cut, before it is slit; means over its height.
@@ -128,19 +143,32 @@ impl Ring {
     /// The opening of a ring of the cup that the last of some stages has let go \[mm\]; `None` where that stage takes no tools
     /// away, and where there is no such wall.
     pub fn opening(self, stages: &[StageSolution]) -> Option<f64> {
-        let last = stages.last().filter(|stage| stage.model.geometry == Geometry::Axisymmetric)?;
-        let [_, frame] = last.released()?;
-        Some(self.of(frame)?.opening(last.model.material.elastic?))
+        let (frame, elastic) = released(stages)?;
+        Some(self.of(frame)?.opening(elastic))
+    }
+
+    /// The opening of it and of rings as high all along the wall; `None` where it has none itself.
+    pub fn test(self, stages: &[StageSolution]) -> Option<RingTest> {
+        let (frame, elastic) = released(stages)?;
+        let opening = self.opening(stages)?;
+        let height = part_height(frame)?;
+        let others = (0..=PLACES).map(|i| height * f64::from(i) / f64::from(PLACES));
+        let along = others.filter_map(|from| Some((from, Self { from, ..self }.of(frame)?.opening(elastic))));
+        let mut places: Vec<(f64, f64)> = along.chain([(self.from, opening)]).collect();
+        places.sort_by(|a, b| a.0.total_cmp(&b.0));
+        Some(RingTest { ring: self, opening, places })
     }
 }
 
+/// The cup that the last of some stages has let go, and its elastic constants.
+fn released(stages: &[StageSolution]) -> Option<(&Frame, Elastic)> {
+    let last = stages.last().filter(|stage| stage.model.geometry == Geometry::Axisymmetric)?;
+    let [_, frame] = last.released()?;
+    Some((frame, last.model.material.elastic?))
+}
+
 /// ∫ σ ζ dζ, ζ from the mid-surface towards the punch's face \[N\].
-fn moment(
-    thickness: f64,
-    layers: &[ThicknessPoint],
-    points: &[PointRecord],
-    stress: fn(&PointRecord) -> f64,
-) -> f64 {
+fn moment(thickness: f64, layers: &[ThicknessPoint], points: &[PointRecord], stress: fn(&PointRecord) -> f64) -> f64 {
     let sum: f64 = layers.iter().zip(points).map(|(layer, point)| layer.weight * layer.xi * stress(point)).sum();
     0.5 * thickness * thickness * sum
 }

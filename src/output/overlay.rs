@@ -16,8 +16,8 @@ impl Solution {
     /// When a reference cannot be read or does not fit.
     pub fn comparisons(&self) -> Result<Vec<Comparison>, CompareError> {
         let Some(first) = self.stages.first() else { return Ok(Vec::new()) };
-        let ring = self.case.springback.ring.and_then(|ring| Some((ring, ring.opening(&self.stages)?)));
-        comparisons(&self.case, &Computed { ring, ..Computed::of(first) })
+        let ring = self.case.springback.ring.and_then(|ring| ring.test(&self.stages));
+        comparisons(&self.case, &Computed { ring: ring.as_ref(), ..Computed::of(first) })
     }
 }
 

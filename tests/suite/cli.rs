@@ -325,7 +325,10 @@ fn a_comparison_is_one_line_its_reason_below_and_its_kind_is_counted() {
     assert!(lines.iter().all(|line| line.chars().count() <= 80), "{screen}");
     let ends = ["verdict", "inside", "outside 1", "outside 1", "no data 2", ""];
     for (line, end) in lines.iter().zip(ends) {
-        assert!(line.ends_with(end) && (end != "inside" || line.starts_with("a_cup") && line.contains('…')), "{screen}");
+        assert!(
+            line.ends_with(end) && (end != "inside" || line.starts_with("a_cup") && line.contains('…')),
+            "{screen}"
+        );
     }
     assert!(screen.contains("2  ") && screen.contains("lost.csv is not there"), "{screen}");
     assert!(screen.contains("benchmark: 1 of 3 inside, 2 outside as demonstrations\nno data: 1"), "{screen}");
@@ -333,7 +336,10 @@ fn a_comparison_is_one_line_its_reason_below_and_its_kind_is_counted() {
     assert!(german.contains("Urteil") && german.contains("außen 1"), "{german}");
     let table = printed(&["--markdown"]);
     assert_eq!(table.lines().count(), 2 + 4, "{table}");
-    assert!(table.contains(&format!("| {name} | numerical benchmark | punch_force | a test, grade A | 900 % |")), "{table}");
+    assert!(
+        table.contains(&format!("| {name} | numerical benchmark | punch_force | a test, grade A | 900 % |")),
+        "{table}"
+    );
     fs::write(data.join("sources.toml"), source("estimate of a foreman")).unwrap();
     assert!(printed(&[]).contains("estimate of a foreman: 1 of 3 inside"));
 }

@@ -211,7 +211,11 @@ fn the_travel_at_the_peak_is_known_once_the_force_has_fallen() {
     let spec = spec(Some("index_mm\n9.5\n10.5\n"), Against::Band(against()));
     let of = |steps: &[StepRecord]| {
         let (length, elements) = (50.0, &profile()[..]);
-        compare(&spec, &Computed { extent: Extent::Ring, length, steps, elements, paths: None, complete: false, ring: None }).unwrap()
+        compare(
+            &spec,
+            &Computed { extent: Extent::Ring, length, steps, elements, paths: None, complete: false, ring: None },
+        )
+        .unwrap()
     };
     let fallen = of(&history());
     assert_eq!((fallen.verdict, fallen.farthest().map(|found| found.value)), (Verdict::In, Some(10.0)));

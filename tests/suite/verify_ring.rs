@@ -8,7 +8,7 @@ use stampflow::measure::{CutRing, Ring};
 use stampflow::message::Form;
 use stampflow::numerics::lobatto;
 use stampflow::output::Results;
-use stampflow::solution::{ElementRecord, Frame, NodeRecord, PointRecord};
+use stampflow::solution::{ElementRecord, Frame, NodeRecord, PointRecord, ThroughThickness};
 use std::f64::consts::TAU;
 
 const METAL: Elastic = Elastic { young: 70e3, poisson: 0.33 };
@@ -63,7 +63,8 @@ fn the_share_of_curling_is_that_of_the_shell_equation() {
         let found = ring(height, [0.0; 2]).curling(METAL.poisson);
         assert!((found - mean).abs() < 1e-9, "{height}: {found} {mean}");
     }
-    let shares: Vec<f64> = [0.0, 1.0, 3.0, 10.0, 30.0, 99.0, 101.0, 1e4].map(|h| ring(h, [0.0; 2]).curling(0.3)).to_vec();
+    let shares: Vec<f64> =
+        [0.0, 1.0, 3.0, 10.0, 30.0, 99.0, 101.0, 1e4].map(|h| ring(h, [0.0; 2]).curling(0.3)).to_vec();
     assert!(shares.windows(2).all(|pair| pair[1] <= pair[0]) && shares[0] == 1.0, "{shares:?}");
 }
 
@@ -86,16 +87,11 @@ fn wall(towards: f64, lean: f64, slope: f64) -> Frame {
     // The layers run towards the punch's face: inward in a wall whose rim lies behind the punch.
     let point = |layer: &lobatto::ThicknessPoint| {
         let outward = 0.5 * T * layer.xi * towards;
-        PointRecord {
-            stress_hoop: slope * outward,
-            stress_meridional: 0.5 * slope * outward,
-            ..PointRecord::default()
-        }
+        PointRecord { stress_hoop: slope * outward, stress_meridional: 0.5 * slope * outward, ..PointRecord::default() }
     };
-    let mut frame = Frame { nodes, elements, ..Frame::default() };
-    frame.through.points = (0..8).flat_map(|_| layers.iter().map(point)).collect();
-    frame.through.layers = layers;
-    frame
+    let points = (0..8).flat_map(|_| layers.iter().map(point)).collect();
+    let through = ThroughThickness { points, layers };
+    Frame { time: 0.0, travel: 0.0, elements, nodes, through, tool_displacement: Vec::new() }
 }
 
 /// Trust: ∫ c ζ² dζ = c t³/12, which the rule integrates exactly; ends of the ring inside of elements.
@@ -153,10 +149,9 @@ fn the_opening_is_a_key_number_a_line_of_the_summary_and_of_the_table() {
 /// A ring of the wall of a released cup only.
 #[test]
 fn a_ring_that_no_stage_lets_go_is_refused() {
-    for (set, says) in [
-        ("stages=[]", "takes no tools away"),
-        ("springback.ring.height=\"0 mm\"", "springback.ring.height"),
-    ] {
+    for (set, says) in
+        [("stages=[]", "takes no tools away"), ("springback.ring.height=\"0 mm\"", "springback.ring.height")]
+    {
         let path = concat!(env!("CARGO_MANIFEST_DIR"), "/cases/split_ring.toml");
         let error = case::load(path, &[set.to_owned()]).expect_err("no ring").render(false);
         assert!(error.contains(says), "{error}");

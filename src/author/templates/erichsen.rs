@@ -13,8 +13,12 @@ use crate::units::rounded;
 pub(super) const TEMPLATE: Template =
     Template::new("erichsen", "the cupping test of Erichsen, all tools as in ISO 20482", OPTIONS, write);
 
-const OPTIONS: &[Choice] =
-    &[Choice::new("clamp", Kind::Force, Value("10 kN"), "force of the holder on the sheet; the standard's when not given")];
+const OPTIONS: &[Choice] = &[Choice::new(
+    "clamp",
+    Kind::Force,
+    Value("10 kN"),
+    "force of the holder on the sheet; the standard's when not given",
+)];
 
 /// Radii of ball, die bore, holder bore and the die's edge \[mm\].
 const BALL: f64 = 10.0;
@@ -27,6 +31,8 @@ const SPECIMEN: f64 = 45.0;
 const THICKEST: f64 = 2.0;
 /// No sheet is pushed so far before it tears \[mm\].
 const TRAVEL: f64 = 25.0;
+/// To which an index is given \[mm\].
+const DIGIT: f64 = 0.1;
 
 fn write(inputs: &Inputs) -> Result<String, CaseError> {
     let sheet = Sheet::read(inputs)?;
@@ -37,7 +43,10 @@ fn write(inputs: &Inputs) -> Result<String, CaseError> {
             plain(THICKEST),
             plain(sheet.thickness)
         );
-        return Err(CaseError::bare(what, "make --thickness smaller; for a thick sheet stampflow new stretch-dome".into()));
+        return Err(CaseError::bare(
+            what,
+            "make --thickness smaller; for a thick sheet stampflow new stretch-dome".into(),
+        ));
     }
     let notes = [
         "declared: ball Ø 20 mm, die bore Ø 27 mm, holder bore Ø 33 mm, edge radius 0.75 mm, clamp 10 kN: the sizes of \
@@ -72,5 +81,7 @@ fn write(inputs: &Inputs) -> Result<String, CaseError> {
     page.table("stop", "The load maximum is the end of the test.");
     page.set("localised", false, "the force says when it tears");
     page.set("load_drop", "\"2 %\"", "");
+    page.table("solver", "");
+    page.set("max_step", rounded(DIGIT / TRAVEL), "of the travel: the index is given to a tenth of a millimetre");
     Ok(page.text())
 }

@@ -48,7 +48,7 @@ fn of_a_cup(case: &CaseFile, source: &Source) -> Result<(), CaseError> {
     if case.geometry == Geometry::PlaneStrain {
         return Err(source.error(key, "a strip has no ring to cut", "drop it: a ring is of an axisymmetric cup"));
     }
-    if !case.stages.last().is_some_and(|stage| stage.release.is_some()) {
+    if case.stages.last().is_none_or(|stage| stage.release.is_none()) {
         let what = "the last stage takes no tools away: what the wall keeps of its moment is not known";
         let help = "add [[stages]] with release = true, and mode = \"elasto_viscoplastic\" with young and poisson to [material]";
         return Err(source.error(key, what, help));

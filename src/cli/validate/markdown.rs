@@ -1,6 +1,6 @@
 //! Every comparison with all that is known of it, as a table for a document.
 
-use super::Compared;
+use super::screen::Compared;
 use std::fmt::Write;
 
 const HEADERS: &str = "\

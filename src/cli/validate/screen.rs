@@ -1,10 +1,12 @@
 //! What `validate` prints: a line a comparison, why those outside are out, and how many of each kind are inside.
 
-use super::Compared;
 use crate::cli::say::Shown;
 use crate::cli::table::{Cell, Tone, table, width, wrapped};
 use stampflow::compare::{Comparison, KINDS, Verdict};
 use stampflow::message::{Form, Message, message};
+
+/// The name of a case, and one of its comparisons.
+pub type Compared = (String, Comparison);
 
 const HEADERS: [&str; 6] = ["case", "kind", "quantity", "found", "reference", "verdict"];
 /// Between two columns.
