@@ -30,10 +30,7 @@ use super::{FlowStress, Gtn, Hardening, Hosford, PointLaw, Rate, Surroundings, T
 use crate::units::ZERO_CELSIUS;
 
 pub use super::point_law::{Across, StressUpdate};
-pub use super::yield_condition::{Metric, SHEAR_FACTOR, Symmetric, Triple, YieldCondition};
-
-/// Mean square of what goes evenly from −1 to 1 \[–\].
-pub const MEAN_SQUARE: f64 = 1.0 / 3.0;
+pub use super::yield_condition::{MEAN_SQUARE, Metric, SHEAR_FACTOR, Symmetric, Triple, YieldCondition};
 
 /// Matrix of the corrector.
 // H of Sosnowski (1994), equation 9.
@@ -168,10 +165,7 @@ impl PointState {
         voids: Option<&Gtn>,
     ) -> Self {
         let equivalent = match voids {
-            None => {
-                let across = criterion.equivalent_increment([spread[0], spread[1], 0.0]);
-                criterion.equivalent_increment(p).hypot(MEAN_SQUARE.sqrt() * across)
-            }
+            None => criterion.equivalent_across(p, spread),
             Some(voids) => voids.condition(criterion.quadratic(), self.porosity).equivalent_increment(p),
         };
         let past =

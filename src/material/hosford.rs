@@ -18,6 +18,7 @@
 //!
 //! ```text
 //! σ = (1, x)/φ(1, x),   ∂½ψ²/∂Δε = ψ σ,   ∂²½ψ²/∂Δε² = σ⊗σ + x'(β)/φ² (−β, 1)⊗(−β, 1)
+//! x'(β) = (∂φ/∂σ_s)²/κ,   φ ∂²φ/∂σ² = κ (−x, 1)⊗(−x, 1)
 //! ```
 //!
 //! # References
@@ -54,14 +55,16 @@ pub struct Hosford {
     plane_strain: f64,
 }
 
-/// A place of the curve φ = 1, the larger stress first and positive.
-struct Place {
+/// What the curve φ is at the stress (1, x), the larger one first.
+pub(super) struct Place {
     /// x, the smaller stress over the larger one \[–\].
-    ratio: f64,
+    pub ratio: f64,
     /// φ(1, x) \[–\].
-    size: f64,
-    /// x'(β) \[–\].
-    slope: f64,
+    pub size: f64,
+    /// ∂φ/∂σ, which is the same all along the ray.
+    pub normal: [f64; 2],
+    /// κ of the second derivative φ ∂²φ/∂σ² = κ (−x, 1)⊗(−x, 1), which is the same all along the ray.
+    pub bend: f64,
 }
 
 impl Hosford {
@@ -121,13 +124,8 @@ impl Hosford {
         if major == 0.0 {
             return [0.0, 0.0, shear];
         }
-        let (x, r) = (minor / major, self.ratio());
-        let y = 1.0 - x;
-        let (own, between) = (x * self.power.less_two(x.abs()), r * y * self.power.less_two(y));
-        // φ^(a−1) ∂φ/∂σ = (1 + r̄ y^(a−1), x|x|^(a−2) − r̄ y^(a−1))/(1 + r̄);  φ ∂φ/∂σ over σ̄
-        let size = self.size(x);
-        let unit = major / (equivalent * self.power.less_two(size) * (1.0 + r));
-        let [along, across] = [unit * (1.0 + between), unit * (own - between)];
+        let Place { size, normal, .. } = self.at(minor / major);
+        let [along, across] = normal.map(|n| major * size / equivalent * n);
         if swapped { [across, along, shear] } else { [along, across, shear] }
     }
 
@@ -150,7 +148,21 @@ impl Hosford {
         self.power.root(sum / (1.0 + r))
     }
 
-    /// Where the normal goes with 1 and β; `sum` is 1 + β, without the round-off of β.
+    /// The place of the stress (1, x).
+    #[inline]
+    pub(super) fn at(&self, x: f64) -> Place {
+        let (y, r) = (1.0 - x, self.ratio());
+        let (own, between) = (self.power.less_two(x.abs()), r * self.power.less_two(y));
+        // (1 + r̄) φ^(a−1) ∂φ/∂σ, and its product with (1, x), which is (1 + r̄) φ^a
+        let (along, across) = (1.0 + between * y, x * own - between * y);
+        let sum = 1.0 + x * x * own + between * y * y;
+        let size = self.power.root(sum / (1.0 + r));
+        let unit = size / sum;
+        let bend = (self.exponent() - 1.0) * (own * along + between * (1.0 + x * own)) * unit * unit;
+        Place { ratio: x, size, normal: [unit * along, unit * across], bend }
+    }
+
+    /// The place whose normal goes with 1 and β; `sum` is 1 + β, without the round-off of β.
     #[inline]
     fn place(&self, beta: f64, sum: f64) -> Place {
         let (r, more) = (self.ratio(), self.exponent() - 2.0);
@@ -179,11 +191,7 @@ impl Hosford {
                 break;
             }
         }
-        let y = 1.0 - x;
-        let (own, between) = (self.power.less_two(x.abs()), self.power.less_two(y));
-        let size = self.power.root((1.0 + x * x * own + r * y * y * between) / (1.0 + r));
-        let slope = (1.0 + r * y * between) / ((1.0 + more) * (own + weight * between));
-        Place { ratio: x, size, slope }
+        self.at(x)
     }
 
     /// Straight between the places that are known: pure shear, tension, plane strain and equi-biaxial stretching; for Hill's
@@ -203,7 +211,7 @@ impl Hosford {
 
 /// The larger one of the first two entries and the smaller one, and whether they stand the other way round.
 #[inline]
-fn ordered(v: Triple) -> (f64, f64, bool) {
+pub(super) fn ordered(v: Triple) -> (f64, f64, bool) {
     if v[1].abs() > v[0].abs() { (v[1], v[0], true) } else { (v[0], v[1], false) }
 }
 
@@ -215,12 +223,12 @@ impl YieldCondition for Hosford {
             return self.quadratic.metric(e);
         }
         let beta = minor / major;
-        let Place { ratio, size, slope } = self.place(beta, (major + minor) / major);
+        let Place { ratio, size, normal, bend } = self.place(beta, (major + minor) / major);
         let inverse_square = 1.0 / (size * size);
         // ψ σ, of which ψ = |Δε_s| (1 + β x)/φ.
         let along = major * (1.0 + beta * ratio) * inverse_square;
         let across = along * ratio;
-        let bend = slope * inverse_square;
+        let bend = normal[0] * normal[0] * inverse_square / bend;
         let (own, mixed) = (inverse_square + bend * beta * beta, ratio * inverse_square - bend * beta);
         let other = ratio * ratio * inverse_square + bend;
         let shear = SHEAR * e[2];
