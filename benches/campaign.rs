@@ -2,7 +2,7 @@
 //!
 //! `cargo bench --bench campaign -- --count 1000 --seed 7`, with `--selective 1` for selective bending, `--elastoplastic 1` for
 //! the elastoplastic law, `--work 1` for bends, ironing, gas, free flanges and second stages in place of sections that are
-//! drawn
+//! drawn; `--r 60` is r̄ = 0.6 instead of 1, and `--hosford 8` Hosford's yield condition of that exponent with it
 
 #[path = "../tests/suite/common/random_die.rs"]
 mod random_die;
@@ -12,6 +12,7 @@ mod random_work;
 use random_die::random_die;
 use random_work::{make_elastic, random_work};
 use rayon::prelude::*;
+use stampflow::material::{Hill48, Hosford, YieldCriterion};
 use stampflow::model::{Beginning, Theory};
 use stampflow::{Stage, StageSolution, StepRecord, solver};
 use std::collections::BTreeMap;
@@ -42,7 +43,12 @@ fn main() {
     let make = if asked("--work") { work } else { section };
     let seeds = (0..count).into_par_iter().map(|i| seed.wrapping_mul(1_000_003) + i);
     let elastoplastic = asked("--elastoplastic");
-    let outcomes: Vec<Outcome> = seeds.map(|seed| one(seed, make(seed, elastoplastic), theory)).collect();
+    let r = argument("--r", 100) as f64 / 100.0;
+    let criterion: YieldCriterion = match argument("--hosford", 0) {
+        0 => Hill48::new(r).into(),
+        exponent => Hosford::new(r, exponent as f64).into(),
+    };
+    let outcomes: Vec<Outcome> = seeds.map(|seed| one(seed, make(seed, elastoplastic), theory, criterion)).collect();
 
     println!("{count} random dies, seed {seed}; worth a look:");
     for o in &outcomes {
@@ -120,9 +126,10 @@ fn work(seed: u64, elastoplastic: bool) -> Made {
     (format!("{:?}", work.kind), work.stages, work.text)
 }
 
-fn one(seed: u64, (work, mut stages, text): Made, theory: Theory) -> Outcome {
+fn one(seed: u64, (work, mut stages, text): Made, theory: Theory, criterion: YieldCriterion) -> Outcome {
     for stage in &mut stages {
         stage.model.blank.theory = theory;
+        stage.model.material.yield_criterion = criterion;
     }
     let start = Instant::now();
     let Ok(solved) = catch_unwind(move || solver::solve(&stages, &mut ())) else {

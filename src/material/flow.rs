@@ -249,7 +249,11 @@ impl Iterate {
         let Past { weight, strain: past, equivalent, .. } = point.past;
         let steep = 1.0 + weight;
         let e = [steep * strain[0] - past[0], steep * strain[1] - past[1], steep * strain[2] - past[2]];
-        let metric = condition.metric(e);
+        let metric = if law.matrix == Iteration::PrimalDual && self.fluidity > 0.0 {
+            condition.metric_since(e, self.flow)
+        } else {
+            condition.metric(e)
+        };
         let a = metric.gradient;
         let square = metric.square;
         let increment = square.sqrt();

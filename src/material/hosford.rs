@@ -42,6 +42,8 @@ const SHEAR: f64 = SHEAR_FACTOR / 3.0;
 /// order \[–\]; and where it is round-off itself.
 const LAST: f64 = 1e-6;
 const ROUND_OFF: f64 = 1e-16;
+/// Ratios of strain increments that are one \[–\]: between them a chord is round-off.
+const SAME: f64 = 1e-7;
 /// Most iterations of the inner root: halving alone needs fifty.
 const MOST: usize = 60;
 
@@ -239,6 +241,34 @@ impl YieldCondition for Hosford {
         }
         let matrix = [own, mixed, other, 0.0, 0.0, SHEAR];
         Metric { gradient: [along, across, shear], matrix, square }
+    }
+
+    /// Where the curve is flat the stress ratio swings with the strain's like a seventh root, and Newton's method overshoots from
+    /// side to side: a chord across is then what it takes. A is no softer along the curve than the chord from the last
+    /// increment, which near the answer is the tangent.
+    fn metric_since(&self, e: Triple, last: Triple) -> Metric {
+        let mut metric = self.metric(e);
+        let (major, minor, swapped) = ordered(e);
+        let before = self.metric(last).gradient;
+        let turned = |v: Triple| if swapped { [v[1], v[0]] } else { [v[0], v[1]] };
+        let ([major_before, minor_before], [s, t], [along, across]) =
+            (turned(last), turned(before), turned(metric.gradient));
+        if major * major_before <= 0.0 || major * s <= 0.0 {
+            return metric;
+        }
+        let (beta, x) = (minor / major, across / along);
+        let turn = beta - minor_before / major_before;
+        if turn.abs() < SAME {
+            return metric;
+        }
+        let inverse_square = along / (major * (1.0 + beta * x));
+        let [ss, st, tt, ..] = &mut metric.matrix;
+        let other = if swapped { &mut *ss } else { &mut *tt };
+        let more = ((x - t / s) / turn * inverse_square - (*other - x * x * inverse_square)).max(0.0);
+        *other += more;
+        *st -= more * beta;
+        *(if swapped { tt } else { ss }) += more * beta * beta;
+        metric
     }
 
     /// By the inverse of A, which is positive definite.

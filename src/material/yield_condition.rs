@@ -52,6 +52,12 @@ pub trait YieldCondition {
     /// Of the strain increment `e`.
     fn metric(&self, e: Triple) -> Metric;
 
+    /// Of the strain increment `e`, with a matrix for an iteration that comes from the increment `last`.
+    #[inline]
+    fn metric_since(&self, e: Triple, _last: Triple) -> Metric {
+        self.metric(e)
+    }
+
     /// f A.
     #[inline]
     fn scaled(&self, metric: &Metric, f: f64) -> Symmetric {
@@ -65,12 +71,21 @@ pub trait YieldCondition {
         [ss * e[0] + st * e[1] + sg * e[2], st * e[0] + tt * e[1] + tg * e[2], sg * e[0] + tg * e[1] + gg * e[2]]
     }
 
-    /// Of what goes evenly from `e` − `k` to `e` + `k`, by Gauss's two points.
+    /// Of what goes evenly from `e` − `k` to `e` + `k`, by Gauss's two points; in an iteration that comes from `last` as
+    /// [`Self::metric_since`].
     #[inline]
-    fn part(&self, e: Triple, k: [f64; 2]) -> Part {
-        let [x, y] = k.map(|k| MEAN_SQUARE.sqrt() * k);
-        let above = self.metric([e[0] + x, e[1] + y, e[2]]);
-        let below = self.metric([e[0] - x, e[1] - y, e[2]]);
+    fn part(&self, e: Triple, k: [f64; 2], last: Option<(Triple, [f64; 2])>) -> Part {
+        let at = |sign: f64| {
+            let point = |e: Triple, k: [f64; 2]| {
+                let [x, y] = k.map(|k| sign * MEAN_SQUARE.sqrt() * k);
+                [e[0] + x, e[1] + y, e[2]]
+            };
+            match last {
+                Some((last, before)) => self.metric_since(point(e, k), point(last, before)),
+                None => self.metric(point(e, k)),
+            }
+        };
+        let (above, below) = (at(1.0), at(-1.0));
         let mean = |i: usize| 0.5 * (above.gradient[i] + below.gradient[i]);
         let odd = 0.5 * MEAN_SQUARE.sqrt();
         let turning = |i: usize| odd * (above.gradient[i] - below.gradient[i]);

@@ -76,7 +76,7 @@ impl YieldCriterion {
                 let across = hill.equivalent_increment([k[0], k[1], 0.0]);
                 hill.equivalent_increment(e).hypot(MEAN_SQUARE.sqrt() * across)
             }
-            Self::Hosford(hosford) => hosford.part(e, k).square.sqrt(),
+            Self::Hosford(hosford) => hosford.part(e, k, None).square.sqrt(),
         }
     }
 

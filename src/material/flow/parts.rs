@@ -59,7 +59,8 @@ impl Iterate {
         let steep = 1.0 + weight;
         let e = [steep * strain[0] - past[0], steep * strain[1] - past[1], steep * strain[2] - past[2]];
         let spread = [steep * bending[0] - past_spread[0], steep * bending[1] - past_spread[1]];
-        let part = condition.part(e, spread);
+        let goes_on = law.matrix == Iteration::PrimalDual && self.fluidity > 0.0;
+        let part = condition.part(e, spread, goes_on.then_some((self.flow, self.spread)));
         let (g, square) = (part.gradient, part.square);
         let increment = square.sqrt();
         let inverse_square = 1.0 / (square + law.cutoff * law.cutoff);
@@ -105,7 +106,7 @@ impl Iterate {
         if self.fluidity > 0.0 {
             let de = [e[0] - self.flow[0], e[1] - self.flow[1], e[2] - self.flow[2]];
             let dk = [spread[0] - self.spread[0], spread[1] - self.spread[1]];
-            let last = condition.part(self.flow, self.spread);
+            let last = condition.part(self.flow, self.spread, None);
             let g = condition.part_product(&last, self.flow, self.spread);
             let c = condition.part_product(&last, de, dk);
             let product = |v: &[f64; 5]| v[0] * de[0] + v[1] * de[1] + v[2] * de[2] + v[3] * dk[0] + v[4] * dk[1];
