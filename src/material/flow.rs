@@ -249,10 +249,11 @@ impl Iterate {
         let Past { weight, strain: past, equivalent, .. } = point.past;
         let steep = 1.0 + weight;
         let e = [steep * strain[0] - past[0], steep * strain[1] - past[1], steep * strain[2] - past[2]];
-        let metric = if law.matrix == Iteration::PrimalDual && self.fluidity > 0.0 {
-            condition.metric_since(e, self.flow)
-        } else {
-            condition.metric(e)
+        let goes_on = law.matrix == Iteration::PrimalDual && self.fluidity > 0.0;
+        let last = goes_on.then(|| condition.metric(self.flow));
+        let metric = match &last {
+            Some(Metric { gradient: [s, t, _], .. }) => condition.metric_since(e, self.flow, [*s, *t]),
+            None => condition.metric(e),
         };
         let a = metric.gradient;
         let square = metric.square;
@@ -276,7 +277,7 @@ impl Iterate {
                 [g * a[0], g * a[1], g * a[2]]
             }
             Iteration::PrimalDual => {
-                let w = self.carried_at(condition, &metric, e, yielding.stress);
+                let w = self.carried_at(condition, (&metric, last.as_ref()), e, yielding.stress);
                 self.carried = w;
                 let i = inverse_square;
                 [h * a[0] - i * w[0], h * a[1] - i * w[1], h * a[2] - i * w[2]]
@@ -307,16 +308,21 @@ impl Iterate {
 
     /// w ← σ + C δ(Δε) with the matrix of the last iterate, scaled back onto the yield surface.
     #[inline]
-    fn carried_at(&self, condition: &impl YieldCondition, now: &Metric, e: Triple, yield_stress: f64) -> Triple {
+    fn carried_at(
+        &self,
+        condition: &impl YieldCondition,
+        (now, last): (&Metric, Option<&Metric>),
+        e: Triple,
+        yield_stress: f64,
+    ) -> Triple {
         let mut w = self.carried;
-        if self.fluidity > 0.0 {
-            let last = condition.metric(self.flow);
+        if let Some(last) = last {
             let a = last.gradient;
             let delta = [e[0] - self.flow[0], e[1] - self.flow[1], e[2] - self.flow[2]];
             let along = dot(a, delta);
             let on_a = self.fluidity + self.hardening * along - 0.5 * self.inverse_square * dot(w, delta);
             let on_w = -0.5 * self.inverse_square * along;
-            let c = condition.product(&last, delta);
+            let c = condition.product(last, delta);
             for i in 0..3 {
                 w[i] = on_a * a[i] + on_w * w[i] + self.fluidity * c[i];
             }

@@ -32,8 +32,8 @@ use crate::law::{LawError, require_or};
 use crate::numerics::Power;
 use std::ops::RangeInclusive;
 
-/// Exponents: from Hill's to where the curve is all but Tresca's \[–\].
-const EXPONENT: RangeInclusive<f64> = 2.0..=20.0;
+/// Exponents: from Hill's to beyond that of fcc; sharper corners than these find no equilibrium in whole runs \[–\].
+const EXPONENT: RangeInclusive<f64> = 2.0..=10.0;
 
 /// The shear's entry of the second derivative.
 const SHEAR: f64 = SHEAR_FACTOR / 3.0;
@@ -76,7 +76,7 @@ impl Hosford {
         Self { quadratic: Hill48::new(r), power: Power::new(exponent), plane_strain: root / (1.0 + root) }
     }
 
-    /// For r̄ of sheet metals, as [`Hill48::checked`], and an exponent of 2 to 20.
+    /// For r̄ of sheet metals, as [`Hill48::checked`], and an exponent of 2 to 10.
     ///
     /// # Errors
     /// When one lies beyond.
@@ -142,6 +142,33 @@ impl Hosford {
         if metric.square == 0.0 { [0.0; 3] } else { metric.gradient.map(|s| s / metric.square.sqrt()) }
     }
 
+    /// Of an increment whose stress ratio is perhaps near `x`.
+    #[inline]
+    fn metric_near(&self, e: Triple, x: f64) -> Metric {
+        let (major, minor, swapped) = ordered(e);
+        if major == 0.0 {
+            // Nothing says where on the curve: Hill's is as good as any.
+            return self.quadratic.metric(e);
+        }
+        let beta = minor / major;
+        let Place { ratio, size, normal, bend } = self.place(beta, (major + minor) / major, x);
+        let inverse_square = 1.0 / (size * size);
+        // ψ σ, of which ψ = |Δε_s| (1 + β x)/φ.
+        let along = major * (1.0 + beta * ratio) * inverse_square;
+        let across = along * ratio;
+        let bend = normal[0] * normal[0] * inverse_square / bend;
+        let (own, mixed) = (inverse_square + bend * beta * beta, ratio * inverse_square - bend * beta);
+        let other = ratio * ratio * inverse_square + bend;
+        let shear = SHEAR * e[2];
+        let square = along * major + across * minor + shear * e[2];
+        if swapped {
+            let matrix = [other, mixed, own, 0.0, 0.0, SHEAR];
+            return Metric { gradient: [across, along, shear], matrix, square };
+        }
+        let matrix = [own, mixed, other, 0.0, 0.0, SHEAR];
+        Metric { gradient: [along, across, shear], matrix, square }
+    }
+
     /// φ(1, x).
     #[inline]
     fn size(&self, x: f64) -> f64 {
@@ -164,13 +191,13 @@ impl Hosford {
         Place { ratio: x, size, normal: [unit * along, unit * across], bend }
     }
 
-    /// The place whose normal goes with 1 and β; `sum` is 1 + β, without the round-off of β.
+    /// The place whose normal goes with 1 and β, perhaps near `x`; `sum` is 1 + β, without the round-off of β.
     #[inline]
-    fn place(&self, beta: f64, sum: f64) -> Place {
+    fn place(&self, beta: f64, sum: f64, x: f64) -> Place {
         let (r, more) = (self.ratio(), self.exponent() - 2.0);
         let weight = r * sum;
         let (mut low, mut high) = (-1.0, 1.0);
-        let mut x = self.guess(beta, sum);
+        let mut x = if x.abs() <= 1.0 { x } else { self.guess(beta, sum) };
         for _ in 0..MOST {
             let y = 1.0 - x;
             let (own, between) = (self.power.less_two(x.abs()), weight * self.power.less_two(y));
@@ -219,43 +246,21 @@ pub(super) fn ordered(v: Triple) -> (f64, f64, bool) {
 
 impl YieldCondition for Hosford {
     fn metric(&self, e: Triple) -> Metric {
-        let (major, minor, swapped) = ordered(e);
-        if major == 0.0 {
-            // Nothing says where on the curve: Hill's is as good as any.
-            return self.quadratic.metric(e);
-        }
-        let beta = minor / major;
-        let Place { ratio, size, normal, bend } = self.place(beta, (major + minor) / major);
-        let inverse_square = 1.0 / (size * size);
-        // ψ σ, of which ψ = |Δε_s| (1 + β x)/φ.
-        let along = major * (1.0 + beta * ratio) * inverse_square;
-        let across = along * ratio;
-        let bend = normal[0] * normal[0] * inverse_square / bend;
-        let (own, mixed) = (inverse_square + bend * beta * beta, ratio * inverse_square - bend * beta);
-        let other = ratio * ratio * inverse_square + bend;
-        let shear = SHEAR * e[2];
-        let square = along * major + across * minor + shear * e[2];
-        if swapped {
-            let matrix = [other, mixed, own, 0.0, 0.0, SHEAR];
-            return Metric { gradient: [across, along, shear], matrix, square };
-        }
-        let matrix = [own, mixed, other, 0.0, 0.0, SHEAR];
-        Metric { gradient: [along, across, shear], matrix, square }
+        self.metric_near(e, f64::NAN)
     }
 
     /// Where the curve is flat the stress ratio swings with the strain's like a seventh root, and Newton's method overshoots from
     /// side to side: a chord across is then what it takes. A is no softer along the curve than the chord from the last
     /// increment, which near the answer is the tangent.
-    fn metric_since(&self, e: Triple, last: Triple) -> Metric {
-        let mut metric = self.metric(e);
+    fn metric_since(&self, e: Triple, last: Triple, gradient: [f64; 2]) -> Metric {
         let (major, minor, swapped) = ordered(e);
-        let before = self.metric(last).gradient;
-        let turned = |v: Triple| if swapped { [v[1], v[0]] } else { [v[0], v[1]] };
-        let ([major_before, minor_before], [s, t], [along, across]) =
-            (turned(last), turned(before), turned(metric.gradient));
+        let turned = |v: [f64; 2]| if swapped { [v[1], v[0]] } else { v };
+        let ([major_before, minor_before], [s, t]) = (turned([last[0], last[1]]), turned(gradient));
         if major * major_before <= 0.0 || major * s <= 0.0 {
-            return metric;
+            return self.metric(e);
         }
+        let mut metric = self.metric_near(e, t / s);
+        let [along, across] = turned([metric.gradient[0], metric.gradient[1]]);
         let (beta, x) = (minor / major, across / along);
         let turn = beta - minor_before / major_before;
         if turn.abs() < SAME {

@@ -52,9 +52,10 @@ pub trait YieldCondition {
     /// Of the strain increment `e`.
     fn metric(&self, e: Triple) -> Metric;
 
-    /// Of the strain increment `e`, with a matrix for an iteration that comes from the increment `last`.
+    /// Of the strain increment `e`, with a matrix for an iteration that comes from the increment `last`, of which `gradient` is
+    /// known.
     #[inline]
-    fn metric_since(&self, e: Triple, _last: Triple) -> Metric {
+    fn metric_since(&self, e: Triple, _last: Triple, _gradient: [f64; 2]) -> Metric {
         self.metric(e)
     }
 
@@ -71,23 +72,20 @@ pub trait YieldCondition {
         [ss * e[0] + st * e[1] + sg * e[2], st * e[0] + tt * e[1] + tg * e[2], sg * e[0] + tg * e[1] + gg * e[2]]
     }
 
-    /// Of what goes evenly from `e` − `k` to `e` + `k`, by Gauss's two points; in an iteration that comes from `last` as
-    /// [`Self::metric_since`].
+    /// Of what goes evenly from `e` − `k` to `e` + `k`, by Gauss's two points; in an iteration that comes from the increment,
+    /// the spread and the part in `last` as [`Self::metric_since`].
     #[inline]
-    fn part(&self, e: Triple, k: [f64; 2], last: Option<(Triple, [f64; 2])>) -> Part {
-        let at = |sign: f64| {
-            let point = |e: Triple, k: [f64; 2]| {
-                let [x, y] = k.map(|k| sign * MEAN_SQUARE.sqrt() * k);
-                [e[0] + x, e[1] + y, e[2]]
-            };
-            match last {
-                Some((last, before)) => self.metric_since(point(e, k), point(last, before)),
-                None => self.metric(point(e, k)),
-            }
+    fn part(&self, e: Triple, k: [f64; 2], last: Option<(Triple, [f64; 2], &Part)>) -> Part {
+        let root = MEAN_SQUARE.sqrt();
+        let at = |root: f64| {
+            let point = |e: Triple, k: [f64; 2]| [e[0] + root * k[0], e[1] + root * k[1], e[2]];
+            let Some((last, before, part)) = last else { return self.metric(point(e, k)) };
+            let [s, t, _, ks, kt] = part.gradient;
+            self.metric_since(point(e, k), point(last, before), [s + ks / root, t + kt / root])
         };
-        let (above, below) = (at(1.0), at(-1.0));
+        let (above, below) = (at(root), at(-root));
         let mean = |i: usize| 0.5 * (above.gradient[i] + below.gradient[i]);
-        let odd = 0.5 * MEAN_SQUARE.sqrt();
+        let odd = 0.5 * root;
         let turning = |i: usize| odd * (above.gradient[i] - below.gradient[i]);
         let own = |j: usize| 0.5 * (above.matrix[j] + below.matrix[j]);
         let coupling = |j: usize| odd * (above.matrix[j] - below.matrix[j]);

@@ -60,7 +60,8 @@ impl Iterate {
         let e = [steep * strain[0] - past[0], steep * strain[1] - past[1], steep * strain[2] - past[2]];
         let spread = [steep * bending[0] - past_spread[0], steep * bending[1] - past_spread[1]];
         let goes_on = law.matrix == Iteration::PrimalDual && self.fluidity > 0.0;
-        let part = condition.part(e, spread, goes_on.then_some((self.flow, self.spread)));
+        let last = goes_on.then(|| condition.part(self.flow, self.spread, None));
+        let part = condition.part(e, spread, last.as_ref().map(|last| (self.flow, self.spread, last)));
         let (g, square) = (part.gradient, part.square);
         let increment = square.sqrt();
         let inverse_square = 1.0 / (square + law.cutoff * law.cutoff);
@@ -77,7 +78,7 @@ impl Iterate {
             Iteration::Secant => [0.0; 5],
             Iteration::Newton => g.map(|g| half * (h - f * inverse_square) * g),
             Iteration::PrimalDual => {
-                let w = self.carried_across(condition, &part, e, spread, yield_stress);
+                let w = self.carried_across(condition, (&part, last.as_ref()), e, spread, yield_stress);
                 self.carried = [w[0], w[1], w[2]];
                 self.carried_moment = [w[3], w[4]];
                 let by = |i: usize| half * (h * g[i] - inverse_square * w[i]);
@@ -97,18 +98,17 @@ impl Iterate {
     fn carried_across(
         &self,
         condition: &impl YieldCondition,
-        now: &Part,
+        (now, last): (&Part, Option<&Part>),
         e: Triple,
         spread: [f64; 2],
         yield_stress: f64,
     ) -> [f64; 5] {
         let mut w = [self.carried[0], self.carried[1], self.carried[2], self.carried_moment[0], self.carried_moment[1]];
-        if self.fluidity > 0.0 {
+        if let Some(last) = last {
             let de = [e[0] - self.flow[0], e[1] - self.flow[1], e[2] - self.flow[2]];
             let dk = [spread[0] - self.spread[0], spread[1] - self.spread[1]];
-            let last = condition.part(self.flow, self.spread, None);
-            let g = condition.part_product(&last, self.flow, self.spread);
-            let c = condition.part_product(&last, de, dk);
+            let g = condition.part_product(last, self.flow, self.spread);
+            let c = condition.part_product(last, de, dk);
             let product = |v: &[f64; 5]| v[0] * de[0] + v[1] * de[1] + v[2] * de[2] + v[3] * dk[0] + v[4] * dk[1];
             let along = product(&g);
             let on_g = self.fluidity + self.hardening * along - 0.5 * self.inverse_square * product(&w);
