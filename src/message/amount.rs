@@ -14,6 +14,8 @@ pub struct Amount {
     pub digits: Digits,
     /// What stands behind it in place of a unit: `t` for thicknesses.
     times: &'static str,
+    /// Half width of its error bar, in `unit`; `None` where it is not known, or the number was given.
+    bar: Option<f64>,
 }
 
 /// How finely a number is told.
@@ -45,7 +47,17 @@ const SMALLEST: i32 = -4;
 impl Amount {
     /// Any number.
     pub const fn new(value: f64, unit: Unit, digits: Digits) -> Self {
-        Self { value, unit, digits, times: "" }
+        Self { value, unit, digits, times: "", bar: None }
+    }
+
+    /// The same with its error bar, in its unit: told as `0.61 ± 0.01 mm`, and the number with no digit beyond the bar.
+    pub const fn with_bar(self, bar: f64) -> Self {
+        Self { bar: Some(bar), ..self }
+    }
+
+    /// Half width of its error bar, in `unit`.
+    pub const fn bar(self) -> Option<f64> {
+        self.bar
     }
 
     /// The same, told with other digits.
@@ -176,6 +188,10 @@ impl Amount {
         if !value.is_finite() {
             return ("–".to_owned(), unit);
         }
+        if let Some(bar) = self.bar.map(|bar| (bar * to.factor).abs()).filter(|bar| bar.is_finite()) {
+            let [value, bar] = within_bar(value, bar, self.decimals(value, to.finer));
+            return (format!("{} ± {}", form.language.number(&value), form.language.number(&bar)), unit);
+        }
         let written = match self.digits {
             Decimals(n) => format!("{value:.*}", n + to.finer),
             Given(n) => crate::units::trimmed(value, (n + to.finer) as i32),
@@ -191,6 +207,25 @@ impl Amount {
         };
         (form.language.number(&unsigned_zero(&written)), unit)
     }
+
+    /// The decimals of a number without a bar, in a unit that wants some `finer`.
+    fn decimals(self, value: f64, finer: usize) -> i32 {
+        match self.digits {
+            Decimals(n) | Given(n) | Drawn(n) => (n + finer) as i32,
+            Significant(n) | Converted(n) => (n as i32 - 1 - magnitude(value, n)).max(0),
+        }
+    }
+}
+
+/// A number and its bar with as many decimals, at most so many: of the bar one digit is told, or two where the first is 1,
+/// and it is not told smaller than it is, but for a twentieth of its last digit.
+fn within_bar(value: f64, bar: f64, most: i32) -> [String; 2] {
+    let first = if bar > 0.0 { -bar.log10().floor() as i32 } else { most };
+    let is_one = format!("{bar:e}").starts_with('1');
+    let decimals = most.min(first + i32::from(is_one));
+    let place = 10f64.powi(-decimals);
+    let write = |places: f64| unsigned_zero(&format!("{:.*}", decimals.max(0) as usize, places * place));
+    [write((value / place).round()), write((bar / place - 0.05).ceil().max(1.0))]
 }
 
 /// The power of ten of a number once it is rounded to so many digits: 9.996 is 10.0.
@@ -240,6 +275,26 @@ mod tests {
             (Amount::share(1.23e-8), ["0 %", "0 %", "0 %"]),
             (Amount::new(1.23e-6, Unit::None, Significant(2)), ["1.2e-6", "1.2e-6", "1,2e-6"]),
             (Amount::stress(f64::NAN), ["– MPa", "– psi", "– MPa"]),
+        ] {
+            assert_eq!([tell(amount, si), tell(amount, us), tell(amount, de)], expected);
+        }
+    }
+
+    /// Trust: by hand.
+    #[test]
+    fn a_number_has_no_digit_beyond_its_bar() {
+        let si = Form::default();
+        let us = Form { system: System::Us, ..si };
+        let de = Form { language: Language::of("de").expect("German"), ..si };
+        let tell = |amount: Amount, form| amount.told(form).replace(NO_BREAK, " ");
+        for (amount, expected) in [
+            (Amount::thickness(0.612).with_bar(0.0102), ["0.61 ± 0.01 mm", "0.0241 ± 0.0004 in", "0,61 ± 0,01 mm"]),
+            (Amount::thickness(0.612).with_bar(0.0004), ["0.61 ± 0.01 mm", "0.0241 ± 0.0001 in", "0,61 ± 0,01 mm"]),
+            (Amount::thickness(0.612).with_bar(0.13), ["0.61 ± 0.13 mm", "0.024 ± 0.006 in", "0,61 ± 0,13 mm"]),
+            (Amount::force(36_180.0, Unit::N).with_bar(2_400.0), ["36 ± 3 kN", "4.1 ± 0.3 US tonf", "36 ± 3 kN"]),
+            (Amount::share(1.287).with_bar(23.0), ["130 ± 30 %", "130 ± 30 %", "130 ± 30 %"]),
+            (Amount::angle(-0.01).with_bar(0.0), ["0.0 ± 0.1°", "0.0 ± 0.1°", "0,0 ± 0,1°"]),
+            (Amount::place(23.53).with_bar(f64::NAN), ["23.5 mm", "0.926 in", "23,5 mm"]),
         ] {
             assert_eq!([tell(amount, si), tell(amount, us), tell(amount, de)], expected);
         }
