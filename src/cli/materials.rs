@@ -122,7 +122,7 @@ fn describe(entry: &Entry) -> Shown {
         ("Rp0.2", format!("{:.0} MPa, the law's stress at a plastic strain of 0.2 %", entry.proof_stress())),
         ("Rm, Ag", tested),
         ("n", n),
-        ("r̄", material.yield_criterion.ratio().to_string()),
+        ("yields by", material.yield_criterion.to_string()),
         ("FLC", limit),
         ("FLC points", measured),
         ("E, ν", elastic),

@@ -104,15 +104,15 @@ impl Stiffness {
     fn add_part(&mut self, zeta: f64, half: f64, v: f64, part: &Across) {
         let Self { c0, c1, c2 } = self;
         let [ss, st, tt, shear] = part.metric.map(|k| v * k);
-        let own = MEAN_SQUARE * half * half;
-        let square = zeta * zeta + own;
-        for (j, k) in [(0, ss), (1, st), (2, tt)] {
+        let [xx, xy, yy] = part.coupling.map(|k| half * v * k);
+        let square = zeta * zeta + MEAN_SQUARE * half * half;
+        for (j, (k, x)) in [(ss, xx), (st, xy), (tt, yy)].into_iter().enumerate() {
             c0[j] += k;
-            c2[j] += square * k + own * v * part.excess[j];
+            c2[j] += square * k + 2.0 * zeta * x;
         }
         c0[5] += shear;
-        for (j, k) in [(0, ss), (1, st), (2, st), (3, tt)] {
-            c1[j] += zeta * k;
+        for (j, (k, x)) in [(ss, xx), (st, xy), (st, xy), (tt, yy)].into_iter().enumerate() {
+            c1[j] += zeta * k + x;
         }
         // g and h by the strains, and by the curvatures.
         let [g, h] = part.outer;

@@ -30,10 +30,7 @@ use super::{FlowStress, Gtn, Hardening, Hosford, PointLaw, Rate, Surroundings, T
 use crate::units::ZERO_CELSIUS;
 
 pub use super::point_law::{Across, StressUpdate};
-pub use super::yield_condition::{Metric, SHEAR_FACTOR, Symmetric, Triple, YieldCondition};
-
-/// Mean square of what goes evenly from −1 to 1 \[–\].
-pub const MEAN_SQUARE: f64 = 1.0 / 3.0;
+pub use super::yield_condition::{MEAN_SQUARE, Metric, SHEAR_FACTOR, Symmetric, Triple, YieldCondition};
 
 /// Matrix of the corrector.
 // H of Sosnowski (1994), equation 9.
@@ -168,10 +165,7 @@ impl PointState {
         voids: Option<&Gtn>,
     ) -> Self {
         let equivalent = match voids {
-            None => {
-                let across = criterion.equivalent_increment([spread[0], spread[1], 0.0]);
-                criterion.equivalent_increment(p).hypot(MEAN_SQUARE.sqrt() * across)
-            }
+            None => criterion.equivalent_across(p, spread),
             Some(voids) => voids.condition(criterion.quadratic(), self.porosity).equivalent_increment(p),
         };
         let past =
@@ -255,7 +249,12 @@ impl Iterate {
         let Past { weight, strain: past, equivalent, .. } = point.past;
         let steep = 1.0 + weight;
         let e = [steep * strain[0] - past[0], steep * strain[1] - past[1], steep * strain[2] - past[2]];
-        let metric = condition.metric(e);
+        let goes_on = law.matrix == Iteration::PrimalDual && self.fluidity > 0.0;
+        let last = goes_on.then(|| condition.metric(self.flow));
+        let metric = match &last {
+            Some(Metric { gradient: [s, t, _], .. }) => condition.metric_since(e, self.flow, [*s, *t]),
+            None => condition.metric(e),
+        };
         let a = metric.gradient;
         let square = metric.square;
         let increment = square.sqrt();
@@ -278,7 +277,7 @@ impl Iterate {
                 [g * a[0], g * a[1], g * a[2]]
             }
             Iteration::PrimalDual => {
-                let w = self.carried_at(condition, &metric, e, yielding.stress);
+                let w = self.carried_at(condition, (&metric, last.as_ref()), e, yielding.stress);
                 self.carried = w;
                 let i = inverse_square;
                 [h * a[0] - i * w[0], h * a[1] - i * w[1], h * a[2] - i * w[2]]
@@ -309,16 +308,21 @@ impl Iterate {
 
     /// w ← σ + C δ(Δε) with the matrix of the last iterate, scaled back onto the yield surface.
     #[inline]
-    fn carried_at(&self, condition: &impl YieldCondition, now: &Metric, e: Triple, yield_stress: f64) -> Triple {
+    fn carried_at(
+        &self,
+        condition: &impl YieldCondition,
+        (now, last): (&Metric, Option<&Metric>),
+        e: Triple,
+        yield_stress: f64,
+    ) -> Triple {
         let mut w = self.carried;
-        if self.fluidity > 0.0 {
-            let last = condition.metric(self.flow);
+        if let Some(last) = last {
             let a = last.gradient;
             let delta = [e[0] - self.flow[0], e[1] - self.flow[1], e[2] - self.flow[2]];
             let along = dot(a, delta);
             let on_a = self.fluidity + self.hardening * along - 0.5 * self.inverse_square * dot(w, delta);
             let on_w = -0.5 * self.inverse_square * along;
-            let c = condition.product(&last, delta);
+            let c = condition.product(last, delta);
             for i in 0..3 {
                 w[i] = on_a * a[i] + on_w * w[i] + self.fluidity * c[i];
             }

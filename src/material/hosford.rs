@@ -18,6 +18,7 @@
 //!
 //! ```text
 //! σ = (1, x)/φ(1, x),   ∂½ψ²/∂Δε = ψ σ,   ∂²½ψ²/∂Δε² = σ⊗σ + x'(β)/φ² (−β, 1)⊗(−β, 1)
+//! x'(β) = (∂φ/∂σ_s)²/κ,   φ ∂²φ/∂σ² = κ (−x, 1)⊗(−x, 1)
 //! ```
 //!
 //! # References
@@ -31,8 +32,8 @@ use crate::law::{LawError, require_or};
 use crate::numerics::Power;
 use std::ops::RangeInclusive;
 
-/// Exponents: from Hill's to where the curve is all but Tresca's \[–\].
-const EXPONENT: RangeInclusive<f64> = 2.0..=20.0;
+/// Exponents: from Hill's to beyond that of fcc; sharper corners than these find no equilibrium in whole runs \[–\].
+const EXPONENT: RangeInclusive<f64> = 2.0..=10.0;
 
 /// The shear's entry of the second derivative.
 const SHEAR: f64 = SHEAR_FACTOR / 3.0;
@@ -41,6 +42,8 @@ const SHEAR: f64 = SHEAR_FACTOR / 3.0;
 /// order \[–\]; and where it is round-off itself.
 const LAST: f64 = 1e-6;
 const ROUND_OFF: f64 = 1e-16;
+/// Ratios of strain increments that are one \[–\]: between them a chord is round-off.
+const SAME: f64 = 1e-7;
 /// Most iterations of the inner root: halving alone needs fifty.
 const MOST: usize = 60;
 
@@ -54,14 +57,16 @@ pub struct Hosford {
     plane_strain: f64,
 }
 
-/// A place of the curve φ = 1, the larger stress first and positive.
-struct Place {
+/// What the curve φ is at the stress (1, x), the larger one first.
+pub(super) struct Place {
     /// x, the smaller stress over the larger one \[–\].
-    ratio: f64,
+    pub ratio: f64,
     /// φ(1, x) \[–\].
-    size: f64,
-    /// x'(β) \[–\].
-    slope: f64,
+    pub size: f64,
+    /// ∂φ/∂σ, which is the same all along the ray.
+    pub normal: [f64; 2],
+    /// κ of the second derivative φ ∂²φ/∂σ² = κ (−x, 1)⊗(−x, 1), which is the same all along the ray.
+    pub bend: f64,
 }
 
 impl Hosford {
@@ -71,7 +76,7 @@ impl Hosford {
         Self { quadratic: Hill48::new(r), power: Power::new(exponent), plane_strain: root / (1.0 + root) }
     }
 
-    /// For r̄ of sheet metals, as [`Hill48::checked`], and an exponent of 2 to 20.
+    /// For r̄ of sheet metals, as [`Hill48::checked`], and an exponent of 2 to 10.
     ///
     /// # Errors
     /// When one lies beyond.
@@ -121,13 +126,8 @@ impl Hosford {
         if major == 0.0 {
             return [0.0, 0.0, shear];
         }
-        let (x, r) = (minor / major, self.ratio());
-        let y = 1.0 - x;
-        let (own, between) = (x * self.power.less_two(x.abs()), r * y * self.power.less_two(y));
-        // φ^(a−1) ∂φ/∂σ = (1 + r̄ y^(a−1), x|x|^(a−2) − r̄ y^(a−1))/(1 + r̄);  φ ∂φ/∂σ over σ̄
-        let size = self.size(x);
-        let unit = major / (equivalent * self.power.less_two(size) * (1.0 + r));
-        let [along, across] = [unit * (1.0 + between), unit * (own - between)];
+        let Place { size, normal, .. } = self.at(minor / major);
+        let [along, across] = normal.map(|n| major * size / equivalent * n);
         if swapped { [across, along, shear] } else { [along, across, shear] }
     }
 
@@ -142,6 +142,33 @@ impl Hosford {
         if metric.square == 0.0 { [0.0; 3] } else { metric.gradient.map(|s| s / metric.square.sqrt()) }
     }
 
+    /// Of an increment whose stress ratio is perhaps near `x`.
+    #[inline]
+    fn metric_near(&self, e: Triple, x: f64) -> Metric {
+        let (major, minor, swapped) = ordered(e);
+        if major == 0.0 {
+            // Nothing says where on the curve: Hill's is as good as any.
+            return self.quadratic.metric(e);
+        }
+        let beta = minor / major;
+        let Place { ratio, size, normal, bend } = self.place(beta, (major + minor) / major, x);
+        let inverse_square = 1.0 / (size * size);
+        // ψ σ, of which ψ = |Δε_s| (1 + β x)/φ.
+        let along = major * (1.0 + beta * ratio) * inverse_square;
+        let across = along * ratio;
+        let bend = normal[0] * normal[0] * inverse_square / bend;
+        let (own, mixed) = (inverse_square + bend * beta * beta, ratio * inverse_square - bend * beta);
+        let other = ratio * ratio * inverse_square + bend;
+        let shear = SHEAR * e[2];
+        let square = along * major + across * minor + shear * e[2];
+        if swapped {
+            let matrix = [other, mixed, own, 0.0, 0.0, SHEAR];
+            return Metric { gradient: [across, along, shear], matrix, square };
+        }
+        let matrix = [own, mixed, other, 0.0, 0.0, SHEAR];
+        Metric { gradient: [along, across, shear], matrix, square }
+    }
+
     /// φ(1, x).
     #[inline]
     fn size(&self, x: f64) -> f64 {
@@ -150,13 +177,27 @@ impl Hosford {
         self.power.root(sum / (1.0 + r))
     }
 
-    /// Where the normal goes with 1 and β; `sum` is 1 + β, without the round-off of β.
+    /// The place of the stress (1, x).
     #[inline]
-    fn place(&self, beta: f64, sum: f64) -> Place {
+    pub(super) fn at(&self, x: f64) -> Place {
+        let (y, r) = (1.0 - x, self.ratio());
+        let (own, between) = (self.power.less_two(x.abs()), r * self.power.less_two(y));
+        // (1 + r̄) φ^(a−1) ∂φ/∂σ, and its product with (1, x), which is (1 + r̄) φ^a
+        let (along, across) = (1.0 + between * y, x * own - between * y);
+        let sum = 1.0 + x * x * own + between * y * y;
+        let size = self.power.root(sum / (1.0 + r));
+        let unit = size / sum;
+        let bend = (self.exponent() - 1.0) * (own * along + between * (1.0 + x * own)) * unit * unit;
+        Place { ratio: x, size, normal: [unit * along, unit * across], bend }
+    }
+
+    /// The place whose normal goes with 1 and β, perhaps near `x`; `sum` is 1 + β, without the round-off of β.
+    #[inline]
+    fn place(&self, beta: f64, sum: f64, x: f64) -> Place {
         let (r, more) = (self.ratio(), self.exponent() - 2.0);
         let weight = r * sum;
         let (mut low, mut high) = (-1.0, 1.0);
-        let mut x = self.guess(beta, sum);
+        let mut x = if x.abs() <= 1.0 { x } else { self.guess(beta, sum) };
         for _ in 0..MOST {
             let y = 1.0 - x;
             let (own, between) = (self.power.less_two(x.abs()), weight * self.power.less_two(y));
@@ -179,11 +220,7 @@ impl Hosford {
                 break;
             }
         }
-        let y = 1.0 - x;
-        let (own, between) = (self.power.less_two(x.abs()), self.power.less_two(y));
-        let size = self.power.root((1.0 + x * x * own + r * y * y * between) / (1.0 + r));
-        let slope = (1.0 + r * y * between) / ((1.0 + more) * (own + weight * between));
-        Place { ratio: x, size, slope }
+        self.at(x)
     }
 
     /// Straight between the places that are known: pure shear, tension, plane strain and equi-biaxial stretching; for Hill's
@@ -203,34 +240,40 @@ impl Hosford {
 
 /// The larger one of the first two entries and the smaller one, and whether they stand the other way round.
 #[inline]
-fn ordered(v: Triple) -> (f64, f64, bool) {
+pub(super) fn ordered(v: Triple) -> (f64, f64, bool) {
     if v[1].abs() > v[0].abs() { (v[1], v[0], true) } else { (v[0], v[1], false) }
 }
 
 impl YieldCondition for Hosford {
     fn metric(&self, e: Triple) -> Metric {
+        self.metric_near(e, f64::NAN)
+    }
+
+    /// Where the curve is flat the stress ratio swings with the strain's like a seventh root, and Newton's method overshoots from
+    /// side to side: a chord across is then what it takes. A is no softer along the curve than the chord from the last
+    /// increment, which near the answer is the tangent.
+    fn metric_since(&self, e: Triple, last: Triple, gradient: [f64; 2]) -> Metric {
         let (major, minor, swapped) = ordered(e);
-        if major == 0.0 {
-            // Nothing says where on the curve: Hill's is as good as any.
-            return self.quadratic.metric(e);
+        let turned = |v: [f64; 2]| if swapped { [v[1], v[0]] } else { v };
+        let ([major_before, minor_before], [s, t]) = (turned([last[0], last[1]]), turned(gradient));
+        if major * major_before <= 0.0 || major * s <= 0.0 {
+            return self.metric(e);
         }
-        let beta = minor / major;
-        let Place { ratio, size, slope } = self.place(beta, (major + minor) / major);
-        let inverse_square = 1.0 / (size * size);
-        // ψ σ, of which ψ = |Δε_s| (1 + β x)/φ.
-        let along = major * (1.0 + beta * ratio) * inverse_square;
-        let across = along * ratio;
-        let bend = slope * inverse_square;
-        let (own, mixed) = (inverse_square + bend * beta * beta, ratio * inverse_square - bend * beta);
-        let other = ratio * ratio * inverse_square + bend;
-        let shear = SHEAR * e[2];
-        let square = along * major + across * minor + shear * e[2];
-        if swapped {
-            let matrix = [other, mixed, own, 0.0, 0.0, SHEAR];
-            return Metric { gradient: [across, along, shear], matrix, square };
+        let mut metric = self.metric_near(e, t / s);
+        let [along, across] = turned([metric.gradient[0], metric.gradient[1]]);
+        let (beta, x) = (minor / major, across / along);
+        let turn = beta - minor_before / major_before;
+        if turn.abs() < SAME {
+            return metric;
         }
-        let matrix = [own, mixed, other, 0.0, 0.0, SHEAR];
-        Metric { gradient: [along, across, shear], matrix, square }
+        let inverse_square = along / (major * (1.0 + beta * x));
+        let [ss, st, tt, ..] = &mut metric.matrix;
+        let other = if swapped { &mut *ss } else { &mut *tt };
+        let more = ((x - t / s) / turn * inverse_square - (*other - x * x * inverse_square)).max(0.0);
+        *other += more;
+        *st -= more * beta;
+        *(if swapped { tt } else { ss }) += more * beta * beta;
+        metric
     }
 
     /// By the inverse of A, which is positive definite.

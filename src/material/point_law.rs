@@ -31,7 +31,7 @@ pub trait PointLaw {
 /// rows and columns, of which only the parts are given,
 ///
 /// ```text
-/// C = [K 0; 0 ⅓K'] + g⊗h + h⊗g        K = [ss sθ 0; sθ θθ 0; 0 0 γγ], K' without the last row
+/// C = [K K_x; K_x ⅓K] + g⊗h + h⊗g        K = [ss sθ 0; sθ θθ 0; 0 0 γγ], without its last row in ⅓K
 /// ```
 #[derive(Clone, Copy, Debug)]
 pub struct Across {
@@ -41,8 +41,8 @@ pub struct Across {
     pub moment: [f64; 2],
     /// K: ss, sθ, θθ, γγ \[MPa\].
     pub metric: [f64; 4],
-    /// K' less K: ss, sθ, θθ, nothing for a quadratic yield condition \[MPa\].
-    pub excess: [f64; 3],
+    /// K_x: ss, sθ, θθ, nothing for a quadratic yield condition \[MPa\].
+    pub coupling: Triple,
     /// g and h \[–, MPa\].
     pub outer: [[f64; 5]; 2],
 }

@@ -65,6 +65,7 @@ mod verify_elastoplastic;
 mod verify_fine_mesh;
 mod verify_forming_limit;
 mod verify_heat_and_voids;
+mod verify_hosford;
 mod verify_ironing;
 mod verify_loads;
 mod verify_motion;

@@ -253,7 +253,7 @@ fn every_law_is_listed_with_a_source_and_its_parameters() {
     let all = names(Hardening::examples().into_iter().map(|(n, _)| n).collect())
         .chain(names(Rate::examples().into_iter().map(|(n, _)| n).collect()))
         .chain(names(ThermalLaw::examples().into_iter().map(|(n, _)| n).collect()))
-        .chain(["voids"])
+        .chain(["voids", "hosford"])
         .chain(names(Friction::examples().into_iter().map(|(n, _)| n).collect()))
         .filter(|name| *name != "coulomb");
     let friction = names(Friction::examples().into_iter().map(|(n, _)| n).collect()).collect::<Vec<_>>();

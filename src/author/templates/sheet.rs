@@ -108,6 +108,11 @@ impl Sheet {
         self.material.yield_criterion.ratio()
     }
 
+    /// Stress over yield stress in even biaxial tension \[–\].
+    pub fn biaxial_factor(&self) -> f64 {
+        self.material.yield_criterion.biaxial_factor()
+    }
+
     /// E and ν: the material's, or those of steel.
     pub fn elastic(&self) -> Elastic {
         self.material.elastic.unwrap_or(STEEL)

@@ -36,7 +36,7 @@ pub struct Material {
     #[cfg_attr(feature = "schema", schemars(example = 1.6))]
     pub anisotropy: Option<Anisotropy>,
     /// The curve of the stresses at which the sheet yields; "hill48" when not given.
-    #[cfg_attr(feature = "schema", schemars(example = &"{ hosford = { crystal = \"fcc\" } }"))]
+    #[cfg_attr(feature = "schema", schemars(example = &"hill48"))]
     pub yield_condition: Option<YieldCondition>,
     /// How the metal answers to strain; "flow" when not given. The others need `young` and `poisson`.
     #[cfg_attr(feature = "schema", schemars(example = &"elasto_viscoplastic"))]

@@ -28,7 +28,7 @@ pub struct Hosford {
     /// Lattice of the metal, which says a: 8 for fcc, 6 for bcc.
     #[cfg_attr(feature = "schema", schemars(example = &"fcc"))]
     pub crystal: Option<Crystal>,
-    /// a, 2 to 20, in the place of `crystal`.
+    /// a, 2 to 10, in the place of `crystal`.
     #[cfg_attr(feature = "schema", schemars(example = 8))]
     pub exponent: Option<Positive<Number>>,
 }

@@ -1,8 +1,7 @@
 //! The flow law where a thickness point stands for a part of the thickness that bending turns about.
 
-use super::{
-    Across, FlowLaw, Iterate, Iteration, MEAN_SQUARE, Metric, Past, PointState, StressUpdate, Triple, YieldCondition,
-};
+use super::{Across, FlowLaw, Iterate, Iteration, Past, PointState, StressUpdate, Triple, YieldCondition};
+use crate::material::yield_condition::Part;
 use crate::material::{FlowStress, Hosford, YieldCriterion};
 
 impl Iterate {
@@ -11,12 +10,12 @@ impl Iterate {
     /// mean square of the strain over it
     ///
     /// ```text
-    /// P² = Δε̄²(Δε) + ⅓ Δε̄²(k) + Δε₀²,   σ = σ_y ∂P/∂Δε = σ_y/P A Δε,   m = σ_y ∂P/∂k = σ_y/P ⅓ A' k
+    /// P² = Δεᵀ A Δε + ⅓ kᵀ A k + Δε₀²,   σ = σ_y ∂P/∂Δε = σ_y/P A Δε,   m = σ_y ∂P/∂k = σ_y/P ⅓ A k
     /// ```
     ///
-    /// stands for the mean, so that stress, moment and matrices are those of a point with five strains; A is that of Δε, A'
-    /// that of k. For Hill's condition, where they are one, P is the root mean square; for Hosford's it is as convex, and the
-    /// root mean square where k is a multiple of Δε. `None` for a sheet with voids.
+    /// stands for the mean: a norm of both, so that stress, moment and matrices are those of a point with five strains. Where A
+    /// is not the same for all strains P² is the mean of Gauss's two points, which for a quadratic condition is the same.
+    /// `None` for a sheet with voids.
     #[inline]
     pub(super) fn advance_across(
         &mut self,
@@ -60,11 +59,10 @@ impl Iterate {
         let steep = 1.0 + weight;
         let e = [steep * strain[0] - past[0], steep * strain[1] - past[1], steep * strain[2] - past[2]];
         let spread = [steep * bending[0] - past_spread[0], steep * bending[1] - past_spread[1]];
-        let metric = condition.metric(e);
-        let turning = condition.metric([spread[0], spread[1], 0.0]);
-        let a = metric.gradient;
-        let b = [0, 1].map(|d| MEAN_SQUARE * turning.gradient[d]);
-        let square = metric.square + b[0] * spread[0] + b[1] * spread[1];
+        let goes_on = law.matrix == Iteration::PrimalDual && self.fluidity > 0.0;
+        let last = goes_on.then(|| condition.part(self.flow, self.spread, None));
+        let part = condition.part(e, spread, last.as_ref().map(|last| (self.flow, self.spread, last)));
+        let (g, square) = (part.gradient, part.square);
         let increment = square.sqrt();
         let inverse_square = 1.0 / (square + law.cutoff * law.cutoff);
         let inverse = inverse_square.sqrt();
@@ -73,15 +71,14 @@ impl Iterate {
             law.yielding(point, hardening, steep, increment, 1.0 / inverse, increment * inverse);
         let f = yield_stress * inverse;
         let h = if increment > 0.0 { slope * inverse / increment } else { 0.0 };
-        let stress = a.map(|a| f * a);
-        let moment = b.map(|b| f * b);
-        let g = [a[0], a[1], a[2], b[0], b[1]];
+        let stress = [f * g[0], f * g[1], f * g[2]];
+        let moment = [f * g[3], f * g[4]];
         let half = 0.5 * steep;
         let other = match law.matrix {
             Iteration::Secant => [0.0; 5],
             Iteration::Newton => g.map(|g| half * (h - f * inverse_square) * g),
             Iteration::PrimalDual => {
-                let w = self.carried_across(condition, (&metric, &turning), e, spread, yield_stress);
+                let w = self.carried_across(condition, (&part, last.as_ref()), e, spread, yield_stress);
                 self.carried = [w[0], w[1], w[2]];
                 self.carried_moment = [w[3], w[4]];
                 let by = |i: usize| half * (h * g[i] - inverse_square * w[i]);
@@ -91,10 +88,9 @@ impl Iterate {
         let work_across = moment[0] * bending[0] + moment[1] * bending[1];
         *self = Self { strain, flow: e, spread, fluidity: f, hardening: h, inverse_square, ..*self };
         let update = StressUpdate { stress, tangent: [0.0; 6], increment: hardening, yield_stress, work_across };
-        let [ss, st, tt, .., shear] = metric.matrix;
-        let own = [ss, st, tt, shear].map(|entry| steep * f * entry);
-        let excess = [0, 1, 2].map(|j| steep * f * (turning.matrix[j] - metric.matrix[j]));
-        Across { update, moment, metric: own, excess, outer: [g, other] }
+        let metric = part.own.map(|entry| steep * f * entry);
+        let coupling = part.coupling.map(|entry| steep * f * entry);
+        Across { update, moment, metric, coupling, outer: [g, other] }
     }
 
     /// The same of stress and moment.
@@ -102,19 +98,17 @@ impl Iterate {
     fn carried_across(
         &self,
         condition: &impl YieldCondition,
-        (now, turning): (&Metric, &Metric),
+        (now, last): (&Part, Option<&Part>),
         e: Triple,
         spread: [f64; 2],
         yield_stress: f64,
     ) -> [f64; 5] {
         let mut w = [self.carried[0], self.carried[1], self.carried[2], self.carried_moment[0], self.carried_moment[1]];
-        if self.fluidity > 0.0 {
-            let both = |a: Triple, b: Triple| [a[0], a[1], a[2], MEAN_SQUARE * b[0], MEAN_SQUARE * b[1]];
+        if let Some(last) = last {
             let de = [e[0] - self.flow[0], e[1] - self.flow[1], e[2] - self.flow[2]];
             let dk = [spread[0] - self.spread[0], spread[1] - self.spread[1]];
-            let (last, turned) = (condition.metric(self.flow), condition.metric([self.spread[0], self.spread[1], 0.0]));
-            let g = both(last.gradient, turned.gradient);
-            let c = both(condition.product(&last, de), condition.product(&turned, [dk[0], dk[1], 0.0]));
+            let g = condition.part_product(last, self.flow, self.spread);
+            let c = condition.part_product(last, de, dk);
             let product = |v: &[f64; 5]| v[0] * de[0] + v[1] * de[1] + v[2] * de[2] + v[3] * dk[0] + v[4] * dk[1];
             let along = product(&g);
             let on_g = self.fluidity + self.hardening * along - 0.5 * self.inverse_square * product(&w);
@@ -123,8 +117,7 @@ impl Iterate {
                 w[i] = on_g * g[i] + on_w * w[i] + self.fluidity * c[i];
             }
         }
-        let square = condition.stress_square(now, [w[0], w[1], w[2]])
-            + condition.stress_square(turning, [w[3], w[4], 0.0]) / MEAN_SQUARE;
+        let square = condition.part_square(now, w);
         if square > yield_stress * yield_stress {
             let back = yield_stress / square.sqrt();
             return w.map(|w| back * w);
