@@ -1,17 +1,19 @@
 //! Random dies: how they end, and what they cost.
 //!
 //! `cargo bench --bench campaign -- --count 1000 --seed 7`, with `--selective 1` for selective bending, `--elastoplastic 1` for
-//! the elastoplastic law, `--work 1` for bends, ironing, gas, free flanges and second stages in place of sections that are
-//! drawn
+//! the elastoplastic law, `--sheets 1` for the sheets of the library in place of random laws, `--work 1` for bends, ironing,
+//! gas, free flanges and second stages in place of sections that are drawn; `--r 60` is r̄ = 0.6 in place of the sheet's, and
+//! `--hosford 8` Hosford's yield condition of that exponent with it
 
 #[path = "../tests/suite/common/random_die.rs"]
 mod random_die;
 #[path = "../tests/suite/common/random_work.rs"]
 mod random_work;
 
-use random_die::random_die;
+use random_die::{THIRD_SERIES, random_die};
 use random_work::{make_elastic, random_work};
 use rayon::prelude::*;
+use stampflow::material::{Hill48, Hosford, YieldCriterion};
 use stampflow::model::{Beginning, Theory};
 use stampflow::{Stage, StageSolution, StepRecord, solver};
 use std::collections::BTreeMap;
@@ -40,9 +42,16 @@ fn main() {
     let asked = |name: &str| argument(name, 0) != 0;
     let theory = if asked("--selective") { Theory::Selective } else { Theory::Bending };
     let make = if asked("--work") { work } else { section };
-    let seeds = (0..count).into_par_iter().map(|i| seed.wrapping_mul(1_000_003) + i);
+    let series = if asked("--sheets") { THIRD_SERIES } else { 0 };
+    let seeds = (0..count).into_par_iter().map(|i| series + seed.wrapping_mul(1_000_003) + i);
     let elastoplastic = asked("--elastoplastic");
-    let outcomes: Vec<Outcome> = seeds.map(|seed| one(seed, make(seed, elastoplastic), theory)).collect();
+    let r = argument("--r", 100) as f64 / 100.0;
+    let criterion: Option<YieldCriterion> = match argument("--hosford", 0) {
+        0 if !asked("--r") => None,
+        0 => Some(Hill48::new(r).into()),
+        exponent => Some(Hosford::new(r, exponent as f64).into()),
+    };
+    let outcomes: Vec<Outcome> = seeds.map(|seed| one(seed, make(seed, elastoplastic), theory, criterion)).collect();
 
     println!("{count} random dies, seed {seed}; worth a look:");
     for o in &outcomes {
@@ -120,9 +129,12 @@ fn work(seed: u64, elastoplastic: bool) -> Made {
     (format!("{:?}", work.kind), work.stages, work.text)
 }
 
-fn one(seed: u64, (work, mut stages, text): Made, theory: Theory) -> Outcome {
+fn one(seed: u64, (work, mut stages, text): Made, theory: Theory, criterion: Option<YieldCriterion>) -> Outcome {
     for stage in &mut stages {
         stage.model.blank.theory = theory;
+        if let Some(criterion) = criterion {
+            stage.model.material.yield_criterion = criterion;
+        }
     }
     let start = Instant::now();
     let Ok(solved) = catch_unwind(move || solver::solve(&stages, &mut ())) else {

@@ -15,6 +15,6 @@ pub use comparison::{Comparison, Found, compare};
 pub use computed::Computed;
 pub use curve::{CurveSpec, Point, Points, Quantity};
 pub use error::CompareError;
-pub use source::{SOURCES, Source};
+pub use source::{KINDS, SOURCES, Source};
 pub use spec::{Against, Data, Spec};
 pub use verdict::Verdict;

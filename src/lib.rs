@@ -14,6 +14,7 @@
 //!    │ Observer                   sees each StepRecord and IterationRecord; may end the run
 //!    │ Solution                   the Case, and a StageSolution for every stage: steps, frames, and why it ended
 //!    │ assess::before, after      Finding             what a user should know, before the run and after it
+//!    │ verification               an error bar for every number, from runs that are refined
 //!    │ measure                    angles, curl and places of a Frame, as a person would measure them
 //!    └ Solution::write            every table, plot and comparison of output::OUTPUTS
 //! ```
@@ -51,7 +52,7 @@
 //! | feature | adds |
 //! |---|---|
 //! | none | the solver on models built in code, and what measures its results; without disk, clock, thread or environment |
-//! | `case` | case files with units, from the disk or from memory; findings, comparisons, templates |
+//! | `case` | case files with units, from the disk or from memory; findings, comparisons, templates, error bars |
 //! | `schema` | the JSON schema of case files, the list of laws, and examples in messages |
 //! | `import` | sections from DXF drawings |
 //! | `plot` | every table and plot of a solution |

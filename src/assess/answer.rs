@@ -1,5 +1,6 @@
 //! What a designer asks first: does it tear, where, what does the press see.
 
+use super::error_bar::ErrorBar;
 use super::nearest::Nearest;
 use super::neck::torn;
 use super::press::Load;
@@ -11,8 +12,7 @@ use crate::model::{Geometry, Model, Motion, Role};
 use crate::solution::{StageSolution, StepRecord, Stop};
 use crate::table::Unit;
 use crate::units::rounded;
-use serde::Serialize;
-use serde::ser::{SerializeStruct, Serializer};
+use serde::{Serialize, Serializer};
 
 /// The verdict in one sentence, and the numbers that a part is known by.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -39,16 +39,35 @@ pub struct KeyNumber {
     pub amount: Amount,
     /// Where, when, and against what.
     pub about: Message,
+    /// How far it can be trusted; a number with a bar has it in `amount` too.
+    pub bar: ErrorBar,
+}
+
+impl KeyNumber {
+    fn new(key: &'static str, label: &'static str, amount: Amount, about: Message) -> Self {
+        Self { key, label, amount, about, bar: ErrorBar::Unasked }
+    }
+
+    /// With its error bar.
+    pub fn with_bar(self, bar: ErrorBar) -> Self {
+        let amount = if let ErrorBar::Half(half) = bar { self.amount.with_bar(half) } else { self.amount };
+        Self { amount, bar, ..self }
+    }
 }
 
 impl Serialize for KeyNumber {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let mut fields = serializer.serialize_struct("KeyNumber", 4)?;
-        fields.serialize_field("key", self.key)?;
-        fields.serialize_field("value", &rounded(self.amount.value))?;
-        fields.serialize_field("unit", self.amount.unit.spelled())?;
-        fields.serialize_field("about", &self.about)?;
-        fields.end()
+        #[derive(Serialize)]
+        struct Fields<'a> {
+            key: &'a str,
+            value: f64,
+            #[serde(flatten)]
+            bar: &'a ErrorBar,
+            unit: &'a str,
+            about: &'a Message,
+        }
+        let Self { key, amount, about, bar, .. } = self;
+        Fields { key, value: rounded(amount.value), bar, unit: amount.unit.spelled(), about }.serialize(serializer)
     }
 }
 
@@ -109,10 +128,16 @@ fn sentence(stages: &[StageSolution], findings: &[Finding], light: Light, tear: 
             message!("it may tear at the bottom, and not as it is: {labels}", labels = labels(Light::Red))
         }
         Light::Red => message!("it does not tear, but not as it is: {labels}", labels = labels(Light::Red)),
+        Light::Amber if is("forming_limit", Light::Amber) && share("forming_limit").is_none() => message!(
+            "whether it tears is not known: it thins by {thinning} {place}, and the forming limit ends before",
+            thinning = Amount::share(share("thinning").unwrap_or_default()),
+            place = at()
+        ),
         Light::Amber if is("forming_limit", Light::Amber) => {
             Message::joined(["it comes near to tearing".into(), at()], " ")
         }
-        Light::Amber if is("thinning", Light::Amber) => {
+        // One that only its error bar makes amber is among the others.
+        Light::Amber if is("thinning", Light::Amber) && share("thinning") > Some(thinning::CAREFUL) => {
             let thins = message!(
                 "it thins by {thinning} {place}, more than the {rule} rule of thumb",
                 thinning = Amount::share(share("thinning").unwrap_or_default()),
@@ -152,6 +177,15 @@ fn tear(stages: &[StageSolution]) -> Option<Tear<'_>> {
     limit().or(ended)
 }
 
+/// Whether and where it tears: `it tears on the dome`.
+pub(super) fn whether_it_tears(stages: &[StageSolution]) -> Message {
+    match (tear(stages), stages.last().and_then(torn)) {
+        (Some(tear), _) => tear.sentence(stages.len()),
+        (None, Some(neck)) => Message::joined(["it thins too far".into(), place(stages, neck.s0)], " "),
+        (None, None) => "no tear is seen".into(),
+    }
+}
+
 /// Where the sheet of a stage tears, initially from the axis \[mm\]: where the verdict's sentence has it, or where it is
 /// too thin to be whole.
 pub fn tears_at(stage: &StageSolution) -> Option<f64> {
@@ -178,7 +212,8 @@ impl Tear<'_> {
     }
 }
 
-/// The numbers that a part is known by: thinnest place, force and press, holder, blank, height, draw-in.
+/// The numbers that a part is known by: thinnest place, force and press, holder, blank, height, draw-in, and the
+/// opening of a slit ring.
 fn numbers(case: &Case, stages: &[StageSolution], is_torn: bool) -> Vec<KeyNumber> {
     let all = [
         thinnest_number(stages, is_torn),
@@ -187,6 +222,7 @@ fn numbers(case: &Case, stages: &[StageSolution], is_torn: bool) -> Vec<KeyNumbe
         Some(blank(case.model())),
         height(stages),
         draw_in(stages),
+        ring(case, stages),
     ];
     all.into_iter().flatten().collect()
 }
@@ -204,7 +240,7 @@ fn thinnest_number(stages: &[StageSolution], is_torn: bool) -> Option<KeyNumber>
     // What comes after it is another sheet.
     let after = if is_torn { "after the tear".into() } else { Message::default() };
     let about = Message::joined([about, place(stages, s0), after], ", ");
-    Some(KeyNumber { key: "thinnest", label: "Thinnest", amount: Amount::thickness(thickness), about })
+    Some(KeyNumber::new("thinnest", "Thinnest", Amount::thickness(thickness), about))
 }
 
 /// The stages that form the sheet, with their numbers.
@@ -231,12 +267,7 @@ fn load(case: &Case, stages: &[StageSolution]) -> Option<KeyNumber> {
         let (i, peak) = largest(stages, |step| step.pressure.abs()).filter(|(_, peak)| peak.pressure != 0.0)?;
         let at = message!("at a height of {height}", height = Amount::place(peak.pole_height.abs()));
         let about = Message::joined([stage(i), at], ", ");
-        return Some(KeyNumber {
-            key: "pressure",
-            label: "Pressure",
-            amount: Amount::stress(peak.pressure.abs()),
-            about,
-        });
+        return Some(KeyNumber::new("pressure", "Pressure", Amount::stress(peak.pressure.abs()), about));
     };
     let unit = stages[i].model.extent().force_unit();
     let at = message!("at {travel} of travel", travel = Amount::place(peak.travel));
@@ -253,7 +284,7 @@ fn load(case: &Case, stages: &[StageSolution]) -> Option<KeyNumber> {
     let with_holder = if pressed.holder() > 0.0 { "with the holder".into() } else { Message::default() };
     let press = Message::joined([press, with_holder], " ");
     let about = Message::joined([at, press], "; ");
-    Some(KeyNumber { key: "punch_force", label: "Punch force", amount: Amount::force(peak.punch_force, unit), about })
+    Some(KeyNumber::new("punch_force", "Punch force", Amount::force(peak.punch_force, unit), about))
 }
 
 /// The largest holder force, or the gap of a holder that stands.
@@ -262,11 +293,11 @@ fn holder(stages: &[StageSolution]) -> Option<KeyNumber> {
     let holder = stage.model.tool(Role::Holder)?;
     if let Motion::Gap(gap) = holder.motion {
         let about = message!("to the die, {ratio}", ratio = Amount::thicknesses(gap / stage.model.blank.thickness));
-        return Some(KeyNumber { key: "holder_gap", label: "Holder gap", amount: Amount::size(gap), about });
+        return Some(KeyNumber::new("holder_gap", "Holder gap", Amount::size(gap), about));
     }
     let force = stage.steps.iter().map(|step| step.holder_force).fold(0.0, f64::max);
     let amount = Amount::force(force, stage.model.extent().force_unit());
-    Some(KeyNumber { key: "holder_force", label: "Holder", amount, about: "at its largest".into() })
+    Some(KeyNumber::new("holder_force", "Holder", amount, "at its largest".into()))
 }
 
 fn blank(model: &Model) -> KeyNumber {
@@ -276,22 +307,28 @@ fn blank(model: &Model) -> KeyNumber {
         Geometry::PlaneStrain => message!("wide, {t} thick", t = t),
     };
     let amount = Amount::new(2.0 * model.blank.length, Unit::Mm, Digits::Given(2));
-    KeyNumber { key: "blank", label: "Blank", amount, about }
+    KeyNumber::new("blank", "Blank", amount, about)
 }
 
 fn height(stages: &[StageSolution]) -> Option<KeyNumber> {
     let height = part_height(stages.last()?.frames.last()?)?;
-    Some(KeyNumber { key: "part_height", label: "Height", amount: Amount::place(height), about: "over all".into() })
+    Some(KeyNumber::new("part_height", "Height", Amount::place(height), "over all".into()))
 }
 
 fn draw_in(stages: &[StageSolution]) -> Option<KeyNumber> {
     let drawn = stages.last()?.steps.last()?.draw_in;
-    Some(KeyNumber {
-        key: "draw_in",
-        label: "Draw-in",
-        amount: Amount::place(drawn),
-        about: "of the edge, on each side".into(),
-    })
+    Some(KeyNumber::new("draw_in", "Draw-in", Amount::place(drawn), "of the edge, on each side".into()))
+}
+
+fn ring(case: &Case, stages: &[StageSolution]) -> Option<KeyNumber> {
+    let ring = case.springback.ring?;
+    let about = message!(
+        "when slit; a ring {height} high, cut {from} over the bottom",
+        height = Amount::size(ring.height),
+        from = Amount::size(ring.from)
+    );
+    let amount = Amount::place(ring.opening(stages)?);
+    Some(KeyNumber::new("ring_opening", "Ring opening", amount, about))
 }
 
 /// A place by its name on the part, as the last stage has one, and where it is on the flat blank.

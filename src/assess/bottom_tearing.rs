@@ -56,7 +56,7 @@ fn forces(solved: &StageSolution, stage: usize) -> Option<(&StepRecord, f64)> {
     let drawn = if stage == 0 { draw_ratio(model).is_some() } else { model.blank.edge == Edge::Free };
     let nose = NoseEnd::of(solved).filter(|_| cold && drawn && model.release.is_none())?;
     let thickness = model.blank.thickness;
-    let strength = tensile_strength(&model.material.hardening);
+    let strength = tensile_strength(&model.material);
     let tears = PI * (2.0 * nose.radius + thickness) * thickness * strength * nose.cosine;
     let peak = solved.steps.iter().max_by(|a, b| a.punch_force.total_cmp(&b.punch_force))?;
     Some((peak, tears))

@@ -40,7 +40,7 @@ pub fn report(case: &Case) -> Check {
     blank(model, &mut lines);
     lines.push(line("material", model.material.describe(), ""));
     lines.extend(case.sources.material.as_ref().map(|source| line("material source", source.clone(), "")));
-    let strength = estimate::tensile_strength(&model.material.hardening);
+    let strength = estimate::tensile_strength(&model.material);
     lines.push(line("tensile strength", Amount::stress(strength), "by the law, at Considère's load maximum"));
     tools::lines(model, &mut lines);
     lines.extend(case.sources.friction.as_ref().map(|source| line("friction source", source.clone(), "")));

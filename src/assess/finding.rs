@@ -1,5 +1,6 @@
 //! The one way in which the program tells a user what to know.
 
+use super::error_bar::ErrorBar;
 use crate::message::{Amount, Message, message};
 use crate::table::Unit;
 use serde::{Serialize, Serializer};
@@ -102,6 +103,9 @@ pub struct Finding {
     pub light: Light,
     /// The number, in `unit`; `None` where words say it.
     pub value: Option<f64>,
+    /// How far the number can be trusted; what was found tells it so.
+    #[serde(flatten)]
+    pub bar: ErrorBar,
     /// In JSON as at the end of a header: `percent`; empty for plain numbers.
     #[serde(serialize_with = "spelled")]
     pub unit: Unit,
@@ -142,6 +146,7 @@ impl Finding {
             label,
             light,
             value: None,
+            bar: ErrorBar::Unasked,
             unit: Unit::None,
             limits: None,
             found,

@@ -19,9 +19,10 @@ pub(super) fn margin(run: &Run) -> Option<Finding> {
     let worst = assessment.worst();
     let bend = run.largest(|step| step.sharpest_bend).unwrap_or(0.0);
     let bent = bend * THIN > 1.0;
+    let open = assessment.open();
     let light = match assessment.reached {
         Some(_) => Light::Red,
-        None if bent => Light::Amber,
+        None if bent || open.is_some() => Light::Amber,
         None => Light::within(worst.ratio(), CAREFUL),
     };
     let faces = bent.then(|| {
@@ -35,6 +36,9 @@ pub(super) fn margin(run: &Run) -> Option<Finding> {
         };
         message!("first reached at {when}, s0 = {s0}", when = when, s0 = Amount::place(reached.s0))
     });
+    if let (Some(open), None) = (open, assessment.reached) {
+        return Some(unjudged(name, open, light));
+    }
     let (used, s0) = (Amount::share(worst.ratio()), Amount::place(worst.s0));
     let margin = Amount::strain(worst.margin().abs());
     let used = match worst.margin() < 0.0 {
@@ -65,6 +69,35 @@ pub(super) fn margin(run: &Run) -> Option<Finding> {
             }),
     )
 }
+
+/// A place that is strained more than anywhere the curve ends: there it may be whole or torn, and no rule that a kept limit
+/// lets off is let off.
+fn unjudged(name: &'static str, open: &Judged, light: Light) -> Finding {
+    let [major, minor, level] = [open.major, open.minor, open.limit].map(Amount::strain);
+    let found = message!(
+        "not judged at s0 = {s0}: the curve ends before a minor strain of {minor}, and its end, {level}, is below the major \
+         strain of {major}",
+        s0 = Amount::place(open.s0),
+        minor = minor,
+        level = level,
+        major = major
+    );
+    Finding::judged("forming_limit", "Forming limit", light, found)
+        .limit(message!("{curve}, which ends in plane strain", curve = name))
+        .source("by Hill 1948 with r̄ below 1 limits of biaxial stretching come out too high")
+        .advice(Message::joined(
+            [other_condition(), "or give measured points of the coil in [forming_limit]".into()],
+            ", ",
+        ))
+}
+
+/// What to write where Hill's condition says too little.
+pub(super) fn other_condition() -> Message {
+    message!("write {line} in [material] (bcc for steel)", line = OTHER_CONDITION.to_owned())
+}
+
+/// Hosford's condition of fcc metal, as a case has it.
+const OTHER_CONDITION: &str = "yield_condition = { hosford = { crystal = \"fcc\" } }";
 
 fn missing() -> Finding {
     Finding::judged("forming_limit", "Forming limit", Light::Grey, "no forming limit given")

@@ -32,21 +32,26 @@ fn reached(stage: &StageSolution) -> f64 {
     stage.end.points.iter().map(|point| point.strain).fold(0.0, f64::max)
 }
 
-/// The largest equivalent strain of a layer, against the last point of a table; a formula does not say its range.
+/// The largest equivalent strain of a layer, against the last point of a table or the range of a fit; a formula alone does not
+/// say its range.
 pub(super) fn judge(run: &Run) -> Option<Finding> {
     let last = run.stages.last()?;
     let strain = run.stages.iter().map(reached).fold(0.0, f64::max);
-    let range = last.model.material.hardening.valid_up_to();
+    let material = &last.model.material;
+    let range = material.measured_up_to();
     let (light, limit, advice) = match range {
         Some(end) => (
             Light::within(strain, end),
-            message!("its table ends at {end}", end = Amount::number(end)),
+            match material.fitted_up_to {
+                Some(_) => message!("it is fitted up to {end}", end = Amount::number(end)),
+                None => message!("its table ends at {end}", end = Amount::number(end)),
+            },
             "points at larger strains, from a bulge test; else the stress is extrapolated",
         ),
         None => (
             Light::Grey,
             "a formula: the range of its fit is not in the case".into(),
-            "hold that strain against the range of the fit in the law's source",
+            "write the range of the fit as [material] fitted_up_to; the law's source has it",
         ),
     };
     let found = message!("used up to a true strain of {strain}", strain = Amount::strain(strain));
@@ -55,16 +60,25 @@ pub(super) fn judge(run: &Run) -> Option<Finding> {
     Some(judged.source(OWN).advice(advice))
 }
 
-/// A stage that strains the sheet beyond the last point of its table.
+/// A stage that strains the sheet beyond the last point of its table, or the range of its law's fit.
 pub(super) fn beyond(stage: &StageSolution) -> Option<Finding> {
     stage.steps.last()?;
     let strain = reached(stage);
-    let end = stage.model.material.hardening.valid_up_to().filter(|end| strain > *end)?;
-    let found = message!(
-        "the hardening table ends at a strain of {end}; the run reaches {strain} on its extrapolation",
-        end = Amount::number(end),
-        strain = Amount::strain(strain)
-    );
+    let material = &stage.model.material;
+    let end = material.measured_up_to().filter(|end| strain > *end)?;
+    let [to, reached] = [Amount::number(end), Amount::strain(strain)];
+    let found = match material.fitted_up_to {
+        Some(_) => message!(
+            "the hardening law is fitted up to a strain of {end}; the run reaches {strain} on its extrapolation",
+            end = to,
+            strain = reached
+        ),
+        None => message!(
+            "the hardening table ends at a strain of {end}; the run reaches {strain} on its extrapolation",
+            end = to,
+            strain = reached
+        ),
+    };
     Some(
         Finding::warning("extrapolated", "Hardening law", found)
             .against(strain, Unit::None, Amount::number(end))

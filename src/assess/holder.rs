@@ -32,7 +32,7 @@ pub(super) fn idle(model: &Model) -> Option<Finding> {
 
 /// A holder that presses harder than the sheet is strong; where that is weaker than any, the law is to blame.
 pub(super) fn crushing(model: &Model) -> Option<Finding> {
-    let strength = tensile_strength(&model.material.hardening);
+    let strength = tensile_strength(&model.material);
     let pressure = holder_pressure(model).filter(|pressure| !strength::is_weak(model) && *pressure > strength)?;
     let found = message!(
         "the holder presses with {pressure}, more than the sheet's tensile strength of {strength}",
@@ -72,7 +72,7 @@ pub(super) fn judge(run: &Run) -> Option<Finding> {
         return Some(judged.limit("closed on the sheet").advice(closing::advice(model)));
     }
     let last = first.steps.iter().rev().find(|step| step.holder_force > 0.0)?;
-    let (pressure, strength) = (holder_pressure(model).unwrap_or(0.0), tensile_strength(&model.material.hardening));
+    let (pressure, strength) = (holder_pressure(model).unwrap_or(0.0), tensile_strength(&model.material));
     let (lifts, presses) = (Light::of(lift, [LIFTED, OFF]), Light::within(pressure / strength, PRESSURE));
     let advice = match presses {
         Light::Green => "more holder force; a larger die shoulder raises the flange less",
@@ -96,8 +96,8 @@ pub(super) fn judge(run: &Run) -> Option<Finding> {
     );
     Some(
         Finding::judged("holder", "Holder", lifts.max(presses), run.of_stage(found, 0))
-            .against(lift, Unit::None, limit)
-            .at_most(LIFTED, OFF)
+            .against(lift * model.blank.thickness, Unit::Mm, limit)
+            .at_most(LIFTED * model.blank.thickness, OFF * model.blank.thickness)
             .advice(advice),
     )
 }
@@ -111,13 +111,12 @@ fn lifted_by(lift: f64) -> Message {
 pub(super) fn lifted(stage: &StageSolution) -> Option<Finding> {
     let lift = holder_lift(stage)? / stage.model.blank.thickness;
     (lift > LIFTED).then(|| {
-        let found = message!(
-            "the holder is {lifted}: the flange thickens or rises under it",
-            lifted = lifted_by(lift * stage.model.blank.thickness)
-        );
+        let thickness = stage.model.blank.thickness;
+        let lifted = lifted_by(lift * thickness);
+        let found = message!("the holder is {lifted}: the flange thickens or rises under it", lifted = lifted);
         Finding::warning("holder_lift", "Holder", found)
-            .against(lift, Unit::None, Amount::given_thicknesses(LIFTED))
-            .at_most(LIFTED, None)
+            .against(lift * thickness, Unit::Mm, Amount::thickness(LIFTED * thickness))
+            .at_most(LIFTED * thickness, None)
     })
 }
 

@@ -15,6 +15,8 @@ mod closing;
 mod contact_share;
 mod cut_off;
 mod draw_ratio;
+mod ears;
+mod error_bar;
 mod finding;
 mod forming_limit;
 mod friction;
@@ -42,9 +44,11 @@ mod trim;
 mod two_sheets;
 mod wall_load;
 mod wrinkling;
+mod yield_condition;
 mod yielding;
 
 pub use answer::{Answer, KeyNumber, largest_force, tears_at};
+pub use error_bar::ErrorBar;
 pub use finding::{Finding, Kind, Light, Limits, Sense, When, advice, by_advice, headline, judgements, sentences};
 pub use forming_limit::CAREFUL;
 pub use holder::holder_lift;
@@ -119,8 +123,10 @@ const AFTER: &[After] = &[
     After::Run(clearance::judge),
     After::Run(ironing::judge),
     After::Run(springback::judge),
+    After::Run(ears::expected),
     After::Run(bending_radius::judge),
     After::Run(bent_strength::judge),
+    After::Run(yield_condition::judge),
     After::Run(hardening::judge),
     After::Run(friction::judge),
     After::Run(power_balance::judge),

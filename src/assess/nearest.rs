@@ -18,11 +18,15 @@ impl<'a> Nearest<'a> {
             let curve = stage.model.forming_limit.as_ref()?;
             Some(Self { name: curve.name, stage, assessment: assess(curve, &stage.paths)? })
         });
-        all.min_by(|a, b| a.assessment.worst().margin().total_cmp(&b.assessment.worst().margin()))
+        // What is not kept, or not known, goes before what is near.
+        all.min_by(|a, b| {
+            let margin = |it: &Self| it.assessment.worst().margin();
+            a.is_kept().cmp(&b.is_kept()).then(margin(a).total_cmp(&margin(b)))
+        })
     }
 
-    /// Whether no stage has reached its limit.
+    /// Whether no stage has reached its limit, nor gone beyond where the curve ends.
     pub fn is_kept(&self) -> bool {
-        self.assessment.reached.is_none()
+        self.assessment.is_kept()
     }
 }

@@ -13,12 +13,12 @@ const WEAKEST: f64 = 10.0;
 
 /// Whether the sheet is weaker than any; hot sheet, whose stress comes from the rate, may well be.
 pub(super) fn is_weak(model: &Model) -> bool {
-    tensile_strength(&model.material.hardening) < WEAKEST && model.material.rate.is_none()
+    tensile_strength(&model.material) < WEAKEST && model.material.rate.is_none()
 }
 
 /// A tensile strength that no sheet metal has.
 pub(super) fn unusual(model: &Model) -> Option<Finding> {
-    let strength = tensile_strength(&model.material.hardening);
+    let strength = tensile_strength(&model.material);
     let (found, advice) = if strength > STRONGEST {
         let found =
             message!("a tensile strength of {strength} is that of no sheet metal", strength = Amount::stress(strength));

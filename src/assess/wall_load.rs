@@ -23,7 +23,7 @@ fn share(model: &Model, frame: &Frame, shape: &Shape) -> Option<f64> {
     let total: f64 = weights.iter().sum();
     // A wall does not strain across its section: the stress along it is then larger than the yield stress.
     let material = &model.material;
-    let across = material.hill48.equivalent_stress([1.0, material.hill48.coupling(), 0.0]);
+    let across = material.yield_criterion.equivalent_stress([1.0, material.yield_criterion.plane_strain_ratio(), 0.0]);
     let of = |e: usize| {
         let (element, points) = (frame.elements.get(e)?, frame.through.elements().nth(e)?);
         let yields = |strain: f64| material.yield_stress(strain, element.temperature);

@@ -62,7 +62,7 @@ pub(super) fn wants_holding(run: &Run) -> bool {
 fn pressed(model: &Model, least: f64) -> Option<Finding> {
     let beads: f64 = model.beads.iter().map(|bead| bead.closing * bead.line(model.geometry)).sum();
     let pressure = (least - beads).max(0.0) / held_area(model)?;
-    let advised = siebel_pressure(model, tensile_strength(&model.material.hardening))?;
+    let advised = siebel_pressure(model, tensile_strength(&model.material))?;
     let index = advised / pressure;
     let light = Light::of(index, LIMITS);
     let force = advised * held_area(model)? + beads;

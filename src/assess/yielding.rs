@@ -22,7 +22,7 @@ pub(super) fn again(stage: &StageSolution) -> Option<Finding> {
         let share = end.volume[e] * layers[i % layers.len()].weight;
         let limit = model.material.yield_stress(point.strain, end.temperature[e]);
         let beyond = model.mode != Mode::ElastoViscoplastic
-            && model.material.hill48.equivalent_stress(point.stress) > limit * (1.0 + YIELDED);
+            && model.material.yield_criterion.equivalent_stress(point.stress) > limit * (1.0 + YIELDED);
         total += share;
         volume += if beyond || point.strain - before.strain_equivalent > YIELDED { share } else { 0.0 };
     }

@@ -92,7 +92,7 @@ impl Draft<'_> {
                  σ = k (offset + ε)^n",
             ),
         }
-        page.forming_limit(&self.law(), thickness.value);
+        page.forming_limit(&self.law(), thickness.value, false);
     }
 
     /// The sheet's metal: that of the library, or the placeholder.
@@ -106,7 +106,7 @@ impl Draft<'_> {
 
     /// The holder's pressure \[MPa\], rounded up, and its rule: Siebel's for a blank that is drawn in round an axis.
     fn pressure(&self, sizes: &Sizes) -> (f64, &'static str) {
-        let strength = tensile_strength(&self.law().hardening);
+        let strength = tensile_strength(&self.law());
         let travel = sizes.travel.as_ref().map_or(0.0, |travel| travel.value);
         let punch = self.tool(Role::Punch).map(|punch| mouth(&punch, travel));
         let drawn = punch.filter(|punch| self.geometry == Geometry::Axisymmetric && sizes.blank.value > *punch);

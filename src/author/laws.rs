@@ -22,7 +22,13 @@ const KINDS: [(&str, &str, &str); 4] = [
 ];
 
 /// Laws without alternatives: heading, name, the schema's definition, where a case names it.
-const SINGLE: [(&str, &str, &str, &str); 3] = [
+const SINGLE: [(&str, &str, &str, &str); 4] = [
+    (
+        "Yield condition, beside \"hill48\" (see Anisotropy): the stresses at which the sheet yields",
+        "hosford",
+        "HosfordLaw",
+        "[material] yield_condition = { NAME = { .. } }",
+    ),
     ("Voids: a yield condition that feels the mean stress", "voids", "Gtn", "[material.voids]"),
     (
         "Forming limit: the major strain at which the sheet necks, over the minor strain; beside points, hill and swift",

@@ -108,8 +108,14 @@ impl Page {
         self.set("offset", offset, "");
     }
 
-    /// `[forming_limit]` of a sheet \[mm\] that is drawn or stretched, where its hardening law gives one.
-    pub fn forming_limit(&mut self, material: &Material, thickness: f64) {
+    /// `[forming_limit]` of a sheet \[mm\] that is drawn or stretched, where its hardening law gives one, or as it was
+    /// `measured` on the sheet of the library that the case names.
+    pub fn forming_limit(&mut self, material: &Material, thickness: f64, measured: bool) {
+        if measured {
+            self.table("forming_limit", "Points measured on the library's sheet, to be replaced by those of the coil.");
+            self.set("measured", true, "");
+            return;
+        }
         let sheet = Sheet { material, thickness, temperature: ROOM_TEMPERATURE };
         if Kind::Hill(Hill { n: None }).curve(&sheet).is_err() {
             self.comment(

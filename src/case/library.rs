@@ -2,17 +2,20 @@
 
 mod entries;
 mod lookup;
+mod measured;
 mod strength;
 
 pub use entries::StandsFor;
+pub use measured::{Fit, Measured, Point, Rates};
 
-use super::file::CaseFile;
+use super::file::{Anisotropy, CaseFile, FormingLimit};
 use super::sources::{Sheets, Taken, Thickness};
 use super::{CaseError, build, source::Source};
 use crate::forming_limit::{Curve, Hill, Kind, Sheet, uniform_strain};
 use crate::material::Material;
 use crate::material::flow::ROOM_TEMPERATURE;
 use crate::message::{Message, message};
+use crate::model::Mode;
 use entries::{EntryFile, TEXTS, read};
 use lookup::Found;
 
@@ -25,7 +28,8 @@ pub struct Entry {
     pub title: String,
     /// Author, year and place of the numbers.
     pub source: String,
-    /// As in `reference_data/sources.toml`: A, read in the named source; B, read where that is quoted.
+    /// As in `reference_data/sources.toml`: A, read in the named source; B, read where that is quoted; C, the hardening is
+    /// assumed.
     pub grade: String,
     /// Under which terms the numbers may be used.
     pub licence: String,
@@ -35,8 +39,14 @@ pub struct Entry {
     pub stands_for: Option<StandsFor>,
     /// What a user should know of the numbers.
     pub notes: Vec<String>,
+    /// What the laws are fitted to, where the library has it.
+    pub measured: Option<Measured>,
     /// The material as a case would have it.
     pub material: Material,
+    /// The same of a case in the elasto-viscoplastic mode, where it has back-stresses there.
+    pub elastoplastic: Option<Material>,
+    /// Its measured forming limit; `None` where there is none.
+    pub measured_limit: Option<Curve>,
     /// Its `[material]` table, to paste into a case.
     pub text: &'static str,
 }
@@ -47,7 +57,7 @@ impl Entry {
         uniform_strain(&self.sheet()).ok()
     }
 
-    /// The forming limit by Hill and Swift, computed from the law: no source here has a measured one. `None` where the law
+    /// The forming limit by Hill and Swift, computed from the law. `None` where the law
     /// has no load maximum.
     pub fn forming_limit(&self) -> Option<Curve> {
         Kind::Hill(Hill { n: None }).curve(&self.sheet()).ok()
@@ -86,16 +96,19 @@ pub(super) fn complete(file: &mut CaseFile, source: &Source) -> Result<Taken, Ca
     let Some(written) = file.material.name.clone() else { return Ok(Taken::default()) };
     let Found { name, file: found, note, .. } =
         lookup::find(&written).map_err(|unknown| source.error("material.name", unknown.what, unknown.help))?;
-    let EntryFile { material: known, thickness, .. } = found;
+    let elastoplastic = found.elastoplastic();
+    let EntryFile { material: known, thickness, forming_limit, .. } = found;
     let origin = known.source.clone().unwrap_or_default();
     let from = message!("material {name}: {source}", name = name.to_owned(), source = origin.clone());
     let mut notes: Vec<Message> = note.into_iter().map(Message::from).chain([from]).collect();
+    notes.extend(measured_limit(name, forming_limit, file));
     let own = &mut file.material;
     let own_hardening = source.has("material.hardening");
     let mut replaced = Vec::new();
     let mut keep = |key: &'static str, given: bool| replaced.extend(given.then_some(key));
     keep("young and poisson", own.young.is_some() || own.poisson.is_some());
     keep("anisotropy", own.anisotropy.is_some());
+    keep("yield_condition", own.yield_condition.is_some());
     keep("rate", own.rate.is_some());
     keep("softening", own.softening.is_some());
     keep("hardening", own_hardening);
@@ -104,10 +117,21 @@ pub(super) fn complete(file: &mut CaseFile, source: &Source) -> Result<Taken, Ca
         (own.young, own.poisson) = (known.young, known.poisson);
     }
     own.anisotropy = own.anisotropy.or(known.anisotropy);
+    own.yield_condition = own.yield_condition.or(known.yield_condition);
     own.rate = own.rate.or(known.rate);
     own.softening = own.softening.or(known.softening);
     if !own_hardening {
-        own.hardening = known.hardening;
+        let shifts = own.mode == Some(Mode::ElastoViscoplastic) && own.kinematic.is_empty();
+        if let Some(shifting) = elastoplastic.filter(|_| shifts) {
+            (own.kinematic, own.hardening) = (shifting.kinematic, shifting.hardening);
+            notes.push(message!(
+                "material {name}: with its back-stresses, and the hardening that they leave of its yield stress",
+                name = name.to_owned()
+            ));
+        } else {
+            own.hardening = known.hardening;
+        }
+        own.fitted_up_to = own.fitted_up_to.or(known.fitted_up_to);
         own.source.get_or_insert(origin);
     }
     if !replaced.is_empty() {
@@ -122,10 +146,40 @@ pub(super) fn complete(file: &mut CaseFile, source: &Source) -> Result<Taken, Ca
     Ok(Taken { notes, sheets, thickness })
 }
 
+/// Puts the measured points of a sheet of the library where a case asks for them, and says so.
+fn measured_limit(name: &str, known: Option<FormingLimit>, file: &mut CaseFile) -> Option<Message> {
+    let asked = file.forming_limit.as_mut().filter(|own| own.measured == Some(true) && own.points.is_none())?;
+    let FormingLimit { points, strain, .. } = known?;
+    (asked.points, asked.strain, asked.measured) = (points, asked.strain.or(strain), None);
+    Some(message!("forming limit: the measured points of {name}", name = name.to_owned()))
+}
+
 fn entry(name: &'static str, text: &'static str) -> Result<Entry, CaseError> {
-    let EntryFile { title, grade, licence, thickness, stands_for, notes, material } = read(name, text)?;
-    let source = material.source.clone().unwrap_or_default();
-    let material = build::material(&material, &Source::parse(name, text)?)?;
+    let file = read(name, text)?;
+    let written = Source::parse(name, text)?;
+    let material = build::material(&file.material, &written)?;
+    let elastoplastic = file.elastoplastic().map(|shifting| build::material(&shifting, &written)).transpose()?;
+    let EntryFile { title, grade, licence, thickness, stands_for, mut notes, measured, material: said, forming_limit, .. } =
+        file;
+    let source = said.source.unwrap_or_default();
+    let r_values = said.anisotropy.and_then(Anisotropy::directions);
+    notes.extend(r_values.map(|r| build::mean_of(r).to_string()));
+    let sheet = Sheet { material: &material, thickness: 1.0, temperature: ROOM_TEMPERATURE };
+    let measured_limit = forming_limit.map(|limit| build::measured(&limit, &sheet, &written)).transpose()?;
     let table = text.find("[material").map_or("", |at| &text[at..]);
-    Ok(Entry { name, title, source, grade, licence, thickness, stands_for, notes, material, text: table })
+    Ok(Entry {
+        name,
+        title,
+        source,
+        grade,
+        licence,
+        thickness,
+        stands_for,
+        notes,
+        measured,
+        material,
+        elastoplastic,
+        measured_limit,
+        text: table,
+    })
 }

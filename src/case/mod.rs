@@ -49,8 +49,10 @@ pub use solution::Solution;
 pub use sources::{Sheets, Sources, Thickness};
 
 use crate::compare::Spec;
+use crate::measure::Ring;
 use crate::message::Message;
 use crate::model::{Model, Stage};
+use crate::rules::r_values::RValues;
 use std::path::PathBuf;
 
 /// A case: the problem to solve, what to compare it with, and the text it came from.
@@ -78,6 +80,8 @@ pub struct Case {
     pub springback: Springback,
     /// Where its numbers come from.
     pub sources: Sources,
+    /// The sheet's r-values by direction; `None` where the case has their mean alone, or nothing.
+    pub r_values: Option<RValues>,
     /// What was assumed or changed while reading: defaults that matter, profiles that were shifted.
     pub derived: Vec<Message>,
 }
@@ -104,6 +108,8 @@ pub struct Springback {
     pub flange_tolerance: Option<f64>,
     /// Of each edge, likewise \[mm\].
     pub edge_tolerance: Option<f64>,
+    /// The ring that is cut from the wall and slit.
+    pub ring: Option<Ring>,
 }
 
 impl Springback {

@@ -1,7 +1,7 @@
 //! From the text of a case to the case.
 
 use super::source::Source;
-use super::{Case, CaseError, build, explain, library, overrides, sources};
+use super::{Case, CaseError, build, explain, file, library, overrides, sources};
 use crate::files::{self, Disk, FileError, Files, Folder, Noted};
 use crate::message::Message;
 use std::path::{Path, PathBuf};
@@ -60,6 +60,8 @@ pub fn parse_with(text: &str, name: &str, overrides: &[String], files: &dyn File
     taken.notes.splice(0..0, source.notes().into_iter().map(Message::from));
     taken.notes.extend(sources::limit_of_another_sheet(&file, overrides));
     derived.splice(0..0, std::mem::take(&mut taken.notes));
+    let r_values = file.material.anisotropy.and_then(file::Anisotropy::directions);
+    derived.extend(r_values.map(build::mean_of));
     let compare = build::compare(&file, &source, folder)?;
     let press = build::press(&file, &source)?;
     let springback = build::springback(&file, &source)?;
@@ -76,6 +78,7 @@ pub fn parse_with(text: &str, name: &str, overrides: &[String], files: &dyn File
         title_block: file.report,
         springback,
         sources,
+        r_values,
         derived,
         path,
         inputs: reads.paths(),

@@ -3,7 +3,7 @@
 use super::file::{self, CaseFile};
 use super::{CaseError, source::Source};
 use crate::message::Message;
-use crate::units::{Quantity, parse};
+use crate::units::parse;
 
 /// Where the numbers of a case come from: how they were measured, or author and year. `None` where the case does not say;
 /// the run does not depend on it.
@@ -40,7 +40,7 @@ impl Sheets {
             library: name.to_owned(),
             case: own.source.clone(),
             own_hardening,
-            anisotropy: anisotropy.map_or(1.0, Quantity::value),
+            anisotropy: anisotropy.map_or(1.0, file::Anisotropy::mean),
         })
     }
 }

@@ -5,9 +5,16 @@ use super::table::{Cell, Tone, table, toned, wrapped};
 use stampflow::assess::{Answer, Finding, Kind, Light, by_advice, judgements, sentences, size_doubts};
 use stampflow::case::Case;
 use stampflow::message::{Form, Message, message};
+use stampflow::verification::Verification;
 
-/// Of a case: the sentence and doubts of its sizes first, then what it rests on.
-pub fn answered(case: &Case, answer: &Answer, findings: &[Finding], form: Form) -> Shown {
+/// Of a case: the sentence and doubts of its sizes first, then what it rests on; where it was verified, how sure that is.
+pub fn answered(
+    case: &Case,
+    answer: &Answer,
+    findings: &[Finding],
+    verification: Option<&Verification>,
+    form: Form,
+) -> Shown {
     let numbers = answer.numbers.iter().map(|number| {
         [
             Cell::plain(form.tell(number.label)),
@@ -21,7 +28,9 @@ pub fn answered(case: &Case, answer: &Answer, findings: &[Finding], form: Form) 
     }
     shown = shown + "\n".into() + judged(findings, form) + table(None, numbers.collect());
     let ended = Some(answer.end.clone()).filter(|end| !end.is_empty());
-    let warnings: Vec<Message> = ended.into_iter().chain(sentences(findings, Kind::Warning)).collect();
+    let of_bars = verification.map_or_else(Vec::new, Verification::sentences);
+    let warnings = ended.into_iter().chain(sentences(findings, Kind::Warning)).chain(of_bars);
+    let warnings: Vec<Message> = warnings.collect();
     if !warnings.is_empty() {
         shown = shown + "\n".into();
     }

@@ -1,7 +1,8 @@
 //! `stampflow check`: what a case means and, with `--run`, what comes of it.
 
 use super::answer::answered;
-use super::code::Code;
+use super::code::{BadRequest, Code};
+use super::error_bars::ErrorBars;
 use super::job;
 use super::json;
 use super::options::{self, Json, Overrides};
@@ -10,9 +11,9 @@ use super::say::{Shown, say, say_json};
 use super::table::{Cell, Tone, table, wrapped};
 use serde_json::json;
 use stampflow::assess::check::{self, Check};
-use stampflow::assess::{self, Answer, Finding, Kind, Light, advice, headline, judgements, sentences};
-use stampflow::case::Case;
+use stampflow::assess::{Finding, Kind, Light, advice, headline, judgements, sentences};
 use stampflow::message::{Form, message};
+use stampflow::verification;
 use std::fmt::Write;
 use std::path::PathBuf;
 
@@ -21,11 +22,13 @@ With --run the case is solved, all stages, and a verdict is printed: what tears,
 wrinkles, what press and tools must bear, and how far the result can be trusted, \
 each line with its number, the limit, where that comes from and what to change. \
 green is within the limit, amber near it or a guess that matters, red beyond it. \
-Nothing is written.
+Each number has its error bar, estimated from one coarser run; a light is green only \
+where the whole bar is. Nothing is written.
 
 Examples:
   stampflow check cases/quickstart.toml --set tools.punch.friction=0.1
   stampflow check cases/quickstart.toml --run
+  stampflow check cases/quickstart.toml --run --error-bars
   stampflow check cases/quickstart.toml --run --set tools.holder.force=\"40 kN\" --json
 
 Exit codes: 0 done, 2 bad input, 3 with --run: stopped early, 4 with --run --strict: red, 130 interrupted";
@@ -44,6 +47,8 @@ pub struct Args {
     #[arg(long)]
     strict: bool,
     #[command(flatten)]
+    bars: ErrorBars,
+    #[command(flatten)]
     form: options::Told,
     #[command(flatten)]
     overrides: Overrides,
@@ -57,28 +62,33 @@ pub struct Args {
 pub fn check(args: &Args) -> anyhow::Result<Code> {
     let case = job::load(&args.case, &args.overrides.all())?;
     let report = check::report(&case);
+    if !args.run && args.bars.error_bars {
+        return Err(BadRequest("error bars are of a run: write --run --error-bars".to_owned()).into());
+    }
     if !args.run {
         return if args.json.json { say_json(&report) } else { say(wrapped(&report.told(args.form.form()))) };
     }
-    let watch = Progress::new(args.quiet || args.json.json).watch(&case, Kept::default());
-    let (solution, _) = watch.solve(case);
-    let findings = assess::after(&solution.case, &solution.stages);
-    let answer = Answer::of(&solution.case, &solution.stages, &findings);
+    let progress = Progress::new(args.quiet || args.json.json);
+    let (solution, _) = progress.watch(&case, Kept::default()).solve(case);
+    let verification = args.bars.of(&solution, &progress, true);
+    let verification = verification.as_ref();
+    let (answer, findings) = verification::answered(&solution, verification);
     let complete = solution.is_complete();
     if args.json.json {
         let mut value = serde_json::to_value(&report)?;
         value["complete"] = json!(complete);
-        value["verdict"] = json::answer(&answer, &findings)?;
+        value["verdict"] = json::answer(&answer, &findings, verification)?;
         value["run_warnings"] = serde_json::to_value(sentences(&findings, Kind::Warning))?;
         say_json(&value)?;
     } else {
-        say(printed(args.verbose.then_some(&report), &answer, &findings, &solution.case, args.form.form()))?;
+        let answered = answered(&solution.case, &answer, &findings, verification, args.form.form());
+        say(answered + printed(args.verbose.then_some(&report), &findings, args.form.form()))?;
     }
     Ok(Code::of_run(args.strict, complete, &answer))
 }
 
-/// The answer, what the case means where it is given, and every row of the verdict.
-fn printed(report: Option<&Check>, answer: &Answer, findings: &[Finding], case: &Case, form: Form) -> Shown {
+/// What the case means where it is given, and every row of the verdict.
+fn printed(report: Option<&Check>, findings: &[Finding], form: Form) -> Shown {
     let rows = judgements(findings).map(|finding| row(finding, form)).collect();
     let headers = ["Verdict", "Light", "Found", "Limit (source)"].map(|header| form.tell(header));
     let mut text = format!("\n{}\n", headline(findings).told(form));
@@ -89,11 +99,7 @@ fn printed(report: Option<&Check>, answer: &Answer, findings: &[Finding], case: 
         advised.map(|(labels, advice)| format!("{}: {}", labels.told(form), advice.told(form))),
     );
     let meaning = report.map_or_else(Shown::default, |report| wrapped(&format!("{}\n", report.told(form))));
-    answered(case, answer, findings, form)
-        + "\n".into()
-        + meaning
-        + table(Some(headers.each_ref().map(String::as_str)), rows)
-        + wrapped(&text)
+    Shown::from("\n") + meaning + table(Some(headers.each_ref().map(String::as_str)), rows) + wrapped(&text)
 }
 
 /// Entries under a heading; nothing where there are none.

@@ -4,6 +4,7 @@ use serde_json::{Map, Value, json};
 use stampflow::assess::{Answer, Finding, judgements};
 use stampflow::compare::Comparison;
 use stampflow::units::rounded;
+use stampflow::verification::{Bar, Told, Verification};
 
 /// A comparison with all its numbers; what was not reached is null.
 pub fn comparison(case: &str, comparison: &Comparison) -> Value {
@@ -26,9 +27,53 @@ pub fn comparison(case: &str, comparison: &Comparison) -> Value {
     })
 }
 
-/// The verdict: its light and sentence, the key numbers, and every row with its number, unit and limits.
-pub fn answer(answer: &Answer, findings: &[Finding]) -> serde_json::Result<Value> {
+/// The verdict: its light and sentence, the key numbers, and every row with its number, unit and limits; with error bars
+/// what those are from, and what is told of them.
+pub fn answer(answer: &Answer, findings: &[Finding], verification: Option<&Verification>) -> serde_json::Result<Value> {
     let mut value = serde_json::to_value(answer)?;
     value["findings"] = judgements(findings).map(serde_json::to_value).collect::<Result<_, _>>()?;
+    if let Some(verification) = verification {
+        value["error_bars"] = serde_json::to_value(Told::from(verification))?;
+    }
     Ok(value)
+}
+
+/// Every number with its error bar and what that is made of, what is told beside, and every run.
+pub fn verification(verification: &Verification) -> Value {
+    let runs = verification.outcomes.iter().map(|run| {
+        json!({
+            "direction": run.direction.map(|direction| direction.key()),
+            "times": run.times,
+            "stages": run.end.stages,
+            "end": run.end.kind,
+            "complete": run.end.complete,
+        })
+    });
+    json!({
+        "numbers": verification.bars.iter().map(bar).collect::<Vec<_>>(),
+        "told": verification.told.iter().map(ToString::to_string).collect::<Vec<_>>(),
+        "runs": runs.collect::<Vec<_>>(),
+    })
+}
+
+/// A number with its error bar; null where it has none.
+pub fn bar(bar: &Bar) -> Value {
+    let amount = bar.number.amount;
+    let parts = bar.parts.iter().map(|part| {
+        json!({
+            "direction": part.direction.key(),
+            "share": rounded(part.share),
+            "error": rounded(part.estimate.error),
+            "order": part.estimate.order.map(rounded),
+            "extrapolated": part.estimate.extrapolated,
+        })
+    });
+    json!({
+        "key": bar.number.key,
+        "value": rounded(amount.value),
+        "unit": amount.unit.spelled(),
+        "error_bar": bar.half.map(rounded),
+        "why_none": Some(bar.why.to_string()).filter(|why| !why.is_empty()),
+        "parts": parts.collect::<Vec<_>>(),
+    })
 }

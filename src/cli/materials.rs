@@ -8,8 +8,9 @@ use super::suggested::Suggested;
 use super::table::{Cell, table};
 use anyhow::Result;
 use serde_json::{Value, json};
-use stampflow::case::library::{self, Entry};
+use stampflow::case::library::{self, Entry, Fit};
 use stampflow::forming_limit::{Curve, Hill, Kind, MarciniakKuczynski};
+use stampflow::material::BackStress;
 use stampflow::output::{Chart, flow_curve, png, write};
 use stampflow::units::rounded;
 use std::path::PathBuf;
@@ -41,7 +42,7 @@ pub struct Args {
     /// Material to say all of: its name, a grade that it stands for, or the beginning of one
     #[arg(value_parser = Suggested::SHEETS, hide_possible_values = true)]
     name: Option<String>,
-    /// Also draw its flow curve and the limits that follow from it
+    /// Also draw its flow curve, with the points it is fitted to, and the limits that follow from it
     #[arg(long, value_name = "FILE.png", requires = "name")]
     plot: Option<PathBuf>,
     #[command(flatten)]
@@ -83,7 +84,7 @@ fn list(entries: &[Entry]) -> Shown {
             format!("{:.0}", entry.proof_stress()),
             or_unknown(entry.tensile_strength(), 0),
             or_unknown(entry.uniform_elongation().map(|share| 100.0 * share), 0),
-            entry.material.hill48.ratio().to_string(),
+            entry.material.yield_criterion.ratio().to_string(),
             or_unknown(entry.n(), 3),
             or_unknown(entry.material.elastic.map(|elastic| 1e-3 * elastic.young), 0),
             entry.thickness.clone().unwrap_or(UNKNOWN.to_owned()).replace(" to ", "–"),
@@ -103,6 +104,12 @@ fn describe(entry: &Entry) -> Shown {
     let limit = entry.forming_limit().map_or(UNKNOWN.to_owned(), |curve| {
         format!("{:.4} in plane strain, true strain: computed from the law (Hill), not measured", curve.plane_strain())
     });
+    let measured = entry.measured_limit.as_ref().map_or(UNKNOWN.to_owned(), |curve| {
+        format!(
+            "{:.3} in plane strain, true strain: measured; [forming_limit] measured = true takes them",
+            curve.plane_strain()
+        )
+    });
     let elastic = material.elastic.map_or(UNKNOWN.to_owned(), |e| format!("{} MPa, {}", e.young, e.poisson));
     let stands = entry.stands_for.as_ref();
     let tested =
@@ -115,18 +122,91 @@ fn describe(entry: &Entry) -> Shown {
         ("Rp0.2", format!("{:.0} MPa, the law's stress at a plastic strain of 0.2 %", entry.proof_stress())),
         ("Rm, Ag", tested),
         ("n", n),
-        ("r̄", material.hill48.ratio().to_string()),
+        ("yields by", material.yield_criterion.to_string()),
         ("FLC", limit),
+        ("FLC points", measured),
         ("E, ν", elastic),
         ("thickness", entry.thickness.clone().unwrap_or(UNKNOWN.to_owned())),
         ("source", entry.source.clone()),
-        ("read", entry.grade.clone() + if entry.grade == "A" { ", in that source" } else { ", where that is quoted" }),
+        ("read", entry.grade.clone() + grade(&entry.grade)),
         ("licence", entry.licence.clone()),
     ];
-    let known = known.into_iter().chain(entry.notes.iter().map(|note| ("note", note.clone())));
+    let known = known.into_iter().chain(fitted(entry)).chain(entry.notes.iter().map(|note| ("note", note.clone())));
     let rows = known.map(|(label, value)| [Cell::plain(format!("  {label}")), Cell::plain(value)]);
     let paste = format!("\nIn a case:\n\n[material]\nname = \"{name}\"\n\nor all of it:\n\n{}", entry.text);
     Shown::from(format!("{name}: {title}\n\n")) + table(None, rows.collect()) + paste.into()
+}
+
+/// What a grade means.
+fn grade(grade: &str) -> &'static str {
+    match grade {
+        "A" => ", in that source",
+        "B" => ", where that is quoted",
+        _ => ", hardening assumed from another sheet",
+    }
+}
+
+/// The range of the fit, how far the laws are from what they are fitted to, and the back-stresses, where they are known.
+fn fitted(entry: &Entry) -> Vec<(&'static str, String)> {
+    let Entry { material, measured, elastoplastic, .. } = entry;
+    let mut rows = Vec::new();
+    rows.extend(
+        material.fitted_up_to.map(|end| ("fitted", format!("up to a true strain of {end}; a run beyond says so"))),
+    );
+    if let Some((measured, fit)) = measured.as_ref().and_then(|m| Some((m, m.fit(material)?))) {
+        let Fit { points, rms, largest, at, range: [from, to] } = fit;
+        let scatter = measured.points().map(|point| point.scatter).fold(0.0, f64::max);
+        rows.push((
+            "measured",
+            format!(
+                "{points} points from a strain of {from} to {to}: law less point {rms:.1} MPa rms, {largest:+.1} MPa at most, at \
+                 {at}; their scatter is {scatter:.1} MPa at most. {}",
+                measured.of
+            ),
+        ));
+    }
+    let rates = measured.as_ref().and_then(|m| Some((m.rates.as_ref()?, m.rate_fit(material)?)));
+    if let Some((rates, Fit { points, rms, largest, at, range: [from, to] })) = rates {
+        rows.push((
+            "rates",
+            format!(
+                "{points} ratios from {from} to {to} /s: law less ratio {rms:.3} rms, {largest:+.3} at most, at {at} /s. {}",
+                rates.of
+            ),
+        ));
+    }
+    rows.extend(elastoplastic.as_ref().map(|shifting| {
+        let of = |law: &BackStress| format!("C {} MPa, γ {}", law.modulus, law.dynamic_recovery);
+        let laws: Vec<String> = shifting.chaboche.iter().map(of).collect();
+        ("back-stresses", format!("{}, in mode = \"elasto_viscoplastic\"", laws.join("; ")))
+    }));
+    rows
+}
+
+/// A fit for programs; strains have no unit, rates are in 1/s.
+fn of_fit(fit: Fit) -> Value {
+    json!({
+        "points": fit.points,
+        "rms": rounded(fit.rms),
+        "largest": rounded(fit.largest),
+        "at": fit.at,
+        "from": fit.range[0],
+        "to": fit.range[1],
+    })
+}
+
+/// What the laws are fitted to, for programs: stresses in MPa, rates in 1/s.
+fn of_measured(entry: &Entry) -> Option<Value> {
+    let measured = entry.measured.as_ref()?;
+    let points = measured.points().map(|point| [point.strain, point.stress, point.scatter]);
+    Some(json!({
+        "of": measured.of,
+        "rate_1_per_s": measured.rate(),
+        "strain_stress_scatter_MPa": points.collect::<Vec<_>>(),
+        "fit_MPa": measured.fit(&entry.material).map(of_fit),
+        "rate_and_ratio": measured.rates.as_ref().map(|rates| rates.ratios().into_iter().map(|(rate, ratio)| [rate, rounded(ratio)]).collect::<Vec<_>>()),
+        "fit_of_ratios": measured.rate_fit(&entry.material).map(of_fit),
+    }))
 }
 
 /// An entry for programs; the table to paste says the law with its units.
@@ -140,10 +220,17 @@ fn of(entry: &Entry) -> Value {
         "uniform_elongation": entry.uniform_elongation().map(rounded),
         "law": entry.material.describe(),
         "n": entry.n().map(rounded),
+        "flc_measured": entry.measured_limit.as_ref().map(|curve| curve.points().to_vec()),
         "flc_computed_by_hill": entry.forming_limit().map(|curve| curve.points().to_vec()),
-        "r": entry.material.hill48.ratio(),
+        "r": entry.material.yield_criterion.ratio(),
         "young_MPa": entry.material.elastic.map(|elastic| elastic.young),
         "poisson": entry.material.elastic.map(|elastic| elastic.poisson),
+        "fitted_up_to": entry.material.fitted_up_to,
+        "measured": of_measured(entry),
+        "back_stresses": entry.elastoplastic.as_ref().map(|shifting| {
+            let of = |law: &BackStress| json!({ "modulus_MPa": law.modulus, "recall": law.dynamic_recovery });
+            shifting.chaboche.iter().map(of).collect::<Vec<_>>()
+        }),
         "thickness": entry.thickness,
         "source": entry.source,
         "grade": entry.grade,
@@ -160,8 +247,10 @@ fn chart(entry: &Entry) -> Chart {
         strain_rate: MarciniakKuczynski::STRAIN_RATE,
     };
     let mut notes = vec![format!("Source: {}.", entry.source)];
+    let residuals = fitted(entry).into_iter().filter(|(label, _)| ["measured", "rates"].contains(label));
+    notes.extend(residuals.map(|(label, said)| format!("Fit, {label}: {}.", said.trim_end_matches('.'))));
     notes.extend(entry.notes.iter().cloned());
-    let mut limits: Vec<Curve> = Vec::new();
+    let mut limits: Vec<Curve> = entry.measured_limit.iter().cloned().collect();
     for kind in [Kind::Hill(Hill { n: None }), Kind::MarciniakKuczynski(groove)] {
         match kind.curve(&entry.sheet()) {
             Ok(curve) => {
@@ -171,5 +260,6 @@ fn chart(entry: &Entry) -> Chart {
             Err(error) => notes.push(format!("A forming limit is left out: {error}.")),
         }
     }
-    flow_curve::chart(&format!("{}: {}", entry.name, entry.title), &entry.material, &limits, notes)
+    let title = format!("{}: {}", entry.name, entry.title);
+    flow_curve::chart(&title, &entry.material, entry.measured.as_ref(), &limits, notes)
 }

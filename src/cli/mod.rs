@@ -4,6 +4,7 @@ mod answer;
 mod bug;
 mod check;
 mod code;
+mod error_bars;
 mod explain;
 mod import;
 mod interrupt;
@@ -23,6 +24,7 @@ mod suggested;
 mod table;
 mod titles;
 mod validate;
+mod verify;
 
 pub use code::Code;
 pub use message::complain;
@@ -64,6 +66,9 @@ enum Verb {
     /// Solve every case that has published curves and compare
     #[command(after_help = validate::HELP)]
     Validate(validate::Args),
+    /// Refine mesh, steps, points and contact, and say how far every number can be trusted
+    #[command(after_help = verify::HELP)]
+    Verify(verify::Args),
     /// List the built-in materials, or say all of one
     #[command(after_help = materials::HELP)]
     Materials(materials::Args),
@@ -108,6 +113,7 @@ fn command() -> anyhow::Result<Code> {
         Verb::Report(args) => report::report(&args),
         Verb::Import(args) => import::import(&args),
         Verb::Validate(args) => validate::validate(&args),
+        Verb::Verify(args) => verify::verify(&args),
         Verb::Check(args) => check::check(&args),
         Verb::New(args) => new::new(&args),
         Verb::Materials(args) => materials::materials(&args),

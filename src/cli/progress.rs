@@ -8,8 +8,9 @@ use stampflow::files::visible;
 use stampflow::model::Model;
 use stampflow::output::FrameRecorder;
 use stampflow::solution::{IterationRecord, StepRecord};
-use stampflow::{Observer, Stage, State};
+use stampflow::{Observer, Stage, State, verification};
 use std::io::{self, IsTerminal};
+use std::sync::Mutex;
 use std::time::{Duration, Instant};
 
 /// Ticks of a bar for the whole travel.
@@ -36,6 +37,12 @@ pub struct Watch {
     last: StepRecord,
     shown: Shown,
     kept: Kept,
+}
+
+/// Counts the finer runs of a case.
+pub struct Count {
+    name: String,
+    shown: Mutex<Shown>,
 }
 
 /// What a watch keeps, each where it is asked for.
@@ -86,6 +93,45 @@ impl Progress {
             last: StepRecord { thinnest: model.blank.thickness, ..StepRecord::default() },
             shown,
             kept,
+        }
+    }
+}
+
+impl Progress {
+    /// Counts the finer runs of a case.
+    pub fn count(&self, case: &Case) -> Count {
+        let name = format!("{}, finer", case.name);
+        let shown = match self {
+            Self::Bars(all) => {
+                let bar = ProgressBar::new(FULL).with_style(style()).with_prefix(visible(&name).into_owned());
+                Shown::Bar(all.add(bar))
+            }
+            Self::Lines => Shown::Lines(Instant::now()),
+            Self::Silent => Shown::Nothing,
+        };
+        Count { name, shown: Mutex::new(shown) }
+    }
+}
+
+impl verification::Watch for Count {
+    fn wants_to_stop(&self) -> bool {
+        interrupt::is_wanted()
+    }
+
+    fn ran(&self, done: usize, all: usize) {
+        // A panic of another thread is told by that one.
+        let Ok(mut shown) = self.shown.lock() else { return };
+        match &mut *shown {
+            Shown::Bar(bar) if done == all => bar.finish(),
+            Shown::Bar(bar) => {
+                bar.set_message(format!("{done} of {all} runs"));
+                bar.set_position(FULL * done as u64 / all as u64);
+            }
+            Shown::Lines(last) if last.elapsed() >= PATIENCE => {
+                *last = Instant::now();
+                warn(format!("{}: {done} of {all} runs", self.name));
+            }
+            Shown::Lines(_) | Shown::Nothing => {}
         }
     }
 }

@@ -1,6 +1,7 @@
 //! `stampflow report`: a case solved and written as pages for people.
 
 use super::code::{BadRequest, Code, unusable};
+use super::error_bars::ErrorBars;
 use super::job;
 use super::options::{self, Json, Overrides};
 use super::place;
@@ -16,7 +17,8 @@ use std::path::{Path, PathBuf};
 
 pub const HELP: &str = "\
 The HTML file holds its pictures and needs nothing else. The PDF file has A4 pages with numbers and contents. Markdown comes
-with its pictures as SVG files in a folder beside it, report_figures. A report of an earlier run is replaced; any other file is left alone.
+with its pictures as SVG files in a folder beside it, report_figures. Each number has its error bar, estimated from one
+coarser run, or from finer runs with --error-bars. A report of an earlier run is replaced; any other file is left alone.
 
 Examples:
   stampflow report cases/quickstart.toml
@@ -52,6 +54,8 @@ pub struct Args {
     quiet: bool,
     #[command(flatten)]
     json: Json,
+    #[command(flatten)]
+    bars: ErrorBars,
     #[command(flatten)]
     form: options::Told,
     #[command(flatten)]
@@ -99,9 +103,10 @@ pub fn report(args: &Args) -> anyhow::Result<Code> {
 
     let extras = args.slider.then_some(Extra::Animation);
     let kept = Kept { trace: None, recorder: FrameRecorder::new(extras.into_iter().collect()) };
-    let watch = Progress::new(args.quiet || args.json.json).watch(&case, kept);
-    let (solution, kept) = watch.solve(case);
-    let report = Report::of(&solution).titled(args.titles.title_block());
+    let progress = Progress::new(args.quiet || args.json.json);
+    let (solution, kept) = progress.watch(&case, kept).solve(case);
+    let verification = args.bars.of(&solution, &progress, true);
+    let report = Report::verified(&solution, verification.as_ref()).titled(args.titles.title_block());
     let report = if args.slider { report.moving(&kept.recorder) } else { report };
     let form = args.form.form();
     let saved = save(&report.told(form), &path, format);

@@ -2,6 +2,7 @@
 
 use super::answer;
 use super::code::{BadRequest, Code};
+use super::error_bars::ErrorBars;
 use super::job::{load_all, prepared, solve_all, told};
 use super::json;
 use super::options::{self, Json, Overrides, PictureOptions, Threads};
@@ -10,14 +11,15 @@ use super::progress::{Kept, Progress};
 use super::say::{Shown, say, say_json};
 use super::table::{Cell, table, wrapped};
 use serde_json::{Value, json};
-use stampflow::assess::{self, Answer, Finding};
-use stampflow::case::{Case, Solution};
+use stampflow::assess::{Answer, Finding};
+use stampflow::case::Case;
 use stampflow::message::{Form, Message, message};
 use stampflow::output::{
     CaseSummary, Extra, FrameRecorder, OUTPUTS, ResultFolder, Results, WriteError, csv, is_report, result_folder,
     trace, write,
 };
 use stampflow::report::{Report, html};
+use stampflow::verification;
 use std::fmt::Write;
 use std::ops::Add;
 use std::path::{Path, PathBuf};
@@ -44,7 +46,7 @@ pub struct Args {
     /// Also write shapes.gif, the section and the load as they move
     #[arg(long)]
     animate: bool,
-    /// Also write report.html there, from the same run
+    /// Also write report.html there, from the same run; with the quick error bars of `stampflow report`
     #[arg(long)]
     report: bool,
     /// Say also what the solver has to tell: mesh, steps, norms, works
@@ -53,6 +55,8 @@ pub struct Args {
     /// End with exit code 4 where the verdict is red
     #[arg(long)]
     strict: bool,
+    #[command(flatten)]
+    bars: ErrorBars,
     #[command(flatten)]
     form: options::Told,
     #[command(flatten)]
@@ -78,6 +82,7 @@ pub fn help() -> String {
             Examples:\n  \
             stampflow run cases/quickstart.toml\n  \
             stampflow run cases/quickstart.toml --set tools.punch.friction=0.1 --out out/friction-0.1\n  \
+            stampflow run cases/quickstart.toml --error-bars\n  \
             stampflow run cases/*.toml --out results --quiet\n\n\
             Exit codes: 0 done (full travel or time, or the contact share asked for), 2 bad input, or a place that cannot be written to or that another run writes to (nothing is written of that case; the others are run), 3 stopped early (results are kept), 4 with --strict: the verdict is red (results are kept), 130 interrupted by Ctrl-C (results are kept; a second one ends at once), 1 anything else"
 }
@@ -102,17 +107,22 @@ pub fn run(args: &Args) -> anyhow::Result<Code> {
         },
         |solution, kept, folder| {
             let dir = self::folder(args, several, &solution.case)?;
-            let results = Results::of(&solution)?.with_pictures(&args.pictures.pictures()).told(args.form.form());
+            let verification = args.bars.of(&solution, &progress, args.report);
+            let verification = verification.as_ref();
+            let results = Results::of(&solution)?.verified(verification);
+            let results = results.with_pictures(&args.pictures.pictures()).told(args.form.form());
+            let (answer, findings) = verification::answered(&solution, verification);
             // Each is tried and told whatever became of the others.
-            let pages = args.report.then(|| (PAGE.to_owned(), page(&solution, args.form.form()).into_bytes()));
+            let pages = args.report.then(|| {
+                let report = Report::found(&solution, verification, (answer.clone(), findings.clone()));
+                (PAGE.to_owned(), html(&report.told(args.form.form())).into_bytes())
+            });
             let written = results.write_into(&kept.recorder, pages, folder);
             let traced = match (&args.trace, &kept.trace) {
                 (Some(path), Some(iterations)) => write(path, &csv(&trace::table(iterations))),
                 _ => Ok(()),
             };
             let files = written.as_deref().ok();
-            let findings = assess::after(&solution.case, &solution.stages);
-            let answer = Answer::of(&solution.case, &solution.stages, &findings);
             let told = match args.json.json {
                 true => Told::Json(as_json(&results, (&answer, &findings), &dir, files)?),
                 false => Told::Text(args.told(&results, (&answer, &findings), &dir, files)),
@@ -201,7 +211,7 @@ impl Args {
             let written = files.map(|files| form.tell(written(files, dir)));
             return answer::sentence(&case.name, answer, &written.unwrap_or_default(), form);
         }
-        let mut shown = answer::answered(case, answer, findings, form);
+        let mut shown = answer::answered(case, answer, findings, results.verification, form);
         let summary = results.summary();
         if !summary.lines.is_empty() {
             shown = shown + wrapped(&format!("\n{}", form.tell(summary.lines.clone())));
@@ -224,11 +234,6 @@ fn written(files: &[PathBuf], dir: &Path) -> Message {
     message!("{n} files in {folder}", n = files.len(), folder = dir.display().to_string())
 }
 
-/// The report as one HTML file.
-fn page(solution: &Solution, form: Form) -> String {
-    html(&Report::of(solution).told(form))
-}
-
 /// The summary of every stage as a table.
 fn summed_up(summary: &CaseSummary, form: Form) -> Shown {
     let tables = summary.stages.iter().map(|stage| {
@@ -246,7 +251,7 @@ fn as_json(
     files: Option<&[PathBuf]>,
 ) -> anyhow::Result<Value> {
     let mut value = serde_json::to_value(results.summary())?;
-    value["verdict"] = json::answer(answer, findings)?;
+    value["verdict"] = json::answer(answer, findings, results.verification)?;
     let case = &results.solution.case.name;
     let comparisons = results.comparisons.iter().map(|comparison| json::comparison(case, comparison));
     value["comparisons"] = comparisons.collect();

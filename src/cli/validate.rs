@@ -1,29 +1,31 @@
 //! `stampflow validate`: every case against its published curves.
 
+mod markdown;
+mod screen;
+
 use super::code::{BadRequest, Code};
 use super::job::{load_all, prepared, solve_all, told};
 use super::json;
-use super::options::{Json, PictureOptions, Threads};
+use super::options::{Json, PictureOptions, Threads, Told};
 use super::place;
 use super::progress::{Kept, Progress};
 use super::say::{say, say_json};
-use super::table::{Cell, Tone, table, wrapped};
 use anyhow::Context;
-use stampflow::compare::{Comparison, Verdict};
+use screen::Compared;
 use stampflow::output::{Results, comparison_folder};
-use std::collections::BTreeMap;
-use std::fmt::Write;
 use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 
 pub const HELP: &str = "\
-Every case of the folder that has [[compare]] tables is solved. Overlay plots and their numbers go to DIR/<case>; one
-table is printed. A curve that is optional and missing counts as \"no data\", not as a failure; the difference of a
-demonstration is shown and is none either.
+Every case of the folder that has [[compare]] tables is solved. Overlay plots and their numbers go to DIR/<case>. A
+line is printed for each comparison, with the value that misses most and what it is held against; then why those that
+are outside are so, by their numbers, and how many of each kind of reference are inside. A curve that is optional and
+missing counts as \"no data\", not as a failure; the difference of a demonstration is shown and is none either.
 
 Examples:
   stampflow validate
   stampflow validate --cases my/cases --out /tmp/validate
+  stampflow validate --markdown > docs/comparisons.md      # with every citation and reason
 
 Exit codes: 0 every comparison is in its tolerance, 1 one is not or was not reached, 2 bad input, 130 interrupted";
 
@@ -42,11 +44,14 @@ pub struct Args {
     pictures: PictureOptions,
     #[command(flatten)]
     threads: Threads,
+    /// Print a Markdown table instead, with citations and reasons in full
+    #[arg(long, conflicts_with = "json")]
+    markdown: bool,
+    #[command(flatten)]
+    form: Told,
     #[command(flatten)]
     json: Json,
 }
-
-const HEADERS: [&str; 5] = ["case", "quantity", "kind", "worst", "verdict"];
 
 pub fn validate(args: &Args) -> anyhow::Result<Code> {
     let (mut cases, mut failed) = load_all(&case_files(&args.cases)?, &[]);
@@ -68,45 +73,26 @@ pub fn validate(args: &Args) -> anyhow::Result<Code> {
             Ok((solution.case.name.clone(), results.comparisons, failure))
         },
     );
-    let mut compared = Vec::new();
+    let mut compared: Vec<Compared> = Vec::new();
     for outcome in outcomes {
         match outcome {
             Ok((case, comparisons, failure)) => {
-                compared.push((case, comparisons));
+                compared.extend(comparisons.into_iter().map(|comparison| (case.clone(), comparison)));
                 failed.extend(failure.map(anyhow::Error::from));
             }
             Err(error) => failed.push(error),
         }
     }
-    let all = || compared.iter().flat_map(|(case, list)| list.iter().map(move |comparison| (case, comparison)));
     let said = if args.json.json {
-        say_json(&all().map(|(case, comparison)| json::comparison(case, comparison)).collect::<Vec<_>>())
+        say_json(&compared.iter().map(|(case, one)| json::comparison(case, one)).collect::<Vec<_>>())
+    } else if args.markdown {
+        say(markdown::markdown(&compared))
     } else {
-        let rows = all().map(|(case, comparison)| row(case, comparison)).collect();
-        say(table(Some(HEADERS), rows) + wrapped(&reasons(all())))
+        say(screen::screen(&compared, args.form.form()))
     };
     failed.extend(said.err());
-    let code = if all().any(|(_, comparison)| comparison.is_failure()) { Code::Failed } else { Code::Done };
+    let code = if compared.iter().any(|(_, comparison)| comparison.is_failure()) { Code::Failed } else { Code::Done };
     Ok(told(&failed, code))
-}
-
-/// What each comparison is held against, why it is accepted as it is, and how many there are of each kind.
-fn reasons<'a>(all: impl Iterator<Item = (&'a String, &'a Comparison)>) -> String {
-    let (mut text, mut kinds) = ("\n".to_owned(), BTreeMap::<&str, [usize; 2]>::new());
-    for (case, comparison) in all {
-        let Comparison { spec, source, .. } = comparison;
-        let file = spec.reference.file_name().unwrap_or_default().to_string_lossy();
-        let grade = source.as_ref().map_or(String::new(), |source| format!(", grade {}", source.grade));
-        let accepted = comparison.accepted();
-        let _ =
-            writeln!(text, "- {case}, {}: {file}{grade}, accepted {accepted}: {}", spec.against.name(), spec.reason);
-        let [inside, of] = kinds.entry(source.as_ref().map_or("not stated", |source| &source.kind)).or_default();
-        *of += 1;
-        *inside += usize::from(comparison.verdict == Verdict::In);
-    }
-    let counts = kinds.into_iter().map(|(kind, [inside, of])| format!("{kind}: {inside} of {of} inside"));
-    let _ = writeln!(text, "\n{}", counts.collect::<Vec<_>>().join(", "));
-    text
 }
 
 /// The case files of a folder in alphabetical order.
@@ -131,21 +117,4 @@ fn case_files(dir: &Path) -> anyhow::Result<Vec<PathBuf>> {
     }
     files.sort();
     Ok(files)
-}
-
-/// One line a comparison.
-fn row(case: &str, comparison: &Comparison) -> [Cell; 5] {
-    let Comparison { spec, source, .. } = comparison;
-    let tone = match comparison.verdict {
-        _ if comparison.is_failure() => Tone::Bad,
-        Verdict::In => Tone::Good,
-        _ => Tone::Warning,
-    };
-    [
-        Cell::plain(case),
-        Cell::plain(spec.against.name()),
-        Cell::plain(source.as_ref().map_or("not stated".to_owned(), |s| s.kind.to_string())),
-        Cell::plain(comparison.worst().unwrap_or_else(|| "–".to_owned())),
-        Cell { text: comparison.outcome(), tone },
-    ]
 }

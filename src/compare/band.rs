@@ -23,6 +23,10 @@ pub enum BandQuantity {
     Thickness,
     /// Largest punch force of the run.
     PeakForce,
+    /// Travel at the largest punch force, once the force has fallen from it: the index of a cupping test.
+    PeakTravel,
+    /// By how much a ring of the released cup's wall opens when it is slit.
+    RingOpening,
 }
 
 /// A comparison with the interval that measured values span.
@@ -61,11 +65,23 @@ enum Of {
     All,
     Last,
     Largest,
+    /// Where the abscissa is largest.
+    Peak,
+    /// That of the ring which is asked for.
+    Ring,
 }
 
 impl BandQuantity {
     /// Every quantity that is compared with a band.
-    pub const ALL: [Self; 5] = [Self::EdgeDiameter, Self::DrawIn, Self::Thinnest, Self::Thickness, Self::PeakForce];
+    pub const ALL: [Self; 7] = [
+        Self::EdgeDiameter,
+        Self::DrawIn,
+        Self::Thinnest,
+        Self::Thickness,
+        Self::PeakForce,
+        Self::PeakTravel,
+        Self::RingOpening,
+    ];
 
     /// The word used in case files, tables and file names.
     pub fn name(self) -> &'static str {
@@ -75,6 +91,20 @@ impl BandQuantity {
             Self::Thinnest => "thinnest",
             Self::Thickness => "thickness",
             Self::PeakForce => "peak_force",
+            Self::PeakTravel => "peak_travel",
+            Self::RingOpening => "ring_opening",
+        }
+    }
+
+    pub(super) fn label(self) -> &'static str {
+        match self {
+            Self::EdgeDiameter => "diameter",
+            Self::DrawIn => "draw-in",
+            Self::Thinnest => "thinnest",
+            Self::Thickness => "thickness",
+            Self::PeakForce => "peak force",
+            Self::PeakTravel => "peak at",
+            Self::RingOpening => "ring",
         }
     }
 
@@ -88,6 +118,13 @@ impl BandQuantity {
             Self::Thinnest => over_travel(computed.step(step::THINNEST)),
             Self::Thickness => (computed.element(element::R), computed.element(element::THICKNESS)),
             Self::PeakForce => over_travel(computed.step(step::PUNCH_FORCE)),
+            Self::PeakTravel => (computed.step(step::PUNCH_FORCE), computed.step(step::TRAVEL)),
+            Self::RingOpening => {
+                let places = computed.ring.map_or(&[][..], |test| &test.places);
+                let (from, openings) = places.iter().copied().unzip();
+                let from = Column::new("ring_from", "Lower edge of the ring over the bottom", Unit::Mm, from);
+                (from, Column::new("ring_opening", "Opening of the slit ring", Unit::Mm, openings))
+            }
         }
     }
 
@@ -97,14 +134,18 @@ impl BandQuantity {
             Of::All => "least and largest",
             Of::Last => "at the end",
             Of::Largest => "at its peak",
+            Of::Peak => "at the peak",
+            Of::Ring => "of the ring",
         }
     }
 
     fn of(self) -> Of {
         match self {
+            Self::RingOpening => Of::Ring,
             Self::EdgeDiameter | Self::DrawIn | Self::Thinnest => Of::Last,
             Self::Thickness => Of::All,
             Self::PeakForce => Of::Largest,
+            Self::PeakTravel => Of::Peak,
         }
     }
 }
@@ -143,6 +184,13 @@ impl Band {
         let outside = self.outside()?;
         let end = self.end_left(outside).abs();
         if outside == 0.0 { Some(0.0) } else { (end >= NOTHING).then(|| outside / end) }
+    }
+
+    /// The computed value that is farthest out of the accepted band; the one nearest its end where none is out.
+    pub(super) fn farthest(&self) -> Option<f64> {
+        let Interval { low, high } = self.computed?;
+        let is_low = self.accepted.low - low > high - self.accepted.high;
+        Some(if is_low { low } else { high })
     }
 
     fn end_left(&self, outside: f64) -> f64 {
@@ -190,11 +238,11 @@ impl Band {
 pub(super) fn compare(
     spec: &BandSpec,
     reference: Reference,
-    computed: &Column,
-    complete: bool,
+    (x, y): (&Column, &Column),
+    computed: &Computed,
 ) -> Result<Band, CompareError> {
     let path = || reference.path.to_owned();
-    let errors = spec.error.as_ref().map(|header| reference.column(header, computed)).transpose()?;
+    let errors = spec.error.as_ref().map(|header| reference.column(header, y)).transpose()?;
     let errors = errors.map(|column| column.values).unwrap_or_default();
     let negative = errors.iter().position(|e| e.is_some_and(|e| e < 0.0));
     if let (Some(row), Some(column)) = (negative, &spec.error) {
@@ -203,7 +251,7 @@ pub(super) fn compare(
     }
     let mut values = Vec::new();
     for header in &spec.columns {
-        for (row, value) in reference.column(header, computed)?.values.into_iter().enumerate() {
+        for (row, value) in reference.column(header, y)?.values.into_iter().enumerate() {
             let error = errors.get(row).copied().flatten().unwrap_or(0.0);
             values.extend(value.map(|value| (value, error)));
         }
@@ -213,11 +261,21 @@ pub(super) fn compare(
     let (Some(measured), Some(accepted)) = (measured, accepted) else {
         return Err(CompareError::NoBand { path: path(), columns: spec.columns.join(", ") });
     };
-    let all = || computed.values.iter().copied();
+    let all = || y.values.iter().copied();
     let compared = match spec.quantity.of() {
         Of::All => Interval::of(all()),
         Of::Last => Interval::of(all().next_back()),
         Of::Largest => Interval::of(all().reduce(f64::max)),
+        Of::Peak => Interval::of(peak(&x.values).map(|at| y.values[at])),
+        Of::Ring => Interval::of(computed.ring.map(|test| test.opening)),
     };
-    Ok(Band { measured, accepted, computed: compared.filter(|_| complete) })
+    // What ends a run at its peak is what is compared there.
+    let is_known = computed.complete || matches!(spec.quantity.of(), Of::Peak);
+    Ok(Band { measured, accepted, computed: compared.filter(|_| is_known) })
+}
+
+/// The index of the largest value; `None` where it is the last: it may rise further.
+fn peak(values: &[f64]) -> Option<usize> {
+    let at = (0..values.len()).max_by(|a, b| values[*a].total_cmp(&values[*b]))?;
+    (at + 1 < values.len()).then_some(at)
 }

@@ -7,8 +7,12 @@ use super::error::CompareError;
 use super::source::Source;
 use super::spec::{Against, Spec};
 use super::verdict::Verdict;
-use crate::table::{Axis, Column, Table};
+use crate::message::{Amount, Digits, Form};
+use crate::table::{Axis, Column, Table, Unit};
 use crate::units::rounded;
+
+/// Of a value in a table of many comparisons: no reference is known better.
+const DIGITS: usize = 3;
 
 /// What was found beside the reference.
 #[derive(Clone, Debug, PartialEq)]
@@ -53,7 +57,8 @@ impl Comparison {
     /// Where a point is, in words: `punch travel = 12.5 mm`.
     pub fn place(&self, point: &Point) -> String {
         let x = (1e3 * point.x).round() / 1e3;
-        format!("{} = {x} {}", self.x.label.to_lowercase(), self.x.unit.symbol())
+        let unit = if self.x.unit == Unit::None { "" } else { self.x.unit.symbol() };
+        format!("{} = {x} {unit}", self.x.label.to_lowercase()).trim_end().to_owned()
     }
 
     /// The largest difference, in short: `+2.1 %`, `3.4 mm above (+0.7 %)`.
@@ -88,6 +93,39 @@ impl Comparison {
             _ => String::new(),
         };
         format!("{} against {file}: {}{worst}", self.spec.against.name(), self.outcome())
+    }
+
+    /// The computed value that misses most, as a table of many comparisons has it.
+    pub fn farthest(&self) -> Option<Amount> {
+        match &self.found {
+            Found::NoData => None,
+            Found::Points(points) => points.worst()?.computed.map(|value| self.amount(value)),
+            Found::Band(band) => band.farthest().map(|value| self.amount(value)),
+        }
+    }
+
+    /// What that value is held against, in a form: `24.3 mm ± 5 %`, `5.93–6.07 mm`.
+    pub fn target(&self, form: Form) -> Option<String> {
+        match (&self.spec.against, &self.found) {
+            (Against::Curve(curve), Found::Points(points)) => points.worst().map(|point| {
+                let tolerance = Amount::given_share(curve.tolerance);
+                format!("{} ± {}", self.amount(point.reference).told(form), tolerance.told(form))
+            }),
+            (_, Found::Band(Band { accepted, .. })) => {
+                let [low, high] = [accepted.low, accepted.high].map(|end| self.amount(end));
+                let ((number, unit), (other, of_high)) = (low.parts(form), high.parts(form));
+                Some(match (number == other, unit == of_high) {
+                    (true, true) => high.told(form),
+                    (_, true) => format!("{number}–{}", high.told(form)),
+                    _ => format!("{}–{}", low.told(form), high.told(form)),
+                })
+            }
+            _ => None,
+        }
+    }
+
+    fn amount(&self, value: f64) -> Amount {
+        Amount::new(value, self.y.unit, Digits::Significant(DIGITS))
     }
 
     /// Axes of the compared quantities.
@@ -135,7 +173,7 @@ pub fn compare(spec: &Spec, computed: &Computed) -> Result<Comparison, CompareEr
             (Found::Points(points), verdict)
         }
         (Some(reference), Against::Band(against)) => {
-            let band = band::compare(against, reference, &y, computed.complete)?;
+            let band = band::compare(against, reference, (&x, &y), computed)?;
             (Found::Band(band), band.verdict())
         }
     };

@@ -1,7 +1,10 @@
 //! What a stage offers for comparison.
 
+use crate::forming_limit::Paths;
+use crate::measure::RingTest;
 use crate::model::{Extent, Model};
 use crate::solution::{ElementRecord, StageSolution, StepRecord};
+use crate::table::fields::path;
 use crate::table::{Column, Field};
 
 /// What a stage offers for comparison.
@@ -15,8 +18,12 @@ pub struct Computed<'a> {
     pub steps: &'a [StepRecord],
     /// The elements of the last frame from the axis outward.
     pub elements: &'a [ElementRecord],
+    /// The way of every element through the plane of strains; empty where none was kept.
+    pub paths: Option<&'a Paths>,
     /// Whether the stage came to its end.
     pub complete: bool,
+    /// Of the ring that is cut from the case's part.
+    pub ring: Option<&'a RingTest>,
 }
 
 impl<'a> Computed<'a> {
@@ -25,6 +32,7 @@ impl<'a> Computed<'a> {
         Self {
             steps: &stage.steps,
             elements: stage.frames.last().map_or(&[], |frame| &frame.elements),
+            paths: Some(&stage.paths),
             complete: stage.stop.is_complete(),
             ..Self::nothing(&stage.model)
         }
@@ -32,7 +40,18 @@ impl<'a> Computed<'a> {
 
     /// Nothing yet, to find out whether references fit before anything is solved.
     pub fn nothing(model: &Model) -> Self {
-        Self { extent: model.extent(), length: model.blank.length, steps: &[], elements: &[], complete: true }
+        let (extent, length) = (model.extent(), model.blank.length);
+        Self { extent, length, steps: &[], elements: &[], paths: None, complete: true, ring: None }
+    }
+
+    /// Major and minor strain of the place that is thinnest at the end, over its way there.
+    pub(super) fn path(&self) -> (Column, Column) {
+        let thinner = |a: &usize, b: &usize| self.elements[*a].thickness.total_cmp(&self.elements[*b].thickness);
+        let thinnest = (0..self.elements.len()).min_by(thinner);
+        let path = thinnest.zip(self.paths).map_or_else(Vec::new, |(element, paths)| paths.of(element));
+        let (minor, major) = path.into_iter().map(|[minor, major]| (minor, major)).unzip();
+        let short = |label, column: Column| Column { label, ..column };
+        (short("Major true strain", path::major(major)), short("Minor true strain", path::minor(minor)))
     }
 
     pub(super) fn step(&self, field: Field<StepRecord>) -> Column {

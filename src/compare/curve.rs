@@ -19,6 +19,8 @@ pub enum Quantity {
     ThicknessAtS0,
     /// Thickness over the present radius, at the last frame.
     ThicknessAtRadius,
+    /// Minor strain at equal major strain, of the place that is thinnest at the end on its way there.
+    StrainPath,
 }
 
 /// A comparison along a curve.
@@ -55,7 +57,8 @@ pub struct Points(pub Vec<Point>);
 
 impl Quantity {
     /// Every quantity that is compared along a curve.
-    pub const ALL: [Self; 4] = [Self::PunchForce, Self::Travel, Self::ThicknessAtS0, Self::ThicknessAtRadius];
+    pub const ALL: [Self; 5] =
+        [Self::PunchForce, Self::Travel, Self::ThicknessAtS0, Self::ThicknessAtRadius, Self::StrainPath];
 
     /// The word used in case files, tables and file names.
     pub fn name(self) -> &'static str {
@@ -64,6 +67,16 @@ impl Quantity {
             Self::Travel => "travel",
             Self::ThicknessAtS0 => "thickness_at_s0",
             Self::ThicknessAtRadius => "thickness_at_radius",
+            Self::StrainPath => "strain_path",
+        }
+    }
+
+    pub(super) fn label(self) -> &'static str {
+        match self {
+            Self::PunchForce => "force",
+            Self::Travel => "travel",
+            Self::ThicknessAtS0 | Self::ThicknessAtRadius => "thickness",
+            Self::StrainPath => "strain",
         }
     }
 
@@ -73,6 +86,7 @@ impl Quantity {
             Self::Travel => (computed.step(step::PUNCH_FORCE), computed.step(step::TRAVEL)),
             Self::ThicknessAtS0 => (computed.element(element::S0), computed.element(element::THICKNESS)),
             Self::ThicknessAtRadius => (computed.element(element::R), computed.element(element::THICKNESS)),
+            Self::StrainPath => computed.path(),
         }
     }
 

@@ -1,7 +1,7 @@
 //! Reference values: columns of a CSV file, units at the end of their names.
 
 use super::error::CompareError;
-use crate::table::{Column, Csv};
+use crate::table::{Column, Csv, Unit};
 use std::path::Path;
 
 /// A reference that is smaller is nothing \[mm, N, N/mm\]: no one measures so finely, and a difference over it overflows.
@@ -30,7 +30,11 @@ impl Reference<'_> {
             column: header.to_owned(),
             found: self.csv.found(),
         })?;
-        let (unit, factor) = self.csv.unit(at).map_err(|error| CompareError::Unit { path: path(), error })?;
+        let (unit, factor) = match self.csv.unit(at) {
+            // The name of a plain number ends in no unit.
+            Err(_) if computed.unit == Unit::None => (Unit::None, 1.0),
+            found => found.map_err(|error| CompareError::Unit { path: path(), error })?,
+        };
         if unit != computed.unit {
             let (column, with) = (header.to_owned(), computed.axis().text().to_owned());
             return Err(CompareError::Dimension { path: path(), column, with });

@@ -68,6 +68,14 @@ impl Against {
         }
     }
 
+    /// The quantity as a table of many comparisons has it, short.
+    pub fn label(&self) -> &'static str {
+        match self {
+            Self::Curve(curve) => curve.quantity.label(),
+            Self::Band(band) => band.quantity.label(),
+        }
+    }
+
     /// Headers of the reference file that are read.
     pub fn headers(&self) -> Vec<&str> {
         match self {

@@ -23,4 +23,13 @@ impl Verdict {
             Self::NoData => "no data",
         }
     }
+
+    /// As a reader is told it, in a language of his own: `inside`, `outside`.
+    pub fn told(self) -> &'static str {
+        match self {
+            Self::In => "inside",
+            Self::Out => "outside",
+            Self::NotReached | Self::NoData => self.name(),
+        }
+    }
 }

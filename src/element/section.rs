@@ -103,15 +103,16 @@ impl Stiffness {
     #[inline]
     fn add_part(&mut self, zeta: f64, half: f64, v: f64, part: &Across) {
         let Self { c0, c1, c2 } = self;
-        let [direct, coupled, shear] = part.metric.map(|k| v * k);
+        let [ss, st, tt, shear] = part.metric.map(|k| v * k);
+        let [xx, xy, yy] = part.coupling.map(|k| half * v * k);
         let square = zeta * zeta + MEAN_SQUARE * half * half;
-        for (j, k) in [(0, direct), (1, coupled), (2, direct)] {
+        for (j, (k, x)) in [(ss, xx), (st, xy), (tt, yy)].into_iter().enumerate() {
             c0[j] += k;
-            c2[j] += square * k;
+            c2[j] += square * k + 2.0 * zeta * x;
         }
         c0[5] += shear;
-        for (j, k) in [(0, direct), (1, coupled), (2, coupled), (3, direct)] {
-            c1[j] += zeta * k;
+        for (j, (k, x)) in [(ss, xx), (st, xy), (st, xy), (tt, yy)].into_iter().enumerate() {
+            c1[j] += zeta * k + x;
         }
         // g and h by the strains, and by the curvatures.
         let [g, h] = part.outer;

@@ -19,8 +19,10 @@ pub struct Judged {
     pub major: f64,
     /// Whether the hoop strain is the larger one.
     pub hoop_is_major: bool,
-    /// Major strain of the curve at this minor strain \[–\].
+    /// Major strain of the curve at this minor strain; beyond its end what the sheet surely bears \[–\].
     pub limit: f64,
+    /// Whether the curve has ended before this minor strain.
+    pub beyond_end: bool,
     /// Largest distance of its path from the straight line between its ends, over that line's length; 0 for a path
     /// shorter than [`SHORTEST`] \[–\].
     pub crookedness: f64,
@@ -35,6 +37,11 @@ impl Judged {
     /// Major strain over the curve's at the same minor strain \[–\]; 1 on it.
     pub fn ratio(&self) -> f64 {
         self.major / self.limit
+    }
+
+    /// Whether nothing is known of it: beyond the end of the curve, and strained more than at its end.
+    pub fn is_open(&self) -> bool {
+        self.beyond_end && self.major > self.limit
     }
 
     /// Whether its path is too far from straight for the curve to be taken at its word.
@@ -68,13 +75,27 @@ pub struct Assessment {
 }
 
 impl Assessment {
-    /// The element with the least margin.
+    /// The element with the least margin of those that are judged; of all where none is.
     ///
     /// # Panics
     /// Never: there is one element at least.
     pub fn worst(&self) -> &Judged {
-        let least = self.elements.iter().min_by(|a, b| a.margin().total_cmp(&b.margin()));
-        least.expect("an assessment has elements")
+        let least = |open: bool| {
+            let those = self.elements.iter().filter(|element| open || !element.is_open());
+            those.min_by(|a, b| a.margin().total_cmp(&b.margin()))
+        };
+        least(false).or(least(true)).expect("an assessment has elements")
+    }
+
+    /// The element that is strained most of those that the curve, having ended, does not judge.
+    pub fn open(&self) -> Option<&Judged> {
+        let open = self.elements.iter().filter(|element| element.is_open());
+        open.max_by(|a, b| a.ratio().total_cmp(&b.ratio()))
+    }
+
+    /// Whether every element was judged, and none came to the limit.
+    pub fn is_kept(&self) -> bool {
+        self.reached.is_none() && self.open().is_none()
     }
 
     /// Elements whose paths are not straight.
@@ -99,6 +120,7 @@ pub fn assess(curve: &Curve, paths: &Paths) -> Option<Assessment> {
             major,
             hoop_is_major: paths.hoop_is_major(e),
             limit: curve.major_at(minor),
+            beyond_end: !curve.knows(minor),
             crookedness: crookedness(&path),
         };
         elements.push(judged);
@@ -111,14 +133,14 @@ pub fn assess(curve: &Curve, paths: &Paths) -> Option<Assessment> {
     Some(Assessment { elements, reached })
 }
 
-/// When an element first comes to the curve.
+/// When an element first comes to the curve, as far as it goes.
 fn crossing(curve: &Curve, paths: &Paths, element: usize, s0: f64) -> Option<Reached> {
     let at = |i: usize| {
         let [a, b] = paths.instants[i].strains[element];
         let (minor, major) = (a.min(b), a.max(b));
         (minor, major, curve.major_at(minor) - major)
     };
-    let i = (0..paths.instants.len()).find(|&i| at(i).2 <= 0.0)?;
+    let i = (0..paths.instants.len()).find(|&i| at(i).2 <= 0.0 && curve.knows(at(i).0))?;
     let (minor, major, after) = at(i);
     let now = &paths.instants[i];
     let (time, travel) = match i.checked_sub(1) {

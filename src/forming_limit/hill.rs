@@ -1,7 +1,8 @@
 //! Localised necking on the left.
 
-use super::instability::{Proportional, hardening_note, left, limit, right};
-use super::{Curve, LimitError, Sheet, swift};
+use super::instability::{Proportional, hardening_note, limit, ratios};
+use super::plane::Plane;
+use super::{Curve, Kind, LimitError, Sheet, swift};
 use crate::message::message;
 
 /// Hill's localised necking: a neck along the line that does not stretch, where σ_y'/σ_y = (1 + β) dε₁/dε̄.
@@ -22,21 +23,21 @@ pub struct Hill {
 
 impl Hill {
     pub(super) fn curve(&self, sheet: &Sheet) -> Result<Curve, LimitError> {
-        let r = sheet.material.hill48;
-        let mut points = Vec::new();
-        for beta in left(r, 20) {
-            let path = Proportional::new(r, beta);
+        let plane = Plane::of(sheet.material);
+        let point = |beta: f64| {
+            if beta > 0.0 {
+                return swift::point(sheet, self.n, beta);
+            }
+            let path = Proportional::new(plane, beta);
             let strain = limit(sheet, self.n, path.strain[0] + path.strain[1])?;
-            points.push([path.strain[1] * strain, path.strain[0] * strain]);
-        }
-        for beta in right(20) {
-            points.push(swift::point(sheet, self.n, beta)?);
-        }
+            Ok([path.strain[1] * strain, path.strain[0] * strain])
+        };
+        let points = ratios(plane, 20, 20).map(point).collect::<Result<_, _>>()?;
         let law = hardening_note(self.n);
         let notes = vec![message!(
             "Forming limit: Hill's localised necking on the left, Swift's diffuse necking on the right, by {law}.",
             law = law
         )];
-        Curve::new("Hill and Swift", points, notes)
+        Curve::new(Kind::Hill(*self), sheet, points, notes)
     }
 }

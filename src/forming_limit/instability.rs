@@ -8,8 +8,8 @@
 //!
 //! For σ = K (ε₀ + ε̄)^n the limit is ε̄ = n/H − ε₀; here it is found for any law.
 
+use super::plane::Plane;
 use super::{LimitError, Sheet};
-use crate::material::Hill48;
 use crate::message::{Amount, Digits, Message, message};
 use crate::numerics::bisect;
 
@@ -65,27 +65,18 @@ pub(super) struct Proportional {
 }
 
 impl Proportional {
-    pub fn new(anisotropy: Hill48, beta: f64) -> Self {
-        let unit = 1.0 / anisotropy.equivalent_increment([1.0, beta, 0.0]);
-        let strain = [unit, beta * unit];
-        let [s1, s2, _] = anisotropy.apply([strain[0], strain[1], 0.0]);
-        Self { strain, stress: [s1, s2] }
+    pub fn new(plane: Plane, beta: f64) -> Self {
+        let unit = 1.0 / plane.equivalent_increment([1.0, beta]);
+        Self { strain: [unit, beta * unit], stress: plane.stress([1.0, beta]) }
     }
 }
 
-/// β of uniaxial tension \[–\].
-pub(super) fn tension(anisotropy: Hill48) -> f64 {
-    -anisotropy.coupling()
-}
-
-/// Ratios from tension to plane strain, and from there to equi-biaxial stretching, ends included.
-pub(super) fn left(anisotropy: Hill48, count: usize) -> impl Iterator<Item = f64> {
-    let tension = tension(anisotropy);
-    (0..=count).map(move |i| tension * (1.0 - i as f64 / count as f64))
-}
-
-pub(super) fn right(count: usize) -> impl Iterator<Item = f64> {
-    (1..=count).map(move |i| i as f64 / count as f64)
+/// Ratios from tension to plane strain in `left` intervals, and from there to equi-biaxial stretching in `right` ones, ends
+/// included; to plane strain alone where the yield condition [overrates](Plane::overrates_biaxial) what is beyond.
+pub(super) fn ratios(plane: Plane, left: usize, right: usize) -> impl Iterator<Item = f64> {
+    let right = if plane.overrates_biaxial() { 0 } else { right };
+    let of_left = (0..=left).map(move |i| plane.tension() * (1.0 - i as f64 / left as f64));
+    of_left.chain((1..=right).map(move |i| i as f64 / right as f64))
 }
 
 /// The words for n, and for a law's own hardening.

@@ -12,7 +12,7 @@
 //! Micro Alloying 75 (1977) 517–530 (not read). The shape on both sides: AHSS Insights, Forming Limit Curves, WorldAutoSteel
 //! (ahssinsights.org); the formula, the cap of n and the range of t as public programs quote them.
 
-use super::{Curve, LimitError, Sheet, uniform_strain};
+use super::{Curve, Kind, LimitError, Sheet, uniform_strain};
 #[cfg(feature = "case")]
 use crate::law::prelude::*;
 use crate::message::{Amount, Digits, Message, message};
@@ -66,6 +66,7 @@ impl KeelerBrazier {
             thickness = Amount::size(thickness),
             flc0 = Amount::strain(flc0).to(Digits::Decimals(4))
         )];
-        Curve::new("Keeler-Brazier", vec![[-0.5 * flc0, 1.5 * flc0], [0.0, flc0], [right, flc0 + 0.6 * right]], notes)
+        let points = vec![[-0.5 * flc0, 1.5 * flc0], [0.0, flc0], [right, flc0 + 0.6 * right]];
+        Curve::new(Kind::KeelerBrazier(*self), sheet, points, notes)
     }
 }

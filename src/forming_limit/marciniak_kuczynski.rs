@@ -4,18 +4,20 @@
 //! with it, thins faster, and in the end alone. The limit is the strain of the sheet around it when the groove strains
 //! [`MarciniakKuczynski::CRITICAL`] times as fast.
 //!
-//! Hardening, rate and normal anisotropy are those of the sheet. On the left the groove lies as it hurts most; it turns with
+//! Hardening, rate and yield condition are those of the sheet. On the left the groove lies as it hurts most; it turns with
 //! the sheet. f₀ is no measured thickness: it stands for all that is uneven in a sheet, and has to be fitted to one measured
-//! point where there is one. With β > 0 the limit of a rate-free sheet is sensitive to f₀ and high by Hill's
-//! condition, most of all for r̄ < 1: for AA6016-T4 (r̄ = 0.36) it is 1.2 in equi-biaxial stretching, beyond what sheet bears.
+//! point where there is one. With β > 0 the limit of a rate-free sheet is sensitive to f₀ and to the yield condition: it is
+//! high by Hill's, most of all for r̄ < 1 (for AA6016-T4, r̄ = 0.36, 1.2 in equi-biaxial stretching, beyond what sheet bears),
+//! so that the curve ends in plane strain there. Hosford's corner brings it down.
 //!
 //! # References
 //! Z. Marciniak, K. Kuczyński, Int. J. Mech. Sci. 9 (1967) 609–620; Z. Marciniak, K. Kuczyński, T. Pokora, Int. J. Mech. Sci.
 //! 15 (1973) 789–805; J. W. Hutchinson, K. W. Neale, Sheet necking, in: Mechanics of Sheet Metal Forming (1978) 127–153 (all
 //! not read; the equations are derived beside this).
 
-use super::instability::{Proportional, left, right};
-use super::{Curve, LimitError, Sheet};
+use super::instability::{Proportional, ratios};
+use super::plane::Plane;
+use super::{Curve, Kind, LimitError, Sheet};
 use crate::law::prelude::*;
 use crate::message::{Amount, Digits, message};
 use groove::{Failure, Groove};
@@ -28,7 +30,7 @@ const GROOVES: RangeInclusive<f64> = 0.9..=0.9999;
 
 /// A groove of `imperfection` times the sheet's thickness takes over.
 ///
-/// Valid for straight strain paths; with β > 0 it is high by Hill's condition where r̄ is below 1.
+/// Valid for straight strain paths; by Hill's condition with r̄ below 1 it ends in plane strain: beyond it is too high.
 /// Source: Z. Marciniak, K. Kuczyński, Int. J. Mech. Sci. 9 (1967) 609–620 (not read; derived in the program).
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "case", derive(serde::Deserialize), serde(deny_unknown_fields))]
@@ -94,8 +96,9 @@ impl MarciniakKuczynski {
     }
 
     pub(super) fn curve(&self, sheet: &Sheet) -> Result<Curve, LimitError> {
-        let ratios = left(sheet.material.hill48, 8).chain(right(10));
-        let limits = ratios.map(|beta| self.limit(sheet, beta)).collect::<Result<Vec<_>, _>>()?;
+        let limits = ratios(Plane::of(sheet.material), 8, 10)
+            .map(|beta| self.limit(sheet, beta))
+            .collect::<Result<Vec<_>, _>>()?;
         let points = limits.iter().map(|limit| [limit.minor, limit.major]).collect();
         let law = match sheet.material.rate {
             Some(_) => message!(
@@ -110,7 +113,7 @@ impl MarciniakKuczynski {
             law = law,
             times = Amount::number(Self::CRITICAL)
         );
-        Curve::new("Marciniak-Kuczyński", points, vec![note])
+        Curve::new(Kind::MarciniakKuczynski(*self), sheet, points, vec![note])
     }
 
     /// The limit of a strain ratio β, converged in the step.
@@ -120,7 +123,7 @@ impl MarciniakKuczynski {
     /// halved.
     pub fn limit(&self, sheet: &Sheet, beta: f64) -> Result<Limit, LimitError> {
         let angle = if beta < 0.0 { self.worst_angle(sheet, beta)? } else { 0.0 };
-        let path = Proportional::new(sheet.material.hill48, beta);
+        let path = Proportional::new(Plane::of(sheet.material), beta);
         let mut before = f64::NAN;
         for step in Self::STEPS {
             let strain = self.strain_at(sheet, beta, angle, step)?.ok_or_else(|| beyond(beta))?;

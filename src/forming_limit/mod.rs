@@ -16,6 +16,7 @@ mod instability;
 mod keeler_brazier;
 mod marciniak_kuczynski;
 mod paths;
+mod plane;
 mod points;
 mod swift;
 
@@ -28,8 +29,10 @@ pub use paths::{Instant, Paths};
 pub use points::{Points, Strain};
 pub use swift::Swift;
 
+use plane::Plane;
+
 use crate::material::Material;
-use crate::message::Message;
+use crate::message::{Amount, Message, message};
 
 /// Why there is no curve.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -59,9 +62,9 @@ pub struct Sheet<'a> {
 }
 
 impl Sheet<'_> {
-    /// Yield stress \[MPa\] and its slope \[MPa\] at an equivalent strain, without the rate.
+    /// Yield stress \[MPa\] and its slope \[MPa\] at an equivalent strain on a straight path, without the rate.
     fn hardening(&self, strain: f64) -> crate::material::FlowStress {
-        self.material.hardening.at_temperature(strain, self.temperature)
+        self.material.monotonic(strain, self.temperature)
     }
 }
 
@@ -87,21 +90,45 @@ impl Kind {
     /// When the kind does not hold for the sheet, or its equations have no solution.
     pub fn curve(&self, sheet: &Sheet) -> Result<Curve, LimitError> {
         match self {
-            Self::Points(kind) => kind.curve(),
+            Self::Points(kind) => kind.curve(sheet),
             Self::KeelerBrazier(kind) => kind.curve(sheet),
             Self::Hill(kind) => kind.curve(sheet),
             Self::Swift(kind) => kind.curve(sheet),
             Self::MarciniakKuczynski(kind) => kind.curve(sheet),
         }
     }
+
+    /// What its curve is called.
+    fn name(&self) -> &'static str {
+        match self {
+            Self::Points(_) => "Points",
+            Self::KeelerBrazier(_) => "Keeler-Brazier",
+            Self::Hill(_) => "Hill and Swift",
+            Self::Swift(_) => "Swift",
+            Self::MarciniakKuczynski(_) => "Marciniak-Kuczyński",
+        }
+    }
+
+    /// Whether its curve follows from the sheet's yield condition.
+    fn feels_yield_condition(&self) -> bool {
+        matches!(self, Self::Hill(_) | Self::Swift(_) | Self::MarciniakKuczynski(_))
+    }
 }
 
 /// A forming limit curve, straight between its points.
 ///
 /// To the left of its first point it goes on at constant thickness strain, ε₁ + ε₂ = const; to the right of its last one
-/// it stays level.
+/// it stays level. One that [ends](Curve::ends_at) is not known there: the level of its last point, in plane strain, is then
+/// no more than what a sheet surely bears, because limits are lowest about plane strain.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Curve {
+    /// How it was made, to make it again of another material.
+    kind: Kind,
+    /// Initial thickness \[mm\] and temperature \[K\] that it was made for.
+    thickness: f64,
+    temperature: f64,
+    /// Whether nothing is known to the right of its last point.
+    ends: bool,
     /// Minor and major logarithmic strain \[–\], the minor rising.
     points: Vec<[f64; 2]>,
     /// What it is called.
@@ -115,7 +142,7 @@ impl Curve {
     ///
     /// # Errors
     /// When there are fewer than two, or the minor strain does not rise.
-    fn new(name: &'static str, points: Vec<[f64; 2]>, notes: Vec<Message>) -> Result<Self, LimitError> {
+    fn new(kind: Kind, sheet: &Sheet, points: Vec<[f64; 2]>, mut notes: Vec<Message>) -> Result<Self, LimitError> {
         if points.len() < 2 {
             let what = format!("a curve has two points at least, found {}", points.len());
             return Err(LimitError::new(what, "give more points"));
@@ -128,7 +155,40 @@ impl Curve {
             );
             return Err(LimitError::new(what, "write the points from left to right"));
         }
-        Ok(Self { points, name, notes })
+        let plane = Plane::of(sheet.material);
+        let ends = kind.feels_yield_condition() && plane.overrates_biaxial();
+        if ends {
+            notes.push(message!(
+                "The limit ends in plane strain: by Hill 1948 with r̄ = {r}, below 1, limits of biaxial stretching come out too high.",
+                r = Amount::number(plane.ratio())
+            ));
+        }
+        let (name, thickness, temperature) = (kind.name(), sheet.thickness, sheet.temperature);
+        Ok(Self { kind, thickness, temperature, ends, points, name, notes })
+    }
+
+    /// The curve of the same kind for the same sheet of another material; one that does not follow from the material stays.
+    ///
+    /// # Errors
+    /// As [`Kind::curve`].
+    pub fn of_material(&self, material: &Material) -> Result<Self, LimitError> {
+        self.kind.curve(&Sheet { material, thickness: self.thickness, temperature: self.temperature })
+    }
+
+    /// Whether it stands for measured points.
+    pub fn is_measured(&self) -> bool {
+        matches!(self.kind, Kind::Points(_))
+    }
+
+    /// The minor strain at which it ends, because what is computed beyond is known to be wrong; `None` where it goes on
+    /// \[–\].
+    pub fn ends_at(&self) -> Option<f64> {
+        self.ends.then(|| self.points[self.points.len() - 1][0])
+    }
+
+    /// Whether the limit is known at a minor strain \[–\].
+    pub fn knows(&self, minor: f64) -> bool {
+        self.ends_at().is_none_or(|end| minor <= end)
     }
 
     /// Minor and major logarithmic strain of its points \[–\].
@@ -136,7 +196,7 @@ impl Curve {
         &self.points
     }
 
-    /// The major strain at which the sheet necks, at a minor strain \[–\].
+    /// The major strain at which the sheet necks, at a minor strain; beyond the curve's end what it surely bears \[–\].
     pub fn major_at(&self, minor: f64) -> f64 {
         let [first, last] = [self.points[0], self.points[self.points.len() - 1]];
         if minor <= first[0] {

@@ -1,6 +1,6 @@
 //! A measured curve.
 
-use super::{Curve, LimitError};
+use super::{Curve, Kind, LimitError, Sheet};
 use crate::message::message;
 
 /// Strains of a measured curve.
@@ -36,7 +36,7 @@ pub struct Points {
 }
 
 impl Points {
-    pub(super) fn curve(&self) -> Result<Curve, LimitError> {
+    pub(super) fn curve(&self, sheet: &Sheet) -> Result<Curve, LimitError> {
         let points: Vec<[f64; 2]> =
             self.points.iter().map(|point| point.map(|strain| self.strain.logarithmic(strain))).collect();
         // The comparisons are also false for NaN.
@@ -52,6 +52,7 @@ impl Points {
             Strain::Logarithmic => "logarithmic as given",
             Strain::Engineering => "logarithmic from the engineering strains given",
         };
-        Curve::new("Points", points, vec![message!("Forming limit: points of the case, {measure}.", measure = measure)])
+        let notes = vec![message!("Forming limit: points of the case, {measure}.", measure = measure)];
+        Curve::new(Kind::Points(self.clone()), sheet, points, notes)
     }
 }

@@ -1,7 +1,8 @@
 //! Diffuse necking.
 
-use super::instability::{Proportional, hardening_note, left, limit, right};
-use super::{Curve, LimitError, Sheet};
+use super::instability::{Proportional, hardening_note, limit, ratios};
+use super::plane::Plane;
+use super::{Curve, Kind, LimitError, Sheet};
 use crate::message::message;
 
 /// Swift's diffuse necking: both forces are at their maxima, dσ₁ = σ₁ dε₁ and dσ₂ = σ₂ dε₂, so that
@@ -24,16 +25,16 @@ pub struct Swift {
 
 impl Swift {
     pub(super) fn curve(&self, sheet: &Sheet) -> Result<Curve, LimitError> {
-        let points = left(sheet.material.hill48, 20).chain(right(20)).map(|beta| point(sheet, self.n, beta));
+        let points = ratios(Plane::of(sheet.material), 20, 20).map(|beta| point(sheet, self.n, beta));
         let points = points.collect::<Result<Vec<_>, _>>()?;
         let note = message!("Forming limit: Swift's diffuse necking by {law}.", law = hardening_note(self.n));
-        Curve::new("Swift", points, vec![note])
+        Curve::new(Kind::Swift(*self), sheet, points, vec![note])
     }
 }
 
 /// Minor and major strain at the limit of a strain ratio.
 pub(super) fn point(sheet: &Sheet, n: Option<f64>, beta: f64) -> Result<[f64; 2], LimitError> {
-    let Proportional { strain: [e1, e2], stress: [s1, s2] } = Proportional::new(sheet.material.hill48, beta);
+    let Proportional { strain: [e1, e2], stress: [s1, s2] } = Proportional::new(Plane::of(sheet.material), beta);
     let strain = limit(sheet, n, s1 * e1 * e1 + s2 * e2 * e2)?;
     Ok([e2 * strain, e1 * strain])
 }

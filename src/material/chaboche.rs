@@ -11,6 +11,7 @@
 //! J. L. Chaboche, Int. J. Plasticity 2 (1986) 149–188; the form with one back-stress: P. J. Armstrong, C. O. Frederick,
 //! CEGB report RD/B/N731 (1966) (both not read; the form is in common use).
 
+use super::FlowStress;
 #[cfg(feature = "case")]
 use crate::law::prelude::*;
 
@@ -27,6 +28,16 @@ pub struct BackStress {
     #[cfg_attr(feature = "case", serde(default, rename = "recall", with = "As::<NonNegative<Number>>"))]
     #[cfg_attr(feature = "schema", schemars(example = 30))]
     pub dynamic_recovery: f64,
+}
+
+impl BackStress {
+    /// What it adds to the stress of tension at a plastic strain, and its slope: C/γ (1 − exp(−γ ε̄)) and C exp(−γ ε̄) \[MPa\].
+    pub fn in_tension(&self, strain: f64) -> FlowStress {
+        let Self { modulus, dynamic_recovery } = *self;
+        let come = -(-dynamic_recovery * strain).exp_m1();
+        let length = if dynamic_recovery > 0.0 { come / dynamic_recovery } else { strain };
+        FlowStress { stress: modulus * length, slope: modulus * (1.0 - come) }
+    }
 }
 
 /// Up to two back-stresses; none where all moduli are 0.

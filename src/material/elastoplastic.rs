@@ -20,10 +20,12 @@
 //! J. C. Simo, R. L. Taylor, Int. J. Num. Meth. Engng. 22 (1986) 649–670 (plane-stress return mapping and its tangent);
 //! P. Perzyna, Adv. Appl. Mech. 9 (1966) 243–377 (not read).
 
-use super::chaboche::BackStresses;
+mod hosford;
+
+use super::chaboche::{BackStress, BackStresses};
 use super::point_law::StressUpdate;
 use super::yield_condition::{SHEAR_FACTOR, Triple};
-use super::{Elastic, FlowStress, Hardening, Hill48, PointLaw, Rate, Surroundings, ThermalLaw};
+use super::{Elastic, FlowStress, Hardening, Hosford, PointLaw, Rate, Surroundings, ThermalLaw, YieldCriterion};
 use std::f64::consts::FRAC_1_SQRT_2;
 
 /// What is the same for every thickness point in an iteration.
@@ -52,14 +54,29 @@ pub struct Operators {
     yielding: Triple,
     /// D P.
     both: Triple,
+    /// The yield condition where it is not quadratic; P is then Hill's of the same r̄.
+    hosford: Option<Hosford>,
 }
 
 impl Operators {
-    /// Of a metal that yields by Hill 1948.
-    pub fn new(elastic: Elastic, anisotropy: Hill48) -> Self {
-        let (elastic, q) = (elastic.moduli(), anisotropy.coupling());
+    /// Of a sheet's elastic constants and yield condition.
+    pub fn new(elastic: Elastic, criterion: YieldCriterion) -> Self {
+        let (elastic, q) = (elastic.moduli(), criterion.quadratic().coupling());
         let yielding = [1.0 - q, 1.0 + q, 3.0 / SHEAR_FACTOR];
-        Self { elastic, yielding, both: each(|j| elastic[j] * yielding[j]) }
+        let hosford = match criterion {
+            YieldCriterion::Hill48(_) => None,
+            YieldCriterion::Hosford(hosford) => Some(hosford),
+        };
+        Self { elastic, yielding, both: each(|j| elastic[j] * yielding[j]), hosford }
+    }
+
+    /// The answer of a point that stays elastic.
+    #[inline]
+    fn unyielding(&self, stress: Triple, point: &Carried) -> StressUpdate {
+        let d = self.elastic;
+        let sum = 0.5 * (d[0] + d[1]);
+        let tangent = [sum, d[0] - sum, sum, 0.0, 0.0, d[2]];
+        StressUpdate { stress, tangent, increment: 0.0, yield_stress: point.yield_stress, work_across: 0.0 }
     }
 }
 
@@ -95,6 +112,16 @@ pub struct Trial {
     pub back: [Triple; 2],
 }
 
+impl Trial {
+    /// Δp that goes with another strain increment, in the sum, the difference and the shear, if Δp follows it \[–\].
+    #[inline]
+    fn guess(&self, strain: Triple) -> f64 {
+        let (last, f) = (turned(self.strain), self.follows);
+        let moved = f[0] * (strain[0] - last[0]) + f[1] * (strain[1] - last[1]) + f[2] * (strain[2] - last[2]);
+        if self.increment + moved > 0.0 { self.increment + moved } else { self.increment }
+    }
+}
+
 /// Most iterations for Δp: bisection alone needs fifty.
 const MOST: usize = 80;
 /// Share of Δp that the last iteration may still add \[–\]: what it adds to stress and tangent is taken along, and its
@@ -111,6 +138,21 @@ fn each(of: impl Fn(usize) -> f64) -> Triple {
 #[inline]
 fn turned(v: Triple) -> Triple {
     [FRAC_1_SQRT_2 * (v[0] + v[1]), FRAC_1_SQRT_2 * (v[0] - v[1]), v[2]]
+}
+
+/// A back-stress once Δp has been added along n.
+#[inline]
+fn moved(law: &BackStress, back: Triple, x: f64, n: Triple) -> Triple {
+    let theta = 1.0 / (1.0 + law.dynamic_recovery * x);
+    each(|j| theta * (back[j] + x * law.modulus * n[j]))
+}
+
+/// What back-stresses do to the return: C̄ and its derivative by Δp, η = σ₀ + D Δε − Σ θ_i α_i0, and β, its derivative.
+struct Shifted {
+    modulus: f64,
+    modulus_slope: f64,
+    eta: Triple,
+    recovered: Triple,
 }
 
 /// How a point that yields stands once Δp is known.
@@ -134,35 +176,24 @@ impl PointLaw for ElastoplasticLaw<'_> {
     /// back-stresses, of which its symmetric part is given.
     #[inline]
     fn respond(&self, point: &Carried, trial: &mut Trial, e: Triple) -> StressUpdate {
+        if let Some(hosford) = &self.operators.hosford {
+            return self.respond_by_hosford(hosford, point, trial, e);
+        }
         let Operators { elastic: d, both, .. } = self.operators;
         let (strain, start) = (turned(e), turned(point.stress));
         let tried: Triple = each(|j| start[j] + d[j] * strain[j]);
         let back = if self.kinematic.is_some() { point.back.map(turned) } else { [[0.0; 3]; 2] };
-        let (last, f) = (turned(trial.strain), trial.follows);
-        let moved = f[0] * (strain[0] - last[0]) + f[1] * (strain[1] - last[1]) + f[2] * (strain[2] - last[2]);
-        let guess = if trial.increment + moved > 0.0 { trial.increment + moved } else { trial.increment };
+        let guess = trial.guess(strain);
         let found = self.hardening.and_then(|hardening| self.solve(hardening, point, tried, &back, guess));
         let Some(at) = found else {
             *trial = Trial { strain: e, back: point.back, ..Trial::default() };
-            let sum = 0.5 * (d[0] + d[1]);
-            let tangent = [sum, d[0] - sum, sum, 0.0, 0.0, d[2]];
-            return StressUpdate {
-                stress: turned(tried),
-                tangent,
-                increment: 0.0,
-                yield_stress: point.yield_stress,
-                work_across: 0.0,
-            };
+            return self.operators.unyielding(turned(tried), point);
         };
         let (x, n, m) = (at.increment, at.direction, at.measure);
         let stress = turned(each(|j| tried[j] - x * both[j] * n[j]));
-        let back = self.kinematic.map_or(point.back, |kinematic| {
-            std::array::from_fn(|i| {
-                let law = &kinematic[i];
-                let theta = 1.0 / (1.0 + law.dynamic_recovery * x);
-                turned(each(|j| theta * (back[i][j] + x * law.modulus * n[j])))
-            })
-        });
+        let back = self
+            .kinematic
+            .map_or(point.back, |kinematic| std::array::from_fn(|i| turned(moved(&kinematic[i], back[i], x, n))));
 
         // dσ = (I − Δp D P/m) D dε − D P (n − Δp (n m' − β)/m) dp,  dp = Σ P n/m D dε / N
         let inverse = each(|j| 1.0 / m[j]);
@@ -215,6 +246,23 @@ impl ElastoplasticLaw<'_> {
         yielding
     }
 
+    /// What the back-stresses do once Δp has been added.
+    #[inline]
+    fn shifted(&self, increment: f64, tried: Triple, back: &[Triple; 2], volume: f64) -> Shifted {
+        let mut shifted = Shifted { modulus: 0.0, modulus_slope: 0.0, eta: tried, recovered: [0.0; 3] };
+        for (law, back) in self.kinematic.iter().flatten().zip(back) {
+            let theta = 1.0 / (1.0 + law.dynamic_recovery * increment);
+            let (left, by_increment) = (volume * theta, volume * law.dynamic_recovery * theta * theta);
+            shifted.modulus += law.modulus * left;
+            shifted.modulus_slope -= law.modulus * by_increment;
+            for j in 0..3 {
+                shifted.eta[j] -= left * back[j];
+                shifted.recovered[j] += by_increment * back[j];
+            }
+        }
+        shifted
+    }
+
     /// Δp from the yield condition Σ P (η/m)² = 1, by Newton's method on 1 − 1/√Σ, which is all but straight, between
     /// bounds that close in; `None` where the point does not yield. `guess` is a Δp that may come close, or 0.
     #[inline]
@@ -238,20 +286,7 @@ impl ElastoplasticLaw<'_> {
         let mut x = if guess > 0.0 { guess } else { (size - point.yield_stress) / both[1] };
         for round in 0.. {
             let radius = self.radius(hardening, point, x);
-            let (mut modulus, mut modulus_slope, mut recovered, mut eta) = (0.0, 0.0, [0.0; 3], shifted);
-            if let Some(kinematic) = &self.kinematic {
-                eta = tried;
-                for (law, back) in kinematic.iter().zip(back) {
-                    let theta = 1.0 / (1.0 + law.dynamic_recovery * x);
-                    let (left, by_increment) = (volume * theta, volume * law.dynamic_recovery * theta * theta);
-                    modulus += law.modulus * left;
-                    modulus_slope -= law.modulus * by_increment;
-                    for j in 0..3 {
-                        eta[j] -= left * back[j];
-                        recovered[j] += by_increment * back[j];
-                    }
-                }
-            }
+            let Shifted { modulus, modulus_slope, eta, recovered } = self.shifted(x, tried, back, volume);
             let mut m: Triple = each(|j| radius.stress + x * (modulus + both[j]));
             let m_slope: Triple = each(|j| radius.slope + modulus + both[j] + x * modulus_slope);
             let inverse = each(|j| 1.0 / m[j]);

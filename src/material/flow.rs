@@ -1,7 +1,8 @@
 //! The flow law of a rigid-plastic Huber-Mises sheet at one thickness point.
 //!
 //! ```text
-//! A = [4/3 2/3 0; 2/3 4/3 0; 0 0 k/3],  k = 5/6       acting on Δε = (Δε_s, Δε_θ, Δγ); by r̄ in [`Hill48`]
+//! A = [4/3 2/3 0; 2/3 4/3 0; 0 0 k/3],  k = 5/6       acting on Δε = (Δε_s, Δε_θ, Δγ); by r̄ in
+//!                                                     [`Hill48`](super::Hill48), or the matrix of [`Hosford`]
 //! Δε̄² = Δεᵀ A Δε        σ = (σ_y/Δε̄) A Δε = μ·3A ε̇,   μ = σ_y/(3 ε̄̇)
 //! ```
 //!
@@ -25,14 +26,11 @@
 mod parts;
 
 use super::yield_condition::dot;
-use super::{FlowStress, Gtn, Hardening, Hill48, PointLaw, Rate, Surroundings, ThermalLaw};
+use super::{FlowStress, Gtn, Hardening, Hosford, PointLaw, Rate, Surroundings, ThermalLaw, YieldCriterion};
 use crate::units::ZERO_CELSIUS;
 
 pub use super::point_law::{Across, StressUpdate};
-pub use super::yield_condition::{Metric, SHEAR_FACTOR, Symmetric, Triple, YieldCondition};
-
-/// Mean square of what goes evenly from −1 to 1 \[–\].
-pub const MEAN_SQUARE: f64 = 1.0 / 3.0;
+pub use super::yield_condition::{MEAN_SQUARE, Metric, SHEAR_FACTOR, Symmetric, Triple, YieldCondition};
 
 /// Matrix of the corrector.
 // H of Sosnowski (1994), equation 9.
@@ -57,8 +55,8 @@ pub struct FlowLaw<'a> {
     pub rate: Option<&'a Rate>,
     /// `None` for a metal that does not feel its temperature.
     pub softening: Option<&'a ThermalLaw>,
-    /// Hill's yield condition.
-    pub anisotropy: Hill48,
+    /// The yield condition of the metal without voids.
+    pub criterion: YieldCriterion,
     /// `None` for a metal without voids.
     pub voids: Option<&'a Gtn>,
     /// The matrix to iterate with.
@@ -158,13 +156,17 @@ impl PointState {
     /// The point of a sheet that goes on flowing: with what the last rate would strain in this step, p, its spread over the
     /// point's part of the thickness, and with its weight a in the rate at the end.
     #[must_use]
-    pub fn following(self, p: Triple, spread: [f64; 2], a: f64, anisotropy: Hill48, voids: Option<&Gtn>) -> Self {
+    pub fn following(
+        self,
+        p: Triple,
+        spread: [f64; 2],
+        a: f64,
+        criterion: YieldCriterion,
+        voids: Option<&Gtn>,
+    ) -> Self {
         let equivalent = match voids {
-            None => {
-                let across = anisotropy.equivalent_increment([spread[0], spread[1], 0.0]);
-                anisotropy.equivalent_increment(p).hypot(MEAN_SQUARE.sqrt() * across)
-            }
-            Some(voids) => voids.condition(anisotropy, self.porosity).equivalent_increment(p),
+            None => criterion.equivalent_across(p, spread),
+            Some(voids) => voids.condition(criterion.quadratic(), self.porosity).equivalent_increment(p),
         };
         let past =
             Past { weight: a, strain: p.map(|p| a * p), spread: spread.map(|k| a * k), equivalent: a * equivalent };
@@ -218,16 +220,22 @@ impl Iterate {
     /// The carried stress: Chan, Golub, Mulet, SIAM J. Sci. Comput. 20 (1999) 1964–1977, for a potential with the same kink.
     #[inline]
     pub fn advance(&mut self, law: &FlowLaw, point: &PointState, e: Triple) -> StressUpdate {
-        match law.voids {
-            None => self.flow(law, &law.anisotropy, point, e),
-            Some(voids) => self.flow_voided(law, voids, point, e),
+        match (law.voids, &law.criterion) {
+            (None, YieldCriterion::Hill48(hill)) => self.flow(law, hill, point, e),
+            (None, YieldCriterion::Hosford(hosford)) => self.flow_by_hosford(law, hosford, point, e),
+            (Some(voids), _) => self.flow_voided(law, voids, point, e),
         }
     }
 
-    /// Apart from the plain law, so that this one stays small where it is called.
+    /// Apart from the plain law, so that this one stays small where it is called; so is the next one.
+    #[inline(never)]
+    fn flow_by_hosford(&mut self, law: &FlowLaw, hosford: &Hosford, point: &PointState, e: Triple) -> StressUpdate {
+        self.flow(law, hosford, point, e)
+    }
+
     #[inline(never)]
     fn flow_voided(&mut self, law: &FlowLaw, voids: &Gtn, point: &PointState, e: Triple) -> StressUpdate {
-        self.flow(law, &voids.condition(law.anisotropy, point.porosity), point, e)
+        self.flow(law, &voids.condition(law.criterion.quadratic(), point.porosity), point, e)
     }
 
     #[inline(always)]
@@ -241,7 +249,12 @@ impl Iterate {
         let Past { weight, strain: past, equivalent, .. } = point.past;
         let steep = 1.0 + weight;
         let e = [steep * strain[0] - past[0], steep * strain[1] - past[1], steep * strain[2] - past[2]];
-        let metric = condition.metric(e);
+        let goes_on = law.matrix == Iteration::PrimalDual && self.fluidity > 0.0;
+        let last = goes_on.then(|| condition.metric(self.flow));
+        let metric = match &last {
+            Some(Metric { gradient: [s, t, _], .. }) => condition.metric_since(e, self.flow, [*s, *t]),
+            None => condition.metric(e),
+        };
         let a = metric.gradient;
         let square = metric.square;
         let increment = square.sqrt();
@@ -264,7 +277,7 @@ impl Iterate {
                 [g * a[0], g * a[1], g * a[2]]
             }
             Iteration::PrimalDual => {
-                let w = self.carried_at(condition, &metric, e, yielding.stress);
+                let w = self.carried_at(condition, (&metric, last.as_ref()), e, yielding.stress);
                 self.carried = w;
                 let i = inverse_square;
                 [h * a[0] - i * w[0], h * a[1] - i * w[1], h * a[2] - i * w[2]]
@@ -295,16 +308,21 @@ impl Iterate {
 
     /// w ← σ + C δ(Δε) with the matrix of the last iterate, scaled back onto the yield surface.
     #[inline]
-    fn carried_at(&self, condition: &impl YieldCondition, now: &Metric, e: Triple, yield_stress: f64) -> Triple {
+    fn carried_at(
+        &self,
+        condition: &impl YieldCondition,
+        (now, last): (&Metric, Option<&Metric>),
+        e: Triple,
+        yield_stress: f64,
+    ) -> Triple {
         let mut w = self.carried;
-        if self.fluidity > 0.0 {
-            let last = condition.metric(self.flow);
+        if let Some(last) = last {
             let a = last.gradient;
             let delta = [e[0] - self.flow[0], e[1] - self.flow[1], e[2] - self.flow[2]];
             let along = dot(a, delta);
             let on_a = self.fluidity + self.hardening * along - 0.5 * self.inverse_square * dot(w, delta);
             let on_w = -0.5 * self.inverse_square * along;
-            let c = condition.product(&last, delta);
+            let c = condition.product(last, delta);
             for i in 0..3 {
                 w[i] = on_a * a[i] + on_w * w[i] + self.fluidity * c[i];
             }

@@ -11,7 +11,7 @@
 //! # References
 //! R. Hill, A theory of the yielding and plastic flow of anisotropic metals, Proc. R. Soc. London A 193 (1948) 281–297.
 
-use super::yield_condition::{Metric, SHEAR_FACTOR, Symmetric, Triple, YieldCondition, dot};
+use super::yield_condition::{MEAN_SQUARE, Metric, Part, SHEAR_FACTOR, Symmetric, Triple, YieldCondition, dot};
 use crate::law::{LawError, require_or};
 use std::ops::RangeInclusive;
 
@@ -19,7 +19,7 @@ use std::ops::RangeInclusive;
 const RATIO: RangeInclusive<f64> = 0.1..=10.0;
 
 /// The shear's entry of P.
-const SHEAR_INVERSE: f64 = 3.0 / SHEAR_FACTOR;
+pub(super) const SHEAR_INVERSE: f64 = 3.0 / SHEAR_FACTOR;
 
 /// The metric of the yield condition.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -114,12 +114,31 @@ impl YieldCondition for Hill48 {
     }
 
     #[inline]
-    fn stress_square(&self, _: &Metric, w: Triple) -> f64 {
-        self.stress_square(w)
+    fn part(&self, e: Triple, k: [f64; 2], _: Option<(Triple, [f64; 2], &Part)>) -> Part {
+        let a = self.apply(e);
+        let (direct, coupled) = (MEAN_SQUARE * self.direct, MEAN_SQUARE * self.coupled);
+        let b = [direct * k[0] + coupled * k[1], coupled * k[0] + direct * k[1]];
+        Part {
+            gradient: [a[0], a[1], a[2], b[0], b[1]],
+            own: [self.direct, self.coupled, self.direct, self.shear],
+            coupling: [0.0; 3],
+            square: dot(e, a) + b[0] * k[0] + b[1] * k[1],
+        }
     }
 
     #[inline]
-    fn strain_share(&self) -> f64 {
-        1.0
+    fn part_product(&self, _: &Part, e: Triple, k: [f64; 2]) -> [f64; 5] {
+        let (a, b) = (self.apply(e), self.apply([k[0], k[1], 0.0]));
+        [a[0], a[1], a[2], MEAN_SQUARE * b[0], MEAN_SQUARE * b[1]]
+    }
+
+    #[inline]
+    fn part_square(&self, _: &Part, w: [f64; 5]) -> f64 {
+        self.stress_square([w[0], w[1], w[2]]) + self.stress_square([w[3], w[4], 0.0]) / MEAN_SQUARE
+    }
+
+    #[inline]
+    fn stress_square(&self, _: &Metric, w: Triple) -> f64 {
+        self.stress_square(w)
     }
 }

@@ -1,4 +1,4 @@
-//! What the sheet is made of: laws of hardening, rate and temperature, Hill's anisotropy, back-stresses, voids, and the laws
+//! What the sheet is made of: laws of hardening, rate and temperature, yield conditions, back-stresses, voids, and the laws
 //! that give the stress at a point.
 
 pub mod chaboche;
@@ -8,35 +8,41 @@ pub mod flow;
 pub mod gtn;
 pub mod hardening;
 mod hill48;
+mod hosford;
 mod point_law;
 pub mod rate;
 pub mod surroundings;
 pub mod thermal;
 mod yield_condition;
+mod yield_criterion;
 
 pub use chaboche::{BackStress, BackStresses};
 pub use elastic::Elastic;
 pub use gtn::Gtn;
 pub use hardening::{FlowStress, Hardening};
 pub use hill48::Hill48;
+pub use hosford::Hosford;
 pub use point_law::PointLaw;
 pub use rate::Rate;
 pub use surroundings::Surroundings;
 pub use thermal::ThermalLaw;
+pub use yield_criterion::YieldCriterion;
 
 /// The sheet's material.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Material {
     /// σ_y(ε̄) of tension, slow and cold.
     pub hardening: Hardening,
+    /// Largest strain of the measurements that a formula of hardening is fitted to, where it is known \[–\].
+    pub fitted_up_to: Option<f64>,
     /// Elastic constants; `None` where the case gives none.
     pub elastic: Option<Elastic>,
     /// `None` for a rate-free metal.
     pub rate: Option<Rate>,
     /// `None` for a metal whose strength does not feel its temperature, or says so in its hardening law.
     pub thermal: Option<ThermalLaw>,
-    /// Hill's normal anisotropy.
-    pub hill48: Hill48,
+    /// The yield condition, with the normal anisotropy.
+    pub yield_criterion: YieldCriterion,
     /// Back-stresses; the flow law has none.
     pub chaboche: BackStresses,
     /// `None` for a metal without voids.
@@ -44,32 +50,48 @@ pub struct Material {
 }
 
 impl Material {
-    /// The flow stress as a formula, and the anisotropy and the voids where there are any.
+    /// The flow stress as a formula, the yield condition where it is not Huber-Mises', and the voids where there are any.
     pub fn describe(&self) -> String {
         let rate = self.rate.map_or(String::new(), |rate| format!(" times {rate}"));
         let thermal = self.thermal.map_or(String::new(), |thermal| format!(" times {thermal}"));
-        let r = self.hill48.ratio();
-        let anisotropy = if r == 1.0 { String::new() } else { format!("; Hill 1948, r̄ = {r}") };
+        let criterion = self.yield_criterion;
+        let criterion = if criterion == YieldCriterion::default() { String::new() } else { format!("; {criterion}") };
         let gtn = self.gtn.map_or(String::new(), |gtn| format!("; {gtn}"));
-        format!("{}{rate}{thermal}{anisotropy}{gtn}", self.hardening.describe())
+        format!("{}{rate}{thermal}{criterion}{gtn}", self.hardening.describe())
     }
 
     /// An isotropic, rate-free sheet that does not feel its temperature.
     pub fn plain(hardening: Hardening) -> Self {
         Self {
             hardening,
+            fitted_up_to: None,
             elastic: None,
             rate: None,
             thermal: None,
-            hill48: Hill48::default(),
+            yield_criterion: YieldCriterion::default(),
             chaboche: BackStresses::default(),
             gtn: None,
         }
     }
 
-    /// Yield stress at a strain and a temperature \[K\], without the rate \[MPa\].
+    /// Largest strain that the hardening was measured to: of the fit, else of a table's last point \[–\].
+    pub fn measured_up_to(&self) -> Option<f64> {
+        self.fitted_up_to.or_else(|| self.hardening.valid_up_to())
+    }
+
+    /// Stress and slope of tension that is never reversed, at a strain and a temperature \[K\]: what back-stresses leave of it,
+    /// and they; without rate and softening \[MPa\].
+    pub fn monotonic(&self, strain: f64, temperature: f64) -> FlowStress {
+        let left = self.hardening.at_temperature(strain, temperature);
+        self.chaboche
+            .iter()
+            .map(|law| law.in_tension(strain))
+            .fold(left, |sum, shift| FlowStress { stress: sum.stress + shift.stress, slope: sum.slope + shift.slope })
+    }
+
+    /// Yield stress at a strain that came without reversal and a temperature \[K\], without the rate \[MPa\].
     pub fn yield_stress(&self, strain: f64, temperature: f64) -> f64 {
-        let cold = self.hardening.at_temperature(strain, temperature).stress;
+        let cold = self.monotonic(strain, temperature).stress;
         self.thermal.map_or(cold, |thermal| cold * thermal.at(temperature))
     }
 }

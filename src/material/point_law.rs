@@ -31,7 +31,7 @@ pub trait PointLaw {
 /// rows and columns, of which only the parts are given,
 ///
 /// ```text
-/// C = [K 0; 0 ⅓K] + g⊗h + h⊗g        K = [direct coupled 0; coupled direct 0; 0 0 shear], without its last row in ⅓K
+/// C = [K K_x; K_x ⅓K] + g⊗h + h⊗g        K = [ss sθ 0; sθ θθ 0; 0 0 γγ], without its last row in ⅓K
 /// ```
 #[derive(Clone, Copy, Debug)]
 pub struct Across {
@@ -39,8 +39,10 @@ pub struct Across {
     pub update: StressUpdate,
     /// What does work on the spread: the moment of the part over half its height, meridional and hoop \[MPa\].
     pub moment: [f64; 2],
-    /// K: direct, coupled, shear \[MPa\].
-    pub metric: [f64; 3],
+    /// K: ss, sθ, θθ, γγ \[MPa\].
+    pub metric: [f64; 4],
+    /// K_x: ss, sθ, θθ, nothing for a quadratic yield condition \[MPa\].
+    pub coupling: Triple,
     /// g and h \[–, MPa\].
     pub outer: [[f64; 5]; 2],
 }

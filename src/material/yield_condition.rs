@@ -3,6 +3,9 @@
 /// Shear correction factor of the Mindlin shell \[–\].
 pub const SHEAR_FACTOR: f64 = 5.0 / 6.0;
 
+/// Mean square of what goes evenly from −1 to 1 \[–\].
+pub const MEAN_SQUARE: f64 = 1.0 / 3.0;
+
 /// Strain increment or stress at a layer: meridional, hoop, transverse shear.
 pub type Triple = [f64; 3];
 
@@ -26,20 +29,104 @@ pub struct Metric {
     pub square: f64,
 }
 
+/// The same of a part of the thickness over which the strain increment varies evenly: with D² the mean over it, ½ D² has
+/// this gradient by Δε and its spread k, and the second derivative
+///
+/// ```text
+/// [K K_x; K_x ⅓K]        K = [ss sθ 0; sθ θθ 0; 0 0 γγ], without its last row in ⅓K
+/// ```
+#[derive(Clone, Copy, Debug)]
+pub struct Part {
+    /// By Δε_s, Δε_θ, Δγ, k_s, k_θ.
+    pub gradient: [f64; 5],
+    /// K: ss, sθ, θθ, γγ.
+    pub own: [f64; 4],
+    /// K_x: ss, sθ, θθ; nothing for a quadratic condition.
+    pub coupling: Triple,
+    /// D².
+    pub square: f64,
+}
+
 /// A convex yield condition.
 pub trait YieldCondition {
     /// Of the strain increment `e`.
     fn metric(&self, e: Triple) -> Metric;
 
+    /// Of the strain increment `e`, with a matrix for an iteration that comes from the increment `last`, of which `gradient` is
+    /// known.
+    #[inline]
+    fn metric_since(&self, e: Triple, _last: Triple, _gradient: [f64; 2]) -> Metric {
+        self.metric(e)
+    }
+
     /// f A.
-    fn scaled(&self, metric: &Metric, f: f64) -> Symmetric;
+    #[inline]
+    fn scaled(&self, metric: &Metric, f: f64) -> Symmetric {
+        metric.matrix.map(|a| f * a)
+    }
 
     /// A e' of another increment.
-    fn product(&self, metric: &Metric, e: Triple) -> Triple;
+    #[inline]
+    fn product(&self, metric: &Metric, e: Triple) -> Triple {
+        let [ss, st, tt, sg, tg, gg] = metric.matrix;
+        [ss * e[0] + st * e[1] + sg * e[2], st * e[0] + tt * e[1] + tg * e[2], sg * e[0] + tg * e[1] + gg * e[2]]
+    }
+
+    /// Of what goes evenly from `e` − `k` to `e` + `k`, by Gauss's two points; in an iteration that comes from the increment,
+    /// the spread and the part in `last` as [`Self::metric_since`].
+    #[inline]
+    fn part(&self, e: Triple, k: [f64; 2], last: Option<(Triple, [f64; 2], &Part)>) -> Part {
+        let root = MEAN_SQUARE.sqrt();
+        let at = |root: f64| {
+            let point = |e: Triple, k: [f64; 2]| [e[0] + root * k[0], e[1] + root * k[1], e[2]];
+            let Some((last, before, part)) = last else { return self.metric(point(e, k)) };
+            let [s, t, _, ks, kt] = part.gradient;
+            self.metric_since(point(e, k), point(last, before), [s + ks / root, t + kt / root])
+        };
+        let (above, below) = (at(root), at(-root));
+        let mean = |i: usize| 0.5 * (above.gradient[i] + below.gradient[i]);
+        let odd = 0.5 * root;
+        let turning = |i: usize| odd * (above.gradient[i] - below.gradient[i]);
+        let own = |j: usize| 0.5 * (above.matrix[j] + below.matrix[j]);
+        let coupling = |j: usize| odd * (above.matrix[j] - below.matrix[j]);
+        Part {
+            gradient: [mean(0), mean(1), mean(2), turning(0), turning(1)],
+            own: [own(0), own(1), own(2), own(5)],
+            coupling: [coupling(0), coupling(1), coupling(2)],
+            square: 0.5 * (above.square + below.square),
+        }
+    }
+
+    /// The part's matrix times another increment and spread.
+    #[inline]
+    fn part_product(&self, part: &Part, e: Triple, k: [f64; 2]) -> [f64; 5] {
+        let plane = |[ss, st, tt]: Triple, v: [f64; 2]| [ss * v[0] + st * v[1], st * v[0] + tt * v[1]];
+        let [ss, st, tt, shear] = part.own;
+        let (own, even) = ([ss, st, tt], [e[0], e[1]]);
+        let (a, b) = (plane(own, even), plane(part.coupling, k));
+        let (c, d) = (plane(part.coupling, even), plane(own, k));
+        [a[0] + b[0], a[1] + b[1], shear * e[2], c[0] + MEAN_SQUARE * d[0], c[1] + MEAN_SQUARE * d[1]]
+    }
+
+    /// wᵀ A⁻¹ w \[MPa²\] of a carried stress and moment, by the part's matrix.
+    #[inline]
+    fn part_square(&self, part: &Part, w: [f64; 5]) -> f64 {
+        // Of both points: A = K ± √3 K_x, w = stress ± √3 moment.
+        let root = MEAN_SQUARE.sqrt().recip();
+        let at = |sign: f64| {
+            let [ss, st, tt] = [0, 1, 2].map(|j| part.own[j] + sign * root * part.coupling[j]);
+            let [s, t] = [0, 1].map(|i| w[i] + sign * root * w[i + 3]);
+            (tt * s * s - 2.0 * st * s * t + ss * t * t) / (ss * tt - st * st)
+        };
+        0.5 * (at(1.0) + at(-1.0)) + w[2] * w[2] / part.own[3]
+    }
 
     /// wᵀ A⁻¹ w \[MPa²\] of a carried stress.
     fn stress_square(&self, metric: &Metric, w: Triple) -> f64;
 
     /// Strain of the metal that bears the stress per D: more than 1 where there are voids.
-    fn strain_share(&self) -> f64;
+    #[inline]
+    fn strain_share(&self) -> f64 {
+        1.0
+    }
 }

@@ -16,6 +16,8 @@ pub struct Amount {
     times: &'static str,
     /// Half width of its error bar, in `unit`; `None` where it is not known, or the number was given.
     bar: Option<f64>,
+    /// Whether the bar is told behind it.
+    tells_bar: bool,
 }
 
 /// How finely a number is told.
@@ -47,12 +49,17 @@ const SMALLEST: i32 = -4;
 impl Amount {
     /// Any number.
     pub const fn new(value: f64, unit: Unit, digits: Digits) -> Self {
-        Self { value, unit, digits, times: "", bar: None }
+        Self { value, unit, digits, times: "", bar: None, tells_bar: false }
     }
 
     /// The same with its error bar, in its unit: told as `0.61 ± 0.01 mm`, and the number with no digit beyond the bar.
     pub const fn with_bar(self, bar: f64) -> Self {
-        Self { bar: Some(bar), ..self }
+        Self { bar: Some(bar), tells_bar: true, ..self }
+    }
+
+    /// The same with no digit beyond its error bar, in its unit, which is told elsewhere.
+    pub const fn within_bar(self, bar: f64) -> Self {
+        Self { bar: Some(bar), tells_bar: false, ..self }
     }
 
     /// Half width of its error bar, in `unit`.
@@ -190,7 +197,11 @@ impl Amount {
         }
         if let Some(bar) = self.bar.map(|bar| (bar * to.factor).abs()).filter(|bar| bar.is_finite()) {
             let [value, bar] = within_bar(value, bar, self.decimals(value, to.finer));
-            return (format!("{} ± {}", form.language.number(&value), form.language.number(&bar)), unit);
+            let value = form.language.number(&value);
+            return match self.tells_bar {
+                true => (format!("{value} ±{NO_BREAK}{}", form.language.number(&bar)), unit),
+                false => (value, unit),
+            };
         }
         let written = match self.digits {
             Decimals(n) => format!("{value:.*}", n + to.finer),

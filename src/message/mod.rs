@@ -101,6 +101,24 @@ impl Message {
         }
     }
 
+    /// The same with every number in it changed.
+    #[must_use]
+    pub fn with_amounts(&self, change: &dyn Fn(Amount) -> Amount) -> Self {
+        match self {
+            Self::Plain(_) => self.clone(),
+            Self::Sentence { text, values } => {
+                let of = |value: &Value| match value {
+                    Value::Amount(amount) => Value::Amount(change(*amount)),
+                    Value::Message(message) => Value::Message(message.with_amounts(change)),
+                };
+                Self::Sentence { text, values: values.iter().map(|(name, value)| (*name, of(value))).collect() }
+            }
+            Self::Joined { parts, separator } => {
+                Self::Joined { parts: parts.iter().map(|part| part.with_amounts(change)).collect(), separator }
+            }
+        }
+    }
+
     /// In words, numbers and units of a form; a number and its unit are kept on one line by a no-break space.
     pub fn told(&self, form: Form) -> String {
         match self {

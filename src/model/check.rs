@@ -182,7 +182,7 @@ impl Material {
             positive("material.elastic.young", elastic.young)?;
             within("material.elastic.poisson", elastic.poisson, 0.0, 0.5)?;
         }
-        positive("material.hill48", self.hill48.ratio())?;
+        positive("material.yield_criterion", self.yield_criterion.ratio())?;
         for law in &self.chaboche {
             not_negative("material.chaboche.modulus", law.modulus)?;
             not_negative("material.chaboche.dynamic_recovery", law.dynamic_recovery)?;

@@ -6,8 +6,10 @@ mod grid;
 pub mod lobatto;
 pub mod parts;
 mod piecewise_linear;
+mod power;
 pub mod small;
 
 pub use bisection::bisect;
 pub use grid::Grid;
 pub use piecewise_linear::PiecewiseLinear;
+pub use power::Power;

@@ -192,6 +192,17 @@ impl Series {
 }
 
 impl Panel {
+    /// With what lies between two sides of a curve over the same places, in its colour but pale, behind all that is drawn and
+    /// last in the legend.
+    pub fn with_band(mut self, label: impl Into<String>, x: &[f64], [low, high]: [&[f64]; 2], of: Color) -> Self {
+        let side = |side: &[f64]| x.iter().copied().zip(side.iter().copied()).collect::<Vec<_>>();
+        let outline = side(low).into_iter().chain(side(high).into_iter().rev()).collect();
+        let look = Look::Area { fill: pale(of), edge: None };
+        self.series.insert(0, Series::silent(outline, look));
+        self.series.push(Series::new(label, Vec::new(), look));
+        self
+    }
+
     /// Ranges of x and y that hold every point of the series, or the window of a section.
     pub fn ranges(&self) -> [(f64, f64); 2] {
         match self.scale {

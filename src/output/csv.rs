@@ -1,7 +1,7 @@
 //! Tables as comma-separated text.
 
 use crate::measure::Change;
-use crate::table::Table;
+use crate::table::{Table, Unit};
 use crate::units::rounded;
 use std::fmt::Write;
 
@@ -28,19 +28,23 @@ pub(super) fn with_texts(texts: &[(&str, Vec<String>)], table: &Table) -> Vec<u8
     writer.into_inner().expect(never)
 }
 
-/// One row per quantity that was measured on two sheets; what one of them has not is left empty.
-pub(super) fn springback(changes: &[Change]) -> String {
+/// One row per quantity that was measured on two sheets; what one of them has not is left empty. The opening of a ring that is
+/// slit \[mm\] is after the release.
+pub(super) fn springback(changes: &[Change], ring: Option<f64>) -> String {
     let mut text = "quantity,unit,before,after,change\n".to_owned();
     for change in changes {
         let [before, after, by] =
             [change.before, change.after, change.change()].map(|v| v.map_or(String::new(), number));
         let _ = writeln!(text, "{},{},{before},{after},{by}", change.quantity.key, change.quantity.unit.spelled());
     }
+    if let Some(opening) = ring {
+        let _ = writeln!(text, "ring_opening,{},,{},", Unit::Mm.spelled(), number(opening));
+    }
     text
 }
 
 /// Nothing for what is no number: an empty cell.
-fn number(value: f64) -> String {
+pub(super) fn number(value: f64) -> String {
     if !value.is_finite() {
         return String::new();
     }
@@ -94,7 +98,7 @@ fn plain(value: f64) -> Option<String> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::table::{Column, Unit};
+    use crate::table::Column;
 
     #[test]
     fn numbers_are_short_and_read_back_to_nine_digits() {

@@ -29,6 +29,8 @@ const FINE: usize = 100;
 const SAFE: Color = (232, 244, 248);
 const MARGINAL: Color = (252, 226, 156);
 const FAILED: Color = (231, 171, 143);
+/// Of what is not judged, beyond the end of the curve.
+const UNJUDGED: Color = (226, 226, 226);
 
 const LIMIT: Look = Look::Line { color: BLACK, width: 2.4, dash: &[] };
 const AXIS: Look = Look::Line { color: GREY, width: 0.8, dash: &[2.5, 3.0] };
@@ -118,8 +120,13 @@ fn diagram(view: &StageView, assessment: &Assessment, limit: &Curve, strains: St
         zone("Failed".into(), all, FAILED),
         zone(marginal(), below(1.0), MARGINAL),
         zone("Safe".into(), below(CAREFUL), SAFE),
-        Series::silent(vec![strains.point([0.0, least.min(0.0)]), strains.point([0.0, top])], AXIS),
     ];
+    series.extend(limit.ends_at().map(|end| {
+        let level = limit.major_at(end);
+        let beyond = vec![[end, level], [right.min(level), level], [right, level.max(right)], [right, top], [end, top]];
+        zone("Not judged: the limit has ended".into(), beyond, UNJUDGED)
+    }));
+    series.extend([Series::silent(vec![strains.point([0.0, least.min(0.0)]), strains.point([0.0, top])], AXIS)]);
     let thin = Look::Line { color: pale(GREY), width: 0.9, dash: &[] };
     series.extend(some.into_iter().map(|path| Series::silent(path, thin)));
     let of = |is: fn(&Judged) -> bool| {
@@ -133,7 +140,7 @@ fn diagram(view: &StageView, assessment: &Assessment, limit: &Curve, strains: St
     let places = places.into_iter().filter(|(_, points, _)| !points.is_empty());
     series.extend(places.map(|(label, points, look)| Series::new(view.tell(label), points, look)));
     let name = view.tell(named(limit));
-    let shown = curve.iter().filter(|p| p[0] <= p[1]).map(|p| strains.point(*p)).collect();
+    let shown = curve.iter().filter(|p| p[0] <= p[1] && limit.knows(p[0])).map(|p| strains.point(*p)).collect();
     series.push(Series::new(name, shown, LIMIT));
     let end = emphasised.last().copied().into_iter().collect();
     series.push(Series::silent(emphasised, Look::Line { color: color(1), width: 2.2, dash: &[] }));
@@ -190,6 +197,9 @@ fn strip(view: &StageView, assessment: &Assessment, limit: &Curve, strains: Stra
 
 fn nearest(worst: &Judged) -> Message {
     let [share, s0] = [percent(worst.ratio()), Amount::place(worst.s0)];
+    if worst.is_open() {
+        return message!("Most strained beyond the end of the limit, s0 = {s0}", s0 = s0);
+    }
     message!("Nearest to the limit, {share} of it, s0 = {s0}", share = share, s0 = s0)
 }
 
@@ -206,9 +216,11 @@ fn percent(share: f64) -> Amount {
     Amount::share(share).to(Digits::Decimals(0))
 }
 
-/// The number of the element with the least margin.
+/// The number of the element with the least margin, or of the one that is strained most beyond the end of the curve where
+/// none has reached it.
 fn worst(assessment: &Assessment) -> usize {
-    let worst = assessment.worst();
+    let open = assessment.open().filter(|_| assessment.reached.is_none());
+    let worst = open.unwrap_or_else(|| assessment.worst());
     assessment.elements.iter().position(|element| element == worst).unwrap_or(0)
 }
 
@@ -225,7 +237,10 @@ fn along(curve: &Curve, (low, high): (f64, f64)) -> Vec<[f64; 2]> {
 fn words(view: &StageView, assessment: &Assessment) -> Message {
     let worst = assessment.worst();
     let reached = assessment.reached.map_or_else(
-        || Message::from("The limit is not reached."),
+        || match assessment.open() {
+            Some(_) => "The limit ends in plane strain, and places beyond its end are not judged.".into(),
+            None => Message::from("The limit is not reached."),
+        },
         |reached| {
             let (s0, travel) = (Amount::place(reached.s0), Amount::place(reached.travel).to(Digits::Decimals(2)));
             let time = Amount::time(reached.time).to(Digits::Decimals(4));
@@ -242,12 +257,14 @@ fn words(view: &StageView, assessment: &Assessment) -> Message {
             }
         },
     );
-    let least = message!(
-        "Least margin in major strain {margin} at s0 = {s0}, where the major strain is {share} of the limit.",
-        margin = Amount::strain(worst.margin()).to(Digits::Decimals(3)),
-        s0 = Amount::place(worst.s0),
-        share = percent(worst.ratio())
-    );
+    let least = (!worst.is_open()).then(|| {
+        message!(
+            "Least margin in major strain {margin} at s0 = {s0}, where the major strain is {share} of the limit.",
+            margin = Amount::strain(worst.margin()).to(Digits::Decimals(3)),
+            s0 = Amount::place(worst.s0),
+            share = percent(worst.ratio())
+        )
+    });
     let crooked = message!(
         "{n} of {all} paths leave a straight line by more than {share} of their length: limits are measured on straight ones.",
         n = assessment.crooked(),
@@ -255,7 +272,7 @@ fn words(view: &StageView, assessment: &Assessment) -> Message {
         share = percent(CROOKED)
     );
     let crooked = Some(crooked).filter(|_| assessment.crooked() > 0);
-    Message::joined([reached, least].into_iter().chain(crooked), " ")
+    Message::joined([Some(reached), least, crooked].into_iter().flatten(), " ")
 }
 
 fn drawn(path: &[[f64; 2]]) -> Vec<[f64; 2]> {

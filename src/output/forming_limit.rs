@@ -3,16 +3,9 @@
 use super::StageView;
 use crate::forming_limit::Curve;
 use crate::table::fields::element::{S0, STRAIN_HOOP, STRAIN_MERIDIONAL};
+use crate::table::fields::path::{major, minor};
 use crate::table::fields::step::TRAVEL;
 use crate::table::{Axis, Column, Table, Unit};
-
-fn minor(values: Vec<f64>) -> Column {
-    Column::new("strain_minor", "Minor true strain, mid-surface", Unit::None, values)
-}
-
-fn major(values: Vec<f64>) -> Column {
-    Column::new("strain_major", "Major true strain, mid-surface", Unit::None, values)
-}
 
 /// The axes of a forming limit diagram: minor and major strain.
 pub(super) fn axes() -> [Axis; 2] {
@@ -39,7 +32,7 @@ pub(super) fn paths_of(view: &StageView) -> Option<Table> {
     for (e, judged) in assessment.elements.iter().enumerate() {
         for (instant, [minor, major]) in paths.instants.iter().zip(paths.of(e)) {
             let [meridional, hoop] = instant.strains[e];
-            let limit = curve.major_at(minor);
+            let limit = if curve.knows(minor) { curve.major_at(minor) } else { f64::NAN };
             let row = [
                 judged.s0,
                 instant.time,

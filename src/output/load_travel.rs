@@ -1,7 +1,7 @@
 //! The history of every accepted step over the punch travel.
 
 use super::StageView;
-use super::chart::{BLACK, Chart, Look, Panel, Scale, Series};
+use super::chart::{BLACK, Chart, Look, Panel, Scale, Series, color};
 use crate::measure;
 use crate::message::{Amount, message};
 use crate::solution::{StageSolution, StepRecord};
@@ -92,6 +92,9 @@ const NEAR: f64 = 2.0;
 /// The curves, the peak, what happens on the way, and what the press can give.
 pub(super) fn plot(view: &StageView) -> Option<Chart> {
     let mut panel = panel(view, 350.0)?;
+    if let Some(band) = view.load_band {
+        panel = panel.with_band(view.tell("Error band"), &band.x, [&band.low, &band.high], color(0));
+    }
     let forces = view.model().travel > 0.0;
     let mut notes = Vec::new();
     if forces {

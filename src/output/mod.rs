@@ -6,6 +6,7 @@ mod csv;
 mod dimensions;
 mod disk;
 mod draw;
+mod error_bars;
 mod file;
 pub mod flow_curve;
 mod font;
@@ -42,6 +43,7 @@ mod thickness_profile;
 mod thinning;
 mod told;
 pub mod trace;
+pub mod verification;
 pub mod vtk;
 mod writing;
 
@@ -131,6 +133,12 @@ pub const OUTPUTS: &[Output] = &[
         about: "overlay and differences for every reference the case is compared with",
         make: Make::OfCase(overlay::files),
         family: Some(overlay::is_comparison),
+    },
+    Output {
+        file: error_bars::FILE,
+        about: "with --error-bars, or quick ones with --report: every number and curve with its bar",
+        make: Make::OfCase(error_bars::files),
+        family: None,
     },
     Output {
         file: stages::FILE,

@@ -4,18 +4,20 @@ use super::chart::{BLACK, Chart, Color, GREY, Look, Panel, Scale, Series, color}
 use super::{Files, Format, Results, StageView, csv};
 use crate::case::{Case, Solution};
 use crate::compare::{
-    Against, Band, BandQuantity, BandSpec, CompareError, Comparison, Computed, CurveSpec, Found, Interval, Points,
-    Quantity, compare,
+    Against, Band, BandQuantity, BandSpec, CompareError, Comparison, Computed, CurveSpec, Found, Interval, Point,
+    Points, Quantity, compare,
 };
 use crate::units::rounded;
 
 impl Solution {
-    /// What the case is compared with beside what its first stage computed.
+    /// What the case is compared with beside what its first stage computed, and with the ring of the last.
     ///
     /// # Errors
     /// When a reference cannot be read or does not fit.
     pub fn comparisons(&self) -> Result<Vec<Comparison>, CompareError> {
-        self.stages.first().map_or(Ok(Vec::new()), |first| comparisons(&self.case, &Computed::of(first)))
+        let Some(first) = self.stages.first() else { return Ok(Vec::new()) };
+        let ring = self.case.springback.ring.and_then(|ring| ring.test(&self.stages));
+        comparisons(&self.case, &Computed { ring: ring.as_ref(), ..Computed::of(first) })
     }
 }
 
@@ -70,8 +72,16 @@ pub fn plot(view: &StageView, comparison: &Comparison) -> Option<Chart> {
     })
 }
 
-/// The difference is drawn up to this many tolerances; what lies beyond is counted in the caption.
+/// The difference is drawn up to this many tolerances, where half of the points lie there; what lies beyond is counted in the
+/// caption.
 const SCALE: f64 = 6.0;
+
+/// Up to where the difference is drawn \[–\].
+fn scale(points: &[Point], spec: &CurveSpec) -> f64 {
+    let end = SCALE * spec.tolerance;
+    let beyond = points.iter().filter_map(Point::difference).filter(|d| d.abs() > end).count();
+    if 2 * beyond > points.len() { f64::INFINITY } else { end }
+}
 
 /// Reference as circles, computed as a line; the relative difference within its tolerance below.
 fn over_points(comparison: &Comparison, spec: &CurveSpec, Points(points): &Points) -> Vec<Panel> {
@@ -88,7 +98,7 @@ fn over_points(comparison: &Comparison, spec: &CurveSpec, Points(points): &Point
     let differences: Vec<_> = points
         .iter()
         .filter_map(|p| Some((p.x, 100.0 * p.difference()?)))
-        .filter(|d| d.1.abs() <= SCALE * tolerance)
+        .filter(|d| d.1.abs() <= scale(points, spec) * 100.0)
         .collect();
     let above = vec![
         Series::new("Computed", curve.clone(), Look::curve(0)),
@@ -168,7 +178,7 @@ fn notes_on_points(comparison: &Comparison, spec: &CurveSpec, points: &Points) -
         notes.push(format!("Judged from {low} to {high} in {}; the other points are shown only.", spec.x));
     }
     let differences = points.0.iter().filter_map(|p| p.difference());
-    let beyond: Vec<f64> = differences.filter(|d| d.abs() > SCALE * spec.tolerance).collect();
+    let beyond: Vec<f64> = differences.filter(|d| d.abs() > scale(&points.0, spec)).collect();
     if let Some(most) = beyond.iter().max_by(|a, b| a.abs().total_cmp(&b.abs())) {
         let (count, most) = (beyond.len(), 100.0 * most);
         notes.push(format!("{count} points lie beyond the scale of the difference, up to {most:+.0} %."));

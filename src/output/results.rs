@@ -4,6 +4,7 @@ use super::{Pictures, StageView};
 use crate::case::Solution;
 use crate::compare::{CompareError, Comparison};
 use crate::message::Form;
+use crate::verification::Verification;
 
 /// A solution looked over once: what its outputs are made from.
 #[derive(Clone, Debug)]
@@ -14,6 +15,8 @@ pub struct Results<'a> {
     pub views: Vec<StageView<'a>>,
     /// What the case is compared with beside what its first stage computed.
     pub comparisons: Vec<Comparison>,
+    /// How far its numbers can be trusted, where that was looked at.
+    pub verification: Option<&'a Verification>,
 }
 
 impl<'a> Results<'a> {
@@ -22,7 +25,13 @@ impl<'a> Results<'a> {
     /// # Errors
     /// When a reference of the case cannot be read or does not fit.
     pub fn of(solution: &'a Solution) -> Result<Self, CompareError> {
-        Ok(Self { solution, views: solution.views(), comparisons: solution.comparisons()? })
+        Ok(Self { solution, views: solution.views(), comparisons: solution.comparisons()?, verification: None })
+    }
+
+    /// The same with error bars, where it was verified.
+    pub fn verified(mut self, verification: Option<&'a Verification>) -> Self {
+        StageView::verify(&mut self.views, &self.solution.stages, verification);
+        Self { verification, ..self }
     }
 
     /// The same with pictures that are told in a form.

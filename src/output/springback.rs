@@ -16,7 +16,7 @@ pub fn changes(stage: &StageSolution) -> Option<Vec<Change>> {
 }
 
 pub(super) fn csv(view: &StageView) -> Option<String> {
-    changes(view.stage).map(|changes| super::csv::springback(&changes))
+    changes(view.stage).map(|changes| super::csv::springback(&changes, view.ring_opening()))
 }
 
 /// Both sections, the tools where they last were, and the lines that angles were measured with.

@@ -2,13 +2,15 @@
 
 use super::chart::COLORS;
 use super::{Captions, Pictures, font};
-use crate::assess::{self, Finding, Kind, sentences};
+use crate::assess::{self, Finding, Kind, largest_force, sentences};
 use crate::case::{Press, Solution};
 use crate::forming_limit::{Assessment, assess};
+use crate::measure::Ring;
 use crate::message::{Amount, Digits, Form, Message, message};
 use crate::model::{Extent, Geometry, Model};
 use crate::solution::{Frame, StageSolution, Stop};
 use crate::table::{Unit, capitalised};
+use crate::verification::{Band, Verification};
 use std::sync::OnceLock;
 use std::time::Duration;
 
@@ -32,6 +34,8 @@ pub struct StageView<'a> {
     pub findings: Vec<Finding>,
     /// What the press can give, as far as the case says.
     pub press: Press,
+    /// The ring that is cut from the part, of the last stage.
+    pub ring: Option<Ring>,
     /// What came out of the stage.
     pub stage: &'a StageSolution,
     /// Time that the solution of the whole case took, where a clock was at hand.
@@ -40,6 +44,12 @@ pub struct StageView<'a> {
     pub pictures: Pictures,
     /// How its pictures are told; files for programs are in English and SI.
     pub form: Form,
+    /// How far its numbers can be trusted, where that was looked at.
+    pub verification: Option<&'a Verification>,
+    /// Around its punch force over the travel, where its is the largest of the case.
+    pub(super) load_band: Option<&'a Band>,
+    /// Around its thickness over the blank at its end, of the last stage.
+    pub(super) thickness_band: Option<&'a Band>,
     assessment: OnceLock<Option<Assessment>>,
 }
 
@@ -89,10 +99,14 @@ impl<'a> StageView<'a> {
             declared: &stage.model.notes,
             findings: Vec::new(),
             press: Press::default(),
+            ring: None,
             stage,
             wall: None,
             pictures: Pictures::default(),
             form: Form::default(),
+            verification: None,
+            load_band: None,
+            thickness_band: None,
             assessment: OnceLock::new(),
         }
     }
@@ -106,8 +120,26 @@ impl<'a> StageView<'a> {
             overrides: &case.overrides,
             findings,
             press: case.press,
+            ring: case.springback.ring.filter(|_| i + 1 == case.stages.len()),
             wall: solution.wall,
             ..Self::plain(&name, &solution.stages[i])
+        }
+    }
+
+    /// By how much the ring of the part opens when it is slit \[mm\].
+    pub(super) fn ring_opening(&self) -> Option<f64> {
+        self.ring?.opening(std::slice::from_ref(self.stage))
+    }
+
+    /// Gives the views of all of a case's stages its error bars, each the bands that are its own.
+    pub(crate) fn verify(views: &mut [Self], stages: &[StageSolution], verification: Option<&'a Verification>) {
+        views.iter_mut().for_each(|view| view.verification = verification);
+        let heaviest = largest_force(stages).and_then(|(i, _)| views.get_mut(i));
+        if let Some(view) = heaviest {
+            view.load_band = verification.and_then(|bars| bars.load.as_ref());
+        }
+        if let Some(view) = views.last_mut() {
+            view.thickness_band = verification.and_then(|bars| bars.thickness.as_ref());
         }
     }
 
@@ -121,9 +153,10 @@ impl<'a> StageView<'a> {
         Self { form, ..self }
     }
 
-    /// What pictures say, in the view's form.
+    /// What pictures say, in the view's form; no number with a digit beyond its error bar.
     pub(super) fn tell(&self, what: impl Into<Message>) -> String {
-        self.form.tell(what)
+        let what = what.into();
+        self.form.tell(self.verification.map_or_else(|| what.clone(), |bars| bars.within(&what)))
     }
 
     /// The model that was solved.

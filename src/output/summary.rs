@@ -15,6 +15,7 @@ use crate::message::{Amount, Message, message};
 use crate::model::{Extent, Geometry, Mode};
 use crate::solution::{StageSolution, StepRecord, Stop};
 use crate::table::Unit;
+use crate::verification::Verification;
 use sha2::{Digest, Sha256};
 
 /// Before a label that belongs to the line above.
@@ -56,6 +57,17 @@ enum Value {
     List(Vec<Message>),
     Changes(Vec<Change>),
     Events(Vec<Event>, Unit),
+}
+
+impl Entry {
+    /// With the error bar of its number; words with no digit beyond those of theirs.
+    fn verify(&mut self, verification: &Verification) {
+        match &mut self.value {
+            Value::Number(amount) => *amount = verification.half(*amount).map_or(*amount, |half| amount.with_bar(half)),
+            Value::Text(text) => *text = verification.within(text),
+            _ => {}
+        }
+    }
 }
 
 /// A line for readers, its number apart from its unit, as told in a form.
@@ -105,6 +117,9 @@ impl Summary {
         summary.load(model, run, &last);
         summary.push("events", "Events", Value::Events(events(run), model.extent().force_unit()));
         summary.part(model, run, &last);
+        if let Some(opening) = view.ring_opening() {
+            summary.number("ring_opening", "Opening of a slit ring", Amount::place(opening));
+        }
         if let Some(assessment) = view.forming_limit() {
             summary.forming_limit(model, assessment);
         }
@@ -156,6 +171,9 @@ impl Summary {
         summary.list("warnings", "Warnings", sentences(&view.findings, Kind::Warning));
         summary.group = Group::Case;
         summary.list("notes", "Declared assumptions", plain(view.declared));
+        if let Some(verification) = view.verification {
+            summary.entries.iter_mut().for_each(|entry| entry.verify(verification));
+        }
         summary
     }
 

@@ -1,7 +1,7 @@
 //! Thickness over the blank at the kept frames, and over the part that came out; in the first way porosity and temperature
 //! too.
 
-use super::chart::{Chart, Look, Panel, Scale, Series};
+use super::chart::{Chart, Look, Panel, Scale, Series, color};
 use super::{StageView, part_bands};
 use crate::solution::ElementRecord;
 use crate::table::fields::element::{POROSITY, S0, TEMPERATURE, THICKNESS};
@@ -21,6 +21,14 @@ pub(super) fn thickness(view: &StageView) -> Option<Chart> {
         return None;
     }
     let mut chart = plot(view, "thickness", &THICKNESS, LEAST * initial)?;
+    if let Some(band) = view.thickness_band {
+        // Around the last curve.
+        let around = |panel: Panel| {
+            let of = color(panel.series.len().saturating_sub(1));
+            panel.with_band(view.tell("Error band"), &band.x, [&band.low, &band.high], of)
+        };
+        chart.panels = chart.panels.into_iter().map(around).collect();
+    }
     chart.panels.extend(part_bands::panel(view, Scale::Fit { height: 270.0, least: LEAST * initial }));
     Some(chart)
 }

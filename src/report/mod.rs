@@ -17,6 +17,7 @@ mod sizes;
 mod sketch;
 mod solved;
 mod solver;
+mod sureness;
 mod title;
 mod verdict;
 mod words;
@@ -41,6 +42,7 @@ impl Report<'_> {
         let report = &self.in_form(form);
         let model = self.solution.case.model();
         let mut sections = vec![verdict::section(&self.findings, form)];
+        sections.extend(sureness::section(report, form));
         sections.extend(sketch::sections(report, form));
         sections.push(inputs::section(&self.check, form));
         sections.extend(results::sections(report, form));

@@ -8,6 +8,7 @@ use crate::case::{Solution, TitleBlock};
 use crate::message::Form;
 use crate::output::{Dimension, FrameRecorder, StageView, Summary};
 use crate::units::rounded;
+use crate::verification::{self, Told, Verification};
 use serde_json::{Map, Value, json};
 
 /// A solved case with all that is said of it.
@@ -21,17 +22,34 @@ pub struct Report<'a> {
     pub(super) findings: Vec<Finding>,
     pub(super) answer: Answer,
     pub(super) title_block: TitleBlock,
+    /// How far the numbers can be trusted, where that was looked at.
+    pub(super) verification: Option<&'a Verification>,
     /// Frames on the way, for pictures that move.
     pub(super) frames: Option<&'a FrameRecorder>,
 }
 
 impl<'a> Report<'a> {
-    /// Looks a solution over.
+    /// Looks a solution over, without error bars.
     pub fn of(solution: &'a Solution) -> Self {
-        let (before, after) = (assess::before(&solution.case), assess::after(&solution.case, &solution.stages));
-        let answer = Answer::of(&solution.case, &solution.stages, &after);
+        Self::verified(solution, None)
+    }
+
+    /// Looks a solution over, with error bars where it was verified.
+    pub fn verified(solution: &'a Solution, verification: Option<&'a Verification>) -> Self {
+        Self::found(solution, verification, verification::answered(solution, verification))
+    }
+
+    /// The same where the verdict has been [given](verification::answered) already: it may have taken a second solution.
+    pub fn found(
+        solution: &'a Solution,
+        verification: Option<&'a Verification>,
+        (answer, after): (Answer, Vec<Finding>),
+    ) -> Self {
+        let before = assess::before(&solution.case);
         let assumed: Vec<_> = before.iter().filter(|f| f.kind == Kind::Assumption).cloned().collect();
-        let views = solution.views_telling(&assumed).into_iter().map(StageView::without_captions);
+        let mut views = solution.views_telling(&assumed);
+        StageView::verify(&mut views, &solution.stages, verification);
+        let views = views.into_iter().map(StageView::without_captions);
         Self {
             solution,
             stages: views.map(|view| (view.clone(), Summary::of(&view))).collect(),
@@ -40,6 +58,7 @@ impl<'a> Report<'a> {
             findings: before.into_iter().chain(after).collect(),
             answer,
             title_block: solution.case.title_block.clone(),
+            verification,
             frames: None,
         }
     }
@@ -73,6 +92,7 @@ impl<'a> Report<'a> {
             "program": PROGRAM,
             "title_block": self.title_block.entries().map(|(name, value)| (name.to_owned(), value.into())).collect::<Map<_, _>>(),
             "answer": answer,
+            "error_bars": self.verification.map(Told::from),
             "check": self.check,
             "dimensions": self.dimensions.iter().map(dimension).collect::<Vec<_>>(),
             "verdict": assess::judgements(&self.findings).collect::<Vec<_>>(),

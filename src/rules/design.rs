@@ -7,7 +7,7 @@
 //! procedures, table "Die V-width selection" (amada.de). What has no source that could be read is called a declared rule of
 //! thumb.
 
-use crate::material::Hardening;
+use crate::material::Material;
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
 
 /// Radius over thickness below which shells are no longer thin \[–\]: a declared rule of thumb.
@@ -40,9 +40,9 @@ pub const TRIMMED: &str = "because the rim thickens (declared)";
 const RIM: f64 = FRAC_PI_4;
 
 /// Tensile strength \[MPa\]: largest nominal stress σ exp(−ε), reached where dσ/dε = σ (A. Considère, 1885).
-pub fn tensile_strength(law: &Hardening) -> f64 {
+pub fn tensile_strength(material: &Material) -> f64 {
     let strains = (0..=2000).map(|i| f64::from(i) * 5e-4);
-    strains.map(|strain| law.at(strain).stress * (-strain).exp()).fold(0.0, f64::max)
+    strains.map(|strain| material.monotonic(strain, 0.0).stress * (-strain).exp()).fold(0.0, f64::max)
 }
 
 /// The pressure that keeps a flange from wrinkling \[MPa\], usually named after Siebel, with the punch diameter d and the

@@ -3,5 +3,6 @@
 pub(crate) mod bead;
 pub mod design;
 pub mod estimate;
+pub mod r_values;
 pub mod size;
 pub mod tool_sizes;

@@ -9,11 +9,12 @@ use crate::state::State;
 /// Integrates the porosity of every thickness point along its strain path, and corrects strain and thickness by it; `next`
 /// stands at the end of the step.
 pub(super) fn grow(voids: &Gtn, step: &Step, trial: &Trial, evaluation: &Evaluation, next: &mut State) {
+    let metal = step.model.material.yield_criterion.quadratic();
     for (e, points) in next.points.rows_mut().enumerate() {
         let mut volume = 0.0;
         for (k, (point, at)) in points.iter_mut().zip(&step.process.rule).enumerate() {
             let before = point.strain - evaluation.updates[(e, k)].increment;
-            let now = voids.evolve(step.model.material.hill48, point.porosity, before, trial.iterates[(e, k)].strain());
+            let now = voids.evolve(metal, point.porosity, before, trial.iterates[(e, k)].strain());
             point.porosity_rate = (now.porosity - point.porosity) / step.dt;
             point.porosity = now.porosity;
             point.strain = now.strain;

@@ -97,7 +97,7 @@ pub(super) fn rotating(bends: &[bool]) -> Vec<bool> {
 
 /// Elements without tension.
 fn slack(model: &Model, state: &State, rule: &[ThicknessPoint]) -> Vec<bool> {
-    let anisotropy = &model.material.hill48;
+    let anisotropy = &model.material.yield_criterion;
     let strongest = state.points.iter().map(|p| anisotropy.equivalent_stress(p.stress)).fold(0.0, f64::max);
     let slack = state.points.rows().zip(&state.bends).map(|(points, bends)| {
         let tension: f64 = points.iter().zip(rule).map(|(p, at)| at.weight * p.stress[0]).sum();

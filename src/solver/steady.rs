@@ -16,7 +16,7 @@ pub(super) fn judge(step: &Step, evaluation: &Evaluation, next: &mut State) {
     if step.model.mode != Mode::Flow {
         return;
     }
-    let metal = &step.model.material.hill48;
+    let metal = &step.model.material.yield_criterion;
     let least = FLOWING * step.cutoff(1.0);
     let rows = next.points.rows().zip(step.state.points.rows()).zip(evaluation.updates.rows());
     for (steady, ((now, before), updates)) in next.steady.iter_mut().zip(rows) {

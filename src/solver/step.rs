@@ -223,7 +223,7 @@ fn flow_points(
             for ((point, before), at) in row.iter_mut().zip(lasts).zip(rule) {
                 let spread = [0, 1].map(|d| if height > 0.0 { at.half * (last[d] - first[d]) / height } else { 0.0 });
                 let material = &process.model.material;
-                *point = point.following(expected(before.strain_rate), spread, weight, material.hill48, voids);
+                *point = point.following(expected(before.strain_rate), spread, weight, material.yield_criterion, voids);
             }
         }
     }
@@ -277,7 +277,10 @@ pub(super) fn elastoplastic_law(model: &Model, matrix: Iteration, duration: f64)
     let material = &model.material;
     ElastoplasticLaw {
         hardening: (model.mode == Mode::ElastoViscoplastic).then_some(&material.hardening),
-        operators: Operators::new(model.elasticity().expect("checked where the model is made"), material.hill48),
+        operators: Operators::new(
+            model.elasticity().expect("checked where the model is made"),
+            material.yield_criterion,
+        ),
         kinematic: chaboche::shifting(material.chaboche),
         rate: material.rate.as_ref(),
         softening: material.thermal.as_ref(),

@@ -86,3 +86,18 @@ pub mod element {
     pub const TEMPERATURE: Field<ElementRecord> =
         Field::new("temperature", "Temperature", Unit::Celsius, |e| e.temperature - ZERO_CELSIUS);
 }
+
+/// Of the way that a place takes through the plane of strains: true strains of the mid-surface.
+pub mod path {
+    use crate::table::{Column, Unit};
+
+    /// The smaller strain in the sheet's plane \[–\].
+    pub fn minor(values: Vec<f64>) -> Column {
+        Column::new("strain_minor", "Minor true strain, mid-surface", Unit::None, values)
+    }
+
+    /// The larger one \[–\].
+    pub fn major(values: Vec<f64>) -> Column {
+        Column::new("strain_major", "Major true strain, mid-surface", Unit::None, values)
+    }
+}

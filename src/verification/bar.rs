@@ -4,7 +4,8 @@ use super::direction::Direction;
 use super::estimate::Estimate;
 use super::numbers::Number;
 use super::said;
-use crate::message::Message;
+use crate::assess::ErrorBar;
+use crate::message::{Amount, Message, message};
 
 /// A number with its error bar.
 #[derive(Clone, Debug, PartialEq)]
@@ -46,12 +47,58 @@ const OUT_OF_LINE: f64 = 4.0;
 const MUCH: f64 = 0.05;
 const FAR: f64 = 4.0;
 
-/// The errors of several directions in one: the root of the sum of their squares.
+/// Parts of a bar that are told: the largest, each at least this share of it \[–\].
+const PARTS: usize = 3;
+const SHARE: f64 = 0.05;
+
+/// The errors of several directions in one: their sum. Measured on random dies, the root of the sum of squares leaves the truth
+/// outside in one number of fifteen, for errors of one cause go one way; the sum in fewer than one in fifty.
 pub fn combined(errors: impl Iterator<Item = f64>) -> f64 {
-    errors.map(|error| error * error).sum::<f64>().sqrt()
+    errors.sum()
 }
 
 impl Bar {
+    /// The number as it is told: with its bar, where there is one to tell.
+    pub fn amount(&self) -> Amount {
+        self.moves().map_or(self.number.amount, |half| self.number.amount.with_bar(half))
+    }
+
+    /// Half the bar of a number that refinement moves; an input has none.
+    pub fn moves(&self) -> Option<f64> {
+        self.half.filter(|half| *half > 0.0)
+    }
+
+    /// As it is told with a number of its own.
+    pub fn told(&self) -> ErrorBar {
+        match self.half {
+            None => ErrorBar::Missing(self.why.clone()),
+            Some(_) => self.moves().map_or_else(|| ErrorBar::Missing(said::unmoved()), ErrorBar::Half),
+        }
+    }
+
+    /// What it is made of, or why there is none: `elements 62 % (2.1), steps 30 %`, with the observed order where it was
+    /// extrapolated.
+    pub fn made_of(&self) -> Message {
+        match self.half {
+            None => return message!("no bar: {why}", why = self.why.clone()),
+            Some(0.0) => return said::unmoved(),
+            Some(_) => {}
+        }
+        let parts = self.parts.iter().filter(|part| part.share >= SHARE).take(PARTS).map(|part| {
+            let (direction, share) = (part.direction.label(), Amount::share(part.share));
+            match part.estimate.order.filter(|_| part.estimate.extrapolated) {
+                Some(order) => message!(
+                    "{direction} {share} ({order})",
+                    direction = direction,
+                    share = share,
+                    order = Amount::norm(order)
+                ),
+                None => message!("{direction} {share}", direction = direction, share = share),
+            }
+        });
+        Message::joined(parts, ", ")
+    }
+
     /// No bar.
     pub(super) fn none(number: Number, why: Message) -> Self {
         Self { number, half: None, why, parts: Vec::new() }
@@ -75,15 +122,14 @@ impl Bar {
             }
             parts.push(Part { direction: *direction, estimate: estimate(*direction, &known), share: 0.0 });
         }
-        let squares: f64 = parts.iter().map(|part| part.estimate.error.powi(2)).sum();
-        if squares > 0.0 {
-            parts.iter_mut().for_each(|part| part.share = part.estimate.error.powi(2) / squares);
+        let all = combined(parts.iter().map(|part| part.estimate.error));
+        if all > 0.0 {
+            parts.iter_mut().for_each(|part| part.share = part.estimate.error / all);
         }
         parts.sort_by(|a, b| b.share.total_cmp(&a.share));
-        let least = SOLVED * tolerance * number.amount.value.abs();
-        let half = combined(parts.iter().map(|part| part.estimate.error)).max(least).max(0.5 * number.resolution);
+        let least = (SOLVED * tolerance * number.amount.value.abs()).max(number.resolution);
         // What no refinement moves by a bit is an input.
-        let half = if squares > 0.0 { half } else { 0.0 };
+        let half = if all > 0.0 { all.max(least) } else { 0.0 };
         Self { number, half: Some(half), why: Message::default(), parts }
     }
 }

@@ -12,9 +12,32 @@ pub struct Moved {
     pub key: &'static str,
     /// What the light is with the bar.
     pub light: Light,
+    /// How, in a few words.
+    pub clause: Message,
     /// In a sentence.
     pub sentence: Message,
 }
+
+impl Moved {
+    /// To amber, of a row with its number, or words.
+    fn told(finding: &Finding, number: Message, clause: Message) -> Self {
+        let sentence =
+            message!("{label}: {number}, {clause}", label = finding.label, number = number, clause = clause.clone());
+        Self { key: finding.key, light: Light::Amber, clause, sentence }
+    }
+
+    /// What to do about a light that is amber for its bar alone.
+    pub(super) fn advice(&self) -> Message {
+        match self.key {
+            RUN => "take the worse end as the true one, or refine until all runs end alike",
+            _ => "more margin, or a smaller error bar: `stampflow verify` says what it is made of",
+        }
+        .into()
+    }
+}
+
+/// The row of the verdict that says how the run ended.
+const RUN: &str = "stop";
 
 /// The rows of the verdict whose bar reaches beyond their light: green becomes amber, amber stays and says that it may be
 /// red.
@@ -23,28 +46,24 @@ pub fn moved(findings: &[Finding], verification: &Verification) -> Vec<Moved> {
         let bar = verification.bar(Of::Verdict, finding.key)?.half?;
         let (value, limits) = (finding.value?, finding.limits?);
         let (reached, limit) = reached(value, bar, &limits)?;
-        let is_beyond = reached > finding.light;
-        let tell = |value: f64| Amount::new(value, finding.unit, Digits::Significant(3));
-        let sentence = match (finding.light, reached) {
-            (Light::Green, Light::Amber) => message!(
-                "{label}: green by itself, but its error bar, {value} ± {bar}, reaches amber at {limit}",
-                label = finding.label,
-                value = tell(value),
-                bar = tell(bar).to(Digits::Significant(2)),
-                limit = tell(limit)
-            ),
-            (Light::Green | Light::Amber, Light::Red) => message!(
-                "{label}: its error bar, {value} ± {bar}, reaches red at {limit}",
-                label = finding.label,
-                value = tell(value),
-                bar = tell(bar).to(Digits::Significant(2)),
-                limit = tell(limit)
-            ),
-            _ => return None,
+        let tell = |value: f64, digits: Digits| Amount::new(value, finding.unit, digits);
+        let limit = tell(limit, Digits::Given(3));
+        let clause = match reached {
+            Light::Red => message!("with its error bar it reaches red at {limit}", limit = limit),
+            _ => message!("with its error bar it reaches the limit of {limit}", limit = limit),
         };
-        is_beyond.then_some(Moved { key: finding.key, light: Light::Amber, sentence })
+        let number = tell(value, Digits::Significant(3)).with_bar(bar);
+        (reached > finding.light).then(|| Moved::told(finding, number.into(), clause))
     };
-    judgements(findings).filter(|finding| finding.light != Light::Grey).filter_map(of_row).collect()
+    let run = judgements(findings).find(|finding| finding.key == RUN && finding.light == Light::Green);
+    let run = run.and_then(|finding| {
+        let other = verification.finer_that_ends_otherwise()?;
+        let direction = other.direction?.told(other.times);
+        let clause = message!("with {finer} it ends otherwise", finer = direction);
+        Some(Moved::told(finding, finding.found.clone(), clause))
+    });
+    let rows = judgements(findings).filter(|finding| finding.light != Light::Grey).filter_map(of_row);
+    run.into_iter().chain(rows).collect()
 }
 
 /// The worst light that a bar reaches, and where that begins.

@@ -12,12 +12,12 @@
 //! ```
 //! Contact makes most sequences jump a little: the second line is the usual case. The errors of all directions are put
 //! together as [`combined`] says. A bar is never less than round-off and the solver's tolerance leave, nor, of a place or a
-//! travel, than half an element or half a step.
+//! travel, than the element or the step that it is read off by.
 //!
 //! Whatever is no small error is told and not averaged: runs that end otherwise, numbers that jump, elements below what a
 //! shell resolves.
 //!
-//! How often the truth lies inside is measured (`cargo bench --bench coverage`, README).
+//! How often the truth lies inside is measured (`cargo bench --bench coverage`, docs/verification.md).
 //!
 //! # References
 //! P. J. Roache, Perspective: a method for uniform reporting of grid refinement studies, J. Fluids Eng. 116 (1994) 405–413
@@ -35,7 +35,11 @@ mod numbers;
 mod outcome;
 mod quick;
 mod said;
+mod telling;
 mod verify;
+
+#[cfg(test)]
+mod tests;
 
 pub use band::Band;
 pub use bar::{Bar, Part, combined};
@@ -45,4 +49,5 @@ pub use lights::{Moved, moved};
 pub use numbers::{Number, Of, numbers};
 pub use outcome::{End, Outcome};
 pub use quick::quick;
+pub use telling::{Told, ToldNumber, answered};
 pub use verify::{Verification, Watch, verify};

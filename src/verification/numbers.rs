@@ -4,7 +4,7 @@ use crate::assess::{self, Answer, largest_force};
 use crate::case::Case;
 use crate::measure::{Shape, changes, thickest};
 use crate::message::{Amount, Digits};
-use crate::model::mesh;
+use crate::model::{Motion, Role, mesh};
 use crate::solution::{StageSolution, StepRecord};
 
 /// Who tells a number; its key is one of a kind there.
@@ -16,6 +16,17 @@ pub enum Of {
     Part,
     /// What a row of the verdict judges.
     Verdict,
+}
+
+impl Of {
+    /// Name in files.
+    pub fn key(self) -> &'static str {
+        match self {
+            Self::Answer => "answer",
+            Self::Part => "part",
+            Self::Verdict => "verdict",
+        }
+    }
 }
 
 /// A number of a solution, of all its stages together.
@@ -33,8 +44,9 @@ pub struct Number {
     pub resolution: f64,
 }
 
-/// Inputs that are told among the answer's numbers.
+/// Inputs that are told among the answer's numbers, and what is one where the case gives the force.
 const GIVEN: [&str; 2] = ["blank", "holder_gap"];
+const HOLDER: &str = "holder_force";
 
 /// Rows of the verdict that judge the numerics themselves: what a refinement does to them says nothing of a part.
 const OF_THE_SOLVER: [&str; 4] = ["power_balance", "cutoff", "penetration", "moment_error"];
@@ -58,16 +70,23 @@ impl Number {
 pub fn numbers(case: &Case, stages: &[StageSolution]) -> Vec<Number> {
     let findings = assess::after(case, stages);
     let answer = Answer::of(case, stages, &findings).numbers.into_iter();
+    let is_given = |key: &str| GIVEN.contains(&key) || key == HOLDER && is_held_by_a_force(case);
     let answer = answer
-        .filter(|number| !GIVEN.contains(&number.key))
+        .filter(|number| !is_given(number.key))
         .map(|number| Number { of: Of::Answer, ..Number::new(number.key, number.label, number.amount) });
-    let judged = assess::judgements(&findings).filter(|row| row.limits.is_some() && !OF_THE_SOLVER.contains(&row.key));
+    let judged = assess::judgements(&findings).filter(|row| !OF_THE_SOLVER.contains(&row.key));
     let judged = judged.filter_map(|row| {
         let amount = Amount::new(row.value?, row.unit, Digits::Significant(3));
         Some(Number { of: Of::Verdict, ..Number::new(row.key, row.label, amount) })
     });
     let all = answer.chain(of_the_press(stages)).chain(of_the_part(stages)).chain(judged);
     all.filter(|number| number.amount.value.is_finite()).collect()
+}
+
+/// Whether the case gives the force of its holder, which does not feel where it stands.
+fn is_held_by_a_force(case: &Case) -> bool {
+    let holder = case.model().tool(Role::Holder);
+    holder.is_some_and(|holder| matches!(&holder.motion, Motion::Pressed(press) if press.stiffness == 0.0))
 }
 
 /// Where the punch presses hardest, and what it does half-way; how far a run came that ended early.

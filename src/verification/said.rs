@@ -27,7 +27,17 @@ pub(super) fn jumps(number: &Number, [from, to]: [f64; 2], finer: Message) -> Me
 
 /// Of the number where runs end otherwise.
 pub(super) fn ends_differ() -> Message {
-    "finer runs end otherwise".into()
+    "other runs end otherwise".into()
+}
+
+/// Of a number that no refinement moves.
+pub(super) fn unmoved() -> Message {
+    "no refinement moves it".into()
+}
+
+/// Of runs that the user ended.
+pub(super) fn interrupted() -> Message {
+    "interrupted by the user".into()
 }
 
 /// Of a direction in which no finer run came to its end.
@@ -56,9 +66,19 @@ pub(super) fn ended_otherwise(base: &Outcome, outcome: &Outcome) -> Option<Messa
     ))
 }
 
-/// Of elements shorter than what a shell resolves, the run as it is among them where it has such.
+/// Of a run that would take too long.
+pub(super) fn left_out((direction, times): (Direction, f64), seconds: f64) -> Message {
+    message!(
+        "left out, for it would take some {time}: {finer}",
+        time = Amount::time(seconds),
+        finer = direction.told(times)
+    )
+}
+
+/// Of finer runs whose elements are shorter than what a shell resolves, the run as it is among them where it has such.
 pub(super) fn below_shell_length(base: &Outcome, outcomes: &[Outcome]) -> Option<Message> {
     let is_short = |outcome: &&Outcome| outcome.shortest < SHELL_LENGTH;
+    outcomes.iter().find(|outcome| outcome.times > 1.0 && is_short(outcome))?;
     let shortest = outcomes.iter().filter(is_short).map(|outcome| outcome.shortest).reduce(f64::min)?;
     let from = if is_short(&base) { "as it is".into() } else { Message::default() };
     let levels = outcomes.iter().filter(is_short).filter(|o| o.direction == Some(Direction::Elements));

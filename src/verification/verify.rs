@@ -12,10 +12,12 @@ use crate::message::Message;
 use crate::solver::Observer;
 #[cfg(feature = "cli")]
 use rayon::prelude::*;
-use std::collections::BTreeSet;
 
 /// How many times finer the levels are \[–\].
 const LEVELS: [f64; 2] = [2.0, 4.0];
+
+/// Longest that a finer run may take, by what the run as it is took \[s\].
+const LONGEST: f64 = 300.0;
 
 /// How far the numbers of a solution can be trusted.
 #[derive(Clone, Debug, PartialEq)]
@@ -62,9 +64,19 @@ pub fn verify(solution: &Solution, watch: &dyn Watch) -> Verification {
     if base.end.lost {
         jobs.clear();
     }
+    let seconds = |(direction, times): &(Direction, f64)| {
+        solution.wall.map_or(0.0, |wall| wall.as_secs_f64() * direction.cost(*times))
+    };
+    let long: Vec<_> = jobs.extract_if(.., |job| seconds(job) > LONGEST).collect();
     jobs.sort_by(|a, b| b.0.cost(b.1).total_cmp(&a.0.cost(a.1)));
     let refined = solved(&solution.case, &jobs, watch);
-    Verification::of(base, refined, tolerance(&solution.case), |direction, levels| estimate(levels, direction.order()))
+    if watch.wants_to_stop() {
+        return Verification::without(base, &said::interrupted());
+    }
+    let estimated = |direction: Direction, levels: &[f64]| estimate(levels, direction.order());
+    let mut verification = Verification::of(base, refined, tolerance(&solution.case), estimated);
+    verification.told.extend(long.iter().map(|job| said::left_out(*job, seconds(job))));
+    verification
 }
 
 /// To which every step is solved \[–\].
@@ -165,13 +177,20 @@ impl Verification {
         Self { bars, told, outcomes: all, load, thickness }
     }
 
+    /// Of a run that was not verified to its end: no bars, and why.
+    pub(super) fn without(base: Outcome, why: &Message) -> Self {
+        let bars = base.numbers.iter().map(|number| Bar::none(number.clone(), why.clone())).collect();
+        Self { bars, told: Vec::new(), outcomes: vec![base], load: None, thickness: None }
+    }
+
+    /// The first of the finer runs that came to another end, for a reason of the part's.
+    pub(super) fn finer_that_ends_otherwise(&self) -> Option<&Outcome> {
+        let (base, refined) = self.outcomes.split_first()?;
+        refined.iter().find(|run| run.times > 1.0 && !run.end.lost && !run.end.is_like(&base.end))
+    }
+
     /// The bar of a number.
     pub fn bar(&self, of: Of, key: &str) -> Option<&Bar> {
         self.bars.iter().find(|bar| bar.number.of == of && bar.number.key == key)
-    }
-
-    /// The reasons why numbers have no bar, each once.
-    pub fn reasons(&self) -> BTreeSet<String> {
-        self.bars.iter().filter(|bar| bar.half.is_none()).map(|bar| bar.why.to_string()).collect()
     }
 }

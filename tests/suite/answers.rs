@@ -109,8 +109,20 @@ fn every_verb_keeps_to_80_columns() {
         "[\"curve.csv\"]\ncitation = \"a test\"\nkind = \"benchmark\"\ngrade = \"C\"\n",
     )
     .unwrap();
-    let verbs =
-        ["run", "check", "report", "new", "import", "validate", "materials", "explain", "laws", "schema", "man"];
+    let verbs = [
+        "run",
+        "check",
+        "verify",
+        "report",
+        "new",
+        "import",
+        "validate",
+        "materials",
+        "explain",
+        "laws",
+        "schema",
+        "man",
+    ];
     for verb in verbs {
         fits(text(&stampflow(dir.path(), &[verb, "--help"]).stdout));
     }
@@ -123,6 +135,7 @@ fn every_verb_keeps_to_80_columns() {
         &["new", "--list"],
         &["new", "cup", "--help"],
         &["check", "cases/cup.toml"],
+        &["verify", "cases/cup.toml", "-q"],
         &["validate", "-q"],
     ] {
         let done = stampflow(dir.path(), args);

@@ -15,7 +15,7 @@ fn a_run_writes_every_file_and_sums_up() {
         let path = dir.path().join("out/cup").join(output.file);
         let sheets = ["pressure_cycle", "porosity", "temperature", "forming_limit", "strain_paths"];
         let releases_and_stages = ["springback", "residual_stress", "stages.csv", "compare_"];
-        let asked_for = ["section.pvd", "revolved.pvd", "tools.pvd", "shapes.gif"];
+        let asked_for = ["section.pvd", "revolved.pvd", "tools.pvd", "shapes.gif", "error_bars"];
         let mut special = sheets.iter().chain(&releases_and_stages).chain(&asked_for);
         if special.any(|special| output.file.starts_with(special)) {
             assert!(!path.exists(), "a plain cup has no {}", output.file);
@@ -282,7 +282,7 @@ fn validation_passes_on_its_own_curve_and_fails_on_another() {
     let first = folder(CUP);
     stampflow(first.path(), &["run", "cases/cup.toml", "-q"]);
     let table = fs::read_to_string(first.path().join("out/cup/load_travel.csv")).unwrap();
-    for (factor, code, verdict) in [(1.0, 0, " in "), (1.1, 1, " OUT ")] {
+    for (factor, code, verdict) in [(1.0, 0, "inside"), (1.1, 1, "outside 1")] {
         let mut curve = String::from("travel_mm,punch_force_kN\n");
         for row in table.lines().skip(20).step_by(20) {
             let cells: Vec<f64> = row.split(',').take(2).map(|cell| cell.parse().unwrap()).collect();
@@ -291,9 +291,57 @@ fn validation_passes_on_its_own_curve_and_fails_on_another() {
         fs::write(reference.join("curve.csv"), curve).unwrap();
         let done = stampflow(dir.path(), &["validate", "-q"]);
         assert_eq!(done.status.code(), Some(code), "{}{}", text(&done.stdout), text(&done.stderr));
-        assert!(text(&done.stdout).contains(verdict.trim_end()), "{}", text(&done.stdout));
+        let line = text(&done.stdout).lines().nth(1).expect("a line below the headers").to_owned();
+        assert!(line.starts_with("cup ") && line.ends_with(verdict), "{}", text(&done.stdout));
         assert!(dir.path().join("out/validate/cup/compare_1_punch_force.png").exists());
     }
+}
+
+/// Trust: what each of four comparisons comes to is set by the tolerance that it has here; names and numbers are counted by hand.
+#[test]
+fn a_comparison_is_one_line_its_reason_below_and_its_kind_is_counted() {
+    let name = "a_cup_whose_name_is_longer_than_any_screen_has_room_for_in_a_table";
+    let at = |tolerance: &str, more: &str| {
+        COMPARE.replace("tolerance = \"5 %\"", &format!("tolerance = {tolerance:?}")) + more + "\n"
+    };
+    let wide = at("900 %", "");
+    let tight = at("0.001 %", "demonstration = true");
+    let missing = at("5 %", "optional = true").replace("curve.csv", "lost.csv");
+    let dir = folder(&[CUP, &wide, &tight, &tight, &missing].concat());
+    let cases = dir.path().join("cases");
+    fs::rename(cases.join("cup.toml"), cases.join(name).with_extension("toml")).unwrap();
+    let data = dir.path().join("reference_data");
+    fs::create_dir(&data).unwrap();
+    fs::write(data.join("curve.csv"), "travel_mm,punch_force_kN\n1,5\n2,9\n").unwrap();
+    let source = |kind: &str| format!("[\"curve.csv\"]\ncitation = \"a test\"\nkind = \"{kind}\"\ngrade = \"A\"\n");
+    fs::write(data.join("sources.toml"), source("numerical benchmark")).unwrap();
+    let printed = |more: &[&str]| {
+        let done = stampflow(dir.path(), &[&["validate", "-q"], more].concat());
+        assert_eq!(done.status.code(), Some(0), "{}", text(&done.stderr));
+        text(&done.stdout).to_owned()
+    };
+    let screen = printed(&[]);
+    let lines: Vec<&str> = screen.lines().collect();
+    assert!(lines.iter().all(|line| line.chars().count() <= 80), "{screen}");
+    let ends = ["verdict", "inside", "outside 1", "outside 1", "no data 2", ""];
+    for (line, end) in lines.iter().zip(ends) {
+        assert!(
+            line.ends_with(end) && (end != "inside" || line.starts_with("a_cup") && line.contains('…')),
+            "{screen}"
+        );
+    }
+    assert!(screen.contains("2  ") && screen.contains("lost.csv is not there"), "{screen}");
+    assert!(screen.contains("benchmark: 1 of 3 inside, 2 outside as demonstrations\nno data: 1"), "{screen}");
+    let german = printed(&["--lang", "de"]);
+    assert!(german.contains("Urteil") && german.contains("außen 1"), "{german}");
+    let table = printed(&["--markdown"]);
+    assert_eq!(table.lines().count(), 2 + 4, "{table}");
+    assert!(
+        table.contains(&format!("| {name} | numerical benchmark | punch_force | a test, grade A | 900 % |")),
+        "{table}"
+    );
+    fs::write(data.join("sources.toml"), source("estimate of a foreman")).unwrap();
+    assert!(printed(&[]).contains("estimate of a foreman: 1 of 3 inside"));
 }
 
 #[test]

@@ -4,6 +4,8 @@ use stampflow::compare::{
     Against, BandQuantity, BandSpec, CompareError, Comparison, Computed, CurveSpec, Data, Found, Points, Quantity,
     Source, Spec, Verdict, compare,
 };
+use stampflow::forming_limit::{Instant, Paths};
+use stampflow::message::Form;
 use stampflow::model::Extent;
 use stampflow::solution::{ElementRecord, StepRecord};
 use stampflow::table::{Column, Csv};
@@ -32,7 +34,7 @@ fn profile() -> Vec<ElementRecord> {
 /// Of a blank of 50 mm.
 fn against_drawn(spec: &Spec, complete: bool) -> Result<Comparison, CompareError> {
     let (steps, elements) = (&history()[..], &profile()[..]);
-    compare(spec, &Computed { extent: Extent::Ring, length: 50.0, steps, elements, complete })
+    compare(spec, &Computed { extent: Extent::Ring, length: 50.0, steps, elements, paths: None, complete, ring: None })
 }
 
 /// A comparison with the text of a CSV file.
@@ -202,6 +204,25 @@ fn a_peak_is_compared_wherever_it_is_and_a_band_needs_the_whole_run() {
     assert_eq!(band(false).sentence(), "peak_force against curve.csv: not reached");
 }
 
+/// Trust: the force of the history has its peak at 10 mm, and at half of it rises still.
+#[test]
+fn the_travel_at_the_peak_is_known_once_the_force_has_fallen() {
+    let against = || BandSpec { quantity: BandQuantity::PeakTravel, columns: vec!["index_mm".to_owned()], error: None };
+    let spec = spec(Some("index_mm\n9.5\n10.5\n"), Against::Band(against()));
+    let of = |steps: &[StepRecord]| {
+        let (length, elements) = (50.0, &profile()[..]);
+        compare(
+            &spec,
+            &Computed { extent: Extent::Ring, length, steps, elements, paths: None, complete: false, ring: None },
+        )
+        .unwrap()
+    };
+    let fallen = of(&history());
+    assert_eq!((fallen.verdict, fallen.farthest().map(|found| found.value)), (Verdict::In, Some(10.0)));
+    assert_eq!(fallen.target(Form::default()).as_deref(), Some("9.50–10.5\u{a0}mm"));
+    assert_eq!(of(&history()[..8]).verdict, Verdict::NotReached);
+}
+
 #[test]
 fn a_demonstration_shows_its_difference_and_does_not_fail() {
     let against = BandSpec { quantity: BandQuantity::EdgeDiameter, columns: vec!["d_mm".to_owned()], error: None };
@@ -210,4 +231,34 @@ fn a_demonstration_shows_its_difference_and_does_not_fail() {
     assert_eq!((c.verdict, c.is_failure()), (Verdict::Out, false));
     assert_eq!(c.outcome(), "OUT, demonstration");
     assert_eq!((c.worst().unwrap(), c.accepted()), ("5.00 mm below (-5.3 %)".to_owned(), "95 to 96 mm".to_owned()));
+}
+
+/// Trust: by hand: the second element is the thinnest, its hoop strain is the minor one and half of the other; a name without a
+/// unit is a plain number.
+#[test]
+fn a_strain_path_is_that_of_the_thinnest_place() {
+    let mut paths = Paths::starting(vec![1.0, 3.0]);
+    for i in 0..=4 {
+        let major = 0.1 * f64::from(i);
+        let strains = vec![[major, major], [major, 0.5 * major]];
+        paths.push(Instant { time: f64::from(i), travel: f64::from(i), strains });
+    }
+    let elements = [0.9, 0.8].map(|thickness| ElementRecord { thickness, ..ElementRecord::default() });
+    let csv = "major_true,minor_true\n0.2,0.1\n0.35,0.170\n0.45,0.2\n";
+    let path = CurveSpec { range: Some((0.0, 0.4)), ..curve("major_true", "minor_true", Quantity::StrainPath) };
+    let spec = spec(Some(csv), Against::Curve(path));
+    let computed = Computed {
+        extent: Extent::Ring,
+        length: 4.0,
+        steps: &history(),
+        elements: &elements,
+        paths: Some(&paths),
+        complete: false,
+        ring: None,
+    };
+    let c = compare(&spec, &computed).unwrap();
+    let values: Vec<_> = points(&c).0.iter().map(|p| p.computed.map(|y| (1e6 * y).round() / 1e6)).collect();
+    assert_eq!((values, c.verdict), (vec![Some(0.1), Some(0.175), Some(0.2)], Verdict::In));
+    let told = "strain_path against curve.csv: in, worst +2.9 % at major true strain = 0.35 (tolerance 5 %)";
+    assert_eq!(c.sentence(), told);
 }

@@ -10,7 +10,7 @@ use stampflow::material::{Hardening, Hill48, Material, Rate};
 /// A power law; the offset of 1e-6 shifts limits by as much.
 fn power(n: f64, r: f64) -> Material {
     let law = Hollomon::with_offset(500.0, n, 1e-6).expect("valid");
-    Material { hill48: Hill48::new(r), ..Material::plain(Hardening::Hollomon(law)) }
+    Material { yield_criterion: Hill48::new(r).into(), ..Material::plain(Hardening::Hollomon(law)) }
 }
 
 fn sheet(material: &Material) -> Sheet<'_> {

@@ -16,12 +16,15 @@ fn parsed(material: &str, more: &str) -> Result<Case, String> {
 #[test]
 fn every_material_loads_runs_and_cites_its_source() {
     let all = library::materials().unwrap_or_else(|e| panic!("{}", e.render(false)));
-    assert!(all.len() >= 9);
+    assert!(all.len() >= 13);
     for entry in &all {
         assert!(entry.source.contains("20") || entry.source.contains("19"), "{}: no year", entry.name);
-        assert!(["A", "B"].contains(&entry.grade.as_str()) && !entry.licence.is_empty(), "{}", entry.name);
+        assert!(["A", "B", "C"].contains(&entry.grade.as_str()) && !entry.licence.is_empty(), "{}", entry.name);
+        let declared = entry.source.contains("declared");
+        assert_eq!(entry.grade == "C", declared, "{}: an assumed law is called so", entry.name);
         let n = entry.n().expect("a load maximum");
-        assert!((0.05..0.5).contains(&n), "{}: {n}", entry.name);
+        // Austenitic steel comes to 0.57.
+        assert!((0.05..0.6).contains(&n), "{}: {n}", entry.name);
         let named = parsed(&format!("name = \"{}\"", entry.name), "").unwrap_or_else(|e| panic!("{e}"));
         assert_eq!(named.model().material, entry.material);
         assert_eq!(named.sources.material.as_ref(), Some(&entry.source));
@@ -35,7 +38,13 @@ fn every_material_loads_runs_and_cites_its_source() {
         } else {
             let top =
                 limit.unwrap_or_else(|e| panic!("{e}")).model().forming_limit.as_ref().expect("a curve").plane_strain();
-            assert!((0.5 * n..n).contains(&top), "{}: a groove necks before the load maximum: {top} {n}", entry.name);
+            // Where the stress feels the rate, a neck grows on for a while.
+            let latest = if entry.material.rate.is_some() { 1.3 * n } else { n };
+            assert!(
+                (0.5 * n..latest).contains(&top),
+                "{}: a groove necks before the load maximum: {top} {n}",
+                entry.name
+            );
         }
         let check = stampflow::assess::check::report(&named).to_string();
         assert!(check.contains(&entry.source), "{check}");
@@ -46,7 +55,7 @@ fn every_material_loads_runs_and_cites_its_source() {
 fn a_case_replaces_what_it_says_itself() {
     let plain = parsed("name = \"aa6016-t4\"", "").unwrap_or_else(|e| panic!("{e}"));
     let own = parsed("name = \"aa6016-t4\"\nanisotropy = 0.7", "").unwrap_or_else(|e| panic!("{e}"));
-    assert_eq!(own.model().material.hill48.ratio(), 0.7);
+    assert_eq!(own.model().material.yield_criterion.ratio(), 0.7);
     assert_eq!(own.model().material.hardening, plain.model().material.hardening);
     assert!(
         own.derived.iter().any(|note| note.to_string().contains("anisotropy as this case has it")),
@@ -66,11 +75,11 @@ fn an_unknown_material_is_answered_with_the_nearest() {
     assert!(error.contains("no material \"aa6061-t4\"") && error.contains("did you mean `aa6016-t4`?"), "{error}");
     assert!(error.contains("case.toml:7:8"), "{error}");
     let error = parsed("name = \"aa60\"", "").expect_err("two");
-    assert!(error.contains("\"aa60\" may be aa6016-t4 or aa6022-t4"), "{error}");
+    assert!(error.contains("\"aa60\" may be aa6016-t4 or "), "{error}");
     assert!(parsed("name = \"\"", "").expect_err("nothing").contains("no material \"\""));
 }
 
-/// Trust: EN 10130:1999 as a mill's leaflet tabulates it: yield stress, tensile strength [MPa], r and n at least.
+/// Trust: EN 10130:1999 as a mill's leaflet tabulates it, DC06 by memory of the edition of 2006: yield stress, tensile strength [MPa], r and n at least.
 #[test]
 fn a_grade_is_the_sheet_that_stands_for_it_and_keeps_its_limits() {
     for (word, name) in [
@@ -83,6 +92,10 @@ fn a_grade_is_the_sheet_that_stands_for_it_and_keeps_its_limits() {
         ("AA6016-T4", "aa6016-t4"),
         ("EN AW-6016", "aa6016-t4"),
         ("woo", "woo-1968"),
+        ("DC06", "if-steel"),
+        ("1.4307", "aisi304l-bar"),
+        ("AA5754", "aa5754-o"),
+        ("HCT690T", "trip690"),
     ] {
         let entry = library::material(word).unwrap_or_else(|e| panic!("{word}: {}", e.render(false)));
         assert_eq!(entry.name, name, "{word}");
@@ -94,9 +107,11 @@ fn a_grade_is_the_sheet_that_stands_for_it_and_keeps_its_limits() {
             case.derived
         );
     }
-    for (grade, yields, strength, r, n) in
-        [("DC04", 210.0, 270.0..=350.0, 1.6, 0.18), ("DC01", 280.0, 270.0..=410.0, 0.0, 0.0)]
-    {
+    for (grade, yields, strength, r, n) in [
+        ("DC04", 210.0, 270.0..=350.0, 1.6, 0.18),
+        ("DC01", 280.0, 270.0..=410.0, 0.0, 0.0),
+        ("DC06", 170.0, 270.0..=330.0, 2.1, 0.22),
+    ] {
         let entry = library::material(grade).expect("a sheet");
         assert!(entry.proof_stress() <= yields, "{grade}: {}", entry.proof_stress());
         assert!(
@@ -104,7 +119,7 @@ fn a_grade_is_the_sheet_that_stands_for_it_and_keeps_its_limits() {
             "{grade}: {:?}",
             entry.tensile_strength()
         );
-        assert!(entry.material.hill48.ratio() >= r && entry.n().expect("a maximum") >= n, "{grade}");
+        assert!(entry.material.yield_criterion.ratio() >= r && entry.n().expect("a maximum") >= n, "{grade}");
     }
 }
 
@@ -219,6 +234,13 @@ fn materials_are_listed_described_and_drawn() {
         serde_json::from_slice::<serde_json::Value>(&run(&["materials", "aa6016-t4", "--json"]).stdout).expect("JSON");
     assert!(json["flc_computed_by_hill"].as_array().is_some_and(|points| points.len() > 10), "{json}");
     assert!(std::fs::metadata(dir.path().join("a.png")).expect("drawn").len() > 2000);
+    let bar = run(&["materials", "304L", "--json", "--plot", "bar.png"]);
+    let bar: serde_json::Value = serde_json::from_slice(&bar.stdout).expect("JSON");
+    assert_eq!(bar["measured"]["strain_stress_scatter_MPa"].as_array().map(Vec::len), Some(20), "{bar}");
+    let rms = [&bar["measured"]["fit_MPa"]["rms"], &bar["measured"]["fit_of_ratios"]["rms"]].map(|rms| rms.as_f64());
+    assert!(rms[0].is_some_and(|rms| (3.0..5.6).contains(&rms)) && rms[1].is_some_and(|rms| rms < 0.03), "{bar}");
+    assert_eq!(bar["fitted_up_to"], 0.4);
+    assert!(json["measured"].is_null(), "{json}");
     let none = run(&["materials", "nothing"]);
     assert_eq!(none.status.code(), Some(2));
     assert!(String::from_utf8_lossy(&none.stderr).contains("known materials"));
@@ -231,7 +253,7 @@ fn every_law_is_listed_with_a_source_and_its_parameters() {
     let all = names(Hardening::examples().into_iter().map(|(n, _)| n).collect())
         .chain(names(Rate::examples().into_iter().map(|(n, _)| n).collect()))
         .chain(names(ThermalLaw::examples().into_iter().map(|(n, _)| n).collect()))
-        .chain(["voids"])
+        .chain(["voids", "hosford"])
         .chain(names(Friction::examples().into_iter().map(|(n, _)| n).collect()))
         .filter(|name| *name != "coulomb");
     let friction = names(Friction::examples().into_iter().map(|(n, _)| n).collect()).collect::<Vec<_>>();

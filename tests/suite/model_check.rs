@@ -96,7 +96,7 @@ const MUTATIONS: &[Mutation<f64>] = &[
     ("poisson", |m, x| {
         (m.mode, m.material.elastic) = (Mode::ElastoViscoplastic, Some(Elastic { young: 2e5, poisson: x }));
     }),
-    ("anisotropy", |m, x| m.material.hill48 = Hill48::new(x)),
+    ("anisotropy", |m, x| m.material.yield_criterion = Hill48::new(x).into()),
     ("back-stress", |m, x| (m.mode, m.material.chaboche[0].modulus) = (Mode::ElastoViscoplastic, x)),
     ("recovery", |m, x| (m.mode, m.material.chaboche[0].dynamic_recovery) = (Mode::ElastoViscoplastic, x)),
     ("rate exponent", |m, x| m.material.rate = Some(Rate::PowerRate(PowerRate { exponent: x, reference: 1.0 }))),

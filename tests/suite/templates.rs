@@ -4,6 +4,7 @@ use stampflow::assess::{self, Light, check};
 use stampflow::author::templates::{TEMPLATES, find, list, rules};
 use stampflow::case::library::materials;
 use stampflow::case::{Case, parse};
+use stampflow::message::Message;
 use stampflow::model::{Motion, Role};
 use stampflow::{Frame, StageSolution, Stop, solve};
 use std::fs;
@@ -20,6 +21,7 @@ const OTHERS: &[(&str, &[(&str, &str)])] = &[
     ("redraw", &[("thickness", "0.8 mm"), ("height", "55 mm")]),
     ("stretch-dome", &[("height", "20 mm"), ("thickness", "1.2 mm"), ("friction", "0.15")]),
     ("bulge", &[("opening", "60 mm"), ("height", "20 mm")]),
+    ("erichsen", &[("thickness", "0.6 mm"), ("k", "700 MPa"), ("n", "0.15"), ("friction", "0.05")]),
     ("hat-section", &[("height", "30 mm"), ("holder-pressure", "5 MPa")]),
     ("v-bend", &[("angle", "120 deg")]),
     ("u-bend", &[("leg", "35 mm"), ("half-width", "30 mm")]),
@@ -48,11 +50,16 @@ fn every_template_runs_to_its_end_and_check_has_no_doubt() {
     for (name, given) in defaults.chain(OTHERS.iter().copied()) {
         let case = case(name, given);
         let warnings = check::report(&case).warnings;
-        assert!(warnings.is_empty(), "{name} {given:?}: {warnings:?}");
+        let is_torn = name == "erichsen";
+        // The standard's die edge is what it is.
+        let doubted = |warning: &Message| is_torn && warning.to_string().contains("radius of 0.75 mm");
+        assert!(warnings.iter().all(doubted), "{name} {given:?}: {warnings:?}");
         let runs = solved(&case);
         assert_eq!(runs.len(), case.stages.len(), "{name} {given:?}: {}", runs.last().unwrap().stop);
         for run in runs {
-            assert_eq!(run.stop, Stop::FullTravel, "{name} {given:?}");
+            let is_end =
+                if is_torn { matches!(run.stop, Stop::LoadMaximum { .. }) } else { run.stop == Stop::FullTravel };
+            assert!(is_end, "{name} {given:?}: {}", run.stop);
         }
     }
 }
@@ -87,6 +94,23 @@ fn a_cup_is_as_high_as_was_wanted() {
         let shoulder_end = die.profile.corners().map(|arc| arc.center.x).fold(0.0, f64::max);
         assert!(last.nodes.last().unwrap().r < shoulder_end, "{given:?}: a flange is left");
     }
+}
+
+/// Trust: known tendencies of the test, without a number of their own: a sheet that hardens more is pushed further, and it
+/// tears off the pole where friction holds it. The load maximum of a membrane does not know its thickness: half as much again
+/// adds bending only, a twentieth at most.
+#[test]
+fn an_erichsen_index_grows_with_hardening() {
+    let peak = |given: &[(&str, &str)]| {
+        let run = solved(&case("erichsen", given)).remove(0);
+        let peak = run.steps.iter().max_by(|a, b| a.punch_force.total_cmp(&b.punch_force)).expect("steps");
+        (peak.travel, run.steps.last().expect("steps").thinnest_s0)
+    };
+    let (index, torn) = peak(&[]);
+    println!("index {index:.2} mm, torn {torn:.2} mm from the axis");
+    assert!(peak(&[("n", "0.3")]).0 > index + 0.2);
+    assert!((peak(&[("thickness", "1.5 mm")]).0 / index - 1.0).abs() < 0.05);
+    assert!(torn > 1.0 && peak(&[("friction", "0.15")]).1 > torn, "{torn}");
 }
 
 /// Trust: the textbook's formula with its exact coefficients, written out here; the file has the radius to a thousandth.
@@ -163,6 +187,8 @@ fn the_sheet_may_be_one_of_the_library() {
 #[test]
 fn no_picked_size_is_doubted_by_the_verdict() {
     let defaults = TEMPLATES.iter().map(|template| (template.name, &[][..]));
+    // A cupping test goes on until the sheet tears.
+    let defaults = defaults.filter(|(name, _)| *name != "erichsen");
     for (name, given) in defaults.chain([("redraw", &[("height", "70 mm")][..]), ("cup", &[("height", "50 mm")])]) {
         let case = case(name, given);
         let passes = solve(&case.stages, &mut ());
@@ -239,6 +265,7 @@ fn what_does_not_go_together_is_refused_with_exit_code_2() {
         (&["bulge", "--pressure", "90 MPa"], "it would burst"),
         (&["stretch-dome", "--height", "60 mm"], "higher than its punch"),
         (&["hat-section", "--height", "5 mm"], "no wall"),
+        (&["erichsen", "--thickness", "3 mm"], "for sheets up to 2 mm"),
         (&["hat-section", "--press", "250 tonf"], "give --length too"),
         (&["hat-section", "--length", "60 in", "--press", "250 t"], "write 250 tonf (tonnes-force) or 2452 kN"),
         (&["cup", "--thickness", "-0.8 mm"], "--thickness: must be positive, found -0.8 mm"),

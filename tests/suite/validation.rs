@@ -11,16 +11,19 @@ use std::path::Path;
 type Outcome = (&'static str, &'static str, &'static str);
 
 /// Measured curves that are lost are no failure, and the demonstrations are outside of what was measured (README).
-const OUTCOMES: [Outcome; 10] = [
+const OUTCOMES: [Outcome; 13] = [
     ("brite_cylindrical", "edge_diameter", "OUT, demonstration"),
     ("brite_cylindrical", "thickness", "OUT, demonstration"),
     ("brite_four_steps", "edge_diameter", "OUT, demonstration"),
     ("brite_four_steps", "thickness", "OUT, demonstration"),
     ("chalmers_cup", "punch_force", "no data"),
+    ("erichsen_304l", "peak_travel", "OUT, demonstration"),
     ("osu_stretch", "travel", "in"),
     ("osu_stretch_friction", "travel", "in"),
+    ("split_ring", "ring_opening", "OUT, demonstration"),
     ("stretch_thin", "punch_force", "in"),
     ("strip_draw", "thickness_at_radius", "in"),
+    ("surfalex_full_circle", "strain_path", "OUT, demonstration"),
     ("woo_hemispherical", "punch_force", "no data"),
 ];
 
@@ -49,12 +52,15 @@ const FIGURES: &[(&str, &str, f64, f64, f64)] = &[
     ("chalmers_cup", "forming", 100515.2657, 0.920649, 60.4294),
     ("cylindrical_bending", "bend", 9.29792392, 0.999855, 32.6250),
     ("cylindrical_bending", "release", 0.0, 0.999859, 32.625),
+    ("erichsen_304l", "forming", 37119.4599, 0.305348, 3.1523),
     ("hat_springback", "draw", 62.2688, 0.76965, 36.37),
     ("hat_springback", "release", 0.0, 0.76979, 36.37),
     ("hydroform", "forming", 73814.5503, 0.933, 31.625),
     ("osu_stretch", "forming", 65043.1814, 0.528062, 4.0686),
     ("osu_stretch_friction", "forming", 9323.9569, 0.94313, 7.7674),
     ("quickstart", "forming", 45321.544, 0.94124, 28.325),
+    ("split_ring", "draw", 17753.7751, 0.918361, 14.125),
+    ("split_ring", "release", 0.0, 0.919037, 14.125),
     ("stages_cup", "draw", 49288.6971, 0.933999, 28.13),
     ("stages_cup", "retract", 327.9822, 0.934, 28.13),
     ("stages_cup", "draw_on", 45351.4329, 0.932771, 28.13),
@@ -63,6 +69,7 @@ const FIGURES: &[(&str, &str, f64, f64, f64)] = &[
     ("strip_draw", "forming", 610.1132, 0.736644, 324.2103),
     ("superplastic_box", "forming", 0.5463, 0.73713, 24.8438),
     ("superplastic_dome", "forming", 0.11585284, 0.48299, 0.25),
+    ("surfalex_full_circle", "forming", 69360.6865, 0.817874, 11.025),
     ("warm_cup", "forming", 44512.5803, 0.871476, 71.5714),
     ("woo_hemispherical", "forming", 34811.8207, 0.347782, 4.9507),
     ("woo_porous", "forming", 28073.7179, 0.458321, 4.499),

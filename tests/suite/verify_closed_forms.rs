@@ -65,7 +65,7 @@ fn rate_and_anisotropy_enter_the_closed_forms() {
             for geometry in [Geometry::PlaneStrain, Geometry::Axisymmetric] {
                 let mut model = simple::pulled(geometry, Theory::Bending, 8.0);
                 model.material.rate = Some(rate);
-                model.material.hill48 = Hill48::new(r);
+                model.material.yield_criterion = Hill48::new(r).into();
                 let run = solve(&model);
                 for record in run.steps.iter().skip(6) {
                     let radius = 40.0 + record.travel;
@@ -143,7 +143,7 @@ fn rate_free(hardening: &Hardening) -> FlowLaw<'_> {
         hardening,
         rate: None,
         softening: None,
-        anisotropy: Hill48::default(),
+        criterion: Hill48::default().into(),
         voids: None,
         matrix: Iteration::Newton,
         cutoff: 1e-7,

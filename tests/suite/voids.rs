@@ -28,8 +28,8 @@ fn hardening() -> Hardening {
 }
 
 fn law<'a>(hardening: &'a Hardening, voids: Option<&'a Gtn>, matrix: Iteration) -> FlowLaw<'a> {
-    let anisotropy = Hill48::default();
-    FlowLaw { hardening, rate: None, softening: None, anisotropy, voids, matrix, cutoff: 1e-7, duration: 0.1 }
+    let criterion = Hill48::default().into();
+    FlowLaw { hardening, rate: None, softening: None, criterion, voids, matrix, cutoff: 1e-7, duration: 0.1 }
 }
 
 fn at(law: &FlowLaw, porosity: f64, e: Triple) -> StressUpdate {
@@ -107,11 +107,12 @@ fn newton_matrix_is_the_derivative_of_the_stress() {
     let rates = std::iter::once(None).chain(rates.iter().map(|(_, rate)| Some(rate)));
     for rate in rates {
         for (f, r) in [(0.001, 1.0), (0.05, 0.5), (0.1, 1.0), (0.2, 2.0)] {
-            let law = FlowLaw { rate, anisotropy: Hill48::new(r), ..law(&hardening, Some(&voids), Iteration::Newton) };
+            let law =
+                FlowLaw { rate, criterion: Hill48::new(r).into(), ..law(&hardening, Some(&voids), Iteration::Newton) };
             for e in points() {
                 let c = at(&law, f, e).tangent;
                 let c = [[c[0], c[1], c[3]], [c[1], c[2], c[4]], [c[3], c[4], c[5]]];
-                let h = 1e-4 * law.anisotropy.equivalent_increment(e);
+                let h = 1e-4 * law.criterion.equivalent_increment(e);
                 for j in 0..3 {
                     let shifted = |sign: f64| {
                         let mut e = e;

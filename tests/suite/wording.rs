@@ -173,7 +173,7 @@ fn another_sheet_takes_the_place_of_all_of_the_material() {
     assert_eq!(replaced.sources.material, named.sources.material);
     let besides = read(&own, &["material=aa6016-t4", "material.anisotropy=0.7"]);
     assert_eq!(besides.model().material.hardening, named.model().material.hardening);
-    assert_eq!(besides.model().material.hill48.ratio(), 0.7);
+    assert_eq!(besides.model().material.yield_criterion.ratio(), 0.7);
     // How metal answers is not of the sheet.
     let elastic = own.replace("poisson = 0.3", "poisson = 0.3\nmode = \"elasto_viscoplastic\"");
     assert_eq!(read(&elastic, &["material=DC04"]).model().mode, stampflow::model::Mode::ElastoViscoplastic);

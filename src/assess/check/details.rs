@@ -50,7 +50,7 @@ fn sheet(material: &Material, lines: &mut Vec<Line>) {
         }
         None => lines.push(line("elasticity", "none given", "the flow law needs none")),
     }
-    let ratio = Amount::number(material.hill48.ratio());
+    let ratio = Amount::number(material.yield_criterion.ratio());
     lines.push(match &material.gtn {
         Some(gtn) => line("yield condition", gtn.to_string(), message!("r̄ = {r}", r = ratio)),
         None if ratio.value == 1.0 => line("yield condition", "Huber-Mises", "isotropic, r̄ = 1"),

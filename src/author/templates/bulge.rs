@@ -26,8 +26,8 @@ fn write(inputs: &Inputs) -> Result<String, CaseError> {
     let opening = inputs.value("opening");
     let height = inputs.given("height").unwrap_or(0.4 * opening);
     let shoulder = inputs.pick("shoulder", || rules::tool_radius(t));
-    // Stress over yield stress in even biaxial tension (R. Hill, 1948); the strain through the thickness is less by that.
-    let biaxial = (0.5 * (1.0 + sheet.anisotropy())).sqrt();
+    // Stress over yield stress in even biaxial tension; the strain through the thickness is less by that.
+    let biaxial = sheet.biaxial_factor();
     // The shoulder's end holds the sheet, its middle lies half a thickness below.
     let pressure_at =
         |height: f64| rules::bulge_pressure(opening, height, t, |strain| biaxial * sheet.stress(strain / biaxial));

@@ -12,6 +12,7 @@ mod air_bend;
 mod bulge;
 mod conical_cup;
 mod cup;
+mod erichsen;
 mod hat_section;
 mod hemispherical_cup;
 mod inputs;
@@ -40,6 +41,7 @@ pub const TEMPLATES: &[Template] = &[
     redraw::TEMPLATE,
     stretch_dome::TEMPLATE,
     bulge::TEMPLATE,
+    erichsen::TEMPLATE,
     hat_section::TEMPLATE,
     v_bend::TEMPLATE,
     u_bend::TEMPLATE,

@@ -52,6 +52,8 @@ enum Origin {
         word: String,
         /// Of the sheet that the library's numbers are of.
         thickness: Option<String>,
+        /// Whether the library has a measured forming limit of it.
+        measured: bool,
     },
     /// k \[MPa\], n and offset strain \[–\] of Swift's law, and whether any of them was given.
     Swift { law: [f64; 3], own: bool },
@@ -79,8 +81,9 @@ impl Sheet {
                 return Err(CaseError::bare(what, "give either --material, or --k, --n and --offset".into()));
             }
             (Some(word), None) => {
-                let Entry { name, thickness, material, .. } = library::material(word)?;
-                (Origin::Library { name, word: word.to_owned(), thickness }, material)
+                let Entry { name, thickness, material, measured, .. } = library::material(word)?;
+                let measured = measured.is_some();
+                (Origin::Library { name, word: word.to_owned(), thickness, measured }, material)
             }
             (None, own) => {
                 let law = LAW.map(|key| inputs.value(key));
@@ -90,7 +93,7 @@ impl Sheet {
                 (Origin::Swift { law, own: own.is_some() }, Material::plain(Hardening::Swift(swift)))
             }
         };
-        let strength = rules::tensile_strength(&material.hardening);
+        let strength = rules::tensile_strength(&material);
         let [thickness, friction] = ["thickness", "friction"].map(|key| inputs.value(key));
         Ok(Self { thickness, origin, material, friction, strength })
     }
@@ -102,7 +105,12 @@ impl Sheet {
 
     /// Mean r-value \[–\].
     pub fn anisotropy(&self) -> f64 {
-        self.material.hill48.ratio()
+        self.material.yield_criterion.ratio()
+    }
+
+    /// Stress over yield stress in even biaxial tension \[–\].
+    pub fn biaxial_factor(&self) -> f64 {
+        self.material.yield_criterion.biaxial_factor()
     }
 
     /// E and ν: the material's, or those of steel.
@@ -163,6 +171,7 @@ impl Sheet {
 
     /// `[forming_limit]` of a part that is drawn or stretched, where the hardening law gives one.
     pub fn forming_limit(&self, page: &mut Page) {
-        page.forming_limit(&self.material, self.thickness);
+        let measured = matches!(self.origin, Origin::Library { measured: true, .. });
+        page.forming_limit(&self.material, self.thickness, measured);
     }
 }

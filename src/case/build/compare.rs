@@ -11,7 +11,8 @@ use std::path::{Path, PathBuf};
 const EXAMPLE: &str = "write for example travel_mm,punch_force_kN in the first line and 12.5,30.1 below it";
 
 pub(in crate::case) fn compare(file: &CaseFile, source: &Source, folder: Folder) -> Result<Vec<Spec>, CaseError> {
-    file.compare.iter().enumerate().map(|(i, c)| Entry { source, i, c }.spec(folder)).collect()
+    let limited = file.forming_limit.is_some();
+    file.compare.iter().enumerate().map(|(i, c)| Entry { source, i, c }.spec(folder, limited)).collect()
 }
 
 /// What `sources.toml` beside a reference file says of it.
@@ -37,8 +38,8 @@ struct Entry<'a> {
 }
 
 impl Entry<'_> {
-    /// The comparison that is asked for, its reference read.
-    fn spec(&self, folder: Folder) -> Result<Spec, CaseError> {
+    /// The comparison that is asked for, its reference read; `limited` says whether the case has a forming limit.
+    fn spec(&self, folder: Folder, limited: bool) -> Result<Spec, CaseError> {
         let c = self.c;
         let candidates = [folder.path.join("../reference_data").join(&c.reference), folder.path.join(&c.reference)];
         let found = self.found(&candidates, folder)?;
@@ -64,11 +65,14 @@ impl Entry<'_> {
                 ComparedQuantity::Travel => self.curve(Quantity::Travel)?,
                 ComparedQuantity::ThicknessAtS0 => self.curve(Quantity::ThicknessAtS0)?,
                 ComparedQuantity::ThicknessAtRadius => self.curve(Quantity::ThicknessAtRadius)?,
+                ComparedQuantity::StrainPath => self.strain_path(limited)?,
                 ComparedQuantity::EdgeDiameter => self.band(BandQuantity::EdgeDiameter)?,
                 ComparedQuantity::DrawIn => self.band(BandQuantity::DrawIn)?,
                 ComparedQuantity::Thinnest => self.band(BandQuantity::Thinnest)?,
                 ComparedQuantity::Thickness => self.band(BandQuantity::Thickness)?,
                 ComparedQuantity::PeakForce => self.band(BandQuantity::PeakForce)?,
+                ComparedQuantity::PeakTravel => self.band(BandQuantity::PeakTravel)?,
+                ComparedQuantity::RingOpening => self.band(BandQuantity::RingOpening)?,
             },
             reason: c.reason.clone(),
             optional: c.optional,
@@ -122,6 +126,15 @@ impl Entry<'_> {
         }
         let (x, y, tolerance) = (x.clone(), y.clone(), tolerance.value());
         Ok(Against::Curve(CurveSpec { quantity, x, y, range, tolerance }))
+    }
+
+    /// Strain paths are kept for the forming limit that they are held against.
+    fn strain_path(&self, limited: bool) -> Result<Against, CaseError> {
+        if !limited {
+            let what = "strain paths are kept of a case with a forming limit, and this one has none";
+            return Err(self.error("quantity", what, "add [forming_limit] with hill = true, or points"));
+        }
+        self.curve(Quantity::StrainPath)
     }
 
     fn band(&self, quantity: BandQuantity) -> Result<Against, CaseError> {

@@ -25,6 +25,12 @@ pub(super) fn convert(
     if let Some(groove) = &file.marciniak_kuczynski {
         groove.check().map_err(|error| blame(error, "forming_limit.marciniak_kuczynski", source))?;
     }
+    // What the library has measured stands among the points by now.
+    if file.measured == Some(true) {
+        let what = "`measured` takes the points of a sheet of the library, and this case names none that has some";
+        let help = "write points of the coil, or hill = true; `stampflow materials NAME` says which sheets have measured limits";
+        return Err(source.error("forming_limit.measured", what, help));
+    }
     let kinds = [
         points.map(|kind| ("points", Kind::Points(kind))),
         file.keeler_brazier.map(|kind| ("keeler_brazier", Kind::KeelerBrazier(KeelerBrazier { n, ..kind }))),
@@ -32,7 +38,7 @@ pub(super) fn convert(
         file.swift.filter(|on| *on).map(|_| ("swift", Kind::Swift(Swift { n }))),
         file.marciniak_kuczynski.map(|kind| ("marciniak_kuczynski", Kind::MarciniakKuczynski(kind))),
     ];
-    let names = "points, keeler_brazier, hill, swift, marciniak_kuczynski";
+    let names = "points, measured, keeler_brazier, hill, swift, marciniak_kuczynski";
     let mut given = kinds.into_iter().flatten();
     let (name, kind) = match (given.next(), given.next()) {
         (Some(only), None) => only,
@@ -59,6 +65,12 @@ pub(super) fn convert(
             .push(message!("forming limit: computed at {celsius}, the lowest initial temperature", celsius = celsius));
     }
     Ok(curve)
+}
+
+/// The curve of a sheet's measured points.
+pub(in crate::case) fn measured(file: &file::FormingLimit, sheet: &Sheet, source: &Source) -> Result<Curve, CaseError> {
+    let points = points(file.points.as_deref().unwrap_or_default(), file.strain, source)?;
+    Kind::Points(points).curve(sheet).map_err(|e| source.error("forming_limit.points", e.message, e.help))
 }
 
 fn points(points: &[(Number, Number)], strain: Option<Strain>, source: &Source) -> Result<Points, CaseError> {

@@ -1,11 +1,13 @@
 //! `[material]`: elastic constants and exactly one hardening law.
 
 use super::laws::{blame, only, prepared};
-use crate::case::file;
+use crate::case::file::{self, Anisotropy, YieldCondition};
 use crate::case::{CaseError, explain::missing, source::Source};
 use crate::law::{Family, Named};
-use crate::material::{BackStress, BackStresses, Elastic, Hardening, Hill48, Material};
+use crate::material::{BackStress, BackStresses, Elastic, Hardening, Hill48, Hosford, Material, YieldCriterion};
+use crate::message::{Amount, Digits, Message, message};
 use crate::model::Mode;
+use crate::rules::r_values::RValues;
 use crate::units::Quantity;
 use std::ops::RangeInclusive;
 
@@ -32,8 +34,7 @@ pub(in crate::case) fn convert(file: &file::Material, source: &Source) -> Result
         let help = format!("between {} and {} MPa; check the units of the constants", YIELD.start(), YIELD.end());
         return Err(source.error(HARDENING, what, help));
     }
-    let hill48 = file.anisotropy.map_or(Ok(Hill48::default()), |r| Hill48::checked(r.value()));
-    let hill48 = hill48.map_err(|error| blame(error, "material.anisotropy", source))?;
+    let yield_criterion = yield_criterion(file, source)?;
     let rate = file.rate.map(|laws| only(laws, "material.rate", source)).transpose()?;
     let thermal = file.softening.map(|laws| only(laws, "material.softening", source)).transpose()?;
     let mut gtn = file.voids;
@@ -42,13 +43,43 @@ pub(in crate::case) fn convert(file: &file::Material, source: &Source) -> Result
     }
     Ok(Material {
         hardening,
+        fitted_up_to: file.fitted_up_to.map(Quantity::value),
         elastic,
         rate,
         thermal,
-        hill48,
+        yield_criterion,
         chaboche: chaboche(&file.kinematic, file.mode, source)?,
         gtn,
     })
+}
+
+/// Of r̄ and the curve.
+fn yield_criterion(file: &file::Material, source: &Source) -> Result<YieldCriterion, CaseError> {
+    let r = file.anisotropy.map_or(1.0, Anisotropy::mean);
+    let hill = Hill48::checked(r).map_err(|error| blame(error, "material.anisotropy", source))?;
+    let Some(YieldCondition::Hosford(of)) = file.yield_condition else { return Ok(hill.into()) };
+    let path = "material.yield_condition.hosford";
+    let exponent = match (of.crystal, of.exponent) {
+        (Some(crystal), None) => crystal.exponent(),
+        (None, Some(exponent)) => exponent.value(),
+        (None, None) => {
+            let help = "write crystal = \"fcc\" for aluminium, \"bcc\" for ferritic steel, or exponent = 8";
+            return Err(source.error(
+                path,
+                "Hosford's condition needs its exponent, or the crystal that says it",
+                help,
+            ));
+        }
+        (Some(_), Some(_)) => {
+            let what = "`crystal` and `exponent` both say the exponent";
+            return Err(source.error(&format!("{path}.exponent"), what, "keep one of them"));
+        }
+    };
+    if file.voids.is_some() {
+        let help = "drop [material.voids], or write yield_condition = \"hill48\"";
+        return Err(source.error(path, "the model of voids is made for Hill's condition, not for Hosford's", help));
+    }
+    Ok(Hosford::checked(r, exponent).map_err(|error| blame(error, path, source))?.into())
 }
 
 /// At most two back-stresses, of a sheet that is not left to the flow law alone.
@@ -96,4 +127,19 @@ fn hardening(
     let listed: Vec<String> = names.iter().map(|name| format!("`{name}`")).collect();
     let what = format!("the material has {} hardening laws: {}", names.len(), listed.join(" and "));
     Err(source.error(&format!("{HARDENING}.{second}"), what, "keep one of them"))
+}
+
+/// What is said of r-values by direction: which mean of them is taken.
+pub(in crate::case) fn mean_of(r: RValues) -> Message {
+    let [mean, r0, r45, r90, planar] =
+        [r.mean(), r.r0, r.r45, r.r90, r.planar()].map(|r| Amount::number(r).to(Digits::Given(6)));
+    message!(
+        "r̄ = {mean}, the normal anisotropy: (r0 + 2 r45 + r90)/4 of {r0}, {r45} and {r90}; what is computed is the mean over \
+         the directions, about which the rim has ears (Δr = {planar})",
+        mean = mean,
+        r0 = r0,
+        r45 = r45,
+        r90 = r90,
+        planar = planar
+    )
 }

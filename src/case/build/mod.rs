@@ -29,7 +29,8 @@ mod tools;
 mod values;
 
 pub(super) use compare::compare;
-pub(super) use material::convert as material;
+pub(super) use forming_limit::measured;
+pub(super) use material::{convert as material, mean_of};
 pub(super) use press::press;
 pub(super) use springback::springback;
 

@@ -56,6 +56,8 @@ pub enum ComparedQuantity {
     ThicknessAtS0,
     /// Thickness over the present radius at the end, a curve.
     ThicknessAtRadius,
+    /// Minor over major true strain of the place that is thinnest at the end, on its way there, a curve; with [forming_limit].
+    StrainPath,
     /// Diameter at the blank's edge (in plane strain the width between both edges) at the end, a band.
     EdgeDiameter,
     /// How far the edge has moved inward at the end, a band.
@@ -66,4 +68,8 @@ pub enum ComparedQuantity {
     Thickness,
     /// Largest punch force of the run, a band.
     PeakForce,
+    /// Punch travel at the largest punch force, once the force has fallen from it, a band: the index of a cupping test.
+    PeakTravel,
+    /// By how much the ring of `[springback]` opens when it is slit, a band.
+    RingOpening,
 }

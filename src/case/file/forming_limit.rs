@@ -4,7 +4,7 @@ use crate::forming_limit::{KeelerBrazier, MarciniakKuczynski, Strain};
 use crate::units::{Fraction, Number};
 use serde::Deserialize;
 
-/// A forming limit curve, exactly one: `points`, `keeler_brazier`, `hill`, `swift` or `marciniak_kuczynski`.
+/// A forming limit curve, exactly one: `points`, `measured`, `keeler_brazier`, `hill`, `swift` or `marciniak_kuczynski`.
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -16,6 +16,9 @@ pub struct FormingLimit {
     /// How `points` are measured: needed with them.
     #[cfg_attr(feature = "schema", schemars(example = &"logarithmic"))]
     pub strain: Option<Strain>,
+    /// The measured points of the library's sheet that `[material] name` names, where it has some.
+    #[cfg_attr(feature = "schema", schemars(example = true))]
+    pub measured: Option<bool>,
     /// The empirical curve of steels; `{}` takes n from the hardening law.
     pub keeler_brazier: Option<KeelerBrazier>,
     /// Hill's localised necking on the left, Swift's diffuse necking on the right: from the hardening law and r̄.

@@ -1,5 +1,7 @@
 //! `[material]`.
 
+use super::Anisotropy;
+use super::yield_condition::YieldCondition;
 use crate::law::Named;
 use crate::material::{BackStress, Gtn, Hardening, Rate, ThermalLaw};
 use crate::model::Mode;
@@ -25,12 +27,17 @@ pub struct Material {
     #[cfg_attr(feature = "schema", schemars(example = 0.3))]
     pub poisson: Option<Fraction>,
     /// Normal anisotropy r̄, 0.1 to 10: width strain over thickness strain in tension, mean over the directions in the
-    /// sheet; 1 when not given. σ_y² = σ_s² − 2 r̄/(1 + r̄) σ_s σ_θ + σ_θ².
+    /// sheet; 1 when not given. Or r of three directions, `{ r0 = 0.525, r45 = 0.248, r90 = 0.429 }`, whose mean
+    /// r̄ = (r0 + 2 r45 + r90)/4 is taken, and by which the ears to be expected are told.
+    /// σ_y² = σ_s² − 2 r̄/(1 + r̄) σ_s σ_θ + σ_θ², unless `yield_condition` says otherwise.
     ///
     /// Valid for sheet that is alike in all its directions; it cannot show ears, and aluminium with r̄ below 1 is stronger in
-    /// equi-biaxial tension than it says. Source: R. Hill, Proc. R. Soc. London A 193 (1948) 281–297.
+    /// equi-biaxial tension than it says: `yield_condition` has another curve for it. Source: R. Hill, Proc. R. Soc. London A 193 (1948) 281–297.
     #[cfg_attr(feature = "schema", schemars(example = 1.6))]
-    pub anisotropy: Option<Positive<Number>>,
+    pub anisotropy: Option<Anisotropy>,
+    /// The curve of the stresses at which the sheet yields; "hill48" when not given.
+    #[cfg_attr(feature = "schema", schemars(example = &"hill48"))]
+    pub yield_condition: Option<YieldCondition>,
     /// How the metal answers to strain; "flow" when not given. The others need `young` and `poisson`.
     #[cfg_attr(feature = "schema", schemars(example = &"elasto_viscoplastic"))]
     pub mode: Option<Mode>,
@@ -48,6 +55,10 @@ pub struct Material {
     pub kinematic: Vec<BackStress>,
     /// Microscopic voids; none when not given.
     pub voids: Option<Gtn>,
+    /// Largest strain of the measurements that a formula of hardening is fitted to; a run that strains the sheet further says
+    /// so. A table ends where it ends.
+    #[cfg_attr(feature = "schema", schemars(example = 0.22))]
+    pub fitted_up_to: Option<Positive<Number>>,
     /// Exactly one law, such as `[material.hardening.swift]`.
     pub hardening: Option<Named<Hardening>>,
 }

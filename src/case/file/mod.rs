@@ -3,6 +3,7 @@
 //! The documentation of the fields is what an editor shows through the JSON schema, the examples are what error
 //! messages propose.
 
+mod anisotropy;
 mod compare;
 mod forming_limit;
 mod friction;
@@ -17,7 +18,9 @@ mod section;
 mod springback;
 mod stages;
 mod tools;
+mod yield_condition;
 
+pub use anisotropy::{Anisotropy, Directions};
 pub use compare::{Compare, ComparedQuantity};
 pub use forming_limit::FormingLimit;
 pub use friction::{Friction, Sides};
@@ -32,6 +35,7 @@ pub use section::{ProfileStep, Section, SectionTable, Turn};
 pub use springback::Springback;
 pub use stages::{FirstStage, Release, Stage, StageDie, StageHolder, StagePunch};
 pub use tools::{Bead, Crowned, Die, Flat, Hemispherical, Holder, HolderForce, Punch, Spring, Stiffness, Tools};
+pub use yield_condition::{Crystal, YieldCondition};
 
 use crate::model::{Edge, Geometry, Grading, Settings, StopRules, Theory};
 use crate::units::{Length, Positive};

@@ -1,9 +1,10 @@
-//! How far the part may be from what is wanted once its tools are taken away.
+//! How far the part may be from what is wanted once its tools are taken away, and the ring that is cut from it.
 
 use crate::units::{Angle, Length, NonNegative, Positive};
 use serde::Deserialize;
 
-/// The part's tolerances, for the verdict on a case whose last stage takes the tools away; the run does not depend on them.
+/// The part's tolerances, for the verdict on a case whose last stage takes the tools away, and the split-ring test; the run does
+/// not depend on them.
 #[derive(Clone, Debug, Default, Deserialize)]
 #[serde(deny_unknown_fields)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -24,4 +25,19 @@ pub struct Springback {
     /// By how much each edge may move inward or outward from where it is under the tools.
     #[cfg_attr(feature = "schema", schemars(example = "0.5 mm"))]
     pub edge_tolerance: Option<Positive<Length>>,
+    /// A ring that is cut from the wall of a drawn cup and slit: its opening is told.
+    pub ring: Option<Ring>,
+}
+
+/// A ring of the wall of a cup that stands on its bottom.
+#[derive(Clone, Copy, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub struct Ring {
+    /// Height of its lower edge over the outside of the bottom.
+    #[cfg_attr(feature = "schema", schemars(example = "20 mm"))]
+    pub from: NonNegative<Length>,
+    /// Its height, from edge to edge.
+    #[cfg_attr(feature = "schema", schemars(example = "5 mm"))]
+    pub height: Positive<Length>,
 }

@@ -1,19 +1,28 @@
 //! The files of the library.
 
+use super::measured::Measured;
 use crate::case::CaseError;
 use crate::case::file;
+use crate::law::Named;
+use crate::material::{BackStress, Hardening};
+use crate::model::Mode;
 use serde::Deserialize;
 
 /// Name and text of every entry, by name.
-pub(super) const TEXTS: [(&str, &str); 9] = [
+pub(super) const TEXTS: [(&str, &str); 14] = [
+    ("aa5754-o", include_str!("aa5754-o.toml")),
     ("aa6016-t4", include_str!("aa6016-t4.toml")),
+    ("aa6016a-surfalex", include_str!("aa6016a-surfalex.toml")),
     ("aa6022-t4", include_str!("aa6022-t4.toml")),
+    ("aisi304l-bar", include_str!("aisi304l-bar.toml")),
     ("ap04xr", include_str!("ap04xr.toml")),
     ("chalmers-steel", include_str!("chalmers-steel.toml")),
     ("draw-die-steel", include_str!("draw-die-steel.toml")),
     ("drawing-steel", include_str!("drawing-steel.toml")),
+    ("if-steel", include_str!("if-steel.toml")),
     ("osu-steel", include_str!("osu-steel.toml")),
     ("radioss-steel", include_str!("radioss-steel.toml")),
+    ("trip690", include_str!("trip690.toml")),
     ("woo-1968", include_str!("woo-1968.toml")),
 ];
 
@@ -27,7 +36,28 @@ pub(super) struct EntryFile {
     pub thickness: Option<String>,
     pub stands_for: Option<StandsFor>,
     pub notes: Vec<String>,
+    pub measured: Option<Measured>,
+    pub elastoplastic: Option<Shifting>,
     pub material: file::Material,
+    /// Measured points.
+    pub forming_limit: Option<file::FormingLimit>,
+}
+
+/// Back-stresses, and the hardening law that they leave of the yield stress.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct Shifting {
+    pub kinematic: Vec<BackStress>,
+    pub hardening: Named<Hardening>,
+}
+
+impl EntryFile {
+    /// The material of the elasto-viscoplastic mode, where it is another one.
+    pub fn elastoplastic(&self) -> Option<file::Material> {
+        let Shifting { kinematic, hardening } = self.elastoplastic.clone()?;
+        let mode = Some(Mode::ElastoViscoplastic);
+        Some(file::Material { kinematic, hardening: Some(hardening), mode, ..self.material.clone() })
+    }
 }
 
 /// The grades of standards that a sheet may be taken for.

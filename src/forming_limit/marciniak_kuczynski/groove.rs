@@ -5,11 +5,13 @@
 //! Δε_tt is the same in both;  σ_nn t and σ_nt t are the same in both
 //! unknown: Δε_nn and Δγ_nt of the groove, for a step Δε̄ of the sheet
 //! σ_y at the end of the step; Newton's method with differences
-//! σ̄² = σ_nn² − 2q σ_nn σ_tt + σ_tt² + 2(1 + q) σ_nt²
 //! ```
+//!
+//! Stresses of the groove's strains are those of the sheet's yield condition, in their own principal directions.
 
 use crate::forming_limit::Sheet;
 use crate::forming_limit::instability::Proportional;
+use crate::forming_limit::plane::Plane;
 
 /// Strain rate of the groove over that of the sheet at which the sheet counts as necked \[–\].
 pub const CRITICAL: f64 = 10.0;
@@ -39,7 +41,7 @@ pub struct Groove<'a> {
     strain_rate: f64,
     sheet: &'a Sheet<'a>,
     path: Proportional,
-    q: f64,
+    plane: Plane,
     tangent: f64,
 }
 
@@ -67,9 +69,8 @@ struct Demand {
 impl<'a> Groove<'a> {
     /// A groove of `imperfection` times the sheet's thickness, whose normal lies at `angle` \[rad\] from the major strain at the start.
     pub fn new(imperfection: f64, strain_rate: f64, sheet: &'a Sheet<'a>, beta: f64, angle: f64) -> Self {
-        let anisotropy = sheet.material.hill48;
-        let path = Proportional::new(anisotropy, beta);
-        Self { imperfection, strain_rate, sheet, path, q: anisotropy.coupling(), tangent: angle.tan() }
+        let plane = Plane::of(sheet.material);
+        Self { imperfection, strain_rate, sheet, path: Proportional::new(plane, beta), plane, tangent: angle.tan() }
     }
 
     /// Equivalent strain of the sheet when the groove necks; `None` where it does not.
@@ -113,7 +114,7 @@ impl<'a> Groove<'a> {
         for _ in 0..ITERATIONS {
             let r = self.residual(now, &demand, x)?;
             if r[0].abs().max(r[1].abs()) < TOLERANCE {
-                let increment = self.equivalent(x[0], demand.along, x[1]);
+                let (increment, _) = self.plane.turned(x[0], demand.along, x[1]);
                 return Some(Strained {
                     sheet,
                     groove: now.groove + increment,
@@ -127,7 +128,7 @@ impl<'a> Groove<'a> {
             let determinant = a[0] * b[1] - a[1] * b[0];
             let mut move_by = [-(r[0] * b[1] - r[1] * b[0]) / determinant, -(a[0] * r[1] - a[1] * r[0]) / determinant];
             // No further than the groove strains: beyond, the difference quotients mean nothing.
-            let most = 0.5 * self.equivalent(x[0], demand.along, x[1]).max(step);
+            let most = 0.5 * self.plane.turned(x[0], demand.along, x[1]).0.max(step);
             let far = move_by[0].abs().max(move_by[1].abs());
             if far > most {
                 move_by = move_by.map(|m| m * most / far);
@@ -142,23 +143,14 @@ impl<'a> Groove<'a> {
 
     /// What is missing of the sheet's forces in the groove, over the force across it \[–\].
     fn residual(&self, now: &Strained, demand: &Demand, [across, shear]: [f64; 2]) -> Option<[f64; 2]> {
-        let increment = self.equivalent(across, demand.along, shear);
+        let (increment, [pull, slip]) = self.plane.turned(across, demand.along, shear);
         if increment.is_nan() || increment <= 0.0 {
             return None;
         }
         let yields = self.yield_stress(now.groove + increment, increment / demand.duration);
         let thin = (now.thickness - across - demand.along).exp();
-        let unit = yields * thin / increment;
-        let stress = unit * (across + self.q * demand.along) / (1.0 - self.q * self.q);
-        let slip = unit * shear / (2.0 * (1.0 + self.q));
         let [wanted, along] = demand.force;
-        Some([stress / wanted - 1.0, (slip - along) / wanted])
-    }
-
-    /// Equivalent strain increment of Δε_nn, Δε_tt and Δγ_nt \[–\].
-    fn equivalent(&self, nn: f64, tt: f64, shear: f64) -> f64 {
-        let q = self.q;
-        ((nn * nn + tt * tt + 2.0 * q * nn * tt) / (1.0 - q * q) + shear * shear / (2.0 * (1.0 + q))).sqrt()
+        Some([yields * thin * pull / wanted - 1.0, (yields * thin * slip - along) / wanted])
     }
 
     /// Across, along (nn, tt) and shear (nt) components of principal values, at an equivalent strain of the sheet.

@@ -1,6 +1,6 @@
 use super::*;
-use crate::material::BackStress;
 use crate::material::chaboche::shifting;
+use crate::material::{BackStress, Hill48};
 use approx::assert_relative_eq;
 
 const STEEL: Elastic = Elastic { young: 206_000.0, poisson: 0.3 };
@@ -14,7 +14,7 @@ const KINEMATICS: [BackStresses; 3] = [
 fn law(hardening: &Hardening) -> ElastoplasticLaw<'_> {
     ElastoplasticLaw {
         hardening: Some(hardening),
-        operators: Operators::new(STEEL, Hill48::default()),
+        operators: Operators::new(STEEL, YieldCriterion::default()),
         kinematic: shifting(KINEMATICS[0]),
         rate: None,
         softening: None,
@@ -45,22 +45,29 @@ const INCREMENTS: [Triple; 5] =
 struct Setting {
     name: &'static str,
     kinematic: BackStresses,
-    r: f64,
+    criterion: YieldCriterion,
 }
 
-/// Every hardening law with every set of back-stresses and every rate law, or none.
+/// Hill's condition and Hosford's.
+fn criteria() -> [YieldCriterion; 6] {
+    let hill = |r| Hill48::new(r).into();
+    let hosford = |r, a| Hosford::new(r, a).into();
+    [hill(1.0), hill(0.6), hill(2.0), hosford(0.4, 8.0), hosford(1.6, 6.0), hosford(0.8, 12.5)]
+}
+
+/// Every hardening law with every set of back-stresses and yield condition and every rate law, or none.
 fn for_every_law(look: impl Fn(&Setting, &ElastoplasticLaw)) {
     let rates = Rate::examples();
     for (name, hardening) in Hardening::examples() {
-        for (kinematic, r) in KINEMATICS.into_iter().zip([1.0, 0.6, 2.0]) {
+        for (kinematic, criterion) in KINEMATICS.into_iter().cycle().zip(criteria()) {
             for rate in rates.iter().map(|(_, rate)| Some(rate)).chain([None]) {
                 let law = ElastoplasticLaw {
                     kinematic: shifting(kinematic),
                     rate,
-                    operators: Operators::new(STEEL, Hill48::new(r)),
+                    operators: Operators::new(STEEL, criterion),
                     ..law(&hardening)
                 };
-                look(&Setting { name, kinematic, r }, &law);
+                look(&Setting { name, kinematic, criterion }, &law);
             }
         }
     }
@@ -79,7 +86,7 @@ fn stress_lies_on_the_yield_surface_and_follows_from_the_elastic_strain() {
             let size = law.radius(law.hardening.expect("yields"), &start(law), response.increment).stress;
             assert!(response.increment > 0.0, "{}", setting.name);
             // What the last round of Newton's method, linear in Δp, leaves.
-            assert_relative_eq!(Hill48::new(setting.r).equivalent_stress(xi), size, max_relative = 1e-8);
+            assert_relative_eq!(setting.criterion.equivalent_stress(xi), size, max_relative = 1e-8);
         }
     });
 }
@@ -116,6 +123,71 @@ fn tangent_is_the_derivative_of_the_stress_for_every_law() {
             }
         }
     });
+}
+
+/// Trust: with a = 2 both are the same metal; 1e-12 of the stress and of Young's modulus, by two roots that are each right to
+/// round-off.
+#[test]
+fn hosfords_return_with_exponent_two_is_hills() {
+    for (hardening, kinematic) in Hardening::examples().into_iter().zip(KINEMATICS.into_iter().cycle()) {
+        for r in [0.4, 1.0, 2.2] {
+            let of = |criterion| ElastoplasticLaw {
+                operators: Operators::new(STEEL, criterion),
+                kinematic: shifting(kinematic),
+                ..law(&hardening.1)
+            };
+            let (hill, hosford) = (of(Hill48::new(r).into()), of(Hosford::new(r, 2.0).into()));
+            for e in INCREMENTS {
+                // Hill's last round is linear in Δp: asked again from its own answer it is right to round-off.
+                let mut trial = Trial::default();
+                hill.respond(&start(&hill), &mut trial, e);
+                let expected = hill.respond(&start(&hill), &mut trial, e);
+                let mut trial = Trial::default();
+                let found = hosford.respond(&start(&hosford), &mut trial, e);
+                assert_relative_eq!(found.increment, expected.increment, max_relative = 1e-10);
+                for i in 0..3 {
+                    assert_relative_eq!(found.stress[i], expected.stress[i], epsilon = 1e-12 * 1e3);
+                }
+                for i in 0..6 {
+                    assert_relative_eq!(found.tangent[i], expected.tangent[i], epsilon = 1e-9 * STEEL.young);
+                }
+            }
+        }
+    }
+}
+
+/// Trust: the surface itself, and the law of flow. However far the trial stress lies, whichever way it points, cold or from a
+/// guess that is a thousand times off, the stress is on the surface and its plastic strain along the normal, to 1e-9.
+#[test]
+fn hosfords_return_finds_the_surface_from_everywhere() {
+    let hardening = &Hardening::examples()[0].1;
+    for (r, a) in [(0.3, 8.0), (1.0, 6.0), (2.5, 20.0), (10.0, 8.0), (0.1, 2.4)] {
+        let condition = Hosford::new(r, a);
+        let law = ElastoplasticLaw { operators: Operators::new(STEEL, condition.into()), ..law(hardening) };
+        let elastic = ElastoplasticLaw { hardening: None, ..law };
+        let point = Carried { stress: [0.0; 3], ..start(&law) };
+        for (size, shear) in [(0.002, 0.0), (0.02, 0.0), (0.02, 0.03), (0.5, 0.0), (0.5, 1e-3), (0.0, 0.3)] {
+            for i in 0..180 {
+                let angle = std::f64::consts::TAU * f64::from(i) / 180.0;
+                let e = [size * angle.cos(), size * angle.sin(), shear];
+                for guess in [0.0, 1e-5, 10.0] {
+                    let mut trial = Trial { increment: guess, ..Trial::default() };
+                    let answer = law.respond(&point, &mut trial, e);
+                    if answer.increment == 0.0 {
+                        continue;
+                    }
+                    let radius = law.radius(hardening, &point, answer.increment).stress;
+                    assert_relative_eq!(condition.equivalent_stress(answer.stress), radius, max_relative = 1e-9);
+                    let normal = condition.flow_direction(answer.stress);
+                    let left: Triple = std::array::from_fn(|j| e[j] - answer.increment * normal[j]);
+                    let stress = elastic.respond(&point, &mut Trial::default(), left).stress;
+                    for j in 0..3 {
+                        assert!((stress[j] - answer.stress[j]).abs() < 1e-9 * STEEL.young * answer.increment.max(1e-3));
+                    }
+                }
+            }
+        }
+    }
 }
 
 /// The same metal written as rates of the full three-dimensional tensors, integrated on its own.

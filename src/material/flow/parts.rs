@@ -1,7 +1,8 @@
 //! The flow law where a thickness point stands for a part of the thickness that bending turns about.
 
-use super::{Across, FlowLaw, Iterate, Iteration, MEAN_SQUARE, Past, PointState, StressUpdate, Triple, dot};
-use crate::material::{FlowStress, Hill48};
+use super::{Across, FlowLaw, Iterate, Iteration, Past, PointState, StressUpdate, Triple, YieldCondition};
+use crate::material::yield_condition::Part;
+use crate::material::{FlowStress, Hosford, YieldCriterion};
 
 impl Iterate {
     /// Where bending turns the flow about within the point's part of the thickness the stress jumps: a point by itself would
@@ -12,8 +13,9 @@ impl Iterate {
     /// P² = Δεᵀ A Δε + ⅓ kᵀ A k + Δε₀²,   σ = σ_y ∂P/∂Δε = σ_y/P A Δε,   m = σ_y ∂P/∂k = σ_y/P ⅓ A k
     /// ```
     ///
-    /// stands for the mean: a quadratic norm of both, so that stress, moment and matrices are those of a point with five
-    /// strains. `None` for a sheet with voids.
+    /// stands for the mean: a norm of both, so that stress, moment and matrices are those of a point with five strains. Where A
+    /// is not the same for all strains P² is the mean of Gauss's two points, which for a quadratic condition is the same.
+    /// `None` for a sheet with voids.
     #[inline]
     pub(super) fn advance_across(
         &mut self,
@@ -22,19 +24,45 @@ impl Iterate {
         strain: Triple,
         bending: [f64; 2],
     ) -> Option<Across> {
-        if law.voids.is_some() {
-            return None;
+        match (law.voids, &law.criterion) {
+            (Some(_), _) => None,
+            (None, YieldCriterion::Hill48(hill)) => Some(self.flow_across(law, hill, point, strain, bending)),
+            (None, YieldCriterion::Hosford(hosford)) => {
+                Some(self.flow_across_by_hosford(law, hosford, point, strain, bending))
+            }
         }
+    }
+
+    /// Apart from Hill's, so that that one stays small where it is called.
+    #[inline(never)]
+    fn flow_across_by_hosford(
+        &mut self,
+        law: &FlowLaw,
+        hosford: &Hosford,
+        point: &PointState,
+        strain: Triple,
+        bending: [f64; 2],
+    ) -> Across {
+        self.flow_across(law, hosford, point, strain, bending)
+    }
+
+    #[inline(always)]
+    fn flow_across(
+        &mut self,
+        law: &FlowLaw,
+        condition: &impl YieldCondition,
+        point: &PointState,
+        strain: Triple,
+        bending: [f64; 2],
+    ) -> Across {
         let Past { weight, strain: past, spread: past_spread, equivalent } = point.past;
         let steep = 1.0 + weight;
         let e = [steep * strain[0] - past[0], steep * strain[1] - past[1], steep * strain[2] - past[2]];
         let spread = [steep * bending[0] - past_spread[0], steep * bending[1] - past_spread[1]];
-        let hill = &law.anisotropy;
-        let a = hill.apply(e);
-        let q = MEAN_SQUARE * hill.direct;
-        let r = MEAN_SQUARE * hill.coupled;
-        let b = [q * spread[0] + r * spread[1], r * spread[0] + q * spread[1]];
-        let square = dot(e, a) + b[0] * spread[0] + b[1] * spread[1];
+        let goes_on = law.matrix == Iteration::PrimalDual && self.fluidity > 0.0;
+        let last = goes_on.then(|| condition.part(self.flow, self.spread, None));
+        let part = condition.part(e, spread, last.as_ref().map(|last| (self.flow, self.spread, last)));
+        let (g, square) = (part.gradient, part.square);
         let increment = square.sqrt();
         let inverse_square = 1.0 / (square + law.cutoff * law.cutoff);
         let inverse = inverse_square.sqrt();
@@ -43,15 +71,14 @@ impl Iterate {
             law.yielding(point, hardening, steep, increment, 1.0 / inverse, increment * inverse);
         let f = yield_stress * inverse;
         let h = if increment > 0.0 { slope * inverse / increment } else { 0.0 };
-        let stress = a.map(|a| f * a);
-        let moment = b.map(|b| f * b);
-        let g = [a[0], a[1], a[2], b[0], b[1]];
+        let stress = [f * g[0], f * g[1], f * g[2]];
+        let moment = [f * g[3], f * g[4]];
         let half = 0.5 * steep;
         let other = match law.matrix {
             Iteration::Secant => [0.0; 5],
             Iteration::Newton => g.map(|g| half * (h - f * inverse_square) * g),
             Iteration::PrimalDual => {
-                let w = self.carried_across(law, e, spread, yield_stress);
+                let w = self.carried_across(condition, (&part, last.as_ref()), e, spread, yield_stress);
                 self.carried = [w[0], w[1], w[2]];
                 self.carried_moment = [w[3], w[4]];
                 let by = |i: usize| half * (h * g[i] - inverse_square * w[i]);
@@ -61,23 +88,27 @@ impl Iterate {
         let work_across = moment[0] * bending[0] + moment[1] * bending[1];
         *self = Self { strain, flow: e, spread, fluidity: f, hardening: h, inverse_square, ..*self };
         let update = StressUpdate { stress, tangent: [0.0; 6], increment: hardening, yield_stress, work_across };
-        let metric = [hill.direct, hill.coupled, hill.shear].map(|entry| steep * f * entry);
-        Some(Across { update, moment, metric, outer: [g, other] })
+        let metric = part.own.map(|entry| steep * f * entry);
+        let coupling = part.coupling.map(|entry| steep * f * entry);
+        Across { update, moment, metric, coupling, outer: [g, other] }
     }
 
     /// The same of stress and moment.
     #[inline]
-    fn carried_across(&self, law: &FlowLaw, e: Triple, spread: [f64; 2], yield_stress: f64) -> [f64; 5] {
-        let hill = &law.anisotropy;
+    fn carried_across(
+        &self,
+        condition: &impl YieldCondition,
+        (now, last): (&Part, Option<&Part>),
+        e: Triple,
+        spread: [f64; 2],
+        yield_stress: f64,
+    ) -> [f64; 5] {
         let mut w = [self.carried[0], self.carried[1], self.carried[2], self.carried_moment[0], self.carried_moment[1]];
-        if self.fluidity > 0.0 {
-            let of = |e: Triple, k: [f64; 2]| {
-                let (a, b) = (hill.apply(e), hill.apply([k[0], k[1], 0.0]));
-                [a[0], a[1], a[2], MEAN_SQUARE * b[0], MEAN_SQUARE * b[1]]
-            };
+        if let Some(last) = last {
             let de = [e[0] - self.flow[0], e[1] - self.flow[1], e[2] - self.flow[2]];
             let dk = [spread[0] - self.spread[0], spread[1] - self.spread[1]];
-            let (g, c) = (of(self.flow, self.spread), of(de, dk));
+            let g = condition.part_product(last, self.flow, self.spread);
+            let c = condition.part_product(last, de, dk);
             let product = |v: &[f64; 5]| v[0] * de[0] + v[1] * de[1] + v[2] * de[2] + v[3] * dk[0] + v[4] * dk[1];
             let along = product(&g);
             let on_g = self.fluidity + self.hardening * along - 0.5 * self.inverse_square * product(&w);
@@ -86,8 +117,7 @@ impl Iterate {
                 w[i] = on_g * g[i] + on_w * w[i] + self.fluidity * c[i];
             }
         }
-        let square = Hill48::stress_square(hill, [w[0], w[1], w[2]])
-            + Hill48::stress_square(hill, [w[3], w[4], 0.0]) / MEAN_SQUARE;
+        let square = condition.part_square(now, w);
         if square > yield_stress * yield_stress {
             let back = yield_stress / square.sqrt();
             return w.map(|w| back * w);

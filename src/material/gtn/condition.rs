@@ -22,7 +22,7 @@
 //! Metal Forming Processes, Kluwer (1988). None of them could be read; the condition is in common use.
 
 use crate::material::Hill48;
-use crate::material::yield_condition::{Metric, Symmetric, Triple, YieldCondition, dot};
+use crate::material::yield_condition::{Metric, Triple, YieldCondition, dot};
 
 /// Newton's method stops when m moves by less than this \[–\].
 const ROOT: f64 = 1e-14;
@@ -146,15 +146,6 @@ impl YieldCondition for GtnCondition {
             plain * base.shear + on_deviation * z * z,
         ];
         Metric { gradient: s.map(|s| d * s), matrix, square: d * d }
-    }
-
-    fn scaled(&self, metric: &Metric, f: f64) -> Symmetric {
-        metric.matrix.map(|a| f * a)
-    }
-
-    fn product(&self, metric: &Metric, e: Triple) -> Triple {
-        let [ss, st, tt, sg, tg, gg] = metric.matrix;
-        [ss * e[0] + st * e[1] + sg * e[2], st * e[0] + tt * e[1] + tg * e[2], sg * e[0] + tg * e[1] + gg * e[2]]
     }
 
     /// By the inverse of A, which is positive definite.

@@ -107,7 +107,8 @@ impl Frame {
             mesh.draw().expect(NEVER);
         }
         let near = |v: f64, (low, high): (f64, f64)| (v - low).abs() < FAR * (high - low);
-        for series in &panel.series {
+        // One without points stands in the legend alone.
+        for series in panel.series.iter().filter(|series| !series.points.is_empty()) {
             let points = match series.look {
                 Look::Area { .. } => clipped(&series.points, self.x, self.y),
                 _ => series.points.clone(),

@@ -106,6 +106,9 @@ impl Summary {
             let least = Amount::strain(curve.plane_strain());
             self.number("forming_limit_plane_strain", "  at plane strain, true strain", least);
         }
+        if assessment.open().is_some() {
+            self.push("forming_limit_unjudged", "  ends before the most strained place", Value::Flag(true));
+        }
         let worst = assessment.worst();
         self.number("forming_margin", "  least margin in major true strain", Amount::strain(worst.margin()));
         self.number("forming_ratio", "  major strain over the limit there", Amount::share(worst.ratio()));

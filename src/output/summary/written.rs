@@ -14,7 +14,12 @@ impl Serialize for Summary {
         let mut map = serializer.serialize_map(Some(self.entries.len()))?;
         for Entry { key, value, .. } in &self.entries {
             match value {
-                Value::Number(amount) => map.serialize_entry(&amount.unit.keyed(key), &rounded(amount.value))?,
+                Value::Number(amount) => {
+                    map.serialize_entry(&amount.unit.keyed(key), &rounded(amount.value))?;
+                    if let Some(half) = amount.bar() {
+                        map.serialize_entry(&amount.unit.keyed(&format!("{key}_error_bar")), &rounded(half))?;
+                    }
+                }
                 Value::Count(v) => map.serialize_entry(key, v)?,
                 Value::Flag(v) => map.serialize_entry(key, v)?,
                 Value::Text(v) => map.serialize_entry(key, v)?,

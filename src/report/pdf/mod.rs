@@ -24,6 +24,8 @@ const HEADING: Style = Style::new(13.0).bold();
 const TEXT: Style = Style::new(9.5);
 const SMALL: Style = Style::new(8.0);
 const NUMBER: Style = Style::new(12.5).bold();
+/// An error bar below its number.
+const BAR: Style = Style::new(9.5).bold();
 
 /// The line below a heading, the ground of what stands out.
 const BLUE: Color = (0, 114, 178);
@@ -225,26 +227,41 @@ impl Writer {
         let grey = SMALL.in_color(GREY_TEXT);
         let boxes: Vec<_> = numbers
             .iter()
-            .map(|n| (lines(&n.label, grey, wide - 8.0), &n.value, lines(&n.detail, SMALL, wide - 8.0)))
+            .map(|n| {
+                (lines(&n.label, grey, wide - 8.0), valued(&n.value, wide - 8.0), lines(&n.detail, SMALL, wide - 8.0))
+            })
             .collect();
+        let barred = boxes.iter().any(|b| b.1.1.is_some());
+        let values = NUMBER.leading() + if barred { BAR.leading() } else { 0.0 };
         let labels = boxes.iter().map(|b| b.0.len()).max().unwrap_or(0) as f64 * grey.leading();
         let details = boxes.iter().map(|b| b.2.len()).max().unwrap_or(0) as f64 * SMALL.leading();
-        let height = labels + NUMBER.leading() + details + 8.0;
+        let height = labels + values + details + 8.0;
         self.flow.reserve(height);
         let top = self.flow.y;
-        for (i, (label, value, detail)) in boxes.iter().enumerate() {
+        for (i, (label, (value, bar), detail)) in boxes.iter().enumerate() {
             let x = i as f64 * (wide + gap);
             self.flow.frame((x, top), (wide, height), RULE);
             for (j, line) in label.iter().enumerate() {
                 self.flow.write(line, grey, x + 4.0, top + 3.0 + j as f64 * grey.leading());
             }
             self.flow.write(value, NUMBER, x + 4.0, top + 3.0 + labels);
+            if let Some(bar) = bar {
+                self.flow.write(bar, BAR, x + 4.0, top + 3.0 + labels + NUMBER.leading());
+            }
             for (j, line) in detail.iter().enumerate() {
-                let down = top + 3.0 + labels + NUMBER.leading() + j as f64 * SMALL.leading();
+                let down = top + 3.0 + labels + values + j as f64 * SMALL.leading();
                 self.flow.write(line, SMALL, x + 4.0, down);
             }
         }
         self.flow.skip(height + 8.0);
+    }
+}
+
+/// A number, and its error bar with the unit on a line of its own where both do not fit beside each other.
+fn valued(value: &str, width: f64) -> (&str, Option<&str>) {
+    match value.find(" ±").filter(|_| NUMBER.width(value) > width) {
+        Some(at) => (&value[..at], Some(value[at..].trim_start())),
+        None => (value, None),
     }
 }
 

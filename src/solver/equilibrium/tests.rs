@@ -88,7 +88,7 @@ fn matrix_of_a_voided_warm_sheet_is_the_derivative_of_the_residual() {
     for theory in [Theory::Bending, Theory::Membrane] {
         let mut voided = model(Geometry::Axisymmetric, theory);
         voided.material.gtn = Some(Gtn { q1: 1.5, q3: 2.25, ..Gtn::gurson(0.03) });
-        voided.material.hill48 = Hill48::new(1.4);
+        voided.material.yield_criterion = Hill48::new(1.4).into();
         voided.material.rate = Rate::examples().into_iter().map(|(_, law)| law).next();
         voided.material.thermal = ThermalLaw::examples().into_iter().map(|(_, law)| law).next();
         voided.heat = Some(Heat { initial: 423.15.into(), flow: None });

@@ -1,6 +1,7 @@
 //! Gas pressure on the faces of the sheet, given over time or as much as holds a strain rate.
 
 use crate::geometry::Point;
+use crate::material::flow::Metric;
 use crate::model::{Geometry, Pressure};
 use crate::solver::evaluation::{Evaluation, HeldRate};
 use crate::solver::step::Step;
@@ -75,7 +76,7 @@ fn press_element(geometry: Geometry, e: usize, side: f64, gas: f64, column: Opti
 /// Δε̄ is that of the mid-surface, regularised like the flow law's, so that its derivative is finite in rigid zones.
 pub fn hold_rate(step: &Step, trial: &Trial, out: &mut Evaluation) {
     let Step { process, model, state, dt, .. } = *step;
-    let anisotropy = &model.material.hill48;
+    let criterion = &model.material.yield_criterion;
     let cutoff = step.cutoff(trial.softening);
     for (k, gas) in model.gas.iter().enumerate() {
         let (Some(row), Pressure::Rate(control)) = (process.gas_shared[k], &gas.pressure) else { continue };
@@ -83,9 +84,9 @@ pub fn hold_rate(step: &Step, trial: &Trial, out: &mut Evaluation) {
         let total: f64 = state.volume.iter().sum();
         // In units of the target, so that large powers stay in range.
         let share = |e: &[f64; 2]| {
-            let strain = [e[0], e[1], 0.0];
-            let regular = anisotropy.equivalent_increment(strain).hypot(cutoff);
-            (regular / wanted, anisotropy.apply(strain).map(|a| a / (regular * wanted)))
+            let Metric { gradient, square, .. } = criterion.metric([e[0], e[1], 0.0]);
+            let regular = square.sqrt().hypot(cutoff);
+            (regular / wanted, gradient.map(|a| a / (regular * wanted)))
         };
         let elements = out.membrane_increment.iter().zip(&state.volume);
         let sum: f64 = elements.map(|(e, v)| v / total * share(e).0.powf(q)).sum();

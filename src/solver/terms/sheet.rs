@@ -31,7 +31,7 @@ pub fn add(step: &Step, trial: &mut Trial, at: &Linearisation, out: &mut Evaluat
         hardening: &material.hardening,
         rate: material.rate.as_ref(),
         softening: material.thermal.as_ref(),
-        anisotropy: material.hill48,
+        criterion: material.yield_criterion,
         voids: material.gtn.as_ref(),
         matrix: at.matrix,
         cutoff: step.cutoff(trial.softening),

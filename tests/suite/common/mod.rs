@@ -2,6 +2,7 @@
 
 pub mod cli;
 pub mod convergence;
+pub mod coverage;
 pub mod cup;
 pub mod drawn;
 pub mod few;

@@ -1,6 +1,7 @@
 //! Random sections in the range that press shops use, made from a seed: for the campaign and for tests.
 
 use fastrand::Rng;
+use stampflow::case::library;
 use stampflow::geometry::{Arc, Piece, Point, Profile, Segment};
 use stampflow::material::hardening::{Branch, Extrapolation, Hollomon, Ludwik, PiecewisePower, Swift, Table, Voce};
 use stampflow::material::{Hardening, Material};
@@ -35,6 +36,20 @@ fn between(rng: &mut Rng, low: f64, high: f64) -> f64 {
 /// From this seed on the dies are of the second series, whose hardening law is any example of the family: a law that joins
 /// the family occurs there, and the dies of the first series, which figures are compared with, stay as they are.
 pub const SECOND_SERIES: u64 = 1 << 40;
+
+/// From this seed on they are of the third series, whose sheet is any of the library.
+pub const THIRD_SERIES: u64 = 2 << 40;
+
+/// The sheet of the die that belongs to `seed`.
+fn sheet(rng: &mut Rng, seed: u64) -> (Material, String) {
+    if seed >= THIRD_SERIES {
+        let mut sheets = library::materials().expect("the shipped library");
+        let entry = sheets.swap_remove(rng.usize(0..sheets.len()));
+        return (entry.material, entry.name.to_owned());
+    }
+    let (law, text) = hardening(rng, seed);
+    (Material::plain(law), text)
+}
 
 /// σ in MPa with a tensile strength from mild aluminium to high-strength steel, n from 0.02 to 0.5.
 fn hardening(rng: &mut Rng, seed: u64) -> (Hardening, String) {
@@ -115,7 +130,7 @@ pub fn random_die(seed: u64) -> RandomDie {
     let clearance = t * between(rng, 1.05, 1.6);
     let siebels = between(rng, 0.0, 3.0);
     let radius = (corner * between(rng, 1.5, 6.0)).max(20.0 * t);
-    let (law, law_text) = hardening(rng, seed);
+    let (material, material_text) = sheet(rng, seed);
 
     let throat = radius + clearance;
     let plane = process == Process::Hat;
@@ -136,7 +151,8 @@ pub fn random_die(seed: u64) -> RandomDie {
         }
     };
 
-    let strength = (0..400).map(|i| 5e-3 * f64::from(i)).map(|e| law.at(e).stress * (-e).exp()).fold(0.0, f64::max);
+    let strength =
+        (0..400).map(|i| 5e-3 * f64::from(i)).map(|e| material.hardening.at(e).stress * (-e).exp()).fold(0.0, f64::max);
     let beta = length / radius;
     let siebel = 0.0025 * ((beta - 1.0).powi(2) + radius / (100.0 * t)) * strength;
     let held = if plane { 2.0 * (length - flange) } else { std::f64::consts::PI * (length * length - flange * flange) };
@@ -153,7 +169,7 @@ pub fn random_die(seed: u64) -> RandomDie {
     let norm = if rng.bool() { Norm::Velocity } else { Norm::Both };
     let text = format!(
         "{process:?} t {t:.3} R {radius:.2} corner {:.1} t shoulder {:.1} t ratio {beta:.2} clearance {:.2} t mu {friction:.3} \
-         holder {siebels:.2} Siebel travel {travel:.2} mm, {elements} elements, {norm:?}, {law_text}",
+         holder {siebels:.2} Siebel travel {travel:.2} mm, {elements} elements, {norm:?}, {material_text}",
         corner / t,
         shoulder / t,
         clearance / t,
@@ -173,7 +189,7 @@ pub fn random_die(seed: u64) -> RandomDie {
             rule: ThicknessRule::default(),
             edge: if stretch { Edge::Clamped } else { Edge::Free },
         },
-        material: Material::plain(law),
+        material,
         tools,
         beads: vec![],
         gas: vec![],

@@ -1,0 +1,215 @@
+//! The measured forming limit of AA6016A Surfalex HF against the limit of Marciniak and Kuczyński by Hill's yield condition
+//! of 1948 and by Hosford's: the imperfection is fitted at the two middle widths, the other four are predicted.
+//!
+//! `cargo run --release --example surfalex_limit -- docs/surfalex_limit.png` prints the table of `docs/surfalex_limit.md`.
+
+use stampflow::case::library;
+use stampflow::forming_limit::{MarciniakKuczynski, Sheet};
+use stampflow::material::{Hill48, Hosford, Material, YieldCriterion};
+use stampflow::output::chart::{Chart, Look, Panel, Scale, Series, color};
+use stampflow::output::{png, write};
+use stampflow::table::{Column, Unit};
+use std::path::Path;
+use std::process::ExitCode;
+
+const DATA: &str = include_str!("../reference_data/surfalex_aa6016_flc_points.csv");
+const SHEET: &str = "aa6016a-surfalex";
+/// Exponent of fcc metal \[–\].
+const FCC: f64 = 8.0;
+/// When the sheet counts as necked: key in the data, and words. The first is that of the groove itself.
+const CRITERIA: [(&str, &str); 3] = [
+    ("necking_strain_rate_ratio_10", "strain rate 10 times as fast"),
+    ("necking_second_derivative_10pc", "second derivative"),
+    ("last_stage_before_crack", "last stage before the crack"),
+];
+/// The widths that the imperfection is fitted at, in the order of the data.
+const MIDDLE: [usize; 2] = [2, 3];
+/// Grooves that are tried \[–\], and halvings of the interval between their logarithms of 1 − f₀.
+const GROOVES: [f64; 2] = [0.93, 0.9995];
+const HALVINGS: usize = 12;
+
+/// Mean and standard deviation of minor and major strain \[–\].
+#[derive(Clone, Copy)]
+pub struct Mean {
+    pub minor: [f64; 2],
+    pub major: [f64; 2],
+}
+
+/// A width of specimen: its name, and its points by each criterion.
+pub struct Width {
+    pub name: String,
+    points: [Vec<[f64; 2]>; 3],
+}
+
+impl Width {
+    pub fn mean(&self, criterion: usize) -> Mean {
+        let points = &self.points[criterion];
+        let of = |i: usize| {
+            let mean = points.iter().map(|p| p[i]).sum::<f64>() / points.len() as f64;
+            let square = points.iter().map(|p| (p[i] - mean).powi(2)).sum::<f64>() / (points.len() - 1) as f64;
+            [mean, square.sqrt()]
+        };
+        Mean { minor: of(0), major: of(1) }
+    }
+
+    /// Strain ratio at the neck by the groove's own criterion \[–\].
+    fn beta(&self) -> f64 {
+        let Mean { minor, major } = self.mean(0);
+        minor[0] / major[0]
+    }
+}
+
+/// The widths, from the narrowest to the full circle.
+pub fn measured() -> Vec<Width> {
+    let mut widths: Vec<Width> = Vec::new();
+    for line in DATA.lines().filter(|line| !line.starts_with('#')).skip(1) {
+        let fields: Vec<&str> = line.split(',').collect();
+        let [specimen, _, criterion, minor, major] = fields[..] else { panic!("a row of five: {line}") };
+        let name =
+            specimen.split('_').next().unwrap_or(specimen).replace("mm", " mm").replace("fullcircle", "full circle");
+        if widths.last().is_none_or(|last| last.name != name) && widths.iter().all(|width| width.name != name) {
+            widths.push(Width { name: name.clone(), points: Default::default() });
+        }
+        let width = widths.iter_mut().find(|width| width.name == name).expect("just made");
+        let criterion = CRITERIA.iter().position(|(key, _)| *key == criterion).expect("a known criterion");
+        width.points[criterion].push([minor, major].map(|text| text.parse().expect("a number")));
+    }
+    widths
+}
+
+/// The sheet of the library with a yield condition, and the groove that fits its two middle widths.
+pub struct Fitted {
+    name: String,
+    material: Material,
+    pub imperfection: f64,
+}
+
+impl Fitted {
+    fn new(condition: &str, criterion: impl Fn(f64) -> YieldCriterion, widths: &[Width]) -> Self {
+        let mut material = library::material(SHEET).expect("a sheet of the library").material;
+        material.yield_criterion = criterion(material.yield_criterion.ratio());
+        let mut fitted = Self { name: condition.to_owned(), material, imperfection: GROOVES[0] };
+        let [mut low, mut high] = GROOVES.map(|groove| (1.0 - groove).ln());
+        for _ in 0..HALVINGS {
+            let middle = 0.5 * (low + high);
+            fitted.imperfection = 1.0 - middle.exp();
+            // A shallower groove necks later: the misses cancel where it is right.
+            let miss: f64 = MIDDLE.iter().map(|&i| fitted.miss(&widths[i]).unwrap_or(f64::INFINITY)).sum();
+            if miss < 0.0 { low = middle } else { high = middle }
+        }
+        fitted
+    }
+
+    /// Minor and major strain of the limit on a straight path; `None` where no groove necks \[–\].
+    fn limit(&self, beta: f64) -> Option<[f64; 2]> {
+        let sheet = Sheet { material: &self.material, thickness: 1.5, temperature: 293.15 };
+        let groove = MarciniakKuczynski { imperfection: self.imperfection, strain_rate: 1.0 };
+        groove.limit(&sheet, beta).ok().map(|limit| [limit.minor, limit.major])
+    }
+
+    /// Major strain by which the limit is above the measured one \[–\].
+    pub fn miss(&self, width: &Width) -> Option<f64> {
+        Some(self.limit(width.beta())?[1] - width.mean(0).major[0])
+    }
+}
+
+/// Both conditions, fitted.
+pub fn fitted(widths: &[Width]) -> [Fitted; 2] {
+    [
+        Fitted::new("Hill 1948", |r| Hill48::new(r).into(), widths),
+        Fitted::new("Hosford, a = 8", |r| Hosford::new(r, FCC).into(), widths),
+    ]
+}
+
+/// Measured means with their standard deviations, and what is computed on the same strain ratio, in Markdown.
+pub fn table(widths: &[Width], fitted: &[Fitted]) -> Vec<String> {
+    let signed = |value: f64| format!("{value:+.3}").replace('-', "−");
+    let with_scatter = |[mean, scatter]: [f64; 2]| format!("{mean:.3} ± {scatter:.3}");
+    let heads = fitted.iter().map(|one| format!("{}, f₀ = {:.4} | miss", one.name, one.imperfection));
+    let criteria = CRITERIA.map(|(_, words)| words).join(" | ");
+    let heads = heads.collect::<Vec<_>>().join(" | ");
+    let mut lines = vec![
+        format!("| specimen | minor strain | major: {criteria} | {heads} |"),
+        "|---|---|---|---|---|---|---|---|---|".to_owned(),
+    ];
+    for (i, width) in widths.iter().enumerate() {
+        let minor = width.mean(0).minor[0];
+        let majors = [0, 1, 2].map(|criterion| with_scatter(width.mean(criterion).major)).join(" | ");
+        let computed = fitted.iter().map(|one| match (one.limit(width.beta()), one.miss(width)) {
+            (Some([_, major]), Some(miss)) => format!("{major:.3} | {}", signed(miss)),
+            _ => "no neck | –".to_owned(),
+        });
+        let role = if MIDDLE.contains(&i) { " (fitted)" } else { "" };
+        let computed = computed.collect::<Vec<_>>().join(" | ");
+        lines.push(format!("| {}{role} | {} | {majors} | {computed} |", width.name, signed(minor)));
+    }
+    lines
+}
+
+/// The points by each criterion and both curves; Hill's is dashed where the program ends it.
+pub fn chart(widths: &[Width], fitted: &[Fitted]) -> Chart {
+    let axis = |key, label| Column::new(key, label, Unit::None, Vec::new()).axis();
+    let window = ((-0.17, 0.17), (0.0, 0.5));
+    let mut series = Vec::new();
+    let looks =
+        [Look::Dots { color: color(0) }, Look::Triangles { color: color(2) }, Look::Circles { color: color(4) }];
+    for (criterion, (look, (_, words))) in looks.into_iter().zip(CRITERIA).enumerate() {
+        let points = widths.iter().flat_map(|width| &width.points[criterion]).map(|p| (p[0], p[1])).collect();
+        series.push(Series::new(format!("Measured: {words}"), points, look));
+    }
+    for (i, one) in fitted.iter().enumerate() {
+        let tension = -one.material.yield_criterion.ratio() / (1.0 + one.material.yield_criterion.ratio());
+        let along = |low: f64, high: f64| -> Vec<(f64, f64)> {
+            let betas = (0..=16).map(|k| low + (high - low) * f64::from(k) / 16.0);
+            let points = betas.filter_map(|beta| one.limit(beta)).map(|p| (p[0], p[1]));
+            points.filter(|p| p.0 <= window.0.1 && p.1 <= window.1.1).collect()
+        };
+        let color = color(2 * i + 1);
+        let (line, dashed) =
+            (Look::Line { color, width: 2.2, dash: &[] }, Look::Line { color, width: 2.2, dash: &[6.0, 4.0] });
+        let name = format!("{}, f₀ = {:.4}", one.name, one.imperfection);
+        let ends = matches!(one.material.yield_criterion, YieldCriterion::Hill48(_));
+        series.push(Series::new(name, along(tension, 0.0), line));
+        let beyond = if ends {
+            Series::new("Hill 1948 beyond the end of its curve", along(0.0, 0.5), dashed)
+        } else {
+            Series::silent(along(0.0, 0.5), line)
+        };
+        series.push(beyond);
+    }
+    Chart {
+        title: "AA6016A Surfalex HF, 1.5 mm: forming limit measured and computed (Marciniak and Kuczyński)".to_owned(),
+        legend: String::new(),
+        panels: vec![Panel {
+            x: axis("strain_minor", "Minor true strain"),
+            y: axis("strain_major", "Major true strain"),
+            series,
+            scale: Scale::Window { height: 450.0, x: window.0, y: window.1 },
+        }],
+        notes: vec![
+            "Measured: LightForm-group/surfalex_data_explorer, commit 21deff58, MIT, copyright 2020 LightForm."
+                .to_owned(),
+            "Computed: hardening of another AA6016 sheet (declared), r̄ = 0.47; f₀ fitted at 40 and 60 mm.".to_owned(),
+        ],
+    }
+}
+
+#[allow(dead_code)] // The test of the table has no use for it.
+fn main() -> ExitCode {
+    let Some(picture) = std::env::args().nth(1) else {
+        eprintln!("error: give a picture to write");
+        return ExitCode::from(2);
+    };
+    let widths = measured();
+    let fitted = fitted(&widths);
+    for line in table(&widths, &fitted) {
+        println!("{line}");
+    }
+    match write(Path::new(&picture), &png(&chart(&widths, &fitted))) {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) => {
+            eprintln!("error: {error}");
+            ExitCode::from(2)
+        }
+    }
+}

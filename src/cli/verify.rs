@@ -1,0 +1,189 @@
+//! `stampflow verify`: how much of every number is mesh, step, points and contact.
+
+use super::code::Code;
+use super::interrupt;
+use super::job::{load_all, told};
+use super::json;
+use super::options::{self, Json, Overrides, Threads};
+use super::place;
+use super::progress::{Kept, Progress};
+use super::say::{Shown, say, say_json};
+use super::table::{Cell, table, wrapped};
+use serde_json::{Value, json};
+use stampflow::assess;
+use stampflow::case::{Case, Solution};
+use stampflow::message::{Amount, Form, Message, message};
+use stampflow::output::verification::{BEGINNING, FILE, csv};
+use stampflow::output::write;
+use stampflow::verification::{self, Bar, Of, Verification, moved};
+use std::fmt::Write;
+use std::path::PathBuf;
+use std::time::Instant;
+
+pub const HELP: &str = "\
+Each of these is refined on its own, twice and four times, all runs side by side: \
+elements, points through the thickness, steps, contact stiffness, contact smoothing, \
+slip speed, cut-off strain. A bar is what Richardson's extrapolation gives with the \
+observed order, where that is near the formal one (1.25 times), else three times the \
+spread; the bar is the sum over all of them. \
+Runs that end otherwise, numbers that jump and elements below what a shell resolves \
+are told. What the model has wrong, laws, friction, tools, is no part of a bar.
+
+Examples:
+  stampflow verify cases/quickstart.toml
+  stampflow verify cases/quickstart.toml --out out/quickstart
+  stampflow verify cases/*.toml --markdown > verification.md
+
+Exit codes: 0 done, 2 bad input, 3 the run as it is stopped early, 130 interrupted";
+
+#[derive(Debug, clap::Args)]
+pub struct Args {
+    /// Case files
+    #[arg(required = true, value_name = "CASE.toml")]
+    cases: Vec<PathBuf>,
+    /// Also write verification.csv there, with every run's numbers; with several cases to DIR/<case>
+    #[arg(long, alias = "output", value_name = "DIR")]
+    out: Option<PathBuf>,
+    /// Print Markdown, for documents
+    #[arg(long, conflicts_with = "json")]
+    markdown: bool,
+    #[command(flatten)]
+    form: options::Told,
+    #[command(flatten)]
+    overrides: Overrides,
+    /// Show no progress
+    #[arg(long, short)]
+    quiet: bool,
+    #[command(flatten)]
+    threads: Threads,
+    #[command(flatten)]
+    json: Json,
+}
+
+pub fn verify(args: &Args) -> anyhow::Result<Code> {
+    let (cases, mut failed) = load_all(&args.cases, &args.overrides.all());
+    args.threads.apply()?;
+    let progress = Progress::new(args.quiet || args.json.json);
+    let (mut code, mut values) = (Code::Done, Vec::new());
+    for case in cases {
+        if interrupt::is_wanted() {
+            break;
+        }
+        match one(args, &progress, case) {
+            Ok((of_case, value)) => {
+                code = code.max(of_case);
+                values.extend(value);
+            }
+            Err(error) => failed.push(error),
+        }
+    }
+    let said = match values.as_slice() {
+        [] => Ok(code),
+        [value] if args.cases.len() == 1 => say_json(value),
+        values => say_json(&values),
+    };
+    failed.extend(said.err());
+    Ok(told(&failed, code))
+}
+
+/// Verifies a case and says it; for programs the value to be said.
+fn one(args: &Args, progress: &Progress, case: Case) -> anyhow::Result<(Code, Option<Value>)> {
+    let path = args.path(&case)?;
+    if let Some(path) = &path {
+        place::file(path, &case.inputs, "--out")?;
+        place::replaced(path, BEGINNING.as_bytes(), "--out")?;
+    }
+    let start = Instant::now();
+    let count = progress.count(&case);
+    let (solution, _) = progress.watch(&case, Kept::default()).solve(case);
+    let verification = verification::verify(&solution, &count);
+    let seconds = start.elapsed().as_secs_f64();
+    if let Some(path) = &path {
+        write(path, csv(&verification).as_bytes())?;
+    }
+    let code = if solution.is_complete() { Code::Done } else { Code::StoppedEarly };
+    let findings = assess::after(&solution.case, &solution.stages);
+    let moved: Vec<Message> = moved(&findings, &verification).into_iter().map(|moved| moved.sentence).collect();
+    if args.json.json {
+        let mut value = json::verification(&verification);
+        value["case"] = json!(solution.case.name);
+        value["seconds"] = json!(seconds);
+        value["lights"] = moved.iter().map(ToString::to_string).collect();
+        value["file"] = json!(path);
+        return Ok((code, Some(value)));
+    }
+    let told = Told { verification: &verification, moved: &moved, seconds, form: args.form.form() };
+    if args.markdown {
+        say(told.markdown(&solution))?;
+    } else {
+        say(told.screen(&solution))?;
+    }
+    if let Some(path) = path {
+        say(args.form.form().tell(message!("{file} is written", file = path.display().to_string())))?;
+    }
+    Ok((code, None))
+}
+
+impl Args {
+    fn path(&self, case: &Case) -> anyhow::Result<Option<PathBuf>> {
+        Ok(match &self.out {
+            Some(dir) if self.cases.len() > 1 => Some(place::folder(dir, case)?.join(FILE)),
+            Some(dir) => Some(dir.join(FILE)),
+            None => None,
+        })
+    }
+}
+
+/// A verification as it is told.
+struct Told<'a> {
+    verification: &'a Verification,
+    moved: &'a [Message],
+    seconds: f64,
+    form: Form,
+}
+
+const HEADERS: [&str; 3] = ["Quantity", "Value", "Made of (observed order)"];
+
+impl Told<'_> {
+    /// Numbers of the part; of the verdict's only that of the forming limit, which has no other.
+    fn rows(&self) -> Vec<[String; 3]> {
+        let told = |bar: &&Bar| bar.number.of != Of::Verdict || bar.number.key == "forming_limit";
+        let row =
+            |bar: &Bar| [self.form.tell(bar.number.label), self.form.tell(bar.amount()), bar.made_of().told(self.form)];
+        self.verification.bars.iter().filter(told).map(row).collect()
+    }
+
+    /// What was done, and in what time.
+    fn effort(&self) -> Message {
+        let finer = self.verification.outcomes.len() - 1;
+        message!("{n} finer runs, {time}", n = finer, time = Amount::time(self.seconds))
+    }
+
+    fn sentences(&self) -> impl Iterator<Item = String> {
+        self.verification.told.iter().chain(self.moved).map(|told| told.told(self.form))
+    }
+
+    fn screen(&self, solution: &Solution) -> Shown {
+        let headers = HEADERS.map(|header| self.form.tell(header));
+        let rows = self.rows().into_iter().map(|row| row.map(Cell::plain)).collect();
+        let mut text = String::from("\n");
+        for sentence in self.sentences() {
+            let _ = writeln!(text, "- {sentence}");
+        }
+        let title = format!("{}: {}\n\n", solution.case.name, self.effort().told(self.form));
+        wrapped(&title) + table(Some(headers.each_ref().map(String::as_str)), rows) + wrapped(&text)
+    }
+
+    fn markdown(&self, solution: &Solution) -> String {
+        let headers = HEADERS.map(|header| self.form.tell(header));
+        let mut text = format!("## {}\n\n| {} |\n|---|---|---|\n", solution.case.name, headers.join(" | "));
+        for row in self.rows() {
+            let _ = writeln!(text, "| {} |", row.join(" | "));
+        }
+        text.push('\n');
+        for sentence in self.sentences() {
+            let _ = writeln!(text, "- {sentence}");
+        }
+        text
+    }
+}

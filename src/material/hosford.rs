@@ -1,0 +1,289 @@
+//! Hosford's yield condition for a sheet that is isotropic in its plane: flatter sides and sharper corners than Hill's, as
+//! the crystals of the metal have it.
+//!
+//! ```text
+//! φ^a = (|σ_s|^a + |σ_θ|^a + r̄ |σ_s − σ_θ|^a)/(1 + r̄)         a = 6 for bcc, 8 for fcc; a = 2 is Hill 1948
+//! σ̄² = φ² + (3/k) σ_γ²                                          the transverse shear is added as Hill's condition has it
+//! Δε̄² = ψ² + (k/3) Δγ²,   ψ(Δε) = max of σ·Δε over φ(σ) = 1      the dual potential
+//! ```
+//!
+//! The stress of a strain increment is the place of the curve φ = 1 whose normal it is. With β = Δε_θ/Δε_s, |β| ≤ 1 (the
+//! larger one is called s, and the signs are turned so that it is positive), the ratio x = σ_θ/σ_s is the root of
+//!
+//! ```text
+//! x|x|^(a−2) − r̄ (1 + β)(1 − x)^(a−1) − β = 0,   −1 ≤ x ≤ 1
+//! ```
+//!
+//! whose left side rises. What ½Δε̄² has for gradient and second derivative follows in closed form:
+//!
+//! ```text
+//! σ = (1, x)/φ(1, x),   ∂½ψ²/∂Δε = ψ σ,   ∂²½ψ²/∂Δε² = σ⊗σ + x'(β)/φ² (−β, 1)⊗(−β, 1)
+//! x'(β) = (∂φ/∂σ_s)²/κ,   φ ∂²φ/∂σ² = κ (−x, 1)⊗(−x, 1)
+//! ```
+//!
+//! # References
+//! W. F. Hosford, A generalized isotropic yield criterion, J. Appl. Mech. 39 (1972) 607–609 (not read); R. W. Logan,
+//! W. F. Hosford, Upper-bound anisotropic yield locus calculations assuming ⟨111⟩-pencil glide, Int. J. Mech. Sci. 22 (1980)
+//! 419–430 (not read).
+
+use super::hill48::{Hill48, SHEAR_INVERSE};
+use super::yield_condition::{Metric, SHEAR_FACTOR, Triple, YieldCondition};
+use crate::law::{LawError, require_or};
+use crate::numerics::Power;
+use std::ops::RangeInclusive;
+
+/// Exponents: from Hill's to beyond that of fcc; sharper corners than these find no equilibrium in whole runs \[–\].
+const EXPONENT: RangeInclusive<f64> = 2.0..=10.0;
+
+/// The shear's entry of the second derivative.
+const SHEAR: f64 = SHEAR_FACTOR / 3.0;
+
+/// Step of the inner root over its distance to 0 and to 1 after which it is right to round-off: its method is of third
+/// order \[–\]; and where it is round-off itself.
+const LAST: f64 = 1e-6;
+const ROUND_OFF: f64 = 1e-16;
+/// Ratios of strain increments that are one \[–\]: between them a chord is round-off.
+const SAME: f64 = 1e-7;
+/// Most iterations of the inner root: halving alone needs fifty.
+const MOST: usize = 60;
+
+/// The yield condition of r̄ and a.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Hosford {
+    /// Hill's of the same r̄.
+    quadratic: Hill48,
+    power: Power,
+    /// σ_θ/σ_s where Δε_θ = 0 \[–\].
+    plane_strain: f64,
+}
+
+/// What the curve φ is at the stress (1, x), the larger one first.
+pub(super) struct Place {
+    /// x, the smaller stress over the larger one \[–\].
+    pub ratio: f64,
+    /// φ(1, x) \[–\].
+    pub size: f64,
+    /// ∂φ/∂σ, which is the same all along the ray.
+    pub normal: [f64; 2],
+    /// κ of the second derivative φ ∂²φ/∂σ² = κ (−x, 1)⊗(−x, 1), which is the same all along the ray.
+    pub bend: f64,
+}
+
+impl Hosford {
+    /// For r̄ > 0 and a ≥ 2.
+    pub fn new(r: f64, exponent: f64) -> Self {
+        let root = r.powf(1.0 / (exponent - 1.0));
+        Self { quadratic: Hill48::new(r), power: Power::new(exponent), plane_strain: root / (1.0 + root) }
+    }
+
+    /// For r̄ of sheet metals, as [`Hill48::checked`], and an exponent of 2 to 10.
+    ///
+    /// # Errors
+    /// When one lies beyond.
+    pub fn checked(r: f64, exponent: f64) -> Result<Self, LawError> {
+        Hill48::checked(r)?;
+        require_or("exponent", EXPONENT.contains(&exponent), "6 for steel (bcc), 8 for aluminium (fcc)", || {
+            format!("`exponent` must lie between {} and {}, found {exponent}", EXPONENT.start(), EXPONENT.end())
+        })?;
+        Ok(Self::new(r, exponent))
+    }
+
+    /// r̄ \[–\].
+    pub fn ratio(&self) -> f64 {
+        self.quadratic.ratio()
+    }
+
+    /// a \[–\].
+    pub fn exponent(&self) -> f64 {
+        self.power.exponent()
+    }
+
+    /// Hill's condition of the same r̄.
+    pub fn quadratic(&self) -> Hill48 {
+        self.quadratic
+    }
+
+    /// σ_θ/σ_s where the sheet does not strain along θ \[–\].
+    pub fn plane_strain_ratio(&self) -> f64 {
+        self.plane_strain
+    }
+
+    /// Equivalent stress σ̄ \[MPa\].
+    pub fn equivalent_stress(&self, s: Triple) -> f64 {
+        let (major, minor, _) = ordered(s);
+        let size = if major == 0.0 { 0.0 } else { major.abs() * self.size(minor / major) };
+        (size * size + SHEAR_INVERSE * s[2] * s[2]).sqrt()
+    }
+
+    /// ∂σ̄/∂σ: the direction of flow, Δε = Δε̄ ∂σ̄/∂σ \[–\]; nothing for no stress.
+    pub fn flow_direction(&self, s: Triple) -> Triple {
+        let equivalent = self.equivalent_stress(s);
+        if equivalent == 0.0 {
+            return [0.0; 3];
+        }
+        let (major, minor, swapped) = ordered(s);
+        let shear = SHEAR_INVERSE * s[2] / equivalent;
+        if major == 0.0 {
+            return [0.0, 0.0, shear];
+        }
+        let Place { size, normal, .. } = self.at(minor / major);
+        let [along, across] = normal.map(|n| major * size / equivalent * n);
+        if swapped { [across, along, shear] } else { [along, across, shear] }
+    }
+
+    /// Equivalent strain increment Δε̄ \[–\].
+    pub fn equivalent_increment(&self, e: Triple) -> f64 {
+        self.metric(e).square.sqrt()
+    }
+
+    /// ∂Δε̄/∂Δε: the stress of a strain increment over the yield stress \[–\]; nothing for no increment.
+    pub fn stress(&self, e: Triple) -> Triple {
+        let metric = self.metric(e);
+        if metric.square == 0.0 { [0.0; 3] } else { metric.gradient.map(|s| s / metric.square.sqrt()) }
+    }
+
+    /// Of an increment whose stress ratio is perhaps near `x`.
+    #[inline]
+    fn metric_near(&self, e: Triple, x: f64) -> Metric {
+        let (major, minor, swapped) = ordered(e);
+        if major == 0.0 {
+            // Nothing says where on the curve: Hill's is as good as any.
+            return self.quadratic.metric(e);
+        }
+        let beta = minor / major;
+        let Place { ratio, size, normal, bend } = self.place(beta, (major + minor) / major, x);
+        let inverse_square = 1.0 / (size * size);
+        // ψ σ, of which ψ = |Δε_s| (1 + β x)/φ.
+        let along = major * (1.0 + beta * ratio) * inverse_square;
+        let across = along * ratio;
+        let bend = normal[0] * normal[0] * inverse_square / bend;
+        let (own, mixed) = (inverse_square + bend * beta * beta, ratio * inverse_square - bend * beta);
+        let other = ratio * ratio * inverse_square + bend;
+        let shear = SHEAR * e[2];
+        let square = along * major + across * minor + shear * e[2];
+        if swapped {
+            let matrix = [other, mixed, own, 0.0, 0.0, SHEAR];
+            return Metric { gradient: [across, along, shear], matrix, square };
+        }
+        let matrix = [own, mixed, other, 0.0, 0.0, SHEAR];
+        Metric { gradient: [along, across, shear], matrix, square }
+    }
+
+    /// φ(1, x).
+    #[inline]
+    fn size(&self, x: f64) -> f64 {
+        let (y, r) = (1.0 - x, self.ratio());
+        let sum = 1.0 + x * x * self.power.less_two(x.abs()) + r * y * y * self.power.less_two(y);
+        self.power.root(sum / (1.0 + r))
+    }
+
+    /// The place of the stress (1, x).
+    #[inline]
+    pub(super) fn at(&self, x: f64) -> Place {
+        let (y, r) = (1.0 - x, self.ratio());
+        let (own, between) = (self.power.less_two(x.abs()), r * self.power.less_two(y));
+        // (1 + r̄) φ^(a−1) ∂φ/∂σ, and its product with (1, x), which is (1 + r̄) φ^a
+        let (along, across) = (1.0 + between * y, x * own - between * y);
+        let sum = 1.0 + x * x * own + between * y * y;
+        let size = self.power.root(sum / (1.0 + r));
+        let unit = size / sum;
+        let bend = (self.exponent() - 1.0) * (own * along + between * (1.0 + x * own)) * unit * unit;
+        Place { ratio: x, size, normal: [unit * along, unit * across], bend }
+    }
+
+    /// The place whose normal goes with 1 and β, perhaps near `x`; `sum` is 1 + β, without the round-off of β.
+    #[inline]
+    fn place(&self, beta: f64, sum: f64, x: f64) -> Place {
+        let (r, more) = (self.ratio(), self.exponent() - 2.0);
+        let weight = r * sum;
+        let (mut low, mut high) = (-1.0, 1.0);
+        let mut x = if x.abs() <= 1.0 { x } else { self.guess(beta, sum) };
+        for _ in 0..MOST {
+            let y = 1.0 - x;
+            let (own, between) = (self.power.less_two(x.abs()), weight * self.power.less_two(y));
+            let value = x * own - y * between - beta;
+            let slope = (1.0 + more) * (own + between);
+            if value > 0.0 {
+                high = x
+            } else {
+                low = x
+            }
+            // Halley's method: its bend is (a − 2)(own/x − between/y) over own + between.
+            let newton = value / slope;
+            let space = x * y;
+            let bend = if space == 0.0 { 0.0 } else { more * (y * own - x * between) / (space * (own + between)) };
+            let step = newton / (1.0 - 0.5 * newton * bend).clamp(0.5, 2.0);
+            let next = x - step;
+            let inside = next >= low && next <= high;
+            x = if inside { next } else { 0.5 * (low + high) };
+            if inside && step.abs() <= (LAST * next.abs().min(1.0 - next)).max(ROUND_OFF) {
+                break;
+            }
+        }
+        self.at(x)
+    }
+
+    /// Straight between the places that are known: pure shear, tension, plane strain and equi-biaxial stretching; for Hill's
+    /// it is the answer.
+    #[inline]
+    fn guess(&self, beta: f64, sum: f64) -> f64 {
+        let (tension, plane) = (self.quadratic.coupling(), self.plane_strain);
+        if beta >= 0.0 {
+            plane + (1.0 - plane) * beta
+        } else if beta >= -tension {
+            plane * (1.0 + beta / tension)
+        } else {
+            sum / (1.0 - tension) - 1.0
+        }
+    }
+}
+
+/// The larger one of the first two entries and the smaller one, and whether they stand the other way round.
+#[inline]
+pub(super) fn ordered(v: Triple) -> (f64, f64, bool) {
+    if v[1].abs() > v[0].abs() { (v[1], v[0], true) } else { (v[0], v[1], false) }
+}
+
+impl YieldCondition for Hosford {
+    fn metric(&self, e: Triple) -> Metric {
+        self.metric_near(e, f64::NAN)
+    }
+
+    /// Where the curve is flat the stress ratio swings with the strain's like a seventh root, and Newton's method overshoots from
+    /// side to side: a chord across is then what it takes. A is no softer along the curve than the chord from the last
+    /// increment, which near the answer is the tangent.
+    fn metric_since(&self, e: Triple, last: Triple, gradient: [f64; 2]) -> Metric {
+        let (major, minor, swapped) = ordered(e);
+        let turned = |v: [f64; 2]| if swapped { [v[1], v[0]] } else { v };
+        let ([major_before, minor_before], [s, t]) = (turned([last[0], last[1]]), turned(gradient));
+        if major * major_before <= 0.0 || major * s <= 0.0 {
+            return self.metric(e);
+        }
+        let mut metric = self.metric_near(e, t / s);
+        let [along, across] = turned([metric.gradient[0], metric.gradient[1]]);
+        let (beta, x) = (minor / major, across / along);
+        let turn = beta - minor_before / major_before;
+        if turn.abs() < SAME {
+            return metric;
+        }
+        let inverse_square = along / (major * (1.0 + beta * x));
+        let [ss, st, tt, ..] = &mut metric.matrix;
+        let other = if swapped { &mut *ss } else { &mut *tt };
+        let more = ((x - t / s) / turn * inverse_square - (*other - x * x * inverse_square)).max(0.0);
+        *other += more;
+        *st -= more * beta;
+        *(if swapped { tt } else { ss }) += more * beta * beta;
+        metric
+    }
+
+    /// By the inverse of A, which is positive definite.
+    #[inline]
+    fn stress_square(&self, metric: &Metric, w: Triple) -> f64 {
+        let [ss, st, tt, .., shear] = metric.matrix;
+        let plane = tt * w[0] * w[0] - 2.0 * st * w[0] * w[1] + ss * w[1] * w[1];
+        plane / (ss * tt - st * st) + w[2] * w[2] / shear
+    }
+}
+
+#[cfg(test)]
+mod tests;

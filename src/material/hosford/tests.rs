@@ -1,0 +1,178 @@
+//! Hosford's condition against closed forms, against Hill's, and against its own derivatives.
+
+use super::*;
+use crate::material::yield_condition::dot;
+use approx::assert_relative_eq;
+use std::f64::consts::TAU;
+
+const RATIOS: [f64; 6] = [0.3, 0.6, 1.0, 1.5, 2.0, 2.5];
+const EXPONENTS: [f64; 7] = [2.0, 2.3, 3.0, 6.0, 7.5, 8.0, 20.0];
+
+fn conditions() -> impl Iterator<Item = Hosford> {
+    RATIOS.into_iter().flat_map(|r| EXPONENTS.into_iter().map(move |a| Hosford::new(r, a)))
+}
+
+/// All around the plane, with shear and without.
+fn directions() -> impl Iterator<Item = Triple> {
+    let shears = [0.0, 0.4];
+    (0..720).flat_map(move |i| {
+        shears.map(|shear| [(TAU * f64::from(i) / 720.0).cos(), (TAU * f64::from(i) / 720.0).sin(), shear])
+    })
+}
+
+/// Trust: closed forms. In tension σ = Y; equi-biaxial σ = Y ((1 + r̄)/2)^(1/a); in plane strain the ratio x of the flow rule,
+/// x^(a−1) = r̄ (1 − x)^(a−1), in the condition itself.
+#[test]
+fn stresses_of_tension_biaxial_stretching_and_plane_strain_are_the_closed_forms() {
+    for law in conditions() {
+        let (r, a) = (law.ratio(), law.exponent());
+        let tension = law.stress([1.0 + r, -r, 0.0]);
+        assert_relative_eq!(tension[0], 1.0, max_relative = 1e-12);
+        assert!(tension[1].abs() < 1e-9, "r {r}, a {a}: {tension:?}");
+        for e in [[1.0, 1.0, 0.0], [-1.0, -1.0, 0.0]] {
+            let biaxial = ((1.0 + r) / 2.0).powf(1.0 / a);
+            assert_relative_eq!(law.stress(e)[0], e[0] * biaxial, max_relative = 1e-12);
+            assert_relative_eq!(law.stress(e)[1], e[1] * biaxial, max_relative = 1e-9);
+        }
+        let root = r.powf(1.0 / (a - 1.0));
+        let x = root / (1.0 + root);
+        let plane = ((1.0 + r) / (1.0 + x.powf(a) + r * (1.0 - x).powf(a))).powf(1.0 / a);
+        let stress = law.stress([1.0, 0.0, 0.0]);
+        assert_relative_eq!(stress[0], plane, max_relative = 1e-12);
+        assert_relative_eq!(stress[1], x * plane, max_relative = 1e-9);
+        assert_relative_eq!(law.plane_strain_ratio(), x, max_relative = 1e-12);
+        // Pure shear in the plane.
+        let shear = law.stress([1.0, -1.0, 0.0]);
+        assert_relative_eq!(shear[0], ((1.0 + r) / (2.0 + r * 2f64.powf(a))).powf(1.0 / a), max_relative = 1e-9);
+        assert_relative_eq!(shear[1], -shear[0], max_relative = 1e-9);
+    }
+}
+
+/// Trust: with a = 2 both are the same quadratic form.
+#[test]
+fn exponent_two_is_hills_condition() {
+    for r in RATIOS {
+        let (law, hill) = (Hosford::new(r, 2.0), Hill48::new(r));
+        for e in directions() {
+            assert_relative_eq!(law.equivalent_stress(e), hill.equivalent_stress(e), max_relative = 1e-12);
+            let (metric, quadratic) = (law.metric(e), hill.metric(e));
+            assert_relative_eq!(metric.square, quadratic.square, max_relative = 1e-12);
+            for i in 0..3 {
+                assert_relative_eq!(metric.gradient[i], quadratic.gradient[i], epsilon = 1e-12 * hill.direct);
+            }
+            for i in 0..6 {
+                assert_relative_eq!(metric.matrix[i], quadratic.matrix[i], epsilon = 1e-12 * hill.direct);
+            }
+            assert_relative_eq!(law.stress_square(&metric, e), hill.stress_square(e), max_relative = 1e-12);
+        }
+    }
+}
+
+/// Trust: the flow rule, and Euler's and Legendre's identities. A stress of the strain e lies on the surface, does the work
+/// Δε̄ on e, and its direction of flow is e/Δε̄.
+#[test]
+fn stress_lies_on_the_surface_with_the_strain_as_its_normal() {
+    for law in conditions() {
+        for e in directions() {
+            let (stress, increment) = (law.stress(e), law.equivalent_increment(e));
+            assert_relative_eq!(law.equivalent_stress(stress), 1.0, max_relative = 1e-12);
+            assert_relative_eq!(dot(stress, e), increment, max_relative = 1e-12);
+            let normal = law.flow_direction(stress);
+            for i in 0..3 {
+                assert!((increment * normal[i] - e[i]).abs() < 1e-9, "{law:?} {e:?}");
+            }
+        }
+    }
+}
+
+/// Trust: the same from the other side: the flow of a stress strains by 1, and its stress is the stress again, as far as the
+/// surface is curved there: the sides of a = 20 are flat to 1e-4 of Hill's curvature, which round-off is divided by.
+#[test]
+fn strain_of_a_stress_has_that_stress() {
+    for law in conditions() {
+        let flat = if law.exponent() > 8.0 { 1e-7 } else { 1e-10 };
+        for s in directions() {
+            let size = law.equivalent_stress(s);
+            let normal = law.flow_direction(s);
+            assert_relative_eq!(law.equivalent_increment(normal), 1.0, max_relative = 1e-12);
+            assert_relative_eq!(dot(normal, s), size, max_relative = 1e-12);
+            let back = law.stress(normal);
+            for i in 0..3 {
+                assert!((size * back[i] - s[i]).abs() < flat * size, "{law:?} {s:?} {back:?}");
+            }
+        }
+    }
+}
+
+/// Trust: central differences of the gradient with h = 1e-6: truncation h² times the third derivative, which the sharp
+/// corners make large, and 1e-10 of round-off. Between 2 and 3 the matrix itself has kinks.
+#[test]
+fn matrix_is_the_derivative_of_the_gradient_and_gives_it_back() {
+    for law in conditions().filter(|law| law.exponent() <= 8.0 && law.exponent() != 2.3) {
+        for e in directions() {
+            let Metric { gradient, matrix: [ss, st, tt, sg, tg, gg], square } = law.metric(e);
+            let full = [[ss, st, sg], [st, tt, tg], [sg, tg, gg]];
+            assert_relative_eq!(dot(gradient, e), square, max_relative = 1e-12);
+            let largest = ss.max(tt);
+            for (row, gradient) in full.iter().zip(gradient) {
+                assert_relative_eq!(dot(*row, e), gradient, epsilon = 1e-12 * largest);
+            }
+            let h = 1e-6;
+            for j in 0..3 {
+                let shifted = |sign: f64| {
+                    let mut e = e;
+                    e[j] += sign * h;
+                    law.metric(e).gradient
+                };
+                let (plus, minus) = (shifted(1.0), shifted(-1.0));
+                for i in 0..3 {
+                    let difference = (plus[i] - minus[i]) / (2.0 * h);
+                    assert!((full[i][j] - difference).abs() < 1e-5 * largest, "{law:?} {e:?} {i}{j}");
+                }
+            }
+        }
+    }
+}
+
+/// Trust: the definition of the inverse, with a stress that A makes of a strain; positive definite by a positive square.
+#[test]
+fn square_of_a_carried_stress_is_by_the_inverse_of_the_matrix() {
+    for law in conditions() {
+        for (e, other) in directions().zip(directions().skip(111)) {
+            let metric = law.metric(e);
+            let [ss, st, ..] = metric.matrix;
+            assert!(ss > 0.0 && ss * metric.matrix[2] > st * st, "{law:?} {e:?}");
+            let stress = law.product(&metric, other);
+            let square = dot(stress, other);
+            assert_relative_eq!(law.stress_square(&metric, stress), square, max_relative = 1e-6);
+            assert_relative_eq!(law.stress_square(&metric, metric.gradient), metric.square, max_relative = 1e-9);
+        }
+    }
+}
+
+/// The potential is homogeneous: strains of any size, and none at all.
+#[test]
+fn size_of_the_strain_does_not_matter() {
+    let law = Hosford::new(0.6, 8.0);
+    for e in directions() {
+        for scale in [1e-30, 1e-9, 1e9] {
+            let (small, whole) = (law.stress(e.map(|e| scale * e)), law.stress(e));
+            for i in 0..3 {
+                assert_relative_eq!(small[i], whole[i], epsilon = 1e-12);
+            }
+        }
+    }
+    assert_eq!(law.metric([0.0; 3]).gradient, [0.0; 3]);
+    assert_eq!(law.stress([0.0; 3]), [0.0; 3]);
+    assert_eq!(law.equivalent_stress([0.0; 3]), 0.0);
+    assert_eq!(law.flow_direction([0.0; 3]), [0.0; 3]);
+    assert!(law.stress([0.0, 0.0, 1.0])[2] > 0.0);
+}
+
+#[test]
+fn ranges_are_those_of_sheet_metals() {
+    assert!(Hosford::checked(0.6, 8.0).is_ok() && Hosford::checked(0.6, 2.0).is_ok());
+    assert_eq!(Hosford::checked(0.6, 1.9).expect_err("too small").key, "exponent");
+    assert!(Hosford::checked(0.6, 10.5).is_err() && Hosford::checked(0.05, 8.0).is_err());
+    assert!(Hosford::checked(0.6, f64::NAN).is_err());
+}

@@ -1,0 +1,174 @@
+//! The split-ring test: a ring that is cut from the wall of a drawn cup springs open when it is slit.
+//!
+//! # Opening
+//! The wall keeps a hoop moment M per mm of its height, tension outside. Slit, the ring gives it back: its curvature falls by
+//! M/(E′I), I = t³/12, and the ends of its 2πr part by
+//!
+//! ```text
+//!   δ = 2π r² M/(E′ I)         > 0 opens, to the first order in δ/2πr; measured along the ring
+//! ```
+//!
+//! # E′ and M of a ring of some height
+//! A low ring is a bar: free to curl along the axis, E′ = E. A high one is a plate: held straight by its own roundness,
+//! E′ = E/(1 − ν²). Between them the shell equation of a ring of height h decides, D w⁗ + E t w/r² = 0 with both edges free,
+//! whose mean over the height is that of H. Lamb (1891) for a bent plate, Searle's question:
+//!
+//! ```text
+//!   F = 2 (cosh x − cos x) / (x (sinh x + sin x)),   x = h ⁴√(3 (1 − ν²)) / √(r t)        1 of a low ring, 0 of a high one
+//!   E′ = E (1 − ν² F)/(1 − ν²),   M = M_hoop − ν F M_meridional
+//! ```
+//!
+//! The second term is what cutting the ring does before it is slit: its edges lose their meridional moment, and with it, as the
+//! closed ring keeps its curvature, ν times as much of the hoop moment.
+//!
+//! # References
+//! M. Y. Demeri, M. Lou, M. J. Saran, SAE 2000-01-2657 (not read); H. Lamb, Proc. London Math. Soc. 21 (1891) 70–91 (not read:
+//! derived here); S. Timoshenko, S. Woinowsky-Krieger, Theory of Plates and Shells, §114, for the shell equation.
+
+use super::part_height;
+use crate::material::Elastic;
+use crate::model::Geometry;
+use crate::numerics::lobatto::ThicknessPoint;
+use crate::solution::{Frame, PointRecord, StageSolution};
+use std::f64::consts::TAU;
+
+/// Cosine of the largest angle between a wall and the axis of the cup \[–\]: 30°.
+const UPRIGHT: f64 = 0.866;
+/// Share of a ring's height that may lie beyond the wall by round-off \[–\].
+const ROUND_OFF: f64 = 1e-9;
+
+/// Rings over the height of a cup.
+const PLACES: u32 = 100;
+
+/// Where a ring is cut from the wall of a cup that stands on its bottom.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Ring {
+    /// Of its lower edge over the outside of the bottom \[mm\].
+    pub from: f64,
+    /// From edge to edge along the axis \[mm\].
+    pub height: f64,
+}
+
+/// The openings of rings of one wall.
+#[derive(Clone, Debug, PartialEq)]
+pub struct RingTest {
+    /// The one that is asked for.
+    pub ring: Ring,
+    /// Its opening \[mm\].
+    pub opening: f64,
+    /// Lower edges of rings as high \[mm\], rising, and their openings \[mm\]; it is among them.
+    pub places: Vec<(f64, f64)>,
+}
+
+/// A ring as it is cut, before it is slit; means over its height.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct CutRing {
+    /// Of the mid-surface \[mm\].
+    pub radius: f64,
+    /// \[mm\]
+    pub thickness: f64,
+    /// From edge to edge \[mm\].
+    pub height: f64,
+    /// Of the wall, per mm of height, positive with tension outside \[N\].
+    pub moment_hoop: f64,
+    /// Of the wall, per mm of circumference, positive with tension outside \[N\].
+    pub moment_meridional: f64,
+}
+
+impl CutRing {
+    /// The share of a free ring's curling that a ring of its height does on average \[–\]: 1 of a bar, 0 of a plate.
+    pub fn curling(&self, poisson: f64) -> f64 {
+        let x = self.height * (3.0 * (1.0 - poisson * poisson)).powf(0.25) / (self.radius * self.thickness).sqrt();
+        match x {
+            // Its series is 1 − x⁴/180; beyond, the difference of cosines would be round-off.
+            x if x < 1e-2 => 1.0,
+            // There the hyperbolic functions are equal to round-off, and may overflow.
+            x if x > 40.0 => 2.0 / x,
+            x => 2.0 * (x.cosh() - x.cos()) / (x * (x.sinh() + x.sin())),
+        }
+    }
+
+    /// By how much the ends part when the ring is slit \[mm\], along the ring: positive opened, negative closed.
+    pub fn opening(&self, elastic: Elastic) -> f64 {
+        let Elastic { young, poisson } = elastic;
+        let curling = self.curling(poisson);
+        let modulus = young * (1.0 - poisson * poisson * curling) / (1.0 - poisson * poisson);
+        let moment = self.moment_hoop - poisson * curling * self.moment_meridional;
+        TAU * self.radius * self.radius * moment / (modulus * self.thickness.powi(3) / 12.0)
+    }
+}
+
+impl Ring {
+    /// The ring of a cup; `None` where the wall does not reach so far, or leans by more than 30°, and of a frame without
+    /// thickness points.
+    pub fn of(self, frame: &Frame) -> Option<CutRing> {
+        let (middle, rim) = (frame.nodes.first()?, frame.nodes.last()?);
+        let down = (middle.z - rim.z).signum();
+        // Over the outside of the bottom.
+        let over = |z: f64| down * (middle.z - z) + 0.5 * middle.thickness;
+        let layers = &frame.through.layers;
+        let mut sums = [0.0; 5];
+        let sections = frame.elements.iter().zip(frame.through.elements()).zip(frame.nodes.windows(2));
+        for ((element, points), ends) in sections {
+            let heights = [over(ends[0].z), over(ends[1].z)];
+            let (low, high) = (heights[0].min(heights[1]), heights[0].max(heights[1]));
+            let share = (high.min(self.from + self.height) - low.max(self.from)).max(0.0);
+            if share == 0.0 {
+                continue;
+            }
+            let (along, across) = (ends[1].z - ends[0].z, ends[1].r - ends[0].r);
+            if along.abs() < UPRIGHT * along.hypot(across) {
+                return None;
+            }
+            // The layers run towards the punch's face, which lies inside of a wall that goes away from its bottom.
+            let outward = along.signum();
+            let moment = |stress: fn(&PointRecord) -> f64| outward * moment(element.thickness, layers, points, stress);
+            let values = [
+                1.0,
+                element.r,
+                element.thickness,
+                moment(|point| point.stress_hoop),
+                moment(|point| point.stress_meridional),
+            ];
+            sums.iter_mut().zip(values).for_each(|(sum, value)| *sum += share * value);
+        }
+        let [height, sums @ ..] = sums;
+        if layers.is_empty() || (height - self.height).abs() > ROUND_OFF * self.height {
+            return None;
+        }
+        let [radius, thickness, moment_hoop, moment_meridional] = sums.map(|sum| sum / height);
+        Some(CutRing { radius, thickness, height, moment_hoop, moment_meridional })
+    }
+
+    /// The opening of a ring of the cup that the last of some stages has let go \[mm\]; `None` where that stage takes no tools
+    /// away, and where there is no such wall.
+    pub fn opening(self, stages: &[StageSolution]) -> Option<f64> {
+        let (frame, elastic) = released(stages)?;
+        Some(self.of(frame)?.opening(elastic))
+    }
+
+    /// The opening of it and of rings as high all along the wall; `None` where it has none itself.
+    pub fn test(self, stages: &[StageSolution]) -> Option<RingTest> {
+        let (frame, elastic) = released(stages)?;
+        let opening = self.opening(stages)?;
+        let height = part_height(frame)?;
+        let others = (0..=PLACES).map(|i| height * f64::from(i) / f64::from(PLACES));
+        let along = others.filter_map(|from| Some((from, Self { from, ..self }.of(frame)?.opening(elastic))));
+        let mut places: Vec<(f64, f64)> = along.chain([(self.from, opening)]).collect();
+        places.sort_by(|a, b| a.0.total_cmp(&b.0));
+        Some(RingTest { ring: self, opening, places })
+    }
+}
+
+/// The cup that the last of some stages has let go, and its elastic constants.
+fn released(stages: &[StageSolution]) -> Option<(&Frame, Elastic)> {
+    let last = stages.last().filter(|stage| stage.model.geometry == Geometry::Axisymmetric)?;
+    let [_, frame] = last.released()?;
+    Some((frame, last.model.material.elastic?))
+}
+
+/// ∫ σ ζ dζ, ζ from the mid-surface towards the punch's face \[N\].
+fn moment(thickness: f64, layers: &[ThicknessPoint], points: &[PointRecord], stress: fn(&PointRecord) -> f64) -> f64 {
+    let sum: f64 = layers.iter().zip(points).map(|(layer, point)| layer.weight * layer.xi * stress(point)).sum();
+    0.5 * thickness * thickness * sum
+}

@@ -1,0 +1,58 @@
+//! Powers of an exponent that stays.
+
+/// x^a and its like for x ≥ 0: by products and square roots where the exponent allows.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Power {
+    exponent: f64,
+    /// The exponent where it is whole.
+    whole: Option<i32>,
+    /// How many square roots make the root, where the exponent is a power of two.
+    square_roots: Option<u32>,
+}
+
+impl Power {
+    /// Of an exponent of 2 to 1000.
+    pub fn new(exponent: f64) -> Self {
+        let whole = (exponent.fract() == 0.0).then_some(exponent as i32);
+        let square_roots = whole.filter(|a| a.count_ones() == 1).map(i32::trailing_zeros);
+        Self { exponent, whole, square_roots }
+    }
+
+    /// a.
+    pub fn exponent(&self) -> f64 {
+        self.exponent
+    }
+
+    /// x^(a − 2).
+    #[inline]
+    pub fn less_two(&self, x: f64) -> f64 {
+        self.whole.map_or_else(|| x.powf(self.exponent - 2.0), |a| x.powi(a - 2))
+    }
+
+    /// y^(1/a).
+    #[inline]
+    pub fn root(&self, y: f64) -> f64 {
+        match self.square_roots {
+            Some(count) => (0..count).fold(y, |y, _| y.sqrt()),
+            None => y.powf(1.0 / self.exponent),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Power;
+    use approx::assert_relative_eq;
+
+    /// Trust: products and square roots are right to some round-offs, and so is the library's power.
+    #[test]
+    fn shortcuts_are_powers() {
+        for exponent in [2.0, 3.0, 4.0, 6.0, 6.5, 8.0, 16.0, 20.0] {
+            let power = Power::new(exponent);
+            for x in [0.0, 1e-8, 0.3, 1.0, 1.9_f64] {
+                assert_relative_eq!(power.less_two(x), x.powf(exponent - 2.0), max_relative = 1e-14);
+                assert_relative_eq!(power.root(x), x.powf(1.0 / exponent), max_relative = 1e-14);
+            }
+        }
+    }
+}

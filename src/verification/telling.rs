@@ -1,0 +1,189 @@
+//! A verification as it is told with the answer that it is of: bars on the numbers, lights that they move, sentences.
+
+use super::bar::Bar;
+use super::direction::Direction;
+use super::lights::moved;
+use super::numbers::{Number, Of};
+use super::verify::Verification;
+use crate::assess::{self, Answer, ErrorBar, Finding, KeyNumber};
+use crate::case::Solution;
+use crate::message::{Amount, Digits, Message, message};
+use crate::units::rounded;
+use serde::Serialize;
+use std::cell::Cell;
+
+/// Two numbers of one unit nearer to each other than that, over their size, are one and the same \[–\]: round-off of a
+/// change to percent and back.
+const SAME: f64 = 1e-12;
+
+/// The answer to a solved case and what is found on it, with error bars where it was verified: the one way in which both
+/// come to whoever tells them.
+pub fn answered(solution: &Solution, verification: Option<&Verification>) -> (Answer, Vec<Finding>) {
+    let Solution { case, stages, .. } = solution;
+    let mut findings = assess::after(case, stages);
+    if let Some(verification) = verification {
+        findings = verification.weigh(findings);
+    }
+    let mut answer = Answer::of(case, stages, &findings);
+    if let Some(verification) = verification {
+        answer.sentence = verification.within(&answer.sentence);
+        answer.numbers = answer.numbers.into_iter().map(|number| verification.barred(number)).collect();
+    }
+    (answer, findings)
+}
+
+/// What is told of the bars of all numbers together.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Told {
+    /// What the bars are from.
+    pub method: Message,
+    /// Runs beside the one as it is.
+    pub runs: usize,
+    /// See [`Verification::sentences`].
+    pub told: Vec<Message>,
+    /// Of the part and the press; the verdict has its own.
+    pub numbers: Vec<ToldNumber>,
+}
+
+/// A number with its bar, for programs.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct ToldNumber {
+    /// Name: `thinnest`.
+    pub key: &'static str,
+    /// In `unit`.
+    pub value: f64,
+    /// How far it can be trusted.
+    #[serde(flatten)]
+    pub bar: ErrorBar,
+    /// As at the end of a header.
+    pub unit: &'static str,
+    /// Number and bar, with its unit, for people.
+    pub told: Message,
+    /// What the bar is made of.
+    pub made_of: Message,
+}
+
+impl From<&Bar> for ToldNumber {
+    fn from(bar: &Bar) -> Self {
+        let Number { key, amount, .. } = bar.number;
+        let (value, unit) = (rounded(amount.value), amount.unit.spelled());
+        Self { key, value, bar: bar.told(), unit, told: bar.amount().into(), made_of: bar.made_of() }
+    }
+}
+
+impl From<&Verification> for Told {
+    fn from(verification: &Verification) -> Self {
+        let runs = verification.outcomes.len() - 1;
+        let numbers = verification.bars.iter().filter(|bar| bar.number.of != Of::Verdict).map(ToldNumber::from);
+        Self { method: verification.method(), runs, told: verification.sentences(), numbers: numbers.collect() }
+    }
+}
+
+impl Verification {
+    /// Findings with their bars: a light is green only where the whole bar is.
+    pub fn weigh(&self, findings: Vec<Finding>) -> Vec<Finding> {
+        let moved = moved(&findings, self);
+        let weighed = findings.into_iter().map(|finding| {
+            let mut finding = self.told(finding);
+            if let Some(moved) = moved.iter().find(|moved| moved.key == finding.key) {
+                let found = finding.found;
+                finding.found = message!("{clause}: {found}", clause = moved.clause.clone(), found = found);
+                if finding.light < moved.light {
+                    finding.advice = moved.advice();
+                }
+                finding.light = finding.light.max(moved.light);
+            }
+            finding
+        });
+        weighed.collect()
+    }
+
+    /// A finding whose number is told with its bar, and every other with no digit beyond its own.
+    fn told(&self, finding: Finding) -> Finding {
+        let Some(value) = finding.value else { return Finding { found: self.within(&finding.found), ..finding } };
+        let bar = match self.bar(Of::Verdict, finding.key) {
+            Some(bar) => bar.told(),
+            None => ErrorBar::Missing("not estimated: it judges the solution, not the part".into()),
+        };
+        let own = Amount::new(value, finding.unit, Digits::Significant(3));
+        let is_told = Cell::new(false);
+        let found = finding.found.with_amounts(&|amount| match (&bar, self.half(amount)) {
+            (ErrorBar::Half(half), _) if is_same(amount, own) => {
+                is_told.set(true);
+                amount.with_bar(*half)
+            }
+            (_, Some(half)) => amount.within_bar(half),
+            _ => amount,
+        });
+        let found = match bar {
+            // Told in other words than its number's.
+            ErrorBar::Half(half) if !is_told.get() => {
+                message!("{found} ({number})", found = found, number = own.with_bar(half))
+            }
+            _ => found,
+        };
+        Finding { found, bar, ..finding }
+    }
+
+    /// A number of the answer with its bar, and what is said about it with no digit beyond its own.
+    fn barred(&self, number: KeyNumber) -> KeyNumber {
+        let bar = match self.bar(Of::Answer, number.key) {
+            Some(bar) => bar.told(),
+            None => ErrorBar::Missing("given, not computed".into()),
+        };
+        KeyNumber { about: self.within(&number.about), ..number.with_bar(bar) }
+    }
+
+    /// A message whose numbers have no digit beyond their bars, which are told elsewhere.
+    pub fn within(&self, message: &Message) -> Message {
+        message.with_amounts(&|amount| self.half(amount).map_or(amount, |half| amount.within_bar(half)))
+    }
+
+    /// Half the bar of the number that an amount tells, in its unit.
+    pub fn half(&self, amount: Amount) -> Option<f64> {
+        let is_computed = matches!(amount.digits, Digits::Decimals(_) | Digits::Significant(_));
+        let own = |bar: &&Bar| is_same(bar.number.amount, amount) && bar.moves().is_some();
+        self.bars.iter().filter(|_| is_computed && amount.value != 0.0).find(own)?.moves()
+    }
+
+    /// What the bars are from, in a few words.
+    pub fn method(&self) -> Message {
+        let runs = self.outcomes.len() - 1;
+        match self.outcomes.iter().any(|run| run.direction == Some(Direction::Together)) {
+            _ if runs == 0 => "no error bars".into(),
+            true => "error bars estimated from one coarser run".into(),
+            false => message!("error bars from {n} finer runs", n = runs),
+        }
+    }
+
+    /// What is told below the answer's numbers: what their bars are from and say, which of them have none and why, and
+    /// whatever is no small error.
+    pub fn sentences(&self) -> Vec<Message> {
+        let mut why_none: Vec<(&Message, Vec<Message>)> = Vec::new();
+        let answers = || self.bars.iter().filter(|bar| bar.number.of == Of::Answer);
+        for bar in answers().filter(|bar| bar.half.is_none()) {
+            match why_none.iter_mut().find(|(why, _)| *why == &bar.why) {
+                Some((_, labels)) => labels.push(bar.number.label.into()),
+                None => why_none.push((&bar.why, vec![bar.number.label.into()])),
+            }
+        }
+        if let [(why, labels)] = &why_none[..]
+            && labels.len() == answers().count()
+        {
+            let none = message!("no error bars: {why}", why = (*why).clone());
+            return [none].into_iter().chain(self.told.iter().filter(|told| told != why).cloned()).collect();
+        }
+        let method = message!(
+            "{method}: what mesh, steps and contact leave open; laws and friction are no part of them",
+            method = self.method()
+        );
+        let without = why_none.into_iter().map(|(why, labels)| {
+            message!("{labels}: no error bar, {why}", labels = Message::joined(labels, ", "), why = why.clone())
+        });
+        [method].into_iter().chain(without).chain(self.told.iter().cloned()).collect()
+    }
+}
+
+fn is_same(one: Amount, other: Amount) -> bool {
+    one.unit == other.unit && (one.value - other.value).abs() <= SAME * one.value.abs()
+}

@@ -1,0 +1,155 @@
+//! Error bars held against a truth that is eight times finer in each direction.
+
+use stampflow::Stage;
+use stampflow::case::{self, Case};
+use stampflow::forming_limit::{Kind, Sheet, Swift};
+use stampflow::model::{Beginning, Model};
+use stampflow::verification::{Direction, Number, Of, Outcome, Verification, quick, verify};
+
+/// How many times finer the truth is \[–\].
+const TRUTH: f64 = 8.0;
+
+/// A die with its bars and its truth.
+pub struct Checked {
+    pub full: Verification,
+    pub quick: Verification,
+    /// What is eight times finer, a run for each direction.
+    pub finest: Vec<Outcome>,
+}
+
+/// A case of one stage with a model.
+pub fn case_of(mut model: Model) -> Case {
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/cases/quickstart.toml");
+    let sheet = Sheet { material: &model.material, thickness: model.blank.thickness, temperature: 293.15 };
+    model.forming_limit = Kind::Swift(Swift { n: None }).curve(&sheet).ok();
+    let stage = Stage { name: "draw".into(), model, begin: Beginning::default() };
+    Case { stages: vec![stage], ..case::load(path, &[]).expect("a shipped case") }
+}
+
+pub fn check(case: Case) -> Checked {
+    let solution = case.solve(&mut ());
+    let stages = &solution.case.stages;
+    let finest = Direction::ALL.iter().filter_map(|direction| {
+        let case = Case { stages: direction.refined(stages, TRUTH)?, ..solution.case.clone() };
+        Some(Outcome::of(&case.solve(&mut ()), Some((*direction, TRUTH))))
+    });
+    let finest = finest.collect();
+    Checked { full: verify(&solution, &()), quick: quick(&solution, &()), finest }
+}
+
+impl Checked {
+    /// The run as it is, and the deviations of all finer runs from it summed; `None` where one ended otherwise.
+    pub fn truth(&self, number: &Number) -> Option<f64> {
+        let own = number.amount.value;
+        let base = &self.full.outcomes[0];
+        let deviations = self.finest.iter().map(|run| {
+            let value = run.value(number).filter(|_| run.end.is_like(&base.end));
+            value.map(|value| value - own)
+        });
+        Some(own + deviations.sum::<Option<f64>>()?)
+    }
+
+    /// Every number with its levels, for a look at them.
+    #[allow(dead_code, reason = "the benchmark prints it")]
+    pub fn print_raw(&self, seed: u64) {
+        let base = &self.full.outcomes[0];
+        for number in &base.numbers {
+            let all = self.full.outcomes.iter().chain(&self.quick.outcomes[1..]).chain(&self.finest).skip(1);
+            let runs = all.map(|run| {
+                let direction = run.direction.map_or("", Direction::key);
+                let value = run.value(number).map_or_else(|| "none".to_owned(), |v| format!("{v:.10e}"));
+                let alike = if run.end.is_like(&base.end) { "" } else { "!" };
+                format!("{direction}:{}:{alike}{value}", run.times)
+            });
+            let runs: Vec<String> = runs.collect();
+            println!(
+                "raw {seed} {:?} {} {:.10e} {:.4e} {} {:.3} {}",
+                number.of,
+                number.key,
+                number.amount.value,
+                number.resolution,
+                base.end.kind.replace(' ', "_"),
+                base.shortest,
+                runs.join(" ")
+            );
+        }
+    }
+}
+
+/// How often the truth lies inside the bars of a number, and how long these are.
+#[derive(Default)]
+pub struct Row {
+    pub name: String,
+    pub without: usize,
+    pub inside: usize,
+    /// Bar over true error, of each die that has both.
+    pub ratios: Vec<f64>,
+}
+
+/// Of all numbers, by `verify` and by the quick estimate.
+pub struct Tally {
+    pub full: Vec<Row>,
+    pub quick: Vec<Row>,
+}
+
+impl Tally {
+    pub fn of(checked: &[Checked]) -> Self {
+        let rows = |of: fn(&Checked) -> &Verification| {
+            let mut rows: Vec<Row> = Vec::new();
+            for (one, bar) in checked.iter().flat_map(|one| of(one).bars.iter().map(move |bar| (one, bar))) {
+                let shown = bar.number.of != Of::Verdict || bar.number.key == "forming_limit";
+                let Some(truth) = one.truth(&bar.number).filter(|_| shown) else { continue };
+                let i = rows.iter().position(|row| row.name == bar.number.label).unwrap_or_else(|| {
+                    rows.push(Row { name: bar.number.label.to_owned(), ..Row::default() });
+                    rows.len() - 1
+                });
+                let error = (truth - bar.number.amount.value).abs();
+                match bar.half {
+                    None => rows[i].without += 1,
+                    Some(half) => {
+                        rows[i].inside += usize::from(error <= half);
+                        // What nothing moves has no bar, and needs none.
+                        rows[i].ratios.push(if half == error { 1.0 } else { half / error });
+                    }
+                }
+            }
+            rows.iter_mut().for_each(|row| row.ratios.sort_by(f64::total_cmp));
+            rows
+        };
+        Self { full: rows(|one| &one.full), quick: rows(|one| &one.quick) }
+    }
+
+    /// As a table of Markdown.
+    #[allow(dead_code, reason = "the benchmark prints it")]
+    pub fn markdown(&self) -> String {
+        let mut text = "| number | dies | inside, `verify` | bar / true error | no bar | inside, quick | bar / true error | no bar |\n\
+                        |---|---:|---:|---:|---:|---:|---:|---:|\n"
+            .to_owned();
+        for (full, quick) in self.full.iter().zip(&self.quick) {
+            text += &format!(
+                "| {} | {} | {:.1} % | {:.1} | {} | {:.1} % | {:.1} | {} |\n",
+                full.name,
+                full.ratios.len(),
+                100.0 * full.share(),
+                full.median(),
+                full.without,
+                100.0 * quick.share(),
+                quick.median(),
+                quick.without
+            );
+        }
+        text
+    }
+}
+
+impl Row {
+    /// Share of the bars with the truth inside \[–\].
+    pub fn share(&self) -> f64 {
+        self.inside as f64 / self.ratios.len().max(1) as f64
+    }
+
+    /// Median of bar over true error \[–\].
+    pub fn median(&self) -> f64 {
+        self.ratios.get(self.ratios.len() / 2).copied().unwrap_or(f64::NAN)
+    }
+}

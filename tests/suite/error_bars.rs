@@ -1,0 +1,220 @@
+//! Error bars beside whatever is told of a run: numbers, lights, JSON, reports and pictures.
+
+use crate::common::cli::{CUP, folder, stampflow, text};
+use crate::common::coverage::case_of;
+use crate::common::random_die::random_die;
+use crate::common::shipped::shipped_case;
+use serde_json::Value;
+use stampflow::assess::{Answer, Finding, Light};
+use stampflow::case::Solution;
+use stampflow::message::{Form, Language, System};
+use stampflow::output::chart::Look;
+use stampflow::output::{OUTPUTS, Results, svg};
+use stampflow::report::{Report, html, markdown};
+use stampflow::verification::{Verification, Watch, answered, quick, verify};
+use std::fs;
+use std::path::Path;
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+fn forms() -> [Form; 3] {
+    let si = Form::default();
+    [si, Form { system: System::Us, ..si }, Form { language: Language::of("de").expect("German"), ..si }]
+}
+
+/// Numbers and bars, as told: `0.61` and `0.01` of `0.61 ± 0.01 mm`.
+fn barred(text: &str) -> Vec<(String, String)> {
+    let number =
+        |text: &str| text.chars().take_while(|c| c.is_ascii_digit() || ".,e-".contains(*c)).collect::<String>();
+    let parts: Vec<&str> = text.split('±').collect();
+    let pairs = parts.windows(2).map(|pair| {
+        let before = pair[0].trim_end().rsplit(|c: char| c.is_whitespace() || c == '(').next().unwrap_or_default();
+        (before.to_owned(), number(pair[1].trim_start()))
+    });
+    pairs.collect()
+}
+
+/// Everything that is told of a run with its bars, in a form.
+fn told(answer: &Answer, findings: &[Finding], form: Form) -> String {
+    let numbers =
+        answer.numbers.iter().map(|number| format!("{} {}\n", number.amount.told(form), number.about.told(form)));
+    let rows = findings.iter().map(|finding| finding.found.told(form) + "\n");
+    numbers.chain(rows).chain([answer.sentence.told(form)]).collect()
+}
+
+fn decimals(number: &str) -> usize {
+    number.split(['.', ',']).nth(1).map_or(0, str::len)
+}
+
+/// Trust: a bar has one digit, or two where the first is 1, unless the number is told coarser by itself; both stand on the
+/// same decimal.
+#[test]
+fn no_number_is_told_with_a_digit_beyond_its_bar() {
+    let random = (70_000..70_006).map(|seed| case_of(random_die(seed).model));
+    let shipped = [("quickstart", "forming_limit.hill=true"), ("hat_springback", "blank.elements=60")];
+    let cases = random.chain(shipped.map(|(name, set)| shipped_case(name, &[set])));
+    let mut count = 0;
+    for case in cases {
+        let solution = case.solve(&mut ());
+        let found = quick(&solution, &());
+        let (answer, findings) = answered(&solution, Some(&found));
+        for form in forms() {
+            let told = told(&answer, &findings, form);
+            for (number, bar) in barred(&told) {
+                count += 1;
+                assert_eq!(decimals(&number), decimals(&bar), "{number} ± {bar} in\n{told}");
+                let digits = bar.replace(['.', ','], "");
+                let digits = digits.trim_start_matches('0').trim_end_matches('0');
+                assert!(digits.len() <= 2 && (digits.len() < 2 || digits.starts_with('1')), "{number} ± {bar}");
+            }
+        }
+    }
+    assert!(count > 150, "{count}");
+}
+
+/// Trust: a press whose rating leaves a thousandth of room below its amber share, where the bar is some 0.6 % of the force.
+#[test]
+fn a_press_force_just_below_its_limit_is_amber_by_its_bar() {
+    let plain = shipped_case("quickstart", &[]).solve(&mut ());
+    let force = |solution: &Solution, found: Option<&Verification>| {
+        let (answer, findings) = answered(solution, found);
+        (answer, findings.into_iter().find(|finding| finding.key == "press_force").expect("a row"))
+    };
+    let needed = force(&plain, None).1.value.expect("a force");
+    let rated = |share: f64| shipped_case("quickstart", &[&format!("press.force={} N", needed / share)]).solve(&mut ());
+    let near = rated(0.799);
+    let found = quick(&near, &());
+    assert_eq!(force(&near, None).1.light, Light::Green);
+    let (answer, row) = force(&near, Some(&found));
+    assert_eq!(row.light, Light::Amber, "{row:?}");
+    assert!(row.found.to_string().starts_with("with its error bar it reaches the limit of"), "{row:?}");
+    assert!(row.found.to_string().contains('±') && !row.advice.is_empty(), "{row:?}");
+    assert!(answer.sentence.to_string().contains("Press force"), "{answer:?}");
+    let far = rated(0.7);
+    assert_eq!(force(&far, Some(&quick(&far, &()))).1.light, Light::Green);
+}
+
+struct Counted(AtomicUsize);
+
+impl Watch for Counted {
+    fn ran(&self, _: usize, _: usize) {
+        self.0.fetch_add(1, Ordering::Relaxed);
+    }
+}
+
+#[test]
+fn the_quick_estimate_is_one_run() {
+    let solution = shipped_case("quickstart", &["blank.elements=20"]).solve(&mut ());
+    let counted = Counted(AtomicUsize::new(0));
+    assert_eq!(quick(&solution, &counted).outcomes.len(), 2);
+    assert_eq!(counted.0.into_inner(), 1);
+}
+
+struct Ended;
+
+impl Watch for Ended {
+    fn wants_to_stop(&self) -> bool {
+        true
+    }
+}
+
+/// Ctrl-C while the finer runs are solved: the run stays, and says that it has no bars.
+#[test]
+fn what_is_interrupted_has_no_bars_and_says_so() {
+    let solution = shipped_case("quickstart", &["blank.elements=20"]).solve(&mut ());
+    for found in [quick(&solution, &Ended), verify(&solution, &Ended)] {
+        assert!(found.bars.iter().all(|bar| bar.half.is_none()) && found.load.is_none());
+        let told: Vec<String> = found.sentences().iter().map(ToString::to_string).collect();
+        assert_eq!(told, ["no error bars: interrupted by the user"]);
+        let (answer, _) = answered(&solution, Some(&found));
+        assert!(!answer.numbers[0].amount.told(Form::default()).contains('±'));
+    }
+}
+
+fn json(dir: &Path, args: &[&str]) -> Value {
+    let done = stampflow(dir, args);
+    assert_eq!(done.status.code(), Some(0), "{}", text(&done.stderr));
+    serde_json::from_slice(&done.stdout).expect("JSON")
+}
+
+fn numbers(value: &Value) -> Vec<(String, Option<f64>)> {
+    let all = value["numbers"].as_array().expect("numbers").iter();
+    all.map(|n| (n["key"].as_str().expect("a key").to_owned(), n["error_bar"].as_f64())).collect()
+}
+
+/// Quick ones by default, none where they are refused, and with the option those of `verify` to the last digit.
+#[test]
+fn programs_read_the_bars_that_are_asked_for() {
+    let dir = folder(CUP);
+    let check = json(dir.path(), &["check", "cases/cup.toml", "--run", "--json"]);
+    assert_eq!(check["verdict"]["error_bars"]["runs"], 1);
+    assert_eq!(check["verdict"]["error_bars"]["method"], "error bars estimated from one coarser run");
+    let told = numbers(&check["verdict"]);
+    assert!(told.iter().filter(|(_, bar)| bar.is_some_and(|bar| bar > 0.0)).count() >= 4, "{told:?}");
+    let blank = check["verdict"]["numbers"].as_array().expect("numbers").iter().find(|n| n["key"] == "blank");
+    assert_eq!(blank.expect("a blank")["error_bar_reason"], "given, not computed");
+    for row in check["verdict"]["findings"].as_array().expect("rows").iter().filter(|row| row["value"].is_number()) {
+        assert!(row["error_bar"].is_number() || row["error_bar_reason"].is_string(), "{row}");
+    }
+
+    for args in
+        [&["check", "cases/cup.toml", "--run", "--json", "--no-error-bars"][..], &["run", "cases/cup.toml", "--json"]]
+    {
+        let plain = json(dir.path(), args);
+        assert!(!plain.to_string().contains("error_bar"), "{plain}");
+    }
+
+    let run = json(dir.path(), &["run", "cases/cup.toml", "--error-bars", "--json"]);
+    let verified = json(dir.path(), &["verify", "cases/cup.toml", "--json"]);
+    let of_verify = numbers(&verified);
+    for (key, bar) in numbers(&run["verdict"]).into_iter().filter(|(_, bar)| bar.is_some()) {
+        assert!(of_verify.contains(&(key.clone(), bar)), "{key} {bar:?} {of_verify:?}");
+    }
+    assert!(run["thinnest_error_bar_mm"].as_f64().is_some_and(|bar| bar > 0.0), "{run}");
+    let table = fs::read_to_string(dir.path().join("out/cup/error_bars.csv")).expect("a table");
+    let thinnest = numbers(&run["verdict"])[0].1.expect("a bar");
+    assert!(table.starts_with("told_by,quantity,unit,at_mm,value,error_bar,made_of\n"), "{table}");
+    assert!(
+        table.lines().any(|line| line.starts_with("answer,thinnest,mm,,") && line.contains(&format!(",{thinnest},")))
+    );
+    assert!(table.contains("\ncurve,punch_force,N,") && table.contains("\ncurve,thickness,mm,"), "{table}");
+}
+
+#[test]
+fn error_bars_without_a_run_are_refused() {
+    let dir = folder(CUP);
+    let done = stampflow(dir.path(), &["check", "cases/cup.toml", "--error-bars"]);
+    assert_eq!(done.status.code(), Some(2));
+    assert!(text(&done.stderr).contains("--run --error-bars"), "{}", text(&done.stderr));
+}
+
+/// Front page, section, verdict and pictures of one report; nothing of it where there are none.
+#[test]
+fn reports_and_pictures_carry_the_bars() {
+    let solution = shipped_case("quickstart", &[]).solve(&mut ());
+    let found = verify(&solution, &());
+    let report = Report::verified(&solution, Some(&found));
+    let page = html(&report.document()).replace('\u{a0}', " ");
+    for said in
+        ["How sure", "Made of (observed order)", "error bars from 14 finer runs", "Error band", "0.94 ± 0.01 mm"]
+    {
+        assert!(page.contains(said), "{said}");
+    }
+    assert!(
+        report.json()["error_bars"]["runs"] == 14 && report.json()["answer"]["numbers"][0]["error_bar"].is_number()
+    );
+    let plain = Report::of(&solution);
+    let text = markdown(&plain.document(), "figures").0;
+    assert!(!text.contains("How sure") && !text.contains('±'), "{text}");
+
+    let results = Results::of(&solution).expect("no references").verified(Some(&found));
+    let view = &results.views[0];
+    for file in ["load_travel.png", "thickness.png"] {
+        let chart =
+            OUTPUTS.iter().find(|output| output.file == file).and_then(|output| output.chart(view)).expect(file);
+        let [band, .., curve] = &chart.panels[0].series[..] else { panic!("curves") };
+        assert!(matches!(band.look, Look::Area { .. }) && band.points.len() > 20, "{file}");
+        assert!(svg(&chart).contains("Error band"), "{file} {curve:?}");
+    }
+    let german = html(&report.told(forms()[2]));
+    assert!(german.contains("Fehlerband") && german.contains("Wie sicher"));
+}

@@ -1,0 +1,106 @@
+//! The verdict where Hill's yield condition is known to be wrong: no light is green by it, and the other answer stands beside.
+
+use stampflow::assess::{self, Answer, Finding, Light};
+use stampflow::author::templates;
+use stampflow::case::{self, Case, Solution};
+
+/// A hemispherical cup of AA6016-T4, its dome stretched both ways.
+fn cup(overrides: &[&str]) -> Case {
+    let template = templates::find("hemispherical-cup").expect("a template");
+    let text = template.fill(&[("material", "aa6016-t4")]).expect("a case");
+    let overrides: Vec<String> = overrides.iter().map(|o| (*o).to_owned()).collect();
+    case::parse(&text, "made.toml", &overrides).unwrap_or_else(|e| panic!("{}", e.render(false)))
+}
+
+fn solved(overrides: &[&str]) -> (Solution, Vec<Finding>) {
+    let solution = cup(overrides).solve(&mut ());
+    let findings = assess::after(&solution.case, &solution.stages);
+    (solution, findings)
+}
+
+fn row<'a>(findings: &'a [Finding], key: &str) -> &'a Finding {
+    findings.iter().find(|finding| finding.key == key).unwrap_or_else(|| panic!("no {key}"))
+}
+
+const HILL: &str = "material.yield_condition=hill48";
+const HOSFORD: &str = "material.yield_condition={ hosford = { crystal = \"fcc\" } }";
+
+/// Trust: the other answer is what the advised line gives when it is written into the case; a limit that ends, by any of the
+/// computed curves, neither turns green nor lets the rule of thumb off.
+#[test]
+fn a_low_r_by_hill_is_doubted_and_answered_by_hosford() {
+    let (other, with_hosford) = solved(&[HOSFORD]);
+    for limit in ["hill", "marciniak_kuczynski={}"] {
+        let (limit, drop) = match limit {
+            "hill" => ("forming_limit.hill=true".to_owned(), None),
+            groove => (format!("forming_limit.{groove}"), Some("forming_limit.hill=false")),
+        };
+        let overrides: Vec<&str> = [HILL, &limit].into_iter().chain(drop).collect();
+        let (solution, found) = solved(&overrides);
+        let doubted = row(&found, "yield_condition");
+        assert_eq!(doubted.light, Light::Amber, "{doubted:?}");
+        let end = other.stages[0].steps.last().expect("steps");
+        let thinning = format!("{:.0}", 100.0 * (1.0 - end.thinnest / other.case.model().blank.thickness));
+        let said = doubted.found.to_string();
+        assert!(said.contains(&format!("it thins by {thinning}")) && said.contains("no tear is seen"), "{said}");
+        assert!(
+            doubted.advice.to_string().contains("yield_condition = { hosford = { crystal = \"fcc\" } }"),
+            "{doubted:?}"
+        );
+        let held = row(&found, "forming_limit");
+        assert!(held.light == Light::Amber && held.found.to_string().starts_with("not judged"), "{held:?}");
+        assert_eq!(row(&found, "thinning").light, Light::Red, "the rule of thumb stays");
+        assert!(Answer::of(&solution.case, &solution.stages, &found).light == Light::Red);
+    }
+    let trusted = row(&with_hosford, "yield_condition");
+    assert!(trusted.light == Light::Green && trusted.advice.is_empty(), "{trusted:?}");
+    assert!(row(&with_hosford, "forming_limit").light != Light::Grey);
+}
+
+/// Trust: the same cup at half its depth thins by a rule of thumb's amber: what cannot be judged is said in the first
+/// sentence; at a higher r̄ Hill's condition is taken at its word.
+#[test]
+fn what_is_not_known_is_not_called_good() {
+    let (solution, found) = solved(&[HILL, "tools.punch.travel=26 mm"]);
+    let answer = Answer::of(&solution.case, &solution.stages, &found);
+    assert!(answer.light >= Light::Amber, "{answer:?}");
+    let (_, found) = solved(&[HILL, "material.anisotropy=0.9"]);
+    assert_eq!(row(&found, "yield_condition").light, Light::Green);
+}
+
+/// Trust: by hand, (0.525 + 2 × 0.248 + 0.429)/4; the same model as with the mean, and ears about it that add up to little:
+/// two thirds of each other's sign.
+#[test]
+fn r_by_direction_is_its_mean_and_tells_the_ears() {
+    let of = |given: &str| cup(&[given]);
+    let directions = of("material.anisotropy={ r0 = 0.525, r45 = 0.248, r90 = 0.429 }");
+    assert_eq!(directions.stages, of("material.anisotropy=0.3625").stages);
+    assert!(
+        directions
+            .derived
+            .iter()
+            .any(|note| note.to_string().contains("(r0 + 2 r45 + r90)/4 of 0.525, 0.248 and 0.429"))
+    );
+    let ears = |case: Case| {
+        let solution = case.solve(&mut ());
+        let found = assess::after(&solution.case, &solution.stages);
+        found.into_iter().find(|finding| finding.key == "ears")
+    };
+    let found = ears(directions).expect("ears");
+    assert!(found.light == Light::Green && found.value.is_some_and(|height| (0.2..3.0).contains(&height)), "{found:?}");
+    assert!(ears(of("material.anisotropy=0.3625")).is_none(), "nothing is known of directions");
+    let wrong = |given: &str| {
+        let template = templates::find("cup").expect("a template").fill(&[]).expect("a case");
+        case::parse(&template, "made.toml", &[format!("material.anisotropy={given}")]).expect_err(given).to_string()
+    };
+    for (given, says) in [
+        ("{ r0 = 1, r45 = 1 }", "r90"),
+        ("{ r0 = 1, r45 = 1, r90 = 1, r30 = 1 }", "r30"),
+        ("{ r0 = -1, r45 = 1, r90 = 1 }", "-1"),
+        ("{ r0 = 20, r45 = 20, r90 = 20 }", "between 0.1 and 10"),
+        ("\"high\"", "r45"),
+    ] {
+        let error = wrong(given);
+        assert!(error.contains(says), "{given}: {error}");
+    }
+}
