@@ -161,12 +161,20 @@ pub fn before(case: &Case) -> Vec<Finding> {
 
 /// What can be found on a case's solved stages: the verdict, and the warnings of every stage.
 pub fn after(case: &Case, stages: &[StageSolution]) -> Vec<Finding> {
-    let run = Run { case, stages, nearest: Nearest::of(stages) };
+    asked(&Run { case, stages, nearest: Nearest::of(stages), is_one_of_many: false })
+}
+
+/// The same of one of many runs: what wants the case solved again is found, and not solved.
+pub fn after_one_of_many(case: &Case, stages: &[StageSolution]) -> Vec<Finding> {
+    asked(&Run { case, stages, nearest: Nearest::of(stages), is_one_of_many: true })
+}
+
+fn asked(run: &Run) -> Vec<Finding> {
     let asked = AFTER.iter().flat_map(|question| match question {
-        After::Run(ask) => ask(&run).into_iter().collect::<Vec<_>>(),
+        After::Run(ask) => ask(run).into_iter().collect::<Vec<_>>(),
         After::Stage(_) => Vec::new(),
     });
-    let of_stages = stages.iter().enumerate().flat_map(|(i, stage)| of_stage(i, stage));
+    let of_stages = run.stages.iter().enumerate().flat_map(|(i, stage)| of_stage(i, stage));
     asked.chain(of_stages).collect()
 }
 

@@ -12,6 +12,8 @@ pub(super) struct Run<'a> {
     pub stages: &'a [StageSolution],
     /// The stage that comes nearest to its forming limit.
     pub nearest: Option<Nearest<'a>>,
+    /// Whether it is one of many, which no question solves a second time.
+    pub is_one_of_many: bool,
 }
 
 impl Run<'_> {

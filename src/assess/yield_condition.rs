@@ -65,7 +65,7 @@ fn is_biaxial(run: &Run, last: &StageSolution) -> bool {
 /// What comes out with Hosford's condition of fcc metal, all else alike; `None` where it cannot be solved, as with voids, or
 /// the user has had enough.
 fn other(run: &Run) -> Option<Message> {
-    if matches!(run.stages.last()?.stop, Stop::Interrupted { .. }) {
+    if run.is_one_of_many || matches!(run.stages.last()?.stop, Stop::Interrupted { .. }) {
         return None;
     }
     let stages: Vec<Stage> = run.case.stages.iter().cloned().map(with_hosford).collect();

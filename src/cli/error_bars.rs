@@ -20,10 +20,10 @@ impl ErrorBars {
     /// Of a solved case: from finer runs where they are asked for, else from one coarser run where that is `usual`.
     pub fn of(&self, solution: &Solution, progress: &Progress, usual: bool) -> Option<Verification> {
         match self {
-            Self { error_bars: true, .. } => Some(verify(solution, &progress.count(&solution.case))),
-            Self { no_error_bars: false, .. } if usual => {
-                Some(quick(solution, &Progress::Silent.count(&solution.case)))
+            Self { error_bars: true, .. } => {
+                Some(verify(solution, &progress.count(format!("{}, finer", solution.case.name))))
             }
+            Self { no_error_bars: false, .. } if usual => Some(quick(solution, &Progress::Silent.count(String::new()))),
             _ => None,
         }
     }

@@ -21,6 +21,7 @@ mod run;
 mod say;
 mod shell;
 mod suggested;
+mod sweep;
 mod table;
 mod titles;
 mod validate;
@@ -69,6 +70,12 @@ enum Verb {
     /// Refine mesh, steps, points and contact, and say how far every number can be trusted
     #[command(after_help = verify::HELP)]
     Verify(verify::Args),
+    /// Run a case with many settings: ranges and lists of any keys, one row a run
+    #[command(after_help = sweep::HELP)]
+    Sweep(sweep::Args),
+    /// Put the tables of a study's shards together
+    #[command(after_help = sweep::MERGE_HELP)]
+    Merge(sweep::MergeArgs),
     /// List the built-in materials, or say all of one
     #[command(after_help = materials::HELP)]
     Materials(materials::Args),
@@ -114,6 +121,8 @@ fn command() -> anyhow::Result<Code> {
         Verb::Import(args) => import::import(&args),
         Verb::Validate(args) => validate::validate(&args),
         Verb::Verify(args) => verify::verify(&args),
+        Verb::Sweep(args) => sweep::sweep(&args),
+        Verb::Merge(args) => sweep::merge(&args),
         Verb::Check(args) => check::check(&args),
         Verb::New(args) => new::new(&args),
         Verb::Materials(args) => materials::materials(&args),

@@ -82,6 +82,11 @@ pub struct Threads {
 }
 
 impl Threads {
+    /// How many are asked for.
+    pub fn count(&self) -> Option<usize> {
+        self.threads.map(usize::from)
+    }
+
     /// Makes it so, once and before anything runs.
     pub fn apply(&self) -> anyhow::Result<()> {
         if let Some(threads) = self.threads {

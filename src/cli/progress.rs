@@ -39,10 +39,11 @@ pub struct Watch {
     kept: Kept,
 }
 
-/// Counts the finer runs of a case.
+/// Counts many runs.
 pub struct Count {
     name: String,
     shown: Mutex<Shown>,
+    begin: Instant,
 }
 
 /// What a watch keeps, each where it is asked for.
@@ -98,9 +99,8 @@ impl Progress {
 }
 
 impl Progress {
-    /// Counts the finer runs of a case.
-    pub fn count(&self, case: &Case) -> Count {
-        let name = format!("{}, finer", case.name);
+    /// Counts many runs, of that name.
+    pub fn count(&self, name: String) -> Count {
         let shown = match self {
             Self::Bars(all) => {
                 let bar = ProgressBar::new(FULL).with_style(style()).with_prefix(visible(&name).into_owned());
@@ -109,7 +109,7 @@ impl Progress {
             Self::Lines => Shown::Lines(Instant::now()),
             Self::Silent => Shown::Nothing,
         };
-        Count { name, shown: Mutex::new(shown) }
+        Count { name, shown: Mutex::new(shown), begin: Instant::now() }
     }
 }
 
@@ -121,15 +121,16 @@ impl verification::Watch for Count {
     fn ran(&self, done: usize, all: usize) {
         // A panic of another thread is told by that one.
         let Ok(mut shown) = self.shown.lock() else { return };
+        let left = self.begin.elapsed().mul_f64((all - done) as f64 / done.max(1) as f64).as_secs();
         match &mut *shown {
             Shown::Bar(bar) if done == all => bar.finish(),
             Shown::Bar(bar) => {
-                bar.set_message(format!("{done} of {all} runs"));
+                bar.set_message(format!("{done} of {all} runs, {left} s left"));
                 bar.set_position(FULL * done as u64 / all as u64);
             }
             Shown::Lines(last) if last.elapsed() >= PATIENCE => {
                 *last = Instant::now();
-                warn(format!("{}: {done} of {all} runs", self.name));
+                warn(format!("{}: {done} of {all} runs, {left} s left", self.name));
             }
             Shown::Lines(_) | Shown::Nothing => {}
         }

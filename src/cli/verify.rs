@@ -94,7 +94,7 @@ fn one(args: &Args, progress: &Progress, case: Case) -> anyhow::Result<(Code, Op
         place::replaced(path, BEGINNING.as_bytes(), "--out")?;
     }
     let start = Instant::now();
-    let count = progress.count(&case);
+    let count = progress.count(format!("{}, finer", case.name));
     let (solution, _) = progress.watch(&case, Kept::default()).solve(case);
     let verification = verification::verify(&solution, &count);
     let seconds = start.elapsed().as_secs_f64();
@@ -102,7 +102,7 @@ fn one(args: &Args, progress: &Progress, case: Case) -> anyhow::Result<(Code, Op
         write(path, csv(&verification).as_bytes())?;
     }
     let code = if solution.is_complete() { Code::Done } else { Code::StoppedEarly };
-    let findings = assess::after(&solution.case, &solution.stages);
+    let findings = assess::after_one_of_many(&solution.case, &solution.stages);
     let moved: Vec<Message> = moved(&findings, &verification).into_iter().map(|moved| moved.sentence).collect();
     if args.json.json {
         let mut value = json::verification(&verification);

@@ -24,6 +24,6 @@ pub use error::StudyError;
 pub use journal::{Begun, Earlier, Journal};
 pub use plan::{Design, Plan};
 pub use row::{Columns, Row, Solved};
-pub use run::{one, run};
+pub use run::{base, one, run};
 pub use shards::{Shard, merge};
 pub use vary::{Value, Vary};

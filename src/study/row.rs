@@ -35,10 +35,10 @@ pub struct Solved {
 impl Solved {
     /// From a solved case.
     pub fn of(solution: &Solution) -> Self {
-        let findings = assess::after(&solution.case, &solution.stages);
+        let findings = assess::after_one_of_many(&solution.case, &solution.stages);
         let of = |light: Light| assess::judgements(&findings).filter(|f| f.light == light).map(|f| f.key).collect();
         Self {
-            outcome: Outcome::of(solution, None),
+            outcome: Outcome::found(solution, None, &findings),
             light: assess::judgements(&findings).map(|finding| finding.light).max().unwrap_or(Light::Grey),
             red: of(Light::Red),
             amber: of(Light::Amber),

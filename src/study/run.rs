@@ -1,7 +1,8 @@
 //! Runs the designs of a study on all cores, and hands on what came of them in order.
 
+use super::StudyError;
 use super::plan::{Design, Plan};
-use super::row::{self, Row};
+use super::row::{self, Row, Solved};
 use crate::case::Case;
 use crate::files::{CSV, Disk, Files};
 use crate::solver::Observer;
@@ -79,6 +80,17 @@ pub fn run<E>(
         }
         Ok(())
     })
+}
+
+/// What comes of the case as it stands, which says what columns the table has.
+///
+/// # Errors
+/// When a mistake of this program ends it.
+pub fn base(plan: &Plan, watch: &dyn Watch) -> Result<Solved, StudyError> {
+    let design = Design { index: 0, values: Vec::new(), settings: Vec::new() };
+    let solved = one(plan, design, watch).result;
+    solved
+        .map_err(|why| StudyError::new(format!("the case as it stands cannot be run: {why}"), "try `stampflow check`"))
 }
 
 /// What comes of one design.

@@ -1,6 +1,6 @@
 //! The numbers of a solution that can have a bar: one list of all.
 
-use crate::assess::{self, Answer, largest_force};
+use crate::assess::{self, Answer, Finding, largest_force};
 use crate::case::Case;
 use crate::measure::{Shape, changes, thickest};
 use crate::message::{Amount, Digits};
@@ -67,14 +67,13 @@ impl Number {
 }
 
 /// Every number of a case's solved stages, in the order of telling.
-pub fn numbers(case: &Case, stages: &[StageSolution]) -> Vec<Number> {
-    let findings = assess::after(case, stages);
-    let answer = Answer::of(case, stages, &findings).numbers.into_iter();
+pub fn numbers(case: &Case, stages: &[StageSolution], findings: &[Finding]) -> Vec<Number> {
+    let answer = Answer::of(case, stages, findings).numbers.into_iter();
     let is_given = |key: &str| GIVEN.contains(&key) || key == HOLDER && is_held_by_a_force(case);
     let answer = answer
         .filter(|number| !is_given(number.key))
         .map(|number| Number { of: Of::Answer, ..Number::new(number.key, number.label, number.amount) });
-    let judged = assess::judgements(&findings).filter(|row| !OF_THE_SOLVER.contains(&row.key));
+    let judged = assess::judgements(findings).filter(|row| !OF_THE_SOLVER.contains(&row.key));
     let judged = judged.filter_map(|row| {
         let amount = Amount::new(row.value?, row.unit, Digits::Significant(3));
         Some(Number { of: Of::Verdict, ..Number::new(row.key, row.label, amount) })

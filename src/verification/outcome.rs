@@ -2,7 +2,7 @@
 
 use super::direction::Direction;
 use super::numbers::{Number, numbers};
-use crate::assess::largest_force;
+use crate::assess::{Finding, after_one_of_many, largest_force};
 use crate::case::{Case, Solution};
 use crate::message::Message;
 use crate::model::mesh;
@@ -63,6 +63,11 @@ impl End {
 impl Outcome {
     /// Of a run that was refined in a direction so many `times`; of the run as it is without.
     pub fn of(solution: &Solution, refined: Option<(Direction, f64)>) -> Self {
+        Self::found(solution, refined, &after_one_of_many(&solution.case, &solution.stages))
+    }
+
+    /// The same of what was [found](after_one_of_many) on it.
+    pub fn found(solution: &Solution, refined: Option<(Direction, f64)>, findings: &[Finding]) -> Self {
         let Solution { case, stages, .. } = solution;
         let load =
             largest_force(stages).map(|(i, _)| stages[i].steps.iter().map(|s| (s.travel, s.punch_force)).collect());
@@ -75,7 +80,7 @@ impl Outcome {
             direction: refined.map(|(direction, _)| direction),
             times: refined.map_or(1.0, |(_, times)| times),
             end: End::of(case, stages),
-            numbers: numbers(case, stages),
+            numbers: numbers(case, stages, findings),
             load: load.unwrap_or_default(),
             thickness: elements.map(|element| (element.s0, element.thickness)).collect(),
             shortest: shortest / first.blank.thickness,
