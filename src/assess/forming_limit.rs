@@ -2,6 +2,7 @@
 
 use super::nearest::Nearest;
 use super::{Finding, Light, run::Run, thinning};
+use crate::case::file::YieldCondition;
 use crate::forming_limit::{CROOKED, Judged};
 use crate::message::{Amount, Message, message};
 use crate::rules::design::THIN;
@@ -93,11 +94,8 @@ fn unjudged(name: &'static str, open: &Judged, light: Light) -> Finding {
 
 /// What to write where Hill's condition says too little.
 pub(super) fn other_condition() -> Message {
-    message!("write {line} in [material] (bcc for steel)", line = OTHER_CONDITION.to_owned())
+    message!("write {line} in [material] (bcc for steel)", line = YieldCondition::FCC.to_owned())
 }
-
-/// Hosford's condition of fcc metal, as a case has it.
-const OTHER_CONDITION: &str = "yield_condition = { hosford = { crystal = \"fcc\" } }";
 
 fn missing() -> Finding {
     Finding::judged("forming_limit", "Forming limit", Light::Grey, "no forming limit given")

@@ -349,7 +349,7 @@ fn what_to_change_goes_by_the_place() {
         let findings = judged(&case, &solve(&case.stages, &mut ()));
         findings.iter().find(|f| f.key == "forming_limit").map(|f| f.advice.to_string()).expect("a finding")
     };
-    let dome = advice("hemispherical-cup", &[("material", "aa6016"), ("height", "45 mm")]);
+    let dome = advice("hemispherical-cup", &[("material", "ap04xr"), ("height", "45 mm")]);
     assert!(dome.contains("more at the punch") && !dome.contains("nose") && !dome.contains("less holder"), "{dome}");
 }
 

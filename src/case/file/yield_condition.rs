@@ -14,6 +14,11 @@ pub enum YieldCondition {
     Hosford(Hosford),
 }
 
+impl YieldCondition {
+    /// Hosford's of fcc metal, as `[material]` has it.
+    pub const FCC: &str = "yield_condition = { hosford = { crystal = \"fcc\" } }";
+}
+
 /// (1 + r̄) σ_y^a = |σ_s|^a + |σ_θ|^a + r̄ |σ_s − σ_θ|^a.
 ///
 /// The crystals' own curve: flatter sides and sharper corners than Hill's, which is its a = 2. Valid for sheet that is alike in
