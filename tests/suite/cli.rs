@@ -253,7 +253,7 @@ fn out_and_output_are_one_option() {
 #[test]
 fn options_are_offered_where_they_have_a_use() {
     let dir = folder(CUP);
-    for (verb, threads) in [("run", true), ("validate", true), ("check", false), ("schema", false)] {
+    for (verb, threads) in [("run", true), ("verify", true), ("validate", true), ("check", false), ("schema", false)] {
         let help = stampflow(dir.path(), &[verb, "--help"]);
         assert_eq!(text(&help.stdout).contains("--json"), verb != "schema", "{verb}");
         assert_eq!(text(&help.stdout).contains("--threads"), threads, "{verb}");

@@ -103,5 +103,5 @@ fn a_run_that_stops_early_says_so_by_its_exit_code() {
     let stuck = ["--set", "solver.max_iterations=2", "--set", "solver.min_step=0.002", "--quiet"];
     let done = stampflow(root, &[&["verify", "cases/quickstart.toml"][..], &stuck].concat());
     assert_eq!(done.status.code(), Some(3), "{}", text(&done.stdout));
-    assert!(text(&done.stdout).contains("no bar"), "{}", text(&done.stdout));
+    assert!(text(&done.stdout).contains("- no equilibrium found"), "{}", text(&done.stdout));
 }
