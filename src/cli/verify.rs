@@ -176,7 +176,7 @@ impl Told<'_> {
 
     fn markdown(&self, solution: &Solution) -> String {
         let headers = HEADERS.map(|header| self.form.tell(header));
-        let mut text = format!("## {}\n\n| {} |\n|---|---|---|\n", solution.case.name, headers.join(" | "));
+        let mut text = format!("### {}\n\n| {} |\n|---|---|---|\n", solution.case.name, headers.join(" | "));
         for row in self.rows() {
             let _ = writeln!(text, "| {} |", row.join(" | "));
         }
