@@ -13,6 +13,7 @@
 
 mod error;
 pub mod file;
+mod hash;
 mod journal;
 mod plan;
 mod row;

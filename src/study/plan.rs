@@ -1,7 +1,7 @@
 //! What a study runs: the case, what is varied in it, and the designs by their index.
 
 use super::StudyError;
-use super::run::short_hash;
+use super::hash::short_hash;
 use super::vary::{Value, Vary};
 use crate::case::{self, Case};
 use crate::files::{self, Disk, Files};

@@ -1,13 +1,13 @@
 //! Runs the designs of a study on all cores, and hands on what came of them in order.
 
 use super::StudyError;
+use super::hash::short_hash;
 use super::plan::{Design, Plan};
 use super::row::{self, Row, Solved};
 use crate::case::Case;
 use crate::files::{CSV, Disk, Files};
 use crate::solver::Observer;
 use crate::verification::Watch;
-use sha2::{Digest, Sha256};
 use std::any::Any;
 use std::collections::BTreeMap;
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -21,9 +21,6 @@ const AHEAD: u64 = 4096;
 
 /// How long a thread sleeps that is that far ahead.
 const NAP: Duration = Duration::from_millis(1);
-
-/// Hex digits of a hash that tell inputs apart.
-const DIGITS: usize = 16;
 
 /// Ends a run when all are to end.
 struct Watched<'a>(&'a dyn Watch);
@@ -114,12 +111,6 @@ fn hash(case: &Case) -> String {
     let beside = case.inputs.iter().filter(|path| **path != case.path);
     let beside = beside.map(|path| Disk.read(path, CSV).unwrap_or_default());
     short_hash([case.text.clone().into_bytes()].into_iter().chain(beside))
-}
-
-/// SHA-256 of some bytes, as many of its hex digits as tell inputs apart.
-pub(super) fn short_hash(all: impl IntoIterator<Item = impl AsRef<[u8]>>) -> String {
-    let hash = all.into_iter().fold(Sha256::new(), |hash, bytes| hash.chain_update(bytes));
-    hash.finalize().iter().map(|byte| format!("{byte:02x}")).collect::<String>()[..DIGITS].to_owned()
 }
 
 fn words(panic: &(dyn Any + Send)) -> String {

@@ -63,7 +63,7 @@ fn a_design_that_cannot_be_built_is_a_row_that_says_why() {
 fn a_key_that_no_value_fits_is_told_before_anything_is_run() {
     for (varied, said) in [
         ("tools.die.sholder=4..6 mm/3", "sholder"),
-        ("tools.die.shoulder=4..6/3", "length"),
+        ("tools.die.shoulder=4..6/3", "needs a unit"),
         ("tools.dye.shoulder=4,5 mm", "dye"),
         ("material=dc99,dc98", "dc99"),
     ] {

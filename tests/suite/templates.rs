@@ -5,7 +5,7 @@ use stampflow::author::templates::{TEMPLATES, find, list, rules};
 use stampflow::case::library::materials;
 use stampflow::case::{Case, parse};
 use stampflow::message::Message;
-use stampflow::model::{Motion, Role};
+use stampflow::model::{Mode, Motion, Role};
 use stampflow::{Frame, StageSolution, Stop, solve};
 use std::fs;
 use std::path::Path;
@@ -166,7 +166,10 @@ fn the_sheet_may_be_one_of_the_library() {
     for entry in materials().unwrap() {
         for template in TEMPLATES {
             let case = case(template.name, &[("material", entry.name)]);
-            assert_eq!(case.model().material.hardening, entry.material.hardening, "{} {}", template.name, entry.name);
+            // With its back-stresses a sheet has the hardening that they leave.
+            let shifts = case.model().mode == Mode::ElastoViscoplastic;
+            let law = entry.elastoplastic.as_ref().filter(|_| shifts).unwrap_or(&entry.material);
+            assert_eq!(case.model().material.hardening, law.hardening, "{} {}", template.name, entry.name);
             assert!(!case.model().notes.iter().any(|note| note.contains("mild deep-drawing steel")));
             assert!(
                 case.derived.iter().any(|note| note.to_string().contains(&entry.source)),

@@ -81,8 +81,8 @@ impl Sheet {
                 return Err(CaseError::bare(what, "give either --material, or --k, --n and --offset".into()));
             }
             (Some(word), None) => {
-                let Entry { name, thickness, material, measured, .. } = library::material(word)?;
-                let measured = measured.is_some();
+                let Entry { name, thickness, material, measured_limit, .. } = library::material(word)?;
+                let measured = measured_limit.is_some();
                 (Origin::Library { name, word: word.to_owned(), thickness, measured }, material)
             }
             (None, own) => {
