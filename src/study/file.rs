@@ -71,7 +71,7 @@ fn keys(table: &dyn TableLike, above: &str) -> Result<Vec<Vary>, StudyError> {
         let key = if above.is_empty() { key.to_owned() } else { format!("{above}.{key}") };
         match item {
             Item::Value(Value::Array(values)) => {
-                let texts: Vec<String> = values.iter().map(|value| plain(value)).collect();
+                let texts: Vec<String> = values.iter().map(plain).collect();
                 all.push(Vary::of(&key, &texts.join(","))?);
             }
             Item::Value(Value::InlineTable(table)) => all.extend(keys(table, &key)?),

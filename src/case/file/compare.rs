@@ -56,7 +56,7 @@ pub enum ComparedQuantity {
     ThicknessAtS0,
     /// Thickness over the present radius at the end, a curve.
     ThicknessAtRadius,
-    /// Minor over major true strain of the place that is thinnest at the end, on its way there, a curve; with [forming_limit].
+    /// Minor over major true strain of the place that is thinnest at the end, on its way there, a curve; with `[forming_limit]`.
     StrainPath,
     /// Diameter at the blank's edge (in plane strain the width between both edges) at the end, a band.
     EdgeDiameter,
