@@ -27,7 +27,7 @@
 //! 419–430 (not read).
 
 use super::hill48::{Hill48, SHEAR_INVERSE};
-use super::yield_condition::{Metric, SHEAR_FACTOR, Triple, YieldCondition};
+use super::yield_condition::{Kept, Metric, Part, SHEAR_FACTOR, Triple, YieldCondition};
 use crate::law::{LawError, require_or};
 use crate::numerics::Power;
 use std::ops::RangeInclusive;
@@ -142,31 +142,40 @@ impl Hosford {
         if metric.square == 0.0 { [0.0; 3] } else { metric.gradient.map(|s| s / metric.square.sqrt()) }
     }
 
-    /// Of an increment whose stress ratio is perhaps near `x`.
+    /// Of an increment; with a carried stress ratio `w` the matrix is the chord to it.
     #[inline]
-    fn metric_near(&self, e: Triple, x: f64) -> Metric {
-        let (major, minor, swapped) = ordered(e);
-        if major == 0.0 {
-            // Nothing says where on the curve: Hill's is as good as any.
-            return self.quadratic.metric(e);
-        }
+    fn metric_by(&self, (major, minor, swapped): (f64, f64, bool), shear: f64, w: Option<f64>) -> Metric {
         let beta = minor / major;
-        let Place { ratio, size, normal, bend } = self.place(beta, (major + minor) / major, x);
+        let sum = (major + minor) / major;
+        let Place { ratio, size, normal, bend } = self.place(beta, sum, w.unwrap_or_else(|| self.guess(beta, sum)));
         let inverse_square = 1.0 / (size * size);
         // ψ σ, of which ψ = |Δε_s| (1 + β x)/φ.
         let along = major * (1.0 + beta * ratio) * inverse_square;
         let across = along * ratio;
-        let bend = normal[0] * normal[0] * inverse_square / bend;
+        let tangent = normal[0] * normal[0] / bend;
+        let rate = w.map_or(tangent, |w| {
+            let turn = beta - self.strain_ratio(w);
+            if turn.abs() > SAME { (ratio - w) / turn } else { tangent }
+        });
+        let bend = rate * inverse_square;
         let (own, mixed) = (inverse_square + bend * beta * beta, ratio * inverse_square - bend * beta);
         let other = ratio * ratio * inverse_square + bend;
-        let shear = SHEAR * e[2];
-        let square = along * major + across * minor + shear * e[2];
+        let sheared = SHEAR * shear;
+        let square = along * major + across * minor + sheared * shear;
         if swapped {
             let matrix = [other, mixed, own, 0.0, 0.0, SHEAR];
-            return Metric { gradient: [across, along, shear], matrix, square };
+            return Metric { gradient: [across, along, sheared], matrix, square };
         }
         let matrix = [own, mixed, other, 0.0, 0.0, SHEAR];
-        Metric { gradient: [along, across, shear], matrix, square }
+        Metric { gradient: [along, across, sheared], matrix, square }
+    }
+
+    /// β of the stress (1, x).
+    #[inline]
+    fn strain_ratio(&self, x: f64) -> f64 {
+        let y = 1.0 - x;
+        let between = self.ratio() * y * self.power.less_two(y);
+        (x * self.power.less_two(x.abs()) - between) / (1.0 + between)
     }
 
     /// φ(1, x).
@@ -193,11 +202,10 @@ impl Hosford {
 
     /// The place whose normal goes with 1 and β, perhaps near `x`; `sum` is 1 + β, without the round-off of β.
     #[inline]
-    fn place(&self, beta: f64, sum: f64, x: f64) -> Place {
+    fn place(&self, beta: f64, sum: f64, mut x: f64) -> Place {
         let (r, more) = (self.ratio(), self.exponent() - 2.0);
         let weight = r * sum;
         let (mut low, mut high) = (-1.0, 1.0);
-        let mut x = if x.abs() <= 1.0 { x } else { self.guess(beta, sum) };
         for _ in 0..MOST {
             let y = 1.0 - x;
             let (own, between) = (self.power.less_two(x.abs()), weight * self.power.less_two(y));
@@ -245,35 +253,50 @@ pub(super) fn ordered(v: Triple) -> (f64, f64, bool) {
 }
 
 impl YieldCondition for Hosford {
+    #[inline]
     fn metric(&self, e: Triple) -> Metric {
-        self.metric_near(e, f64::NAN)
+        let ordered = ordered(e);
+        // For no strain nothing says where on the curve: Hill's is as good as any.
+        if ordered.0 == 0.0 { self.quadratic.metric(e) } else { self.metric_by(ordered, e[2], None) }
     }
 
     /// Where the curve is flat the stress ratio swings with the strain's like a seventh root, and Newton's method overshoots from
-    /// side to side: a chord across is then what it takes. A is no softer along the curve than the chord from the last
-    /// increment, which near the answer is the tangent.
-    fn metric_since(&self, e: Triple, last: Triple, gradient: [f64; 2]) -> Metric {
+    /// side to side. The chord to the strain of the carried stress is right where that stress is, and where the strain is.
+    #[inline]
+    fn metric_towards(&self, e: Triple, w: [f64; 2]) -> Metric {
         let (major, minor, swapped) = ordered(e);
-        let turned = |v: [f64; 2]| if swapped { [v[1], v[0]] } else { v };
-        let ([major_before, minor_before], [s, t]) = (turned([last[0], last[1]]), turned(gradient));
-        if major * major_before <= 0.0 || major * s <= 0.0 {
+        let [s, t] = if swapped { [w[1], w[0]] } else { w };
+        if major * s <= 0.0 {
             return self.metric(e);
         }
-        let mut metric = self.metric_near(e, t / s);
-        let [along, across] = turned([metric.gradient[0], metric.gradient[1]]);
-        let (beta, x) = (minor / major, across / along);
-        let turn = beta - minor_before / major_before;
-        if turn.abs() < SAME {
-            return metric;
-        }
-        let inverse_square = along / (major * (1.0 + beta * x));
-        let [ss, st, tt, ..] = &mut metric.matrix;
-        let other = if swapped { &mut *ss } else { &mut *tt };
-        let more = ((x - t / s) / turn * inverse_square - (*other - x * x * inverse_square)).max(0.0);
-        *other += more;
-        *st -= more * beta;
-        *(if swapped { tt } else { ss }) += more * beta * beta;
+        self.metric_by((major, minor, swapped), e[2], Some((t / s).clamp(-1.0, 1.0)))
+    }
+
+    #[inline]
+    fn kept(&self, metric: &Metric) -> Kept {
+        let [ss, st, tt, .., shear] = metric.matrix;
+        Kept { own: [ss, st, tt, shear], coupling: [0.0; 3] }
+    }
+
+    #[inline]
+    fn recalled(&self, kept: &Kept, e: Triple) -> Metric {
+        let [ss, st, tt, shear] = kept.own;
+        let mut metric = Metric { gradient: [0.0; 3], matrix: [ss, st, tt, 0.0, 0.0, shear], square: 0.0 };
+        metric.gradient = self.product(&metric, e);
         metric
+    }
+
+    #[inline]
+    fn part_kept(&self, part: &Part) -> Kept {
+        Kept { own: part.own, coupling: part.coupling }
+    }
+
+    #[inline]
+    fn part_recalled(&self, kept: &Kept, e: Triple, k: [f64; 2]) -> Part {
+        let Kept { own, coupling } = *kept;
+        let mut part = Part { gradient: [0.0; 5], own, coupling, square: 0.0 };
+        part.gradient = self.part_product(&part, e, k);
+        part
     }
 
     /// By the inverse of A, which is positive definite.

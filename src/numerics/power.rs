@@ -26,7 +26,13 @@ impl Power {
     /// x^(a − 2).
     #[inline]
     pub fn less_two(&self, x: f64) -> f64 {
-        self.whole.map_or_else(|| x.powf(self.exponent - 2.0), |a| x.powi(a - 2))
+        let square = x * x;
+        match self.whole {
+            Some(8) => square * square * square,
+            Some(6) => square * square,
+            Some(a) => x.powi(a - 2),
+            None => x.powf(self.exponent - 2.0),
+        }
     }
 
     /// y^(1/a).
