@@ -159,8 +159,18 @@ fn entry(name: &'static str, text: &'static str) -> Result<Entry, CaseError> {
     let written = Source::parse(name, text)?;
     let material = build::material(&file.material, &written)?;
     let elastoplastic = file.elastoplastic().map(|shifting| build::material(&shifting, &written)).transpose()?;
-    let EntryFile { title, grade, licence, thickness, stands_for, mut notes, measured, material: said, forming_limit, .. } =
-        file;
+    let EntryFile {
+        title,
+        grade,
+        licence,
+        thickness,
+        stands_for,
+        mut notes,
+        measured,
+        material: said,
+        forming_limit,
+        ..
+    } = file;
     let source = said.source.unwrap_or_default();
     let r_values = said.anisotropy.and_then(Anisotropy::directions);
     notes.extend(r_values.map(|r| build::mean_of(r).to_string()));

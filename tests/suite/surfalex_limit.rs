@@ -48,7 +48,10 @@ fn a_cup_of_the_sheet_is_held_against_its_measured_limit() {
     assert!(text.contains("measured = true") && !text.contains("hill = true"), "{text}");
     let case = case::parse(&text, "made.toml", &[]).expect("valid");
     let curve = case.model().forming_limit.clone().expect("a limit");
-    assert_eq!(Some(&curve), library::material("aa6016a-surfalex").expect("a sheet").measured_limit.as_ref().map(|_| &curve));
+    assert_eq!(
+        Some(&curve),
+        library::material("aa6016a-surfalex").expect("a sheet").measured_limit.as_ref().map(|_| &curve)
+    );
     assert!(curve.is_measured() && (curve.major_at(0.0915) - 0.2616).abs() < 1e-12);
     assert!(case.derived.iter().any(|note| note.to_string().contains("measured points of aa6016a-surfalex")));
     let solution = case.solve(&mut ());

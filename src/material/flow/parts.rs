@@ -89,7 +89,16 @@ impl Iterate {
             }
         };
         let work_across = moment[0] * bending[0] + moment[1] * bending[1];
-        *self = Self { strain, flow: e, spread, fluidity: f, hardening: h, inverse_square, kept: condition.part_kept(&part), ..*self };
+        *self = Self {
+            strain,
+            flow: e,
+            spread,
+            fluidity: f,
+            hardening: h,
+            inverse_square,
+            kept: condition.part_kept(&part),
+            ..*self
+        };
         let update = StressUpdate { stress, tangent: [0.0; 6], increment: hardening, yield_stress, work_across };
         let metric = part.own.map(|entry| steep * f * entry);
         let coupling = part.coupling.map(|entry| steep * f * entry);
