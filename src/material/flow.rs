@@ -25,7 +25,7 @@
 
 mod parts;
 
-use super::yield_condition::dot;
+use super::yield_condition::{Kept, dot};
 use super::{FlowStress, Gtn, Hardening, Hosford, PointLaw, Rate, Surroundings, ThermalLaw, YieldCriterion};
 use crate::units::ZERO_CELSIUS;
 
@@ -191,6 +191,7 @@ pub struct Iterate {
     fluidity: f64,
     hardening: f64,
     inverse_square: f64,
+    kept: Kept,
 }
 
 impl Iterate {
@@ -250,9 +251,9 @@ impl Iterate {
         let steep = 1.0 + weight;
         let e = [steep * strain[0] - past[0], steep * strain[1] - past[1], steep * strain[2] - past[2]];
         let goes_on = law.matrix == Iteration::PrimalDual && self.fluidity > 0.0;
-        let last = goes_on.then(|| condition.metric(self.flow));
-        let metric = match &last {
-            Some(Metric { gradient: [s, t, _], .. }) => condition.metric_since(e, self.flow, [*s, *t]),
+        let w = if goes_on { Some(self.carried_at(condition, e)) } else { None };
+        let metric = match w {
+            Some([s, t, _]) => condition.metric_towards(e, [s, t]),
             None => condition.metric(e),
         };
         let a = metric.gradient;
@@ -277,7 +278,11 @@ impl Iterate {
                 [g * a[0], g * a[1], g * a[2]]
             }
             Iteration::PrimalDual => {
-                let w = self.carried_at(condition, (&metric, last.as_ref()), e, yielding.stress);
+                let w = w.unwrap_or(self.carried);
+                let square = condition.stress_square(&metric, w);
+                let beyond = square > yielding.stress * yielding.stress;
+                let back = if beyond { yielding.stress / square.sqrt() } else { 1.0 };
+                let w = w.map(|w| back * w);
                 self.carried = w;
                 let i = inverse_square;
                 [h * a[0] - i * w[0], h * a[1] - i * w[1], h * a[2] - i * w[2]]
@@ -302,37 +307,23 @@ impl Iterate {
             fluidity: f,
             hardening: h,
             inverse_square,
+            kept: condition.kept(&metric),
         };
         StressUpdate { stress, tangent, increment: hardening, yield_stress: yielding.stress, work_across: 0.0 }
     }
 
-    /// w ← σ + C δ(Δε) with the matrix of the last iterate, scaled back onto the yield surface.
+    /// σ + C δ(Δε) with the matrix of the last iterate.
     #[inline]
-    fn carried_at(
-        &self,
-        condition: &impl YieldCondition,
-        (now, last): (&Metric, Option<&Metric>),
-        e: Triple,
-        yield_stress: f64,
-    ) -> Triple {
-        let mut w = self.carried;
-        if let Some(last) = last {
-            let a = last.gradient;
-            let delta = [e[0] - self.flow[0], e[1] - self.flow[1], e[2] - self.flow[2]];
-            let along = dot(a, delta);
-            let on_a = self.fluidity + self.hardening * along - 0.5 * self.inverse_square * dot(w, delta);
-            let on_w = -0.5 * self.inverse_square * along;
-            let c = condition.product(last, delta);
-            for i in 0..3 {
-                w[i] = on_a * a[i] + on_w * w[i] + self.fluidity * c[i];
-            }
-        }
-        let square = condition.stress_square(now, w);
-        if square > yield_stress * yield_stress {
-            let back = yield_stress / square.sqrt();
-            w = w.map(|w| back * w);
-        }
-        w
+    fn carried_at(&self, condition: &impl YieldCondition, e: Triple) -> Triple {
+        let last = condition.recalled(&self.kept, self.flow);
+        let (a, w) = (last.gradient, self.carried);
+        let delta = [e[0] - self.flow[0], e[1] - self.flow[1], e[2] - self.flow[2]];
+        let along = dot(a, delta);
+        let on_a = self.fluidity + self.hardening * along - 0.5 * self.inverse_square * dot(w, delta);
+        let on_w = -0.5 * self.inverse_square * along;
+        let c = condition.product(&last, delta);
+        let by = |i: usize| on_a * a[i] + on_w * w[i] + self.fluidity * c[i];
+        [by(0), by(1), by(2)]
     }
 }
 

@@ -114,7 +114,7 @@ impl YieldCondition for Hill48 {
     }
 
     #[inline]
-    fn part(&self, e: Triple, k: [f64; 2], _: Option<(Triple, [f64; 2], &Part)>) -> Part {
+    fn part(&self, e: Triple, k: [f64; 2], _: Option<[f64; 5]>) -> Part {
         let a = self.apply(e);
         let (direct, coupled) = (MEAN_SQUARE * self.direct, MEAN_SQUARE * self.coupled);
         let b = [direct * k[0] + coupled * k[1], coupled * k[0] + direct * k[1]];

@@ -26,8 +26,11 @@
 //! W. F. Hosford, Upper-bound anisotropic yield locus calculations assuming ⟨111⟩-pencil glide, Int. J. Mech. Sci. 22 (1980)
 //! 419–430 (not read).
 
+mod root;
+
+use self::root::Root;
 use super::hill48::{Hill48, SHEAR_INVERSE};
-use super::yield_condition::{Metric, SHEAR_FACTOR, Triple, YieldCondition};
+use super::yield_condition::{Kept, MEAN_SQUARE, Metric, Part, SHEAR_FACTOR, Triple, YieldCondition};
 use crate::law::{LawError, require_or};
 use crate::numerics::Power;
 use std::ops::RangeInclusive;
@@ -38,15 +41,6 @@ const EXPONENT: RangeInclusive<f64> = 2.0..=10.0;
 /// The shear's entry of the second derivative.
 const SHEAR: f64 = SHEAR_FACTOR / 3.0;
 
-/// Step of the inner root over its distance to 0 and to 1 after which it is right to round-off: its method is of third
-/// order \[–\]; and where it is round-off itself.
-const LAST: f64 = 1e-6;
-const ROUND_OFF: f64 = 1e-16;
-/// Ratios of strain increments that are one \[–\]: between them a chord is round-off.
-const SAME: f64 = 1e-7;
-/// Most iterations of the inner root: halving alone needs fifty.
-const MOST: usize = 60;
-
 /// The yield condition of r̄ and a.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Hosford {
@@ -55,6 +49,8 @@ pub struct Hosford {
     power: Power,
     /// σ_θ/σ_s where Δε_θ = 0 \[–\].
     plane_strain: f64,
+    /// 1/(1 + r̄) \[–\].
+    inverse_weight: f64,
 }
 
 /// What the curve φ is at the stress (1, x), the larger one first.
@@ -69,11 +65,24 @@ pub(super) struct Place {
     pub bend: f64,
 }
 
+/// A [`Metric`] without its shear.
+struct Plane {
+    gradient: [f64; 2],
+    /// ss, sθ, θθ.
+    matrix: [f64; 3],
+    square: f64,
+}
+
 impl Hosford {
     /// For r̄ > 0 and a ≥ 2.
     pub fn new(r: f64, exponent: f64) -> Self {
         let root = r.powf(1.0 / (exponent - 1.0));
-        Self { quadratic: Hill48::new(r), power: Power::new(exponent), plane_strain: root / (1.0 + root) }
+        Self {
+            quadratic: Hill48::new(r),
+            power: Power::new(exponent),
+            plane_strain: root / (1.0 + root),
+            inverse_weight: 1.0 / (1.0 + r),
+        }
     }
 
     /// For r̄ of sheet metals, as [`Hill48::checked`], and an exponent of 2 to 10.
@@ -142,31 +151,43 @@ impl Hosford {
         if metric.square == 0.0 { [0.0; 3] } else { metric.gradient.map(|s| s / metric.square.sqrt()) }
     }
 
-    /// Of an increment whose stress ratio is perhaps near `x`.
+    /// Of an increment, without its shear; the matrix is the chord to the carried stress `w` where there is one.
     #[inline]
-    fn metric_near(&self, e: Triple, x: f64) -> Metric {
-        let (major, minor, swapped) = ordered(e);
+    fn plane(&self, [s, t]: [f64; 2], w: Option<[f64; 2]>) -> Plane {
+        let swapped = t.abs() > s.abs();
+        let (major, minor) = if swapped { (t, s) } else { (s, t) };
         if major == 0.0 {
             // Nothing says where on the curve: Hill's is as good as any.
-            return self.quadratic.metric(e);
+            let Metric { gradient: [along, across, _], matrix: [ss, st, tt, ..], square } =
+                self.quadratic.metric([s, t, 0.0]);
+            return Plane { gradient: [along, across], matrix: [ss, st, tt], square };
         }
-        let beta = minor / major;
-        let Place { ratio, size, normal, bend } = self.place(beta, (major + minor) / major, x);
-        let inverse_square = 1.0 / (size * size);
+        let inverse = 1.0 / major;
+        let (beta, sum) = (minor * inverse, (major + minor) * inverse);
+        let w = w.and_then(
+            |[s, t]| if swapped { within(t * inverse, s * inverse) } else { within(s * inverse, t * inverse) },
+        );
+        let Root { ratio, rate, inverse_square } = self.root(beta, sum, w);
         // ψ σ, of which ψ = |Δε_s| (1 + β x)/φ.
-        let along = major * (1.0 + beta * ratio) * inverse_square;
+        let along = (major + minor * ratio) * inverse_square;
         let across = along * ratio;
-        let bend = normal[0] * normal[0] * inverse_square / bend;
-        let (own, mixed) = (inverse_square + bend * beta * beta, ratio * inverse_square - bend * beta);
+        let bend = rate * inverse_square;
+        let bent = bend * beta;
+        let (own, mixed) = (inverse_square + bent * beta, ratio * inverse_square - bent);
         let other = ratio * ratio * inverse_square + bend;
-        let shear = SHEAR * e[2];
-        let square = along * major + across * minor + shear * e[2];
+        let square = along * major + across * minor;
         if swapped {
-            let matrix = [other, mixed, own, 0.0, 0.0, SHEAR];
-            return Metric { gradient: [across, along, shear], matrix, square };
+            return Plane { gradient: [across, along], matrix: [other, mixed, own], square };
         }
-        let matrix = [own, mixed, other, 0.0, 0.0, SHEAR];
-        Metric { gradient: [along, across, shear], matrix, square }
+        Plane { gradient: [along, across], matrix: [own, mixed, other], square }
+    }
+
+    #[inline]
+    fn with_shear(&self, e: Triple, w: Option<[f64; 2]>) -> Metric {
+        let Plane { gradient: [along, across], matrix: [ss, st, tt], square } = self.plane([e[0], e[1]], w);
+        let shear = SHEAR * e[2];
+        let matrix = [ss, st, tt, 0.0, 0.0, SHEAR];
+        Metric { gradient: [along, across, shear], matrix, square: square + shear * e[2] }
     }
 
     /// φ(1, x).
@@ -190,52 +211,12 @@ impl Hosford {
         let bend = (self.exponent() - 1.0) * (own * along + between * (1.0 + x * own)) * unit * unit;
         Place { ratio: x, size, normal: [unit * along, unit * across], bend }
     }
+}
 
-    /// The place whose normal goes with 1 and β, perhaps near `x`; `sum` is 1 + β, without the round-off of β.
-    #[inline]
-    fn place(&self, beta: f64, sum: f64, x: f64) -> Place {
-        let (r, more) = (self.ratio(), self.exponent() - 2.0);
-        let weight = r * sum;
-        let (mut low, mut high) = (-1.0, 1.0);
-        let mut x = if x.abs() <= 1.0 { x } else { self.guess(beta, sum) };
-        for _ in 0..MOST {
-            let y = 1.0 - x;
-            let (own, between) = (self.power.less_two(x.abs()), weight * self.power.less_two(y));
-            let value = x * own - y * between - beta;
-            let slope = (1.0 + more) * (own + between);
-            if value > 0.0 {
-                high = x
-            } else {
-                low = x
-            }
-            // Halley's method: its bend is (a − 2)(own/x − between/y) over own + between.
-            let newton = value / slope;
-            let space = x * y;
-            let bend = if space == 0.0 { 0.0 } else { more * (y * own - x * between) / (space * (own + between)) };
-            let step = newton / (1.0 - 0.5 * newton * bend).clamp(0.5, 2.0);
-            let next = x - step;
-            let inside = next >= low && next <= high;
-            x = if inside { next } else { 0.5 * (low + high) };
-            if inside && step.abs() <= (LAST * next.abs().min(1.0 - next)).max(ROUND_OFF) {
-                break;
-            }
-        }
-        self.at(x)
-    }
-
-    /// Straight between the places that are known: pure shear, tension, plane strain and equi-biaxial stretching; for Hill's
-    /// it is the answer.
-    #[inline]
-    fn guess(&self, beta: f64, sum: f64) -> f64 {
-        let (tension, plane) = (self.quadratic.coupling(), self.plane_strain);
-        if beta >= 0.0 {
-            plane + (1.0 - plane) * beta
-        } else if beta >= -tension {
-            plane * (1.0 + beta / tension)
-        } else {
-            sum / (1.0 - tension) - 1.0
-        }
-    }
+/// t/s of a stress, or the end of −1 to 1 that is nearer to it; none against the strain.
+#[inline]
+fn within(s: f64, t: f64) -> Option<f64> {
+    (s > 0.0).then(|| (t / s).clamp(-1.0, 1.0))
 }
 
 /// The larger one of the first two entries and the smaller one, and whether they stand the other way round.
@@ -245,35 +226,65 @@ pub(super) fn ordered(v: Triple) -> (f64, f64, bool) {
 }
 
 impl YieldCondition for Hosford {
+    #[inline]
     fn metric(&self, e: Triple) -> Metric {
-        self.metric_near(e, f64::NAN)
+        self.with_shear(e, None)
     }
 
     /// Where the curve is flat the stress ratio swings with the strain's like a seventh root, and Newton's method overshoots from
-    /// side to side: a chord across is then what it takes. A is no softer along the curve than the chord from the last
-    /// increment, which near the answer is the tangent.
-    fn metric_since(&self, e: Triple, last: Triple, gradient: [f64; 2]) -> Metric {
-        let (major, minor, swapped) = ordered(e);
-        let turned = |v: [f64; 2]| if swapped { [v[1], v[0]] } else { v };
-        let ([major_before, minor_before], [s, t]) = (turned([last[0], last[1]]), turned(gradient));
-        if major * major_before <= 0.0 || major * s <= 0.0 {
-            return self.metric(e);
+    /// side to side. The chord to the strain of the carried stress is right where that stress is, and where the strain is.
+    #[inline]
+    fn metric_towards(&self, e: Triple, w: [f64; 2]) -> Metric {
+        self.with_shear(e, Some(w))
+    }
+
+    #[inline]
+    fn part(&self, e: Triple, k: [f64; 2], w: Option<[f64; 5]>) -> Part {
+        let root = MEAN_SQUARE.sqrt();
+        let at = |root: f64, inverse: f64| {
+            let w = w.map(|[s, t, _, ks, kt]| [s + ks * inverse, t + kt * inverse]);
+            self.plane([e[0] + root * k[0], e[1] + root * k[1]], w)
+        };
+        let (above, below) = (at(root, 1.0 / root), at(-root, -1.0 / root));
+        let odd = 0.5 * root;
+        let mean = |i: usize| 0.5 * (above.gradient[i] + below.gradient[i]);
+        let turning = |i: usize| odd * (above.gradient[i] - below.gradient[i]);
+        let own = |j: usize| 0.5 * (above.matrix[j] + below.matrix[j]);
+        let coupling = |j: usize| odd * (above.matrix[j] - below.matrix[j]);
+        let shear = SHEAR * e[2];
+        Part {
+            gradient: [mean(0), mean(1), shear, turning(0), turning(1)],
+            own: [own(0), own(1), own(2), SHEAR],
+            coupling: [coupling(0), coupling(1), coupling(2)],
+            square: 0.5 * (above.square + below.square) + shear * e[2],
         }
-        let mut metric = self.metric_near(e, t / s);
-        let [along, across] = turned([metric.gradient[0], metric.gradient[1]]);
-        let (beta, x) = (minor / major, across / along);
-        let turn = beta - minor_before / major_before;
-        if turn.abs() < SAME {
-            return metric;
-        }
-        let inverse_square = along / (major * (1.0 + beta * x));
-        let [ss, st, tt, ..] = &mut metric.matrix;
-        let other = if swapped { &mut *ss } else { &mut *tt };
-        let more = ((x - t / s) / turn * inverse_square - (*other - x * x * inverse_square)).max(0.0);
-        *other += more;
-        *st -= more * beta;
-        *(if swapped { tt } else { ss }) += more * beta * beta;
+    }
+
+    #[inline]
+    fn kept(&self, metric: &Metric) -> Kept {
+        let [ss, st, tt, .., shear] = metric.matrix;
+        Kept { own: [ss, st, tt, shear], coupling: [0.0; 3] }
+    }
+
+    #[inline]
+    fn recalled(&self, kept: &Kept, e: Triple) -> Metric {
+        let [ss, st, tt, shear] = kept.own;
+        let mut metric = Metric { gradient: [0.0; 3], matrix: [ss, st, tt, 0.0, 0.0, shear], square: 0.0 };
+        metric.gradient = self.product(&metric, e);
         metric
+    }
+
+    #[inline]
+    fn part_kept(&self, part: &Part) -> Kept {
+        Kept { own: part.own, coupling: part.coupling }
+    }
+
+    #[inline]
+    fn part_recalled(&self, kept: &Kept, e: Triple, k: [f64; 2]) -> Part {
+        let Kept { own, coupling } = *kept;
+        let mut part = Part { gradient: [0.0; 5], own, coupling, square: 0.0 };
+        part.gradient = self.part_product(&part, e, k);
+        part
     }
 
     /// By the inverse of A, which is positive definite.

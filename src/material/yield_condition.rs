@@ -47,16 +47,46 @@ pub struct Part {
     pub square: f64,
 }
 
+/// What an iteration keeps of a matrix: K and K_x of a [`Part`], or the first alone.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Kept {
+    pub own: [f64; 4],
+    pub coupling: Triple,
+}
+
 /// A convex yield condition.
 pub trait YieldCondition {
     /// Of the strain increment `e`.
     fn metric(&self, e: Triple) -> Metric;
 
-    /// Of the strain increment `e`, with a matrix for an iteration that comes from the increment `last`, of which `gradient` is
-    /// known.
+    /// Of the strain increment `e`, with a matrix for an iteration that carries the stress `w`, of any size.
     #[inline]
-    fn metric_since(&self, e: Triple, _last: Triple, _gradient: [f64; 2]) -> Metric {
+    fn metric_towards(&self, e: Triple, _w: [f64; 2]) -> Metric {
         self.metric(e)
+    }
+
+    /// What an iteration keeps of a matrix for the next one: nothing where it is as soon computed again.
+    #[inline]
+    fn kept(&self, _: &Metric) -> Kept {
+        Kept::default()
+    }
+
+    /// The last iteration's at its strain increment `e`.
+    #[inline]
+    fn recalled(&self, _: &Kept, e: Triple) -> Metric {
+        self.metric(e)
+    }
+
+    /// As [`Self::kept`].
+    #[inline]
+    fn part_kept(&self, _: &Part) -> Kept {
+        Kept::default()
+    }
+
+    /// As [`Self::recalled`].
+    #[inline]
+    fn part_recalled(&self, _: &Kept, e: Triple, k: [f64; 2]) -> Part {
+        self.part(e, k, None)
     }
 
     /// f A.
@@ -72,16 +102,15 @@ pub trait YieldCondition {
         [ss * e[0] + st * e[1] + sg * e[2], st * e[0] + tt * e[1] + tg * e[2], sg * e[0] + tg * e[1] + gg * e[2]]
     }
 
-    /// Of what goes evenly from `e` − `k` to `e` + `k`, by Gauss's two points; in an iteration that comes from the increment,
-    /// the spread and the part in `last` as [`Self::metric_since`].
+    /// Of what goes evenly from `e` − `k` to `e` + `k`, by Gauss's two points; in an iteration that carries the stress and the
+    /// moment `w` as [`Self::metric_towards`].
     #[inline]
-    fn part(&self, e: Triple, k: [f64; 2], last: Option<(Triple, [f64; 2], &Part)>) -> Part {
+    fn part(&self, e: Triple, k: [f64; 2], w: Option<[f64; 5]>) -> Part {
         let root = MEAN_SQUARE.sqrt();
         let at = |root: f64| {
-            let point = |e: Triple, k: [f64; 2]| [e[0] + root * k[0], e[1] + root * k[1], e[2]];
-            let Some((last, before, part)) = last else { return self.metric(point(e, k)) };
-            let [s, t, _, ks, kt] = part.gradient;
-            self.metric_since(point(e, k), point(last, before), [s + ks / root, t + kt / root])
+            let point = [e[0] + root * k[0], e[1] + root * k[1], e[2]];
+            let Some([s, t, _, ks, kt]) = w else { return self.metric(point) };
+            self.metric_towards(point, [s + ks / root, t + kt / root])
         };
         let (above, below) = (at(root), at(-root));
         let mean = |i: usize| 0.5 * (above.gradient[i] + below.gradient[i]);

@@ -26,7 +26,13 @@ impl Power {
     /// x^(a − 2).
     #[inline]
     pub fn less_two(&self, x: f64) -> f64 {
-        self.whole.map_or_else(|| x.powf(self.exponent - 2.0), |a| x.powi(a - 2))
+        let square = x * x;
+        match self.whole {
+            Some(8) => square * square * square,
+            Some(6) => square * square,
+            Some(a) => x.powi(a - 2),
+            None => x.powf(self.exponent - 2.0),
+        }
     }
 
     /// y^(1/a).
@@ -35,6 +41,18 @@ impl Power {
         match self.square_roots {
             Some(count) => (0..count).fold(y, |y, _| y.sqrt()),
             None => y.powf(1.0 / self.exponent),
+        }
+    }
+
+    /// y^(−2/a).
+    #[inline]
+    pub fn inverse_square(&self, y: f64) -> f64 {
+        match self.whole {
+            Some(8) => 1.0 / y.sqrt().sqrt(),
+            Some(6) => 1.0 / y.cbrt(),
+            Some(4) => 1.0 / y.sqrt(),
+            Some(2) => 1.0 / y,
+            _ => y.powf(-2.0 / self.exponent),
         }
     }
 }
@@ -52,6 +70,7 @@ mod tests {
             for x in [0.0, 1e-8, 0.3, 1.0, 1.9_f64] {
                 assert_relative_eq!(power.less_two(x), x.powf(exponent - 2.0), max_relative = 1e-14);
                 assert_relative_eq!(power.root(x), x.powf(1.0 / exponent), max_relative = 1e-14);
+                assert_relative_eq!(power.inverse_square(x), x.powf(-2.0 / exponent), max_relative = 1e-14);
             }
         }
     }

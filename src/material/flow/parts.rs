@@ -1,7 +1,6 @@
 //! The flow law where a thickness point stands for a part of the thickness that bending turns about.
 
 use super::{Across, FlowLaw, Iterate, Iteration, Past, PointState, StressUpdate, Triple, YieldCondition};
-use crate::material::yield_condition::Part;
 use crate::material::{FlowStress, Hosford, YieldCriterion};
 
 impl Iterate {
@@ -60,8 +59,8 @@ impl Iterate {
         let e = [steep * strain[0] - past[0], steep * strain[1] - past[1], steep * strain[2] - past[2]];
         let spread = [steep * bending[0] - past_spread[0], steep * bending[1] - past_spread[1]];
         let goes_on = law.matrix == Iteration::PrimalDual && self.fluidity > 0.0;
-        let last = goes_on.then(|| condition.part(self.flow, self.spread, None));
-        let part = condition.part(e, spread, last.as_ref().map(|last| (self.flow, self.spread, last)));
+        let w = if goes_on { Some(self.carried_across(condition, e, spread)) } else { None };
+        let part = condition.part(e, spread, w);
         let (g, square) = (part.gradient, part.square);
         let increment = square.sqrt();
         let inverse_square = 1.0 / (square + law.cutoff * law.cutoff);
@@ -78,7 +77,11 @@ impl Iterate {
             Iteration::Secant => [0.0; 5],
             Iteration::Newton => g.map(|g| half * (h - f * inverse_square) * g),
             Iteration::PrimalDual => {
-                let w = self.carried_across(condition, (&part, last.as_ref()), e, spread, yield_stress);
+                let [s, t, shear] = self.carried;
+                let w = w.unwrap_or([s, t, shear, self.carried_moment[0], self.carried_moment[1]]);
+                let square = condition.part_square(&part, w);
+                let back = if square > yield_stress * yield_stress { yield_stress / square.sqrt() } else { 1.0 };
+                let w = w.map(|w| back * w);
                 self.carried = [w[0], w[1], w[2]];
                 self.carried_moment = [w[3], w[4]];
                 let by = |i: usize| half * (h * g[i] - inverse_square * w[i]);
@@ -86,42 +89,35 @@ impl Iterate {
             }
         };
         let work_across = moment[0] * bending[0] + moment[1] * bending[1];
-        *self = Self { strain, flow: e, spread, fluidity: f, hardening: h, inverse_square, ..*self };
+        *self = Self {
+            strain,
+            flow: e,
+            spread,
+            fluidity: f,
+            hardening: h,
+            inverse_square,
+            kept: condition.part_kept(&part),
+            ..*self
+        };
         let update = StressUpdate { stress, tangent: [0.0; 6], increment: hardening, yield_stress, work_across };
         let metric = part.own.map(|entry| steep * f * entry);
         let coupling = part.coupling.map(|entry| steep * f * entry);
         Across { update, moment, metric, coupling, outer: [g, other] }
     }
 
-    /// The same of stress and moment.
+    /// σ + C δ(Δε) of stress and moment.
     #[inline]
-    fn carried_across(
-        &self,
-        condition: &impl YieldCondition,
-        (now, last): (&Part, Option<&Part>),
-        e: Triple,
-        spread: [f64; 2],
-        yield_stress: f64,
-    ) -> [f64; 5] {
-        let mut w = [self.carried[0], self.carried[1], self.carried[2], self.carried_moment[0], self.carried_moment[1]];
-        if let Some(last) = last {
-            let de = [e[0] - self.flow[0], e[1] - self.flow[1], e[2] - self.flow[2]];
-            let dk = [spread[0] - self.spread[0], spread[1] - self.spread[1]];
-            let g = condition.part_product(last, self.flow, self.spread);
-            let c = condition.part_product(last, de, dk);
-            let product = |v: &[f64; 5]| v[0] * de[0] + v[1] * de[1] + v[2] * de[2] + v[3] * dk[0] + v[4] * dk[1];
-            let along = product(&g);
-            let on_g = self.fluidity + self.hardening * along - 0.5 * self.inverse_square * product(&w);
-            let on_w = -0.5 * self.inverse_square * along;
-            for i in 0..5 {
-                w[i] = on_g * g[i] + on_w * w[i] + self.fluidity * c[i];
-            }
-        }
-        let square = condition.part_square(now, w);
-        if square > yield_stress * yield_stress {
-            let back = yield_stress / square.sqrt();
-            return w.map(|w| back * w);
-        }
-        w
+    fn carried_across(&self, condition: &impl YieldCondition, e: Triple, spread: [f64; 2]) -> [f64; 5] {
+        let last = condition.part_recalled(&self.kept, self.flow, self.spread);
+        let ([s, t, shear], [ms, mt]) = (self.carried, self.carried_moment);
+        let (g, w) = (last.gradient, [s, t, shear, ms, mt]);
+        let de = [e[0] - self.flow[0], e[1] - self.flow[1], e[2] - self.flow[2]];
+        let dk = [spread[0] - self.spread[0], spread[1] - self.spread[1]];
+        let c = condition.part_product(&last, de, dk);
+        let product = |v: &[f64; 5]| v[0] * de[0] + v[1] * de[1] + v[2] * de[2] + v[3] * dk[0] + v[4] * dk[1];
+        let along = product(&g);
+        let on_g = self.fluidity + self.hardening * along - 0.5 * self.inverse_square * product(&w);
+        let on_w = -0.5 * self.inverse_square * along;
+        std::array::from_fn(|i| on_g * g[i] + on_w * w[i] + self.fluidity * c[i])
     }
 }

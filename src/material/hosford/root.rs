@@ -1,0 +1,114 @@
+//! The inner root of Hosford's condition: the stress ratio x whose normal has the strain ratio β.
+
+use super::Hosford;
+
+/// Step of the inner root over its distance to 0 and to 1 after which it is right to round-off: its method is of third
+/// order \[–\]; and where it is round-off itself.
+const LAST: f64 = 1e-6;
+const ROUND_OFF: f64 = 1e-16;
+/// Ratios of strain increments that are one \[–\]: between them a chord is round-off.
+const SAME: f64 = 1e-7;
+/// Iterations of the inner root that are not watched.
+const FEW: usize = 4;
+/// Most iterations of the inner root: halving alone needs fifty.
+const MOST: usize = 60;
+
+/// What the inner root finds: x, x'(β) or the chord that stands for it, and 1/φ².
+pub(super) struct Root {
+    pub ratio: f64,
+    pub rate: f64,
+    pub inverse_square: f64,
+}
+
+/// A step of the inner root.
+struct Halley {
+    /// What is to vanish, the part of it that goes with 1 + β, and the step towards that.
+    value: f64,
+    between: f64,
+    step: f64,
+}
+
+impl Hosford {
+    /// The ratio whose normal goes with 1 and β, from the carried ratio `w`; `sum` is 1 + β, without the round-off of β.
+    #[inline]
+    pub(super) fn root(&self, beta: f64, sum: f64, w: Option<f64>) -> Root {
+        let weight = self.ratio() * sum;
+        let start = w.unwrap_or_else(|| self.guess(beta, sum));
+        let first = self.halley(beta, weight, start);
+        let (mut x, mut step) = (start, first.step);
+        for left in (0..FEW).rev() {
+            x -= step;
+            if step.abs() <= LAST * (x * (1.0 - x)).abs() {
+                break;
+            }
+            if left == 0 {
+                x = self.enclosed(beta, weight, x);
+                break;
+            }
+            step = self.halley(beta, weight, x).step;
+        }
+        let (y, r) = (1.0 - x, self.ratio());
+        let (own, between) = (self.power.less_two(x.abs()), r * self.power.less_two(y));
+        let across = y * between;
+        let inverse_square = self.power.inverse_square((1.0 + x * x * own + y * across) * self.inverse_weight);
+        let turn = if w.is_some() { -first.value * sum / (sum + first.between) } else { 0.0 };
+        let rate = if turn.abs() > SAME {
+            (x - start) / turn
+        } else {
+            (1.0 + across) / ((self.exponent() - 1.0) * (own + sum * between))
+        };
+        Root { ratio: x, rate, inverse_square }
+    }
+
+    /// A step of Halley's method; no number at the ends.
+    #[inline]
+    fn halley(&self, beta: f64, weight: f64, x: f64) -> Halley {
+        let (y, more) = (1.0 - x, self.exponent() - 2.0);
+        let (own, between) = (self.power.less_two(x.abs()), weight * self.power.less_two(y));
+        let (along, across) = (x * own, y * between);
+        let value = along - across - beta;
+        // With the bend (a − 2)(own/x − between/y) over own + between.
+        let both = own + between;
+        let space = x * y * both;
+        let newton = value / ((1.0 + more) * both);
+        let step = newton * space / (space - 0.5 * more * newton * (y * own - x * between));
+        Halley { value, between: across, step }
+    }
+
+    /// The root wherever it is, within bounds that close in on it.
+    #[cold]
+    #[inline(never)]
+    fn enclosed(&self, beta: f64, weight: f64, x: f64) -> f64 {
+        let (mut low, mut high) = (-1.0, 1.0);
+        let mut x = if x.abs() <= 1.0 { x } else { 0.0 };
+        for _ in 0..MOST {
+            let Halley { value, step, .. } = self.halley(beta, weight, x);
+            if value > 0.0 {
+                high = x
+            } else {
+                low = x
+            }
+            let next = x - step;
+            let inside = next >= low && next <= high;
+            x = if inside { next } else { 0.5 * (low + high) };
+            if (inside && step.abs() <= LAST * next.abs().min(1.0 - next)) || high - low <= ROUND_OFF {
+                break;
+            }
+        }
+        x
+    }
+
+    /// Straight between the places that are known: pure shear, tension, plane strain and equi-biaxial stretching; for Hill's
+    /// it is the answer.
+    #[inline]
+    fn guess(&self, beta: f64, sum: f64) -> f64 {
+        let (tension, plane) = (self.quadratic.coupling(), self.plane_strain);
+        if beta >= 0.0 {
+            plane + (1.0 - plane) * beta
+        } else if beta >= -tension {
+            plane * (1.0 + beta / tension)
+        } else {
+            sum / (1.0 - tension) - 1.0
+        }
+    }
+}
