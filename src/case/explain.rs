@@ -100,6 +100,7 @@ fn plain(message: &str) -> String {
         "a boolean" => "true or false",
         "a sequence" => "a list in square brackets",
         "an array of length 2" | "a tuple of size 2" => "a list of two",
+        "newtype variant" => "a table with its parameters behind it",
         w if w.starts_with("struct ") || w == "a map" => "a table of keys",
         w if w.starts_with("enum ") || w.ends_with("enum") => "a word in quotes",
         other => other,
@@ -107,6 +108,7 @@ fn plain(message: &str) -> String {
     let found = found.strip_prefix("invalid type: ").or(found.strip_prefix("invalid value: ")).unwrap_or(found);
     let found = found.replace("invalid length 0", "an empty list").replace("invalid length 1", "a list of one");
     let found = found.replace("floating point", "number").replace("integer", "number").replace("sequence", "list");
+    let found = found.replace("unit variant", "a name alone");
     let found = found.replace("string", "text").replace("map", "table");
     format!("found {found}, wanted {wanted}")
 }

@@ -28,7 +28,6 @@
 
 mod root;
 
-use self::root::Root;
 use super::hill48::{Hill48, SHEAR_INVERSE};
 use super::yield_condition::{Kept, MEAN_SQUARE, Metric, Part, SHEAR_FACTOR, Triple, YieldCondition};
 use crate::law::{LawError, require_or};
@@ -63,6 +62,13 @@ pub(super) struct Place {
     pub normal: [f64; 2],
     /// κ of the second derivative φ ∂²φ/∂σ² = κ (−x, 1)⊗(−x, 1), which is the same all along the ray.
     pub bend: f64,
+}
+
+/// What the inner root finds: x, x'(β) or the chord that stands for it, and 1/φ².
+struct Root {
+    ratio: f64,
+    rate: f64,
+    inverse_square: f64,
 }
 
 /// A [`Metric`] without its shear.

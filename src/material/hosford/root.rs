@@ -1,6 +1,6 @@
 //! The inner root of Hosford's condition: the stress ratio x whose normal has the strain ratio β.
 
-use super::Hosford;
+use super::{Hosford, Root};
 
 /// Step of the inner root over its distance to 0 and to 1 after which it is right to round-off: its method is of third
 /// order \[–\]; and where it is round-off itself.
@@ -12,13 +12,6 @@ const SAME: f64 = 1e-7;
 const FEW: usize = 4;
 /// Most iterations of the inner root: halving alone needs fifty.
 const MOST: usize = 60;
-
-/// What the inner root finds: x, x'(β) or the chord that stands for it, and 1/φ².
-pub(super) struct Root {
-    pub ratio: f64,
-    pub rate: f64,
-    pub inverse_square: f64,
-}
 
 /// A step of the inner root.
 struct Halley {
