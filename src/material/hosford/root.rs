@@ -2,8 +2,8 @@
 
 use super::{Hosford, Root};
 
-/// Step of the inner root over its distance to 0 and to 1 after which it is right to round-off: its method is of third
-/// order \[–\]; and where it is round-off itself.
+/// Step of the inner root over the product of its distances to 0 and to 1 after which it is right to round-off: of third
+/// order is its method \[–\]; and where it is round-off itself.
 const LAST: f64 = 1e-6;
 const ROUND_OFF: f64 = 1e-16;
 /// Ratios of strain increments that are one \[–\]: between them a chord is round-off.
