@@ -8,8 +8,12 @@
 //!
 //! What is larger is refused before it is read, and so is what is no file: pipes and devices may never end.
 
+#[cfg(feature = "plot")]
+mod hash;
 mod visible;
 
+#[cfg(feature = "plot")]
+pub use hash::sha256;
 pub use visible::visible;
 
 use std::cell::RefCell;

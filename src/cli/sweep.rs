@@ -105,11 +105,12 @@ pub fn sweep(args: &Args) -> anyhow::Result<Code> {
         return say(args.lines(scheduler, shards, &dir));
     }
     let shard = args.shard.unwrap_or(Shard::WHOLE);
-    let indices = shard.indices(plan.count());
-    if indices.len() as u64 > MANY && !args.yes {
-        let what = format!("{} runs are asked for, more than {MANY}", indices.len());
+    let runs = shard.count(plan.count());
+    if runs > MANY && !args.yes {
+        let what = format!("{runs} runs are asked for, more than {MANY}");
         return Err(BadRequest(format!("{what}: give --yes if that is meant, or fewer values, or --shard")).into());
     }
+    let indices = shard.indices(plan.count());
     let progress = Progress::new(args.quiet || args.json.json);
     let count = progress.count(format!("{}, designs", stem(&args.file)));
     let base = study::base(&plan, &count).map_err(asked)?;

@@ -10,13 +10,13 @@ pub use whole::CaseSummary;
 use super::StageView;
 use super::stage_view::ended;
 use crate::assess::{Kind, sentences};
+use crate::files::sha256;
 use crate::measure::{Change, Event, events, moment_error};
 use crate::message::{Amount, Message, message};
 use crate::model::{Extent, Geometry, Mode};
 use crate::solution::{StageSolution, StepRecord, Stop};
 use crate::table::Unit;
 use crate::verification::Verification;
-use sha2::{Digest, Sha256};
 
 /// Before a label that belongs to the line above.
 const INDENT: &str = "  ";
@@ -163,7 +163,7 @@ impl Summary {
             summary.number("wall_time", "Wall time", Amount::time(wall.as_secs_f64()));
         }
         summary.text("program", "", concat!(env!("CARGO_PKG_NAME"), " ", env!("CARGO_PKG_VERSION")).to_owned());
-        summary.text("case_sha256", "", sha256(view.case_text));
+        summary.text("case_sha256", "", sha256([view.case_text]));
         summary.group = Group::Case;
         summary.list("overrides", "Set on the command line", plain(view.overrides));
         summary.list("derived", "Assumed while reading", sentences(&view.findings, Kind::Assumption));
@@ -249,9 +249,4 @@ pub fn section_of(extent: Extent) -> Message {
         Geometry::PlaneStrain => "plane strain",
     };
     Message::joined([section.into(), extent.described()], "; ")
-}
-
-/// Checksum of a text in hexadecimal.
-pub fn sha256(text: &str) -> String {
-    Sha256::digest(text).iter().map(|byte| format!("{byte:02x}")).collect()
 }

@@ -3,8 +3,9 @@
 use super::document::{Block, Row, Section};
 use super::program::PROGRAM;
 use super::solved::Report;
+use crate::files::sha256;
 use crate::message::{Form, Message, message};
-use crate::output::summary::{section_of, sha256};
+use crate::output::summary::section_of;
 
 /// What was given for it, and the case.
 pub(super) fn block<'a>(report: &'a Report) -> impl Iterator<Item = (&'static str, &'a str)> {
@@ -26,7 +27,7 @@ pub(super) fn section(report: &Report, form: Form) -> Section {
         ("Stages", if case.later().is_empty() { String::new() } else { names }),
         ("Run", form.tell(ended)),
         ("Program", PROGRAM.to_owned()),
-        ("SHA-256 of the case, settings applied", sha256(&case.text)),
+        ("SHA-256 of the case, settings applied", sha256([&case.text])),
     ];
     let rows = rows.into_iter().filter(|(_, value)| !value.is_empty());
     let rows = rows.map(|(label, value)| Row::plain([form.tell(label), value])).collect();

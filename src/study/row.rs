@@ -2,8 +2,8 @@
 
 use super::plan::{Design, Plan};
 use crate::assess::{self, Light};
-use crate::case::{Case, Solution};
-use crate::units::{Unit, rounded};
+use crate::case::Solution;
+use crate::units::rounded;
 use crate::verification::{Number, Of, Outcome};
 
 /// A design, and what came of it.
@@ -70,8 +70,7 @@ const VERSION: &str = env!("CARGO_PKG_VERSION");
 impl Columns {
     /// For the designs of a plan, whose case as it stands came to `base`.
     pub fn of(plan: &Plan, base: &Solved) -> Self {
-        let mut numbers: Vec<String> = base.outcome.numbers.iter().map(header).collect();
-        numbers.dedup();
+        let numbers = base.outcome.numbers.iter().map(header).collect();
         Self { varied: plan.varied().map(super::Vary::header).collect(), numbers }
     }
 
@@ -86,16 +85,15 @@ impl Columns {
         let mut line =
             vec![plan.key().to_owned(), plan.count().to_string(), row.design.index.to_string(), row.inputs.clone()];
         line.extend(row.design.values.iter().map(|value| value.text.clone()));
-        let solved = row.result.as_ref();
-        let number =
-            |header: &String| solved.ok().and_then(|solved| solved.number(header)).map_or_else(String::new, written);
-        line.extend(self.numbers.iter().map(number));
-        line.extend(match solved {
+        let numbers = row.result.iter().flat_map(|solved| &solved.outcome.numbers);
+        let named: Vec<(String, f64)> = numbers.map(|number| (header(number), number.amount.value)).collect();
+        let value = |column: &String| named.iter().find(|(header, _)| header == column).map(|(_, value)| *value);
+        line.extend(self.numbers.iter().map(|column| value(column).map_or_else(String::new, written)));
+        line.extend(match &row.result {
             Ok(Solved { outcome, light, red, amber }) => {
-                let others = outcome.numbers.iter().map(|number| (header(number), number.amount.value));
-                let others = others.filter(|(header, _)| !self.numbers.contains(header));
+                let others = named.iter().filter(|(header, _)| !self.numbers.contains(header));
                 let others: Vec<String> =
-                    others.map(|(header, value)| format!("{header}={}", written(value))).collect();
+                    others.map(|(header, value)| format!("{header}={}", written(*value))).collect();
                 let end = &outcome.end;
                 let reason = if end.complete { String::new() } else { end.why.to_string() };
                 [
@@ -117,22 +115,14 @@ impl Columns {
     }
 }
 
-/// A number's column.
+/// A number's column; what a row of the verdict judges may have the name of another number.
 fn header(number: &Number) -> String {
-    let header = number.amount.unit.keyed(number.key);
-    match (number.of, number.amount.unit) {
-        // What a row of the verdict judges may have the name of another number.
-        (Of::Verdict, Unit::None) => format!("{header}_judged"),
-        (Of::Verdict, _) => number.amount.unit.keyed(&format!("{}_judged", number.key)),
-        _ => header,
+    match number.of {
+        Of::Verdict => number.amount.unit.keyed(&format!("{}_judged", number.key)),
+        Of::Answer | Of::Part => number.amount.unit.keyed(number.key),
     }
 }
 
 fn written(value: f64) -> String {
     if value.is_finite() { rounded(value).to_string() } else { String::new() }
-}
-
-/// What came of a case.
-pub(super) fn solve(case: Case, observer: &mut dyn crate::Observer) -> Solved {
-    Solved::of(&case.solve(observer))
 }

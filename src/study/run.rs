@@ -3,11 +3,10 @@
 use super::StudyError;
 use super::hash::short_hash;
 use super::plan::{Design, Plan};
-use super::row::{self, Row, Solved};
+use super::row::{Row, Solved};
 use crate::case::Case;
 use crate::files::{CSV, Disk, Files};
-use crate::solver::Observer;
-use crate::verification::Watch;
+use crate::verification::{Watch, Watched};
 use std::any::Any;
 use std::collections::BTreeMap;
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -21,15 +20,6 @@ const AHEAD: u64 = 4096;
 
 /// How long a thread sleeps that is that far ahead.
 const NAP: Duration = Duration::from_millis(1);
-
-/// Ends a run when all are to end.
-struct Watched<'a>(&'a dyn Watch);
-
-impl Observer for Watched<'_> {
-    fn wants_to_stop(&mut self) -> bool {
-        self.0.wants_to_stop()
-    }
-}
 
 /// Runs designs of a plan by their indices on so many threads and hands each row to `each`, in the order of the indices. Once
 /// `watch` wants to stop no row is handed on of which the run was cut short.
@@ -98,7 +88,7 @@ pub fn one(plan: &Plan, design: Design, watch: &dyn Watch) -> Row {
         Ok(case) => {
             inputs = hash(&case);
             // A mistake of this program in one design is told in its row.
-            catch_unwind(AssertUnwindSafe(|| row::solve(case, &mut Watched(watch))))
+            catch_unwind(AssertUnwindSafe(|| Solved::of(&case.solve(&mut Watched(watch)))))
                 .map_err(|panic| words(panic.as_ref()))
         }
         Err(error) => Err(error.to_string()),

@@ -24,6 +24,11 @@ impl Shard {
     /// The whole of a study.
     pub const WHOLE: Self = Self { number: 1, of: 1 };
 
+    /// How many of so many designs are its own.
+    pub fn count(self, designs: u64) -> u64 {
+        (designs + self.of - self.number) / self.of
+    }
+
     /// The indices of its designs, of so many.
     pub fn indices(self, count: u64) -> Vec<u64> {
         (self.number - 1..count).step_by(usize::try_from(self.of).unwrap_or(usize::MAX)).collect()

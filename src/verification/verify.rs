@@ -48,7 +48,7 @@ pub trait Watch: Sync {
 impl Watch for () {}
 
 /// Ends a run when it is to end.
-struct Watched<'a>(&'a dyn Watch);
+pub(crate) struct Watched<'a>(pub &'a dyn Watch);
 
 impl Observer for Watched<'_> {
     fn wants_to_stop(&mut self) -> bool {

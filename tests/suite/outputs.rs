@@ -7,11 +7,11 @@ use stampflow::case::{Solution, parse};
 use stampflow::compare::{
     Against, BandQuantity, BandSpec, Comparison, Computed, CurveSpec, Data, Found, Quantity, Source, Spec, compare,
 };
+use stampflow::files::sha256;
 use stampflow::forming_limit::{Instant, Paths};
 use stampflow::measure::{Shape, changes};
 use stampflow::message::Form;
 use stampflow::model::{Geometry, Model, Role};
-use stampflow::output::summary::sha256;
 use stampflow::output::{
     FrameRecorder, Make, OUTPUTS, ResultFolder, Results, Summary, comparison_folder, is_result, load_travel, png,
     profile,
@@ -567,5 +567,5 @@ fn sample_for_looking() {
 /// Trust: the digest of the empty text as given in FIPS 180.
 #[test]
 fn the_checksum_is_sha256_in_hexadecimal() {
-    assert_eq!(sha256(""), "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855");
+    assert_eq!(sha256([""]), "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855");
 }
