@@ -10,6 +10,7 @@ mod import;
 mod interrupt;
 mod job;
 mod json;
+mod many;
 mod materials;
 mod message;
 mod new;

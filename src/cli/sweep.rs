@@ -1,18 +1,16 @@
 //! `stampflow sweep` and `stampflow merge`: one case with many settings, in one table.
 
 use super::code::{BadRequest, Code};
-use super::options::{Json, Overrides, Threads};
-use super::progress::Progress;
+use super::many::{Many, asked};
 use super::say::{say, say_json, warn};
 use super::table::wrapped;
 use anyhow::Context;
 use serde_json::json;
 use stampflow::assess::Light;
-use stampflow::study::{self, Begun, Columns, Earlier, Journal, Plan, Row, Shard, StudyError, Vary};
+use stampflow::study::{self, Begun, Columns, Designs, Earlier, Journal, Plan, Row, Shard, StudyError, Vary};
 use std::collections::BTreeMap;
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
-use std::thread::available_parallelism;
 
 pub const HELP: &str = "\
 Every combination of the values is one run; the last key varies fastest. A value is \
@@ -48,11 +46,6 @@ pub struct Args {
     /// A key and its values: KEY=FROM..TO UNIT/N or KEY=A,B,C UNIT; as often as needed
     #[arg(long, value_name = "KEY=VALUES")]
     vary: Vec<String>,
-    #[command(flatten)]
-    overrides: Overrides,
-    /// Folder for the results [default: out/<file>-sweep]
-    #[arg(long, alias = "output", value_name = "DIR")]
-    out: Option<PathBuf>,
     /// Go on with the rows that an earlier run has left
     #[arg(long)]
     resume: bool,
@@ -71,13 +64,8 @@ pub struct Args {
     /// Begin more than 100 000 runs without asking
     #[arg(long)]
     yes: bool,
-    /// Show no progress
-    #[arg(long, short)]
-    quiet: bool,
     #[command(flatten)]
-    threads: Threads,
-    #[command(flatten)]
-    json: Json,
+    many: Many,
 }
 
 #[derive(Debug, clap::Args)]
@@ -100,7 +88,7 @@ enum Scheduler {
 
 pub fn sweep(args: &Args) -> anyhow::Result<Code> {
     let plan = args.plan().map_err(asked)?;
-    let dir = args.out.clone().unwrap_or_else(|| Path::new("out").join(format!("{}-sweep", stem(&args.file))));
+    let dir = args.many.folder(&args.file, "sweep");
     if let (Some(scheduler), Some(shards)) = (args.print, args.shards) {
         return say(args.lines(scheduler, shards, &dir));
     }
@@ -111,9 +99,8 @@ pub fn sweep(args: &Args) -> anyhow::Result<Code> {
         return Err(BadRequest(format!("{what}: give --yes if that is meant, or fewer values, or --shard")).into());
     }
     let indices = shard.indices(plan.count());
-    let progress = Progress::new(args.quiet || args.json.json);
-    let count = progress.count(format!("{}, designs", stem(&args.file)));
-    let base = study::base(&plan, &count).map_err(asked)?;
+    let count = args.many.count(&args.file, "designs");
+    let base = study::base(plan.subject(), &count).map_err(asked)?;
     let columns = Columns::of(&plan, &base);
     let path = dir.join(shard.file("study"));
     let earlier = match (args.resume, args.restart) {
@@ -127,8 +114,7 @@ pub fn sweep(args: &Args) -> anyhow::Result<Code> {
     };
     let kept = journal.done();
     let mut tally = Tally::default();
-    let threads = args.threads.count().or_else(|| available_parallelism().ok().map(usize::from)).unwrap_or(1);
-    let ended = study::run(&plan, &indices[kept..], threads, &count, |row| {
+    let ended = study::run(&plan, &indices[kept..], args.many.threads(), &count, |row| {
         tally.add(&row);
         journal.add(&columns.line(&plan, &row))
     });
@@ -143,7 +129,7 @@ pub fn sweep(args: &Args) -> anyhow::Result<Code> {
         return Ok(Code::Done);
     }
     journal.finish().with_context(|| format!("cannot write {}", path.display()))?;
-    if args.json.json {
+    if args.many.json.json {
         return say_json(
             &json!({ "file": path, "designs": done, "kept": kept, "lights": tally.lights, "red": tally.red }),
         );
@@ -158,7 +144,7 @@ pub fn merge(args: &MergeArgs) -> anyhow::Result<Code> {
 
 impl Args {
     fn plan(&self) -> Result<Plan, StudyError> {
-        let overrides = self.overrides.all();
+        let overrides = self.many.overrides.all();
         let axes = self.vary.iter().map(|text| Vary::together(text)).collect::<Result<Vec<_>, _>>()?;
         match axes.is_empty() {
             true => study::file::load(&self.file, overrides),
@@ -172,7 +158,7 @@ impl Args {
         for vary in &self.vary {
             let _ = write!(command, " --vary {}", quoted(vary));
         }
-        for set in self.overrides.all() {
+        for set in self.many.overrides.all() {
             let _ = write!(command, " --set {}", quoted(&set));
         }
         let _ = write!(command, " --out {} --quiet --resume --threads 1", quoted(&dir.to_string_lossy()));
@@ -224,10 +210,6 @@ impl Tally {
     }
 }
 
-fn stem(path: &Path) -> String {
-    path.file_stem().map_or_else(|| "study".into(), |stem| stem.to_string_lossy().into_owned())
-}
-
 /// For a shell.
 fn quoted(text: &str) -> String {
     let is_plain = |c: char| c.is_ascii_alphanumeric() || "-_./=,".contains(c);
@@ -235,13 +217,5 @@ fn quoted(text: &str) -> String {
         text.into()
     } else {
         format!("'{}'", text.replace('\'', "'\\''"))
-    }
-}
-
-/// A study that is wrong, as bad input.
-fn asked(error: StudyError) -> anyhow::Error {
-    match error {
-        StudyError::Case(error) => error.into(),
-        asked @ StudyError::Asked { .. } => BadRequest(asked.to_string()).into(),
     }
 }

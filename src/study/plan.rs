@@ -1,24 +1,35 @@
 //! What a study runs: the case, what is varied in it, and the designs by their index.
 
-use super::StudyError;
 use super::hash::short_hash;
 use super::vary::{Value, Vary};
-use crate::case::{self, Case};
-use crate::files::{self, Disk, Files};
+use super::{StudyError, Subject};
 use std::path::PathBuf;
 
 /// A study of a case: every combination of what is varied.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Plan {
-    /// Text of the case file, as it was read once.
-    text: String,
-    /// The case file, from which those beside it are looked up.
-    path: PathBuf,
-    /// Overrides of all designs alike.
-    base: Vec<String>,
+    subject: Subject,
     /// What is varied: the keys of one axis go together, axes are combined with each other. The last one varies fastest.
     axes: Vec<Vec<Vary>>,
     key: String,
+}
+
+/// Cases that a study runs, each known by its index: any of them can be run anywhere, and again.
+pub trait Designs: Sync {
+    /// The case that is varied.
+    fn subject(&self) -> &Subject;
+
+    /// What tells this study from others: of the case, its overrides and all that is varied.
+    fn key(&self) -> &str;
+
+    /// What is varied, as headers of columns with their units.
+    fn headers(&self) -> Vec<String>;
+
+    /// How many designs there are.
+    fn count(&self) -> u64;
+
+    /// The design of an index below [`count`](Self::count).
+    fn design(&self, index: u64) -> Design;
 }
 
 /// One design of a study.
@@ -26,7 +37,7 @@ pub struct Plan {
 pub struct Design {
     /// Its place in the study, from 0.
     pub index: u64,
-    /// Its values, in the order of [`Plan::varied`].
+    /// Its values, in the order of [`Designs::headers`].
     pub values: Vec<Value>,
     /// The overrides that make it out of the case.
     pub settings: Vec<String>,
@@ -38,15 +49,9 @@ impl Plan {
     /// # Errors
     /// When the case cannot be read as it stands, a key is varied twice, or the designs cannot be counted.
     pub fn new(path: impl Into<PathBuf>, base: Vec<String>, axes: Vec<Vec<Vary>>) -> Result<Self, StudyError> {
-        let path = path.into();
-        let disk: &dyn Files = &Disk;
-        let text = disk.text(&path, files::CASE).map_err(|error| {
-            let help = "give the path of a case file";
-            StudyError::new(format!("cannot read {}: {error}", path.display()), help)
-        })?;
-        let key = short_hash([&text, &format!("{base:?} {axes:?}")]);
-        let plan = Self { text, path, base, axes, key };
-        plan.case(&[])?;
+        let subject = Subject::new(path, base)?;
+        let key = short_hash([subject.key(), &format!("{axes:?}")]);
+        let plan = Self { subject, axes, key };
         let keys: Vec<&str> = plan.varied().map(|vary| vary.key.as_str()).collect();
         if let Some((i, key)) = keys.iter().enumerate().find(|(i, key)| keys[..*i].contains(key)) {
             let help = "give all its values at once";
@@ -66,7 +71,7 @@ impl Plan {
             let mut wrong = None;
             // The ends and the middle: a range that is unsound at all three is unsound.
             let last = axis[0].values.len() - 1;
-            let is_sound = [0, last / 2, last].into_iter().any(|i| match self.case(&settings(i)) {
+            let is_sound = [0, last / 2, last].into_iter().any(|i| match self.subject.case(&settings(i)) {
                 Ok(_) => true,
                 Err(error) => {
                     wrong.get_or_insert(error);
@@ -80,17 +85,8 @@ impl Plan {
         Ok(())
     }
 
-    /// The case with some overrides besides those of all designs.
-    ///
-    /// # Errors
-    /// When that makes no case.
-    pub fn case(&self, settings: &[String]) -> Result<Case, case::CaseError> {
-        let all: Vec<String> = self.base.iter().chain(settings).cloned().collect();
-        case::parse(&self.text, &self.path.to_string_lossy(), &all)
-    }
-
     /// What is varied, in the order of the columns.
-    pub fn varied(&self) -> impl Iterator<Item = &Vary> {
+    fn varied(&self) -> impl Iterator<Item = &Vary> {
         self.axes.iter().flatten()
     }
 
@@ -98,19 +94,26 @@ impl Plan {
     pub fn axes(&self) -> &[Vec<Vary>] {
         &self.axes
     }
+}
 
-    /// What tells this study from others: of the case, its overrides and all that is varied.
-    pub fn key(&self) -> &str {
+impl Designs for Plan {
+    fn subject(&self) -> &Subject {
+        &self.subject
+    }
+
+    fn headers(&self) -> Vec<String> {
+        self.varied().map(Vary::header).collect()
+    }
+
+    fn key(&self) -> &str {
         &self.key
     }
 
-    /// How many designs there are.
-    pub fn count(&self) -> u64 {
+    fn count(&self) -> u64 {
         self.axes.iter().map(|axis| axis[0].values.len() as u64).product()
     }
 
-    /// The design of an index below [`count`](Self::count).
-    pub fn design(&self, index: u64) -> Design {
+    fn design(&self, index: u64) -> Design {
         let mut rest = index;
         let mut chosen = vec![0; self.axes.len()];
         for (axis, chosen) in self.axes.iter().zip(&mut chosen).rev() {

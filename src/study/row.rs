@@ -1,6 +1,6 @@
 //! What came of one design, and its line in a table.
 
-use super::plan::{Design, Plan};
+use super::plan::{Design, Designs};
 use crate::assess::{self, Light};
 use crate::case::Solution;
 use crate::units::rounded;
@@ -68,10 +68,10 @@ const LAST: [&str; 7] = ["verdict", "red", "amber", "end", "reason", "version", 
 const VERSION: &str = env!("CARGO_PKG_VERSION");
 
 impl Columns {
-    /// For the designs of a plan, whose case as it stands came to `base`.
-    pub fn of(plan: &Plan, base: &Solved) -> Self {
+    /// For designs whose case as it stands came to `base`.
+    pub fn of(designs: &dyn Designs, base: &Solved) -> Self {
         let numbers = base.outcome.numbers.iter().map(header).collect();
-        Self { varied: plan.varied().map(super::Vary::header).collect(), numbers }
+        Self { varied: designs.headers(), numbers }
     }
 
     /// The first line.
@@ -81,9 +81,13 @@ impl Columns {
     }
 
     /// The line of a row.
-    pub fn line(&self, plan: &Plan, row: &Row) -> Vec<String> {
-        let mut line =
-            vec![plan.key().to_owned(), plan.count().to_string(), row.design.index.to_string(), row.inputs.clone()];
+    pub fn line(&self, designs: &dyn Designs, row: &Row) -> Vec<String> {
+        let mut line = vec![
+            designs.key().to_owned(),
+            designs.count().to_string(),
+            row.design.index.to_string(),
+            row.inputs.clone(),
+        ];
         line.extend(row.design.values.iter().map(|value| value.text.clone()));
         let numbers = row.result.iter().flat_map(|solved| &solved.outcome.numbers);
         let named: Vec<(String, f64)> = numbers.map(|number| (header(number), number.amount.value)).collect();

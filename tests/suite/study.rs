@@ -1,6 +1,6 @@
 //! Studies: designs in order, rows whole, mistakes told before anything is run.
 
-use stampflow::study::{Columns, Plan, Row, StudyError, Vary, run};
+use stampflow::study::{Columns, Designs, Plan, Row, StudyError, Vary, run};
 use std::convert::Infallible;
 
 const CASE: &str = "cases/quickstart.toml";

@@ -1,0 +1,75 @@
+//! The case that a study is of, read once; every design is made of it by overrides, as on the command line.
+
+use super::StudyError;
+use super::hash::short_hash;
+use crate::case::{self, Case, CaseError, Solution};
+use crate::files::{self, CSV, Disk, Files};
+use crate::verification::{Watch, Watched};
+use std::any::Any;
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::path::PathBuf;
+
+/// The case that a study is of.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Subject {
+    /// Text of the case file, as it was read once.
+    text: String,
+    /// The case file, from which those beside it are looked up.
+    path: PathBuf,
+    /// Overrides of all designs alike.
+    base: Vec<String>,
+    key: String,
+}
+
+impl Subject {
+    /// Of a case file on the disk with overrides of all designs.
+    ///
+    /// # Errors
+    /// When the case cannot be read as it stands.
+    pub fn new(path: impl Into<PathBuf>, base: Vec<String>) -> Result<Self, StudyError> {
+        let path = path.into();
+        let disk: &dyn Files = &Disk;
+        let text = disk.text(&path, files::CASE).map_err(|error| {
+            let help = "give the path of a case file";
+            StudyError::new(format!("cannot read {}: {error}", path.display()), help)
+        })?;
+        let key = short_hash([&text, &format!("{base:?}")]);
+        let subject = Self { text, path, base, key };
+        subject.case(&[])?;
+        Ok(subject)
+    }
+
+    /// What tells it from others: of the case file and the overrides of all designs.
+    pub fn key(&self) -> &str {
+        &self.key
+    }
+
+    /// The case with some overrides besides those of all designs.
+    ///
+    /// # Errors
+    /// When that makes no case.
+    pub fn case(&self, settings: &[String]) -> Result<Case, CaseError> {
+        let all: Vec<String> = self.base.iter().chain(settings).cloned().collect();
+        case::parse(&self.text, &self.path.to_string_lossy(), &all)
+    }
+
+    /// Solves a case until `watch` wants to stop.
+    ///
+    /// # Errors
+    /// A mistake of this program, which ends no study: in the words of its panic.
+    pub fn solution(case: Case, watch: &dyn Watch) -> Result<Solution, String> {
+        catch_unwind(AssertUnwindSafe(|| case.solve(&mut Watched(watch)))).map_err(|panic| words(panic.as_ref()))
+    }
+
+    /// Of all that a case was read from: SHA-256 of its text with its settings and of the files beside it, the first 16 digits.
+    pub fn hash(case: &Case) -> String {
+        let beside = case.inputs.iter().filter(|path| **path != case.path);
+        let beside = beside.map(|path| Disk.read(path, CSV).unwrap_or_default());
+        short_hash([case.text.clone().into_bytes()].into_iter().chain(beside))
+    }
+}
+
+fn words(panic: &(dyn Any + Send)) -> String {
+    let said = panic.downcast_ref::<String>().map(String::as_str).or(panic.downcast_ref::<&str>().copied());
+    format!("a mistake of this program: {}", said.unwrap_or("no words"))
+}
