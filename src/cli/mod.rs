@@ -21,6 +21,7 @@ mod report;
 mod run;
 mod say;
 mod shell;
+mod studied;
 mod suggested;
 mod sweep;
 mod table;

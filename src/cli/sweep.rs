@@ -3,25 +3,38 @@
 use super::code::{BadRequest, Code};
 use super::many::{Many, asked};
 use super::say::{say, say_json, warn};
+use super::studied::Studied;
 use super::table::wrapped;
 use anyhow::Context;
 use serde_json::json;
 use stampflow::assess::Light;
-use stampflow::study::{self, Begun, Columns, Designs, Earlier, Journal, Plan, Row, Shard, StudyError, Vary};
+use stampflow::output::study::keep;
+use stampflow::study::{
+    self, Bars, Begun, Columns, Designs, Earlier, How, Journal, Plan, Results, Row, Shard, StudyError, Times, Vary,
+};
 use std::collections::BTreeMap;
 use std::fmt::Write;
+use std::io;
 use std::path::{Path, PathBuf};
+use std::time::Instant;
 
 pub const HELP: &str = "\
 Every combination of the values is one run; the last key varies fastest. A value is \
 a range, FROM..TO UNIT/N, or a list, A,B,C UNIT; keys joined by & go together. \
-`friction` is that of every tool. A study file holds the same: case, set, [vary] and \
-[[together]]. DIR/study.csv has one row a run, in order; what cannot be built is a row \
-that says why.
+`friction` is that of every tool. A study file holds the same: case, set, \
+one_at_a_time, [vary] and [[together]]. DIR/study.csv has one row a run, in order, the \
+same bytes on any machine; what cannot be built is a row that says why. \
+DIR/study_times.csv has what each run took.
+
+The picture beside it: over one key curves with error bands, over two a process window \
+(where it tears, wrinkles, asks too much of the press), over three a window for each \
+value of the third; with --one-at-a-time a tornado. After a merge, --resume draws it.
 
 Examples:
   stampflow sweep cup.toml --vary \"tools.die.shoulder=4..10 mm/7\"
   stampflow sweep cup.toml --vary friction=0.04,0.08,0.12 --vary \"tools.holder.force=5..30 kN/6\"
+  stampflow sweep cup.toml --one-at-a-time --vary friction=0.04,0.12 --vary \
+\"tools.die.shoulder=4,8 mm\"
   stampflow sweep study.toml --resume
   stampflow sweep study.toml --shard 7/64 --out shards
   stampflow sweep study.toml --shards 64 --print slurm
@@ -30,7 +43,7 @@ Exit codes: 0 done, 2 bad input, 130 interrupted (rows are kept, --resume goes o
 
 pub const MERGE_HELP: &str = "\
 Every shard of one study once, in any order; what is missing, there twice or of another study is refused, and nothing is \
-written then.
+written then. Curves that --keep wrote, and times, stay where the shards wrote them.
 
 Example:
   stampflow merge shards/study-*-of-64.csv --out study.csv";
@@ -46,6 +59,18 @@ pub struct Args {
     /// A key and its values: KEY=FROM..TO UNIT/N or KEY=A,B,C UNIT; as often as needed
     #[arg(long, value_name = "KEY=VALUES")]
     vary: Vec<String>,
+    /// Each key by itself at each of its values, all else as it stands, instead of every combination
+    #[arg(long)]
+    one_at_a_time: bool,
+    /// An error bar beside every number, from one coarser run of each design, a third of its time: as usual over one key
+    #[arg(long)]
+    error_bars: bool,
+    /// No error bars over one key either
+    #[arg(long, conflicts_with = "error_bars")]
+    no_error_bars: bool,
+    /// Keep more of each design than its row: curves, its load curve and its thickness, two CSV files by index in DIR/curves
+    #[arg(long, value_name = "curves")]
+    keep: Option<Keep>,
     /// Go on with the rows that an earlier run has left
     #[arg(long)]
     resume: bool,
@@ -78,6 +103,12 @@ pub struct MergeArgs {
     out: PathBuf,
 }
 
+/// What is kept of each design.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
+enum Keep {
+    Curves,
+}
+
 /// What runs shards.
 #[derive(Clone, Copy, Debug, clap::ValueEnum)]
 enum Scheduler {
@@ -98,9 +129,10 @@ pub fn sweep(args: &Args) -> anyhow::Result<Code> {
         let what = format!("{runs} runs are asked for, more than {MANY}");
         return Err(BadRequest(format!("{what}: give --yes if that is meant, or fewer values, or --shard")).into());
     }
+    let bars = args.bars(&plan);
     let indices = shard.indices(plan.count());
     let count = args.many.count(&args.file, "designs");
-    let base = study::base(plan.subject(), &count).map_err(asked)?;
+    let base = study::base(plan.subject(), bars, &count).map_err(asked)?;
     let columns = Columns::of(&plan, &base);
     let path = dir.join(shard.file("study"));
     let earlier = match (args.resume, args.restart) {
@@ -108,48 +140,94 @@ pub fn sweep(args: &Args) -> anyhow::Result<Code> {
         (_, true) => Earlier::Restart,
         _ => Earlier::Refuse,
     };
-    let begun = Journal::open(&path, &columns.header(), &indices, earlier).map_err(asked)?;
-    let Begun::Open(mut journal) = begun else {
-        return say(format!("{} is complete: {} designs", path.display(), indices.len()));
-    };
-    let kept = journal.done();
     let mut tally = Tally::default();
-    let ended = study::run(&plan, &indices[kept..], args.many.threads(), &count, |row| {
-        tally.add(&row);
-        journal.add(&columns.line(&plan, &row))
-    });
-    ended.with_context(|| format!("cannot write {}", journal.part().display()))?;
-    let done = journal.done();
-    if done < indices.len() {
-        warn(format!(
-            "{done} of {} designs are in {}; --resume goes on with the others",
-            indices.len(),
-            journal.part().display()
-        ));
-        return Ok(Code::Done);
+    let mut kept = indices.len();
+    let begin = Instant::now();
+    if let Begun::Open(mut journal) = Journal::open(&path, &columns.header(), &indices, earlier).map_err(asked)? {
+        kept = journal.done();
+        let mut times = Times::open(&dir.join(shard.file("study_times")), kept > 0).map_err(asked)?;
+        let ended = study::run(&plan, &indices[kept..], args.many.threads(), bars, &count, |row| {
+            tally.add(&row);
+            if args.keep == Some(Keep::Curves) {
+                keep(&dir, &row).map_err(|error| io::Error::new(error.source.kind(), error))?;
+            }
+            times.add(row.design.index, row.seconds)?;
+            journal.add(&columns.line(&plan, &row))
+        });
+        ended.with_context(|| format!("cannot write {}", journal.part().display()))?;
+        let done = journal.done();
+        if done < indices.len() {
+            warn(format!(
+                "{done} of {} designs are in {}; --resume goes on with the others",
+                indices.len(),
+                journal.part().display()
+            ));
+            return Ok(Code::Done);
+        }
+        journal.finish().with_context(|| format!("cannot write {}", path.display()))?;
     }
-    journal.finish().with_context(|| format!("cannot write {}", path.display()))?;
-    if args.many.json.json {
-        return say_json(
-            &json!({ "file": path, "designs": done, "kept": kept, "lights": tally.lights, "red": tally.red }),
-        );
+    let ran = Ran { designs: indices.len(), kept, seconds: begin.elapsed().as_secs_f64() };
+    // A part shows nothing by itself, and of so many there is nothing to see.
+    if shard != Shard::WHOLE || runs > MANY {
+        let lights = json!({ "file": path, "designs": ran.designs, "kept": kept, "wall_s": ran.seconds,
+                             "lights": tally.lights, "red": tally.red });
+        return match args.many.json.json {
+            true => say_json(&lights),
+            false => say(wrapped(&format!("{}\n{} in {}", tally.told(), ran.told(), path.display()))),
+        };
     }
-    say(wrapped(&format!("{}\n{} designs in {}", tally.told(), done, path.display())))
+    let results = Results::read(&path, &plan, &base).map_err(asked)?;
+    let studied = Studied::of(&results, &args.many, &dir, args.keep.is_some())?;
+    match args.many.json.json {
+        true => say_json(&studied.json(&results, &path, (ran.kept, ran.seconds))),
+        false => say(wrapped(&format!("{}\n{} in {}", studied.told(&results), ran.told(), path.display()))),
+    }
+}
+
+/// How much was run, and how fast.
+struct Ran {
+    designs: usize,
+    /// Of an earlier run.
+    kept: usize,
+    seconds: f64,
+}
+
+impl Ran {
+    /// `400 designs (12 s, 2000 a minute)`
+    fn told(&self) -> String {
+        let new = self.designs - self.kept;
+        match (new, self.kept) {
+            (0, _) => format!("{} designs, all of an earlier run,", self.designs),
+            (new, kept) => {
+                let rate = 60.0 * new as f64 / self.seconds;
+                let before = if kept > 0 { format!(", {kept} of an earlier run") } else { String::new() };
+                format!("{} designs ({:.1} s, {rate:.0} a minute{before})", self.designs, self.seconds)
+            }
+        }
+    }
 }
 
 pub fn merge(args: &MergeArgs) -> anyhow::Result<Code> {
     let count = study::merge(&args.shards, &args.out).map_err(asked)?;
-    say(format!("{count} designs of {} shards in {}", args.shards.len(), args.out.display()))
+    let told = format!("{count} designs of {} shards in {}", args.shards.len(), args.out.display());
+    say(wrapped(&format!("{told}; `stampflow sweep ... --resume` with that folder as --out answers and draws")))
 }
 
 impl Args {
     fn plan(&self) -> Result<Plan, StudyError> {
         let overrides = self.many.overrides.all();
         let axes = self.vary.iter().map(|text| Vary::together(text)).collect::<Result<Vec<_>, _>>()?;
-        match axes.is_empty() {
+        let plan = match axes.is_empty() {
             true => study::file::load(&self.file, overrides),
             false => Plan::new(&self.file, overrides, axes),
-        }
+        }?;
+        Ok(if self.one_at_a_time { plan.made(How::OneAtATime) } else { plan })
+    }
+
+    /// Error bars: over one key where they are not refused, else where they are asked for.
+    fn bars(&self, plan: &Plan) -> Bars {
+        let is_usual = plan.axes().len() == 1 && plan.how() == How::Combined && !self.no_error_bars;
+        if self.error_bars || is_usual { Bars::Quick } else { Bars::Without }
     }
 
     /// What to paste.
@@ -161,6 +239,13 @@ impl Args {
         for set in self.many.overrides.all() {
             let _ = write!(command, " --set {}", quoted(&set));
         }
+        let flags = [
+            (self.one_at_a_time, " --one-at-a-time"),
+            (self.error_bars, " --error-bars"),
+            (self.no_error_bars, " --no-error-bars"),
+            (self.keep == Some(Keep::Curves), " --keep curves"),
+        ];
+        command.extend(flags.into_iter().filter_map(|(is_given, flag)| is_given.then_some(flag)));
         let _ = write!(command, " --out {} --quiet --resume --threads 1", quoted(&dir.to_string_lossy()));
         let tables = format!("{}/study-*-of-{shards}.csv", dir.display());
         let run = match scheduler {

@@ -67,6 +67,11 @@ impl Amount {
         self.bar
     }
 
+    /// Another number of the same kind.
+    pub const fn of(self, value: f64) -> Self {
+        Self { value, ..self }
+    }
+
     /// The same, told with other digits.
     pub const fn to(self, digits: Digits) -> Self {
         Self { digits, ..self }

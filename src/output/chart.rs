@@ -54,6 +54,16 @@ pub enum Scale {
         /// Least window along y, in the unit of the axis.
         y: (f64, f64),
     },
+    /// As a window, about half as wide: such panels stand side by side with axes of their own, each below its caption, as
+    /// small ones.
+    Multiple {
+        /// Height of the panel \[px\].
+        height: f64,
+        /// Along x, in the unit of the axis.
+        x: (f64, f64),
+        /// Along y, in the unit of the axis.
+        y: (f64, f64),
+    },
     /// A bar filled from side to side, y from 0 to 1: a scale of colours over the values of x.
     Bar,
     /// This window and no more; areas are cut at its border.
@@ -111,6 +121,16 @@ pub enum Look {
         fill: Color,
         /// Of the outline; `None` without one.
         edge: Option<Color>,
+    },
+    /// The inside of the outline that the points make, with parallel lines: apart from its neighbours in grey print, and seen
+    /// through by what lies under it.
+    Hatched {
+        /// Of the inside; `None` where what lies under it is seen between the lines.
+        fill: Option<Color>,
+        /// Of the lines.
+        line: Color,
+        /// How they rise from left to right \[degrees\].
+        rise: f64,
     },
     /// The label itself, on white: each point is the middle of its left end. The legend leaves it out.
     Text,
@@ -206,7 +226,8 @@ impl Panel {
     /// Ranges of x and y that hold every point of the series, or the window of a section.
     pub fn ranges(&self) -> [(f64, f64); 2] {
         match self.scale {
-            Scale::Section { x, y } | Scale::Small { x, y } | Scale::Window { x, y, .. } => [x, y],
+            Scale::Section { x, y } | Scale::Small { x, y } => [x, y],
+            Scale::Window { x, y, .. } | Scale::Multiple { x, y, .. } => [x, y],
             Scale::Bar => {
                 let ends = self.series.iter().flat_map(|s| &s.points).map(|p| p.0);
                 let (low, high) =

@@ -38,12 +38,14 @@ mod stage_view;
 mod stages;
 mod states;
 mod strains;
+pub mod study;
 pub mod summary;
 mod thickness_profile;
 mod thinning;
 mod told;
 pub mod trace;
 pub mod verification;
+mod viridis;
 pub mod vtk;
 mod writing;
 

@@ -2,28 +2,12 @@
 
 use super::chart::{BLACK, Color, Look, Panel, Scale, Series};
 use super::sections::{self, sheet};
+use super::viridis::viridis;
 use crate::message::{Amount, Message, message};
 use crate::solution::Frame;
 use crate::table::{Column, Unit};
 use std::ops::Range;
 
-/// viridis in nine equal parts, from dark to light: even steps are seen as even, by colour-blind readers too, and stay in
-/// order where only the lightness is printed.
-///
-/// # References
-/// N. J. Smith, S. van der Walt, viridis, colour map of matplotlib 2.0 (2015), given to the public domain (CC0).
-const MAP: [Color; 10] = [
-    (68, 1, 84),
-    (72, 40, 120),
-    (62, 74, 137),
-    (49, 104, 142),
-    (38, 130, 142),
-    (31, 158, 137),
-    (53, 183, 121),
-    (109, 205, 89),
-    (180, 222, 44),
-    (253, 231, 37),
-];
 /// How far up the map colours go \[–\]: the lightest ones are lost on paper.
 const LIGHTEST: f64 = 0.92;
 
@@ -75,10 +59,7 @@ impl Thinning {
 
     fn color(&self, level: i32) -> Color {
         let done = (f64::from(level - self.levels.start) + 0.5) / self.levels.len() as f64;
-        let at = LIGHTEST * (1.0 - done) * (MAP.len() - 1) as f64;
-        let (below, above) = (MAP[at as usize], MAP[(at as usize + 1).min(MAP.len() - 1)]);
-        let mix = |a: u8, b: u8| (f64::from(a) + at.fract() * (f64::from(b) - f64::from(a))).round() as u8;
-        (mix(below.0, above.0), mix(below.1, above.1), mix(below.2, above.2))
+        viridis(LIGHTEST * (1.0 - done))
     }
 
     /// Stretches of one colour, from the axis outward. Each but the last goes an element under the next, so that no paper

@@ -45,6 +45,10 @@ impl Scale {
                 let (x, y) = window(x, y);
                 Self::Window { height, x, y }
             }
+            Self::Multiple { height, x, y } => {
+                let (x, y) = window(x, y);
+                Self::Multiple { height, x, y }
+            }
             Self::Bar => Self::Bar,
         }
     }

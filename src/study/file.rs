@@ -3,6 +3,7 @@
 //! ```toml
 //! case = "cup.toml"                        # from where this file stands
 //! set = ["tools.punch.friction=0.1"]       # of all designs; none when not given
+//! one_at_a_time = false                    # true: each key by itself, not every combination
 //!
 //! [vary]                                   # every combination, the last key fastest
 //! tools.die.shoulder = "4..10 mm/7"
@@ -13,14 +14,14 @@
 //! tools.punch.travel = "30..36 mm/3"
 //! ```
 
-use super::plan::Plan;
+use super::plan::{How, Plan};
 use super::{StudyError, Vary};
 use crate::files::{self, Disk, Files};
 use std::path::Path;
 use toml_edit::{DocumentMut, Item, TableLike, Value};
 
 /// The keys of a study.
-const KEYS: [&str; 4] = ["case", "set", "vary", "together"];
+const KEYS: [&str; 5] = ["case", "set", "one_at_a_time", "vary", "together"];
 
 /// Reads a study; overrides come behind its own.
 ///
@@ -37,7 +38,7 @@ pub fn load(path: &Path, overrides: Vec<String>) -> Result<Plan, StudyError> {
         StudyError::new(format!("{shown}, line {line}: {}", error.message()), "a study is TOML, as a case file")
     })?;
     let wrong =
-        |what: String| StudyError::new(format!("{shown}: {what}"), "a study has case, set, [vary] and [[together]]");
+        |what: String| StudyError::new(format!("{shown}: {what}"), "a study has case, set, one_at_a_time, [vary] and [[together]]");
     if let Some((key, _)) = document.iter().find(|(key, _)| !KEYS.contains(key)) {
         return Err(wrong(format!("`{key}` is no key of a study")));
     }
@@ -46,6 +47,11 @@ pub fn load(path: &Path, overrides: Vec<String>) -> Result<Plan, StudyError> {
         let texts = set.as_array().map(|set| set.iter().map(|text| text.as_str().map(str::to_owned)).collect());
         texts.flatten().ok_or_else(|| wrong("`set` is no list of texts such as \"tools.punch.friction=0.1\"".into()))
     })?;
+    let how = match document.get("one_at_a_time").map(Item::as_bool) {
+        None | Some(Some(false)) => How::Combined,
+        Some(Some(true)) => How::OneAtATime,
+        Some(None) => return Err(wrong("`one_at_a_time` is neither true nor false".into())),
+    };
     let mut axes = Vec::new();
     if let Some(vary) = document.get("vary") {
         let table = vary.as_table_like().ok_or_else(|| wrong("`vary` is no table".into()))?;
@@ -61,7 +67,7 @@ pub fn load(path: &Path, overrides: Vec<String>) -> Result<Plan, StudyError> {
         return Err(wrong("a [[together]] has no keys".into()));
     }
     let case = path.parent().unwrap_or(Path::new("")).join(case);
-    Plan::new(case, set.into_iter().chain(overrides).collect(), axes)
+    Ok(Plan::new(case, set.into_iter().chain(overrides).collect(), axes)?.made(how))
 }
 
 /// All keys below a table, dotted, in their order.

@@ -9,28 +9,50 @@
 //! Row           a design, its numbers and lights, how it ended
 //! Columns       its line in study.csv
 //! Journal       study.csv on its way; goes on after any end
+//! Times         study_times.csv beside it
 //! Shard         a part of a study that runs by itself; merge puts them together
+//! Results       a study read back from its table; Varied: an axis as a designer names it
+//! Zone          a way to fail; Window: where designs are sound, its borders, and how far the case is from them
+//! Swing         what a number is moved by, one key at a time
+//! Said          what a study found, in sentences
 //! file          a study as TOML
 //! ```
 
+mod deciding;
 mod error;
 pub mod file;
 mod hash;
 mod journal;
 mod plan;
+mod region;
+mod results;
 mod row;
 mod run;
+mod said;
 mod shards;
 mod side_by_side;
 mod subject;
+mod swing;
+mod times;
+mod varied;
 mod vary;
+mod window;
+mod zone;
 
 pub use error::StudyError;
 pub use journal::{Begun, Earlier, Journal};
-pub use plan::{Design, Designs, Plan};
+pub use plan::{Design, Designs, How, Plan};
+pub use region::{Grid, Point, Region};
+pub use results::{Found, Results};
 pub use row::{Columns, Row, Solved};
-pub use run::{base, one, run};
+pub use run::{Bars, base, one, run};
+pub use said::Said;
 pub use shards::{Shard, merge};
 pub use side_by_side::side_by_side;
 pub use subject::Subject;
+pub use swing::{End, Swing, swings};
+pub use times::Times;
+pub use varied::Varied;
 pub use vary::{Value, Vary};
+pub use window::{Distance, Meets, Window, windows};
+pub use zone::{Limit, Zone};

@@ -11,7 +11,18 @@ pub struct Plan {
     subject: Subject,
     /// What is varied: the keys of one axis go together, axes are combined with each other. The last one varies fastest.
     axes: Vec<Vec<Vary>>,
+    how: How,
     key: String,
+}
+
+/// Which designs are made of what is varied.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum How {
+    /// Every combination.
+    #[default]
+    Combined,
+    /// The case as it stands, and each axis at each of its values with all else as it stands.
+    OneAtATime,
 }
 
 /// Cases that a study runs, each known by its index: any of them can be run anywhere, and again.
@@ -50,8 +61,8 @@ impl Plan {
     /// When the case cannot be read as it stands, a key is varied twice, or the designs cannot be counted.
     pub fn new(path: impl Into<PathBuf>, base: Vec<String>, axes: Vec<Vec<Vary>>) -> Result<Self, StudyError> {
         let subject = Subject::new(path, base)?;
-        let key = short_hash([subject.key(), &format!("{axes:?}")]);
-        let plan = Self { subject, axes, key };
+        let how = How::default();
+        let plan = Self { key: key(&subject, &axes, how), subject, axes, how };
         let keys: Vec<&str> = plan.varied().map(|vary| vary.key.as_str()).collect();
         if let Some((i, key)) = keys.iter().enumerate().find(|(i, key)| keys[..*i].contains(key)) {
             let help = "give all its values at once";
@@ -62,6 +73,45 @@ impl Plan {
         )?;
         plan.each_key_can_be_set()?;
         Ok(plan)
+    }
+
+    /// The same keys and values, put together otherwise.
+    #[must_use]
+    pub fn made(self, how: How) -> Self {
+        Self { key: key(&self.subject, &self.axes, how), how, ..self }
+    }
+
+    /// Which designs are made of what is varied.
+    pub fn how(&self) -> How {
+        self.how
+    }
+
+    /// Of every axis the place of a design's value among its values; `None` where the case is as it stands.
+    pub fn place(&self, index: u64) -> Vec<Option<usize>> {
+        let counts = self.axes.iter().map(|axis| axis[0].values.len() as u64);
+        let mut rest = index;
+        match self.how {
+            How::Combined => {
+                let places = counts.rev().map(|count| {
+                    let place = rest % count;
+                    rest /= count;
+                    Some(place as usize)
+                });
+                let mut places: Vec<_> = places.collect();
+                places.reverse();
+                places
+            }
+            How::OneAtATime => {
+                // The first is the case as it stands.
+                let mut before = 1;
+                let places = counts.map(|count| {
+                    let own = index.checked_sub(before).filter(|place| *place < count);
+                    before += count;
+                    own.map(|place| place as usize)
+                });
+                places.collect()
+            }
+        }
     }
 
     /// A key none of whose values makes a case is a mistake of the study, not of a design.
@@ -110,23 +160,32 @@ impl Designs for Plan {
     }
 
     fn count(&self) -> u64 {
-        self.axes.iter().map(|axis| axis[0].values.len() as u64).product()
+        let counts = self.axes.iter().map(|axis| axis[0].values.len() as u64);
+        match self.how {
+            How::Combined => counts.product(),
+            How::OneAtATime => 1 + counts.sum::<u64>(),
+        }
     }
 
     fn design(&self, index: u64) -> Design {
-        let mut rest = index;
-        let mut chosen = vec![0; self.axes.len()];
-        for (axis, chosen) in self.axes.iter().zip(&mut chosen).rev() {
-            let count = axis[0].values.len() as u64;
-            (*chosen, rest) = ((rest % count) as usize, rest / count);
-        }
+        let places = self.place(index);
         let pairs = || {
-            self.axes.iter().zip(&chosen).flat_map(|(axis, &i)| axis.iter().map(move |vary| (vary, &vary.values[i])))
+            self.axes.iter().zip(&places).flat_map(|(axis, place)| {
+                axis.iter().map(move |vary| (vary, place.map(|i| &vary.values[i])))
+            })
         };
         Design {
             index,
-            values: pairs().map(|(_, value)| value.clone()).collect(),
-            settings: pairs().map(|(vary, value)| vary.setting(value)).collect(),
+            values: pairs().map(|(_, value)| value.cloned().unwrap_or_else(Value::as_it_stands)).collect(),
+            settings: pairs().filter_map(|(vary, value)| Some(vary.setting(value?))).collect(),
         }
     }
+}
+
+fn key(subject: &Subject, axes: &[Vec<Vary>], how: How) -> String {
+    let kind = match how {
+        How::Combined => "",
+        How::OneAtATime => "one at a time",
+    };
+    short_hash([subject.key(), &format!("{axes:?}"), kind])
 }

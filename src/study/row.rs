@@ -1,10 +1,11 @@
 //! What came of one design, and its line in a table.
 
 use super::plan::{Design, Designs};
+use super::zone::{Limit, Zone};
 use crate::assess::{self, Light};
 use crate::case::Solution;
 use crate::units::rounded;
-use crate::verification::{Number, Of, Outcome};
+use crate::verification::{Number, Of, Outcome, Watch, quick};
 
 /// A design, and what came of it.
 #[derive(Clone, Debug, PartialEq)]
@@ -30,6 +31,12 @@ pub struct Solved {
     pub red: Vec<&'static str>,
     /// See `red`.
     pub amber: Vec<&'static str>,
+    /// Every way in which it fails; empty where it is sound.
+    pub fails: Vec<Zone>,
+    /// Where the verdict's rows turn red.
+    pub limits: Vec<Limit>,
+    /// Half the error bar of each number, in its unit; `None` where it has none. Empty where none were asked for.
+    pub bars: Vec<Option<f64>>,
 }
 
 impl Solved {
@@ -37,12 +44,24 @@ impl Solved {
     pub fn of(solution: &Solution) -> Self {
         let findings = assess::after_one_of_many(&solution.case, &solution.stages);
         let of = |light: Light| assess::judgements(&findings).filter(|f| f.light == light).map(|f| f.key).collect();
+        let outcome = Outcome::found(solution, None, &findings);
         Self {
-            outcome: Outcome::found(solution, None, &findings),
+            fails: Zone::of(solution, &outcome, &findings),
+            limits: Limit::of(&findings),
+            bars: Vec::new(),
+            outcome,
             light: assess::judgements(&findings).map(|finding| finding.light).max().unwrap_or(Light::Grey),
             red: of(Light::Red),
             amber: of(Light::Amber),
         }
+    }
+
+    /// The same with error bars, from one coarser run.
+    pub fn with_bars(solution: &Solution, watch: &dyn Watch) -> Self {
+        let found = Self::of(solution);
+        let verification = quick(solution, &Stopped(watch));
+        let bar = |number: &Number| verification.bar(number.of, number.key).and_then(|bar| bar.half);
+        Self { bars: found.outcome.numbers.iter().map(bar).collect(), ..found }
     }
 
     /// A number by its column: `thinnest_mm`.
@@ -58,25 +77,41 @@ pub struct Columns {
     pub varied: Vec<String>,
     /// Of the numbers that the case as it stands has; those of other designs besides go into the last column.
     pub numbers: Vec<String>,
+    /// Of their error bars; empty where none are asked for.
+    pub bars: Vec<String>,
+}
+
+/// A watch that ends a coarser run with the study, and does not count it.
+struct Stopped<'a>(&'a dyn Watch);
+
+impl Watch for Stopped<'_> {
+    fn wants_to_stop(&self) -> bool {
+        self.0.wants_to_stop()
+    }
 }
 
 /// Before what is varied, and after the numbers.
 const FIRST: [&str; 4] = ["study", "designs", "index", "inputs_sha256"];
-const LAST: [&str; 7] = ["verdict", "red", "amber", "end", "reason", "version", "other_numbers"];
+const LAST: [&str; 8] = ["verdict", "fails", "red", "amber", "end", "reason", "version", "other_numbers"];
 
 /// The version that every row names.
 const VERSION: &str = env!("CARGO_PKG_VERSION");
 
 impl Columns {
-    /// For designs whose case as it stands came to `base`.
+    /// For designs whose case as it stands came to `base`; with error bars where that has them.
     pub fn of(designs: &dyn Designs, base: &Solved) -> Self {
-        let numbers = base.outcome.numbers.iter().map(header).collect();
-        Self { varied: designs.headers(), numbers }
+        let numbers = || base.outcome.numbers.iter();
+        let barred = numbers().filter(|_| !base.bars.is_empty());
+        Self {
+            varied: designs.headers(),
+            numbers: numbers().map(header).collect(),
+            bars: barred.map(|number| keyed(number, "_error")).collect(),
+        }
     }
 
     /// The first line.
     pub fn header(&self) -> Vec<String> {
-        let own = self.varied.iter().chain(&self.numbers).cloned();
+        let own = self.varied.iter().chain(&self.numbers).chain(&self.bars).cloned();
         FIRST.into_iter().map(str::to_owned).chain(own).chain(LAST.into_iter().map(str::to_owned)).collect()
     }
 
@@ -93,8 +128,16 @@ impl Columns {
         let named: Vec<(String, f64)> = numbers.map(|number| (header(number), number.amount.value)).collect();
         let value = |column: &String| named.iter().find(|(header, _)| header == column).map(|(_, value)| *value);
         line.extend(self.numbers.iter().map(|column| value(column).map_or_else(String::new, written)));
+        if let Ok(Solved { outcome, bars, .. }) = &row.result {
+            let barred: Vec<(String, Option<f64>)> =
+                outcome.numbers.iter().map(|number| keyed(number, "_error")).zip(bars.iter().copied()).collect();
+            let half = |column: &String| barred.iter().find(|(header, _)| header == column).and_then(|(_, half)| *half);
+            line.extend(self.bars.iter().map(|column| half(column).map_or_else(String::new, written)));
+        } else {
+            line.extend(self.bars.iter().map(|_| String::new()));
+        }
         line.extend(match &row.result {
-            Ok(Solved { outcome, light, red, amber }) => {
+            Ok(Solved { outcome, light, red, amber, fails, .. }) => {
                 let others = named.iter().filter(|(header, _)| !self.numbers.contains(header));
                 let others: Vec<String> =
                     others.map(|(header, value)| format!("{header}={}", written(*value))).collect();
@@ -102,6 +145,7 @@ impl Columns {
                 let reason = if end.complete { String::new() } else { end.why.to_string() };
                 [
                     light.name().into(),
+                    fails.iter().map(|zone| zone.key()).collect::<Vec<_>>().join(" "),
                     red.join(" "),
                     amber.join(" "),
                     end.kind.into(),
@@ -112,7 +156,8 @@ impl Columns {
             }
             Err(why) => {
                 let nothing = String::new;
-                [nothing(), nothing(), nothing(), "not run".into(), why.clone(), VERSION.into(), nothing()]
+                let lost = Zone::Lost.key().into();
+                [nothing(), lost, nothing(), nothing(), "not run".into(), why.clone(), VERSION.into(), nothing()]
             }
         });
         line
@@ -120,11 +165,14 @@ impl Columns {
 }
 
 /// A number's column; what a row of the verdict judges may have the name of another number.
-fn header(number: &Number) -> String {
-    match number.of {
-        Of::Verdict => number.amount.unit.keyed(&format!("{}_judged", number.key)),
-        Of::Answer | Of::Part => number.amount.unit.keyed(number.key),
-    }
+pub(super) fn header(number: &Number) -> String {
+    keyed(number, "")
+}
+
+/// The same with more words before its unit.
+fn keyed(number: &Number, more: &str) -> String {
+    let judged = if number.of == Of::Verdict { "_judged" } else { "" };
+    number.amount.unit.keyed(&format!("{}{judged}{more}", number.key))
 }
 
 fn written(value: f64) -> String {

@@ -8,6 +8,7 @@ use crate::verification::{Watch, Watched};
 use std::any::Any;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::PathBuf;
+use toml_edit::DocumentMut;
 
 /// The case that a study is of.
 #[derive(Clone, Debug, PartialEq)]
@@ -51,6 +52,24 @@ impl Subject {
     pub fn case(&self, settings: &[String]) -> Result<Case, CaseError> {
         let all: Vec<String> = self.base.iter().chain(settings).cloned().collect();
         case::parse(&self.text, &self.path.to_string_lossy(), &all)
+    }
+
+    /// What the case as it stands has for a key, as it is written there; `None` where it says nothing, or where a key of
+    /// several tools has several values.
+    pub fn own(&self, key: &str) -> Option<String> {
+        let text = self.case(&[]).ok()?.text;
+        let document: DocumentMut = text.parse().ok()?;
+        let at = |path: &str| -> Option<String> {
+            let item = path.split('.').try_fold(document.as_item(), |item, key| item.get(key))?;
+            let value = item.as_value().or_else(|| item.get("name")?.as_value())?;
+            Some(value.as_str().map_or_else(|| value.clone().decorated("", "").to_string(), str::to_owned))
+        };
+        let key = if key == "friction" { "tools.*.friction" } else { key };
+        let Some((above, below)) = key.split_once(".*.") else { return at(key) };
+        let tools = above.split('.').try_fold(document.as_item(), |item, key| item.get(key))?.as_table_like()?;
+        let mut values = tools.iter().filter_map(|(tool, _)| at(&format!("{above}.{tool}.{below}")));
+        let first = values.next()?;
+        values.all(|other| other == first).then_some(first)
     }
 
     /// Solves a case until `watch` wants to stop.

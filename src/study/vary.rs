@@ -43,6 +43,11 @@ impl Value {
         Self { text: number.to_string(), number: Some(number) }
     }
 
+    /// What the case has: nothing is written.
+    pub fn as_it_stands() -> Self {
+        Self { text: String::new(), number: None }
+    }
+
     fn read(text: &str) -> Self {
         Self { text: text.to_owned(), number: text.replace('−', "-").parse().ok().filter(|x: &f64| x.is_finite()) }
     }

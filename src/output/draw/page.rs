@@ -3,7 +3,7 @@
 use super::backend::units;
 use super::canvas::Canvas;
 use super::letters::{NOTE, SPACING, TICK, TITLE, text_width, wrapped};
-use super::panel::{Frame, is_small, x_labels_height, y_labels_width};
+use super::panel::{Frame, has_no_axes, is_small, x_labels_height, y_labels_width};
 use super::shape::sample;
 use super::text::text;
 use crate::output::chart::{BLACK, Chart, GREY, Look, Panel, Series};
@@ -14,8 +14,9 @@ const MARGIN: f64 = 14.0;
 
 /// Width of a line sample in the legend.
 const SAMPLE: f64 = 38.0;
-/// As narrow as small panels are.
+/// As narrow as small panels are, and as those with axes are.
 const SMALL: f64 = 230.0;
+const MULTIPLE: f64 = 360.0;
 /// Below every panel.
 const GAP: f64 = 10.0;
 
@@ -39,9 +40,15 @@ pub(super) struct Page<'a> {
 impl<'a> Page<'a> {
     pub(super) fn of(chart: &'a Chart, width: f64) -> Self {
         let left = chart.panels.iter().map(|p| y_labels_width(&p.ranges()[1], p)).fold(0.0, f64::max);
-        let beside = beside(width);
+        let has_axes = |panel: &Panel| is_small(panel) && !has_no_axes(panel);
+        let narrowest = if chart.panels.iter().any(has_axes) { MULTIPLE } else { SMALL };
+        let beside = beside(width, narrowest);
         let small = (width - (beside + 1) as f64 * MARGIN) / beside as f64;
-        let wide = |panel: &Panel| if is_small(panel) { small } else { width - left - 2.0 * MARGIN };
+        let wide = |panel: &Panel| match (is_small(panel), has_no_axes(panel)) {
+            (_, true) => small,
+            (true, _) => small - left,
+            _ => width - left - 2.0 * MARGIN,
+        };
         let frames: Vec<Frame> = chart.panels.iter().map(|panel| Frame::of(panel, wide(panel))).collect();
         let rows = rows(&chart.panels, &frames, beside);
         let across = |text: &String, size| match text.is_empty() {
@@ -84,7 +91,9 @@ impl<'a> Page<'a> {
                 if is_small(panel) {
                     let x = MARGIN + column as f64 * (self.small + MARGIN);
                     text(canvas, caption(panel), TICK, BLACK, (x, y));
-                    frame.draw(panel, &area(x, y + SPACING * TICK, self.small, frame.height), 0.0);
+                    let below = if has_no_axes(panel) { 0.0 } else { x_labels_height() };
+                    let area = area(x, y + SPACING * TICK, self.small, frame.height + below);
+                    frame.draw(panel, &area, self.left);
                 } else {
                     frame.draw(panel, &area(MARGIN, y, self.width - 2.0 * MARGIN, *height), self.left);
                 }
@@ -99,15 +108,16 @@ impl<'a> Page<'a> {
 }
 
 /// As many small panels as stand side by side on a page of this width.
-fn beside(width: f64) -> usize {
-    ((width - MARGIN) / (SMALL + MARGIN)).max(1.0) as usize
+fn beside(width: f64, narrowest: f64) -> usize {
+    ((width - MARGIN) / (narrowest + MARGIN)).max(1.0) as usize
 }
 
 /// Every panel in a row of its own, or so many small ones side by side; and how high each row is.
 fn rows(panels: &[Panel], frames: &[Frame], beside: usize) -> Vec<(Range<usize>, f64)> {
     let mut rows: Vec<(Range<usize>, f64)> = Vec::new();
     for (i, (panel, frame)) in panels.iter().zip(frames).enumerate() {
-        let labels = if is_small(panel) { SPACING * TICK } else { x_labels_height() };
+        let caption = if is_small(panel) { SPACING * TICK } else { 0.0 };
+        let labels = caption + if has_no_axes(panel) { 0.0 } else { x_labels_height() };
         let height = frame.height + labels;
         match rows.last_mut() {
             Some((row, highest)) if is_small(panel) && is_small(&panels[row.start]) && row.len() < beside => {

@@ -9,11 +9,14 @@ use super::text::style;
 use super::ticks::{Ticked, spread, tick, tick_count, ticks};
 use crate::output::chart::{BLACK, Color, Look, Panel, Scale};
 use crate::output::outline::clipped;
+use crate::table::Axis;
 use plotters::chart::{ChartBuilder, LabelAreaPosition};
 use plotters::element::Rectangle;
 
 /// Labels of the x axis at most.
 const X_TICKS: usize = 8;
+/// Width that a label of a narrow panel's x axis has for itself.
+const NARROW_TICK: f64 = 70.0;
 const TICK_MARK: f64 = 6.0;
 /// Width of axes and of their grid.
 const AXIS: f64 = 1.2;
@@ -34,6 +37,8 @@ pub(super) struct Frame {
     pub(super) height: f64,
     x: (f64, f64),
     y: (f64, f64),
+    /// Values of x that are written, at most.
+    most: usize,
     flags: Flags,
 }
 
@@ -41,10 +46,10 @@ impl Frame {
     pub(super) fn of(panel: &Panel, width: f64) -> Self {
         let [mut x, mut y] = panel.ranges();
         let height = match panel.scale {
-            Scale::Fit { height, .. } | Scale::Window { height, .. } => height,
+            Scale::Fit { height, .. } | Scale::Window { height, .. } | Scale::Multiple { height, .. } => height,
             Scale::Bar => BAR,
             Scale::Section { .. } | Scale::Small { .. } => {
-                let (least, most) = if is_small(panel) { SMALL_HEIGHTS } else { HEIGHTS };
+                let (least, most) = if has_no_axes(panel) { SMALL_HEIGHTS } else { HEIGHTS };
                 let height = (width * (y.1 - y.0) / (x.1 - x.0)).clamp(least, most);
                 // Whichever direction has room to spare shows more of its surroundings, a whole section on both sides.
                 let wider = ((y.1 - y.0) * width / height - (x.1 - x.0)).max(0.0);
@@ -59,13 +64,14 @@ impl Frame {
         // Their labels stand above all else.
         let head = flags.height();
         y.1 += (y.1 - y.0) * head / height;
-        Self { height: height + head, x, y, flags }
+        let most = if is_small(panel) { ((width / NARROW_TICK) as usize).clamp(2, X_TICKS) } else { X_TICKS };
+        Self { height: height + head, x, y, most, flags }
     }
 
     /// Values of x that are written: round ones, of a scale of colours where colours meet.
     fn x_ticks(&self, panel: &Panel) -> Vec<f64> {
         if panel.scale != Scale::Bar {
-            return ticks(self.x, X_TICKS);
+            return labelled(&panel.x, self.x, self.most);
         }
         let mut borders: Vec<f64> = panel.series.iter().flat_map(|series| &series.points).map(|p| p.0).collect();
         borders.sort_by(f64::total_cmp);
@@ -77,17 +83,17 @@ impl Frame {
     pub(super) fn draw(&self, panel: &Panel, area: &Canvas, left: f64) {
         // Lengths of a section point down the page.
         let is_section = matches!(panel.scale, Scale::Section { .. } | Scale::Small { .. });
-        let y = if is_section { self.y.1..self.y.0 } else { self.y.0..self.y.1 };
-        let (left, below) = if is_small(panel) { (0.0, 0.0) } else { (left, x_labels_height()) };
+        let y = if is_section { (self.y.1, self.y.0) } else { self.y };
+        let (left, below) = if has_no_axes(panel) { (0.0, 0.0) } else { (left, x_labels_height()) };
+        let y_count = tick_count(self.height);
+        let (x_ticks, y_ticks) = (self.x_ticks(panel), labelled(&panel.y, self.y, y_count));
         let mut chart = ChartBuilder::on(area)
             .set_label_area_size(LabelAreaPosition::Left, units(left))
             .set_label_area_size(LabelAreaPosition::Bottom, units(below))
-            .build_cartesian_2d(Ticked::new(self.x, self.x_ticks(panel)), y)
+            .build_cartesian_2d(Ticked::new(self.x, x_ticks.clone()), Ticked::new(y, y_ticks.clone()))
             .expect(NEVER);
-        let y_count = tick_count(self.height);
-        let (x_ticks, y_ticks) = (self.x_ticks(panel), ticks(self.y, y_count));
-        let x_tick = |x: &f64| panel.x.number(&tick(*x, &x_ticks));
-        let y_tick = |y: &f64| panel.y.number(&tick(*y, &y_ticks));
+        let x_tick = |x: &f64| label(&panel.x, *x, &x_ticks);
+        let y_tick = |y: &f64| label(&panel.y, *y, &y_ticks);
         let mut mesh = chart.configure_mesh();
         mesh.x_labels(X_TICKS)
             .x_label_formatter(&x_tick)
@@ -103,14 +109,14 @@ impl Frame {
         } else {
             mesh.y_labels(y_count).y_label_formatter(&y_tick).y_desc(panel.y.text());
         }
-        if !is_small(panel) {
+        if !has_no_axes(panel) {
             mesh.draw().expect(NEVER);
         }
         let near = |v: f64, (low, high): (f64, f64)| (v - low).abs() < FAR * (high - low);
         // One without points stands in the legend alone.
         for series in panel.series.iter().filter(|series| !series.points.is_empty()) {
             let points = match series.look {
-                Look::Area { .. } => clipped(&series.points, self.x, self.y),
+                Look::Area { .. } | Look::Hatched { .. } => clipped(&series.points, self.x, self.y),
                 _ => series.points.clone(),
             };
             let points = points.into_iter().filter(|p| near(p.0, self.x) && near(p.1, self.y)).collect();
@@ -128,7 +134,28 @@ impl Frame {
 
 /// Whether a panel stands beside others.
 pub(super) fn is_small(panel: &Panel) -> bool {
+    matches!(panel.scale, Scale::Small { .. } | Scale::Multiple { .. })
+}
+
+/// Whether it is a picture without axes.
+pub(super) fn has_no_axes(panel: &Panel) -> bool {
     matches!(panel.scale, Scale::Small { .. })
+}
+
+/// Values that are written along an axis: round ones, or where its names stand.
+fn labelled(axis: &Axis, range: (f64, f64), most: usize) -> Vec<f64> {
+    match axis.names() {
+        [] => ticks(range, most),
+        names => (0..names.len()).map(|i| i as f64).collect(),
+    }
+}
+
+/// What is written at a value.
+fn label(axis: &Axis, value: f64, all: &[f64]) -> String {
+    match axis.names() {
+        [] => axis.number(&tick(value, all)),
+        names => names.get(value.round() as usize).cloned().unwrap_or_default(),
+    }
 }
 
 pub(super) fn x_labels_height() -> f64 {
@@ -137,13 +164,13 @@ pub(super) fn x_labels_height() -> f64 {
 
 pub(super) fn y_labels_width(range: &(f64, f64), panel: &Panel) -> f64 {
     let height = match panel.scale {
-        Scale::Fit { height, .. } | Scale::Window { height, .. } => height,
+        Scale::Fit { height, .. } | Scale::Window { height, .. } | Scale::Multiple { height, .. } => height,
         Scale::Section { .. } => 400.0,
         // No labels beside them.
         Scale::Small { .. } | Scale::Bar => return 0.0,
     };
-    let values = ticks(*range, tick_count(height));
-    let widest = values.iter().map(|v| text_width(&tick(*v, &values), TICK)).fold(0.0, f64::max);
+    let values = labelled(&panel.y, *range, tick_count(height));
+    let widest = values.iter().map(|v| text_width(&label(&panel.y, *v, &values), TICK)).fold(0.0, f64::max);
     SPACING * LABEL + widest + TICK_MARK + 14.0
 }
 

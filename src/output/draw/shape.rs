@@ -7,7 +7,7 @@ use super::mark::Point;
 use super::text::style;
 
 use crate::output::chart::{BLACK, Color, Look, WHITE};
-use crate::output::outline::dashed;
+use crate::output::outline::{dashed, hatched};
 use plotters::element::{Drawable, PointCollection};
 use plotters::style::ShapeStyle;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
@@ -17,6 +17,9 @@ use std::f64::consts::TAU;
 /// Radius of a dot, and of the circle about a triangle of the same area.
 pub(super) const DOT: f64 = 2.6;
 const TRIANGLE: f64 = 4.0;
+/// Between the lines of a hatched area, and their width.
+const HATCH: f64 = 9.0;
+const HATCH_LINE: f64 = 1.0;
 /// Radii of a callout's dot and of the white about it: it is seen before all else, on every colour and in grey print.
 const CALLOUT_DOT: f64 = 7.0;
 const CALLOUT_EDGE: f64 = 10.5;
@@ -76,6 +79,15 @@ impl<C, B: DrawingBackend> Drawable<B> for Shape<'_, C> {
                     backend.draw_path(around, &stroke(edge, 0.8))?;
                 }
             }
+            Look::Hatched { fill, line, rise } => {
+                let outline: Vec<_> = points.collect();
+                if let Some(fill) = fill {
+                    backend.fill_polygon(outline.iter().copied(), &rgb(fill))?;
+                }
+                for stroke_of in hatched(&outline.into_iter().map(px).collect::<Vec<_>>(), rise, HATCH) {
+                    backend.draw_path(stroke_of.map(whole), &stroke(line, HATCH_LINE))?;
+                }
+            }
             // Where they stand follows from all of them: the panel draws them.
             Look::Flag => {}
             Look::Text | Look::Name => {
@@ -110,7 +122,7 @@ pub(super) fn sample(canvas: &Canvas, look: Look, at: (f64, f64), size: (f64, f6
     let points = match look {
         Look::Line { .. } => vec![(x, y), (x + w, y)],
         Look::Circles { .. } | Look::Dots { .. } | Look::Triangles { .. } => vec![(x + 0.5 * w, y)],
-        Look::Area { .. } => vec![(x, y - h), (x + w, y - h), (x + w, y + h), (x, y + h)],
+        Look::Area { .. } | Look::Hatched { .. } => vec![(x, y - h), (x + w, y - h), (x + w, y + h), (x, y + h)],
         Look::Text | Look::Name | Look::Flag | Look::Callout => Vec::new(),
     };
     let points = points.into_iter().map(|(x, y)| (units(x), units(y))).collect();

@@ -1,0 +1,89 @@
+//! What a study of the case found: its pictures written, its answer told and as JSON.
+
+use super::many::Many;
+use anyhow::Context;
+use serde_json::{Value, json};
+use stampflow::message::Form;
+use stampflow::output::study::{kept_loads, loads, pictures};
+use stampflow::output::write;
+use stampflow::study::{Designs, Distance, Meets, Results, Said};
+use stampflow::units::rounded;
+use std::path::{Path, PathBuf};
+
+/// What a study found, and the pictures of it that are written.
+pub struct Studied {
+    said: Said,
+    form: Form,
+    files: Vec<PathBuf>,
+}
+
+impl Studied {
+    /// Draws a study that is complete into its folder; load curves too, where it `has_curves` kept there.
+    ///
+    /// # Errors
+    /// When a picture cannot be written.
+    pub fn of(results: &Results, many: &Many, dir: &Path, has_curves: bool) -> anyhow::Result<Self> {
+        let (form, style) = (many.told.form(), many.pictures.pictures());
+        let case = results.plan.subject().case(&[])?;
+        let mut drawn = pictures(results, &case.model().title, form);
+        if has_curves {
+            let curves = kept_loads(dir, results.plan.count());
+            drawn.extend(loads(results, &curves, form).map(|chart| ("loads", chart)));
+        }
+        let mut files = Vec::new();
+        for (stem, chart) in drawn {
+            for (name, bytes) in style.files(stem, &chart) {
+                let path = dir.join(name);
+                write(&path, &bytes).with_context(|| format!("cannot draw {}", path.display()))?;
+                files.push(path);
+            }
+        }
+        Ok(Self { said: Said::of(results), form, files })
+    }
+
+    /// A few lines, and where the pictures are.
+    pub fn told(&self, results: &Results) -> String {
+        let sentences = self.said.sentences(results);
+        let mut lines = sentences.iter().map(|sentence| sentence.told(self.form));
+        let first = lines.next().unwrap_or_default();
+        let others: String = lines.map(|line| format!("\n- {line}")).collect();
+        let files: String = self.files.iter().map(|file| format!("\n{}", file.display())).collect();
+        first + &others + &files
+    }
+
+    /// The same for programs; numbers in SI.
+    pub fn json(&self, results: &Results, table: &Path, (kept, seconds): (usize, f64)) -> Value {
+        let Said { designs, sound, amber, fails, extremes, distances } = &self.said;
+        let fails: serde_json::Map<_, _> =
+            fails.iter().map(|(zone, count)| (zone.key().to_owned(), json!(count))).collect();
+        let extremes = extremes.map(|[place, least, most]| {
+            let row = |row: usize| json!({ "index": row, "value": rounded(results.rows[row].numbers[place]) });
+            json!({ "number": results.column(place), "least": row(least), "most": row(most) })
+        });
+        let keys: Vec<&str> = results.plan.axes().iter().map(|axis| axis[0].key.as_str()).collect();
+        let distance = |distance: &Distance| {
+            let Distance { axis, from, to, meets } = distance;
+            let meets = match meets {
+                Meets::Failure(zone) => zone.key(),
+                Meets::Sound => "sound",
+                Meets::End => "end",
+            };
+            json!({ "key": keys[*axis], "unit": results.axes[*axis].unit.spelled(), "from": rounded(*from),
+                    "to": rounded(*to), "meets": meets })
+        };
+        let sentences = self.said.sentences(results);
+        json!({
+            "file": table,
+            "pictures": self.files,
+            "designs": designs,
+            "kept": kept,
+            "wall_s": rounded(seconds),
+            "sound": sound,
+            "amber": amber,
+            "fails": fails,
+            "extremes": extremes,
+            "distances": distances.iter().map(distance).collect::<Vec<_>>(),
+            "told": sentences.iter().map(|sentence| sentence.told(self.form)).collect::<Vec<_>>(),
+        })
+    }
+}

@@ -1,0 +1,70 @@
+//! The pictures of a sweep, chosen by what is varied.
+
+use super::{curves, tornado, window};
+use crate::message::{Form, Message, message};
+use crate::output::Chart;
+use crate::study::{How, Results, Said, Zone, windows};
+
+/// Each picture by the stem of its file: curves over one axis, a process window over two, one for each value of a third, a
+/// tornado of keys that are changed one at a time; none of more axes.
+pub fn pictures(results: &Results, name: &str, form: Form) -> Vec<(&'static str, Chart)> {
+    let windows = windows(results);
+    let axes = results.axes.iter().map(|axis| axis.message());
+    let title = |what: Message| format!("{name}: {}", what.told(form));
+    let made = match (results.plan.how(), windows.as_slice()) {
+        (How::OneAtATime, _) => {
+            let title = title("what moves it most, one key at a time".into());
+            ("tornado", tornado::chart(results, title, form, with(results, form)))
+        }
+        (How::Combined, [one]) if one.y.is_none() => {
+            let title = title(Message::joined(axes, ""));
+            ("curves", curves::chart(results, one, title, form, notes(results, form)))
+        }
+        (How::Combined, [_]) => {
+            let title = title(message!("process window, {axes}", axes = Message::joined(axes, " × ")));
+            ("window", window::chart(results, &windows, title, form, notes(results, form)))
+        }
+        (How::Combined, [_, ..]) => {
+            let title = title(message!("process windows, {axes}", axes = Message::joined(axes, " × ")));
+            ("windows", window::chart(results, &windows, title, form, notes(results, form)))
+        }
+        (How::Combined, []) => return Vec::new(),
+    };
+    vec![(made.0, made.1.told(form))]
+}
+
+/// What stands below: how far the case is from the borders, and how borders were found.
+fn notes(results: &Results, form: Form) -> Vec<String> {
+    let said = Said::of(results);
+    let distances = said.distances.iter().map(|distance| distance.told(results).told(form) + ".");
+    let distances: Vec<String> = distances.collect();
+    let mut notes: Vec<String> = if distances.is_empty() { Vec::new() } else { vec![distances.join(" ")] };
+    let met = Zone::ALL.into_iter().filter(|zone| results.rows.iter().any(|found| found.fails.contains(zone)));
+    let (by_numbers, half_way): (Vec<Zone>, Vec<Zone>) =
+        met.partition(|zone| windows(results).iter().all(|window| window.zone(*zone).1));
+    let listed = |zones: Vec<Zone>| Message::joined(zones.into_iter().map(Zone::label), ", ");
+    if !by_numbers.is_empty() {
+        let zones = listed(by_numbers);
+        notes.push(
+            message!("Borders between designs where their number passes its limit: {zones}.", zones = zones).told(form),
+        );
+    }
+    if !half_way.is_empty() {
+        let zones = listed(half_way);
+        notes.push(
+            message!("Borders half-way between designs where no number passes a limit: {zones}.", zones = zones)
+                .told(form),
+        );
+    }
+    notes.extend(with(results, form));
+    notes
+}
+
+/// Keys that go together with others.
+fn with(results: &Results, form: Form) -> Vec<String> {
+    let together = results.axes.iter().filter(|axis| !axis.with.is_empty());
+    let told = together.map(|axis| {
+        message!("{key} goes together with {others}.", key = axis.message(), others = axis.with.join(", ")).told(form)
+    });
+    told.collect()
+}

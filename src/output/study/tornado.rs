@@ -1,0 +1,99 @@
+//! One key at a time: how far each moves the numbers that decide, the largest swing on top.
+
+use super::zones::OWN;
+use crate::message::Form;
+use crate::output::chart::{Chart, Color, Look, Panel, Scale, Series, color, pale};
+use crate::study::{End, Results, Swing, swings};
+use crate::table::Axis;
+
+/// Panels at most, and keys of each.
+const MOST: usize = 4;
+const KEYS: usize = 12;
+/// Height of a bar with its room, and of half the bar \[px, and of 1 from bar to bar\].
+const ROW: f64 = 34.0;
+const HALF: f64 = 0.34;
+/// Beside the bars for their labels, over the width of all \[–\].
+const MARGIN: f64 = 0.28;
+
+/// Looks of bars whose key is above where the case stands, and below: apart in grey print.
+const ABOVE: fn() -> Look = || Look::Area { fill: color(1), edge: Some((70, 70, 70)) };
+const BELOW: fn() -> Look = || {
+    let line: Color = color(0);
+    Look::Hatched { fill: Some(pale(line)), line, rise: 45.0 }
+};
+const OTHER: Look = Look::Area { fill: (190, 190, 190), edge: Some((70, 70, 70)) };
+
+/// A panel for each number.
+pub(super) fn chart(results: &Results, title: String, form: Form, notes: Vec<String>) -> Chart {
+    let all = results.deciding(MOST).into_iter().map(|place| (place, swings(results, place)));
+    let mut panels: Vec<Panel> = all
+        .filter(|(_, swings)| !swings.is_empty())
+        .map(|(place, swings)| panel(results, place, &swings[..swings.len().min(KEYS)], form))
+        .collect();
+    if let Some(first) = panels.first_mut() {
+        let entries = [
+            ("Key above where the case stands", ABOVE()),
+            ("Key below", BELOW()),
+            ("The case as it stands", OWN),
+        ];
+        let has_other = results.axes.iter().any(|axis| axis.own.is_none() || axis.has_names());
+        let other = has_other.then_some(("Another choice", OTHER));
+        let entries = entries.into_iter().chain(other);
+        first.series.extend(entries.map(|(label, look)| Series::new(form.tell(label), Vec::new(), look)));
+    }
+    Chart { title, legend: String::new(), panels, notes }
+}
+
+fn panel(results: &Results, place: usize, swings: &[Swing], form: Form) -> Panel {
+    let number = results.number(place);
+    let own = results.rows[0].numbers[place];
+    let ends = swings.iter().flat_map(|swing| [swing.low.number, swing.high.number]);
+    let (low, high) = ends.fold((own, own), |(low, high), v| (low.min(v), high.max(v)));
+    let margin = MARGIN * (high - low);
+    let x = (low - margin, high + margin);
+    // From the bottom up: the largest comes last.
+    let count = swings.len();
+    let row = |i: usize| (count - 1 - i) as f64;
+    let mut series = Vec::new();
+    for (i, swing) in swings.iter().enumerate() {
+        let y = row(i);
+        for end in [swing.low, swing.high] {
+            if end.value.is_none() {
+                continue;
+            }
+            let outline =
+                vec![(own, y - HALF), (end.number, y - HALF), (end.number, y + HALF), (own, y + HALF)];
+            series.push(Series::silent(outline, look(results, swing, end)));
+        }
+    }
+    series.push(Series::silent(vec![(own, -0.6), (own, count as f64 - 0.4)], OWN));
+    for (i, swing) in swings.iter().enumerate() {
+        for (end, side) in [(swing.low, -1.0), (swing.high, 1.0)] {
+            let Some(value) = end.value else { continue };
+            let value = results.axes[swing.axis].told(value).told(form);
+            let failed = results.rows[end.row].worst().map(|zone| format!(" ({})", zone.label().told(form)));
+            let label = value + &failed.unwrap_or_default();
+            series.push(Series::new(label, vec![(end.number + side * 0.5 * margin, row(i))], Look::Name));
+        }
+    }
+    let mut names: Vec<String> =
+        swings.iter().map(|swing| form.tell(results.axes[swing.axis].message())).collect();
+    names.reverse();
+    let height = ROW * count as f64 + 12.0;
+    Panel {
+        x: Axis::named(number.label, number.amount.unit),
+        y: Axis::of_names("", names),
+        series,
+        scale: Scale::Window { height, x, y: (-0.6, count as f64 - 0.4) },
+    }
+}
+
+/// Whether the key is above or below where the case stands at an end.
+fn look(results: &Results, swing: &Swing, end: End) -> Look {
+    let axis = &results.axes[swing.axis];
+    match (axis.has_names(), end.value.zip(axis.own)) {
+        (false, Some((value, own))) if value > own => ABOVE(),
+        (false, Some(_)) => BELOW(),
+        _ => OTHER,
+    }
+}

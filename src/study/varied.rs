@@ -1,0 +1,111 @@
+//! What is varied as a designer names it: a label, numbers in the solver's units or names, and where the case itself stands.
+
+use super::subject::Subject;
+use super::vary::Vary;
+use crate::message::{Amount, Digits, Message};
+use crate::table::{Axis, Unit};
+use crate::units::parse;
+use std::borrow::Cow;
+
+/// Keys that have a name in the shop.
+const NAMES: [(&str, &str); 18] = [
+    ("friction", "Friction"),
+    ("tools.punch.friction", "Friction at the punch"),
+    ("tools.die.friction", "Friction at the die"),
+    ("tools.holder.friction", "Friction at the holder"),
+    ("tools.holder.force", "Holder force"),
+    ("tools.holder.gap", "Holder gap"),
+    ("tools.die.shoulder", "Die shoulder radius"),
+    ("tools.die.throat", "Die throat radius"),
+    ("tools.punch.flat.nose", "Punch nose radius"),
+    ("tools.punch.flat.radius", "Punch radius"),
+    ("tools.punch.travel", "Punch travel"),
+    ("blank.radius", "Blank radius"),
+    ("blank.diameter", "Blank diameter"),
+    ("blank.thickness", "Sheet thickness"),
+    ("material", "Sheet"),
+    ("material.hardening.swift.k", "Strength K"),
+    ("material.hardening.swift.n", "Hardening exponent n"),
+    ("press.force", "Rating of the press"),
+];
+
+/// One axis of a study.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Varied {
+    /// What it is called: in the shop, else its key.
+    pub label: Cow<'static, str>,
+    /// The solver's unit of `values`.
+    pub unit: Unit,
+    /// Each value in `unit`; of names their place.
+    pub values: Vec<f64>,
+    /// Each as a name; empty where they are numbers.
+    pub names: Vec<String>,
+    /// Where the case stands, in `unit` or as a place among the names.
+    pub own: Option<f64>,
+    /// Keys that go together with it.
+    pub with: Vec<String>,
+}
+
+impl Varied {
+    /// An axis of keys that go together, by the first of them.
+    pub fn of(axis: &[Vary], subject: &Subject) -> Self {
+        let vary = &axis[0];
+        let label = NAMES.iter().find(|(key, _)| *key == vary.key);
+        let label = label.map_or_else(|| Cow::Owned(vary.key.clone()), |(_, name)| Cow::Borrowed(*name));
+        let with = axis[1..].iter().map(|vary| vary.key.clone()).collect();
+        let numbers: Option<Vec<f64>> = vary.values.iter().map(|value| value.number).collect();
+        let own = subject.own(&vary.key);
+        match numbers {
+            Some(numbers) => {
+                let (unit, factor) = Unit::of_header(&vary.header()).unwrap_or((Unit::None, 1.0));
+                let values = numbers.iter().map(|number| factor * number).collect();
+                let own = own.and_then(|own| in_unit(&own, &vary.unit)).map(|own| factor * own);
+                Self { label, unit, values, names: Vec::new(), own, with }
+            }
+            None => {
+                let names: Vec<String> = vary.values.iter().map(|value| value.text.clone()).collect();
+                let own = own.and_then(|own| names.iter().position(|name| *name == own)).map(|place| place as f64);
+                let values = (0..names.len()).map(|i| i as f64).collect();
+                Self { label, unit: Unit::None, values, names, own, with }
+            }
+        }
+    }
+
+    /// Whether its values are names.
+    pub fn has_names(&self) -> bool {
+        !self.names.is_empty()
+    }
+
+    /// To be drawn along.
+    pub fn axis(&self) -> Axis {
+        match self.has_names() {
+            true => Axis::of_names(self.label.clone(), self.names.clone()),
+            false => Axis::named(self.label.clone(), self.unit),
+        }
+    }
+
+    /// One of its values, as it was given.
+    pub fn told(&self, value: f64) -> Message {
+        match self.names.get(value as usize) {
+            Some(name) => name.clone().into(),
+            None => Amount::new(value, self.unit, Digits::Converted(3)).into(),
+        }
+    }
+
+    /// A difference of two of its values, as it is read off between runs.
+    pub fn difference(&self, difference: f64) -> Amount {
+        Amount::new(difference.abs(), self.unit, Digits::Significant(2))
+    }
+
+    /// Its label.
+    pub fn message(&self) -> Message {
+        self.label.clone().into()
+    }
+}
+
+/// What a case has for a key, as a number in a unit.
+fn in_unit(text: &str, unit: &str) -> Option<f64> {
+    let [own, one] = [text.to_owned(), format!("1 {unit}")].map(|text| parse(&text).ok());
+    let (own, one) = (own?, one?);
+    (own.dimension == one.dimension).then_some(own.value / one.value)
+}
