@@ -50,6 +50,19 @@ impl Grid {
         self.len() == 0
     }
 
+    /// A third point in line with two neighbours, the first with the lower number, and its place as a share of the way from
+    /// the first to the second: behind the second where that is wanted and there is one, else before the first.
+    pub fn third(&self, a: usize, b: usize, is_behind: bool) -> Option<(usize, f64)> {
+        let (columns, step) = (self.x.len(), b - a);
+        let is_across = step == columns;
+        let place = |point: usize| if is_across { self.at(point).1 } else { self.at(point).0 };
+        let is_in_line = |point: &usize| *point < self.len() && (is_across || point / columns == a / columns);
+        let (behind, before) = (Some(b + step).filter(is_in_line), a.checked_sub(step).filter(is_in_line));
+        let third = if is_behind { behind.or(before) } else { before.or(behind) }?;
+        let share = (place(third) - place(a)) / (place(b) - place(a));
+        share.is_finite().then_some((third, share))
+    }
+
     /// The part of the grid that is inside: `is_inside` of a point is `None` where it is unknown, which leaves out the cells
     /// around it; `share` is where on the way from the first point to the second, one in and one out, the border is
     /// \[–\].
@@ -153,6 +166,15 @@ impl Region {
         let is_below = |p: Point| if is_top { p.1 < y } else { p.1 <= y };
         let crossed = segments.filter(|pair| is_below(pair[0]) != is_below(pair[1]));
         crossed.map(|pair| pair[0].0 + (pair[1].0 - pair[0].0) * (y - pair[0].1) / (pair[1].1 - pair[0].1)).collect()
+    }
+
+    /// Whether a point is inside.
+    pub fn contains(&self, (x, y): Point) -> bool {
+        let segments = self.outlines.iter().flat_map(|line| line.windows(2));
+        let crossed = segments.filter(|pair| (pair[0].1 <= y) != (pair[1].1 <= y)).filter(|pair| {
+            x < pair[0].0 + (pair[1].0 - pair[0].0) * (y - pair[0].1) / (pair[1].1 - pair[0].1)
+        });
+        crossed.count() % 2 == 1
     }
 
     /// The same with x and y exchanged.

@@ -4,7 +4,7 @@ use super::plan::How;
 use super::results::{Found, Results};
 use super::swing::swings;
 use super::varied::Varied;
-use super::window::{Distance, Meets, windows};
+use super::window::{Distance, Meets, Window, windows};
 use super::zone::Zone;
 use crate::assess::Light;
 use crate::message::{Amount, Message, message};
@@ -96,17 +96,17 @@ impl Said {
         if results.plan.how() == How::OneAtATime || results.axes.len() > 3 {
             return Vec::new();
         }
+        if windows(results).iter().any(Window::is_coarse) {
+            return vec!["the designs stand too far apart about the case as it stands to tell its distances from the borders: give values nearer to it".into()];
+        }
         if self.distances.is_empty() {
             let is_of_names = results.axes.iter().all(Varied::has_names);
             return if is_of_names { Vec::new() } else { vec!["the case as it stands is none of these designs".into()] };
         }
-        let state = match results.base.fails.first() {
-            None => "is sound".into(),
-            Some(zone) => zone.verb(),
-        };
+        let state = results.base.fails.first().map_or_else(|| "sound".into(), |zone| zone.label());
         let own = results.axes.iter().filter_map(|axis| Some(value(axis, axis.own?)));
         let stands = message!(
-            "the case as it stands ({where}) {state}",
+            "the case as it stands ({where}): {state}",
             where = Message::joined(own, ", "),
             state = state
         );
@@ -182,13 +182,13 @@ fn ranked(results: &Results, place: usize) -> Message {
     let swings = swings(results, place).into_iter().take(NAMED).filter(|swing| swing.width() > 0.0);
     let keys = swings.map(|swing| {
         message!(
-            "{axis} by {amount}",
+            "{axis} ({amount})",
             axis = results.axes[swing.axis].message(),
             amount = told(results, place, swing.width())
         )
     });
     message!(
-        "{number} is moved most by {keys}",
+        "{number} is moved most by: {keys}",
         number = Message::from(results.number(place).label),
         keys = Message::joined(keys, ", ")
     )
@@ -199,7 +199,7 @@ impl Zone {
     fn verb(self) -> Message {
         match self {
             Self::Tears => "tears",
-            Self::Wrinkles => "wrinkles",
+            Self::Wrinkles => "would wrinkle",
             Self::Press => "needs a larger press",
             Self::Other => "is refused otherwise",
             Self::Lost => "has no answer",
@@ -209,7 +209,7 @@ impl Zone {
 }
 
 impl Distance {
-    /// `Holder force may fall by 3.1 kN before it wrinkles`
+    /// `Holder force may fall by 3.1 kN before it would wrinkle`
     pub fn told(&self, results: &Results) -> Message {
         let axis = &results.axes[self.axis];
         let (key, by, to) = (axis.message(), axis.difference(self.to - self.from), axis.told(self.to));

@@ -1,7 +1,9 @@
 //! Process windows: which designs over two axes are sound, where the borders run, and how far from them the case stands.
 //!
-//! A border lies between two designs of which one fails: where the number that makes it fail passes its limit on a straight
-//! line between them, and of several the last; where it is no number that fails, a neck for example, half-way.
+//! A border lies between two designs of which one fails: where the number that makes it fail passes its limit on the way
+//! between them, and of several the last; where it is no number that fails, a neck for example, half-way. On the way the
+//! number, or its inverse where a third design in line is nearer to that, changes evenly: Siebel's index goes with the
+//! inverse of the holder's force.
 
 use super::region::{Grid, Point, Region};
 use super::results::{Found, Results};
@@ -144,7 +146,9 @@ impl<'a> Window<'a> {
             band.grid.region(
                 |point| Some(found(point).fails.contains(&zone)),
                 |a, b| {
-                    let (share, by_number) = self.results.border(zone, found(a), found(b));
+                    let third = band.grid.third(a, b, found(a).fails.contains(&zone));
+                    let third = third.map(|(point, at)| (found(point), at));
+                    let (share, by_number) = self.results.border(zone, [found(a), found(b)], third);
                     by_numbers.set(by_numbers.get() && by_number);
                     share
                 },
@@ -177,17 +181,27 @@ impl<'a> Window<'a> {
         (is_at && is_inside(own.0, x) && is_inside(own.1, y)).then_some(own)
     }
 
-    /// How far it is from there to the nearest border each way along each axis of numbers.
+    /// Where the case stands, among the designs about it, and the zones there.
+    fn about(&self) -> Option<(Point, &Grid, Vec<(Zone, Region)>)> {
+        let own = self.own()?;
+        let is_within = |values: &[f64], v: f64| values[0] <= v && v <= values[values.len() - 1];
+        let is_in = |band: &Band| is_within(&band.grid.x, own.0) && is_within(&band.grid.y, own.1);
+        let band = self.bands.iter().position(is_in)?;
+        let zones = Zone::ALL.into_iter().map(|zone| (zone, self.zone(zone).0.swap_remove(band)));
+        Some((own, &self.bands[band].grid, zones.collect()))
+    }
+
+    /// Whether the designs stand too far apart about the case: what its own run says is not what they say of its place.
+    pub fn is_coarse(&self) -> bool {
+        self.about().is_some_and(|(own, _, zones)| {
+            zones.iter().any(|(zone, region)| region.contains(own) != self.results.base.fails.contains(zone))
+        })
+    }
+
+    /// How far it is from where the case stands to the nearest border each way along each axis of numbers; nothing where
+    /// the window [is coarse](Self::is_coarse) there.
     pub fn distances(&self) -> Vec<Distance> {
-        let Some(own) = self.own() else { return Vec::new() };
-        let is_in = |band: &&Band| {
-            let is_within = |values: &[f64], v: f64| values[0] <= v && v <= values[values.len() - 1];
-            is_within(&band.grid.x, own.0) && is_within(&band.grid.y, own.1)
-        };
-        let Some(band) = self.bands.iter().position(|band| is_in(&band)) else { return Vec::new() };
-        let zones: Vec<(Zone, Region)> =
-            Zone::ALL.into_iter().map(|zone| (zone, self.zone(zone).0.swap_remove(band))).collect();
-        let grid = &self.bands[band].grid;
+        let Some((own, grid, zones)) = self.about().filter(|_| !self.is_coarse()) else { return Vec::new() };
         let axes = [(Some(self.x), own, &grid.x, &grid.y, false), (self.y, (own.1, own.0), &grid.y, &grid.x, true)];
         let mut distances = Vec::new();
         for (axis, (from, across), along, beside, is_turned) in axes {
@@ -235,10 +249,12 @@ impl<'a> Window<'a> {
 
 impl Results<'_> {
     /// Where between two designs, of which one fails in a way, the border is, as a share of the way from the first \[–\]; and
-    /// whether that is by a number and its limit.
-    pub fn border(&self, zone: Zone, a: &Found, b: &Found) -> (f64, bool) {
+    /// whether that is by a number and its limit. A third design in line, at a share of the way that is below 0 or above 1,
+    /// says whether a number or its inverse changes evenly.
+    fn border(&self, zone: Zone, [a, b]: [&Found; 2], third: Option<(&Found, f64)>) -> (f64, bool) {
         let is_first = a.fails.contains(&zone);
         let (failed, other) = if is_first { (a, b) } else { (b, a) };
+        let third = third.map(|(found, at)| (found, if is_first { at } else { 1.0 - at }));
         let rows = failed.red.iter().filter(|row| Zone::of_row(row) == zone);
         let shares = rows.map(|row| {
             let by_number = self.limit(row).and_then(|(place, limit)| {
@@ -248,7 +264,8 @@ impl Results<'_> {
                     Sense::AtLeast => limit.red - value,
                 };
                 let is_between = beyond(from) >= 0.0 && beyond(to) <= 0.0 && from != to;
-                is_between.then(|| (from - limit.red) / (from - to))
+                let third = third.map(|(found, at)| (found.numbers[place], at));
+                is_between.then(|| way([from, to], limit.red, third))
             });
             by_number.map_or((0.5, false), |share| (share, true))
         });
@@ -256,6 +273,19 @@ impl Results<'_> {
         let (share, by_number) = shares.max_by(|a, b| a.0.total_cmp(&b.0)).unwrap_or((0.5, false));
         (if is_first { share } else { 1.0 - share }, by_number)
     }
+}
+
+/// Where a number is `at` on the way from one value to another \[–\]; it changes evenly, or its inverse does, whichever a
+/// third value in line is nearer to.
+fn way([from, to]: [f64; 2], at: f64, third: Option<(f64, f64)>) -> f64 {
+    let share = |of: fn(f64) -> f64| (of(from) - of(at)) / (of(from) - of(to));
+    let miss = |of: fn(f64) -> f64, (value, place): (f64, f64)| {
+        (of(value) - of(from) - place * (of(to) - of(from))).abs() / (of(value) - of(from)).abs().max((of(value) - of(to)).abs())
+    };
+    let (number, inverse): (fn(f64) -> f64, fn(f64) -> f64) = (|v| v, |v| 1.0 / v);
+    let has_inverse = |(value, _): &(f64, f64)| [from, to, at, *value].iter().all(|v| v.is_finite() && *v > 0.0);
+    let is_inverse = third.filter(has_inverse).is_some_and(|third| miss(inverse, third) < miss(number, third));
+    share(if is_inverse { inverse } else { number })
 }
 
 /// Of a study of one axis.

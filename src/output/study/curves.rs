@@ -11,6 +11,8 @@ use crate::table::Axis;
 const MOST: usize = 5;
 /// Height of the first and of the others \[px\].
 const HEIGHTS: [f64; 2] = [230.0, 150.0];
+/// Paper before the first design and behind the last, over the panel.
+const PAPER: f64 = 0.025;
 /// The y axis of a number spans this share of its largest or more \[–\]: a curve that is level looks so.
 const LEAST: f64 = 0.02;
 
@@ -48,7 +50,9 @@ fn panel(results: &Results, window: &Window, (place, is_first): (usize, bool), z
     if let Some((x, y)) = own {
         let label = is_first.then(|| form.tell("the case as it stands"));
         series.extend(label.map(|label| Series::new(label, vec![(x, y)], Look::Flag)));
-        series.push(Series::silent(vec![(x, y)], Look::Circles { color: color(6) }));
+        if !is_first {
+            series.push(Series::silent(vec![(x, y)], Look::Circles { color: color(6) }));
+        }
     }
     let least = LEAST * known.iter().map(|(_, y, _)| y.abs()).fold(0.0, f64::max);
     let height = HEIGHTS[usize::from(!is_first)];
@@ -56,7 +60,9 @@ fn panel(results: &Results, window: &Window, (place, is_first): (usize, bool), z
     let fit = Panel { x: axis.axis(), y, series, scale: Scale::Fit { height, least } };
     let fit = banded(fit, &known, is_first, form);
     let [_, up] = fit.ranges();
-    let [along, _] = window.ranges();
+    let along = window.ranges()[0];
+    let paper = PAPER * (along.1 - along.0);
+    let along = (along.0 - paper, along.1 + paper);
     let behind = behind(window, zones, up, is_first, form);
     let mut series = fit.series;
     if let Some((x, _)) = own.filter(|_| !is_first) {
@@ -83,7 +89,9 @@ fn banded(panel: Panel, known: &[(f64, f64, f64)], is_first: bool, form: Form) -
 
 /// Zones over the whole height, and where designs are amber.
 fn behind(window: &Window, zones: &[Zone], up: (f64, f64), is_first: bool, form: Form) -> Vec<Series> {
-    let upright = |(from, to): (f64, f64)| vec![(from, up.0), (to, up.0), (to, up.1), (from, up.1)];
+    // Flags stand above the curves: what is behind goes on up there, and is cut at the panel's edge.
+    let top = up.1 + (up.1 - up.0);
+    let upright = |(from, to): (f64, f64)| vec![(from, up.0), (to, up.0), (to, top), (from, top)];
     let mut series = Vec::new();
     let amber = window.spans(|found| found.is_sound() && found.light == Some(Light::Amber));
     let is_amber = !amber.is_empty();

@@ -12,8 +12,9 @@ const KEYS: usize = 12;
 /// Height of a bar with its room, and of half the bar \[px, and of 1 from bar to bar\].
 const ROW: f64 = 34.0;
 const HALF: f64 = 0.34;
-/// Beside the bars for their labels, over the width of all \[–\].
-const MARGIN: f64 = 0.28;
+/// Width of a letter and of the room around a label, over that of a panel \[–\].
+const LETTER: f64 = 0.0165;
+const AROUND: f64 = 0.03;
 
 /// Looks of bars whose key is above where the case stands, and below: apart in grey print.
 const ABOVE: fn() -> Look = || Look::Area { fill: color(1), edge: Some((70, 70, 70)) };
@@ -28,7 +29,10 @@ pub(super) fn chart(results: &Results, title: String, form: Form, notes: Vec<Str
     let all = results.deciding(MOST).into_iter().map(|place| (place, swings(results, place)));
     let mut panels: Vec<Panel> = all
         .filter(|(_, swings)| !swings.is_empty())
-        .map(|(place, swings)| panel(results, place, &swings[..swings.len().min(KEYS)], form))
+        .map(|(place, swings)| {
+            let moves = swings.iter().take_while(|swing| swing.width() > 0.0).count();
+            panel(results, place, &swings[..moves.min(KEYS)], form)
+        })
         .collect();
     if let Some(first) = panels.first_mut() {
         let entries = [
@@ -49,8 +53,12 @@ fn panel(results: &Results, place: usize, swings: &[Swing], form: Form) -> Panel
     let own = results.rows[0].numbers[place];
     let ends = swings.iter().flat_map(|swing| [swing.low.number, swing.high.number]);
     let (low, high) = ends.fold((own, own), |(low, high), v| (low.min(v), high.max(v)));
-    let margin = MARGIN * (high - low);
-    let x = (low - margin, high + margin);
+    let share = |label: &str| LETTER * label.chars().count() as f64 + AROUND;
+    let labels = |i: usize| ends_of(&swings[i]).map(move |end| told(results, &swings[i], end, form));
+    let widest = (0..swings.len()).flat_map(labels).flatten().map(|label| share(&label)).fold(0.0, f64::max);
+    // The labels have room on either side of the longest bars.
+    let width = (high - low) / (1.0 - 2.0 * widest).max(0.3);
+    let x = (low - widest * width, high + widest * width);
     // From the bottom up: the largest comes last.
     let count = swings.len();
     let row = |i: usize| (count - 1 - i) as f64;
@@ -69,11 +77,9 @@ fn panel(results: &Results, place: usize, swings: &[Swing], form: Form) -> Panel
     series.push(Series::silent(vec![(own, -0.6), (own, count as f64 - 0.4)], OWN));
     for (i, swing) in swings.iter().enumerate() {
         for (end, side) in [(swing.low, -1.0), (swing.high, 1.0)] {
-            let Some(value) = end.value else { continue };
-            let value = results.axes[swing.axis].told(value).told(form);
-            let failed = results.rows[end.row].worst().map(|zone| format!(" ({})", zone.label().told(form)));
-            let label = value + &failed.unwrap_or_default();
-            series.push(Series::new(label, vec![(end.number + side * 0.5 * margin, row(i))], Look::Name));
+            let Some(label) = told(results, swing, end, form) else { continue };
+            let at = end.number + side * 0.5 * share(&label) * width;
+            series.push(Series::new(label, vec![(at, row(i))], Look::Name));
         }
     }
     let mut names: Vec<String> =
@@ -86,6 +92,17 @@ fn panel(results: &Results, place: usize, swings: &[Swing], form: Form) -> Panel
         series,
         scale: Scale::Window { height, x, y: (-0.6, count as f64 - 0.4) },
     }
+}
+
+fn ends_of(swing: &Swing) -> impl Iterator<Item = End> {
+    [swing.low, swing.high].into_iter()
+}
+
+/// The key's value at an end, and how it fails there; nothing of the case as it stands.
+fn told(results: &Results, swing: &Swing, end: End, form: Form) -> Option<String> {
+    let value = results.axes[swing.axis].told(end.value?).told(form);
+    let failed = results.rows[end.row].worst().map(|zone| format!(" ({})", zone.label().told(form)));
+    Some(value + &failed.unwrap_or_default())
 }
 
 /// Whether the key is above or below where the case stands at an end.

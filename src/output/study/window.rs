@@ -15,6 +15,10 @@ const ISOLINE: Look = Look::Line { color: LINE, width: 1.3, dash: &[] };
 const LINES: f64 = 8.0;
 /// Points along a line that its label is tried at, over its length.
 const PLACES: [f64; 5] = [0.5, 0.35, 0.65, 0.2, 0.8];
+/// Shorter lines, over the window, say nothing.
+const SHORT: f64 = 0.12;
+/// Paper around the outermost designs, over the window.
+const PAPER: f64 = 0.025;
 /// Labels are at least so far apart, over the window's width and height.
 const APART: f64 = 0.14;
 /// A zone has its name in it where so large a circle has room, over the window.
@@ -68,7 +72,7 @@ fn panel(
     zones: &[Zone],
     form: Form,
 ) -> Panel {
-    let [x, y] = window.ranges();
+    let [x, y] = padded(window);
     let relative = |p: Point| ((p.0 - x.0) / (x.1 - x.0), (p.1 - y.0) / (y.1 - y.0));
     let mut series = Vec::new();
     let regions: Vec<(Zone, Vec<crate::study::Region>)> =
@@ -85,7 +89,9 @@ fn panel(
     let mut names = Vec::new();
     for (place, level) in isolines.iter().flat_map(|(place, levels)| levels.iter().map(move |level| (*place, *level))) {
         let found = window.isolines(place, level, is_whole);
-        let longest = found.iter().max_by(|a, b| a.len().cmp(&b.len())).filter(|line| line.len() > 2);
+        let long = |line: &&Vec<Point>| length(line.iter().map(|p| relative(*p))) > SHORT;
+        let found: Vec<Vec<Point>> = found.iter().filter(long).cloned().collect();
+        let longest = found.iter().max_by(|a, b| a.len().cmp(&b.len()));
         if let Some(at) = longest.and_then(|line| free(line, &taken, relative)) {
             taken.push(relative(at));
             let amount = results.number(place).amount.of(level).to(crate::message::Digits::Given(3));
@@ -159,6 +165,17 @@ fn stands(
     let label = capitalised(&form.tell("the case as it stands"));
     series.push(Series::new(label, vec![own, (off(own.0, x), off(own.1, y))], Look::Callout));
     series
+}
+
+/// Of a line over the window.
+fn length(points: impl Iterator<Item = Point>) -> f64 {
+    let points: Vec<Point> = points.collect();
+    points.windows(2).map(|pair| (pair[0].0 - pair[1].0).hypot(pair[0].1 - pair[1].1)).sum()
+}
+
+/// The ranges of a window with a little paper around the outermost designs.
+fn padded(window: &Window) -> [(f64, f64); 2] {
+    window.ranges().map(|(low, high)| (low - PAPER * (high - low), high + PAPER * (high - low)))
 }
 
 /// A place along a line that is far from those that are taken.
