@@ -10,6 +10,8 @@
 //! Columns       its line in study.csv
 //! Journal       study.csv on its way; goes on after any end
 //! Shard         a part of a study that runs by itself; merge puts them together
+//! Span          a stretch of a key's values, or of several that move together
+//! search        where a condition ends, or a number has a value; the best of several keys
 //! file          a study as TOML
 //! ```
 
@@ -20,17 +22,20 @@ mod journal;
 mod plan;
 mod row;
 mod run;
+pub mod search;
 mod shards;
 mod side_by_side;
+mod span;
 mod subject;
 mod vary;
 
 pub use error::StudyError;
 pub use journal::{Begun, Earlier, Journal};
 pub use plan::{Design, Designs, Plan};
-pub use row::{Columns, Row, Solved};
+pub use row::{Columns, Margin, Row, Solved};
 pub use run::{base, one, run};
 pub use shards::{Shard, merge};
 pub use side_by_side::side_by_side;
+pub use span::Span;
 pub use subject::Subject;
 pub use vary::{Value, Vary};

@@ -1,7 +1,7 @@
 //! What came of one design, and its line in a table.
 
 use super::plan::{Design, Designs};
-use crate::assess::{self, Light};
+use crate::assess::{self, Finding, Light, Limits, Sense};
 use crate::case::Solution;
 use crate::units::rounded;
 use crate::verification::{Number, Of, Outcome};
@@ -30,6 +30,35 @@ pub struct Solved {
     pub red: Vec<&'static str>,
     /// See `red`.
     pub amber: Vec<&'static str>,
+    /// Whether the sheet tears.
+    pub tears: bool,
+    /// How far the verdict's rows are from turning red and from turning amber.
+    pub margins: Vec<Margin>,
+}
+
+/// How far a row of the verdict is from its limits.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Margin {
+    /// The row.
+    pub key: &'static str,
+    /// From red, over the limit: below 0 where it is red, 0 at the limit \[–\]; `None` where no number says it.
+    pub to_red: Option<f64>,
+    /// From amber, likewise.
+    pub to_amber: Option<f64>,
+}
+
+impl Margin {
+    fn of(finding: &Finding) -> Self {
+        let Some((value, Limits { sense, amber, red })) = finding.value.zip(finding.limits) else {
+            return Self { key: finding.key, to_red: None, to_amber: None };
+        };
+        let to = |limit: Option<f64>| {
+            let limit = limit.filter(|limit| *limit != 0.0)?;
+            let inside = if sense == Sense::AtMost { limit - value } else { value - limit };
+            Some(inside / limit.abs())
+        };
+        Self { key: finding.key, to_red: to(red), to_amber: to(amber.or(red)) }
+    }
 }
 
 impl Solved {
@@ -42,6 +71,8 @@ impl Solved {
             light: assess::judgements(&findings).map(|finding| finding.light).max().unwrap_or(Light::Grey),
             red: of(Light::Red),
             amber: of(Light::Amber),
+            tears: solution.stages.iter().any(|stage| assess::tears_at(stage).is_some()),
+            margins: assess::judgements(&findings).map(Margin::of).collect(),
         }
     }
 
@@ -94,7 +125,7 @@ impl Columns {
         let value = |column: &String| named.iter().find(|(header, _)| header == column).map(|(_, value)| *value);
         line.extend(self.numbers.iter().map(|column| value(column).map_or_else(String::new, written)));
         line.extend(match &row.result {
-            Ok(Solved { outcome, light, red, amber }) => {
+            Ok(Solved { outcome, light, red, amber, .. }) => {
                 let others = named.iter().filter(|(header, _)| !self.numbers.contains(header));
                 let others: Vec<String> =
                     others.map(|(header, value)| format!("{header}={}", written(*value))).collect();
@@ -120,7 +151,7 @@ impl Columns {
 }
 
 /// A number's column; what a row of the verdict judges may have the name of another number.
-fn header(number: &Number) -> String {
+pub(super) fn header(number: &Number) -> String {
     match number.of {
         Of::Verdict => number.amount.unit.keyed(&format!("{}_judged", number.key)),
         Of::Answer | Of::Part => number.amount.unit.keyed(number.key),
