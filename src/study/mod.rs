@@ -30,7 +30,7 @@ mod subject;
 mod vary;
 
 pub use error::StudyError;
-pub use journal::{Begun, Earlier, Journal};
+pub use journal::{Begun, Earlier, Journal, csv};
 pub use plan::{Design, Designs, Plan};
 pub use row::{Columns, Margin, Row, Solved};
 pub use run::{base, one, run};

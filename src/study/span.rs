@@ -10,7 +10,8 @@
 
 use super::vary::{Value, Vary};
 use super::{StudyError, Subject};
-use crate::units::{parse, significant};
+use crate::message::{Amount, Digits, Message};
+use crate::units::{Unit, parse, significant};
 use toml_edit::{DocumentMut, Item};
 
 /// Least and most places that a stretch is looked at first.
@@ -116,6 +117,37 @@ impl Span {
         &self.keys
     }
 
+    /// The solver's unit of its values, and how many of these its own unit is; `None` of multiples of the thickness.
+    pub fn solver_unit(&self) -> Option<(Unit, f64)> {
+        match self.unit() {
+            "" => return Some((Unit::None, 1.0)),
+            "%" => return Some((Unit::Percent, 1.0)),
+            "°C" => return Some((Unit::Celsius, 1.0)),
+            _ => {}
+        }
+        let own = parse(&format!("1 {}", self.unit())).ok()?;
+        let all = [
+            (Unit::Mm, "mm"),
+            (Unit::N, "N"),
+            (Unit::NPerMm, "N/mm"),
+            (Unit::MPa, "MPa"),
+            (Unit::Second, "s"),
+            (Unit::Degree, "deg"),
+        ];
+        all.into_iter().find_map(|(unit, symbol)| {
+            let one = parse(&format!("1 {symbol}")).ok().filter(|one| one.dimension == own.dimension)?;
+            Some((unit, own.value / one.value))
+        })
+    }
+
+    /// A value as it is told.
+    pub fn told(&self, x: f64) -> Message {
+        match self.solver_unit() {
+            Some((unit, times)) => Amount::new(significant(x * times, 12), unit, Digits::Converted(5)).into(),
+            None => format!("{x} {}", self.unit()).into(),
+        }
+    }
+
     /// Its ends, in its unit.
     pub fn ends(&self) -> [f64; 2] {
         self.ends
@@ -178,10 +210,12 @@ fn about(key: &str, subject: &Subject) -> Result<String, StudyError> {
     };
     let case = subject.case(&[])?;
     let document: DocumentMut = case.text.parse().map_err(|_| unknown())?;
-    let at = |path: &str| path.split('.').try_fold(document.as_item(), |item: &Item, key| match key.parse::<usize>() {
-        Ok(index) => item.get(index),
-        Err(_) => item.get(key),
-    });
+    let at = |path: &str| {
+        path.split('.').try_fold(document.as_item(), |item: &Item, key| match key.parse::<usize>() {
+            Ok(index) => item.get(index),
+            Err(_) => item.get(key),
+        })
+    };
     // What a case has from the axis may be searched across.
     let twin = key.strip_suffix("diameter").map(|start| format!("{start}radius"));
     let (item, times) = match (at(key), twin.as_deref().and_then(at)) {

@@ -212,7 +212,11 @@ impl Search<'_> {
         match (decided.last(), end, self.aim) {
             (None, ..) => Found::Failed,
             (Some(last), Some(end), Aim::Edge(_)) if last.1 >= Some(0.0) => {
-                if end.0 == last.0 { Found::Everywhere(last.0) } else { Found::Open(last.0) }
+                if end.0 == last.0 {
+                    Found::Everywhere(last.0)
+                } else {
+                    Found::Open(last.0)
+                }
             }
             _ => Found::Nowhere,
         }

@@ -27,9 +27,17 @@ pub struct Condition {
 #[derive(Clone, Debug, PartialEq)]
 enum Term {
     /// No row of these is of the light, or worse.
-    Light { row: Option<String>, worst: Light },
+    Light {
+        row: Option<String>,
+        worst: Light,
+    },
     Untorn,
-    Number { name: Named, is_less: bool, or_equal: bool, limit: Parsed },
+    Number {
+        name: Named,
+        is_less: bool,
+        or_equal: bool,
+        limit: Parsed,
+    },
 }
 
 /// What is said of a run.
@@ -184,8 +192,12 @@ fn term(text: &str) -> Result<Term, StudyError> {
         return Ok(Term::Light { row: None, worst });
     }
     if let Some(at) = words.iter().position(|word| *word == "not") {
-        let row = words[..at].iter().filter(|word| **word != "is").copied().collect::<Vec<_>>().join("_").to_lowercase();
-        return worst(&words[at + 1..]).filter(|_| !row.is_empty()).map(|worst| Term::Light { row: Some(row), worst }).ok_or_else(wrong);
+        let row =
+            words[..at].iter().filter(|word| **word != "is").copied().collect::<Vec<_>>().join("_").to_lowercase();
+        return worst(&words[at + 1..])
+            .filter(|_| !row.is_empty())
+            .map(|worst| Term::Light { row: Some(row), worst })
+            .ok_or_else(wrong);
     }
     let at = text.find(['<', '>', '≤', '≥']).ok_or_else(wrong)?;
     let (name, rest) = text.split_at(at);
@@ -196,12 +208,15 @@ fn term(text: &str) -> Result<Term, StudyError> {
         None => (matches!(sign, '≤' | '≥'), rest),
     };
     let limit = quantity(value)?;
-    Ok(Term::Number { name: Named::read(name).ok_or_else(wrong)?, is_less: matches!(sign, '<' | '≤'), or_equal, limit })
+    Ok(Term::Number {
+        name: Named::read(name).ok_or_else(wrong)?, is_less: matches!(sign, '<' | '≤'), or_equal, limit
+    })
 }
 
 /// A number with a unit as in a case file, where ° are degrees too.
 pub(super) fn quantity(text: &str) -> Result<Parsed, StudyError> {
     let text = text.trim();
     let text = if text.ends_with("°C") { text.to_owned() } else { text.replace('°', " deg") };
-    parse(&text).map_err(|error| StudyError::new(error.to_string(), "write a number with a unit, such as 20 % or 60 kN"))
+    parse(&text)
+        .map_err(|error| StudyError::new(error.to_string(), "write a number with a unit, such as 20 % or 60 kN"))
 }

@@ -21,7 +21,7 @@ pub use bracket::{Aim, Bracket, Found, Line, Side, Trial, bracket};
 pub use condition::{Condition, Said};
 pub use number::Named;
 pub use optimise::{Best, Sense, optimise};
-pub use template::{Draft, TEMPLATES, Template};
+pub use template::{Draft, TEMPLATES, Template, Wanted};
 pub use trials::{Trials, reasons};
 
 use crate::case::Solution;
@@ -72,7 +72,8 @@ impl Target {
     /// When there is no name, or no value with a unit.
     pub fn read(text: &str) -> Result<Self, StudyError> {
         let usage = "write NUMBER=VALUE UNIT, such as \"draw_in=8 mm\"";
-        let (name, value) = text.split_once('=').ok_or_else(|| StudyError::new(format!("`{text}` is no target"), usage))?;
+        let (name, value) =
+            text.split_once('=').ok_or_else(|| StudyError::new(format!("`{text}` is no target"), usage))?;
         let name = Named::read(name).ok_or_else(|| StudyError::new(format!("`{text}` names no number"), usage))?;
         Ok(Self { name, value: quantity(value)? })
     }
@@ -91,7 +92,10 @@ impl Target {
         if solved.tears {
             return Err("it tears".into());
         }
-        let number = self.name.find(solved).map_err(|_| message!("the run has no number {name}", name = self.name.text.clone()))?;
+        let number = self
+            .name
+            .find(solved)
+            .map_err(|_| message!("the run has no number {name}", name = self.name.text.clone()))?;
         Ok(number.amount.value - self.value(solved).unwrap_or(f64::NAN))
     }
 }
@@ -160,7 +164,9 @@ impl Quest {
         let mut bracket = bracket(&line, aim, &mut |values| {
             let points: Vec<Vec<f64>> = values.iter().map(|x| vec![*x]).collect();
             let runs = trials.run(&points)?;
-            Some(runs.into_iter().map(|run| self.said(&trials.rows[run]).map_err(|why| failed.push(why)).ok()).collect())
+            Some(
+                runs.into_iter().map(|run| self.said(&trials.rows[run]).map_err(|why| failed.push(why)).ok()).collect(),
+            )
         });
         let (best, other) = self.runs(&mut bracket, &mut trials);
         let columns = Columns::of(&trials, &base);
@@ -204,9 +210,8 @@ impl Quest {
     /// The answer's run and the one beside it. Of a target one more run is made where its number would be reached were it
     /// straight in the bracket.
     fn runs(&self, bracket: &mut Bracket, trials: &mut Trials) -> (Option<usize>, Option<usize>) {
-        let run_at = |trials: &Trials, x: f64| {
-            trials.rows.iter().position(|row| row.design.values[0].number == Some(x))
-        };
+        let run_at =
+            |trials: &Trials, x: f64| trials.rows.iter().position(|row| row.design.values[0].number == Some(x));
         match (&bracket.found, &self.goal) {
             (Found::Between([inner, outer]), Goal::Keep(_)) => (run_at(trials, *inner), run_at(trials, *outer)),
             (Found::Everywhere(x) | Found::Open(x), _) => (run_at(trials, *x), None),

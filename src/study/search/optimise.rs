@@ -82,14 +82,21 @@ pub fn optimise(
         let (a, b) = (rank(&trials.rows[*a]), rank(&trials.rows[*b]));
         a.0.cmp(&b.0).then(a.1.total_cmp(&b.1))
     });
-    let from: Vec<(usize, Vec<f64>)> = order.iter().take(starts).map(|run| problem.shares(&trials.rows[*run])).enumerate().collect();
+    let from: Vec<(usize, Vec<f64>)> =
+        order.iter().take(starts).map(|run| problem.shares(&trials.rows[*run])).enumerate().collect();
     if !watch.wants_to_stop() {
         let mut found = Vec::new();
         let width = 0.5 / (per_key - 1) as f64;
-        let Ok(()) = side_by_side(&from, threads, watch, |(_, start)| problem.descend(start, width), |rows| {
-            found.extend(rows);
-            Ok::<_, Infallible>(())
-        });
+        let Ok(()) = side_by_side(
+            &from,
+            threads,
+            watch,
+            |(_, start)| problem.descend(start, width),
+            |rows| {
+                found.extend(rows);
+                Ok::<_, Infallible>(())
+            },
+        );
         for mut row in found {
             row.design.index = trials.rows.len() as u64;
             trials.rows.push(row);
@@ -170,7 +177,11 @@ impl Problem<'_> {
         // In sizes near 1; a run that failed is as bad as the start, and beyond every limit.
         let size = with(start, &|row| self.cost(row).unwrap_or(1.0)).abs().max(f64::MIN_POSITIVE);
         let objective = |x: &[f64], _: &mut ()| {
-            if self.watch.wants_to_stop() { 0.0 } else { with(x, &|row| self.cost(row).map_or(2.0, |cost| cost / size)) }
+            if self.watch.wants_to_stop() {
+                0.0
+            } else {
+                with(x, &|row| self.cost(row).map_or(2.0, |cost| cost / size))
+            }
         };
         let parts = self.condition.map_or(0, |condition| condition.parts().count());
         let constraint = |part: usize| {
@@ -194,7 +205,13 @@ impl Problem<'_> {
         let parts = self.condition.into_iter().flat_map(|condition| condition.parts().zip(condition.margins(row)));
         let limits = parts.filter(|(_, margin)| *margin <= BINDS).map(|(part, _)| part.to_owned());
         let ends = self.spans.iter().zip(self.shares(row)).filter_map(|(span, share)| {
-            let end = if share <= BINDS { 0 } else if share >= 1.0 - BINDS { 1 } else { return None };
+            let end = if share <= BINDS {
+                0
+            } else if share >= 1.0 - BINDS {
+                1
+            } else {
+                return None;
+            };
             Some(format!("{} = {} {}", span.key(), span.ends()[end], span.unit()).trim_end().to_owned())
         });
         limits.chain(ends).collect()

@@ -32,7 +32,7 @@ pub struct Draft {
 }
 
 /// What a template varies a key for.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Wanted {
     /// That this holds.
     Condition(&'static str),
@@ -47,13 +47,21 @@ pub const TEMPLATES: &[Template] = &[
         about: "the largest blank that is drawn through the die without a tear",
         draft: limiting_draw_ratio,
     },
-    Template { name: "greatest-height", about: "the largest travel that ends without a red light", draft: greatest_height },
+    Template {
+        name: "greatest-height",
+        about: "the largest travel that ends without a red light",
+        draft: greatest_height,
+    },
     Template {
         name: "least-holder-force",
         about: "the smallest holder force that keeps the flange flat",
         draft: least_holder_force,
     },
-    Template { name: "smallest-radius", about: "the smallest die shoulder without a red light", draft: smallest_radius },
+    Template {
+        name: "smallest-radius",
+        about: "the smallest die shoulder without a red light",
+        draft: smallest_radius,
+    },
     Template { name: "over-bend", about: "the travel that leaves a wanted angle after springback", draft: over_bend },
     Template { name: "bead-force", about: "the force of the first bead for a wanted draw-in", draft: bead_force },
 ];
@@ -111,7 +119,11 @@ fn limiting_draw_ratio(case: &Case) -> Result<Draft, StudyError> {
     let low = (RATIOS[0] * diameter).max(FLANGE * 2.0 * shoulder_end(die).max(held));
     let travel = diameter * (0.25 * (RATIOS[1].powi(2) - 1.0) + BEYOND);
     Ok(Draft {
-        settings: vec![setting("tools.punch.travel", travel, "mm"), "stop.drawn_through=true".into(), "output.count=2".into()],
+        settings: vec![
+            setting("tools.punch.travel", travel, "mm"),
+            "stop.drawn_through=true".into(),
+            "output.count=2".into(),
+        ],
         vary: span("blank.diameter", low, RATIOS[1] * diameter, "mm"),
         goal: Wanted::Condition("no tear"),
         is_smallest: false,

@@ -51,10 +51,16 @@ impl<'a> Trials<'a> {
             points.iter().enumerate().map(|(i, point)| design(self.spans, first + i, point)).collect();
         let further = Further { watch: self.watch, before: first, expected: self.expected };
         let (subject, rows) = (self.subject, &mut self.rows);
-        let Ok(()) = side_by_side(&designs, self.threads, &further, |design| one(subject, design.clone(), &further), |row| {
-            rows.push(row);
-            Ok::<_, Infallible>(())
-        });
+        let Ok(()) = side_by_side(
+            &designs,
+            self.threads,
+            &further,
+            |design| one(subject, design.clone(), &further),
+            |row| {
+                rows.push(row);
+                Ok::<_, Infallible>(())
+            },
+        );
         let is_whole = self.rows.len() == first + points.len();
         is_whole.then(|| (first..self.rows.len()).collect())
     }
