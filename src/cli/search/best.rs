@@ -5,7 +5,9 @@ use super::super::many::asked;
 use super::super::progress::Progress;
 use super::super::say::{say, say_json};
 use super::super::table::wrapped;
-use super::{Args, Places, run_json, shown, told};
+use super::ask::{Args, Places};
+use super::json::{run, shown};
+use super::told;
 use serde_json::json;
 use stampflow::message::{Digits, Message, message};
 use stampflow::output::study::search::plot_best;
@@ -57,7 +59,7 @@ pub fn optimise(args: &Args, places: &Places) -> anyhow::Result<Code> {
         say_json(&json!({
             "number": name.text,
             "values": values,
-            "best": found.best.map(|best| run_json(f64::NAN, &found.rows[best], bars.as_ref())),
+            "best": found.best.map(|best| run(f64::NAN, &found.rows[best], bars.as_ref())),
             "binding": found.binding,
             "runs": found.rows.len(),
             "seconds": rounded(seconds),

@@ -5,6 +5,7 @@ use super::super::table::{Cell, Tone, table, wrapped};
 use stampflow::message::{Amount, Digits, Form, Message, message};
 use stampflow::study::Row;
 use stampflow::study::search::{Answer, Found, Goal, Named, Quest, Side};
+use stampflow::units::{Unit, significant};
 use stampflow::verification::{Number, Of, Verification};
 use std::ops::RangeInclusive;
 use std::path::Path;
@@ -12,14 +13,14 @@ use std::path::Path;
 /// The answer, what is to be known of it, and the run on either side of it.
 pub fn screen(quest: &Quest, answer: &Answer, bars: Option<&Verification>, form: Form) -> Shown {
     let mut shown = wrapped(&format!("{}.", found(quest, answer).told(form)));
-    for said in beside(quest, answer) {
-        shown = shown + wrapped(&format!("- {}", said.told(form)));
-    }
-    let runs: Vec<usize> = answer.best.into_iter().chain(answer.other).collect();
     let named: Vec<&Named> = match &quest.goal {
         Goal::Keep(condition) => condition.numbers().map(|(name, _)| name).collect(),
         Goal::Reach(target) => vec![&target.name],
     };
+    for said in beside(quest, answer).into_iter().chain(left_open(quest, answer, &named, bars)) {
+        shown = shown + wrapped(&format!("- {}", said.told(form)));
+    }
+    let runs: Vec<usize> = answer.best.into_iter().chain(answer.other).collect();
     let runs: Vec<(String, &Row)> =
         runs.into_iter().map(|run| (quest.span.told(answer.value(run)).told(form), &answer.rows[run])).collect();
     shown + "\n".into() + side_by_side(quest.span.key(), &runs, &named, bars, form)
@@ -122,6 +123,23 @@ fn reached(quest: &Quest, answer: &Answer, name: &Named) -> Message {
     )
 }
 
+/// What the error bar of a number leaves open of the key, by the slope of the number over it.
+fn left_open(quest: &Quest, answer: &Answer, named: &[&Named], bars: Option<&Verification>) -> Vec<Message> {
+    let open = |name: &&Named| {
+        let number = name.find(answer.rows[answer.best?].result.as_ref().ok()?).ok()?;
+        let half = bars?.bar(number.of, number.key)?.half?;
+        let width = significant((half / answer.slope(quest, name)?).abs(), 2);
+        let bar = Amount::new(half, number.amount.unit, Digits::Significant(2));
+        Some(message!(
+            "the error bar of {number}, ± {bar}, leaves ± {width} of it open",
+            number = name.text.clone(),
+            bar = bar,
+            width = quest.span.told(width)
+        ))
+    };
+    named.iter().filter_map(open).collect()
+}
+
 /// What is to be known of the answer: its tolerance, the draw ratio, where the condition comes and goes, what failed.
 fn beside(quest: &Quest, answer: &Answer) -> Vec<Message> {
     let at = |x: f64| quest.span.told(x);
@@ -130,8 +148,7 @@ fn beside(quest: &Quest, answer: &Answer) -> Vec<Message> {
         said.push(message!("known within {width}", width = at((outer - inner).abs())));
     }
     if let Some([best, other]) = answer.draw_ratios.filter(|_| matches!(quest.goal, Goal::Keep(_))) {
-        let [best, other] =
-            [best, other].map(|ratio| Amount::new(ratio, stampflow::units::Unit::None, Digits::Decimals(3)));
+        let [best, other] = [best, other].map(|ratio| Amount::new(ratio, Unit::None, Digits::Decimals(3)));
         said.push(message!("the draw ratio is {best}, beyond it {other}", best = best, other = other));
     }
     let stretch =
@@ -145,7 +162,7 @@ fn beside(quest: &Quest, answer: &Answer) -> Vec<Message> {
         said.push(message!("it comes and goes from {stretch}: more margin than that", stretch = stretch(mixed)));
     }
     said.extend(
-        answer.failed.iter().map(|(why, n)| message!("{n} runs say neither: {why}", n = *n, why = why.clone())),
+        answer.failed.iter().map(|(why, n)| message!("{n} of the runs say neither: {why}", n = *n, why = why.clone())),
     );
     said
 }

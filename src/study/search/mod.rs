@@ -35,6 +35,9 @@ use condition::{quantity, usable};
 /// Places that a span is looked at first, where nothing else is given.
 const PLACES: usize = 9;
 
+/// Runs nearer to each other, over the span, tell no slope \[–\].
+const FAR: f64 = 0.02;
+
 /// What is searched for.
 #[derive(Clone, Debug)]
 pub struct Quest {
@@ -126,6 +129,24 @@ impl Answer {
     /// The table of all runs: its header and its lines.
     pub fn table(&self) -> (&[String], &[Vec<String>]) {
         (&self.table.0, &self.table.1)
+    }
+
+    /// How a number changes with the first key at the answer, in its unit over the key's: between the runs that are nearest
+    /// to it on either side and far enough for their difference to be no noise.
+    pub fn slope(&self, quest: &Quest, name: &Named) -> Option<f64> {
+        let at = self.value(self.best?);
+        let [low, high] = quest.span.ends();
+        let far = FAR * (high - low);
+        let of = |run: usize| {
+            let solved = self.rows[run].result.as_ref().ok().filter(|solved| !solved.tears)?;
+            Some((self.value(run), name.find(solved).ok()?.amount.value))
+        };
+        let runs = || (0..self.rows.len()).filter_map(of);
+        let below = runs().filter(|(x, _)| *x <= at - far).max_by(|a, b| a.0.total_cmp(&b.0));
+        let above = runs().filter(|(x, _)| *x >= at + far).min_by(|a, b| a.0.total_cmp(&b.0));
+        let own = runs().find(|(x, _)| *x == at);
+        let (from, to) = (below.or(own)?, above.or(own)?);
+        Some((to.1 - from.1) / (to.0 - from.0)).filter(|slope| slope.is_finite() && *slope != 0.0)
     }
 
     /// The value of the first key in a run.

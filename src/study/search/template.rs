@@ -117,14 +117,13 @@ fn limiting_draw_ratio(case: &Case) -> Result<Draft, StudyError> {
     }
     let held = model.tool(Role::Holder).map_or(0.0, |holder| crate::rules::tool_sizes::extent(holder).0);
     let low = (RATIOS[0] * diameter).max(FLANGE * 2.0 * shoulder_end(die).max(held));
-    let travel = diameter * (0.25 * (RATIOS[1].powi(2) - 1.0) + BEYOND);
+    let high = RATIOS[1] * diameter;
+    // The chord of a parabola lies above it: what is between the ends has travel enough.
+    let [short, long] = [low, high].map(|blank| diameter * (0.25 * ((blank / diameter).powi(2) - 1.0) + BEYOND));
+    let (blank, travel) = (span("blank.diameter", low, high, "mm"), span("tools.punch.travel", short, long, "mm"));
     Ok(Draft {
-        settings: vec![
-            setting("tools.punch.travel", travel, "mm"),
-            "stop.drawn_through=true".into(),
-            "output.count=2".into(),
-        ],
-        vary: span("blank.diameter", low, RATIOS[1] * diameter, "mm"),
+        settings: vec!["stop.drawn_through=true".into(), "output.count=2".into()],
+        vary: format!("{blank} & {travel}"),
         goal: Wanted::Condition("no tear"),
         is_smallest: false,
     })
@@ -205,8 +204,4 @@ fn missing(name: &str, what: &str) -> StudyError {
 
 fn span(key: &str, low: f64, high: f64, unit: &str) -> String {
     format!("{key}={}..{} {unit}", significant(low, 4), significant(high, 4))
-}
-
-fn setting(key: &str, value: f64, unit: &str) -> String {
-    format!("{key}={} {unit}", significant(value, 4))
 }
