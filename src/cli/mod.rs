@@ -20,6 +20,7 @@ mod progress;
 mod report;
 mod run;
 mod say;
+mod search;
 mod shell;
 mod studied;
 mod suggested;
@@ -75,6 +76,9 @@ enum Verb {
     /// Run a case with many settings: ranges and lists of any keys, one row a run
     #[command(after_help = sweep::HELP)]
     Sweep(sweep::Args),
+    /// Find where a condition ends, or where a number has a wanted value; the best of several keys
+    #[command(after_help = search::HELP)]
+    Search(search::Args),
     /// Put the tables of a study's shards together
     #[command(after_help = sweep::MERGE_HELP)]
     Merge(sweep::MergeArgs),
@@ -124,6 +128,7 @@ fn command() -> anyhow::Result<Code> {
         Verb::Validate(args) => validate::validate(&args),
         Verb::Verify(args) => verify::verify(&args),
         Verb::Sweep(args) => sweep::sweep(&args),
+        Verb::Search(args) => search::search(&args),
         Verb::Merge(args) => sweep::merge(&args),
         Verb::Check(args) => check::check(&args),
         Verb::New(args) => new::new(&args),

@@ -169,6 +169,11 @@ pub(super) fn is_ours(path: &Path) -> bool {
     File::open(path).and_then(|file| BufReader::new(file).read_line(&mut line)).is_ok() && line.starts_with(OURS)
 }
 
+/// A whole table as CSV.
+pub fn csv(header: &[String], lines: &[Vec<String>]) -> Vec<u8> {
+    std::iter::once(header).chain(lines.iter().map(Vec::as_slice)).flat_map(record).collect()
+}
+
 /// A line of CSV: one line of text whatever its fields hold, so that whole rows can be told from half ones.
 fn record(fields: &[String]) -> Vec<u8> {
     let never = "memory does not refuse a row";

@@ -15,6 +15,8 @@
 //! Zone          a way to fail; Window: where designs are sound, its borders, and how far the case is from them
 //! Swing         what a number is moved by, one key at a time
 //! Said          what a study found, in sentences
+//! Span          a stretch of a key's values, or of several that move together
+//! search        where a condition ends, or a number has a value; the best of several keys
 //! file          a study as TOML
 //! ```
 
@@ -29,8 +31,10 @@ mod results;
 mod row;
 mod run;
 mod said;
+pub mod search;
 mod shards;
 mod side_by_side;
+mod span;
 mod subject;
 mod swing;
 mod times;
@@ -40,15 +44,16 @@ mod window;
 mod zone;
 
 pub use error::StudyError;
-pub use journal::{Begun, Earlier, Journal};
+pub use journal::{Begun, Earlier, Journal, csv};
 pub use plan::{Design, Designs, How, Plan};
 pub use region::{Grid, Point, Region};
 pub use results::{Found, Results};
-pub use row::{Columns, Row, Solved};
+pub use row::{Columns, Margin, Row, Solved};
 pub use run::{Bars, base, one, run};
 pub use said::Said;
 pub use shards::{Shard, merge};
 pub use side_by_side::side_by_side;
+pub use span::Span;
 pub use subject::Subject;
 pub use swing::{End, Swing, swings};
 pub use times::Times;

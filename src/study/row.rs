@@ -2,7 +2,7 @@
 
 use super::plan::{Design, Designs};
 use super::zone::{Limit, Zone};
-use crate::assess::{self, Light};
+use crate::assess::{self, Finding, Light, Limits, Sense};
 use crate::case::Solution;
 use crate::units::rounded;
 use crate::verification::{Number, Of, Outcome, Watch, quick};
@@ -37,6 +37,35 @@ pub struct Solved {
     pub limits: Vec<Limit>,
     /// Half the error bar of each number, in its unit; `None` where it has none. Empty where none were asked for.
     pub bars: Vec<Option<f64>>,
+    /// Whether the sheet tears.
+    pub tears: bool,
+    /// How far the verdict's rows are from turning red and from turning amber.
+    pub margins: Vec<Margin>,
+}
+
+/// How far a row of the verdict is from its limits.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Margin {
+    /// The row.
+    pub key: &'static str,
+    /// From red, over the limit: below 0 where it is red, 0 at the limit \[–\]; `None` where no number says it.
+    pub to_red: Option<f64>,
+    /// From amber, likewise.
+    pub to_amber: Option<f64>,
+}
+
+impl Margin {
+    fn of(finding: &Finding) -> Self {
+        let Some((value, Limits { sense, amber, red })) = finding.value.zip(finding.limits) else {
+            return Self { key: finding.key, to_red: None, to_amber: None };
+        };
+        let to = |limit: Option<f64>| {
+            let limit = limit.filter(|limit| *limit != 0.0)?;
+            let inside = if sense == Sense::AtMost { limit - value } else { value - limit };
+            Some(inside / limit.abs())
+        };
+        Self { key: finding.key, to_red: to(red), to_amber: to(amber.or(red)) }
+    }
 }
 
 impl Solved {
@@ -53,6 +82,8 @@ impl Solved {
             light: assess::judgements(&findings).map(|finding| finding.light).max().unwrap_or(Light::Grey),
             red: of(Light::Red),
             amber: of(Light::Amber),
+            tears: solution.stages.iter().any(|stage| assess::tears_at(stage).is_some()),
+            margins: assess::judgements(&findings).map(Margin::of).collect(),
         }
     }
 

@@ -33,6 +33,7 @@ const SIDEWAYS: &[(&str, &str)] = &[("main", "cli"), ("state", "solution"), ("so
 /// Outside crates and the rooms that alone may name them.
 const CRATES: &[(&str, &[&str])] = &[
     ("clap", &["cli", "main"]),
+    ("cobyla", &["study"]),
     ("csv", &["output", "study", "table"]),
     ("gif", &["output"]),
     ("indicatif", &["cli"]),

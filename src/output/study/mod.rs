@@ -3,6 +3,7 @@
 mod curves;
 mod kept;
 mod loads;
+pub mod search;
 mod sweep;
 mod tornado;
 mod window;

@@ -1,0 +1,209 @@
+//! `search.png`: what was run, its lights, and what was found.
+
+use crate::assess::Light;
+use crate::message::{Form, Message, message};
+use crate::output::chart::{BLACK, Chart, GREY, Look, PALE, Panel, Scale, Series, color};
+use crate::study::search::{Answer, Best, Condition, Found, Goal, Named, Quest, Said};
+use crate::study::{Row, Solved, Span};
+use crate::table::Axis;
+use crate::units::Unit;
+use crate::verification::{Number, Of};
+
+/// Numbers that are drawn where the condition names none, as far as there are such: what tears, and what the press sees.
+const USUAL: [(Of, &str); 2] = [(Of::Verdict, "thinning"), (Of::Answer, "punch_force")];
+
+/// Heights of the panels \[px of a picture 800 wide\].
+const HEIGHT: f64 = 230.0;
+
+/// What a run is drawn as: where it keeps the condition by its light, else apart from all lights.
+#[derive(Clone, Copy, PartialEq)]
+enum Mark {
+    Kept(Light),
+    NotKept,
+}
+
+impl Mark {
+    const ALL: [Self; 4] = [Self::Kept(Light::Green), Self::Kept(Light::Amber), Self::Kept(Light::Red), Self::NotKept];
+
+    /// Of a run that came to something; `is_kept` where there is a condition.
+    fn of(row: &Row, is_kept: Option<bool>) -> Option<Self> {
+        let light = row.result.as_ref().ok()?.light;
+        let light = if light == Light::Grey { Light::Green } else { light };
+        Some(if is_kept == Some(false) { Self::NotKept } else { Self::Kept(light) })
+    }
+
+    fn look(self) -> Look {
+        match self {
+            Self::Kept(Light::Red) => Look::Dots { color: color(1) },
+            Self::Kept(Light::Amber) => Look::Circles { color: color(4) },
+            Self::Kept(_) => Look::Dots { color: color(2) },
+            Self::NotKept => Look::Triangles { color: color(1) },
+        }
+    }
+
+    fn label(self, has_condition: bool) -> Message {
+        match self {
+            Self::Kept(light) if has_condition => message!("holds, {light}", light = light.name()),
+            Self::Kept(light) => light.name().into(),
+            Self::NotKept => "does not hold".into(),
+        }
+    }
+}
+
+/// The numbers of a search over its key; `None` where no run has any.
+pub fn plot(quest: &Quest, answer: &Answer, form: Form) -> Option<Chart> {
+    let (condition, named) = match &quest.goal {
+        Goal::Keep(condition) => (Some(condition), limits(condition, &answer.base)),
+        Goal::Reach(target) => (None, vec![(&target.name, answer.wanted)]),
+    };
+    let key = Key::of(&quest.span, 0, &answer.rows, condition, form);
+    let mut panels = Vec::new();
+    for (number, limit) in shown(&answer.base, &named) {
+        let is_first = panels.is_empty();
+        let label = is_first.then(|| form.tell(if condition.is_some() { "limit" } else { "wanted" }));
+        if let Some(mut panel) = key.panel(&number, is_first) {
+            panel.series.splice(0..0, limit.map(|limit| key.level(&number, limit, label)));
+            key.mark(&mut panel, quest, answer, &number, is_first);
+            panels.push(panel);
+        }
+    }
+    let varied = quest.span.key().to_owned();
+    let title = match &quest.goal {
+        Goal::Keep(condition) => {
+            message!("Search for {key}: “{condition}”", key = varied, condition = condition.text.clone())
+        }
+        Goal::Reach(target) => {
+            message!("Search for {key}: {number} as wanted", key = varied, number = target.name.text.clone())
+        }
+    };
+    let failed = answer.failed.iter().map(|(_, count)| count).sum::<usize>();
+    let note =
+        (failed > 0).then(|| message!("{n} of the runs came to nothing and are not drawn.", n = failed).told(form));
+    chart(&title, panels, note, form)
+}
+
+/// The number that is to be best over each key.
+pub fn plot_best(
+    spans: &[Span],
+    name: &Named,
+    condition: Option<&Condition>,
+    best: &Best,
+    form: Form,
+) -> Option<Chart> {
+    let number = name.find(&best.base).ok()?;
+    let (mut panels, mut column) = (Vec::new(), 0);
+    for span in spans {
+        let key = Key::of(span, column, &best.rows, condition, form);
+        column += span.keys().len();
+        if let Some(mut panel) = key.panel(number, panels.is_empty()) {
+            if let Some(at) = best.best.and_then(|run| key.place(&best.rows[run], number)) {
+                panel.series.push(Series::new(form.tell("best"), vec![at], Look::Flag));
+            }
+            panels.push(panel);
+        }
+    }
+    let name = name.text.clone();
+    let title = match condition {
+        None => message!("Search for the best {number}", number = name),
+        Some(condition) => {
+            message!("Search for the best {number}: “{condition}”", number = name, condition = condition.text.clone())
+        }
+    };
+    let note = message!("Each run stands in every panel; {n} of them are of the grid.", n = best.grid).told(form);
+    chart(&title, panels, Some(note), form)
+}
+
+fn chart(title: &Message, panels: Vec<Panel>, note: Option<String>, form: Form) -> Option<Chart> {
+    let chart = Chart { title: title.told(form), legend: String::new(), panels, notes: note.into_iter().collect() };
+    (!chart.panels.is_empty()).then_some(chart)
+}
+
+/// The numbers that a condition limits, with their limits.
+fn limits<'a>(condition: &'a Condition, base: &Solved) -> Vec<(&'a Named, Option<f64>)> {
+    let of = |name: &Named, limit| name.find(base).and_then(|number| name.limit(number, limit)).ok();
+    condition.numbers().map(|(name, limit)| (name, of(name, limit))).collect()
+}
+
+/// What is drawn: numbers that are named, else the usual ones.
+fn shown(base: &Solved, named: &[(&Named, Option<f64>)]) -> Vec<(Number, Option<f64>)> {
+    let own: Vec<_> = named.iter().filter_map(|(name, limit)| Some((name.find(base).ok()?.clone(), *limit))).collect();
+    if !own.is_empty() {
+        return own;
+    }
+    let usual = USUAL.iter().filter_map(|(of, key)| base.outcome.numbers.iter().find(|n| n.of == *of && n.key == *key));
+    usual.map(|number| (number.clone(), None)).collect()
+}
+
+/// What is varied, and the runs over it.
+struct Key<'a> {
+    axis: Axis,
+    /// What its values are multiplied by to be drawn.
+    times: f64,
+    /// Its place among the values of a design.
+    column: usize,
+    runs: Vec<(Mark, &'a Row)>,
+    has_condition: bool,
+    form: Form,
+}
+
+impl<'a> Key<'a> {
+    fn of(span: &Span, column: usize, rows: &'a [Row], condition: Option<&Condition>, form: Form) -> Self {
+        let (unit, times) = span.solver_unit().unwrap_or((Unit::None, 1.0));
+        let (axis, told) = Axis::named(span.key().to_owned(), unit).told(form, span.ends()[1] * times);
+        let is_kept = |row: &Row| condition.map(|condition| condition.judge(row) == Said::Holds);
+        let runs = rows.iter().filter_map(|row| Some((Mark::of(row, is_kept(row))?, row))).collect();
+        Self { axis, times: times * told.factor, column, runs, has_condition: condition.is_some(), form }
+    }
+
+    /// A number's axis, and what its values are multiplied by.
+    fn scale(&self, number: &Number) -> (Axis, f64) {
+        let label = self.form.tell(number.label);
+        let (axis, told) = Axis::named(label, number.amount.unit).told(self.form, number.amount.value);
+        (axis, told.factor)
+    }
+
+    /// Where a run is drawn.
+    fn place(&self, row: &Row, number: &Number) -> Option<(f64, f64)> {
+        let x = row.design.values[self.column].number? * self.times;
+        Some((x, row.result.as_ref().ok()?.outcome.value(number)? * self.scale(number).1))
+    }
+
+    /// A number of all runs.
+    fn panel(&self, number: &Number, is_first: bool) -> Option<Panel> {
+        let series = Mark::ALL.into_iter().filter_map(|mark| {
+            let own = self.runs.iter().filter(|(of, _)| *of == mark);
+            let points: Vec<_> = own.filter_map(|(_, row)| self.place(row, number)).collect();
+            let label = is_first.then(|| mark.label(self.has_condition).told(self.form));
+            (!points.is_empty()).then(|| Series { label, points, look: mark.look() })
+        });
+        let series: Vec<Series> = series.collect();
+        let scale = Scale::Fit { height: HEIGHT, least: 0.0 };
+        (!series.is_empty()).then(|| Panel { x: self.axis.clone(), y: self.scale(number).0, series, scale })
+    }
+
+    /// A value of a number, over all runs.
+    fn level(&self, number: &Number, value: f64, label: Option<String>) -> Series {
+        let values = self.runs.iter().filter_map(|(_, row)| row.design.values[self.column].number);
+        let ends = values.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], x| [x.min(low), x.max(high)]);
+        let points = ends.map(|x| (x * self.times, value * self.scale(number).1)).to_vec();
+        Series { label, points, look: Look::Line { color: GREY, width: 1.6, dash: &[6.0, 4.0] } }
+    }
+
+    /// What was found: the bracket over the height of a panel, and in the first the value.
+    fn mark(&self, panel: &mut Panel, quest: &Quest, answer: &Answer, number: &Number, is_first: bool) {
+        let Found::Between([inner, outer]) = answer.bracket.found else { return };
+        let [_, (low, high)] = panel.ranges();
+        let [a, b] = [inner, outer].map(|value| value * self.times);
+        let outline = vec![(a, low), (a, high), (b, high), (b, low)];
+        panel.series.insert(0, Series::silent(outline, Look::Area { fill: PALE, edge: None }));
+        let Some(run) = answer.best else { return };
+        let x = answer.value(run);
+        match self.place(&answer.rows[run], number).filter(|_| is_first) {
+            Some(at) => panel.series.push(Series::new(quest.span.told(x).told(self.form), vec![at], Look::Flag)),
+            None => {
+                let line = Look::Line { color: BLACK, width: 1.2, dash: &[] };
+                panel.series.push(Series::silent(vec![(x * self.times, low), (x * self.times, high)], line));
+            }
+        }
+    }
+}

@@ -1,0 +1,108 @@
+//! The runs of a search: made when they are asked for, many at once, each known by its index.
+
+use crate::message::Message;
+use crate::study::hash::short_hash;
+use crate::study::{Design, Designs, Row, Span, Subject, one, side_by_side};
+use crate::verification::Watch;
+use std::convert::Infallible;
+
+/// The runs of a search, in the order in which they were made.
+pub struct Trials<'a> {
+    subject: &'a Subject,
+    spans: &'a [Span],
+    key: String,
+    threads: usize,
+    watch: &'a dyn Watch,
+    /// Runs that are to be expected, for whoever counts.
+    expected: usize,
+    /// What came of each.
+    pub rows: Vec<Row>,
+}
+
+/// Counts on from the runs before.
+struct Further<'a> {
+    watch: &'a dyn Watch,
+    before: usize,
+    expected: usize,
+}
+
+impl Watch for Further<'_> {
+    fn wants_to_stop(&self) -> bool {
+        self.watch.wants_to_stop()
+    }
+
+    fn ran(&self, done: usize, _: usize) {
+        let done = self.before + done;
+        self.watch.ran(done, self.expected.max(done + 1));
+    }
+}
+
+impl<'a> Trials<'a> {
+    /// Of a case, none made yet.
+    pub fn new(subject: &'a Subject, spans: &'a [Span], threads: usize, watch: &'a dyn Watch, expected: usize) -> Self {
+        let key = short_hash([subject.key(), &format!("{spans:?}")]);
+        Self { subject, spans, key, threads, watch, expected, rows: Vec::new() }
+    }
+
+    /// Makes runs at values of the spans side by side, and returns their indices; `None` where they were interrupted.
+    pub fn run(&mut self, points: &[Vec<f64>]) -> Option<Vec<usize>> {
+        let first = self.rows.len();
+        let designs: Vec<Design> =
+            points.iter().enumerate().map(|(i, point)| design(self.spans, first + i, point)).collect();
+        let further = Further { watch: self.watch, before: first, expected: self.expected };
+        let (subject, rows) = (self.subject, &mut self.rows);
+        let Ok(()) = side_by_side(
+            &designs,
+            self.threads,
+            &further,
+            |design| one(subject, design.clone(), &further),
+            |row| {
+                rows.push(row);
+                Ok::<_, Infallible>(())
+            },
+        );
+        let is_whole = self.rows.len() == first + points.len();
+        is_whole.then(|| (first..self.rows.len()).collect())
+    }
+}
+
+/// The design at values of the spans.
+pub(super) fn design(spans: &[Span], index: usize, point: &[f64]) -> Design {
+    let values: Vec<_> = spans.iter().zip(point).map(|(span, x)| span.values(*x)).collect();
+    let settings = spans.iter().zip(&values).flat_map(|(span, values)| span.settings(values)).collect();
+    Design { index: index as u64, values: values.into_iter().flatten().collect(), settings }
+}
+
+impl Designs for Trials<'_> {
+    fn subject(&self) -> &Subject {
+        self.subject
+    }
+
+    fn key(&self) -> &str {
+        &self.key
+    }
+
+    fn headers(&self) -> Vec<String> {
+        self.spans.iter().flat_map(Span::keys).map(|vary| vary.header()).collect()
+    }
+
+    fn count(&self) -> u64 {
+        self.rows.len() as u64
+    }
+
+    fn design(&self, index: u64) -> Design {
+        self.rows[index as usize].design.clone()
+    }
+}
+
+/// Why runs came to nothing, each reason once with how often.
+pub fn reasons(all: impl Iterator<Item = Message>) -> Vec<(Message, usize)> {
+    let mut reasons: Vec<(Message, usize)> = Vec::new();
+    for why in all {
+        match reasons.iter_mut().find(|(known, _)| *known == why) {
+            Some((_, count)) => *count += 1,
+            None => reasons.push((why, 1)),
+        }
+    }
+    reasons
+}

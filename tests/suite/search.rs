@@ -1,0 +1,310 @@
+//! Searches: limits of known functions with noise, islands and failed trials; conditions; the searches that have a name.
+
+use crate::common::cli::{stampflow, text};
+use stampflow::study::search::{
+    Aim, Answer, Bracket, Condition, Found, Goal, Line, Quest, Said, Side, Target, Template, Wanted, bracket,
+};
+use stampflow::study::{Row, Span, StudyError, Subject, base, one};
+use std::cell::Cell;
+
+const CASE: &str = "cases/quickstart.toml";
+
+/// The span 0 to 100, known within 0.5, two trials at once.
+fn found(aim: Aim, says: impl Fn(f64) -> Option<f64>) -> (Bracket, usize) {
+    let runs = Cell::new(0);
+    let line = Line {
+        at: &|way| (1e3 * way).round() / 10.0,
+        share: &|x| x / 100.0,
+        tolerance: &|_| 0.5,
+        places: 9,
+        at_once: 2,
+    };
+    let bracket = bracket(&line, aim, &mut |values| {
+        runs.set(runs.get() + values.len());
+        Some(values.iter().map(|x| says(*x)).collect())
+    });
+    (bracket, runs.get())
+}
+
+fn holds(is: bool) -> Option<f64> {
+    Some(if is { 1.0 } else { -1.0 })
+}
+
+fn between(bracket: &Bracket) -> [f64; 2] {
+    let Found::Between(ends) = bracket.found else { panic!("{bracket:?}") };
+    ends
+}
+
+/// Trust: the limit is given.
+#[test]
+fn the_limit_of_a_step_lies_in_a_bracket_as_narrow_as_is_asked_for() {
+    for limit in [3.3, 37.21, 50.0, 87.4, 99.2] {
+        let (largest, runs) = found(Aim::Edge(Side::Largest), |x| holds(x <= limit));
+        let [inner, outer] = between(&largest);
+        assert!(inner <= limit && limit < outer && outer - inner <= 0.5, "{limit}: {inner} {outer}");
+        // 9 places, three rounds of two that divide 12.5 by 3 each time, four beside.
+        assert!(runs <= 9 + 6 + 4, "{runs} runs");
+        assert_eq!(largest.mixed, None);
+        let (smallest, _) = found(Aim::Edge(Side::Smallest), |x| holds(x > limit));
+        let [inner, outer] = between(&smallest);
+        assert!(outer <= limit && limit < inner && inner - outer <= 0.5, "{limit}: {inner} {outer}");
+    }
+}
+
+/// Trust: two stretches, the second of which a bisection between the ends would not see.
+#[test]
+fn a_condition_that_comes_and_goes_is_told_with_all_its_stretches() {
+    let says = |x: f64| holds((10.0..=40.0).contains(&x) || (60.0..=80.0).contains(&x));
+    let (largest, _) = found(Aim::Edge(Side::Largest), says);
+    let [inner, outer] = between(&largest);
+    assert!(inner <= 80.0 && outer > 80.0);
+    assert_eq!(largest.stretches.len(), 2, "{:?}", largest.stretches);
+    let [inner, outer] = between(&found(Aim::Edge(Side::Smallest), says).0);
+    assert!(outer < 10.0 && inner >= 10.0);
+    // A stretch between the first places is found by the second look.
+    let [inner, outer] = between(&found(Aim::Edge(Side::Largest), |x| holds((17.0..=22.0).contains(&x))).0);
+    assert!(inner <= 22.0 && outer > 22.0);
+}
+
+/// Trust: the answer changes back and forth within 2 of the limit and nowhere else.
+#[test]
+fn noise_about_a_limit_is_told_and_the_answer_lies_below_it() {
+    let noise = |x: f64| 2.0 * ((x * 7919.0).sin() * 43_758.545).fract();
+    let mut told = 0;
+    for limit in [31.0, 43.5, 57.3, 66.6, 71.9] {
+        let (largest, _) = found(Aim::Edge(Side::Largest), |x| holds(x + noise(x) <= limit));
+        let [inner, outer] = between(&largest);
+        assert!((inner - limit).abs() <= 2.5 && outer - inner <= 0.5, "{limit}: {inner} {outer}");
+        if let Some(mixed) = &largest.mixed {
+            told += 1;
+            assert!(limit - mixed.start() <= 2.6 && mixed.end() - limit <= 2.6, "{limit}: {mixed:?}");
+        }
+    }
+    assert!(told >= 2, "noise is seen where trials beside the limit meet it: {told} of 5");
+}
+
+/// Trust: trials in the last two thirds of every tenth fail; a limit outside such a stretch is found all the same.
+#[test]
+fn a_failed_trial_is_neither_and_others_are_tried_beside_it() {
+    let says = |x: f64| if (x * 10.0) as i64 % 7 < 3 { None } else { holds(x <= 61.0) };
+    let [inner, outer] = between(&found(Aim::Edge(Side::Largest), says).0);
+    assert!(inner <= 61.0 && outer > 61.0 && outer - inner <= 1.5, "{inner} {outer}");
+    assert_eq!(found(Aim::Edge(Side::Largest), |_| None).0.found, Found::Failed);
+    let open = found(Aim::Edge(Side::Largest), |x| if x > 50.0 { None } else { holds(true) }).0;
+    assert_eq!(open.found, Found::Open(50.0));
+}
+
+/// Trust: nothing to find.
+#[test]
+fn a_condition_that_holds_everywhere_or_nowhere_is_told() {
+    assert_eq!(found(Aim::Edge(Side::Largest), |_| holds(true)).0.found, Found::Everywhere(100.0));
+    assert_eq!(found(Aim::Edge(Side::Smallest), |_| holds(true)).0.found, Found::Everywhere(0.0));
+    assert_eq!(found(Aim::Edge(Side::Largest), |_| holds(false)).0.found, Found::Nowhere);
+    assert_eq!(found(Aim::Crossing(Side::Smallest), |x| Some(1.0 + x)).0.found, Found::Nowhere);
+    let mut asked = 0;
+    let line = Line { at: &|way| way, share: &|x| x, tolerance: &|_| 0.01, places: 5, at_once: 1 };
+    let ended = bracket(&line, Aim::Edge(Side::Largest), &mut |values| {
+        asked += 1;
+        (asked < 3).then(|| values.iter().map(|x| holds(*x < 0.3)).collect())
+    });
+    assert_eq!(ended.found, Found::Interrupted);
+    assert!(ended.trials.len() >= 5, "what was done is kept");
+}
+
+/// Trust: roots by hand; the secant takes fewer trials than sections do.
+#[test]
+fn a_smooth_number_crosses_where_its_root_is() {
+    for root in [12.0f64, 47.3, 93.1] {
+        let (crossing, runs) = found(Aim::Crossing(Side::Smallest), |x| Some(x.powi(3) - root.powi(3)));
+        let [a, b] = between(&crossing);
+        assert!((a - root) * (b - root) <= 0.0 && (b - a).abs() <= 0.5, "{root}: {a} {b}");
+        assert!(runs <= 9 + 4 + 4, "{root}: {runs} runs");
+    }
+    let parabola = |x: f64| Some((x - 20.0) * (x - 70.0));
+    let [a, b] = between(&found(Aim::Crossing(Side::Smallest), parabola).0);
+    assert!(a.min(b) <= 20.0 && a.max(b) >= 20.0);
+    let [a, b] = between(&found(Aim::Crossing(Side::Largest), parabola).0);
+    assert!(a.min(b) <= 70.0 && a.max(b) >= 70.0);
+}
+
+/// Coarse runs of the quickstart's cup.
+fn subject(set: &[&str]) -> Subject {
+    let coarse = ["blank.elements=30", "solver.max_step=0.05"];
+    Subject::new(CASE, coarse.iter().chain(set).map(|s| (*s).to_owned()).collect()).expect("a case")
+}
+
+fn row(set: &[&str]) -> Row {
+    let subject = subject(&[]);
+    let settings = set.iter().map(|s| (*s).to_owned()).collect();
+    one(&subject, stampflow::study::Design { index: 0, values: Vec::new(), settings }, &())
+}
+
+fn judged(row: &Row, condition: &str) -> Said {
+    Condition::read(condition).expect(condition).judge(row)
+}
+
+/// Trust: the quickstart is amber for its friction, thins by 5.9 %, has a punch force of 45 kN, draws in 12.8 mm.
+#[test]
+fn conditions_are_judged_by_lights_and_numbers_with_their_units() {
+    let sound = row(&[]);
+    for (condition, expected) in [
+        ("no red", Said::Holds),
+        ("no red or amber", Said::Fails),
+        ("wrinkling not red", Said::Holds),
+        ("friction is not red or amber", Said::Fails),
+        ("no tear", Said::Holds),
+        ("thinning < 20 %", Said::Holds),
+        ("thinning < 3 %", Said::Fails),
+        ("punch_force <= 60 kN", Said::Holds),
+        ("Punch force > 10 tonf and draw_in >= 8 mm", Said::Fails),
+        ("no red and punch_force_N >= 40 kN and draw_in < 0.6 in", Said::Holds),
+    ] {
+        assert_eq!(judged(&sound, condition), expected, "{condition}");
+    }
+    let torn = row(&["blank.diameter=160 mm", "tools.punch.travel=60 mm"]);
+    assert_eq!(judged(&torn, "no tear"), Said::Fails);
+    assert_eq!(
+        judged(&torn, "punch_force <= 600 kN"),
+        Said::Fails,
+        "a number of a sheet that tore is none of the part"
+    );
+    let none = row(&["tools.die.throat=20 mm"]);
+    assert!(matches!(judged(&none, "no red"), Said::Neither(why) if why.to_string().contains("throat")));
+}
+
+/// Trust: each is wrong in the way that its message says.
+#[test]
+fn wrong_searches_are_told_before_anything_is_searched() {
+    let subject = subject(&[]);
+    let wrong = |text: &str| {
+        let error = Condition::read(text).and_then(|condition| condition.check(&base(&subject, &())?));
+        error.expect_err(text).to_string()
+    };
+    for (text, said) in [
+        ("red", "no condition"),
+        ("thinning", "no condition"),
+        ("thinnning < 20 %", "did you mean `thinning`"),
+        ("thinning < 20", "in %"),
+        ("thinning < 20 mm", "in %, not a length"),
+        ("punch_force < 60 kNN", "kNN"),
+        ("wrinkles not red", "no row `wrinkles`"),
+    ] {
+        assert!(wrong(text).contains(said), "{text}: {}", wrong(text));
+    }
+    let span = |text: &str| Span::read(text, &subject);
+    for (text, said) in [
+        ("blank.diameter=90..140", "unit"),
+        ("blank.diameter=90 mm", "no range"),
+        ("blank.diameter=90..140 mm/2", "2 places"),
+        ("blank.colour", "no number at `blank.colour`"),
+        ("blank.diameter=0..140 mm log", "logarithms"),
+    ] {
+        let told = span(text).map(|span| Quest {
+            subject: subject.clone(),
+            span,
+            goal: Goal::Keep(Condition::read("no red").expect("a condition")),
+            side: Side::Largest,
+        });
+        let told = told.and_then(|quest| quest.search(1, &())).expect_err(text).to_string();
+        assert!(told.contains(said), "{text}: {told}");
+    }
+    let about = span("blank.diameter").expect("about 110 mm");
+    assert_eq!(about.ends(), [55.0, 220.0]);
+    assert!(about.within("3 kN").is_err_and(|error| error.to_string().contains("tolerance")));
+    assert!(Target::read("draw_in").is_err());
+}
+
+/// What a template finds on a case.
+fn searched(name: &str, case: &str, set: &[&str], target: Option<&str>) -> Result<(Quest, Answer), StudyError> {
+    let set: Vec<String> = set.iter().map(|s| (*s).to_owned()).collect();
+    let draft = Template::named(name)?.draft(&Subject::new(case, set.clone())?.case(&[])?)?;
+    let subject = Subject::new(case, draft.settings.into_iter().chain(set).collect())?;
+    let goal = match (draft.goal, target) {
+        (Wanted::Condition(condition), _) => Goal::Keep(Condition::read(condition)?),
+        (Wanted::Number(number), target) => Goal::Reach(Target::read(&format!("{number}={}", target.unwrap_or("")))?),
+    };
+    let side = if draft.is_smallest { Side::Smallest } else { Side::Largest };
+    let quest = Quest { span: Span::read(&draft.vary, &subject)?, subject, goal, side };
+    let answer = quest.search(2, &())?;
+    Ok((quest, answer))
+}
+
+const COARSE: [&str; 2] = ["blank.elements=40", "solver.max_step=0.02"];
+
+/// Trust: Siebel's force for the quickstart's cup, 5.5 kN, is what its verdict advises; a bead that lets as much in as is
+/// wanted, within a hundredth; a tool that cannot be had is told.
+#[test]
+fn searches_that_have_a_name_take_what_they_need_from_the_case() {
+    let (_, holder) = searched("least-holder-force", CASE, &COARSE, None).expect("a search");
+    let force = holder.value(holder.best.expect("found"));
+    let beside = holder.value(holder.other.expect("the other side"));
+    assert!(beside < force && force < 1.05 * beside, "{beside} {force}");
+    let red = |run: usize| holder.rows[run].result.as_ref().expect("solved").amber.contains(&"wrinkling");
+    assert!(red(holder.other.expect("found")) && !red(holder.best.expect("found")));
+
+    let (_, bead) = searched("bead-force", "cases/hydroform.toml", &COARSE, Some("10 mm")).expect("a search");
+    let best = bead.rows[bead.best.expect("found")].result.as_ref().expect("solved");
+    assert!((best.number("draw_in_mm").expect("drawn in") - 10.0).abs() < 0.1);
+
+    let (_, radius) = searched("smallest-radius", CASE, &COARSE, None).expect("a search");
+    assert!(matches!(radius.bracket.found, Found::Between([inner, outer]) if outer < inner && inner < 6.0));
+
+    for (name, case, said) in [
+        ("bead-force", CASE, "needs a bead"),
+        ("over-bend", CASE, "takes the tools away"),
+        ("least-holder-force", "cases/hydroform.toml", "a holder with a force"),
+        ("limiting-draw-ratio", "cases/strip_draw.toml", "axisymmetric"),
+        ("greatest-width", CASE, "choose one of limiting-draw-ratio"),
+    ] {
+        let error = searched(name, case, &[], Some("10 mm")).expect_err(name).to_string();
+        assert!(error.contains(said), "{name}: {error}");
+    }
+}
+
+/// Trust: what the page says is what the command prints; a mistake has its code and names what to write.
+#[test]
+fn the_program_searches_writes_its_table_and_picture_and_tells_mistakes() {
+    let folder = temp_dir::TempDir::new().expect("a folder");
+    let out = folder.path().to_str().expect("a name");
+    let coarse = ["--set", "blank.elements=40", "--set", "solver.max_step=0.02", "--out", out, "--no-error-bars"];
+    let root = std::path::Path::new(env!("CARGO_MANIFEST_DIR"));
+    let run = |args: &[&str]| stampflow(root, &[&["search", CASE], args, &coarse].concat());
+    let search = |args: &[&str]| {
+        let ended = run(args);
+        assert!(ended.status.success(), "{args:?}: {}", text(&ended.stderr));
+        text(&ended.stdout).split_whitespace().collect::<Vec<_>>().join(" ")
+    };
+    let said = search(&["--vary", "blank.diameter=100..150 mm", "--largest", "--while", "thinning < 10 %"]);
+    assert!(said.contains("blank.diameter: “thinning < 10 %” holds up to 11"), "{said}");
+    let table = std::fs::read_to_string(folder.path().join("search.csv")).expect("a table");
+    assert!(table.starts_with("study,designs,index,inputs_sha256,blank.diameter_mm,"), "{table}");
+    assert!(folder.path().join("search.png").exists());
+    let german =
+        search(&["--vary", "blank.diameter=100..150 mm", "--largest", "--while", "thinning < 10 %", "--lang", "de"]);
+    assert!(german.contains("ist bis 11") && german.contains("Stempelkraft"), "{german}");
+    let best = search(&[
+        "--vary",
+        "tools.die.shoulder=5..9 mm",
+        "--vary",
+        "friction=0.04..0.12",
+        "--minimise",
+        "punch_force",
+        "--while",
+        "thinning < 8 %",
+        "--json",
+    ]);
+    let best: serde_json::Value = serde_json::from_str(&best).expect("JSON");
+    // A force falls with friction and with a rounder shoulder: the corner of both spans.
+    assert_eq!(best["values"], serde_json::json!({ "tools.die.shoulder_mm": 9.0, "friction": 0.04 }));
+    for (args, said) in [
+        (&["--vary", "blank.diameter=90..140 mm", "--while", "no red"][..], "--largest or --smallest"),
+        (&["--vary", "blank.diameter=90..140 mm", "--largest"], "--while"),
+        (&["--largest", "--while", "no red"], "nothing to vary"),
+        (&["--for", "over-bend"], "takes the tools away"),
+        (&["--vary", "blank.diametre=90..140 mm", "--largest", "--while", "no red"], "diametre"),
+    ] {
+        let ended = run(args);
+        let error = text(&ended.stderr);
+        assert!(ended.status.code() == Some(2) && error.contains(said), "{args:?}: {error}");
+    }
+}
