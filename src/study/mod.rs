@@ -11,6 +11,7 @@
 //! Journal       study.csv on its way; goes on after any end
 //! Shard         a part of a study that runs by itself; merge puts them together
 //! file          a study as TOML
+//! scatter       designs that are drawn by chance, and what can be said of them
 //! ```
 
 mod error;
@@ -20,6 +21,7 @@ mod journal;
 mod plan;
 mod row;
 mod run;
+pub mod scatter;
 mod shards;
 mod side_by_side;
 mod subject;
