@@ -1,10 +1,12 @@
 //! The built-in materials: one file of `library/` each, every number with its source.
 
+mod class;
 mod entries;
 mod lookup;
 mod measured;
 mod strength;
 
+pub use class::Class;
 pub use entries::StandsFor;
 pub use measured::{Fit, Measured, Point, Rates};
 
@@ -37,6 +39,8 @@ pub struct Entry {
     pub thickness: Option<String>,
     /// The grades that it stands for, where there are any.
     pub stands_for: Option<StandsFor>,
+    /// How much sheets of its class scatter, where a standard says it.
+    pub class: Option<Class>,
     /// What a user should know of the numbers.
     pub notes: Vec<String>,
     /// What the laws are fitted to, where the library has it.
@@ -165,6 +169,7 @@ fn entry(name: &'static str, text: &'static str) -> Result<Entry, CaseError> {
         licence,
         thickness,
         stands_for,
+        scatter,
         mut notes,
         measured,
         material: said,
@@ -185,6 +190,7 @@ fn entry(name: &'static str, text: &'static str) -> Result<Entry, CaseError> {
         licence,
         thickness,
         stands_for,
+        class: scatter,
         notes,
         measured,
         material,

@@ -37,6 +37,7 @@ mod source;
 mod sources;
 mod syntax;
 mod wording;
+mod written;
 
 pub use error::CaseError;
 pub use file::{CaseFile, TitleBlock};

@@ -55,7 +55,7 @@ pub(super) fn apply(text: &str, overrides: &[String]) -> Result<String, CaseErro
 
 /// An override of all tables of one table at once, `tools.*.friction=0.1`, for each of them; `friction=0.1` is that of every
 /// tool.
-fn spread(document: &DocumentMut, written: &str) -> Vec<String> {
+pub(super) fn spread(document: &DocumentMut, written: &str) -> Vec<String> {
     let Some((path, value)) = written.split_once('=') else { return vec![written.to_owned()] };
     let path = if path.trim() == "friction" { "tools.*.friction" } else { path };
     let Some((above, below)) = path.split_once(".*.") else { return vec![format!("{path}={value}")] };

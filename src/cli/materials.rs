@@ -8,10 +8,11 @@ use super::suggested::Suggested;
 use super::table::{Cell, table};
 use anyhow::Result;
 use serde_json::{Value, json};
-use stampflow::case::library::{self, Entry, Fit};
+use stampflow::case::library::{self, Class, Entry, Fit};
 use stampflow::forming_limit::{Curve, Hill, Kind, MarciniakKuczynski};
 use stampflow::material::BackStress;
 use stampflow::output::{Chart, flow_curve, png, write};
+use stampflow::rules::thickness_tolerance::Standard;
 use stampflow::units::rounded;
 use std::path::PathBuf;
 
@@ -127,6 +128,7 @@ fn describe(entry: &Entry) -> Shown {
         ("FLC points", measured),
         ("E, ν", elastic),
         ("thickness", entry.thickness.clone().unwrap_or(UNKNOWN.to_owned())),
+        ("scatter", entry.class.as_ref().map_or(UNKNOWN.to_owned(), of_class)),
         ("source", entry.source.clone()),
         ("read", entry.grade.clone() + grade(&entry.grade)),
         ("licence", entry.licence.clone()),
@@ -135,6 +137,13 @@ fn describe(entry: &Entry) -> Shown {
     let rows = known.map(|(label, value)| [Cell::plain(format!("  {label}")), Cell::plain(value)]);
     let paste = format!("\nIn a case:\n\n[material]\nname = \"{name}\"\n\nor all of it:\n\n{}", entry.text);
     Shown::from(format!("{name}: {title}\n\n")) + table(None, rows.collect()) + paste.into()
+}
+
+/// How much sheets of a class scatter.
+fn of_class(class: &Class) -> String {
+    let strength = class.strength().map(|[low, high]| format!("Rm {low} to {high} MPa ({})", class.source));
+    let thickness = class.thickness.map(|standard| format!("thickness by {}", standard.source()));
+    strength.into_iter().chain(thickness).collect::<Vec<_>>().join("; ")
 }
 
 /// What a grade means.
@@ -232,6 +241,13 @@ fn of(entry: &Entry) -> Value {
             shifting.chaboche.iter().map(of).collect::<Vec<_>>()
         }),
         "thickness": entry.thickness,
+        "scatter": entry.class.as_ref().map(|class| {
+            json!({
+                "tensile_strength_MPa": class.strength(),
+                "thickness": class.thickness.map(Standard::name),
+                "source": class.source,
+            })
+        }),
         "source": entry.source,
         "grade": entry.grade,
         "licence": entry.licence,

@@ -5,4 +5,5 @@ pub mod design;
 pub mod estimate;
 pub mod r_values;
 pub mod size;
+pub mod thickness_tolerance;
 pub mod tool_sizes;

@@ -10,7 +10,7 @@ mod stop;
 pub use beginning::{Closing, Trimmed};
 pub use energy::{Energy, Heat};
 pub use step_record::StepRecord;
-pub use stop::Stop;
+pub use stop::{LOST, Stop};
 
 use crate::forming_limit::Paths;
 use crate::geometry::Point;

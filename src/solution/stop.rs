@@ -4,6 +4,14 @@ use crate::message::{Amount, Message, message};
 use crate::model::ModelError;
 use crate::units::Unit;
 
+const REFUSED: &str = "refused";
+const INTERRUPTED: &str = "interrupted";
+const CREEPING: &str = "creeping";
+const NO_EQUILIBRIUM: &str = "no equilibrium";
+
+/// Kinds of ends that the numerics or the user made: they say nothing of the part.
+pub const LOST: [&str; 4] = [REFUSED, INTERRUPTED, CREEPING, NO_EQUILIBRIUM];
+
 /// Why a run ended.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Stop {
@@ -162,7 +170,7 @@ impl Stop {
     /// The kind in a few words.
     pub fn kind(&self) -> &'static str {
         match self {
-            Stop::Refused(_) => "refused",
+            Stop::Refused(_) => REFUSED,
             Stop::FullTravel => "full travel",
             Stop::LoadMaximum { .. } => "load maximum passed",
             Stop::ContactShare { .. } => "contact share reached",
@@ -174,9 +182,9 @@ impl Stop {
             Stop::DrawnThrough { .. } => "drawn through",
             Stop::HolderClosed { .. } => "holder closed",
             Stop::ToolsClosed { .. } => "tools closed",
-            Stop::Interrupted { .. } => "interrupted",
-            Stop::Creeping { .. } => "creeping",
-            Stop::NoEquilibrium { .. } => "no equilibrium",
+            Stop::Interrupted { .. } => INTERRUPTED,
+            Stop::Creeping { .. } => CREEPING,
+            Stop::NoEquilibrium { .. } => NO_EQUILIBRIUM,
         }
     }
 

@@ -17,36 +17,61 @@
 use super::plan::{How, Plan};
 use super::{StudyError, Vary};
 use crate::files::{self, Disk, Files};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use toml_edit::{DocumentMut, Item, TableLike, Value};
 
 /// The keys of a study.
 const KEYS: [&str; 5] = ["case", "set", "one_at_a_time", "vary", "together"];
+
+/// What every study says.
+pub(super) struct Study {
+    /// The whole file.
+    pub document: DocumentMut,
+    /// The case that it is of, from where the file stands.
+    pub case: PathBuf,
+    /// Overrides of all runs.
+    pub set: Vec<String>,
+}
+
+impl Study {
+    /// Reads a file that may have these keys.
+    pub fn read(path: &Path, keys: &[&str]) -> Result<Self, StudyError> {
+        let shown = path.display();
+        let disk: &dyn Files = &Disk;
+        let text = disk.text(path, files::CASE).map_err(|error| {
+            StudyError::new(format!("cannot read {shown}: {error}"), "give a study file, or a case file with --vary")
+        })?;
+        let document: DocumentMut = text.parse().map_err(|error: toml_edit::TomlError| {
+            let line = error.span().map_or(0, |span| 1 + text[..span.start].matches('\n').count());
+            StudyError::new(format!("{shown}, line {line}: {}", error.message()), "a study is TOML, as a case file")
+        })?;
+        let wrong = |what: String| StudyError::new(format!("{shown}: {what}"), format!("it has {}", keys.join(", ")));
+        if let Some((key, _)) = document.iter().find(|(key, _)| !keys.contains(key)) {
+            return Err(wrong(format!("`{key}` is no key of this study")));
+        }
+        let case = document.get("case").and_then(Item::as_str).ok_or_else(|| wrong("it names no `case`".into()))?;
+        let case = path.parent().unwrap_or(Path::new("")).join(case);
+        let set = document.get("set").map_or(Ok(Vec::new()), |set| {
+            let texts =
+                set.as_array().map(|set| set.iter().map(|text| text.as_str().map(str::to_owned)).collect());
+            texts
+                .flatten()
+                .ok_or_else(|| wrong("`set` is no list of texts such as \"tools.punch.friction=0.1\"".into()))
+        })?;
+        Ok(Self { document, case, set })
+    }
+}
 
 /// Reads a study; overrides come behind its own.
 ///
 /// # Errors
 /// When it cannot be read, is no TOML, has a key that is none of a study, or as [`Plan::new`].
 pub fn load(path: &Path, overrides: Vec<String>) -> Result<Plan, StudyError> {
-    let shown = path.display();
-    let disk: &dyn Files = &Disk;
-    let text = disk.text(path, files::CASE).map_err(|error| {
-        StudyError::new(format!("cannot read {shown}: {error}"), "give a study file, or a case file with --vary")
-    })?;
-    let document: DocumentMut = text.parse().map_err(|error: toml_edit::TomlError| {
-        let line = error.span().map_or(0, |span| 1 + text[..span.start].matches('\n').count());
-        StudyError::new(format!("{shown}, line {line}: {}", error.message()), "a study is TOML, as a case file")
-    })?;
-    let wrong =
-        |what: String| StudyError::new(format!("{shown}: {what}"), "a study has case, set, one_at_a_time, [vary] and [[together]]");
-    if let Some((key, _)) = document.iter().find(|(key, _)| !KEYS.contains(key)) {
-        return Err(wrong(format!("`{key}` is no key of a study")));
-    }
-    let case = document.get("case").and_then(Item::as_str).ok_or_else(|| wrong("it names no `case`".into()))?;
-    let set = document.get("set").map_or(Ok(Vec::new()), |set| {
-        let texts = set.as_array().map(|set| set.iter().map(|text| text.as_str().map(str::to_owned)).collect());
-        texts.flatten().ok_or_else(|| wrong("`set` is no list of texts such as \"tools.punch.friction=0.1\"".into()))
-    })?;
+    let Study { document, case, set } = Study::read(path, &KEYS)?;
+    let wrong = |what: String| {
+        let help = "a study has case, set, one_at_a_time, [vary] and [[together]]";
+        StudyError::new(format!("{}: {what}", path.display()), help)
+    };
     let how = match document.get("one_at_a_time").map(Item::as_bool) {
         None | Some(Some(false)) => How::Combined,
         Some(Some(true)) => How::OneAtATime,
@@ -66,7 +91,6 @@ pub fn load(path: &Path, overrides: Vec<String>) -> Result<Plan, StudyError> {
     if axes.iter().any(Vec::is_empty) {
         return Err(wrong("a [[together]] has no keys".into()));
     }
-    let case = path.parent().unwrap_or(Path::new("")).join(case);
     Ok(Plan::new(case, set.into_iter().chain(overrides).collect(), axes)?.made(how))
 }
 

@@ -18,6 +18,7 @@
 //! Span          a stretch of a key's values, or of several that move together
 //! search        where a condition ends, or a number has a value; the best of several keys
 //! file          a study as TOML
+//! scatter       designs that are drawn by chance, and what can be said of them
 //! ```
 
 mod deciding;
@@ -32,6 +33,7 @@ mod row;
 mod run;
 mod said;
 pub mod search;
+pub mod scatter;
 mod shards;
 mod side_by_side;
 mod span;

@@ -46,6 +46,8 @@ const CRATES: &[(&str, &[&str])] = &[
     ("rayon", &["cli", "verification"]),
     ("rustix", &["output"]),
     ("signal_hook", &["cli"]),
+    ("sobol_burley", &["study"]),
+    ("statrs", &["study"]),
     ("serde_json", &["cli", "output", "report", "author", "case", "law", "units"]),
     ("toml", &["case", "compare", "message"]),
     ("toml_edit", &["case", "author", "study"]),

@@ -44,6 +44,7 @@ mod report;
 mod result_folder;
 mod scripts;
 mod search;
+mod scatter;
 mod sheets;
 mod sizes;
 mod springback;

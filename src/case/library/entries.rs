@@ -1,5 +1,6 @@
 //! The files of the library.
 
+use super::class::Class;
 use super::measured::Measured;
 use crate::case::CaseError;
 use crate::case::file;
@@ -35,6 +36,7 @@ pub(super) struct EntryFile {
     pub licence: String,
     pub thickness: Option<String>,
     pub stands_for: Option<StandsFor>,
+    pub scatter: Option<Class>,
     pub notes: Vec<String>,
     pub measured: Option<Measured>,
     pub elastoplastic: Option<Shifting>,

@@ -1,0 +1,133 @@
+//! What a sample says, in the words of the shop.
+
+use super::found::{Event, Found, Influence, What};
+use crate::assess::Light;
+use crate::message::{Amount, Digits, Message, message};
+use crate::table::Unit;
+
+/// What is decided alone and what with others are told apart from here on \[–\].
+const TOGETHER: f64 = 0.05;
+
+/// Rank correlations below say nothing \[–\].
+const WEAK: f64 = 0.1;
+
+/// What scatters, as it is called.
+pub fn called(key: &str) -> Message {
+    let known = |key: &str| match key {
+        "friction" => "friction".into(),
+        "strength" => "strength".into(),
+        "blank.thickness" => "thickness".into(),
+        "tools.holder.force" => "holder force".into(),
+        other => Message::from(other.to_owned()),
+    };
+    Message::joined(key.split(" & ").map(known), " & ")
+}
+
+/// A share of parts, in percent.
+fn parts(share: f64) -> Amount {
+    Amount::share(share)
+}
+
+fn plain(number: f64) -> Amount {
+    Amount::new(number, Unit::None, Digits::Significant(2))
+}
+
+impl Influence {
+    /// What matters most, and how much: `friction decides 71 % of it`.
+    pub fn told(&self, found: &Found) -> Option<Message> {
+        if let Some(indices) = &self.indices {
+            let (group, index) =
+                indices.iter().enumerate().max_by(|a, b| a.1.total.value.total_cmp(&b.1.total.value))?;
+            let [first, total] = [index.first.value, index.total.value].map(|share| parts(share.clamp(0.0, 1.0)));
+            let factor = called(&found.groups[group]);
+            return Some(if index.total.value - index.first.value < TOGETHER {
+                message!("{factor} decides {share} of it", factor = factor, share = first)
+            } else {
+                message!(
+                    "{factor} decides {first} of it alone, {total} with others",
+                    factor = factor,
+                    first = first,
+                    total = total
+                )
+            });
+        }
+        let ranks = self.ranks.iter().enumerate().filter_map(|(i, rank)| Some((i, (*rank)?)));
+        let (factor, rank) = ranks.max_by(|a, b| a.1.abs().total_cmp(&b.1.abs()))?;
+        (rank.abs() > WEAK).then(|| {
+            let factor = called(&found.factors[factor]);
+            message!("it goes with {factor}, rank correlation {rank}", factor = factor, rank = plain(rank))
+        })
+    }
+}
+
+impl Event {
+    /// `thinning is red in 3.2 % of parts, 2.1 to 4.7 %`
+    fn told(&self) -> Message {
+        let [chance, low, high] = [self.chance.value, self.chance.low, self.chance.high].map(parts);
+        match (self.what, self.light) {
+            (What::Tear, _) if self.hits == 0 => message!("no part tears, and at most {high} do", high = high),
+            (What::Tear, _) => {
+                message!("{chance} of the parts tear, {low} to {high}", chance = chance, low = low, high = high)
+            }
+            (What::Verdict, Light::Red) if self.hits == 0 => {
+                message!("no part is red, and at most {high} are", high = high)
+            }
+            (What::Verdict, Light::Red) => {
+                message!("{chance} of the parts are red, {low} to {high}", chance = chance, low = low, high = high)
+            }
+            (What::Verdict, _) => message!(
+                "{chance} of the parts are amber at worst, {low} to {high}",
+                chance = chance,
+                low = low,
+                high = high
+            ),
+            (What::Row(_), Light::Red) => message!(
+                "{label} is red in {chance} of the parts, {low} to {high}",
+                label = self.label,
+                chance = chance,
+                low = low,
+                high = high
+            ),
+            (What::Row(_), _) => message!(
+                "{label} is amber in {chance} of the parts, {low} to {high}",
+                label = self.label,
+                chance = chance,
+                low = low,
+                high = high
+            ),
+        }
+    }
+}
+
+impl Found {
+    /// The answer in a sentence: how many tear, how many are red.
+    pub fn sentence(&self) -> Message {
+        let told = |what: What| {
+            let event = self.events.iter().find(|event| event.what == what && event.light == Light::Red)?;
+            let decides = event.influence.told(self).filter(|_| event.hits > 0);
+            Some(Message::joined([event.told()].into_iter().chain(decides), "; "))
+        };
+        Message::joined([What::Tear, What::Verdict].into_iter().filter_map(told), ". ")
+    }
+
+    /// What is told below: lights that are red in some run, how sure this is, and runs that say nothing.
+    pub fn sentences(&self) -> Vec<Message> {
+        let red = self.events.iter().filter(|event| event.light == Light::Red && matches!(event.what, What::Row(_)));
+        let red = red.map(|event| Message::joined([event.told()].into_iter().chain(event.influence.told(self)), "; "));
+        let sure = message!(
+            "from {n} runs; each interval holds the truth in 95 of 100 such studies, if what scatters is as it was given",
+            n = self.runs - self.failed
+        );
+        let failed = (!self.failures.is_empty()).then(|| {
+            let of = |(why, count): (&String, &usize)| message!("{n} {why}", n = *count, why = why.clone());
+            message!(
+                "{n} runs say nothing of the part and are left out: {why}; were all of them red, {share} of the parts would be \
+                 red besides",
+                n = self.failures.values().sum::<usize>(),
+                why = Message::joined(self.failures.iter().map(of), ", "),
+                share = parts(self.failed as f64 / self.runs as f64)
+            )
+        });
+        red.chain([sure]).chain(failed).collect()
+    }
+}
