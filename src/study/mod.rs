@@ -11,10 +11,12 @@
 //! Journal       study.csv on its way; goes on after any end
 //! Shard         a part of a study that runs by itself; merge puts them together
 //! file          a study as TOML
+//! fit           laws and keys from measurements
 //! ```
 
 mod error;
 pub mod file;
+pub mod fit;
 mod hash;
 mod journal;
 mod plan;

@@ -175,7 +175,7 @@ impl Vary {
 }
 
 /// A number and the unit behind it; `None` where a word stands.
-fn split(text: &str) -> Option<(f64, &str)> {
+pub(super) fn split(text: &str) -> Option<(f64, &str)> {
     let is_of_number = |(i, c): (usize, char)| {
         c.is_ascii_digit() || matches!(c, '.' | '+' | '-' | '−') || (matches!(c, 'e' | 'E') && exponent(&text[i + 1..]))
     };
@@ -190,7 +190,7 @@ fn exponent(rest: &str) -> bool {
 }
 
 /// A unit is one of case files.
-fn known(key: &str, unit: &str) -> Result<(), StudyError> {
+pub(super) fn known(key: &str, unit: &str) -> Result<(), StudyError> {
     match parse(&format!("1 {unit}")) {
         Ok(_) => Ok(()),
         // "6 t" is six thicknesses of the sheet, which the case knows.
