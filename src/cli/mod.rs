@@ -6,6 +6,7 @@ mod check;
 mod code;
 mod error_bars;
 mod explain;
+mod fit;
 mod import;
 mod interrupt;
 mod job;
@@ -82,6 +83,9 @@ enum Verb {
     /// Put the tables of a study's shards together
     #[command(after_help = sweep::MERGE_HELP)]
     Merge(sweep::MergeArgs),
+    /// Fit a hardening law to tension tests, or keys of a case to measured curves
+    #[command(after_help = fit::HELP)]
+    Fit(fit::Args),
     /// List the built-in materials, or say all of one
     #[command(after_help = materials::HELP)]
     Materials(materials::Args),
@@ -130,6 +134,7 @@ fn command() -> anyhow::Result<Code> {
         Verb::Sweep(args) => sweep::sweep(&args),
         Verb::Search(args) => search::search(&args),
         Verb::Merge(args) => sweep::merge(&args),
+        Verb::Fit(args) => fit::fit(&args),
         Verb::Check(args) => check::check(&args),
         Verb::New(args) => new::new(&args),
         Verb::Materials(args) => materials::materials(&args),

@@ -5,8 +5,9 @@ use super::error::CompareError;
 use super::reference::{NOTHING, Reference};
 use super::verdict::Verdict;
 use crate::table::fields::{element, step};
-use crate::table::{Column, Table, Unit};
+use crate::table::{Column, Csv, Table, Unit};
 use crate::units::four_digits;
+use std::path::Path;
 
 /// What is compared along a curve.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -21,6 +22,8 @@ pub enum Quantity {
     ThicknessAtRadius,
     /// Minor strain at equal major strain, of the place that is thinnest at the end on its way there.
     StrainPath,
+    /// Draw-in of the edge at equal travel.
+    DrawInAtTravel,
 }
 
 /// A comparison along a curve.
@@ -57,8 +60,14 @@ pub struct Points(pub Vec<Point>);
 
 impl Quantity {
     /// Every quantity that is compared along a curve.
-    pub const ALL: [Self; 5] =
-        [Self::PunchForce, Self::Travel, Self::ThicknessAtS0, Self::ThicknessAtRadius, Self::StrainPath];
+    pub const ALL: [Self; 6] = [
+        Self::PunchForce,
+        Self::Travel,
+        Self::ThicknessAtS0,
+        Self::ThicknessAtRadius,
+        Self::StrainPath,
+        Self::DrawInAtTravel,
+    ];
 
     /// The word used in case files, tables and file names.
     pub fn name(self) -> &'static str {
@@ -68,6 +77,7 @@ impl Quantity {
             Self::ThicknessAtS0 => "thickness_at_s0",
             Self::ThicknessAtRadius => "thickness_at_radius",
             Self::StrainPath => "strain_path",
+            Self::DrawInAtTravel => "draw_in_at_travel",
         }
     }
 
@@ -77,16 +87,19 @@ impl Quantity {
             Self::Travel => "travel",
             Self::ThicknessAtS0 | Self::ThicknessAtRadius => "thickness",
             Self::StrainPath => "strain",
+            Self::DrawInAtTravel => "draw-in",
         }
     }
 
-    pub(super) fn columns(self, computed: &Computed) -> (Column, Column) {
+    /// The computed columns: along which, and what.
+    pub fn columns(self, computed: &Computed) -> (Column, Column) {
         match self {
             Self::PunchForce => (computed.step(step::TRAVEL), computed.step(step::PUNCH_FORCE)),
             Self::Travel => (computed.step(step::PUNCH_FORCE), computed.step(step::TRAVEL)),
             Self::ThicknessAtS0 => (computed.element(element::S0), computed.element(element::THICKNESS)),
             Self::ThicknessAtRadius => (computed.element(element::R), computed.element(element::THICKNESS)),
             Self::StrainPath => computed.path(),
+            Self::DrawInAtTravel => (computed.step(step::TRAVEL), computed.step(step::DRAW_IN)),
         }
     }
 
@@ -150,27 +163,53 @@ pub(super) fn difference(values: Vec<f64>) -> Column {
 pub(super) fn compare(
     spec: &CurveSpec,
     reference: Reference,
-    (x, y): (&Column, &Column),
+    columns: (&Column, &Column),
     curve: &[(f64, f64)],
 ) -> Result<Points, CompareError> {
+    let points = points(spec, reference, columns, curve)?;
     let path = || reference.path.to_owned();
+    if let Some((zero, line)) = points.iter().find(|(point, _)| point.reference.abs() < NOTHING && point.judged) {
+        return Err(CompareError::Zero { path: path(), line: *line, value: four_digits(zero.reference), x: zero.x });
+    }
+    Ok(Points(points.into_iter().map(|(point, _)| point).collect()))
+}
+
+/// The points of a reference with the lines that they stand in, also where the reference is 0.
+fn points(
+    spec: &CurveSpec,
+    reference: Reference,
+    (x, y): (&Column, &Column),
+    curve: &[(f64, f64)],
+) -> Result<Vec<(Point, usize)>, CompareError> {
     let (xs, ys) = (reference.column(&spec.x, x)?, reference.column(&spec.y, y)?);
     let (low, high) = spec.range.unwrap_or((f64::NEG_INFINITY, f64::INFINITY));
     let range = low * xs.factor..=high * xs.factor;
     let rising = rising(curve);
-    let mut points = Vec::new();
     let pairs = xs.values.into_iter().zip(ys.values).zip(&reference.csv.rows);
-    for (x, reference, line) in pairs.filter_map(|((x, y), row)| Some((x?, y?, row.line))) {
-        let judged = range.contains(&x);
-        if reference.abs() < NOTHING && judged {
-            return Err(CompareError::Zero { path: path(), line, value: four_digits(reference), x });
-        }
-        points.push(Point { x, reference, computed: interpolated(&rising, x), judged });
+    let found = pairs.filter_map(|((x, y), row)| Some((x?, y?, row.line)));
+    let points: Vec<(Point, usize)> = found
+        .map(|(x, reference, line)| {
+            (Point { x, reference, computed: interpolated(&rising, x), judged: range.contains(&x) }, line)
+        })
+        .collect();
+    if !points.iter().any(|(point, _)| point.judged) {
+        return Err(CompareError::Empty { path: reference.path.to_owned(), x: spec.x.clone(), y: spec.y.clone() });
     }
-    if !points.iter().any(|point| point.judged) {
-        return Err(CompareError::Empty { path: path(), x: spec.x.clone(), y: spec.y.clone() });
+    Ok(points)
+}
+
+impl CurveSpec {
+    /// The judged points of a reference with what was computed there; a reference may be 0 here, for no difference is taken
+    /// over it.
+    ///
+    /// # Errors
+    /// When the reference does not fit the quantity.
+    pub fn points(&self, path: &Path, csv: &Csv, computed: &Computed) -> Result<Vec<Point>, CompareError> {
+        let (x, y) = self.quantity.columns(computed);
+        let curve: Vec<_> = x.values.iter().copied().zip(y.values.iter().copied()).collect();
+        let points = points(self, Reference { path, csv }, (&x, &y), &curve)?;
+        Ok(points.into_iter().map(|(point, _)| point).filter(|point| point.judged).collect())
     }
-    Ok(Points(points))
 }
 
 /// The points whose abscissa is larger than all before them.

@@ -3,13 +3,17 @@
 mod bisection;
 pub mod block_tridiagonal;
 mod grid;
+pub mod least_squares;
 pub mod lobatto;
 pub mod parts;
 mod piecewise_linear;
 mod power;
+pub mod profile;
 pub mod small;
+mod student;
 
 pub use bisection::bisect;
 pub use grid::Grid;
 pub use piecewise_linear::PiecewiseLinear;
 pub use power::Power;
+pub use student::student;

@@ -19,11 +19,13 @@
 //! search        where a condition ends, or a number has a value; the best of several keys
 //! file          a study as TOML
 //! scatter       designs that are drawn by chance, and what can be said of them
+//! fit           laws and keys from measurements
 //! ```
 
 mod deciding;
 mod error;
 pub mod file;
+pub mod fit;
 mod hash;
 mod journal;
 mod plan;

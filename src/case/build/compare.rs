@@ -66,6 +66,7 @@ impl Entry<'_> {
                 ComparedQuantity::ThicknessAtS0 => self.curve(Quantity::ThicknessAtS0)?,
                 ComparedQuantity::ThicknessAtRadius => self.curve(Quantity::ThicknessAtRadius)?,
                 ComparedQuantity::StrainPath => self.strain_path(limited)?,
+                ComparedQuantity::DrawInAtTravel => self.curve(Quantity::DrawInAtTravel)?,
                 ComparedQuantity::EdgeDiameter => self.band(BandQuantity::EdgeDiameter)?,
                 ComparedQuantity::DrawIn => self.band(BandQuantity::DrawIn)?,
                 ComparedQuantity::Thinnest => self.band(BandQuantity::Thinnest)?,

@@ -58,6 +58,8 @@ pub enum ComparedQuantity {
     ThicknessAtRadius,
     /// Minor over major true strain of the place that is thinnest at the end, on its way there, a curve; with `[forming_limit]`.
     StrainPath,
+    /// Draw-in of the edge at equal travel, a curve.
+    DrawInAtTravel,
     /// Diameter at the blank's edge (in plane strain the width between both edges) at the end, a band.
     EdgeDiameter,
     /// How far the edge has moved inward at the end, a band.

@@ -7,6 +7,7 @@ mod hockett_sherby;
 mod hollomon;
 mod isotherms;
 mod ludwik;
+mod mixed;
 mod monotone;
 mod piecewise_power;
 mod swift;
@@ -34,6 +35,7 @@ family! {
     piecewise_power: PiecewisePower,
     isotherms: Isotherms,
     hockett_sherby: HockettSherby,
+    mixed: Mixed,
 }
 
 impl Hardening {

@@ -1,6 +1,8 @@
 //! Pictures of studies: one file each.
 
 mod curves;
+mod fit_case;
+mod fit_law;
 mod kept;
 mod loads;
 pub mod search;
@@ -9,6 +11,8 @@ mod tornado;
 mod window;
 mod zones;
 
+pub use fit_case::fit_case;
+pub use fit_law::fit_law;
 pub use kept::{keep, kept_loads, load_file, thickness_file};
 pub use loads::loads;
 pub use sweep::pictures;

@@ -1,0 +1,67 @@
+//! Swift's and Voce's law, each with its share.
+//!
+//! Beyond uniform elongation the one hardens without end and the other comes to an end; most sheets lie between.
+
+use super::flow_stress::{FlowStress, HardeningLaw};
+use super::{Swift, Voce};
+use crate::law::prelude::*;
+
+/// σ = weight σ_swift + (1 − weight) σ_voce.
+///
+/// Valid where each of both was fitted to the same test: the weight says how far beyond its end hardening goes on. With an
+/// exponent below 1 the second is Hockett and Sherby's.
+/// Source: in common use for sheet; no first author is known.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "case", derive(serde::Deserialize), serde(deny_unknown_fields))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub struct Mixed {
+    /// Share of Swift's law, 0 to 1.
+    #[cfg_attr(feature = "case", serde(with = "As::<Fraction>"))]
+    #[cfg_attr(feature = "schema", schemars(example = 0.5))]
+    weight: f64,
+    /// The law that hardens without end.
+    swift: Swift,
+    /// The law that comes to an end.
+    voce: Voce,
+}
+
+impl Mixed {
+    /// `weight` of Swift's law, 0 to 1.
+    ///
+    /// # Errors
+    /// When it is out of range.
+    pub fn new(weight: f64, swift: Swift, voce: Voce) -> Result<Self, LawError> {
+        let mut law = Self { weight, swift, voce };
+        law.prepare(None).map(|()| law)
+    }
+}
+
+impl Law for Mixed {
+    fn examples() -> Vec<Self> {
+        let laws = Swift::examples().into_iter().zip(Voce::examples());
+        laws.map(|(swift, voce)| Self { weight: 0.6, swift, voce }).collect()
+    }
+
+    fn prepare(&mut self, young: Option<f64>) -> Result<(), LawError> {
+        require("weight", (0.0..=1.0).contains(&self.weight), || {
+            format!("the weight must lie between 0 and 1, found {}", self.weight)
+        })?;
+        let within = |law: &'static str| move |error: LawError| LawError { key: format!("{law}.{}", error.key), ..error };
+        self.swift.prepare(young).map_err(within("swift"))?;
+        self.voce.prepare(young).map_err(within("voce"))
+    }
+
+    fn formula(&self) -> String {
+        let [weight, rest] = [self.weight, 1.0 - self.weight].map(rounded);
+        format!("{weight} of {}, {rest} of {}", self.swift.formula(), self.voce.formula())
+    }
+}
+
+impl HardeningLaw for Mixed {
+    #[inline]
+    fn at_temperature(&self, strain: f64, temperature: f64) -> FlowStress {
+        let [swift, voce] = [self.swift.at_temperature(strain, temperature), self.voce.at_temperature(strain, temperature)];
+        let mixed = |a: f64, b: f64| self.weight * a + (1.0 - self.weight) * b;
+        FlowStress { stress: mixed(swift.stress, voce.stress), slope: mixed(swift.slope, voce.slope) }
+    }
+}

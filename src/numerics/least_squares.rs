@@ -1,0 +1,291 @@
+//! Least squares with bounds: Levenberg and Marquardt's method with Jacobians of differences, many points at a time so that
+//! whoever computes them can do so side by side.
+//!
+//! ```text
+//! S(x) = Σ rᵢ(x)²                            J = ∂r/∂x by central differences, one-sided at a bound
+//! (D⁻¹JᵀJD⁻¹ + λ I) D d = −D⁻¹ Jᵀ r          D = diag ‖Jⱼ‖; steps beyond a bound end there
+//! C = s² (JᵀJ)⁻¹,  s² = S/(n − p)            covariance of what is free
+//! ```
+//!
+//! # References
+//! D. W. Marquardt, J. Soc. Indust. Appl. Math. 11 (1963) 431–441 (not read; in common use).
+
+use nalgebra::{DMatrix, DVector};
+
+/// What is fitted.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Parameter {
+    /// Where to begin.
+    pub start: f64,
+    /// Least value; where it is the largest too, the parameter stays.
+    pub low: f64,
+    /// Largest value.
+    pub high: f64,
+    /// Half of a central difference.
+    pub step: f64,
+}
+
+/// What is to become small.
+pub trait Residuals {
+    /// Residuals at some points, as many at each; `None` where there are none. Empty where no more are wanted.
+    fn at(&self, points: &[Vec<f64>]) -> Vec<Option<Vec<f64>>>;
+}
+
+impl<F: Fn(&[f64]) -> Option<Vec<f64>>> Residuals for F {
+    fn at(&self, points: &[Vec<f64>]) -> Vec<Option<Vec<f64>>> {
+        points.iter().map(|point| self(point)).collect()
+    }
+}
+
+/// When to stop.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Limits {
+    /// Most Jacobians.
+    pub steps: usize,
+    /// A change of every parameter below this share of its size ends \[–\].
+    pub change: f64,
+}
+
+/// Why it ended.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Ended {
+    /// At a minimum.
+    Found,
+    /// After as many steps as were allowed.
+    Steps,
+    /// There are no residuals on either side of this parameter, counted from 0.
+    Blind(usize),
+    /// Nobody wanted more.
+    Stopped,
+}
+
+/// The best point that was found.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Minimum {
+    /// Its parameters.
+    pub values: Vec<f64>,
+    /// Its residuals.
+    pub residuals: Vec<f64>,
+    /// Their derivatives: a row a residual, a column a parameter. Of the step before where it was stopped.
+    pub jacobian: DMatrix<f64>,
+    /// Whether each parameter is free: neither given nor pushed against a bound.
+    pub free: Vec<bool>,
+    /// Why it ended.
+    pub ended: Ended,
+}
+
+/// Damping: at first, and beyond which no step is left to try.
+const FIRST: f64 = 1e-3;
+const LAST: f64 = 1e8;
+/// Dampings that are tried at once.
+const LADDER: [f64; 2] = [1.0, 30.0];
+
+/// Goes downhill from the start; `None` where that has no residuals.
+pub fn minimise(parameters: &[Parameter], residuals: &dyn Residuals, limits: Limits) -> Option<Minimum> {
+    let start: Vec<f64> = parameters.iter().map(|p| p.start.clamp(p.low, p.high)).collect();
+    let first = residuals.at(std::slice::from_ref(&start)).into_iter().next().flatten()?;
+    let jacobian = DMatrix::zeros(first.len(), start.len());
+    let free = vec![false; start.len()];
+    let mut best = Minimum { values: start, residuals: first, jacobian, free, ended: Ended::Steps };
+    let mut damping = FIRST;
+    for _ in 0..limits.steps {
+        match jacobian_at(parameters, residuals, &best) {
+            Ok(jacobian) => best.jacobian = jacobian,
+            Err(ended) => return Some(Minimum { ended, ..best }),
+        }
+        best.free = best.free_of(parameters);
+        if best.sum() == 0.0 || !best.free.contains(&true) {
+            return Some(Minimum { ended: Ended::Found, ..best });
+        }
+        let moved = loop {
+            let trials = LADDER.map(|times| best.stepped(parameters, times * damping));
+            let found = residuals.at(&trials);
+            if found.is_empty() {
+                return Some(Minimum { ended: Ended::Stopped, ..best });
+            }
+            let found = found.into_iter().zip(trials).zip(LADDER);
+            let lower = found.filter_map(|((r, x), times)| r.map(|r| (square(&r), r, x, times)));
+            let lower = lower.filter(|(sum, ..)| *sum < best.sum()).min_by(|a, b| a.0.total_cmp(&b.0));
+            if let Some((_, r, x, times)) = lower {
+                damping = (damping * times / 10.0).max(1e-12);
+                let moved = best.values.iter().zip(&x).zip(parameters).map(|((a, b), p)| (a - b).abs() / p.size(*b));
+                let moved = moved.fold(0.0, f64::max);
+                (best.residuals, best.values) = (r, x);
+                break moved;
+            }
+            damping *= LADDER[1] * LADDER[1];
+            if damping > LAST {
+                break 0.0;
+            }
+        };
+        if moved <= limits.change {
+            best.ended = Ended::Found;
+            if let Ok(jacobian) = jacobian_at(parameters, residuals, &best) {
+                best.jacobian = jacobian;
+                best.free = best.free_of(parameters);
+            }
+            return Some(best);
+        }
+    }
+    Some(best)
+}
+
+/// Central differences, one-sided at a bound and where one side has no residuals.
+fn jacobian_at(parameters: &[Parameter], residuals: &dyn Residuals, best: &Minimum) -> Result<DMatrix<f64>, Ended> {
+    let moving: Vec<usize> = (0..parameters.len()).filter(|&j| parameters[j].low < parameters[j].high).collect();
+    let at = |j: usize, side: f64| {
+        let mut point = best.values.clone();
+        point[j] = (point[j] + side * parameters[j].step).clamp(parameters[j].low, parameters[j].high);
+        point
+    };
+    let points: Vec<Vec<f64>> = moving.iter().flat_map(|&j| [at(j, -1.0), at(j, 1.0)]).collect();
+    let found = residuals.at(&points);
+    if found.len() < points.len() {
+        return Err(Ended::Stopped);
+    }
+    let mut jacobian = DMatrix::zeros(best.residuals.len(), parameters.len());
+    for (i, &j) in moving.iter().enumerate() {
+        let side = |k: usize| match &found[2 * i + k] {
+            Some(r) => (points[2 * i + k][j], r),
+            None => (best.values[j], &best.residuals),
+        };
+        let ((a, low), (b, high)) = (side(0), side(1));
+        if a == b {
+            return Err(Ended::Blind(j));
+        }
+        for row in 0..best.residuals.len() {
+            jacobian[(row, j)] = (high[row] - low[row]) / (b - a);
+        }
+    }
+    Ok(jacobian)
+}
+
+impl Parameter {
+    /// What a change of it is measured by.
+    fn size(&self, value: f64) -> f64 {
+        value.abs().max(1e-3 * (self.high - self.low).min(1.0)).max(f64::MIN_POSITIVE)
+    }
+}
+
+impl Minimum {
+    /// S.
+    pub fn sum(&self) -> f64 {
+        square(&self.residuals)
+    }
+
+    /// Parameters that are free.
+    pub fn count(&self) -> usize {
+        self.free.iter().filter(|free| **free).count()
+    }
+
+    /// n − p, at least 1.
+    pub fn freedom(&self) -> f64 {
+        (self.residuals.len() as f64 - self.count() as f64).max(1.0)
+    }
+
+    /// s².
+    pub fn variance(&self) -> f64 {
+        self.sum() / self.freedom()
+    }
+
+    /// C for residuals of that variance; zero of what is not free, `None` where the residuals cannot tell parameters apart.
+    pub fn covariance(&self, variance: f64) -> Option<DMatrix<f64>> {
+        let inverse = self.normal(0.0).0.try_inverse()?;
+        let (free, sizes) = self.normal(0.0).1;
+        let mut all = DMatrix::zeros(self.values.len(), self.values.len());
+        for (a, &i) in free.iter().enumerate() {
+            for (b, &j) in free.iter().enumerate() {
+                all[(i, j)] = variance * inverse[(a, b)] / (sizes[a] * sizes[b]);
+            }
+        }
+        (0..all.nrows()).all(|i| all[(i, i)] >= 0.0 && all[(i, i)].is_finite()).then_some(all)
+    }
+
+    /// Which parameters move: those that are not given, nor pushed out of their bounds.
+    fn free_of(&self, parameters: &[Parameter]) -> Vec<bool> {
+        let gradient = self.jacobian.tr_mul(&DVector::from_column_slice(&self.residuals));
+        let is_free = |(j, p): (usize, &Parameter)| {
+            let (x, slope) = (self.values[j], gradient[j]);
+            p.low < p.high && !(x <= p.low && slope > 0.0 || x >= p.high && slope < 0.0)
+        };
+        parameters.iter().enumerate().map(is_free).collect()
+    }
+
+    /// D⁻¹JᵀJD⁻¹ + λ I of what is free, its indices and D.
+    fn normal(&self, damping: f64) -> (DMatrix<f64>, (Vec<usize>, Vec<f64>)) {
+        let free: Vec<usize> = (0..self.free.len()).filter(|&j| self.free[j]).collect();
+        let sizes: Vec<f64> =
+            free.iter().map(|&j| self.jacobian.column(j).norm().max(f64::MIN_POSITIVE)).collect();
+        let scaled = DMatrix::from_fn(self.residuals.len(), free.len(), |i, k| self.jacobian[(i, free[k])] / sizes[k]);
+        let mut normal = scaled.tr_mul(&scaled);
+        for k in 0..free.len() {
+            normal[(k, k)] += damping;
+        }
+        (normal, (free, sizes))
+    }
+
+    /// The point that a damping leads to, within the bounds.
+    fn stepped(&self, parameters: &[Parameter], damping: f64) -> Vec<f64> {
+        let (normal, (free, sizes)) = self.normal(damping);
+        let gradient = self.jacobian.tr_mul(&DVector::from_column_slice(&self.residuals));
+        let right = DVector::from_iterator(free.len(), free.iter().zip(&sizes).map(|(&j, size)| -gradient[j] / size));
+        let mut values = self.values.clone();
+        if let Some(step) = normal.cholesky().map(|cholesky| cholesky.solve(&right)) {
+            for (k, &j) in free.iter().enumerate() {
+                values[j] = (values[j] + step[k] / sizes[k]).clamp(parameters[j].low, parameters[j].high);
+            }
+        }
+        values
+    }
+}
+
+fn square(residuals: &[f64]) -> f64 {
+    let sum: f64 = residuals.iter().map(|r| r * r).sum();
+    if sum.is_finite() { sum } else { f64::INFINITY }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const LIMITS: Limits = Limits { steps: 200, change: 1e-12 };
+
+    fn parameter(start: f64, low: f64, high: f64) -> Parameter {
+        Parameter { start, low, high, step: 1e-6 }
+    }
+
+    /// Trust: Rosenbrock's valley has its minimum, 0, at (1, 1); with x ≤ 0.5 it lies at (0.5, 0.25).
+    #[test]
+    fn the_end_of_a_bent_valley_is_found_and_a_bound_is_kept() {
+        let valley = |x: &[f64]| Some(vec![10.0 * (x[1] - x[0] * x[0]), 1.0 - x[0]]);
+        for (high, expected, free) in [(5.0, [1.0, 1.0], [true, true]), (0.5, [0.5, 0.25], [false, true])] {
+            let parameters = [parameter(-1.2, -5.0, high), parameter(1.0, -5.0, 5.0)];
+            let found = minimise(&parameters, &valley, LIMITS).expect("residuals");
+            assert!(found.values.iter().zip(expected).all(|(x, e)| (x - e).abs() < 1e-6), "{:?}", found.values);
+            assert_eq!((found.free, found.ended), (free.to_vec(), Ended::Found));
+        }
+    }
+
+    /// Trust: a straight line has its textbook variances: s²/Σ(x − x̄)² of the slope.
+    #[test]
+    fn the_covariance_of_a_line_is_that_of_textbooks() {
+        let (x, y) = ([0.0, 1.0, 2.0, 3.0, 4.0], [1.1, 2.9, 5.2, 6.8, 9.1]);
+        let line = |p: &[f64]| Some(x.iter().zip(y).map(|(x, y)| p[0] + p[1] * x - y).collect());
+        let found = minimise(&[parameter(0.0, -9.0, 9.0), parameter(0.0, -9.0, 9.0)], &line, LIMITS).expect("residuals");
+        let covariance = found.covariance(found.variance()).expect("told apart");
+        let middle = 2.0;
+        let spread: f64 = x.iter().map(|x| (x - middle) * (x - middle)).sum();
+        assert!((covariance[(1, 1)] - found.variance() / spread).abs() < 1e-9);
+        let correlation = covariance[(0, 1)] / (covariance[(0, 0)] * covariance[(1, 1)]).sqrt();
+        assert!((correlation + middle / (middle * middle + spread / 5.0).sqrt()).abs() < 1e-6, "{correlation}");
+    }
+
+    /// Trust: only the sum of both is seen.
+    #[test]
+    fn parameters_that_are_seen_together_have_no_covariance() {
+        let sum = |x: &[f64]| Some(vec![x[0] + x[1] - 2.0, 2.0 * (x[0] + x[1]) - 4.1]);
+        let found = minimise(&[parameter(0.3, -9.0, 9.0), parameter(0.3, -9.0, 9.0)], &sum, LIMITS).expect("residuals");
+        let huge = found.covariance(1.0).is_none_or(|c| c[(0, 0)] > 1e6);
+        assert!(huge, "{found:?}");
+    }
+}

@@ -1,0 +1,128 @@
+//! The hardening laws that are fitted, each with its parameters, their ranges and where to begin.
+
+use crate::material::hardening::{Hardening, HockettSherby, Ludwik, Mixed, Swift, Voce};
+
+/// A hardening law of the solver.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Kind {
+    /// k (offset + ε)^n.
+    Swift,
+    /// saturation − (saturation − initial) exp(−rate ε).
+    Voce,
+    /// The same with a power of ε.
+    HockettSherby,
+    /// initial + k ε^n.
+    Ludwik,
+    /// A weight of a Swift and the rest of a Voce that each fit by themselves: the points do not tell more apart.
+    Mixed(Option<(Swift, Voce)>),
+}
+
+/// A parameter of a law.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Slot {
+    pub key: &'static str,
+    /// `MPa`, or none.
+    pub unit: &'static str,
+    pub low: f64,
+    pub high: f64,
+}
+
+const STRESS: [f64; 2] = [1.0, 1e5];
+
+impl Kind {
+    /// All of them.
+    pub const ALL: [Self; 5] = [Self::Swift, Self::Voce, Self::HockettSherby, Self::Ludwik, Self::Mixed(None)];
+
+    /// Name on the command line.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Swift => "swift",
+            Self::Voce => "voce",
+            Self::HockettSherby => "hockett-sherby",
+            Self::Ludwik => "ludwik",
+            Self::Mixed(_) => "mixed",
+        }
+    }
+
+    /// Name as people write it.
+    pub fn label(self) -> &'static str {
+        match self {
+            Self::Swift => "Swift",
+            Self::Voce => "Voce",
+            Self::HockettSherby => "Hockett-Sherby",
+            Self::Ludwik => "Ludwik",
+            Self::Mixed(_) => "Swift and Voce mixed",
+        }
+    }
+
+    /// Numbers that it takes from the points in all.
+    pub fn count(self) -> usize {
+        self.slots().len() + if matches!(self, Self::Mixed(_)) { 6 } else { 0 }
+    }
+
+    pub(super) fn slots(self) -> Vec<Slot> {
+        let stress = |key| Slot { key, unit: "MPa", low: STRESS[0], high: STRESS[1] };
+        let plain = |key, low, high| Slot { key, unit: "", low, high };
+        match self {
+            Self::Swift => vec![stress("k"), plain("n", 0.0, 1.0), plain("offset", 1e-6, 1.0)],
+            Self::Voce => vec![stress("initial"), stress("saturation"), plain("rate", 0.0, 1e3)],
+            Self::HockettSherby => {
+                vec![stress("initial"), stress("saturation"), plain("rate", 0.0, 1e3), plain("exponent", 0.05, 1.0)]
+            }
+            Self::Ludwik => vec![stress("initial"), stress("k"), plain("n", 0.01, 1.0)],
+            Self::Mixed(_) => vec![plain("weight", 0.0, 1.0)],
+        }
+    }
+
+    /// The solver's law of some parameters; `None` where they make none.
+    pub fn law(self, p: &[f64]) -> Option<Hardening> {
+        match self {
+            Self::Swift => Swift::new(p[0], p[1], p[2]).ok().map(Hardening::Swift),
+            Self::Voce => Voce::new(p[0], p[1], p[2], 1.0).ok().map(Hardening::Voce),
+            Self::HockettSherby => HockettSherby::new(p[0], p[1], p[2], p[3]).ok().map(Hardening::HockettSherby),
+            Self::Ludwik => Ludwik::new(p[0], p[1], p[2]).ok().map(Hardening::Ludwik),
+            Self::Mixed(laws) => {
+                let (swift, voce) = laws?;
+                Mixed::new(p[0], swift, voce).ok().map(Hardening::Mixed)
+            }
+        }
+    }
+
+    /// Where to begin: what is linear in a law follows from the points for some values of what is not.
+    pub(super) fn starts(self, points: &[(f64, f64)]) -> Vec<Vec<f64>> {
+        let line = |x: &dyn Fn(f64) -> f64, y: &dyn Fn(f64) -> f64| {
+            let n = points.len() as f64;
+            let (sx, sy) = points.iter().fold((0.0, 0.0), |s, p| (s.0 + x(p.0) / n, s.1 + y(p.1) / n));
+            let (xy, xx) = points.iter().fold((0.0, 0.0), |s, p| {
+                let d = x(p.0) - sx;
+                (s.0 + d * (y(p.1) - sy), s.1 + d * d)
+            });
+            let slope = if xx > 0.0 { xy / xx } else { 0.0 };
+            (sy - slope * sx, slope)
+        };
+        let saturating = |rate: f64, exponent: f64| {
+            let (end, span) = line(&|e: f64| (-rate * e.max(0.0).powf(exponent)).exp(), &|s| s);
+            vec![end + span, end, rate, exponent]
+        };
+        let rates = [1.0, 3.0, 8.0, 20.0, 60.0];
+        match self {
+            Self::Swift => [1e-4, 1e-3, 5e-3, 2e-2, 0.1]
+                .map(|offset| {
+                    let (k, n) = line(&|e: f64| (offset + e.max(0.0)).ln(), &|s: f64| s.max(1.0).ln());
+                    vec![k.exp(), n, offset]
+                })
+                .to_vec(),
+            Self::Voce => rates.map(|rate| saturating(rate, 1.0)[..3].to_vec()).to_vec(),
+            Self::HockettSherby => {
+                rates.iter().flat_map(|rate| [0.5, 0.75, 0.95].map(|exponent| saturating(*rate, exponent))).collect()
+            }
+            Self::Ludwik => [0.2, 0.4, 0.6, 0.8]
+                .map(|n| {
+                    let (initial, k) = line(&|e: f64| e.max(0.0).powf(n), &|s| s);
+                    vec![initial, k, n]
+                })
+                .to_vec(),
+            Self::Mixed(_) => vec![vec![0.5]],
+        }
+    }
+}
