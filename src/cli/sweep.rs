@@ -46,7 +46,7 @@ pub struct Args {
     /// A key and its values: KEY=FROM..TO UNIT/N or KEY=A,B,C UNIT; as often as needed
     #[arg(long, value_name = "KEY=VALUES")]
     vary: Vec<String>,
-    /// Go on with the rows that an earlier run has left
+    /// Go on with the rows that an earlier run has left, once no other run is at it
     #[arg(long)]
     resume: bool,
     /// Remove the rows that an earlier run has left
@@ -161,8 +161,9 @@ impl Args {
         for set in self.many.overrides.all() {
             let _ = write!(command, " --set {}", quoted(&set));
         }
-        let _ = write!(command, " --out {} --quiet --resume --threads 1", quoted(&dir.to_string_lossy()));
-        let tables = format!("{}/study-*-of-{shards}.csv", dir.display());
+        let folder = quoted(&dir.to_string_lossy());
+        let _ = write!(command, " --out {folder} --quiet --resume --threads 1");
+        let tables = format!("{folder}/study-*-of-{shards}.csv");
         let run = match scheduler {
             Scheduler::Hq => format!(
                 "hq submit --array 1-{shards} --cpus 1 --crash-limit 5 --wait -- \\\n  bash -c {}",
@@ -176,7 +177,7 @@ impl Args {
                 format!("seq 1 {shards} | xargs -P \"$(nproc)\" -I SHARD \\\n  {command} --shard SHARD/{shards}")
             }
         };
-        format!("{run}\nstampflow merge {tables} --out {}/study.csv\n", dir.display())
+        format!("{run}\nstampflow merge {tables} --out {folder}/study.csv\n")
     }
 }
 

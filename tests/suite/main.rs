@@ -43,6 +43,7 @@ mod profiles;
 mod report;
 mod result_folder;
 mod scripts;
+mod shards;
 mod sheets;
 mod sizes;
 mod springback;
