@@ -11,6 +11,7 @@
 //! Journal       study.csv on its way; goes on after any end
 //! Shard         a part of a study that runs by itself; merge puts them together
 //! file          a study as TOML
+//! versus        several runs, and what was measured, side by side
 //! ```
 
 mod error;
@@ -24,6 +25,7 @@ mod shards;
 mod side_by_side;
 mod subject;
 mod vary;
+pub mod versus;
 
 pub use error::StudyError;
 pub use journal::{Begun, Earlier, Journal};

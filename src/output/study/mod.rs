@@ -1,0 +1,3 @@
+//! Pictures and tables of studies: one file each.
+
+pub mod versus;
