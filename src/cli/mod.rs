@@ -4,6 +4,7 @@ mod answer;
 mod bug;
 mod check;
 mod code;
+mod compare;
 mod error_bars;
 mod explain;
 mod fit;
@@ -74,6 +75,9 @@ enum Verb {
     /// Refine mesh, steps, points and contact, and say how far every number can be trusted
     #[command(after_help = verify::HELP)]
     Verify(verify::Args),
+    /// Solve cases and variants side by side: one picture, one table of differences, measured curves beside them
+    #[command(after_help = compare::HELP)]
+    Compare(compare::Args),
     /// Run a case with many settings: ranges and lists of any keys, one row a run
     #[command(after_help = sweep::HELP)]
     Sweep(sweep::Args),
@@ -131,6 +135,7 @@ fn command() -> anyhow::Result<Code> {
         Verb::Import(args) => import::import(&args),
         Verb::Validate(args) => validate::validate(&args),
         Verb::Verify(args) => verify::verify(&args),
+        Verb::Compare(args) => compare::compare(&args),
         Verb::Sweep(args) => sweep::sweep(&args),
         Verb::Search(args) => search::search(&args),
         Verb::Merge(args) => sweep::merge(&args),

@@ -1,8 +1,10 @@
 //! `stampflow report`: a case solved and written as pages for people.
 
 use super::code::{BadRequest, Code, unusable};
+use super::compare::{Variants, to_compare};
 use super::error_bars::ErrorBars;
 use super::job;
+use super::many::asked;
 use super::options::{self, Json, Overrides};
 use super::place;
 use super::progress::{Kept, Progress};
@@ -13,7 +15,10 @@ use serde_json::json;
 use stampflow::message::message;
 use stampflow::output::{Extra, FrameRecorder, can_write, is_report, remove_others, write};
 use stampflow::report::{Document, Report, figure_folder, html, is_figure, markdown, pdf};
+use stampflow::study::versus::Asked;
+use stampflow::verification::quick;
 use std::path::{Path, PathBuf};
+use std::thread::available_parallelism;
 
 pub const HELP: &str = "\
 The HTML file holds its pictures and needs nothing else. The PDF file has A4 pages with numbers and contents. Markdown comes
@@ -27,6 +32,7 @@ Examples:
   stampflow report cases/hat_springback.toml -o hat.html --set tools.punch.friction=0.1
   stampflow report cases/quickstart.toml -o cup.pdf --part Cup --number 4711 --revision B --author Ito
   stampflow report cases/quickstart.toml -o cup.md
+  stampflow report cases/quickstart.toml --also friction=0.12
   stampflow report cases/quickstart.toml --json
 
 Exit codes: 0 done, 2 bad input (nothing is written), 3 stopped early (the report says where and why), 130 interrupted, 1 anything else";
@@ -46,6 +52,11 @@ pub struct Args {
     /// Let the reader move the section over the travel, by a slider (HTML only; a MB more)
     #[arg(long)]
     slider: bool,
+    /// Beside the case: another case, or a CSV file of measured curves; as often as needed (see stampflow compare)
+    #[arg(long, value_name = "CASE.toml|CURVE.csv")]
+    against: Vec<PathBuf>,
+    #[command(flatten)]
+    variants: Variants,
     /// Replace a file that is no report, too
     #[arg(long)]
     force: bool,
@@ -97,6 +108,7 @@ pub fn report(args: &Args) -> anyhow::Result<Code> {
         refuse_others(&path, format)?;
     }
     place::file(&path, &case.inputs, "--output")?;
+    let beside = args.beside()?;
     if format == Format::Md {
         can_write(&figure_folder(&path).join("figure.svg")).map_err(unusable("--output"))?;
     }
@@ -106,7 +118,14 @@ pub fn report(args: &Args) -> anyhow::Result<Code> {
     let progress = Progress::new(args.quiet || args.json.json);
     let (solution, kept) = progress.watch(&case, kept).solve(case);
     let verification = args.bars.of(&solution, &progress, true);
+    let versus = beside.map(|all| {
+        let bars = verification.clone().unwrap_or_else(|| quick(&solution, &()));
+        let threads = available_parallelism().map_or(1, usize::from);
+        all.solve(Some((solution.clone(), bars)), threads, &progress.count(format!("{}, compared", solution.case.name)))
+    });
+    let versus = versus.transpose().map_err(asked)?;
     let report = Report::verified(&solution, verification.as_ref()).titled(args.titles.title_block());
+    let report = versus.iter().fold(report, Report::against);
     let report = if args.slider { report.moving(&kept.recorder) } else { report };
     let form = args.form.form();
     let saved = save(&report.told(form), &path, format);
@@ -166,6 +185,15 @@ fn refuse_others(path: &Path, format: Format) -> Result<(), BadRequest> {
 }
 
 impl Args {
+    /// The case with all that it is compared with, where it is.
+    fn beside(&self) -> anyhow::Result<Option<Asked>> {
+        if self.against.is_empty() && self.variants.also.is_empty() {
+            return Ok(None);
+        }
+        let files: Vec<PathBuf> = std::iter::once(&self.case).chain(&self.against).cloned().collect();
+        to_compare(&files, &self.variants, &self.overrides.all()).map(Some)
+    }
+
     /// As asked for, or by the file's ending.
     fn format(&self) -> Result<Format, BadRequest> {
         let ending = self.output.as_ref().and_then(|path| path.extension()).map(|ending| ending.to_string_lossy());

@@ -71,7 +71,7 @@ pub struct Args {
     /// Keep more of each design than its row: curves, its load curve and its thickness, two CSV files by index in DIR/curves
     #[arg(long, value_name = "curves")]
     keep: Option<Keep>,
-    /// Go on with the rows that an earlier run has left
+    /// Go on with the rows that an earlier run has left, once no other run is at it
     #[arg(long)]
     resume: bool,
     /// Remove the rows that an earlier run has left
@@ -246,8 +246,9 @@ impl Args {
             (self.keep == Some(Keep::Curves), " --keep curves"),
         ];
         command.extend(flags.into_iter().filter_map(|(is_given, flag)| is_given.then_some(flag)));
-        let _ = write!(command, " --out {} --quiet --resume --threads 1", quoted(&dir.to_string_lossy()));
-        let tables = format!("{}/study-*-of-{shards}.csv", dir.display());
+        let folder = quoted(&dir.to_string_lossy());
+        let _ = write!(command, " --out {folder} --quiet --resume --threads 1");
+        let tables = format!("{folder}/study-*-of-{shards}.csv");
         let run = match scheduler {
             Scheduler::Hq => format!(
                 "hq submit --array 1-{shards} --cpus 1 --crash-limit 5 --wait -- \\\n  bash -c {}",
@@ -261,7 +262,7 @@ impl Args {
                 format!("seq 1 {shards} | xargs -P \"$(nproc)\" -I SHARD \\\n  {command} --shard SHARD/{shards}")
             }
         };
-        format!("{run}\nstampflow merge {tables} --out {}/study.csv\n", dir.display())
+        format!("{run}\nstampflow merge {tables} --out {folder}/study.csv\n")
     }
 }
 

@@ -51,22 +51,24 @@ pub fn plot(view: &StageView) -> Option<Chart> {
 
 /// In which measure strains are drawn.
 #[derive(Clone, Copy)]
-struct Strains {
-    engineering: bool,
+pub(in crate::output) struct Strains {
+    /// Over the initial length, as sheet makers have them; else logarithmic.
+    pub engineering: bool,
 }
 
 impl Strains {
     /// A logarithmic strain in that measure.
-    fn of(self, strain: f64) -> f64 {
+    pub fn of(self, strain: f64) -> f64 {
         if self.engineering { strain.exp_m1() } else { strain }
     }
 
     /// Of minor and major strain.
-    fn point(self, [minor, major]: [f64; 2]) -> (f64, f64) {
+    pub fn point(self, [minor, major]: [f64; 2]) -> (f64, f64) {
         (self.of(minor), self.of(major))
     }
 
-    fn axes(self) -> [crate::table::Axis; 2] {
+    /// Of minor and major strain.
+    pub fn axes(self) -> [crate::table::Axis; 2] {
         if !self.engineering {
             return forming_limit::axes();
         }
@@ -225,7 +227,7 @@ fn worst(assessment: &Assessment) -> usize {
 }
 
 /// The curve over a range of minor strains: its own points, and some between them, so that shares of it are as fine.
-fn along(curve: &Curve, (low, high): (f64, f64)) -> Vec<[f64; 2]> {
+pub(in crate::output) fn along(curve: &Curve, (low, high): (f64, f64)) -> Vec<[f64; 2]> {
     let even = (0..=FINE).map(|i| low + (high - low) * i as f64 / FINE as f64);
     let own = curve.points().iter().map(|p| p[0]).filter(|minor| (low..=high).contains(minor));
     let mut minors: Vec<f64> = even.chain(own).collect();

@@ -20,6 +20,7 @@ mod solver;
 mod sureness;
 mod title;
 mod verdict;
+mod versus;
 mod words;
 
 pub use document::{Block, Document, Issue, KeyNumber, Picture, Row, Section};
@@ -46,6 +47,7 @@ impl Report<'_> {
         sections.extend(sketch::sections(report, form));
         sections.push(inputs::section(&self.check, form));
         sections.extend(results::sections(report, form));
+        sections.extend(report.versus.map(|versus| versus::section(versus, form)));
         sections.extend([
             inputs::assumptions(&self.check, form),
             solver::warnings(report, form),

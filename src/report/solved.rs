@@ -7,6 +7,7 @@ use crate::assess::{self, Answer, Finding, Kind};
 use crate::case::{Solution, TitleBlock};
 use crate::message::Form;
 use crate::output::{Dimension, FrameRecorder, StageView, Summary};
+use crate::study::versus::Versus;
 use crate::units::rounded;
 use crate::verification::{self, Told, Verification};
 use serde_json::{Map, Value, json};
@@ -26,6 +27,8 @@ pub struct Report<'a> {
     pub(super) verification: Option<&'a Verification>,
     /// Frames on the way, for pictures that move.
     pub(super) frames: Option<&'a FrameRecorder>,
+    /// Other runs beside it, where there are some.
+    pub(super) versus: Option<&'a Versus>,
 }
 
 impl<'a> Report<'a> {
@@ -60,6 +63,7 @@ impl<'a> Report<'a> {
             title_block: solution.case.title_block.clone(),
             verification,
             frames: None,
+            versus: None,
         }
     }
 
@@ -71,6 +75,11 @@ impl<'a> Report<'a> {
     /// With the section as it moves, where the document can show it.
     pub fn moving(self, frames: &'a FrameRecorder) -> Self {
         Self { frames: Some(frames), ..self }
+    }
+
+    /// With other runs and measurements beside it.
+    pub fn against(self, versus: &'a Versus) -> Self {
+        Self { versus: Some(versus), ..self }
     }
 
     /// With pictures that are told in a form.

@@ -4,7 +4,7 @@
 //! reads `study.csv` reads all of it. A run that was killed leaves whole rows and at most a half one, which is cut off.
 
 use super::StudyError;
-use std::fs::{self, File, OpenOptions};
+use std::fs::{self, File, OpenOptions, TryLockError};
 use std::io::{self, BufRead, BufReader, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 
@@ -25,7 +25,7 @@ pub struct Journal {
 /// What to do with rows that an earlier run has left.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Earlier {
-    /// They stay, and only what is missing is run.
+    /// They stay, and only what is missing is run, once no other run is at it.
     Resume,
     /// They go.
     Restart,
@@ -54,24 +54,25 @@ impl Journal {
         let unwritable = |error: io::Error| {
             StudyError::new(format!("cannot write {}: {error}", path.display()), "choose another place with --out")
         };
-        if path.exists() && !is_ours(path) {
-            let what = format!("{} is there and is no table of a study", path.display());
-            return Err(StudyError::new(what, "choose another place with --out"));
-        }
-        if path.exists() && earlier == Earlier::Resume && rows_of(path, header, indices)?.count == indices.len() {
-            return Ok(Begun::Complete);
-        }
         if let Some(folder) = path.parent() {
             fs::create_dir_all(folder).map_err(unwritable)?;
         }
-        let is_begun = part.exists();
-        let mut file = OpenOptions::new().read(true).append(true).create(true).open(&part).map_err(unwritable)?;
-        file.try_lock().map_err(|_| {
-            StudyError::new(
-                format!("another run writes {}", path.display()),
-                "wait for it, or choose another place with --out",
-            )
-        })?;
+        let (mut file, is_begun) = loop {
+            if path.exists() && !is_ours(path) {
+                let what = format!("{} is there and is no table of a study", path.display());
+                return Err(StudyError::new(what, "choose another place with --out"));
+            }
+            if path.exists() && earlier == Earlier::Resume && rows_of(path, header, indices)?.count == indices.len() {
+                return Ok(Begun::Complete);
+            }
+            let is_begun = part.exists();
+            let file = OpenOptions::new().read(true).append(true).create(true).open(&part).map_err(unwritable)?;
+            lock(&file, path, earlier)?;
+            // Another run may have ended meanwhile and given its rows, which are this file, their name.
+            if is_same(&file, &part) {
+                break (file, is_begun);
+            }
+        };
         let kept = match earlier {
             Earlier::Refuse if is_begun && file.metadata().is_ok_and(|data| data.len() > 0) => {
                 let what = format!("an earlier run has left rows of {} and did not end", path.display());
@@ -119,6 +120,38 @@ impl Journal {
     /// Where the rows are as long as some are missing.
     pub fn part(&self) -> &Path {
         &self.part
+    }
+}
+
+/// Keeps other runs from writing the same rows. A run that goes on waits for one that is not over: a scheduler may begin a
+/// shard again while what it has lost is still at it.
+fn lock(file: &File, path: &Path, earlier: Earlier) -> Result<(), StudyError> {
+    match file.try_lock() {
+        Err(TryLockError::WouldBlock) if earlier == Earlier::Resume => file.lock().map_err(|error| {
+            StudyError::new(format!("cannot wait for the other run of {}: {error}", path.display()), "try it again")
+        }),
+        Err(TryLockError::WouldBlock) => {
+            let what = format!("another run writes {}", path.display());
+            Err(StudyError::new(what, "wait for it, or choose another place with --out"))
+        }
+        // Some disks of clusters know no locks: rows that are there twice are still found when shards are merged.
+        Ok(()) | Err(TryLockError::Error(_)) => Ok(()),
+    }
+}
+
+/// Whether an open file is still the one of that name.
+fn is_same(file: &File, path: &Path) -> bool {
+    #[cfg(unix)]
+    {
+        use std::os::unix::fs::MetadataExt;
+        let [open, named] = [file.metadata(), fs::metadata(path)].map(|data| data.ok().map(|d| (d.dev(), d.ino())));
+        open.is_some() && open == named
+    }
+    #[cfg(not(unix))]
+    {
+        // A file that is open cannot be renamed there.
+        let _ = file;
+        path.exists()
     }
 }
 

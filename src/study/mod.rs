@@ -20,6 +20,7 @@
 //! file          a study as TOML
 //! scatter       designs that are drawn by chance, and what can be said of them
 //! fit           laws and keys from measurements
+//! versus        several runs, and what was measured, side by side
 //! ```
 
 mod deciding;
@@ -46,6 +47,7 @@ mod varied;
 mod vary;
 mod window;
 mod zone;
+pub mod versus;
 
 pub use error::StudyError;
 pub use journal::{Begun, Earlier, Journal, csv};

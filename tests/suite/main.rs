@@ -45,6 +45,7 @@ mod result_folder;
 mod scripts;
 mod search;
 mod scatter;
+mod shards;
 mod sheets;
 mod sizes;
 mod springback;

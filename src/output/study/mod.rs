@@ -1,4 +1,4 @@
-//! Pictures of studies: one file each.
+//! Pictures and tables of studies: one file each.
 
 mod curves;
 mod fit_case;
@@ -8,6 +8,7 @@ mod loads;
 pub mod search;
 mod sweep;
 mod tornado;
+pub mod versus;
 mod window;
 mod zones;
 

@@ -1,0 +1,240 @@
+//! Pictures of several runs side by side, and the table of their differences.
+
+use crate::forming_limit::{self, Assessment, Curve};
+use crate::message::{Form, Message, message};
+use crate::model::Geometry;
+use crate::output::chart::{BLACK, Chart, Look, Panel, Scale, Series, color};
+use crate::output::forming_diagram::{Strains, along};
+use crate::output::sections;
+use crate::solution::{Frame, NodeRecord, StageSolution};
+use crate::study::versus::{Member, Of, Versus};
+use crate::table::fields::element::{S0, THICKNESS};
+use crate::table::fields::step::{PUNCH_FORCE, TRAVEL};
+use crate::units::rounded;
+
+/// The file of the table.
+pub const TABLE: &str = "differences.csv";
+/// What it begins with.
+pub const BEGINNING: &str = "quantity,of,unit,member,value,error_bar,difference,within_error\n";
+
+/// Height of curves \[px of a picture 800 wide\].
+const HEIGHT: f64 = 350.0;
+/// So many measured points are circles, more of them a line.
+const CIRCLES: usize = 60;
+/// What is shown beside the strains, over their range, and above them.
+const BESIDE: f64 = 0.15;
+/// Least height of the thickness axis over the initial thickness: smaller differences are noise \[–\].
+const LEAST: f64 = 0.02;
+
+/// A picture: name of its file without the ending, what it shows, and what is drawn.
+pub struct Drawn {
+    /// `compare_load`
+    pub stem: &'static str,
+    /// `punch force over the travel`
+    pub about: &'static str,
+    /// In the units and words of a form.
+    pub chart: Chart,
+}
+
+/// Load, thickness, strains and sections of all runs, those that they have, with what was measured.
+pub fn pictures(versus: &Versus, engineering_strain: bool, form: Form) -> Vec<Drawn> {
+    let strains = Strains { engineering: engineering_strain };
+    let all = [
+        ("compare_load", "punch force over the travel", load(versus, form)),
+        ("compare_thickness", "thickness over the blank", thickness(versus, form)),
+        ("compare_strains", "strains and forming limit", limits(versus, strains, form)),
+        ("compare_sections", "the sections at the end", shapes(versus, form)),
+    ];
+    let drawn = all.into_iter().filter_map(|(stem, about, found)| {
+        let (panel, note) = found?;
+        let title = form.tell(message!("Compared: {what}", what = Message::from(about)));
+        let notes = note.into_iter().map(|note| form.tell(note)).collect();
+        let chart = Chart { title, legend: String::new(), panels: vec![panel], notes }.told(form);
+        Some(Drawn { stem, about, chart })
+    });
+    drawn.collect()
+}
+
+/// A curve of every run that has it, in its own colour and dashes.
+fn curves<'a>(
+    versus: &'a Versus,
+    form: Form,
+    points: impl Fn(&'a Member) -> Vec<(f64, f64)> + 'a,
+) -> impl Iterator<Item = Series> + 'a {
+    let series = versus
+        .members
+        .iter()
+        .enumerate()
+        .map(move |(i, member)| Series::new(form.tell(member.name.clone()), points(member), Look::curve(i)));
+    series.filter(|series| !series.points.is_empty())
+}
+
+/// What was measured of a kind, told apart from the runs.
+fn measured(versus: &Versus, of: Of) -> impl Iterator<Item = Series> {
+    let curves = versus.measured.iter().flat_map(|measured| &measured.curves).filter(move |curve| curve.of == of);
+    curves.enumerate().map(|(i, curve)| {
+        let place = versus.members.len() + i;
+        let look = if curve.points.len() > CIRCLES { Look::curve(place) } else { Look::Circles { color: color(place) } };
+        Series::new(curve.name.clone(), curve.points.clone(), look)
+    })
+}
+
+type Found = Option<(Panel, Option<Message>)>;
+
+fn load(versus: &Versus, form: Form) -> Found {
+    let extent = versus.members.first()?.solution.case.model().extent();
+    let series: Vec<Series> = curves(versus, form, |member| member.outcome().load.clone()).collect();
+    let scale = Scale::Fit { height: HEIGHT, least: 0.0 };
+    let (x, y) = (TRAVEL.axis(extent), PUNCH_FORCE.axis(extent));
+    (!series.is_empty())
+        .then(|| (Panel { x, y, series: series.into_iter().chain(measured(versus, Of::Load)).collect(), scale }, None))
+}
+
+fn thickness(versus: &Versus, form: Form) -> Found {
+    let model = versus.members.first()?.solution.case.model();
+    let (extent, least) = (model.extent(), LEAST * model.blank.thickness);
+    let series: Vec<Series> = curves(versus, form, |member| member.outcome().thickness.clone()).collect();
+    let scale = Scale::Fit { height: HEIGHT, least };
+    let (x, y) = (S0.axis(extent), THICKNESS.axis(extent));
+    (!series.is_empty()).then(|| {
+        (Panel { x, y, series: series.into_iter().chain(measured(versus, Of::Thickness)).collect(), scale }, None)
+    })
+}
+
+/// The last stage that was run, and how it ended.
+fn end(member: &Member) -> Option<(&StageSolution, &Frame)> {
+    let stage = member.solution.stages.last()?;
+    Some((stage, stage.frames.last()?))
+}
+
+/// A run with a forming limit.
+struct Limited<'a> {
+    place: usize,
+    name: String,
+    limit: &'a Curve,
+    assessment: Assessment,
+}
+
+/// Strains from the axis to the edge, and the limits: minor and major of a cup, of a strip the major over the blank.
+fn limits(versus: &Versus, strains: Strains, form: Form) -> Found {
+    let limited = versus.members.iter().enumerate().filter_map(|(place, member)| {
+        let (stage, _) = end(member)?;
+        let limit = stage.model.forming_limit.as_ref()?;
+        let assessment = forming_limit::assess(limit, &stage.paths)?;
+        Some(Limited { place, name: form.tell(member.name.clone()), limit, assessment })
+    });
+    let limited: Vec<Limited> = limited.collect();
+    let first = limited.first()?;
+    let model = versus.members.first()?.solution.case.model();
+    let is_strip = model.geometry == Geometry::PlaneStrain;
+    let one_limit = limited.iter().all(|other| other.limit.points() == first.limit.points());
+    let ends = || limited.iter().flat_map(|run| &run.assessment.elements);
+    let [low, high] = [f64::min as fn(f64, f64) -> f64, f64::max].map(|of| ends().map(|e| e.minor).fold(0.0, of));
+    let beside = BESIDE * (high - low).max(0.2);
+    let minors = (low - beside, high + beside);
+    let line = |run: &Limited| -> Vec<(f64, f64)> {
+        if is_strip {
+            return run.assessment.elements.iter().map(|e| (e.s0, strains.of(e.limit))).collect();
+        }
+        let curve = along(run.limit, minors).into_iter().filter(|p| p[0] <= p[1] && run.limit.knows(p[0]));
+        curve.map(|p| strains.point(p)).collect()
+    };
+    let places = |run: &Limited| -> Vec<(f64, f64)> {
+        let elements = run.assessment.elements.iter();
+        match is_strip {
+            true => elements.map(|e| (e.s0, strains.of(e.major))).collect(),
+            false => elements.map(|e| strains.point([e.minor, e.major])).collect(),
+        }
+    };
+    let mut series = Vec::new();
+    for run in &limited {
+        series.push(Series::new(run.name.clone(), places(run), Look::curve(run.place)));
+        let look = match one_limit {
+            true => Look::Line { color: BLACK, width: 1.6, dash: &[] },
+            false => Look::curve(run.place).faint(),
+        };
+        let label = match one_limit {
+            true => message!("Limit: {curve}", curve = run.limit.name),
+            false => message!("Limit of {name}", name = run.name.clone()),
+        };
+        if !one_limit || run.place == first.place {
+            series.push(Series::new(form.tell(label), line(run), look));
+        }
+    }
+    let tallest = series.iter().flat_map(|series| &series.points).map(|point| point.1).fold(0.0, f64::max);
+    let lowest = ends().map(|element| strains.of(element.major)).fold(0.0, f64::min);
+    let y_range = (lowest, (1.0 + BESIDE) * tallest);
+    let [minor, major] = strains.axes();
+    let (x, x_range) = match is_strip {
+        true => (S0.axis(model.extent()), (0.0, model.blank.length)),
+        false => (minor, (strains.of(minors.0), strains.of(minors.1))),
+    };
+    let note = message!("Each line goes through the places of a sheet from its middle to its edge.");
+    let scale = Scale::Window { height: HEIGHT, x: x_range, y: y_range };
+    Some((Panel { x, y: major, series, scale }, Some(note).filter(|_| !is_strip)))
+}
+
+/// The middle of the sheet at the end of every run, with the tools of the first.
+fn shapes(versus: &Versus, form: Form) -> Found {
+    let first = versus.members.first()?;
+    let (stage, frame) = end(first)?;
+    let nodes = versus.members.iter().filter_map(end).flat_map(|(_, frame)| &frame.nodes);
+    let length = versus.members.iter().map(|m| m.solution.case.model().blank.length).fold(0.0, f64::max);
+    let window = sections::window(nodes, length);
+    let at = |node: &NodeRecord| (node.r, node.z);
+    let middle = |member: &Member| end(member).map_or_else(Vec::new, |(_, frame)| frame.nodes.iter().map(at).collect());
+    let sheets: Vec<Series> = curves(versus, form, middle).collect();
+    let tools = sections::tools(&stage.model, Some(frame), length);
+    let note = message!(
+        "Lines are the middle of the sheet at the end of each run; the tools are those of {name}.",
+        name = first.name.clone()
+    );
+    Some((sections::panel(stage.model.geometry, tools.chain(sheets), window), Some(note)))
+}
+
+/// One row for every number of every run, then what the verdict says and how it ended.
+pub fn csv(versus: &Versus) -> Vec<u8> {
+    let never = "memory does not refuse a row";
+    let mut writer = csv::Writer::from_writer(BEGINNING.as_bytes().to_vec());
+    let mut put = |row: [String; 8]| writer.write_record(row).expect(never);
+    let number = |value: f64| rounded(value).to_string();
+    for compared in versus.compared() {
+        let own = &compared.number;
+        let (key, of, unit) = (own.key, own.of.key(), own.amount.unit.spelled());
+        for (i, (member, value)) in versus.members.iter().zip(&compared.values).enumerate() {
+            let change = i.checked_sub(1).map(|i| compared.changes[i]);
+            let value_of = |amount: &crate::message::Amount| number(amount.value);
+            put([
+                key.into(),
+                of.into(),
+                unit.into(),
+                member.name.to_string(),
+                value.as_ref().map_or_else(String::new, value_of),
+                value.and_then(|amount| amount.bar()).map_or_else(String::new, number),
+                change.and_then(|change| change.value()).map_or_else(String::new, number),
+                match change.and_then(|change| change.is_within()) {
+                    Some(true) => "yes".into(),
+                    Some(false) => "no".into(),
+                    None => String::new(),
+                },
+            ]);
+        }
+    }
+    let none = String::new;
+    for misfit in versus.misfits() {
+        for (member, found) in versus.members.iter().zip(&misfit.of_members) {
+            let (value, unit) =
+                found.map_or_else(|| (none(), ""), |(rms, _)| (number(rms.value), rms.unit.spelled()));
+            let key = format!("rms off {}", misfit.curve);
+            put([key, "measured".into(), unit.into(), member.name.to_string(), value, none(), none(), none()]);
+        }
+    }
+    for member in &versus.members {
+        let words = [("verdict", member.light.name().to_owned()), ("end", member.outcome().end.kind.to_owned())];
+        for (key, word) in words {
+            put([key.into(), "run".into(), none(), member.name.to_string(), word, none(), none(), none()]);
+        }
+    }
+    drop(put);
+    writer.into_inner().expect(never)
+}
