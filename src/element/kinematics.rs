@@ -134,7 +134,7 @@ impl Reference {
     ///
     /// Strains are formed from the moves, not from positions: where the sheet hardly flows, stress is a strain of 1e-10
     /// times a viscosity of 1e8 MPa, and the difference of two positions would be round-off.
-    #[inline]
+    #[inline(always)]
     pub fn moved(&self, a: Node, b: Node) -> Option<Current> {
         let (ur, uz, turn) = (b[0] - a[0], b[1] - a[1], b[2] - a[2]);
         let (dr, dz) = (self.dr + ur, self.dz + uz);

@@ -36,9 +36,6 @@ pub struct Internal {
     pub thickness: f64,
 }
 
-/// Entries of a [`Symmetric`] by strain and curvature: ss, sθ, θs, θθ, γs, γθ.
-const STRAINS_BY_CURVATURES: [usize; 6] = [0, 1, 1, 2, 3, 4];
-
 /// The point of a membrane.
 const MIDDLE: [ThicknessPoint; 1] = [ThicknessPoint { xi: 0.0, weight: 1.0, half: 0.0 }];
 
@@ -74,59 +71,68 @@ pub fn forces(
     nodal(&current.strain_displacement(), &s)
 }
 
-/// The matrices of the points integrated through the thickness with 1, ζ, ζ².
+/// The matrices of the points integrated through the thickness with 1, ζ, ζ²: in fours, which are added in one go.
 #[derive(Default)]
 struct Stiffness {
-    /// Membrane.
-    c0: Symmetric,
-    /// Coupling, strains by curvatures: ss, sθ, θs, θθ, γs, γθ.
-    c1: [f64; 6],
-    /// Bending: ss, sθ, θθ.
-    c2: Triple,
+    /// By ε_s, ε_θ, κ_s, κ_θ; the rows of the curvatures without the columns of the strains.
+    plane: [[f64; 4]; 4],
+    /// Of γ with these.
+    shear: [f64; 4],
+    /// Of γ with itself.
+    own_shear: f64,
 }
 
 impl Stiffness {
     /// Adds a point at ζ that stands for the volume `v`.
-    #[inline]
+    #[inline(always)]
     fn add(&mut self, zeta: f64, v: f64, tangent: &Symmetric) {
-        let c = tangent.map(|c| v * c);
-        for j in 0..6 {
-            self.c0[j] += c[j];
-            self.c1[j] += zeta * c[STRAINS_BY_CURVATURES[j]];
+        let [ss, st, tt, sg, tg, gg] = tangent.map(|c| v * c);
+        let strains = [[ss, st, zeta * ss, zeta * st], [st, tt, zeta * st, zeta * tt]];
+        let shear = [sg, tg, zeta * sg, zeta * tg];
+        for j in 0..4 {
+            for i in 0..2 {
+                self.plane[i][j] += strains[i][j];
+                self.plane[i + 2][j] += zeta * strains[i][j];
+            }
+            self.shear[j] += shear[j];
         }
-        for j in 0..3 {
-            self.c2[j] += zeta * zeta * c[j];
-        }
+        self.own_shear += gg;
     }
 
     /// Adds a point that stands in the middle of a part of the thickness of 2 `half`.
-    #[inline]
+    #[inline(always)]
     fn add_part(&mut self, zeta: f64, half: f64, v: f64, part: &Across) {
-        let Self { c0, c1, c2 } = self;
         let [ss, st, tt, shear] = part.metric.map(|k| v * k);
-        let [xx, xy, yy] = part.coupling.map(|k| half * v * k);
         let square = zeta * zeta + MEAN_SQUARE * half * half;
-        for (j, (k, x)) in [(ss, xx), (st, xy), (tt, yy)].into_iter().enumerate() {
-            c0[j] += k;
-            c2[j] += square * k + 2.0 * zeta * x;
+        let mut own = [
+            [ss, st, zeta * ss, zeta * st],
+            [st, tt, zeta * st, zeta * tt],
+            [0.0, 0.0, square * ss, square * st],
+            [0.0, 0.0, square * st, square * tt],
+        ];
+        if let Some(coupling) = part.coupling {
+            let [xx, xy, yy] = coupling.map(|k| half * v * k);
+            for (i, row) in [[xx, xy], [xy, yy]].into_iter().enumerate() {
+                for j in 0..2 {
+                    own[i][j + 2] += row[j];
+                    own[i + 2][j + 2] += 2.0 * zeta * row[j];
+                }
+            }
         }
-        c0[5] += shear;
-        for (j, (k, x)) in [(ss, xx), (st, xy), (st, xy), (tt, yy)].into_iter().enumerate() {
-            c1[j] += zeta * k + x;
-        }
-        // g and h by the strains, and by the curvatures.
+        // g and h by the strains and the curvatures.
+        let both = |g: &[f64; 5]| [g[0], g[1], zeta * g[0] + half * g[2], zeta * g[1] + half * g[3]];
         let [g, h] = part.outer;
         let h = h.map(|h| v * h);
-        let [gk, hk] = [g, h].map(|g| [zeta * g[0] + half * g[3], zeta * g[1] + half * g[4]]);
-        for (j, (a, b)) in [(0, 0), (0, 1), (1, 1), (0, 2), (1, 2), (2, 2)].into_iter().enumerate() {
-            c0[j] += g[a] * h[b] + h[a] * g[b];
+        let (p, q) = (both(&g), both(&h));
+        for i in 0..4 {
+            for j in 0..4 {
+                self.plane[i][j] += own[i][j] + (p[i] * q[j] + q[i] * p[j]);
+            }
         }
-        for (j, (a, b)) in [(0, 0), (0, 1), (1, 0), (1, 1), (2, 0), (2, 1)].into_iter().enumerate() {
-            c1[j] += g[a] * hk[b] + h[a] * gk[b];
+        for j in 0..4 {
+            self.shear[j] += g[4] * q[j] + h[4] * p[j];
         }
-        for (j, (a, b)) in [(0, 0), (0, 1), (1, 1)].into_iter().enumerate() {
-            c2[j] += gk[a] * hk[b] + hk[a] * gk[b];
-        }
+        self.own_shear += shear + 2.0 * g[4] * h[4];
     }
 }
 
@@ -135,7 +141,7 @@ impl<L: PointLaw> Law<'_, L> {
     ///
     /// `before` are the points as the step finds them, `iterates` what they remember (moved on), `updates` their results
     /// (written); of a membrane's the first.
-    #[inline]
+    #[inline(always)]
     pub fn internal(
         &self,
         current: &Current,
@@ -155,8 +161,10 @@ impl<L: PointLaw> Law<'_, L> {
             let half = 0.5 * thickness * at.half;
             let spread = [half * e[KAPPA_S], half * e[KAPPA_T]];
             let part = at.half > 0.0;
-            let across = part.then(|| self.point.respond_across(&before[i], &mut iterates[i], strain, spread));
-            let update = match across.flatten() {
+            // No closure: it would be compiled by itself.
+            let across =
+                if part { self.point.respond_across(&before[i], &mut iterates[i], strain, spread) } else { None };
+            let update = match across {
                 None => {
                     let update = self.point.respond(&before[i], &mut iterates[i], strain);
                     if !self.forces_alone {
@@ -181,7 +189,6 @@ impl<L: PointLaw> Law<'_, L> {
             s[GAMMA] += v * update.stress[2];
             updates[i] = update;
         }
-        let Stiffness { c0, c1, c2 } = c;
         // Forces and matrix of the element's five motions: differences d = (r, z), sum of r, difference and sum of θ.
         let g = current.strain_displacement();
         let force = nodal(&g, &s);
@@ -206,20 +213,23 @@ impl<L: PointLaw> Law<'_, L> {
         let both = |p: f64, q: f64| [p * e0[0] + q * e1[0], p * e0[1] + q * e1[1]];
         let [rr, rz, zz] = k.difference;
 
-        let (from_s, from_g) = (both(c0[0], c0[3]), both(c0[3], c0[5]));
+        let Stiffness { plane: [by_s, by_t, by_bend, by_turn], shear, own_shear } = c;
+        let (from_s, from_g) = (both(by_s[EPS_S], shear[EPS_S]), both(shear[EPS_S], own_shear));
         let rr = rr + e0[0] * from_s[0] + e1[0] * from_g[0];
         let rz = rz + e0[0] * from_s[1] + e1[0] * from_g[1];
         let zz = zz + e0[1] * from_s[1] + e1[1] * from_g[1];
-        let hoop = both(c0[1], c0[4]).map(|v| g.hoop * v);
-        let bend = both(c1[0], c1[4]).map(|v| g.bend * v);
-        let turn_s = both(c1[1], c1[5]);
+        let hoop = both(by_s[EPS_T], shear[EPS_T]).map(|v| g.hoop * v);
+        let bend = both(by_s[KAPPA_S], shear[KAPPA_S]).map(|v| g.bend * v);
+        let turn_s = both(by_s[KAPPA_T], shear[KAPPA_T]);
         let turn = [g.turn * turn_s[0] + g.shear * from_g[0], g.turn * turn_s[1] + g.shear * from_g[1]];
-        let hoop_hoop = g.hoop * g.hoop * c0[2] + k.hoop;
-        let hoop_bend = g.hoop * g.bend * c1[2];
-        let hoop_turn = g.hoop * (g.turn * c1[3] + g.shear * c0[4]);
-        let bend_bend = g.bend * g.bend * c2[0];
-        let bend_turn = g.bend * (g.turn * c2[1] + g.shear * c1[4]);
-        let turn_turn = g.turn * (g.turn * c2[2] + 2.0 * g.shear * c1[5]) + g.shear * g.shear * c0[5] + k.turn;
+        let hoop_hoop = g.hoop * g.hoop * by_t[EPS_T] + k.hoop;
+        let hoop_bend = g.hoop * g.bend * by_t[KAPPA_S];
+        let hoop_turn = g.hoop * (g.turn * by_t[KAPPA_T] + g.shear * shear[EPS_T]);
+        let bend_bend = g.bend * g.bend * by_bend[KAPPA_S];
+        let bend_turn = g.bend * (g.turn * by_bend[KAPPA_T] + g.shear * shear[KAPPA_S]);
+        let turn_turn = g.turn * (g.turn * by_turn[KAPPA_T] + 2.0 * g.shear * shear[KAPPA_T])
+            + g.shear * g.shear * own_shear
+            + k.turn;
 
         // Back to the nodes: differences count −1 at the first and +1 at the second, sums +1 at both.
         let own = [-1.0, 1.0].map(|i| {

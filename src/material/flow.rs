@@ -71,12 +71,12 @@ impl PointLaw for FlowLaw<'_> {
     type PointState = PointState;
     type Iterate = Iterate;
 
-    #[inline]
+    #[inline(always)]
     fn respond(&self, point: &PointState, iterate: &mut Iterate, e: Triple) -> StressUpdate {
         iterate.advance(self, point, e)
     }
 
-    #[inline]
+    #[inline(always)]
     fn respond_across(&self, point: &PointState, iterate: &mut Iterate, e: Triple, spread: [f64; 2]) -> Option<Across> {
         iterate.advance_across(self, point, e, spread)
     }
@@ -219,7 +219,7 @@ impl Iterate {
     ///
     /// # References
     /// The carried stress: Chan, Golub, Mulet, SIAM J. Sci. Comput. 20 (1999) 1964–1977, for a potential with the same kink.
-    #[inline]
+    #[inline(always)]
     pub fn advance(&mut self, law: &FlowLaw, point: &PointState, e: Triple) -> StressUpdate {
         match (law.voids, &law.criterion) {
             (None, YieldCriterion::Hill48(hill)) => self.flow(law, hill, point, e),
@@ -313,7 +313,7 @@ impl Iterate {
     }
 
     /// σ + C δ(Δε) with the matrix of the last iterate.
-    #[inline]
+    #[inline(always)]
     fn carried_at(&self, condition: &impl YieldCondition, e: Triple) -> Triple {
         let last = condition.recalled(&self.kept, self.flow);
         let (a, w) = (last.gradient, self.carried);

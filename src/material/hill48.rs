@@ -119,9 +119,9 @@ impl YieldCondition for Hill48 {
         let (direct, coupled) = (MEAN_SQUARE * self.direct, MEAN_SQUARE * self.coupled);
         let b = [direct * k[0] + coupled * k[1], coupled * k[0] + direct * k[1]];
         Part {
-            gradient: [a[0], a[1], a[2], b[0], b[1]],
+            gradient: [a[0], a[1], b[0], b[1], a[2]],
             own: [self.direct, self.coupled, self.direct, self.shear],
-            coupling: [0.0; 3],
+            coupling: None,
             square: dot(e, a) + b[0] * k[0] + b[1] * k[1],
         }
     }
@@ -129,12 +129,12 @@ impl YieldCondition for Hill48 {
     #[inline]
     fn part_product(&self, _: &Part, e: Triple, k: [f64; 2]) -> [f64; 5] {
         let (a, b) = (self.apply(e), self.apply([k[0], k[1], 0.0]));
-        [a[0], a[1], a[2], MEAN_SQUARE * b[0], MEAN_SQUARE * b[1]]
+        [a[0], a[1], MEAN_SQUARE * b[0], MEAN_SQUARE * b[1], a[2]]
     }
 
     #[inline]
     fn part_square(&self, _: &Part, w: [f64; 5]) -> f64 {
-        self.stress_square([w[0], w[1], w[2]]) + self.stress_square([w[3], w[4], 0.0]) / MEAN_SQUARE
+        self.stress_square([w[0], w[1], w[4]]) + self.stress_square([w[2], w[3], 0.0]) / MEAN_SQUARE
     }
 
     #[inline]

@@ -41,9 +41,9 @@ pub struct Across {
     pub moment: [f64; 2],
     /// K: ss, sθ, θθ, γγ \[MPa\].
     pub metric: [f64; 4],
-    /// K_x: ss, sθ, θθ, nothing for a quadratic yield condition \[MPa\].
-    pub coupling: Triple,
-    /// g and h \[–, MPa\].
+    /// K_x: ss, sθ, θθ \[MPa\]; `None` for a quadratic yield condition.
+    pub coupling: Option<Triple>,
+    /// g and h by ε_s, ε_θ, their spreads and γ \[–, MPa\].
     pub outer: [[f64; 5]; 2],
 }
 

@@ -8,6 +8,7 @@
 //! evenly bears what it does without.
 
 use super::FlowStress;
+use crate::numerics::small;
 
 /// What a thickness point knows of its surroundings.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -26,7 +27,7 @@ impl Surroundings {
     pub fn hold(&self, yielding: &mut FlowStress, increment: f64) {
         if self.exponent > 0.0 {
             let flow = increment + self.floor;
-            let factor = 1.0 + self.exponent * (flow / (self.increment + self.floor)).ln();
+            let factor = 1.0 + self.exponent * small::ln(flow / (self.increment + self.floor));
             yielding.slope = yielding.slope * factor + yielding.stress * self.exponent / flow;
             yielding.stress *= factor;
         }

@@ -37,12 +37,12 @@ pub struct Metric {
 /// ```
 #[derive(Clone, Copy, Debug)]
 pub struct Part {
-    /// By Δε_s, Δε_θ, Δγ, k_s, k_θ.
+    /// By Δε_s, Δε_θ, k_s, k_θ, Δγ.
     pub gradient: [f64; 5],
     /// K: ss, sθ, θθ, γγ.
     pub own: [f64; 4],
-    /// K_x: ss, sθ, θθ; nothing for a quadratic condition.
-    pub coupling: Triple,
+    /// K_x: ss, sθ, θθ; `None` for a quadratic condition, which has none.
+    pub coupling: Option<Triple>,
     /// D².
     pub square: f64,
 }
@@ -51,7 +51,7 @@ pub struct Part {
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Kept {
     pub own: [f64; 4],
-    pub coupling: Triple,
+    pub coupling: Option<Triple>,
 }
 
 /// A convex yield condition.
@@ -109,7 +109,7 @@ pub trait YieldCondition {
         let root = MEAN_SQUARE.sqrt();
         let at = |root: f64| {
             let point = [e[0] + root * k[0], e[1] + root * k[1], e[2]];
-            let Some([s, t, _, ks, kt]) = w else { return self.metric(point) };
+            let Some([s, t, ks, kt, _]) = w else { return self.metric(point) };
             self.metric_towards(point, [s + ks / root, t + kt / root])
         };
         let (above, below) = (at(root), at(-root));
@@ -119,9 +119,9 @@ pub trait YieldCondition {
         let own = |j: usize| 0.5 * (above.matrix[j] + below.matrix[j]);
         let coupling = |j: usize| odd * (above.matrix[j] - below.matrix[j]);
         Part {
-            gradient: [mean(0), mean(1), mean(2), turning(0), turning(1)],
+            gradient: [mean(0), mean(1), turning(0), turning(1), mean(2)],
             own: [own(0), own(1), own(2), own(5)],
-            coupling: [coupling(0), coupling(1), coupling(2)],
+            coupling: Some([coupling(0), coupling(1), coupling(2)]),
             square: 0.5 * (above.square + below.square),
         }
     }
@@ -132,9 +132,10 @@ pub trait YieldCondition {
         let plane = |[ss, st, tt]: Triple, v: [f64; 2]| [ss * v[0] + st * v[1], st * v[0] + tt * v[1]];
         let [ss, st, tt, shear] = part.own;
         let (own, even) = ([ss, st, tt], [e[0], e[1]]);
-        let (a, b) = (plane(own, even), plane(part.coupling, k));
-        let (c, d) = (plane(part.coupling, even), plane(own, k));
-        [a[0] + b[0], a[1] + b[1], shear * e[2], c[0] + MEAN_SQUARE * d[0], c[1] + MEAN_SQUARE * d[1]]
+        let coupling = part.coupling.unwrap_or_default();
+        let (a, b) = (plane(own, even), plane(coupling, k));
+        let (c, d) = (plane(coupling, even), plane(own, k));
+        [a[0] + b[0], a[1] + b[1], c[0] + MEAN_SQUARE * d[0], c[1] + MEAN_SQUARE * d[1], shear * e[2]]
     }
 
     /// wᵀ A⁻¹ w \[MPa²\] of a carried stress and moment, by the part's matrix.
@@ -142,12 +143,13 @@ pub trait YieldCondition {
     fn part_square(&self, part: &Part, w: [f64; 5]) -> f64 {
         // Of both points: A = K ± √3 K_x, w = stress ± √3 moment.
         let root = MEAN_SQUARE.sqrt().recip();
+        let coupling = part.coupling.unwrap_or_default();
         let at = |sign: f64| {
-            let [ss, st, tt] = [0, 1, 2].map(|j| part.own[j] + sign * root * part.coupling[j]);
-            let [s, t] = [0, 1].map(|i| w[i] + sign * root * w[i + 3]);
+            let [ss, st, tt] = [0, 1, 2].map(|j| part.own[j] + sign * root * coupling[j]);
+            let [s, t] = [0, 1].map(|i| w[i] + sign * root * w[i + 2]);
             (tt * s * s - 2.0 * st * s * t + ss * t * t) / (ss * tt - st * st)
         };
-        0.5 * (at(1.0) + at(-1.0)) + w[2] * w[2] / part.own[3]
+        0.5 * (at(1.0) + at(-1.0)) + w[4] * w[4] / part.own[3]
     }
 
     /// wᵀ A⁻¹ w \[MPa²\] of a carried stress.

@@ -15,7 +15,7 @@ impl Iterate {
     /// stands for the mean: a norm of both, so that stress, moment and matrices are those of a point with five strains. Where A
     /// is not the same for all strains P² is the mean of Gauss's two points, which for a quadratic condition is the same.
     /// `None` for a sheet with voids.
-    #[inline]
+    #[inline(always)]
     pub(super) fn advance_across(
         &mut self,
         law: &FlowLaw,
@@ -70,20 +70,20 @@ impl Iterate {
             law.yielding(point, hardening, steep, increment, 1.0 / inverse, increment * inverse);
         let f = yield_stress * inverse;
         let h = if increment > 0.0 { slope * inverse / increment } else { 0.0 };
-        let stress = [f * g[0], f * g[1], f * g[2]];
-        let moment = [f * g[3], f * g[4]];
+        let stress = [f * g[0], f * g[1], f * g[4]];
+        let moment = [f * g[2], f * g[3]];
         let half = 0.5 * steep;
         let other = match law.matrix {
             Iteration::Secant => [0.0; 5],
             Iteration::Newton => g.map(|g| half * (h - f * inverse_square) * g),
             Iteration::PrimalDual => {
                 let [s, t, shear] = self.carried;
-                let w = w.unwrap_or([s, t, shear, self.carried_moment[0], self.carried_moment[1]]);
+                let w = w.unwrap_or([s, t, self.carried_moment[0], self.carried_moment[1], shear]);
                 let square = condition.part_square(&part, w);
                 let back = if square > yield_stress * yield_stress { yield_stress / square.sqrt() } else { 1.0 };
                 let w = w.map(|w| back * w);
-                self.carried = [w[0], w[1], w[2]];
-                self.carried_moment = [w[3], w[4]];
+                self.carried = [w[0], w[1], w[4]];
+                self.carried_moment = [w[2], w[3]];
                 let by = |i: usize| half * (h * g[i] - inverse_square * w[i]);
                 [by(0), by(1), by(2), by(3), by(4)]
             }
@@ -101,20 +101,20 @@ impl Iterate {
         };
         let update = StressUpdate { stress, tangent: [0.0; 6], increment: hardening, yield_stress, work_across };
         let metric = part.own.map(|entry| steep * f * entry);
-        let coupling = part.coupling.map(|entry| steep * f * entry);
+        let coupling = part.coupling.map(|coupling| coupling.map(|entry| steep * f * entry));
         Across { update, moment, metric, coupling, outer: [g, other] }
     }
 
     /// σ + C δ(Δε) of stress and moment.
-    #[inline]
+    #[inline(always)]
     fn carried_across(&self, condition: &impl YieldCondition, e: Triple, spread: [f64; 2]) -> [f64; 5] {
         let last = condition.part_recalled(&self.kept, self.flow, self.spread);
         let ([s, t, shear], [ms, mt]) = (self.carried, self.carried_moment);
-        let (g, w) = (last.gradient, [s, t, shear, ms, mt]);
+        let (g, w) = (last.gradient, [s, t, ms, mt, shear]);
         let de = [e[0] - self.flow[0], e[1] - self.flow[1], e[2] - self.flow[2]];
         let dk = [spread[0] - self.spread[0], spread[1] - self.spread[1]];
         let c = condition.part_product(&last, de, dk);
-        let product = |v: &[f64; 5]| v[0] * de[0] + v[1] * de[1] + v[2] * de[2] + v[3] * dk[0] + v[4] * dk[1];
+        let product = |v: &[f64; 5]| v[0] * de[0] + v[1] * de[1] + v[4] * de[2] + v[2] * dk[0] + v[3] * dk[1];
         let along = product(&g);
         let on_g = self.fluidity + self.hardening * along - 0.5 * self.inverse_square * product(&w);
         let on_w = -0.5 * self.inverse_square * along;

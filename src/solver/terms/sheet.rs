@@ -5,7 +5,7 @@ use crate::element::section::Law;
 use crate::element::surface::{STATIONS, stations};
 use crate::material::PointLaw;
 use crate::material::flow::FlowLaw;
-use crate::model::Mode;
+use crate::model::{Iteration, Mode};
 use crate::numerics::Grid;
 use crate::solver::evaluation::{Evaluation, Linearisation};
 use crate::solver::step::{Step, elastoplastic_law};
@@ -20,6 +20,7 @@ const SLACK_NORM: f64 = 0.05;
 pub const STABILISATION: f64 = 1e-7;
 
 /// Internal forces p and their matrix, strains and thickness; `false` when an element has collapsed.
+#[inline(always)]
 pub fn add(step: &Step, trial: &mut Trial, at: &Linearisation, out: &mut Evaluation) -> bool {
     let Step { model, dt, .. } = *step;
     if model.mode != Mode::Flow {
@@ -33,13 +34,15 @@ pub fn add(step: &Step, trial: &mut Trial, at: &Linearisation, out: &mut Evaluat
         softening: material.thermal.as_ref(),
         criterion: material.yield_criterion,
         voids: material.gtn.as_ref(),
-        matrix: at.matrix,
+        // The secant matrix asks for the least besides the stress.
+        matrix: if at.residual_alone { Iteration::Secant } else { at.matrix },
         cutoff: step.cutoff(trial.softening),
         duration: dt,
     };
     strain(law, step, &step.flow_points, &trial.moves, &mut trial.iterates, at, out)
 }
 
+#[inline(always)]
 fn strain<L: PointLaw>(
     point: L,
     step: &Step,
