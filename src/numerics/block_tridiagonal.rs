@@ -1,7 +1,7 @@
 //! The linear system of an iteration: block-tridiagonal, bordered by the shared unknowns, solved exactly in O(n).
 
 use nalgebra::{Matrix3, SMatrix, SVector, Vector3};
-use pulp::{Arch, NullaryFnOnce};
+use super::number::{Instructions, Work, dispatch};
 
 /// Most shared unknowns (holder positions, pressures) a model can have.
 pub const MAX_SHARED: usize = 3;
@@ -37,11 +37,11 @@ pub struct System {
 /// What a solution works on, with the vector instructions that the processor has.
 struct Elimination<'a>(&'a mut System);
 
-impl NullaryFnOnce for Elimination<'_> {
+impl Work for Elimination<'_> {
     type Output = bool;
 
     #[inline(always)]
-    fn call(self) -> bool {
+    fn run<S: Instructions>(self, _: S) -> bool {
         self.0.eliminate()
     }
 }
@@ -104,7 +104,7 @@ impl System {
     /// Returns `false` when a pivot block is singular or a number is not finite.
     #[must_use]
     pub fn solve(&mut self) -> bool {
-        Arch::new().dispatch(Elimination(self))
+        dispatch(Elimination(self))
     }
 
     #[inline(always)]

@@ -2,14 +2,17 @@
 
 mod bisection;
 pub mod block_tridiagonal;
+pub mod elementary;
 mod grid;
 pub mod lobatto;
 pub mod parts;
+pub mod number;
 mod piecewise_linear;
 mod power;
 pub mod small;
 
 pub use bisection::bisect;
 pub use grid::Grid;
+pub use number::Real;
 pub use piecewise_linear::PiecewiseLinear;
 pub use power::Power;

@@ -1,9 +1,8 @@
-//! Functions of small arguments, which the strains of a step are, and of ratios near 1: the heads of their series take a
-//! quarter of what the library's functions do.
+//! Functions of small arguments, which the strains of a step are: the heads of their series take a quarter of what the
+//! library's functions do.
 //!
 //! ```text
 //! ln(1 + x) = 2 artanh z, z = x/(2 + x)      artanh z = z S(z²)      atan z = z S(−z²)
-//! ln x = 2 artanh z, z = (x − 1)/(x + 1)
 //! S(y) = 1 + y/3 + y²/5 + y³/7 + y⁴/9 + …
 //! sin x = x (1 − y/6 + y²/120 − …), cos x = 1 − y/2 + y²/24 − …      y = x²
 //! ```
@@ -14,22 +13,6 @@ const SMALL: f64 = 2e-4;
 #[inline]
 fn head(y: f64) -> f64 {
     1.0 + y * (1.0 / 3.0 + y * (1.0 / 5.0 + y * (1.0 / 7.0 + y * (1.0 / 9.0))))
-}
-
-/// Largest y of the longer head: what is left out, y⁸/17, is then below 6e-18.
-const NEAR: f64 = 1e-2;
-
-#[inline]
-fn longer_head(y: f64) -> f64 {
-    head(y) + y.powi(5) * (1.0 / 11.0 + y * (1.0 / 13.0 + y * (1.0 / 15.0)))
-}
-
-/// ln x.
-#[inline]
-pub fn ln(x: f64) -> f64 {
-    let z = (x - 1.0) / (x + 1.0);
-    let square = z * z;
-    if square < NEAR { 2.0 * z * longer_head(square) } else { x.ln() }
 }
 
 /// ln(1 + x).
@@ -78,10 +61,6 @@ mod tests {
                 assert_relative_eq!(sine, exact.0, epsilon = 0.0, max_relative = 1e-15);
                 assert_relative_eq!(cosine, exact.1, epsilon = 0.0, max_relative = 1e-15);
             }
-        }
-        for i in 1..=3000 {
-            let x = f64::from(i) / 1000.0;
-            assert_relative_eq!(ln(x), x.ln(), epsilon = 0.0, max_relative = 1e-15);
         }
         assert_eq!(ln_1p(-0.5), (-0.5_f64).ln_1p());
         assert_eq!(angle(1.0, 0.0), std::f64::consts::FRAC_PI_2);

@@ -6,12 +6,12 @@ use super::step::Step;
 use super::terms::{bead, contact, gas, holder, sheet, unloading};
 use super::trial::Trial;
 use crate::model::Edge;
-use pulp::{Arch, NullaryFnOnce};
+use crate::numerics::number::{Instructions, Work, dispatch};
 
 /// Evaluates a trial with the vector instructions that the processor has; `false` when an element has collapsed.
 #[must_use]
 pub(super) fn evaluate(step: &Step, trial: &mut Trial, at: &Linearisation, out: &mut Evaluation) -> bool {
-    Arch::new().dispatch(Assembly { step, trial, at, out })
+    dispatch(Assembly { step, trial, at, out })
 }
 
 /// What an evaluation works on.
@@ -22,24 +22,24 @@ struct Assembly<'a, 's> {
     out: &'a mut Evaluation,
 }
 
-impl NullaryFnOnce for Assembly<'_, '_> {
+impl Work for Assembly<'_, '_> {
     type Output = bool;
 
     #[inline(always)]
-    fn call(self) -> bool {
-        assemble(self.step, self.trial, self.at, self.out)
+    fn run<S: Instructions>(self, simd: S) -> bool {
+        assemble(simd, self.step, self.trial, self.at, self.out)
     }
 }
 
 #[inline(always)]
-fn assemble(step: &Step, trial: &mut Trial, at: &Linearisation, out: &mut Evaluation) -> bool {
+fn assemble(simd: impl Instructions, step: &Step, trial: &mut Trial, at: &Linearisation, out: &mut Evaluation) -> bool {
     for (x, (start, u)) in out.nodes.iter_mut().zip(step.state.nodes.iter().zip(&trial.moves)) {
         for d in 0..3 {
             x[d] = start[d] + u[d];
         }
     }
     out.system.clear();
-    if !sheet::add(step, trial, at, out) {
+    if !sheet::add(simd, step, trial, at, out) {
         return false;
     }
     let internal = largest(&out.system.rhs);

@@ -149,7 +149,7 @@ fn assemble(step: &Step, at: &Linearisation, out: &mut Evaluation) {
         let squeeze: f64 = pushes.iter().map(|push| push.squeeze).sum();
         // Q ∂²t, ∂²t = ∂t ∂tᵀ/t − t ∂²(ε_s + ε_θ): of the latter it is the geometric stiffness of a tension −Q t.
         let (tension, square) = (-squeeze * thickness, squeeze / thickness);
-        let stiffness = out.currents[e].geometric_stiffness(&[tension, tension, 0.0, 0.0, 0.0]);
+        let stiffness = out.strained[e].rows.geometric_stiffness(&[tension, tension, 0.0, 0.0, 0.0]);
         let ([rr, rz, zz], [hoop, r, z]) = (stiffness.difference, *thinning);
         let m = &mut sheet.matrix;
         m[0][0] += stiffness.hoop + square * hoop * hoop;
