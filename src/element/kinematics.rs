@@ -17,10 +17,10 @@
 
 use super::surface::{STATIONS, stations};
 use super::{Geometry, Node, Theory};
-use crate::numerics::small;
+use crate::numerics::{Real, small};
 
 /// Generalised strains or stress resultants: meridional and hoop membrane, meridional and hoop bending, shear.
-pub type Generalised = [f64; 5];
+pub type Generalised<T = f64> = [T; 5];
 
 /// Place of the meridional membrane strain in [`Generalised`]; the others follow.
 pub const EPS_S: usize = 0;
@@ -134,7 +134,7 @@ impl Reference {
     ///
     /// Strains are formed from the moves, not from positions: where the sheet hardly flows, stress is a strain of 1e-10
     /// times a viscosity of 1e8 MPa, and the difference of two positions would be round-off.
-    #[inline]
+    #[inline(always)]
     pub fn moved(&self, a: Node, b: Node) -> Option<Current> {
         let (ur, uz, turn) = (b[0] - a[0], b[1] - a[1], b[2] - a[2]);
         let (dr, dz) = (self.dr + ur, self.dz + uz);
@@ -172,30 +172,55 @@ impl Reference {
 /// First derivatives of the strains by the element's own five motions: the differences r₂−r₁, z₂−z₁, θ₂−θ₁ and the
 /// sums r₁+r₂, θ₁+θ₂ of its nodes. Every strain depends on one or two of them: B with its zeros left out.
 #[derive(Clone, Copy, Debug)]
-pub struct StrainDisplacement {
+pub struct StrainDisplacement<T = f64> {
     /// ∂ε_s/∂(r₂−r₁, z₂−z₁) = t/l.
-    pub along: [f64; 2],
+    pub along: [T; 2],
     /// ∂γ/∂(r₂−r₁, z₂−z₁) = n/l.
-    pub across: [f64; 2],
+    pub across: [T; 2],
     /// ∂ε_θ/∂(r₁+r₂).
-    pub hoop: f64,
+    pub hoop: T,
     /// ∂κ_s/∂(θ₂−θ₁).
-    pub bend: f64,
+    pub bend: T,
     /// ∂κ_θ/∂(θ₁+θ₂).
-    pub turn: f64,
+    pub turn: T,
     /// ∂γ/∂(θ₁+θ₂).
-    pub shear: f64,
+    pub shear: T,
+    /// ∂²κ_θ/∂(θ₁+θ₂)².
+    pub swing: T,
 }
 
 /// Σ S ∂²strain of some resultants S by the same motions: the geometric stiffness.
 #[derive(Clone, Copy, Debug)]
-pub struct GeometricStiffness {
+pub struct GeometricStiffness<T = f64> {
     /// By the differences r₂−r₁, z₂−z₁: rr, rz, zz.
-    pub difference: [f64; 3],
+    pub difference: [T; 3],
     /// By r₁+r₂ twice.
-    pub hoop: f64,
+    pub hoop: T,
     /// By θ₁+θ₂ twice.
-    pub turn: f64,
+    pub turn: T,
+}
+
+impl<T: Real> StrainDisplacement<T> {
+    /// Geometric stiffness of the resultants `s`; those that the element does not have are 0.
+    ///
+    /// ```text
+    /// ∂² ln l = (I − 2 ttᵀ)/l²,  ∂²φ = −(ntᵀ + tnᵀ)/l²,  ∂² ln r = −(∂ ln r)²
+    /// ```
+    #[inline(always)]
+    pub fn geometric_stiffness(&self, s: &Generalised<T>) -> GeometricStiffness<T> {
+        let [x, y] = self.along;
+        let (product, apart) = (x * y * 2.0, y * y - x * x);
+        let (along, shear) = (s[EPS_S], s[GAMMA]);
+        GeometricStiffness {
+            difference: [
+                along * apart + shear * product,
+                shear * apart - along * product,
+                -(along * apart + shear * product),
+            ],
+            hoop: -(s[EPS_T] * self.hoop * self.hoop),
+            turn: s[KAPPA_T] * self.swing,
+        }
+    }
 }
 
 impl Current {
@@ -212,32 +237,8 @@ impl Current {
             bend: bending / reference.length,
             turn: bending * hoop * 0.5 * self.fibre.cos / reference.radius,
             shear: -0.5 * bending,
+            swing: -0.25 * bending * hoop * self.fibre.sin / reference.radius,
         }
-    }
-
-    /// Geometric stiffness of the resultants `s`.
-    #[inline]
-    pub fn geometric_stiffness(&self, s: &Generalised) -> GeometricStiffness {
-        let (c, n) = (self.cos, self.sin);
-        let inverse = 1.0 / (self.length * self.length);
-        let along = s[EPS_S] * inverse;
-        // ∂² ln l = (I − 2 ttᵀ)/l²;  ∂²φ = −(ntᵀ + tnᵀ)/l², with t = (c, n), normal (−n, c).
-        let mut difference = [along * (1.0 - 2.0 * c * c), -2.0 * along * c * n, along * (1.0 - 2.0 * n * n)];
-        let mut stiffness = GeometricStiffness { difference, hoop: 0.0, turn: 0.0 };
-        if self.reference.bending {
-            let shear = s[GAMMA] * inverse;
-            difference[0] += 2.0 * shear * c * n;
-            difference[1] += shear * (n * n - c * c);
-            difference[2] -= 2.0 * shear * c * n;
-            stiffness.difference = difference;
-        }
-        if self.reference.hoop {
-            stiffness.hoop = -0.25 * s[EPS_T] / (self.radius * self.radius);
-            if self.reference.bending {
-                stiffness.turn = -0.25 * s[KAPPA_T] * self.fibre.sin / self.reference.radius;
-            }
-        }
-        stiffness
     }
 
     /// Whether the element bends, or is a membrane.
@@ -255,11 +256,6 @@ impl Current {
     pub fn membrane_rows(&self) -> [[f64; 4]; 2] {
         let StrainDisplacement { along: [c, s], hoop, .. } = self.strain_displacement();
         [[-c, -s, c, s], [hoop, 0.0, hoop, 0.0]]
-    }
-
-    /// Unit normal over the length: the transverse direction of the element.
-    pub(super) fn transverse(&self) -> [f64; 2] {
-        [-self.sin / self.length, self.cos / self.length]
     }
 }
 

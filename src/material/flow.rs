@@ -23,10 +23,15 @@
 //! BDF2: E. Hairer, S. P. Nørsett, G. Wanner, Solving Ordinary Differential Equations I (1993), section III.5 (not read).
 //! Zienkiewicz, Jain, Oñate, Int. J. Solids Struct. 14 (1978) 15–38; Sosnowski (1994), equations 3 and 4.
 
+mod lanes;
 mod parts;
+
+pub use lanes::{Quadratic, Rows};
 
 use super::yield_condition::{Kept, dot};
 use super::{FlowStress, Gtn, Hardening, Hosford, PointLaw, Rate, Surroundings, ThermalLaw, YieldCriterion};
+use crate::numerics::Real;
+use crate::numerics::number::scaled;
 use crate::units::ZERO_CELSIUS;
 
 pub use super::point_law::{Across, StressUpdate};
@@ -71,12 +76,12 @@ impl PointLaw for FlowLaw<'_> {
     type PointState = PointState;
     type Iterate = Iterate;
 
-    #[inline]
+    #[inline(always)]
     fn respond(&self, point: &PointState, iterate: &mut Iterate, e: Triple) -> StressUpdate {
         iterate.advance(self, point, e)
     }
 
-    #[inline]
+    #[inline(always)]
     fn respond_across(&self, point: &PointState, iterate: &mut Iterate, e: Triple, spread: [f64; 2]) -> Option<Across> {
         iterate.advance_across(self, point, e, spread)
     }
@@ -86,28 +91,31 @@ impl FlowLaw<'_> {
     /// σ_y at the end of a step that adds `hardening` to ε̄, and its derivative by the `increment` at the rate of the end, of
     /// which the hardening goes with one over `steep`; `flow` is that increment, regularised, and `ratio` its derivative.
     #[inline(always)]
-    fn yielding(
+    fn yielding<T: Real>(
         &self,
-        point: &PointState,
-        hardening: f64,
-        steep: f64,
-        increment: f64,
-        flow: f64,
-        ratio: f64,
-    ) -> FlowStress {
-        let mut yielding = self.hardening.at_temperature(point.strain + hardening, point.temperature);
-        yielding.slope /= steep;
+        point: &PointState<T>,
+        hardening: T,
+        steep: T,
+        increment: T,
+        flow: T,
+        ratio: T,
+    ) -> FlowStress<T> {
+        let FlowStress { stress, slope } = self.hardening.beside(point.strain + hardening, point.temperature);
+        let mut yielding = FlowStress { stress, slope: slope / steep };
         if let Some(rate) = self.rate {
-            let factor = rate.at(flow / self.duration);
-            yielding.slope *= factor.value;
-            yielding.slope += yielding.stress * factor.slope * ratio / self.duration;
-            yielding.stress *= factor.value;
+            let speed = flow * (1.0 / self.duration);
+            let [factor, by_rate] = speed.each(speed, |speed, _| {
+                let factor = rate.at(speed);
+                [factor.value, factor.slope]
+            });
+            yielding.slope = yielding.slope * factor + yielding.stress * by_rate * ratio * (1.0 / self.duration);
+            yielding.stress = yielding.stress * factor;
         }
         point.surroundings.hold(&mut yielding, increment);
         if let Some(softening) = self.softening {
-            let factor = softening.at(point.temperature);
-            yielding.slope *= factor;
-            yielding.stress *= factor;
+            let [factor] = point.temperature.each(point.temperature, |t, _| [softening.at(t)]);
+            yielding.slope = yielding.slope * factor;
+            yielding.stress = yielding.stress * factor;
         }
         yielding
     }
@@ -115,30 +123,30 @@ impl FlowLaw<'_> {
 
 /// A thickness point as the step finds it.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct PointState {
+pub struct PointState<T = f64> {
     /// ε̄ at the start of the step \[–\].
-    pub strain: f64,
+    pub strain: T,
     /// f that the step reckons with, 0 for a sheet without voids \[–\].
-    pub porosity: f64,
+    pub porosity: T,
     /// T \[K\].
-    pub temperature: f64,
+    pub temperature: T,
     /// What the step before has to do with this one.
-    pub past: Past,
+    pub past: Past<T>,
     /// What flows around it.
-    pub surroundings: Surroundings,
+    pub surroundings: Surroundings<T>,
 }
 
 /// What the step before has to do with this one: nothing, until it is said.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Past {
+pub struct Past<T = f64> {
     /// a \[–\].
-    weight: f64,
+    weight: T,
     /// a p \[–\].
-    strain: Triple,
+    strain: Triple<T>,
     /// a times its spread over the point's part of the thickness \[–\].
-    spread: [f64; 2],
+    spread: [T; 2],
     /// a p̄ \[–\].
-    equivalent: f64,
+    equivalent: T,
 }
 
 impl PointState {
@@ -179,18 +187,18 @@ pub const ROOM_TEMPERATURE: f64 = 20.0 + ZERO_CELSIUS;
 
 /// What one thickness point remembers from one iteration to the next.
 #[derive(Clone, Copy, Debug, Default)]
-pub struct Iterate {
+pub struct Iterate<T = f64> {
     /// The carried stress w of the primal-dual matrix \[MPa\].
-    pub carried: Triple,
+    pub carried: Triple<T>,
     /// That of the moment of the point's part of the thickness \[MPa\].
-    carried_moment: [f64; 2],
+    carried_moment: [T; 2],
     /// Δε, the Δt ε̇ that goes with it, and the spread of that.
-    strain: Triple,
-    flow: Triple,
-    spread: [f64; 2],
-    fluidity: f64,
-    hardening: f64,
-    inverse_square: f64,
+    strain: Triple<T>,
+    flow: Triple<T>,
+    spread: [T; 2],
+    fluidity: T,
+    hardening: T,
+    inverse_square: T,
     kept: Kept,
 }
 
@@ -219,7 +227,7 @@ impl Iterate {
     ///
     /// # References
     /// The carried stress: Chan, Golub, Mulet, SIAM J. Sci. Comput. 20 (1999) 1964–1977, for a potential with the same kink.
-    #[inline]
+    #[inline(always)]
     pub fn advance(&mut self, law: &FlowLaw, point: &PointState, e: Triple) -> StressUpdate {
         match (law.voids, &law.criterion) {
             (None, YieldCriterion::Hill48(hill)) => self.flow(law, hill, point, e),
@@ -238,20 +246,30 @@ impl Iterate {
     fn flow_voided(&mut self, law: &FlowLaw, voids: &Gtn, point: &PointState, e: Triple) -> StressUpdate {
         self.flow(law, &voids.condition(law.criterion.quadratic(), point.porosity), point, e)
     }
+}
 
+impl<T: Real> Iterate<T> {
     #[inline(always)]
     fn flow(
         &mut self,
         law: &FlowLaw,
-        condition: &impl YieldCondition,
-        point: &PointState,
-        strain: Triple,
-    ) -> StressUpdate {
+        condition: &impl YieldCondition<T>,
+        point: &PointState<T>,
+        strain: Triple<T>,
+    ) -> StressUpdate<T> {
         let Past { weight, strain: past, equivalent, .. } = point.past;
-        let steep = 1.0 + weight;
+        let steep = weight + 1.0;
         let e = [steep * strain[0] - past[0], steep * strain[1] - past[1], steep * strain[2] - past[2]];
-        let goes_on = law.matrix == Iteration::PrimalDual && self.fluidity > 0.0;
-        let w = if goes_on { Some(self.carried_at(condition, e)) } else { None };
+        let w = match self.going_on(law) {
+            Some(going) => {
+                let (mut w, last) = (self.carried_at(condition, e), self.carried);
+                for i in 0..3 {
+                    w[i] = w[i].where_or(going, last[i]);
+                }
+                Some(w)
+            }
+            None => None,
+        };
         let metric = match w {
             Some([s, t, _]) => condition.metric_towards(e, [s, t]),
             None => condition.metric(e),
@@ -259,30 +277,29 @@ impl Iterate {
         let a = metric.gradient;
         let square = metric.square;
         let increment = square.sqrt();
-        let inverse_square = 1.0 / (square + law.cutoff * law.cutoff);
+        let one = steep.constant(1.0);
+        let inverse_square = one / (square + law.cutoff * law.cutoff);
         let inverse = inverse_square.sqrt();
         let share = condition.strain_share();
-        let hardening = (share * increment + equivalent) / steep;
+        let hardening = (increment * share + equivalent) / steep;
         let mut yielding =
-            law.yielding(point, hardening, steep, share * increment, share / inverse, increment * inverse);
-        yielding.slope *= share;
+            law.yielding(point, hardening, steep, increment * share, one / inverse * share, increment * inverse);
+        yielding.slope = yielding.slope * share;
         let f = yielding.stress * inverse;
-        let h = if increment > 0.0 { yielding.slope * inverse / increment } else { 0.0 };
+        let h = slope_share(yielding.slope * inverse, increment);
         let stress = [f * a[0], f * a[1], f * a[2]];
 
         // C = (f A + ½ (a⊗b + b⊗a)) (1 + a)
         let b = match law.matrix {
-            Iteration::Secant => [0.0; 3],
+            Iteration::Secant => [steep.constant(0.0); 3],
             Iteration::Newton => {
                 let g = h - f * inverse_square;
                 [g * a[0], g * a[1], g * a[2]]
             }
             Iteration::PrimalDual => {
                 let w = w.unwrap_or(self.carried);
-                let square = condition.stress_square(&metric, w);
-                let beyond = square > yielding.stress * yielding.stress;
-                let back = if beyond { yielding.stress / square.sqrt() } else { 1.0 };
-                let w = w.map(|w| back * w);
+                let back = way_back(condition.stress_square(&metric, w), yielding.stress);
+                let w = [back * w[0], back * w[1], back * w[2]];
                 self.carried = w;
                 let i = inverse_square;
                 [h * a[0] - i * w[0], h * a[1] - i * w[1], h * a[2] - i * w[2]]
@@ -290,41 +307,65 @@ impl Iterate {
         };
         let fa = condition.scaled(&metric, f);
         let tangent = [
-            fa[0] + a[0] * b[0],
-            fa[1] + 0.5 * (a[0] * b[1] + a[1] * b[0]),
-            fa[2] + a[1] * b[1],
-            fa[3] + 0.5 * (a[0] * b[2] + a[2] * b[0]),
-            fa[4] + 0.5 * (a[1] * b[2] + a[2] * b[1]),
-            fa[5] + a[2] * b[2],
+            steep * (fa[0] + a[0] * b[0]),
+            steep * (fa[1] + (a[0] * b[1] + a[1] * b[0]) * 0.5),
+            steep * (fa[2] + a[1] * b[1]),
+            steep * (fa[3] + (a[0] * b[2] + a[2] * b[0]) * 0.5),
+            steep * (fa[4] + (a[1] * b[2] + a[2] * b[1]) * 0.5),
+            steep * (fa[5] + a[2] * b[2]),
         ];
-        let tangent = tangent.map(|c| steep * c);
+        let zero = steep.constant(0.0);
         *self = Self {
             carried: self.carried,
-            carried_moment: [0.0; 2],
+            carried_moment: [zero; 2],
             strain,
             flow: e,
-            spread: [0.0; 2],
+            spread: [zero; 2],
             fluidity: f,
             hardening: h,
             inverse_square,
             kept: condition.kept(&metric),
         };
-        StressUpdate { stress, tangent, increment: hardening, yield_stress: yielding.stress, work_across: 0.0 }
+        StressUpdate { stress, tangent, increment: hardening, yield_stress: yielding.stress, work_across: zero }
+    }
+
+    /// Where there is a last iterate to carry a stress on from, if anywhere and if the matrix asks for it.
+    #[inline(always)]
+    fn going_on(&self, law: &FlowLaw) -> Option<T::Mask> {
+        let going = self.fluidity.exceeds(self.fluidity.constant(0.0));
+        if law.matrix == Iteration::PrimalDual && self.fluidity.anywhere(going) { Some(going) } else { None }
     }
 
     /// σ + C δ(Δε) with the matrix of the last iterate.
-    #[inline]
-    fn carried_at(&self, condition: &impl YieldCondition, e: Triple) -> Triple {
+    #[inline(always)]
+    fn carried_at(&self, condition: &impl YieldCondition<T>, e: Triple<T>) -> Triple<T> {
         let last = condition.recalled(&self.kept, self.flow);
         let (a, w) = (last.gradient, self.carried);
         let delta = [e[0] - self.flow[0], e[1] - self.flow[1], e[2] - self.flow[2]];
         let along = dot(a, delta);
-        let on_a = self.fluidity + self.hardening * along - 0.5 * self.inverse_square * dot(w, delta);
-        let on_w = -0.5 * self.inverse_square * along;
-        let c = condition.product(&last, delta);
-        let by = |i: usize| on_a * a[i] + on_w * w[i] + self.fluidity * c[i];
-        [by(0), by(1), by(2)]
+        let half = self.inverse_square * 0.5;
+        let on_a = self.fluidity + self.hardening * along - half * dot(w, delta);
+        let on_w = -(half * along);
+        let mut carried = scaled(self.fluidity, condition.product(&last, delta));
+        for i in 0..3 {
+            carried[i] = on_a * a[i] + on_w * w[i] + carried[i];
+        }
+        carried
     }
+}
+
+/// A slope over an increment; nothing for no increment.
+#[inline(always)]
+fn slope_share<T: Real>(slope: T, increment: T) -> T {
+    let zero = increment.constant(0.0);
+    (slope / increment).where_or(increment.exceeds(zero), zero)
+}
+
+/// The factor that brings a carried stress of this square back onto the yield surface from beyond it.
+#[inline(always)]
+fn way_back<T: Real>(square: T, yield_stress: T) -> T {
+    let beyond = square.exceeds(yield_stress * yield_stress);
+    (yield_stress / square.sqrt()).where_or(beyond, square.constant(1.0))
 }
 
 #[cfg(test)]

@@ -13,6 +13,7 @@
 
 use super::yield_condition::{MEAN_SQUARE, Metric, Part, SHEAR_FACTOR, Symmetric, Triple, YieldCondition, dot};
 use crate::law::{LawError, require_or};
+use crate::numerics::Real;
 use std::ops::RangeInclusive;
 
 /// Normal anisotropy of sheet metals, with room \[–\].
@@ -71,9 +72,15 @@ impl Hill48 {
     }
 
     /// A Δε.
-    #[inline]
-    pub fn apply(&self, e: Triple) -> Triple {
-        [self.direct * e[0] + self.coupled * e[1], self.coupled * e[0] + self.direct * e[1], self.shear * e[2]]
+    #[inline(always)]
+    pub fn apply<T: Real>(&self, e: Triple<T>) -> Triple<T> {
+        let [a, b] = self.apply_plane([e[0], e[1]]);
+        [a, b, e[2] * self.shear]
+    }
+
+    #[inline(always)]
+    fn apply_plane<T: Real>(&self, e: [T; 2]) -> [T; 2] {
+        [e[0] * self.direct + e[1] * self.coupled, e[0] * self.coupled + e[1] * self.direct]
     }
 
     /// Equivalent strain increment √(Δεᵀ A Δε) \[–\].
@@ -88,57 +95,65 @@ impl Hill48 {
         self.stress_square(s).sqrt()
     }
 
-    #[inline]
-    pub(super) fn stress_square(&self, s: Triple) -> f64 {
-        s[0] * s[0] - 2.0 * self.q * s[0] * s[1] + s[1] * s[1] + SHEAR_INVERSE * s[2] * s[2]
+    #[inline(always)]
+    pub(super) fn stress_square<T: Real>(&self, s: Triple<T>) -> T {
+        self.plane_square([s[0], s[1]]) + s[2] * s[2] * SHEAR_INVERSE
+    }
+
+    #[inline(always)]
+    fn plane_square<T: Real>(&self, s: [T; 2]) -> T {
+        s[0] * s[0] - s[0] * s[1] * (2.0 * self.q) + s[1] * s[1]
     }
 }
 
-impl YieldCondition for Hill48 {
-    #[inline]
-    fn metric(&self, e: Triple) -> Metric {
+impl<T: Real> YieldCondition<T> for Hill48 {
+    #[inline(always)]
+    fn metric(&self, e: Triple<T>) -> Metric<T> {
         let gradient = self.apply(e);
-        let matrix = [self.direct, self.coupled, self.direct, 0.0, 0.0, self.shear];
+        let (direct, coupled) = (e[0].constant(self.direct), e[0].constant(self.coupled));
+        let (zero, shear) = (e[0].constant(0.0), e[0].constant(self.shear));
+        let matrix = [direct, coupled, direct, zero, zero, shear];
         Metric { gradient, matrix, square: dot(e, gradient) }
     }
 
-    #[inline]
-    fn scaled(&self, _: &Metric, f: f64) -> Symmetric {
+    #[inline(always)]
+    fn scaled(&self, _: &Metric<T>, f: T) -> Symmetric<T> {
         // −0 added to anything is nothing, and costs nothing.
-        [self.direct * f, self.coupled * f, self.direct * f, -0.0, -0.0, self.shear * f]
+        let (direct, nothing) = (f * self.direct, f.constant(-0.0));
+        [direct, f * self.coupled, direct, nothing, nothing, f * self.shear]
     }
 
-    #[inline]
-    fn product(&self, _: &Metric, e: Triple) -> Triple {
+    #[inline(always)]
+    fn product(&self, _: &Metric<T>, e: Triple<T>) -> Triple<T> {
         self.apply(e)
     }
 
-    #[inline]
-    fn part(&self, e: Triple, k: [f64; 2], _: Option<[f64; 5]>) -> Part {
-        let a = self.apply(e);
-        let (direct, coupled) = (MEAN_SQUARE * self.direct, MEAN_SQUARE * self.coupled);
-        let b = [direct * k[0] + coupled * k[1], coupled * k[0] + direct * k[1]];
+    #[inline(always)]
+    fn part(&self, e: Triple<T>, k: [T; 2], _: Option<[T; 5]>) -> Part<T> {
+        let (a, b) = (self.apply(e), self.apply_plane(k));
+        let b = [b[0] * MEAN_SQUARE, b[1] * MEAN_SQUARE];
+        let (direct, coupled) = (e[0].constant(self.direct), e[0].constant(self.coupled));
         Part {
-            gradient: [a[0], a[1], a[2], b[0], b[1]],
-            own: [self.direct, self.coupled, self.direct, self.shear],
-            coupling: [0.0; 3],
+            gradient: [a[0], a[1], b[0], b[1], a[2]],
+            own: [direct, coupled, direct, e[0].constant(self.shear)],
+            coupling: None,
             square: dot(e, a) + b[0] * k[0] + b[1] * k[1],
         }
     }
 
-    #[inline]
-    fn part_product(&self, _: &Part, e: Triple, k: [f64; 2]) -> [f64; 5] {
-        let (a, b) = (self.apply(e), self.apply([k[0], k[1], 0.0]));
-        [a[0], a[1], a[2], MEAN_SQUARE * b[0], MEAN_SQUARE * b[1]]
+    #[inline(always)]
+    fn part_product(&self, _: &Part<T>, e: Triple<T>, k: [T; 2]) -> [T; 5] {
+        let (a, b) = (self.apply(e), self.apply_plane(k));
+        [a[0], a[1], b[0] * MEAN_SQUARE, b[1] * MEAN_SQUARE, a[2]]
     }
 
-    #[inline]
-    fn part_square(&self, _: &Part, w: [f64; 5]) -> f64 {
-        self.stress_square([w[0], w[1], w[2]]) + self.stress_square([w[3], w[4], 0.0]) / MEAN_SQUARE
+    #[inline(always)]
+    fn part_square(&self, _: &Part<T>, w: [T; 5]) -> T {
+        self.stress_square([w[0], w[1], w[4]]) + self.plane_square([w[2], w[3]]) * (1.0 / MEAN_SQUARE)
     }
 
-    #[inline]
-    fn stress_square(&self, _: &Metric, w: Triple) -> f64 {
+    #[inline(always)]
+    fn stress_square(&self, _: &Metric<T>, w: Triple<T>) -> T {
         self.stress_square(w)
     }
 }

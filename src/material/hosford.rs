@@ -248,7 +248,7 @@ impl YieldCondition for Hosford {
     fn part(&self, e: Triple, k: [f64; 2], w: Option<[f64; 5]>) -> Part {
         let root = MEAN_SQUARE.sqrt();
         let at = |root: f64, inverse: f64| {
-            let w = w.map(|[s, t, _, ks, kt]| [s + ks * inverse, t + kt * inverse]);
+            let w = w.map(|[s, t, ks, kt, _]| [s + ks * inverse, t + kt * inverse]);
             self.plane([e[0] + root * k[0], e[1] + root * k[1]], w)
         };
         let (above, below) = (at(root, 1.0 / root), at(-root, -1.0 / root));
@@ -259,9 +259,9 @@ impl YieldCondition for Hosford {
         let coupling = |j: usize| odd * (above.matrix[j] - below.matrix[j]);
         let shear = SHEAR * e[2];
         Part {
-            gradient: [mean(0), mean(1), shear, turning(0), turning(1)],
+            gradient: [mean(0), mean(1), turning(0), turning(1), shear],
             own: [own(0), own(1), own(2), SHEAR],
-            coupling: [coupling(0), coupling(1), coupling(2)],
+            coupling: Some([coupling(0), coupling(1), coupling(2)]),
             square: 0.5 * (above.square + below.square) + shear * e[2],
         }
     }
@@ -269,7 +269,7 @@ impl YieldCondition for Hosford {
     #[inline]
     fn kept(&self, metric: &Metric) -> Kept {
         let [ss, st, tt, .., shear] = metric.matrix;
-        Kept { own: [ss, st, tt, shear], coupling: [0.0; 3] }
+        Kept { own: [ss, st, tt, shear], coupling: None }
     }
 
     #[inline]

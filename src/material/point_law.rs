@@ -2,15 +2,16 @@
 
 use super::yield_condition::{Symmetric, Triple};
 
-/// What a thickness point answers to a strain increment: the flow law or the elastoplastic law.
-pub trait PointLaw {
+/// What a thickness point answers to a strain increment: the flow law or the elastoplastic law; of one point, or of several
+/// side by side.
+pub trait PointLaw<T = f64> {
     /// The point as the step finds it.
     type PointState;
     /// What it remembers from one iteration to the next.
     type Iterate;
 
     /// Stress, matrix and hardening increment at the strain increment `e`; moves the iterate on.
-    fn respond(&self, point: &Self::PointState, iterate: &mut Self::Iterate, e: Triple) -> StressUpdate;
+    fn respond(&self, point: &Self::PointState, iterate: &mut Self::Iterate, e: Triple<T>) -> StressUpdate<T>;
 
     /// The same where bending turns the flow about within the part of the thickness that the point stands for: the
     /// increment is `e` at the point and differs by ± `spread` at the ends of that part. `None` where the point by itself is
@@ -20,9 +21,9 @@ pub trait PointLaw {
         &self,
         _point: &Self::PointState,
         _iterate: &mut Self::Iterate,
-        _e: Triple,
-        _spread: [f64; 2],
-    ) -> Option<Across> {
+        _e: Triple<T>,
+        _spread: [T; 2],
+    ) -> Option<Across<T>> {
         None
     }
 }
@@ -34,30 +35,30 @@ pub trait PointLaw {
 /// C = [K K_x; K_x ⅓K] + g⊗h + h⊗g        K = [ss sθ 0; sθ θθ 0; 0 0 γγ], without its last row in ⅓K
 /// ```
 #[derive(Clone, Copy, Debug)]
-pub struct Across {
+pub struct Across<T = f64> {
     /// Of the mean stress; its tangent is left empty.
-    pub update: StressUpdate,
+    pub update: StressUpdate<T>,
     /// What does work on the spread: the moment of the part over half its height, meridional and hoop \[MPa\].
-    pub moment: [f64; 2],
+    pub moment: [T; 2],
     /// K: ss, sθ, θθ, γγ \[MPa\].
-    pub metric: [f64; 4],
-    /// K_x: ss, sθ, θθ, nothing for a quadratic yield condition \[MPa\].
-    pub coupling: Triple,
-    /// g and h \[–, MPa\].
-    pub outer: [[f64; 5]; 2],
+    pub metric: [T; 4],
+    /// K_x: ss, sθ, θθ \[MPa\]; `None` for a quadratic yield condition.
+    pub coupling: Option<Triple<T>>,
+    /// g and h by ε_s, ε_θ, their spreads and γ \[–, MPa\].
+    pub outer: [[T; 5]; 2],
 }
 
 /// Stress, its derivative and the hardening increment that go with a strain increment.
 #[derive(Clone, Copy, Debug, Default)]
-pub struct StressUpdate {
+pub struct StressUpdate<T = f64> {
     /// σ \[MPa\].
-    pub stress: Triple,
+    pub stress: Triple<T>,
     /// C = the block of the iteration matrix H, dσ/dΔε or its replacement \[MPa\]; empty where [`Across`] has it.
-    pub tangent: Symmetric,
+    pub tangent: Symmetric<T>,
     /// Δε̄ \[–\].
-    pub increment: f64,
+    pub increment: T,
     /// σ_y \[MPa\].
-    pub yield_stress: f64,
+    pub yield_stress: T,
     /// Work in the step of what the stress varies by across the point's part of the thickness \[MPa\].
-    pub work_across: f64,
+    pub work_across: T,
 }

@@ -8,27 +8,31 @@
 //! evenly bears what it does without.
 
 use super::FlowStress;
+use crate::numerics::{Real, elementary};
 
 /// What a thickness point knows of its surroundings.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Surroundings {
+pub struct Surroundings<T = f64> {
     /// m; 0 where nothing holds the point back \[–\].
-    pub exponent: f64,
+    pub exponent: T,
     /// Δε̄_r of the step \[–\].
-    pub increment: f64,
+    pub increment: T,
     /// Δε̄_f, below which increments are not told apart; positive where m is \[–\].
-    pub floor: f64,
+    pub floor: T,
 }
 
-impl Surroundings {
+impl<T: Real> Surroundings<T> {
     /// Multiplies a flow stress and its slope by g at an increment Δε̄ of the step.
-    #[inline]
-    pub fn hold(&self, yielding: &mut FlowStress, increment: f64) {
-        if self.exponent > 0.0 {
-            let flow = increment + self.floor;
-            let factor = 1.0 + self.exponent * (flow / (self.increment + self.floor)).ln();
-            yielding.slope = yielding.slope * factor + yielding.stress * self.exponent / flow;
-            yielding.stress *= factor;
+    #[inline(always)]
+    pub fn hold(&self, yielding: &mut FlowStress<T>, increment: T) {
+        let Self { exponent, floor, .. } = *self;
+        let held = exponent.exceeds(exponent.constant(0.0));
+        if exponent.anywhere(held) {
+            let FlowStress { stress, slope } = *yielding;
+            let flow = increment + floor;
+            let factor = exponent * elementary::ln(flow / (self.increment + floor)) + 1.0;
+            yielding.slope = (slope * factor + stress * exponent / flow).where_or(held, slope);
+            yielding.stress = (stress * factor).where_or(held, stress);
         }
     }
 }

@@ -1,5 +1,7 @@
 //! Strain increments, stresses and matrices of a thickness point, and the yield conditions that join them.
 
+use crate::numerics::Real;
+
 /// Shear correction factor of the Mindlin shell \[–\].
 pub const SHEAR_FACTOR: f64 = 5.0 / 6.0;
 
@@ -7,26 +9,26 @@ pub const SHEAR_FACTOR: f64 = 5.0 / 6.0;
 pub const MEAN_SQUARE: f64 = 1.0 / 3.0;
 
 /// Strain increment or stress at a layer: meridional, hoop, transverse shear.
-pub type Triple = [f64; 3];
+pub type Triple<T = f64> = [T; 3];
 
 /// Lower triangle of a symmetric 3 × 3 matrix: ss, sθ, θθ, sγ, θγ, γγ.
-pub type Symmetric = [f64; 6];
+pub type Symmetric<T = f64> = [T; 6];
 
-#[inline]
-pub(super) fn dot(a: Triple, b: Triple) -> f64 {
+#[inline(always)]
+pub(super) fn dot<T: Real>(a: Triple<T>, b: Triple<T>) -> T {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
 /// What a yield condition makes of a strain increment: with D the plastic work per σ_y, ½ D² has the gradient A Δε and
 /// the second derivative A. A quadratic condition has one A for all increments.
 #[derive(Clone, Copy, Debug)]
-pub struct Metric {
+pub struct Metric<T = f64> {
     /// A Δε.
-    pub gradient: Triple,
+    pub gradient: Triple<T>,
     /// A.
-    pub matrix: Symmetric,
+    pub matrix: Symmetric<T>,
     /// D².
-    pub square: f64,
+    pub square: T,
 }
 
 /// The same of a part of the thickness over which the strain increment varies evenly: with D² the mean over it, ½ D² has
@@ -36,125 +38,133 @@ pub struct Metric {
 /// [K K_x; K_x ⅓K]        K = [ss sθ 0; sθ θθ 0; 0 0 γγ], without its last row in ⅓K
 /// ```
 #[derive(Clone, Copy, Debug)]
-pub struct Part {
-    /// By Δε_s, Δε_θ, Δγ, k_s, k_θ.
-    pub gradient: [f64; 5],
+pub struct Part<T = f64> {
+    /// By Δε_s, Δε_θ, k_s, k_θ, Δγ.
+    pub gradient: [T; 5],
     /// K: ss, sθ, θθ, γγ.
-    pub own: [f64; 4],
-    /// K_x: ss, sθ, θθ; nothing for a quadratic condition.
-    pub coupling: Triple,
+    pub own: [T; 4],
+    /// K_x: ss, sθ, θθ; `None` for a quadratic condition, which has none.
+    pub coupling: Option<Triple<T>>,
     /// D².
-    pub square: f64,
+    pub square: T,
 }
 
 /// What an iteration keeps of a matrix: K and K_x of a [`Part`], or the first alone.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Kept {
     pub own: [f64; 4],
-    pub coupling: Triple,
+    pub coupling: Option<Triple>,
 }
 
-/// A convex yield condition.
-pub trait YieldCondition {
+/// A convex yield condition, for one point or for several side by side.
+pub trait YieldCondition<T: Real = f64> {
     /// Of the strain increment `e`.
-    fn metric(&self, e: Triple) -> Metric;
+    fn metric(&self, e: Triple<T>) -> Metric<T>;
 
     /// Of the strain increment `e`, with a matrix for an iteration that carries the stress `w`, of any size.
-    #[inline]
-    fn metric_towards(&self, e: Triple, _w: [f64; 2]) -> Metric {
+    #[inline(always)]
+    fn metric_towards(&self, e: Triple<T>, _w: [T; 2]) -> Metric<T> {
         self.metric(e)
     }
 
     /// What an iteration keeps of a matrix for the next one: nothing where it is as soon computed again.
-    #[inline]
-    fn kept(&self, _: &Metric) -> Kept {
+    #[inline(always)]
+    fn kept(&self, _: &Metric<T>) -> Kept {
         Kept::default()
     }
 
     /// The last iteration's at its strain increment `e`.
-    #[inline]
-    fn recalled(&self, _: &Kept, e: Triple) -> Metric {
+    #[inline(always)]
+    fn recalled(&self, _: &Kept, e: Triple<T>) -> Metric<T> {
         self.metric(e)
     }
 
     /// As [`Self::kept`].
-    #[inline]
-    fn part_kept(&self, _: &Part) -> Kept {
+    #[inline(always)]
+    fn part_kept(&self, _: &Part<T>) -> Kept {
         Kept::default()
     }
 
     /// As [`Self::recalled`].
-    #[inline]
-    fn part_recalled(&self, _: &Kept, e: Triple, k: [f64; 2]) -> Part {
+    #[inline(always)]
+    fn part_recalled(&self, _: &Kept, e: Triple<T>, k: [T; 2]) -> Part<T> {
         self.part(e, k, None)
     }
 
     /// f A.
-    #[inline]
-    fn scaled(&self, metric: &Metric, f: f64) -> Symmetric {
+    #[inline(always)]
+    fn scaled(&self, metric: &Metric<T>, f: T) -> Symmetric<T> {
         metric.matrix.map(|a| f * a)
     }
 
     /// A e' of another increment.
-    #[inline]
-    fn product(&self, metric: &Metric, e: Triple) -> Triple {
+    #[inline(always)]
+    fn product(&self, metric: &Metric<T>, e: Triple<T>) -> Triple<T> {
         let [ss, st, tt, sg, tg, gg] = metric.matrix;
         [ss * e[0] + st * e[1] + sg * e[2], st * e[0] + tt * e[1] + tg * e[2], sg * e[0] + tg * e[1] + gg * e[2]]
     }
 
     /// Of what goes evenly from `e` − `k` to `e` + `k`, by Gauss's two points; in an iteration that carries the stress and the
     /// moment `w` as [`Self::metric_towards`].
-    #[inline]
-    fn part(&self, e: Triple, k: [f64; 2], w: Option<[f64; 5]>) -> Part {
+    #[inline(always)]
+    fn part(&self, e: Triple<T>, k: [T; 2], w: Option<[T; 5]>) -> Part<T> {
         let root = MEAN_SQUARE.sqrt();
         let at = |root: f64| {
-            let point = [e[0] + root * k[0], e[1] + root * k[1], e[2]];
-            let Some([s, t, _, ks, kt]) = w else { return self.metric(point) };
-            self.metric_towards(point, [s + ks / root, t + kt / root])
+            let point = [e[0] + k[0] * root, e[1] + k[1] * root, e[2]];
+            let Some([s, t, ks, kt, _]) = w else { return self.metric(point) };
+            self.metric_towards(point, [s + ks * (1.0 / root), t + kt * (1.0 / root)])
         };
         let (above, below) = (at(root), at(-root));
-        let mean = |i: usize| 0.5 * (above.gradient[i] + below.gradient[i]);
+        let mean = |i: usize| (above.gradient[i] + below.gradient[i]) * 0.5;
         let odd = 0.5 * root;
-        let turning = |i: usize| odd * (above.gradient[i] - below.gradient[i]);
-        let own = |j: usize| 0.5 * (above.matrix[j] + below.matrix[j]);
-        let coupling = |j: usize| odd * (above.matrix[j] - below.matrix[j]);
+        let turning = |i: usize| (above.gradient[i] - below.gradient[i]) * odd;
+        let own = |j: usize| (above.matrix[j] + below.matrix[j]) * 0.5;
+        let coupling = |j: usize| (above.matrix[j] - below.matrix[j]) * odd;
         Part {
-            gradient: [mean(0), mean(1), mean(2), turning(0), turning(1)],
+            gradient: [mean(0), mean(1), turning(0), turning(1), mean(2)],
             own: [own(0), own(1), own(2), own(5)],
-            coupling: [coupling(0), coupling(1), coupling(2)],
-            square: 0.5 * (above.square + below.square),
+            coupling: Some([coupling(0), coupling(1), coupling(2)]),
+            square: (above.square + below.square) * 0.5,
         }
     }
 
     /// The part's matrix times another increment and spread.
-    #[inline]
-    fn part_product(&self, part: &Part, e: Triple, k: [f64; 2]) -> [f64; 5] {
-        let plane = |[ss, st, tt]: Triple, v: [f64; 2]| [ss * v[0] + st * v[1], st * v[0] + tt * v[1]];
+    #[inline(always)]
+    fn part_product(&self, part: &Part<T>, e: Triple<T>, k: [T; 2]) -> [T; 5] {
+        let plane = |[ss, st, tt]: Triple<T>, v: [T; 2]| [ss * v[0] + st * v[1], st * v[0] + tt * v[1]];
         let [ss, st, tt, shear] = part.own;
         let (own, even) = ([ss, st, tt], [e[0], e[1]]);
-        let (a, b) = (plane(own, even), plane(part.coupling, k));
-        let (c, d) = (plane(part.coupling, even), plane(own, k));
-        [a[0] + b[0], a[1] + b[1], shear * e[2], c[0] + MEAN_SQUARE * d[0], c[1] + MEAN_SQUARE * d[1]]
+        let (a, d) = (plane(own, even), plane(own, k));
+        let mut product = [a[0], a[1], d[0] * MEAN_SQUARE, d[1] * MEAN_SQUARE, shear * e[2]];
+        if let Some(coupling) = part.coupling {
+            let (b, c) = (plane(coupling, k), plane(coupling, even));
+            for i in 0..2 {
+                product[i] = product[i] + b[i];
+                product[i + 2] = c[i] + product[i + 2];
+            }
+        }
+        product
     }
 
     /// wᵀ A⁻¹ w \[MPa²\] of a carried stress and moment, by the part's matrix.
-    #[inline]
-    fn part_square(&self, part: &Part, w: [f64; 5]) -> f64 {
+    #[inline(always)]
+    fn part_square(&self, part: &Part<T>, w: [T; 5]) -> T {
         // Of both points: A = K ± √3 K_x, w = stress ± √3 moment.
         let root = MEAN_SQUARE.sqrt().recip();
+        let coupling = part.coupling.unwrap_or([part.square.constant(0.0); 3]);
         let at = |sign: f64| {
-            let [ss, st, tt] = [0, 1, 2].map(|j| part.own[j] + sign * root * part.coupling[j]);
-            let [s, t] = [0, 1].map(|i| w[i] + sign * root * w[i + 3]);
-            (tt * s * s - 2.0 * st * s * t + ss * t * t) / (ss * tt - st * st)
+            let [ss, st, tt] = [0, 1, 2].map(|j| part.own[j] + coupling[j] * (sign * root));
+            let [s, t] = [0, 1].map(|i| w[i] + w[i + 2] * (sign * root));
+            (tt * s * s - st * s * t * 2.0 + ss * t * t) / (ss * tt - st * st)
         };
-        0.5 * (at(1.0) + at(-1.0)) + w[2] * w[2] / part.own[3]
+        (at(1.0) + at(-1.0)) * 0.5 + w[4] * w[4] / part.own[3]
     }
 
     /// wᵀ A⁻¹ w \[MPa²\] of a carried stress.
-    fn stress_square(&self, metric: &Metric, w: Triple) -> f64;
+    fn stress_square(&self, metric: &Metric<T>, w: Triple<T>) -> T;
 
     /// Strain of the metal that bears the stress per D: more than 1 where there are voids.
-    #[inline]
+    #[inline(always)]
     fn strain_share(&self) -> f64 {
         1.0
     }

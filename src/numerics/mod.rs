@@ -2,10 +2,12 @@
 
 mod bisection;
 pub mod block_tridiagonal;
+pub mod elementary;
 mod grid;
 pub mod least_squares;
 pub mod lobatto;
 pub mod parts;
+pub mod number;
 mod piecewise_linear;
 mod power;
 pub mod profile;
@@ -14,6 +16,7 @@ mod student;
 
 pub use bisection::bisect;
 pub use grid::Grid;
+pub use number::Real;
 pub use piecewise_linear::PiecewiseLinear;
 pub use power::Power;
 pub use student::student;

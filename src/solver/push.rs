@@ -48,7 +48,7 @@ pub(super) struct Push {
 
 impl Push {
     /// Of a force whose gap goes with the thickness by `by_thickness`, h.
-    #[inline]
+    #[inline(always)]
     pub fn new(touch: &ContactForce, by_thickness: f64) -> Self {
         let (n, tau, c, h) = (touch.facing, touch.along(), touch.curvature, by_thickness);
         let by_gap = n * touch.by_gap + tau * touch.drag_by_gap;
@@ -64,7 +64,7 @@ impl Push {
     }
 
     /// Of both.
-    #[inline]
+    #[inline(always)]
     pub fn add(&mut self, other: &Self) {
         self.force += other.force;
         self.squeeze += other.squeeze;
@@ -77,7 +77,7 @@ impl Push {
 
     /// Adds the columns and rows of the tool's displacement along z, the `shared`-th of the shared unknowns: the forces feel
     /// it like a move of the point, but for the sign.
-    #[inline]
+    #[inline(always)]
     pub fn follow(&self, e: usize, slope: &Slope, thinning: &[f64; 3], shared: usize, system: &mut System) {
         let [by_r, by_z] = self.force_by_place;
         let column = motions(slope, by_z, thinning, self.squeeze_by_place.y);
@@ -90,7 +90,7 @@ impl Push {
     }
 
     /// Adds the forces on the motions of the point's element.
-    #[inline]
+    #[inline(always)]
     pub fn load(&self, slope: &Slope, thinning: &[f64; 3], forces: &mut [f64; 5]) {
         let force = motions(slope, self.force, thinning, self.squeeze);
         for i in 0..5 {
@@ -99,7 +99,7 @@ impl Push {
     }
 
     /// Adds the derivatives of these forces: rows by forces, columns by motions.
-    #[inline]
+    #[inline(always)]
     pub fn stiffen(&self, station: &Station, slope: &Slope, thinning: &[f64; 3], matrix: &mut [[f64; 5]; 5]) {
         let [by_r, by_z] = self.force_by_place;
         let force_r = motions(slope, Point::new(by_r.x, by_z.x), thinning, self.force_by_thickness.x);
@@ -128,7 +128,7 @@ pub(super) const FIRST: f64 = -1.0;
 pub(super) const SECOND: f64 = 1.0;
 
 /// v·∂x + w ∂t of a point by its element's motions; the thickness has the derivatives `thinning`, by r₁+r₂, r₂−r₁, z₂−z₁.
-#[inline]
+#[inline(always)]
 fn motions(slope: &Slope, v: Point, thinning: &[f64; 3], w: f64) -> [f64; 5] {
     let [r, z, along_r, along_z, bend] = slope.of(v);
     [r + w * thinning[0], z, along_r + w * thinning[1], along_z + w * thinning[2], bend]

@@ -167,22 +167,15 @@ fn surroundings(process: &Process, state: &State, time: f64, near: &Neighbourhoo
     let model = process.model;
     let floor = FLOOR * model.settings.cutoff_strain * time / (Settings::CUTOFF_STEP * model.duration);
     let mut around = Grid::new(state.thickness.len(), state.points.columns(), Surroundings::default());
-    let mut rates = vec![0.0; state.points.columns()];
-    for e in 0..state.thickness.len() {
-        let others = 1.0 - near.own_share(e);
-        if others <= 0.0 {
-            continue;
-        }
-        rates.fill(0.0);
-        let length = near.each(e, |k, part| {
-            for (rate, point) in rates.iter_mut().zip(state.points.row(k)) {
-                *rate += part * point.equivalent_rate;
+    for k in 0..state.points.columns() {
+        let rates = near.means(|e| state.points[(e, k)].equivalent_rate);
+        for (e, rate) in rates.into_iter().enumerate() {
+            let others = 1.0 - near.own_share(e);
+            if others > 0.0 {
+                let increment = time * rate;
+                let exponent = EXPONENT * others * increment / (increment + floor);
+                around[(e, k)] = Surroundings { exponent, increment, floor };
             }
-        });
-        for (around, rate) in around.row_mut(e).iter_mut().zip(&rates) {
-            let increment = time * rate / length;
-            let exponent = EXPONENT * others * increment / (increment + floor);
-            *around = Surroundings { exponent, increment, floor };
         }
     }
     around

@@ -17,61 +17,95 @@ pub const NEIGHBOURHOOD: f64 = 1.5;
 /// The neighbourhood of every element of a sheet at one instant.
 #[derive(Clone, Debug)]
 pub struct Neighbourhood {
-    /// Of the elements along the meridian \[mm\].
-    lengths: Vec<f64>,
+    /// Where each element begins and the last one ends along the meridian, from the axis \[mm\].
+    ends: Vec<f64>,
     /// How far it reaches from the middle of an element \[mm\].
     reach: f64,
+    /// From where to where it reaches; empty for an element that is by itself.
+    spans: Vec<[Place; 2]>,
+}
+
+/// A place on the sheet, or on its mirror image beyond the axis.
+#[derive(Clone, Copy, Debug, Default)]
+struct Place {
+    /// The element that it lies on, and how far from where that begins \[mm\].
+    element: usize,
+    beyond: f64,
+    /// Distance from the axis along the meridian \[mm\], below 0 on the mirror image.
+    at: f64,
 }
 
 impl Neighbourhood {
     /// Of the elements of `state`.
     pub fn new(model: &Model, state: &State) -> Self {
-        let length = |w: &[crate::element::Node]| (w[1][0] - w[0][0]).hypot(w[1][1] - w[0][1]);
-        let reach = 0.5 * NEIGHBOURHOOD * model.blank.thickness;
-        Self { lengths: state.nodes.windows(2).map(length).collect(), reach }
+        let lengths = state.nodes.windows(2).map(|w| (w[1][0] - w[0][0]).hypot(w[1][1] - w[0][1]));
+        Self::of(lengths, 0.5 * NEIGHBOURHOOD * model.blank.thickness)
+    }
+
+    fn of(lengths: impl Iterator<Item = f64>, reach: f64) -> Self {
+        let ends = summed(lengths);
+        let last = ends.len() - 2;
+        let whole = ends[last + 1];
+        // From one element to the next a place moves by no more than a few of them.
+        let find = |at: f64, element: &mut usize| {
+            let distance = at.abs();
+            while *element < last && ends[*element + 1] <= distance {
+                *element += 1;
+            }
+            while ends[*element] > distance {
+                *element -= 1;
+            }
+            Place { element: *element, beyond: distance - ends[*element], at }
+        };
+        let (mut low, mut high) = (0, 0);
+        let span = |pair: &[f64]| {
+            let middle = 0.5 * (pair[0] + pair[1]);
+            if pair[1] - middle >= reach {
+                return [Place::default(); 2];
+            }
+            let from = (middle - reach).max(-whole);
+            [find(from, &mut low), find(whole.min(middle + reach), &mut high)]
+        };
+        Self { spans: ends.windows(2).map(span).collect(), ends, reach }
     }
 
     /// Share of its neighbourhood that element `e` takes itself \[–\].
     pub fn own_share(&self, e: usize) -> f64 {
-        (0.5 * self.lengths[e] / self.reach).min(1.0)
+        (0.5 * (self.ends[e + 1] - self.ends[e]) / self.reach).min(1.0)
     }
 
-    /// Mean over the neighbourhood of element `e` of what each element has.
-    pub fn mean(&self, e: usize, of: impl Fn(usize) -> f64) -> f64 {
-        if self.own_share(e) >= 1.0 {
-            return of(e);
-        }
-        let mut sum = 0.0;
-        let length = self.each(e, |k, part| sum += part * of(k));
-        sum / length
-    }
-
-    /// Visits the elements in the neighbourhood of element `e` with the length of each that lies in it, which sum to the
-    /// length that is returned \[mm\]. Beyond the axis the sheet goes on as its mirror image; beyond the edge there is none.
-    pub fn each(&self, e: usize, mut visit: impl FnMut(usize, f64)) -> f64 {
-        let n = self.lengths.len();
-        let mut length = self.lengths[e];
-        visit(e, length);
-        let mut beside = |elements: &mut dyn Iterator<Item = usize>| {
-            let mut left = self.reach - 0.5 * self.lengths[e];
-            while left > 0.0
-                && let Some(k) = elements.next()
-            {
-                let part = self.lengths[k].min(left);
-                visit(k, part);
-                length += part;
-                left -= part;
-            }
+    /// Mean over the neighbourhood of each element of what the elements have. Beyond the axis the sheet goes on as its mirror
+    /// image; beyond the edge there is none.
+    ///
+    /// Of sums from the axis on, so that it costs the same however many elements a neighbourhood has.
+    pub fn means(&self, of: impl Fn(usize) -> f64) -> Vec<f64> {
+        let sums = summed(self.ends.windows(2).enumerate().map(|(e, pair)| (pair[1] - pair[0]) * of(e)));
+        // From the axis on; to the mirror image it is the other way.
+        let up_to = |place: &Place| {
+            let sum = sums[place.element] + place.beyond * of(place.element);
+            if place.at < 0.0 { -sum } else { sum }
         };
-        beside(&mut (0..e).rev().chain(0..n));
-        beside(&mut (e + 1..n));
-        length
+        let mean = |(e, [from, to]): (usize, &[Place; 2])| {
+            let length = to.at - from.at;
+            if length > 0.0 { (up_to(to) - up_to(from)) / length } else { of(e) }
+        };
+        self.spans.iter().enumerate().map(mean).collect()
     }
 
     /// Thickness of the section at every element: the mean over its neighbourhood \[mm\].
     pub fn section_thickness(&self, thickness: &[f64]) -> Vec<f64> {
-        (0..thickness.len()).map(|e| self.mean(e, |k| thickness[k])).collect()
+        self.means(|e| thickness[e])
     }
+}
+
+/// Sums of the values up to each of them, the first of none.
+fn summed(values: impl Iterator<Item = f64>) -> Vec<f64> {
+    let mut sum = 0.0;
+    let sums = values.map(|value| {
+        sum += value;
+        sum
+    });
+    std::iter::once(0.0).chain(sums).collect()
 }
 
 #[cfg(test)]
@@ -81,7 +115,7 @@ mod tests {
 
     /// Of elements of these lengths.
     fn of(lengths: &[f64], reach: f64) -> Neighbourhood {
-        Neighbourhood { lengths: lengths.to_vec(), reach }
+        Neighbourhood::of(lengths.iter().copied(), reach)
     }
 
     #[test]
@@ -97,11 +131,11 @@ mod tests {
     fn the_mean_is_that_of_the_length_within_reach() {
         let values = [4.0, 1.0, 7.0, 2.0];
         let near = of(&[1.0; 4], 1.5);
-        assert_relative_eq!(near.mean(1, |k| values[k]), (4.0 + 1.0 + 7.0) / 3.0, max_relative = 1e-15);
-        assert_relative_eq!(near.mean(0, |k| values[k]), (4.0 + 4.0 + 1.0) / 3.0, max_relative = 1e-15);
-        assert_relative_eq!(near.mean(3, |k| values[k]), (2.0 + 7.0) / 2.0, max_relative = 1e-15);
+        assert_relative_eq!(near.means(|k| values[k])[1], (4.0 + 1.0 + 7.0) / 3.0, max_relative = 1e-14);
+        assert_relative_eq!(near.means(|k| values[k])[0], (4.0 + 4.0 + 1.0) / 3.0, max_relative = 1e-14);
+        assert_relative_eq!(near.means(|k| values[k])[3], (2.0 + 7.0) / 2.0, max_relative = 1e-14);
         let unequal = of(&[2.0, 1.0, 2.0, 1.0], 1.0);
-        assert_relative_eq!(unequal.mean(1, |k| values[k]), 0.25 * 4.0 + 0.5 + 0.25 * 7.0, max_relative = 1e-15);
+        assert_relative_eq!(unequal.means(|k| values[k])[1], 0.25 * 4.0 + 0.5 + 0.25 * 7.0, max_relative = 1e-14);
         assert_relative_eq!(unequal.own_share(1), 0.5);
     }
 

@@ -43,6 +43,7 @@ const CRATES: &[(&str, &[&str])] = &[
     ("pdf_writer", &["output"]),
     ("plotters", &["output"]),
     ("plotters_backend", &["output"]),
+    ("pulp", &["numerics"]),
     ("rayon", &["cli", "verification"]),
     ("rustix", &["output"]),
     ("signal_hook", &["cli"]),

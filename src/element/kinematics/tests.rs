@@ -37,7 +37,7 @@ fn rows_of(current: &Current) -> [[f64; 6]; 5] {
 }
 
 fn geometric(current: &Current, s: &Generalised) -> Matrix6 {
-    let c = current.geometric_stiffness(s);
+    let c = current.strain_displacement().geometric_stiffness(s);
     let [rr, rz, zz] = c.difference;
     let block = |sign: f64| {
         nalgebra::Matrix3::new(sign * rr + c.hoop, sign * rz, 0.0, sign * rz, sign * zz, 0.0, 0.0, 0.0, c.turn)

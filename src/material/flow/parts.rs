@@ -1,7 +1,11 @@
 //! The flow law where a thickness point stands for a part of the thickness that bending turns about.
 
-use super::{Across, FlowLaw, Iterate, Iteration, Past, PointState, StressUpdate, Triple, YieldCondition};
+use super::{
+    Across, FlowLaw, Iterate, Iteration, Past, PointState, StressUpdate, Triple, YieldCondition, slope_share, way_back,
+};
 use crate::material::{FlowStress, Hosford, YieldCriterion};
+use crate::numerics::Real;
+use crate::numerics::number::scaled;
 
 impl Iterate {
     /// Where bending turns the flow about within the point's part of the thickness the stress jumps: a point by itself would
@@ -15,7 +19,7 @@ impl Iterate {
     /// stands for the mean: a norm of both, so that stress, moment and matrices are those of a point with five strains. Where A
     /// is not the same for all strains P² is the mean of Gauss's two points, which for a quadratic condition is the same.
     /// `None` for a sheet with voids.
-    #[inline]
+    #[inline(always)]
     pub(super) fn advance_across(
         &mut self,
         law: &FlowLaw,
@@ -44,48 +48,61 @@ impl Iterate {
     ) -> Across {
         self.flow_across(law, hosford, point, strain, bending)
     }
+}
 
+impl<T: Real> Iterate<T> {
     #[inline(always)]
-    fn flow_across(
+    pub(super) fn flow_across(
         &mut self,
         law: &FlowLaw,
-        condition: &impl YieldCondition,
-        point: &PointState,
-        strain: Triple,
-        bending: [f64; 2],
-    ) -> Across {
+        condition: &impl YieldCondition<T>,
+        point: &PointState<T>,
+        strain: Triple<T>,
+        bending: [T; 2],
+    ) -> Across<T> {
         let Past { weight, strain: past, spread: past_spread, equivalent } = point.past;
-        let steep = 1.0 + weight;
+        let steep = weight + 1.0;
         let e = [steep * strain[0] - past[0], steep * strain[1] - past[1], steep * strain[2] - past[2]];
         let spread = [steep * bending[0] - past_spread[0], steep * bending[1] - past_spread[1]];
-        let goes_on = law.matrix == Iteration::PrimalDual && self.fluidity > 0.0;
-        let w = if goes_on { Some(self.carried_across(condition, e, spread)) } else { None };
+        let w = match self.going_on(law) {
+            Some(going) => {
+                let (mut w, last) = (self.carried_across(condition, e, spread), self.carried_together());
+                for i in 0..5 {
+                    w[i] = w[i].where_or(going, last[i]);
+                }
+                Some(w)
+            }
+            None => None,
+        };
         let part = condition.part(e, spread, w);
         let (g, square) = (part.gradient, part.square);
         let increment = square.sqrt();
-        let inverse_square = 1.0 / (square + law.cutoff * law.cutoff);
+        let one = steep.constant(1.0);
+        let inverse_square = one / (square + law.cutoff * law.cutoff);
         let inverse = inverse_square.sqrt();
         let hardening = (increment + equivalent) / steep;
         let FlowStress { stress: yield_stress, slope } =
-            law.yielding(point, hardening, steep, increment, 1.0 / inverse, increment * inverse);
+            law.yielding(point, hardening, steep, increment, one / inverse, increment * inverse);
         let f = yield_stress * inverse;
-        let h = if increment > 0.0 { slope * inverse / increment } else { 0.0 };
-        let stress = [f * g[0], f * g[1], f * g[2]];
-        let moment = [f * g[3], f * g[4]];
-        let half = 0.5 * steep;
+        let h = slope_share(slope * inverse, increment);
+        let stress = [f * g[0], f * g[1], f * g[4]];
+        let moment = [f * g[2], f * g[3]];
+        let half = steep * 0.5;
         let other = match law.matrix {
-            Iteration::Secant => [0.0; 5],
-            Iteration::Newton => g.map(|g| half * (h - f * inverse_square) * g),
+            Iteration::Secant => [steep.constant(0.0); 5],
+            Iteration::Newton => scaled(half * (h - f * inverse_square), g),
             Iteration::PrimalDual => {
-                let [s, t, shear] = self.carried;
-                let w = w.unwrap_or([s, t, shear, self.carried_moment[0], self.carried_moment[1]]);
-                let square = condition.part_square(&part, w);
-                let back = if square > yield_stress * yield_stress { yield_stress / square.sqrt() } else { 1.0 };
-                let w = w.map(|w| back * w);
-                self.carried = [w[0], w[1], w[2]];
-                self.carried_moment = [w[3], w[4]];
-                let by = |i: usize| half * (h * g[i] - inverse_square * w[i]);
-                [by(0), by(1), by(2), by(3), by(4)]
+                let w = w.unwrap_or(self.carried_together());
+                let back = way_back(condition.part_square(&part, w), yield_stress);
+                let w = scaled(back, w);
+                self.carried = [w[0], w[1], w[4]];
+                self.carried_moment = [w[2], w[3]];
+                let (on_g, on_w) = (half * h, half * inverse_square);
+                let mut other = scaled(on_g, g);
+                for i in 0..5 {
+                    other[i] = other[i] - on_w * w[i];
+                }
+                other
             }
         };
         let work_across = moment[0] * bending[0] + moment[1] * bending[1];
@@ -99,25 +116,45 @@ impl Iterate {
             kept: condition.part_kept(&part),
             ..*self
         };
-        let update = StressUpdate { stress, tangent: [0.0; 6], increment: hardening, yield_stress, work_across };
-        let metric = part.own.map(|entry| steep * f * entry);
-        let coupling = part.coupling.map(|entry| steep * f * entry);
+        let tangent = [steep.constant(0.0); 6];
+        let update = StressUpdate { stress, tangent, increment: hardening, yield_stress, work_across };
+        let scale = steep * f;
+        let metric = scaled(scale, part.own);
+        let coupling = match part.coupling {
+            Some(coupling) => Some(scaled(scale, coupling)),
+            None => None,
+        };
         Across { update, moment, metric, coupling, outer: [g, other] }
     }
 
-    /// σ + C δ(Δε) of stress and moment.
-    #[inline]
-    fn carried_across(&self, condition: &impl YieldCondition, e: Triple, spread: [f64; 2]) -> [f64; 5] {
-        let last = condition.part_recalled(&self.kept, self.flow, self.spread);
+    /// The carried stress and moment, by ε_s, ε_θ, their spreads and γ.
+    #[inline(always)]
+    fn carried_together(&self) -> [T; 5] {
         let ([s, t, shear], [ms, mt]) = (self.carried, self.carried_moment);
-        let (g, w) = (last.gradient, [s, t, shear, ms, mt]);
+        [s, t, ms, mt, shear]
+    }
+
+    /// σ + C δ(Δε) of stress and moment.
+    #[inline(always)]
+    fn carried_across(&self, condition: &impl YieldCondition<T>, e: Triple<T>, spread: [T; 2]) -> [T; 5] {
+        let last = condition.part_recalled(&self.kept, self.flow, self.spread);
+        let (g, w) = (last.gradient, self.carried_together());
         let de = [e[0] - self.flow[0], e[1] - self.flow[1], e[2] - self.flow[2]];
         let dk = [spread[0] - self.spread[0], spread[1] - self.spread[1]];
-        let c = condition.part_product(&last, de, dk);
-        let product = |v: &[f64; 5]| v[0] * de[0] + v[1] * de[1] + v[2] * de[2] + v[3] * dk[0] + v[4] * dk[1];
-        let along = product(&g);
-        let on_g = self.fluidity + self.hardening * along - 0.5 * self.inverse_square * product(&w);
-        let on_w = -0.5 * self.inverse_square * along;
-        std::array::from_fn(|i| on_g * g[i] + on_w * w[i] + self.fluidity * c[i])
+        let delta = [de[0], de[1], dk[0], dk[1], de[2]];
+        let along = product(&g, &delta);
+        let half = self.inverse_square * 0.5;
+        let on_g = self.fluidity + self.hardening * along - half * product(&w, &delta);
+        let on_w = -(half * along);
+        let mut carried = scaled(self.fluidity, condition.part_product(&last, de, dk));
+        for i in 0..5 {
+            carried[i] = on_g * g[i] + on_w * w[i] + carried[i];
+        }
+        carried
     }
+}
+
+#[inline(always)]
+fn product<T: Real>(v: &[T; 5], w: &[T; 5]) -> T {
+    v[0] * w[0] + v[1] * w[1] + v[4] * w[4] + v[2] * w[2] + v[3] * w[3]
 }

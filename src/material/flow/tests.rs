@@ -205,18 +205,18 @@ fn primal_dual_matrix_is_positive_semidefinite_along_any_path() {
     }
 }
 
-/// The matrix of a part, by the strains and their spread.
+/// The matrix of a part, by the strains in the plane, their spread and the shear.
 fn whole(part: &Across) -> [[f64; 5]; 5] {
     let ([ss, st, tt, shear], [g, h]) = (part.metric, part.outer);
     let mut c = std::array::from_fn(|i| std::array::from_fn(|j| g[i] * h[j] + h[i] * g[j]));
     for (i, j, k) in [(0, 0, 0), (0, 1, 1), (1, 0, 1), (1, 1, 2)] {
-        let (own, coupling) = ([ss, st, tt][k], part.coupling[k]);
+        let (own, coupling) = ([ss, st, tt][k], part.coupling.unwrap_or_default()[k]);
         c[i][j] += own;
-        c[3 + i][3 + j] += MEAN_SQUARE * own;
-        c[i][3 + j] += coupling;
-        c[3 + i][j] += coupling;
+        c[2 + i][2 + j] += MEAN_SQUARE * own;
+        c[i][2 + j] += coupling;
+        c[2 + i][j] += coupling;
     }
-    c[2][2] += shear;
+    c[4][4] += shear;
     c
 }
 
@@ -229,13 +229,13 @@ fn newton_matrix_of_a_part_is_the_derivative_of_its_stress_and_moment() {
             let law = FlowLaw { rate: rate.as_ref(), criterion, ..flow(&hardening, Iteration::Newton) };
             for ([s, t, shear], [ks, kt]) in points().into_iter().zip([[4e-3, 1e-3], [-2e-3, 0.0]].into_iter().cycle())
             {
-                let u = [s, t, shear, ks, kt];
+                let u = [s, t, ks, kt, shear];
                 let at = |u: [f64; 5]| {
                     let across = Iterate::default().advance_across(
                         &law,
                         &PointState::at(0.05),
-                        [u[0], u[1], u[2]],
-                        [u[3], u[4]],
+                        [u[0], u[1], u[4]],
+                        [u[2], u[3]],
                     );
                     across.expect("without voids")
                 };
@@ -247,7 +247,7 @@ fn newton_matrix_of_a_part_is_the_derivative_of_its_stress_and_moment() {
                         let mut u = u;
                         u[j] += sign * h;
                         let Across { update, moment, .. } = at(u);
-                        [update.stress[0], update.stress[1], update.stress[2], moment[0], moment[1]]
+                        [update.stress[0], update.stress[1], moment[0], moment[1], update.stress[2]]
                     };
                     let (plus, minus) = (shifted(1.0), shifted(-1.0));
                     for i in 0..5 {

@@ -5,6 +5,7 @@
 
 use super::flow_stress::{FlowStress, HardeningLaw};
 use crate::law::prelude::*;
+use crate::numerics::{Real, elementary};
 
 /// σ = k ε^n, started at the elastic line or at a declared offset strain.
 ///
@@ -48,6 +49,14 @@ impl Hollomon {
     pub fn from_elastic_line(k: f64, n: f64, young: f64) -> Result<Self, LawError> {
         let mut law = Self { k, n, offset: None, start: 0.0 };
         law.prepare(Some(young)).map(|()| law)
+    }
+
+    /// Of one strain or of several.
+    #[inline(always)]
+    pub(super) fn at<T: Real>(&self, strain: T) -> FlowStress<T> {
+        let total = strain + self.start;
+        let stress = elementary::power(total, total.constant(self.n)) * self.k;
+        FlowStress { stress, slope: stress * self.n / total }
     }
 }
 
@@ -94,8 +103,6 @@ impl Law for Hollomon {
 impl HardeningLaw for Hollomon {
     #[inline]
     fn at_temperature(&self, strain: f64, _: f64) -> FlowStress {
-        let total = self.start + strain;
-        let stress = self.k * total.powf(self.n);
-        FlowStress { stress, slope: self.n * stress / total }
+        self.at(strain)
     }
 }

@@ -10,6 +10,7 @@
 use super::flow_stress::{FlowStress, HardeningLaw, power};
 use super::table::few;
 use crate::law::prelude::*;
+use crate::numerics::Real;
 
 /// σ = initial + k ε^n with other constants on each range of strain.
 ///
@@ -63,6 +64,18 @@ impl PiecewisePower {
     pub fn new(branches: Vec<Branch>) -> Result<Self, LawError> {
         let mut law = Self { branches };
         law.prepare(None).map(|()| law)
+    }
+
+    /// Of one strain or of several, each on its branch.
+    #[inline(always)]
+    pub(super) fn at<T: Real>(&self, strain: T) -> FlowStress<T> {
+        let [initial, k, n] = strain.each(strain, |strain, _| {
+            let last = self.branches.len() - 1;
+            let branch = self.branches[..last].iter().find(|b| strain < b.up_to).unwrap_or(&self.branches[last]);
+            [branch.initial, branch.k, branch.n]
+        });
+        let (value, slope) = power(strain, n);
+        FlowStress { stress: initial + k * value, slope: k * slope }
     }
 }
 
@@ -132,9 +145,6 @@ impl Law for PiecewisePower {
 impl HardeningLaw for PiecewisePower {
     #[inline]
     fn at_temperature(&self, strain: f64, _: f64) -> FlowStress {
-        let last = self.branches.len() - 1;
-        let branch = self.branches[..last].iter().find(|b| strain < b.up_to).unwrap_or(&self.branches[last]);
-        let (value, slope) = power(strain, branch.n);
-        FlowStress { stress: branch.initial + branch.k * value, slope: branch.k * slope }
+        self.at(strain)
     }
 }

@@ -23,6 +23,7 @@ use crate::solver::step::Step;
 use crate::solver::trial::Trial;
 
 /// Contact and friction of every tool with every point it reaches; returns the largest force of one on one.
+#[inline(always)]
 pub fn add(step: &Step, trial: &mut Trial, at: &Linearisation, out: &mut Evaluation) -> f64 {
     locate(step, out);
     out.pushes.fill(Push::default());
@@ -40,6 +41,7 @@ pub fn add(step: &Step, trial: &mut Trial, at: &Linearisation, out: &mut Evaluat
     largest
 }
 
+#[inline(always)]
 fn locate(step: &Step, out: &mut Evaluation) {
     for (e, places) in out.places.chunks_exact_mut(STATIONS).enumerate() {
         for (place, station) in places.iter_mut().zip(stations(step.bends[e])) {
@@ -49,6 +51,7 @@ fn locate(step: &Step, out: &mut Evaluation) {
 }
 
 /// What tool `j` does to the sheet, point by point; returns its largest force on one.
+#[inline(always)]
 fn press(step: &Step, trial: &mut Trial, at: &Linearisation, j: usize, out: &mut Evaluation) -> f64 {
     let Step { process, state, dt, .. } = *step;
     let (tool, displacement) = (&process.tools[j], trial.tools[j]);
@@ -65,8 +68,10 @@ fn press(step: &Step, trial: &mut Trial, at: &Linearisation, j: usize, out: &mut
         let shift = memory.shift;
         let away = memory.distance - (position - memory.position).norm();
         if free && away > 0.5 * thickness + reach - shift {
-            *contact = Contact::free();
-            memory.gap = f64::INFINITY;
+            if contact.gap < f64::INFINITY {
+                *contact = Contact::free();
+                memory.gap = f64::INFINITY;
+            }
             continue;
         }
         let closest = tool.profile.closest(position);
@@ -120,6 +125,7 @@ fn press(step: &Step, trial: &mut Trial, at: &Linearisation, j: usize, out: &mut
 }
 
 /// Adds what all tools do to the sheet.
+#[inline(always)]
 fn assemble(step: &Step, at: &Linearisation, out: &mut Evaluation) {
     let system = &mut out.system;
     for (e, pushes) in out.pushes.chunks_exact(STATIONS).enumerate() {
@@ -143,7 +149,7 @@ fn assemble(step: &Step, at: &Linearisation, out: &mut Evaluation) {
         let squeeze: f64 = pushes.iter().map(|push| push.squeeze).sum();
         // Q ∂²t, ∂²t = ∂t ∂tᵀ/t − t ∂²(ε_s + ε_θ): of the latter it is the geometric stiffness of a tension −Q t.
         let (tension, square) = (-squeeze * thickness, squeeze / thickness);
-        let stiffness = out.currents[e].geometric_stiffness(&[tension, tension, 0.0, 0.0, 0.0]);
+        let stiffness = out.strained[e].rows.geometric_stiffness(&[tension, tension, 0.0, 0.0, 0.0]);
         let ([rr, rz, zz], [hoop, r, z]) = (stiffness.difference, *thinning);
         let m = &mut sheet.matrix;
         m[0][0] += stiffness.hoop + square * hoop * hoop;

@@ -1,15 +1,21 @@
 //! Internal forces of the sheet: every element strained to the trial positions by the law of its metal.
 
+mod column;
+mod lanes;
+
 use crate::element::Node;
-use crate::element::section::Law;
+use crate::element::section::{Blocks, Internal, Law, Strained};
 use crate::element::surface::{STATIONS, stations};
-use crate::material::PointLaw;
-use crate::material::flow::FlowLaw;
-use crate::model::Mode;
+use crate::material::flow::{FlowLaw, Iterate, Quadratic, Rows};
+use crate::material::{PointLaw, YieldCriterion};
+use crate::model::{Iteration, Mode};
 use crate::numerics::Grid;
+use crate::numerics::number::{Instructions, LANES};
 use crate::solver::evaluation::{Evaluation, Linearisation};
 use crate::solver::step::{Step, elastoplastic_law};
 use crate::solver::trial::Trial;
+use column::{Alone, Together};
+use std::ops::Range;
 
 /// Least tension of a membrane in its matrix, over its yield force \[–\]; it fades once the velocity norm is below [`SLACK_NORM`].
 const SLACK_TENSION: f64 = 0.5;
@@ -20,11 +26,26 @@ const SLACK_NORM: f64 = 0.05;
 pub const STABILISATION: f64 = 1e-7;
 
 /// Internal forces p and their matrix, strains and thickness; `false` when an element has collapsed.
-pub fn add(step: &Step, trial: &mut Trial, at: &Linearisation, out: &mut Evaluation) -> bool {
+#[inline(always)]
+pub fn add(simd: impl Instructions, step: &Step, trial: &mut Trial, at: &Linearisation, out: &mut Evaluation) -> bool {
     let Step { model, dt, .. } = *step;
+    if !strain(step, &trial.moves, out) {
+        return false;
+    }
+    let mut sheet = Sheet {
+        step,
+        law: Law {
+            points: &step.process.rule,
+            slack_tension: SLACK_TENSION * (at.velocity_norm / SLACK_NORM).min(1.0),
+            forces_alone: at.residual_alone,
+        },
+        out,
+    };
+    let elements = 0..step.references.len();
     if model.mode != Mode::Flow {
         let law = elastoplastic_law(model, at.matrix, dt);
-        return strain(law, step, &step.elastoplastic_points, &trial.moves, &mut trial.elastoplastic, at, out);
+        sheet.one_by_one(elements, &law, &step.elastoplastic_points, &mut trial.elastoplastic);
+        return true;
     }
     let material = &model.material;
     let law = FlowLaw {
@@ -33,47 +54,139 @@ pub fn add(step: &Step, trial: &mut Trial, at: &Linearisation, out: &mut Evaluat
         softening: material.thermal.as_ref(),
         criterion: material.yield_criterion,
         voids: material.gtn.as_ref(),
-        matrix: at.matrix,
+        // The secant matrix asks for the least besides the stress.
+        matrix: if at.residual_alone { Iteration::Secant } else { at.matrix },
         cutoff: step.cutoff(trial.softening),
         duration: dt,
     };
-    strain(law, step, &step.flow_points, &trial.moves, &mut trial.iterates, at, out)
+    let iterates = &mut trial.iterates;
+    let (None, YieldCriterion::Hill48(hill)) = (law.voids, law.criterion) else {
+        sheet.one_by_one(elements, &law, &step.flow_points, iterates);
+        return true;
+    };
+    let law = Quadratic { law, hill };
+    for first in elements.clone().step_by(LANES) {
+        let group = first..(first + LANES).min(elements.end);
+        let bends = step.bends[first];
+        if group.len() == LANES && group.clone().all(|e| step.bends[e] == bends) {
+            sheet.side_by_side(simd, group, bends, &law, iterates);
+        } else {
+            sheet.one_by_one(group, &law, &step.flow_points, iterates);
+        }
+    }
+    true
 }
 
-fn strain<L: PointLaw>(
-    point: L,
-    step: &Step,
-    before: &Grid<L::PointState>,
-    moves: &[Node],
-    iterates: &mut Grid<L::Iterate>,
-    at: &Linearisation,
-    out: &mut Evaluation,
-) -> bool {
-    let rule = &step.process.rule;
-    let slack_tension = SLACK_TENSION * (at.velocity_norm / SLACK_NORM).min(1.0);
-    let law = Law { point, points: rule, slack_tension, forces_alone: at.residual_alone };
-    let system = &mut out.system;
-    out.currents.clear();
-    let rows = before.rows().zip(iterates.rows_mut()).zip(out.updates.rows_mut());
-    for ((e, reference), ((before, iterates), updates)) in step.references.iter().enumerate().zip(rows) {
+/// Strains every element to the trial positions.
+#[inline(always)]
+fn strain(step: &Step, moves: &[Node], out: &mut Evaluation) -> bool {
+    out.strained.clear();
+    for (e, reference) in step.references.iter().enumerate() {
         let Some(current) = reference.moved(moves[e], moves[e + 1]) else { return false };
-        let internal = law.internal(&current, step.volume[e], step.section[e], before, iterates, updates);
-        system.diagonal[e] += internal.own[0];
-        system.upper[e] += internal.across;
-        system.lower[e + 1] += internal.across.transpose();
-        system.diagonal[e + 1] += internal.own[1];
-        system.rhs[e] -= internal.force.fixed_rows::<3>(0);
-        system.rhs[e + 1] -= internal.force.fixed_rows::<3>(3);
-        let own = step.growth[e] * step.state.thickness[e] / step.section[e];
-        out.thickness[e] = internal.thickness * own;
-        out.thickness_rows[e] = internal.thickness_row.map(|by| by * own);
-        out.currents.push(current);
         out.membrane_increment[e] = [current.strain[0], current.strain[1]];
         if let Some(rows) = out.membrane_rows.get_mut(e) {
             *rows = current.membrane_rows();
         }
+        let (volume, thickness) = (step.volume[e], step.section[e]);
+        out.strained.push(Strained {
+            strain: current.strain,
+            rows: current.strain_displacement(),
+            volume,
+            thickness,
+        });
     }
     true
+}
+
+/// What the elements of a sheet are added to.
+struct Sheet<'a, 's> {
+    step: &'a Step<'s>,
+    law: Law<'a>,
+    out: &'a mut Evaluation,
+}
+
+impl Sheet<'_, '_> {
+    /// Adds elements, each by itself.
+    #[inline(always)]
+    fn one_by_one<L: PointLaw>(
+        &mut self,
+        elements: Range<usize>,
+        law: &L,
+        before: &Grid<L::PointState>,
+        iterates: &mut Grid<L::Iterate>,
+    ) {
+        for e in elements {
+            let (before, iterates) = (before.row(e), iterates.row_mut(e));
+            let mut points = Alone { law, before, iterates, updates: self.out.updates.row_mut(e) };
+            let Internal { force, blocks, thickness_row, thickness } =
+                self.law.internal(&self.out.strained[e], self.step.bends[e], &mut points);
+            let blocks = match blocks {
+                Some(Blocks { own: [first, second], across }) => {
+                    Some(Blocks { own: [one(first), one(second)], across: one(across) })
+                }
+                None => None,
+            };
+            let (thickness_row, thickness) = (one(thickness_row), [thickness]);
+            self.put(e, &Internal { force: one(force), blocks, thickness_row, thickness });
+        }
+    }
+
+    /// Adds as many elements as there are lanes, which all bend or are all membranes.
+    #[inline(always)]
+    fn side_by_side<S: Instructions>(
+        &mut self,
+        simd: S,
+        elements: Range<usize>,
+        bends: bool,
+        law: &Quadratic,
+        iterates: &mut Grid<Iterate>,
+    ) {
+        let (first, columns) = (elements.start, iterates.columns());
+        let element = lanes::beside(simd, &self.out.strained[elements.clone()]);
+        let rows = Rows {
+            simd,
+            columns,
+            before: self.step.flow_points.rows_of(elements.clone()),
+            iterates: iterates.rows_of_mut(elements.clone()),
+            updates: self.out.updates.rows_of_mut(elements),
+        };
+        let internal = self.law.internal(&element, bends, &mut Together { law, rows });
+        self.put(first, &lanes::apart(&internal));
+    }
+
+    /// Puts elements, entry by entry, into the system: the `first` one and those after it.
+    #[inline(always)]
+    fn put<const N: usize>(&mut self, first: usize, internal: &Internal<[f64; N]>) {
+        let Self { step, out, .. } = self;
+        let Evaluation { system, thickness, thickness_rows, .. } = &mut **out;
+        for k in 0..N {
+            let e = first + k;
+            for d in 0..3 {
+                system.rhs[e][d] -= internal.force[d][k];
+                system.rhs[e + 1][d] -= internal.force[d + 3][k];
+            }
+            if let Some(Blocks { own: [first, second], across }) = &internal.blocks {
+                for (column, row) in [(0, 0), (0, 1), (0, 2), (1, 0), (1, 1), (1, 2), (2, 0), (2, 1), (2, 2)] {
+                    let j = 3 * column + row;
+                    system.diagonal[e][j] += first[j][k];
+                    system.upper[e][j] = across[j][k];
+                    system.lower[e + 1][3 * row + column] = across[j][k];
+                    system.diagonal[e + 1][j] += second[j][k];
+                }
+            }
+            let own = step.growth[e] * step.state.thickness[e] / step.section[e];
+            thickness[e] = internal.thickness[k] * own;
+            for i in 0..3 {
+                thickness_rows[e][i] = internal.thickness_row[i][k] * own;
+            }
+        }
+    }
+}
+
+/// Entries of one element.
+#[inline(always)]
+fn one<const N: usize>(entries: [f64; N]) -> [[f64; 1]; N] {
+    entries.map(|entry| [entry])
 }
 
 /// Keeps a sheet from floating along z once the tools that go away have left it.

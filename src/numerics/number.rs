@@ -1,0 +1,247 @@
+//! Numbers that a formula is worked out with: one, or four side by side by the vector instructions that the processor has.
+//!
+//! Each lane is worked out as one number by itself is, so that a result does not depend on the processor, nor on what stands
+//! beside it.
+
+use pulp::{NullaryFnOnce, Scalar256b, Simd, cast, f64x4};
+use std::ops::{Add, Div, Mul, Neg, Sub};
+
+/// How many numbers stand side by side.
+pub const LANES: usize = 4;
+
+/// What vector instructions of four lanes are called by.
+pub trait Instructions: Simd<f64s = f64x4> {}
+impl<S: Simd<f64s = f64x4>> Instructions for S {}
+
+/// One number, or several side by side.
+pub trait Real:
+    Copy
+    + Add<Output = Self>
+    + Sub<Output = Self>
+    + Mul<Output = Self>
+    + Div<Output = Self>
+    + Neg<Output = Self>
+    + Add<f64, Output = Self>
+    + Sub<f64, Output = Self>
+    + Mul<f64, Output = Self>
+{
+    /// The answer to a comparison.
+    type Mask: Copy;
+
+    /// The same number everywhere.
+    #[must_use]
+    fn constant(self, value: f64) -> Self;
+
+    /// Square root.
+    #[must_use]
+    fn sqrt(self) -> Self;
+
+    /// Whether it is the larger one.
+    fn exceeds(self, other: Self) -> Self::Mask;
+
+    /// This where the answer is yes, the other one elsewhere.
+    #[must_use]
+    fn where_or(self, mask: Self::Mask, otherwise: Self) -> Self;
+
+    /// Whether the answer is yes anywhere.
+    fn anywhere(self, mask: Self::Mask) -> bool;
+
+    /// Functions of it and another number, one lane after the other.
+    #[must_use]
+    fn each<const N: usize>(self, other: Self, of: impl Fn(f64, f64) -> [f64; N]) -> [Self; N];
+}
+
+impl Real for f64 {
+    type Mask = bool;
+
+    #[inline(always)]
+    fn constant(self, value: f64) -> f64 {
+        value
+    }
+
+    #[inline(always)]
+    fn sqrt(self) -> f64 {
+        f64::sqrt(self)
+    }
+
+    #[inline(always)]
+    fn exceeds(self, other: f64) -> bool {
+        self > other
+    }
+
+    #[inline(always)]
+    fn where_or(self, mask: bool, otherwise: f64) -> f64 {
+        if mask { self } else { otherwise }
+    }
+
+    #[inline(always)]
+    fn anywhere(self, mask: bool) -> bool {
+        mask
+    }
+
+    #[inline(always)]
+    fn each<const N: usize>(self, other: f64, of: impl Fn(f64, f64) -> [f64; N]) -> [f64; N] {
+        of(self, other)
+    }
+}
+
+/// Four numbers side by side.
+#[derive(Clone, Copy)]
+pub struct Lanes<S: Instructions> {
+    simd: S,
+    values: f64x4,
+}
+
+impl<S: Instructions> Lanes<S> {
+    /// Of four numbers.
+    #[inline(always)]
+    pub fn new(simd: S, values: [f64; LANES]) -> Self {
+        Self { simd, values: cast(values) }
+    }
+
+    /// The four numbers.
+    #[inline(always)]
+    pub fn values(self) -> [f64; LANES] {
+        cast(self.values)
+    }
+
+    #[inline(always)]
+    fn of(self, values: f64x4) -> Self {
+        Self { values, ..self }
+    }
+}
+
+/// Operators of two lanes, and of lanes and one number.
+macro_rules! operators {
+    ($($operator:ident $function:ident $instruction:ident),*) => {$(
+        impl<S: Instructions> $operator for Lanes<S> {
+            type Output = Self;
+
+            #[inline(always)]
+            fn $function(self, other: Self) -> Self {
+                self.of(self.simd.$instruction(self.values, other.values))
+            }
+        }
+
+        impl<S: Instructions> $operator<f64> for Lanes<S> {
+            type Output = Self;
+
+            #[inline(always)]
+            fn $function(self, other: f64) -> Self {
+                $operator::$function(self, self.constant(other))
+            }
+        }
+    )*};
+}
+
+operators!(Add add add_f64s, Sub sub sub_f64s, Mul mul mul_f64s, Div div div_f64s);
+
+impl<S: Instructions> Neg for Lanes<S> {
+    type Output = Self;
+
+    #[inline(always)]
+    fn neg(self) -> Self {
+        self.of(self.simd.neg_f64s(self.values))
+    }
+}
+
+impl<S: Instructions> Real for Lanes<S> {
+    type Mask = S::m64s;
+
+    #[inline(always)]
+    fn constant(self, value: f64) -> Self {
+        self.of(self.simd.splat_f64s(value))
+    }
+
+    #[inline(always)]
+    fn sqrt(self) -> Self {
+        self.of(self.simd.sqrt_f64s(self.values))
+    }
+
+    #[inline(always)]
+    fn exceeds(self, other: Self) -> S::m64s {
+        self.simd.greater_than_f64s(self.values, other.values)
+    }
+
+    #[inline(always)]
+    fn where_or(self, mask: S::m64s, otherwise: Self) -> Self {
+        self.of(self.simd.select_f64s(mask, self.values, otherwise.values))
+    }
+
+    #[inline(always)]
+    fn anywhere(self, mask: S::m64s) -> bool {
+        self.simd.first_true_m64s(mask) < LANES
+    }
+
+    #[inline(always)]
+    fn each<const N: usize>(self, other: Self, of: impl Fn(f64, f64) -> [f64; N]) -> [Self; N] {
+        let (a, b) = (self.values(), other.values());
+        let [p, q, r, s] = [of(a[0], b[0]), of(a[1], b[1]), of(a[2], b[2]), of(a[3], b[3])];
+        let mut all = [self; N];
+        for i in 0..N {
+            all[i] = Self::new(self.simd, [p[i], q[i], r[i], s[i]]);
+        }
+        all
+    }
+}
+
+/// Multiplied by the same number. (What `map` is given is compiled by itself, without vector instructions.)
+#[inline(always)]
+pub fn scaled<T: Real, const N: usize>(by: T, mut values: [T; N]) -> [T; N] {
+    for value in &mut values {
+        *value = by * *value;
+    }
+    values
+}
+
+/// Adds to each.
+#[inline(always)]
+pub fn add<T: Real, const N: usize>(to: &mut [T; N], what: [T; N]) {
+    for i in 0..N {
+        to[i] = to[i] + what[i];
+    }
+}
+
+/// The numbers of every entry.
+#[inline(always)]
+pub fn values<S: Instructions, const N: usize>(of: [Lanes<S>; N]) -> [[f64; LANES]; N] {
+    let mut values = [[0.0; LANES]; N];
+    for i in 0..N {
+        values[i] = of[i].values();
+    }
+    values
+}
+
+/// Work for vector instructions, whichever the processor has.
+pub trait Work {
+    /// What comes of it.
+    type Output;
+
+    /// Does it; to be inlined always.
+    fn run<S: Instructions>(self, simd: S) -> Self::Output;
+}
+
+/// Work, and the instructions for it.
+struct Call<W, S> {
+    work: W,
+    simd: S,
+}
+
+impl<W: Work, S: Instructions> NullaryFnOnce for Call<W, S> {
+    type Output = W::Output;
+
+    #[inline(always)]
+    fn call(self) -> W::Output {
+        self.work.run(self.simd)
+    }
+}
+
+/// Does work with the vector instructions that the processor has.
+#[inline]
+pub fn dispatch<W: Work>(work: W) -> W::Output {
+    #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
+    if let Some(simd) = pulp::x86::V3::try_new() {
+        return simd.vectorize(Call { work, simd });
+    }
+    Scalar256b.vectorize(Call { work, simd: Scalar256b })
+}
