@@ -86,11 +86,6 @@ impl Axis {
         &self.names
     }
 
-    /// Of what has no column: a key that is varied, by its own name.
-    pub fn named(label: String, unit: Unit) -> Self {
-        Self::new(vec![label.into()], unit)
-    }
-
     /// One axis for several columns: the words that their labels end with in common, or all labels.
     ///
     /// # Panics

@@ -4,7 +4,7 @@ use crate::common::cli::{stampflow, text};
 use stampflow::study::search::{
     Aim, Answer, Bracket, Condition, Found, Goal, Line, Quest, Said, Side, Target, Template, Wanted, bracket,
 };
-use stampflow::study::{Row, Span, StudyError, Subject, base, one};
+use stampflow::study::{Bars, Row, Span, StudyError, Subject, base, one};
 use std::cell::Cell;
 
 const CASE: &str = "cases/quickstart.toml";
@@ -136,7 +136,7 @@ fn subject(set: &[&str]) -> Subject {
 fn row(set: &[&str]) -> Row {
     let subject = subject(&[]);
     let settings = set.iter().map(|s| (*s).to_owned()).collect();
-    one(&subject, stampflow::study::Design { index: 0, values: Vec::new(), settings }, &())
+    one(&subject, stampflow::study::Design { index: 0, values: Vec::new(), settings }, Bars::Without, &())
 }
 
 fn judged(row: &Row, condition: &str) -> Said {
@@ -177,7 +177,7 @@ fn conditions_are_judged_by_lights_and_numbers_with_their_units() {
 fn wrong_searches_are_told_before_anything_is_searched() {
     let subject = subject(&[]);
     let wrong = |text: &str| {
-        let error = Condition::read(text).and_then(|condition| condition.check(&base(&subject, &())?));
+        let error = Condition::read(text).and_then(|condition| condition.check(&base(&subject, Bars::Without, &())?));
         error.expect_err(text).to_string()
     };
     for (text, said) in [

@@ -27,7 +27,7 @@ pub use trials::{Trials, reasons};
 use crate::case::Solution;
 use crate::message::{Message, message};
 use crate::rules::estimate::draw_ratio;
-use crate::study::{Columns, Row, Solved, Span, StudyError, Subject, base};
+use crate::study::{Bars, Columns, Row, Solved, Span, StudyError, Subject, base};
 use crate::units::Parsed;
 use crate::verification::Watch;
 use condition::{quantity, usable};
@@ -162,7 +162,7 @@ impl Quest {
     /// When the case cannot be run, the span makes no case, or a number is asked for that it does not have.
     pub fn search(&self, threads: usize, watch: &dyn Watch) -> Result<Answer, StudyError> {
         self.can_be_set()?;
-        let base = base(&self.subject, watch)?;
+        let base = base(&self.subject, Bars::Without, watch)?;
         let wanted = match &self.goal {
             Goal::Keep(condition) => condition.check(&base).map(|()| None)?,
             Goal::Reach(target) => Some(target.value(&base)?),

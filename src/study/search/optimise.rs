@@ -11,7 +11,7 @@
 use super::condition::{Condition, Said, usable};
 use super::number::Named;
 use super::trials::{Trials, design};
-use crate::study::{Columns, Row, Solved, Span, StudyError, Subject, base, one, side_by_side};
+use crate::study::{Bars, Columns, Row, Solved, Span, StudyError, Subject, base, one, side_by_side};
 use crate::verification::Watch;
 use cobyla::{Func, RhoBeg, StopTols, minimize};
 use std::cell::RefCell;
@@ -66,7 +66,7 @@ pub fn optimise(
     threads: usize,
     watch: &dyn Watch,
 ) -> Result<Best, StudyError> {
-    let base = base(subject, watch)?;
+    let base = base(subject, Bars::Without, watch)?;
     number.find(&base)?;
     condition.map_or(Ok(()), |condition| condition.check(&base))?;
     let problem = Problem { subject, spans, number, sense, condition, watch };
@@ -168,7 +168,7 @@ impl Problem<'_> {
                 self.spans.iter().zip(shares).map(|(span, share)| span.at(share.clamp(0.0, 1.0))).collect();
             let known = made.borrow().iter().position(|(known, _)| *known == point);
             let place = known.unwrap_or_else(|| {
-                let row = one(self.subject, design(self.spans, 0, &point), self.watch);
+                let row = one(self.subject, design(self.spans, 0, &point), Bars::Without, self.watch);
                 made.borrow_mut().push((point, row));
                 made.borrow().len() - 1
             });

@@ -2,7 +2,7 @@
 
 use crate::message::Message;
 use crate::study::hash::short_hash;
-use crate::study::{Design, Designs, Row, Span, Subject, one, side_by_side};
+use crate::study::{Bars, Design, Designs, Row, Span, Subject, one, side_by_side};
 use crate::verification::Watch;
 use std::convert::Infallible;
 
@@ -55,7 +55,7 @@ impl<'a> Trials<'a> {
             &designs,
             self.threads,
             &further,
-            |design| one(subject, design.clone(), &further),
+            |design| one(subject, design.clone(), Bars::Without, &further),
             |row| {
                 rows.push(row);
                 Ok::<_, Infallible>(())
