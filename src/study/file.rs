@@ -37,8 +37,9 @@ pub fn load(path: &Path, overrides: Vec<String>) -> Result<Plan, StudyError> {
         let line = error.span().map_or(0, |span| 1 + text[..span.start].matches('\n').count());
         StudyError::new(format!("{shown}, line {line}: {}", error.message()), "a study is TOML, as a case file")
     })?;
-    let wrong =
-        |what: String| StudyError::new(format!("{shown}: {what}"), "a study has case, set, one_at_a_time, [vary] and [[together]]");
+    let wrong = |what: String| {
+        StudyError::new(format!("{shown}: {what}"), "a study has case, set, one_at_a_time, [vary] and [[together]]")
+    };
     if let Some((key, _)) = document.iter().find(|(key, _)| !KEYS.contains(key)) {
         return Err(wrong(format!("`{key}` is no key of a study")));
     }

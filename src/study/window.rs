@@ -146,15 +146,20 @@ impl<'a> Window<'a> {
             band.grid.region(
                 |point| Some(found(point).fails.contains(&zone)),
                 |a, b| {
-                    let third = band.grid.third(a, b, found(a).fails.contains(&zone));
-                    let third = third.map(|(point, at)| (found(point), at));
-                    let (share, by_number) = self.results.border(zone, [found(a), found(b)], third);
+                    let (share, by_number) = self.border(band, zone, [a, b]);
                     by_numbers.set(by_numbers.get() && by_number);
                     share
                 },
             )
         });
         (regions.collect(), by_numbers.get())
+    }
+
+    /// Where between two neighbours in a band the border of a zone is, and whether that is by a number.
+    fn border(&self, band: &Band, zone: Zone, [a, b]: [usize; 2]) -> (f64, bool) {
+        let found = |point: usize| &self.results.rows[band.rows[point]];
+        let third = band.grid.third(a, b, found(a).fails.contains(&zone));
+        self.results.border(zone, [found(a), found(b)], third.map(|(point, at)| (found(point), at)))
     }
 
     /// Lines along which a number has a value, between designs that `is_counted`.
@@ -280,7 +285,8 @@ impl Results<'_> {
 fn way([from, to]: [f64; 2], at: f64, third: Option<(f64, f64)>) -> f64 {
     let share = |of: fn(f64) -> f64| (of(from) - of(at)) / (of(from) - of(to));
     let miss = |of: fn(f64) -> f64, (value, place): (f64, f64)| {
-        (of(value) - of(from) - place * (of(to) - of(from))).abs() / (of(value) - of(from)).abs().max((of(value) - of(to)).abs())
+        (of(value) - of(from) - place * (of(to) - of(from))).abs()
+            / (of(value) - of(from)).abs().max((of(value) - of(to)).abs())
     };
     let (number, inverse): (fn(f64) -> f64, fn(f64) -> f64) = (|v| v, |v| 1.0 / v);
     let has_inverse = |(value, _): &(f64, f64)| [from, to, at, *value].iter().all(|v| v.is_finite() && *v > 0.0);
@@ -295,10 +301,16 @@ impl Window<'_> {
         self.zone(zone).0.iter().flat_map(spans).collect()
     }
 
-    /// The stretches of the axis where designs are of a kind, half-way to their neighbours.
+    /// The stretches of the axis where sound designs are of a kind, as far as those that fail, and half-way to those of
+    /// another kind.
     pub fn spans(&self, is: impl Fn(&Found) -> bool) -> Vec<(f64, f64)> {
         let regions = self.bands.iter().map(|band| {
-            band.grid.region(|point| Some(is(&self.results.rows[band.rows[point]])), |_, _| 0.5)
+            let found = |point: usize| &self.results.rows[band.rows[point]];
+            let border = |a: usize, b: usize| match (found(a).worst(), found(b).worst()) {
+                (Some(zone), None) | (None, Some(zone)) => self.border(band, zone, [a, b]).0,
+                _ => 0.5,
+            };
+            band.grid.region(|point| Some(found(point).is_sound() && is(found(point))), border)
         });
         regions.collect::<Vec<_>>().iter().flat_map(spans).collect()
     }

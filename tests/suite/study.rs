@@ -1,6 +1,6 @@
 //! Studies: designs in order, rows whole, mistakes told before anything is run.
 
-use stampflow::study::{Columns, Designs, Plan, Row, StudyError, Vary, run};
+use stampflow::study::{Bars, Columns, Designs, Plan, Row, StudyError, Vary, run};
 use std::convert::Infallible;
 
 const CASE: &str = "cases/quickstart.toml";
@@ -12,7 +12,7 @@ fn plan(varied: &[&str]) -> Result<Plan, StudyError> {
 
 fn rows(plan: &Plan, indices: &[u64], threads: usize) -> Vec<Row> {
     let mut rows = Vec::new();
-    let ended = run(plan, indices, threads, &(), |row| {
+    let ended = run(plan, indices, threads, Bars::Without, &(), |row| {
         rows.push(row);
         Ok::<_, Infallible>(())
     });

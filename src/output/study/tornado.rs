@@ -35,11 +35,8 @@ pub(super) fn chart(results: &Results, title: String, form: Form, notes: Vec<Str
         })
         .collect();
     if let Some(first) = panels.first_mut() {
-        let entries = [
-            ("Key above where the case stands", ABOVE()),
-            ("Key below", BELOW()),
-            ("The case as it stands", OWN),
-        ];
+        let entries =
+            [("Key above where the case stands", ABOVE()), ("Key below", BELOW()), ("The case as it stands", OWN)];
         let has_other = results.axes.iter().any(|axis| axis.own.is_none() || axis.has_names());
         let other = has_other.then_some(("Another choice", OTHER));
         let entries = entries.into_iter().chain(other);
@@ -69,8 +66,7 @@ fn panel(results: &Results, place: usize, swings: &[Swing], form: Form) -> Panel
             if end.value.is_none() {
                 continue;
             }
-            let outline =
-                vec![(own, y - HALF), (end.number, y - HALF), (end.number, y + HALF), (own, y + HALF)];
+            let outline = vec![(own, y - HALF), (end.number, y - HALF), (end.number, y + HALF), (own, y + HALF)];
             series.push(Series::silent(outline, look(results, swing, end)));
         }
     }
@@ -82,8 +78,7 @@ fn panel(results: &Results, place: usize, swings: &[Swing], form: Form) -> Panel
             series.push(Series::new(label, vec![(at, row(i))], Look::Name));
         }
     }
-    let mut names: Vec<String> =
-        swings.iter().map(|swing| form.tell(results.axes[swing.axis].message())).collect();
+    let mut names: Vec<String> = swings.iter().map(|swing| form.tell(results.axes[swing.axis].message())).collect();
     names.reverse();
     let height = ROW * count as f64 + 12.0;
     Panel {

@@ -86,6 +86,10 @@ fn panel(
     let mut taken: Vec<Point> = Vec::new();
     let own = window.own();
     taken.extend(own.map(relative));
+    if let Some(own) = own.filter(|_| window.at.is_none()) {
+        let (at_x, at_y) = relative(beside(own, [x, y]));
+        taken.extend([-0.13, 0.0, 0.13].map(|off| (at_x + off, at_y)));
+    }
     let mut names = Vec::new();
     for (place, level) in isolines.iter().flat_map(|(place, levels)| levels.iter().map(move |level| (*place, *level))) {
         let found = window.isolines(place, level, is_whole);
@@ -157,14 +161,18 @@ fn stands(
             series.push(Series::new(by, vec![at], Look::Name));
         }
     }
-    // Away from the nearer edges, off both ways.
+    let label = capitalised(&form.tell("the case as it stands"));
+    series.push(Series::new(label, vec![own, beside(own, [x, y])], Look::Callout));
+    series
+}
+
+/// Where the label of a point stands: away from the nearer edges.
+fn beside(own: Point, [x, y]: [(f64, f64); 2]) -> Point {
     let off = |v: f64, (low, high): (f64, f64)| {
         let side = if v > 0.5 * (low + high) { -1.0 } else { 1.0 };
         v + side * 0.17 * (high - low)
     };
-    let label = capitalised(&form.tell("the case as it stands"));
-    series.push(Series::new(label, vec![own, (off(own.0, x), off(own.1, y))], Look::Callout));
-    series
+    (off(own.0, x), off(own.1, y))
 }
 
 /// Of a line over the window.
