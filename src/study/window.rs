@@ -37,6 +37,13 @@ struct Band {
     rows: Vec<usize>,
 }
 
+/// Where the case stands, the designs about it, and where they fail.
+struct About<'a> {
+    own: Point,
+    grid: &'a Grid,
+    zones: Vec<(Zone, Region)>,
+}
+
 /// How far it is from where the case stands to a border, along one axis.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Distance {
@@ -187,18 +194,18 @@ impl<'a> Window<'a> {
     }
 
     /// Where the case stands, among the designs about it, and the zones there.
-    fn about(&self) -> Option<(Point, &Grid, Vec<(Zone, Region)>)> {
+    fn about(&self) -> Option<About<'_>> {
         let own = self.own()?;
         let is_within = |values: &[f64], v: f64| values[0] <= v && v <= values[values.len() - 1];
         let is_in = |band: &Band| is_within(&band.grid.x, own.0) && is_within(&band.grid.y, own.1);
         let band = self.bands.iter().position(is_in)?;
         let zones = Zone::ALL.into_iter().map(|zone| (zone, self.zone(zone).0.swap_remove(band)));
-        Some((own, &self.bands[band].grid, zones.collect()))
+        Some(About { own, grid: &self.bands[band].grid, zones: zones.collect() })
     }
 
     /// Whether the designs stand too far apart about the case: what its own run says is not what they say of its place.
     pub fn is_coarse(&self) -> bool {
-        self.about().is_some_and(|(own, _, zones)| {
+        self.about().is_some_and(|About { own, zones, .. }| {
             zones.iter().any(|(zone, region)| region.contains(own) != self.results.base.fails.contains(zone))
         })
     }
@@ -206,7 +213,7 @@ impl<'a> Window<'a> {
     /// How far it is from where the case stands to the nearest border each way along each axis of numbers; nothing where
     /// the window [is coarse](Self::is_coarse) there.
     pub fn distances(&self) -> Vec<Distance> {
-        let Some((own, grid, zones)) = self.about().filter(|_| !self.is_coarse()) else { return Vec::new() };
+        let Some(About { own, grid, zones }) = self.about().filter(|_| !self.is_coarse()) else { return Vec::new() };
         let axes = [(Some(self.x), own, &grid.x, &grid.y, false), (self.y, (own.1, own.0), &grid.y, &grid.x, true)];
         let mut distances = Vec::new();
         for (axis, (from, across), along, beside, is_turned) in axes {
@@ -285,13 +292,12 @@ impl Results<'_> {
 fn way([from, to]: [f64; 2], at: f64, third: Option<(f64, f64)>) -> f64 {
     let share = |of: fn(f64) -> f64| (of(from) - of(at)) / (of(from) - of(to));
     let miss = |of: fn(f64) -> f64, (value, place): (f64, f64)| {
-        (of(value) - of(from) - place * (of(to) - of(from))).abs()
-            / (of(value) - of(from)).abs().max((of(value) - of(to)).abs())
+        let span = (of(value) - of(from)).abs().max((of(value) - of(to)).abs());
+        (of(value) - of(from) - place * (of(to) - of(from))).abs() / span
     };
-    let (number, inverse): (fn(f64) -> f64, fn(f64) -> f64) = (|v| v, |v| 1.0 / v);
     let has_inverse = |(value, _): &(f64, f64)| [from, to, at, *value].iter().all(|v| v.is_finite() && *v > 0.0);
-    let is_inverse = third.filter(has_inverse).is_some_and(|third| miss(inverse, third) < miss(number, third));
-    share(if is_inverse { inverse } else { number })
+    let inverse = third.filter(has_inverse).filter(|third| miss(f64::recip, *third) < miss(f64::from, *third));
+    share(if inverse.is_some() { f64::recip } else { f64::from })
 }
 
 /// Of a study of one axis.

@@ -110,13 +110,10 @@ fn panel(
     series.extend(names);
     let is_small = window.at.is_some();
     if !is_small {
-        let sound: (String, Box<dyn Fn(&Found) -> bool>) = (form.tell("sound"), Box::new(Found::is_sound));
-        let failed = zones.iter().map(|zone| {
-            let is: Box<dyn Fn(&Found) -> bool> = Box::new(|found: &Found| found.worst() == Some(*zone));
-            (zone.label().told(form), is)
-        });
-        for (name, is) in std::iter::once(sound).chain(failed) {
-            if let Some(at) = middle(window, &*is, relative, &taken) {
+        let sound = (form.tell("sound"), None);
+        let failed = zones.iter().map(|zone| (zone.label().told(form), Some(*zone)));
+        for (name, zone) in std::iter::once(sound).chain(failed) {
+            if let Some(at) = middle(window, |found| found.worst() == zone, relative, &taken) {
                 taken.push(relative(at));
                 series.push(Series::new(name, vec![at], Look::Name));
             }
@@ -204,7 +201,7 @@ fn is_apart(a: Point, b: Point) -> bool {
 /// The design that is furthest inside of those of a kind, where there is room for a name.
 fn middle(
     window: &Window,
-    is: &dyn Fn(&Found) -> bool,
+    is: impl Fn(&Found) -> bool,
     relative: impl Fn(Point) -> Point,
     taken: &[Point],
 ) -> Option<Point> {
