@@ -8,6 +8,7 @@ use super::table::wrapped;
 use anyhow::Context;
 use serde_json::json;
 use stampflow::assess::Light;
+use stampflow::message::{Amount, Form, message};
 use stampflow::output::study::keep;
 use stampflow::study::{
     self, Bars, Begun, Columns, Designs, Earlier, How, Journal, Plan, Results, Row, Shard, StudyError, Times, Vary,
@@ -173,14 +174,14 @@ pub fn sweep(args: &Args) -> anyhow::Result<Code> {
                              "lights": tally.lights, "red": tally.red });
         return match args.many.json.json {
             true => say_json(&lights),
-            false => say(wrapped(&format!("{}\n{} in {}", tally.told(), ran.told(), path.display()))),
+            false => say(wrapped(&format!("{}\n{}", tally.told(), ran.told(&path, args.many.told.form())))),
         };
     }
     let results = Results::read(&path, &plan, &base).map_err(asked)?;
     let studied = Studied::of(&results, &args.many, &dir, args.keep.is_some())?;
     match args.many.json.json {
         true => say_json(&studied.json(&results, &path, (ran.kept, ran.seconds))),
-        false => say(wrapped(&format!("{}\n{} in {}", studied.told(&results), ran.told(), path.display()))),
+        false => say(wrapped(&format!("{}\n{}", studied.told(&results), ran.told(&path, args.many.told.form())))),
     }
 }
 
@@ -193,17 +194,34 @@ struct Ran {
 }
 
 impl Ran {
-    /// `400 designs (12 s, 2000 a minute)`
-    fn told(&self) -> String {
-        let new = self.designs - self.kept;
-        match (new, self.kept) {
-            (0, _) => format!("{} designs, all of an earlier run,", self.designs),
-            (new, kept) => {
-                let rate = 60.0 * new as f64 / self.seconds;
-                let before = if kept > 0 { format!(", {kept} of an earlier run") } else { String::new() };
-                format!("{} designs ({:.1} s, {rate:.0} a minute{before})", self.designs, self.seconds)
-            }
+    /// `400 designs (12 s, 2000 a minute) in out/cup-sweep/study.csv`
+    fn told(&self, path: &Path, form: Form) -> String {
+        let Self { designs, kept, seconds } = *self;
+        let (n, file) = (designs, path.display().to_string());
+        if kept == designs {
+            return message!("{n} designs, all of an earlier run, in {file}", n = n, file = file).told(form);
         }
+        let (time, rate) = (Amount::time(seconds), (60.0 * (designs - kept) as f64 / seconds).round() as usize);
+        let said = match kept {
+            0 => {
+                message!(
+                    "{n} designs ({time}, {rate} a minute) in {file}",
+                    n = n,
+                    time = time,
+                    rate = rate,
+                    file = file
+                )
+            }
+            _ => message!(
+                "{n} designs ({time}, {rate} a minute, {kept} of an earlier run) in {file}",
+                n = n,
+                time = time,
+                rate = rate,
+                kept = kept,
+                file = file
+            ),
+        };
+        said.told(form)
     }
 }
 

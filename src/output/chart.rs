@@ -134,6 +134,8 @@ pub enum Look {
     },
     /// The label itself, on white: each point is the middle of its left end. The legend leaves it out.
     Text,
+    /// The same, and each point is the middle of its right end.
+    Before,
     /// The label itself, on white about each point. The legend leaves it out.
     Name,
     /// The label on white about the second point, with a line to a dot at the first. The legend leaves it out.
@@ -187,7 +189,7 @@ impl Look {
 
     /// Whether the legend says what it is.
     pub fn is_explained(self) -> bool {
-        !matches!(self, Self::Text | Self::Name | Self::Flag | Self::Callout)
+        !matches!(self, Self::Text | Self::Before | Self::Name | Self::Flag | Self::Callout)
     }
 
     /// The same line thin and pale, for the background.

@@ -121,15 +121,16 @@ mod tests {
         let square = [(0.0, 0.0), (40.0, 0.0), (40.0, 40.0), (0.0, 40.0)];
         let hole = [(0.0, 0.0), (10.0, 10.0), (10.0, 30.0), (30.0, 30.0), (30.0, 10.0), (10.0, 10.0)];
         let holed: Points = square.iter().chain(&hole).copied().collect();
-        let length = |lines: &[[(f64, f64); 2]]| {
-            lines.iter().map(|[a, b]| (a.0 - b.0).hypot(a.1 - b.1)).sum::<f64>()
-        };
+        let length = |lines: &[[(f64, f64); 2]]| lines.iter().map(|[a, b]| (a.0 - b.0).hypot(a.1 - b.1)).sum::<f64>();
         for rise in [0.0, 45.0, 135.0, 90.0] {
             let lines = hatched(&square, rise, 0.5);
             assert!((0.5 * length(&lines) - 1600.0).abs() < 10.0, "{rise}: {}", 0.5 * length(&lines));
             assert!((0.5 * length(&hatched(&holed, rise, 0.5)) - 1200.0).abs() < 10.0, "{rise}");
         }
         let rising = hatched(&square, 45.0, 10.0)[0];
-        assert!((rising[1].0 - rising[0].0) * (rising[1].1 - rising[0].1) < 0.0, "up the page to the right: {rising:?}");
+        assert!(
+            (rising[1].0 - rising[0].0) * (rising[1].1 - rising[0].1) < 0.0,
+            "up the page to the right: {rising:?}"
+        );
     }
 }

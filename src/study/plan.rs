@@ -170,9 +170,10 @@ impl Designs for Plan {
     fn design(&self, index: u64) -> Design {
         let places = self.place(index);
         let pairs = || {
-            self.axes.iter().zip(&places).flat_map(|(axis, place)| {
-                axis.iter().map(move |vary| (vary, place.map(|i| &vary.values[i])))
-            })
+            self.axes
+                .iter()
+                .zip(&places)
+                .flat_map(|(axis, place)| axis.iter().map(move |vary| (vary, place.map(|i| &vary.values[i]))))
         };
         Design {
             index,

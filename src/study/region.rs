@@ -66,11 +66,7 @@ impl Grid {
     /// The part of the grid that is inside: `is_inside` of a point is `None` where it is unknown, which leaves out the cells
     /// around it; `share` is where on the way from the first point to the second, one in and one out, the border is
     /// \[–\].
-    pub fn region(
-        &self,
-        is_inside: impl Fn(usize) -> Option<bool>,
-        share: impl Fn(usize, usize) -> f64,
-    ) -> Region {
+    pub fn region(&self, is_inside: impl Fn(usize) -> Option<bool>, share: impl Fn(usize, usize) -> f64) -> Region {
         let columns = self.x.len();
         let mut edges: HashMap<(Key, Key), (Point, Point, bool)> = HashMap::new();
         for j in 0..self.y.len().saturating_sub(1) {
@@ -171,9 +167,9 @@ impl Region {
     /// Whether a point is inside.
     pub fn contains(&self, (x, y): Point) -> bool {
         let segments = self.outlines.iter().flat_map(|line| line.windows(2));
-        let crossed = segments.filter(|pair| (pair[0].1 <= y) != (pair[1].1 <= y)).filter(|pair| {
-            x < pair[0].0 + (pair[1].0 - pair[0].0) * (y - pair[0].1) / (pair[1].1 - pair[0].1)
-        });
+        let crossed = segments
+            .filter(|pair| (pair[0].1 <= y) != (pair[1].1 <= y))
+            .filter(|pair| x < pair[0].0 + (pair[1].0 - pair[0].0) * (y - pair[0].1) / (pair[1].1 - pair[0].1));
         crossed.count() % 2 == 1
     }
 

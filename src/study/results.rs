@@ -1,10 +1,10 @@
 //! A study read back from its table: what its pictures and its answer are made of, whoever ran it.
 
+use super::StudyError;
 use super::plan::{Designs, How, Plan};
 use super::row::{Columns, Solved, header};
 use super::varied::Varied;
 use super::zone::{Limit, Zone};
-use super::StudyError;
 use crate::assess::Light;
 use crate::verification::{Number, Of};
 use std::path::Path;

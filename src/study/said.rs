@@ -93,15 +93,22 @@ impl Said {
 
     /// Where the case stands: how far from each border, or that it is outside.
     fn stands(&self, results: &Results) -> Vec<Message> {
-        if results.plan.how() == How::OneAtATime || results.axes.len() > 3 {
+        if results.plan.how() == How::OneAtATime {
             return Vec::new();
+        }
+        if results.axes.len() > 3 {
+            return vec!["no picture of more than three keys: --one-at-a-time draws one of any number".into()];
         }
         if windows(results).iter().any(Window::is_coarse) {
             return vec!["the designs stand too far apart about the case as it stands to tell its distances from the borders: give values nearer to it".into()];
         }
         if self.distances.is_empty() {
             let is_of_names = results.axes.iter().all(Varied::has_names);
-            return if is_of_names { Vec::new() } else { vec!["the case as it stands is none of these designs".into()] };
+            return if is_of_names {
+                Vec::new()
+            } else {
+                vec!["the case as it stands is none of these designs".into()]
+            };
         }
         let state = results.base.fails.first().map_or_else(|| "sound".into(), |zone| zone.label());
         let own = results.axes.iter().filter_map(|axis| Some(value(axis, axis.own?)));
@@ -147,9 +154,8 @@ fn span(results: &Results, zone: Zone) -> Message {
     let places: Vec<Vec<Option<usize>>> = failed.iter().map(|row| results.plan.place(*row as u64)).collect();
     let spans = results.axes.iter().enumerate().filter_map(|(i, axis)| {
         let met: Vec<f64> = places.iter().filter_map(|place| Some(axis.values[place[i]?])).collect();
-        let ends = |values: &[f64]| {
-            values.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), v| (a.min(*v), b.max(*v)))
-        };
+        let ends =
+            |values: &[f64]| values.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), v| (a.min(*v), b.max(*v)));
         let (low, high) = ends(&met);
         if axis.has_names() {
             let mut names: Vec<&str> = met.iter().map(|place| axis.names[*place as usize].as_str()).collect();
@@ -160,12 +166,9 @@ fn span(results: &Results, zone: Zone) -> Message {
         }
         ((low, high) != ends(&axis.values)).then(|| match low == high {
             true => value(axis, low),
-            false => message!(
-                "{axis} {low} to {high}",
-                axis = axis.message(),
-                low = axis.told(low),
-                high = axis.told(high)
-            ),
+            false => {
+                message!("{axis} {low} to {high}", axis = axis.message(), low = axis.told(low), high = axis.told(high))
+            }
         })
     });
     let spans: Vec<Message> = spans.collect();

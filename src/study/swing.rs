@@ -39,8 +39,7 @@ pub fn swings(results: &Results, place: usize) -> Vec<Swing> {
     if !own.is_finite() {
         return Vec::new();
     }
-    let mut all: Vec<Swing> =
-        (0..results.axes.len()).map(|axis| Swing { axis, low: stands, high: stands }).collect();
+    let mut all: Vec<Swing> = (0..results.axes.len()).map(|axis| Swing { axis, low: stands, high: stands }).collect();
     for (row, found) in results.rows.iter().enumerate().skip(1) {
         let number = found.numbers[place];
         let places = results.plan.place(row as u64);

@@ -37,6 +37,13 @@ struct Band {
     rows: Vec<usize>,
 }
 
+/// Where the case stands, the designs about it, and where they fail.
+struct About<'a> {
+    own: Point,
+    grid: &'a Grid,
+    zones: Vec<(Zone, Region)>,
+}
+
 /// How far it is from where the case stands to a border, along one axis.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Distance {
@@ -146,15 +153,20 @@ impl<'a> Window<'a> {
             band.grid.region(
                 |point| Some(found(point).fails.contains(&zone)),
                 |a, b| {
-                    let third = band.grid.third(a, b, found(a).fails.contains(&zone));
-                    let third = third.map(|(point, at)| (found(point), at));
-                    let (share, by_number) = self.results.border(zone, [found(a), found(b)], third);
+                    let (share, by_number) = self.border(band, zone, [a, b]);
                     by_numbers.set(by_numbers.get() && by_number);
                     share
                 },
             )
         });
         (regions.collect(), by_numbers.get())
+    }
+
+    /// Where between two neighbours in a band the border of a zone is, and whether that is by a number.
+    fn border(&self, band: &Band, zone: Zone, [a, b]: [usize; 2]) -> (f64, bool) {
+        let found = |point: usize| &self.results.rows[band.rows[point]];
+        let third = band.grid.third(a, b, found(a).fails.contains(&zone));
+        self.results.border(zone, [found(a), found(b)], third.map(|(point, at)| (found(point), at)))
     }
 
     /// Lines along which a number has a value, between designs that `is_counted`.
@@ -182,18 +194,18 @@ impl<'a> Window<'a> {
     }
 
     /// Where the case stands, among the designs about it, and the zones there.
-    fn about(&self) -> Option<(Point, &Grid, Vec<(Zone, Region)>)> {
+    fn about(&self) -> Option<About<'_>> {
         let own = self.own()?;
         let is_within = |values: &[f64], v: f64| values[0] <= v && v <= values[values.len() - 1];
         let is_in = |band: &Band| is_within(&band.grid.x, own.0) && is_within(&band.grid.y, own.1);
         let band = self.bands.iter().position(is_in)?;
         let zones = Zone::ALL.into_iter().map(|zone| (zone, self.zone(zone).0.swap_remove(band)));
-        Some((own, &self.bands[band].grid, zones.collect()))
+        Some(About { own, grid: &self.bands[band].grid, zones: zones.collect() })
     }
 
     /// Whether the designs stand too far apart about the case: what its own run says is not what they say of its place.
     pub fn is_coarse(&self) -> bool {
-        self.about().is_some_and(|(own, _, zones)| {
+        self.about().is_some_and(|About { own, zones, .. }| {
             zones.iter().any(|(zone, region)| region.contains(own) != self.results.base.fails.contains(zone))
         })
     }
@@ -201,7 +213,7 @@ impl<'a> Window<'a> {
     /// How far it is from where the case stands to the nearest border each way along each axis of numbers; nothing where
     /// the window [is coarse](Self::is_coarse) there.
     pub fn distances(&self) -> Vec<Distance> {
-        let Some((own, grid, zones)) = self.about().filter(|_| !self.is_coarse()) else { return Vec::new() };
+        let Some(About { own, grid, zones }) = self.about().filter(|_| !self.is_coarse()) else { return Vec::new() };
         let axes = [(Some(self.x), own, &grid.x, &grid.y, false), (self.y, (own.1, own.0), &grid.y, &grid.x, true)];
         let mut distances = Vec::new();
         for (axis, (from, across), along, beside, is_turned) in axes {
@@ -280,12 +292,12 @@ impl Results<'_> {
 fn way([from, to]: [f64; 2], at: f64, third: Option<(f64, f64)>) -> f64 {
     let share = |of: fn(f64) -> f64| (of(from) - of(at)) / (of(from) - of(to));
     let miss = |of: fn(f64) -> f64, (value, place): (f64, f64)| {
-        (of(value) - of(from) - place * (of(to) - of(from))).abs() / (of(value) - of(from)).abs().max((of(value) - of(to)).abs())
+        let span = (of(value) - of(from)).abs().max((of(value) - of(to)).abs());
+        (of(value) - of(from) - place * (of(to) - of(from))).abs() / span
     };
-    let (number, inverse): (fn(f64) -> f64, fn(f64) -> f64) = (|v| v, |v| 1.0 / v);
     let has_inverse = |(value, _): &(f64, f64)| [from, to, at, *value].iter().all(|v| v.is_finite() && *v > 0.0);
-    let is_inverse = third.filter(has_inverse).is_some_and(|third| miss(inverse, third) < miss(number, third));
-    share(if is_inverse { inverse } else { number })
+    let inverse = third.filter(has_inverse).filter(|third| miss(f64::recip, *third) < miss(f64::from, *third));
+    share(if inverse.is_some() { f64::recip } else { f64::from })
 }
 
 /// Of a study of one axis.
@@ -295,10 +307,16 @@ impl Window<'_> {
         self.zone(zone).0.iter().flat_map(spans).collect()
     }
 
-    /// The stretches of the axis where designs are of a kind, half-way to their neighbours.
+    /// The stretches of the axis where sound designs are of a kind, as far as those that fail, and half-way to those of
+    /// another kind.
     pub fn spans(&self, is: impl Fn(&Found) -> bool) -> Vec<(f64, f64)> {
         let regions = self.bands.iter().map(|band| {
-            band.grid.region(|point| Some(is(&self.results.rows[band.rows[point]])), |_, _| 0.5)
+            let found = |point: usize| &self.results.rows[band.rows[point]];
+            let border = |a: usize, b: usize| match (found(a).worst(), found(b).worst()) {
+                (Some(zone), None) | (None, Some(zone)) => self.border(band, zone, [a, b]).0,
+                _ => 0.5,
+            };
+            band.grid.region(|point| Some(found(point).is_sound() && is(found(point))), border)
         });
         regions.collect::<Vec<_>>().iter().flat_map(spans).collect()
     }

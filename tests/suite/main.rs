@@ -52,6 +52,7 @@ mod springback;
 mod stops;
 mod study;
 mod surfalex_limit;
+mod sweep;
 mod tables;
 mod templates;
 mod told;

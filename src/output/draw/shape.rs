@@ -90,10 +90,14 @@ impl<C, B: DrawingBackend> Drawable<B> for Shape<'_, C> {
             }
             // Where they stand follows from all of them: the panel draws them.
             Look::Flag => {}
-            Look::Text | Look::Name => {
+            Look::Text | Look::Before | Look::Name => {
                 let (width, half) = (text_width(self.label, MARK), 0.5 * SPACING * MARK);
                 let style = style(MARK, BLACK).pos(Pos::new(HPos::Left, VPos::Top));
-                let before = if self.look == Look::Name { 0.5 * width } else { 0.0 };
+                let before = match self.look {
+                    Look::Name => 0.5 * width,
+                    Look::Before => width,
+                    _ => 0.0,
+                };
                 for (x, y) in points.map(px).map(|(x, y)| (x - before, y)) {
                     let (from, to) = ((x - 2.0, y - half), (x + width + 2.0, y + half));
                     backend.draw_rect(whole(from), whole(to), &rgb(WHITE), true)?;
@@ -123,7 +127,7 @@ pub(super) fn sample(canvas: &Canvas, look: Look, at: (f64, f64), size: (f64, f6
         Look::Line { .. } => vec![(x, y), (x + w, y)],
         Look::Circles { .. } | Look::Dots { .. } | Look::Triangles { .. } => vec![(x + 0.5 * w, y)],
         Look::Area { .. } | Look::Hatched { .. } => vec![(x, y - h), (x + w, y - h), (x + w, y + h), (x, y + h)],
-        Look::Text | Look::Name | Look::Flag | Look::Callout => Vec::new(),
+        Look::Text | Look::Before | Look::Name | Look::Flag | Look::Callout => Vec::new(),
     };
     let points = points.into_iter().map(|(x, y)| (units(x), units(y))).collect();
     canvas.draw(&Shape { look, label: "", points }).expect(NEVER);

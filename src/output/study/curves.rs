@@ -93,7 +93,7 @@ fn behind(window: &Window, zones: &[Zone], up: (f64, f64), is_first: bool, form:
     let top = up.1 + (up.1 - up.0);
     let upright = |(from, to): (f64, f64)| vec![(from, up.0), (to, up.0), (to, top), (from, top)];
     let mut series = Vec::new();
-    let amber = window.spans(|found| found.is_sound() && found.light == Some(Light::Amber));
+    let amber = window.spans(|found| found.light == Some(Light::Amber));
     let is_amber = !amber.is_empty();
     series.extend(amber.into_iter().map(|span| Series::silent(upright(span), AMBER)));
     let spans: Vec<(Zone, Vec<(f64, f64)>)> = zones.iter().map(|zone| (*zone, window.zone_spans(*zone))).collect();

@@ -29,16 +29,18 @@ pub fn loads(results: &Results, curves: &[Vec<(f64, f64)>], form: Form) -> Optio
         let label = named(n).then(|| axis.told(axis.values[i]).told(form));
         Series { label, points: curves[i].clone(), look }
     });
-    Some(Chart {
-        title: format!("{}: {}", form.tell(axis.message()), form.tell("load curves")),
-        legend: form.tell(axis.message()),
-        panels: vec![Panel {
-            x: Axis::named("Punch travel", Unit::Mm),
-            y: Axis::named("Punch force", unit),
-            series: series.collect(),
-            scale: Scale::Fit { height: 400.0, least: 0.0 },
-        }],
-        notes: Vec::new(),
-    }
-    .told(form))
+    Some(
+        Chart {
+            title: format!("{}: {}", form.tell(axis.message()), form.tell("load curves")),
+            legend: form.tell(axis.message()),
+            panels: vec![Panel {
+                x: Axis::named("Punch travel", Unit::Mm),
+                y: Axis::named("Punch force", unit),
+                series: series.collect(),
+                scale: Scale::Fit { height: 400.0, least: 0.0 },
+            }],
+            notes: Vec::new(),
+        }
+        .told(form),
+    )
 }

@@ -1,7 +1,7 @@
 //! One key at a time: how far each moves the numbers that decide, the largest swing on top.
 
 use super::zones::OWN;
-use crate::message::Form;
+use crate::message::{Form, Message, message};
 use crate::output::chart::{Chart, Color, Look, Panel, Scale, Series, color, pale};
 use crate::study::{End, Results, Swing, swings};
 use crate::table::Axis;
@@ -13,8 +13,12 @@ const KEYS: usize = 12;
 const ROW: f64 = 34.0;
 const HALF: f64 = 0.34;
 /// Width of a letter and of the room around a label, over that of a panel \[–\].
-const LETTER: f64 = 0.0165;
+const LETTER: f64 = 0.024;
 const AROUND: f64 = 0.03;
+/// Between a bar and its label, over the panel \[–\].
+const GAP: f64 = 0.008;
+/// Behind the value of a design that fails.
+const FAILED: &str = " *";
 
 /// Looks of bars whose key is above where the case stands, and below: apart in grey print.
 const ABOVE: fn() -> Look = || Look::Area { fill: color(1), edge: Some((70, 70, 70)) };
@@ -25,7 +29,8 @@ const BELOW: fn() -> Look = || {
 const OTHER: Look = Look::Area { fill: (190, 190, 190), edge: Some((70, 70, 70)) };
 
 /// A panel for each number.
-pub(super) fn chart(results: &Results, title: String, form: Form, notes: Vec<String>) -> Chart {
+pub(super) fn chart(results: &Results, title: String, form: Form, mut notes: Vec<String>) -> Chart {
+    notes.extend(failed(results, form));
     let all = results.deciding(MOST).into_iter().map(|place| (place, swings(results, place)));
     let mut panels: Vec<Panel> = all
         .filter(|(_, swings)| !swings.is_empty())
@@ -35,11 +40,8 @@ pub(super) fn chart(results: &Results, title: String, form: Form, notes: Vec<Str
         })
         .collect();
     if let Some(first) = panels.first_mut() {
-        let entries = [
-            ("Key above where the case stands", ABOVE()),
-            ("Key below", BELOW()),
-            ("The case as it stands", OWN),
-        ];
+        let entries =
+            [("Key above where the case stands", ABOVE()), ("Key below", BELOW()), ("The case as it stands", OWN)];
         let has_other = results.axes.iter().any(|axis| axis.own.is_none() || axis.has_names());
         let other = has_other.then_some(("Another choice", OTHER));
         let entries = entries.into_iter().chain(other);
@@ -54,8 +56,9 @@ fn panel(results: &Results, place: usize, swings: &[Swing], form: Form) -> Panel
     let ends = swings.iter().flat_map(|swing| [swing.low.number, swing.high.number]);
     let (low, high) = ends.fold((own, own), |(low, high), v| (low.min(v), high.max(v)));
     let share = |label: &str| LETTER * label.chars().count() as f64 + AROUND;
-    let labels = |i: usize| ends_of(&swings[i]).map(move |end| told(results, &swings[i], end, form));
-    let widest = (0..swings.len()).flat_map(labels).flatten().map(|label| share(&label)).fold(0.0, f64::max);
+    let ends = swings.iter().flat_map(|swing| [(swing, swing.low), (swing, swing.high)]);
+    let labels = ends.filter_map(|(swing, end)| told(results, swing, end, form));
+    let widest = labels.map(|label| share(&label)).fold(0.0, f64::max);
     // The labels have room on either side of the longest bars.
     let width = (high - low) / (1.0 - 2.0 * widest).max(0.3);
     let x = (low - widest * width, high + widest * width);
@@ -69,21 +72,18 @@ fn panel(results: &Results, place: usize, swings: &[Swing], form: Form) -> Panel
             if end.value.is_none() {
                 continue;
             }
-            let outline =
-                vec![(own, y - HALF), (end.number, y - HALF), (end.number, y + HALF), (own, y + HALF)];
+            let outline = vec![(own, y - HALF), (end.number, y - HALF), (end.number, y + HALF), (own, y + HALF)];
             series.push(Series::silent(outline, look(results, swing, end)));
         }
     }
     series.push(Series::silent(vec![(own, -0.6), (own, count as f64 - 0.4)], OWN));
     for (i, swing) in swings.iter().enumerate() {
-        for (end, side) in [(swing.low, -1.0), (swing.high, 1.0)] {
+        for (end, off, look) in [(swing.low, -GAP, Look::Before), (swing.high, GAP, Look::Text)] {
             let Some(label) = told(results, swing, end, form) else { continue };
-            let at = end.number + side * 0.5 * share(&label) * width;
-            series.push(Series::new(label, vec![(at, row(i))], Look::Name));
+            series.push(Series::new(label, vec![(end.number + off * width, row(i))], look));
         }
     }
-    let mut names: Vec<String> =
-        swings.iter().map(|swing| form.tell(results.axes[swing.axis].message())).collect();
+    let mut names: Vec<String> = swings.iter().map(|swing| form.tell(results.axes[swing.axis].message())).collect();
     names.reverse();
     let height = ROW * count as f64 + 12.0;
     Panel {
@@ -94,15 +94,23 @@ fn panel(results: &Results, place: usize, swings: &[Swing], form: Form) -> Panel
     }
 }
 
-fn ends_of(swing: &Swing) -> impl Iterator<Item = End> {
-    [swing.low, swing.high].into_iter()
-}
-
-/// The key's value at an end, and how it fails there; nothing of the case as it stands.
+/// The key's value at an end, marked where the design fails; nothing of the case as it stands.
 fn told(results: &Results, swing: &Swing, end: End, form: Form) -> Option<String> {
     let value = results.axes[swing.axis].told(end.value?).told(form);
-    let failed = results.rows[end.row].worst().map(|zone| format!(" ({})", zone.label().told(form)));
-    Some(value + &failed.unwrap_or_default())
+    Some(if results.rows[end.row].is_sound() { value } else { value + FAILED })
+}
+
+/// What the mark means: each design that fails, and how.
+fn failed(results: &Results, form: Form) -> Option<String> {
+    let failed = results.rows.iter().enumerate().skip(1).filter_map(|(row, found)| {
+        let places = results.plan.place(row as u64);
+        let (axis, place) = results.axes.iter().zip(places).find_map(|(axis, place)| Some((axis, place?)))?;
+        let zone = found.worst()?;
+        let value = axis.told(axis.values[place]);
+        Some(message!("{axis} {value} ({zone})", axis = axis.message(), value = value, zone = zone.label()))
+    });
+    let failed = Message::joined(failed, ", ");
+    (!failed.is_empty()).then(|| message!("* fails: {designs}.", designs = failed).told(form))
 }
 
 /// Whether the key is above or below where the case stands at an end.

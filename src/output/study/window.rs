@@ -86,6 +86,10 @@ fn panel(
     let mut taken: Vec<Point> = Vec::new();
     let own = window.own();
     taken.extend(own.map(relative));
+    if let Some(own) = own.filter(|_| window.at.is_none()) {
+        let (at_x, at_y) = relative(beside(own, [x, y]));
+        taken.extend([-0.13, 0.0, 0.13].map(|off| (at_x + off, at_y)));
+    }
     let mut names = Vec::new();
     for (place, level) in isolines.iter().flat_map(|(place, levels)| levels.iter().map(move |level| (*place, *level))) {
         let found = window.isolines(place, level, is_whole);
@@ -106,13 +110,10 @@ fn panel(
     series.extend(names);
     let is_small = window.at.is_some();
     if !is_small {
-        let sound: (String, Box<dyn Fn(&Found) -> bool>) = (form.tell("sound"), Box::new(Found::is_sound));
-        let failed = zones.iter().map(|zone| {
-            let is: Box<dyn Fn(&Found) -> bool> = Box::new(|found: &Found| found.worst() == Some(*zone));
-            (zone.label().told(form), is)
-        });
-        for (name, is) in std::iter::once(sound).chain(failed) {
-            if let Some(at) = middle(window, &*is, relative, &taken) {
+        let sound = (form.tell("sound"), None);
+        let failed = zones.iter().map(|zone| (zone.label().told(form), Some(*zone)));
+        for (name, zone) in std::iter::once(sound).chain(failed) {
+            if let Some(at) = middle(window, |found| found.worst() == zone, relative, &taken) {
                 taken.push(relative(at));
                 series.push(Series::new(name, vec![at], Look::Name));
             }
@@ -157,14 +158,18 @@ fn stands(
             series.push(Series::new(by, vec![at], Look::Name));
         }
     }
-    // Away from the nearer edges, off both ways.
+    let label = capitalised(&form.tell("the case as it stands"));
+    series.push(Series::new(label, vec![own, beside(own, [x, y])], Look::Callout));
+    series
+}
+
+/// Where the label of a point stands: away from the nearer edges.
+fn beside(own: Point, [x, y]: [(f64, f64); 2]) -> Point {
     let off = |v: f64, (low, high): (f64, f64)| {
         let side = if v > 0.5 * (low + high) { -1.0 } else { 1.0 };
         v + side * 0.17 * (high - low)
     };
-    let label = capitalised(&form.tell("the case as it stands"));
-    series.push(Series::new(label, vec![own, (off(own.0, x), off(own.1, y))], Look::Callout));
-    series
+    (off(own.0, x), off(own.1, y))
 }
 
 /// Of a line over the window.
@@ -196,7 +201,7 @@ fn is_apart(a: Point, b: Point) -> bool {
 /// The design that is furthest inside of those of a kind, where there is room for a name.
 fn middle(
     window: &Window,
-    is: &dyn Fn(&Found) -> bool,
+    is: impl Fn(&Found) -> bool,
     relative: impl Fn(Point) -> Point,
     taken: &[Point],
 ) -> Option<Point> {
