@@ -308,3 +308,44 @@ fn the_program_searches_writes_its_table_and_picture_and_tells_mistakes() {
         assert!(ended.status.code() == Some(2) && error.contains(said), "{args:?}: {error}");
     }
 }
+
+/// Trust: what stands on the page is what the program prints; but for the time that it took.
+#[test]
+fn every_figure_of_the_page_is_what_its_command_prints() {
+    let root = std::path::Path::new(env!("CARGO_MANIFEST_DIR"));
+    let folder = temp_dir::TempDir::new().expect("a folder");
+    let page = std::fs::read_to_string(root.join("docs/search.md")).expect("the page");
+    let mut shown: Vec<(Vec<&str>, String)> = Vec::new();
+    for line in page.lines().filter_map(|line| line.strip_prefix("    ")) {
+        match (line.starts_with("stampflow "), shown.last_mut()) {
+            (true, _) => shown.push((vec![line], String::new())),
+            (false, Some((_, told))) => *told += &format!(" {line}"),
+            (false, None) => panic!("{line} is no command's"),
+        }
+    }
+    let words = |text: &str| text.split_whitespace().map(str::to_owned).collect::<Vec<_>>();
+    let without_time = |text: &str| {
+        let all = words(text);
+        let end = all.windows(2).position(|pair| pair[0] == "runs" && pair[1] == "in").unwrap_or(all.len());
+        all[..end].to_vec()
+    };
+    let mut searches = 0;
+    for (command, told) in &shown {
+        let cases = root.join("cases").display().to_string();
+        let args: Vec<String> = command[0].split('"').enumerate().fold(Vec::new(), |mut args, (i, part)| {
+            match i % 2 {
+                0 => args.extend(part.split_whitespace().map(|arg| arg.replace("cases/", &format!("{cases}/")))),
+                _ => args.push(part.to_owned()),
+            }
+            args
+        });
+        let args: Vec<&str> = args[1..].iter().map(String::as_str).collect();
+        let ended = stampflow(folder.path(), &args);
+        assert!(ended.status.success(), "{command:?}: {}", text(&ended.stderr));
+        if args[0] == "search" {
+            searches += 1;
+            assert_eq!(without_time(text(&ended.stdout)), without_time(told), "{command:?}");
+        }
+    }
+    assert!(searches >= 5, "{searches} searches");
+}
