@@ -167,6 +167,15 @@ fn beside(quest: &Quest, answer: &Answer) -> Vec<Message> {
     said
 }
 
+/// The row of the verdict that is red in most runs.
+fn often_red(rows: &[Row]) -> Option<Message> {
+    let all: Vec<&str> =
+        rows.iter().flat_map(|row| &row.result).flat_map(|solved| solved.red.iter().copied()).collect();
+    let count = |key: &str| all.iter().filter(|red| **red == key).count();
+    let most = all.iter().max_by_key(|key| count(key))?;
+    Some(message!("red in {n} of them: {row}", n = count(most), row = most.replace('_', " ")))
+}
+
 /// Lights, ends and numbers of runs side by side; those of the first with their error bars.
 pub fn side_by_side(
     key: &str,
