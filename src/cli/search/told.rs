@@ -161,6 +161,9 @@ fn beside(quest: &Quest, answer: &Answer) -> Vec<Message> {
     if let Some(mixed) = &answer.bracket.mixed {
         said.push(message!("it comes and goes from {stretch}: more margin than that", stretch = stretch(mixed)));
     }
+    if matches!((&quest.goal, &answer.bracket.found), (Goal::Keep(_), Found::Nowhere)) {
+        said.extend(often_red(&answer.rows));
+    }
     said.extend(
         answer.failed.iter().map(|(why, n)| message!("{n} of the runs say neither: {why}", n = *n, why = why.clone())),
     );
