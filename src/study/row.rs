@@ -48,6 +48,8 @@ pub struct Solved {
 pub struct Margin {
     /// The row.
     pub key: &'static str,
+    /// Its name in tables.
+    pub label: &'static str,
     /// From red, over the limit: below 0 where it is red, 0 at the limit \[–\]; `None` where no number says it.
     pub to_red: Option<f64>,
     /// From amber, likewise.
@@ -57,14 +59,14 @@ pub struct Margin {
 impl Margin {
     fn of(finding: &Finding) -> Self {
         let Some((value, Limits { sense, amber, red })) = finding.value.zip(finding.limits) else {
-            return Self { key: finding.key, to_red: None, to_amber: None };
+            return Self { key: finding.key, label: finding.label, to_red: None, to_amber: None };
         };
         let to = |limit: Option<f64>| {
             let limit = limit.filter(|limit| *limit != 0.0)?;
             let inside = if sense == Sense::AtMost { limit - value } else { value - limit };
             Some(inside / limit.abs())
         };
-        Self { key: finding.key, to_red: to(red), to_amber: to(amber.or(red)) }
+        Self { key: finding.key, label: finding.label, to_red: to(red), to_amber: to(amber.or(red)) }
     }
 }
 
@@ -93,6 +95,11 @@ impl Solved {
         let verification = quick(solution, &Stopped(watch));
         let bar = |number: &Number| verification.bar(number.of, number.key).and_then(|bar| bar.half);
         Self { bars: found.outcome.numbers.iter().map(bar).collect(), ..found }
+    }
+
+    /// What tables call a row of its verdict.
+    pub fn label(&self, row: &'static str) -> &'static str {
+        self.margins.iter().find(|margin| margin.key == row).map_or(row, |margin| margin.label)
     }
 
     /// A number by its column: `thinnest_mm`.

@@ -41,13 +41,13 @@ fn the_limit_of_a_step_lies_in_a_bracket_as_narrow_as_is_asked_for() {
     for limit in [3.3, 37.21, 50.0, 87.4, 99.2] {
         let (largest, runs) = found(Aim::Edge(Side::Largest), |x| holds(x <= limit));
         let [inner, outer] = between(&largest);
-        assert!(inner <= limit && limit < outer && outer - inner <= 0.5, "{limit}: {inner} {outer}");
+        assert!(inner <= limit && limit < outer && outer - inner <= 0.5 + 1e-9, "{limit}: {inner} {outer}");
         // 9 places, three rounds of two that divide 12.5 by 3 each time, four beside.
         assert!(runs <= 9 + 6 + 4, "{runs} runs");
         assert_eq!(largest.mixed, None);
         let (smallest, _) = found(Aim::Edge(Side::Smallest), |x| holds(x > limit));
         let [inner, outer] = between(&smallest);
-        assert!(outer <= limit && limit < inner && inner - outer <= 0.5, "{limit}: {inner} {outer}");
+        assert!(outer <= limit && limit < inner && inner - outer <= 0.5 + 1e-9, "{limit}: {inner} {outer}");
     }
 }
 
@@ -66,21 +66,24 @@ fn a_condition_that_comes_and_goes_is_told_with_all_its_stretches() {
     assert!(inner <= 22.0 && outer > 22.0);
 }
 
-/// Trust: the answer changes back and forth within 2 of the limit and nowhere else.
+/// Trust: the answer changes back and forth within 2 of the limit and nowhere else: whatever holds lies below limit + 2, what does
+/// not above limit − 2, and both are half apart. Four widths of the bracket are seen more often than not by four looks beside it.
 #[test]
-fn noise_about_a_limit_is_told_and_the_answer_lies_below_it() {
+fn noise_about_a_limit_is_told_and_the_answer_lies_within_it() {
     let noise = |x: f64| 2.0 * ((x * 7919.0).sin() * 43_758.545).fract();
     let mut told = 0;
-    for limit in [31.0, 43.5, 57.3, 66.6, 71.9] {
-        let (largest, _) = found(Aim::Edge(Side::Largest), |x| holds(x + noise(x) <= limit));
+    for i in 0..100 {
+        let limit = 20.0 + 0.6237 * f64::from(i);
+        let (largest, runs) = found(Aim::Edge(Side::Largest), |x| holds(x + noise(x) <= limit));
         let [inner, outer] = between(&largest);
-        assert!((inner - limit).abs() <= 2.5 && outer - inner <= 0.5, "{limit}: {inner} {outer}");
-        if let Some(mixed) = &largest.mixed {
-            told += 1;
-            assert!(limit - mixed.start() <= 2.6 && mixed.end() - limit <= 2.6, "{limit}: {mixed:?}");
-        }
+        assert!((inner - limit).abs() <= 2.5 && outer - inner <= 0.5 + 1e-9, "{limit}: {inner} {outer}");
+        assert!(runs <= 40, "{runs} runs");
+        told += usize::from(largest.mixed.is_some());
+        let is_within =
+            |mixed: &std::ops::RangeInclusive<f64>| limit - mixed.start() <= 4.5 && mixed.end() - limit <= 4.5;
+        assert!(largest.mixed.as_ref().is_none_or(is_within), "{limit}: {:?}", largest.mixed);
     }
-    assert!(told >= 2, "noise is seen where trials beside the limit meet it: {told} of 5");
+    assert!(told >= 50, "{told} of 100 are told");
 }
 
 /// Trust: trials in the last two thirds of every tenth fail; a limit outside such a stretch is found all the same.
@@ -275,13 +278,13 @@ fn the_program_searches_writes_its_table_and_picture_and_tells_mistakes() {
         text(&ended.stdout).split_whitespace().collect::<Vec<_>>().join(" ")
     };
     let said = search(&["--vary", "blank.diameter=100..150 mm", "--largest", "--while", "thinning < 10 %"]);
-    assert!(said.contains("blank.diameter: “thinning < 10 %” holds up to 11"), "{said}");
+    assert!(said.contains("blank.diameter: “thinning < 10 %” holds up to 12"), "{said}");
     let table = std::fs::read_to_string(folder.path().join("search.csv")).expect("a table");
     assert!(table.starts_with("study,designs,index,inputs_sha256,blank.diameter_mm,"), "{table}");
     assert!(folder.path().join("search.png").exists());
     let german =
         search(&["--vary", "blank.diameter=100..150 mm", "--largest", "--while", "thinning < 10 %", "--lang", "de"]);
-    assert!(german.contains("ist bis 11") && german.contains("Stempelkraft"), "{german}");
+    assert!(german.contains("ist bis 12") && german.contains("Stempelkraft"), "{german}");
     let best = search(&[
         "--vary",
         "tools.die.shoulder=5..9 mm",
@@ -307,4 +310,68 @@ fn the_program_searches_writes_its_table_and_picture_and_tells_mistakes() {
         let error = text(&ended.stderr);
         assert!(ended.status.code() == Some(2) && error.contains(said), "{args:?}: {error}");
     }
+}
+
+/// Trust: a signal as Ctrl-C sends it, in the middle of a thousand runs.
+#[cfg(unix)]
+#[test]
+fn an_interrupted_search_keeps_what_was_run() {
+    let folder = temp_dir::TempDir::new().expect("a folder");
+    let mut running = std::process::Command::new(env!("CARGO_BIN_EXE_stampflow"))
+        .args(["search", CASE, "--vary", "blank.diameter=90..140 mm/1000", "--largest", "--while", "no red", "--quiet"])
+        .args(["--set", "blank.elements=40", "--out"])
+        .arg(folder.path())
+        .stdout(std::process::Stdio::null())
+        .spawn()
+        .expect("begun");
+    std::thread::sleep(std::time::Duration::from_secs(2));
+    let told = std::process::Command::new("kill").args(["-INT", &running.id().to_string()]).status();
+    assert!(told.expect("a signal").success());
+    assert_eq!(running.wait().expect("ended").code(), Some(130));
+    let table = std::fs::read_to_string(folder.path().join("search.csv")).expect("a table");
+    let rows = table.lines().count() - 1;
+    assert!(rows < 1000 && table.lines().all(|line| line.contains(',')), "{rows} rows");
+}
+
+/// Trust: what stands on the page is what the program prints; but for the time that it took.
+#[test]
+fn every_figure_of_the_page_is_what_its_command_prints() {
+    let root = std::path::Path::new(env!("CARGO_MANIFEST_DIR"));
+    let folder = temp_dir::TempDir::new().expect("a folder");
+    let page = std::fs::read_to_string(root.join("docs/search.md")).expect("the page");
+    let mut shown: Vec<(Vec<&str>, String)> = Vec::new();
+    for line in page.lines().filter_map(|line| line.strip_prefix("    ")) {
+        match (line.starts_with("stampflow "), shown.last_mut()) {
+            (true, _) => shown.push((vec![line], String::new())),
+            (false, Some((_, told))) => *told += &format!(" {line}"),
+            (false, None) => panic!("{line} is no command's"),
+        }
+    }
+    let words = |text: &str| text.split_whitespace().map(str::to_owned).collect::<Vec<_>>();
+    let without_time = |text: &str| {
+        let all = words(text);
+        let end = all.windows(2).position(|pair| pair[0] == "runs" && pair[1] == "in").unwrap_or(all.len());
+        all[..end].to_vec()
+    };
+    let mut searches = 0;
+    for (command, told) in &shown {
+        let cases = root.join("cases").display().to_string();
+        let args: Vec<String> = command[0].split('"').enumerate().fold(Vec::new(), |mut args, (i, part)| {
+            match i % 2 {
+                0 => args.extend(part.split_whitespace().map(|arg| arg.replace("cases/", &format!("{cases}/")))),
+                _ => args.push(part.to_owned()),
+            }
+            args
+        });
+        // As many trials at once as where the page was written.
+        let threads = ["--threads", "2"].into_iter().filter(|_| args[1] == "search");
+        let args: Vec<&str> = args[1..].iter().map(String::as_str).chain(threads).collect();
+        let ended = stampflow(folder.path(), &args);
+        assert!(ended.status.success(), "{command:?}: {}", text(&ended.stderr));
+        if args[0] == "search" {
+            searches += 1;
+            assert_eq!(without_time(text(&ended.stdout)), without_time(told), "{command:?}");
+        }
+    }
+    assert!(searches >= 5, "{searches} searches");
 }

@@ -27,7 +27,7 @@ const CASE: &str = "cases/studies/swift_cup.toml";
 const PUNCH: f64 = 25.0;
 const THICKNESS: f64 = 1.0;
 const SHOULDER: f64 = 8.0;
-const STRENGTH: f64 = 520.0;
+const K: f64 = 520.0;
 const OFFSET: f64 = 0.005;
 const FORCE: f64 = 10_000.0;
 
@@ -42,8 +42,14 @@ struct Sheet {
 const BASE: Sheet = Sheet { n: 0.22, r: 1.0, mu: 0.08 };
 
 impl Sheet {
+    /// Of Swift's law \[MPa\]: as the case has it, and of another n such that the tensile strength stays.
+    fn k(self) -> f64 {
+        let strength = |n: f64| n.powf(n) * (-n).exp();
+        K * strength(BASE.n) / strength(self.n)
+    }
+
     fn flow(self, strain: f64) -> f64 {
-        STRENGTH * (OFFSET + strain).powf(self.n)
+        self.k() * (OFFSET + strain).powf(self.n)
     }
 
     /// Hill's factor of pure shear in the sheet.
@@ -94,13 +100,20 @@ impl Sheet {
 
     /// The same by the search that has a name.
     fn searched(self) -> f64 {
+        self.searched_with(&[])
+    }
+
+    /// With overrides besides.
+    fn searched_with(self, more: &[&str]) -> f64 {
         let Self { n, r, mu } = self;
-        let set = vec![
+        let mut set = vec![
             format!("material.hardening.swift.n={n}"),
+            format!("material.hardening.swift.k={} MPa", self.k()),
             format!("material.anisotropy={r}"),
             format!("tools.die.friction={mu}"),
             format!("tools.holder.friction={mu}"),
         ];
+        set.extend(more.iter().map(|set| (*set).to_owned()));
         let draft = Subject::new(CASE, set.clone())
             .and_then(|subject| Template::named("limiting-draw-ratio")?.draft(&subject.case(&[])?));
         let draft = draft.expect("a cup");
@@ -117,40 +130,59 @@ impl Sheet {
 
 const ALL: [bool; 3] = [true; 3];
 
-/// Trust: where every term of the closed form is named and nothing in it is fitted, it and the program agree within what it
-/// leaves out: the flange that thickens as it is drawn, the wall's bend over the nose, the blank's bending before it is drawn,
-/// Coulomb's friction on the shoulder of a sheet with a thickness. Together these move the ratio by a few hundredths.
+/// Program and closed form are as far apart as that at most, over the ratio \[–\]. Trust: nothing is fitted; what the closed
+/// form leaves out moves either side of the balance by a few percent: the flange thickens as it is drawn, by a quarter at the
+/// rim, and is weaker where r̄ is low; the wall bends over the nose, and the punch's friction takes load off it; the holder
+/// rides on the rim, which has thickened most.
+const APART: f64 = 0.05;
+
+/// Trust: every loss takes of the ratio, and the whole agrees within [`APART`].
 #[test]
 fn the_limiting_draw_ratio_is_that_of_ideal_drawing_with_its_losses() {
-    let ideal = BASE.closed([false; 3]);
-    let closed = BASE.closed(ALL);
-    let holder = BASE.closed([true, false, false]);
-    let rope = BASE.closed([true, true, false]);
+    let [ideal, holder, rope, closed] =
+        [[false; 3], [true, false, false], [true, true, false], ALL].map(|losses| BASE.closed(losses));
     println!("ideal {ideal:.3}, with holder {holder:.3}, shoulder {rope:.3}, bending {closed:.3}");
     assert!(ideal > holder && holder > rope && rope > closed, "each loss takes of it");
+    // As docs/search.md has them.
+    for (found, told) in [(ideal, 2.536), (holder, 2.488), (rope, 2.288), (closed, 2.174)] {
+        assert!((found - told).abs() < 1e-3, "{found} is told as {told}");
+    }
     let found = BASE.searched();
     println!("program {found:.3}");
-    assert!((found - closed).abs() < TOLERANCE, "{found} against {closed}");
+    assert!((found / closed - 1.0).abs() < APART, "{found} against {closed}");
+    assert!((found - 2.193).abs() < 0.01, "{found} is told as 2.193 in docs/search.md");
+    for finer in [&["blank.elements=120"][..], &["solver.max_step=0.004", "solver.first_step=0.001"]] {
+        assert!((BASE.searched_with(finer) - found).abs() < 0.01, "it hangs on {finer:?}");
+    }
 }
 
-/// See the test's reasons.
-const TOLERANCE: f64 = 0.06;
-
-/// Trust: the closed form has the same trends, and in the same size.
+/// Trust: the closed form has the same trends, and nearly in the same size. Of n it has none to speak of: at one tensile strength
+/// hardening is in the flange's resistance as in the wall's strength.
 #[test]
 fn it_goes_with_anisotropy_friction_and_hardening_as_the_closed_form_does() {
-    let with = |name: &str, sheets: &[Sheet]| {
+    // Each closed form and search as docs/search.md has them.
+    let with = |name: &str, sheets: &[Sheet], told: &[[f64; 2]]| {
         let pairs: Vec<[f64; 2]> = sheets.iter().map(|sheet| [sheet.closed(ALL), sheet.searched()]).collect();
-        println!("{name}: {pairs:.3?}");
+        println!("{name}, closed form and program: {pairs:.3?}");
+        for ([closed, found], [told, also]) in pairs.iter().zip(told) {
+            assert!((found / closed - 1.0).abs() < APART, "{name}: {pairs:?}");
+            assert!(
+                (closed - told).abs() < 1e-3 && (found - also).abs() < 0.01,
+                "{name}: {pairs:?} are told otherwise"
+            );
+        }
         pairs
     };
-    let r = with("r", &[0.6, 1.0, 2.0].map(|r| Sheet { r, ..BASE }));
-    assert!(r.windows(2).all(|pair| pair[1][0] > pair[0][0] && pair[1][1] > pair[0][1]), "it rises with r: {r:?}");
-    let mu = with("mu", &[0.02, 0.08, 0.14].map(|mu| Sheet { mu, ..BASE }));
+    let rises = |pairs: &[[f64; 2]]| pairs.windows(2).all(|pair| pair[1][0] > pair[0][0] && pair[1][1] > pair[0][1]);
+    let r = with("r", &[0.6, 2.0].map(|r| Sheet { r, ..BASE }), &[[2.016, 1.993], [2.547, 2.657]]);
+    assert!(rises(&r), "it rises with r: {r:?}");
+    let mu = with("mu", &[0.14, 0.02].map(|mu| Sheet { mu, ..BASE }), &[[2.029, 2.077], [2.334, 2.321]]);
+    assert!(rises(&mu), "it falls with the friction of die and holder: {mu:?}");
+    let told = [[2.196, 2.244], [2.189, 2.142], [2.234, 2.237]];
+    let n = with("n", &[0.1, 0.35, 0.5].map(|n| Sheet { n, ..BASE }), &told);
+    let of_r = r[1][1] / r[0][1] - 1.0;
     assert!(
-        mu.windows(2).all(|pair| pair[1][0] < pair[0][0] && pair[1][1] < pair[0][1]),
-        "it falls with friction: {mu:?}"
+        n.iter().all(|[closed, found]| [closed, found].map(|x| (x / 2.18 - 1.0).abs()).iter().all(|x| *x < 0.2 * of_r)),
+        "{n:?}"
     );
-    let n = with("n", &[0.1, 0.22, 0.35].map(|n| Sheet { n, ..BASE }));
-    println!("{n:?}");
 }

@@ -72,7 +72,7 @@ pub fn optimise(args: &Args, places: &Places) -> anyhow::Result<Code> {
         for said in beside(&found) {
             say(wrapped(&format!("- {}", said.told(form))))?;
         }
-        let runs = [(String::new(), &found.rows[best])];
+        let runs = [(form.tell("best"), &found.rows[best])];
         let named: Vec<&Named> =
             condition.iter().flat_map(Condition::numbers).map(|(name, _)| name).chain([&name]).collect();
         say("\n")?;

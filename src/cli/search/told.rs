@@ -99,6 +99,7 @@ fn reached(quest: &Quest, answer: &Answer, name: &Named) -> Message {
             None => number.amount.to(Digits::Significant(4)).into(),
         })
     };
+    let rough = |row: &Row, value: f64| told(row, Some(significant(value, 4)));
     if let (Some(best), Found::Between(_)) = (answer.best, &answer.bracket.found) {
         let row = &answer.rows[best];
         return message!(
@@ -117,8 +118,8 @@ fn reached(quest: &Quest, answer: &Answer, name: &Named) -> Message {
         "{key}: {number} is {low} to {high} over the span, and {wanted} nowhere",
         key = key,
         number = name.text.clone(),
-        low = told(row, Some(wanted + low)),
-        high = told(row, Some(wanted + high)),
+        low = rough(row, wanted + low),
+        high = rough(row, wanted + high),
         wanted = told(row, Some(wanted))
     )
 }
@@ -161,10 +162,22 @@ fn beside(quest: &Quest, answer: &Answer) -> Vec<Message> {
     if let Some(mixed) = &answer.bracket.mixed {
         said.push(message!("it comes and goes from {stretch}: more margin than that", stretch = stretch(mixed)));
     }
+    if matches!((&quest.goal, &answer.bracket.found), (Goal::Keep(_), Found::Nowhere)) {
+        said.extend(often_red(&answer.rows));
+    }
     said.extend(
         answer.failed.iter().map(|(why, n)| message!("{n} of the runs say neither: {why}", n = *n, why = why.clone())),
     );
     said
+}
+
+/// The row of the verdict that is red in most runs.
+fn often_red(rows: &[Row]) -> Option<Message> {
+    let solved = rows.iter().flat_map(|row| &row.result);
+    let all: Vec<&'static str> = solved.flat_map(|solved| solved.red.iter().map(|key| solved.label(key))).collect();
+    let count = |label: &str| all.iter().filter(|red| **red == label).count();
+    let most = *all.iter().max_by_key(|label| count(label))?;
+    Some(message!("red in {n} of them: {row}", n = count(most), row = most))
 }
 
 /// Lights, ends and numbers of runs side by side; those of the first with their error bars.
@@ -189,7 +202,7 @@ pub fn side_by_side(
     let lights = solved.iter().map(|solved| {
         solved.map_or(Cell::plain("–"), |solved| {
             let keys = if solved.red.is_empty() { &solved.amber } else { &solved.red };
-            let keys: Vec<String> = keys.iter().map(|key| key.replace('_', " ")).collect();
+            let keys: Vec<String> = keys.iter().map(|key| form.tell(solved.label(key))).collect();
             let light = form.tell(solved.light.name());
             let text = if keys.is_empty() { light } else { format!("{light}: {}", keys.join(", ")) };
             Cell { text, tone: Tone::of(solved.light) }

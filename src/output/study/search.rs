@@ -14,6 +14,8 @@ const USUAL: [(Of, &str); 2] = [(Of::Verdict, "thinning"), (Of::Answer, "punch_f
 
 /// Heights of the panels \[px of a picture 800 wide\].
 const HEIGHT: f64 = 230.0;
+/// Room beside the span, over it \[–\].
+const MARGIN: f64 = 0.02;
 
 /// What a run is drawn as: where it keeps the condition by its light, else apart from all lights.
 #[derive(Clone, Copy, PartialEq)]
@@ -61,8 +63,8 @@ pub fn plot(quest: &Quest, answer: &Answer, form: Form) -> Option<Chart> {
     for (number, limit) in shown(&answer.base, &named) {
         let is_first = panels.is_empty();
         let label = is_first.then(|| form.tell(if condition.is_some() { "limit" } else { "wanted" }));
-        if let Some(mut panel) = key.panel(&number, is_first) {
-            panel.series.splice(0..0, limit.map(|limit| key.level(&number, limit, label)));
+        let level = limit.map(|limit| key.level(&number, limit, label));
+        if let Some(mut panel) = key.panel(&number, level, is_first) {
             key.mark(&mut panel, quest, answer, &number, is_first);
             panels.push(panel);
         }
@@ -95,7 +97,7 @@ pub fn plot_best(
     for span in spans {
         let key = Key::of(span, column, &best.rows, condition, form);
         column += span.keys().len();
-        if let Some(mut panel) = key.panel(number, panels.is_empty()) {
+        if let Some(mut panel) = key.panel(number, None, panels.is_empty()) {
             if let Some(at) = best.best.and_then(|run| key.place(&best.rows[run], number)) {
                 panel.series.push(Series::new(form.tell("best"), vec![at], Look::Flag));
             }
@@ -139,6 +141,8 @@ struct Key<'a> {
     axis: Axis,
     /// What its values are multiplied by to be drawn.
     times: f64,
+    /// Ends of the span, as they are drawn.
+    ends: [f64; 2],
     /// Its place among the values of a design.
     column: usize,
     runs: Vec<(Mark, &'a Row)>,
@@ -152,7 +156,9 @@ impl<'a> Key<'a> {
         let (axis, told) = Axis::named(span.key().to_owned(), unit).told(form, span.ends()[1] * times);
         let is_kept = |row: &Row| condition.map(|condition| condition.judge(row) == Said::Holds);
         let runs = rows.iter().filter_map(|row| Some((Mark::of(row, is_kept(row))?, row))).collect();
-        Self { axis, times: times * told.factor, column, runs, has_condition: condition.is_some(), form }
+        let times = times * told.factor;
+        let ends = span.ends().map(|end| end * times);
+        Self { axis, times, ends, column, runs, has_condition: condition.is_some(), form }
     }
 
     /// A number's axis, and what its values are multiplied by.
@@ -168,24 +174,31 @@ impl<'a> Key<'a> {
         Some((x, row.result.as_ref().ok()?.outcome.value(number)? * self.scale(number).1))
     }
 
-    /// A number of all runs.
-    fn panel(&self, number: &Number, is_first: bool) -> Option<Panel> {
+    /// A number of all runs, over a level of it.
+    fn panel(&self, number: &Number, level: Option<Series>, is_first: bool) -> Option<Panel> {
         let series = Mark::ALL.into_iter().filter_map(|mark| {
             let own = self.runs.iter().filter(|(of, _)| *of == mark);
             let points: Vec<_> = own.filter_map(|(_, row)| self.place(row, number)).collect();
             let label = is_first.then(|| mark.label(self.has_condition).told(self.form));
             (!points.is_empty()).then(|| Series { label, points, look: mark.look() })
         });
-        let series: Vec<Series> = series.collect();
+        let runs: Vec<Series> = series.collect();
+        if runs.is_empty() {
+            return None;
+        }
+        let series = level.into_iter().chain(runs).collect();
         let scale = Scale::Fit { height: HEIGHT, least: 0.0 };
-        (!series.is_empty()).then(|| Panel { x: self.axis.clone(), y: self.scale(number).0, series, scale })
+        let mut panel = Panel { x: self.axis.clone(), y: self.scale(number).0, series, scale };
+        // The span that was looked through, and no zero far from it.
+        let [low, high] = self.ends;
+        let margin = MARGIN * (high - low);
+        panel.scale = Scale::Window { height: HEIGHT, x: (low - margin, high + margin), y: panel.ranges()[1] };
+        Some(panel)
     }
 
     /// A value of a number, over all runs.
     fn level(&self, number: &Number, value: f64, label: Option<String>) -> Series {
-        let values = self.runs.iter().filter_map(|(_, row)| row.design.values[self.column].number);
-        let ends = values.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], x| [x.min(low), x.max(high)]);
-        let points = ends.map(|x| (x * self.times, value * self.scale(number).1)).to_vec();
+        let points = self.ends.map(|x| (x, value * self.scale(number).1)).to_vec();
         Series { label, points, look: Look::Line { color: GREY, width: 1.6, dash: &[6.0, 4.0] } }
     }
 

@@ -77,6 +77,8 @@ pub struct Bracket {
     pub mixed: Option<RangeInclusive<f64>>,
 }
 
+/// So often a limit is divided anew, where a look beside it has changed it.
+const LOOKS: usize = 3;
 /// So many rounds at most.
 const ROUNDS: usize = 40;
 /// So many rounds in a row may bring nothing nearer.
@@ -117,26 +119,23 @@ impl Search<'_> {
         }
         let stretches = self.stretches();
         let Some([inner, outer]) = self.chosen() else { return (self.without(), stretches) };
-        for [from, to] in [[inner, outer]; 2] {
-            match self.section([from, to], ask) {
-                None => return (Found::Interrupted, stretches),
-                Some([low, high]) => {
-                    let width = self.way(high) - self.way(low);
-                    let beside: Vec<f64> = BESIDE
-                        .iter()
-                        .flat_map(|times| [self.way(low) - times * width, self.way(high) + times * width])
-                        .filter(|way| (*way - self.way(from)) * (self.way(to) - *way) > 0.0)
-                        .collect();
-                    if !self.tried(&beside, ask) {
-                        return (Found::Interrupted, stretches);
-                    }
-                    if self.first_change([from, to]) == Some([low, high]) {
-                        return (Found::Between([low, high]), stretches);
-                    }
-                }
+        for looks in (0..LOOKS).rev() {
+            let Some([low, high]) = self.section([inner, outer], ask) else { return (Found::Interrupted, stretches) };
+            if looks > 0 && !self.tried(&self.beside([inner, outer], [low, high]), ask) {
+                return (Found::Interrupted, stretches);
+            }
+            if looks == 0 || self.first_change([inner, outer]) == Some([low, high]) {
+                return (Found::Between([low, high]), stretches);
             }
         }
-        (self.first_change([inner, outer]).map_or(Found::Failed, Found::Between), stretches)
+        (Found::Failed, stretches)
+    }
+
+    /// Shares of the way beside what a bracket has come to, within its first ends.
+    fn beside(&self, ends: [f64; 2], bracket: [f64; 2]) -> Vec<f64> {
+        let ([from, to], [low, high]) = (ends.map(|x| self.way(x)), bracket.map(|x| self.way(x)));
+        let ways = BESIDE.iter().flat_map(|times| [low - times * (high - low), high + times * (high - low)]);
+        ways.filter(|way| (way - from) * (to - way) > 0.0).collect()
     }
 
     /// Divides a bracket until it is narrow enough, or nothing brings it nearer.

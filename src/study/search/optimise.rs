@@ -10,7 +10,7 @@
 
 use super::condition::{Condition, Said, usable};
 use super::number::Named;
-use super::trials::{Trials, design};
+use super::trials::{Further, Trials, design};
 use crate::study::{Bars, Columns, Row, Solved, Span, StudyError, Subject, base, one, side_by_side};
 use crate::verification::Watch;
 use cobyla::{Func, RhoBeg, StopTols, minimize};
@@ -87,10 +87,11 @@ pub fn optimise(
     if !watch.wants_to_stop() {
         let mut found = Vec::new();
         let width = 0.5 / (per_key - 1) as f64;
+        let further = Further { watch, before: grid, expected };
         let Ok(()) = side_by_side(
             &from,
             threads,
-            watch,
+            &further,
             |(_, start)| problem.descend(start, width),
             |rows| {
                 found.extend(rows);

@@ -20,10 +20,10 @@ pub struct Trials<'a> {
 }
 
 /// Counts on from the runs before.
-struct Further<'a> {
-    watch: &'a dyn Watch,
-    before: usize,
-    expected: usize,
+pub(super) struct Further<'a> {
+    pub watch: &'a dyn Watch,
+    pub before: usize,
+    pub expected: usize,
 }
 
 impl Watch for Further<'_> {
