@@ -39,13 +39,14 @@ pub struct Table {
     pub columns: Vec<Column>,
 }
 
-/// What an axis is of, and the unit of its values; it can only be made from columns.
+/// What an axis is of, and the unit of its values.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Axis {
     labels: Vec<Cow<'static, str>>,
     unit: Unit,
     symbol: &'static str,
     form: Form,
+    names: Vec<String>,
 }
 
 impl Column {
@@ -67,7 +68,22 @@ impl Column {
 
 impl Axis {
     fn new(labels: Vec<Cow<'static, str>>, unit: Unit) -> Self {
-        Self { labels, unit, symbol: unit.symbol(), form: Form::default() }
+        Self { labels, unit, symbol: unit.symbol(), form: Form::default(), names: Vec::new() }
+    }
+
+    /// Of what is no column: a label, and the unit of the values.
+    pub fn named(label: impl Into<Cow<'static, str>>, unit: Unit) -> Self {
+        Self::new(vec![label.into()], unit)
+    }
+
+    /// Of things that have names and no numbers: the first stands at 0, the next at 1.
+    pub fn of_names(label: impl Into<Cow<'static, str>>, names: Vec<String>) -> Self {
+        Self { names, ..Self::named(label, Unit::None) }
+    }
+
+    /// The names along it; empty where there are numbers.
+    pub fn names(&self) -> &[String] {
+        &self.names
     }
 
     /// One axis for several columns: the words that their labels end with in common, or all labels.
@@ -99,7 +115,8 @@ impl Axis {
     /// The text to draw: `Punch force [N]`.
     pub fn text(&self) -> String {
         let labels = self.labels.iter().map(|label| self.form.language.of_text(label));
-        format!("{} [{}]", labels.collect::<Vec<_>>().join(", "), self.symbol)
+        let labels = labels.collect::<Vec<_>>().join(", ");
+        if self.names.is_empty() { format!("{labels} [{}]", self.symbol) } else { labels }
     }
 
     /// A decimal number along it.

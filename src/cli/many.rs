@@ -1,7 +1,7 @@
 //! What verbs have in common that run a case many times.
 
 use super::code::BadRequest;
-use super::options::{Json, Overrides, Threads};
+use super::options::{Json, Overrides, PictureOptions, Threads, Told};
 use super::progress::{Count, Progress};
 use stampflow::study::StudyError;
 use std::path::{Path, PathBuf};
@@ -20,6 +20,10 @@ pub struct Many {
     quiet: bool,
     #[command(flatten)]
     threads: Threads,
+    #[command(flatten)]
+    pub told: Told,
+    #[command(flatten)]
+    pub pictures: PictureOptions,
     #[command(flatten)]
     pub json: Json,
 }

@@ -20,6 +20,7 @@ mod progress;
 mod report;
 mod run;
 mod say;
+mod scatter;
 mod shell;
 mod suggested;
 mod sweep;
@@ -74,6 +75,9 @@ enum Verb {
     /// Run a case with many settings: ranges and lists of any keys, one row a run
     #[command(after_help = sweep::HELP)]
     Sweep(sweep::Args),
+    /// Run a case with what scatters: how sure the verdict is, and what decides
+    #[command(after_help = scatter::HELP)]
+    Scatter(scatter::Args),
     /// Put the tables of a study's shards together
     #[command(after_help = sweep::MERGE_HELP)]
     Merge(sweep::MergeArgs),
@@ -123,6 +127,7 @@ fn command() -> anyhow::Result<Code> {
         Verb::Validate(args) => validate::validate(&args),
         Verb::Verify(args) => verify::verify(&args),
         Verb::Sweep(args) => sweep::sweep(&args),
+        Verb::Scatter(args) => scatter::scatter(&args),
         Verb::Merge(args) => sweep::merge(&args),
         Verb::Check(args) => check::check(&args),
         Verb::New(args) => new::new(&args),

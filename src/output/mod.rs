@@ -38,6 +38,7 @@ mod stage_view;
 mod stages;
 mod states;
 mod strains;
+pub mod study;
 pub mod summary;
 mod thickness_profile;
 mod thinning;

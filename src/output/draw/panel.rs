@@ -9,6 +9,7 @@ use super::text::style;
 use super::ticks::{Ticked, spread, tick, tick_count, ticks};
 use crate::output::chart::{BLACK, Color, Look, Panel, Scale};
 use crate::output::outline::clipped;
+use crate::table::Axis;
 use plotters::chart::{ChartBuilder, LabelAreaPosition};
 use plotters::element::Rectangle;
 
@@ -65,7 +66,7 @@ impl Frame {
     /// Values of x that are written: round ones, of a scale of colours where colours meet.
     fn x_ticks(&self, panel: &Panel) -> Vec<f64> {
         if panel.scale != Scale::Bar {
-            return ticks(self.x, X_TICKS);
+            return labelled(&panel.x, self.x, X_TICKS);
         }
         let mut borders: Vec<f64> = panel.series.iter().flat_map(|series| &series.points).map(|p| p.0).collect();
         borders.sort_by(f64::total_cmp);
@@ -77,17 +78,17 @@ impl Frame {
     pub(super) fn draw(&self, panel: &Panel, area: &Canvas, left: f64) {
         // Lengths of a section point down the page.
         let is_section = matches!(panel.scale, Scale::Section { .. } | Scale::Small { .. });
-        let y = if is_section { self.y.1..self.y.0 } else { self.y.0..self.y.1 };
+        let y = if is_section { (self.y.1, self.y.0) } else { self.y };
         let (left, below) = if is_small(panel) { (0.0, 0.0) } else { (left, x_labels_height()) };
+        let y_count = tick_count(self.height);
+        let (x_ticks, y_ticks) = (self.x_ticks(panel), labelled(&panel.y, self.y, y_count));
         let mut chart = ChartBuilder::on(area)
             .set_label_area_size(LabelAreaPosition::Left, units(left))
             .set_label_area_size(LabelAreaPosition::Bottom, units(below))
-            .build_cartesian_2d(Ticked::new(self.x, self.x_ticks(panel)), y)
+            .build_cartesian_2d(Ticked::new(self.x, x_ticks.clone()), Ticked::new(y, y_ticks.clone()))
             .expect(NEVER);
-        let y_count = tick_count(self.height);
-        let (x_ticks, y_ticks) = (self.x_ticks(panel), ticks(self.y, y_count));
-        let x_tick = |x: &f64| panel.x.number(&tick(*x, &x_ticks));
-        let y_tick = |y: &f64| panel.y.number(&tick(*y, &y_ticks));
+        let x_tick = |x: &f64| label(&panel.x, *x, &x_ticks);
+        let y_tick = |y: &f64| label(&panel.y, *y, &y_ticks);
         let mut mesh = chart.configure_mesh();
         mesh.x_labels(X_TICKS)
             .x_label_formatter(&x_tick)
@@ -131,6 +132,22 @@ pub(super) fn is_small(panel: &Panel) -> bool {
     matches!(panel.scale, Scale::Small { .. })
 }
 
+/// Values that are written along an axis: round ones, or where its names stand.
+fn labelled(axis: &Axis, range: (f64, f64), most: usize) -> Vec<f64> {
+    match axis.names() {
+        [] => ticks(range, most),
+        names => (0..names.len()).map(|i| i as f64).collect(),
+    }
+}
+
+/// What is written at a value.
+fn label(axis: &Axis, value: f64, all: &[f64]) -> String {
+    match axis.names() {
+        [] => axis.number(&tick(value, all)),
+        names => names.get(value.round() as usize).cloned().unwrap_or_default(),
+    }
+}
+
 pub(super) fn x_labels_height() -> f64 {
     TICK_MARK + SPACING * (TICK + LABEL) + 4.0
 }
@@ -142,8 +159,8 @@ pub(super) fn y_labels_width(range: &(f64, f64), panel: &Panel) -> f64 {
         // No labels beside them.
         Scale::Small { .. } | Scale::Bar => return 0.0,
     };
-    let values = ticks(*range, tick_count(height));
-    let widest = values.iter().map(|v| text_width(&tick(*v, &values), TICK)).fold(0.0, f64::max);
+    let values = labelled(&panel.y, *range, tick_count(height));
+    let widest = values.iter().map(|v| text_width(&label(&panel.y, *v, &values), TICK)).fold(0.0, f64::max);
     SPACING * LABEL + widest + TICK_MARK + 14.0
 }
 
