@@ -16,6 +16,9 @@ const BARS: usize = 24;
 /// A limit is drawn where it is no further from the values than so many times their width.
 const NEAR: f64 = 1.5;
 
+/// The row of the verdict that judges what was given, not what came of it.
+const GIVEN: &str = "friction";
+
 /// Each picture by the stem of its file.
 pub fn pictures(found: &Found, grids: &Grids, name: &str, form: Form) -> Vec<(&'static str, Chart)> {
     let histograms = histograms(found, name, form);
@@ -36,8 +39,10 @@ pub(super) fn deciding(found: &Found) -> Vec<&Spread> {
         let own = found.events.iter().find(|event| Some(event.key.as_str()) == spread.number.row && event.light == light);
         own.map_or(0.0, |event| event.chance.value)
     };
-    let mut judged: Vec<&Spread> =
-        found.numbers.iter().filter(|spread| spread.number.limits.is_some() && varies(spread)).collect();
+    let is_judged = |spread: &&Spread| {
+        spread.number.limits.is_some() && spread.number.row != Some(GIVEN) && varies(spread)
+    };
+    let mut judged: Vec<&Spread> = found.numbers.iter().filter(is_judged).collect();
     judged.sort_by(|a, b| {
         let key = |spread| (share(spread, Light::Red), share(spread, Light::Amber), nearness(spread));
         key(b).partial_cmp(&key(a)).unwrap_or(std::cmp::Ordering::Equal)
@@ -103,5 +108,5 @@ fn panel(spread: &Spread) -> Panel {
     let margin = 0.03 * (to - from);
     let x = Column::new("number", number.label, number.unit, Vec::new()).axis();
     let y = Column::new("share", "Share of parts", Unit::Percent, Vec::new()).axis();
-    Panel { x, y, series, scale: Scale::Window { height: 150.0, x: (from - margin, to + margin), y: (0.0, top) } }
+    Panel { x, y, series, scale: Scale::Window { height: 170.0, x: (from - margin, to + margin), y: (0.0, top) } }
 }

@@ -73,7 +73,7 @@ fn panel(found: &Found, spread: &Spread, form: Form) -> Option<Panel> {
         &Column::new("what", what, Unit::None, Vec::new()),
     ]);
     let rows = bars.len() as f64;
-    let scale = Scale::Window { height: ROW * rows + 12.0, x: (least, 1.0), y: (-0.6, rows - 0.4) };
+    let scale = Scale::Window { height: ROW * rows + 12.0, x: (least, 1.02), y: (-0.6, rows - 0.4) };
     let series = bars.iter().enumerate().flat_map(|(row, bar)| bar.series(row)).collect();
     (!bars.is_empty()).then(|| Panel { x, y: Axis::of_names("", names), series, scale })
 }
