@@ -9,7 +9,9 @@ use serde_json::{Value, json};
 use stampflow::assess::Light;
 use stampflow::message::{Amount, Form};
 use stampflow::output::{study::scatter_pictures, study::scatter_tables, write};
-use stampflow::study::scatter::{Asked, Base, Correlation, Estimate, Event, Factor, Found, Influence, Sample, Scatter, file};
+use stampflow::study::scatter::{
+    Asked, Base, Correlation, Estimate, Event, Factor, Found, Influence, Sample, Scatter, file,
+};
 use stampflow::study::{self, Begun, Designs, Earlier, Journal, Shard, StudyError, Subject};
 use stampflow::units::rounded;
 use std::path::{Path, PathBuf};
@@ -112,7 +114,8 @@ pub fn scatter(args: &Args) -> anyhow::Result<Code> {
         journal.finish().with_context(|| format!("cannot write {}", path.display()))?;
     }
     if shard != Shard::WHOLE {
-        let merge = "`stampflow merge` puts the shards together, and `stampflow scatter ... --resume` says what they say";
+        let merge =
+            "`stampflow merge` puts the shards together, and `stampflow scatter ... --resume` says what they say";
         return say(wrapped(&format!("{} runs in {}; {merge}", indices.len(), path.display())));
     }
     let found = Found::of(&scatter, &base, &Sample::read(&path, &base.columns).map_err(asked)?);
@@ -144,7 +147,8 @@ impl Args {
     fn scatter(&self) -> Result<Scatter, StudyError> {
         let (case, mut base, asked) = file::load(&self.file)?;
         base.extend(self.many.overrides.all());
-        let more = self.vary.iter().map(|text| Factor::split(text).map(|(key, scatter)| (key.to_owned(), scatter.to_owned())));
+        let more =
+            self.vary.iter().map(|text| Factor::split(text).map(|(key, scatter)| (key.to_owned(), scatter.to_owned())));
         let vary = asked.vary.into_iter().map(Ok).chain(more).collect::<Result<_, _>>()?;
         let pairs = self.correlate.iter().map(|text| Correlation::read(text));
         let correlations = asked.correlations.into_iter().map(Ok).chain(pairs).collect::<Result<_, _>>()?;
@@ -161,7 +165,13 @@ fn shown(scatter: &Scatter, found: &Found, name: &str, form: Form) -> Shown {
     let answer = wrapped(&format!("{name}: {}.\n", found.sentence().told(form)));
     let declared = told(scatter.told.clone());
     let declared = if scatter.told.is_empty() { declared } else { Shown::from("\n") + declared };
-    answer + told(found.sentences()) + declared + Shown::from("\n") + lights(found, form) + Shown::from("\n") + numbers(found, form)
+    answer
+        + told(found.sentences())
+        + declared
+        + Shown::from("\n")
+        + lights(found, form)
+        + Shown::from("\n")
+        + numbers(found, form)
 }
 
 fn range(estimate: Estimate, form: Form) -> String {
@@ -170,7 +180,8 @@ fn range(estimate: Estimate, form: Form) -> String {
 }
 
 fn lights(found: &Found, form: Form) -> Shown {
-    let headers = ["Light", "Row", "Share of parts", "Interval of 95 %", "What decides"].map(|header| form.tell(header));
+    let headers =
+        ["Light", "Row", "Share of parts", "Interval of 95 %", "What decides"].map(|header| form.tell(header));
     let row = |event: &Event| {
         let decides = event.influence.told(found).filter(|_| event.hits > 0).unwrap_or_default();
         [

@@ -1,13 +1,13 @@
 //! `scatter`: samples, what is estimated from them and how sure that is, and the verb.
 
-use crate::common::{CUP, folder, stampflow, text};
-use std::f64::consts::PI;
-use std::fs;
-use std::path::Path;
+use crate::common::cli::{CUP, folder, stampflow, text};
 use stampflow::case::library;
 use stampflow::study::scatter::{Asked, Correlation, Distribution, REPLICATES, Sampling, Scatter, Tries};
 use stampflow::study::scatter::{indices, probability};
 use stampflow::study::{Designs, StudyError, Subject};
+use std::f64::consts::PI;
+use std::fs;
+use std::path::Path;
 
 const CASE: &str = "cases/quickstart.toml";
 
@@ -115,7 +115,8 @@ fn k_and_n_of_a_coil_go_together_as_they_are_asked_to() {
 /// Trust: 2 % of the case's own thickness of 1 mm, and a strength that multiplies k = 520 MPa.
 #[test]
 fn what_is_relative_is_of_the_cases_own_value() {
-    let scatter = scatter(&[("blank.thickness", "normal ± 2 %"), ("strength", "uniform 0.9..1.1")], &[]).expect("a scatter");
+    let scatter =
+        scatter(&[("blank.thickness", "normal ± 2 %"), ("strength", "uniform 0.9..1.1")], &[]).expect("a scatter");
     let wanted = Distribution::Normal { mean: 1.0, deviation: 0.02, limits: None };
     assert_eq!(scatter.factors()[0].distribution, wanted);
     assert_eq!(scatter.headers(), ["blank.thickness_mm", "strength"]);
@@ -152,8 +153,12 @@ fn what_cannot_scatter_is_told_before_anything_is_run() {
 /// Trust: what the entries and the tables of the standards say; EN 10131 has 0.05 mm for 1 mm, DC04 270 to 350 MPa.
 #[test]
 fn sheets_of_the_library_scatter_as_their_standard_has_it() {
-    let with: Vec<&str> =
-        library::materials().expect("the library").iter().filter(|entry| entry.class.is_some()).map(|e| e.name).collect();
+    let with: Vec<&str> = library::materials()
+        .expect("the library")
+        .iter()
+        .filter(|entry| entry.class.is_some())
+        .map(|e| e.name)
+        .collect();
     assert_eq!(with, ["aa5754-o", "aa6016-t4", "drawing-steel", "if-steel", "radioss-steel"]);
     for name in with {
         let subject = Subject::new(CASE, vec![format!("material={name:?}")]).expect("a case");
@@ -174,7 +179,8 @@ fn sheets_of_the_library_scatter_as_their_standard_has_it() {
 }
 
 fn run(dir: &Path, more: &[&str]) -> String {
-    let args = ["scatter", "cases/cup.toml", "--vary", "friction=uniform 0.05..0.12", "--vary", "strength=normal ± 5 %"];
+    let args =
+        ["scatter", "cases/cup.toml", "--vary", "friction=uniform 0.05..0.12", "--vary", "strength=normal ± 5 %"];
     let fixed = ["--runs", "32", "--quiet", "--format", "svg"];
     let out = stampflow(dir, &[&args[..], &fixed[..], more].concat());
     assert!(out.status.success(), "{}", text(&out.stderr));
@@ -208,7 +214,8 @@ fn shards_put_together_say_what_one_run_says() {
 #[test]
 fn runs_that_fail_are_counted_and_told() {
     let dir = folder(CUP);
-    let vary = ["--vary", "tools.die.throat=uniform 29.5..32.5 mm", "--runs", "32", "--quiet", "--json", "--out", "out"];
+    let vary =
+        ["--vary", "tools.die.throat=uniform 29.5..32.5 mm", "--runs", "32", "--quiet", "--json", "--out", "out"];
     let out = stampflow(dir.path(), &[&["scatter", "cases/cup.toml"], &vary[..]].concat());
     assert!(out.status.success(), "{}", text(&out.stderr));
     let told: serde_json::Value = serde_json::from_slice(&out.stdout).expect("JSON");
@@ -218,7 +225,8 @@ fn runs_that_fail_are_counted_and_told() {
     assert_eq!(reasons.values().filter_map(serde_json::Value::as_u64).sum::<u64>(), failed);
     let runs = told["numbers"][0]["runs"].as_u64().expect("runs");
     assert_eq!(runs + failed, 32);
-    let german = stampflow(dir.path(), &[&["scatter", "cases/cup.toml", "--resume", "--lang", "de"], &vary[..5]].concat());
+    let german =
+        stampflow(dir.path(), &[&["scatter", "cases/cup.toml", "--resume", "--lang", "de"], &vary[..5]].concat());
     assert!(german.status.success(), "{}", text(&german.stderr));
 }
 

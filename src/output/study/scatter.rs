@@ -36,12 +36,12 @@ pub fn pictures(found: &Found, grids: &Grids, name: &str, form: Form) -> Vec<(&'
 /// The numbers that decide: those that are red most often, then those nearest to their limits.
 pub(super) fn deciding(found: &Found) -> Vec<&Spread> {
     let share = |spread: &Spread, light: Light| {
-        let own = found.events.iter().find(|event| Some(event.key.as_str()) == spread.number.row && event.light == light);
+        let own =
+            found.events.iter().find(|event| Some(event.key.as_str()) == spread.number.row && event.light == light);
         own.map_or(0.0, |event| event.chance.value)
     };
-    let is_judged = |spread: &&Spread| {
-        spread.number.limits.is_some() && spread.number.row != Some(GIVEN) && varies(spread)
-    };
+    let is_judged =
+        |spread: &&Spread| spread.number.limits.is_some() && spread.number.row != Some(GIVEN) && varies(spread);
     let mut judged: Vec<&Spread> = found.numbers.iter().filter(is_judged).collect();
     judged.sort_by(|a, b| {
         let key = |spread| (share(spread, Light::Red), share(spread, Light::Amber), nearness(spread));

@@ -33,7 +33,16 @@ fn quantiles(found: &Found) -> Vec<u8> {
         let [q05, q50, q95] = spread.quantiles()?.map(number);
         let (mean, deviation) = spread.moments();
         let runs = spread.values.len().to_string();
-        Some(vec![spread.header.clone(), runs, number(mean), number(deviation), q05, q50, q95, number(spread.number.value)])
+        Some(vec![
+            spread.header.clone(),
+            runs,
+            number(mean),
+            number(deviation),
+            q05,
+            q50,
+            q95,
+            number(spread.number.value),
+        ])
     });
     written(&["number", "runs", "mean", "standard_deviation", "q05", "q50", "q95", "case_as_it_stands"], lines)
 }

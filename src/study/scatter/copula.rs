@@ -100,7 +100,8 @@ impl Copula {
         }
         let least = matrix.clone().symmetric_eigenvalues().min();
         let cholesky = matrix.cholesky().ok_or_else(|| {
-            let what = format!("these correlations cannot be all at once: the least eigenvalue of their matrix is {least:.2}");
+            let what =
+                format!("these correlations cannot be all at once: the least eigenvalue of their matrix is {least:.2}");
             StudyError::new(what, "smaller coefficients, or those of the pairs between as well")
         })?;
         let l = cholesky.l();

@@ -226,14 +226,7 @@ impl Reader<'_> {
         }
     }
 
-    fn event(
-        &self,
-        what: What,
-        key: &str,
-        label: &'static str,
-        light: Light,
-        has: Vec<Option<bool>>,
-    ) -> Option<Event> {
+    fn event(&self, what: What, key: &str, label: &'static str, light: Light, has: Vec<Option<bool>>) -> Option<Event> {
         let mut tries: [Tries; REPLICATES] = Default::default();
         for i in self.drawn() {
             let Some(has) = has[i] else { continue };
