@@ -124,8 +124,9 @@ fn what_is_relative_is_of_the_cases_own_value() {
     let design = scatter.design(3);
     let factor = design.values[1].number.expect("a number");
     let case = scatter.subject().case(&design.settings).expect("a case");
-    let k = 520.0 * factor;
-    assert!(case.model().material.describe().contains(&format!("{k:.4}")[..5]), "{}", case.model().material.describe());
+    let own = scatter.subject().case(&[]).expect("a case");
+    let [scaled, own] = [case, own].map(|case| case.model().material.hardening.at(0.1).stress);
+    assert!((scaled / own - factor).abs() < 1e-9, "{scaled} of {own}, not {factor}");
 }
 
 /// Trust: each is wrong as its message says.
@@ -211,12 +212,13 @@ fn shards_put_together_say_what_one_run_says() {
     assert_eq!(rows.lines().count(), 1 + 32 * 4);
 }
 
-/// Trust: a die whose throat is too narrow for its punch is no case: half of the throats here are.
+/// Trust: a die whose throat is narrower than its punch of 30 mm is no case: half of the throats here are, and more where the
+/// sheet must fit between.
 #[test]
 fn runs_that_fail_are_counted_and_told() {
     let dir = folder(CUP);
     let vary =
-        ["--vary", "tools.die.throat=uniform 29.5..32.5 mm", "--runs", "32", "--quiet", "--json", "--out", "out"];
+        ["--vary", "tools.die.throat=uniform 27.5..32.5 mm", "--runs", "32", "--quiet", "--json", "--out", "out"];
     let out = stampflow(dir.path(), &[&["scatter", "cases/cup.toml"], &vary[..]].concat());
     assert!(out.status.success(), "{}", text(&out.stderr));
     let told: serde_json::Value = serde_json::from_slice(&out.stdout).expect("JSON");
@@ -244,5 +246,21 @@ fn a_study_that_is_no_scatter_is_bad_input() {
         let out = stampflow(dir.path(), &["scatter", "study.toml", "--quiet"]);
         assert_eq!(out.status.code(), Some(2), "{study}");
         assert!(text(&out.stderr).contains(said), "{}", text(&out.stderr));
+    }
+}
+
+/// Trust: the page was written from the same command; pictures are drawn by it too.
+#[test]
+fn the_page_says_what_its_command_says() {
+    let dir = temp_dir::TempDir::new().expect("a folder");
+    let out = dir.path().join("out").display().to_string();
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let said = stampflow(root, &["scatter", "cases/studies/scatter.toml", "--quiet", "--out", &out]);
+    assert!(said.status.success(), "{}", text(&said.stderr));
+    let page = fs::read_to_string(root.join("docs/scatter.md")).expect("the page");
+    let answer: Vec<&str> = text(&said.stdout).lines().take_while(|line| !line.contains("scatter.csv")).collect();
+    assert!(answer.len() > 10);
+    for line in answer {
+        assert!(page.contains(line.trim_end()), "the page lacks `{line}`");
     }
 }

@@ -256,7 +256,7 @@ impl Reader<'_> {
             middle => Some(self.number(middle, units)?),
         };
         let (number, unit) = split(width.trim()).ok_or_else(|| self.wrong("has no number behind ±"))?;
-        if !(number > 0.0) {
+        if number <= 0.0 {
             return Err(self.wrong(&format!("scatters by {number}: more than 0 is wanted")));
         }
         match unit {
