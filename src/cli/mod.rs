@@ -23,6 +23,7 @@ mod report;
 mod run;
 mod say;
 mod search;
+mod scatter;
 mod shell;
 mod studied;
 mod suggested;
@@ -84,6 +85,9 @@ enum Verb {
     /// Find where a condition ends, or where a number has a wanted value; the best of several keys
     #[command(after_help = search::HELP)]
     Search(search::Args),
+    /// Run a case with what scatters: how sure the verdict is, and what decides
+    #[command(after_help = scatter::HELP)]
+    Scatter(scatter::Args),
     /// Put the tables of a study's shards together
     #[command(after_help = sweep::MERGE_HELP)]
     Merge(sweep::MergeArgs),
@@ -138,6 +142,7 @@ fn command() -> anyhow::Result<Code> {
         Verb::Compare(args) => compare::compare(&args),
         Verb::Sweep(args) => sweep::sweep(&args),
         Verb::Search(args) => search::search(&args),
+        Verb::Scatter(args) => scatter::scatter(&args),
         Verb::Merge(args) => sweep::merge(&args),
         Verb::Fit(args) => fit::fit(&args),
         Verb::Check(args) => check::check(&args),

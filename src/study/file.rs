@@ -52,8 +52,7 @@ impl Study {
         let case = document.get("case").and_then(Item::as_str).ok_or_else(|| wrong("it names no `case`".into()))?;
         let case = path.parent().unwrap_or(Path::new("")).join(case);
         let set = document.get("set").map_or(Ok(Vec::new()), |set| {
-            let texts =
-                set.as_array().map(|set| set.iter().map(|text| text.as_str().map(str::to_owned)).collect());
+            let texts = set.as_array().map(|set| set.iter().map(|text| text.as_str().map(str::to_owned)).collect());
             texts
                 .flatten()
                 .ok_or_else(|| wrong("`set` is no list of texts such as \"tools.punch.friction=0.1\"".into()))

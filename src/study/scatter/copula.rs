@@ -44,7 +44,7 @@ impl Correlation {
         let number = number.trim().replace('−', "-");
         let coefficient: f64 =
             number.parse().map_err(|_| wrong(format!("the correlation of {a} and {b} is no number: `{number}`")))?;
-        if !(coefficient.abs() < 1.0) {
+        if coefficient.is_nan() || coefficient.abs() >= 1.0 {
             let help = "a coefficient lies between -1 and 1; of what goes together wholly vary one key";
             return Err(StudyError::new(format!("the correlation of {a} and {b} is {number}"), help));
         }
@@ -100,7 +100,8 @@ impl Copula {
         }
         let least = matrix.clone().symmetric_eigenvalues().min();
         let cholesky = matrix.cholesky().ok_or_else(|| {
-            let what = format!("these correlations cannot be all at once: the least eigenvalue of their matrix is {least:.2}");
+            let what =
+                format!("these correlations cannot be all at once: the least eigenvalue of their matrix is {least:.2}");
             StudyError::new(what, "smaller coefficients, or those of the pairs between as well")
         })?;
         let l = cholesky.l();

@@ -85,7 +85,10 @@ impl Declared {
         }
         if let (Some(share), Some([low, high])) = (class.strength_share(), class.strength()) {
             let deviation = share / STRENGTH_DEVIATIONS;
-            self.vary.push((STRENGTH.into(), format!("normal 1 ± {deviation:.4} in {:.4}..{:.4}", 1.0 - share, 1.0 + share)));
+            self.vary.push((
+                STRENGTH.into(),
+                format!("normal 1 ± {deviation:.4} in {:.4}..{:.4}", 1.0 - share, 1.0 + share),
+            ));
             self.told.push(message!(
                 "strength: all stresses of the hardening law together, normal about the sheet's own, as wide as {low} to {high}, \
                  of which each end is declared to be {n} standard deviations from the middle; {source}",

@@ -130,7 +130,9 @@ impl Written {
                     Some(ends) => reader.ends(ends, &mut units).map(|(low, high)| Limits::Ends(low, high)),
                     None => match reader.about(limits, &mut units)? {
                         (None, width) => Ok(Limits::About(width)),
-                        _ => Err(reader.wrong("has a middle between its limits: `in ± 0.05 mm`, or `in 0.95..1.05 mm`")),
+                        _ => {
+                            Err(reader.wrong("has a middle between its limits: `in ± 0.05 mm`, or `in 0.95..1.05 mm`"))
+                        }
                     },
                 });
                 Shape::Normal { mean, deviation, limits: limits.transpose()? }
@@ -168,9 +170,12 @@ impl Written {
                 let (value, unit) = own()?;
                 match self.unit.is_empty() {
                     true => (value, unit),
-                    false => (converted(value, &unit, &self.unit).ok_or_else(|| {
-                        reader.wrong(&format!("is in {}, and the case has {value} {unit}", self.unit))
-                    })?, self.unit.clone()),
+                    false => (
+                        converted(value, &unit, &self.unit).ok_or_else(|| {
+                            reader.wrong(&format!("is in {}, and the case has {value} {unit}", self.unit))
+                        })?,
+                        self.unit.clone(),
+                    ),
                 }
             }
         };
@@ -251,7 +256,7 @@ impl Reader<'_> {
             middle => Some(self.number(middle, units)?),
         };
         let (number, unit) = split(width.trim()).ok_or_else(|| self.wrong("has no number behind ±"))?;
-        if !(number > 0.0) {
+        if number <= 0.0 {
             return Err(self.wrong(&format!("scatters by {number}: more than 0 is wanted")));
         }
         match unit {

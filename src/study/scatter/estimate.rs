@@ -6,12 +6,13 @@
 //!
 //! # References
 //! A. B. Owen, Monte Carlo theory, methods and examples (2013), chapter 17 (not read: intervals from replicates);
-//! E. L. Korn, B. I. Graubard, Confidence intervals for proportions with small expected number of positive counts, Survey
-//! Methodology 24 (1998) 193–201 (not read: Clopper and Pearson's interval with the number that independent points would
-//! need).
+//! E. B. Wilson, Probable inference, the law of succession, and statistical inference, J. Am. Stat. Assoc. 22 (1927) 209–212
+//! (not read: the interval of a share); E. L. Korn, B. I. Graubard, Confidence intervals for proportions with small expected
+//! number of positive counts, Survey Methodology 24 (1998) 193–201 (not read: such an interval with the number of tries that
+//! independent points would need).
 
 use super::sampling::REPLICATES;
-use statrs::distribution::{Beta, ContinuousCDF, StudentsT};
+use statrs::distribution::{ContinuousCDF, StudentsT};
 
 /// Share of intervals that hold the truth.
 pub const CONFIDENCE: f64 = 0.95;
@@ -46,9 +47,9 @@ fn variance(of: &impl Fn(Option<usize>) -> Option<f64>) -> Option<f64> {
 /// Hits and tries of a scrambling.
 pub type Tries = (u64, u64);
 
-/// The probability of an event with its interval; `None` where a scrambling has no try.
+/// The probability of an event with its interval; `None` where no scrambling but one has a try.
 ///
-/// Clopper and Pearson's interval with as many independent tries as would have the variance that the scramblings show; no
+/// Wilson's interval with as many independent tries as would have the variance that the scramblings show, and Student's t; no
 /// narrower than what one who has seen none in all tries may say, ln 40/n, for scramblings can agree by chance.
 pub fn probability(tries: &[Tries; REPLICATES]) -> Option<Estimate> {
     let share = |without: Option<usize>| {
@@ -57,26 +58,21 @@ pub fn probability(tries: &[Tries; REPLICATES]) -> Option<Estimate> {
         (all > 0).then(|| kept().map(|own| own.0).sum::<u64>() as f64 / all as f64)
     };
     let all = tries.iter().map(|own| own.1).sum::<u64>() as f64;
-    let value = share(None)?;
-    let least = (0.5 * (1.0 - CONFIDENCE)).recip().ln() / all;
-    let variance = variance(&share)?;
-    let (low, high) = if variance > 0.0 {
-        // Student's t is wider than the normal distribution that Clopper and Pearson's interval comes to.
-        let normal = 1.959_963_984_540_054;
-        clopper_pearson(value, value * (1.0 - value) / variance * (normal / students_t()).powi(2))
-    } else {
-        (value, value)
+    let (value, variance) = (share(None)?, variance(&share)?);
+    let (low, high) = match variance > 0.0 {
+        true => wilson(value, value * (1.0 - value) / variance, students_t()),
+        false => (value, value),
     };
+    let least = (0.5 * (1.0 - CONFIDENCE)).recip().ln() / all;
     Some(Estimate { value, low: low.min(value - least).max(0.0), high: high.max(value + least).min(1.0) })
 }
 
-/// The interval of a share of so many independent tries.
-fn clopper_pearson(share: f64, tries: f64) -> (f64, f64) {
-    let quantile = |a: f64, b: f64, p: f64| Beta::new(a, b).map(|beta| beta.inverse_cdf(p)).ok();
-    let (hits, tail) = (share * tries, 0.5 * (1.0 - CONFIDENCE));
-    let low = quantile(hits, tries - hits + 1.0, tail).unwrap_or(0.0);
-    let high = quantile(hits + 1.0, tries - hits, 1.0 - tail).unwrap_or(1.0);
-    (low, high)
+/// The interval of a share of so many independent tries, as wide as so many standard deviations.
+fn wilson(share: f64, tries: f64, deviations: f64) -> (f64, f64) {
+    let square = deviations * deviations / tries;
+    let middle = (share + 0.5 * square) / (1.0 + square);
+    let half = (square * (share * (1.0 - share) + 0.25 * square)).sqrt() / (1.0 + square);
+    (middle - half, middle + half)
 }
 
 /// Student's t of the interval with one degree of freedom fewer than there are scramblings.
@@ -90,16 +86,16 @@ mod tests {
     use super::*;
     use approx::assert_relative_eq;
 
-    /// Trust: tables of Student's distribution, and Clopper and Pearson's interval of 3 of 20 (0.0321, 0.3789).
+    /// Trust: tables of Student's distribution, and Wilson's interval of 3 of 20 in textbooks (0.0524, 0.3604).
     #[test]
     fn quantiles_are_those_of_tables() {
         assert_relative_eq!(students_t(), 2.131_45, max_relative = 1e-5);
-        let (low, high) = clopper_pearson(0.15, 20.0);
-        assert_relative_eq!(low, 0.032_07, max_relative = 1e-3);
-        assert_relative_eq!(high, 0.378_93, max_relative = 1e-3);
+        let (low, high) = wilson(0.15, 20.0, 1.959_964);
+        assert_relative_eq!(low, 0.0524, max_relative = 2e-3);
+        assert_relative_eq!(high, 0.3604, max_relative = 2e-3);
     }
 
-    /// Trust: Clopper and Pearson's upper end of none in n is 1 − 0.025^(1/n), which is ln 40/n for many.
+    /// Trust: none in n independent tries has a chance of 0.025 where the probability is 1 − 0.025^(1/n), ln 40/n for many.
     #[test]
     fn none_in_all_tries_is_not_never() {
         let never = probability(&[(0, 100); REPLICATES]).expect("tries");

@@ -95,9 +95,10 @@ fn own(case: &Case, key: &str) -> Result<(f64, String), StudyError> {
 
 /// The law of a sheet of the library, which stands in the case before one of its numbers can be changed.
 fn law_of_library(case: &Case, key: &str) -> Option<Toml> {
-    let is_own = case.text.parse::<toml_edit::DocumentMut>().is_ok_and(|text| {
-        text.get("material").and_then(|material| material.get("hardening")).is_some()
-    });
+    let is_own = case
+        .text
+        .parse::<toml_edit::DocumentMut>()
+        .is_ok_and(|text| text.get("material").and_then(|material| material.get("hardening")).is_some());
     if is_own || !key.starts_with(HARDENING) { None } else { case.hardening() }
 }
 
@@ -123,7 +124,8 @@ fn scale(value: &mut Toml, factor: f64) -> usize {
         Toml::InlineTable(table) => in_table(table, factor),
         Toml::Array(array) => array.iter_mut().map(|item| scale(item, factor)).sum(),
         Toml::String(text) => {
-            let is_stress = |text: &str| units::parse(text).is_ok_and(|found| found.dimension == Stress::KIND.dimension);
+            let is_stress =
+                |text: &str| units::parse(text).is_ok_and(|found| found.dimension == Stress::KIND.dimension);
             let Some((number, unit)) = split(text.value()).filter(|_| is_stress(text.value())) else { return 0 };
             let scaled = format!("{} {unit}", significant(number * factor, 12));
             *value = scaled.into();

@@ -52,7 +52,8 @@ pub fn load(path: &Path) -> Result<(PathBuf, Vec<String>, Asked), StudyError> {
     }
     if let Some(scatter) = document.get("scatter") {
         let table = scatter.as_table_like().ok_or_else(|| wrong("`scatter` is no table"))?;
-        keys(table, "", &mut asked.vary).map_err(|key| wrong(&format!("{key} is no text such as \"normal 1 ± 0.02 mm\"")))?;
+        keys(table, "", &mut asked.vary)
+            .map_err(|key| wrong(&format!("{key} is no text such as \"normal 1 ± 0.02 mm\"")))?;
     }
     Ok((case, set, asked))
 }

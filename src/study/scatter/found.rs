@@ -202,17 +202,31 @@ impl Reader<'_> {
                 all.push(event.filter(|event| event.hits > 0));
             }
         }
-        all.into_iter().flatten().collect()
+        let mut all: Vec<Event> = all.into_iter().flatten().collect();
+        self.by_rows(&mut all);
+        all
     }
 
-    fn event(
-        &self,
-        what: What,
-        key: &str,
-        label: &'static str,
-        light: Light,
-        has: Vec<Option<bool>>,
-    ) -> Option<Event> {
+    /// A light of several rows hangs on what its most frequent row hangs on, where only ranks are known: those of yes and no
+    /// say little.
+    fn by_rows(&self, all: &mut [Event]) {
+        if self.scatter.sampling().has_partners() {
+            return;
+        }
+        for i in 0..all.len() {
+            let is_own = |row: &&Event| {
+                matches!(row.what, What::Row(_))
+                    && row.light == all[i].light
+                    && (all[i].what != What::Tear || TEARING.contains(&row.key.as_str()))
+            };
+            let own = all.iter().filter(is_own).max_by_key(|row| row.hits).map(|row| row.influence.clone());
+            if let (Some(own), What::Tear | What::Verdict) = (own, all[i].what) {
+                all[i].influence = own;
+            }
+        }
+    }
+
+    fn event(&self, what: What, key: &str, label: &'static str, light: Light, has: Vec<Option<bool>>) -> Option<Event> {
         let mut tries: [Tries; REPLICATES] = Default::default();
         for i in self.drawn() {
             let Some(has) = has[i] else { continue };

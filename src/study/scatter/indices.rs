@@ -58,7 +58,8 @@ pub fn indices(sampling: &Sampling, values: &[f64]) -> Option<Vec<Index>> {
     if !sampling.has_partners() {
         return None;
     }
-    let whole = || values.chunks_exact(width).enumerate().filter(|(_, rows)| rows.iter().all(|value| value.is_finite()));
+    let whole =
+        || values.chunks_exact(width).enumerate().filter(|(_, rows)| rows.iter().all(|value| value.is_finite()));
     // Less the mean: the estimator of first order is the more exact the nearer that is to 0.
     let mean = whole().map(|(_, rows)| rows[0]).sum::<f64>() / whole().count() as f64;
     let of = |group: usize| {

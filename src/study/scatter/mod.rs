@@ -43,7 +43,7 @@ pub use found::{Band, Event, Found, Influence, QUANTILES, Spread, What};
 pub use indices::{Index, indices, rank_correlation};
 pub use plan::{Asked, POINTS, SEED, Scatter};
 pub use sample::Sample;
-pub use sampling::{MOST, Part, Place, REPLICATES, Sampling};
+pub use sampling::{COORDINATES, MOST, Part, Place, REPLICATES, Sampling};
 pub use telling::called;
 
 use super::StudyError;

@@ -63,7 +63,8 @@ impl Scatter {
             true => Declared::of(&case),
             false => Declared { vary: asked.vary.clone(), told: Vec::new() },
         };
-        let factors = vary.iter().map(|(key, scatter)| Factor::new(&case, key, scatter)).collect::<Result<Vec<_>, _>>()?;
+        let factors =
+            vary.iter().map(|(key, scatter)| Factor::new(&case, key, scatter)).collect::<Result<Vec<_>, _>>()?;
         sound(&factors, &asked)?;
         let keys: Vec<&str> = factors.iter().map(|factor| factor.key.as_str()).collect();
         let copula = Copula::new(&keys, &asked.correlations)?;
@@ -115,15 +116,21 @@ fn sound(factors: &[Factor], asked: &Asked) -> Result<(), StudyError> {
         return fail(format!("{} keys scatter", factors.len()), "128 at most");
     }
     for (i, factor) in factors.iter().enumerate() {
-        if let Some(other) = factors[..i].iter().find(|other| factor.is_at_odds_with(other) || other.is_at_odds_with(factor)) {
+        if let Some(other) =
+            factors[..i].iter().find(|other| factor.is_at_odds_with(other) || other.is_at_odds_with(factor))
+        {
             return fail(format!("{} and {} set the same", other.key, factor.key), "vary one of them");
         }
     }
     // Each scrambling says how far it is from the others only with points of its own.
     let least = 2 * REPLICATES as u64;
     match asked.points {
-        points if points < least => fail(format!("{points} runs say nothing of a scatter"), &format!("{least} or more")),
-        points if points > MOST => fail(format!("{points} runs are more than the sequence has"), &format!("{MOST} at most")),
+        points if points < least => {
+            fail(format!("{points} runs say nothing of a scatter"), &format!("{least} or more"))
+        }
+        points if points > MOST => {
+            fail(format!("{points} runs are more than the sequence has"), &format!("{MOST} at most"))
+        }
         _ => Ok(()),
     }
 }

@@ -103,7 +103,7 @@ impl Sampling {
     /// The coordinates of a row, each between 0 and 1.
     pub fn unit(&self, row: u64) -> Vec<f64> {
         let Place { replicate, point, part } = self.place(row);
-        let seed = mixed(u64::from(self.seed) << 32 | replicate as u64);
+        let seed = mixed((u64::from(self.seed) << 32) | replicate as u64);
         let index = (point / REPLICATES as u64 % LONGEST) as u32;
         let coordinate = |(i, group): (usize, &usize)| {
             let is_partners = part == Part::Partner || part == Part::Mixed(*group);

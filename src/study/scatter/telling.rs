@@ -5,9 +5,6 @@ use crate::assess::Light;
 use crate::message::{Amount, Digits, Message, message};
 use crate::table::Unit;
 
-/// What is decided alone and what with others are told apart from here on \[–\].
-const TOGETHER: f64 = 0.05;
-
 /// Rank correlations below say nothing \[–\].
 const WEAK: f64 = 0.1;
 
@@ -40,8 +37,9 @@ impl Influence {
                 indices.iter().enumerate().max_by(|a, b| a.1.total.value.total_cmp(&b.1.total.value))?;
             let [first, total] = [index.first.value, index.total.value].map(|share| parts(share.clamp(0.0, 1.0)));
             let factor = called(&found.groups[group]);
-            return Some(if index.total.value - index.first.value < TOGETHER {
-                message!("{factor} decides {share} of it", factor = factor, share = first)
+            // What intervals do not tell apart is not told apart.
+            return Some(if index.total.low < index.first.high {
+                message!("{factor} decides {share} of it", factor = factor, share = total)
             } else {
                 message!(
                     "{factor} decides {first} of it alone, {total} with others",
@@ -107,7 +105,7 @@ impl Found {
             let decides = event.influence.told(self).filter(|_| event.hits > 0);
             Some(Message::joined([event.told()].into_iter().chain(decides), "; "))
         };
-        Message::joined([What::Tear, What::Verdict].into_iter().filter_map(told), ". ")
+        Message::joined([What::Tear, What::Verdict].into_iter().filter_map(told), "; ")
     }
 
     /// What is told below: lights that are red in some run, how sure this is, and runs that say nothing.

@@ -1,0 +1,260 @@
+//! `stampflow scatter`: how sure a verdict is when coil, friction, thickness and press scatter.
+
+use super::code::{BadRequest, Code};
+use super::many::{Many, asked};
+use super::say::{Shown, say, say_json, warn};
+use super::table::{Cell, Tone, table, wrapped};
+use anyhow::Context;
+use serde_json::{Value, json};
+use stampflow::assess::Light;
+use stampflow::message::{Amount, Form};
+use stampflow::output::{study::scatter_pictures, study::scatter_tables, write};
+use stampflow::study::scatter::{
+    Asked, Base, Correlation, Estimate, Event, Factor, Found, Influence, Sample, Scatter, file,
+};
+use stampflow::study::{self, Begun, Designs, Earlier, Journal, Shard, StudyError, Subject};
+use stampflow::units::rounded;
+use std::path::{Path, PathBuf};
+
+pub const HELP: &str = "\
+Each key has a distribution; the runs are a quasi-random sample of them (scrambled \
+Sobol points, 16 scramblings that are independent of each other). `friction` is that \
+of every tool, `strength` a factor on all stresses of the hardening law. Without \
+--vary what is declared scatters: friction, and of a sheet of the library thickness \
+and strength by its standard. DIR has the sample (scatter.csv), quantiles, lights, \
+indices and bands as tables, and the pictures of them.
+
+A distribution is one of
+  uniform LOW..HIGH UNIT            normal MEAN ± DEVIATION UNIT
+  uniform ± HALF UNIT               normal ± DEVIATION UNIT in LOW..HIGH UNIT
+without a middle about the case's own value; % is of the middle, +- is ±.
+
+Examples:
+  stampflow scatter cup.toml
+  stampflow scatter cup.toml --vary \"friction=uniform 0.05..0.12\" \\
+    --vary \"blank.thickness=normal ± 0.02 mm in ± 0.05 mm\" --indices
+  stampflow scatter cup.toml --vary \"material.hardening.swift.k=normal ± 5 %\" \\
+    --vary \"material.hardening.swift.n=normal ± 4 %\" \\
+    --correlate \"material.hardening.swift.k,material.hardening.swift.n=-0.8\"
+  stampflow scatter study.toml --shard 7/64 --out shards
+  stampflow merge shards/scatter-*-of-64.csv --out out/study-scatter/scatter.csv
+  stampflow scatter study.toml --resume
+
+Exit codes: 0 done, 2 bad input, 130 interrupted (rows are kept, --resume goes on)";
+
+/// So many runs are begun without a word.
+const MANY: u64 = 100_000;
+
+#[derive(Debug, clap::Args)]
+pub struct Args {
+    /// A case file, or a study file with [scatter]
+    #[arg(value_name = "CASE.toml|STUDY.toml")]
+    file: PathBuf,
+    /// A key and how it scatters, as often as needed
+    #[arg(long, value_name = "KEY=DISTRIBUTION")]
+    vary: Vec<String>,
+    /// Two keys that go together, with their correlation between -1 and 1
+    #[arg(long, value_name = "KEY,KEY=NUMBER")]
+    correlate: Vec<String>,
+    /// Points of the sample; best a power of two [default: 1024]
+    #[arg(long, value_name = "N")]
+    runs: Option<u64>,
+    /// Another sample of the same: any whole number [default: 1]
+    #[arg(long, value_name = "N")]
+    seed: Option<u32>,
+    /// Also say what share of each number's variance is whose: so many times the runs as keys, and two more
+    #[arg(long)]
+    indices: bool,
+    /// Go on with the rows that an earlier run has left
+    #[arg(long)]
+    resume: bool,
+    /// Remove the rows that an earlier run has left
+    #[arg(long, conflicts_with = "resume")]
+    restart: bool,
+    /// Run one part of so many, such as 7/64, into a table of its own
+    #[arg(long, value_name = "K/N")]
+    shard: Option<Shard>,
+    /// Begin more than 100 000 runs without asking
+    #[arg(long)]
+    yes: bool,
+    #[command(flatten)]
+    many: Many,
+}
+
+pub fn scatter(args: &Args) -> anyhow::Result<Code> {
+    let scatter = args.scatter().map_err(asked)?;
+    let shard = args.shard.unwrap_or(Shard::WHOLE);
+    let runs = shard.count(scatter.count());
+    if runs > MANY && !args.yes {
+        let what = format!("{runs} runs are asked for, more than {MANY}");
+        return Err(BadRequest(format!("{what}: give --yes if that is meant, or fewer --runs, or --shard")).into());
+    }
+    let dir = args.many.folder(&args.file, "scatter");
+    let path = dir.join(shard.file("scatter"));
+    let count = args.many.count(&args.file, "parts");
+    let base = Base::of(&scatter, &count).map_err(asked)?;
+    let indices = shard.indices(scatter.count());
+    let earlier = match (args.resume, args.restart) {
+        (true, _) => Earlier::Resume,
+        (_, true) => Earlier::Restart,
+        _ => Earlier::Refuse,
+    };
+    if let Begun::Open(mut journal) = Journal::open(&path, &base.header(), &indices, earlier).map_err(asked)? {
+        let rest = &indices[journal.done()..];
+        let ended = study::run(&scatter, rest, args.many.threads(), &count, |row| {
+            let line = base.columns.line(&scatter, &row);
+            journal.add(&line.into_iter().chain(base.grids.cells(&row)).collect::<Vec<_>>())
+        });
+        ended.with_context(|| format!("cannot write {}", journal.part().display()))?;
+        if journal.done() < indices.len() {
+            let (done, all) = (journal.done(), indices.len());
+            warn(format!("{done} of {all} runs are in {}; --resume goes on with the others", journal.part().display()));
+            return Ok(Code::Done);
+        }
+        journal.finish().with_context(|| format!("cannot write {}", path.display()))?;
+    }
+    if shard != Shard::WHOLE {
+        let merge =
+            "`stampflow merge` puts the shards together, and `stampflow scatter ... --resume` says what they say";
+        return say(wrapped(&format!("{} runs in {}; {merge}", indices.len(), path.display())));
+    }
+    let found = Found::of(&scatter, &base, &Sample::read(&path, &base.columns).map_err(asked)?);
+    let form = args.many.told.form();
+    let name = args.file.file_stem().map(|stem| stem.to_string_lossy().into_owned()).unwrap_or_default();
+    let written = written(args, &dir, &found, &base, &name)?;
+    match args.many.json.json {
+        true => say_json(&value(&scatter, &found, &path, &written)),
+        false => say(shown(&scatter, &found, &name, form) + wrapped(&format!("\n{}", written.join(", ")))),
+    }
+}
+
+/// Writes tables and pictures; returns what they are called.
+fn written(args: &Args, dir: &Path, found: &Found, base: &Base, name: &str) -> anyhow::Result<Vec<String>> {
+    let pictures = args.many.pictures.pictures();
+    let charts = scatter_pictures(found, &base.grids, name, args.many.told.form());
+    let drawn = charts.iter().flat_map(|(stem, chart)| pictures.files(stem, chart));
+    let tables = scatter_tables(found).into_iter().map(|(name, bytes)| (name.to_owned(), bytes));
+    let mut written = vec![dir.join("scatter.csv").display().to_string()];
+    for (name, bytes) in tables.chain(drawn) {
+        let path = dir.join(name);
+        write(&path, &bytes)?;
+        written.push(path.display().to_string());
+    }
+    Ok(written)
+}
+
+impl Args {
+    fn scatter(&self) -> Result<Scatter, StudyError> {
+        let (case, mut base, asked) = file::load(&self.file)?;
+        base.extend(self.many.overrides.all());
+        let more =
+            self.vary.iter().map(|text| Factor::split(text).map(|(key, scatter)| (key.to_owned(), scatter.to_owned())));
+        let vary = asked.vary.into_iter().map(Ok).chain(more).collect::<Result<_, _>>()?;
+        let pairs = self.correlate.iter().map(|text| Correlation::read(text));
+        let correlations = asked.correlations.into_iter().map(Ok).chain(pairs).collect::<Result<_, _>>()?;
+        let (points, seed) = (self.runs.unwrap_or(asked.points), self.seed.unwrap_or(asked.seed));
+        Scatter::new(Subject::new(case, base)?, Asked { vary, correlations, points, seed, indices: self.indices })
+    }
+}
+
+/// What is said: the answer, what it rests on, lights and numbers.
+fn shown(scatter: &Scatter, found: &Found, name: &str, form: Form) -> Shown {
+    let told = |items: Vec<stampflow::message::Message>| {
+        items.iter().map(|item| wrapped(&format!("- {}", item.told(form)))).fold(Shown::default(), |all, one| all + one)
+    };
+    let answer = wrapped(&format!("{name}: {}.\n", found.sentence().told(form)));
+    let declared = told(scatter.told.clone());
+    let declared = if scatter.told.is_empty() { declared } else { Shown::from("\n") + declared };
+    answer
+        + told(found.sentences())
+        + declared
+        + Shown::from("\n")
+        + lights(found, form)
+        + Shown::from("\n")
+        + numbers(found, form)
+}
+
+fn range(estimate: Estimate, form: Form) -> String {
+    let [low, high] = [estimate.low, estimate.high].map(|share| Amount::share(share).told(form));
+    form.tell(stampflow::message::message!("{low} to {high}", low = low, high = high))
+}
+
+fn lights(found: &Found, form: Form) -> Shown {
+    let headers =
+        ["Light", "Row", "Share of parts", "Interval of 95 %", "What decides"].map(|header| form.tell(header));
+    let row = |event: &Event| {
+        let decides = event.influence.told(found).filter(|_| event.hits > 0).unwrap_or_default();
+        [
+            Cell { text: form.tell(event.light.name()), tone: Tone::of(event.light) },
+            Cell::plain(form.tell(event.label)),
+            Cell::plain(Amount::share(event.chance.value).told(form)),
+            Cell::plain(range(event.chance, form)),
+            Cell::plain(decides.told(form)),
+        ]
+    };
+    table(Some(headers.each_ref().map(String::as_str)), found.events.iter().map(row).collect())
+}
+
+fn numbers(found: &Found, form: Form) -> Shown {
+    let headers = ["Number", "5 %", "Median", "95 %", "What decides"].map(|header| form.tell(header));
+    let rows = found.numbers.iter().filter_map(|spread| {
+        let [low, median, high] = spread.quantiles()?.map(|value| Cell::plain(spread.number.amount(value).told(form)));
+        let decides = spread.influence.told(found).unwrap_or_default();
+        Some([Cell::plain(form.tell(spread.number.label)), low, median, high, Cell::plain(decides.told(form))])
+    });
+    table(Some(headers.each_ref().map(String::as_str)), rows.collect())
+}
+
+/// The same for programs.
+fn value(scatter: &Scatter, found: &Found, path: &Path, written: &[String]) -> Value {
+    let numbers = found.numbers.iter().filter_map(|spread| {
+        let [q05, q50, q95] = spread.quantiles()?.map(rounded);
+        let (mean, deviation) = spread.moments();
+        Some(json!({
+            "number": spread.header,
+            "runs": spread.values.len(),
+            "mean": rounded(mean),
+            "standard_deviation": rounded(deviation),
+            "q05": q05, "q50": q50, "q95": q95,
+            "influence": influence(found, &spread.influence),
+        }))
+    });
+    let lights = found.events.iter().map(|event| {
+        json!({
+            "row": event.key,
+            "light": event.light.name(),
+            "runs": event.hits,
+            "probability": estimate(event.chance),
+            "influence": influence(found, &event.influence),
+        })
+    });
+    json!({
+        "file": path,
+        "answer": found.sentence().to_string(),
+        "red": found.events.iter().any(|event| event.light == Light::Red && event.hits > 0),
+        "runs": found.runs,
+        "failed": found.failed,
+        "failures": found.failures,
+        "scatters": scatter.factors().iter().map(Factor::header).collect::<Vec<_>>(),
+        "declared": scatter.told,
+        "lights": lights.collect::<Vec<_>>(),
+        "numbers": numbers.collect::<Vec<_>>(),
+        "written": written,
+    })
+}
+
+fn influence(found: &Found, influence: &Influence) -> Value {
+    let ranks = found.factors.iter().zip(&influence.ranks).map(|(key, rank)| (key.clone(), json!(rank.map(rounded))));
+    let indices = influence.indices.as_ref().map(|indices| {
+        let of = found.groups.iter().zip(indices);
+        let each = of.map(|(key, index)| {
+            (key.clone(), json!({ "first_order": estimate(index.first), "total": estimate(index.total) }))
+        });
+        Value::Object(each.collect())
+    });
+    json!({ "rank_correlation": Value::Object(ranks.collect()), "sobol": indices })
+}
+
+fn estimate(estimate: Estimate) -> Value {
+    json!({ "value": rounded(estimate.value), "low": rounded(estimate.low), "high": rounded(estimate.high) })
+}

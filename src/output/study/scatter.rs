@@ -1,0 +1,112 @@
+//! The pictures of a scatter: how the numbers that decide lie to their limits, bands of the curves, and what decides.
+
+use super::{scatter_bands, scatter_indices};
+use crate::assess::Light;
+use crate::message::{Form, message};
+use crate::output::chart::{BLACK, Chart, GREY, Look, Panel, Scale, Series, color, pale};
+use crate::study::scatter::{Found, Grids, Spread};
+use crate::table::{Column, Unit};
+
+/// Numbers that are drawn at most.
+const MOST: usize = 4;
+
+/// Bars of a histogram: few enough for a hundred runs.
+const BARS: usize = 24;
+
+/// A limit is drawn where it is no further from the values than so many times their width.
+const NEAR: f64 = 1.5;
+
+/// The row of the verdict that judges what was given, not what came of it.
+const GIVEN: &str = "friction";
+
+/// Each picture by the stem of its file.
+pub fn pictures(found: &Found, grids: &Grids, name: &str, form: Form) -> Vec<(&'static str, Chart)> {
+    let histograms = histograms(found, name, form);
+    let load = found.load.as_ref().map(|band| scatter_bands::load(band, grids.force, name, form));
+    let thickness = found.thickness.as_ref().map(|band| scatter_bands::thickness(band, name, form));
+    let all = [
+        histograms.map(|chart| ("scatter", chart)),
+        load.map(|chart| ("load_band", chart)),
+        thickness.map(|chart| ("thickness_band", chart)),
+        scatter_indices::chart(found, name, form).map(|chart| ("influence", chart)),
+    ];
+    all.into_iter().flatten().map(|(stem, chart)| (stem, chart.told(form))).collect()
+}
+
+/// The numbers that decide: those that are red most often, then those nearest to their limits.
+pub(super) fn deciding(found: &Found) -> Vec<&Spread> {
+    let share = |spread: &Spread, light: Light| {
+        let own =
+            found.events.iter().find(|event| Some(event.key.as_str()) == spread.number.row && event.light == light);
+        own.map_or(0.0, |event| event.chance.value)
+    };
+    let is_judged =
+        |spread: &&Spread| spread.number.limits.is_some() && spread.number.row != Some(GIVEN) && varies(spread);
+    let mut judged: Vec<&Spread> = found.numbers.iter().filter(is_judged).collect();
+    judged.sort_by(|a, b| {
+        let key = |spread| (share(spread, Light::Red), share(spread, Light::Amber), nearness(spread));
+        key(b).partial_cmp(&key(a)).unwrap_or(std::cmp::Ordering::Equal)
+    });
+    judged.truncate(MOST);
+    judged
+}
+
+fn varies(spread: &Spread) -> bool {
+    spread.quantiles().is_some_and(|[low, _, high]| high - low > 1e-9 * high.abs().max(low.abs()))
+}
+
+/// Minus the distance of the median from the nearest limit, over the width of the values.
+fn nearness(spread: &Spread) -> f64 {
+    let Some([low, median, high]) = spread.quantiles() else { return f64::NEG_INFINITY };
+    let limits = spread.number.limits.iter().flat_map(|limits| [limits.amber, limits.red]).flatten();
+    -limits.map(|limit| (limit - median).abs() / (high - low)).fold(f64::INFINITY, f64::min)
+}
+
+fn histograms(found: &Found, name: &str, form: Form) -> Option<Chart> {
+    let mut panels: Vec<Panel> = deciding(found).into_iter().map(panel).collect();
+    let first = panels.first_mut()?;
+    let entries = [("Amber from here on", AMBER), ("Red from here on", RED), ("The case as it stands", OWN)];
+    first.series.extend(entries.map(|(label, look)| Series::new(form.tell(label), Vec::new(), look)));
+    let title = message!("{name}: {what}", name = name.to_owned(), what = found.sentence());
+    Some(Chart { title: title.told(form), legend: String::new(), panels, notes: notes(found, form) })
+}
+
+/// What stands below the pictures.
+fn notes(found: &Found, form: Form) -> Vec<String> {
+    vec![found.sentences().into_iter().map(|sentence| sentence.told(form) + ".").collect::<Vec<_>>().join(" ")]
+}
+
+/// The limits, and the case as it stands.
+const AMBER: Look = Look::Line { color: (230, 159, 0), width: 2.4, dash: &[9.0, 4.0] };
+const RED: Look = Look::Line { color: (213, 94, 0), width: 2.4, dash: &[] };
+const OWN: Look = Look::Line { color: BLACK, width: 1.6, dash: &[2.5, 3.0] };
+
+fn panel(spread: &Spread) -> Panel {
+    let number = &spread.number;
+    let (low, high) = (spread.values[0], spread.values[spread.values.len() - 1]);
+    let width = (high - low) / BARS as f64;
+    let mut shares = vec![0.0; BARS];
+    for value in &spread.values {
+        shares[(((value - low) / width) as usize).min(BARS - 1)] += 100.0 / spread.values.len() as f64;
+    }
+    let bars = shares.iter().enumerate().filter(|(_, share)| **share > 0.0).map(|(i, share)| {
+        let (from, to) = (low + i as f64 * width, low + (i + 1) as f64 * width);
+        let outline = vec![(from, 0.0), (to, 0.0), (to, *share), (from, *share)];
+        Series::silent(outline, Look::Area { fill: pale(color(0)), edge: Some(GREY) })
+    });
+    let mut series: Vec<Series> = bars.collect();
+    let top = 1.08 * shares.iter().copied().fold(0.0, f64::max);
+    let mut upright = |at: Option<f64>, look: Look| {
+        let at = at.filter(|at| *at > low - NEAR * (high - low) && *at < high + NEAR * (high - low));
+        series.extend(at.map(|at| Series::silent(vec![(at, 0.0), (at, top)], look)));
+    };
+    upright(number.limits.and_then(|limits| limits.amber), AMBER);
+    upright(number.limits.and_then(|limits| limits.red), RED);
+    upright(Some(number.value), OWN);
+    let ends = series.iter().flat_map(|series| &series.points).map(|point| point.0);
+    let (from, to) = ends.fold((low, high), |(from, to), x| (from.min(x), to.max(x)));
+    let margin = 0.03 * (to - from);
+    let x = Column::new("number", number.label, number.unit, Vec::new()).axis();
+    let y = Column::new("share", "Share of parts", Unit::Percent, Vec::new()).axis();
+    Panel { x, y, series, scale: Scale::Window { height: 170.0, x: (from - margin, to + margin), y: (0.0, top) } }
+}
