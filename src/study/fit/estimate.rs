@@ -149,10 +149,14 @@ impl Estimate {
         }
     }
 
-    /// Whether a value lies in the interval; an open end holds all.
+    /// Whether a value lies in the interval; an open end holds all, and one that was not found nothing.
     pub fn holds(&self, value: f64) -> bool {
-        let [low, high] = self.ends;
-        !matches!(low, End::At(low) if value < low) && !matches!(high, End::At(high) if value > high)
+        let holds = |end: End, beyond: &dyn Fn(f64) -> bool| match end {
+            End::At(end) => !beyond(end),
+            End::Open => true,
+            End::Unknown => false,
+        };
+        holds(self.ends[0], &|low| value < low) && holds(self.ends[1], &|high| value > high)
     }
 
     fn number(&self, value: f64) -> String {

@@ -49,8 +49,8 @@ const LIMITS: Limits = Limits { steps: 200, change: 1e-9 };
 const FOLLOWED: usize = 3;
 /// Half of a central difference over the start: half of the digits of a number, or a third for its square \[–\].
 const DIFFERENCE: f64 = 1e-5;
-/// A variance that is no more than round-off, for the logarithm of perfect data \[–\].
-const ROUND_OFF: f64 = 1e-22;
+/// A variance that no test is as exact as, for the logarithm of perfect data: that of 1e-4 MPa, or standard deviations.
+const ROUND_OFF: f64 = 1e-8;
 
 impl RateKind {
     /// Name, unit, bounds and start of each parameter.
