@@ -82,7 +82,8 @@ fn csv<'a>(estimates: impl Iterator<Item = (&'a str, &'a Estimate)>) -> String {
     for (of, e) in estimates {
         let [low, high] = e.ends.map(at);
         let (key, unit, pushed) = (&e.key, &e.unit, if e.pushed.is_some() { "yes" } else { "" });
-        let _ = writeln!(text, "{of},{key},{unit},{},{},{},{},{pushed}", e.value, plain(e.error), plain(low), plain(high));
+        let _ =
+            writeln!(text, "{of},{key},{unit},{},{},{},{},{pushed}", e.value, plain(e.error), plain(low), plain(high));
     }
     text
 }

@@ -214,8 +214,7 @@ impl Minimum {
     /// D⁻¹JᵀJD⁻¹ + λ I of what is free, its indices and D.
     fn normal(&self, damping: f64) -> (DMatrix<f64>, (Vec<usize>, Vec<f64>)) {
         let free: Vec<usize> = (0..self.free.len()).filter(|&j| self.free[j]).collect();
-        let sizes: Vec<f64> =
-            free.iter().map(|&j| self.jacobian.column(j).norm().max(f64::MIN_POSITIVE)).collect();
+        let sizes: Vec<f64> = free.iter().map(|&j| self.jacobian.column(j).norm().max(f64::MIN_POSITIVE)).collect();
         let scaled = DMatrix::from_fn(self.residuals.len(), free.len(), |i, k| self.jacobian[(i, free[k])] / sizes[k]);
         let mut normal = scaled.tr_mul(&scaled);
         for k in 0..free.len() {
@@ -271,7 +270,8 @@ mod tests {
     fn the_covariance_of_a_line_is_that_of_textbooks() {
         let (x, y) = ([0.0, 1.0, 2.0, 3.0, 4.0], [1.1, 2.9, 5.2, 6.8, 9.1]);
         let line = |p: &[f64]| Some(x.iter().zip(y).map(|(x, y)| p[0] + p[1] * x - y).collect());
-        let found = minimise(&[parameter(0.0, -9.0, 9.0), parameter(0.0, -9.0, 9.0)], &line, LIMITS).expect("residuals");
+        let found =
+            minimise(&[parameter(0.0, -9.0, 9.0), parameter(0.0, -9.0, 9.0)], &line, LIMITS).expect("residuals");
         let covariance = found.covariance(found.variance()).expect("told apart");
         let middle = 2.0;
         let spread: f64 = x.iter().map(|x| (x - middle) * (x - middle)).sum();

@@ -29,7 +29,8 @@ const TRIALS: usize = 5;
 /// How near to t is near enough \[–\].
 const NEAR: f64 = 0.02;
 
-/// Both ends of the interval of parameter `j` for residuals of that variance, |τ| ≤ `t`.
+/// Both ends of the interval of parameter `j` for residuals of that variance, |τ| ≤ `t`; of one that is pushed against its bound
+/// the end within.
 pub fn interval(
     parameters: &[Parameter],
     residuals: &dyn Residuals,
@@ -38,20 +39,32 @@ pub fn interval(
     (variance, t): (f64, f64),
     j: usize,
 ) -> [End; 2] {
-    let (best, error) = (minimum.values[j], covariance[(j, j)].sqrt());
+    let best = minimum.values[j];
+    let is_free = covariance[(j, j)] > 0.0;
+    let error = match is_free {
+        true => covariance[(j, j)].sqrt(),
+        false => (variance / minimum.jacobian.column(j).norm_squared()).sqrt(),
+    };
     let of_side = |side: f64| {
         let bound = if side < 0.0 { parameters[j].low } else { parameters[j].high };
+        if best == bound || !error.is_finite() {
+            return End::Open;
+        }
         let (mut near, mut tau_near) = (best, 0.0);
         let mut value = best + side * t * error;
         for _ in 0..TRIALS {
             value = if side < 0.0 { value.max(bound) } else { value.min(bound) };
-            let fixed: Vec<Parameter> = parameters.iter().enumerate().map(|(i, p)| {
-                let along = covariance[(i, j)] / covariance[(j, j)] * (value - best);
-                match i == j {
-                    true => Parameter { start: value, low: value, high: value, ..*p },
-                    false => Parameter { start: (minimum.values[i] + along).clamp(p.low, p.high), ..*p },
-                }
-            }).collect();
+            let fixed: Vec<Parameter> = parameters
+                .iter()
+                .enumerate()
+                .map(|(i, p)| {
+                    let along = if is_free { covariance[(i, j)] / covariance[(j, j)] * (value - best) } else { 0.0 };
+                    match i == j {
+                        true => Parameter { start: value, low: value, high: value, ..*p },
+                        false => Parameter { start: (minimum.values[i] + along).clamp(p.low, p.high), ..*p },
+                    }
+                })
+                .collect();
             let Some(found) = minimise(&fixed, residuals, limits) else { return End::Unknown };
             let tau = ((found.sum() - minimum.sum()).max(0.0) / variance).sqrt();
             if (tau - t).abs() <= NEAR * t {

@@ -24,6 +24,7 @@ mod drawn_tools;
 mod error_bars;
 mod events;
 mod files;
+mod fit;
 mod forming_limit;
 mod geometry;
 mod limit_conditions;

@@ -1,6 +1,7 @@
 //! Keys of a case from measured curves.
 
 use super::super::code::{BadRequest, Code};
+use super::super::interrupt;
 use super::super::many::asked;
 use super::super::say::{say, say_json};
 use super::super::table::{Cell, table, wrapped};
@@ -18,7 +19,10 @@ pub fn case(args: &Args) -> anyhow::Result<Code> {
     let ranges = args.vary.iter().map(|text| Range::read(text)).collect::<Result<Vec<_>, _>>().map_err(asked)?;
     let spec = load(file, args.many.overrides.all(), ranges, &args.to).map_err(asked)?;
     let count = args.many.count(file, "fit");
-    let fit = fit_case(&spec, args.many.threads(), &count).map_err(asked)?;
+    let fit = match fit_case(&spec, args.many.threads(), &count) {
+        Err(_) if interrupt::is_wanted() => return Ok(Code::Interrupted),
+        fit => fit.map_err(asked)?,
+    };
     let form = args.told.form();
     let dir = args.many.folder(file, "fit");
     let value = json(&fit);

@@ -10,7 +10,9 @@ use serde_json::{Value, json};
 use stampflow::message::Message;
 use stampflow::output::study::fit_law;
 use stampflow::output::write;
-use stampflow::study::fit::{Direction, FlowCurve, Kind, LawFit, LawFits, RateKind, Reduction, Tension, fit_laws, material_text};
+use stampflow::study::fit::{
+    Direction, FlowCurve, Kind, LawFit, LawFits, RateKind, Reduction, Tension, fit_laws, material_text,
+};
 use stampflow::units::{four_digits, parse, trimmed};
 
 #[derive(Debug, clap::Args)]
@@ -175,9 +177,7 @@ fn json(fits: &LawFits, text: &str) -> Value {
             "rate_per_s": test.rate, "direction_deg": test.direction,
         })
     };
-    let of_direction = |d: &Direction| {
-        json!({ "direction_deg": d.angle, "tests": d.tests, "stress_ratio": d.ratio, "r": d.r, "r_error": d.r_error })
-    };
+    let of_direction = |d: &Direction| json!({ "direction_deg": d.angle, "tests": d.tests, "stress_ratio": d.ratio, "r": d.r, "r_error": d.r_error });
     json!({
         "best": fits.best().kind.name(),
         "laws": fits.fits.iter().map(of_fit).collect::<Vec<_>>(),

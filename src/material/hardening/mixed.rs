@@ -46,7 +46,8 @@ impl Law for Mixed {
         require("weight", (0.0..=1.0).contains(&self.weight), || {
             format!("the weight must lie between 0 and 1, found {}", self.weight)
         })?;
-        let within = |law: &'static str| move |error: LawError| LawError { key: format!("{law}.{}", error.key), ..error };
+        let within =
+            |law: &'static str| move |error: LawError| LawError { key: format!("{law}.{}", error.key), ..error };
         self.swift.prepare(young).map_err(within("swift"))?;
         self.voce.prepare(young).map_err(within("voce"))
     }
@@ -60,7 +61,8 @@ impl Law for Mixed {
 impl HardeningLaw for Mixed {
     #[inline]
     fn at_temperature(&self, strain: f64, temperature: f64) -> FlowStress {
-        let [swift, voce] = [self.swift.at_temperature(strain, temperature), self.voce.at_temperature(strain, temperature)];
+        let [swift, voce] =
+            [self.swift.at_temperature(strain, temperature), self.voce.at_temperature(strain, temperature)];
         let mixed = |a: f64, b: f64| self.weight * a + (1.0 - self.weight) * b;
         FlowStress { stress: mixed(swift.stress, voce.stress), slope: mixed(swift.slope, voce.slope) }
     }

@@ -34,10 +34,14 @@ fn chart(fit: &CaseFit, matched: &Matched, form: Form) -> Chart {
         Series::silent(misses.clone(), Look::Line { color: color(0), width: 1.2, dash: &[] }),
         Series::silent(misses, Look::Circles { color: BLACK }),
     ];
-    let miss = Column::new("miss", "Run less point, over the mean", Unit::Percent, Vec::new());
+    let miss = Column::new("miss", "Run less point", Unit::Percent, Vec::new());
     let keys = fit.estimates.all.iter().map(|estimate| {
         let error = estimate.told_error().map_or_else(String::new, |error| format!(" ± {error}"));
-        Message::from(format!("{} = {}{error} {}", estimate.key, form.language.number(&estimate.told()), estimate.unit).trim_end().to_owned())
+        Message::from(
+            format!("{} = {}{error} {}", estimate.key, form.language.number(&estimate.told()), estimate.unit)
+                .trim_end()
+                .to_owned(),
+        )
     });
     Chart {
         title: form.tell(message!("Fitted to {file}", file = matched.name.clone())),
@@ -46,6 +50,9 @@ fn chart(fit: &CaseFit, matched: &Matched, form: Form) -> Chart {
             Panel { x: x.clone(), y, series: above, scale: Scale::Fit { height: 300.0, least: 0.0 } },
             Panel { x, y: told(&miss.axis()), series: below, scale: Scale::Fit { height: 150.0, least: 0.5 } },
         ],
-        notes: vec![Message::joined(keys, "; ").told(form)],
+        notes: vec![
+            Message::joined(keys, "; ").told(form),
+            form.tell("What the run misses is told over the mean height of the curve."),
+        ],
     }
 }

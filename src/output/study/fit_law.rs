@@ -31,7 +31,7 @@ pub fn fit_law(fits: &LawFits, form: Form) -> Chart {
 }
 
 fn files(fits: &LawFits) -> Message {
-    let name = |test: &FlowCurve| Message::from(test.name.rsplit('/').next().unwrap_or_default().to_owned());
+    let name = |test: &FlowCurve| Message::from(test.short_name().to_owned());
     Message::joined(fits.tests.iter().map(name), ", ")
 }
 
@@ -51,26 +51,33 @@ fn above(fits: &LawFits, form: Form) -> Vec<Series> {
         series.push(Series::new(form.tell("Its interval of 95 %, from scatter alone"), outline, look));
     }
     for (i, fit) in fits.fits.iter().filter(|fit| fit.kind != best.kind).enumerate() {
-        series.push(Series::new(fit.kind.label(), curve(fit, first), Look::curve(i + 1).faint()));
+        series.push(Series::new(fit.kind.label(), curve(fit, first), thin(Look::curve(i + 1))));
     }
     for (i, rate) in rates.iter().enumerate() {
         let label = match rate {
-            Some(rate) => form.tell(message!("{law} at {rate} /s", law = best.kind.label(), rate = crate::units::four_digits(*rate))),
+            Some(rate) => form.tell(message!(
+                "{law} at {rate} /s",
+                law = best.kind.label(),
+                rate = crate::units::rounded(*rate).to_string()
+            )),
             None => best.kind.label().to_owned(),
         };
         let look = if i == 0 { Look::curve(0) } else { Look::curve(fits.fits.len() + i) };
         series.push(Series::new(label, curve(best, *rate), look));
     }
-    let others: Vec<(f64, f64)> = fits.tests.iter().flat_map(|test| thinned(test.others.iter().map(|p| (p.strain, p.stress)))).collect();
+    let others: Vec<(f64, f64)> = fits.tests.iter().flat_map(left_out).collect();
     if !others.is_empty() {
-        series.push(Series::new(form.tell("Points that are left out"), others, Look::Circles { color: GREY }));
+        series.push(Series::new(form.tell("Points that are left out"), others, Look::Dots { color: GREY }));
     }
     let several = fits.tests.len() > 1;
     for (i, test) in fits.tests.iter().enumerate() {
         let points = thinned(test.points.iter().map(|p| (p.strain, p.stress)));
-        let name = test.name.rsplit('/').next().unwrap_or_default();
-        let label = if several { name.to_owned() } else { form.tell("Points") };
-        series.push(Series::new(label, points, if i == 0 { Look::Dots { color: BLACK } } else { Look::Triangles { color: color(i) } }));
+        let label = if several { test.short_name().to_owned() } else { form.tell("Points") };
+        series.push(Series::new(
+            label,
+            points,
+            if i == 0 { Look::Dots { color: BLACK } } else { Look::Triangles { color: color(i) } },
+        ));
     }
     series.push(Series::new(form.tell("end of the points"), vec![(end, best.band(end, first).0)], Look::Flag));
     series
@@ -91,7 +98,8 @@ fn misses(fits: &LawFits, form: Form) -> Vec<Series> {
     let best = fits.best();
     let points: Vec<_> = fits.fitted().flat_map(|test| &test.points).collect();
     let found = thinned(points.iter().zip(&best.misses).map(|(point, miss)| (point.strain, *miss)));
-    let mut series = vec![Series::silent(vec![(0.0, 0.0), (fits.end(), 0.0)], Look::Line { color: GREY, width: 1.2, dash: &[] })];
+    let mut series =
+        vec![Series::silent(vec![(0.0, 0.0), (fits.end(), 0.0)], Look::Line { color: GREY, width: 1.2, dash: &[] })];
     let scatter: Option<Vec<(f64, f64)>> = points.iter().map(|p| p.scatter.map(|s| (p.strain, s))).collect();
     if let Some(scatter) = scatter.filter(|_| fits.fitted().count() == 1) {
         let low = scatter.iter().rev().map(|(e, s)| (*e, -s));
@@ -101,6 +109,20 @@ fn misses(fits: &LawFits, form: Form) -> Vec<Series> {
     }
     series.push(Series::silent(found, Look::Dots { color: BLACK }));
     series
+}
+
+/// The points of a test that are left out, but for its elastic line, which is no line here.
+fn left_out(test: &FlowCurve) -> Vec<(f64, f64)> {
+    let first = test.points.first().map_or(0.0, |point| point.strain);
+    thinned(test.others.iter().filter(|p| p.strain > 0.5 * first).map(|p| (p.strain, p.stress)))
+}
+
+/// The same line, for what stands beside.
+fn thin(look: Look) -> Look {
+    match look {
+        Look::Line { color, dash, .. } => Look::Line { color, dash, width: 1.3 },
+        other => other,
+    }
 }
 
 /// So many of the points, evenly.

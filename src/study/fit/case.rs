@@ -1,31 +1,17 @@
 //! Keys of a case from measured curves.
 
+use super::case_spec::CaseFitSpec;
 use super::estimate::Estimates;
 use super::noise;
-use super::range::Range;
 use super::target::Target;
 use crate::compare::{Computed, Point};
-use crate::files::{self, Disk, Files};
 use crate::numerics::least_squares::{Ended, Limits, Minimum, Parameter, Residuals, minimise};
 use crate::study::{StudyError, Subject, side_by_side};
 use crate::table::Axis;
 use crate::verification::Watch;
 use std::convert::Infallible;
-use std::path::{Path, PathBuf};
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
-use toml_edit::{DocumentMut, Item, TableLike, Value};
-
-/// What is fitted to what.
-#[derive(Clone, Debug, PartialEq)]
-pub struct CaseFitSpec {
-    /// The case.
-    pub subject: Subject,
-    /// Its keys.
-    pub ranges: Vec<Range>,
-    /// Measured curves; never empty.
-    pub targets: Vec<Target>,
-}
 
 /// Keys that fit.
 #[derive(Clone, Debug, PartialEq)]
@@ -79,102 +65,6 @@ const PROFILE: Limits = Limits { steps: 4, change: 1e-3 };
 /// Runs that a fit takes, for the time that is left: of each step and of each key's two ends.
 const STEPS_EXPECTED: usize = 7;
 const END_EXPECTED: usize = 3;
-/// The keys of a study file that a fit has.
-const KEYS: [&str; 4] = ["case", "set", "fit", "to"];
-
-/// Reads a study file: `case`, `set`, `to` and `[fit]` with `key = [start, low, high]`. Overrides come behind its own, ranges and
-/// curves in place of its own.
-///
-/// # Errors
-/// When it cannot be read or something in it is wrong.
-pub fn load(path: &Path, overrides: Vec<String>, ranges: Vec<Range>, to: &[PathBuf]) -> Result<CaseFitSpec, StudyError> {
-    let disk: &dyn Files = &Disk;
-    let shown = path.display();
-    let text = disk.text(path, files::CASE).map_err(|error| {
-        StudyError::new(format!("cannot read {shown}: {error}"), "give a case file, or a study file with [fit]")
-    })?;
-    let document: Option<DocumentMut> = text.parse().ok().filter(|document: &DocumentMut| document.get("case").is_some());
-    let (case, mut set, mut own, mut curves) = (path.to_owned(), Vec::new(), Vec::new(), Vec::new());
-    let Some(document) = document else { return CaseFitSpec::new(case, overrides, ranges, to) };
-    let wrong = |what: String| StudyError::new(format!("{shown}: {what}"), "a study of a fit has case, set, to and [fit] with key = [start, low, high]");
-    if let Some((key, _)) = document.iter().find(|(key, _)| !KEYS.contains(key)) {
-        return Err(wrong(format!("`{key}` is no key of a fit")));
-    }
-    let beside = |name: &str| path.parent().unwrap_or(Path::new("")).join(name);
-    let texts = |key: &str| match document.get(key) {
-        None => Ok(Vec::new()),
-        Some(item) => match (item.as_str(), item.as_array()) {
-            (Some(text), _) => Some(vec![text.to_owned()]),
-            (_, Some(array)) => array.iter().map(|text| text.as_str().map(str::to_owned)).collect::<Option<Vec<_>>>(),
-            _ => None,
-        }
-        .ok_or_else(|| wrong(format!("`{key}` is no list of texts"))),
-    };
-    set.extend(texts("set")?);
-    set.extend(overrides);
-    curves.extend(texts("to")?.iter().map(|name| beside(name)));
-    if let Some(fit) = document.get("fit") {
-        let table = fit.as_table_like().ok_or_else(|| wrong("`fit` is no table".into()))?;
-        keys(table, "", &mut own)?;
-    }
-    let case = beside(document.get("case").and_then(Item::as_str).ok_or_else(|| wrong("`case` is no text".into()))?);
-    let ranges = if ranges.is_empty() { own } else { ranges };
-    CaseFitSpec::new(case, set, ranges, if to.is_empty() { &curves } else { to })
-}
-
-/// All ranges below a table, dotted.
-fn keys(table: &dyn TableLike, above: &str, all: &mut Vec<Range>) -> Result<(), StudyError> {
-    for (key, item) in table.iter() {
-        let key = if above.is_empty() { key.to_owned() } else { format!("{above}.{key}") };
-        let plain = |value: &Value| value.as_str().map_or_else(|| value.clone().decorated("", "").to_string(), str::to_owned);
-        match item {
-            Item::Value(Value::Array(values)) => {
-                let texts: Vec<String> = values.iter().map(plain).collect();
-                let [start, low, high] = texts.as_slice() else {
-                    return Err(StudyError::new(format!("{key} has {} values", texts.len()), "write [START, LOW, HIGH]"));
-                };
-                all.push(Range::of_three(&key, [start, low, high])?);
-            }
-            Item::Value(Value::InlineTable(table)) => keys(table, &key, all)?,
-            Item::Value(value) => all.push(Range::of(&key, &plain(value))?),
-            Item::Table(table) => keys(table, &key, all)?,
-            _ => return Err(StudyError::new(format!("{key} gives no range"), "write [START, LOW, HIGH]")),
-        }
-    }
-    Ok(())
-}
-
-impl CaseFitSpec {
-    /// Of a case with overrides; its own comparisons are the curves where none are given.
-    ///
-    /// # Errors
-    /// When the case cannot be read, a key is not there or given twice, or there is nothing to fit or to fit to.
-    pub fn new(case: PathBuf, overrides: Vec<String>, ranges: Vec<Range>, to: &[PathBuf]) -> Result<Self, StudyError> {
-        let subject = Subject::new(case, overrides)?;
-        if ranges.is_empty() {
-            return Err(StudyError::new("no key is to be fitted", "give --vary \"tools.punch.friction=0.1 in 0.01..0.3\""));
-        }
-        if let Some(i) = (1..ranges.len()).find(|&i| ranges[..i].iter().any(|other| other.key == ranges[i].key)) {
-            return Err(StudyError::new(format!("{} is given twice", ranges[i].key), "give each key once"));
-        }
-        let targets = match to {
-            [] => Target::of(&subject.case(&[])?),
-            files => files.iter().map(|path| Target::load(path)).collect::<Result<_, _>>()?,
-        };
-        if targets.is_empty() {
-            let what = "there is no curve to fit to, and the case has no [[compare]] with one";
-            return Err(StudyError::new(what, "give --to curve.csv"));
-        }
-        for range in &ranges {
-            subject.case(&range.settings(range.start))?;
-        }
-        Ok(Self { subject, ranges, targets })
-    }
-
-    fn settings(&self, values: &[f64]) -> Vec<String> {
-        self.ranges.iter().zip(values).flat_map(|(range, value)| range.settings(*value)).collect()
-    }
-}
 
 /// A run beside each curve: its points, and the run's own curve.
 type Beside = Vec<(Vec<Point>, Vec<(f64, f64)>)>;
@@ -225,25 +115,34 @@ impl Runner<'_> {
             let all = found.iter().zip(&self.weights).flat_map(|((points, _), weights)| points.iter().zip(weights));
             let used = all.filter(|(_, weight)| **weight > 0.0);
             let residual = |(point, weight): (&Point, &f64)| Some((point.computed? - point.reference) * weight);
-            used.map(residual).collect::<Option<Vec<f64>>>().ok_or_else(|| "a run ended before the curve does".to_owned())
+            used.map(residual)
+                .collect::<Option<Vec<f64>>>()
+                .ok_or_else(|| "a run ended before the curve does".to_owned())
         });
-        found.inspect_err(|why| {
-            self.failed.fetch_add(1, Ordering::Relaxed);
-            if let Ok(mut first) = self.why.lock() {
-                first.get_or_insert_with(|| why.clone());
-            }
-        })
-        .ok()
+        found
+            .inspect_err(|why| {
+                self.failed.fetch_add(1, Ordering::Relaxed);
+                if let Ok(mut first) = self.why.lock() {
+                    first.get_or_insert_with(|| why.clone());
+                }
+            })
+            .ok()
     }
 }
 
 impl Residuals for Runner<'_> {
     fn at(&self, points: &[Vec<f64>]) -> Vec<Option<Vec<f64>>> {
         let mut all = Vec::with_capacity(points.len());
-        let Ok(()) = side_by_side(points, self.threads, &Batch(self), |point| self.one(point), |found| {
-            all.push(found);
-            Ok::<_, Infallible>(())
-        });
+        let Ok(()) = side_by_side(
+            points,
+            self.threads,
+            &Batch(self),
+            |point| self.one(point),
+            |found| {
+                all.push(found);
+                Ok::<_, Infallible>(())
+            },
+        );
         if all.len() < points.len() { Vec::new() } else { all }
     }
 }
@@ -256,15 +155,21 @@ impl Residuals for Runner<'_> {
 pub fn fit_case(spec: &CaseFitSpec, threads: usize, watch: &dyn Watch) -> Result<CaseFit, StudyError> {
     let start: Vec<f64> = spec.ranges.iter().map(|range| range.start).collect();
     let first = beside(spec, &start, watch).map_err(|why| {
-        StudyError::new(format!("the case at the start of the fit: {why}"), "begin where it can be run, with curves that it has")
+        StudyError::new(
+            format!("the case at the start of the fit: {why}"),
+            "begin where it can be run, with curves that it has",
+        )
     })?;
     let weights = weights(spec, &first)?;
     let p = start.len();
     let expected = 6 + p + STEPS_EXPECTED * (2 * p + 2) + 2 * p * END_EXPECTED * (2 * p + 1);
     let (done, failed) = (AtomicUsize::new(1), AtomicUsize::new(0));
     let runner = Runner { spec, weights, threads, watch, done, expected, failed, why: Mutex::new(None) };
-    let mut parameters: Vec<Parameter> =
-        spec.ranges.iter().map(|r| Parameter { start: r.start, low: r.low, high: r.high, step: 0.01 * (r.high - r.low) }).collect();
+    let mut parameters: Vec<Parameter> = spec
+        .ranges
+        .iter()
+        .map(|r| Parameter { start: r.start, low: r.low, high: r.high, step: 0.01 * (r.high - r.low) })
+        .collect();
     let measured = noise::measured(&mut parameters, &runner);
     let stopped = || StudyError::new("the fit was ended before its first step", "let it run");
     let minimum = minimise(&parameters, &runner, LIMITS).ok_or_else(stopped)?;
@@ -273,10 +178,12 @@ pub fn fit_case(spec: &CaseFitSpec, threads: usize, watch: &dyn Watch) -> Result
         let what = format!("no run succeeds on either side of {} = {}: {why}", spec.ranges[j].key, minimum.values[j]);
         return Err(StudyError::new(what, "begin elsewhere, or narrow the ranges"));
     }
-    let names: Vec<(String, String)> = spec.ranges.iter().map(|range| (range.key.clone(), range.unit.clone())).collect();
+    let names: Vec<(String, String)> =
+        spec.ranges.iter().map(|range| (range.key.clone(), range.unit.clone())).collect();
     let known = is_known(spec, &first);
     let estimates = Estimates::of(&names, &parameters, &runner, &minimum, if known { 1.0 } else { 0.0 }, PROFILE);
-    let settings = spec.settings(&estimates.all.iter().map(|e| e.value).collect::<Vec<_>>());
+    let settings =
+        spec.settings(&estimates.all.iter().map(|e| e.written().parse().unwrap_or(e.value)).collect::<Vec<_>>());
     // Also where it is to stop: what was found is shown.
     let last = beside(spec, &minimum.values, &()).map_err(|why| StudyError::new(why, "begin elsewhere"))?;
     let of = |minimum: &Minimum| (minimum.sum() / minimum.residuals.len() as f64).sqrt();
@@ -318,7 +225,8 @@ fn weights(spec: &CaseFitSpec, first: &Beside) -> Result<Vec<Vec<f64>>, StudyErr
     let known = is_known(spec, first);
     let of = |(target, (points, _)): (&Target, &(Vec<Point>, _))| -> Vec<f64> {
         let mean = points.iter().map(|p| p.reference.abs()).sum::<f64>() / points.len() as f64;
-        let size = target.scatter(points).filter(|_| known).unwrap_or_else(|| vec![mean.max(f64::MIN_POSITIVE); points.len()]);
+        let size =
+            target.scatter(points).filter(|_| known).unwrap_or_else(|| vec![mean.max(f64::MIN_POSITIVE); points.len()]);
         points.iter().zip(size).map(|(point, size)| if point.computed.is_some() { 1.0 / size } else { 0.0 }).collect()
     };
     let weights: Vec<Vec<f64>> = spec.targets.iter().zip(first).map(of).collect();
@@ -331,7 +239,11 @@ fn weights(spec: &CaseFitSpec, first: &Beside) -> Result<Vec<Vec<f64>>, StudyErr
             };
             let measured = span(&mut points.iter().map(|p| p.x));
             let run = span(&mut curve.iter().map(|p| p.0));
-            let what = format!("{} does not overlap the run: {} is {measured} in the file and {run} in the run", target.path.display(), target.spec.x);
+            let what = format!(
+                "{} does not overlap the run: {} is {measured} in the file and {run} in the run",
+                target.path.display(),
+                target.spec.x
+            );
             return Err(StudyError::new(what, "check its unit and where its travel begins"));
         }
     }

@@ -17,18 +17,31 @@ impl CaseFit {
         let [before, after] = self.rms;
         let times = |rms: f64| Amount::new(rms, Unit::None, Digits::Significant(2));
         let mut told = vec![match self.matched.first().is_some_and(|matched| matched.is_weighted) {
-            true => message!("Runs miss the curves by {before} standard deviations in the mean at the start, by {after} at the end.", before = times(before), after = times(after)),
-            false => message!("Runs miss the curves by {before} of their mean height at the start, by {after} at the end.", before = share(before), after = share(after)),
+            true => message!(
+                "Runs miss the curves by {before} standard deviations in the mean at the start, by {after} at the end.",
+                before = times(before),
+                after = times(after)
+            ),
+            false => message!(
+                "Runs miss the curves by {before} of their mean height at the start, by {after} at the end.",
+                before = share(before),
+                after = share(after)
+            ),
         }];
         told.extend(match self.ended {
             Ended::Found => None,
             Ended::Stopped => Some("It was interrupted: this is the best so far, and intervals are left out.".into()),
-            Ended::Steps | Ended::Blind(_) => Some("It was still going down when it was ended: begin again where it is now.".into()),
+            Ended::Steps | Ended::Blind(_) => {
+                Some("It was still going down when it was ended: begin again where it is now.".into())
+            }
         });
         for (estimate, felt) in self.estimates.all.iter().zip(&self.felt) {
             let key = estimate.key.clone();
             if *felt < FELT * self.noise {
-                told.push(message!("{key} is not felt by these curves: over its whole range they hardly move. Leave it out.", key = key));
+                told.push(message!(
+                    "{key} is not felt by these curves: over its whole range they hardly move. Leave it out.",
+                    key = key
+                ));
             } else if let Some(bound) = estimate.pushed {
                 told.push(message!(
                     "{key} is at its bound, {bound}: the curves want it beyond. Widen the range if that can be, or look for what else is wrong.",
@@ -47,14 +60,18 @@ impl CaseFit {
             if matched.left_out > 0 {
                 told.push(message!(
                     "{n} of {all} points of {file} are left out: the run at the start ended before them.",
-                    n = matched.left_out, all = matched.points.len(), file = matched.name.clone(),
+                    n = matched.left_out,
+                    all = matched.points.len(),
+                    file = matched.name.clone(),
                 ));
             }
         }
         let [runs, failed] = self.runs;
         told.push(match failed {
             0 => message!("{n} runs.", n = runs),
-            _ => message!("{n} runs, of which {failed} failed or ended before the curves do.", n = runs, failed = failed),
+            _ => {
+                message!("{n} runs, of which {failed} failed or ended before the curves do.", n = runs, failed = failed)
+            }
         });
         told
     }

@@ -64,7 +64,10 @@ impl Columns {
             (Some(strain), Some(stress), ..) => (place(strain, &of_strain)?, place(stress, &[Unit::MPa])?, false),
             (_, _, Some(elongation), Some(force)) => (place(elongation, &[Unit::Mm])?, place(force, &[Unit::N])?, true),
             _ => {
-                let what = format!("{file} has no columns of strain and stress, nor of elongation and force; it has {}", csv.found());
+                let what = format!(
+                    "{file} has no columns of strain and stress, nor of elongation and force; it has {}",
+                    csv.found()
+                );
                 return Err(StudyError::new(what, EXAMPLE));
             }
         };

@@ -10,10 +10,10 @@ use nalgebra::DMatrix;
 pub const CONFIDENCE: f64 = 0.95;
 
 /// A relative error below which data are perfect, and an interval is as wide as round-off \[–\].
-const PERFECT: f64 = 1e-9;
+const PERFECT: f64 = 1e-7;
 
-/// Decimals at most of what is told.
-const FINEST: i32 = 12;
+/// Digits at most of what is written.
+const FINEST: i32 = 9;
 
 /// A fitted number.
 #[derive(Clone, Debug, PartialEq)]
@@ -63,15 +63,28 @@ impl Estimates {
         let one = |(j, ((key, unit), parameter)): (usize, (&(String, String), &Parameter))| {
             let value = minimum.values[j];
             let error = covariance.as_ref().filter(|_| minimum.free[j]).map(|covariance| covariance[(j, j)].sqrt());
+            let pushed = (!minimum.free[j] && parameter.low < parameter.high).then_some(value);
             let ends = match (error, &covariance) {
-                (Some(error), _) if error <= PERFECT * value.abs() => [-1.0, 1.0].map(|side| End::At(value + side * t * error)),
+                (Some(error), _) if error <= PERFECT * value.abs() => {
+                    [-1.0, 1.0].map(|side| End::At(value + side * t * error))
+                }
                 (Some(_), Some(covariance)) => {
+                    interval(parameters, residuals, limits, (minimum, covariance), (variance, t), j)
+                }
+                (None, Some(covariance)) if pushed.is_some() => {
                     interval(parameters, residuals, limits, (minimum, covariance), (variance, t), j)
                 }
                 _ => [End::Unknown; 2],
             };
-            let pushed = (!minimum.free[j] && parameter.low < parameter.high).then_some(value);
-            Estimate { key: key.clone(), unit: unit.clone(), value, error, ends, bounds: [parameter.low, parameter.high], pushed }
+            Estimate {
+                key: key.clone(),
+                unit: unit.clone(),
+                value,
+                error,
+                ends,
+                bounds: [parameter.low, parameter.high],
+                pushed,
+            }
         };
         let all = names.iter().zip(parameters).enumerate().map(one).collect();
         Self { all, covariance, variance, freedom: minimum.freedom() }
@@ -112,14 +125,17 @@ impl Estimate {
     /// The value for a file that is computed with: with two digits more, because errors of several numbers go together.
     pub fn written(&self) -> String {
         match self.error.filter(|error| *error > 0.0) {
-            Some(error) => trimmed(self.value, (3 - magnitude(error)).clamp(0, FINEST)),
+            Some(error) => {
+                trimmed(self.value, (3 - magnitude(error)).clamp(0, (FINEST - magnitude(self.value)).max(0)))
+            }
             None => rounded(self.value).to_string(),
         }
     }
 
     /// The standard error, to two digits.
     pub fn told_error(&self) -> Option<String> {
-        self.error.map(|error| self.number(error))
+        let is_told = |error: f64| error > PERFECT * self.value.abs();
+        self.error.map(|error| if is_told(error) { self.number(error) } else { format!("{error:.1e}") })
     }
 
     /// The interval: `0.11 to 0.13`, `below 0.13`.
@@ -133,20 +149,25 @@ impl Estimate {
         }
     }
 
-    /// Whether a value lies in the interval; an open end holds all.
+    /// Whether a value lies in the interval; an open end holds all, and one that was not found nothing.
     pub fn holds(&self, value: f64) -> bool {
-        let [low, high] = self.ends;
-        !matches!(low, End::At(low) if value < low) && !matches!(high, End::At(high) if value > high)
+        let holds = |end: End, beyond: &dyn Fn(f64) -> bool| match end {
+            End::At(end) => !beyond(end),
+            End::Open => true,
+            End::Unknown => false,
+        };
+        holds(self.ends[0], &|low| value < low) && holds(self.ends[1], &|high| value > high)
     }
 
     fn number(&self, value: f64) -> String {
         match self.error.filter(|error| *error > PERFECT * self.value.abs()) {
-            Some(error) => trimmed(value, (1 - magnitude(error)).min(FINEST)),
+            Some(error) => trimmed(value, 1 - magnitude(error)),
             None => crate::units::significant(value, 6).to_string(),
         }
     }
 }
 
+/// The power of ten of a number.
 fn magnitude(value: f64) -> i32 {
-    value.abs().log10().floor() as i32
+    if value == 0.0 { 0 } else { value.abs().log10().floor() as i32 }
 }

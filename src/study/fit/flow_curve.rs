@@ -84,13 +84,15 @@ impl FlowCurve {
         };
         let elastic = |stress: f64| line.map_or(0.0, |(young, _)| stress / young);
         let toe = line.map_or(0.0, |(_, toe)| toe);
-        let plastic = |row: &TensionRow| if test.is_plastic { row.strain } else { row.strain - toe - elastic(row.stress) };
+        let plastic =
+            |row: &TensionRow| if test.is_plastic { row.strain } else { row.strain - toe - elastic(row.stress) };
         let engineering = |row: &TensionRow| {
             let total = if test.is_plastic { row.strain + elastic(row.stress) } else { row.strain - toe };
             row.stress * (-total).exp()
         };
         let rows = &test.rows;
-        let peak = (0..rows.len()).max_by(|a, b| engineering(&rows[*a]).total_cmp(&engineering(&rows[*b]))).unwrap_or(0);
+        let peak =
+            (0..rows.len()).max_by(|a, b| engineering(&rows[*a]).total_cmp(&engineering(&rows[*b]))).unwrap_or(0);
         let strength = engineering(&rows[peak]);
         let necks = rows[peak..].iter().any(|row| engineering(row) < (1.0 - FALLEN) * strength);
         let uniform = necks.then(|| plastic(&rows[peak]));
@@ -101,10 +103,12 @@ impl FlowCurve {
         let used: Vec<usize> = (0..rows.len()).filter(|&i| is_used(i)).collect();
         let others = (0..rows.len()).filter(|&i| !is_used(i) && plastic(&rows[i]) > 0.0);
         let Some(&last) = used.last() else {
-            let what = format!("{} has no points with a plastic strain from {:.4} to {:.4}", test.name, from + ROUNDED, to);
+            let what =
+                format!("{} has no points with a plastic strain from {:.4} to {:.4}", test.name, from + ROUNDED, to);
             return Err(StudyError::new(what, "see whether --young, --offset, --from and --to go with it"));
         };
-        let crossing = (1..=last).find(|&i| plastic(&rows[i - 1]) < reduction.offset && plastic(&rows[i]) >= reduction.offset);
+        let crossing =
+            (1..=last).find(|&i| plastic(&rows[i - 1]) < reduction.offset && plastic(&rows[i]) >= reduction.offset);
         let yield_stress = match crossing {
             Some(i) => {
                 let (a, b) = (plastic(&rows[i - 1]), plastic(&rows[i]));
@@ -124,10 +128,17 @@ impl FlowCurve {
             uniform,
             points: used.iter().map(|&i| point(&rows[i])).collect(),
             others: others.map(|i| point(&rows[i])).collect(),
-            r: r_value(used.iter().filter_map(|&i| {
-                Some((plastic(&rows[i]), rows[i].width? + POISSON * elastic(rows[i].stress)))
-            }).collect()),
+            r: r_value(
+                used.iter()
+                    .filter_map(|&i| Some((plastic(&rows[i]), rows[i].width? + POISSON * elastic(rows[i].stress))))
+                    .collect(),
+            ),
         })
+    }
+
+    /// Name of the file without its folders.
+    pub fn short_name(&self) -> &str {
+        self.name.rsplit(['/', '\\']).next().unwrap_or_default()
     }
 
     /// Largest plastic strain of what laws are fitted to \[–\].
@@ -143,7 +154,8 @@ fn elastic_line(test: &Tension, young: Option<f64>) -> Result<(f64, f64), StudyE
     let at = beyond.map_or(0.0, |row| row.stress);
     let range = ELASTIC[0] * at..=ELASTIC[1] * at;
     let before = test.rows.iter().take_while(|row| row.strain < 0.01);
-    let points: Vec<(f64, f64)> = before.filter(|row| range.contains(&row.stress)).map(|row| (row.stress, row.strain)).collect();
+    let points: Vec<(f64, f64)> =
+        before.filter(|row| range.contains(&row.stress)).map(|row| (row.stress, row.strain)).collect();
     match (young, points.len()) {
         (Some(young), 0..LINE) => Ok((young, 0.0)),
         (None, count @ 0..LINE) => {

@@ -49,8 +49,8 @@ const LIMITS: Limits = Limits { steps: 200, change: 1e-9 };
 const FOLLOWED: usize = 3;
 /// Half of a central difference over the start: half of the digits of a number, or a third for its square \[–\].
 const DIFFERENCE: f64 = 1e-5;
-/// A variance that is no more than round-off, for the logarithm of perfect data \[–\].
-const ROUND_OFF: f64 = 1e-22;
+/// A variance that no test is as exact as, for the logarithm of perfect data: that of 1e-4 MPa, or standard deviations.
+const ROUND_OFF: f64 = 1e-8;
 
 impl RateKind {
     /// Name, unit, bounds and start of each parameter.
@@ -58,7 +58,9 @@ impl RateKind {
         match self {
             Self::Power => vec![("rate.exponent", "", [0.0, 1.0], 0.02)],
             Self::JohnsonCook => vec![("rate.coefficient", "", [1e-9, 1.0], 0.02)],
-            Self::CowperSymonds => vec![("rate.rate", "/s", [1e-6, 1e12], 1e4), ("rate.exponent", "", [0.5, 50.0], 5.0)],
+            Self::CowperSymonds => {
+                vec![("rate.rate", "/s", [1e-6, 1e12], 1e4), ("rate.exponent", "", [0.5, 50.0], 5.0)]
+            }
         }
     }
 
@@ -98,7 +100,10 @@ impl LawFit {
         let count = kind.count() + of_rate.len();
         if all.len() <= count {
             let what = format!("{} points for the {count} numbers of {}", all.len(), kind.label());
-            return Err(StudyError::new(what, "a fit needs more points than parameters: another --law, or more of the test"));
+            return Err(StudyError::new(
+                what,
+                "a fit needs more points than parameters: another --law, or more of the test",
+            ));
         }
         let is_weighted = all.iter().all(|(point, _)| point.scatter.is_some());
         let weight = |point: &FlowPoint| point.scatter.filter(|_| is_weighted).map_or(1.0, |scatter| 1.0 / scatter);
@@ -120,7 +125,8 @@ impl LawFit {
             own.map(|(start, [low, high])| {
                 let start = start.clamp(low, high);
                 Parameter { start, low, high, step: DIFFERENCE * start.abs().max(1e-3 * (high - low).min(1.0)) }
-            }).collect()
+            })
+            .collect()
         };
         let sum = |start: &Vec<f64>| {
             let start: Vec<f64> = parameters(start).iter().map(|p| p.start).collect();
@@ -136,7 +142,10 @@ impl LawFit {
         });
         let best = found.min_by(|a, b| a.0.sum().total_cmp(&b.0.sum()));
         let (minimum, parameters) = best.ok_or_else(|| {
-            StudyError::new(format!("{} cannot be fitted to the points", kind.label()), "do stresses rise with the strain?")
+            StudyError::new(
+                format!("{} cannot be fitted to the points", kind.label()),
+                "do stresses rise with the strain?",
+            )
         })?;
         let estimates =
             Estimates::of(&names, &parameters, &residuals, &minimum, if is_weighted { 1.0 } else { 0.0 }, LIMITS);
@@ -144,7 +153,8 @@ impl LawFit {
             Some(computed) => computed.iter().zip(&all).map(|(stress, (point, _))| stress - point.stress).collect(),
             None => Vec::new(),
         };
-        let hardening = kind.law(&minimum.values[..split]).ok_or_else(|| StudyError::new("no law", "try another --law"))?;
+        let hardening =
+            kind.law(&minimum.values[..split]).ok_or_else(|| StudyError::new("no law", "try another --law"))?;
         Ok(Self {
             kind,
             hardening,
@@ -165,7 +175,8 @@ impl LawFit {
         let split = self.kind.slots().len();
         let stress = |values: &[f64]| {
             let of_rate = self.rate_kind.zip(rate);
-            let factor = of_rate.map_or(1.0, |((kind, slowest), rate)| kind.law(&values[split..], slowest).at(rate).value);
+            let factor =
+                of_rate.map_or(1.0, |((kind, slowest), rate)| kind.law(&values[split..], slowest).at(rate).value);
             self.kind.law(&values[..split]).map(|law| law.at(strain).stress * factor)
         };
         let slope = |j: usize| {

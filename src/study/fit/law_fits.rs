@@ -56,7 +56,9 @@ pub fn fit_laws(tests: Vec<FlowCurve>, wanted: Option<Kind>, rate_kind: RateKind
         Kind::Mixed(_) => {
             let [swift, voce] = [Kind::Swift, Kind::Voce].map(|kind| LawFit::of(kind, &fitted, rate_kind));
             match (swift?.hardening, voce?.hardening) {
-                (Hardening::Swift(swift), Hardening::Voce(voce)) => LawFit::of(Kind::Mixed(Some((swift, voce))), &fitted, rate_kind),
+                (Hardening::Swift(swift), Hardening::Voce(voce)) => {
+                    LawFit::of(Kind::Mixed(Some((swift, voce))), &fitted, rate_kind)
+                }
                 _ => Err(StudyError::new("no mixed law", "try another --law")),
             }
         }
@@ -87,7 +89,8 @@ fn best(fits: &[LawFit]) -> usize {
     let sound = if sound.is_empty() { (0..fits.len()).collect() } else { sound };
     let least = sound.iter().map(|&i| fits[i].aic).fold(f64::INFINITY, f64::min);
     let good = sound.into_iter().filter(|&i| fits[i].aic <= least + AS_GOOD);
-    good.min_by(|&a, &b| (fits[a].kind.count()).cmp(&fits[b].kind.count()).then(fits[a].aic.total_cmp(&fits[b].aic))).unwrap_or(0)
+    good.min_by(|&a, &b| (fits[a].kind.count()).cmp(&fits[b].kind.count()).then(fits[a].aic.total_cmp(&fits[b].aic)))
+        .unwrap_or(0)
 }
 
 fn direction(angle: f64, tests: &[FlowCurve], law: &LawFit) -> Direction {

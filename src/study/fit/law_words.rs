@@ -2,10 +2,9 @@
 
 use super::estimate::Estimates;
 use super::flow_curve::FlowCurve;
-use super::law_fit::LawFit;
 use super::law_fits::{AS_GOOD, LawFits};
 use crate::message::{Amount, Digits, Message, message};
-use crate::units::Unit;
+use crate::units::{Unit, significant};
 
 /// Pairs of numbers that are as closely tied go together \[–\].
 const TIED: f64 = 0.98;
@@ -13,6 +12,8 @@ const TIED: f64 = 0.98;
 const NEAR: f64 = 10.0;
 /// The strain beyond the points at which laws are compared, over their end \[–\].
 const BEYOND: f64 = 2.0;
+/// Stresses that differ by less are the same \[–\].
+const SAME: f64 = 0.01;
 
 /// A plain number to three digits.
 fn number(value: f64) -> Amount {
@@ -36,21 +37,32 @@ impl FlowCurve {
     /// What follows from the test, in a line.
     pub fn sentence(&self) -> Message {
         let young = self.young.map(|young| {
-            let amount = Amount::new(1e-3 * young, Unit::None, Digits::Significant(3));
+            let amount = Amount::stress(significant(young, 3));
             match self.is_fitted {
-                true => message!("slope of the elastic line {young} GPa", young = amount),
-                false => message!("E {young} GPa as given", young = amount),
+                true => message!("slope of the elastic line {young}", young = amount),
+                false => message!("E {young} as given", young = amount),
             }
         });
         let yields = self.yield_stress.map(|stress| message!("yields at {stress}", stress = Amount::stress(stress)));
         let end = match self.uniform {
-            Some(uniform) => message!("largest force at a plastic strain of {uniform}, {stress}: cut there", uniform = number(uniform), stress = Amount::stress(self.strength)),
+            Some(uniform) => message!(
+                "largest force at a plastic strain of {uniform}, {stress}: cut there",
+                uniform = number(uniform),
+                stress = Amount::stress(self.strength)
+            ),
             None => "the force does not fall: no cut".into(),
         };
-        let used = message!("{n} points from {from} to {to}", n = self.points.len(), from = number(self.points.first().map_or(0.0, |p| p.strain)), to = number(self.end()));
-        let r = self.r.map(|(r, error)| message!("r {r}", r = Amount::new(r, Unit::None, Digits::Decimals(3)).with_bar(error.max(1e-3))));
+        let used = message!(
+            "{n} points from {from} to {to}",
+            n = self.points.len(),
+            from = number(self.points.first().map_or(0.0, |p| p.strain)),
+            to = number(self.end())
+        );
+        let r = self.r.map(|(r, error)| {
+            message!("r {r}", r = Amount::new(r, Unit::None, Digits::Decimals(3)).with_bar(error.max(1e-3)))
+        });
         let parts = young.into_iter().chain(yields).chain([end, used]).chain(r);
-        message!("{file}: {parts}.", file = self.name.clone(), parts = Message::joined(parts, "; "))
+        message!("{file}: {parts}.", file = self.short_name().to_owned(), parts = Message::joined(parts, "; "))
     }
 }
 
@@ -64,7 +76,11 @@ impl LawFits {
         }
         for estimate in &best.estimates.all {
             if let Some(bound) = estimate.pushed {
-                told.push(message!("{key} is pushed against the end of its range, {bound}: the law is not made for these points.", key = estimate.key.clone(), bound = number(bound)));
+                told.push(message!(
+                    "{key} is pushed against the end of its range, {bound}: the law is not made for these points.",
+                    key = estimate.key.clone(),
+                    bound = number(bound)
+                ));
             }
         }
         told.extend(tied(&best.estimates, TIED));
@@ -84,12 +100,18 @@ impl LawFits {
         match next {
             Some(next) if next.aic < best.aic + AS_GOOD && next.kind.count() > best.kind.count() => message!(
                 "Use {law}: {other} with its {more} numbers is no better than chance allows, and {n} numbers are enough.",
-                law = law, other = next.kind.label(), more = next.kind.count(), n = best.kind.count(),
+                law = law,
+                other = next.kind.label(),
+                more = next.kind.count(),
+                n = best.kind.count(),
             ),
             Some(next) => message!(
                 "Use {law}: it misses the points by {rms} in the mean, {other}, the next, by {more}; for its number of parameters that is better by {aic} on Akaike's scale, where 2 is chance and 10 is sure.",
-                law = law, rms = Amount::new(best.rms, Unit::MPa, Digits::Significant(2)), other = next.kind.label(),
-                more = Amount::new(next.rms, Unit::MPa, Digits::Significant(2)), aic = Amount::new(next.aic - best.aic, Unit::None, Digits::Significant(2)),
+                law = law,
+                rms = Amount::new(best.rms, Unit::MPa, Digits::Significant(2)),
+                other = next.kind.label(),
+                more = Amount::new(next.rms, Unit::MPa, Digits::Significant(2)),
+                aic = Amount::new(next.aic - best.aic, Unit::None, Digits::Significant(2)),
             ),
             None => message!("Use {law}: numbers of all others are pushed against the end of their range.", law = law),
         }
@@ -105,12 +127,21 @@ impl LawFits {
         let (stress, half) = best.band(strain, None);
         let own = message!(
             "Beyond the points, at a strain of {strain}, {law} says {stress}",
-            strain = number(strain), law = best.kind.label(),
+            strain = number(strain),
+            law = best.kind.label(),
             stress = half.map_or(Amount::stress(stress), |half| Amount::stress(stress).with_bar(half)),
         );
-        match stresses.len() > 1 {
-            true => Some(message!("{own}; laws that fit about as well say {low} to {high}: that is how much is not known there.", own = own, low = Amount::stress(low), high = Amount::stress(high))),
-            false => Some(message!("{own}, if the law holds there.", own = own)),
+        match stresses.len() {
+            1 => Some(message!("{own}, if the law holds there.", own = own)),
+            _ if high - low < SAME * stress => {
+                Some(message!("{own}; laws that fit about as well say the same.", own = own))
+            }
+            _ => Some(message!(
+                "{own}; laws that fit about as well say {low} to {high}: that is how much is not known there.",
+                own = own,
+                low = Amount::stress(low),
+                high = Amount::stress(high)
+            )),
         }
     }
 
@@ -120,14 +151,8 @@ impl LawFits {
         let decimal = |r: f64| Amount::new(r, Unit::None, Digits::Decimals(3));
         Some(message!(
             "r̄ = (r0 + 2 r45 + r90)/4 = {mean}, Δr = (r0 − 2 r45 + r90)/2 = {ears}.",
-            mean = decimal(0.25 * (r0 + 2.0 * r45 + r90)), ears = decimal(0.5 * (r0 - 2.0 * r45 + r90)),
+            mean = decimal(0.25 * (r0 + 2.0 * r45 + r90)),
+            ears = decimal(0.5 * (r0 - 2.0 * r45 + r90)),
         ))
-    }
-}
-
-impl LawFit {
-    /// Its quality in a line: `R² 0.9998, misses by 2.1 MPa`.
-    pub fn quality(&self) -> Message {
-        message!("R² {r2}, misses {rms} in the mean", r2 = Amount::new(self.r2, Unit::None, Digits::Decimals(5)), rms = Amount::new(self.rms, Unit::MPa, Digits::Significant(2)))
     }
 }

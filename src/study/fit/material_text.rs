@@ -14,13 +14,22 @@ const METALS: std::ops::RangeInclusive<f64> = 40_000.0..=240_000.0;
 
 /// What to paste into a case: one of the laws, with its range, the elastic line, the rate law and r-values.
 pub fn material_text(fits: &LawFits, law: &LawFit) -> String {
-    let files: Vec<&str> = fits.tests.iter().map(|test| test.name.as_str()).collect();
+    let files: Vec<&str> = fits.tests.iter().map(|test| test.short_name()).collect();
     let end = rounded(fits.end());
-    let source = format!("fitted by stampflow to {}: {} up to a plastic strain of {}", files.join(", "), law.kind.label(), trimmed(end, 4));
+    let source = format!(
+        "fitted by stampflow to {}: {} up to a plastic strain of {}",
+        files.join(", "),
+        law.kind.label(),
+        trimmed(end, 4)
+    );
     let mut text = format!("[material]\nsource = {source:?}\n");
     let young = fits.fitted().find_map(|test| test.young.filter(|young| METALS.contains(young)));
     if let Some(young) = young {
-        let _ = writeln!(text, "young = \"{} GPa\"\npoisson = {POISSON}                       # declared", trimmed(1e-3 * young, 1));
+        let _ = writeln!(
+            text,
+            "young = \"{} GPa\"\npoisson = {POISSON}                       # declared",
+            trimmed(1e-3 * young, 1)
+        );
     }
     let _ = writeln!(text, "fitted_up_to = {}", trimmed(end, 4));
     match (fits.r_values(), fits.directions.iter().find_map(|d| d.r)) {
@@ -36,7 +45,7 @@ pub fn material_text(fits: &LawFits, law: &LawFit) -> String {
     let name = law.kind.name().replace('-', "_");
     match law.kind {
         Kind::Mixed(_) => {
-            let other = |kind: Kind| fits.fits.iter().find(|fit| fit.kind == kind);
+            let other = |kind: Kind| fits.fits.iter().find(move |fit| fit.kind == kind);
             let _ = writeln!(text, "\n[material.hardening.mixed]\nweight = {}", written(law, "weight"));
             for (table, kind) in [("swift", Kind::Swift), ("voce", Kind::Voce)] {
                 if let Some(fit) = other(kind) {
@@ -59,13 +68,28 @@ pub fn material_text(fits: &LawFits, law: &LawFit) -> String {
     let rate = |key| written(law, key);
     match law.rate {
         Some(Rate::PowerRate(power)) => {
-            let _ = writeln!(text, "\n[material.rate.power]\nexponent = {}\nreference = \"{} /s\"", rate("rate.exponent"), power.reference);
+            let _ = writeln!(
+                text,
+                "\n[material.rate.power]\nexponent = {}\nreference = \"{} /s\"",
+                rate("rate.exponent"),
+                power.reference
+            );
         }
         Some(Rate::JohnsonCook(law)) => {
-            let _ = writeln!(text, "\n[material.rate.johnson_cook]\ncoefficient = {}\nreference = \"{} /s\"", rate("rate.coefficient"), law.reference);
+            let _ = writeln!(
+                text,
+                "\n[material.rate.johnson_cook]\ncoefficient = {}\nreference = \"{} /s\"",
+                rate("rate.coefficient"),
+                law.reference
+            );
         }
         Some(Rate::CowperSymonds(_)) => {
-            let _ = writeln!(text, "\n[material.rate.cowper_symonds]\nrate = {}\nexponent = {}", rate("rate.rate"), rate("rate.exponent"));
+            let _ = writeln!(
+                text,
+                "\n[material.rate.cowper_symonds]\nrate = {}\nexponent = {}",
+                rate("rate.rate"),
+                rate("rate.exponent")
+            );
         }
         _ => {}
     }

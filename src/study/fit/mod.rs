@@ -12,6 +12,7 @@
 //! ```
 
 mod case;
+mod case_spec;
 mod case_words;
 mod columns;
 mod estimate;
@@ -27,7 +28,8 @@ mod runs;
 mod target;
 mod tension;
 
-pub use case::{CaseFit, CaseFitSpec, Matched, fit_case, load};
+pub use case::{CaseFit, Matched, fit_case};
+pub use case_spec::{CaseFitSpec, load};
 pub use estimate::{CONFIDENCE, Estimate, Estimates};
 pub use flow_curve::{FlowCurve, FlowPoint, Reduction};
 pub use kind::Kind;

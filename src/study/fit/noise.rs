@@ -28,7 +28,8 @@ const REACH: [f64; 2] = [0.05, 5.0];
 pub(super) fn measured(parameters: &mut [Parameter], residuals: &dyn Residuals) -> Option<(f64, Vec<f64>)> {
     let range = |p: &Parameter| p.high - p.low;
     let inward = |p: &Parameter| if p.start > 0.5 * (p.low + p.high) { -1.0 } else { 1.0 };
-    let along = |i: usize| parameters.iter().map(|p| p.start + inward(p) * TINY * i as f64 * range(p)).collect::<Vec<_>>();
+    let along =
+        |i: usize| parameters.iter().map(|p| p.start + inward(p) * TINY * i as f64 * range(p)).collect::<Vec<_>>();
     let mut points: Vec<Vec<f64>> = (0..RUNS).map(along).collect();
     for j in 0..parameters.len() {
         let mut point = points[0].clone();
@@ -47,7 +48,8 @@ pub(super) fn measured(parameters: &mut [Parameter], residuals: &dyn Residuals) 
     let mut felt = Vec::new();
     for (parameter, moved) in parameters.iter_mut().zip(found.get(RUNS..)?) {
         let change = moved.as_ref().map(|moved| rms(&mut moved.iter().zip(base).map(|(a, b)| a - b)));
-        let reach = change.map_or(1.0, |change| (TIMES * noise / change.max(f64::MIN_POSITIVE)).clamp(REACH[0], REACH[1]));
+        let reach =
+            change.map_or(1.0, |change| (TIMES * noise / change.max(f64::MIN_POSITIVE)).clamp(REACH[0], REACH[1]));
         parameter.step = reach * FIRST * (parameter.high - parameter.low);
         felt.push(change.unwrap_or(f64::NAN) / FIRST);
     }

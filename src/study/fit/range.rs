@@ -31,9 +31,9 @@ impl Range {
     /// When something is missing, the ends do not rise, the start lies outside, or units differ.
     pub fn read(text: &str) -> Result<Self, StudyError> {
         let pair = text.split_once('=').map(|(key, values)| (key.trim(), values.trim()));
-        let (key, values) = pair.filter(|(key, values)| !key.is_empty() && !values.is_empty()).ok_or_else(|| {
-            StudyError::new(format!("`{}` gives no key a range", text.trim()), USAGE)
-        })?;
+        let (key, values) = pair
+            .filter(|(key, values)| !key.is_empty() && !values.is_empty())
+            .ok_or_else(|| StudyError::new(format!("`{}` gives no key a range", text.trim()), USAGE))?;
         Self::of(key, values)
     }
 
@@ -43,7 +43,8 @@ impl Range {
     /// As [`read`](Self::read).
     pub fn of(key: &str, values: &str) -> Result<Self, StudyError> {
         let wrong = |what: &str| StudyError::new(format!("{key}: `{values}` {what}"), USAGE);
-        let (start, range) = values.split_once(" in ").ok_or_else(|| wrong("does not say where to begin and between what"))?;
+        let (start, range) =
+            values.split_once(" in ").ok_or_else(|| wrong("does not say where to begin and between what"))?;
         let (low, high) = range.split_once("..").ok_or_else(|| wrong("has no range LOW..HIGH"))?;
         Self::made(key, [start, low, high].map(str::trim), &wrong)
     }
@@ -54,7 +55,9 @@ impl Range {
     /// As [`read`](Self::read).
     pub fn of_three(key: &str, texts: [&str; 3]) -> Result<Self, StudyError> {
         let shown = texts.join(", ");
-        Self::made(key, texts, &|what: &str| StudyError::new(format!("{key}: [{shown}] {what}"), "write [START, LOW, HIGH]"))
+        Self::made(key, texts, &|what: &str| {
+            StudyError::new(format!("{key}: [{shown}] {what}"), "write [START, LOW, HIGH]")
+        })
     }
 
     fn made(key: &str, texts: [&str; 3], wrong: &dyn Fn(&str) -> StudyError) -> Result<Self, StudyError> {

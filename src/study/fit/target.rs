@@ -51,12 +51,17 @@ impl Target {
         })?;
         let words: Vec<Vec<String>> = csv.header.fields.iter().map(words).collect();
         let find = |any: &[&str]| {
-            let is = |of: &[String]| of.iter().any(|w| any.contains(&w.as_str())) && !of.iter().any(|w| NOT.contains(&w.as_str()));
+            let is = |of: &[String]| {
+                of.iter().any(|w| any.contains(&w.as_str())) && !of.iter().any(|w| NOT.contains(&w.as_str()))
+            };
             words.iter().position(|of| is(of))
         };
         let found = RULES.iter().find_map(|(quantity, x, y)| Some((*quantity, find(x)?, find(y)?)));
         let (quantity, x, y) = found.ok_or_else(|| {
-            StudyError::new(format!("{shown} is no curve that a run can be held against; it has {}", csv.found()), EXAMPLE)
+            StudyError::new(
+                format!("{shown} is no curve that a run can be held against; it has {}", csv.found()),
+                EXAMPLE,
+            )
         })?;
         let header = |i: usize| csv.header.fields.get(i).unwrap_or_default().to_owned();
         let spec = CurveSpec { quantity, x: header(x), y: header(y), range: None, tolerance: f64::INFINITY };
@@ -66,7 +71,9 @@ impl Target {
     /// The curves that a case is compared with.
     pub fn of(case: &Case) -> Vec<Self> {
         let curve = |spec: &crate::compare::Spec| match (&spec.against, &spec.data) {
-            (Against::Curve(curve), Some(data)) => Some(Self::new(spec.reference.clone(), curve.clone(), data.csv.clone())),
+            (Against::Curve(curve), Some(data)) => {
+                Some(Self::new(spec.reference.clone(), curve.clone(), data.csv.clone()))
+            }
             _ => None,
         };
         case.compare.iter().filter_map(curve).collect()

@@ -55,7 +55,8 @@ impl Tension {
     /// # Errors
     /// As [`load`](Self::load).
     pub fn read(text: &str, name: &str, section: Option<f64>, gauge: Option<f64>) -> Result<Self, StudyError> {
-        let example = "write for example engineering_strain_percent,engineering_stress_MPa in the first line and 5,312 below it";
+        let example =
+            "write for example engineering_strain_percent,engineering_stress_MPa in the first line and 5,312 below it";
         let at = |line: Option<usize>| line.map_or_else(|| name.to_owned(), |line| format!("{name}, line {line}"));
         let csv = Csv::read(text, "the test", example)
             .map_err(|error| StudyError::new(format!("{}: {}", at(error.line), error.what), error.help))?;
@@ -69,11 +70,12 @@ impl Tension {
             _ => (1.0, 1.0),
         };
         let mut rows: Vec<TensionRow> = Vec::new();
+        let mut lines = Vec::new();
         for row in &csv.rows {
             let number = |place: super::columns::Place| {
-                let number = row.number(place.column).map_err(|error| {
-                    StudyError::new(format!("{}: {}", at(Some(row.line)), error.what), error.help)
-                });
+                let number = row
+                    .number(place.column)
+                    .map_err(|error| StudyError::new(format!("{}: {}", at(Some(row.line)), error.what), error.help));
                 number.map(|number| number.map(|number| number * place.factor))
             };
             let (Some(strain), Some(stress)) = (number(columns.strain)?, number(columns.stress)?) else { continue };
@@ -87,16 +89,18 @@ impl Tension {
             let longer = if columns.stress.measure == Measure::True { 1.0 } else { true_strain.exp() };
             let scatter = columns.scatter.map(number).transpose()?.flatten().map(|scatter| scatter * longer);
             let width = columns.width.map(|place| Ok::<_, StudyError>(number(place)?.map(|w| log(w, place.measure))));
-            let new = TensionRow { strain: true_strain, stress: stress * longer, scatter, width: width.transpose()?.flatten() };
-            if let Some(furthest) = rows.iter().map(|row| row.strain).reduce(f64::max).filter(|f| new.strain < f - BACK) {
-                let what = format!("{}: the strain goes back from {furthest:.4} to {:.4}", at(Some(row.line)), new.strain);
-                return Err(StudyError::new(what, "one test a file, without unloading: cut out what goes back"));
-            }
+            let new = TensionRow {
+                strain: true_strain,
+                stress: stress * longer,
+                scatter,
+                width: width.transpose()?.flatten(),
+            };
             if let Some(scatter) = scatter.filter(|scatter| *scatter <= 0.0) {
                 let what = format!("{}: a standard deviation of {scatter} MPa", at(Some(row.line)));
                 return Err(StudyError::new(what, "it must be above 0, or empty in all rows"));
             }
             rows.push(new);
+            lines.push(row.line);
         }
         if rows.iter().any(|row| row.scatter.is_none()) {
             rows.iter_mut().for_each(|row| row.scatter = None);
@@ -106,12 +110,21 @@ impl Tension {
             return Err(StudyError::new(what, example));
         }
         let tension = |value: fn(&TensionRow) -> f64| {
-            let (low, high) = rows.iter().map(value).fold((0.0, 0.0), |(low, high): (f64, f64), x| (low.min(x), high.max(x)));
+            let (low, high) =
+                rows.iter().map(value).fold((0.0, 0.0), |(low, high): (f64, f64), x| (low.min(x), high.max(x)));
             high > -low
         };
         if !tension(|row| row.strain) || !tension(|row| row.stress) {
             let what = format!("{name} is a test in compression: its strains or stresses are negative");
             return Err(StudyError::new(what, "for a law of hardening, give both positive"));
+        }
+        let mut furthest = f64::NEG_INFINITY;
+        for (row, line) in rows.iter().zip(lines) {
+            if row.strain < furthest - BACK {
+                let what = format!("{}: the strain goes back from {furthest:.4} to {:.4}", at(Some(line)), row.strain);
+                return Err(StudyError::new(what, "one test a file, without unloading: cut out what goes back"));
+            }
+            furthest = furthest.max(row.strain);
         }
         Ok(Self { name: name.to_owned(), rows, is_plastic: columns.strain.measure == Measure::Plastic })
     }
