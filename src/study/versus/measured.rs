@@ -62,9 +62,9 @@ impl Measured {
     pub fn read(path: &Path) -> Result<Self, StudyError> {
         let shown = path.display();
         let disk: &dyn Files = &Disk;
-        let text = disk.text(path, files::CSV).map_err(|error| {
-            StudyError::new(format!("cannot read {shown}: {error}"), "give the path of a CSV file")
-        })?;
+        let text = disk
+            .text(path, files::CSV)
+            .map_err(|error| StudyError::new(format!("cannot read {shown}: {error}"), "give the path of a CSV file"))?;
         let csv = Csv::read(&text, "the file", EXAMPLE)
             .map_err(|error| StudyError::new(format!("{shown}: {}", error.what), error.help))?;
         let file = path.file_name().map(|name| name.to_string_lossy().into_owned());
@@ -123,7 +123,8 @@ impl Measured {
         for curve in &self.curves {
             let force = first.extent().force_unit();
             if curve.of == Of::Load && curve.unit != force {
-                let what = format!("its forces are in {}, those of the runs in {}", curve.unit.symbol(), force.symbol());
+                let what =
+                    format!("its forces are in {}, those of the runs in {}", curve.unit.symbol(), force.symbol());
                 return Err(wrong(&self.path, what));
             }
             let end = |candidate: &Candidate| match curve.of {
@@ -156,9 +157,12 @@ impl Of {
 
 /// The columns of a name: that with a unit alone behind it, or all that go on after it.
 fn columns(csv: &Csv, stem: &str) -> Result<Vec<Column>, String> {
-    let named = csv.header.fields.iter().enumerate().filter(|(_, name)| {
-        name.strip_prefix(stem).is_some_and(|rest| rest.is_empty() || rest.starts_with('_'))
-    });
+    let named = csv
+        .header
+        .fields
+        .iter()
+        .enumerate()
+        .filter(|(_, name)| name.strip_prefix(stem).is_some_and(|rest| rest.is_empty() || rest.starts_with('_')));
     let mut columns = Vec::new();
     for (at, name) in named {
         let (unit, factor) = csv.unit(at).map_err(|error| error.to_string())?;

@@ -37,8 +37,7 @@ fn distance(curve: &Curve, member: &Member) -> Option<(Amount, usize)> {
         Of::Load => (&outcome.load, |value, curve| Amount::force(value, curve.unit)),
         Of::Thickness => (&outcome.thickness, |value, _| Amount::thickness(value)),
     };
-    let squares: Vec<f64> =
-        curve.points.iter().filter_map(|(x, y)| Some((at(computed, *x)? - y).powi(2))).collect();
+    let squares: Vec<f64> = curve.points.iter().filter_map(|(x, y)| Some((at(computed, *x)? - y).powi(2))).collect();
     let mean = squares.iter().sum::<f64>() / squares.len() as f64;
     (!squares.is_empty()).then(|| (amount(mean.sqrt(), curve), squares.len()))
 }
