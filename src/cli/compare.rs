@@ -140,8 +140,8 @@ fn screen(versus: &Versus, form: Form) -> Shown {
         }
     }
     let headers = COLUMNS.map(|header| form.tell(header));
-    let runs: Vec<String> = versus.members.iter().map(|member| form.tell(member.label())).collect();
-    wrapped(&(runs.join("\n") + "\n\n")) + table(Some(headers.each_ref().map(String::as_str)), rows)
+    let legend: Vec<String> = versus.legend().into_iter().map(|entry| form.tell(entry)).collect();
+    wrapped(&(legend.join("\n") + "\n\n")) + table(Some(headers.each_ref().map(String::as_str)), rows)
 }
 
 /// All numbers, for programs.

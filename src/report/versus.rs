@@ -8,8 +8,8 @@ use crate::study::versus::{COLUMNS, Versus};
 
 /// Of a case that others stand against.
 pub(super) fn section(versus: &Versus, form: Form) -> Section {
-    let runs = versus.members.iter().map(|member| form.tell(member.label()));
-    let mut blocks = vec![Block::List(runs.collect()), table(versus, form)];
+    let legend = versus.legend().into_iter().map(|entry| form.tell(entry));
+    let mut blocks = vec![Block::List(legend.collect()), table(versus, form)];
     blocks.extend(pictures(versus, false, form).into_iter().map(|drawn| {
         let chart = Chart { title: String::new(), ..drawn.chart };
         Block::Picture(Picture { name: drawn.stem.replace('_', "-"), caption: form.tell(drawn.about), chart })

@@ -118,6 +118,20 @@ fn measured_curves_are_read_with_their_units() {
     assert!((curves[1].1[1].0 - 1.524).abs() < 1e-12);
 }
 
+/// Trust: the numbers of the table stand for the curves of the list above it, however long their names are.
+#[test]
+fn measured_curves_have_numbers_and_the_table_fits_eighty_columns() {
+    let dir = folder(CUP);
+    let name = "a_press_with_a_very_long_name_that_nobody_would_want_to_read_twice.csv";
+    fs::write(dir.path().join(name), "travel_mm,punch_force_kN\n0.5,1\n1.5,2\n9,3\n").unwrap();
+    let done = stampflow(dir.path(), &["compare", "cases/cup.toml", name, "--quiet", "--out", "c"]);
+    let told = text(&done.stdout);
+    assert_eq!(done.status.code(), Some(0), "{}", text(&done.stderr));
+    assert!(told.contains(&format!("1: {name}")) && told.contains("Off curve 1, r.m.s."), "{told}");
+    assert!(told.contains("at 2 of 3 points"), "{told}");
+    assert!(told.lines().all(|line| line.chars().count() <= 80), "{told}");
+}
+
 /// Trust: each is wrong in the way that its message says, before anything is run.
 #[test]
 fn what_cannot_be_compared_is_told_and_nothing_is_written() {
@@ -187,7 +201,11 @@ fn the_page_shows_what_its_commands_print() {
     let mut last = String::new();
     for command in block.lines() {
         let words: Vec<String> = command.split('"').enumerate().fold(Vec::new(), |mut words, (i, part)| {
-            if i % 2 == 0 { words.extend(part.split_whitespace().map(str::to_owned)) } else { words.push(part.into()) }
+            if i % 2 == 0 {
+                words.extend(part.split_whitespace().map(str::to_owned))
+            } else {
+                words.push(part.into())
+            }
             words
         });
         let words: Vec<&str> = words.iter().map(String::as_str).collect();

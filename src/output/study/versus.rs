@@ -19,6 +19,8 @@ pub const BEGINNING: &str = "quantity,of,unit,run,name,value,error_bar,differenc
 
 /// Height of curves \[px of a picture 800 wide\].
 const HEIGHT: f64 = 350.0;
+/// Height of strains, whose axis has the longest words \[likewise\].
+const TALL: f64 = 450.0;
 /// So many measured points are circles, more of them a line.
 const CIRCLES: usize = 60;
 /// What is shown beside the strains, over their range, and above them.
@@ -71,12 +73,11 @@ fn curves<'a>(
 
 /// What was measured of a kind, told apart from the runs.
 fn measured(versus: &Versus, of: Of) -> impl Iterator<Item = Series> {
-    let curves = versus.measured.iter().flat_map(|measured| &measured.curves).filter(move |curve| curve.of == of);
-    curves.enumerate().map(|(i, curve)| {
+    versus.curves().filter(move |(_, curve)| curve.of == of).map(|(i, curve)| {
         let place = versus.members.len() + i;
         let look =
             if curve.points.len() > CIRCLES { Look::curve(place) } else { Look::Circles { color: color(place) } };
-        Series::new(curve.name.clone(), curve.points.clone(), look)
+        Series::new(curve.label(i).to_string(), curve.points.clone(), look)
     })
 }
 
@@ -169,7 +170,7 @@ fn limits(versus: &Versus, strains: Strains, form: Form) -> Found {
         false => (minor, (strains.of(minors.0), strains.of(minors.1))),
     };
     let note = message!("Each line goes through the places of a sheet from its middle to its edge.");
-    let scale = Scale::Window { height: HEIGHT, x: x_range, y: y_range };
+    let scale = Scale::Window { height: TALL, x: x_range, y: y_range };
     Some((Panel { x, y: major, series, scale }, Some(note).filter(|_| !is_strip)))
 }
 
@@ -236,6 +237,5 @@ pub fn csv(versus: &Versus) -> Vec<u8> {
             put([key.into(), "run".into(), none(), mark, name, word, none(), none(), none()]);
         }
     }
-    drop(put);
     writer.into_inner().expect(never)
 }

@@ -57,11 +57,6 @@ impl Compared {
         let changes = others.iter().map(|other| change(first.as_ref(), other.as_ref())).collect();
         Self { number: number.clone(), values, changes }
     }
-
-    /// Whether all runs have it, and the same.
-    pub fn is_same(&self) -> bool {
-        self.changes.iter().all(|change| *change == Change::Same)
-    }
 }
 
 fn change(first: Option<&(Number, Option<f64>)>, other: Option<&(Number, Option<f64>)>) -> Change {

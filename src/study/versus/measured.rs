@@ -8,6 +8,7 @@
 
 use super::{Candidate, StudyError};
 use crate::files::{self, Disk, Files};
+use crate::message::Message;
 use crate::table::Csv;
 use crate::units::{Unit, parse};
 use std::path::{Path, PathBuf};
@@ -32,6 +33,13 @@ pub struct Curve {
     pub unit: Unit,
     /// In the order of the file.
     pub points: Vec<(f64, f64)>,
+}
+
+impl Curve {
+    /// Number and name of the `i`-th curve from 0: `1: measured.csv`.
+    pub fn label(&self, i: usize) -> Message {
+        format!("{}: {}", i + 1, self.name).into()
+    }
 }
 
 /// The curves of a file.

@@ -32,6 +32,12 @@ pub struct Said {
 const NOTHING: &str = "–";
 
 impl Versus {
+    /// What letters and numbers stand for: runs, then measured curves.
+    pub fn legend(&self) -> Vec<Message> {
+        let curves = self.curves().map(|(i, curve)| curve.label(i));
+        self.members.iter().map(Member::label).chain(curves).collect()
+    }
+
     /// Verdict and end, then every number but those that the verdict alone judges, then how far what was measured is.
     pub fn lines(&self) -> Vec<Line> {
         let of_runs = |said: &dyn Fn(&Member) -> Said| self.members.iter().map(said).collect();
@@ -54,7 +60,7 @@ impl Versus {
                 }
                 None => Said::of(NOTHING),
             };
-            let label = message!("Off {curve}, r.m.s.", curve = misfit.curve.clone());
+            let label = message!("Off curve {n}, r.m.s.", n = misfit.number);
             lines.push(Line { label, of_runs: misfit.of_members.iter().map(said).collect() });
         }
         lines
