@@ -1,8 +1,8 @@
 //! A case that is compared with others.
 
-use super::StudyError;
 use crate::case::Case;
 use crate::model::{Extent, Geometry};
+use crate::study::StudyError;
 
 /// A case that is compared with others.
 #[derive(Clone, Debug)]

@@ -6,9 +6,10 @@
 //! ```
 //! `load_travel.csv` and `profile.csv` of a run are such files too; of the latter the last frame counts.
 
-use super::{Candidate, StudyError};
+use super::Candidate;
 use crate::files::{self, Disk, Files};
 use crate::message::Message;
+use crate::study::StudyError;
 use crate::table::Csv;
 use crate::units::{Unit, parse};
 use std::path::{Path, PathBuf};
