@@ -11,7 +11,7 @@ use serde_json::{Value, json};
 use stampflow::message::{Form, message};
 use stampflow::output::study::versus::{BEGINNING, TABLE, csv, pictures};
 use stampflow::output::write;
-use stampflow::study::versus::{Asked, Candidate, Change, Measured, Versus};
+use stampflow::study::versus::{Asked, COLUMNS, Candidate, Change, Measured, Versus};
 use stampflow::units::rounded;
 use std::path::{Path, PathBuf};
 
@@ -122,11 +122,7 @@ fn told_files(files: &[PathBuf], form: Form) -> Shown {
     let folder = files.first().and_then(|file| file.parent()).unwrap_or(Path::new("."));
     let names = files.iter().filter_map(|file| Some(file.file_name()?.to_string_lossy().into_owned()));
     let names: Vec<String> = names.collect();
-    let told = message!(
-        "\nin {folder}: {files}",
-        folder = folder.display().to_string(),
-        files = names.join(", ")
-    );
+    let told = message!("\nin {folder}: {files}", folder = folder.display().to_string(), files = names.join(", "));
     wrapped(&form.tell(told))
 }
 
@@ -138,12 +134,14 @@ fn screen(versus: &Versus, form: Form) -> Shown {
         for (said, member) in line.of_runs.into_iter().zip(&versus.members) {
             let tone = said.light.map_or(Tone::Plain, Tone::of);
             let value = Cell { text: form.tell(said.value), tone };
-            let [name, change] = [member.name.clone(), said.change].map(|text| Cell::plain(form.tell(text)));
-            rows.push([Cell::plain(std::mem::take(&mut label)), name, value, change]);
+            let cells = [std::mem::take(&mut label), member.mark.clone(), form.tell(said.change)];
+            let [label, mark, change] = cells.map(Cell::plain);
+            rows.push([label, mark, value, change]);
         }
     }
-    let headers = ["Quantity", "Run", "Value", "Difference to the first"].map(|header| form.tell(header));
-    table(Some(headers.each_ref().map(String::as_str)), rows)
+    let headers = COLUMNS.map(|header| form.tell(header));
+    let legend: Vec<String> = versus.legend().into_iter().map(|entry| form.tell(entry)).collect();
+    wrapped(&(legend.join("\n") + "\n\n")) + table(Some(headers.each_ref().map(String::as_str)), rows)
 }
 
 /// All numbers, for programs.
@@ -151,6 +149,7 @@ fn json(versus: &Versus) -> Value {
     let members = versus.members.iter().map(|member| {
         let end = &member.outcome().end;
         json!({
+            "run": member.mark,
             "name": member.name.to_string(),
             "case": member.solution.case.path,
             "overrides": member.solution.case.overrides,
@@ -180,9 +179,13 @@ fn json(versus: &Versus) -> Value {
         })
     });
     let measured = versus.misfits().into_iter().map(|misfit| {
-        let rms = misfit.of_members.iter().map(|found| found.map(|(amount, n)| json!({
-            "rms": rounded(amount.value), "unit": amount.unit.spelled(), "points": n,
-        })));
+        let rms = misfit.of_members.iter().map(|found| {
+            found.map(|(amount, n)| {
+                json!({
+                    "rms": rounded(amount.value), "unit": amount.unit.spelled(), "points": n,
+                })
+            })
+        });
         json!({ "curve": misfit.curve, "points": misfit.points, "of_runs": rms.collect::<Vec<_>>() })
     });
     json!({

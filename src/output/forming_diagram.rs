@@ -51,7 +51,7 @@ pub fn plot(view: &StageView) -> Option<Chart> {
 
 /// In which measure strains are drawn.
 #[derive(Clone, Copy)]
-pub(in crate::output) struct Strains {
+pub(super) struct Strains {
     /// Over the initial length, as sheet makers have them; else logarithmic.
     pub engineering: bool,
 }
@@ -227,7 +227,7 @@ fn worst(assessment: &Assessment) -> usize {
 }
 
 /// The curve over a range of minor strains: its own points, and some between them, so that shares of it are as fine.
-pub(in crate::output) fn along(curve: &Curve, (low, high): (f64, f64)) -> Vec<[f64; 2]> {
+pub(super) fn along(curve: &Curve, (low, high): (f64, f64)) -> Vec<[f64; 2]> {
     let even = (0..=FINE).map(|i| low + (high - low) * i as f64 / FINE as f64);
     let own = curve.points().iter().map(|p| p[0]).filter(|minor| (low..=high).contains(minor));
     let mut minors: Vec<f64> = even.chain(own).collect();

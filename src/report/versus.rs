@@ -4,11 +4,12 @@ use super::document::{Block, Picture, Row, Section, word};
 use crate::message::Form;
 use crate::output::Chart;
 use crate::output::study::versus::pictures;
-use crate::study::versus::{Member, Versus};
+use crate::study::versus::{COLUMNS, Versus};
 
 /// Of a case that others stand against.
 pub(super) fn section(versus: &Versus, form: Form) -> Section {
-    let mut blocks = vec![table(versus, form)];
+    let legend = versus.legend().into_iter().map(|entry| form.tell(entry));
+    let mut blocks = vec![Block::List(legend.collect()), table(versus, form)];
     blocks.extend(pictures(versus, false, form).into_iter().map(|drawn| {
         let chart = Chart { title: String::new(), ..drawn.chart };
         Block::Picture(Picture { name: drawn.stem.replace('_', "-"), caption: form.tell(drawn.about), chart })
@@ -23,12 +24,8 @@ fn table(versus: &Versus, form: Form) -> Block {
         for (i, (said, member)) in line.of_runs.into_iter().zip(&versus.members).enumerate() {
             let value = said.light.map_or_else(|| form.tell(said.value), |light| word(light, form));
             let first = if i == 0 { label.clone() } else { String::new() };
-            rows.push(Row::plain([first, name(member, form), value, form.tell(said.change)]));
+            rows.push(Row::plain([first, member.mark.clone(), value, form.tell(said.change)]));
         }
     }
-    Block::table(["Quantity", "Run", "Value", "Difference to the first"], rows, form)
-}
-
-fn name(member: &Member, form: Form) -> String {
-    form.tell(member.name.clone())
+    Block::table(COLUMNS, rows, form)
 }

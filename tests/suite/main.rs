@@ -18,6 +18,7 @@ mod case_files;
 mod check;
 mod cli;
 mod compare;
+mod compare_cases;
 mod depth;
 mod drawings;
 mod drawn_tools;

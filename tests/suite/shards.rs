@@ -79,7 +79,7 @@ fn half_a_row_and_half_a_header_are_written_anew() {
 fn a_shard_that_runs_twice_at_once_is_written_once() {
     let dir = folder(&cheap());
     let varied = ["--vary", "friction=0.04..0.12/30", "--resume"];
-    let both = [0, 1].map(|_| began(&mut sweep(dir.path(), &varied).args(["--out", "both"])));
+    let both = [0, 1].map(|_| began(sweep(dir.path(), &varied).args(["--out", "both"])));
     for mut one in both {
         assert_eq!(one.wait().unwrap().code(), Some(0));
     }

@@ -15,10 +15,12 @@ use crate::units::rounded;
 /// The file of the table.
 pub const TABLE: &str = "differences.csv";
 /// What it begins with.
-pub const BEGINNING: &str = "quantity,of,unit,member,value,error_bar,difference,within_error\n";
+pub const BEGINNING: &str = "quantity,of,unit,run,name,value,error_bar,difference,within_error\n";
 
 /// Height of curves \[px of a picture 800 wide\].
 const HEIGHT: f64 = 350.0;
+/// Height of strains, whose axis has the longest words \[likewise\].
+const TALL: f64 = 450.0;
 /// So many measured points are circles, more of them a line.
 const CIRCLES: usize = 60;
 /// What is shown beside the strains, over their range, and above them.
@@ -65,17 +67,17 @@ fn curves<'a>(
         .members
         .iter()
         .enumerate()
-        .map(move |(i, member)| Series::new(form.tell(member.name.clone()), points(member), Look::curve(i)));
+        .map(move |(i, member)| Series::new(form.tell(member.label()), points(member), Look::curve(i)));
     series.filter(|series| !series.points.is_empty())
 }
 
 /// What was measured of a kind, told apart from the runs.
 fn measured(versus: &Versus, of: Of) -> impl Iterator<Item = Series> {
-    let curves = versus.measured.iter().flat_map(|measured| &measured.curves).filter(move |curve| curve.of == of);
-    curves.enumerate().map(|(i, curve)| {
+    versus.curves().filter(move |(_, curve)| curve.of == of).map(|(i, curve)| {
         let place = versus.members.len() + i;
-        let look = if curve.points.len() > CIRCLES { Look::curve(place) } else { Look::Circles { color: color(place) } };
-        Series::new(curve.name.clone(), curve.points.clone(), look)
+        let look =
+            if curve.points.len() > CIRCLES { Look::curve(place) } else { Look::Circles { color: color(place) } };
+        Series::new(curve.label(i).to_string(), curve.points.clone(), look)
     })
 }
 
@@ -110,7 +112,7 @@ fn end(member: &Member) -> Option<(&StageSolution, &Frame)> {
 /// A run with a forming limit.
 struct Limited<'a> {
     place: usize,
-    name: String,
+    member: &'a Member,
     limit: &'a Curve,
     assessment: Assessment,
 }
@@ -121,7 +123,7 @@ fn limits(versus: &Versus, strains: Strains, form: Form) -> Found {
         let (stage, _) = end(member)?;
         let limit = stage.model.forming_limit.as_ref()?;
         let assessment = forming_limit::assess(limit, &stage.paths)?;
-        Some(Limited { place, name: form.tell(member.name.clone()), limit, assessment })
+        Some(Limited { place, member, limit, assessment })
     });
     let limited: Vec<Limited> = limited.collect();
     let first = limited.first()?;
@@ -146,20 +148,18 @@ fn limits(versus: &Versus, strains: Strains, form: Form) -> Found {
             false => elements.map(|e| strains.point([e.minor, e.major])).collect(),
         }
     };
-    let mut series = Vec::new();
-    for run in &limited {
-        series.push(Series::new(run.name.clone(), places(run), Look::curve(run.place)));
-        let look = match one_limit {
-            true => Look::Line { color: BLACK, width: 1.6, dash: &[] },
-            false => Look::curve(run.place).faint(),
-        };
-        let label = match one_limit {
-            true => message!("Limit: {curve}", curve = run.limit.name),
-            false => message!("Limit of {name}", name = run.name.clone()),
-        };
-        if !one_limit || run.place == first.place {
-            series.push(Series::new(form.tell(label), line(run), look));
-        }
+    let places = limited.iter().map(|run| (run, places(run)));
+    let mut series: Vec<Series> = places
+        .map(|(run, points)| Series::new(form.tell(run.member.label()), points, Look::curve(run.place)))
+        .collect();
+    if one_limit {
+        let label = form.tell(message!("Limit: {curve}", curve = first.limit.name));
+        series.push(Series::new(label, line(first), Look::Line { color: BLACK, width: 1.6, dash: &[] }));
+    } else {
+        series.extend(limited.iter().map(|run| {
+            let label = form.tell(message!("Limit of {run}", run = run.member.mark.clone()));
+            Series::new(label, line(run), Look::curve(run.place).faint())
+        }));
     }
     let tallest = series.iter().flat_map(|series| &series.points).map(|point| point.1).fold(0.0, f64::max);
     let lowest = ends().map(|element| strains.of(element.major)).fold(0.0, f64::min);
@@ -170,7 +170,7 @@ fn limits(versus: &Versus, strains: Strains, form: Form) -> Found {
         false => (minor, (strains.of(minors.0), strains.of(minors.1))),
     };
     let note = message!("Each line goes through the places of a sheet from its middle to its edge.");
-    let scale = Scale::Window { height: HEIGHT, x: x_range, y: y_range };
+    let scale = Scale::Window { height: TALL, x: x_range, y: y_range };
     Some((Panel { x, y: major, series, scale }, Some(note).filter(|_| !is_strip)))
 }
 
@@ -186,8 +186,8 @@ fn shapes(versus: &Versus, form: Form) -> Found {
     let sheets: Vec<Series> = curves(versus, form, middle).collect();
     let tools = sections::tools(&stage.model, Some(frame), length);
     let note = message!(
-        "Lines are the middle of the sheet at the end of each run; the tools are those of {name}.",
-        name = first.name.clone()
+        "Lines are the middle of the sheet at the end of each run; the tools are those of {run}.",
+        run = first.mark.clone()
     );
     Some((sections::panel(stage.model.geometry, tools.chain(sheets), window), Some(note)))
 }
@@ -196,7 +196,7 @@ fn shapes(versus: &Versus, form: Form) -> Found {
 pub fn csv(versus: &Versus) -> Vec<u8> {
     let never = "memory does not refuse a row";
     let mut writer = csv::Writer::from_writer(BEGINNING.as_bytes().to_vec());
-    let mut put = |row: [String; 8]| writer.write_record(row).expect(never);
+    let mut put = |row: [String; 9]| writer.write_record(row).expect(never);
     let number = |value: f64| rounded(value).to_string();
     for compared in versus.compared() {
         let own = &compared.number;
@@ -208,6 +208,7 @@ pub fn csv(versus: &Versus) -> Vec<u8> {
                 key.into(),
                 of.into(),
                 unit.into(),
+                member.mark.clone(),
                 member.name.to_string(),
                 value.as_ref().map_or_else(String::new, value_of),
                 value.and_then(|amount| amount.bar()).map_or_else(String::new, number),
@@ -223,18 +224,18 @@ pub fn csv(versus: &Versus) -> Vec<u8> {
     let none = String::new;
     for misfit in versus.misfits() {
         for (member, found) in versus.members.iter().zip(&misfit.of_members) {
-            let (value, unit) =
-                found.map_or_else(|| (none(), ""), |(rms, _)| (number(rms.value), rms.unit.spelled()));
+            let (value, unit) = found.map_or_else(|| (none(), ""), |(rms, _)| (number(rms.value), rms.unit.spelled()));
             let key = format!("rms off {}", misfit.curve);
-            put([key, "measured".into(), unit.into(), member.name.to_string(), value, none(), none(), none()]);
+            let (mark, name) = (member.mark.clone(), member.name.to_string());
+            put([key, "measured".into(), unit.into(), mark, name, value, none(), none(), none()]);
         }
     }
     for member in &versus.members {
         let words = [("verdict", member.light.name().to_owned()), ("end", member.outcome().end.kind.to_owned())];
         for (key, word) in words {
-            put([key.into(), "run".into(), none(), member.name.to_string(), word, none(), none(), none()]);
+            let (mark, name) = (member.mark.clone(), member.name.to_string());
+            put([key.into(), "run".into(), none(), mark, name, word, none(), none(), none()]);
         }
     }
-    drop(put);
     writer.into_inner().expect(never)
 }

@@ -1,8 +1,8 @@
 //! A case that is compared with others.
 
-use super::StudyError;
 use crate::case::Case;
 use crate::model::{Extent, Geometry};
+use crate::study::StudyError;
 
 /// A case that is compared with others.
 #[derive(Clone, Debug)]
@@ -53,8 +53,7 @@ impl Candidate {
 /// No case is there twice, and the forces of all are of one kind.
 pub(super) fn check(candidates: &[Candidate]) -> Result<(), StudyError> {
     for (i, one) in candidates.iter().enumerate() {
-        let is_same =
-            |other: &&Candidate| (&other.case.path, &other.case.text) == (&one.case.path, &one.case.text);
+        let is_same = |other: &&Candidate| (&other.case.path, &other.case.text) == (&one.case.path, &one.case.text);
         if candidates[..i].iter().any(|other| is_same(&other)) {
             let help = "leave one out, or change something in it with --also";
             return Err(StudyError::new(format!("{} is there twice", one.spelled()), help));

@@ -25,8 +25,8 @@ pub enum Change {
     None,
     /// The same.
     Same,
-    /// Another number by so much, but no more than both error bars together leave open.
-    Within(Amount),
+    /// Another number by so much \[its unit\], but no more than both error bars together leave open.
+    Within(f64),
     /// By so much, and that over the first one's size \[–\] where that says something.
     By(Amount, Option<f64>),
 }
@@ -57,11 +57,6 @@ impl Compared {
         let changes = others.iter().map(|other| change(first.as_ref(), other.as_ref())).collect();
         Self { number: number.clone(), values, changes }
     }
-
-    /// Whether all runs have it, and the same.
-    pub fn is_same(&self) -> bool {
-        self.changes.iter().all(|change| *change == Change::Same)
-    }
 }
 
 fn change(first: Option<&(Number, Option<f64>)>, other: Option<&(Number, Option<f64>)>) -> Change {
@@ -75,7 +70,7 @@ fn change(first: Option<&(Number, Option<f64>)>, other: Option<&(Number, Option<
     let mut amount = a.amount;
     amount.value = by;
     match open {
-        Some(open) if by.abs() <= open => Change::Within(amount.within_bar(open)),
+        Some(open) if by.abs() <= open => Change::Within(by),
         _ => {
             let is_share = a.resolution == 0.0 && a.amount.unit != crate::units::Unit::Percent && a.amount.value != 0.0;
             let share = is_share.then(|| by / a.amount.value.abs());
@@ -85,12 +80,12 @@ fn change(first: Option<&(Number, Option<f64>)>, other: Option<&(Number, Option<
 }
 
 impl Change {
-    /// As it is told: `+3.1 kN (+8 %)`, `−0.1 mm, within the error`.
+    /// As it is told: `+3.1 kN (+8 %)`, `within the error`.
     pub fn told(&self) -> Message {
         match *self {
             Self::None => Message::default(),
             Self::Same => "the same".into(),
-            Self::Within(by) => message!("{change}, within the error", change = signed(by)),
+            Self::Within(_) => "within the error".into(),
             Self::By(by, None) => signed(by),
             Self::By(by, Some(share)) => {
                 let share = Amount::share(share).to(Digits::Significant(2));
@@ -113,7 +108,8 @@ impl Change {
         match self {
             Self::None => None,
             Self::Same => Some(0.0),
-            Self::Within(by) | Self::By(by, _) => Some(by.value),
+            Self::Within(by) => Some(*by),
+            Self::By(by, _) => Some(by.value),
         }
     }
 }

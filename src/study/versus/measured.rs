@@ -6,8 +6,10 @@
 //! ```
 //! `load_travel.csv` and `profile.csv` of a run are such files too; of the latter the last frame counts.
 
-use super::{Candidate, StudyError};
+use super::Candidate;
 use crate::files::{self, Disk, Files};
+use crate::message::Message;
+use crate::study::StudyError;
 use crate::table::Csv;
 use crate::units::{Unit, parse};
 use std::path::{Path, PathBuf};
@@ -32,6 +34,13 @@ pub struct Curve {
     pub unit: Unit,
     /// In the order of the file.
     pub points: Vec<(f64, f64)>,
+}
+
+impl Curve {
+    /// Number and name of the `i`-th curve from 0: `1: measured.csv`.
+    pub fn label(&self, i: usize) -> Message {
+        format!("{}: {}", i + 1, self.name).into()
+    }
 }
 
 /// The curves of a file.
@@ -62,9 +71,9 @@ impl Measured {
     pub fn read(path: &Path) -> Result<Self, StudyError> {
         let shown = path.display();
         let disk: &dyn Files = &Disk;
-        let text = disk.text(path, files::CSV).map_err(|error| {
-            StudyError::new(format!("cannot read {shown}: {error}"), "give the path of a CSV file")
-        })?;
+        let text = disk
+            .text(path, files::CSV)
+            .map_err(|error| StudyError::new(format!("cannot read {shown}: {error}"), "give the path of a CSV file"))?;
         let csv = Csv::read(&text, "the file", EXAMPLE)
             .map_err(|error| StudyError::new(format!("{shown}: {}", error.what), error.help))?;
         let file = path.file_name().map(|name| name.to_string_lossy().into_owned());
@@ -123,7 +132,8 @@ impl Measured {
         for curve in &self.curves {
             let force = first.extent().force_unit();
             if curve.of == Of::Load && curve.unit != force {
-                let what = format!("its forces are in {}, those of the runs in {}", curve.unit.symbol(), force.symbol());
+                let what =
+                    format!("its forces are in {}, those of the runs in {}", curve.unit.symbol(), force.symbol());
                 return Err(wrong(&self.path, what));
             }
             let end = |candidate: &Candidate| match curve.of {
@@ -156,9 +166,12 @@ impl Of {
 
 /// The columns of a name: that with a unit alone behind it, or all that go on after it.
 fn columns(csv: &Csv, stem: &str) -> Result<Vec<Column>, String> {
-    let named = csv.header.fields.iter().enumerate().filter(|(_, name)| {
-        name.strip_prefix(stem).is_some_and(|rest| rest.is_empty() || rest.starts_with('_'))
-    });
+    let named = csv
+        .header
+        .fields
+        .iter()
+        .enumerate()
+        .filter(|(_, name)| name.strip_prefix(stem).is_some_and(|rest| rest.is_empty() || rest.starts_with('_')));
     let mut columns = Vec::new();
     for (at, name) in named {
         let (unit, factor) = csv.unit(at).map_err(|error| error.to_string())?;

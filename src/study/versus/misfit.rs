@@ -6,6 +6,8 @@ use crate::message::Amount;
 /// How far the runs are from a measured curve.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Misfit {
+    /// The curve's number, from 1.
+    pub number: usize,
     /// The curve's name.
     pub curve: String,
     /// What it is of.
@@ -18,16 +20,21 @@ pub struct Misfit {
 }
 
 impl Versus {
+    /// Every measured curve, counted from 0.
+    pub fn curves(&self) -> impl Iterator<Item = (usize, &Curve)> {
+        self.measured.iter().flat_map(|measured| &measured.curves).enumerate()
+    }
+
     /// Of every measured curve.
     pub fn misfits(&self) -> Vec<Misfit> {
-        let curves = self.measured.iter().flat_map(|measured| &measured.curves);
-        let misfit = |curve: &Curve| Misfit {
+        let misfit = |(i, curve): (usize, &Curve)| Misfit {
+            number: i + 1,
             curve: curve.name.clone(),
             of: curve.of,
             of_members: self.members.iter().map(|member| distance(curve, member)).collect(),
             points: curve.points.len(),
         };
-        curves.map(misfit).collect()
+        self.curves().map(misfit).collect()
     }
 }
 
@@ -37,8 +44,7 @@ fn distance(curve: &Curve, member: &Member) -> Option<(Amount, usize)> {
         Of::Load => (&outcome.load, |value, curve| Amount::force(value, curve.unit)),
         Of::Thickness => (&outcome.thickness, |value, _| Amount::thickness(value)),
     };
-    let squares: Vec<f64> =
-        curve.points.iter().filter_map(|(x, y)| Some((at(computed, *x)? - y).powi(2))).collect();
+    let squares: Vec<f64> = curve.points.iter().filter_map(|(x, y)| Some((at(computed, *x)? - y).powi(2))).collect();
     let mean = squares.iter().sum::<f64>() / squares.len() as f64;
     (!squares.is_empty()).then(|| (amount(mean.sqrt(), curve), squares.len()))
 }

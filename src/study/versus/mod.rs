@@ -20,7 +20,7 @@ pub use candidate::Candidate;
 pub use difference::{Change, Compared};
 pub use measured::{Curve, Measured, Of};
 pub use misfit::Misfit;
-pub use telling::{Line, Said};
+pub use telling::{COLUMNS, Line, Said};
 
 use super::{StudyError, Subject, side_by_side};
 use crate::assess::{self, Light};
@@ -40,6 +40,8 @@ pub struct Asked {
 /// One of the runs that are compared.
 #[derive(Clone, Debug)]
 pub struct Member {
+    /// Its letter in tables and legends: `A`, `B`, ...
+    pub mark: String,
     /// What sets it apart from the others: `friction 0.12`, or the name of its case.
     pub name: Message,
     /// What was run, and what came out.
@@ -123,12 +125,14 @@ impl Asked {
         if let Some(why) = wrong {
             return Err(StudyError::new(format!("a case cannot be run: {why}"), "try `stampflow check` on each"));
         }
-        let members = self.names.into_iter().zip(solved).map(|(name, (solution, verification))| {
+        let named = self.names.into_iter().enumerate();
+        let members = named.zip(solved).map(|((i, name), (solution, verification))| {
             let (_, findings) = answered(&solution, Some(&verification));
             let rows = || assess::judgements(&findings);
             let of = |light: Light| rows().filter(|row| row.light == light).map(|row| row.label).collect();
             let light = rows().map(|row| row.light).max().unwrap_or(Light::Grey);
-            Member { name, red: of(Light::Red), amber: of(Light::Amber), solution, verification, light }
+            let mark = mark(i);
+            Member { mark, name, red: of(Light::Red), amber: of(Light::Amber), solution, verification, light }
         });
         Ok(Versus { members: members.collect(), measured: self.measured })
     }
@@ -143,7 +147,17 @@ impl Watch for Unheard<'_> {
     }
 }
 
+/// A letter, or beyond them a number.
+fn mark(i: usize) -> String {
+    (b'A'..=b'Z').nth(i).map_or_else(|| (i + 1).to_string(), |letter| char::from(letter).to_string())
+}
+
 impl Member {
+    /// Mark and name: `B: friction 0.12`.
+    pub fn label(&self) -> Message {
+        Message::joined([Message::from(self.mark.clone()), self.name.clone()], ": ")
+    }
+
     /// Its numbers, its curves, and how it ended.
     pub fn outcome(&self) -> &Outcome {
         &self.verification.outcomes[0]

@@ -5,6 +5,9 @@ use crate::assess::Light;
 use crate::message::{Amount, Message, message};
 use crate::verification::Of;
 
+/// The columns of the table.
+pub const COLUMNS: [&str; 4] = ["Quantity", "Run", "Value", "Difference to A"];
+
 /// A row of the table.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Line {
@@ -29,12 +32,18 @@ pub struct Said {
 const NOTHING: &str = "–";
 
 impl Versus {
+    /// What letters and numbers stand for: runs, then measured curves.
+    pub fn legend(&self) -> Vec<Message> {
+        let curves = self.curves().map(|(i, curve)| curve.label(i));
+        self.members.iter().map(Member::label).chain(curves).collect()
+    }
+
     /// Verdict and end, then every number but those that the verdict alone judges, then how far what was measured is.
     pub fn lines(&self) -> Vec<Line> {
         let of_runs = |said: &dyn Fn(&Member) -> Said| self.members.iter().map(said).collect();
         let mut lines = vec![
             Line { label: "Verdict".into(), of_runs: of_runs(&verdict) },
-            Line { label: "End".into(), of_runs: of_runs(&|member| Said::of(member.outcome().end.kind)) },
+            Line { label: "End".into(), of_runs: of_runs(&|member| Said::of(member.outcome().end.why.clone())) },
         ];
         for compared in self.compared().into_iter().filter(|compared| compared.number.of != Of::Verdict) {
             let changes = std::iter::once(&Change::None).chain(&compared.changes);
@@ -46,13 +55,12 @@ impl Versus {
         }
         for misfit in self.misfits() {
             let said = |found: &Option<(Amount, usize)>| match found {
-                Some((rms, n)) => Said {
-                    change: message!("at {n} of {all} points", n = *n, all = misfit.points),
-                    ..Said::of(*rms)
-                },
+                Some((rms, n)) => {
+                    Said { change: message!("at {n} of {all} points", n = *n, all = misfit.points), ..Said::of(*rms) }
+                }
                 None => Said::of(NOTHING),
             };
-            let label = message!("Off {curve}, r.m.s.", curve = misfit.curve.clone());
+            let label = message!("Off curve {n}, r.m.s.", n = misfit.number);
             lines.push(Line { label, of_runs: misfit.of_members.iter().map(said).collect() });
         }
         lines
