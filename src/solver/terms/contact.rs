@@ -12,19 +12,22 @@
 //! two walls both parts add up to −p: the sheet is ironed. Without friction F and Q are the gradient of one potential, and
 //! the matrix is symmetric.
 
+mod assembly;
+
 use crate::contact::penalty::ValueAndSlope;
 use crate::contact::{ContactPoint, touch};
-use crate::element::surface::{MotionForces, STATIONS, stations};
+use crate::element::surface::{STATIONS, difference, stations};
 use crate::geometry::Point;
 use crate::model::Iteration;
+use crate::numerics::number::Instructions;
 use crate::solver::evaluation::{Contact, Evaluation, Linearisation};
-use crate::solver::push::{FIRST, Place, Push, SECOND};
+use crate::solver::push::{Place, Push};
 use crate::solver::step::Step;
 use crate::solver::trial::Trial;
 
 /// Contact and friction of every tool with every point it reaches; returns the largest force of one on one.
 #[inline(always)]
-pub fn add(step: &Step, trial: &mut Trial, at: &Linearisation, out: &mut Evaluation) -> f64 {
+pub fn add(simd: impl Instructions, step: &Step, trial: &mut Trial, at: &Linearisation, out: &mut Evaluation) -> f64 {
     locate(step, out);
     out.pushes.fill(Push::default());
     out.active_contacts = 0;
@@ -37,7 +40,7 @@ pub fn add(step: &Step, trial: &mut Trial, at: &Linearisation, out: &mut Evaluat
             largest = largest.max(press(step, trial, at, j, out));
         }
     }
-    assemble(step, at, out);
+    assembly::assemble(simd, step, at, out);
     largest
 }
 
@@ -113,57 +116,16 @@ fn press(step: &Step, trial: &mut Trial, at: &Linearisation, j: usize, out: &mut
         contact.pressure = touch.pressure;
         memory.pressure = touch.pressure;
         let push = Push::new(&touch, -0.5 * share);
-        largest = largest.max(push.force.norm());
-        out.tool_force[j] += push.force;
+        let force = Point::from(push.force);
+        largest = largest.max(force.norm());
+        out.tool_force[j] += force;
         out.active_contacts += usize::from(touch.gap < 0.0);
         out.pushes[i].add(&push);
         if let Some(shared) = tool.shared.filter(|_| !at.residual_alone) {
-            push.follow(e, &station.slope(a, b), &out.thickness_rows[e], shared, &mut out.system);
+            push.follow(e, &station.slope(difference(a, b)), &out.thickness_rows[e], shared, &mut out.system);
         }
     }
     largest
-}
-
-/// Adds what all tools do to the sheet.
-#[inline(always)]
-fn assemble(step: &Step, at: &Linearisation, out: &mut Evaluation) {
-    let system = &mut out.system;
-    for (e, pushes) in out.pushes.chunks_exact(STATIONS).enumerate() {
-        if pushes.iter().all(|push| *push == Push::default()) {
-            continue;
-        }
-        let ([a, b], thickness, thinning) =
-            ([&out.nodes[e], &out.nodes[e + 1]], out.thickness[e], &out.thickness_rows[e]);
-        let mut sheet = MotionForces::default();
-        for (push, station) in pushes.iter().zip(stations(step.bends[e])) {
-            push.load(&station.slope(a, b), thinning, &mut sheet.force);
-        }
-        system.rhs[e] += MotionForces::of_node(FIRST, &sheet.force);
-        system.rhs[e + 1] += MotionForces::of_node(SECOND, &sheet.force);
-        if at.residual_alone {
-            continue;
-        }
-        for (push, station) in pushes.iter().zip(stations(step.bends[e])) {
-            push.stiffen(station, &station.slope(a, b), thinning, &mut sheet.matrix);
-        }
-        let squeeze: f64 = pushes.iter().map(|push| push.squeeze).sum();
-        // Q ∂²t, ∂²t = ∂t ∂tᵀ/t − t ∂²(ε_s + ε_θ): of the latter it is the geometric stiffness of a tension −Q t.
-        let (tension, square) = (-squeeze * thickness, squeeze / thickness);
-        let stiffness = out.strained[e].rows.geometric_stiffness(&[tension, tension, 0.0, 0.0, 0.0]);
-        let ([rr, rz, zz], [hoop, r, z]) = (stiffness.difference, *thinning);
-        let m = &mut sheet.matrix;
-        m[0][0] += stiffness.hoop + square * hoop * hoop;
-        m[2][2] += rr + square * r * r;
-        m[3][3] += zz + square * z * z;
-        for (i, j, value) in [(0, 2, square * hoop * r), (0, 3, square * hoop * z), (2, 3, rz + square * r * z)] {
-            m[i][j] += value;
-            m[j][i] += value;
-        }
-        system.diagonal[e] -= sheet.block(FIRST, FIRST);
-        system.upper[e] -= sheet.block(FIRST, SECOND);
-        system.lower[e + 1] -= sheet.block(SECOND, FIRST);
-        system.diagonal[e + 1] -= sheet.block(SECOND, SECOND);
-    }
 }
 
 /// Measures the gaps that the iterations of a converged step did not need; the length of the next step and the contact share do.
