@@ -104,7 +104,7 @@ impl FlowLaw<'_> {
         let mut yielding = FlowStress { stress, slope: slope / steep };
         if let Some(rate) = self.rate {
             let speed = flow * (1.0 / self.duration);
-            let [factor, by_rate] = speed.each(speed, |speed, _| {
+            let [factor, by_rate] = T::each([speed], |[speed]| {
                 let factor = rate.at(speed);
                 [factor.value, factor.slope]
             });
@@ -113,7 +113,7 @@ impl FlowLaw<'_> {
         }
         point.surroundings.hold(&mut yielding, increment);
         if let Some(softening) = self.softening {
-            let [factor] = point.temperature.each(point.temperature, |t, _| [softening.at(t)]);
+            let [factor] = T::each([point.temperature], |[temperature]| [softening.at(temperature)]);
             yielding.slope = yielding.slope * factor;
             yielding.stress = yielding.stress * factor;
         }

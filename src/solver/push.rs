@@ -1,12 +1,12 @@
 //! A contact point, and what tools do to it and through it to its element.
 
-use crate::contact::ContactForce;
+use crate::contact::{ContactForce, ContactPoint};
 use crate::element::Node;
 use crate::element::surface::{Slope, Station, of_node};
 use crate::geometry::Point;
 use crate::numerics::Real;
 use crate::numerics::block_tridiagonal::System;
-use crate::numerics::number::add;
+use crate::numerics::number::{Instructions, LANES, Lanes, add, scaled, values};
 use nalgebra::Vector3;
 
 /// A contact point: where it is \[mm\], and how thick the sheet is there \[mm\].
@@ -26,6 +26,17 @@ impl Place {
     pub fn gap(&self, distance: f64) -> f64 {
         distance - 0.5 * self.thickness
     }
+}
+
+/// A contact point within reach of a tool.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Near {
+    /// Its number.
+    pub index: usize,
+    /// As the tool sees it.
+    pub point: ContactPoint,
+    /// By how much its gap goes with the thickness \[–\].
+    pub by_thickness: f64,
 }
 
 /// What tools do to a contact point: the forces F on its position x and Q on its element's thickness t, and their
@@ -50,22 +61,6 @@ pub(super) struct Push<T = f64> {
 }
 
 impl Push {
-    /// Of a force whose gap goes with the thickness by `by_thickness`, h.
-    #[inline(always)]
-    pub fn new(touch: &ContactForce, by_thickness: f64) -> Self {
-        let (n, tau, c, h) = (touch.facing, touch.along(), touch.curvature, by_thickness);
-        let by_gap = n * touch.by_gap + tau * touch.drag_by_gap;
-        let by_move = tau * (touch.drag_by_slip * touch.slip_turn + touch.normal * c) - n * (touch.tangential * c);
-        Self {
-            force: touch.force().into(),
-            squeeze: h * touch.normal,
-            force_by_place: [(by_gap * n.x + by_move * tau.x).into(), (by_gap * n.y + by_move * tau.y).into()],
-            force_by_thickness: (by_gap * h).into(),
-            squeeze_by_place: (n * (h * touch.by_gap)).into(),
-            squeeze_by_thickness: h * h * touch.by_gap,
-        }
-    }
-
     /// Of both.
     #[inline(always)]
     pub fn add(&mut self, other: &Self) {
@@ -102,6 +97,27 @@ impl Push {
 }
 
 impl<T: Real> Push<T> {
+    /// Of a force whose gap goes with the thickness by `by_thickness`, h.
+    #[inline(always)]
+    pub fn new(touch: &ContactForce<T>, by_thickness: T) -> Self {
+        let (n, tau, c, h) = (touch.facing, touch.along(), touch.curvature, by_thickness);
+        let (on_tau, on_n) = (touch.drag_by_slip * touch.slip_turn + touch.normal * c, touch.tangential * c);
+        let by_gap = [n[0] * touch.by_gap + tau[0] * touch.drag_by_gap, n[1] * touch.by_gap + tau[1] * touch.drag_by_gap];
+        let by_move = [tau[0] * on_tau - n[0] * on_n, tau[1] * on_tau - n[1] * on_n];
+        let squeezing = h * touch.by_gap;
+        Self {
+            force: touch.force(),
+            squeeze: h * touch.normal,
+            force_by_place: [
+                [by_gap[0] * n[0] + by_move[0] * tau[0], by_gap[1] * n[0] + by_move[1] * tau[0]],
+                [by_gap[0] * n[1] + by_move[0] * tau[1], by_gap[1] * n[1] + by_move[1] * tau[1]],
+            ],
+            force_by_thickness: scaled(h, by_gap),
+            squeeze_by_place: scaled(squeezing, n),
+            squeeze_by_thickness: h * squeezing,
+        }
+    }
+
     /// Adds the forces on the motions of the point's element.
     #[inline(always)]
     pub fn load(&self, slope: &Slope<T>, thinning: &[T; 3], forces: &mut [T; 5]) {
@@ -129,6 +145,32 @@ impl<T: Real> Push<T> {
         for d in 0..2 {
             matrix[4][2 + d] = matrix[4][2 + d] + second[d];
             matrix[2 + d][4] = matrix[2 + d][4] + second[d];
+        }
+    }
+}
+
+/// Entries of several points.
+pub(super) struct Pushes([[f64; LANES]; 12]);
+
+impl Pushes {
+    #[inline(always)]
+    pub fn new<S: Instructions>(of: &Push<Lanes<S>>) -> Self {
+        let ([f, g], [by_r, by_z], [u, v]) = (of.force, of.force_by_place, of.force_by_thickness);
+        let (q, [p, s], w) = (of.squeeze, of.squeeze_by_place, of.squeeze_by_thickness);
+        Self(values([f, g, by_r[0], by_r[1], by_z[0], by_z[1], u, v, q, p, s, w]))
+    }
+
+    /// Of the `k`-th point.
+    #[inline(always)]
+    pub fn at(&self, k: usize) -> Push {
+        let v = &self.0;
+        Push {
+            force: [v[0][k], v[1][k]],
+            force_by_place: [[v[2][k], v[3][k]], [v[4][k], v[5][k]]],
+            force_by_thickness: [v[6][k], v[7][k]],
+            squeeze: v[8][k],
+            squeeze_by_place: [v[9][k], v[10][k]],
+            squeeze_by_thickness: v[11][k],
         }
     }
 }

@@ -4,7 +4,7 @@ use super::{Across, FlowLaw, Iterate, Past, PointLaw, PointState, StressUpdate, 
 use crate::material::Hill48;
 use crate::material::yield_condition::Kept;
 use crate::numerics::Real;
-use crate::numerics::number::{Instructions, LANES, Lanes, values};
+use crate::numerics::number::{Instructions, LANES, Lanes, beside, values};
 
 /// The flow law of a sheet without voids by Hill's condition.
 #[derive(Clone, Copy, Debug)]
@@ -62,13 +62,6 @@ pub struct Rows<'a, S> {
     pub iterates: &'a mut [Iterate],
     /// Their results.
     pub updates: &'a mut [StressUpdate],
-}
-
-/// One entry of four values, side by side.
-macro_rules! beside {
-    ($simd:expr, $of:expr, $($entry:tt)+) => {
-        Lanes::new($simd, [$of[0].$($entry)+, $of[1].$($entry)+, $of[2].$($entry)+, $of[3].$($entry)+])
-    };
 }
 
 impl<S: Instructions> Rows<'_, S> {

@@ -2,7 +2,7 @@
 
 use crate::element::surface::{MotionForces, STATIONS, Station, difference, of_node, stations};
 use crate::numerics::Real;
-use crate::numerics::number::{Instructions, LANES, Lanes, values};
+use crate::numerics::number::{Instructions, LANES, Lanes, beside, values};
 use crate::solver::evaluation::{Evaluation, Linearisation};
 use crate::solver::push::{FIRST, Push, SECOND};
 use crate::solver::step::Step;
@@ -22,13 +22,6 @@ struct Pressed<T> {
 struct Forces<T> {
     nodes: [[T; 3]; 2],
     blocks: Option<[[T; 9]; 4]>,
-}
-
-/// One entry of four values, side by side.
-macro_rules! beside {
-    ($simd:expr, $of:expr, $($entry:tt)+) => {
-        Lanes::new($simd, [$of[0].$($entry)+, $of[1].$($entry)+, $of[2].$($entry)+, $of[3].$($entry)+])
-    };
 }
 
 /// Adds what all tools do to the sheet.
