@@ -173,7 +173,11 @@ mod tests {
                 let (plus, minus) = (moved([0.0; 2], unit(h), 0.0), moved([0.0; 2], unit(-h), 0.0));
                 assert_relative_eq!(by(plus, minus), Point::from(slope.by_difference[d]), epsilon = 1e-10);
                 let bend = |(a, b): (Node, Node)| Point::from(station.slope(difference(&a, &b)).by_bend).dot(&force);
-                assert_relative_eq!((bend(plus) - bend(minus)) / (2.0 * h), station.second([force.x, force.y])[d], epsilon = 1e-10);
+                assert_relative_eq!(
+                    (bend(plus) - bend(minus)) / (2.0 * h),
+                    station.second([force.x, force.y])[d],
+                    epsilon = 1e-10
+                );
             }
             let bend = by(moved([0.0; 2], [0.0; 2], h), moved([0.0; 2], [0.0; 2], -h));
             assert_relative_eq!(bend, Point::from(slope.by_bend), epsilon = 1e-10);

@@ -102,7 +102,8 @@ impl<T: Real> Push<T> {
     pub fn new(touch: &ContactForce<T>, by_thickness: T) -> Self {
         let (n, tau, c, h) = (touch.facing, touch.along(), touch.curvature, by_thickness);
         let (on_tau, on_n) = (touch.drag_by_slip * touch.slip_turn + touch.normal * c, touch.tangential * c);
-        let by_gap = [n[0] * touch.by_gap + tau[0] * touch.drag_by_gap, n[1] * touch.by_gap + tau[1] * touch.drag_by_gap];
+        let by_gap =
+            [n[0] * touch.by_gap + tau[0] * touch.drag_by_gap, n[1] * touch.by_gap + tau[1] * touch.drag_by_gap];
         let by_move = [tau[0] * on_tau - n[0] * on_n, tau[1] * on_tau - n[1] * on_n];
         let squeezing = h * touch.by_gap;
         Self {

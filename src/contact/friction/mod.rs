@@ -98,11 +98,10 @@ impl Friction {
         if let Self::Coulomb(law) = self {
             return law.drag(pressure, slip, scale);
         }
-        let [value, by_pressure, by_slip] =
-            T::each([pressure, slip, shear_yield], |[pressure, slip, shear_yield]| {
-                let drag = self.at(&Sliding { pressure, slip, scale, duration, shear_yield });
-                [drag.value, drag.by_pressure, drag.by_slip]
-            });
+        let [value, by_pressure, by_slip] = T::each([pressure, slip, shear_yield], |[pressure, slip, shear_yield]| {
+            let drag = self.at(&Sliding { pressure, slip, scale, duration, shear_yield });
+            [drag.value, drag.by_pressure, drag.by_slip]
+        });
         Drag { value, by_pressure, by_slip }
     }
 

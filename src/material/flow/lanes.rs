@@ -76,7 +76,11 @@ impl<S: Instructions> Rows<'_, S> {
             temperature: beside!(s, of, temperature),
             past: Past {
                 weight: beside!(s, of, past.weight),
-                strain: [beside!(s, of, past.strain[0]), beside!(s, of, past.strain[1]), beside!(s, of, past.strain[2])],
+                strain: [
+                    beside!(s, of, past.strain[0]),
+                    beside!(s, of, past.strain[1]),
+                    beside!(s, of, past.strain[2]),
+                ],
                 spread: [beside!(s, of, past.spread[0]), beside!(s, of, past.spread[1])],
                 equivalent: beside!(s, of, past.equivalent),
             },

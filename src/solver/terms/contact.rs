@@ -118,12 +118,8 @@ fn press<S: Instructions>(
         memory.gap = gap;
         out.near.push(Near { index: i, point, by_thickness: -0.5 * share });
     }
-    let touch = Touch {
-        penalty: &process.penalty,
-        friction: &tool.friction,
-        slip_scale: step.slip_scale,
-        duration: step.dt,
-    };
+    let touch =
+        Touch { penalty: &process.penalty, friction: &tool.friction, slip_scale: step.slip_scale, duration: step.dt };
     let mut largest: f64 = 0.0;
     for first in (0..out.near.len()).step_by(LANES) {
         let near = &out.near[first..];

@@ -88,12 +88,7 @@ fn strain(step: &Step, moves: &[Node], out: &mut Evaluation) -> bool {
             *rows = current.membrane_rows();
         }
         let (volume, thickness) = (step.volume[e], step.section[e]);
-        out.strained.push(Strained {
-            strain: current.strain,
-            rows: current.strain_displacement(),
-            volume,
-            thickness,
-        });
+        out.strained.push(Strained { strain: current.strain, rows: current.strain_displacement(), volume, thickness });
     }
     true
 }

@@ -72,8 +72,14 @@ fn beside<S: Instructions>(simd: S, of: &[Pressed<f64>; LANES]) -> Pressed<Lanes
                 force: [beside!(simd, of, pushes[$k].force[0]), beside!(simd, of, pushes[$k].force[1])],
                 squeeze: beside!(simd, of, pushes[$k].squeeze),
                 force_by_place: [
-                    [beside!(simd, of, pushes[$k].force_by_place[0][0]), beside!(simd, of, pushes[$k].force_by_place[0][1])],
-                    [beside!(simd, of, pushes[$k].force_by_place[1][0]), beside!(simd, of, pushes[$k].force_by_place[1][1])],
+                    [
+                        beside!(simd, of, pushes[$k].force_by_place[0][0]),
+                        beside!(simd, of, pushes[$k].force_by_place[0][1]),
+                    ],
+                    [
+                        beside!(simd, of, pushes[$k].force_by_place[1][0]),
+                        beside!(simd, of, pushes[$k].force_by_place[1][1]),
+                    ],
                 ],
                 force_by_thickness: [
                     beside!(simd, of, pushes[$k].force_by_thickness[0]),
@@ -89,7 +95,11 @@ fn beside<S: Instructions>(simd: S, of: &[Pressed<f64>; LANES]) -> Pressed<Lanes
     }
     Pressed {
         pushes: [push!(0), push!(1)],
-        difference: [beside!(simd, of, difference[0]), beside!(simd, of, difference[1]), beside!(simd, of, difference[2])],
+        difference: [
+            beside!(simd, of, difference[0]),
+            beside!(simd, of, difference[1]),
+            beside!(simd, of, difference[2]),
+        ],
         thickness: beside!(simd, of, thickness),
         thinning: [beside!(simd, of, thinning[0]), beside!(simd, of, thinning[1]), beside!(simd, of, thinning[2])],
     }
@@ -125,8 +135,12 @@ impl<T: Real> Pressed<T> {
             m[i][j] = m[i][j] + value;
             m[j][i] = m[j][i] + value;
         }
-        let blocks =
-            [sheet.block(FIRST, FIRST), sheet.block(FIRST, SECOND), sheet.block(SECOND, FIRST), sheet.block(SECOND, SECOND)];
+        let blocks = [
+            sheet.block(FIRST, FIRST),
+            sheet.block(FIRST, SECOND),
+            sheet.block(SECOND, FIRST),
+            sheet.block(SECOND, SECOND),
+        ];
         Forces { nodes, blocks: Some(blocks) }
     }
 }
