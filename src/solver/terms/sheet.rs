@@ -4,7 +4,7 @@ mod column;
 mod lanes;
 
 use crate::element::Node;
-use crate::element::section::{Blocks, Internal, Law, Strained};
+use crate::element::section::{Alone, Blocks, Internal, Law, Strained};
 use crate::element::surface::{STATIONS, stations};
 use crate::material::flow::{FlowLaw, Iterate, Quadratic, Rows};
 use crate::material::{PointLaw, YieldCriterion};
@@ -14,7 +14,7 @@ use crate::numerics::number::{Instructions, LANES};
 use crate::solver::evaluation::{Evaluation, Linearisation};
 use crate::solver::step::{Step, elastoplastic_law};
 use crate::solver::trial::Trial;
-use column::{Alone, Together};
+use column::Together;
 use std::ops::Range;
 
 /// Least tension of a membrane in its matrix, over its yield force \[–\]; it fades once the velocity norm is below [`SLACK_NORM`].
@@ -87,8 +87,7 @@ fn strain(step: &Step, moves: &[Node], out: &mut Evaluation) -> bool {
         if let Some(rows) = out.membrane_rows.get_mut(e) {
             *rows = current.membrane_rows();
         }
-        let (volume, thickness) = (step.volume[e], step.section[e]);
-        out.strained.push(Strained { strain: current.strain, rows: current.strain_displacement(), volume, thickness });
+        out.strained.push(Strained::new(&current, step.volume[e], step.section[e]));
     }
     true
 }
