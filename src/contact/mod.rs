@@ -111,7 +111,7 @@ impl Touch<'_> {
         let ContactPoint { facing, curvature, gap, relative, area, carried, shift, shear_yield } = *point;
         let pressure = self.penalty.towards(gap + shift, carried);
         let slip = facing[0] * relative[1] - facing[1] * relative[0];
-        let drag = self.friction.beside(self, pressure.value, slip, shear_yield);
+        let drag = self.friction.beside(pressure.value, slip, shear_yield, self.slip_scale, self.duration);
         let towards = facing[0] * relative[0] + facing[1] * relative[1];
         let by_gap = area * pressure.slope;
         ContactForce {

@@ -266,3 +266,38 @@ pub fn dispatch<W: Work>(work: W) -> W::Output {
     }
     Scalar256b.vectorize(Call { work, simd: Scalar256b })
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A formula with all that a number can do.
+    fn formula<T: Real>(x: T, y: T) -> T {
+        let larger = x.where_or(x.exceeds(y), y);
+        let [joined, apart] = T::each([x, y], |[x, y]| [x.hypot(y), x - y]);
+        let [scaled] = scaled(larger, [(x * y + joined / larger).sqrt() - apart * 0.3]);
+        let mut sum = [scaled];
+        add(&mut sum, [-x]);
+        if x.anywhere(x.exceeds(x.constant(2.0))) { sum[0] + 1.0 } else { sum[0] + 1.0 - y.constant(0.0) }
+    }
+
+    struct Beside([f64; LANES], [f64; LANES]);
+
+    impl Work for Beside {
+        type Output = [f64; LANES];
+
+        #[inline(always)]
+        fn run<S: Instructions>(self, simd: S) -> [f64; LANES] {
+            formula(Lanes::new(simd, self.0), Lanes::new(simd, self.1)).values()
+        }
+    }
+
+    /// Trust: to the bit.
+    #[test]
+    fn a_result_depends_on_neither_the_processor_nor_what_stands_beside_it() {
+        let (x, y) = ([0.1, 1.7, 3.3, 1e-9], [0.7, 0.2, 1e5, 0.3]);
+        let alone = [0, 1, 2, 3].map(|k| formula(x[k], y[k]));
+        assert_eq!(dispatch(Beside(x, y)), alone);
+        assert_eq!(Beside(x, y).run(Scalar256b), alone);
+    }
+}

@@ -17,7 +17,6 @@ mod pressure_dependent;
 mod stribeck;
 mod tresca;
 
-use crate::contact::Touch;
 use crate::contact::penalty::ValueAndSlope;
 use crate::law::{Law, family};
 use crate::numerics::Real;
@@ -91,10 +90,9 @@ impl From<f64> for Friction {
 }
 
 impl Friction {
-    /// The same of one point or of several side by side.
+    /// The same of one point or of several side by side, which share s₀ \[mm\] and the step's duration \[s\].
     #[inline(always)]
-    pub fn beside<T: Real>(&self, touch: &Touch, pressure: T, slip: T, shear_yield: T) -> Drag<T> {
-        let Touch { slip_scale: scale, duration, .. } = *touch;
+    pub fn beside<T: Real>(&self, pressure: T, slip: T, shear_yield: T, scale: f64, duration: f64) -> Drag<T> {
         if let Self::Coulomb(law) = self {
             return law.drag(pressure, slip, scale);
         }
