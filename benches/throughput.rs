@@ -3,7 +3,8 @@
 //! `cargo bench --bench throughput -- --count 1000 --seed 7`; `benches/instructions.sh --cups 20` counts the instructions of
 //! a few of the same designs.
 //!
-//! Then the time of an iteration of one element on meshes of 1000, 10 000 and 100 000 elements, which should be the same.
+//! Then the time of a thickness point over that of a bare hardening law, and the time of an iteration of one element on
+//! meshes of 100 to 100 000 elements, which should be the same.
 
 use fastrand::Rng;
 use rayon::iter::Either;
@@ -69,6 +70,7 @@ fn main() {
     println!("{:<34} {:>10.2} ms", "to write and read one", 1e3 * mean(&|cup| cup.built.as_secs_f64()));
     println!("{:<34} {:>10.2} ms", "to solve one", 1e3 * mean(&|cup| cup.solved.as_secs_f64()));
     if argument("--meshes", 1) > 0 {
+        ratio();
         meshes();
     }
 }
@@ -115,15 +117,49 @@ fn draw(design: &[(&str, String)]) -> Result<Cup, CaseError> {
     Ok(Cup { complete: run.stop.is_complete(), iterations: count.iterations, built, solved: start.elapsed() - built })
 }
 
+/// The time of one evaluation of a thickness point, with elements, contact and solution around it, over that of a bare
+/// hardening law.
+fn ratio() {
+    let model = model(&design(0, 0)).unwrap_or_else(|e| panic!("{e}"));
+    let mut count = Count { iterations: 0, most: usize::MAX };
+    let steps = solver::run(&model, &mut count).steps.len();
+    // One evaluation of all points in every iteration, and one more that finds each step converged.
+    let points = (count.iterations + steps) * model.blank.elements * model.blank.layers;
+    let whole = fastest(|| drop(black_box(solver::run(black_box(&model), &mut ()))));
+    let law = &model.material.hardening;
+    let bare = fastest(|| {
+        let mut sum = 0.0;
+        for i in 0..points {
+            let flow = law.at(black_box(1e-3 + 1e-6 * (i % 100_000) as f64));
+            sum += flow.stress + flow.slope;
+        }
+        black_box(sum);
+    });
+    println!("{:<34} {:>10.2}", "ratio to the bare hardening loop", whole.as_secs_f64() / bare.as_secs_f64());
+}
+
+/// The fastest of a few repetitions: what the machine can do when nothing else runs.
+fn fastest(mut work: impl FnMut()) -> Duration {
+    let mut best = Duration::MAX;
+    for _ in 0..7 {
+        let start = Instant::now();
+        work();
+        best = best.min(start.elapsed());
+    }
+    best
+}
+
+/// What an element costs in an iteration, on meshes of more and more of them.
 fn meshes() {
-    println!("\n{:<34} {:>10}", "elements", "ns of an element in an iteration");
+    println!("\n{:<34} {:>10} {:>10}", "elements", "ns each", "of the first");
     let mut model = model(&design(0, 0)).unwrap_or_else(|e| panic!("{e}"));
-    for elements in [1000, 10_000, 100_000] {
+    let mut first = None;
+    for elements in [100, 1000, 10_000, 100_000] {
         model.blank.elements = elements;
         let mut count = Count { iterations: 0, most: FEW };
         let start = Instant::now();
         black_box(solver::run(&model, &mut count));
         let each = start.elapsed().as_secs_f64() / (count.iterations * elements) as f64;
-        println!("{elements:<34} {:>10.0}", 1e9 * each);
+        println!("{elements:<34} {:>10.0} {:>10.2}", 1e9 * each, each / *first.get_or_insert(each));
     }
 }

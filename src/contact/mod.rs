@@ -17,31 +17,42 @@
 pub mod friction;
 pub mod penalty;
 
-use crate::geometry::{Closest, Point, turned};
-use friction::{Friction, Sliding};
+use crate::numerics::Real;
+use friction::Friction;
 use penalty::{Penalty, ValueAndSlope};
 
 /// A point of the sheet's mid-surface as a tool sees it.
 #[derive(Clone, Copy, Debug)]
-pub struct ContactPoint {
-    /// Position in the tool's own frame: the point's less the tool's displacement \[mm\].
-    pub position: Point,
+pub struct ContactPoint<T = f64> {
+    /// n, from the tool to the sheet.
+    pub facing: [T; 2],
+    /// c, the curvature of the distance \[1/mm\].
+    pub curvature: T,
+    /// Gap between the tool and the sheet's face \[mm\].
+    pub gap: T,
     /// Displacement in the step, relative to the tool \[mm\].
-    pub relative: Point,
-    /// Current thickness there \[mm\].
-    pub thickness: f64,
+    pub relative: [T; 2],
     /// Area that belongs to it \[mm², or mm per mm of depth\].
-    pub area: f64,
+    pub area: T,
     /// Pressure carried from the last iteration \[MPa\]; zero gives the consistent tangent.
-    pub carried: f64,
+    pub carried: T,
     /// λ ≤ 0 of the augmented Lagrangian \[mm\].
-    pub shift: f64,
+    pub shift: T,
+    /// Shear yield stress of the sheet \[MPa\].
+    pub shear_yield: T,
+}
+
+/// What presses, and what is the same for all points of a step.
+#[derive(Clone, Copy, Debug)]
+pub struct Touch<'a> {
+    /// The normal law.
+    pub penalty: &'a Penalty,
+    /// The tool's friction.
+    pub friction: &'a Friction,
     /// Regularisation s₀ of the slip \[mm\].
     pub slip_scale: f64,
     /// Duration of the step \[s\].
     pub duration: f64,
-    /// Shear yield stress of the sheet \[MPa\].
-    pub shear_yield: f64,
 }
 
 /// Force of a tool on a point of the sheet, F = N n + T τ, and its derivatives.
@@ -53,78 +64,76 @@ pub struct ContactPoint {
 ///
 /// with dx of the point's position less the tool's displacement. The frame turns along a curved tool.
 #[derive(Clone, Copy, Debug)]
-pub struct ContactForce {
+pub struct ContactForce<T = f64> {
     /// n, from the tool to the sheet; τ is n turned by +90°.
-    pub facing: Point,
+    pub facing: [T; 2],
     /// c, the curvature of the distance \[1/mm\].
-    pub curvature: f64,
+    pub curvature: T,
     /// Gap between tool and sheet face \[mm\]; negative when the sheet penetrates.
-    pub gap: f64,
+    pub gap: T,
     /// Slip s of the step along τ \[mm\].
-    pub slip: f64,
+    pub slip: T,
     /// ds by a move along τ \[–\].
-    pub slip_turn: f64,
+    pub slip_turn: T,
     /// Pressure \[MPa\] and the slope dp/dg of the matrix \[N/mm³\].
-    pub pressure: ValueAndSlope,
+    pub pressure: ValueAndSlope<T>,
     /// Normal force N ≥ 0 \[N, or N/mm\].
-    pub normal: f64,
+    pub normal: T,
     /// dN/dg < 0 \[N/mm\].
-    pub by_gap: f64,
+    pub by_gap: T,
     /// Friction T along τ \[N, or N/mm\].
-    pub tangential: f64,
+    pub tangential: T,
     /// ∂T/∂g \[N/mm\].
-    pub drag_by_gap: f64,
+    pub drag_by_gap: T,
     /// ∂T/∂s \[N/mm\].
-    pub drag_by_slip: f64,
+    pub drag_by_slip: T,
 }
 
-impl ContactForce {
+impl<T: Real> ContactForce<T> {
     /// τ.
-    #[inline]
-    pub fn along(&self) -> Point {
-        turned(self.facing)
+    #[inline(always)]
+    pub fn along(&self) -> [T; 2] {
+        [-self.facing[1], self.facing[0]]
     }
 
     /// F on the sheet \[N, or N/mm\].
-    #[inline]
-    pub fn force(&self) -> Point {
-        self.facing * self.normal + self.along() * self.tangential
+    #[inline(always)]
+    pub fn force(&self) -> [T; 2] {
+        let (n, tau) = (self.facing, self.along());
+        [n[0] * self.normal + tau[0] * self.tangential, n[1] * self.normal + tau[1] * self.tangential]
     }
 }
 
-/// The force of one tool on one point whose closest point of the tool is `closest`; `None` when it is out of reach.
-#[inline]
-pub fn touch(closest: &Closest, penalty: &Penalty, friction: &Friction, point: &ContactPoint) -> Option<ContactForce> {
-    let gap = closest.distance - 0.5 * point.thickness;
-    let pressure = penalty.towards(gap + point.shift, point.carried)?;
-    let (facing, curvature) = (closest.normal, closest.curvature);
-    let slip = turned(facing).dot(&point.relative);
-    let drag = friction.at(&Sliding {
-        pressure: pressure.value,
-        slip,
-        scale: point.slip_scale,
-        duration: point.duration,
-        shear_yield: point.shear_yield,
-    });
-    Some(ContactForce {
-        facing,
-        curvature,
-        gap,
-        slip,
-        slip_turn: 1.0 - curvature * facing.dot(&point.relative),
-        pressure,
-        normal: point.area * pressure.value,
-        by_gap: point.area * pressure.slope,
-        tangential: -point.area * drag.value,
-        drag_by_gap: -point.area * drag.by_pressure * pressure.slope,
-        drag_by_slip: -point.area * drag.by_slip,
-    })
+impl Touch<'_> {
+    /// The force on a point, or on several: nothing out of reach.
+    #[inline(always)]
+    pub fn force<T: Real>(&self, point: &ContactPoint<T>) -> ContactForce<T> {
+        let ContactPoint { facing, curvature, gap, relative, area, carried, shift, shear_yield } = *point;
+        let pressure = self.penalty.towards(gap + shift, carried);
+        let slip = facing[0] * relative[1] - facing[1] * relative[0];
+        let drag = self.friction.beside(pressure.value, slip, shear_yield, self.slip_scale, self.duration);
+        let towards = facing[0] * relative[0] + facing[1] * relative[1];
+        let by_gap = area * pressure.slope;
+        ContactForce {
+            facing,
+            curvature,
+            gap,
+            slip,
+            slip_turn: -(curvature * towards) + 1.0,
+            pressure,
+            normal: area * pressure.value,
+            by_gap,
+            tangential: -(area * drag.value),
+            drag_by_gap: -(by_gap * drag.by_pressure),
+            drag_by_slip: -(area * drag.by_slip),
+        }
+    }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::geometry::Profile;
+    use crate::geometry::{Point, Profile, turned};
     use approx::assert_relative_eq;
 
     /// Trust: central differences, h = 1e-7 mm on forces that change over 2e-3 mm: truncation near 1e-8 of the entries.
@@ -144,34 +153,35 @@ mod tests {
             for gap in [-4e-3, 0.0, 3e-3] {
                 for slip in [-0.2, 1e-3, 0.05] {
                     let x = position + contact.normal * (gap + 0.5 * t - contact.distance);
+                    let touch = Touch { penalty: &penalty, friction: &friction, slip_scale: 3e-3, duration: 0.1 };
                     let at = |x: Point, moved: Point, thickness: f64| {
-                        let point = ContactPoint {
-                            position: x,
-                            relative: moved,
-                            thickness,
+                        let closest = profile.closest(x);
+                        touch.force(&ContactPoint {
+                            facing: closest.normal.into(),
+                            curvature: closest.curvature,
+                            gap: closest.distance - 0.5 * thickness,
+                            relative: moved.into(),
                             area: 3.0,
                             carried: 0.0,
                             shift: -1e-3,
-                            slip_scale: 3e-3,
-                            duration: 0.1,
                             shear_yield: 150.0,
-                        };
-                        touch(&profile.closest(x), &penalty, &friction, &point).expect("within reach")
+                        })
                     };
+                    let force = |x: Point, moved: Point| Point::from(at(x, moved, t).force());
                     let step = turned(contact.normal) * slip + contact.normal * 0.01;
                     let base = at(x, step, t);
-                    let (n, tau) = (base.facing, base.along());
+                    let (n, tau) = (Point::from(base.facing), Point::from(base.along()));
                     for d in [Point::new(h, 0.0), Point::new(0.0, h)] {
-                        let difference = (at(x + d, step + d, t).force() - at(x - d, step - d, t).force()) / (2.0 * h);
+                        let difference = (force(x + d, step + d) - force(x - d, step - d)) / (2.0 * h);
                         let (dg, dx) = (n.dot(&d) / h, tau.dot(&d) / h);
                         let friction = base.drag_by_gap * dg + base.drag_by_slip * base.slip_turn * dx;
                         let turning = (tau * base.normal - n * base.tangential) * (base.curvature * dx);
                         let expected = n * (base.by_gap * dg) + tau * friction + turning;
                         assert!((difference - expected).norm() < 1e-4 * base.by_gap.abs());
                     }
-                    let (thick, thin) = (at(x, step, t + h), at(x, step, t - h));
+                    let [thick, thin] = [t + h, t - h].map(|t| Point::from(at(x, step, t).force()));
                     let expected = (n * base.by_gap + tau * base.drag_by_gap) * -0.5;
-                    assert_relative_eq!((thick.force() - thin.force()) / (2.0 * h), expected, max_relative = 1e-4);
+                    assert_relative_eq!((thick - thin) / (2.0 * h), expected, max_relative = 1e-4);
                 }
             }
         }

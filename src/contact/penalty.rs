@@ -1,5 +1,7 @@
 //! Normal contact: a smoothed penalty.
 
+use crate::numerics::{Real, elementary};
+
 /// p(g) = k δ ln(1 + exp(−g/δ − 3)): a ramp of slope −k beyond some δ of penetration, nothing some δ away, smooth between.
 ///
 /// The smooth law halves the iterations of the bare ramp, whose kink Newton's method keeps stepping over. The 3 puts the
@@ -15,11 +17,11 @@ pub struct Penalty {
 
 /// A value and its derivative.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct ValueAndSlope {
+pub struct ValueAndSlope<T = f64> {
     /// f(x).
-    pub value: f64,
+    pub value: T,
     /// df/dx.
-    pub slope: f64,
+    pub slope: T,
 }
 
 impl Penalty {
@@ -53,20 +55,19 @@ impl Penalty {
         self.stiffness * self.smoothing * (-Self::TOUCH).exp().ln_1p()
     }
 
-    /// Pressure \[MPa\] and dp/dg \[N/mm³\] at the gap `gap` \[mm\]; `None` out of reach.
-    #[inline]
-    pub fn at(&self, gap: f64) -> Option<ValueAndSlope> {
-        if gap > self.reach() {
-            return None;
-        }
-        let u = -gap / self.smoothing - Self::TOUCH;
-        let (value, share) = if u > Self::REACH {
-            (u, 1.0)
-        } else {
-            let e = u.exp();
-            (e.ln_1p(), e / (1.0 + e))
-        };
-        Some(ValueAndSlope { value: self.stiffness * self.smoothing * value, slope: -self.stiffness * share })
+    /// Pressure \[MPa\] and dp/dg \[N/mm³\] at the gap `gap` \[mm\]; nothing out of reach.
+    #[inline(always)]
+    pub fn at<T: Real>(&self, gap: T) -> ValueAndSlope<T> {
+        let (zero, one, most) = (gap.constant(0.0), gap.constant(1.0), gap.constant(Self::REACH));
+        let beyond = gap.exceeds(gap.constant(self.reach()));
+        let u = zero - gap * (1.0 / self.smoothing) - Self::TOUCH;
+        let deep = u.exceeds(most);
+        let e = elementary::exp(most.where_or(deep, zero.where_or(beyond, u)));
+        // Of small ones 1 + e has lost digits.
+        let value = elementary::ln(e + 1.0).where_or(e.exceeds(gap.constant(SMALL)), e - e * e * 0.5);
+        let (value, share) = (u.where_or(deep, value), one.where_or(deep, e / (e + 1.0)));
+        let (value, slope) = (value * (self.stiffness * self.smoothing), share * -self.stiffness);
+        ValueAndSlope { value: zero.where_or(beyond, value), slope: zero.where_or(beyond, slope) }
     }
 
     /// As [`Self::at`], with the slope replaced by the chord to the point where the law gives the pressure `carried` \[MPa\].
@@ -74,18 +75,26 @@ impl Penalty {
     /// Newton's method creeps along the exponential foot of the law, one δ an iteration. The chord to a pressure that
     /// is carried from iteration to iteration, as the primal-dual flow law carries its stress, goes there at once; the
     /// pressure itself, and so the answer, is the law's.
-    #[inline]
-    pub fn towards(&self, gap: f64, carried: f64) -> Option<ValueAndSlope> {
-        let scale = self.stiffness * self.smoothing;
-        if carried < 1e-9 * scale {
-            return self.at(gap);
+    #[inline(always)]
+    pub fn towards<T: Real>(&self, gap: T, carried: T) -> ValueAndSlope<T> {
+        let here = self.at(gap);
+        let (share, most, small) =
+            (carried * (1.0 / (self.stiffness * self.smoothing)), gap.constant(30.0), gap.constant(SMALL));
+        let carries = share.exceeds(gap.constant(1e-9));
+        if !gap.anywhere(carries) {
+            return here;
         }
-        let here = self.at(gap).unwrap_or(ValueAndSlope { value: 0.0, slope: 0.0 });
-        let there = if carried > 30.0 * scale { carried / scale } else { (carried / scale).exp_m1().ln() };
-        let apart = gap + self.smoothing * (there + Self::TOUCH);
-        if apart.abs() < 1e-3 * self.smoothing {
-            return Some(here);
-        }
-        Some(ValueAndSlope { value: here.value, slope: (here.value - carried) / apart })
+        let deep = share.exceeds(most);
+        let power = elementary::exp(most.where_or(deep, share)) - 1.0;
+        // The logarithm of nothing is asked for where nothing is carried, and not used.
+        let least = share.where_or(carries, small);
+        let there = elementary::ln(power.where_or(share.exceeds(small), least + least * least * 0.5));
+        let apart = gap + (share.where_or(deep, there) + Self::TOUCH) * self.smoothing;
+        let chord = (here.value - carried) / apart;
+        let far = (apart * apart).exceeds(gap.constant((1e-3 * self.smoothing).powi(2)));
+        ValueAndSlope { slope: chord.where_or(far, here.slope).where_or(carries, here.slope), ..here }
     }
 }
+
+/// Below it e − ½e² is ln(1 + e) to more digits than ln has of 1 + e \[–\].
+const SMALL: f64 = 1e-6;

@@ -1,10 +1,14 @@
 //! The section: thickness points integrated through the thickness into forces and the element's matrix.
 
+mod column;
+
+pub use column::{Alone, Answer, Column};
+
 use super::Vector6;
 use super::kinematics::{
     Current, EPS_S, EPS_T, GAMMA, Generalised, GeometricStiffness, KAPPA_S, KAPPA_T, StrainDisplacement,
 };
-use crate::material::flow::{Across, MEAN_SQUARE, StressUpdate, Symmetric, Triple};
+use crate::material::flow::{Across, MEAN_SQUARE, Symmetric, Triple};
 use crate::numerics::lobatto::ThicknessPoint;
 use crate::numerics::number::{add, scaled};
 use crate::numerics::{Real, elementary};
@@ -34,19 +38,12 @@ pub struct Strained<T = f64> {
     pub thickness: T,
 }
 
-/// The thickness points of an element, or of several side by side: each is asked once.
-pub trait Column<T> {
-    /// What the `i`-th point answers to a strain increment and to its spread over the point's part of the thickness, where it
-    /// stands for a part.
-    fn respond(&mut self, i: usize, strain: Triple<T>, spread: Option<[T; 2]>) -> Answer<T>;
-}
-
-/// What a thickness point answers.
-pub enum Answer<T> {
-    /// By itself.
-    Point(StressUpdate<T>),
-    /// For the part of the thickness that it stands for.
-    Part(Across<T>),
+impl Strained {
+    /// Of an element of `volume` \[mm³, or mm²\] that was `thickness` \[mm\] thick.
+    #[inline(always)]
+    pub fn new(current: &Current, volume: f64, thickness: f64) -> Self {
+        Self { strain: current.strain, rows: current.strain_displacement(), volume, thickness }
+    }
 }
 
 /// An element's internal forces and matrix.

@@ -12,8 +12,8 @@
 //! Linked interpolation of Mindlin beams: O. C. Zienkiewicz, R. L. Taylor, The Finite Element Method, vol. 2.
 
 use super::Node;
-use crate::geometry::{Point, turned};
-use nalgebra::{Matrix3, Vector3};
+use crate::geometry::Point;
+use crate::numerics::Real;
 
 /// A place on an element.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -50,20 +50,27 @@ pub fn stations(bends: bool) -> &'static [Station; STATIONS] {
 /// Derivatives of a place's position by the element's motions: the sums s = (r₁+r₂, z₁+z₂), by which it is half the unit
 /// matrix; the differences d = (r₂−r₁, z₂−z₁); and θ₂−θ₁.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Slope {
+pub struct Slope<T = f64> {
     /// ∂x/∂(r₂−r₁) and ∂x/∂(z₂−z₁).
-    pub by_difference: [Point; 2],
+    pub by_difference: [[T; 2]; 2],
     /// ∂x/∂(θ₂−θ₁).
-    pub by_bend: Point,
+    pub by_bend: [T; 2],
 }
 
-impl Slope {
+impl<T: Real> Slope<T> {
     /// ∂(v·x) of a vector v by the motions: sums, differences, θ₂−θ₁.
-    #[inline]
-    pub fn of(&self, v: Point) -> [f64; 5] {
-        let [along_r, along_z] = self.by_difference.map(|by| by.dot(&v));
-        [0.5 * v.x, 0.5 * v.y, along_r, along_z, self.by_bend.dot(&v)]
+    #[inline(always)]
+    pub fn of(&self, [r, z]: [T; 2]) -> [T; 5] {
+        let ([by_r, by_z], by_bend) = (self.by_difference, self.by_bend);
+        let bend = by_bend[0] * r + by_bend[1] * z;
+        [r * 0.5, z * 0.5, by_r[0] * r + by_r[1] * z, by_z[0] * r + by_z[1] * z, bend]
     }
+}
+
+/// The differences of an element's nodes: r₂−r₁, z₂−z₁, θ₂−θ₁.
+#[inline(always)]
+pub fn difference(a: &Node, b: &Node) -> [f64; 3] {
+    [b[0] - a[0], b[1] - a[1], b[2] - a[2]]
 }
 
 impl Station {
@@ -79,48 +86,48 @@ impl Station {
         Point::new(p * a[0] + q * b[0] + bow * (b[1] - a[1]), p * a[1] + q * b[1] - bow * (b[0] - a[0]))
     }
 
-    /// Derivatives of the position.
-    #[inline]
-    pub fn slope(&self, a: &Node, b: &Node) -> Slope {
-        let (along, bow) = (0.5 * self.xi, self.bow * (b[2] - a[2]));
-        Slope {
-            by_difference: [Point::new(along, -bow), Point::new(bow, along)],
-            by_bend: turned(Point::new(b[0] - a[0], b[1] - a[1])) * -self.bow,
-        }
+    /// Derivatives of the position by the [`difference`] of the nodes.
+    #[inline(always)]
+    pub fn slope<T: Real>(&self, [dr, dz, turn]: [T; 3]) -> Slope<T> {
+        let (along, bow) = (turn.constant(0.5 * self.xi), turn * self.bow);
+        Slope { by_difference: [[along, -bow], [bow, along]], by_bend: [dz * self.bow, -(dr * self.bow)] }
     }
 
     /// ∂²(F·x)/∂(θ₂−θ₁)∂d; all other second derivatives are zero.
-    #[inline]
-    pub fn second(&self, force: Point) -> Point {
-        Point::new(-force.y, force.x) * self.bow
+    #[inline(always)]
+    pub fn second<T: Real>(&self, [r, z]: [T; 2]) -> [T; 2] {
+        [-(z * self.bow), r * self.bow]
     }
 }
 
 /// Forces on an element's motions \[N, N mm\] and their derivatives: sums of r and z, differences of r and z, difference of θ.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct MotionForces {
+#[derive(Clone, Copy, Debug)]
+pub struct MotionForces<T = f64> {
     /// Force by motion.
-    pub force: [f64; 5],
+    pub force: [T; 5],
     /// Its derivatives: rows by forces, columns by motions.
-    pub matrix: [[f64; 5]; 5],
+    pub matrix: [[T; 5]; 5],
 }
 
-impl MotionForces {
-    /// What goes with node `i`, −1 the first and +1 the second, of values by motion: differences count −1 at the first and +1
-    /// at the second, sums +1 at both.
-    #[inline]
-    pub fn of_node(i: f64, v: &[f64; 5]) -> Vector3<f64> {
-        Vector3::new(v[0] + i * v[2], v[1] + i * v[3], i * v[4])
-    }
-
-    /// The block of the matrix of nodes `i` and `j`, −1 the first and +1 the second.
-    #[inline]
-    pub fn block(&self, i: f64, j: f64) -> Matrix3<f64> {
-        let row = |v: &[f64; 5]| Self::of_node(j, v);
+impl<T: Real> MotionForces<T> {
+    /// The block of the matrix of nodes `i` and `j`, −1 the first and +1 the second, column after column.
+    #[inline(always)]
+    pub fn block(&self, i: f64, j: f64) -> [T; 9] {
         let m = &self.matrix;
-        let (r, z, bend) = (row(&m[0]) + row(&m[2]) * i, row(&m[1]) + row(&m[3]) * i, row(&m[4]) * i);
-        Matrix3::new(r.x, r.y, r.z, z.x, z.y, z.z, bend.x, bend.y, bend.z)
+        let (mut r, mut z, mut bend) = (m[0], m[1], m[4]);
+        for k in 0..5 {
+            (r[k], z[k], bend[k]) = (r[k] + m[2][k] * i, z[k] + m[3][k] * i, bend[k] * i);
+        }
+        let (r, z, bend) = (of_node(j, &r), of_node(j, &z), of_node(j, &bend));
+        [r[0], z[0], bend[0], r[1], z[1], bend[1], r[2], z[2], bend[2]]
     }
+}
+
+/// What goes with node `i`, −1 the first and +1 the second, of values by motion: differences count −1 at the first and +1
+/// at the second, sums +1 at both.
+#[inline(always)]
+pub fn of_node<T: Real>(i: f64, v: &[T; 5]) -> [T; 3] {
+    [v[0] + v[2] * i, v[1] + v[3] * i, v[4] * i]
 }
 
 #[cfg(test)]
@@ -155,7 +162,7 @@ mod tests {
         };
         let force = Point::new(3.0, -2.0);
         for station in INSIDE {
-            let slope = station.slope(&A, &B);
+            let slope = station.slope(difference(&A, &B));
             let by = |plus: (Node, Node), minus: (Node, Node)| {
                 (station.position(&plus.0, &plus.1) - station.position(&minus.0, &minus.1)) / (2.0 * h)
             };
@@ -164,12 +171,16 @@ mod tests {
                 let sum = by(moved(unit(h), [0.0; 2], 0.0), moved(unit(-h), [0.0; 2], 0.0));
                 assert_relative_eq!(sum, Point::from(unit(0.5)), epsilon = 1e-10);
                 let (plus, minus) = (moved([0.0; 2], unit(h), 0.0), moved([0.0; 2], unit(-h), 0.0));
-                assert_relative_eq!(by(plus, minus), slope.by_difference[d], epsilon = 1e-10);
-                let bend = |nodes: (Node, Node)| station.slope(&nodes.0, &nodes.1).by_bend.dot(&force);
-                assert_relative_eq!((bend(plus) - bend(minus)) / (2.0 * h), station.second(force)[d], epsilon = 1e-10);
+                assert_relative_eq!(by(plus, minus), Point::from(slope.by_difference[d]), epsilon = 1e-10);
+                let bend = |(a, b): (Node, Node)| Point::from(station.slope(difference(&a, &b)).by_bend).dot(&force);
+                assert_relative_eq!(
+                    (bend(plus) - bend(minus)) / (2.0 * h),
+                    station.second([force.x, force.y])[d],
+                    epsilon = 1e-10
+                );
             }
             let bend = by(moved([0.0; 2], [0.0; 2], h), moved([0.0; 2], [0.0; 2], -h));
-            assert_relative_eq!(bend, slope.by_bend, epsilon = 1e-10);
+            assert_relative_eq!(bend, Point::from(slope.by_bend), epsilon = 1e-10);
         }
     }
 }

@@ -25,14 +25,15 @@
 
 mod lanes;
 mod parts;
+mod point;
 
 pub use lanes::{Quadratic, Rows};
+pub use point::{Past, PointState, ROOM_TEMPERATURE};
 
 use super::yield_condition::{Kept, dot};
 use super::{FlowStress, Gtn, Hardening, Hosford, PointLaw, Rate, Surroundings, ThermalLaw, YieldCriterion};
 use crate::numerics::Real;
 use crate::numerics::number::scaled;
-use crate::units::ZERO_CELSIUS;
 
 pub use super::point_law::{Across, StressUpdate};
 pub use super::yield_condition::{MEAN_SQUARE, Metric, SHEAR_FACTOR, Symmetric, Triple, YieldCondition};
@@ -104,7 +105,7 @@ impl FlowLaw<'_> {
         let mut yielding = FlowStress { stress, slope: slope / steep };
         if let Some(rate) = self.rate {
             let speed = flow * (1.0 / self.duration);
-            let [factor, by_rate] = speed.each(speed, |speed, _| {
+            let [factor, by_rate] = T::each([speed], |[speed]| {
                 let factor = rate.at(speed);
                 [factor.value, factor.slope]
             });
@@ -113,77 +114,13 @@ impl FlowLaw<'_> {
         }
         point.surroundings.hold(&mut yielding, increment);
         if let Some(softening) = self.softening {
-            let [factor] = point.temperature.each(point.temperature, |t, _| [softening.at(t)]);
+            let [factor] = T::each([point.temperature], |[temperature]| [softening.at(temperature)]);
             yielding.slope = yielding.slope * factor;
             yielding.stress = yielding.stress * factor;
         }
         yielding
     }
 }
-
-/// A thickness point as the step finds it.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct PointState<T = f64> {
-    /// ε̄ at the start of the step \[–\].
-    pub strain: T,
-    /// f that the step reckons with, 0 for a sheet without voids \[–\].
-    pub porosity: T,
-    /// T \[K\].
-    pub temperature: T,
-    /// What the step before has to do with this one.
-    pub past: Past<T>,
-    /// What flows around it.
-    pub surroundings: Surroundings<T>,
-}
-
-/// What the step before has to do with this one: nothing, until it is said.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Past<T = f64> {
-    /// a \[–\].
-    weight: T,
-    /// a p \[–\].
-    strain: Triple<T>,
-    /// a times its spread over the point's part of the thickness \[–\].
-    spread: [T; 2],
-    /// a p̄ \[–\].
-    equivalent: T,
-}
-
-impl PointState {
-    /// A point of ordinary metal at room temperature, by itself.
-    pub fn at(strain: f64) -> Self {
-        Self {
-            strain,
-            porosity: 0.0,
-            temperature: ROOM_TEMPERATURE,
-            past: Past::default(),
-            surroundings: Surroundings::default(),
-        }
-    }
-
-    /// The point of a sheet that goes on flowing: with what the last rate would strain in this step, p, its spread over the
-    /// point's part of the thickness, and with its weight a in the rate at the end.
-    #[must_use]
-    pub fn following(
-        self,
-        p: Triple,
-        spread: [f64; 2],
-        a: f64,
-        criterion: YieldCriterion,
-        voids: Option<&Gtn>,
-    ) -> Self {
-        let equivalent = match voids {
-            None => criterion.equivalent_across(p, spread),
-            Some(voids) => voids.condition(criterion.quadratic(), self.porosity).equivalent_increment(p),
-        };
-        let past =
-            Past { weight: a, strain: p.map(|p| a * p), spread: spread.map(|k| a * k), equivalent: a * equivalent };
-        Self { past, ..self }
-    }
-}
-
-/// 20 °C \[K\].
-pub const ROOM_TEMPERATURE: f64 = 20.0 + ZERO_CELSIUS;
 
 /// What one thickness point remembers from one iteration to the next.
 #[derive(Clone, Copy, Debug, Default)]

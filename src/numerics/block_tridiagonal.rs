@@ -1,7 +1,7 @@
 //! The linear system of an iteration: block-tridiagonal, bordered by the shared unknowns, solved exactly in O(n).
 
-use nalgebra::{Matrix3, SMatrix, SVector, Vector3};
 use super::number::{Instructions, Work, dispatch};
+use nalgebra::{Matrix3, SMatrix, SVector, Vector3};
 
 /// Most shared unknowns (holder positions, pressures) a model can have.
 pub const MAX_SHARED: usize = 3;

@@ -21,7 +21,7 @@ const FAR: f64 = 700.0;
 /// ln x for x > 0.
 #[inline(always)]
 pub fn ln<T: Real>(x: T) -> T {
-    let [m, e] = x.each(x, |x, _| {
+    let [m, e] = T::each([x], |[x]| {
         let exponent = (x.to_bits().wrapping_sub(LEAST_MANTISSA) as i64) >> 52;
         [f64::from_bits(x.to_bits().wrapping_sub((exponent << 52) as u64)), f64::from(exponent as i32)]
     });
@@ -29,7 +29,8 @@ pub fn ln<T: Real>(x: T) -> T {
     let y = z * z;
     // What is left out, y¹¹/23, is below 1e-18.
     let tail = y * (y * (y * (1.0 / 21.0) + 1.0 / 19.0) + 1.0 / 17.0) + 1.0 / 15.0;
-    let sum = y * (y * (y * (y * (y * (y * (y * tail + 1.0 / 13.0) + 1.0 / 11.0) + 1.0 / 9.0) + 1.0 / 7.0) + 0.2) + 1.0 / 3.0);
+    let sum = y
+        * (y * (y * (y * (y * (y * (y * tail + 1.0 / 13.0) + 1.0 / 11.0) + 1.0 / 9.0) + 1.0 / 7.0) + 0.2) + 1.0 / 3.0);
     e * LN_2[0] + (z * 2.0 + (z * sum * 2.0 + e * LN_2[1]))
 }
 
@@ -44,13 +45,13 @@ pub fn exp<T: Real>(x: T) -> T {
     let tail = f * (f * (f * tail + 1.0 / 362_880.0) + 1.0 / 40_320.0) + 1.0 / 5_040.0;
     let tail = f * (f * (f * tail + 1.0 / 720.0) + 1.0 / 120.0) + 1.0 / 24.0;
     let head = f * (f * (f * tail + 1.0 / 6.0) + 0.5);
-    let [power] = rounded.each(rounded, |k, _| [f64::from_bits((k.to_bits() << 52).wrapping_add(1f64.to_bits()))]);
+    let [power] = T::each([rounded], |[k]| [f64::from_bits((k.to_bits() << 52).wrapping_add(1f64.to_bits()))]);
     let near = power + power * (f + f * head);
     let far = (x * x).exceeds(x.constant(FAR * FAR));
     if !x.anywhere(far) {
         return near;
     }
-    let [by_library] = x.each(x, |x, _| [x.exp()]);
+    let [by_library] = T::each([x], |[x]| [x.exp()]);
     by_library.where_or(far, near)
 }
 

@@ -46,9 +46,9 @@ pub trait Real:
     /// Whether the answer is yes anywhere.
     fn anywhere(self, mask: Self::Mask) -> bool;
 
-    /// Functions of it and another number, one lane after the other.
+    /// Functions of some numbers, one lane after the other.
     #[must_use]
-    fn each<const N: usize>(self, other: Self, of: impl Fn(f64, f64) -> [f64; N]) -> [Self; N];
+    fn each<const M: usize, const N: usize>(of: [Self; M], functions: impl Fn([f64; M]) -> [f64; N]) -> [Self; N];
 }
 
 impl Real for f64 {
@@ -80,8 +80,8 @@ impl Real for f64 {
     }
 
     #[inline(always)]
-    fn each<const N: usize>(self, other: f64, of: impl Fn(f64, f64) -> [f64; N]) -> [f64; N] {
-        of(self, other)
+    fn each<const M: usize, const N: usize>(of: [f64; M], functions: impl Fn([f64; M]) -> [f64; N]) -> [f64; N] {
+        functions(of)
     }
 }
 
@@ -174,12 +174,22 @@ impl<S: Instructions> Real for Lanes<S> {
     }
 
     #[inline(always)]
-    fn each<const N: usize>(self, other: Self, of: impl Fn(f64, f64) -> [f64; N]) -> [Self; N] {
-        let (a, b) = (self.values(), other.values());
-        let [p, q, r, s] = [of(a[0], b[0]), of(a[1], b[1]), of(a[2], b[2]), of(a[3], b[3])];
-        let mut all = [self; N];
+    fn each<const M: usize, const N: usize>(of: [Self; M], functions: impl Fn([f64; M]) -> [f64; N]) -> [Self; N] {
+        let (simd, lanes) = (of[0].simd, values(of));
+        let mut results = [[0.0; LANES]; N];
+        for k in 0..LANES {
+            let mut at = [0.0; M];
+            for i in 0..M {
+                at[i] = lanes[i][k];
+            }
+            let at = functions(at);
+            for i in 0..N {
+                results[i][k] = at[i];
+            }
+        }
+        let mut all = [of[0]; N];
         for i in 0..N {
-            all[i] = Self::new(self.simd, [p[i], q[i], r[i], s[i]]);
+            all[i] = Self::new(simd, results[i]);
         }
         all
     }
@@ -211,6 +221,17 @@ pub fn values<S: Instructions, const N: usize>(of: [Lanes<S>; N]) -> [[f64; LANE
     }
     values
 }
+
+/// One entry of four values, side by side.
+macro_rules! beside {
+    ($simd:expr, $of:expr, $($entry:tt)+) => {
+        $crate::numerics::number::Lanes::new(
+            $simd,
+            [$of[0].$($entry)+, $of[1].$($entry)+, $of[2].$($entry)+, $of[3].$($entry)+],
+        )
+    };
+}
+pub(crate) use beside;
 
 /// Work for vector instructions, whichever the processor has.
 pub trait Work {
@@ -244,4 +265,39 @@ pub fn dispatch<W: Work>(work: W) -> W::Output {
         return simd.vectorize(Call { work, simd });
     }
     Scalar256b.vectorize(Call { work, simd: Scalar256b })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A formula with all that a number can do.
+    fn formula<T: Real>(x: T, y: T) -> T {
+        let larger = x.where_or(x.exceeds(y), y);
+        let [joined, apart] = T::each([x, y], |[x, y]| [x.hypot(y), x - y]);
+        let [scaled] = scaled(larger, [(x * y + joined / larger).sqrt() - apart * 0.3]);
+        let mut sum = [scaled];
+        add(&mut sum, [-x]);
+        if x.anywhere(x.exceeds(x.constant(2.0))) { sum[0] + 1.0 } else { sum[0] + 1.0 - y.constant(0.0) }
+    }
+
+    struct Beside([f64; LANES], [f64; LANES]);
+
+    impl Work for Beside {
+        type Output = [f64; LANES];
+
+        #[inline(always)]
+        fn run<S: Instructions>(self, simd: S) -> [f64; LANES] {
+            formula(Lanes::new(simd, self.0), Lanes::new(simd, self.1)).values()
+        }
+    }
+
+    /// Trust: to the bit.
+    #[test]
+    fn a_result_depends_on_neither_the_processor_nor_what_stands_beside_it() {
+        let (x, y) = ([0.1, 1.7, 3.3, 1e-9], [0.7, 0.2, 1e5, 0.3]);
+        let alone = [0, 1, 2, 3].map(|k| formula(x[k], y[k]));
+        assert_eq!(dispatch(Beside(x, y)), alone);
+        assert_eq!(Beside(x, y).run(Scalar256b), alone);
+    }
 }

@@ -43,7 +43,7 @@ fn assemble(simd: impl Instructions, step: &Step, trial: &mut Trial, at: &Linear
         return false;
     }
     let internal = largest(&out.system.rhs);
-    let contact = contact::add(step, trial, at, out);
+    let contact = contact::add(simd, step, trial, at, out);
     bead::add(step, trial, out);
     sheet::stabilise(step, trial, out);
     let gas = gas::add(step, trial, out);

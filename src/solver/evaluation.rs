@@ -1,7 +1,7 @@
 //! What follows from a step and a trial of it: residual, matrix, stress, contacts.
 
 use super::process::{Process, references};
-use super::push::{Place, Push};
+use super::push::{Near, Place, Push};
 use super::step::rise;
 use crate::contact::penalty::{Penalty, ValueAndSlope};
 use crate::element::Node;
@@ -101,6 +101,8 @@ pub(super) struct Evaluation {
     /// The contact points, and what all tools do to them.
     pub places: Vec<Place>,
     pub pushes: Vec<Push>,
+    /// The contact points within reach of the tool that was looked at last.
+    pub near: Vec<Near>,
     /// Tools by contact points.
     pub contacts: Grid<Contact>,
     /// Force of each tool on the sheet \[N, or N/mm\].
@@ -141,6 +143,7 @@ impl Evaluation {
             membrane_rows: vec![[[0.0; 4]; 2]; if process.holds_rate() { elements } else { 0 }],
             places: vec![Place::default(); state.contact_points()],
             pushes: vec![Push::default(); state.contact_points()],
+            near: Vec::with_capacity(state.contact_points()),
             contacts: Grid::new(process.tools.len(), state.contact_points(), Contact::free()),
             tool_force: vec![Point::zeros(); process.tools.len()],
             active_contacts: 0,

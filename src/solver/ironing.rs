@@ -44,10 +44,11 @@ fn is_between_walls(converged: &Converged, e: usize) -> bool {
     let tools = &step.process.tools;
     let updates = evaluation.updates.row(e);
     let least = PRESSED * updates.iter().map(|update| update.yield_stress).sum::<f64>() / updates.len() as f64;
-    let held = |j: usize, i: usize| {
-        let contact = &evaluation.contacts[(j, i)];
-        (tools[j].shared.is_none() && contact.pressure.value > least).then_some(contact.facing)
+    let pressing = |i: usize| {
+        let contacts = tools.iter().zip(evaluation.contacts.rows()).map(move |(tool, contacts)| (tool, &contacts[i]));
+        let held = contacts.filter(move |(tool, contact)| tool.shared.is_none() && contact.pressure.value > least);
+        held.map(|(_, contact)| contact.facing)
     };
-    let opposed = |i: usize, j: usize, k: usize| held(j, i).zip(held(k, i)).is_some_and(|(a, b)| a.dot(&b) < OPPOSED);
-    (STATIONS * e..STATIONS * (e + 1)).any(|i| (0..tools.len()).any(|j| (0..j).any(|k| opposed(i, j, k))))
+    let opposed = |i: usize| pressing(i).any(|a| pressing(i).any(|b| a.dot(&b) < OPPOSED));
+    (STATIONS * e..STATIONS * (e + 1)).any(opposed)
 }

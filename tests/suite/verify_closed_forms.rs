@@ -156,7 +156,7 @@ fn rate_free(hardening: &Hardening) -> FlowLaw<'_> {
 #[test]
 fn plastic_moment_converges_with_the_layers() {
     use stampflow::element::kinematics::Reference;
-    use stampflow::element::section::Law;
+    use stampflow::element::section::{Alone, Law, Strained};
     use stampflow::material::flow::{Iterate, PointState, StressUpdate};
     use stampflow::material::hardening::Ludwik;
     use stampflow::numerics::lobatto;
@@ -169,11 +169,14 @@ fn plastic_moment_converges_with_the_layers() {
     let exact = 2.0 / 3f64.sqrt() * yield_stress * t * t / 4.0;
     let error = |n: usize| {
         let layers = lobatto::rule(n);
-        let law = Law { point: rate_free(&hardening), points: &layers, slack_tension: 0.0, forces_alone: false };
-        let mut iterates = vec![Iterate::default(); n];
-        let mut responses = vec![StressUpdate::default(); n];
-        let internal =
-            law.internal(&end, start.area() * t, t, &vec![PointState::at(0.0); n], &mut iterates, &mut responses);
+        let law = Law { points: &layers, slack_tension: 0.0, forces_alone: false };
+        let mut points = Alone {
+            law: &rate_free(&hardening),
+            before: &vec![PointState::at(0.0); n],
+            iterates: &mut vec![Iterate::default(); n],
+            updates: &mut vec![StressUpdate::default(); n],
+        };
+        let internal = law.internal(&Strained::new(&end, start.area() * t, t), true, &mut points);
         (internal.force[5] / exact - 1.0).abs()
     };
     let layers = [5, 7, 11, 21, 51];
@@ -191,7 +194,7 @@ fn plastic_moment_converges_with_the_layers() {
 #[test]
 fn tension_that_bends_moves_the_neutral_fibre() {
     use stampflow::element::kinematics::Reference;
-    use stampflow::element::section::Law;
+    use stampflow::element::section::{Alone, Law, Strained};
     use stampflow::material::flow::{Iterate, PointState, StressUpdate};
     use stampflow::material::hardening::Ludwik;
     use stampflow::numerics::parts;
@@ -205,14 +208,19 @@ fn tension_that_bends_moves_the_neutral_fibre() {
     // Largest errors of τ, and of M over that without tension, with the neutral fibre anywhere in the inner half.
     let errors = |n: usize| {
         let points = parts::rule(n);
-        let law = Law { point, points: &points, slack_tension: 0.0, forces_alone: false };
+        let law = Law { points: &points, slack_tension: 0.0, forces_alone: false };
         let (mut tension, mut moment) = (0.0_f64, 0.0_f64);
         for i in 0..=100 {
             let tau = 0.005 * f64::from(i);
             let stretch = length * ((0.5 * t * tau * turn / length).exp() - 1.0);
             let end = start.moved([0.0, 0.0, -0.5 * turn], [stretch, 0.0, 0.5 * turn]).expect("sound");
-            let (before, mut iterates) = (vec![PointState::at(0.0); n], vec![Iterate::default(); n]);
-            let internal = law.internal(&end, start.area() * t, t, &before, &mut iterates, &mut vec![none; n]);
+            let mut points = Alone {
+                law: &point,
+                before: &vec![PointState::at(0.0); n],
+                iterates: &mut vec![Iterate::default(); n],
+                updates: &mut vec![none; n],
+            };
+            let internal = law.internal(&Strained::new(&end, start.area() * t, t), true, &mut points);
             // The force is that of the section as it is drawn out.
             let found = internal.force[3] * (length + stretch) / length / (s * t);
             tension = tension.max((found - tau).abs());

@@ -5,7 +5,7 @@ use crate::common::shipped::{before_the_neck, shipped, solve};
 use crate::common::simple;
 use stampflow::case;
 use stampflow::element::kinematics::Reference;
-use stampflow::element::section::Law;
+use stampflow::element::section::{Alone, Law, Strained};
 use stampflow::material::elastoplastic::{Carried, ElastoplasticLaw, Operators, Trial};
 use stampflow::material::flow::{ROOM_TEMPERATURE, StressUpdate};
 use stampflow::material::hardening::Ludwik;
@@ -60,8 +60,9 @@ impl Strip {
         }
         let mut trials = vec![Trial::default(); n];
         let mut responses = vec![StressUpdate::default(); n];
-        let law = Law { point, points: &self.layers, slack_tension: 0.0, forces_alone: false };
-        let internal = law.internal(&end, start.area() * T, T, &self.points, &mut trials, &mut responses);
+        let law = Law { points: &self.layers, slack_tension: 0.0, forces_alone: false };
+        let mut points = Alone { law: &point, before: &self.points, iterates: &mut trials, updates: &mut responses };
+        let internal = law.internal(&Strained::new(&end, start.area() * T, T), true, &mut points);
         for (at, response) in self.points.iter_mut().zip(&responses) {
             at.stress = response.stress;
             at.strain += response.increment;

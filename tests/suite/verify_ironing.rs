@@ -129,7 +129,7 @@ fn slab(model: &Model, clearance: f64, enters: &ElementRecord, tension: f64) -> 
     for i in 0..parts {
         let x = (x0 - (f64::from(i) + 0.5) * dx).max(0.0);
         let (gap, tan) = (clearance + opening(x), x / (SHOULDER - opening(x)));
-        let held = |h: f64| penalty.at(0.5 * (gap - h)).map_or(0.0, |p| p.value);
+        let held = |h: f64| penalty.at(0.5 * (gap - h)).value;
         let yields = |h: f64| (flow(h) - pull / h).max(0.0);
         if held(h) > yields(h) {
             let (mut low, mut high) = (0.5 * gap, h);

@@ -19,6 +19,7 @@ mod tresca;
 
 use crate::contact::penalty::ValueAndSlope;
 use crate::law::{Law, family};
+use crate::numerics::Real;
 
 /// What a law looks at.
 #[derive(Clone, Copy, Debug)]
@@ -37,20 +38,21 @@ pub struct Sliding {
 
 /// Friction stress against the slip, and its derivatives.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Drag {
+pub struct Drag<T = f64> {
     /// τ \[MPa\].
-    pub value: f64,
+    pub value: T,
     /// ∂τ/∂p \[–\].
-    pub by_pressure: f64,
+    pub by_pressure: T,
     /// ∂τ/∂s \[MPa/mm\].
-    pub by_slip: f64,
+    pub by_slip: T,
 }
 
 /// φ(s) = s/√(s² + s₀²) and its derivative \[1/mm\].
-#[inline]
-pub fn direction(slip: f64, scale: f64) -> ValueAndSlope {
-    let root = (slip * slip + scale * scale).sqrt();
-    ValueAndSlope { value: slip / root, slope: scale * scale / (root * root * root) }
+#[inline(always)]
+pub fn direction<T: Real>(slip: T, scale: f64) -> ValueAndSlope<T> {
+    let square = slip * slip + scale * scale;
+    let inverse = slip.constant(1.0) / square.sqrt();
+    ValueAndSlope { value: slip * inverse, slope: inverse * inverse * inverse * (scale * scale) }
 }
 
 /// What a friction law says beside its parameters.
@@ -88,6 +90,19 @@ impl From<f64> for Friction {
 }
 
 impl Friction {
+    /// The same of one point or of several side by side, which share s₀ \[mm\] and the step's duration \[s\].
+    #[inline(always)]
+    pub fn beside<T: Real>(&self, pressure: T, slip: T, shear_yield: T, scale: f64, duration: f64) -> Drag<T> {
+        if let Self::Coulomb(law) = self {
+            return law.drag(pressure, slip, scale);
+        }
+        let [value, by_pressure, by_slip] = T::each([pressure, slip, shear_yield], |[pressure, slip, shear_yield]| {
+            let drag = self.at(&Sliding { pressure, slip, scale, duration, shear_yield });
+            [drag.value, drag.by_pressure, drag.by_slip]
+        });
+        Drag { value, by_pressure, by_slip }
+    }
+
     /// Whether the law asks for the sheet's shear yield stress.
     pub fn needs_shear_yield(&self) -> bool {
         self.law().needs_shear_yield()

@@ -4,7 +4,7 @@ use super::{Across, FlowLaw, Iterate, Past, PointLaw, PointState, StressUpdate, 
 use crate::material::Hill48;
 use crate::material::yield_condition::Kept;
 use crate::numerics::Real;
-use crate::numerics::number::{Instructions, LANES, Lanes, values};
+use crate::numerics::number::{Instructions, LANES, Lanes, beside, values};
 
 /// The flow law of a sheet without voids by Hill's condition.
 #[derive(Clone, Copy, Debug)]
@@ -64,13 +64,6 @@ pub struct Rows<'a, S> {
     pub updates: &'a mut [StressUpdate],
 }
 
-/// One entry of four values, side by side.
-macro_rules! beside {
-    ($simd:expr, $of:expr, $($entry:tt)+) => {
-        Lanes::new($simd, [$of[0].$($entry)+, $of[1].$($entry)+, $of[2].$($entry)+, $of[3].$($entry)+])
-    };
-}
-
 impl<S: Instructions> Rows<'_, S> {
     /// The `i`-th point of each element.
     #[inline(always)]
@@ -83,7 +76,11 @@ impl<S: Instructions> Rows<'_, S> {
             temperature: beside!(s, of, temperature),
             past: Past {
                 weight: beside!(s, of, past.weight),
-                strain: [beside!(s, of, past.strain[0]), beside!(s, of, past.strain[1]), beside!(s, of, past.strain[2])],
+                strain: [
+                    beside!(s, of, past.strain[0]),
+                    beside!(s, of, past.strain[1]),
+                    beside!(s, of, past.strain[2]),
+                ],
                 spread: [beside!(s, of, past.spread[0]), beside!(s, of, past.spread[1])],
                 equivalent: beside!(s, of, past.equivalent),
             },

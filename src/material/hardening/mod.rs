@@ -55,7 +55,7 @@ impl Hardening {
             Self::Ludwik(law) => law.at(strain),
             Self::PiecewisePower(law) => law.at(strain),
             law => {
-                let [stress, slope] = strain.each(temperature, |strain, temperature| {
+                let [stress, slope] = T::each([strain, temperature], |[strain, temperature]| {
                     let FlowStress { stress, slope } = law.at_temperature(strain, temperature);
                     [stress, slope]
                 });

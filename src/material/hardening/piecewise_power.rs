@@ -69,7 +69,7 @@ impl PiecewisePower {
     /// Of one strain or of several, each on its branch.
     #[inline(always)]
     pub(super) fn at<T: Real>(&self, strain: T) -> FlowStress<T> {
-        let [initial, k, n] = strain.each(strain, |strain, _| {
+        let [initial, k, n] = T::each([strain], |[strain]| {
             let last = self.branches.len() - 1;
             let branch = self.branches[..last].iter().find(|b| strain < b.up_to).unwrap_or(&self.branches[last]);
             [branch.initial, branch.k, branch.n]

@@ -12,19 +12,22 @@
 //! two walls both parts add up to −p: the sheet is ironed. Without friction F and Q are the gradient of one potential, and
 //! the matrix is symmetric.
 
+mod assembly;
+
 use crate::contact::penalty::ValueAndSlope;
-use crate::contact::{ContactPoint, touch};
-use crate::element::surface::{MotionForces, STATIONS, stations};
+use crate::contact::{ContactPoint, Touch};
+use crate::element::surface::{STATIONS, difference, stations};
 use crate::geometry::Point;
 use crate::model::Iteration;
+use crate::numerics::number::{Instructions, LANES, Lanes, beside, values};
 use crate::solver::evaluation::{Contact, Evaluation, Linearisation};
-use crate::solver::push::{FIRST, Place, Push, SECOND};
+use crate::solver::push::{Near, Place, Push, Pushes};
 use crate::solver::step::Step;
 use crate::solver::trial::Trial;
 
 /// Contact and friction of every tool with every point it reaches; returns the largest force of one on one.
 #[inline(always)]
-pub fn add(step: &Step, trial: &mut Trial, at: &Linearisation, out: &mut Evaluation) -> f64 {
+pub fn add(simd: impl Instructions, step: &Step, trial: &mut Trial, at: &Linearisation, out: &mut Evaluation) -> f64 {
     locate(step, out);
     out.pushes.fill(Push::default());
     out.active_contacts = 0;
@@ -34,10 +37,10 @@ pub fn add(step: &Step, trial: &mut Trial, at: &Linearisation, out: &mut Evaluat
         if step.process.tools[j].is_absent() {
             out.contacts.row_mut(j).fill(Contact::free());
         } else {
-            largest = largest.max(press(step, trial, at, j, out));
+            largest = largest.max(press(simd, step, trial, at, j, out));
         }
     }
-    assemble(step, at, out);
+    assembly::assemble(simd, step, at, out);
     largest
 }
 
@@ -50,16 +53,23 @@ fn locate(step: &Step, out: &mut Evaluation) {
     }
 }
 
-/// What tool `j` does to the sheet, point by point; returns its largest force on one.
+/// What tool `j` does to the sheet, several points side by side; returns its largest force on one.
 #[inline(always)]
-fn press(step: &Step, trial: &mut Trial, at: &Linearisation, j: usize, out: &mut Evaluation) -> f64 {
-    let Step { process, state, dt, .. } = *step;
+fn press<S: Instructions>(
+    simd: S,
+    step: &Step,
+    trial: &mut Trial,
+    at: &Linearisation,
+    j: usize,
+    out: &mut Evaluation,
+) -> f64 {
+    let Step { process, state, .. } = *step;
     let (tool, displacement) = (&process.tools[j], trial.tools[j]);
     let moved = displacement - state.tools[j];
     let reach = process.penalty.reach();
-    let mut largest: f64 = 0.0;
     let memories = trial.contacts.row_mut(j).iter_mut().zip(state.pressure.row(j));
     let points = out.contacts.row_mut(j).iter_mut().zip(memories).zip(&out.places);
+    out.near.clear();
     for (i, ((contact, (memory, pressure)), place)) in points.enumerate() {
         let Place { position: x, thickness } = *place;
         let position = x - displacement;
@@ -92,78 +102,70 @@ fn press(step: &Step, trial: &mut Trial, at: &Linearisation, j: usize, out: &mut
             memory.carried = (value + slope * (gap - memory.gap)).max(0.0);
         }
         let station = &stations(step.bends[e])[k];
+        let relative = x - station.position(&state.nodes[e], &state.nodes[e + 1]) - moved;
         let point = ContactPoint {
-            carried: memory.carried,
-            position,
-            relative: x - station.position(&state.nodes[e], &state.nodes[e + 1]) - moved,
-            thickness: thickness + going,
+            facing: closest.normal.into(),
+            curvature: closest.curvature,
+            gap,
+            relative: relative.into(),
             area: step.areas[i] * face,
+            carried: memory.carried,
             shift,
-            slip_scale: step.slip_scale,
-            duration: dt,
             shear_yield: step.shear_yield[e],
         };
         *contact =
             Contact { gap: gap + 0.5 * going, closing: 0.5 * going, facing: closest.normal, ..Contact::default() };
-        (memory.gap, memory.pressure) = (gap, ValueAndSlope::default());
-        let Some(touch) = touch(&closest, &process.penalty, &tool.friction, &point) else { continue };
-        contact.normal = touch.normal;
-        contact.tangential = touch.tangential;
-        contact.slip = touch.slip;
-        contact.pressure = touch.pressure;
-        memory.pressure = touch.pressure;
-        let push = Push::new(&touch, -0.5 * share);
-        largest = largest.max(push.force.norm());
-        out.tool_force[j] += push.force;
-        out.active_contacts += usize::from(touch.gap < 0.0);
-        out.pushes[i].add(&push);
-        if let Some(shared) = tool.shared.filter(|_| !at.residual_alone) {
-            push.follow(e, &station.slope(a, b), &out.thickness_rows[e], shared, &mut out.system);
+        memory.gap = gap;
+        out.near.push(Near { index: i, point, by_thickness: -0.5 * share });
+    }
+    let touch =
+        Touch { penalty: &process.penalty, friction: &tool.friction, slip_scale: step.slip_scale, duration: step.dt };
+    let mut largest: f64 = 0.0;
+    for first in (0..out.near.len()).step_by(LANES) {
+        let near = &out.near[first..];
+        let last = near.len().min(LANES) - 1;
+        let four = [&near[0], &near[last.min(1)], &near[last.min(2)], &near[last]];
+        let (point, by_thickness) = beside(simd, four);
+        let force = touch.force(&point);
+        let push = Pushes::new(&Push::new(&force, by_thickness));
+        let [normal, tangential, slip, value, slope] =
+            values([force.normal, force.tangential, force.slip, force.pressure.value, force.pressure.slope]);
+        for k in 0..=last {
+            let Near { index: i, point, .. } = out.near[first + k];
+            let contact = &mut out.contacts[(j, i)];
+            (contact.normal, contact.tangential, contact.slip) = (normal[k], tangential[k], slip[k]);
+            contact.pressure = ValueAndSlope { value: value[k], slope: slope[k] };
+            trial.contacts[(j, i)].pressure = contact.pressure;
+            let push = push.at(k);
+            let force = Point::from(push.force);
+            largest = largest.max(force.norm());
+            out.tool_force[j] += force;
+            out.active_contacts += usize::from(point.gap < 0.0);
+            out.pushes[i].add(&push);
+            if let Some(shared) = tool.shared.filter(|_| !at.residual_alone) {
+                let e = i / STATIONS;
+                let slope = stations(step.bends[e])[i % STATIONS].slope(difference(&out.nodes[e], &out.nodes[e + 1]));
+                push.follow(e, &slope, &out.thickness_rows[e], shared, &mut out.system);
+            }
         }
     }
     largest
 }
 
-/// Adds what all tools do to the sheet.
+/// Points side by side, and by how much their gaps go with the thickness.
 #[inline(always)]
-fn assemble(step: &Step, at: &Linearisation, out: &mut Evaluation) {
-    let system = &mut out.system;
-    for (e, pushes) in out.pushes.chunks_exact(STATIONS).enumerate() {
-        if pushes.iter().all(|push| *push == Push::default()) {
-            continue;
-        }
-        let ([a, b], thickness, thinning) =
-            ([&out.nodes[e], &out.nodes[e + 1]], out.thickness[e], &out.thickness_rows[e]);
-        let mut sheet = MotionForces::default();
-        for (push, station) in pushes.iter().zip(stations(step.bends[e])) {
-            push.load(&station.slope(a, b), thinning, &mut sheet.force);
-        }
-        system.rhs[e] += MotionForces::of_node(FIRST, &sheet.force);
-        system.rhs[e + 1] += MotionForces::of_node(SECOND, &sheet.force);
-        if at.residual_alone {
-            continue;
-        }
-        for (push, station) in pushes.iter().zip(stations(step.bends[e])) {
-            push.stiffen(station, &station.slope(a, b), thinning, &mut sheet.matrix);
-        }
-        let squeeze: f64 = pushes.iter().map(|push| push.squeeze).sum();
-        // Q ∂²t, ∂²t = ∂t ∂tᵀ/t − t ∂²(ε_s + ε_θ): of the latter it is the geometric stiffness of a tension −Q t.
-        let (tension, square) = (-squeeze * thickness, squeeze / thickness);
-        let stiffness = out.strained[e].rows.geometric_stiffness(&[tension, tension, 0.0, 0.0, 0.0]);
-        let ([rr, rz, zz], [hoop, r, z]) = (stiffness.difference, *thinning);
-        let m = &mut sheet.matrix;
-        m[0][0] += stiffness.hoop + square * hoop * hoop;
-        m[2][2] += rr + square * r * r;
-        m[3][3] += zz + square * z * z;
-        for (i, j, value) in [(0, 2, square * hoop * r), (0, 3, square * hoop * z), (2, 3, rz + square * r * z)] {
-            m[i][j] += value;
-            m[j][i] += value;
-        }
-        system.diagonal[e] -= sheet.block(FIRST, FIRST);
-        system.upper[e] -= sheet.block(FIRST, SECOND);
-        system.lower[e + 1] -= sheet.block(SECOND, FIRST);
-        system.diagonal[e + 1] -= sheet.block(SECOND, SECOND);
-    }
+fn beside<S: Instructions>(simd: S, of: [&Near; LANES]) -> (ContactPoint<Lanes<S>>, Lanes<S>) {
+    let point = ContactPoint {
+        facing: [beside!(simd, of, point.facing[0]), beside!(simd, of, point.facing[1])],
+        curvature: beside!(simd, of, point.curvature),
+        gap: beside!(simd, of, point.gap),
+        relative: [beside!(simd, of, point.relative[0]), beside!(simd, of, point.relative[1])],
+        area: beside!(simd, of, point.area),
+        carried: beside!(simd, of, point.carried),
+        shift: beside!(simd, of, point.shift),
+        shear_yield: beside!(simd, of, point.shear_yield),
+    };
+    (point, beside!(simd, of, by_thickness))
 }
 
 /// Measures the gaps that the iterations of a converged step did not need; the length of the next step and the contact share do.

@@ -45,7 +45,7 @@ pub fn add(step: &Step, trial: &Trial, out: &mut Evaluation) {
         for (i, weight) in (out.nodes.len() - 2..).zip(grip.weights) {
             system.rows[i][k].x -= share.slope * weight * force;
         }
-        let block = process.blocks.and_then(|height| process.penalty.at(height + die - moved));
+        let block = process.blocks.map(|height| process.penalty.at(height + die - moved));
         out.block_force = block.map_or(0.0, |block| block_area * block.value);
         if let Some(block) = block {
             system.corner_rhs[k] -= block_area * block.value;

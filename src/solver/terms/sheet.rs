@@ -4,7 +4,7 @@ mod column;
 mod lanes;
 
 use crate::element::Node;
-use crate::element::section::{Blocks, Internal, Law, Strained};
+use crate::element::section::{Alone, Blocks, Internal, Law, Strained};
 use crate::element::surface::{STATIONS, stations};
 use crate::material::flow::{FlowLaw, Iterate, Quadratic, Rows};
 use crate::material::{PointLaw, YieldCriterion};
@@ -14,7 +14,7 @@ use crate::numerics::number::{Instructions, LANES};
 use crate::solver::evaluation::{Evaluation, Linearisation};
 use crate::solver::step::{Step, elastoplastic_law};
 use crate::solver::trial::Trial;
-use column::{Alone, Together};
+use column::Together;
 use std::ops::Range;
 
 /// Least tension of a membrane in its matrix, over its yield force \[–\]; it fades once the velocity norm is below [`SLACK_NORM`].
@@ -87,13 +87,7 @@ fn strain(step: &Step, moves: &[Node], out: &mut Evaluation) -> bool {
         if let Some(rows) = out.membrane_rows.get_mut(e) {
             *rows = current.membrane_rows();
         }
-        let (volume, thickness) = (step.volume[e], step.section[e]);
-        out.strained.push(Strained {
-            strain: current.strain,
-            rows: current.strain_displacement(),
-            volume,
-            thickness,
-        });
+        out.strained.push(Strained::new(&current, step.volume[e], step.section[e]));
     }
     true
 }
@@ -161,17 +155,23 @@ impl Sheet<'_, '_> {
         let Evaluation { system, thickness, thickness_rows, .. } = &mut **out;
         for k in 0..N {
             let e = first + k;
-            for d in 0..3 {
-                system.rhs[e][d] -= internal.force[d][k];
-                system.rhs[e + 1][d] -= internal.force[d + 3][k];
+            for (node, force) in [(e, 0), (e + 1, 3)] {
+                let rhs = &mut system.rhs[node];
+                for d in 0..3 {
+                    rhs[d] -= internal.force[force + d][k];
+                }
             }
             if let Some(Blocks { own: [first, second], across }) = &internal.blocks {
-                for (column, row) in [(0, 0), (0, 1), (0, 2), (1, 0), (1, 1), (1, 2), (2, 0), (2, 1), (2, 2)] {
-                    let j = 3 * column + row;
-                    system.diagonal[e][j] += first[j][k];
-                    system.upper[e][j] = across[j][k];
-                    system.lower[e + 1][3 * row + column] = across[j][k];
-                    system.diagonal[e + 1][j] += second[j][k];
+                for (node, own) in [(e, first), (e + 1, second)] {
+                    let block = &mut system.diagonal[node];
+                    for j in 0..9 {
+                        block[j] += own[j][k];
+                    }
+                }
+                let (upper, lower) = (&mut system.upper[e], &mut system.lower[e + 1]);
+                for j in 0..9 {
+                    upper[j] = across[j][k];
+                    lower[TRANSPOSED[j]] = across[j][k];
                 }
             }
             let own = step.growth[e] * step.state.thickness[e] / step.section[e];
@@ -182,6 +182,9 @@ impl Sheet<'_, '_> {
         }
     }
 }
+
+/// Place of each entry of a block in the transposed block.
+const TRANSPOSED: [usize; 9] = [0, 3, 6, 1, 4, 7, 2, 5, 8];
 
 /// Entries of one element.
 #[inline(always)]

@@ -2,14 +2,7 @@
 
 use crate::element::kinematics::StrainDisplacement;
 use crate::element::section::{Blocks, Internal, Strained};
-use crate::numerics::number::{Instructions, LANES, Lanes, values};
-
-/// One entry of four values, side by side.
-macro_rules! beside {
-    ($simd:expr, $of:expr, $($entry:tt)+) => {
-        Lanes::new($simd, [$of[0].$($entry)+, $of[1].$($entry)+, $of[2].$($entry)+, $of[3].$($entry)+])
-    };
-}
+use crate::numerics::number::{Instructions, LANES, Lanes, beside, values};
 
 /// As many elements as there are lanes, side by side.
 #[inline(always)]
