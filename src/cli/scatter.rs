@@ -1,8 +1,9 @@
 //! `stampflow scatter`: how sure a verdict is when coil, friction, thickness and press scatter.
 
-use super::code::{BadRequest, Code};
+use super::code::Code;
 use super::many::{Many, asked};
-use super::say::{Shown, say, say_json, warn};
+use super::rows::{Rows, all_there};
+use super::say::{Shown, say, say_json};
 use super::table::{Cell, Tone, table, wrapped};
 use anyhow::Context;
 use serde_json::{Value, json};
@@ -12,7 +13,7 @@ use stampflow::output::{study::scatter_pictures, study::scatter_tables, write};
 use stampflow::study::scatter::{
     Asked, Base, Correlation, Estimate, Event, Factor, Found, Influence, Sample, Scatter, file,
 };
-use stampflow::study::{self, Begun, Designs, Earlier, Journal, Shard, StudyError, Subject};
+use stampflow::study::{self, Bars, Begun, Designs, Journal, Shard, StudyError, Subject};
 use stampflow::units::rounded;
 use std::path::{Path, PathBuf};
 
@@ -42,9 +43,6 @@ Examples:
 
 Exit codes: 0 done, 2 bad input, 130 interrupted (rows are kept, --resume goes on)";
 
-/// So many runs are begun without a word.
-const MANY: u64 = 100_000;
-
 #[derive(Debug, clap::Args)]
 pub struct Args {
     /// A case file, or a study file with [scatter]
@@ -65,50 +63,29 @@ pub struct Args {
     /// Also say what share of each number's variance is whose: so many times the runs as keys, and two more
     #[arg(long)]
     indices: bool,
-    /// Go on with the rows that an earlier run has left
-    #[arg(long)]
-    resume: bool,
-    /// Remove the rows that an earlier run has left
-    #[arg(long, conflicts_with = "resume")]
-    restart: bool,
-    /// Run one part of so many, such as 7/64, into a table of its own
-    #[arg(long, value_name = "K/N")]
-    shard: Option<Shard>,
-    /// Begin more than 100 000 runs without asking
-    #[arg(long)]
-    yes: bool,
+    #[command(flatten)]
+    rows: Rows,
     #[command(flatten)]
     many: Many,
 }
 
 pub fn scatter(args: &Args) -> anyhow::Result<Code> {
     let scatter = args.scatter().map_err(asked)?;
-    let shard = args.shard.unwrap_or(Shard::WHOLE);
-    let runs = shard.count(scatter.count());
-    if runs > MANY && !args.yes {
-        let what = format!("{runs} runs are asked for, more than {MANY}");
-        return Err(BadRequest(format!("{what}: give --yes if that is meant, or fewer --runs, or --shard")).into());
-    }
+    let (shard, indices) = (args.rows.shard(), args.rows.indices(scatter.count(), "fewer --runs")?);
     let dir = args.many.folder(&args.file, "scatter");
     let path = dir.join(shard.file("scatter"));
     let count = args.many.count(&args.file, "parts");
     let base = Base::of(&scatter, &count).map_err(asked)?;
-    let indices = shard.indices(scatter.count());
-    let earlier = match (args.resume, args.restart) {
-        (true, _) => Earlier::Resume,
-        (_, true) => Earlier::Restart,
-        _ => Earlier::Refuse,
-    };
-    if let Begun::Open(mut journal) = Journal::open(&path, &base.header(), &indices, earlier).map_err(asked)? {
+    if let Begun::Open(mut journal) =
+        Journal::open(&path, &base.header(), &indices, args.rows.earlier()).map_err(asked)?
+    {
         let rest = &indices[journal.done()..];
-        let ended = study::run(&scatter, rest, args.many.threads(), &count, |row| {
+        let ended = study::run(&scatter, rest, args.many.threads(), Bars::Without, &count, |row| {
             let line = base.columns.line(&scatter, &row);
             journal.add(&line.into_iter().chain(base.grids.cells(&row)).collect::<Vec<_>>())
         });
         ended.with_context(|| format!("cannot write {}", journal.part().display()))?;
-        if journal.done() < indices.len() {
-            let (done, all) = (journal.done(), indices.len());
-            warn(format!("{done} of {all} runs are in {}; --resume goes on with the others", journal.part().display()));
+        if !all_there(&journal, indices.len()) {
             return Ok(Code::Done);
         }
         journal.finish().with_context(|| format!("cannot write {}", path.display()))?;

@@ -1,8 +1,9 @@
 //! `stampflow sweep` and `stampflow merge`: one case with many settings, in one table.
 
-use super::code::{BadRequest, Code};
+use super::code::Code;
 use super::many::{Many, asked};
-use super::say::{say, say_json, warn};
+use super::rows::{MANY, Rows, all_there};
+use super::say::{say, say_json};
 use super::studied::Studied;
 use super::table::wrapped;
 use anyhow::Context;
@@ -11,7 +12,7 @@ use stampflow::assess::Light;
 use stampflow::message::{Amount, Form, message};
 use stampflow::output::study::keep;
 use stampflow::study::{
-    self, Bars, Begun, Columns, Designs, Earlier, How, Journal, Plan, Results, Row, Shard, StudyError, Times, Vary,
+    self, Bars, Begun, Columns, Designs, How, Journal, Plan, Results, Row, Shard, StudyError, Times, Vary,
 };
 use std::collections::BTreeMap;
 use std::fmt::Write;
@@ -49,9 +50,6 @@ written then. Curves that --keep wrote, and times, stay where the shards wrote t
 Example:
   stampflow merge shards/study-*-of-64.csv --out study.csv";
 
-/// So many runs are begun without a word.
-const MANY: u64 = 100_000;
-
 #[derive(Debug, clap::Args)]
 pub struct Args {
     /// A case file, or a study file
@@ -72,24 +70,14 @@ pub struct Args {
     /// Keep more of each design than its row: curves, its load curve and its thickness, two CSV files by index in DIR/curves
     #[arg(long, value_name = "curves")]
     keep: Option<Keep>,
-    /// Go on with the rows that an earlier run has left, once no other run is at it
-    #[arg(long)]
-    resume: bool,
-    /// Remove the rows that an earlier run has left
-    #[arg(long, conflicts_with = "resume")]
-    restart: bool,
-    /// Run one part of so many, such as 7/64, into a table of its own
-    #[arg(long, value_name = "K/N")]
-    shard: Option<Shard>,
+    #[command(flatten)]
+    rows: Rows,
     /// With --print: how many parts
     #[arg(long, value_name = "N", requires = "print", value_parser = clap::value_parser!(u32).range(1..))]
     shards: Option<u32>,
     /// Print the lines that run all parts: on HyperQueue, as a Slurm job array, or on this machine
     #[arg(long, value_name = "hq|slurm|xargs", requires = "shards")]
     print: Option<Scheduler>,
-    /// Begin more than 100 000 runs without asking
-    #[arg(long)]
-    yes: bool,
     #[command(flatten)]
     many: Many,
 }
@@ -124,27 +112,18 @@ pub fn sweep(args: &Args) -> anyhow::Result<Code> {
     if let (Some(scheduler), Some(shards)) = (args.print, args.shards) {
         return say(args.lines(scheduler, shards, &dir));
     }
-    let shard = args.shard.unwrap_or(Shard::WHOLE);
-    let runs = shard.count(plan.count());
-    if runs > MANY && !args.yes {
-        let what = format!("{runs} runs are asked for, more than {MANY}");
-        return Err(BadRequest(format!("{what}: give --yes if that is meant, or fewer values, or --shard")).into());
-    }
+    let (shard, indices) = (args.rows.shard(), args.rows.indices(plan.count(), "fewer values")?);
     let bars = args.bars(&plan);
-    let indices = shard.indices(plan.count());
     let count = args.many.count(&args.file, "designs");
     let base = study::base(plan.subject(), bars, &count).map_err(asked)?;
     let columns = Columns::of(&plan, &base);
     let path = dir.join(shard.file("study"));
-    let earlier = match (args.resume, args.restart) {
-        (true, _) => Earlier::Resume,
-        (_, true) => Earlier::Restart,
-        _ => Earlier::Refuse,
-    };
     let mut tally = Tally::default();
     let mut kept = indices.len();
     let begin = Instant::now();
-    if let Begun::Open(mut journal) = Journal::open(&path, &columns.header(), &indices, earlier).map_err(asked)? {
+    if let Begun::Open(mut journal) =
+        Journal::open(&path, &columns.header(), &indices, args.rows.earlier()).map_err(asked)?
+    {
         kept = journal.done();
         let mut times = Times::open(&dir.join(shard.file("study_times")), kept > 0).map_err(asked)?;
         let ended = study::run(&plan, &indices[kept..], args.many.threads(), bars, &count, |row| {
@@ -156,20 +135,14 @@ pub fn sweep(args: &Args) -> anyhow::Result<Code> {
             journal.add(&columns.line(&plan, &row))
         });
         ended.with_context(|| format!("cannot write {}", journal.part().display()))?;
-        let done = journal.done();
-        if done < indices.len() {
-            warn(format!(
-                "{done} of {} designs are in {}; --resume goes on with the others",
-                indices.len(),
-                journal.part().display()
-            ));
+        if !all_there(&journal, indices.len()) {
             return Ok(Code::Done);
         }
         journal.finish().with_context(|| format!("cannot write {}", path.display()))?;
     }
     let ran = Ran { designs: indices.len(), kept, seconds: begin.elapsed().as_secs_f64() };
     // A part shows nothing by itself, and of so many there is nothing to see.
-    if shard != Shard::WHOLE || runs > MANY {
+    if shard != Shard::WHOLE || plan.count() > MANY {
         let lights = json!({ "file": path, "designs": ran.designs, "kept": kept, "wall_s": ran.seconds,
                              "lights": tally.lights, "red": tally.red });
         return match args.many.json.json {

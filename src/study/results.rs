@@ -4,8 +4,8 @@ use super::StudyError;
 use super::plan::{Designs, How, Plan};
 use super::row::{Columns, Solved, header};
 use super::varied::Varied;
-use super::zone::{Limit, Zone};
-use crate::assess::Light;
+use super::zone::Zone;
+use crate::assess::{Light, Sense};
 use crate::verification::{Number, Of};
 use std::path::Path;
 
@@ -85,10 +85,12 @@ impl<'a> Results<'a> {
         self.numbers().find(|(_, number)| number.of == of && number.key == key).map(|(place, _)| place)
     }
 
-    /// The place of the number of a row of the verdict that turns red at a limit, and the limit.
-    pub fn limit(&self, row: &str) -> Option<(usize, &Limit)> {
-        let limit = self.base.limits.iter().find(|limit| limit.row == row)?;
-        Some((self.place(Of::Verdict, row)?, limit))
+    /// The place of the number of a row of the verdict that turns red at a limit, the limit, and on which side of it the number
+    /// is good.
+    pub fn limit(&self, row: &str) -> Option<(usize, f64, Sense)> {
+        let judged = self.base.judged.iter().find(|judged| judged.key == row)?;
+        let limits = judged.limits?;
+        Some((self.place(Of::Verdict, row)?, limits.red?, limits.sense))
     }
 
     /// The rows that its pictures are about: of one at a time all but the case as it stands.

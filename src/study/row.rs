@@ -1,7 +1,7 @@
 //! What came of one design, and its line in a table.
 
 use super::plan::{Design, Designs};
-use super::zone::{Limit, Zone};
+use super::zone::Zone;
 use crate::assess::{self, Finding, Light, Limits, Sense};
 use crate::case::Solution;
 use crate::units::rounded;
@@ -33,40 +33,47 @@ pub struct Solved {
     pub amber: Vec<&'static str>,
     /// Every way in which it fails; empty where it is sound.
     pub fails: Vec<Zone>,
-    /// Where the verdict's rows turn red.
-    pub limits: Vec<Limit>,
     /// Half the error bar of each number, in its unit; `None` where it has none. Empty where none were asked for.
     pub bars: Vec<Option<f64>>,
     /// Whether the sheet tears.
     pub tears: bool,
-    /// How far the verdict's rows are from turning red and from turning amber.
-    pub margins: Vec<Margin>,
+    /// The verdict's rows.
+    pub judged: Vec<Judged>,
 }
 
-/// How far a row of the verdict is from its limits.
+/// A row of the verdict, as numbers have it.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Margin {
+pub struct Judged {
     /// The row.
     pub key: &'static str,
-    /// Its name in tables.
+    /// What tables call it.
     pub label: &'static str,
-    /// From red, over the limit: below 0 where it is red, 0 at the limit \[–\]; `None` where no number says it.
-    pub to_red: Option<f64>,
-    /// From amber, likewise.
-    pub to_amber: Option<f64>,
+    /// Its number, where it has one.
+    pub value: Option<f64>,
+    /// Where that turns amber, and where red.
+    pub limits: Option<Limits>,
 }
 
-impl Margin {
+impl Judged {
     fn of(finding: &Finding) -> Self {
-        let Some((value, Limits { sense, amber, red })) = finding.value.zip(finding.limits) else {
-            return Self { key: finding.key, label: finding.label, to_red: None, to_amber: None };
-        };
-        let to = |limit: Option<f64>| {
-            let limit = limit.filter(|limit| *limit != 0.0)?;
-            let inside = if sense == Sense::AtMost { limit - value } else { value - limit };
-            Some(inside / limit.abs())
-        };
-        Self { key: finding.key, label: finding.label, to_red: to(red), to_amber: to(amber.or(red)) }
+        Self { key: finding.key, label: finding.label, value: finding.value, limits: finding.limits }
+    }
+
+    /// How far it is from red, over the limit: below 0 where it is red, 0 at the limit \[–\]; `None` where no number says it.
+    pub fn to_red(&self) -> Option<f64> {
+        self.to(|limits| limits.red)
+    }
+
+    /// From amber, likewise.
+    pub fn to_amber(&self) -> Option<f64> {
+        self.to(|limits| limits.amber.or(limits.red))
+    }
+
+    fn to(&self, limit: fn(&Limits) -> Option<f64>) -> Option<f64> {
+        let (value, limits) = self.value.zip(self.limits)?;
+        let limit = limit(&limits).filter(|limit| *limit != 0.0)?;
+        let inside = if limits.sense == Sense::AtMost { limit - value } else { value - limit };
+        Some(inside / limit.abs())
     }
 }
 
@@ -78,14 +85,13 @@ impl Solved {
         let outcome = Outcome::found(solution, None, &findings);
         Self {
             fails: Zone::of(solution, &outcome, &findings),
-            limits: Limit::of(&findings),
             bars: Vec::new(),
             outcome,
             light: assess::judgements(&findings).map(|finding| finding.light).max().unwrap_or(Light::Grey),
             red: of(Light::Red),
             amber: of(Light::Amber),
             tears: solution.stages.iter().any(|stage| assess::tears_at(stage).is_some()),
-            margins: assess::judgements(&findings).map(Margin::of).collect(),
+            judged: assess::judgements(&findings).map(Judged::of).collect(),
         }
     }
 
@@ -99,7 +105,7 @@ impl Solved {
 
     /// What tables call a row of its verdict.
     pub fn label(&self, row: &'static str) -> &'static str {
-        self.margins.iter().find(|margin| margin.key == row).map_or(row, |margin| margin.label)
+        self.judged.iter().find(|judged| judged.key == row).map_or(row, |judged| judged.label)
     }
 
     /// A number by its column: `thinnest_mm`.

@@ -269,15 +269,15 @@ impl Results<'_> {
         let third = third.map(|(found, at)| (found, if is_first { at } else { 1.0 - at }));
         let rows = failed.red.iter().filter(|row| Zone::of_row(row) == zone);
         let shares = rows.map(|row| {
-            let by_number = self.limit(row).and_then(|(place, limit)| {
+            let by_number = self.limit(row).and_then(|(place, red, sense)| {
                 let [from, to] = [failed, other].map(|found| found.numbers[place]);
-                let beyond = |value: f64| match limit.sense {
-                    Sense::AtMost => value - limit.red,
-                    Sense::AtLeast => limit.red - value,
+                let beyond = |value: f64| match sense {
+                    Sense::AtMost => value - red,
+                    Sense::AtLeast => red - value,
                 };
                 let is_between = beyond(from) >= 0.0 && beyond(to) <= 0.0 && from != to;
                 let third = third.map(|(found, at)| (found.numbers[place], at));
-                is_between.then(|| way([from, to], limit.red, third))
+                is_between.then(|| way([from, to], red, third))
             });
             by_number.map_or((0.5, false), |share| (share, true))
         });

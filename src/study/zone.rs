@@ -1,6 +1,6 @@
 //! What becomes of a part: sound, or how it fails.
 
-use crate::assess::{Finding, Light, Sense, judgements};
+use crate::assess::{Finding, Light, judgements};
 use crate::case::Solution;
 use crate::message::Message;
 use crate::solution::Stop;
@@ -96,27 +96,5 @@ impl Zone {
         zones.sort_unstable();
         zones.dedup();
         zones
-    }
-}
-
-/// Where a row of the verdict turns red.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Limit {
-    /// The row.
-    pub row: &'static str,
-    /// In the row's unit.
-    pub red: f64,
-    /// On which side of it a number is good.
-    pub sense: Sense,
-}
-
-impl Limit {
-    /// Of all rows that have one.
-    pub(super) fn of(findings: &[Finding]) -> Vec<Self> {
-        let limit = |finding: &Finding| {
-            let limits = finding.limits?;
-            Some(Self { row: finding.key, red: limits.red?, sense: limits.sense })
-        };
-        judgements(findings).filter_map(limit).collect()
     }
 }

@@ -13,7 +13,7 @@
 use super::number::Named;
 use crate::assess::Light;
 use crate::message::{Message, message};
-use crate::study::{Margin, Row, Solved, StudyError};
+use crate::study::{Judged, Row, Solved, StudyError};
 use crate::units::{Parsed, did_you_mean, parse};
 
 /// What a run must keep to.
@@ -72,8 +72,8 @@ impl Condition {
         for term in &self.terms {
             match term {
                 Term::Number { name, limit, .. } => drop(name.limit(name.find(solved)?, limit)?),
-                Term::Light { row: Some(row), .. } if !solved.margins.iter().any(|margin| margin.key == row) => {
-                    let rows = || solved.margins.iter().map(|margin| margin.key);
+                Term::Light { row: Some(row), .. } if !solved.judged.iter().any(|judged| judged.key == row) => {
+                    let rows = || solved.judged.iter().map(|judged| judged.key);
                     let near = did_you_mean(row, rows());
                     let help = format!("{near}it has {}", rows().collect::<Vec<_>>().join(", "));
                     return Err(StudyError::new(format!("the verdict on this case has no row `{row}`"), help));
@@ -161,8 +161,8 @@ impl Term {
             _ if solved.tears => -1.0,
             Self::Untorn => kept,
             Self::Light { row, worst } => {
-                let rows = solved.margins.iter().filter(|margin| row.as_ref().is_none_or(|row| row == margin.key));
-                let to = |margin: &Margin| if *worst == Light::Amber { margin.to_amber } else { margin.to_red };
+                let rows = solved.judged.iter().filter(|judged| row.as_ref().is_none_or(|row| row == judged.key));
+                let to = |judged: &Judged| if *worst == Light::Amber { judged.to_amber() } else { judged.to_red() };
                 let least = rows.filter_map(to).fold(f64::INFINITY, f64::min);
                 // A light that no number says, or the other way round, counts as it is.
                 if (least < 0.0) == (kept < 0.0) { least.clamp(-1.0, 1.0) } else { 0.1 * kept }
