@@ -11,7 +11,7 @@ use std::fs;
 use std::path::Path;
 
 /// A coarse cup that wrinkles, is sound or asks too much of its press as the holder presses harder.
-const PRESS: &str = "\n[press]\nforce = \"50 kN\"\n";
+const PRESS: &str = "\n[press]\nforce = \"65 kN\"\n";
 
 fn cup() -> temp_dir::TempDir {
     folder(&CUP.replace("travel = \"5 mm\"", "travel = \"15 mm\"").replace("[tools]", &format!("{PRESS}[tools]")))
@@ -53,23 +53,20 @@ fn distances_are_those_of_the_closed_form_and_of_a_line_between_designs() {
         assert_eq!(window.own(), Some((10_000.0, 0.08)));
         let distances = window.distances();
         let met: Vec<Meets> = distances.iter().map(|distance| distance.meets).collect();
-        assert_eq!(
-            met,
-            [Meets::Failure(Zone::Wrinkles), Meets::Failure(Zone::Press), Meets::End, Meets::Failure(Zone::Press)]
-        );
+        assert_eq!(met, [Meets::Failure(Zone::Wrinkles), Meets::Failure(Zone::Press), Meets::End, Meets::End]);
         let index = results.place(Of::Verdict, "wrinkling").expect("an index");
         let own = results.base.outcome.numbers[index].amount.value;
         assert!((distances[0].to - 10_000.0 * own / 2.0).abs() < 1e-3, "{:?}", distances[0]);
 
         let (place, limit) = results.limit("press_force").expect("a limit");
-        assert_eq!(limit.red, 50_000.0);
+        assert_eq!(limit.red, 65_000.0);
         // Friction 0.08 is the second of four, force the slower axis.
         let forces = [1e3, 11e3, 21e3, 31e3];
         let needed: Vec<f64> = (0..4).map(|i| results.rows[4 * i + 1].numbers[place]).collect();
-        let i = needed.iter().position(|force| *force > 50e3).expect("one that is too large");
-        let by_hand = forces[i - 1] + 10e3 * (50e3 - needed[i - 1]) / (needed[i] - needed[i - 1]);
-        // The inverse of a force that rises by a few per cent is nearly as straight as the force itself.
-        assert!((distances[1].to - by_hand).abs() < 0.01 * by_hand, "{} {by_hand}", distances[1].to);
+        let i = needed.iter().position(|force| *force > 65e3).expect("one that is too large");
+        let by_hand = forces[i - 1] + 10e3 * (65e3 - needed[i - 1]) / (needed[i] - needed[i - 1]);
+        // Ram and holder press together: the force itself is the straighter one. The table has nine digits.
+        assert!((distances[1].to - by_hand).abs() < 0.1, "{} {by_hand}", distances[1].to);
 
         let said: Vec<String> = Said::of(results).sentences(results).iter().map(ToString::to_string).collect();
         let all = said.join("\n").replace('\u{a0}', " ");
