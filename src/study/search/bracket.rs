@@ -197,7 +197,7 @@ impl Search<'_> {
         };
         // An edge inside, where the condition comes again beyond and holds to the end, is none.
         let ends_inside = decided.last().is_some_and(|last| last.1 < Some(0.0)) || matches!(self.aim, Aim::Crossing(_));
-        let last = decided.windows(2).filter(is_change).last().filter(|_| ends_inside)?;
+        let last = decided.windows(2).rfind(is_change).filter(|_| ends_inside)?;
         Some([last[0].0, last[1].0])
     }
 
