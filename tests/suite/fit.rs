@@ -61,7 +61,7 @@ fn fitted(text: &str, wanted: Option<Kind>, reduction: &Reduction) -> LawFits {
 /// The law of a case with a text as its `[material]`.
 fn loaded(material: &str) -> Case {
     let text = fs::read_to_string("cases/quickstart.toml").expect("a case");
-    let (before, rest) = text.split_once("[material]").expect("a material");
+    let (before, rest) = text.split_once("[material.").expect("a material");
     let (_, after) = rest.split_once("[tools").expect("tools");
     case::parse(&format!("{before}{material}\n[tools{after}"), "made.toml", &[])
         .unwrap_or_else(|e| panic!("{e}\n{material}"))

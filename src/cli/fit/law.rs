@@ -4,85 +4,22 @@ use super::super::code::{BadRequest, Code};
 use super::super::many::asked;
 use super::super::say::{say, say_json};
 use super::super::table::{Cell, table, wrapped};
-use super::{Args, cells, csv, json_of, share, stress};
+use super::args::Args;
+use super::shown::{cells, csv, json_of};
 use anyhow::Context;
 use serde_json::{Value, json};
 use stampflow::message::Message;
 use stampflow::output::study::fit_law;
 use stampflow::output::write;
-use stampflow::study::fit::{
-    Direction, FlowCurve, Kind, LawFit, LawFits, RateKind, Reduction, Tension, fit_laws, material_text,
-};
-use stampflow::units::{four_digits, parse, trimmed};
-
-#[derive(Debug, clap::Args)]
-pub struct Options {
-    /// Of tension tests: fit this law only
-    #[arg(long, value_name = "LAW", value_parser = kind)]
-    law: Option<Kind>,
-    /// Young's modulus [default: the slope at the beginning]
-    #[arg(long, value_name = "STRESS", value_parser = stress)]
-    young: Option<f64>,
-    /// Plastic strain at yield, where the law begins
-    #[arg(long, value_name = "STRAIN", default_value = "0.2 %", value_parser = share)]
-    offset: f64,
-    /// Plastic strain where the fit begins, such as that behind a yield plateau [default: the offset]
-    #[arg(long, value_name = "STRAIN", value_parser = share)]
-    from: Option<f64>,
-    /// Plastic strain where the fit ends [default: at the largest force]
-    #[arg(long, value_name = "STRAIN", value_parser = share)]
-    until: Option<f64>,
-    /// Section of the specimen, for forces: "20 mm^2"
-    #[arg(long, value_name = "AREA", value_parser = section)]
-    section: Option<f64>,
-    /// Gauge length, for elongations: "80 mm"
-    #[arg(long, value_name = "LENGTH", value_parser = gauge)]
-    gauge: Option<f64>,
-    /// Strain rate of each test in 1/s, in their order: 0.001,1
-    #[arg(long, value_name = "A,B,C", value_delimiter = ',')]
-    rate: Vec<f64>,
-    /// Law of the rate: power, johnson-cook or cowper-symonds
-    #[arg(long, value_name = "LAW", default_value = "power", value_parser = rate_kind)]
-    rate_law: RateKind,
-    /// Direction of each test to that of rolling in degrees: 0,45,90
-    #[arg(long, value_name = "A,B,C", value_delimiter = ',')]
-    direction: Vec<f64>,
-}
-
-fn kind(name: &str) -> Result<Kind, String> {
-    let names = || Kind::ALL.map(Kind::name).join(", ");
-    Kind::ALL.into_iter().find(|kind| kind.name() == name).ok_or_else(|| format!("the laws are {}", names()))
-}
-
-fn rate_kind(name: &str) -> Result<RateKind, String> {
-    match name {
-        "power" => Ok(RateKind::Power),
-        "johnson-cook" => Ok(RateKind::JohnsonCook),
-        "cowper-symonds" => Ok(RateKind::CowperSymonds),
-        _ => Err("the laws are power, johnson-cook and cowper-symonds".to_owned()),
-    }
-}
-
-fn section(text: &str) -> Result<f64, String> {
-    measured(text, "an area", "20 mm^2")
-}
-
-fn gauge(text: &str) -> Result<f64, String> {
-    measured(text, "a length", "80 mm")
-}
-
-fn measured(text: &str, what: &str, example: &str) -> Result<f64, String> {
-    let parsed = parse(text).map_err(|error| error.to_string())?;
-    let fits = parsed.dimension.describe() == what && parsed.value > 0.0;
-    fits.then_some(parsed.value).ok_or_else(|| format!("{text} is not {what}: write \"{example}\""))
-}
+use stampflow::study::fit::{Direction, FlowCurve, LawFit, LawFits, Reduction, Tension, fit_laws, material_text};
+use stampflow::units::{four_digits, trimmed};
 
 pub fn law(args: &Args) -> anyhow::Result<Code> {
     let options = &args.of_law;
     if !args.vary.is_empty() || !args.to.is_empty() {
         return Err(BadRequest("--vary and --to are of a case: name its file in place of a test".into()).into());
     }
-    let fits = fit_laws(options.curves(args)?, options.law, options.rate_law).map_err(asked)?;
+    let fits = fit_laws(curves(args)?, options.law, options.rate_law).map_err(asked)?;
     let form = args.told.form();
     let dir = args.many.folder(&args.files[0], "fit");
     let best = fits.best();
@@ -138,25 +75,24 @@ fn direction(d: &Direction, form: stampflow::message::Form) -> [String; 4] {
     [format!("{}°", trimmed(d.angle, 1)), d.tests.to_string(), number(trimmed(d.ratio, 4)), number(r)]
 }
 
-impl Options {
-    /// The tests, reduced.
-    fn curves(&self, args: &Args) -> anyhow::Result<Vec<FlowCurve>> {
-        let count = args.files.len();
-        for (what, given) in [("--rate", self.rate.len()), ("--direction", self.direction.len())] {
-            if given != 0 && given != count {
-                return Err(BadRequest(format!("{what} has {given} values for {count} tests: give one each")).into());
-            }
+/// The tests, reduced.
+fn curves(args: &Args) -> anyhow::Result<Vec<FlowCurve>> {
+    let of = &args.of_law;
+    let count = args.files.len();
+    for (what, given) in [("--rate", of.rate.len()), ("--direction", of.direction.len())] {
+        if given != 0 && given != count {
+            return Err(BadRequest(format!("{what} has {given} values for {count} tests: give one each")).into());
         }
-        if let Some(rate) = self.rate.iter().find(|rate| !(**rate > 0.0 && rate.is_finite())) {
-            return Err(BadRequest(format!("a strain rate of {rate} /s: it must be above 0")).into());
-        }
-        let reduction = Reduction { young: self.young, offset: self.offset, from: self.from, to: self.until };
-        let one = |(i, path): (usize, &std::path::PathBuf)| {
-            let curve = FlowCurve::of(&Tension::load(path, self.section, self.gauge)?, &reduction)?;
-            Ok(FlowCurve { rate: self.rate.get(i).copied(), direction: self.direction.get(i).copied(), ..curve })
-        };
-        args.files.iter().enumerate().map(one).collect::<Result<_, _>>().map_err(asked)
     }
+    if let Some(rate) = of.rate.iter().find(|rate| !(**rate > 0.0 && rate.is_finite())) {
+        return Err(BadRequest(format!("a strain rate of {rate} /s: it must be above 0")).into());
+    }
+    let reduction = Reduction { young: of.young, offset: of.offset, from: of.from, to: of.until };
+    let one = |(i, path): (usize, &std::path::PathBuf)| {
+        let curve = FlowCurve::of(&Tension::load(path, of.section, of.gauge)?, &reduction)?;
+        Ok(FlowCurve { rate: of.rate.get(i).copied(), direction: of.direction.get(i).copied(), ..curve })
+    };
+    args.files.iter().enumerate().map(one).collect::<Result<_, _>>().map_err(asked)
 }
 
 fn json(fits: &LawFits, text: &str) -> Value {
