@@ -22,8 +22,8 @@ fn change(versus: &Versus, key: &str, run: usize) -> Change {
     versus.compared().iter().find(|row| row.number.key == key).expect("a number").changes[run]
 }
 
-/// Trust: friction raises the force by far more than bars of 2 % leave open, a millionth of it does not; the angle of the
-/// change is that of two runs by hand.
+/// Trust: friction raises the force by far more than bars of 2 % leave open, a millionth of it does not; the change
+/// is that between the largest forces of both runs.
 #[test]
 fn a_difference_is_told_unless_the_error_bars_leave_it_open() {
     let versus = versus(&["friction=0.2", "friction=0.08001", "tools.holder.force=10.0 kN"]);
