@@ -97,7 +97,6 @@ fn a_window_shows_zones_lines_of_thinning_and_the_case() {
             "Press too small",
             "Thinning [%]",
             " %<",
-            "sound",
             "The case as it stands",
             "Holder force [kN]",
             "may fall by 8.1 kN before it",
