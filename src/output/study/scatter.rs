@@ -49,7 +49,7 @@ fn panel(spread: &Spread) -> Panel {
     let number = &spread.number;
     let (low, high) = (spread.values[0], spread.values[spread.values.len() - 1]);
     let width = (high - low) / BARS as f64;
-    let mut shares = vec![0.0; BARS];
+    let mut shares = [0.0; BARS];
     for value in &spread.values {
         shares[(((value - low) / width) as usize).min(BARS - 1)] += 100.0 / spread.values.len() as f64;
     }
