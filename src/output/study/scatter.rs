@@ -1,23 +1,16 @@
 //! The pictures of a scatter: how the numbers that decide lie to their limits, bands of the curves, and what decides.
 
 use super::{scatter_bands, scatter_indices};
-use crate::assess::Light;
 use crate::message::{Form, message};
 use crate::output::chart::{BLACK, Chart, GREY, Look, Panel, Scale, Series, color, pale};
-use crate::study::scatter::{Found, Grids, Spread};
+use crate::study::scatter::{Found, Grids, Spread, deciding};
 use crate::table::{Column, Unit};
-
-/// Numbers that are drawn at most.
-const MOST: usize = 4;
 
 /// Bars of a histogram: few enough for a hundred runs.
 const BARS: usize = 24;
 
 /// A limit is drawn where it is no further from the values than so many times their width.
 const NEAR: f64 = 1.5;
-
-/// The row of the verdict that judges what was given, not what came of it.
-const GIVEN: &str = "friction";
 
 /// Each picture by the stem of its file.
 pub fn pictures(found: &Found, grids: &Grids, name: &str, form: Form) -> Vec<(&'static str, Chart)> {
@@ -31,35 +24,6 @@ pub fn pictures(found: &Found, grids: &Grids, name: &str, form: Form) -> Vec<(&'
         scatter_indices::chart(found, name, form).map(|chart| ("influence", chart)),
     ];
     all.into_iter().flatten().map(|(stem, chart)| (stem, chart.told(form))).collect()
-}
-
-/// The numbers that decide: those that are red most often, then those nearest to their limits.
-pub(super) fn deciding(found: &Found) -> Vec<&Spread> {
-    let share = |spread: &Spread, light: Light| {
-        let own =
-            found.events.iter().find(|event| Some(event.key.as_str()) == spread.number.row && event.light == light);
-        own.map_or(0.0, |event| event.chance.value)
-    };
-    let is_judged =
-        |spread: &&Spread| spread.number.limits.is_some() && spread.number.row != Some(GIVEN) && varies(spread);
-    let mut judged: Vec<&Spread> = found.numbers.iter().filter(is_judged).collect();
-    judged.sort_by(|a, b| {
-        let key = |spread| (share(spread, Light::Red), share(spread, Light::Amber), nearness(spread));
-        key(b).partial_cmp(&key(a)).unwrap_or(std::cmp::Ordering::Equal)
-    });
-    judged.truncate(MOST);
-    judged
-}
-
-fn varies(spread: &Spread) -> bool {
-    spread.quantiles().is_some_and(|[low, _, high]| high - low > 1e-9 * high.abs().max(low.abs()))
-}
-
-/// Minus the distance of the median from the nearest limit, over the width of the values.
-fn nearness(spread: &Spread) -> f64 {
-    let Some([low, median, high]) = spread.quantiles() else { return f64::NEG_INFINITY };
-    let limits = spread.number.limits.iter().flat_map(|limits| [limits.amber, limits.red]).flatten();
-    -limits.map(|limit| (limit - median).abs() / (high - low)).fold(f64::INFINITY, f64::min)
 }
 
 fn histograms(found: &Found, name: &str, form: Form) -> Option<Chart> {
@@ -85,7 +49,7 @@ fn panel(spread: &Spread) -> Panel {
     let number = &spread.number;
     let (low, high) = (spread.values[0], spread.values[spread.values.len() - 1]);
     let width = (high - low) / BARS as f64;
-    let mut shares = vec![0.0; BARS];
+    let mut shares = [0.0; BARS];
     for value in &spread.values {
         shares[(((value - low) / width) as usize).min(BARS - 1)] += 100.0 / spread.values.len() as f64;
     }

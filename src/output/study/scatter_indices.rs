@@ -1,10 +1,9 @@
 //! What decides: a bar for each thing that scatters, the longest on top; Sobol indices with their intervals, or rank
 //! correlations.
 
-use super::scatter::deciding;
 use crate::message::{Form, message};
 use crate::output::chart::{BLACK, Chart, Look, Panel, Scale, Series, color, pale};
-use crate::study::scatter::{Found, Index, Spread, called};
+use crate::study::scatter::{Found, Index, Spread, called, deciding};
 use crate::table::{Axis, Column, Unit};
 
 /// Bars of a panel at most.

@@ -120,7 +120,7 @@ impl Written {
                 }
             },
             "normal" => {
-                let (main, limits) = match rest.split_once(" in ") {
+                let (main, limits) = match rest.rsplit_once(" in ") {
                     Some((main, limits)) => (main, Some(limits.trim())),
                     None if is_cut => return Err(reader.wrong("is truncated and does not say where")),
                     None => (rest, None),
@@ -294,6 +294,7 @@ mod tests {
             ("normal ± 25 %", normal(2.0, 0.5, None), "mm"),
             ("normal ± 0.05 cm", normal(0.2, 0.05, None), "cm"),
             ("truncated normal 1 ± 0.25 mm in 0.5..1.25 mm", normal(1.0, 0.25, Some((0.5, 1.25))), "mm"),
+            ("normal 1 ± 0.25 in in 0.5..1.25 in", normal(1.0, 0.25, Some((0.5, 1.25))), "in"),
             ("normal ± 25 % in ± 50 %", normal(2.0, 0.5, Some((1.0, 3.0))), "mm"),
         ] {
             let (found, of) = read(text).unwrap_or_else(|error| panic!("{error}"));

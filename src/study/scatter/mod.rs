@@ -21,6 +21,7 @@
 mod base;
 mod copula;
 mod curves;
+mod deciding;
 mod declared;
 pub mod distribution;
 mod estimate;
@@ -36,6 +37,7 @@ mod telling;
 pub use base::{Base, Known};
 pub use copula::Correlation;
 pub use curves::Grids;
+pub use deciding::deciding;
 pub use distribution::Distribution;
 pub use estimate::{CONFIDENCE, Estimate, Tries, jackknife, probability};
 pub use factor::{Factor, STRENGTH};

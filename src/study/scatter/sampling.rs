@@ -15,7 +15,7 @@ pub const MOST: u64 = REPLICATES as u64 * LONGEST;
 /// Most coordinates: a point and its partner, of which indices are made, share the dimensions of the sequence.
 pub const COORDINATES: usize = 128;
 
-/// Half of the sequence's resolution: coordinates lie within 0 and 1, and never on either.
+/// Within the sequence's resolution: coordinates lie between 0 and 1, and never on either.
 const HALF: f64 = 0.5 / (1u32 << 24) as f64;
 
 /// A quasi-random sample of the unit cube: scrambled Sobol points, with partners where indices are asked for.
