@@ -74,10 +74,8 @@ pub fn interval(
                 return End::Open;
             }
             let slope = (tau - tau_near) / (value - near);
-            if !(side * slope > 0.0) {
-                return End::Unknown;
-            }
-            let next = value + (t - tau) / slope;
+            // Where the sum does not rise yet, farther out.
+            let next = if side * slope > 0.0 { value + (t - tau) / slope } else { value + 0.5 * (value - best) };
             if tau < t {
                 (near, tau_near) = (value, tau);
             }

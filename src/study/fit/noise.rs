@@ -3,8 +3,8 @@
 //! A run's curve has steps in it that no parameter makes: increments that end elsewhere, contacts that close one step later. Their
 //! size follows from runs whose keys differ by next to nothing: a smooth curve has no second difference there, so that what is
 //! left of it is noise, √6 times that of one run. A difference then reaches so far that the curve moves by a hundred times the
-//! noise, between a two-thousandth and a twentieth of the range: at the lower end its own bend is nothing, beyond the upper one
-//! it is.
+//! noise, between a hundredth and a twentieth of the range: nearer, single increments that end elsewhere make a slope of their
+//! own; farther, the curve's bend does.
 //!
 //! # References
 //! J. J. Moré, S. M. Wild, Estimating computational noise, SIAM J. Sci. Comput. 33 (2011) 1292–1314 (not read: the differences of
@@ -21,7 +21,7 @@ const TIMES: f64 = 100.0;
 /// How far the first differences reach, over the range \[–\].
 const FIRST: f64 = 0.01;
 /// Least and largest reach over that \[–\].
-const REACH: [f64; 2] = [0.05, 5.0];
+const REACH: [f64; 2] = [1.0, 5.0];
 
 /// Gives every parameter the half width of its differences; the root of the mean square of a run's noise, and for each
 /// parameter that of the residuals' change over its whole range. `None` where runs fail or no more are wanted.
