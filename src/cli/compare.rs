@@ -2,7 +2,7 @@
 
 use super::code::{BadRequest, Code};
 use super::many::{Many, asked};
-use super::options::{self, PictureOptions};
+
 use super::place;
 use super::say::{Shown, say, say_json, warn};
 use super::table::{Cell, Tone, table, wrapped};
@@ -39,10 +39,6 @@ pub struct Args {
     #[command(flatten)]
     variants: Variants,
     #[command(flatten)]
-    form: options::Told,
-    #[command(flatten)]
-    pictures: PictureOptions,
-    #[command(flatten)]
     many: Many,
 }
 
@@ -68,7 +64,7 @@ pub fn compare(args: &Args) -> anyhow::Result<Code> {
     if versus.members.is_empty() && interrupt::is_wanted() {
         return Ok(Code::Done);
     }
-    let form = args.form.form();
+    let form = args.many.told.form();
     let files = written(args, &versus, &dir, form)?;
     if args.many.json.json {
         let mut value = json(&versus);
@@ -104,7 +100,7 @@ fn is_curve(path: &Path) -> bool {
 
 /// The table and all pictures.
 fn written(args: &Args, versus: &Versus, dir: &Path, form: Form) -> anyhow::Result<Vec<PathBuf>> {
-    let made = args.pictures.pictures();
+    let made = args.many.pictures.pictures();
     let mut files = vec![(TABLE.to_owned(), csv(versus))];
     for drawn in pictures(versus, made.engineering_strain, form) {
         files.extend(made.files(drawn.stem, &drawn.chart));

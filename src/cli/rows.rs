@@ -5,7 +5,7 @@ use super::say::warn;
 use stampflow::study::{Earlier, Journal, Shard};
 
 /// So many runs are begun without a word.
-pub const MANY: u64 = 100_000;
+const MANY: u64 = 100_000;
 
 /// The options of every verb whose rows are known by their indices.
 #[derive(Debug, clap::Args)]

@@ -55,7 +55,7 @@ pub fn search(args: &Args) -> anyhow::Result<Code> {
     let seconds = start.elapsed().as_secs_f64();
     let (header, lines) = answer.table();
     places.table(header, lines)?;
-    let form = args.told.form();
+    let form = args.many.told.form();
     places.picture(args, plot(&quest, &answer, form))?;
     let bars = match answer.best.filter(|_| !count.wants_to_stop()) {
         Some(best) => {

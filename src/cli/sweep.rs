@@ -2,7 +2,7 @@
 
 use super::code::Code;
 use super::many::{Many, asked};
-use super::rows::{MANY, Rows, all_there};
+use super::rows::{Rows, all_there};
 use super::say::{say, say_json};
 use super::studied::Studied;
 use super::table::wrapped;
@@ -49,6 +49,9 @@ written then. Curves that --keep wrote, and times, stay where the shards wrote t
 
 Example:
   stampflow merge shards/study-*-of-64.csv --out study.csv";
+
+/// So many designs at most are read back to be drawn: that takes some 50 MB.
+const PICTURED: u64 = 10_000;
 
 #[derive(Debug, clap::Args)]
 pub struct Args {
@@ -142,7 +145,7 @@ pub fn sweep(args: &Args) -> anyhow::Result<Code> {
     }
     let ran = Ran { designs: indices.len(), kept, seconds: begin.elapsed().as_secs_f64() };
     // A part shows nothing by itself, and of so many there is nothing to see.
-    if shard != Shard::WHOLE || plan.count() > MANY {
+    if shard != Shard::WHOLE || plan.count() > PICTURED {
         let lights = json!({ "file": path, "designs": ran.designs, "kept": kept, "wall_s": ran.seconds,
                              "lights": tally.lights, "red": tally.red });
         return match args.many.json.json {

@@ -210,7 +210,8 @@ impl<T: Real> StrainDisplacement<T> {
     pub fn geometric_stiffness(&self, s: &Generalised<T>) -> GeometricStiffness<T> {
         let [x, y] = self.along;
         let (product, apart) = (x * y * 2.0, y * y - x * x);
-        let (along, shear) = (s[EPS_S], s[GAMMA]);
+        // A membrane has no shear: its row is zero, whatever the force.
+        let (along, shear) = (s[EPS_S], s[GAMMA] * self.shear * -2.0);
         GeometricStiffness {
             difference: [
                 along * apart + shear * product,

@@ -219,7 +219,8 @@ fn what_cannot_be_read_is_named() {
 #[test]
 fn a_case_can_be_read_from_memory() {
     let (mut memory, cases) = (Memory::default(), files("cases", "toml"));
-    for path in [files("cases", ""), files("reference_data", "")].concat() {
+    let all = [files("cases", ""), files("reference_data", "")].concat();
+    for path in all.into_iter().filter(|path| path.is_file()) {
         memory.insert(&path, std::fs::read(&path).unwrap());
     }
     assert!(cases.len() >= 19, "{cases:?}");

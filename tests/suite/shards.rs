@@ -198,11 +198,12 @@ fn merge_refuses_what_is_not_each_shard_once_and_writes_nothing() {
     assert_eq!(done.status.code(), Some(0), "{}", text(&done.stderr));
 }
 
-/// Largest memory that a sweep of so many designs held [kB].
+/// Largest memory that a shard of so many designs held [kB].
 #[cfg(target_os = "linux")]
 fn peak_memory(dir: &TempDir, designs: usize) -> u64 {
-    let varied = format!("friction=0.04..0.12/{designs}");
-    let mut running = began(&mut sweep(dir.path(), &["--vary", &varied, "--out", &format!("out-{designs}")]));
+    let varied = format!("friction=0.04..0.12/{}", 2 * designs);
+    let out = format!("out-{designs}");
+    let mut running = began(&mut sweep(dir.path(), &["--vary", &varied, "--shard", "1/2", "--out", &out]));
     let mut peak = 0;
     while running.try_wait().unwrap().is_none() {
         let status = fs::read_to_string(format!("/proc/{}/status", running.id())).unwrap_or_default();
@@ -218,7 +219,7 @@ fn peak_memory(dir: &TempDir, designs: usize) -> u64 {
 /// threads happen to hold at a time differs by less than 2 MB.
 #[cfg(target_os = "linux")]
 #[test]
-fn memory_does_not_grow_with_the_number_of_designs() {
+fn memory_of_a_shard_does_not_grow_with_the_number_of_designs() {
     let dir = folder(&cheap());
     let [few, many] = [200, 2200].map(|designs| peak_memory(&dir, designs));
     assert!(few > 3000 && many < few + 2000, "{few} kB for 200 designs, {many} kB for 2200");

@@ -1,7 +1,6 @@
 //! What a fit is asked for.
 
 use super::super::many::Many;
-use super::super::options::{PictureOptions, Told};
 use stampflow::study::fit::{Kind, RateKind};
 use stampflow::units::{Positive, Quantity, Stress, parse};
 use std::path::PathBuf;
@@ -19,10 +18,6 @@ pub struct Args {
     /// A measured curve, as often as needed [default: those of the case's [[compare]]]
     #[arg(long, value_name = "CURVE.csv")]
     pub to: Vec<PathBuf>,
-    #[command(flatten)]
-    pub told: Told,
-    #[command(flatten)]
-    pub pictures: PictureOptions,
     #[command(flatten)]
     pub many: Many,
 }

@@ -24,7 +24,7 @@ pub fn case(args: &Args) -> anyhow::Result<Code> {
         Err(_) if interrupt::is_wanted() => return Ok(Code::Interrupted),
         fit => fit.map_err(asked)?,
     };
-    let form = args.told.form();
+    let form = args.many.told.form();
     let dir = args.many.folder(file, "fit");
     let value = json(&fit);
     let mut files = vec![
@@ -34,7 +34,7 @@ pub fn case(args: &Args) -> anyhow::Result<Code> {
     ];
     for (i, chart) in pictures(&fit, form).iter().enumerate() {
         let stem = if i == 0 { "fit".to_owned() } else { format!("fit_{}", i + 1) };
-        files.extend(args.pictures.pictures().files(&stem, chart));
+        files.extend(args.many.pictures.pictures().files(&stem, chart));
     }
     for (name, bytes) in files {
         write(&dir.join(&name), &bytes).with_context(|| format!("cannot write {name}"))?;

@@ -20,7 +20,7 @@ pub fn law(args: &Args) -> anyhow::Result<Code> {
         return Err(BadRequest("--vary and --to are of a case: name its file in place of a test".into()).into());
     }
     let fits = fit_laws(curves(args)?, options.law, options.rate_law).map_err(asked)?;
-    let form = args.told.form();
+    let form = args.many.told.form();
     let dir = args.many.folder(&args.files[0], "fit");
     let best = fits.best();
     let text = material_text(&fits, best);
@@ -31,7 +31,7 @@ pub fn law(args: &Args) -> anyhow::Result<Code> {
         ("fit.json".to_owned(), serde_json::to_vec_pretty(&value)?),
         ("material.toml".to_owned(), text.clone().into_bytes()),
     ];
-    files.extend(args.pictures.pictures().files("fit", &fit_law(&fits, form)));
+    files.extend(args.many.pictures.pictures().files("fit", &fit_law(&fits, form)));
     for (name, bytes) in files {
         write(&dir.join(&name), &bytes).with_context(|| format!("cannot write {name}"))?;
     }

@@ -2,7 +2,6 @@
 
 use super::super::error_bars::ErrorBars;
 use super::super::many::Many;
-use super::super::options::{PictureOptions, Told};
 use super::super::place;
 use anyhow::Context;
 use stampflow::output::{Chart, write};
@@ -44,11 +43,7 @@ pub struct Args {
     #[arg(long, value_name = "VALUE")]
     pub tolerance: Option<String>,
     #[command(flatten)]
-    pub told: Told,
-    #[command(flatten)]
     pub bars: ErrorBars,
-    #[command(flatten)]
-    pub pictures: PictureOptions,
     #[command(flatten)]
     pub many: Many,
 }
@@ -149,7 +144,7 @@ impl Places {
     }
 
     pub fn picture(&self, args: &Args, chart: Option<Chart>) -> anyhow::Result<()> {
-        for (name, bytes) in chart.iter().flat_map(|chart| args.pictures.pictures().files("search", chart)) {
+        for (name, bytes) in chart.iter().flat_map(|chart| args.many.pictures.pictures().files("search", chart)) {
             let path = self.dir.join(name);
             write(&path, &bytes).with_context(|| format!("cannot write {}", path.display()))?;
         }

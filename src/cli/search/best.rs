@@ -35,7 +35,7 @@ pub fn optimise(args: &Args, places: &Places) -> anyhow::Result<Code> {
         best_of(&subject, &spans, (&name, sense), condition.as_ref(), args.many.threads(), &count).map_err(asked)?;
     let seconds = start.elapsed().as_secs_f64();
     places.table(&found.table.0, &found.table.1)?;
-    let form = args.told.form();
+    let form = args.many.told.form();
     places.picture(args, plot_best(&spans, &name, condition.as_ref(), &found, form))?;
     let solution = match found.best.filter(|_| !found.interrupted) {
         Some(best) => {
