@@ -37,7 +37,7 @@ pub fn json_of(e: &Estimate) -> Value {
 /// Value with its unit, standard error and interval, as a table has them.
 pub fn cells(e: &Estimate, form: Form) -> [String; 3] {
     let number = |text: String| form.language.number(&text);
-    let interval = e.interval().map_or_else(|| "–".to_owned(), |text| number(text));
+    let interval = e.interval().map_or_else(|| "–".to_owned(), number);
     [
         format!("{} {}", number(e.told()), e.unit).trim_end().to_owned(),
         e.told_error().map_or_else(|| "–".to_owned(), number),

@@ -168,7 +168,7 @@ fn elastic_line(test: &Tension, young: Option<f64>) -> Result<(f64, f64), StudyE
         }
         (None, _) => {
             let [toe, compliance, _] = straight(&points);
-            if !(compliance > 0.0) {
+            if compliance <= 0.0 || compliance.is_nan() {
                 return Err(StudyError::new(format!("{} begins without an elastic line", test.name), help));
             }
             Ok((1.0 / compliance, toe))
