@@ -12,6 +12,7 @@ mod answers;
 mod architecture;
 mod attack;
 mod bad_cases;
+mod book;
 mod bug;
 mod campaign;
 mod case_files;

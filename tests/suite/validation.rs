@@ -10,7 +10,7 @@ use std::path::Path;
 /// A comparison of a case, in the order of `validate`: its quantity and what comes of it.
 type Outcome = (&'static str, &'static str, &'static str);
 
-/// Measured curves that are lost are no failure, and the demonstrations are outside of what was measured (README).
+/// Measured curves that are lost are no failure, and the demonstrations are outside of what was measured (docs/agreement.md).
 const OUTCOMES: [Outcome; 13] = [
     ("brite_cylindrical", "edge_diameter", "OUT, demonstration"),
     ("brite_cylindrical", "thickness", "OUT, demonstration"),

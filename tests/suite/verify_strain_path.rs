@@ -6,7 +6,7 @@ use stampflow::compare::Found;
 /// Hosford's condition as a case has it.
 const FCC: &str = "{ hosford = { crystal = \"fcc\" } }";
 
-/// Yield condition as the README and as a case calls it, friction, r̄, and the minor strain at major strains of 0.1, 0.16 and
+/// Yield condition as the book and as a case calls it, friction, r̄, and the minor strain at major strains of 0.1, 0.16 and
 /// 0.2 of the place that tears, as computed when these lines were written.
 const COMPUTED: [(&str, &str, f64, f64, [f64; 3]); 8] = [
     ("Hosford, 8", FCC, 0.05, 0.47, [0.0526, 0.1011, 0.1328]),
@@ -19,11 +19,11 @@ const COMPUTED: [(&str, &str, f64, f64, [f64; 3]); 8] = [
     ("Hill 1948", "hill48", 0.3, 1.0, [0.0394, 0.0628, 0.0772]),
 ];
 
-/// Trust: no reference, but a record of how far the run is from the measured path; the README's table has the same numbers, and
+/// Trust: no reference, but a record of how far the run is from the measured path; the book has the same numbers, and
 /// 0.002 is a twentieth of what friction from 0.05 to 0.3 does.
 #[test]
-fn the_miss_of_the_strain_path_at_every_friction_is_as_the_readme_has_it() {
-    let readme = include_str!("../../README.md");
+fn the_miss_of_the_strain_path_at_every_friction_is_as_the_book_has_it() {
+    let book = include_str!("../../docs/agreement.md");
     let mut moved = Vec::new();
     for (name, condition, friction, ratio, recorded) in COMPUTED {
         let [punch, die] = ["punch", "die"].map(|side| format!("friction.{side}_side={friction}"));
@@ -44,8 +44,8 @@ fn the_miss_of_the_strain_path_at_every_friction_is_as_the_readme_has_it() {
         }
         let row = recorded.map(|minor| format!("{minor:.3}")).join(" | ");
         let row = format!("| {name} | {friction} | {ratio} | {row} |");
-        if !readme.contains(&row) {
-            moved.push(format!("the README has no {row}"));
+        if !book.contains(&row) {
+            moved.push(format!("the book has no {row}"));
         }
     }
     assert!(moved.is_empty(), "{}", moved.join("\n"));
