@@ -151,9 +151,7 @@ impl Solution {
     }
 
     fn answered(&self, py: Python<'_>) -> &(Answer, Vec<Finding>) {
-        py.detach(|| {
-            self.answered.get_or_init(|| verification::answered(&self.solution, self.verification.as_ref()))
-        })
+        py.detach(|| self.answered.get_or_init(|| verification::answered(&self.solution, self.verification.as_ref())))
     }
 
     fn results(&self, py: Python<'_>) -> PyResult<Results<'_>> {

@@ -11,6 +11,7 @@ files: ``"0.9 mm"``.
 
 from __future__ import annotations
 
+from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 from ._native import __version__
@@ -56,14 +57,11 @@ if TYPE_CHECKING:
 
 def __getattr__(name: str) -> Any:
     # The keyword dataclasses are many: whoever reads cases from files does not wait for them.
-    from . import parts
-
+    parts = import_module(".parts", __name__)
     if name in parts.__all__:
         return getattr(parts, name)
     raise AttributeError(f"module {__name__} has no attribute {name}")
 
 
 def __dir__() -> list[str]:
-    from . import parts
-
-    return sorted([*globals(), *parts.__all__])
+    return sorted([*globals(), *import_module(".parts", __name__).__all__])

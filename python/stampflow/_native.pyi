@@ -4,6 +4,8 @@ from typing import TypeAlias, final
 import numpy as np
 from numpy.typing import NDArray
 
+__all__ = ["Case", "Solution", "__version__", "fill", "sweep", "templates"]
+
 __version__: str
 
 _Array: TypeAlias = NDArray[np.float64]

@@ -13,20 +13,20 @@ class Picture(str):
     """The text of an SVG, which notebooks show as a picture."""
 
     #: Above the picture.
-    title: str
+    heading: str
     _panels: list[_Panel]
 
     @classmethod
     def _of(cls, parts: tuple[str, str, list[_Panel]]) -> Picture:
         picture = cls(parts[0])
-        _, picture.title, picture._panels = parts
+        _, picture.heading, picture._panels = parts
         return picture
 
     def _repr_svg_(self) -> str:
         return str(self)
 
     def __repr__(self) -> str:
-        return f"<Picture: {self.title}>"
+        return f"<Picture: {self.heading}>"
 
     def save(self, path: str | Path) -> None:
         """Writes the SVG to a file."""
@@ -44,7 +44,7 @@ class Picture(str):
         x, y, series = self._panels[panel]
         for one in series:
             _draw(ax, one)
-        ax.set(xlabel=x, ylabel=y, title=self.title)
+        ax.set(xlabel=x, ylabel=y, title=self.heading)
         if ax.get_legend_handles_labels()[1]:
             ax.legend()
         if y.startswith("z,"):

@@ -10,16 +10,17 @@ import pytest
 import stampflow as sf
 from conftest import QUICKSTART, ROOT
 
+TOOLS = sf.Tools(
+    punch=sf.Punch(flat=sf.Flat(radius="30 mm", nose="6 mm"), friction=0.08, travel="25 mm"),
+    die=sf.Die(throat="31.25 mm", shoulder="6 mm", friction=0.08),
+    holder=sf.Holder(inner_radius="32 mm", force="10 kN"),
+)
 CUP = sf.Model(
     title="Steel cup, 60 mm punch",
     geometry="axisymmetric",
     blank=sf.Blank(radius="55 mm", thickness="1.0 mm"),
     material=sf.Material(hardening=sf.Swift(k="520 MPa", n=0.22, offset=0.005)),
-    tools=sf.Tools(
-        punch=sf.Punch(flat=sf.Flat(radius="30 mm", nose="6 mm"), friction=0.08, travel="25 mm"),
-        die=sf.Die(throat="31.25 mm", shoulder="6 mm", friction=0.08),
-        holder=sf.Holder(inner_radius="32 mm", force="10 kN"),
-    ),
+    tools=TOOLS,
 )
 
 
@@ -48,7 +49,7 @@ def test_stages_beads_and_laws_are_written() -> None:
     model = replace(
         CUP,
         stages=stages,
-        tools=replace(CUP.tools, beads=[strip]),
+        tools=replace(TOOLS, beads=[strip]),
         material=sf.Material(
             hardening=sf.Voce(initial="150 MPa", saturation="350 MPa", rate=12.0),
             yield_condition=sf.HosfordLaw(crystal="bcc"),
