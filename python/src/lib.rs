@@ -10,6 +10,7 @@ mod case;
 mod column;
 mod error;
 mod picture;
+mod rows;
 mod solution;
 mod stage;
 mod sweep;

@@ -9,6 +9,7 @@ use pyo3::exceptions::{PyIndexError, PyValueError};
 use pyo3::prelude::*;
 use serde::Serialize;
 use stampflow::assess::{self, Answer, Finding};
+use stampflow::message::Message;
 use stampflow::output::{Make, OUTPUTS, Output, Results, StageView};
 use stampflow::verification::{self, Number, Of, Verification};
 use std::sync::{Arc, OnceLock};
@@ -87,11 +88,13 @@ impl Solution {
         json(&assess::judgements(&self.answered(py).1).collect::<Vec<_>>())
     }
 
-    /// The numbers: header, label, value, unit, error bar, what it is made of or why there is none.
+    /// The numbers: header, label, value, unit, error bar, as they are told, what the bar is made of or why there is none.
     #[allow(clippy::type_complexity)]
-    fn numbers(&self, py: Python<'_>) -> Vec<(String, &'static str, f64, &'static str, Option<f64>, String)> {
+    fn numbers(&self, py: Python<'_>) -> Vec<(String, &'static str, f64, &'static str, Option<f64>, String, String)> {
         let told = |number: &Number, bar: Option<f64>, about: String| {
-            (header(number), number.label, number.amount.value, number.amount.unit.symbol(), bar, about)
+            let amount = bar.map_or(number.amount, |half| number.amount.with_bar(half));
+            let told = Message::from(amount).to_string();
+            (header(number), number.label, number.amount.value, number.amount.unit.symbol(), bar, told, about)
         };
         match &self.verification {
             Some(verification) => {

@@ -17,6 +17,8 @@ class Number:
     unit: str
     #: The truth, on a mesh and with steps as fine as can be, lies within this of it, in ``unit``; None where it is not known.
     error_bar: float | None
+    #: As the program tells it: ``47.2 ± 0.4 kN``, with no digit beyond the bar.
+    told: str
     #: What the bar is made of, or why there is none; empty where it was not asked for.
     about: str
 
@@ -24,5 +26,4 @@ class Number:
         return self.value
 
     def __str__(self) -> str:
-        bar = f" ± {self.error_bar:.2g}" if self.error_bar is not None else ""
-        return f"{self.value:.6g}{bar} {self.unit}".rstrip()
+        return self.told
