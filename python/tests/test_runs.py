@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import os
 import resource
 import signal
 import subprocess
 import sys
 import threading
 import time
+from collections.abc import Callable
 from pathlib import Path
 
 import pytest
@@ -66,21 +68,41 @@ def test_python_goes_on_while_a_case_is_solved() -> None:
     assert counted > 10
 
 
+def test_two_runs_go_on_at_the_same_time() -> None:
+    """Trust: with the lock held, the second begins when the first has ended."""
+    case = CUP.with_(**{"blank.elements": 400})
+    spans: list[tuple[float, float]] = []
+
+    def solve() -> None:
+        start = time.perf_counter()
+        case.solve()
+        spans.append((start, time.perf_counter()))
+
+    in_threads(solve, 2)
+    (a, b), (c, d) = spans
+    assert min(b, d) - max(a, c) > 0.5 * max(b - a, d - c)
+
+
+@pytest.mark.skipif(os.getloadavg()[0] > 2 * (os.cpu_count() or 1), reason="others use the machine")
 def test_two_threads_are_faster_than_one_and_a_half() -> None:
-    """Trust: one after the other would be 2; the best of some tries, for others use the machine too."""
+    """Trust: one after the other would be 2; the best of some tries."""
     case = CUP.with_(**{"blank.elements": 400})
 
     def timed(threads: int) -> float:
-        workers = [threading.Thread(target=case.solve) for _ in range(threads)]
         start = time.perf_counter()
-        for worker in workers:
-            worker.start()
-        for worker in workers:
-            worker.join()
+        in_threads(case.solve, threads)
         return time.perf_counter() - start
 
-    ratios = (timed(2) / timed(1) for _ in range(10))
-    assert any(ratio < 1.5 for ratio in ratios)
+    ratios = [timed(2) / timed(1) for _ in range(5)]
+    assert min(ratios) < 1.5, ratios
+
+
+def in_threads(work: Callable[[], object], count: int) -> None:
+    workers = [threading.Thread(target=work) for _ in range(count)]
+    for worker in workers:
+        worker.start()
+    for worker in workers:
+        worker.join()
 
 
 def resident() -> float:
@@ -108,7 +130,7 @@ def test_a_thousand_runs_need_no_more_memory_than_a_hundred() -> None:
 
 
 def test_the_import_is_felt_by_nobody() -> None:
-    """Trust: the best of some tries, for a busy machine adds to each."""
-    script = "import time, sys; t = time.perf_counter(); import stampflow; print(time.perf_counter() - t)"
-    times = [float(subprocess.check_output([sys.executable, "-c", script], text=True)) for _ in range(7)]
+    """Trust: the processor's time, to which others on the machine add little; the best of some tries."""
+    script = "import time; t = time.process_time(); import stampflow; print(time.process_time() - t)"
+    times = [float(subprocess.check_output([sys.executable, "-c", script], text=True)) for _ in range(5)]
     assert min(times) < 0.1, times
