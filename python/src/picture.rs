@@ -2,15 +2,19 @@
 
 use numpy::{IntoPyArray, PyArray1};
 use pyo3::prelude::*;
-use stampflow::output::chart::{Chart, Color, Look, Panel};
+use stampflow::output::chart::{Chart, Color, Look, Panel, Scale};
 use stampflow::output::svg;
 
 /// A series: label, x, y, how it is drawn and in which colour.
 pub type SeriesParts<'py> =
     (Option<String>, Bound<'py, PyArray1<f64>>, Bound<'py, PyArray1<f64>>, &'static str, Option<String>);
 
-/// A pair of axes: their labels with units, and series from the back to the front.
-pub type PanelParts<'py> = (String, String, Vec<SeriesParts<'py>>);
+/// Ends of x and y of a window.
+type Window = ((f64, f64), (f64, f64));
+
+/// A pair of axes: their labels with units, series from the back to the front, the window where it is one, and whether it is a
+/// section: both axes alike, and y down the page.
+pub type PanelParts<'py> = (String, String, Vec<SeriesParts<'py>>, Option<Window>, bool);
 
 /// The SVG, the title and the panels from the top down.
 pub type Picture<'py> = (String, String, Vec<PanelParts<'py>>);
@@ -27,7 +31,12 @@ fn parts<'py>(py: Python<'py>, panel: &Panel) -> PanelParts<'py> {
         let (look, color) = named(series.look);
         (series.label.clone(), x.into_pyarray(py), y.into_pyarray(py), look, color.map(hex))
     });
-    (panel.x.text(), panel.y.text(), series.collect())
+    let (window, is_section) = match panel.scale {
+        Scale::Section { x, y } | Scale::Small { x, y } => (Some((x, y)), true),
+        Scale::Window { x, y, .. } => (Some((x, y)), false),
+        Scale::Fit { .. } | Scale::Bar => (None, false),
+    };
+    (panel.x.text(), panel.y.text(), series.collect(), window, is_section)
 }
 
 fn named(look: Look) -> (&'static str, Option<Color>) {

@@ -12,7 +12,8 @@ _Array: TypeAlias = NDArray[np.float64]
 _Progress: TypeAlias = Callable[[float], object] | None
 _Column: TypeAlias = tuple[str, str, str, _Array]
 _Series: TypeAlias = tuple[str | None, _Array, _Array, str, str | None]
-_Panel: TypeAlias = tuple[str, str, list[_Series]]
+_Window: TypeAlias = tuple[tuple[float, float], tuple[float, float]]
+_Panel: TypeAlias = tuple[str, str, list[_Series], _Window | None, bool]
 
 @final
 class Case:

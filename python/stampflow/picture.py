@@ -41,14 +41,16 @@ class Picture(str):
             import matplotlib.pyplot
 
             _, ax = matplotlib.pyplot.subplots()
-        x, y, series = self._panels[panel]
+        x, y, series, window, is_section = self._panels[panel]
         for one in series:
             _draw(ax, one)
         ax.set(xlabel=x, ylabel=y, title=self.heading)
         if ax.get_legend_handles_labels()[1]:
             ax.legend()
-        if y.startswith("z,"):
-            # A section: both axes alike, and as it stands in the press.
+        if window:
+            ax.set(xlim=window[0], ylim=window[1])
+        if is_section:
+            # As it stands in the press.
             ax.set_aspect("equal")
             ax.yaxis.set_inverted(True)
         return ax
@@ -70,7 +72,7 @@ def _draw(ax: Any, series: _Series) -> None:
             ax.plot(at, height, "k.", markersize=4)
             ax.annotate(label, (at, height), fontsize="x-small", xytext=(0, 4), textcoords="offset points")
     elif look == "callout":
-        ax.annotate(label, (x[0], y[0]), (x[1], y[1]), arrowprops={"arrowstyle": "-"}, ha="center")
+        ax.annotate(label, (x[0], y[0]), (x[1], y[1]), arrowprops={"arrowstyle": "-"}, ha="center", va="center")
     elif look == "text" and len(x):
         ax.text(x[0], y[0], label)
 

@@ -102,7 +102,10 @@ def test_pictures_can_be_drawn_with_matplotlib(cup: sf.Solution) -> None:
     line = next(line for line in ax.lines if line.get_label() == "Punch force")
     assert ax.get_ylabel().endswith("[kN]"), "as it is told"
     np.testing.assert_array_equal(line.get_ydata(), cup.load_travel["punch_force_N"] * 1e-3)
-    assert cup.plot.part().axes(ax=ax) is ax
+    section = cup.plot.part().axes()
+    assert cup.plot.part().axes(ax=section) is section
+    assert section.get_aspect() == 1 and section.get_ylim()[0] > section.get_ylim()[1], "down the page"
+    assert 0 < section.get_xlim()[1] < 55, "no wider than the part"
 
 
 def test_tables_become_frames_of_pandas(cup: sf.Solution, hat: sf.Solution) -> None:
