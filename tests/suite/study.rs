@@ -43,7 +43,7 @@ fn a_plan_of_a_text_is_that_of_its_file() {
     let axes = vec![Vary::together("friction=0.05,0.1").expect("values")];
     let of_text_and_axes = Plan::of(of_text(&text).expect("a case"), axes).expect("a plan");
     assert_eq!(of_text_and_axes, plan(&["friction=0.05,0.1"]).expect("a plan"));
-    assert!(of_text("title = 1").is_err_and(|error| error.to_string().contains("title")));
+    assert!(of_text("").is_err());
 }
 
 /// Trust: what is the same however many threads run it; friction raises the force.
