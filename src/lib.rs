@@ -57,6 +57,7 @@
 //! | `import` | sections from DXF drawings |
 //! | `plot` | every table and plot of a solution |
 //! | `report` | the report |
+//! | `threads` | the runs of a verification side by side |
 //! | `cli` | the program; all of the above; on by default |
 //!
 //! # References

@@ -60,7 +60,14 @@ impl Plan {
     /// # Errors
     /// When the case cannot be read as it stands, a key is varied twice, or the designs cannot be counted.
     pub fn new(path: impl Into<PathBuf>, base: Vec<String>, axes: Vec<Vec<Vary>>) -> Result<Self, StudyError> {
-        let subject = Subject::new(path, base)?;
+        Self::of(Subject::new(path, base)?, axes)
+    }
+
+    /// Of a case that was read.
+    ///
+    /// # Errors
+    /// When a key is varied twice, or the designs cannot be counted.
+    pub fn of(subject: Subject, axes: Vec<Vec<Vary>>) -> Result<Self, StudyError> {
         let how = How::default();
         let plan = Self { key: key(&subject, &axes, how), subject, axes, how };
         let keys: Vec<&str> = plan.varied().map(|vary| vary.key.as_str()).collect();

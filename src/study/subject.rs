@@ -34,8 +34,16 @@ impl Subject {
             let help = "give the path of a case file";
             StudyError::new(format!("cannot read {}: {error}", path.display()), help)
         })?;
+        Self::of_text(text, path, base)
+    }
+
+    /// Of the text of a case file, which stands or would stand at a path: from there the files beside it are looked up.
+    ///
+    /// # Errors
+    /// When that is no case.
+    pub fn of_text(text: String, path: impl Into<PathBuf>, base: Vec<String>) -> Result<Self, StudyError> {
         let key = short_hash([&text, &format!("{base:?}")]);
-        let subject = Self { text, path, base, key };
+        let subject = Self { text, path: path.into(), base, key };
         subject.case(&[])?;
         Ok(subject)
     }

@@ -1,6 +1,6 @@
 //! Studies: designs in order, rows whole, mistakes told before anything is run.
 
-use stampflow::study::{Bars, Columns, Designs, Plan, Row, StudyError, Vary, run};
+use stampflow::study::{Bars, Columns, Designs, Plan, Row, StudyError, Subject, Vary, run};
 use std::convert::Infallible;
 
 const CASE: &str = "cases/quickstart.toml";
@@ -32,6 +32,18 @@ fn designs_are_counted_with_the_last_key_fastest_and_pairs_together() {
         [0, 1, 2, 3].map(texts),
         [["0.05", "5", "0.1"], ["0.05", "6", "0.2"], ["0.1", "5", "0.1"], ["0.1", "6", "0.2"]]
     );
+}
+
+/// Trust: the plan of the file itself.
+#[test]
+fn a_plan_of_a_text_is_that_of_its_file() {
+    let text = std::fs::read_to_string(CASE).expect("shipped");
+    let base = vec!["blank.elements=30".into(), "solver.max_step=0.05".into()];
+    let of_text = |text: &str| Subject::of_text(text.into(), CASE, base.clone());
+    let axes = vec![Vary::together("friction=0.05,0.1").expect("values")];
+    let of_text_and_axes = Plan::of(of_text(&text).expect("a case"), axes).expect("a plan");
+    assert_eq!(of_text_and_axes, plan(&["friction=0.05,0.1"]).expect("a plan"));
+    assert!(of_text("").is_err());
 }
 
 /// Trust: what is the same however many threads run it; friction raises the force.

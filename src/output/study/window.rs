@@ -86,6 +86,9 @@ fn panel(
     let mut taken: Vec<Point> = Vec::new();
     let own = window.own();
     taken.extend(own.map(relative));
+    let own_series = own.map_or_else(Vec::new, |own| stands(results, window, own, window.at.is_some(), [x, y], form));
+    let named = own_series.iter().filter(|series| series.look == Look::Name);
+    taken.extend(named.flat_map(|series| &series.points).map(|p| relative(*p)));
     if let Some(own) = own.filter(|_| window.at.is_none()) {
         let (at_x, at_y) = relative(beside(own, [x, y]));
         taken.extend([-0.13, 0.0, 0.13].map(|off| (at_x + off, at_y)));
@@ -119,9 +122,7 @@ fn panel(
             }
         }
     }
-    if let Some(own) = own {
-        series.extend(stands(results, window, own, is_small, [x, y], form));
-    }
+    series.extend(own_series);
     let caption = window.at.map(|(third, place)| {
         let axis = &results.axes[third];
         let value = axis.told(axis.values[place]).told(form);

@@ -1,0 +1,65 @@
+"""Exceptions."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from .solution import Solution
+    from .sweep import Sweep
+
+
+class Error(Exception):
+    """What this package refuses to do, and why."""
+
+
+class CaseError(Error):
+    """A case that cannot be solved as it is written. Its text shows the line and what to write instead."""
+
+    def __init__(
+        self,
+        text: str,
+        message: str,
+        file: str | None = None,
+        line: int | None = None,
+        column: int | None = None,
+        key: str = "",
+        help: str | None = None,
+    ) -> None:
+        super().__init__(text)
+        #: What is wrong, in one sentence.
+        self.message = message
+        #: The file as it was named; None of an error outside of any file's text.
+        self.file = file
+        #: Line of the place, from 1; None where there is none.
+        self.line = line
+        #: Column of the place, from 1, in characters.
+        self.column = column
+        #: The key that is wrong: ``tools.punch.travel``.
+        self.key = key
+        #: What to write instead.
+        self.help = help
+
+
+class StudyError(Error):
+    """A study that cannot be run as it is asked for."""
+
+    def __init__(self, message: str, help: str) -> None:
+        super().__init__(f"{message}\n  help: {help}")
+        #: What is wrong, in one sentence.
+        self.message = message
+        #: What to write instead.
+        self.help = help
+
+
+class CompareError(Error):
+    """A reference that a case is compared with and that cannot be used."""
+
+
+class Interrupted(KeyboardInterrupt):
+    """Ctrl-C while something was solved; what is done is kept in ``partial``."""
+
+    def __init__(self, partial: Solution | Sweep) -> None:
+        super().__init__("interrupted; what is done is kept in .partial of this exception")
+        #: What had been computed: a solution up to its last step, a sweep up to its last design.
+        self.partial = partial

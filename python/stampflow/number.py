@@ -1,0 +1,29 @@
+"""A number with its error bar."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True)
+class Number:
+    """A number of a solution. ``float(number)`` is its value."""
+
+    #: Name for readers: ``Punch force``.
+    label: str
+    #: In ``unit``.
+    value: float
+    #: As it is printed: ``N``; empty for plain numbers.
+    unit: str
+    #: The truth, on a mesh and with steps as fine as can be, lies within this of it, in ``unit``; None where it is not known.
+    error_bar: float | None
+    #: As the program tells it: ``47.2 ± 0.4 kN``, with no digit beyond the bar.
+    told: str
+    #: What the bar is made of, or why there is none; empty where it was not asked for.
+    about: str
+
+    def __float__(self) -> float:
+        return self.value
+
+    def __str__(self) -> str:
+        return self.told
