@@ -33,7 +33,7 @@ fn parts<'py>(py: Python<'py>, panel: &Panel) -> PanelParts<'py> {
     });
     let (window, is_section) = match panel.scale {
         Scale::Section { x, y } | Scale::Small { x, y } => (Some((x, y)), true),
-        Scale::Window { x, y, .. } => (Some((x, y)), false),
+        Scale::Window { x, y, .. } | Scale::Multiple { x, y, .. } => (Some((x, y)), false),
         Scale::Fit { .. } | Scale::Bar => (None, false),
     };
     (panel.x.text(), panel.y.text(), series.collect(), window, is_section)
@@ -46,7 +46,8 @@ fn named(look: Look) -> (&'static str, Option<Color>) {
         Look::Dots { color } => ("dots", Some(color)),
         Look::Triangles { color } => ("triangles", Some(color)),
         Look::Area { fill, .. } => ("area", Some(fill)),
-        Look::Text | Look::Name => ("text", None),
+        Look::Hatched { fill, line, .. } => ("area", Some(fill.unwrap_or(line))),
+        Look::Text | Look::Before | Look::Name => ("text", None),
         Look::Callout => ("callout", None),
         Look::Flag => ("flag", None),
     }

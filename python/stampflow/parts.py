@@ -59,6 +59,7 @@ __all__ = [
     "MarciniakKuczynski",
     "Material",
     "Melting",
+    "Mixed",
     "Mode",
     "Model",
     "Norm",
@@ -863,6 +864,28 @@ class Melting(Part):
 
 
 @dataclass(frozen=True, kw_only=True)
+class Mixed(Part):
+    """σ = weight σ_swift + (1 − weight) σ_voce.
+
+    Valid where each of both was fitted to the same test: the weight says how far beyond its end hardening goes on.
+    With an
+    exponent below 1 the second is Hockett and Sherby's.
+    Source: in common use for sheet; no first author is known.
+
+    Attributes:
+        swift: The law that hardens without end.
+        voce: The law that comes to an end.
+        weight: Share of Swift's law, 0 to 1. Such as 0.5.
+    """
+
+    _law: ClassVar[str | None] = "mixed"
+
+    swift: Swift
+    voce: Voce
+    weight: float
+
+
+@dataclass(frozen=True, kw_only=True)
 class Nucleation(Part):
     """Strain-controlled nucleation, spread normally.
 
@@ -1493,7 +1516,7 @@ class Zones(Part):
 Anisotropy: TypeAlias = "float | Directions"
 """Normal anisotropy: the mean, or what it is the mean of."""
 
-ComparedQuantity: TypeAlias = 'Literal["punch_force", "travel", "thickness_at_s0", "thickness_at_radius", "strain_path", "edge_diameter", "draw_in", "thinnest", "thickness", "peak_force", "peak_travel", "ring_opening"]'
+ComparedQuantity: TypeAlias = 'Literal["punch_force", "travel", "thickness_at_s0", "thickness_at_radius", "strain_path", "draw_in_at_travel", "edge_diameter", "draw_in", "thinnest", "thickness", "peak_force", "peak_travel", "ring_opening"]'
 """What is compared.
 punch_force: Punch force at equal travel, a curve.
 travel: Punch travel at equal force, a curve.
@@ -1501,6 +1524,7 @@ thickness_at_s0: Thickness over the initial distance from the axis or symmetry p
 thickness_at_radius: Thickness over the present radius at the end, a curve.
 strain_path: Minor over major true strain of the place that is thinnest at the end, on its way there, a curve; with
     `[forming_limit]`.
+draw_in_at_travel: Draw-in of the edge at equal travel, a curve.
 edge_diameter: Diameter at the blank's edge (in plane strain the width between both edges) at the end, a band.
 draw_in: How far the edge has moved inward at the end, a band.
 thinnest: Smallest thickness at the end, a band.
@@ -1543,7 +1567,7 @@ Grading: TypeAlias = 'Literal["uniform", "radii"]'
 uniform: Equal elements.
 radii: Smaller elements where the sheet meets the tools' radii."""
 
-Hardening: TypeAlias = "HockettSherby | Hollomon | Isotherms | Ludwik | PiecewisePower | Swift | Table | Voce"
+Hardening: TypeAlias = "HockettSherby | Hollomon | Isotherms | Ludwik | Mixed | PiecewisePower | Swift | Table | Voce"
 """Yield stress σ over equivalent plastic strain ε of uniaxial tension: exactly one law."""
 
 InitialTemperature: TypeAlias = "str | Zones"
