@@ -4,9 +4,12 @@
 //!
 //! `cargo bench --bench cases`
 
+#[path = "common/fastest.rs"]
+mod fastest;
 #[path = "../tests/suite/common/files.rs"]
 mod files;
 
+use fastest::fastest;
 use files::files;
 use stampflow::model::{Mode, Theory};
 use stampflow::solution::IterationRecord;
@@ -21,17 +24,6 @@ impl Observer for Count {
     fn iteration(&mut self, _: &IterationRecord) {
         self.0 += 1;
     }
-}
-
-/// The fastest of a few repetitions: what the machine can do when nothing else runs.
-fn fastest(mut work: impl FnMut()) -> Duration {
-    let mut best = Duration::MAX;
-    for _ in 0..7 {
-        let start = Instant::now();
-        work();
-        best = best.min(start.elapsed());
-    }
-    best
 }
 
 /// Nanoseconds of one bare hardening evaluation.

@@ -6,6 +6,10 @@
 //! Then the time of a thickness point over that of a bare hardening law, and the time of an iteration of one element on
 //! meshes of 100 to 100 000 elements, which should be the same.
 
+#[path = "common/fastest.rs"]
+mod fastest;
+
+use fastest::fastest;
 use fastrand::Rng;
 use rayon::iter::Either;
 use rayon::prelude::*;
@@ -136,17 +140,6 @@ fn ratio() {
         black_box(sum);
     });
     println!("{:<34} {:>10.2}", "ratio to the bare hardening loop", whole.as_secs_f64() / bare.as_secs_f64());
-}
-
-/// The fastest of a few repetitions: what the machine can do when nothing else runs.
-fn fastest(mut work: impl FnMut()) -> Duration {
-    let mut best = Duration::MAX;
-    for _ in 0..7 {
-        let start = Instant::now();
-        work();
-        best = best.min(start.elapsed());
-    }
-    best
 }
 
 /// What an element costs in an iteration, on meshes of more and more of them.

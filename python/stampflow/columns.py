@@ -3,24 +3,22 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, TypeVar
 
 if TYPE_CHECKING:
     import numpy as np
     from numpy.typing import NDArray
 
 
-class Columns(Mapping[str, "NDArray[np.float64]"]):
-    """Columns by their names, which end with the unit: ``table["punch_force_N"]``. All are equally long."""
+_Column = TypeVar("_Column")
 
-    def __init__(self, columns: Sequence[tuple[str, str, str, NDArray[np.float64]]]) -> None:
-        self._columns = {header: values for header, _, _, values in columns}
-        #: What each column is called on axes: ``{"punch_force_N": "Punch force"}``.
-        self.labels = {header: label for header, label, _, _ in columns}
-        #: Unit of each column as it is printed: ``{"punch_force_N": "N"}``.
-        self.units = {header: unit for header, _, unit, _ in columns}
 
-    def __getitem__(self, name: str) -> NDArray[np.float64]:
+class ByName(Mapping[str, _Column]):
+    """Columns by their names."""
+
+    _columns: dict[str, _Column]
+
+    def __getitem__(self, name: str) -> _Column:
         if name not in self._columns:
             raise KeyError(f"there is no column {name}; there are {', '.join(self._columns)}")
         return self._columns[name]
@@ -31,12 +29,23 @@ class Columns(Mapping[str, "NDArray[np.float64]"]):
     def __len__(self) -> int:
         return len(self._columns)
 
-    def __repr__(self) -> str:
-        rows = max((len(values) for values in self._columns.values()), default=0)
-        return f"<Columns: {rows} rows of {', '.join(self._columns)}>"
-
     def to_pandas(self) -> Any:
-        """As a ``pandas.DataFrame``, where pandas is installed."""
+        """As a ``pandas.DataFrame``, a row for every value of a column, where pandas is installed."""
         import pandas
 
         return pandas.DataFrame(self._columns)
+
+
+class Columns(ByName["NDArray[np.float64]"]):
+    """Columns by their names, which end with the unit: ``table["punch_force_N"]``. All are equally long."""
+
+    def __init__(self, columns: Sequence[tuple[str, str, str, NDArray[np.float64]]]) -> None:
+        self._columns = {header: values for header, _, _, values in columns}
+        #: What each column is called on axes: ``{"punch_force_N": "Punch force"}``.
+        self.labels = {header: label for header, label, _, _ in columns}
+        #: Unit of each column as it is printed: ``{"punch_force_N": "N"}``.
+        self.units = {header: unit for header, _, unit, _ in columns}
+
+    def __repr__(self) -> str:
+        rows = max((len(values) for values in self._columns.values()), default=0)
+        return f"<Columns: {rows} rows of {', '.join(self._columns)}>"

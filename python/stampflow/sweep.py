@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any, TypeAlias
 
 from . import _native, _toml
 from .case import Case
+from .columns import ByName
 from .errors import Interrupted
 
 if TYPE_CHECKING:
@@ -17,7 +18,7 @@ Values: TypeAlias = "str | Iterable[str | float]"
 """Values of a key: ``"4..10 mm/7"``, ``"4,6,8 mm"``, ``["4 mm", "6 mm"]`` or plain numbers."""
 
 
-class Sweep(Mapping[str, "NDArray[Any]"]):
+class Sweep(ByName["NDArray[Any]"]):
     """What came of a sweep, column by column: what was varied, every number of the solutions, and the verdict.
 
     ``sweep["thinnest_mm"]`` are the numbers of all designs in order, the last key that was varied fastest; NaN where a design
@@ -35,21 +36,10 @@ class Sweep(Mapping[str, "NDArray[Any]"]):
 
         #: How many values each axis has, in the order in which they were given.
         self.shape = tuple(shape)
-        self._columns: dict[str, NDArray[Any]] = dict(numbers)
+        self._columns = dict(numbers)
         self._columns.update((header, numpy.array(column, dtype=object)) for header, column in words)
         #: Designs that were run: all of them, unless the sweep was interrupted.
         self.designs = len(self._columns["verdict"])
-
-    def __getitem__(self, name: str) -> NDArray[Any]:
-        if name not in self._columns:
-            raise KeyError(f"there is no column {name}; there are {', '.join(self._columns)}")
-        return self._columns[name]
-
-    def __iter__(self) -> Iterator[str]:
-        return iter(self._columns)
-
-    def __len__(self) -> int:
-        return len(self._columns)
 
     def __repr__(self) -> str:
         return f"<Sweep: {self.designs} designs, {' x '.join(map(str, self.shape))}>"
@@ -62,12 +52,6 @@ class Sweep(Mapping[str, "NDArray[Any]"]):
         filled = numpy.full(int(numpy.prod(self.shape)), None if column.dtype == object else numpy.nan, column.dtype)
         filled[: len(column)] = column
         return filled.reshape(self.shape)
-
-    def to_pandas(self) -> Any:
-        """As a ``pandas.DataFrame``, a row for every design, where pandas is installed."""
-        import pandas
-
-        return pandas.DataFrame(self._columns)
 
 
 def sweep(

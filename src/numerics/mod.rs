@@ -17,6 +17,6 @@ mod student;
 pub use bisection::bisect;
 pub use grid::Grid;
 pub use number::Real;
-pub use piecewise_linear::PiecewiseLinear;
+pub use piecewise_linear::{PiecewiseLinear, interpolated};
 pub use power::Power;
 pub use student::student;

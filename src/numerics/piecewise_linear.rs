@@ -1,5 +1,16 @@
 //! A value that changes along the run.
 
+/// The value between points of rising x, of which there is one at least; before the first and behind the last that of the end.
+pub fn interpolated(points: &[(f64, f64)], x: f64) -> f64 {
+    let after = points.partition_point(|p| p.0 < x);
+    if after == 0 {
+        return points[0].1;
+    }
+    let Some(&(x1, v1)) = points.get(after) else { return points[after - 1].1 };
+    let (x0, v0) = points[after - 1];
+    v0 + (v1 - v0) * (x - x0) / (x1 - x0)
+}
+
 /// A value over the punch travel or the time: straight between its points, held before the first and after the last.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PiecewiseLinear {
@@ -22,13 +33,7 @@ impl PiecewiseLinear {
 
     /// The value at `x`.
     pub fn at(&self, x: f64) -> f64 {
-        let after = self.points.partition_point(|p| p.0 < x);
-        if after == 0 {
-            return self.points[0].1;
-        }
-        let Some(&(x1, v1)) = self.points.get(after) else { return self.points[after - 1].1 };
-        let (x0, v0) = self.points[after - 1];
-        v0 + (v1 - v0) * (x - x0) / (x1 - x0)
+        interpolated(&self.points, x)
     }
 
     /// Where a value that rises from point to point is reached; before the first and after the last point as [`Self::at`].

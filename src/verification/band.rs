@@ -3,6 +3,7 @@
 use super::bar::combined;
 use super::direction::Direction;
 use super::estimate::Estimate;
+use crate::numerics::interpolated;
 
 /// What lies around a curve of the run as it is.
 #[derive(Clone, Debug, PartialEq)]
@@ -46,19 +47,8 @@ impl Band {
 
 /// A curve between its points; of what lies outside, up to an element or a step from its ends, the end's.
 fn at(curve: &[(f64, f64)], x: f64) -> Option<f64> {
-    let after = curve.partition_point(|point| point.0 < x);
-    let [first, .., last] = curve else { return None };
-    match after {
-        0 => Some(first.1),
-        n if n == curve.len() => {
-            let spacing = last.0 - curve[n - 2].0;
-            (x <= last.0 + spacing).then_some(last.1)
-        }
-        n => {
-            let ((x0, y0), (x1, y1)) = (curve[n - 1], curve[n]);
-            Some(y0 + (y1 - y0) * (x - x0) / (x1 - x0))
-        }
-    }
+    let [.., before, last] = curve else { return None };
+    (x <= last.0 + (last.0 - before.0)).then(|| interpolated(curve, x))
 }
 
 #[cfg(test)]

@@ -3,6 +3,7 @@
 use crate::assess::largest_force;
 use crate::case::Solution;
 use crate::model::mesh;
+use crate::numerics::interpolated;
 use crate::study::Row;
 use crate::table::Unit;
 use crate::units::significant;
@@ -68,15 +69,8 @@ impl Grids {
 
 /// A curve between its points, and its ends' values as far `beyond` its last one and before its first.
 fn at(curve: &[(f64, f64)], x: f64, beyond: f64) -> Option<f64> {
-    let after = curve.partition_point(|point| point.0 < x);
-    match after {
-        0 => Some(curve.first()?.1),
-        n if n == curve.len() => curve.last().filter(|last| x <= last.0 + beyond).map(|last| last.1),
-        n => {
-            let ((x0, y0), (x1, y1)) = (curve[n - 1], curve[n]);
-            Some(y0 + (y1 - y0) * (x - x0) / (x1 - x0))
-        }
-    }
+    let last = curve.last()?;
+    (x <= last.0 + beyond).then(|| interpolated(curve, x))
 }
 
 #[cfg(test)]
