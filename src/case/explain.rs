@@ -2,11 +2,11 @@
 
 #[cfg(feature = "schema")]
 use super::schema::example_line;
+use super::reader::Error;
 use super::source::Source;
 use super::wording::listed;
 use super::{CaseError, CaseFile};
 use crate::units::did_you_mean;
-use toml::de::Error;
 
 /// Examples are those of the schema.
 #[cfg(not(feature = "schema"))]

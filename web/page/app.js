@@ -17,6 +17,8 @@ let plan = { sliders: [], writes: [] };
 let engine;
 let view;
 let resting;
+/** Questions so far: an answer to an older one is shown, and no more is made of it. */
+let asked = 0;
 let remembering;
 const editor = new Editor({ text: byId("text"), lines: byId("lines"), error: byId("error") });
 
@@ -33,6 +35,7 @@ function status(text, kind) {
 /** Solves what is chosen; what was shown stays, in grey, until there is a better. */
 async function solve(coarse) {
   clearTimeout(resting);
+  const mine = ++asked;
   status(word("solving …"), "solving");
   const result = await engine.askLatest(question(coarse));
   if (!result) return;
@@ -42,6 +45,8 @@ async function solve(coarse) {
   if (document.activeElement !== byId("text")) editor.set(result.text);
   view.show(result);
   const took = `${told(result.took)} ms`;
+  // A newer question is on its way.
+  if (mine !== asked) return;
   status(coarse ? `${word("coarse")}, ${took}` : `${word("solved")}, ${took}`, coarse ? "coarse" : "solved");
   if (coarse) resting = setTimeout(() => solve(false), REST);
   else remember();

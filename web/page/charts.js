@@ -105,10 +105,12 @@ export function drawLimit(host, { stage, picture, other, isRound, place, onPlace
   if (!stage.limit) return nothing(host, word("no forming limit in this case"));
   const { points, name, endsAt } = stage.limit;
   const now = strains(stage, picture);
-  const used = now.major.map((major, e) => major / limitAt(points, now.minor[e]));
-  const worst = peakOf(used);
+  const margin = now.major.map((major, e) => limitAt(points, now.minor[e]) - major);
+  const judged = margin.map((left, e) => (endsAt === null || now.minor[e] <= endsAt ? -left : -Infinity));
+  const worst = peakOf(judged);
+  const used = now.major[worst] / limitAt(points, now.minor[worst]);
   const { s0 } = stage.end;
-  const text = `${word("nearest to the limit")}: ${told(100 * used[worst])} % ${word("at")} ${told(s0[worst])} mm`;
+  const text = `${word("nearest to the limit")}: ${told(100 * used)} % ${word("at")} ${told(s0[worst])} mm`;
   const chosen = Number.isFinite(place) ? nearest(s0, place) : worst;
   if (!isRound) {
     const level = limitAt(points, 0);

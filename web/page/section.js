@@ -53,7 +53,7 @@ function body({ role, outline }, [dr, dz], { x, y }) {
 export function drawSection(host, { stage, picture, other, place }) {
   const shown = shownOf([stage, other?.stage].filter(Boolean));
   const width = Math.max(240, host.clientWidth);
-  const most = Math.max(260, 0.55 * window.innerHeight);
+  const most = Math.max(240, 0.42 * window.innerHeight);
   const scale = Math.min(width / (shown.right - shown.left), most / (shown.high - shown.low));
   const height = Math.round(scale * (shown.high - shown.low));
   const offset = (width - scale * (shown.right - shown.left)) / 2;

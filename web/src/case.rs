@@ -36,13 +36,11 @@ pub fn solve(question: &Value, numbers: &mut Numbers) -> Result<Value, Failure> 
     let mut film = Film::default();
     let solution = case.solve(&mut film);
     let (case, solved) = (&solution.case, &solution.stages);
-    let findings =
-        if is_coarse { assess::after_one_of_many(case, solved) } else { assess::after(case, solved) };
+    let findings = if is_coarse { assess::after_one_of_many(case, solved) } else { assess::after(case, solved) };
     let verdict = Answer::of(case, solved, &findings);
     let stages = case.stages.iter().zip(solved).zip(film.0);
-    let stages: Vec<Value> = stages
-        .map(|((stage, solved), strip)| stage::json(&stage.name, solved, strip, form, numbers))
-        .collect();
+    let stages: Vec<Value> =
+        stages.map(|((stage, solved), strip)| stage::json(&stage.name, solved, strip, form, numbers)).collect();
     Ok(json!({
         "title": case.model().title,
         "text": case.text,

@@ -84,9 +84,17 @@ fn write(path: &str, unit: &str, terms: &[&str], plus: f64) -> Value {
     json!({ "path": path, "unit": unit, "terms": terms, "plus": plus })
 }
 
-/// A throat goes with the punch and has the clearance for its slider; a holder's opening goes with the throat and its shoulder.
+/// Difference below which two lengths are one [mm].
+const SAME: f64 = 1e-6;
+
+fn at(found: &[Found], key: &str) -> Option<usize> {
+    found.iter().position(|one| one.key == key)
+}
+
+/// A throat goes with the punch and has the clearance for its slider; a holder's opening, and a blank that is clamped there, go
+/// with the throat and its shoulder.
 fn couple(found: &mut Vec<Found>, writes: &mut Vec<Value>) {
-    let at = |found: &[Found], key: &str| found.iter().position(|one| one.key == key);
+    clamp(found, writes);
     let (Some(punch), Some(throat)) = (at(found, PUNCH), at(found, THROAT)) else { return };
     let (radius, opening) = (&found[punch], &found[throat]);
     let gap = opening.value - radius.value;
@@ -96,6 +104,9 @@ fn couple(found: &mut Vec<Found>, writes: &mut Vec<Value>) {
         return;
     }
     writes.push(write(opening.path, &opening.unit, &[PUNCH, CLEARANCE], 0.0));
+    for edge in writes.iter_mut().filter(|write| write["terms"][0] == THROAT) {
+        edge["terms"] = json!([PUNCH, CLEARANCE, SHOULDER]);
+    }
     found[throat] = Found { key: CLEARANCE, path: "", value: gap, unit: found[throat].unit.clone(), range: GAP };
     let (Some(inner), Some(shoulder)) = (at(found, INNER), at(found, SHOULDER)) else { return };
     let (hole, corner) = (&found[inner], &found[shoulder]);
@@ -103,6 +114,20 @@ fn couple(found: &mut Vec<Found>, writes: &mut Vec<Value>) {
         let plus = hole.value - found[punch].value - gap - corner.value;
         writes.push(write(hole.path, &hole.unit, &[PUNCH, CLEARANCE, SHOULDER], plus));
         found.remove(inner);
+    }
+}
+
+/// A blank that ends where the die's shoulder does goes with it.
+fn clamp(found: &mut Vec<Found>, writes: &mut Vec<Value>) {
+    let (Some(blank), Some(throat), Some(shoulder)) = (at(found, "blank"), at(found, THROAT), at(found, SHOULDER))
+    else {
+        return;
+    };
+    let (edge, opening, corner) = (&found[blank], &found[throat], &found[shoulder]);
+    let is_there = (edge.value - opening.value - corner.value).abs() < SAME;
+    if is_there && edge.unit == opening.unit && corner.unit == edge.unit {
+        writes.push(write(edge.path, &edge.unit, &[THROAT, SHOULDER], 0.0));
+        found.remove(blank);
     }
 }
 
