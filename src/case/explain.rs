@@ -1,8 +1,8 @@
 //! The keys of a case, and serde's complaints in a die designer's words.
 
+use super::reader::Error;
 #[cfg(feature = "schema")]
 use super::schema::example_line;
-use super::reader::Error;
 use super::source::Source;
 use super::wording::listed;
 use super::{CaseError, CaseFile};

@@ -4,6 +4,7 @@ import { Editor } from "./editor.js";
 import { compiled, Engine } from "./engine.js";
 import { drawSliders } from "./sliders.js";
 import { begun, overrides, packed, unpacked } from "./state.js";
+import { Steps } from "./steps.js";
 import { View } from "./view.js";
 import { byId, currentLanguage, setLanguage, tellWords, told, word } from "./words.js";
 
@@ -16,6 +17,7 @@ let state = begun();
 let plan = { sliders: [], writes: [] };
 let engine;
 let view;
+let steps;
 let resting;
 /** Questions so far: an answer to an older one is shown, and no more is made of it. */
 let asked = 0;
@@ -48,8 +50,12 @@ async function solve(coarse) {
   // A newer question is on its way.
   if (mine !== asked) return;
   status(coarse ? `${word("coarse")}, ${took}` : `${word("solved")}, ${took}`, coarse ? "coarse" : "solved");
-  if (coarse) resting = setTimeout(() => solve(false), REST);
-  else remember();
+  if (coarse) {
+    resting = setTimeout(() => solve(false), REST);
+  } else {
+    steps.show(result);
+    remember();
+  }
 }
 
 function refuse(error) {
@@ -183,6 +189,7 @@ async function start() {
     clearTimeout(remembering);
     remembering = setTimeout(remember, REST);
   });
+  steps = new Steps((step) => engine.ask({ ...question(false), do: "trace", step }));
   setLanguage(navigator.language.startsWith("de") ? "de" : "en");
   byId("language").value = currentLanguage();
   tellWords(document);

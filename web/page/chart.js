@@ -48,8 +48,8 @@ function path(xs, ys, x, y) {
 
 /**
  * Draws into `host`, in the place of what was there.
- * chart: { x: {label, range?}, y: {label, range?, least?}, series: [{name, x, y, look}], dots: [{x, y, look}],
- *          flags: [{x, y, label}], cursor?: {x, y?}, summary, onPick?(x) }
+ * chart: { x: {label, range?}, y: {label, range?, least?, powers?}, series: [{name, x, y, look}], dots: [{x, y, look}],
+ *          flags?: [{x, y, label}], cursor?: {x, y?}, summary, onPick?(x) }
  */
 export function draw(host, chart) {
   const width = Math.max(240, host.clientWidth);
@@ -63,9 +63,10 @@ export function draw(host, chart) {
   const inner = { width: width - MARGIN.left - MARGIN.right, height: height - MARGIN.top - MARGIN.bottom };
   const x = (value) => MARGIN.left + (inner.width * (value - xRange[0])) / (xRange[1] - xRange[0]);
   const y = (value) => MARGIN.top + inner.height * (1 - (value - yRange[0]) / (yRange[1] - yRange[0]));
+  const mark = chart.y.powers ? (power) => `10${superscript(power)}` : (value) => told(value, 6);
   const root = svg("svg", { viewBox: `0 0 ${width} ${height}`, width, height, role: "img", tabindex: 0, class: "chart" });
   root.append(svg("title", {}, chart.summary));
-  root.append(...axes(chart, { x, y, xRange, yRange, width, height, inner }));
+  root.append(...axes(chart, { x, y, xRange, yRange, width, height, inner, mark }));
   const plot = svg("g", {});
   for (const { x: xs, y: ys, look } of chart.series) plot.append(svg("path", { d: path(xs, ys, x, y), class: `curve ${look}` }));
   for (const { x: xs, y: ys, look } of chart.dots ?? []) {
@@ -87,12 +88,12 @@ export function draw(host, chart) {
   if (focused) root.focus({ preventScroll: true });
 }
 
-function axes(chart, { x, y, xRange, yRange, width, height, inner }) {
+function axes(chart, { x, y, xRange, yRange, width, height, inner, mark }) {
   const parts = [];
   const bottom = MARGIN.top + inner.height;
   for (const value of ticks(...yRange, inner.height / 45)) {
     parts.push(svg("line", { x1: MARGIN.left, x2: width - MARGIN.right, y1: y(value), y2: y(value), class: "grid" }));
-    parts.push(svg("text", { x: MARGIN.left - 7, y: y(value) + 4, class: "tick end" }, told(value, 6)));
+    parts.push(svg("text", { x: MARGIN.left - 7, y: y(value) + 4, class: "tick end" }, mark(value)));
   }
   for (const value of ticks(...xRange, inner.width / 75)) {
     parts.push(svg("line", { x1: x(value), x2: x(value), y1: bottom, y2: bottom + 5, class: "axis" }));
@@ -103,6 +104,10 @@ function axes(chart, { x, y, xRange, yRange, width, height, inner }) {
   const turn = `translate(14 ${MARGIN.top + inner.height / 2}) rotate(-90)`;
   parts.push(svg("text", { transform: turn, class: "label middle" }, chart.y.label));
   return parts;
+}
+
+function superscript(power) {
+  return String(power).replaceAll(/[-\d]/g, (sign) => (sign === "-" ? "⁻" : "⁰¹²³⁴⁵⁶⁷⁸⁹"[sign]));
 }
 
 /** Marks with their words, which step down where they would stand on one another. */

@@ -14,7 +14,7 @@ use stampflow::verification::Direction;
 const COARSE: f64 = 0.5;
 
 /// The case of a question: its text, the settings that replace what it says, and the files beside it.
-fn case(question: &Value) -> Result<Case, Failure> {
+pub fn case(question: &Value) -> Result<Case, Failure> {
     let mut files = Memory::default();
     for (path, text) in question["files"].as_object().into_iter().flatten() {
         files.insert(path, text.as_str().unwrap_or(""));

@@ -21,6 +21,7 @@ mod question;
 mod sliders;
 mod stage;
 mod templates;
+mod trace;
 
 use numbers::Numbers;
 use serde_json::Value;

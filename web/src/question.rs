@@ -1,7 +1,7 @@
 //! What may be asked.
 
 use crate::numbers::Numbers;
-use crate::{case, drawing, sliders, templates};
+use crate::{case, drawing, sliders, templates, trace};
 use serde_json::{Value, json};
 use stampflow::case::CaseError;
 use stampflow::message::{Form, Language, System};
@@ -14,6 +14,7 @@ pub fn answer(question: &Value, file: &[u8], numbers: &mut Numbers) -> Value {
         "sliders" => Ok(sliders::of(text(question, "text"))),
         "solve" => case::solve(question, numbers),
         "drawing" => drawing::read(question, file),
+        "trace" => trace::step(question, numbers),
         other => Err(Failure { what: format!("nothing is known of `{other}`"), ..Failure::default() }),
     };
     answer.unwrap_or_else(|failure| json!({ "error": failure.json() }))
