@@ -1,6 +1,7 @@
 // One file of the page: `node bundle.mjs SOLVER.wasm PAGE.html`. Modules are written one after the other into one script, which
-// is why each name at their top may be there once; the solver is gzip in base64.
-import { mkdirSync, readFileSync, writeFileSync } from "node:fs";
+// is why each name at their top may be there once; the solver is LZMA in base64.
+import { execFileSync } from "node:child_process";
+import { mkdirSync, readFileSync, statSync, writeFileSync } from "node:fs";
 import { dirname, join } from "node:path";
 import { gzipSync } from "node:zlib";
 
@@ -33,9 +34,16 @@ function inlined(text) {
   return text.replaceAll("</script", "<\\/script");
 }
 
+/** LZMA with its length in the header, as the page reads it. */
+function packed(file) {
+  const bytes = execFileSync("xz", ["--format=lzma", "--lzma1=preset=9e,lc=4,pb=0,nice=273", "-c", file], { maxBuffer: 1e8 });
+  bytes.writeBigUInt64LE(BigInt(statSync(file).size), 5);
+  return bytes;
+}
+
 const script = checked(modules("app.js"));
 const scripts = [
-  `<script type="text/plain" id="solver">${gzipSync(readFileSync(solver), { level: 9 }).toString("base64")}</script>`,
+  `<script type="text/plain" id="solver">${packed(solver).toString("base64")}</script>`,
   `<script type="text/plain" id="worker">${inlined(read("worker.js"))}</script>`,
   `<script type="module">\n${inlined(script)}</script>`,
 ];

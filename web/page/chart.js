@@ -2,6 +2,8 @@
 import { told } from "./words.js";
 
 const NAMESPACE = "http://www.w3.org/2000/svg";
+/** Above the curves for words at their marks, over the height [–]. */
+const FLAG_ROOM = 0.15;
 const MARGIN = { left: 58, right: 14, top: 12, bottom: 44 };
 
 export function svg(name, attributes, ...children) {
@@ -59,7 +61,8 @@ export function draw(host, chart) {
     ...(chart.dots ?? []).flatMap((dots) => Array.from(dots[key])),
   ];
   const xRange = chart.x.range ?? range(all("x"), 1e-9);
-  const yRange = chart.y.range ?? range(all("y"), chart.y.least ?? 1e-9);
+  const [bottom, top] = range(all("y"), chart.y.least ?? 1e-9);
+  const yRange = chart.y.range ?? [bottom, chart.flags?.length > 0 ? top + FLAG_ROOM * (top - bottom) : top];
   const inner = { width: width - MARGIN.left - MARGIN.right, height: height - MARGIN.top - MARGIN.bottom };
   const x = (value) => MARGIN.left + (inner.width * (value - xRange[0])) / (xRange[1] - xRange[0]);
   const y = (value) => MARGIN.top + inner.height * (1 - (value - yRange[0]) / (yRange[1] - yRange[0]));
@@ -117,7 +120,7 @@ function flags(marks, { x, y, width }) {
     const [left, top] = [x(at), y(value)];
     const room = 6.3 * label.length;
     const begin = Math.max(MARGIN.left + 4, Math.min(left - room / 2, width - MARGIN.right - room));
-    let line = top > 60 ? top - 12 : top + 20;
+    let line = top > 26 ? top - 12 : top + 20;
     while (taken.some((other) => Math.abs(other.line - line) < 15 && begin < other.end && begin + room > other.begin)) line += 15;
     taken.push({ line, begin, end: begin + room });
     return [

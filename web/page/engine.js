@@ -1,5 +1,7 @@
 // The solver's thread: started, asked, and ended and begun anew where an answer is no longer wanted or never comes.
 
+import { unpackedLzma } from "./lzma.js";
+
 /** How long an answer that nobody waits for any more may still take [ms]; then its thread is ended. */
 const PATIENCE = 300;
 
@@ -86,9 +88,7 @@ export class Engine {
   }
 }
 
-/** The solver out of the page: gzip in base64. */
+/** The solver out of the page: LZMA in base64. */
 export async function compiled(base64) {
-  const bytes = Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0));
-  const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream("gzip"));
-  return WebAssembly.compile(await new Response(stream).arrayBuffer());
+  return WebAssembly.compile(unpackedLzma(Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0))));
 }

@@ -2,6 +2,8 @@
 import { draw, svg } from "./chart.js";
 import { byId, told, word } from "./words.js";
 
+const MATRICES = { primal_dual: "primal-dual", newton: "Newton", secant: "secant" };
+const POWERS = { external: "tools", plastic: "plastic flow", elastic: "elastic", friction: "friction", contact: "contact springs" };
 /** Numbers below are drawn as it: nothing is left there. */
 const LEAST = 1e-12;
 /** Of the longest arrow over the width of the sheet [–]. */
@@ -108,11 +110,11 @@ function drawTried(host, trace, iterate, element) {
 function drawNorms(host, trace, at) {
   const series = trace.norms
     .filter(({ velocity }) => velocity.length > 0)
-    .map(({ matrix, velocity }, i) => ({ name: word(matrix), x: Array.from(velocity, (_, k) => k + 1), y: log(velocity), look: `c${i}` }));
+    .map(({ matrix, velocity }, i) => ({ name: word(MATRICES[matrix]), x: Array.from(velocity, (_, k) => k + 1), y: log(velocity), look: `c${i}` }));
   const longest = Math.max(2, ...series.map(({ x }) => x.length));
   const bound = Math.log10(trace.tolerance);
   series.push({ name: word("tolerance"), x: [0, longest], y: [bound, bound], look: "flat" });
-  const counts = trace.norms.map(({ matrix, velocity }) => `${word(matrix)}: ${velocity.length}`).join("; ");
+  const counts = trace.norms.map(({ matrix, velocity }) => `${word(MATRICES[matrix])}: ${velocity.length}`).join("; ");
   draw(host, { x: { label: word("Iteration") }, y: { label: "‖δȧ‖ / ‖ȧ‖", powers: true }, series, cursor: { x: at }, summary: counts });
 }
 
@@ -130,18 +132,18 @@ function drawResidual(host, iterate, element, onPick) {
 }
 
 function drawPower(host, power) {
-  const all = Object.entries(power).filter(([, value]) => value !== 0);
+  const all = Object.entries(POWERS).map(([key, name]) => [word(name), power[key]]).filter(([, value]) => value !== 0);
   const largest = Math.max(...all.map(([, value]) => Math.abs(value)), LEAST);
   const width = Math.max(240, host.clientWidth);
   const line = 34;
   const height = line * all.length + 8;
-  const summary = all.map(([key, value]) => `${word(key)} ${told((100 * value) / largest)} %`).join(", ");
+  const summary = all.map(([name, value]) => `${name} ${told((100 * value) / largest)} %`).join(", ");
   const root = svg("svg", { viewBox: `0 0 ${width} ${height}`, width, height, role: "img" }, svg("title", {}, summary));
-  all.forEach(([key, value], i) => {
-    const length = ((width - 190) * Math.abs(value)) / largest;
-    root.append(svg("text", { x: 96, y: line * i + 23, class: "label end" }, word(key)));
-    root.append(svg("rect", { x: 104, y: line * i + 8, width: Math.max(1, length), height: 20, class: "bar-of" }));
-    root.append(svg("text", { x: 110 + length, y: line * i + 23 }, `${told((100 * value) / largest)} %`));
+  all.forEach(([name, value], i) => {
+    const length = ((width - 200) * Math.abs(value)) / largest;
+    root.append(svg("text", { x: 106, y: line * i + 23, class: "label end" }, name));
+    root.append(svg("rect", { x: 114, y: line * i + 8, width: Math.max(1, length), height: 20, class: "bar-of" }));
+    root.append(svg("text", { x: 120 + length, y: line * i + 23 }, `${told((100 * value) / largest)} %`));
   });
   host.replaceChildren(root);
 }
@@ -163,7 +165,7 @@ function tellEquations(host, trace, iterate, element, at) {
   const velocity = trace.norms[0].velocity[at];
   const rows = [
     math(`<msub>${increment}<mi>reg</mi></msub>${mo("=")}<msqrt>${squared(increment)}${mo("+")}${squared(cut)}</msqrt>${mo("=")}<msqrt>${squared(mn(own))}${mo("+")}${squared(mn(trace.cutoff))}</msqrt>${mo("=")}${mn(regular)}`),
-    math(`${mi("σ")}${mo("=")}<mfrac><msub>${mi("σ")}<mi>y</mi></msub><msub>${increment}<mi>reg</mi></msub></mfrac>${mi("A")}${mi("Δ")}${mi("ε")}${mo(",")}<mfrac><mrow>${mn(yieldStress)}<mtext> MPa</mtext></mrow>${mn(regular)}</mfrac>${mo("=")}${mn(yieldStress / regular)}<mtext> MPa</mtext>`),
+    math(`${mi("σ")}${mo("=")}<mfrac><msub>${mi("σ")}<mi>y</mi></msub><msub>${increment}<mi>reg</mi></msub></mfrac>${mi("A")}${mi("Δ")}${mi("ε")}${mo(",")}<mfrac><mrow>${mn(yieldStress)}<mtext> MPa</mtext></mrow>${mn(regular)}</mfrac>${mo("=")}${mn(yieldStress / regular)}<mtext> MPa</mtext>`),
     math(`${mi("δ")}<mover>${mi("a")}${mo("˙")}</mover>${mo("=")}${mo("−")}<msup>${mi("H")}<mrow>${mo("−")}<mn>1</mn></mrow></msup>${mi("r")}${velocity === undefined ? "" : `${mo(",")}<mfrac><mrow>${mo("‖")}${mi("δ")}<mover>${mi("a")}${mo("˙")}</mover>${mo("‖")}</mrow><mrow>${mo("‖")}<mover>${mi("a")}${mo("˙")}</mover>${mo("‖")}</mrow></mfrac>${mo("=")}${mn(velocity, 3)}`}`),
   ];
   const note = document.createElement("p");

@@ -85,6 +85,25 @@ async function linksAreWhatIsShown(of, page) {
   await page.click("#keep");
 }
 
+async function aStepIsSeenIterationByIteration(page) {
+  await pick(page, "cup");
+  await page.click("#teach");
+  await page.waitForSelector("#norms svg");
+  const curves = await page.$$eval("#norms .curve", (all) => all.length);
+  assert.ok(curves >= 4, "three matrices and the tolerance");
+  const largest = () => page.$eval("#residual title", (title) => title.textContent);
+  const before = await largest();
+  await page.evaluate(() => {
+    const iteration = document.getElementById("iteration");
+    iteration.value = iteration.max;
+    iteration.dispatchEvent(new Event("input"));
+  });
+  const force = (told) => Number(told.match(/: ([\d.e+-]+) N/)[1]);
+  assert.ok(force(await largest()) < 0.01 * force(before), "the iterations bring the sheet into balance");
+  assert.ok((await page.$$("#equations math")).length >= 3);
+  await page.click("#teach");
+}
+
 async function aLongRunIsEndedByTheNextMove(page) {
   await pick(page, "erichsen");
   let ended = 0;
@@ -124,7 +143,7 @@ async function memoryDoesNotGrow(page) {
 
 const of = await browser();
 const page = await opened(of);
-const tests = { everyTemplateAndSlider, errorsStandAtTheirLine, drawingsAreDropped, linksAreWhatIsShown, aLongRunIsEndedByTheNextMove, memoryDoesNotGrow };
+const tests = { everyTemplateAndSlider, errorsStandAtTheirLine, drawingsAreDropped, linksAreWhatIsShown, aStepIsSeenIterationByIteration, aLongRunIsEndedByTheNextMove, memoryDoesNotGrow };
 try {
   for (const [name, test] of Object.entries(tests)) {
     await (test === linksAreWhatIsShown ? test(of, page) : test(page));
