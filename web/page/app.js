@@ -2,6 +2,7 @@
 import { csv, save } from "./downloads.js";
 import { Editor } from "./editor.js";
 import { compiled, Engine } from "./engine.js";
+import { Lessons } from "./lessons.js";
 import { drawSliders } from "./sliders.js";
 import { begun, overrides, packed, unpacked } from "./state.js";
 import { Steps } from "./steps.js";
@@ -18,6 +19,7 @@ let plan = { sliders: [], writes: [] };
 let engine;
 let view;
 let steps;
+let lessons;
 let resting;
 /** Questions so far: an answer to an older one is shown, and no more is made of it. */
 let asked = 0;
@@ -54,6 +56,7 @@ async function solve(coarse) {
     resting = setTimeout(() => solve(false), REST);
   } else {
     steps.show(result);
+    lessons.show(result);
     remember();
   }
 }
@@ -169,6 +172,7 @@ function listen() {
 async function speak(code) {
   setLanguage(code);
   tellWords(document);
+  lessons.tell();
   showSliders();
   byId("sheet").options[0].textContent = word("as the case says");
   await solveA();
@@ -190,6 +194,7 @@ async function start() {
     remembering = setTimeout(remember, REST);
   });
   steps = new Steps((step) => engine.ask({ ...question(false), do: "trace", step }));
+  lessons = new Lessons((template) => begin({ ...begun(), template }));
   setLanguage(navigator.language.startsWith("de") ? "de" : "en");
   byId("language").value = currentLanguage();
   tellWords(document);

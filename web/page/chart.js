@@ -2,7 +2,7 @@
 import { told } from "./words.js";
 
 const NAMESPACE = "http://www.w3.org/2000/svg";
-/** Above the curves for words at their marks, over the height [–]. */
+/** Room beside the curves for words at their marks, over the height [–]. */
 const FLAG_ROOM = 0.15;
 const MARGIN = { left: 58, right: 14, top: 12, bottom: 44 };
 
@@ -51,7 +51,7 @@ function path(xs, ys, x, y) {
 /**
  * Draws into `host`, in the place of what was there.
  * chart: { x: {label, range?}, y: {label, range?, least?, powers?}, series: [{name, x, y, look}], dots: [{x, y, look}],
- *          flags?: [{x, y, label}], cursor?: {x, y?}, summary, onPick?(x) }
+ *          flags?: [{x, y, label, isBelow?}], cursor?: {x, y?}, summary, onPick?(x) }
  */
 export function draw(host, chart) {
   const width = Math.max(240, host.clientWidth);
@@ -62,7 +62,8 @@ export function draw(host, chart) {
   ];
   const xRange = chart.x.range ?? range(all("x"), 1e-9);
   const [bottom, top] = range(all("y"), chart.y.least ?? 1e-9);
-  const yRange = chart.y.range ?? [bottom, chart.flags?.length > 0 ? top + FLAG_ROOM * (top - bottom) : top];
+  const room = (isBelow) => (chart.flags?.some((flag) => Boolean(flag.isBelow) === isBelow) ? FLAG_ROOM * (top - bottom) : 0);
+  const yRange = chart.y.range ?? [bottom - room(true), top + room(false)];
   const inner = { width: width - MARGIN.left - MARGIN.right, height: height - MARGIN.top - MARGIN.bottom };
   const x = (value) => MARGIN.left + (inner.width * (value - xRange[0])) / (xRange[1] - xRange[0]);
   const y = (value) => MARGIN.top + inner.height * (1 - (value - yRange[0]) / (yRange[1] - yRange[0]));
@@ -116,11 +117,11 @@ function superscript(power) {
 /** Marks with their words, which step down where they would stand on one another. */
 function flags(marks, { x, y, width }) {
   const taken = [];
-  return marks.flatMap(({ x: at, y: value, label }) => {
+  return marks.flatMap(({ x: at, y: value, label, isBelow }) => {
     const [left, top] = [x(at), y(value)];
     const room = 6.3 * label.length;
     const begin = Math.max(MARGIN.left + 4, Math.min(left - room / 2, width - MARGIN.right - room));
-    let line = top > 26 ? top - 12 : top + 20;
+    let line = isBelow || top < 26 ? top + 20 : top - 12;
     while (taken.some((other) => Math.abs(other.line - line) < 15 && begin < other.end && begin + room > other.begin)) line += 15;
     taken.push({ line, begin, end: begin + room });
     return [

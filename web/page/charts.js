@@ -77,7 +77,7 @@ export function drawThickness(host, { stage, picture, other, isRound, place, onP
     x: { label: placeLabel(isRound) },
     y: { label: `${word("Thickness")} [mm]`, least: 0.1 * stage.thickness },
     series,
-    flags: [{ x: s0[least], y: now[least], label: text }],
+    flags: [{ x: s0[least], y: now[least], label: text, isBelow: true }],
     cursor: Number.isFinite(place) ? { x: place, y: now[nearest(s0, place)] } : undefined,
     summary: `${word("Thickness on the part")}: ${text}`,
     onPick: onPlace,

@@ -75,6 +75,38 @@ const GERMAN = {
   "thinnest": "dünnste Stelle",
   "nearest to the limit": "der Grenze am nächsten",
   "The section at travel": "Der Schnitt beim Weg",
+  "Lessons": "Lektionen",
+  "answered": "beantwortet",
+  "Friction and the pole": "Reibung und der Pol",
+  "A punch stretches a clamped sheet into a dome. Where the sheet lies on the punch, friction holds it, and what is held does not thin any more: the thinnest place wanders from the pole outward.":
+    "Ein Stempel streckt ein eingespanntes Blech zur Kuppe. Wo es auf dem Stempel liegt, hält es die Reibung, und was gehalten wird, dünnt nicht weiter aus: die dünnste Stelle wandert vom Pol nach außen.",
+  "Bring the thinnest place within 5 mm of the pole.": "Bringen Sie die dünnste Stelle näher als 5 mm an den Pol.",
+  "Localisation": "Lokalisierung",
+  "Where a place thins, it hardens, and its neighbours take over: n says how much. When hardening no longer outweighs thinning, one place takes all the stretching, and the sheet tears.":
+    "Wo eine Stelle ausdünnt, verfestigt sie sich, und ihre Nachbarn übernehmen: n sagt, wie sehr. Wiegt die Verfestigung das Ausdünnen nicht mehr auf, streckt sich nur noch eine Stelle, und das Blech reißt.",
+  "Find an n at which the dome tears before its full travel.": "Finden Sie ein n, bei dem die Kuppe vor dem vollen Weg reißt.",
+  "Draw ratio": "Ziehverhältnis",
+  "The wall must pull the whole flange in: the force grows with the blank's diameter over that of the punch, what the wall can bear does not. Their ratio has a limit near 2.":
+    "Die Zarge muss den ganzen Flansch einziehen: die Kraft wächst mit dem Durchmesser des Zuschnitts über dem des Stempels, was die Zarge tragen kann, nicht. Das Verhältnis hat eine Grenze nahe 2.",
+  "Enlarge the blank until the wall comes near the force that it can bear: bottom tearing is no longer green.":
+    "Vergrößern Sie den Zuschnitt, bis die Zarge der Kraft nahe kommt, die sie trägt: der Bodenreißer ist nicht mehr grün.",
+  "Volume constancy": "Volumenkonstanz",
+  "The sheet keeps its volume: t = t₀ exp(−ε_s − ε_θ). Towards the throat the circles of the flange become shorter, ε_θ is negative, and the rim grows thicker although it is pulled.":
+    "Das Blech behält sein Volumen: t = t₀ exp(−ε_s − ε_θ). Zur Öffnung hin werden die Kreise des Flansches kürzer, ε_θ ist negativ, und der Rand wird dicker, obwohl an ihm gezogen wird.",
+  "The circles of a smaller blank have less to shrink: find one whose rim stays below 1.20 mm.":
+    "Die Kreise eines kleineren Zuschnitts müssen weniger schrumpfen: finden Sie einen, dessen Rand unter 1,20 mm bleibt.",
+  "What friction costs": "Was Reibung kostet",
+  "The tools' work goes into plastic flow and into friction, under the holder and round the die's shoulder, where it multiplies what comes from the flange as a rope on a bollard does.":
+    "Die Arbeit der Werkzeuge geht in plastisches Fließen und in Reibung, unter dem Niederhalter und am Ziehring, wo sie vervielfacht, was vom Flansch kommt, wie ein Seil am Poller.",
+  "Bring the largest punch force below 35 kN with lubricant alone.": "Bringen Sie die größte Stempelkraft allein durch Schmierung unter 35 kN.",
+  "The holder": "Der Niederhalter",
+  "The flange is compressed round its circumference and would fold. The holder prevents it; an axisymmetric run cannot fold and says by a rule how much pressure is wanted.":
+    "Der Flansch wird am Umfang gestaucht und würde Falten werfen. Der Niederhalter verhindert das; eine axialsymmetrische Rechnung kann keine Falten werfen und sagt nach einer Regel, welcher Druck gebraucht wird.",
+  "Let the holder press so little that the wrinkle index turns red.": "Lassen Sie den Niederhalter so wenig drücken, dass die Faltenkennzahl rot wird.",
+  "Bending and unbending": "Biegen und Rückbiegen",
+  "Sheet that runs over a radius is bent and straightened again, and both are paid for: the sharper the radius over the thickness, the larger the force.":
+    "Blech, das über einen Radius läuft, wird gebogen und wieder gerade gerichtet, und beides kostet: je schärfer der Radius zur Dicke, desto größer die Kraft.",
+  "Sharpen the punch nose until the force exceeds 28 N per millimetre of width.": "Schärfen Sie die Stempelkante, bis die Kraft 28 N je Millimeter Breite übersteigt.",
   "One step of the solver": "Ein Schritt des Lösers",
   "Step": "Schritt",
   "Iteration": "Iteration",

@@ -104,6 +104,35 @@ async function aStepIsSeenIterationByIteration(page) {
   await page.click("#teach");
 }
 
+/** A lesson's question is open at first, and answered at an end of its slider. */
+async function everyLessonIsAnsweredByItsSlider(page) {
+  await after(page, () => document.getElementById("learn").click());
+  const answer = () => text(page, "#lesson-answer");
+  for (const { value, label } of await page.$$eval("#lesson option", (all) => all.map(({ value, label }) => ({ value, label })))) {
+    if (value !== "0") {
+      await after(page, (value) => {
+        const list = document.getElementById("lesson");
+        list.value = value;
+        list.dispatchEvent(new Event("change"));
+      }, value);
+    }
+    assert.equal(await answer(), "", `${label}: answered before it is asked`);
+    const key = await page.$eval("#sliders .asked", (line) => line.dataset.key);
+    const answered = [];
+    for (const share of [0.02, 0.25, 0.75, 0.98]) {
+      await after(page, (key, share) => {
+        const range = document.querySelector(`.slider[data-key="${key}"] input[type="range"]`);
+        range.value = Number(range.min) + share * (range.max - range.min);
+        range.dispatchEvent(new Event("change", { bubbles: true }));
+      }, key, share);
+      answered.push(await answer());
+    }
+    assert.ok(answered.includes("✓ answered"), `${label}: ${key} does not answer it`);
+    console.log(`  ${label}: ${key}`);
+  }
+  await page.click("#learn");
+}
+
 async function aLongRunIsEndedByTheNextMove(page) {
   await pick(page, "erichsen");
   let ended = 0;
@@ -143,9 +172,9 @@ async function memoryDoesNotGrow(page) {
 
 const of = await browser();
 const page = await opened(of);
-const tests = { everyTemplateAndSlider, errorsStandAtTheirLine, drawingsAreDropped, linksAreWhatIsShown, aStepIsSeenIterationByIteration, aLongRunIsEndedByTheNextMove, memoryDoesNotGrow };
+const tests = { everyTemplateAndSlider, errorsStandAtTheirLine, drawingsAreDropped, linksAreWhatIsShown, aStepIsSeenIterationByIteration, everyLessonIsAnsweredByItsSlider, aLongRunIsEndedByTheNextMove, memoryDoesNotGrow };
 try {
-  for (const [name, test] of Object.entries(tests)) {
+  for (const [name, test] of Object.entries(tests).filter(([name]) => !process.argv[2] || name === process.argv[2])) {
     await (test === linksAreWhatIsShown ? test(of, page) : test(page));
     console.log(`passed ${name}`);
   }
