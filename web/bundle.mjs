@@ -1,7 +1,7 @@
 // One file of the page: `node bundle.mjs SOLVER.wasm PAGE.html`. Modules are written one after the other into one script, which
 // is why each name at their top may be there once; the solver is LZMA in base64.
 import { execFileSync } from "node:child_process";
-import { mkdirSync, readFileSync, statSync, writeFileSync } from "node:fs";
+import { mkdirSync, readFileSync, writeFileSync } from "node:fs";
 import { dirname, join } from "node:path";
 import { gzipSync } from "node:zlib";
 
@@ -34,16 +34,33 @@ function inlined(text) {
   return text.replaceAll("</script", "<\\/script");
 }
 
+/** A module without its custom sections, which name its functions. */
+function stripped(module) {
+  const kept = [module.subarray(0, 8)];
+  for (let at = 8; at < module.length; ) {
+    const [begin, id] = [at, module[at++]];
+    let size = 0;
+    for (let shift = 0, more = true; more; shift += 7) {
+      size += (module[at] & 0x7f) * 2 ** shift;
+      more = module[at++] >= 0x80;
+    }
+    at += size;
+    if (id !== 0) kept.push(module.subarray(begin, at));
+  }
+  return Buffer.concat(kept);
+}
+
 /** LZMA with its length in the header, as the page reads it. */
-function packed(file) {
-  const bytes = execFileSync("xz", ["--format=lzma", "--lzma1=preset=9e,lc=4,pb=0,nice=273", "-c", file], { maxBuffer: 1e8 });
-  bytes.writeBigUInt64LE(BigInt(statSync(file).size), 5);
+function packed(module) {
+  const options = ["--format=lzma", "--lzma1=preset=9e,lc=4,pb=0,nice=273", "-c"];
+  const bytes = execFileSync("xz", options, { input: module, maxBuffer: 1e8 });
+  bytes.writeBigUInt64LE(BigInt(module.length), 5);
   return bytes;
 }
 
 const script = checked(modules("app.js"));
 const scripts = [
-  `<script type="text/plain" id="solver">${packed(solver).toString("base64")}</script>`,
+  `<script type="text/plain" id="solver">${packed(stripped(readFileSync(solver))).toString("base64")}</script>`,
   `<script type="text/plain" id="worker">${inlined(read("worker.js"))}</script>`,
   `<script type="module">\n${inlined(script)}</script>`,
 ];

@@ -127,7 +127,7 @@ export function drawLimit(host, { stage, picture, other, isRound, place, onPlace
       onPick: onPlace,
     });
   }
-  const low = Math.min(points[0], ...now.minor) - 0.05;
+  const low = Math.min(-0.05, ...now.minor) - 0.05;
   const high = Math.max(0.1, ...now.minor) + 0.05;
   const top = 1.1 * Math.max(...now.major, limitAt(points, 0), limitAt(points, high));
   const grid = Array.from({ length: 61 }, (_, i) => low + (i * (high - low)) / 60).filter((minor) => endsAt === null || minor <= endsAt);

@@ -10,7 +10,7 @@ use stampflow::solution::ElementRecord;
 use stampflow::{StageSolution, StepRecord};
 
 /// How finely arcs of tools are drawn \[rad\].
-const ARC: f64 = 0.1;
+const ARC: f64 = 0.03;
 
 /// What is written of a step, forces in N or N/mm, lengths in mm.
 const STEP: [(&str, fn(&StepRecord) -> f64); 11] = [
