@@ -28,7 +28,7 @@ impl Error {
         &self.message
     }
 
-    /// Of the key or value; `None` of the text as a whole.
+    /// Of the key or value.
     pub fn span(&self) -> Option<Span> {
         self.span.clone()
     }
@@ -59,9 +59,9 @@ impl de::Error for Error {
     }
 }
 
-/// Reads a table as a whole.
+/// Reads the table that a text is; what is about the whole of it stands at its beginning.
 pub(super) fn read<'t, T: de::Deserialize<'t>>(table: &'t DeTable<'t>) -> Result<T, Error> {
-    T::deserialize(Table(table))
+    T::deserialize(Table(table)).map_err(|error| error.at(&(0..0)))
 }
 
 /// The table that a text is.

@@ -131,6 +131,7 @@ export function drawLimit(host, { stage, picture, other, isRound, place, onPlace
   const high = Math.max(0.1, ...now.minor) + 0.05;
   const top = 1.1 * Math.max(...now.major, limitAt(points, 0), limitAt(points, high));
   const grid = Array.from({ length: 61 }, (_, i) => low + (i * (high - low)) / 60).filter((minor) => endsAt === null || minor <= endsAt);
+  const limits = grid.map((minor) => limitAt(points, minor)).map((major) => (major <= top ? major : NaN));
   const pictures = Array.from({ length: picture + 1 }, (_, i) => strains(stage, i));
   const dots = [{ x: now.minor, y: now.major, look: "c0" }];
   if (other) dots.unshift(((before) => ({ x: before.minor, y: before.major, look: "a" }))(strains(other.stage, other.picture)));
@@ -138,7 +139,7 @@ export function drawLimit(host, { stage, picture, other, isRound, place, onPlace
     x: { label: `${word("Minor strain")} [–]`, range: [low, high] },
     y: { label: `${word("Major strain")} [–]`, range: [Math.min(0, ...now.major), top] },
     series: [
-      { name: `${word("limit")}: ${name}`, x: grid, y: grid.map((minor) => limitAt(points, minor)), look: "limit" },
+      { name: `${word("limit")}: ${name}`, x: grid, y: limits, look: "limit" },
       { name: "", x: pictures.map(({ minor }) => minor[chosen]), y: pictures.map(({ major }) => major[chosen]), look: "path" },
     ],
     dots: [...dots, { x: [now.minor[chosen]], y: [now.major[chosen]], look: "chosen" }],
