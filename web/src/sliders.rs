@@ -136,7 +136,7 @@ impl Known {
         self.paths.iter().find_map(|path| {
             let item = path.split('.').try_fold(case, |item, key| item.get(key))?;
             let (value, unit) = number(item)?;
-            (value > 0.0).then(|| Found { key: self.key, path, value, unit, range: self.range })
+            (value > 0.0).then_some(Found { key: self.key, path, value, unit, range: self.range })
         })
     }
 }

@@ -12,8 +12,11 @@ use stampflow::{StageSolution, StepRecord};
 /// How finely arcs of tools are drawn \[rad\].
 const ARC: f64 = 0.03;
 
+/// A column: its name, and its number of a row.
+type Column<T> = (&'static str, fn(&T) -> f64);
+
 /// What is written of a step, forces in N or N/mm, lengths in mm.
-const STEP: [(&str, fn(&StepRecord) -> f64); 11] = [
+const STEP: [Column<StepRecord>; 11] = [
     ("travel", |s| s.travel),
     ("punch_force", |s| s.punch_force),
     ("holder_force", |s| s.holder_force),
@@ -28,7 +31,7 @@ const STEP: [(&str, fn(&StepRecord) -> f64); 11] = [
 ];
 
 /// What is written of an element at the end, stresses in MPa.
-const ELEMENT: [(&str, fn(&ElementRecord) -> f64); 9] = [
+const ELEMENT: [Column<ElementRecord>; 9] = [
     ("s0", |e| e.s0),
     ("r", |e| e.r),
     ("z", |e| e.z),
@@ -72,8 +75,8 @@ pub fn json(name: &str, stage: &StageSolution, strip: Strip, form: Form, numbers
     })
 }
 
-fn columns<T>(fields: &[(&str, fn(&T) -> f64)], of: &[T], numbers: &mut Numbers) -> Value {
-    let column = |(key, value): &(&str, fn(&T) -> f64)| ((*key).to_owned(), numbers.put(of.iter().map(value)));
+fn columns<T>(fields: &[Column<T>], of: &[T], numbers: &mut Numbers) -> Value {
+    let column = |(key, value): &Column<T>| ((*key).to_owned(), numbers.put(of.iter().map(value)));
     Value::Object(fields.iter().map(column).collect::<Map<_, _>>())
 }
 
