@@ -1,12 +1,12 @@
 //! The keys of a case, and serde's complaints in a die designer's words.
 
+use super::reader::Error;
 #[cfg(feature = "schema")]
 use super::schema::example_line;
 use super::source::Source;
 use super::wording::listed;
 use super::{CaseError, CaseFile};
 use crate::units::did_you_mean;
-use toml::de::Error;
 
 /// Examples are those of the schema.
 #[cfg(not(feature = "schema"))]

@@ -30,6 +30,7 @@ pub mod file;
 pub mod library;
 mod overrides;
 mod read;
+mod reader;
 #[cfg(feature = "schema")]
 mod schema;
 mod solution;

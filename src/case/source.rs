@@ -1,13 +1,12 @@
 //! The text of a case and where each key stands in it.
 
 use super::wording::Wording;
-use super::{CaseError, CaseFile, syntax};
+use super::{CaseError, CaseFile, reader, syntax};
 use miette::NamedSource;
-use serde::Deserialize;
 use std::ops::Range;
 use std::sync::Arc;
 use toml::Spanned;
-use toml::de::{DeTable, DeValue, Deserializer, Error};
+use toml::de::{DeTable, DeValue};
 
 /// A case's text, parsed as TOML, in the words of case files; knows the place of every key path.
 #[derive(Clone)]
@@ -35,8 +34,8 @@ impl<'t> Source<'t> {
     }
 
     /// What the keys say, each in its own type.
-    pub fn read(&self) -> Result<CaseFile, Error> {
-        CaseFile::deserialize(Deserializer::from(self.tree.clone()))
+    pub fn read(&self) -> Result<CaseFile, reader::Error> {
+        reader::read(self.tree.get_ref())
     }
 
     /// What was written in other words than those of case files.

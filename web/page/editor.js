@@ -1,0 +1,46 @@
+// The case file as text, with the numbers of its lines; an error stands at its line, as the command line prints it.
+import { word } from "./words.js";
+
+export class Editor {
+  constructor({ text, lines, error }) {
+    Object.assign(this, { text, lines, error });
+    text.addEventListener("input", () => this.number());
+    text.addEventListener("scroll", () => (lines.scrollTop = text.scrollTop));
+  }
+
+  set(value) {
+    this.text.value = value;
+    this.number();
+  }
+
+  /** The numbers of the lines; the line of an error stands out. */
+  number(wrong) {
+    const count = this.text.value.split("\n").length;
+    const numbers = Array.from({ length: count }, (_, i) => {
+      const number = document.createElement("div");
+      number.textContent = i + 1;
+      if (i + 1 === wrong) number.className = "wrong";
+      return number;
+    });
+    this.lines.replaceChildren(...numbers);
+    this.lines.scrollTop = this.text.scrollTop;
+  }
+
+  clear() {
+    this.error.hidden = true;
+    this.number();
+  }
+
+  /** Shows what is wrong; of an error with a place, its line too. */
+  refuse({ what, help, line, column, rendered }) {
+    const place = line ? `${word("line")} ${line}, ${word("column")} ${column}: ` : "";
+    const head = document.createElement("p");
+    head.textContent = `${place}${what}`;
+    const whole = document.createElement("pre");
+    whole.textContent = rendered || help || "";
+    this.error.replaceChildren(head, whole);
+    this.error.hidden = false;
+    this.number(line);
+    if (line) this.text.scrollTop = Math.max(0, (line - 4) * parseFloat(getComputedStyle(this.text).lineHeight));
+  }
+}

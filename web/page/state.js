@@ -1,0 +1,46 @@
+// What is looked at, and its link: all of it in the address, deflated and in base64, so that a link is the example.
+
+/** As the page begins. */
+export function begun() {
+  return { template: "cup", base: "", name: "cup.toml", files: {}, sheet: "", values: {}, a: null, at: 1, stage: 0 };
+}
+
+async function through(stream, bytes) {
+  return new Uint8Array(await new Response(new Blob([bytes]).stream().pipeThrough(stream)).arrayBuffer());
+}
+
+/** The link's part behind `#`; a template's text is not in it. */
+export async function packed(state) {
+  const kept = { ...state, base: state.template ? "" : state.base };
+  const bytes = await through(new CompressionStream("deflate-raw"), new TextEncoder().encode(JSON.stringify(kept)));
+  return btoa(String.fromCharCode(...bytes)).replaceAll("+", "-").replaceAll("/", "_").replace(/=+$/, "");
+}
+
+/** What a link says; null where it is none. */
+export async function unpacked(hash) {
+  try {
+    const letters = atob(hash.replaceAll("-", "+").replaceAll("_", "/"));
+    const bytes = Uint8Array.from(letters, (letter) => letter.charCodeAt(0));
+    const json = new TextDecoder().decode(await through(new DecompressionStream("deflate-raw"), bytes));
+    return { ...begun(), ...JSON.parse(json) };
+  } catch {
+    return null;
+  }
+}
+
+/** A number as a case file has it: no more digits than anyone means. */
+function written(value) {
+  return String(Number(value.toPrecision(6)));
+}
+
+/** The settings that replace what the base text says: the sheet, and every path whose sliders were moved. */
+export function overrides(state, { sliders, writes }) {
+  const value = (key) => state.values[key] ?? sliders.find((slider) => slider.key === key)?.value ?? 0;
+  const set = writes
+    .filter(({ terms }) => terms.some((key) => state.values[key] !== undefined))
+    .map(({ path, unit, terms, plus }) => {
+      const number = written(terms.reduce((sum, key) => sum + value(key), plus));
+      return unit ? `${path}="${number} ${unit}"` : `${path}=${number}`;
+    });
+  return (state.sheet ? [`material=${state.sheet}`] : []).concat(set);
+}

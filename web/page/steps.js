@@ -1,0 +1,177 @@
+// One step of the solver, iteration by iteration: the sheet as it is tried, norms with each matrix, equations with their numbers.
+import { draw, svg } from "./chart.js";
+import { byId, told, word } from "./words.js";
+
+const MATRICES = { primal_dual: "primal-dual", newton: "Newton", secant: "secant" };
+const POWERS = { external: "tools", plastic: "plastic flow", elastic: "elastic", friction: "friction", contact: "contact springs" };
+/** Numbers below are drawn as it: nothing is left there. */
+const LEAST = 1e-12;
+/** Of the longest arrow over the width of the sheet [–]. */
+const ARROW = 0.12;
+
+const log = (values) => Array.from(values, (value) => Math.log10(Math.max(LEAST, value)));
+
+export class Steps {
+  /** ask(step) answers with the trace of a step. */
+  constructor(ask) {
+    this.ask = ask;
+    this.trace = null;
+    this.element = 0;
+    byId("teach").addEventListener("click", () => this.toggle());
+    byId("step").addEventListener("change", () => this.load());
+    byId("step").addEventListener("input", () => (byId("step-told").textContent = byId("step").value));
+    byId("iteration").addEventListener("input", () => this.draw());
+  }
+
+  get isShown() {
+    return !byId("steps").hidden;
+  }
+
+  toggle() {
+    byId("steps").hidden = this.isShown;
+    byId("teach").setAttribute("aria-pressed", this.isShown);
+    if (this.isShown) this.load();
+  }
+
+  /** Another result: as many steps as its first stage has. */
+  show({ stages }) {
+    const { length } = stages[0].steps.travel;
+    byId("step").max = length;
+    if (this.isShown) this.load();
+    else byId("step").value = Math.round(0.4 * length);
+  }
+
+  async load() {
+    const trace = await this.ask(byId("step").valueAsNumber);
+    if (!trace || trace.error) return;
+    this.trace = trace;
+    byId("iteration").max = trace.iterates.length - 1;
+    byId("iteration").value = 0;
+    const forces = sizes(trace.iterates[0]);
+    this.element = Math.min(forces.indexOf(Math.max(...forces)), trace.iterates[0].increments.length - 1);
+    this.draw();
+  }
+
+  draw() {
+    if (!this.trace) return;
+    const { trace } = this;
+    const at = byId("iteration").valueAsNumber;
+    const iterate = trace.iterates[at];
+    byId("step-told").textContent = `${trace.step}: ${told(trace.travel)} mm`;
+    byId("iteration-told").textContent = `${at} / ${trace.iterates.length - 1}`;
+    const pick = (node) => {
+      this.element = Math.min(Math.round(node), iterate.increments.length - 1);
+      this.draw();
+    };
+    drawTried(byId("tried"), trace, iterate, this.element);
+    drawNorms(byId("norms"), trace, at);
+    drawResidual(byId("residual"), iterate, this.element, pick);
+    drawPower(byId("power"), trace.power);
+    tellEquations(byId("equations"), trace, iterate, this.element, at);
+  }
+}
+
+/** Size of the force at every node. */
+function sizes({ forces }) {
+  return Array.from({ length: forces.length / 2 }, (_, i) => Math.hypot(forces[2 * i], forces[2 * i + 1]));
+}
+
+function drawTried(host, trace, iterate, element) {
+  const { nodes, forces, increments } = iterate;
+  const count = nodes.length / 2;
+  const of = (k) => Array.from({ length: count }, (_, i) => nodes[2 * i + k]);
+  const [rs, zs] = [of(0), of(1)];
+  const [right, low, high] = [Math.max(...rs), Math.min(...zs), Math.max(...zs)];
+  const width = Math.max(240, host.clientWidth);
+  const room = 0.14 * right;
+  const scale = width / (right + 2 * room);
+  const height = Math.max(120, scale * (high - low + 2 * room));
+  const x = (r) => scale * (r + room);
+  const y = (z) => height - scale * (z - low + room);
+  const flowing = increments.filter((increment) => increment > trace.nearlyRigid).length;
+  const summary = `${flowing} ${word("flows")}, ${increments.length - flowing} ${word("nearly rigid")}`;
+  const root = svg("svg", { viewBox: `0 0 ${width} ${height}`, width, height, role: "img" }, svg("title", {}, summary));
+  increments.forEach((increment, e) => {
+    const look = increment > trace.nearlyRigid ? "flows" : "rigid";
+    root.append(svg("line", { x1: x(rs[e]), y1: y(zs[e]), x2: x(rs[e + 1]), y2: y(zs[e + 1]), class: `tried ${look}` }));
+  });
+  const largest = Math.max(...sizes(iterate), LEAST);
+  for (let i = 0; i < count; i++) {
+    const [dr, dz] = [forces[2 * i], forces[2 * i + 1]].map((force) => (ARROW * right * force) / largest);
+    root.append(svg("line", { x1: x(rs[i]), y1: y(zs[i]), x2: x(rs[i] + dr), y2: y(zs[i] + dz), class: "force" }));
+  }
+  root.append(svg("circle", { cx: x((rs[element] + rs[element + 1]) / 2), cy: y((zs[element] + zs[element + 1]) / 2), r: 7, class: "place" }));
+  const words = document.createElement("p");
+  words.className = "hint";
+  words.textContent = `${summary}; → ${told(largest)} N`;
+  host.replaceChildren(root, words);
+}
+
+function drawNorms(host, trace, at) {
+  const series = trace.norms
+    .filter(({ velocity }) => velocity.length > 0)
+    .map(({ matrix, velocity }, i) => ({ name: word(MATRICES[matrix]), x: Array.from(velocity, (_, k) => k + 1), y: log(velocity), look: `c${i}` }));
+  const longest = Math.max(2, ...series.map(({ x }) => x.length));
+  const bound = Math.log10(trace.tolerance);
+  series.push({ name: word("tolerance"), x: [0, longest], y: [bound, bound], look: "flat" });
+  const counts = trace.norms.map(({ matrix, velocity }) => `${word(MATRICES[matrix])}: ${velocity.length}`).join("; ");
+  draw(host, { x: { label: word("Iteration") }, y: { label: "‖δȧ‖ / ‖ȧ‖", powers: true }, series, cursor: { x: at }, summary: counts });
+}
+
+function drawResidual(host, iterate, element, onPick) {
+  const forces = log(sizes(iterate));
+  const nodes = forces.map((_, i) => i);
+  draw(host, {
+    x: { label: word("Node") },
+    y: { label: `${word("Force")} [N]`, powers: true },
+    series: [{ name: "", x: nodes, y: forces, look: "c0" }],
+    cursor: { x: element },
+    summary: `${word("Force out of balance at each node")}: ${told(10 ** Math.max(...forces))} N`,
+    onPick,
+  });
+}
+
+function drawPower(host, power) {
+  const all = Object.entries(POWERS).map(([key, name]) => [word(name), power[key]]).filter(([, value]) => value !== 0);
+  const largest = Math.max(...all.map(([, value]) => Math.abs(value)), LEAST);
+  const width = Math.max(240, host.clientWidth);
+  const line = 34;
+  const height = line * all.length + 8;
+  const summary = all.map(([name, value]) => `${name} ${told((100 * value) / largest)} %`).join(", ");
+  const root = svg("svg", { viewBox: `0 0 ${width} ${height}`, width, height, role: "img" }, svg("title", {}, summary));
+  all.forEach(([name, value], i) => {
+    const length = ((width - 200) * Math.abs(value)) / largest;
+    root.append(svg("text", { x: 106, y: line * i + 23, class: "label end" }, name));
+    root.append(svg("rect", { x: 114, y: line * i + 8, width: Math.max(1, length), height: 20, class: "bar-of" }));
+    root.append(svg("text", { x: 120 + length, y: line * i + 23 }, `${told((100 * value) / largest)} %`));
+  });
+  host.replaceChildren(root);
+}
+
+/** MathML of plain parts. */
+const math = (inner) => `<math display="block"><mrow>${inner}</mrow></math>`;
+const mi = (name) => `<mi>${name}</mi>`;
+const mo = (sign) => `<mo>${sign}</mo>`;
+const mn = (value, digits = 4) => `<mn>${told(value, digits)}</mn>`;
+const rate = `<mover>${mi("ε")}${mo("¯")}</mover>`;
+const increment = `<mrow>${mi("Δ")}${rate}</mrow>`;
+const sub = (base, index) => `<msub>${base}<mn>${index}</mn></msub>`;
+const squared = (base) => `<msup><mrow>${base}</mrow><mn>2</mn></msup>`;
+
+function tellEquations(host, trace, iterate, element, at) {
+  const [own, yieldStress] = [iterate.increments[element], iterate.yieldStresses[element]];
+  const regular = Math.hypot(own, trace.cutoff);
+  const cut = `${mi("Δ")}${sub(mi("ε"), 0)}`;
+  const velocity = trace.norms[0].velocity[at];
+  const rows = [
+    math(`<msub>${increment}<mi>reg</mi></msub>${mo("=")}<msqrt>${squared(increment)}${mo("+")}${squared(cut)}</msqrt>${mo("=")}<msqrt>${squared(mn(own))}${mo("+")}${squared(mn(trace.cutoff))}</msqrt>${mo("=")}${mn(regular)}`),
+    math(`${mi("σ")}${mo("=")}<mfrac><msub>${mi("σ")}<mi>y</mi></msub><msub>${increment}<mi>reg</mi></msub></mfrac>${mi("A")}${mi("Δ")}${mi("ε")}${mo(",")}<mfrac><mrow>${mn(yieldStress)}<mtext> MPa</mtext></mrow>${mn(regular)}</mfrac>${mo("=")}${mn(yieldStress / regular)}<mtext> MPa</mtext>`),
+    math(`${mi("δ")}<mover>${mi("a")}${mo("˙")}</mover>${mo("=")}${mo("−")}<msup>${mi("H")}<mrow>${mo("−")}<mn>1</mn></mrow></msup>${mi("r")}${velocity === undefined ? "" : `${mo(",")}<mfrac><mrow>${mo("‖")}${mi("δ")}<mover>${mi("a")}${mo("˙")}</mover>${mo("‖")}</mrow><mrow>${mo("‖")}<mover>${mi("a")}${mo("˙")}</mover>${mo("‖")}</mrow></mfrac>${mo("=")}${mn(velocity, 3)}`}`),
+  ];
+  const note = document.createElement("p");
+  note.className = "hint";
+  const state = word(own > trace.nearlyRigid ? "flows" : "nearly rigid");
+  note.textContent = `${word("Element")} ${element}: ${state}. ${word("Each matrix runs from the start of the case; pick an element in the chart of nodes.")}`;
+  host.innerHTML = rows.map((row) => `<p>${row}</p>`).join("");
+  host.prepend(note);
+}

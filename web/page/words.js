@@ -1,0 +1,163 @@
+// The page's own words; whatever the solver tells comes from its table of messages.
+
+const GERMAN = {
+  "Step by step": "Schritt für Schritt",
+  "Begin with": "Beginnen mit",
+  "Open a case or a drawing": "Fall oder Zeichnung öffnen",
+  "Drop a case (TOML), its tables (CSV) or a drawing (DXF) anywhere.": "Fall (TOML), seine Tabellen (CSV) oder eine Zeichnung (DXF) irgendwo ablegen.",
+  "Language": "Sprache",
+  "Colours": "Farben",
+  "as the system": "wie das System",
+  "light": "hell",
+  "dark": "dunkel",
+  "What to change": "Was zu ändern ist",
+  "Sheet": "Blech",
+  "as the case says": "wie im Fall",
+  "Reset": "Zurücksetzen",
+  "Keep as A": "Als A merken",
+  "Forget A": "A vergessen",
+  "Stage": "Stufe",
+  "Travel": "Weg",
+  "Play": "Abspielen",
+  "Stop": "Anhalten",
+  "Load": "Kraft",
+  "Thickness": "Dicke",
+  "Thickness on the part": "Dicke am Teil",
+  "Forming limit": "Grenzformänderung",
+  "Punch force": "Stempelkraft",
+  "Holder force": "Niederhalterkraft",
+  "Edge force": "Kraft am Rand",
+  "Gas pressure": "Gasdruck",
+  "Punch travel": "Stempelweg",
+  "Height of the middle": "Höhe der Mitte",
+  "Initial distance from the axis": "Abstand von der Achse im Zuschnitt",
+  "Initial distance from the middle": "Abstand von der Mitte im Zuschnitt",
+  "Minor strain": "Nebenformänderung",
+  "Major strain": "Hauptformänderung",
+  "limit": "Grenze",
+  "peak": "Spitze",
+  "thinner": "dünner",
+  "thicker": "dicker",
+  "Verdict": "Urteil",
+  "Finding": "Frage",
+  "Found": "Gefunden",
+  "Limit": "Grenze",
+  "What to do": "Was zu tun ist",
+  "Case file": "Falldatei",
+  "Solve this text": "Diesen Text rechnen",
+  "Download case": "Fall speichern",
+  "Download curves (CSV)": "Kurven speichern (CSV)",
+  "Download profile (CSV)": "Profil speichern (CSV)",
+  "Copy link": "Link kopieren",
+  "copied": "kopiert",
+  "line": "Zeile",
+  "column": "Spalte",
+  "solving …": "rechnet …",
+  "solved": "gerechnet",
+  "coarse": "grob",
+  "The last good result stays grey.": "Das letzte gute Ergebnis bleibt grau.",
+  "no forming limit in this case": "dieser Fall hat keine Grenzformänderung",
+  "no force in this stage": "keine Kraft in dieser Stufe",
+  "Blank": "Zuschnitt",
+  "Sheet thickness": "Blechdicke",
+  "Punch": "Stempel",
+  "Punch nose radius": "Stempelkantenradius",
+  "Die opening": "Ziehringöffnung",
+  "Die shoulder radius": "Ziehringradius",
+  "Clearance": "Ziehspalt",
+  "Holder opening": "Niederhalteröffnung",
+  "Holder pressure": "Niederhalterdruck",
+  "Friction": "Reibung",
+  "Hardening k": "Verfestigung k",
+  "Hardening n": "Verfestigung n",
+  "Warnings and notes": "Warnungen und Anmerkungen",
+  "at": "bei",
+  "thinnest": "dünnste Stelle",
+  "nearest to the limit": "der Grenze am nächsten",
+  "The section at travel": "Der Schnitt beim Weg",
+  "Lessons": "Lektionen",
+  "answered": "beantwortet",
+  "Friction and the pole": "Reibung und der Pol",
+  "A punch stretches a clamped sheet into a dome. Where the sheet lies on the punch, friction holds it, and what is held does not thin any more: the thinnest place wanders from the pole outward.":
+    "Ein Stempel streckt ein eingespanntes Blech zur Kuppe. Wo es auf dem Stempel liegt, hält es die Reibung, und was gehalten wird, dünnt nicht weiter aus: die dünnste Stelle wandert vom Pol nach außen.",
+  "Bring the thinnest place within 5 mm of the pole.": "Bringen Sie die dünnste Stelle näher als 5 mm an den Pol.",
+  "Localisation": "Lokalisierung",
+  "Where a place thins, it hardens, and its neighbours take over: n says how much. When hardening no longer outweighs thinning, one place takes all the stretching, and the sheet tears.":
+    "Wo eine Stelle ausdünnt, verfestigt sie sich, und ihre Nachbarn übernehmen: n sagt, wie sehr. Wiegt die Verfestigung das Ausdünnen nicht mehr auf, streckt sich nur noch eine Stelle, und das Blech reißt.",
+  "Find an n at which the dome tears before its full travel.": "Finden Sie ein n, bei dem die Kuppe vor dem vollen Weg reißt.",
+  "Draw ratio": "Ziehverhältnis",
+  "The wall must pull the whole flange in: the force grows with the blank's diameter over that of the punch, what the wall can bear does not. Their ratio has a limit near 2.":
+    "Die Zarge muss den ganzen Flansch einziehen: die Kraft wächst mit dem Durchmesser des Zuschnitts über dem des Stempels, was die Zarge tragen kann, nicht. Das Verhältnis hat eine Grenze nahe 2.",
+  "Enlarge the blank until the wall comes near the force that it can bear: bottom tearing is no longer green.":
+    "Vergrößern Sie den Zuschnitt, bis die Zarge der Kraft nahe kommt, die sie trägt: der Bodenreißer ist nicht mehr grün.",
+  "Volume constancy": "Volumenkonstanz",
+  "The sheet keeps its volume: t = t₀ exp(−ε_s − ε_θ). Towards the throat the circles of the flange become shorter, ε_θ is negative, and the rim grows thicker although it is pulled.":
+    "Das Blech behält sein Volumen: t = t₀ exp(−ε_s − ε_θ). Zur Öffnung hin werden die Kreise des Flansches kürzer, ε_θ ist negativ, und der Rand wird dicker, obwohl an ihm gezogen wird.",
+  "The circles of a smaller blank have less to shrink: find one whose rim stays below 1.20 mm.":
+    "Die Kreise eines kleineren Zuschnitts müssen weniger schrumpfen: finden Sie einen, dessen Rand unter 1,20 mm bleibt.",
+  "What friction costs": "Was Reibung kostet",
+  "The tools' work goes into plastic flow and into friction, under the holder and round the die's shoulder, where it multiplies what comes from the flange as a rope on a bollard does.":
+    "Die Arbeit der Werkzeuge geht in plastisches Fließen und in Reibung, unter dem Niederhalter und am Ziehring, wo sie vervielfacht, was vom Flansch kommt, wie ein Seil am Poller.",
+  "Bring the largest punch force below 35 kN with lubricant alone.": "Bringen Sie die größte Stempelkraft allein durch Schmierung unter 35 kN.",
+  "The holder": "Der Niederhalter",
+  "The flange is compressed round its circumference and would fold. The holder prevents it; an axisymmetric run cannot fold and says by a rule how much pressure is wanted.":
+    "Der Flansch wird am Umfang gestaucht und würde Falten werfen. Der Niederhalter verhindert das; eine axialsymmetrische Rechnung kann keine Falten werfen und sagt nach einer Regel, welcher Druck gebraucht wird.",
+  "Let the holder press so little that the wrinkle index turns red.": "Lassen Sie den Niederhalter so wenig drücken, dass die Faltenkennzahl rot wird.",
+  "Bending and unbending": "Biegen und Rückbiegen",
+  "Sheet that runs over a radius is bent and straightened again, and both are paid for: the sharper the radius over the thickness, the larger the force.":
+    "Blech, das über einen Radius läuft, wird gebogen und wieder gerade gerichtet, und beides kostet: je schärfer der Radius zur Dicke, desto größer die Kraft.",
+  "Sharpen the punch nose until the force exceeds 28 N per millimetre of width.": "Schärfen Sie die Stempelkante, bis die Kraft 28 N je Millimeter Breite übersteigt.",
+  "One step of the solver": "Ein Schritt des Lösers",
+  "Step": "Schritt",
+  "Iteration": "Iteration",
+  "Sheet as it is tried, and the forces that are not in balance": "Blech, wie es versucht wird, und die Kräfte, die nicht im Gleichgewicht sind",
+  "Velocity norm: how far the next iteration moves": "Geschwindigkeitsnorm: wie weit die nächste Iteration geht",
+  "Force out of balance at each node": "Unausgeglichene Kraft an jedem Knoten",
+  "Power of the step": "Leistung des Schritts",
+  "Node": "Knoten",
+  "primal-dual": "primal-dual",
+  "Newton": "Newton",
+  "secant": "Sekante",
+  "tolerance": "Toleranz",
+  "tools": "Werkzeuge",
+  "plastic flow": "plastisch",
+  "elastic": "elastisch",
+  "friction": "Reibung",
+  "contact springs": "Kontaktfedern",
+  "flows": "fließt",
+  "nearly rigid": "fast starr",
+  "Force": "Kraft",
+  "Each matrix runs from the start of the case; pick an element in the chart of nodes.": "Jede Matrix rechnet den Fall von Anfang an; ein Element wird im Bild der Knoten gewählt.",
+  "Element": "Element",
+};
+
+/** An element of the page. */
+export const byId = (id) => document.getElementById(id);
+
+let language = "en";
+
+export function setLanguage(code) {
+  language = code;
+  document.documentElement.lang = code;
+}
+
+export function currentLanguage() {
+  return language;
+}
+
+/** A word of the page in the language that is set; English is the key. */
+export function word(text) {
+  return language === "de" ? (GERMAN[text] ?? text) : text;
+}
+
+/** Fills every element that names its word. */
+export function tellWords(root) {
+  for (const element of root.querySelectorAll("[data-word]")) element.textContent = word(element.dataset.word);
+  for (const element of root.querySelectorAll("[data-label]")) element.setAttribute("aria-label", word(element.dataset.label));
+}
+
+/** A number with so many significant digits in the language's writing. */
+export function told(value, digits = 3) {
+  if (!Number.isFinite(value)) return "–";
+  return value.toLocaleString(language, { maximumSignificantDigits: digits, useGrouping: false });
+}

@@ -1,0 +1,53 @@
+//! A case solved: as it is, or coarser while a slider moves.
+
+use crate::film::Film;
+use crate::numbers::Numbers;
+use crate::question::{Failure, form, text};
+use crate::{answer, stage};
+use serde_json::{Value, json};
+use stampflow::assess::{self, Answer};
+use stampflow::case::{Case, parse_with};
+use stampflow::files::Memory;
+use stampflow::verification::Direction;
+
+/// How fine a coarse run is in every direction \[–\].
+const COARSE: f64 = 0.5;
+
+/// The case of a question: its text, the settings that replace what it says, and the files beside it.
+pub fn case(question: &Value) -> Result<Case, Failure> {
+    let mut files = Memory::default();
+    for (path, text) in question["files"].as_object().into_iter().flatten() {
+        files.insert(path, text.as_str().unwrap_or(""));
+    }
+    let overrides = question["overrides"].as_array().into_iter().flatten();
+    let overrides: Vec<String> = overrides.filter_map(|set| set.as_str().map(str::to_owned)).collect();
+    let name = Some(text(question, "name")).filter(|name| !name.is_empty()).unwrap_or("case.toml");
+    Ok(parse_with(text(question, "text"), name, &overrides, &files)?)
+}
+
+/// What comes of the case, coarser where the question says so.
+pub fn solve(question: &Value, numbers: &mut Numbers) -> Result<Value, Failure> {
+    let form = form(question);
+    let mut case = case(question)?;
+    let is_coarse = question["coarse"].as_bool().unwrap_or(false);
+    if let Some(coarser) = is_coarse.then(|| Direction::Together.refined(&case.stages, COARSE)).flatten() {
+        case.stages = coarser;
+    }
+    let mut film = Film::default();
+    let solution = case.solve(&mut film);
+    let (case, solved) = (&solution.case, &solution.stages);
+    let findings = if is_coarse { assess::after_one_of_many(case, solved) } else { assess::after(case, solved) };
+    let verdict = Answer::of(case, solved, &findings);
+    let stages = case.stages.iter().zip(solved).zip(film.0);
+    let stages: Vec<Value> =
+        stages.map(|((stage, solved), strip)| stage::json(&stage.name, solved, strip, form, numbers)).collect();
+    Ok(json!({
+        "title": case.model().title,
+        "text": case.text,
+        "isRound": case.model().geometry == stampflow::model::Geometry::Axisymmetric,
+        "isCoarse": is_coarse,
+        "isComplete": solution.is_complete(),
+        "stages": stages,
+        "verdict": answer::json(&verdict, &findings, &assess::before(case), form),
+    }))
+}

@@ -1,0 +1,93 @@
+// Every case of cases/ in the page's solver and by the command line: the same numbers.
+import { execFileSync } from "node:child_process";
+import { mkdtempSync, readdirSync, readFileSync, rmSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { basename, join } from "node:path";
+import { NATIVE, ROOT, solver } from "./solver.mjs";
+
+/** What both may differ by, of the largest number of a column [–], beside the rounding of the command line's tables. */
+const SAME = 1e-9;
+/** Digits of a number in these tables. */
+const DIGITS = 9;
+/**
+ * Stages that come to the same end in another number of steps, because the last digits of exp and ln, which are the system's
+ * there and those of Rust's own library here, decide whether a step is halved: they are compared by their end.
+ */
+const OTHER_STEPS = ["brite_four_steps withdraw"];
+
+const TABLES = { "load_travel.csv": "steps", "profile.csv": "end" };
+
+/** The columns of a table by their keys, units cut off. */
+function columns(text, keys) {
+  const [head, ...rows] = text.trim().split("\n").map((line) => line.split(","));
+  const at = (key) => head.findIndex((header) => header === key || header.replace(/_(mm|N|N_per_mm|MPa|s)$/, "") === key);
+  return Object.fromEntries(keys.filter((key) => at(key) >= 0).map((key) => [key, rows.map((row) => Number(row[at(key)]))]));
+}
+
+/** The last rows of a table that has all kept instants: one per element. */
+function lastOf(column, count) {
+  return column.slice(column.length - count);
+}
+
+/** Half of the last digit that a number has in a table; a little more, for it is rounded to a double, too. */
+function rounding(value) {
+  return value === 0 ? 0 : 0.5001 * 10 ** (Math.floor(Math.log10(Math.abs(value))) + 1 - DIGITS);
+}
+
+function difference(own, native) {
+  const size = Math.max(...native.map(Math.abs), 1e-300);
+  return Math.max(0, ...native.map((value, i) => (Math.abs(value - own[i]) - rounding(value)) / size));
+}
+
+function files(folder) {
+  const all = readdirSync(join(ROOT, folder)).filter((name) => /\.(csv|toml)$/.test(name));
+  return Object.fromEntries(all.map((name) => [`${folder}/${name}`, readFileSync(join(ROOT, folder, name), "utf8")]));
+}
+
+function compared(name, answer, array, folder) {
+  let worst = [0, ""];
+  const many = answer.stages.length > 1;
+  answer.stages.forEach((stage, i) => {
+    const of = many ? join(folder, `${i + 1}-${stage.name}`) : folder;
+    for (const [file, key] of Object.entries(TABLES)) {
+      if (key === "steps" && OTHER_STEPS.includes(`${name} ${stage.name}`)) continue;
+      const own = Object.fromEntries(Object.entries(stage[key]).map(([name, place]) => [name, array(place)]));
+      const native = columns(readFileSync(join(of, file), "utf8"), Object.keys(own));
+      for (const [column, values] of Object.entries(native)) {
+        const rows = key === "end" ? lastOf(values, own[column].length) : values;
+        const isAsLong = rows.length === own[column].length;
+        const off = isAsLong ? difference(own[column], rows) : Infinity;
+        const where = `${stage.name} ${file} ${column}${isAsLong ? "" : `, ${own[column].length} rows and ${rows.length}`}`;
+        if (!(off <= worst[0])) worst = [off, where];
+      }
+    }
+  });
+  return worst;
+}
+
+const ask = solver();
+const out = mkdtempSync(join(tmpdir(), "stampflow-page-"));
+const beside = { ...files("cases"), ...files("reference_data") };
+let failed = 0;
+try {
+  for (const name of readdirSync(join(ROOT, "cases")).filter((file) => file.endsWith(".toml"))) {
+    const path = `cases/${name}`;
+    const folder = join(out, basename(name, ".toml"));
+    try {
+      execFileSync(NATIVE, ["run", path, "--out", folder, "--quiet"], { cwd: ROOT, stdio: "ignore" });
+    } catch (ended) {
+      if (ended.status !== 3) throw ended;
+    }
+    const { answer, array } = ask({ do: "solve", text: readFileSync(join(ROOT, path), "utf8"), name: path, files: beside });
+    const [off, where] = answer.error ? [Infinity, answer.error.what] : compared(basename(name, ".toml"), answer, array, folder);
+    const isSame = off <= SAME;
+    failed += !isSame;
+    console.log(`${isSame ? "same  " : "DIFFERS"} ${name}: ${off.toExponential(1)} ${where}`);
+  }
+} finally {
+  rmSync(out, { recursive: true });
+}
+if (failed > 0) {
+  console.log(`${failed} cases differ by more than ${SAME}`);
+  process.exit(1);
+}

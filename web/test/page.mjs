@@ -1,0 +1,185 @@
+// What the page promises, in a real browser.
+import assert from "node:assert/strict";
+import { spawnSync } from "node:child_process";
+import { readFileSync, writeFileSync, mkdtempSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import { after, browser, caseText, isSolved, move, opened, pick, settled, stateOf, text, wrongs } from "./browser.mjs";
+import { NATIVE, ROOT } from "./solver.mjs";
+
+/** Moves of a slider that may not make the solver's memory grow. */
+const MOVES = Number(process.env.MOVES ?? 1000);
+
+const options = (page, id) => page.$$eval(`#${id} option`, (all) => all.map(({ value }) => value).filter(Boolean));
+const sliders = (page) => page.$$eval("#sliders .slider", (all) => all.map(({ dataset }) => dataset.key));
+const memory = (page) => page.workers()[0].evaluate("solver.memory.buffer.byteLength");
+
+async function everyTemplateAndSlider(page) {
+  for (const name of await options(page, "template")) {
+    await pick(page, name);
+    await isSolved(page, name);
+    assert.ok((await page.$$("#section path.sheet")).length > 10, `${name}: no section`);
+    const keys = await sliders(page);
+    for (const key of keys) {
+      await after(page, () => document.getElementById("reset").click());
+      const before = await caseText(page);
+      await move(page, key, 1.03);
+      await isSolved(page, `${name}, ${key}`);
+      assert.notEqual(await caseText(page), before, `${name}: the case does not feel ${key}`);
+    }
+    console.log(`  ${name}: ${keys.length} sliders`);
+  }
+}
+
+async function errorsStandAtTheirLine(page) {
+  await pick(page, "cup");
+  const good = await caseText(page);
+  const solve = (wrong) => after(page, (wrong) => {
+    document.getElementById("text").value = wrong;
+    document.getElementById("solve").click();
+  }, wrong);
+  const wrongTexts = [good.replace("friction = 0.08", "friction = 0,08"), good.replace('travel = "', 'travle = "')];
+  for (const wrong of wrongTexts) {
+    await solve(wrong);
+    assert.equal(await stateOf(page), "error");
+    const file = join(mkdtempSync(join(tmpdir(), "stampflow-page-")), "cup.toml");
+    writeFileSync(file, wrong);
+    const { stderr } = spawnSync(NATIVE, ["check", file], { encoding: "utf8" });
+    const [, line] = stderr.match(/cup\.toml:(\d+):/);
+    assert.equal(await text(page, "#lines .wrong"), line, "the line of the error");
+    const plain = (told) => told.replaceAll(/[╭╰─│·×]|\S*cup\.toml/g, "").replaceAll(/\s+/g, " ").trim();
+    assert.ok(plain(stderr).includes(plain(await text(page, "#error pre"))), "the command line's message");
+  }
+  assert.ok(await page.$eval("body", (body) => body.classList.contains("stale")), "the last result is grey");
+  await solve(good);
+  await isSolved(page, "mended");
+  assert.equal(await page.$("#lines .wrong"), null);
+}
+
+async function drawingsAreDropped(page) {
+  const drawing = readFileSync(join(ROOT, "tests/drawings/ezdxf_lines_and_arcs.dxf"), "latin1");
+  await after(page, (drawing) => {
+    const files = new DataTransfer();
+    files.items.add(new File([drawing], "tools.dxf"));
+    dispatchEvent(new DragEvent("drop", { dataTransfer: files, cancelable: true }));
+  }, drawing);
+  await isSolved(page, "drawing");
+  assert.match(await caseText(page), /Tools of tools\.dxf/);
+}
+
+async function linksAreWhatIsShown(of, page) {
+  await pick(page, "hat-section");
+  await page.click("#keep");
+  await move(page, "nose", 0.8);
+  await page.evaluate(() => {
+    const travel = document.getElementById("travel");
+    travel.value = 0.5;
+    travel.dispatchEvent(new Event("input"));
+  });
+  await page.waitForFunction((old) => location.hash !== old, {}, await page.evaluate(() => location.hash));
+  const other = await opened(of, await page.evaluate(() => location.hash));
+  const shown = (page) => page.evaluate(() => ["#answer", "#answer-a", "#travel-told"].map((id) => document.querySelector(id).textContent));
+  assert.deepEqual(await shown(other), await shown(page));
+  assert.equal(await caseText(other), await caseText(page));
+  await other.close();
+  await page.click("#keep");
+}
+
+async function aStepIsSeenIterationByIteration(page) {
+  await pick(page, "cup");
+  await page.click("#teach");
+  await page.waitForSelector("#norms svg");
+  const curves = await page.$$eval("#norms .curve", (all) => all.length);
+  assert.ok(curves >= 4, "three matrices and the tolerance");
+  const largest = () => page.$eval("#residual title", (title) => title.textContent);
+  const before = await largest();
+  await page.evaluate(() => {
+    const iteration = document.getElementById("iteration");
+    iteration.value = iteration.max;
+    iteration.dispatchEvent(new Event("input"));
+  });
+  const force = (told) => Number(told.match(/: ([\d.e+-]+) N/)[1]);
+  assert.ok(force(await largest()) < 0.01 * force(before), "the iterations bring the sheet into balance");
+  assert.ok((await page.$$("#equations math")).length >= 3);
+  await page.click("#teach");
+}
+
+/** A lesson's question is open at first, and answered at an end of its slider. */
+async function everyLessonIsAnsweredByItsSlider(page) {
+  await after(page, () => document.getElementById("learn").click());
+  const answer = () => text(page, "#lesson-answer");
+  for (const { value, label } of await page.$$eval("#lesson option", (all) => all.map(({ value, label }) => ({ value, label })))) {
+    if (value !== "0") {
+      await after(page, (value) => {
+        const list = document.getElementById("lesson");
+        list.value = value;
+        list.dispatchEvent(new Event("change"));
+      }, value);
+    }
+    assert.equal(await answer(), "", `${label}: answered before it is asked`);
+    const key = await page.$eval("#sliders .asked", (line) => line.dataset.key);
+    const answered = [];
+    for (const share of [0.02, 0.25, 0.75, 0.98]) {
+      await after(page, (key, share) => {
+        const range = document.querySelector(`.slider[data-key="${key}"] input[type="range"]`);
+        range.value = Number(range.min) + share * (range.max - range.min);
+        range.dispatchEvent(new Event("change", { bubbles: true }));
+      }, key, share);
+      answered.push(await answer());
+    }
+    assert.ok(answered.includes("✓ answered"), `${label}: ${key} does not answer it`);
+    console.log(`  ${label}: ${key}`);
+  }
+  await page.click("#learn");
+}
+
+async function aLongRunIsEndedByTheNextMove(page) {
+  await pick(page, "erichsen");
+  let ended = 0;
+  const count = () => (ended += 1);
+  page.on("workerdestroyed", count);
+  await page.evaluate(() => document.getElementById("solve").click());
+  await page.waitForFunction(() => document.documentElement.dataset.state === "solving");
+  await new Promise((rest) => setTimeout(rest, 100));
+  await page.evaluate(() => (document.documentElement.dataset.state = "asked"));
+  await move(page, "friction", 1.1, false);
+  await settled(page);
+  page.off("workerdestroyed", count);
+  await isSolved(page, "after the thread was ended");
+  assert.equal(ended, 1, "the thread of the run that nobody waits for");
+}
+
+async function memoryDoesNotGrow(page) {
+  await pick(page, "cup");
+  const coarse = (times) => page.evaluate(async (times) => {
+    document.documentElement.dataset.state = "asked";
+    const range = document.querySelector('.slider[data-key="friction"] input[type="range"]');
+    range.value = times * Number(range.max);
+    range.dispatchEvent(new Event("input"));
+    while (document.documentElement.dataset.state !== "coarse") await new Promise((next) => setTimeout(next, 0));
+  }, times);
+  const many = async (count) => {
+    for (let i = 0; i < count; i++) await coarse(0.1 + 0.05 * (i % 10));
+  };
+  await many(20);
+  const before = await memory(page);
+  await many(MOVES);
+  const now = await memory(page);
+  assert.ok(now <= before, `${MOVES} moves: from ${before} to ${now} bytes`);
+  await settled(page);
+  console.log(`  ${MOVES} moves: ${(now / 1e6).toFixed(1)} MB`);
+}
+
+const of = await browser();
+const page = await opened(of);
+const tests = { everyTemplateAndSlider, errorsStandAtTheirLine, drawingsAreDropped, linksAreWhatIsShown, aStepIsSeenIterationByIteration, everyLessonIsAnsweredByItsSlider, aLongRunIsEndedByTheNextMove, memoryDoesNotGrow };
+try {
+  for (const [name, test] of Object.entries(tests).filter(([name]) => !process.argv[2] || name === process.argv[2])) {
+    await (test === linksAreWhatIsShown ? test(of, page) : test(page));
+    console.log(`passed ${name}`);
+  }
+  assert.deepEqual(wrongs, []);
+  console.log("passed: no error in the console, no request");
+} finally {
+  await of.close();
+}
