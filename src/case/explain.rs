@@ -1,18 +1,11 @@
 //! The keys of a case, and serde's complaints in a die designer's words.
 
+use super::examples::{example_line, is_index};
 use super::reader::Error;
-#[cfg(feature = "schema")]
-use super::schema::example_line;
 use super::source::Source;
 use super::wording::listed;
 use super::{CaseError, CaseFile};
 use crate::units::did_you_mean;
-
-/// Examples are those of the schema.
-#[cfg(not(feature = "schema"))]
-fn example_line(_: &str) -> Option<String> {
-    None
-}
 
 /// Reads the keys.
 pub(super) fn read(source: &Source) -> Result<CaseFile, CaseError> {
@@ -73,7 +66,7 @@ pub(super) fn missing(source: &Source, table: &str, key: &str) -> CaseError {
 
 /// The key that says what a table is: entries of arrays are called by their array.
 fn kind_of(table: &str) -> &str {
-    table.rsplit('.').find(|key| key.parse::<usize>().is_err()).unwrap_or("")
+    table.rsplit('.').find(|key| !is_index(key)).unwrap_or("")
 }
 
 fn shown(table: &str) -> String {
@@ -83,7 +76,7 @@ fn shown(table: &str) -> String {
 /// The key at the end of a path, with the index behind it if it is an entry of an array.
 fn last_name(path: &str) -> String {
     let names: Vec<&str> = path.split('.').collect();
-    let from = names.iter().rposition(|name| name.parse::<usize>().is_err()).unwrap_or(0);
+    let from = names.iter().rposition(|name| !is_index(name)).unwrap_or(0);
     names[from..].join(".")
 }
 

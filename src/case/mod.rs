@@ -25,6 +25,7 @@
 
 mod build;
 mod error;
+mod examples;
 mod explain;
 pub mod file;
 pub mod library;

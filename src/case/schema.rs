@@ -80,21 +80,50 @@ pub(crate) fn definition(name: &str) -> &'static Value {
     &SCHEMA["$defs"][name]
 }
 
-/// The line that would set the key at a dotted path, taken from the schema's first example: `thickness = "0.9 mm"`.
-pub(super) fn example_line(path: &str) -> Option<String> {
-    let key = path.rsplit('.').next()?;
-    let found = path.split('.').try_fold(&*SCHEMA, |node, segment| property(node, segment))?;
-    let example = found.get("examples")?.get(0)?;
-    Some(format!("{key} = {example}"))
-}
+#[cfg(test)]
+mod tests {
+    use super::super::examples::is_index;
+    use super::*;
+    use std::collections::BTreeSet;
 
-/// The schema of a key of a table, or of an entry of an array; of a choice, in the first alternative that has it.
-fn property<'a>(node: &'a Value, segment: &str) -> Option<&'a Value> {
-    if let Some(choices) = node.get("anyOf").and_then(Value::as_array) {
-        return choices.iter().find_map(|choice| property(choice, segment));
+    /// The schema of a key of a table, or of an entry of an array; of a choice, in the first alternative that has it.
+    fn property<'a>(node: &'a Value, segment: &str) -> Option<&'a Value> {
+        if let Some(choices) = node.get("anyOf").and_then(Value::as_array) {
+            return choices.iter().find_map(|choice| property(choice, segment));
+        }
+        if let Some(name) = node.get("$ref").and_then(Value::as_str).and_then(|text| text.rsplit('/').next()) {
+            return property(SCHEMA.get("$defs")?.get(name)?, segment);
+        }
+        if is_index(segment) { node.get("items") } else { node.get("properties")?.get(segment) }
     }
-    if let Some(name) = node.get("$ref").and_then(Value::as_str).and_then(|text| text.rsplit('/').next()) {
-        return property(SCHEMA.get("$defs")?.get(name)?, segment);
+
+    /// Every path in a node, of tables and lists too.
+    fn paths(node: &Value, path: &str, all: &mut BTreeSet<String>) {
+        let choices = node.get("anyOf").and_then(Value::as_array).into_iter().flatten();
+        let named = node.get("$ref").and_then(Value::as_str).and_then(|text| text.rsplit('/').next()).map(definition);
+        choices.chain(named).for_each(|node| paths(node, path, all));
+        let keys = node.get("properties").and_then(Value::as_object).into_iter().flatten();
+        let entries = node.get("items").map(|entry| ("0", entry));
+        for (key, value) in keys.map(|(key, value)| (key.as_str(), value)).chain(entries) {
+            let deeper = if path.is_empty() { key.to_owned() } else { format!("{path}.{key}") };
+            paths(value, &deeper, all);
+            all.insert(deeper);
+        }
     }
-    if segment.parse::<usize>().is_ok() { node.get("items") } else { node.get("properties")?.get(segment) }
+
+    /// `UPDATE=1` writes them anew.
+    #[test]
+    fn examples_of_messages_are_those_of_the_schema() {
+        let mut all = BTreeSet::new();
+        paths(&SCHEMA, "", &mut all);
+        let line = |path: &String| {
+            let found = path.split('.').try_fold(&*SCHEMA, |node, segment| property(node, segment))?;
+            Some(format!("{path} = {}\n", found.get("examples")?.get(0)?))
+        };
+        let anew: String = all.iter().filter_map(line).collect();
+        if std::env::var_os("UPDATE").is_some() {
+            std::fs::write("src/case/examples.txt", &anew).expect("writable");
+        }
+        assert!(include_str!("examples.txt") == anew, "src/case/examples.txt is old: UPDATE=1 writes it anew");
+    }
 }

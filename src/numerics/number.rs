@@ -3,15 +3,14 @@
 //! Each lane is worked out as one number by itself is, so that a result does not depend on the processor, nor on what stands
 //! beside it.
 
-use pulp::{NullaryFnOnce, Scalar256b, Simd, cast, f64x4};
+mod instructions;
+
+pub use instructions::{Instructions, dispatch};
+
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
 /// How many numbers stand side by side.
 pub const LANES: usize = 4;
-
-/// What vector instructions of four lanes are called by.
-pub trait Instructions: Simd<f64s = f64x4> {}
-impl<S: Simd<f64s = f64x4>> Instructions for S {}
 
 /// One number, or several side by side.
 pub trait Real:
@@ -89,37 +88,37 @@ impl Real for f64 {
 #[derive(Clone, Copy)]
 pub struct Lanes<S: Instructions> {
     simd: S,
-    values: f64x4,
+    values: S::Four,
 }
 
 impl<S: Instructions> Lanes<S> {
     /// Of four numbers.
     #[inline(always)]
     pub fn new(simd: S, values: [f64; LANES]) -> Self {
-        Self { simd, values: cast(values) }
+        Self { simd, values: simd.four(values) }
     }
 
     /// The four numbers.
     #[inline(always)]
     pub fn values(self) -> [f64; LANES] {
-        cast(self.values)
+        self.simd.numbers(self.values)
     }
 
     #[inline(always)]
-    fn of(self, values: f64x4) -> Self {
+    fn of(self, values: S::Four) -> Self {
         Self { values, ..self }
     }
 }
 
 /// Operators of two lanes, and of lanes and one number.
 macro_rules! operators {
-    ($($operator:ident $function:ident $instruction:ident),*) => {$(
+    ($($operator:ident $function:ident),*) => {$(
         impl<S: Instructions> $operator for Lanes<S> {
             type Output = Self;
 
             #[inline(always)]
             fn $function(self, other: Self) -> Self {
-                self.of(self.simd.$instruction(self.values, other.values))
+                self.of(self.simd.$function(self.values, other.values))
             }
         }
 
@@ -134,43 +133,43 @@ macro_rules! operators {
     )*};
 }
 
-operators!(Add add add_f64s, Sub sub sub_f64s, Mul mul mul_f64s, Div div div_f64s);
+operators!(Add add, Sub sub, Mul mul, Div div);
 
 impl<S: Instructions> Neg for Lanes<S> {
     type Output = Self;
 
     #[inline(always)]
     fn neg(self) -> Self {
-        self.of(self.simd.neg_f64s(self.values))
+        self.of(self.simd.neg(self.values))
     }
 }
 
 impl<S: Instructions> Real for Lanes<S> {
-    type Mask = S::m64s;
+    type Mask = S::Mask;
 
     #[inline(always)]
     fn constant(self, value: f64) -> Self {
-        self.of(self.simd.splat_f64s(value))
+        self.of(self.simd.four([value; LANES]))
     }
 
     #[inline(always)]
     fn sqrt(self) -> Self {
-        self.of(self.simd.sqrt_f64s(self.values))
+        self.of(self.simd.sqrt(self.values))
     }
 
     #[inline(always)]
-    fn exceeds(self, other: Self) -> S::m64s {
-        self.simd.greater_than_f64s(self.values, other.values)
+    fn exceeds(self, other: Self) -> S::Mask {
+        self.simd.exceeds(self.values, other.values)
     }
 
     #[inline(always)]
-    fn where_or(self, mask: S::m64s, otherwise: Self) -> Self {
-        self.of(self.simd.select_f64s(mask, self.values, otherwise.values))
+    fn where_or(self, mask: S::Mask, otherwise: Self) -> Self {
+        self.of(self.simd.where_or(mask, self.values, otherwise.values))
     }
 
     #[inline(always)]
-    fn anywhere(self, mask: S::m64s) -> bool {
-        self.simd.first_true_m64s(mask) < LANES
+    fn anywhere(self, mask: S::Mask) -> bool {
+        self.simd.anywhere(mask)
     }
 
     #[inline(always)]
@@ -242,31 +241,6 @@ pub trait Work {
     fn run<S: Instructions>(self, simd: S) -> Self::Output;
 }
 
-/// Work, and the instructions for it.
-struct Call<W, S> {
-    work: W,
-    simd: S,
-}
-
-impl<W: Work, S: Instructions> NullaryFnOnce for Call<W, S> {
-    type Output = W::Output;
-
-    #[inline(always)]
-    fn call(self) -> W::Output {
-        self.work.run(self.simd)
-    }
-}
-
-/// Does work with the vector instructions that the processor has.
-#[inline]
-pub fn dispatch<W: Work>(work: W) -> W::Output {
-    #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
-    if let Some(simd) = pulp::x86::V3::try_new() {
-        return simd.vectorize(Call { work, simd });
-    }
-    Scalar256b.vectorize(Call { work, simd: Scalar256b })
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -298,6 +272,6 @@ mod tests {
         let (x, y) = ([0.1, 1.7, 3.3, 1e-9], [0.7, 0.2, 1e5, 0.3]);
         let alone = [0, 1, 2, 3].map(|k| formula(x[k], y[k]));
         assert_eq!(dispatch(Beside(x, y)), alone);
-        assert_eq!(Beside(x, y).run(Scalar256b), alone);
+        assert_eq!(Beside(x, y).run(pulp::Scalar256b), alone);
     }
 }

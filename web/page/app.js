@@ -3,6 +3,8 @@ import { csv, save } from "./downloads.js";
 import { Editor } from "./editor.js";
 import { compiled, Engine } from "./engine.js";
 import { Lessons } from "./lessons.js";
+import { drawOptions } from "./options.js";
+import { report } from "./report.js";
 import { drawSliders } from "./sliders.js";
 import { begun, overrides, packed, unpacked } from "./state.js";
 import { Steps } from "./steps.js";
@@ -16,6 +18,7 @@ const WARMING = 6;
 
 let state = begun();
 let plan = { sliders: [], writes: [] };
+let templates = [];
 let engine;
 let view;
 let steps;
@@ -24,7 +27,7 @@ let resting;
 /** Questions so far: an answer to an older one is shown, and no more is made of it. */
 let asked = 0;
 let remembering;
-const editor = new Editor({ text: byId("text"), lines: byId("lines"), error: byId("error") });
+const editor = new Editor({ text: byId("text"), lines: byId("lines"), error: byId("error"), printed: byId("printed") });
 
 function question(coarse) {
   const { base, name, files } = state;
@@ -55,7 +58,7 @@ async function solve(coarse) {
   if (coarse) {
     resting = setTimeout(() => solve(false), REST);
   } else {
-    steps.show(result);
+    await steps.show(result);
     lessons.show(result);
     remember();
   }
@@ -76,7 +79,7 @@ async function remember() {
 async function begin(next) {
   state = next;
   if (state.template) {
-    const filled = await engine.ask({ do: "fill", name: state.template, given: {} });
+    const filled = await engine.ask({ do: "fill", name: state.template, given: state.given });
     if (filled.error) return refuse(filled.error);
     Object.assign(state, { base: filled.text, name: `${state.template}.toml` });
   }
@@ -87,6 +90,7 @@ async function begin(next) {
   byId("travel").value = state.at;
   editor.set(state.base);
   showSliders();
+  drawOptions(templates.find(({ name }) => name === state.template), state.given, (given) => begin({ ...state, given, values: {} }));
   await solveA();
   await solve(false);
 }
@@ -154,6 +158,9 @@ function listen() {
   };
   byId("save-curves").addEventListener("click", table("load_travel.csv", "steps"));
   byId("save-profile").addEventListener("click", table("profile.csv", "end"));
+  byId("save-report").addEventListener("click", () => {
+    save(state.name.replace(/\.toml$/, ".html"), report(view.result.title, view.result.text), "text/html");
+  });
   byId("language").addEventListener("change", ({ target }) => speak(target.value));
   byId("theme").addEventListener("change", ({ target }) => (document.documentElement.dataset.theme = target.value));
   addEventListener("dragover", (event) => (event.preventDefault(), document.body.classList.add("dropping")));
@@ -180,10 +187,19 @@ async function speak(code) {
 }
 
 /** What a template or sheet may be called, for the lists. */
-function fillLists({ templates, sheets }) {
+function fillLists({ sheets }) {
   const named = templates.map(({ name, about }) => Object.assign(new Option(name, name), { title: about }));
   byId("template").replaceChildren(new Option("–", ""), ...named);
   byId("sheet").replaceChildren(new Option(word("as the case says"), ""), ...sheets.map((name) => new Option(name, name)));
+}
+
+/** A step, iteration by iteration. */
+async function takenApart(step) {
+  status(word("solving …"), "solving");
+  const trace = await engine.ask({ ...question(false), do: "trace", step });
+  if (trace?.error) refuse(trace.error);
+  else status(word("solved"), "solved");
+  return trace;
 }
 
 async function start() {
@@ -193,13 +209,15 @@ async function start() {
     clearTimeout(remembering);
     remembering = setTimeout(remember, REST);
   });
-  steps = new Steps((step) => engine.ask({ ...question(false), do: "trace", step }));
-  lessons = new Lessons((template) => begin({ ...begun(), template }));
+  steps = new Steps(takenApart, () => lessons.judge());
+  lessons = new Lessons((template) => begin({ ...begun(), template }), steps);
   setLanguage(navigator.language.startsWith("de") ? "de" : "en");
   byId("language").value = currentLanguage();
   tellWords(document);
   listen();
-  fillLists(await engine.ask({ do: "templates" }));
+  const lists = await engine.ask({ do: "templates" });
+  templates = lists.templates;
+  fillLists(lists);
   await begin((await unpacked(location.hash.slice(1))) ?? begun());
   for (let i = 0; i < WARMING; i++) await engine.ask(question(i % 2 === 0));
   document.documentElement.dataset.warm = "yes";

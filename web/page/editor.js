@@ -2,14 +2,15 @@
 import { word } from "./words.js";
 
 export class Editor {
-  constructor({ text, lines, error }) {
-    Object.assign(this, { text, lines, error });
+  constructor({ text, lines, error, printed }) {
+    Object.assign(this, { text, lines, error, printed });
     text.addEventListener("input", () => this.number());
     text.addEventListener("scroll", () => (lines.scrollTop = text.scrollTop));
   }
 
   set(value) {
     this.text.value = value;
+    this.printed.textContent = value;
     this.number();
   }
 

@@ -1,5 +1,5 @@
-// Lessons of one screen: a few sentences, and a question that is answered by moving a slider.
-import { byId, word } from "./words.js";
+// Lessons of one screen: a few sentences, and a question that is answered by moving a slider. docs/lessons.md has more on each.
+import { byId, told, word } from "./words.js";
 
 const lastOf = ({ stages }) => stages.at(-1);
 const finding = ({ verdict }, key) => verdict.rows.find((one) => one.key === key);
@@ -11,23 +11,66 @@ function thinnestAt(result) {
   return s0[thickness.indexOf(Math.min(...thickness))];
 }
 
-/** Each begins with a template; the slider that answers it, and when it has. */
+/** Angle by which a leg turns back when the tools are taken away [°]. */
+function turnsBack({ stages }) {
+  const [drawn, released] = stages.map(({ film }) => film.nodes.at(-2));
+  return (Math.abs(released - drawn) * 180) / Math.PI;
+}
+
+/** Iterations of a step with one of the matrices. */
+const iterations = ({ norms }, matrix) => norms.find((one) => one.matrix === matrix).velocity.length;
+
+/**
+ * Each begins with a template; the slider that answers it, and when it has: by what is solved, by what was solved first, and by
+ * the step that is taken apart. Some tell a number on the way.
+ */
 export const LESSONS = [
+  {
+    title: "Ideal drawing",
+    says: "Without friction and bending only the flange takes work: its circles shrink from the blank's rim to the throat, and the wall pulls with F = 2π r t σ ln(R/r). Friction under the holder and round the shoulder, and bending, come on top.",
+    asks: "Bring the largest punch force below 35 kN with lubricant alone: what is left is nearly the ideal force.",
+    template: "cup",
+    slider: "friction",
+    tells: ({ result }) => `${told(peak(result) / 1e3)} kN`,
+    isAnswered: ({ result }) => peak(result) < 35e3,
+  },
+  {
+    title: "Why a velocity norm",
+    says: "Forces out of balance say little: a penalty spring makes them huge where a tool hardly sinks in, and a rigid zone bears any. How far the next iteration would move the sheet is a length, the same for all: ‖δȧ‖ / ‖ȧ‖.",
+    asks: "Go through the iterations until the next one moves the sheet by less than a thousandth of its step.",
+    template: "cup",
+    slider: "iteration",
+    isOfStep: true,
+    tells: ({ trace, at }) => told(trace.norms[0].velocity[at]),
+    isAnswered: ({ trace, at }) => trace.norms[0].velocity[at] < 1e-3,
+  },
+  {
+    title: "Why primal-dual",
+    says: "Where the sheet hardly deforms, the flow law σ = σ_y Δε / √(Δε² + Δε₀²) bends sharply. The secant matrix crawls round that bend, Newton's jumps over it. The primal-dual matrix keeps stress and strain as two unknowns, and does neither.",
+    asks: "Find a step for which the secant takes at least three times as many iterations as the primal-dual matrix.",
+    template: "cup",
+    slider: "step",
+    isOfStep: true,
+    tells: ({ trace }) => `${iterations(trace, "secant")} : ${iterations(trace, "primal_dual")}`,
+    isAnswered: ({ trace }) => iterations(trace, "secant") >= 3 * iterations(trace, "primal_dual"),
+  },
+  {
+    title: "Volume constancy and thinning",
+    says: "The sheet keeps its volume: t = t₀ exp(−ε_s − ε_θ). Towards the throat the circles of the flange become shorter, ε_θ is negative, and the rim grows thicker although it is pulled.",
+    asks: "The circles of a smaller blank have less to shrink: find one whose rim stays below 1.20 mm.",
+    template: "cup",
+    slider: "blank",
+    tells: ({ result }) => `${told(Math.max(...lastOf(result).end.thickness))} mm`,
+    isAnswered: ({ result }) => Math.max(...lastOf(result).end.thickness) < 1.2,
+  },
   {
     title: "Friction and the pole",
     says: "A punch stretches a clamped sheet into a dome. Where the sheet lies on the punch, friction holds it, and what is held does not thin any more: the thinnest place wanders from the pole outward.",
     asks: "Bring the thinnest place within 5 mm of the pole.",
     template: "stretch-dome",
     slider: "friction",
-    isAnswered: (result) => thinnestAt(result) < 5,
-  },
-  {
-    title: "Localisation",
-    says: "Where a place thins, it hardens, and its neighbours take over: n says how much. When hardening no longer outweighs thinning, one place takes all the stretching, and the sheet tears.",
-    asks: "Find an n at which the dome tears before its full travel.",
-    template: "stretch-dome",
-    slider: "n",
-    isAnswered: (result) => finding(result, "forming_limit")?.light === "red",
+    tells: ({ result }) => `${told(thinnestAt(result))} mm`,
+    isAnswered: ({ result }) => thinnestAt(result) < 5,
   },
   {
     title: "Draw ratio",
@@ -35,31 +78,8 @@ export const LESSONS = [
     asks: "Enlarge the blank until the wall comes near the force that it can bear: bottom tearing is no longer green.",
     template: "cup",
     slider: "blank",
-    isAnswered: (result) => finding(result, "bottom_tearing")?.light !== "green",
-  },
-  {
-    title: "Volume constancy",
-    says: "The sheet keeps its volume: t = t₀ exp(−ε_s − ε_θ). Towards the throat the circles of the flange become shorter, ε_θ is negative, and the rim grows thicker although it is pulled.",
-    asks: "The circles of a smaller blank have less to shrink: find one whose rim stays below 1.20 mm.",
-    template: "cup",
-    slider: "blank",
-    isAnswered: (result) => Math.max(...lastOf(result).end.thickness) < 1.2,
-  },
-  {
-    title: "What friction costs",
-    says: "The tools' work goes into plastic flow and into friction, under the holder and round the die's shoulder, where it multiplies what comes from the flange as a rope on a bollard does.",
-    asks: "Bring the largest punch force below 35 kN with lubricant alone.",
-    template: "cup",
-    slider: "friction",
-    isAnswered: (result) => peak(result) < 35e3,
-  },
-  {
-    title: "The holder",
-    says: "The flange is compressed round its circumference and would fold. The holder prevents it; an axisymmetric run cannot fold and says by a rule how much pressure is wanted.",
-    asks: "Let the holder press so little that the wrinkle index turns red.",
-    template: "cup",
-    slider: "holder_force",
-    isAnswered: (result) => finding(result, "wrinkling")?.light === "red",
+    tells: ({ result }) => finding(result, "bottom_tearing")?.found ?? "",
+    isAnswered: ({ result }) => finding(result, "bottom_tearing")?.light !== "green",
   },
   {
     title: "Bending and unbending",
@@ -67,15 +87,42 @@ export const LESSONS = [
     asks: "Sharpen the punch nose until the force exceeds 28 N per millimetre of width.",
     template: "u-bend",
     slider: "nose",
-    isAnswered: (result) => peak(result) > 28,
+    tells: ({ result }) => `${told(peak(result))} N/mm`,
+    isAnswered: ({ result }) => peak(result) > 28,
+  },
+  {
+    title: "Spring-back",
+    says: "Bending leaves a moment in the sheet. When the tools go, it turns back elastically by κ = 12 M (1 − ν²) / (E t³): the stronger and the thinner the sheet, the further.",
+    asks: "Find a thickness at which each leg turns back by more than 4 degrees.",
+    template: "v-bend",
+    slider: "thickness",
+    tells: ({ result }) => `${told(turnsBack(result))}°`,
+    isAnswered: ({ result }) => turnsBack(result) > 4,
+  },
+  {
+    title: "Localisation",
+    says: "Where a place thins, it hardens, and its neighbours take over: n says how much. When hardening no longer outweighs thinning, one place takes all the stretching, and the sheet tears.",
+    asks: "Find an n at which the dome tears before its full travel.",
+    template: "stretch-dome",
+    slider: "n",
+    tells: ({ result }) => finding(result, "forming_limit")?.found ?? "",
+    isAnswered: ({ result }) => finding(result, "forming_limit")?.light === "red",
+  },
+  {
+    title: "Error bars",
+    says: "Every number hangs on the mesh, too. Solved once more with other elements, it says by how much: what moves is not the cup but the arithmetic, and a number without that bar is half a number.",
+    asks: "Take elements away until the largest punch force is off by more than 1 %.",
+    template: "cup",
+    slider: "elements",
+    tells: ({ result, first }) => `${told(100 * Math.abs(peak(result) / peak(first) - 1), 2)} %`,
+    isAnswered: ({ result, first }) => Math.abs(peak(result) / peak(first) - 1) > 0.01,
   },
 ];
 
 export class Lessons {
-  /** begin(template) puts a template in the place of what is shown. */
-  constructor(begin) {
-    this.begin = begin;
-    this.current = null;
+  /** begin(template) puts a template in the place of what is shown; `steps` takes a step of it apart. */
+  constructor(begin, steps) {
+    Object.assign(this, { begin, steps, current: null, result: null, first: null });
     byId("learn").addEventListener("click", () => this.toggle());
     byId("lesson").addEventListener("change", () => this.open(Number(byId("lesson").value)));
   }
@@ -84,14 +131,20 @@ export class Lessons {
     const panel = byId("lessons");
     panel.hidden = !panel.hidden;
     byId("learn").setAttribute("aria-pressed", !panel.hidden);
-    if (panel.hidden) this.current = null;
+    if (panel.hidden) this.close();
     else this.open(0);
   }
 
-  open(number) {
-    this.current = LESSONS[number];
+  close() {
+    this.current = null;
+    this.highlight();
+  }
+
+  async open(number) {
+    Object.assign(this, { current: LESSONS[number], result: null, first: null });
     this.tell();
-    this.begin(this.current.template);
+    await this.begin(this.current.template);
+    await this.steps.toggle(Boolean(this.current.isOfStep));
   }
 
   /** In the language that is set. */
@@ -101,17 +154,31 @@ export class Lessons {
     if (!this.current) return;
     byId("lesson-says").textContent = word(this.current.says);
     byId("lesson-asks").textContent = word(this.current.asks);
-    this.mark(false);
+    byId("lesson-book").textContent = `${word("More in the book")}: docs/lessons.md, “${this.current.title}”`;
+    byId("lesson-answer").textContent = "";
   }
 
   /** A result: whether it answers the question. */
   show(result) {
-    if (this.current) this.mark(this.current.isAnswered(result));
-    const key = this.current?.slider;
-    for (const line of document.querySelectorAll("#sliders .slider")) line.classList.toggle("asked", line.dataset.key === key);
+    if (!this.current) return;
+    this.first ??= result;
+    this.result = result;
+    this.judge();
   }
 
-  mark(isAnswered) {
-    byId("lesson-answer").textContent = isAnswered ? `✓ ${word("answered")}` : "";
+  judge() {
+    this.highlight();
+    const { trace, at } = this.steps;
+    if (!this.current || !this.result || (this.current.isOfStep && !trace)) return;
+    const seen = { result: this.result, first: this.first, trace, at };
+    const now = this.current.tells(seen);
+    byId("lesson-answer").textContent = this.current.isAnswered(seen) ? `✓ ${word("answered")}: ${now}` : `${word("now")}: ${now}`;
+    byId("lesson-answer").classList.toggle("answered", this.current.isAnswered(seen));
+  }
+
+  /** The slider that the question is about stands out. */
+  highlight() {
+    const key = this.current?.slider;
+    for (const line of document.querySelectorAll("[data-key]")) line.classList.toggle("asked", line.dataset.key === key);
   }
 }

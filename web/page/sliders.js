@@ -16,6 +16,7 @@ const LABELS = {
   friction: "Friction",
   k: "Hardening k",
   n: "Hardening n",
+  elements: "Elements",
 };
 /** Those that are half of what shops measure, of a round part. */
 const HALVES = ["blank", "punch_radius", "throat", "inner_radius"];

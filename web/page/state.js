@@ -2,7 +2,7 @@
 
 /** As the page begins. */
 export function begun() {
-  return { template: "cup", base: "", name: "cup.toml", files: {}, sheet: "", values: {}, a: null, at: 1, stage: 0 };
+  return { template: "cup", given: {}, base: "", name: "cup.toml", files: {}, sheet: "", values: {}, a: null, at: 1, stage: 0 };
 }
 
 async function through(stream, bytes) {
@@ -38,8 +38,9 @@ export function overrides(state, { sliders, writes }) {
   const value = (key) => state.values[key] ?? sliders.find((slider) => slider.key === key)?.value ?? 0;
   const set = writes
     .filter(({ terms }) => terms.some((key) => state.values[key] !== undefined))
-    .map(({ path, unit, terms, plus }) => {
-      const number = written(terms.reduce((sum, key) => sum + value(key), plus));
+    .map(({ path, unit, terms, plus, isWhole }) => {
+      const sum = terms.reduce((sum, key) => sum + value(key), plus);
+      const number = isWhole ? Math.max(1, Math.round(sum)) : written(sum);
       return unit ? `${path}="${number} ${unit}"` : `${path}=${number}`;
     });
   return (state.sheet ? [`material=${state.sheet}`] : []).concat(set);

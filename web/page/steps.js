@@ -12,12 +12,10 @@ const ARROW = 0.12;
 const log = (values) => Array.from(values, (value) => Math.log10(Math.max(LEAST, value)));
 
 export class Steps {
-  /** ask(step) answers with the trace of a step. */
-  constructor(ask) {
-    this.ask = ask;
-    this.trace = null;
-    this.element = 0;
-    byId("teach").addEventListener("click", () => this.toggle());
+  /** ask(step) answers with the trace of a step; onShow() hears of every iteration that is shown. */
+  constructor(ask, onShow) {
+    Object.assign(this, { ask, onShow, trace: null, element: 0 });
+    byId("teach").addEventListener("click", () => this.toggle(!this.isShown));
     byId("step").addEventListener("change", () => this.load());
     byId("step").addEventListener("input", () => (byId("step-told").textContent = byId("step").value));
     byId("iteration").addEventListener("input", () => this.draw());
@@ -27,10 +25,15 @@ export class Steps {
     return !byId("steps").hidden;
   }
 
-  toggle() {
-    byId("steps").hidden = this.isShown;
-    byId("teach").setAttribute("aria-pressed", this.isShown);
-    if (this.isShown) this.load();
+  /** The iteration that is shown. */
+  get at() {
+    return byId("iteration").valueAsNumber;
+  }
+
+  async toggle(isShown) {
+    byId("steps").hidden = !isShown;
+    byId("teach").setAttribute("aria-pressed", isShown);
+    if (isShown) await this.load();
   }
 
   /** Another result: as many steps as its first stage has. */
@@ -54,8 +57,7 @@ export class Steps {
 
   draw() {
     if (!this.trace) return;
-    const { trace } = this;
-    const at = byId("iteration").valueAsNumber;
+    const { trace, at } = this;
     const iterate = trace.iterates[at];
     byId("step-told").textContent = `${trace.step}: ${told(trace.travel)} mm`;
     byId("iteration-told").textContent = `${at} / ${trace.iterates.length - 1}`;
@@ -68,6 +70,7 @@ export class Steps {
     drawResidual(byId("residual"), iterate, this.element, pick);
     drawPower(byId("power"), trace.power);
     tellEquations(byId("equations"), trace, iterate, this.element, at);
+    this.onShow();
   }
 }
 

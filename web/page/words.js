@@ -90,23 +90,43 @@ const GERMAN = {
     "Die Zarge muss den ganzen Flansch einziehen: die Kraft wächst mit dem Durchmesser des Zuschnitts über dem des Stempels, was die Zarge tragen kann, nicht. Das Verhältnis hat eine Grenze nahe 2.",
   "Enlarge the blank until the wall comes near the force that it can bear: bottom tearing is no longer green.":
     "Vergrößern Sie den Zuschnitt, bis die Zarge der Kraft nahe kommt, die sie trägt: der Bodenreißer ist nicht mehr grün.",
-  "Volume constancy": "Volumenkonstanz",
   "The sheet keeps its volume: t = t₀ exp(−ε_s − ε_θ). Towards the throat the circles of the flange become shorter, ε_θ is negative, and the rim grows thicker although it is pulled.":
     "Das Blech behält sein Volumen: t = t₀ exp(−ε_s − ε_θ). Zur Öffnung hin werden die Kreise des Flansches kürzer, ε_θ ist negativ, und der Rand wird dicker, obwohl an ihm gezogen wird.",
   "The circles of a smaller blank have less to shrink: find one whose rim stays below 1.20 mm.":
     "Die Kreise eines kleineren Zuschnitts müssen weniger schrumpfen: finden Sie einen, dessen Rand unter 1,20 mm bleibt.",
-  "What friction costs": "Was Reibung kostet",
-  "The tools' work goes into plastic flow and into friction, under the holder and round the die's shoulder, where it multiplies what comes from the flange as a rope on a bollard does.":
-    "Die Arbeit der Werkzeuge geht in plastisches Fließen und in Reibung, unter dem Niederhalter und am Ziehring, wo sie vervielfacht, was vom Flansch kommt, wie ein Seil am Poller.",
-  "Bring the largest punch force below 35 kN with lubricant alone.": "Bringen Sie die größte Stempelkraft allein durch Schmierung unter 35 kN.",
-  "The holder": "Der Niederhalter",
-  "The flange is compressed round its circumference and would fold. The holder prevents it; an axisymmetric run cannot fold and says by a rule how much pressure is wanted.":
-    "Der Flansch wird am Umfang gestaucht und würde Falten werfen. Der Niederhalter verhindert das; eine axialsymmetrische Rechnung kann keine Falten werfen und sagt nach einer Regel, welcher Druck gebraucht wird.",
-  "Let the holder press so little that the wrinkle index turns red.": "Lassen Sie den Niederhalter so wenig drücken, dass die Faltenkennzahl rot wird.",
   "Bending and unbending": "Biegen und Rückbiegen",
   "Sheet that runs over a radius is bent and straightened again, and both are paid for: the sharper the radius over the thickness, the larger the force.":
     "Blech, das über einen Radius läuft, wird gebogen und wieder gerade gerichtet, und beides kostet: je schärfer der Radius zur Dicke, desto größer die Kraft.",
   "Sharpen the punch nose until the force exceeds 28 N per millimetre of width.": "Schärfen Sie die Stempelkante, bis die Kraft 28 N je Millimeter Breite übersteigt.",
+  "Sizes of the template": "Maße der Vorlage",
+  "Download report (HTML)": "Bericht speichern (HTML)",
+  "Elements": "Elemente",
+  "More in the book": "Mehr im Buch (englisch)",
+  "now": "jetzt",
+  "Ideal drawing": "Ideales Ziehen",
+  "Without friction and bending only the flange takes work: its circles shrink from the blank's rim to the throat, and the wall pulls with F = 2π r t σ ln(R/r). Friction under the holder and round the shoulder, and bending, come on top.":
+    "Ohne Reibung und Biegung kostet nur der Flansch Arbeit: seine Kreise schrumpfen vom Rand des Zuschnitts zur Öffnung, und die Zarge zieht mit F = 2π r t σ ln(R/r). Reibung unter dem Niederhalter und am Ziehring sowie Biegung kommen hinzu.",
+  "Bring the largest punch force below 35 kN with lubricant alone: what is left is nearly the ideal force.":
+    "Bringen Sie die größte Stempelkraft allein durch Schmierung unter 35 kN: was bleibt, ist nahezu die ideale Kraft.",
+  "Why a velocity norm": "Warum eine Geschwindigkeitsnorm",
+  "Forces out of balance say little: a penalty spring makes them huge where a tool hardly sinks in, and a rigid zone bears any. How far the next iteration would move the sheet is a length, the same for all: ‖δȧ‖ / ‖ȧ‖.":
+    "Unausgeglichene Kräfte sagen wenig: eine Kontaktfeder macht sie riesig, wo ein Werkzeug kaum einsinkt, und eine starre Zone trägt jede. Wie weit die nächste Iteration das Blech bewegen würde, ist eine Länge, für alle dieselbe: ‖δȧ‖ / ‖ȧ‖.",
+  "Go through the iterations until the next one moves the sheet by less than a thousandth of its step.":
+    "Gehen Sie durch die Iterationen, bis die nächste das Blech um weniger als ein Tausendstel seines Schritts bewegt.",
+  "Why primal-dual": "Warum primal-dual",
+  "Where the sheet hardly deforms, the flow law σ = σ_y Δε / √(Δε² + Δε₀²) bends sharply. The secant matrix crawls round that bend, Newton's jumps over it. The primal-dual matrix keeps stress and strain as two unknowns, and does neither.":
+    "Wo sich das Blech kaum verformt, hat das Fließgesetz σ = σ_y Δε / √(Δε² + Δε₀²) einen scharfen Knick. Die Sekantenmatrix kriecht um ihn herum, die von Newton springt darüber. Die primal-duale führt Spannung und Dehnung als zwei Unbekannte und tut keines von beiden.",
+  "Find a step for which the secant takes at least three times as many iterations as the primal-dual matrix.":
+    "Finden Sie einen Schritt, für den die Sekante mindestens dreimal so viele Iterationen braucht wie die primal-duale Matrix.",
+  "Volume constancy and thinning": "Volumenkonstanz und Ausdünnung",
+  "Spring-back": "Rückfederung",
+  "Bending leaves a moment in the sheet. When the tools go, it turns back elastically by κ = 12 M (1 − ν²) / (E t³): the stronger and the thinner the sheet, the further.":
+    "Biegen lässt ein Moment im Blech zurück. Gehen die Werkzeuge, dreht es elastisch zurück, um κ = 12 M (1 − ν²) / (E t³): je fester und je dünner das Blech, desto weiter.",
+  "Find a thickness at which each leg turns back by more than 4 degrees.": "Finden Sie eine Dicke, bei der jeder Schenkel um mehr als 4 Grad zurückfedert.",
+  "Error bars": "Fehlerbalken",
+  "Every number hangs on the mesh, too. Solved once more with other elements, it says by how much: what moves is not the cup but the arithmetic, and a number without that bar is half a number.":
+    "Jede Zahl hängt auch am Netz. Noch einmal mit anderen Elementen gerechnet, sagt sie, wie sehr: was sich bewegt, ist nicht der Napf, sondern die Rechnung, und eine Zahl ohne diesen Balken ist eine halbe Zahl.",
+  "Take elements away until the largest punch force is off by more than 1 %.": "Nehmen Sie Elemente weg, bis die größte Stempelkraft um mehr als 1 % abweicht.",
   "One step of the solver": "Ein Schritt des Lösers",
   "Step": "Schritt",
   "Iteration": "Iteration",

@@ -16,6 +16,7 @@ const SHOULDER: &str = "shoulder";
 const CLEARANCE: &str = "clearance";
 const INNER: &str = "inner_radius";
 const FRICTION: &str = "friction";
+const ELEMENTS: &str = "elements";
 
 const KNOWN: &[Known] = &[
     known("blank", &["blank.radius", "blank.half_length", "blank.diameter", "blank.length"], [0.8, 1.25]),
@@ -41,6 +42,7 @@ const KNOWN: &[Known] = &[
     known(FRICTION, &["tools.punch.friction", "tools.die.friction"], [0.0, 3.0]),
     known("k", &["material.hardening.swift.k", "material.hardening.hollomon.k"], [0.5, 2.0]),
     known("n", &["material.hardening.swift.n", "material.hardening.hollomon.n"], [0.4, 1.6]),
+    known(ELEMENTS, &["blank.elements"], [0.15, 1.5]),
 ];
 
 /// Range of the clearance over what it is \[–\].
@@ -81,7 +83,7 @@ pub fn of(text: &str) -> Value {
 }
 
 fn write(path: &str, unit: &str, terms: &[&str], plus: f64) -> Value {
-    json!({ "path": path, "unit": unit, "terms": terms, "plus": plus })
+    json!({ "path": path, "unit": unit, "terms": terms, "plus": plus, "isWhole": terms == [ELEMENTS] })
 }
 
 /// Difference below which two lengths are one [mm].
