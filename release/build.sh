@@ -90,11 +90,10 @@ if command -v dpkg-deb >/dev/null; then
     mkdir -p "$deb/DEBIAN" "$deb/usr"
     cp -r "$root"/* "$deb/usr"
     mv "$deb/usr/share/zsh/site-functions" "$deb/usr/share/zsh/vendor-completions"
-    { cat LICENSE-MIT; printf '\nor, at your option:\n\n'; cat LICENSE-APACHE; printf '\nDejaVu Sans in the program:\n\n'
+    # Debian has the text of Apache-2.0 for all.
+    { cat LICENSE-MIT; printf '\nor, at your option, Apache-2.0: /usr/share/common-licenses/Apache-2.0\n\nDejaVu Sans in the program:\n\n'
       cat assets/DejaVuSans-LICENSE.txt; } >"$deb/usr/share/doc/stampflow/copyright"
     rm "$deb"/usr/share/doc/stampflow/{LICENSE-*,DejaVuSans-LICENSE.txt}
-    gzip -9n "$deb/usr/share/doc/stampflow/CHANGELOG.md"
-    mv "$deb/usr/share/doc/stampflow/CHANGELOG.md.gz" "$deb/usr/share/doc/stampflow/changelog.gz"
     (cd "$deb" && find usr -type f -print0 | sort -z | xargs -0 md5sum) >"$deb/DEBIAN/md5sums"
     libc=$(objdump -T "$bin" | grep -o 'GLIBC_[0-9.]*' | sort -Vu | tail -1)
     architecture=$(dpkg --print-architecture)
@@ -115,9 +114,9 @@ CONTROL
 fi
 
 python3 -m venv "$work/venv"
-pip() { "$work/venv/bin/python" -m pip --quiet --disable-pip-version-check "$@"; }
-pip install "maturin<2"
-"$work/venv/bin/maturin" build --locked --release --quiet --manifest-path python/Cargo.toml --interpreter "$work/venv/bin/python" --out "$out"
+"$work/venv/bin/pip" install --quiet --disable-pip-version-check "maturin<2"
+"$work/venv/bin/maturin" build --locked --release --quiet --manifest-path python/Cargo.toml \
+    --interpreter "$work/venv/bin/python" --out "$out"
 
 cd "$out"
 sha256sum stampflow* >SHA256SUMS
