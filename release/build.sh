@@ -1,17 +1,23 @@
 #!/usr/bin/env bash
-# What is shipped for this platform: the program with its manual pages and completions as a tar archive, as a Debian
-# package where dpkg-deb is, and the checksums of both.
+# What is shipped for this platform: the program with its manual pages, completions, cases and licences as a tar archive, as a
+# Debian package where dpkg-deb is, the Python wheel beside them, and the checksums of all. `release/try.sh` tries them.
 #
-#     release/build.sh [FOLDER]        writes to FOLDER, out/release when not given
+#     release/build.sh [--profile NAME] [FOLDER]     writes to FOLDER, out/release when not given; NAME is dist when not given
 #
-# Other platforms: run it there. The program needs nothing but the C library; a Windows or macOS build is
-# `cargo build --profile dist` with the toolchain of that platform, and the archive is made of the same parts.
+# Needs Rust and crates.io; Python 3.10 or later with venv and PyPI for the wheel.
+#
+# Other platforms: run it there, for the program itself prints its manual pages and completions. It makes archive and wheel on
+# macOS and, in the shell that comes with Git, on Windows. By hand a program is `cargo build --profile dist`: it needs nothing
+# but the system's C library, and of the latter not even that with `--target x86_64-unknown-linux-musl`.
 set -euo pipefail
 cd "$(dirname "$0")/.."
-out=$(realpath -m "${1:-out/release}")
+profile=dist
+if [ "${1:-}" = --profile ]; then profile=$2; shift 2; fi
+mkdir -p "${1:-out/release}"
+out=$(cd "${1:-out/release}" && pwd)
 
-cargo build --profile dist --quiet
-program=${CARGO_TARGET_DIR:-target}/dist/stampflow
+cargo build --locked --profile "$profile" --quiet
+program=${CARGO_TARGET_DIR:-target}/$profile/stampflow
 version=$("$program" --version | cut -d' ' -f2)
 platform=$(rustc -vV | sed -n 's/^host: //p')
 name=stampflow-$version-$platform
@@ -19,45 +25,99 @@ name=stampflow-$version-$platform
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 root=$work/$name
-install -D -m 755 "$program" "$root/bin/stampflow"
-# Hard links and owners as dpkg wants them; the times are those of the last commit, so that two builds are alike.
-export SOURCE_DATE_EPOCH=${SOURCE_DATE_EPOCH:-$(git log -1 --format=%ct 2>/dev/null || echo 0)}
+umask 022
+# Times are those of the last commit and owners none, so that two builds are alike.
+SOURCE_DATE_EPOCH=${SOURCE_DATE_EPOCH:-$(git log -1 --format=%ct 2>/dev/null || echo 0)}
+export SOURCE_DATE_EPOCH
 
-man() { install -d "$root/share/man/man1"; "$program" man ${2:+"$2"} | gzip -9n >"$root/share/man/man1/$1.1.gz"; }
-man stampflow
-for verb in $("$program" --help | sed -n '/^Commands:/,/^$/s/^  \([a-z]*\) .*/\1/p' | grep -v help); do
-    man "stampflow-$verb" "$verb"
+bin=$root/bin/stampflow
+mkdir -p "$root/bin"
+cp "$program" "$bin"
+strip "$bin"
+size=$(wc -c <"$bin")
+[ "$size" -le 20000000 ] || { echo "the program has $size bytes, more than 20 MB"; exit 1; }
+
+# A page for the program and one for each verb that it names.
+man=$root/share/man/man1
+mkdir -p "$man"
+"$program" man >"$man/stampflow.1"
+for page in $(sed 's/\\-/-/g' "$man/stampflow.1" | grep -o 'stampflow-[a-z]*(1)'); do
+    verb=${page#stampflow-} verb=${verb%(1)}
+    [ "$verb" = help ] || "$program" man "$verb" >"$man/stampflow-$verb.1"
 done
-completion() { install -d "$root/$2"; "$program" completions "$1" >"$root/$2/$3"; }
+gzip -9n "$man"/*
+
+completion() { mkdir -p "$root/$2"; "$program" completions "$1" >"$root/$2/$3"; }
 completion bash share/bash-completion/completions stampflow
 completion zsh share/zsh/site-functions _stampflow
 completion fish share/fish/vendor_completions.d stampflow.fish
-for file in README.md CHANGELOG.md CITATION.cff LICENSE-MIT LICENSE-APACHE assets/*LICENSE* assets/*NOTICE*; do
-    [ ! -e "$file" ] || install -D -m 644 "$file" "$root/share/doc/stampflow/$(basename "$file")"
-done
-cp -r cases reference_data "$root/share/doc/stampflow/"
+completion powershell share/stampflow stampflow.ps1
 
-mkdir -p "$out"
-tar --sort=name --owner=0 --group=0 --numeric-owner --mtime="@$SOURCE_DATE_EPOCH" -C "$work" -cf - "$name" |
-    gzip -9n >"$out/$name.tar.gz"
+# Every crate in the program with its licence, and the texts that come with it, each text once.
+licences_of_crates() {
+    local sources=${CARGO_HOME:-$HOME/.cargo}/registry/src texts=$work/texts crate version licence text sum
+    mkdir -p "$texts"
+    echo "Crates in this program, and their licences."
+    echo
+    cargo tree --locked --edges normal --prefix none --format '{p} {l}' --target "$platform" |
+        sed 's/ (\*)$//; s/ (proc-macro)//' | grep -v '^stampflow ' | sort -u |
+        while read -r crate version licence; do
+            echo "$crate ${version#v}: $licence"
+            for text in "$sources"/*/"$crate-${version#v}"/{LICEN[CS]E,COPYING,NOTICE}*; do
+                [ -f "$text" ] || continue
+                sum=$(tr -d '\r' <"$text" | cksum | tr ' ' -)
+                tr -d '\r' <"$text" >"$texts/$sum.text"
+                echo "$crate" >>"$texts/$sum.crates"
+            done
+        done
+    for text in "$texts"/*.text; do
+        printf '\n\n==== %s\n\n' "$(sort -u "${text%.text}.crates" | paste -sd ' ')"
+        cat "$text"
+    done
+}
+doc=$root/share/doc/stampflow
+mkdir -p "$doc"
+cp -r README.md CHANGELOG.md CITATION.cff LICENSE-MIT LICENSE-APACHE assets/DejaVuSans-LICENSE.txt cases reference_data "$doc"
+licences_of_crates >"$doc/LICENSES-crates.txt"
+
+archive() { tar --sort=name --owner=0 --group=0 --numeric-owner --mtime="@$SOURCE_DATE_EPOCH" "$@"; }
+archive --version 2>/dev/null | grep -q GNU || archive() { tar "$@"; }
+rm -f "$out"/stampflow*
+archive -C "$work" -cf - "$name" | gzip -9n >"$out/$name.tar.gz"
 
 if command -v dpkg-deb >/dev/null; then
     deb=$work/deb
-    mkdir -p "$deb/DEBIAN"
-    cp -r "$root" "$deb/usr"
+    mkdir -p "$deb/DEBIAN" "$deb/usr"
+    cp -r "$root"/* "$deb/usr"
+    mv "$deb/usr/share/zsh/site-functions" "$deb/usr/share/zsh/vendor-completions"
+    # Debian has the text of Apache-2.0 for all.
+    { cat LICENSE-MIT; printf '\nor, at your option, Apache-2.0: /usr/share/common-licenses/Apache-2.0\n\nDejaVu Sans in the program:\n\n'
+      cat assets/DejaVuSans-LICENSE.txt; } >"$deb/usr/share/doc/stampflow/copyright"
+    rm "$deb"/usr/share/doc/stampflow/{LICENSE-*,DejaVuSans-LICENSE.txt}
+    (cd "$deb" && find usr -type f -print0 | sort -z | xargs -0 md5sum) >"$deb/DEBIAN/md5sums"
+    libc=$(objdump -T "$bin" | grep -o 'GLIBC_[0-9.]*' | sort -Vu | tail -1)
+    architecture=$(dpkg --print-architecture)
     cat >"$deb/DEBIAN/control" <<CONTROL
 Package: stampflow
 Version: $version
 Section: science
 Priority: optional
-Architecture: $(dpkg --print-architecture)
-Depends: libc6
+Architecture: $architecture
+Depends: libc6 (>= ${libc#GLIBC_}), libgcc-s1
 Installed-Size: $(du -sk "$deb/usr" | cut -f1)
 Maintainer: The stampflow developers <stampflow@localhost>
 Description: 2D sheet-metal forming by the flow approach
  Axisymmetric and plane-strain sections of stamping dies: does it tear, where,
  what does the press see, and how sure is that.
 CONTROL
-    dpkg-deb --root-owner-group --build "$deb" "$out/stampflow_${version}_$(dpkg --print-architecture).deb" >/dev/null
+    dpkg-deb --root-owner-group --build "$deb" "$out/stampflow_${version}_$architecture.deb" >/dev/null
 fi
-(cd "$out" && sha256sum stampflow* | tee SHA256SUMS)
+
+python3 -m venv "$work/venv"
+"$work/venv/bin/pip" install --quiet --disable-pip-version-check "maturin<2"
+"$work/venv/bin/maturin" build --locked --release --quiet --manifest-path python/Cargo.toml \
+    --interpreter "$work/venv/bin/python" --out "$out"
+
+cd "$out"
+sha256sum stampflow* >SHA256SUMS
+wc -c stampflow*

@@ -291,6 +291,15 @@ fn outside_crates_have_their_rooms() {
     assert!(wrong.is_empty(), "{wrong:#?}");
 }
 
+/// Trust: [`FLOORS`], from the top down.
+#[test]
+fn the_developers_guide_has_the_map() {
+    let page = include_str!("../../docs/developer.md");
+    let rows = page.lines().filter_map(|line| line.strip_prefix("| `")?.split_once("` |"));
+    let map: Vec<Vec<&str>> = rows.map(|(rooms, _)| rooms.split("`, `").collect()).collect();
+    assert_eq!(map, FLOORS);
+}
+
 /// Trust: written out by hand; so that the other tests see what they judge.
 #[test]
 fn paths_are_read_through_braces_and_aliases() {

@@ -29,6 +29,7 @@ mod files;
 mod fit;
 mod forming_limit;
 mod geometry;
+mod glossary;
 mod limit_conditions;
 mod material_laws;
 mod materials;

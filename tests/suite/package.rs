@@ -1,6 +1,7 @@
-//! What the package says of itself: the Rust it needs.
+//! What the package says of itself: the Rust it needs, its features, what is in it.
 
 use serde_json::Value;
+use std::collections::BTreeSet;
 use std::process::Command;
 
 /// What the code itself asks of Rust: 1.89 brought `File::try_lock`.
@@ -39,4 +40,51 @@ fn the_declared_rust_version_is_what_code_and_dependencies_need() {
         }
     }
     assert_eq!(declared, Some(needed.0), "rust-version in Cargo.toml, and what {} needs", needed.1);
+}
+
+/// Trust: the manifest. Each table of features has all of them, each feature one row, and `.ci/run` builds each.
+#[test]
+fn every_feature_is_explained_and_built_on_its_own() {
+    let read = |name: &str| std::fs::read_to_string(format!("{}/{name}", env!("CARGO_MANIFEST_DIR"))).expect("shipped");
+    let manifest: toml::Table = read("Cargo.toml").parse().expect("TOML");
+    let mut features: BTreeSet<&str> = manifest["features"].as_table().expect("features").keys().map(String::as_str).collect();
+    assert!(features.remove("default"));
+    for page in ["docs/install.md", "src/lib.rs"] {
+        let text = read(page);
+        let head = text.split("| feature |").nth(1).unwrap_or_else(|| panic!("{page} has no table of features"));
+        let rows = head.lines().map(|line| line.trim_start_matches("//! ")).take_while(|line| line.contains('|'));
+        let names = rows.filter_map(|row| row.strip_prefix("| `")?.split_once('`')).map(|(name, _)| name);
+        assert_eq!(names.collect::<BTreeSet<_>>(), features, "{page}");
+    }
+    let steps = read(".ci/run");
+    let sets = steps.lines().find_map(|line| line.trim().strip_prefix("for set in ")).expect("sets of features");
+    let alone: BTreeSet<&str> = sets.split([' ', ';']).filter(|set| features.contains(set)).collect();
+    assert_eq!(alone, features, ".ci/run builds each on its own");
+}
+
+/// Trust: what a build, docs.rs and the licences ask for; and names of what none of them does.
+#[test]
+fn the_package_holds_what_building_needs_and_no_more() {
+    let manifest = concat!(env!("CARGO_MANIFEST_DIR"), "/Cargo.toml");
+    let list = output(env!("CARGO"), &["package", "--list", "--allow-dirty", "--offline", "--manifest-path", manifest]);
+    let files: BTreeSet<&str> = list.lines().collect();
+    for wanted in [
+        "CHANGELOG.md", "CITATION.cff", "Cargo.lock", "Cargo.toml", "LICENSE-APACHE", "LICENSE-MIT", "README.md",
+        "assets/DejaVuSans-LICENSE.txt", "assets/DejaVuSans-subset.ttf", "cases/quickstart.toml", "reference_data/sources.toml",
+        "src/lib.rs", "src/main.rs", "src/message/de.toml",
+    ] {
+        assert!(files.contains(wanted), "{wanted} is not in the package");
+    }
+    let roots: BTreeSet<&str> = files.iter().map(|file| file.split('/').next().expect("a name")).collect();
+    let known = [
+        ".cargo_vcs_info.json", "CHANGELOG.md", "CITATION.cff", "Cargo.lock", "Cargo.toml", "Cargo.toml.orig",
+        "LICENSE-APACHE", "LICENSE-MIT", "README.md", "assets", "cases", "reference_data", "src",
+    ];
+    let more: Vec<&&str> = roots.iter().filter(|root| !known.contains(root)).collect();
+    assert!(more.is_empty(), "{more:?} are in the package");
+    let read = [".rs", ".toml", ".csv", ".ttf", ".txt", ".md", ".cff", ".lock", ".json", ".css", ".js", ".orig", "-MIT", "-APACHE"];
+    for file in &files {
+        assert!(!file.ends_with("/tests.rs"), "{file} is a test");
+        assert!(read.iter().any(|ending| file.ends_with(ending)), "{file}: neither source nor data");
+    }
 }
