@@ -20,7 +20,8 @@ fn main() -> ExitCode {
         eprintln!("error: give a picture to write");
         return ExitCode::from(2);
     };
-    match draw(Path::new(&picture)) {
+    let drawn = chart().and_then(|chart| write(Path::new(&picture), &png(&chart)).map_err(|error| error.to_string()));
+    match drawn {
         Ok(()) => ExitCode::SUCCESS,
         Err(message) => {
             eprintln!("error: {message}");
@@ -29,7 +30,8 @@ fn main() -> ExitCode {
     }
 }
 
-fn draw(picture: &Path) -> Result<(), String> {
+/// Both panels over the travel.
+pub fn chart() -> Result<Chart, String> {
     let case = case::load(CASE, &[]).map_err(|error| error.to_string())?;
     let run = stampflow::run(case.model(), &mut ());
     let extent = case.model().extent();
@@ -45,13 +47,12 @@ fn draw(picture: &Path) -> Result<(), String> {
     let mut force = panel(&PUNCH_FORCE, "punch_force_N", 200.0)?;
     // One legend says what the curves of both panels are.
     force.series.iter_mut().for_each(|series| series.label = None);
-    let chart = Chart {
+    Ok(Chart {
         title: case.model().title.clone(),
         legend: String::new(),
         panels: vec![thickness, force],
         notes: case.model().notes.clone(),
-    };
-    write(picture, &png(&chart)).map_err(|error| error.to_string())
+    })
 }
 
 /// A column of the record over its travel, in solver units.

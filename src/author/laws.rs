@@ -121,7 +121,7 @@ fn describe(text: &mut String, law: &Law) {
 }
 
 /// A text's lines, those joined again that were broken within a sentence.
-fn unbroken(text: &str) -> Vec<String> {
+pub(super) fn unbroken(text: &str) -> Vec<String> {
     let mut joined: Vec<String> = Vec::new();
     for line in text.lines().map(str::trim).filter(|line| !line.is_empty()) {
         match joined.last_mut().filter(|last| !last.ends_with(['.', ':'])) {
@@ -158,16 +158,16 @@ fn words(parameter: &Value) -> String {
     [own.trim_end_matches('.'), &example].into_iter().filter(|w| !w.is_empty()).collect::<Vec<_>>().join("; ")
 }
 
-fn entries(table: &Value) -> impl Iterator<Item = (&str, &Value)> {
+pub(super) fn entries(table: &Value) -> impl Iterator<Item = (&str, &Value)> {
     table["properties"].as_object().into_iter().flatten().map(|(key, value)| (key.as_str(), value))
 }
 
-fn description(schema: &Value) -> &str {
+pub(super) fn description(schema: &Value) -> &str {
     schema["description"].as_str().unwrap_or_default()
 }
 
 /// The definition that a key refers to, which may be optional.
-fn reference(schema: &Value) -> Option<&str> {
+pub(super) fn reference(schema: &Value) -> Option<&str> {
     let mut choices = std::iter::once(schema).chain(schema["anyOf"].as_array().into_iter().flatten());
     choices.find_map(|choice| choice["$ref"].as_str()?.rsplit('/').next())
 }

@@ -45,7 +45,7 @@ pub use error::CaseError;
 pub use file::{CaseFile, TitleBlock};
 pub use read::{load, parse, parse_with};
 #[cfg(feature = "schema")]
-pub(crate) use schema::definition;
+pub(crate) use schema::{definition, whole};
 #[cfg(feature = "schema")]
 pub use schema::{keys, schema};
 pub use solution::Solution;

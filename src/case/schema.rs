@@ -27,7 +27,10 @@ fn across(name: &str, table: &mut Value) {
             diameter.insert("description".into(), about.into());
         }
         table["properties"][twin.diameter] = diameter;
-        let Some(required) = table["required"].as_array_mut() else { continue };
+        if let Some(with) = table["dependentRequired"].get(twin.radius).cloned() {
+            table["dependentRequired"][twin.diameter] = with;
+        }
+        let Some(required) = table.get_mut("required").and_then(Value::as_array_mut) else { continue };
         if let Some(at) = required.iter().position(|key| *key == *twin.radius) {
             required.remove(at);
             table["oneOf"] = json!([{ "required": [twin.radius] }, { "required": [twin.diameter] }]);
@@ -38,6 +41,11 @@ fn across(name: &str, table: &mut Value) {
 /// The JSON schema of a case file, indented.
 pub fn schema() -> String {
     serde_json::to_string_pretty(&*SCHEMA).expect("a JSON value can be written")
+}
+
+/// The schema as a value.
+pub(crate) fn whole() -> &'static Value {
+    &SCHEMA
 }
 
 /// The dotted path of every key that holds a value, in the tables of a case: `tools.punch.travel`. Of lists the keys of the

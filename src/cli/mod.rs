@@ -106,12 +106,16 @@ enum Verb {
         #[command(flatten)]
         json: Json,
     },
-    /// Print the JSON schema of case files, for completion in editors
+    /// Print the JSON schema of case files, for completion in editors, or their reference for people
     #[command(
-        after_help = "Example:\n  stampflow schema > case.schema.json\n\nThen begin a case file with the line\n  \
-                            #:schema ./case.schema.json"
+        after_help = "Examples:\n  stampflow schema > case.schema.json\n  stampflow schema --markdown > case.md\n\nThen \
+                            begin a case file with the line\n  #:schema ./case.schema.json"
     )]
-    Schema,
+    Schema {
+        /// Every table and key with meaning, unit, limits and an example, as Markdown
+        #[arg(long)]
+        markdown: bool,
+    },
     /// Print the completions of a shell
     #[command(after_help = shell::COMPLETIONS_HELP)]
     Completions { shell: Shell },
@@ -152,7 +156,8 @@ fn command() -> anyhow::Result<Code> {
         Verb::Explain(args) => explain::explain(&args),
         Verb::Laws { json } if json.json => say_json(&author::law_list()),
         Verb::Laws { .. } => say(wrapped(&author::laws())),
-        Verb::Schema => say(case::schema()),
+        Verb::Schema { markdown: true } => say(author::case_reference()),
+        Verb::Schema { .. } => say(case::schema()),
         Verb::Completions { shell } => shell::completions(Args::command(), shell),
         Verb::Man { verb } => shell::man(Args::command(), verb.as_deref()),
     }?;

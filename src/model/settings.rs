@@ -10,10 +10,10 @@ use crate::units::{As, Fraction, Number, Positive, Ratio, Stress};
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema), schemars(rename = "Solver"))]
 pub struct Settings {
     /// Matrix of the corrector; "primal_dual" when not given.
-    #[cfg_attr(feature = "schema", schemars(example = &"primal_dual"))]
+    #[cfg_attr(feature = "schema", schemars(example = &"primal_dual", extend("default" = "primal_dual")))]
     pub iteration: Iteration,
     /// What must be small for a step to be accepted; "velocity" when not given.
-    #[cfg_attr(feature = "schema", schemars(example = &"velocity"))]
+    #[cfg_attr(feature = "schema", schemars(example = &"velocity", extend("default" = "velocity")))]
     pub norm: Norm,
     /// Accepted value of the norm; 1e-5 when not given.
     #[cfg_attr(feature = "case", serde(with = "As::<Positive<Number>>"))]
@@ -58,7 +58,7 @@ pub struct Settings {
     /// Rounds chords off by arcs with common tangents, so that the load does not tick at their vertices; true by default.
     pub round_facets: bool,
     /// What keeps tools out of the sheet; "penalty" when not given.
-    #[cfg_attr(feature = "schema", schemars(example = &"penalty"))]
+    #[cfg_attr(feature = "schema", schemars(example = &"penalty", extend("default" = "penalty")))]
     pub contact: ContactMethod,
     /// Equivalent strain that one step may add anywhere; 0.1 when not given. The next step is chosen by it, and one that
     /// goes beyond twice as much is repeated shorter.

@@ -18,6 +18,12 @@ pub struct Kind {
 }
 
 impl Kind {
+    /// Name and unit: `length, mm`.
+    pub(crate) fn measured(&self) -> String {
+        let name = self.name.split_once(' ').map_or(self.name, |(_, name)| name);
+        format!("{name}, {}", self.unit)
+    }
+
     /// What a bare number most likely means: the solver's unit, degrees, or a share that is to be a percentage.
     pub(super) fn with_unit(&self, found: &str) -> String {
         // Of angles, temperature and mass nobody writes the solver's unit.

@@ -5,7 +5,8 @@ use super::quantity::Quantity;
 use super::serde::As;
 use schemars::JsonSchema;
 
-/// The schema of a quantity: a number with its bounds, or text with examples.
+/// The schema of a quantity: a number, or text with examples; with its bounds, which validators leave alone in text, and in
+/// text its kind and unit for the reference.
 pub(super) fn of<Q: Quantity>() -> schemars::Schema {
     let kind = Q::KIND;
     let mut schema = if kind.unit.is_empty() {
@@ -13,12 +14,10 @@ pub(super) fn of<Q: Quantity>() -> schemars::Schema {
     } else {
         let note = format!("{} with its unit; solved in {}", kind.name, kind.unit);
         let pattern = pattern(&[kind]);
-        schemars::json_schema!({ "type": "string", "description": note, "examples": kind.examples, "pattern": pattern })
+        schemars::json_schema!({ "type": "string", "description": note, "examples": kind.examples, "pattern": pattern, "x-quantity": kind.measured() })
     };
-    if kind.unit.is_empty() {
-        for (keyword, bound) in Q::BOUND {
-            schema.insert((*keyword).into(), (*bound).into());
-        }
+    for (keyword, bound) in Q::BOUND {
+        schema.insert((*keyword).into(), (*bound).into());
     }
     schema
 }

@@ -6,17 +6,32 @@
 //! $ stampflow run cup.toml                              and `...` where more follow
 //! cup: AMBER: ...
 //! <!-- picture: out/cup/part.png as cup_part.png -->    a picture of the page, as its commands draw it
+//! <!-- printed: stampflow schema --markdown -->         Markdown that a command prints, all of it, up to
+//! <!-- end -->
 //! ```
+//! How long something took is told as `…`.
 //!
 //! `UPDATE=1` writes the lines and the pictures anew.
 
 use regex::Regex;
+use stampflow::output::{Chart, png};
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
+use std::sync::Mutex;
 use temp_dir::TempDir;
 
+#[allow(dead_code)] // Its main is for the command line.
+#[path = "../../examples/woo_pole.rs"]
+mod woo_pole;
+
 const ROOT: &str = env!("CARGO_MANIFEST_DIR");
+
+/// Pictures that examples draw.
+const EXAMPLES: [(&str, fn() -> Chart); 2] = [
+    ("surfalex_limit.png", crate::surfalex_limit::picture),
+    ("woo_pole.png", || woo_pole::chart().expect("the record is shipped")),
+];
 
 /// The pages of the book, in alphabetical order.
 fn pages() -> Vec<PathBuf> {
@@ -50,7 +65,9 @@ fn printed(command: &str, folder: &Path) -> Vec<String> {
         .output()
         .expect("a shell");
     assert!(done.status.success(), "{command}: {}", String::from_utf8_lossy(&done.stderr));
-    String::from_utf8_lossy(&done.stdout).lines().map(|line| line.trim_end().to_owned()).collect()
+    let time = Regex::new(r" in [0-9.]+ (ms|s|min|h)\b").expect("a pattern");
+    let lines = String::from_utf8_lossy(&done.stdout).into_owned();
+    lines.lines().map(|line| time.replace(line.trim_end(), " in … $1").into_owned()).collect()
 }
 
 /// The page as it would be if its commands were run now, and its pictures: their places in the book and what was drawn.
@@ -60,6 +77,7 @@ fn made_anew(page: &str) -> (String, Vec<(PathBuf, Vec<u8>)>) {
         copy_folder(name, folder.path());
     }
     let directive = Regex::new(r"^<!-- (file|picture): (\S+) as (\S+) -->$").expect("a pattern");
+    let markdown = Regex::new(r"^<!-- printed: (.+) -->$").expect("a pattern");
     let (mut anew, mut pictures, mut in_block) = (String::new(), Vec::new(), false);
     let mut lines = page.lines().peekable();
     while let Some(line) = lines.next() {
@@ -73,6 +91,12 @@ fn made_anew(page: &str) -> (String, Vec<(PathBuf, Vec<u8>)>) {
                 pictures.push((Path::new(ROOT).join("docs").join(to), drawn));
             }
             None => {}
+        }
+        if let Some(parts) = markdown.captures(line) {
+            anew += &format!("{}\n", printed(&parts[1], folder.path()).join("\n"));
+            while lines.peek().unwrap_or_else(|| panic!("no end of {line}")) != &"<!-- end -->" {
+                lines.next();
+            }
         }
         if line.starts_with("```") {
             in_block = line == "```console";
@@ -112,30 +136,49 @@ fn difference(a: &[u8], b: &[u8]) -> f64 {
 #[test]
 fn pages_show_what_the_program_prints_and_draws() {
     let update = std::env::var_os("UPDATE").is_some();
-    let mut wrong = Vec::new();
-    for path in pages() {
-        let page = fs::read_to_string(&path).expect("readable");
-        if !page.contains("```console") {
-            continue;
+    let wrong = Mutex::new(Vec::new());
+    std::thread::scope(|scope| {
+        for path in pages() {
+            let wrong = &wrong;
+            scope.spawn(move || {
+                let page = fs::read_to_string(&path).expect("readable");
+                let (anew, pictures) = made_anew(&page);
+                if update {
+                    fs::write(&path, &anew).expect("writable");
+                    for (path, drawn) in &pictures {
+                        fs::write(path, drawn).expect("writable");
+                    }
+                }
+                let mut found = Vec::new();
+                if page != anew {
+                    let (old, new) = page.lines().zip(anew.lines()).find(|(old, new)| old != new).unwrap_or_default();
+                    found.push(format!("{}:\n  shown   {old}\n  printed {new}", path.display()));
+                }
+                for (path, drawn) in pictures {
+                    let share = fs::read(&path).map_or(1.0, |shown| difference(&shown, &drawn));
+                    if share > 0.01 {
+                        found.push(format!("{}: {:.1} % of it is drawn otherwise", path.display(), 100.0 * share));
+                    }
+                }
+                wrong.lock().expect("whole").extend(found);
+            });
         }
-        let (anew, pictures) = made_anew(&page);
-        if update {
-            fs::write(&path, &anew).expect("writable");
-            for (path, drawn) in &pictures {
-                fs::write(path, drawn).expect("writable");
-            }
-        }
-        if let Some((old, new)) = page.lines().zip(anew.lines()).find(|(old, new)| old != new) {
-            wrong.push(format!("{}:\n  shown   {old}\n  printed {new}", path.display()));
-        }
-        for (path, drawn) in pictures {
-            let share = fs::read(&path).map_or(1.0, |shown| difference(&shown, &drawn));
-            if share > 0.01 {
-                wrong.push(format!("{}: {:.1} % of it is drawn otherwise", path.display(), 100.0 * share));
-            }
-        }
-    }
+    });
+    let wrong = wrong.into_inner().expect("whole");
     assert!(wrong.is_empty(), "run with UPDATE=1 where that is meant:\n{}", wrong.join("\n"));
+}
+
+/// Trust: the examples; pictures are the same but for pixels that rounding on another machine moves.
+#[test]
+fn pictures_of_examples_are_as_they_draw_them() {
+    for (name, chart) in EXAMPLES {
+        let (path, drawn) = (Path::new(ROOT).join("docs").join(name), png(&chart()));
+        if std::env::var_os("UPDATE").is_some() {
+            fs::write(&path, &drawn).expect("writable");
+        }
+        let share = difference(&fs::read(&path).expect("shipped"), &drawn);
+        assert!(share <= 0.01, "{name}: {:.1} % of it is drawn otherwise", 100.0 * share);
+    }
 }
 
 /// Trust: the files themselves.
@@ -159,6 +202,26 @@ fn every_page_is_in_the_summary_and_every_link_and_picture_is_there() {
         }
     }
     assert!(missing.is_empty(), "{}", missing.join("\n"));
+}
+
+/// Trust: the files themselves; what no command makes is old one day and nobody sees it.
+#[test]
+fn every_picture_is_made_by_a_command_of_a_page_and_shown() {
+    let read = |page: &PathBuf| fs::read_to_string(page).expect("readable");
+    let readme = Path::new(ROOT).join("README.md");
+    let book: String = pages().iter().chain([&readme]).map(read).collect();
+    let entries = fs::read_dir(Path::new(ROOT).join("docs")).expect("shipped");
+    let names = entries.map(|entry| entry.expect("readable").file_name().to_string_lossy().into_owned());
+    let examples = EXAMPLES.map(|(name, _)| name);
+    let wrong: Vec<String> = names
+        .filter(|name| name.ends_with(".png"))
+        .filter(|name| {
+            let is_made = book.contains(&format!(" as {name} -->")) || examples.contains(&name.as_str());
+            let is_shown = book.contains(&format!("({name})")) || book.contains(&format!("(docs/{name})"));
+            !is_made || !is_shown
+        })
+        .collect();
+    assert!(wrong.is_empty(), "{wrong:?}");
 }
 
 /// Trust: what a newcomer reads in five minutes; the rest is in the book.

@@ -191,29 +191,3 @@ fn a_report_has_the_runs_that_it_is_held_against() {
     let pages = crate::common::pdf::pages(&report("r.pdf")).join(" ");
     assert!(pages.contains("Difference to A"), "no table in the PDF");
 }
-
-/// Trust: the page shows what its own commands print; eighty columns is what a printed page and a small window hold.
-#[test]
-fn the_page_shows_what_its_commands_print() {
-    let page = include_str!("../../docs/compare.md");
-    let dir = temp_dir::TempDir::new().unwrap();
-    let block = page.split("\n```").find_map(|block| block.strip_prefix("bash\n")).expect("commands");
-    let mut last = String::new();
-    for command in block.lines() {
-        let words: Vec<String> = command.split('"').enumerate().fold(Vec::new(), |mut words, (i, part)| {
-            if i % 2 == 0 {
-                words.extend(part.split_whitespace().map(str::to_owned))
-            } else {
-                words.push(part.into())
-            }
-            words
-        });
-        let words: Vec<&str> = words.iter().map(String::as_str).collect();
-        assert_eq!(words[0], "stampflow", "{command}");
-        let done = stampflow(dir.path(), &[&words[1..], &["--quiet"][..usize::from(words[1] == "compare")]].concat());
-        assert_eq!(done.status.code(), Some(0), "{command}: {}", text(&done.stderr));
-        last = text(&done.stdout).to_owned();
-    }
-    assert!(page.contains(&format!("```\n{last}```")), "{last}");
-    assert!(last.lines().all(|line| line.chars().count() <= 80), "{last}");
-}

@@ -423,29 +423,3 @@ fn the_verb_reads_a_study_and_writes_numbers_case_and_picture() {
     assert_eq!(wrong.status.code(), Some(2));
     assert!(text(&wrong.stderr).contains("outside of 0.1 to 0.3"), "{}", text(&wrong.stderr));
 }
-
-/// Trust: the page shows what these commands print, line by line, and the text to paste.
-#[test]
-fn the_page_shows_what_its_commands_print() {
-    let page = fs::read_to_string("docs/fit.md").expect("the page");
-    let dir = TempDir::new().expect("a folder");
-    let out = dir.path().to_string_lossy().into_owned();
-    let root = std::env::current_dir().expect("a folder");
-    for command in [
-        vec!["fit", "reference_data/aisi304l_bar_flow_curve.csv"],
-        vec![
-            "fit",
-            "cases/osu_stretch.toml",
-            "--vary",
-            "friction=0.05 in 0..0.3",
-            "--vary",
-            "material.hardening.swift.k=550 in 400..800 MPa",
-        ],
-    ] {
-        let done = stampflow(&root, &[&command[..], &["--quiet", "--out", &out]].concat());
-        assert_eq!(done.status.code(), Some(0), "{}", text(&done.stderr));
-        for line in text(&done.stdout).lines().filter(|line| !line.contains(&out)) {
-            assert!(page.contains(line.trim_end()), "the page lacks: {line}");
-        }
-    }
-}

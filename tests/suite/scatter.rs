@@ -248,19 +248,3 @@ fn a_study_that_is_no_scatter_is_bad_input() {
         assert!(text(&out.stderr).contains(said), "{}", text(&out.stderr));
     }
 }
-
-/// Trust: the page was written from the same command; pictures are drawn by it too.
-#[test]
-fn the_page_says_what_its_command_says() {
-    let dir = temp_dir::TempDir::new().expect("a folder");
-    let out = dir.path().join("out").display().to_string();
-    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
-    let said = stampflow(root, &["scatter", "cases/studies/scatter.toml", "--quiet", "--out", &out]);
-    assert!(said.status.success(), "{}", text(&said.stderr));
-    let page = fs::read_to_string(root.join("docs/scatter.md")).expect("the page");
-    let answer: Vec<&str> = text(&said.stdout).lines().take_while(|line| !line.contains("scatter.csv")).collect();
-    assert!(answer.len() > 10);
-    for line in answer {
-        assert!(page.contains(line.trim_end()), "the page lacks `{line}`");
-    }
-}

@@ -3,12 +3,19 @@
 #[path = "../../examples/surfalex_limit.rs"]
 mod example;
 
-use example::{fitted, measured, table};
+use example::{chart, fitted, measured, table};
 use stampflow::assess::{self, Light};
 use stampflow::author::templates;
 use stampflow::case::{self, library};
+use stampflow::output::Chart;
 
 const DOCUMENT: &str = include_str!("../../docs/surfalex_limit.md");
+
+/// The picture of the document.
+pub fn picture() -> Chart {
+    let widths = measured();
+    chart(&widths, &fitted(&widths))
+}
 
 /// Trust: the points of the library are the means of what was measured, to the digits that they are written with.
 #[test]

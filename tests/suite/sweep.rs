@@ -290,17 +290,3 @@ fn what_makes_no_sweep_is_refused() {
     assert_eq!(done.status.code(), Some(2));
     assert!(text(&done.stderr).contains("rows of another study"), "{}", text(&done.stderr));
 }
-
-/// The worked example of docs/sweep.md: what its command answers stands there word for word.
-#[test]
-fn the_page_on_sweeps_says_what_its_command_says() {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
-    let page = fs::read_to_string(root.join("docs/sweep.md")).expect("the page");
-    let dir = temp_dir::TempDir::new().expect("a folder");
-    let out = dir.path().join("out").to_string_lossy().into_owned();
-    let done = stampflow(root, &["sweep", "cases/studies/quickstart_window.toml", "--quiet", "--out", &out]);
-    assert_eq!(done.status.code(), Some(0), "{}", text(&done.stderr));
-    let joined = |text: &str| text.split_whitespace().collect::<Vec<_>>().join(" ");
-    let answer = text(&done.stdout).split(&out).next().expect("sentences");
-    assert!(joined(&page).contains(&joined(answer)), "the page lacks\n{answer}");
-}

@@ -59,17 +59,6 @@ fn error_bars_are_told_in_german() {
     }
 }
 
-/// The table of the documents is what the program says today.
-#[test]
-fn the_documents_have_the_bars_of_the_quickstart() {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
-    let said = stampflow(root, &["verify", "cases/quickstart.toml", "--markdown", "--quiet"]);
-    let page = fs::read_to_string(root.join("docs/verification.md")).expect("the page");
-    let said = text(&said.stdout);
-    assert!(said.contains("| Punch force | 45.3 ±"), "{said}");
-    assert!(page.contains(said.trim_end()), "cargo run --release -- verify cases/*.toml --markdown -q\n{said}");
-}
-
 #[test]
 fn a_file_has_the_numbers_of_every_run_and_replaces_only_its_own_kind() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));

@@ -7,6 +7,7 @@ use serde::Deserialize;
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[cfg_attr(feature = "schema", schemars(extend("dependentRequired" = { "x": ["y"], "y": ["x"], "error": ["band"] })))]
 pub struct Compare {
     /// CSV file, looked for in `reference_data` beside the folder of the case, then beside the case.
     #[cfg_attr(feature = "schema", schemars(example = "woo_load_travel.csv"))]

@@ -22,6 +22,7 @@ pub struct Gas {
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[cfg_attr(feature = "schema", schemars(extend("dependentRequired" = { "norm": ["strain_rate"], "max_pressure": ["strain_rate"], "max_pressure_rate": ["strain_rate"] })))]
 pub struct GasFace {
     /// The pressure, or its history over time: [["0 s", "0 MPa"], ["10 s", "5 MPa"]]. One pressure and no punch: it is
     /// raised evenly over the duration, for a flat sheet cannot bear it at once.

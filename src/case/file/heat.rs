@@ -9,6 +9,7 @@ use serde::{Deserialize, Deserializer};
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[cfg_attr(feature = "schema", schemars(extend("dependentRequired" = { "density": ["specific_heat"], "specific_heat": ["density"], "conductivity": ["density"], "plastic_share": ["density"], "punch": ["density"], "die": ["density"], "holder": ["density"] })))]
 pub struct Heat {
     /// Of the flat sheet: one temperature, one for the part under the punch and one for the flange, or a CSV file.
     pub initial: InitialTemperature,

@@ -12,6 +12,7 @@ use serde::Deserialize;
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[cfg_attr(feature = "schema", schemars(extend("dependentRequired" = { "young": ["poisson"], "poisson": ["young"] })))]
 pub struct Material {
     /// A sheet of the built-in library (`stampflow materials` lists them); what else is written here replaces what the
     /// library says.
@@ -36,10 +37,10 @@ pub struct Material {
     #[cfg_attr(feature = "schema", schemars(example = 1.6))]
     pub anisotropy: Option<Anisotropy>,
     /// The curve of the stresses at which the sheet yields; "hill48" when not given.
-    #[cfg_attr(feature = "schema", schemars(example = &"hill48"))]
+    #[cfg_attr(feature = "schema", schemars(example = &"hill48", extend("default" = "hill48")))]
     pub yield_condition: Option<YieldCondition>,
     /// How the metal answers to strain; "flow" when not given. The others need `young` and `poisson`.
-    #[cfg_attr(feature = "schema", schemars(example = &"elasto_viscoplastic"))]
+    #[cfg_attr(feature = "schema", schemars(example = &"elasto_viscoplastic", extend("default" = "flow")))]
     pub mode: Option<Mode>,
     /// Strain-rate dependence; none when not given. The punch's `speed` then matters.
     pub rate: Option<Named<Rate>>,

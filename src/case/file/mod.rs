@@ -123,9 +123,11 @@ pub struct Blank {
     pub elements: i64,
     /// How element sizes are spread.
     #[serde(default)]
+    #[cfg_attr(feature = "schema", schemars(extend("default" = "radii")))]
     pub grading: Grading,
     /// Shell theory of the sheet.
     #[serde(default)]
+    #[cfg_attr(feature = "schema", schemars(extend("default" = "bending")))]
     pub theory: Theory,
     /// Integration points through the thickness of elements that bend, 3 to 101. When not given: 5 by the flow law, 9 in
     /// plane strain, where bending is most of the load; 15 for an elasto-viscoplastic sheet (with fewer the moment grows in
@@ -134,6 +136,7 @@ pub struct Blank {
     pub layers: Option<i64>,
     /// How the outer edge is held.
     #[serde(default)]
+    #[cfg_attr(feature = "schema", schemars(extend("default" = "free")))]
     pub edge: Edge,
 }
 

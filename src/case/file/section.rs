@@ -26,6 +26,7 @@ pub enum Section {
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[cfg_attr(feature = "schema", schemars(extend("dependentRequired" = { "fillet": ["file"], "offset_of": ["by"], "by": ["offset_of"], "shoulder": ["offset_of"], "closed_at": ["offset_of", "shoulder"] })))]
 pub struct SectionTable {
     /// CSV file with points.
     #[cfg_attr(feature = "schema", schemars(example = "die.csv"))]
@@ -58,6 +59,7 @@ pub struct SectionTable {
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[cfg_attr(feature = "schema", schemars(extend("dependentRequired" = { "arc_to": ["center", "turn"], "center": ["arc_to"], "turn": ["arc_to"] })))]
 pub struct ProfileStep {
     /// First point: [r, z].
     pub from: Option<[Length; 2]>,

@@ -115,6 +115,7 @@ pub struct Crowned {
 #[derive(Clone, Debug, Default, Deserialize)]
 #[serde(deny_unknown_fields)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[cfg_attr(feature = "schema", schemars(extend("dependentRequired" = { "throat": ["shoulder"] })))]
 pub struct Die {
     /// Radius of the opening (plane strain: half width).
     #[cfg_attr(feature = "schema", schemars(example = "31.25 mm"))]
@@ -241,8 +242,10 @@ macro_rules! in_all_or_per_depth {
             }
 
             fn json_schema(_: &mut schemars::SchemaGenerator) -> schemars::Schema {
-                let pattern = crate::units::pattern(&[<$in_all as Quantity>::KIND, <$per_depth as Quantity>::KIND]);
-                schemars::json_schema!({ "type": "string", "examples": $examples, "pattern": pattern })
+                let kinds = [<$in_all as Quantity>::KIND, <$per_depth as Quantity>::KIND];
+                let pattern = crate::units::pattern(&kinds);
+                let quantity = kinds.map(crate::units::Kind::measured).join(", or ");
+                schemars::json_schema!({ "type": "string", "examples": $examples, "pattern": pattern, "x-quantity": quantity })
             }
         }
     };

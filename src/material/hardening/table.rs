@@ -14,6 +14,7 @@ use crate::law::prelude::*;
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "case", derive(serde::Deserialize), serde(deny_unknown_fields))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[cfg_attr(feature = "schema", schemars(extend("dependentRequired" = { "strain": ["stress"], "stress": ["strain"] })))]
 pub struct Table {
     /// Pairs of strain and stress, the first at strain 0: `[[0, "150 MPa"], [0.1, "290 MPa"]]`.
     points: Option<Vec<(NonNegative<Number>, Positive<Stress>)>>,
