@@ -8,10 +8,12 @@
 //! KEY                          from half to twice what the case has
 //! ```
 
+use super::varied::label;
 use super::vary::{Value, Vary};
 use super::{StudyError, Subject};
 use crate::message::{Amount, Digits, Message};
 use crate::units::{Unit, parse, significant};
+use std::borrow::Cow;
 use toml_edit::{DocumentMut, Item};
 
 /// Least and most places that a stretch is looked at first.
@@ -105,6 +107,11 @@ impl Span {
     /// The key that is told.
     pub fn key(&self) -> &str {
         &self.keys[0].key
+    }
+
+    /// What that key is called in the shop.
+    pub fn label(&self) -> Cow<'static, str> {
+        label(self.key())
     }
 
     /// Its unit.

@@ -29,6 +29,12 @@ const NAMES: [(&str, &str); 18] = [
     ("press.force", "Rating of the press"),
 ];
 
+/// What a key is called in the shop; itself where it has no name there.
+pub fn label(key: &str) -> Cow<'static, str> {
+    let name = NAMES.iter().find(|(known, _)| *known == key);
+    name.map_or_else(|| Cow::Owned(key.to_owned()), |(_, name)| Cow::Borrowed(*name))
+}
+
 /// One axis of a study.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Varied {
@@ -50,8 +56,7 @@ impl Varied {
     /// An axis of keys that go together, by the first of them.
     pub fn of(axis: &[Vary], subject: &Subject) -> Self {
         let vary = &axis[0];
-        let label = NAMES.iter().find(|(key, _)| *key == vary.key);
-        let label = label.map_or_else(|| Cow::Owned(vary.key.clone()), |(_, name)| Cow::Borrowed(*name));
+        let label = label(&vary.key);
         let with = axis[1..].iter().map(|vary| vary.key.clone()).collect();
         let numbers: Option<Vec<f64>> = vary.values.iter().map(|value| value.number).collect();
         let own = subject.own(&vary.key);

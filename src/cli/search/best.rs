@@ -92,7 +92,7 @@ fn sentence(spans: &[Span], name: &Named, condition: Option<&Condition>, found: 
     let mut values = row.design.values.iter();
     let keys = spans.iter().map(|span| {
         let x = values.by_ref().take(span.keys().len()).next().and_then(|value| value.number);
-        message!("{key} = {x}", key = span.key().to_owned(), x = span.told(x.unwrap_or(f64::NAN)))
+        message!("{key} = {x}", key = Message::from(span.label()), x = span.told(x.unwrap_or(f64::NAN)))
     });
     let keys = Message::joined(keys, ", ");
     message!("{number} is {value} at {keys}", number = name.text.clone(), value = value(name, row), keys = keys)

@@ -69,7 +69,7 @@ pub fn plot(quest: &Quest, answer: &Answer, form: Form) -> Option<Chart> {
             panels.push(panel);
         }
     }
-    let varied = quest.span.key().to_owned();
+    let varied = Message::from(quest.span.label());
     let title = match &quest.goal {
         Goal::Keep(condition) => {
             message!("Search for {key}: “{condition}”", key = varied, condition = condition.text.clone())
@@ -153,7 +153,7 @@ struct Key<'a> {
 impl<'a> Key<'a> {
     fn of(span: &Span, column: usize, rows: &'a [Row], condition: Option<&Condition>, form: Form) -> Self {
         let (unit, times) = span.solver_unit().unwrap_or((Unit::None, 1.0));
-        let (axis, told) = Axis::named(span.key().to_owned(), unit).told(form, span.ends()[1] * times);
+        let (axis, told) = Axis::named(span.label(), unit).told(form, span.ends()[1] * times);
         let is_kept = |row: &Row| condition.map(|condition| condition.judge(row) == Said::Holds);
         let runs = rows.iter().filter_map(|row| Some((Mark::of(row, is_kept(row))?, row))).collect();
         let times = times * told.factor;
