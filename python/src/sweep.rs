@@ -4,10 +4,10 @@ use super::attend::{Progress, attended};
 use super::case::Case;
 use super::error;
 use super::rows::{Rows, Table};
+use super::study::threads;
 use pyo3::prelude::*;
 use stampflow::study::{self, Bars, Designs, Plan, StudyError, Vary};
 use std::convert::Infallible;
-use std::thread::available_parallelism;
 
 /// So many designs at most: their rows are kept in memory.
 const MOST: u64 = 10_000_000;
@@ -23,11 +23,10 @@ pub fn sweep<'py>(
     progress: Progress,
 ) -> PyResult<(Vec<usize>, Table<'py>, Option<PyErr>)> {
     let plan = plan(case, &axes).map_err(|error| error::of_study(py, &error))?;
-    let threads = threads.or_else(|| available_parallelism().ok().map(usize::from)).unwrap_or(1);
     let indices: Vec<u64> = (0..plan.count()).collect();
     let (rows, raised) = attended(py, progress, |line| {
-        let mut rows = Rows::of(&plan);
-        let Ok(()) = study::run(&plan, &indices, threads, Bars::Without, line, |row| {
+        let mut rows = Rows::of(plan.headers());
+        let Ok(()) = study::run(&plan, &indices, self::threads(threads), Bars::Without, line, |row| {
             rows.push(row);
             Ok::<(), Infallible>(())
         });

@@ -7,5 +7,7 @@ mod page;
 pub mod templates;
 
 pub use from_drawing::{Draft, Drawn};
+#[cfg(feature = "import")]
+pub use from_drawing::{Import, ImportFailure, Imported};
 #[cfg(feature = "schema")]
 pub use laws::{Law, law_list, laws};
