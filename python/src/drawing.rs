@@ -8,7 +8,7 @@ use stampflow::author::{Import, ImportFailure, Imported};
 use stampflow::files::{Disk, Files};
 use stampflow::import::{self, ImportError, Options};
 use stampflow::output::sketch;
-use stampflow::units::{Length, Positive};
+use stampflow::units::{Length, Positive, Quantity};
 use std::path::PathBuf;
 
 /// Unit, axis, join, tolerance, which way the punch moves, geometry.
