@@ -28,7 +28,7 @@ impl Case {
 
     /// Reads a case from text.
     #[staticmethod]
-    fn parse(py: Python<'_>, text: String, name: String, settings: Vec<String>) -> PyResult<Self> {
+    pub fn parse(py: Python<'_>, text: String, name: String, settings: Vec<String>) -> PyResult<Self> {
         let case = case::parse(&text, &name, &settings).map_err(|error| error::of_case(py, &error))?;
         Ok(Self { case, written: text, name })
     }
@@ -86,6 +86,16 @@ impl Case {
 }
 
 impl Case {
+    /// As it was read.
+    pub fn read(&self) -> &stampflow::Case {
+        &self.case
+    }
+
+    /// The same with other overrides, which a study made of it.
+    pub fn made(&self, case: stampflow::Case) -> Self {
+        Self { case, written: self.written.clone(), name: self.name.clone() }
+    }
+
     /// As what a study varies.
     pub fn subject(&self) -> Result<Subject, StudyError> {
         Subject::of_text(self.written.clone(), &self.name, self.case.overrides.clone())

@@ -5,6 +5,7 @@ use pyo3::sync::PyOnceLock;
 use pyo3::types::PyType;
 use stampflow::case::CaseError;
 use stampflow::compare::CompareError;
+use stampflow::import::ImportError;
 use stampflow::output::OutputError;
 use stampflow::study::StudyError;
 
@@ -16,6 +17,7 @@ struct Exception {
 
 static CASE: Exception = Exception::named("CaseError");
 static STUDY: Exception = Exception::named("StudyError");
+static DRAWING: Exception = Exception::named("DrawingError");
 static REFERENCE: Exception = Exception::named("CompareError");
 
 impl Exception {
@@ -45,6 +47,11 @@ pub fn of_study(py: Python<'_>, error: &StudyError) -> PyErr {
         StudyError::Case(error) => of_case(py, error),
         StudyError::Asked { what, help } => STUDY.raised(py, (what, help)),
     }
+}
+
+/// A drawing that no case is made of: with its file and the line of the entity.
+pub fn of_drawing(py: Python<'_>, file: &str, error: &ImportError) -> PyErr {
+    DRAWING.raised(py, (&error.what, &error.help, file, error.line))
 }
 
 /// A reference that the case is compared with cannot be used.

@@ -8,11 +8,17 @@
 mod attend;
 mod case;
 mod column;
+mod compare;
+mod drawing;
 mod error;
+mod fit;
 mod picture;
 mod rows;
+mod scatter;
+mod search;
 mod solution;
 mod stage;
+mod study;
 mod sweep;
 mod template;
 
@@ -22,6 +28,16 @@ use pyo3::prelude::*;
 mod _native {
     #[pymodule_export]
     use super::case::Case;
+    #[pymodule_export]
+    use super::compare::compare;
+    #[pymodule_export]
+    use super::drawing::from_drawing;
+    #[pymodule_export]
+    use super::fit::{fit_case, fit_law};
+    #[pymodule_export]
+    use super::scatter::scatter;
+    #[pymodule_export]
+    use super::search::{optimise, search};
     #[pymodule_export]
     use super::solution::Solution;
     #[pymodule_export]

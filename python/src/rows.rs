@@ -2,15 +2,16 @@
 
 use numpy::{IntoPyArray, PyArray1};
 use pyo3::prelude::*;
-use stampflow::study::{Columns, Plan, Row, Solved, Value};
+use stampflow::study::{Row, Solved, Value};
 
 /// Numbers by their headers, and words by theirs.
 pub type Table<'py> = (Vec<(String, Bound<'py, PyArray1<f64>>)>, Vec<(String, Vec<String>)>);
 
 /// Rows on their way.
-pub struct Rows<'a> {
-    plan: &'a Plan,
-    /// Of what is varied, in the order of its headers.
+pub struct Rows {
+    /// Columns of what is varied.
+    headers: Vec<String>,
+    /// Its values, in their order.
     varied: Vec<Vec<Value>>,
     /// By their headers, in the order in which they came up; NaN where a design has no such number.
     numbers: Vec<(String, Vec<f64>)>,
@@ -18,12 +19,12 @@ pub struct Rows<'a> {
     words: [(&'static str, Vec<String>); 5],
 }
 
-impl<'a> Rows<'a> {
-    /// None yet.
-    pub fn of(plan: &'a Plan) -> Self {
+impl Rows {
+    /// None yet, of designs in which this is varied.
+    pub fn of(headers: Vec<String>) -> Self {
         Self {
-            plan,
-            varied: vec![Vec::new(); plan.axes().iter().map(Vec::len).sum()],
+            varied: vec![Vec::new(); headers.len()],
+            headers,
             numbers: Vec::new(),
             seconds: Vec::new(),
             words: ["verdict", "red", "amber", "end", "reason"].map(|name| (name, Vec::new())),
@@ -37,8 +38,7 @@ impl<'a> Rows<'a> {
             column.push(value);
         }
         if let Ok(solved) = &row.result {
-            for header in Columns::of(self.plan, solved).numbers {
-                let value = solved.number(&header).unwrap_or(f64::NAN);
+            for (header, value) in solved.named() {
                 match self.numbers.iter_mut().find(|(known, _)| *known == header) {
                     Some((_, column)) => column.push(value),
                     None => {
@@ -59,8 +59,7 @@ impl<'a> Rows<'a> {
     /// As arrays.
     pub fn table(self, py: Python<'_>) -> Table<'_> {
         let (mut numbers, mut words) = (Vec::new(), Vec::new());
-        let headers = self.plan.axes().iter().flatten().map(|vary| vary.header());
-        for (header, values) in headers.zip(self.varied) {
+        for (header, values) in self.headers.into_iter().zip(self.varied) {
             match values.iter().map(|value| value.number).collect::<Option<Vec<f64>>>() {
                 Some(values) => numbers.push((header, values.into_pyarray(py))),
                 None => words.push((header, values.into_iter().map(|value| value.text).collect())),

@@ -150,7 +150,12 @@ impl Solution {
 impl Solution {
     /// Without error bars.
     pub fn new(solution: stampflow::Solution) -> Self {
-        Self { solution: Arc::new(solution), verification: None, answered: OnceLock::new() }
+        Self::verified(solution, None)
+    }
+
+    /// With error bars, where there are some.
+    pub fn verified(solution: stampflow::Solution, verification: Option<Verification>) -> Self {
+        Self { solution: Arc::new(solution), verification, answered: OnceLock::new() }
     }
 
     fn answered(&self, py: Python<'_>) -> &(Answer, Vec<Finding>) {
@@ -180,7 +185,7 @@ fn unknown(file: &str) -> PyErr {
 }
 
 /// A number's name with its unit, as columns of studies have it.
-fn header(number: &Number) -> String {
+pub fn header(number: &Number) -> String {
     match number.of {
         Of::Verdict => number.amount.unit.keyed(&format!("{}_judged", number.key)),
         Of::Answer | Of::Part => number.amount.unit.keyed(number.key),

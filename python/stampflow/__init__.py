@@ -17,36 +17,64 @@ from typing import TYPE_CHECKING, Any
 from ._native import __version__
 from .case import Case
 from .columns import Columns
+from .compare import Compared, ComparedNumber, Misfit, compare
 from .comparison import Comparison
-from .errors import CaseError, CompareError, Error, Interrupted, StudyError
+from .errors import CaseError, CompareError, DrawingError, Error, Interrupted, StudyError
 from .finding import Finding
+from .fit import FittedCase, FittedCurve, FittedLaw, FittedLaws, Parameter, TensionTest, fit
 from .frame import Frame
 from .number import Number
-from .picture import Picture, Plots
+from .picture import Picture
+from .plots import Plots
+from .scatter import Band, Chance, Estimate, Influence, Scatter, Sobol, Spread, scatter
+from .search import Best, Search, search
 from .solution import Solution
 from .solved_stage import SolvedStage
 from .sweep import Sweep, sweep
 from .templates import new, templates
 
 __all__ = [
+    "Band",
+    "Best",
     "Case",
     "CaseError",
+    "Chance",
     "Columns",
-    "Comparison",
     "CompareError",
+    "Compared",
+    "ComparedNumber",
+    "Comparison",
+    "DrawingError",
     "Error",
+    "Estimate",
     "Finding",
+    "FittedCase",
+    "FittedCurve",
+    "FittedLaw",
+    "FittedLaws",
     "Frame",
+    "Influence",
     "Interrupted",
+    "Misfit",
     "Number",
+    "Parameter",
     "Picture",
     "Plots",
+    "Scatter",
+    "Search",
+    "Sobol",
     "Solution",
     "SolvedStage",
+    "Spread",
     "StudyError",
     "Sweep",
+    "TensionTest",
     "__version__",
+    "compare",
+    "fit",
     "new",
+    "scatter",
+    "search",
     "sweep",
     "templates",
 ]

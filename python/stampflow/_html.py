@@ -1,36 +1,83 @@
-"""A solution as notebooks show it."""
+"""How notebooks show things: a title, an answer with its light, a picture, and rows that unfold."""
 
 from __future__ import annotations
 
+from abc import ABC, abstractmethod
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
 from html import escape
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from .solution import Solution
+    from .finding import Finding
+    from .picture import Picture
 
 #: From the worst on.
 _COLORS = {"red": "#D55E00", "amber": "#E69F00", "grey": "#787878", "green": "#009E73"}
 
 
-def solution(solved: Solution) -> str:
-    """The verdict, its rows from the worst on, and the section of the last stage."""
-    rows = sorted(solved.findings, key=lambda row: list(_COLORS).index(row.light))
-    body = "".join(
-        f"<tr><td>{_light(row.light)}</td><td>{escape(row.label)}</td><td>{escape(row.found)}</td>"
-        f"<td>{escape(row.limit)}</td><td>{escape(row.advice)}</td></tr>"
-        for row in rows
-    )
-    try:
-        section = str(solved.stages[-1].plot.part()) if solved.stages else ""
-    except ValueError:
-        section = ""
-    return (
-        f"<h4>{escape(solved.case.title)}</h4>"
-        f"<p>{_light(solved.light)} <b>{escape(solved.verdict)}</b></p>{section}"
-        f"<details><summary>{escape(solved.headline)}</summary><table><thead><tr><th></th><th></th><th>found</th>"
-        f"<th>limit</th><th>what to change</th></tr></thead><tbody>{body}</tbody></table></details>"
-    )
+@dataclass(frozen=True)
+class Page:
+    """What is shown of a thing."""
+
+    title: str
+    #: In a sentence.
+    answer: str
+    #: Of the answer; empty where it has none.
+    light: str = ""
+    picture: Picture | None = None
+    #: What is to be known besides, a sentence each.
+    notes: Sequence[str] = ()
+    #: What unfolds the rows.
+    summary: str = ""
+    header: Sequence[str] = ()
+    #: Cells; one that is the name of a light is coloured.
+    rows: Sequence[Sequence[str]] = ()
+
+    def html(self) -> str:
+        """As HTML without scripts or styles of its own."""
+        answer = f"<b>{escape(self.answer)}</b>"
+        notes = "".join(f"<li>{escape(note)}</li>" for note in self.notes)
+        return (
+            f"<h4>{escape(self.title)}</h4>"
+            f"<p>{_light(self.light)} {answer}</p>"
+            + (str(self.picture) if self.picture is not None else "")
+            + (f"<ul>{notes}</ul>" if notes else "")
+            + (self._table() if self.rows else "")
+        )
+
+    def _table(self) -> str:
+        head = "".join(f"<th>{escape(cell)}</th>" for cell in self.header)
+        body = "".join("<tr>" + "".join(f"<td>{_cell(cell)}</td>" for cell in row) + "</tr>" for row in self.rows)
+        return (
+            f"<details><summary>{escape(self.summary)}</summary>"
+            f"<table><thead><tr>{head}</tr></thead><tbody>{body}</tbody></table></details>"
+        )
+
+
+class Shown(ABC):
+    """What notebooks show as a page."""
+
+    @abstractmethod
+    def _page(self) -> Page: ...
+
+    def _repr_html_(self) -> str:
+        return self._page().html()
+
+
+#: Above rows of findings.
+FINDINGS = ("", "", "found", "limit", "what to change")
+
+
+def findings(rows: Iterable[Finding]) -> list[tuple[str, ...]]:
+    """Rows of a verdict, from the worst on."""
+    worst = sorted(rows, key=lambda row: list(_COLORS).index(row.light))
+    return [(row.light, row.label, row.found, row.limit, row.advice) for row in worst]
+
+
+def _cell(text: str) -> str:
+    return _light(text) if text in _COLORS else escape(text)
 
 
 def _light(light: str) -> str:
-    return f'<span style="color:{_COLORS[light]}">&#9679;</span> {light}'
+    return f'<span style="color:{_COLORS[light]}">&#9679;</span> {light}' if light else ""

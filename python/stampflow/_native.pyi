@@ -4,7 +4,21 @@ from typing import TypeAlias, final
 import numpy as np
 from numpy.typing import NDArray
 
-__all__ = ["Case", "Solution", "__version__", "fill", "sweep", "templates"]
+__all__ = [
+    "Case",
+    "Solution",
+    "__version__",
+    "compare",
+    "fill",
+    "fit_case",
+    "fit_law",
+    "from_drawing",
+    "optimise",
+    "scatter",
+    "search",
+    "sweep",
+    "templates",
+]
 
 __version__: str
 
@@ -14,6 +28,14 @@ _Column: TypeAlias = tuple[str, str, str, _Array]
 _Series: TypeAlias = tuple[str | None, _Array, _Array, str, str | None]
 _Window: TypeAlias = tuple[tuple[float, float], tuple[float, float]]
 _Panel: TypeAlias = tuple[str, str, list[_Series], _Window | None, bool]
+_Picture: TypeAlias = tuple[str, str, list[_Panel]]
+_Raised: TypeAlias = BaseException | None
+_Table: TypeAlias = tuple[list[tuple[str, _Array]], list[tuple[str, list[str]]]]
+_Told: TypeAlias = tuple[str, list[str], list[tuple[str, _Picture]]]
+_Searched: TypeAlias = tuple[_Told, _Table, tuple[Case, Solution] | None, _Raised]
+_Band: TypeAlias = tuple[_Array, list[_Array], list[int]]
+_NumberOfRuns: TypeAlias = tuple[str, str, str, list[_Array], list[bool | None]]
+_Text: TypeAlias = str | None
 
 @final
 class Case:
@@ -35,7 +57,7 @@ class Case:
     @property
     def stages(self) -> list[str]: ...
     def findings(self) -> str: ...
-    def solve(self, progress: _Progress) -> tuple[Solution, BaseException | None]: ...
+    def solve(self, progress: _Progress) -> tuple[Solution, _Raised]: ...
 
 @final
 class Solution:
@@ -46,19 +68,54 @@ class Solution:
     def stages(self) -> list[tuple[str, str, str, bool, int, int]]: ...
     def frame(self, stage: int, frame: int) -> tuple[float, float, list[_Column], list[_Column]]: ...
     def table(self, stage: int, file: str) -> list[_Column] | None: ...
-    def picture(self, stage: int, file: str) -> tuple[str, str, list[_Panel]] | None: ...
+    def picture(self, stage: int, file: str) -> _Picture | None: ...
     def summary(self) -> str: ...
     def told(self) -> str: ...
     def verdict(self) -> tuple[str, str, str]: ...
     def findings(self) -> str: ...
     def numbers(self) -> list[tuple[str, str, float, str, float | None, str, str]]: ...
-    def verify(self, quick: bool, progress: _Progress) -> tuple[Solution, BaseException | None]: ...
+    def verify(self, quick: bool, progress: _Progress) -> tuple[Solution, _Raised]: ...
     def told_of_bars(self) -> list[str]: ...
     def comparisons(self) -> list[tuple[str, str, str, bool, list[_Column]]]: ...
     def write(self, folder: str) -> list[str]: ...
 
+def compare(
+    cases: list[tuple[Case, list[str]]], measured: list[str], threads: int | None, progress: _Progress
+) -> tuple[_Told, list[_NumberOfRuns], list[Solution], _Raised]: ...
+def fit_case(
+    case: Case, ranges: list[str], to: list[str], threads: int | None, progress: _Progress
+) -> tuple[_Told, Case, _Raised]: ...
+def fit_law(
+    files: list[str], laws: tuple[_Text, _Text], reduced: list[_Text], rate: list[float], direction: list[float]
+) -> tuple[_Told, str]: ...
+def from_drawing(
+    path: str, layers: list[str], how: list[_Text], sizes: list[_Text]
+) -> tuple[Case, list[str], _Picture]: ...
+def optimise(
+    case: Case,
+    extreme: tuple[list[str], str, bool, _Text],
+    error_bars: bool,
+    threads: int | None,
+    progress: _Progress,
+) -> _Searched: ...
+def scatter(
+    case: Case,
+    vary: list[str],
+    correlate: list[str],
+    size: tuple[int | None, int | None, bool],
+    name: str,
+    threads: int | None,
+    progress: _Progress,
+) -> tuple[tuple[_Told, _Band | None, _Band | None] | None, _Table, _Raised]: ...
+def search(
+    case: Case,
+    limit: tuple[list[str], _Text, bool | None, _Text, _Text, _Text],
+    error_bars: bool,
+    threads: int | None,
+    progress: _Progress,
+) -> _Searched: ...
 def sweep(
     case: Case, axes: list[str], threads: int | None, progress: _Progress
-) -> tuple[list[int], tuple[list[tuple[str, _Array]], list[tuple[str, list[str]]]], BaseException | None]: ...
+) -> tuple[list[int], _Told | None, _Table, _Raised]: ...
 def fill(name: str, given: list[tuple[str, str]]) -> str: ...
 def templates() -> list[tuple[str, str, list[tuple[str, str, str]]]]: ...

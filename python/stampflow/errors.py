@@ -2,11 +2,9 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import Any, TypeVar
 
-if TYPE_CHECKING:
-    from .solution import Solution
-    from .sweep import Sweep
+_Result = TypeVar("_Result")
 
 
 class Error(Exception):
@@ -52,6 +50,21 @@ class StudyError(Error):
         self.help = help
 
 
+class DrawingError(Error):
+    """A drawing that no case is made of."""
+
+    def __init__(self, message: str, help: str, file: str, line: int | None) -> None:
+        super().__init__(f"{file}{f', line {line}' if line else ''}: {message}\n  help: {help}")
+        #: What is wrong, with the entities and the place in the drawing.
+        self.message = message
+        #: What to do about it.
+        self.help = help
+        #: The drawing as it was named.
+        self.file = file
+        #: Line of the file, from 1, of the first entity that is named; None where none is.
+        self.line = line
+
+
 class CompareError(Error):
     """A reference that a case is compared with and that cannot be used."""
 
@@ -59,7 +72,16 @@ class CompareError(Error):
 class Interrupted(KeyboardInterrupt):
     """Ctrl-C while something was solved; what is done is kept in ``partial``."""
 
-    def __init__(self, partial: Solution | Sweep) -> None:
+    def __init__(self, partial: Any) -> None:
         super().__init__("interrupted; what is done is kept in .partial of this exception")
-        #: What had been computed: a solution up to its last step, a sweep up to its last design.
+        #: What had been computed: a solution up to its last step, a study up to its last run.
         self.partial = partial
+
+
+def finished(result: _Result, raised: BaseException | None) -> _Result:
+    """A result, or the exception that cut it short: of Ctrl-C with what is done in it."""
+    if isinstance(raised, KeyboardInterrupt):
+        raise Interrupted(result) from raised
+    if raised is not None:
+        raise raised
+    return result

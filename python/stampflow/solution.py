@@ -9,8 +9,9 @@ from os import PathLike, fspath
 from typing import TYPE_CHECKING, Any
 
 from . import _html, finding
+from ._html import Page, Shown
 from .comparison import Comparison
-from .errors import Interrupted
+from .errors import finished
 from .finding import Finding
 from .number import Number
 from .solved_stage import SolvedStage
@@ -20,10 +21,10 @@ if TYPE_CHECKING:
     from . import _native
     from .case import Case
     from .frame import Frame
-    from .picture import Plots
+    from .stage_plots import StagePlots
 
 
-class Solution:
+class Solution(Shown):
     """What came out of a case, stage by stage. Notebooks show its verdict and its section.
 
     ``load_travel``, ``frames``, ``profile`` and ``plot`` are those of the only stage; a case with several has them at each:
@@ -92,10 +93,7 @@ class Solution:
         as long as the solution; ``quick`` estimates the bars from one coarser run.
         """
         native, raised = self._native.verify(quick, progress)
-        if isinstance(raised, KeyboardInterrupt):
-            raise Interrupted(self) from raised
-        if raised is not None:
-            raise raised
+        finished(self, raised)  # of some finer runs nothing can be said: what is kept is the solution
         return Solution(self.case, native)
 
     @property
@@ -127,7 +125,7 @@ class Solution:
         return self._only.frames
 
     @property
-    def plot(self) -> Plots:
+    def plot(self) -> StagePlots:
         """The pictures of the only stage: ``plot.load_travel()``."""
         return self._only.plot
 
@@ -157,5 +155,13 @@ class Solution:
     def __repr__(self) -> str:
         return f"<Solution of {self.case.name}: {self.light}, {self.verdict}>"
 
-    def _repr_html_(self) -> str:
-        return _html.solution(self)
+    def _page(self) -> Page:
+        return Page(
+            title=self.case.title,
+            answer=self.verdict,
+            light=self.light,
+            picture=self.stages[-1].plot._first("part") if self.stages else None,
+            summary=self.headline,
+            header=_html.FINDINGS,
+            rows=_html.findings(self.findings),
+        )

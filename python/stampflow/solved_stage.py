@@ -6,15 +6,16 @@ from collections.abc import Iterator, Sequence
 from functools import cached_property
 from typing import TYPE_CHECKING, overload
 
-from .frame import Frame
-from .picture import Plots
+from ._html import Page, Shown
 from .columns import Columns
+from .frame import Frame
+from .stage_plots import StagePlots
 
 if TYPE_CHECKING:
     from ._native import Solution
 
 
-class SolvedStage:
+class SolvedStage(Shown):
     """A stage that was run."""
 
     def __init__(self, native: Solution, index: int, parts: tuple[str, str, str, bool, int, int]) -> None:
@@ -74,9 +75,12 @@ class SolvedStage:
         return self._table("pressure_cycle")
 
     @property
-    def plot(self) -> Plots:
+    def plot(self) -> StagePlots:
         """Its pictures: ``plot.load_travel()``."""
-        return Plots(self._native, self._index)
+        return StagePlots(lambda name: self._native.picture(self._index, f"{name}.png"), "this stage")
+
+    def _page(self) -> Page:
+        return Page(title=self.name, answer=self.why, picture=self.plot._first("part"))
 
 
 class Frames(Sequence[Frame]):

@@ -12,5 +12,7 @@ pub mod templates;
 #[cfg(feature = "schema")]
 pub use case_reference::case_reference;
 pub use from_drawing::{Draft, Drawn};
+#[cfg(feature = "import")]
+pub use from_drawing::{Import, ImportFailure, Imported};
 #[cfg(feature = "schema")]
 pub use laws::{Law, law_list, laws};

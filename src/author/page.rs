@@ -36,10 +36,7 @@ impl Page {
         notes: &[String],
     ) -> Self {
         let is_round = geometry == Geometry::Axisymmetric;
-        let geometry = match geometry {
-            Geometry::Axisymmetric => "axisymmetric",
-            Geometry::PlaneStrain => "plane_strain",
-        };
+        let geometry = geometry.key();
         let mut page = Self { text: String::new(), is_round };
         about.into_iter().for_each(|text| page.comment(text.as_ref()));
         let _ = writeln!(page.text, "\ntitle = {}\ngeometry = {geometry:?}\nnotes = [", toml_edit::Value::from(title));

@@ -7,12 +7,11 @@ use super::place;
 use super::say::{Shown, say, say_json, warn};
 use super::table::{Cell, Tone, table, wrapped};
 use super::{interrupt, job};
-use serde_json::{Value, json};
 use stampflow::message::{Form, message};
+use stampflow::output::study::json;
 use stampflow::output::study::versus::{BEGINNING, TABLE, csv, pictures};
 use stampflow::output::write;
-use stampflow::study::versus::{Asked, COLUMNS, Candidate, Change, Measured, Versus};
-use stampflow::units::rounded;
+use stampflow::study::versus::{Asked, COLUMNS, Candidate, Measured, Versus};
 use std::path::{Path, PathBuf};
 
 pub const HELP: &str = "\
@@ -67,8 +66,8 @@ pub fn compare(args: &Args) -> anyhow::Result<Code> {
     let form = args.many.told.form();
     let files = written(args, &versus, &dir, form)?;
     if args.many.json.json {
-        let mut value = json(&versus);
-        value["files"] = json!(files);
+        let mut value = json::versus(&versus);
+        value["files"] = serde_json::json!(files);
         return say_json(&value);
     }
     say(screen(&versus, form) + told_files(&files, form))
@@ -138,55 +137,4 @@ fn screen(versus: &Versus, form: Form) -> Shown {
     let headers = COLUMNS.map(|header| form.tell(header));
     let legend: Vec<String> = versus.legend().into_iter().map(|entry| form.tell(entry)).collect();
     wrapped(&(legend.join("\n") + "\n\n")) + table(Some(headers.each_ref().map(String::as_str)), rows)
-}
-
-/// All numbers, for programs.
-fn json(versus: &Versus) -> Value {
-    let members = versus.members.iter().map(|member| {
-        let end = &member.outcome().end;
-        json!({
-            "run": member.mark,
-            "name": member.name.to_string(),
-            "case": member.solution.case.path,
-            "overrides": member.solution.case.overrides,
-            "verdict": member.light.name(),
-            "red": member.red,
-            "amber": member.amber,
-            "end": end.kind,
-            "complete": end.complete,
-            "reason": end.why.to_string(),
-        })
-    });
-    let numbers = versus.compared().into_iter().map(|compared| {
-        let changes = std::iter::once(Change::None).chain(compared.changes);
-        let values = compared.values.iter().zip(changes).map(|(amount, change)| {
-            json!({
-                "value": amount.map(|amount| rounded(amount.value)),
-                "error_bar": amount.and_then(|amount| amount.bar()).map(rounded),
-                "difference": change.value().map(rounded),
-                "within_error": change.is_within(),
-            })
-        });
-        json!({
-            "key": compared.number.key,
-            "of": compared.number.of.key(),
-            "unit": compared.number.amount.unit.spelled(),
-            "values": values.collect::<Vec<_>>(),
-        })
-    });
-    let measured = versus.misfits().into_iter().map(|misfit| {
-        let rms = misfit.of_members.iter().map(|found| {
-            found.map(|(amount, n)| {
-                json!({
-                    "rms": rounded(amount.value), "unit": amount.unit.spelled(), "points": n,
-                })
-            })
-        });
-        json!({ "curve": misfit.curve, "points": misfit.points, "of_runs": rms.collect::<Vec<_>>() })
-    });
-    json!({
-        "runs": members.collect::<Vec<_>>(),
-        "numbers": numbers.collect::<Vec<_>>(),
-        "measured": measured.collect::<Vec<_>>(),
-    })
 }

@@ -5,15 +5,12 @@ use super::options::Json;
 use super::place;
 use super::say::{say, say_json};
 use super::suggested::Suggested;
-use anyhow::Context;
 use serde_json::json;
-use stampflow::author::{Draft, Drawn};
-use stampflow::case::library;
+use stampflow::author::{Import, ImportFailure, Imported};
 use stampflow::files::{Disk, FileError, Files};
 use stampflow::import::{self, DrawingUnit, Heading, Operation, Options, Section, Sections};
 use stampflow::model::{Geometry, Role};
 use stampflow::output::{png, sketch, write};
-use stampflow::rules::size::{DOUBTS, Doubt};
 use stampflow::units::{Length, Positive, Quantity};
 use std::fmt::Write;
 use std::path::PathBuf;
@@ -48,16 +45,16 @@ pub struct Args {
     #[arg(long)]
     force: bool,
     /// What a layer draws: punch, die, holder or none; as often as needed
-    #[arg(long = "layer", value_name = "NAME=TOOL", value_parser = layer)]
+    #[arg(long = "layer", value_name = "NAME=TOOL", value_parser = import::layer)]
     layers: Vec<(String, Option<Role>)>,
     /// Unit of the drawing: mm, cm, m, in, ft, mil or um [default: the drawing's header]
-    #[arg(long, value_name = "UNIT", value_parser = unit)]
+    #[arg(long, value_name = "UNIT")]
     units: Option<DrawingUnit>,
     /// x of the axis or symmetry plane in the drawing [default: 0, where the punch is drawn there]
     #[arg(long, value_name = "LENGTH", allow_hyphen_values = true)]
     axis: Option<Length>,
     /// Which way the punch moves in the drawing: down or up [default: as the tools' walls tell]
-    #[arg(long, value_name = "WAY", value_parser = heading)]
+    #[arg(long, value_name = "WAY")]
     punch_moves: Option<Heading>,
     /// Ends that are no farther apart meet
     #[arg(long, value_name = "LENGTH", default_value = "0.01 mm", allow_hyphen_values = true)]
@@ -66,7 +63,7 @@ pub struct Args {
     #[arg(long, value_name = "LENGTH", default_value = "0.001 mm", allow_hyphen_values = true)]
     tolerance: Positive<Length>,
     /// What the section stands for: axisymmetric or plane_strain
-    #[arg(long, value_name = "GEOMETRY", default_value = "axisymmetric", value_parser = geometry)]
+    #[arg(long, value_name = "GEOMETRY", default_value = "axisymmetric")]
     geometry: Geometry,
     /// Sheet of the library, a grade such as DC04 or the beginning of one, see `stampflow materials` [default: a placeholder]
     #[arg(long, value_name = "NAME", value_parser = Suggested::SHEETS, hide_possible_values = true)]
@@ -82,42 +79,6 @@ pub struct Args {
     travel: Option<Positive<Length>>,
     #[command(flatten)]
     json: Json,
-}
-
-/// One of a list, by its name.
-fn one_of<T: Copy>(text: &str, all: &[(&'static str, T)]) -> Result<T, String> {
-    let found = all.iter().find(|(name, _)| *name == text).map(|(_, value)| *value);
-    found.ok_or_else(|| format!("give {}", all.iter().map(|(name, _)| *name).collect::<Vec<_>>().join(", ")))
-}
-
-fn layer(text: &str) -> Result<(String, Option<Role>), String> {
-    let (name, tool) = text.rsplit_once('=').ok_or("write NAME=punch, NAME=die, NAME=holder or NAME=none")?;
-    let role = match Role::from_word(tool) {
-        None if tool != "none" => return Err("give punch, die, holder, none".to_owned()),
-        role => role,
-    };
-    Ok((name.to_owned(), role))
-}
-
-fn unit(text: &str) -> Result<DrawingUnit, String> {
-    one_of(text, &DrawingUnit::ALL.map(|unit| (unit.symbol(), unit)))
-}
-
-fn heading(text: &str) -> Result<Heading, String> {
-    one_of(text, &Heading::ALL.map(|heading| (heading.name(), heading)))
-}
-
-fn geometry(text: &str) -> Result<Geometry, String> {
-    one_of(text, &[("axisymmetric", Geometry::Axisymmetric), ("plane_strain", Geometry::PlaneStrain)])
-}
-
-/// The name of an operation's stage.
-fn stage(number: u32) -> String {
-    format!("op{number}")
-}
-
-fn drawn(tools: &[Section]) -> Vec<Drawn<'_>> {
-    tools.iter().map(|tool| (tool.role, &tool.profile, tool.made_of.as_str())).collect()
 }
 
 pub fn import(args: &Args) -> anyhow::Result<Code> {
@@ -144,53 +105,25 @@ pub fn import(args: &Args) -> anyhow::Result<Code> {
         }
         place::file(path, std::slice::from_ref(&args.drawing), "-o")?;
     }
-    let sections = import::read(&bytes, &args.options()).with_context(|| drawing.to_string())?;
+    let imported = args.asked().read(&bytes, &args.drawing).map_err(|failure| match failure {
+        ImportFailure::Drawing(error) => anyhow::Error::new(error).context(drawing.to_string()),
+        ImportFailure::Sheet(error) => error.into(),
+        ImportFailure::Case(error) => anyhow::Error::new(error).context(drawing.to_string()),
+    })?;
+    let Imported { sections, text, size, notes, .. } = imported;
     let name = args.drawing.file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned());
-    args.material.as_deref().map(library::material).transpose()?;
-    let title = format!("Tools of {name}");
-    let mm = |length: Option<Positive<Length>>| length.map(Quantity::value);
-    let draft = Draft {
-        title: &title,
-        geometry: args.geometry,
-        name: sections.number.map(stage).or_else(|| (!sections.later.is_empty()).then(|| "first".to_owned())),
-        tools: drawn(&sections.tools),
-        later: sections
-            .later
-            .iter()
-            .map(|later| (later.number.map_or_else(String::new, stage), drawn(&later.tools)))
-            .collect(),
-        material: args.material.as_deref(),
-        thickness: mm(args.thickness),
-        blank: mm(args.blank_radius),
-        travel: mm(args.travel),
-        notes: &sections.notes,
-    };
-    let text = draft.toml();
-    let case = draft.case(&text, &drawing.to_string()).with_context(|| drawing.to_string())?;
     write(&out, text.as_bytes())?;
     write(&picture, &png(&sketch(&name, args.geometry, &sections)))?;
-    let mut notes = sections.notes.clone();
-    let mut doubts = draft.doubts();
-    if let Some(case) = case {
-        // A drawing in a wrong unit makes a case in a wrong unit: that is said once.
-        if doubts.is_empty() {
-            let of_case = DOUBTS.iter().filter_map(|doubt| doubt(case.model()));
-            doubts.extend(of_case.map(|Doubt { found, advice, .. }| format!("{found}: {advice}")));
-        }
-        notes.extend(case.derived.iter().map(ToString::to_string));
-    }
-    notes.extend(doubts);
     if args.json.json {
         let tool = |tool: &Section| json!({ "tool": tool.role.name(), "pieces": tool.profile.pieces().len(), "made_of": tool.made_of });
         let tools: Vec<_> = sections.tools.iter().map(tool).collect();
         let stage = |later: &Operation| json!({ "name": later.name(), "tools": later.tools.iter().map(tool).collect::<Vec<_>>() });
         let later: Vec<_> = sections.later.iter().map(stage).collect();
-        let size = draft.size();
         return say_json(
             &json!({ "case": out, "picture": picture, "tools": tools, "later": later, "size": size, "notes": notes }),
         );
     }
-    let mut said = report(&sections, &draft.size(), &notes);
+    let mut said = report(&sections, &size, &notes);
     let _ = writeln!(said, "\n{} and {} are written", out.display(), picture.display());
     if sections.tool(Role::Punch).is_some() {
         let _ = writeln!(said, "change the placeholders in the case, then: stampflow check {}", out.display());
@@ -201,14 +134,22 @@ pub fn import(args: &Args) -> anyhow::Result<Code> {
 }
 
 impl Args {
-    fn options(&self) -> Options {
-        Options {
-            layers: self.layers.clone(),
-            unit: self.units,
-            axis: self.axis.map(Quantity::value),
-            join: self.join.value(),
-            tolerance: self.tolerance.value(),
-            punch_moves: self.punch_moves,
+    fn asked(&self) -> Import {
+        let mm = |length: Option<Positive<Length>>| length.map(Quantity::value);
+        Import {
+            options: Options {
+                layers: self.layers.clone(),
+                unit: self.units,
+                axis: self.axis.map(Quantity::value),
+                join: self.join.value(),
+                tolerance: self.tolerance.value(),
+                punch_moves: self.punch_moves,
+            },
+            geometry: self.geometry,
+            material: self.material.clone(),
+            thickness: mm(self.thickness),
+            blank: mm(self.blank_radius),
+            travel: mm(self.travel),
         }
     }
 }

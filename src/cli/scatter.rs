@@ -6,15 +6,13 @@ use super::rows::{Rows, all_there};
 use super::say::{Shown, say, say_json};
 use super::table::{Cell, Tone, table, wrapped};
 use anyhow::Context;
-use serde_json::{Value, json};
-use stampflow::assess::Light;
 use stampflow::message::{Amount, Form};
-use stampflow::output::{study::scatter_pictures, study::scatter_tables, write};
+use stampflow::output::study::{json, scatter_pictures, scatter_tables};
+use stampflow::output::write;
 use stampflow::study::scatter::{
-    Asked, Base, Correlation, Estimate, Event, Factor, Found, Influence, Sample, Scatter, file,
+    Asked, Base, Correlation, Estimate, Event, Factor, Found, Sample, Scatter, file,
 };
 use stampflow::study::{self, Bars, Begun, Designs, Journal, Shard, StudyError, Subject};
-use stampflow::units::rounded;
 use std::path::{Path, PathBuf};
 
 pub const HELP: &str = "\
@@ -100,7 +98,12 @@ pub fn scatter(args: &Args) -> anyhow::Result<Code> {
     let name = args.file.file_stem().map(|stem| stem.to_string_lossy().into_owned()).unwrap_or_default();
     let written = written(args, &dir, &found, &base, &name)?;
     match args.many.json.json {
-        true => say_json(&value(&scatter, &found, &path, &written)),
+        true => {
+            let mut value = json::scatter(&scatter, &found);
+            value["file"] = path.display().to_string().into();
+            value["written"] = written.into();
+            say_json(&value)
+        }
         false => say(shown(&scatter, &found, &name, form) + wrapped(&format!("\n{}", written.join(", ")))),
     }
 }
@@ -180,58 +183,4 @@ fn numbers(found: &Found, form: Form) -> Shown {
         Some([Cell::plain(form.tell(spread.number.label)), low, median, high, Cell::plain(decides.told(form))])
     });
     table(Some(headers.each_ref().map(String::as_str)), rows.collect())
-}
-
-/// The same for programs.
-fn value(scatter: &Scatter, found: &Found, path: &Path, written: &[String]) -> Value {
-    let numbers = found.numbers.iter().filter_map(|spread| {
-        let [q05, q50, q95] = spread.quantiles()?.map(rounded);
-        let (mean, deviation) = spread.moments();
-        Some(json!({
-            "number": spread.header,
-            "runs": spread.values.len(),
-            "mean": rounded(mean),
-            "standard_deviation": rounded(deviation),
-            "q05": q05, "q50": q50, "q95": q95,
-            "influence": influence(found, &spread.influence),
-        }))
-    });
-    let lights = found.events.iter().map(|event| {
-        json!({
-            "row": event.key,
-            "light": event.light.name(),
-            "runs": event.hits,
-            "probability": estimate(event.chance),
-            "influence": influence(found, &event.influence),
-        })
-    });
-    json!({
-        "file": path,
-        "answer": found.sentence().to_string(),
-        "red": found.events.iter().any(|event| event.light == Light::Red && event.hits > 0),
-        "runs": found.runs,
-        "failed": found.failed,
-        "failures": found.failures,
-        "scatters": scatter.factors().iter().map(Factor::header).collect::<Vec<_>>(),
-        "declared": scatter.told,
-        "lights": lights.collect::<Vec<_>>(),
-        "numbers": numbers.collect::<Vec<_>>(),
-        "written": written,
-    })
-}
-
-fn influence(found: &Found, influence: &Influence) -> Value {
-    let ranks = found.factors.iter().zip(&influence.ranks).map(|(key, rank)| (key.clone(), json!(rank.map(rounded))));
-    let indices = influence.indices.as_ref().map(|indices| {
-        let of = found.groups.iter().zip(indices);
-        let each = of.map(|(key, index)| {
-            (key.clone(), json!({ "first_order": estimate(index.first), "total": estimate(index.total) }))
-        });
-        Value::Object(each.collect())
-    });
-    json!({ "rank_correlation": Value::Object(ranks.collect()), "sobol": indices })
-}
-
-fn estimate(estimate: Estimate) -> Value {
-    json!({ "value": rounded(estimate.value), "low": rounded(estimate.low), "high": rounded(estimate.high) })
 }

@@ -2,7 +2,6 @@
 
 mod ask;
 mod best;
-mod json;
 mod told;
 
 pub use ask::Args;
@@ -11,8 +10,12 @@ use super::code::Code;
 use super::many::asked;
 use super::progress::Progress;
 use super::say::{say, say_json};
+use ask::Places;
+use serde_json::Value;
+use stampflow::output::study::json;
 use stampflow::output::study::search::plot;
 use stampflow::study::search::Found;
+use stampflow::units::rounded;
 use stampflow::verification::Watch;
 use std::time::Instant;
 
@@ -45,8 +48,8 @@ Exit codes: 0 done, 1 nothing found, 2 bad input, 130 interrupted (runs are kept
 
 pub fn search(args: &Args) -> anyhow::Result<Code> {
     let places = args.places()?;
-    if args.minimise.is_some() || args.maximise.is_some() {
-        return best::optimise(args, &places);
+    if let Some(wish) = args.wish().map_err(asked)? {
+        return best::optimise(args, &places, &wish);
     }
     let quest = args.quest().map_err(asked)?;
     let count = args.many.count(&args.case, "runs");
@@ -70,10 +73,17 @@ pub fn search(args: &Args) -> anyhow::Result<Code> {
         Found::Nowhere | Found::Open(_) | Found::Failed => Code::Failed,
     };
     if args.many.json.json {
-        say_json(&json::found(&quest, &answer, bars.as_ref(), seconds, &places))?;
+        say_json(&located(json::found(&quest, &answer, bars.as_ref()), seconds, &places))?;
         return Ok(code);
     }
     say(told::screen(&quest, &answer, bars.as_ref(), form))?;
     say(told::done(answer.rows.len(), seconds, &places.dir, form))?;
     Ok(code)
+}
+
+/// The same with the time that it took, and where its table is.
+fn located(mut found: Value, seconds: f64, places: &Places) -> Value {
+    found["seconds"] = rounded(seconds).into();
+    found["file"] = places.table.display().to_string().into();
+    found
 }

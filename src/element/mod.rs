@@ -4,6 +4,8 @@ pub mod kinematics;
 pub mod section;
 pub mod surface;
 
+use std::str::FromStr;
+
 /// Which section is solved.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "case", derive(serde::Deserialize), serde(rename_all = "snake_case"))]
@@ -13,6 +15,25 @@ pub enum Geometry {
     Axisymmetric,
     /// A section that is the same at every depth; one half of it is solved, symmetric to the other.
     PlaneStrain,
+}
+
+impl Geometry {
+    /// As a case file has it.
+    pub fn key(self) -> &'static str {
+        match self {
+            Self::Axisymmetric => "axisymmetric",
+            Self::PlaneStrain => "plane_strain",
+        }
+    }
+}
+
+impl FromStr for Geometry {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let all = [Self::Axisymmetric, Self::PlaneStrain];
+        all.into_iter().find(|one| one.key() == text).ok_or_else(|| format!("give {}", all.map(Self::key).join(", ")))
+    }
 }
 
 /// Shell theory.

@@ -38,7 +38,7 @@ mod stroke;
 
 pub use error::ImportError;
 pub use listing::LARGEST;
-pub use options::{DrawingUnit, Heading, Options};
+pub use options::{DrawingUnit, Heading, Options, layer};
 pub use section::{Operation, Section, Sections};
 
 use crate::model::Role;

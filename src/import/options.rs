@@ -2,6 +2,7 @@
 
 use crate::model::Role;
 use crate::units::factor;
+use std::str::FromStr;
 
 /// How a drawing is to be understood.
 #[derive(Clone, Debug, PartialEq)]
@@ -88,5 +89,39 @@ impl Heading {
             Self::Down => "down",
             Self::Up => "up",
         }
+    }
+}
+
+impl FromStr for DrawingUnit {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        one_of(text, &Self::ALL.map(|unit| (unit.symbol(), unit)))
+    }
+}
+
+impl FromStr for Heading {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        one_of(text, &Self::ALL.map(|heading| (heading.name(), heading)))
+    }
+}
+
+/// One of a list, by its name.
+fn one_of<T: Copy>(text: &str, all: &[(&'static str, T)]) -> Result<T, String> {
+    let found = all.iter().find(|(name, _)| *name == text).map(|(_, value)| *value);
+    found.ok_or_else(|| format!("give {}", all.iter().map(|(name, _)| *name).collect::<Vec<_>>().join(", ")))
+}
+
+/// Which tool a layer draws, `NAME=TOOL`; `None` of `NAME=none`.
+///
+/// # Errors
+/// When no layer is named, or no tool is.
+pub fn layer(text: &str) -> Result<(String, Option<Role>), String> {
+    let (name, tool) = text.rsplit_once('=').ok_or("write NAME=punch, NAME=die, NAME=holder or NAME=none")?;
+    match Role::from_word(tool) {
+        None if tool != "none" => Err("give punch, die, holder, none".to_owned()),
+        role => Ok((name.to_owned(), role)),
     }
 }

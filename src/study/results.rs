@@ -7,6 +7,8 @@ use super::varied::Varied;
 use super::zone::Zone;
 use crate::assess::{Light, Sense};
 use crate::verification::{Number, Of};
+use std::fs::File;
+use std::io::Read;
 use std::path::Path;
 
 /// A study with all of its rows.
@@ -43,11 +45,19 @@ impl<'a> Results<'a> {
     /// # Errors
     /// When it cannot be read or has not the rows of the study.
     pub fn read(path: &Path, plan: &'a Plan, base: &'a Solved) -> Result<Self, StudyError> {
-        let wrong = |what: String| {
-            StudyError::new(format!("{} {what}", path.display()), "begin anew with --restart, or choose another --out")
-        };
+        let shown = path.display().to_string();
+        let file = File::open(path).map_err(|error| wrong(&shown, format!("cannot be read: {error}")))?;
+        Self::of(file, &shown, plan, base)
+    }
+
+    /// The same of what is called so.
+    ///
+    /// # Errors
+    /// As [`read`](Self::read).
+    pub fn of(table: impl Read, shown: &str, plan: &'a Plan, base: &'a Solved) -> Result<Self, StudyError> {
+        let wrong = |what: String| wrong(shown, what);
         let columns = Columns::of(plan, base);
-        let mut table = csv::Reader::from_path(path).map_err(|error| wrong(format!("cannot be read: {error}")))?;
+        let mut table = csv::Reader::from_reader(table);
         let headers = table.headers().map_err(|error| wrong(format!("cannot be read: {error}")))?.clone();
         let place = |name: &String| headers.iter().position(|own| own == name);
         let places = |names: &[String]| names.iter().map(place).collect::<Option<Vec<usize>>>();
@@ -103,6 +113,10 @@ impl<'a> Results<'a> {
     pub fn column(&self, place: usize) -> String {
         header(&self.base.outcome.numbers[place])
     }
+}
+
+fn wrong(shown: &str, what: String) -> StudyError {
+    StudyError::new(format!("{shown} {what}"), "begin anew with --restart, or choose another --out")
 }
 
 const LIGHTS: [Light; 4] = [Light::Grey, Light::Green, Light::Amber, Light::Red];

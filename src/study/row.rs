@@ -108,6 +108,11 @@ impl Solved {
         self.judged.iter().find(|judged| judged.key == row).map_or(row, |judged| judged.label)
     }
 
+    /// Its numbers by their columns: `thinnest_mm`.
+    pub fn named(&self) -> Vec<(String, f64)> {
+        self.outcome.numbers.iter().map(|number| (header(number), number.amount.value)).collect()
+    }
+
     /// A number by its column: `thinnest_mm`.
     pub fn number(&self, header: &str) -> Option<f64> {
         self.outcome.numbers.iter().find(|number| self::header(number) == header).map(|number| number.amount.value)
@@ -168,8 +173,7 @@ impl Columns {
             row.inputs.clone(),
         ];
         line.extend(row.design.values.iter().map(|value| value.text.clone()));
-        let numbers = row.result.iter().flat_map(|solved| &solved.outcome.numbers);
-        let named: Vec<(String, f64)> = numbers.map(|number| (header(number), number.amount.value)).collect();
+        let named = row.result.as_ref().map_or_else(|_| Vec::new(), Solved::named);
         let value = |column: &String| named.iter().find(|(header, _)| header == column).map(|(_, value)| *value);
         line.extend(self.numbers.iter().map(|column| value(column).map_or_else(String::new, written)));
         if let Ok(Solved { outcome, bars, .. }) = &row.result {

@@ -48,6 +48,14 @@ impl Subject {
         Ok(subject)
     }
 
+    /// The same with overrides of all designs before its own, which go on to count.
+    ///
+    /// # Errors
+    /// When that is no case.
+    pub fn after(&self, settings: &[String]) -> Result<Self, StudyError> {
+        Self::of_text(self.text.clone(), self.path.clone(), [settings, &self.base].concat())
+    }
+
     /// What tells it from others: of the case file and the overrides of all designs.
     pub fn key(&self) -> &str {
         &self.key

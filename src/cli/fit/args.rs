@@ -1,8 +1,7 @@
 //! What a fit is asked for.
 
 use super::super::many::Many;
-use stampflow::study::fit::{Kind, RateKind};
-use stampflow::units::{Positive, Quantity, Stress, parse};
+use stampflow::study::fit::{Kind, RateKind, Reduction, Tests, specimens};
 use std::path::PathBuf;
 
 #[derive(Debug, clap::Args)]
@@ -26,73 +25,48 @@ pub struct Args {
 #[derive(Debug, clap::Args)]
 pub struct Options {
     /// Of tension tests: fit this law only
-    #[arg(long, value_name = "LAW", value_parser = kind)]
+    #[arg(long, value_name = "LAW")]
     pub law: Option<Kind>,
     /// Young's modulus [default: the slope at the beginning]
-    #[arg(long, value_name = "STRESS", value_parser = stress)]
+    #[arg(long, value_name = "STRESS", value_parser = specimens::stress)]
     pub young: Option<f64>,
     /// Plastic strain at yield, where the law begins
-    #[arg(long, value_name = "STRAIN", default_value = "0.2 %", value_parser = share)]
+    #[arg(long, value_name = "STRAIN", default_value = "0.2 %", value_parser = specimens::strain)]
     pub offset: f64,
     /// Plastic strain where the fit begins, such as that behind a yield plateau [default: the offset]
-    #[arg(long, value_name = "STRAIN", value_parser = share)]
+    #[arg(long, value_name = "STRAIN", value_parser = specimens::strain)]
     pub from: Option<f64>,
     /// Plastic strain where the fit ends [default: at the largest force]
-    #[arg(long, value_name = "STRAIN", value_parser = share)]
+    #[arg(long, value_name = "STRAIN", value_parser = specimens::strain)]
     pub until: Option<f64>,
     /// Section of the specimen, for forces: "20 mm^2"
-    #[arg(long, value_name = "AREA", value_parser = section)]
+    #[arg(long, value_name = "AREA", value_parser = specimens::section)]
     pub section: Option<f64>,
     /// Gauge length, for elongations: "80 mm"
-    #[arg(long, value_name = "LENGTH", value_parser = gauge)]
+    #[arg(long, value_name = "LENGTH", value_parser = specimens::gauge)]
     pub gauge: Option<f64>,
     /// Strain rate of each test in 1/s, in their order: 0.001,1
     #[arg(long, value_name = "A,B,C", value_delimiter = ',')]
     pub rate: Vec<f64>,
     /// Law of the rate: power, johnson-cook or cowper-symonds
-    #[arg(long, value_name = "LAW", default_value = "power", value_parser = rate_kind)]
+    #[arg(long, value_name = "LAW", default_value = "power")]
     pub rate_law: RateKind,
     /// Direction of each test to that of rolling in degrees: 0,45,90
     #[arg(long, value_name = "A,B,C", value_delimiter = ',')]
     pub direction: Vec<f64>,
 }
 
-fn kind(name: &str) -> Result<Kind, String> {
-    let names = || Kind::ALL.map(Kind::name).join(", ");
-    Kind::ALL.into_iter().find(|kind| kind.name() == name).ok_or_else(|| format!("the laws are {}", names()))
-}
-
-fn rate_kind(name: &str) -> Result<RateKind, String> {
-    match name {
-        "power" => Ok(RateKind::Power),
-        "johnson-cook" => Ok(RateKind::JohnsonCook),
-        "cowper-symonds" => Ok(RateKind::CowperSymonds),
-        _ => Err("the laws are power, johnson-cook and cowper-symonds".to_owned()),
+impl Args {
+    /// The tension tests.
+    pub fn tests(&self) -> Tests {
+        let of = &self.of_law;
+        Tests {
+            files: self.files.clone(),
+            reduction: Reduction { young: of.young, offset: of.offset, from: of.from, to: of.until },
+            section: of.section,
+            gauge: of.gauge,
+            rate: of.rate.clone(),
+            direction: of.direction.clone(),
+        }
     }
-}
-
-fn section(text: &str) -> Result<f64, String> {
-    measured(text, "an area", "20 mm^2")
-}
-
-fn gauge(text: &str) -> Result<f64, String> {
-    measured(text, "a length", "80 mm")
-}
-
-fn measured(text: &str, what: &str, example: &str) -> Result<f64, String> {
-    let parsed = parse(text).map_err(|error| error.to_string())?;
-    let fits = parsed.dimension.describe() == what && parsed.value > 0.0;
-    fits.then_some(parsed.value).ok_or_else(|| format!("{text} is not {what}: write \"{example}\""))
-}
-
-fn stress(text: &str) -> Result<f64, String> {
-    text.parse::<Positive<Stress>>().map(|stress| stress.value()).map_err(|error| error.to_string())
-}
-
-/// A plain number or one in per cent.
-fn share(text: &str) -> Result<f64, String> {
-    let parsed = parse(text).map_err(|error| error.to_string())?;
-    (parsed.dimension.describe() == "a plain number" && parsed.value >= 0.0)
-        .then_some(parsed.value)
-        .ok_or_else(|| format!("{text} is no strain: write 0.002 or \"0.2 %\""))
 }

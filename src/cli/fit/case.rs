@@ -6,12 +6,11 @@ use super::super::many::asked;
 use super::super::say::{say, say_json};
 use super::super::table::{Cell, table, wrapped};
 use super::args::Args;
-use super::shown::{cells, csv, json_of};
+use super::shown::{cells, csv};
 use anyhow::Context;
-use serde_json::{Value, json};
-use stampflow::output::study::fit_case as pictures;
+use stampflow::output::study::{fit_case as pictures, json};
 use stampflow::output::write;
-use stampflow::study::fit::{CaseFit, Range, fit_case, load};
+use stampflow::study::fit::{Range, fit_case, load};
 
 pub fn case(args: &Args) -> anyhow::Result<Code> {
     let [file] = args.files.as_slice() else {
@@ -26,7 +25,7 @@ pub fn case(args: &Args) -> anyhow::Result<Code> {
     };
     let form = args.many.told.form();
     let dir = args.many.folder(file, "fit");
-    let value = json(&fit);
+    let value = json::fit_case(&fit);
     let mut files = vec![
         ("fit.csv".to_owned(), csv(fit.estimates.all.iter().map(|e| ("case", e))).into_bytes()),
         ("fit.json".to_owned(), serde_json::to_vec_pretty(&value)?),
@@ -51,26 +50,4 @@ pub fn case(args: &Args) -> anyhow::Result<Code> {
     let settings: String = fit.settings.iter().map(|setting| format!("--set \"{setting}\" ")).collect();
     let shown = table(Some(headers.each_ref().map(String::as_str)), rows.collect()) + "\n".into() + wrapped(&told);
     say(shown + format!("\n{}\n{}\n", settings.trim_end(), dir.display()).into())
-}
-
-fn json(fit: &CaseFit) -> Value {
-    let p = fit.estimates.all.len();
-    let correlations: Vec<Vec<Option<f64>>> =
-        (0..p).map(|i| (0..p).map(|j| fit.estimates.correlation(i, j)).collect()).collect();
-    let curve = |matched: &stampflow::study::fit::Matched| {
-        let points = matched.points.iter().map(|p| json!([p.x, p.reference, p.computed])).collect::<Vec<_>>();
-        json!({ "file": matched.name, "left_out": matched.left_out, "x_measured_computed": points })
-    };
-    json!({
-        "parameters": fit.estimates.all.iter().map(json_of).collect::<Vec<_>>(),
-        "start": fit.start,
-        "correlations": correlations,
-        "rms": { "start": fit.rms[0], "end": fit.rms[1], "noise": fit.noise },
-        "differences": fit.steps,
-        "runs": fit.runs[0],
-        "failed": fit.runs[1],
-        "curves": fit.matched.iter().map(curve).collect::<Vec<_>>(),
-        "set": fit.settings,
-        "told": fit.sentences().iter().map(ToString::to_string).collect::<Vec<_>>(),
-    })
 }

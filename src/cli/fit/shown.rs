@@ -1,6 +1,5 @@
 //! Fitted numbers in files and on the screen.
 
-use serde_json::{Value, json};
 use stampflow::message::Form;
 use stampflow::numerics::profile::End;
 use stampflow::study::fit::Estimate;
@@ -24,14 +23,6 @@ fn at(end: End) -> Option<f64> {
         End::At(value) => Some(value),
         End::Open | End::Unknown => None,
     }
-}
-
-pub fn json_of(e: &Estimate) -> Value {
-    let [low, high] = e.ends.map(at);
-    json!({
-        "parameter": e.key, "unit": e.unit, "value": e.value, "standard_error": e.error, "low_95": low, "high_95": high,
-        "bounds": e.bounds, "at_bound": e.pushed.is_some(),
-    })
 }
 
 /// Value with its unit, standard error and interval, as a table has them.

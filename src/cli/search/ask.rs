@@ -5,8 +5,8 @@ use super::super::many::Many;
 use super::super::place;
 use anyhow::Context;
 use stampflow::output::{Chart, write};
-use stampflow::study::search::{Condition, Draft, Goal, Quest, Side, Target, Template, Wanted};
-use stampflow::study::{self, Span, StudyError, Subject};
+use stampflow::study::search::{Asked, Quest, Sense, Side, Wish};
+use stampflow::study::{self, StudyError, Subject};
 use std::path::PathBuf;
 
 #[derive(Debug, clap::Args)]
@@ -51,70 +51,34 @@ pub struct Args {
 impl Args {
     /// What is searched for, from a template and what the command line says besides.
     pub fn quest(&self) -> Result<Quest, StudyError> {
-        let overrides = self.many.overrides.all();
-        let mut subject = Subject::new(&self.case, overrides.clone())?;
-        let draft = match &self.template {
-            Some(name) => Some(Template::named(name)?.draft(&subject.case(&[])?)?),
-            None => None,
+        let side = match (self.largest, self.smallest) {
+            (true, _) => Some(Side::Largest),
+            (_, true) => Some(Side::Smallest),
+            _ => None,
         };
-        if let Some(Draft { settings, .. }) = draft.as_ref().filter(|draft| !draft.settings.is_empty()) {
-            subject = Subject::new(&self.case, settings.iter().cloned().chain(overrides).collect())?;
-        }
-        let vary = match (&self.vary[..], &draft) {
-            ([vary], _) => vary,
-            ([], Some(draft)) => &draft.vary,
-            ([], None) => {
-                return Err(wanting("there is nothing to vary", "give --vary \"KEY=FROM..TO UNIT\", or --for"));
-            }
-            _ => {
-                let help = "join keys that move together by &, or give --minimise or --maximise for their best";
-                return Err(wanting("several keys are varied", help));
-            }
+        let asked = Asked {
+            vary: self.vary.clone(),
+            template: self.template.clone(),
+            side,
+            condition: self.condition.clone(),
+            target: self.target.clone(),
+            tolerance: self.tolerance.clone(),
         };
-        let mut span = Span::read(vary, &subject)?;
-        if let Some(tolerance) = &self.tolerance {
-            span = span.within(tolerance)?;
-        }
-        let goal = self.goal(draft.as_ref().map(|draft| draft.goal))?;
-        let side = match (self.largest, self.smallest, &draft) {
-            (true, ..) => Side::Largest,
-            (_, true, _) => Side::Smallest,
-            (_, _, Some(draft)) => {
-                if draft.is_smallest {
-                    Side::Smallest
-                } else {
-                    Side::Largest
-                }
-            }
-            (_, _, None) if matches!(goal, Goal::Reach(_)) => Side::Smallest,
-            _ => {
-                return Err(wanting(
-                    "neither the largest nor the smallest is asked for",
-                    "give --largest or --smallest",
-                ));
-            }
-        };
-        Ok(Quest { subject, span, goal, side })
+        asked.quest(self.subject()?)
     }
 
-    fn goal(&self, wanted: Option<Wanted>) -> Result<Goal, StudyError> {
-        match (&self.condition, &self.target, wanted) {
-            (Some(condition), ..) => Condition::read(condition).map(Goal::Keep),
-            // A template knows the number.
-            (_, Some(target), Some(Wanted::Number(number))) if !target.contains('=') => {
-                Target::read(&format!("{number}={target}")).map(Goal::Reach)
-            }
-            (_, Some(target), _) => Target::read(target).map(Goal::Reach),
-            (_, _, Some(Wanted::Condition(condition))) => Condition::read(condition).map(Goal::Keep),
-            (_, _, Some(Wanted::Number(number))) => {
-                let help = format!("give it with --target, such as \"{number}=90 deg\" or \"{number}=8 mm\"");
-                Err(wanting(&format!("the wanted value of {number} is missing"), &help))
-            }
-            (None, None, None) => Err(wanting(
-                "it is not said what a run must keep to",
-                "give --while \"no red\", or --target \"NUMBER=VALUE\"",
-            )),
-        }
+    /// The best that is looked for; `None` where none is.
+    pub fn wish(&self) -> Result<Option<Wish>, StudyError> {
+        let wanted = match (&self.minimise, &self.maximise) {
+            (Some(number), _) => (number.as_str(), Sense::Least),
+            (None, Some(number)) => (number.as_str(), Sense::Most),
+            (None, None) => return Ok(None),
+        };
+        Wish::read(self.subject()?, &self.vary, wanted, self.condition.as_deref()).map(Some)
+    }
+
+    fn subject(&self) -> Result<Subject, StudyError> {
+        Subject::new(&self.case, self.many.overrides.all())
     }
 
     /// Where the results go, found usable before anything is run.
@@ -125,10 +89,6 @@ impl Args {
         place::replaced(&table, b"study,designs,index,", "--out")?;
         Ok(Places { dir, table })
     }
-}
-
-fn wanting(what: &str, help: &str) -> StudyError {
-    StudyError::Asked { what: what.into(), help: help.into() }
 }
 
 /// Where the results of a search go.

@@ -1,42 +1,27 @@
 //! The best of several keys: `--minimise`, `--maximise`.
 
-use super::super::code::{BadRequest, Code};
+use super::super::code::Code;
 use super::super::many::asked;
 use super::super::progress::Progress;
 use super::super::say::{say, say_json};
 use super::super::table::wrapped;
 use super::ask::{Args, Places};
-use super::json::{run, shown};
-use super::told;
-use serde_json::json;
-use stampflow::message::{Digits, Message, message};
+use super::{located, told};
+use stampflow::output::study::json;
 use stampflow::output::study::search::plot_best;
-use stampflow::study::search::{Best, Condition, Named, Sense, optimise as best_of};
-use stampflow::study::{Row, Span, Subject};
-use stampflow::units::rounded;
+use stampflow::study::Subject;
+use stampflow::study::search::{Condition, Named, Wish};
 use std::time::Instant;
 
-pub fn optimise(args: &Args, places: &Places) -> anyhow::Result<Code> {
-    let (text, sense) = match (&args.minimise, &args.maximise) {
-        (Some(text), _) => (text.as_str(), Sense::Least),
-        (None, text) => (text.as_deref().unwrap_or_default(), Sense::Most),
-    };
-    let name = Named::read(text).ok_or_else(|| BadRequest("no number is named to be best".into()))?;
-    let subject = Subject::new(&args.case, args.many.overrides.all()).map_err(asked)?;
-    let spans =
-        args.vary.iter().map(|vary| Span::read(vary, &subject)).collect::<Result<Vec<_>, _>>().map_err(asked)?;
-    if !(1..=6).contains(&spans.len()) {
-        return Err(BadRequest("a best is looked for over 1 to 6 keys: give each with --vary".into()).into());
-    }
-    let condition = args.condition.as_deref().map(Condition::read).transpose().map_err(asked)?;
+pub fn optimise(args: &Args, places: &Places, wish: &Wish) -> anyhow::Result<Code> {
     let count = args.many.count(&args.case, "runs");
     let start = Instant::now();
-    let found =
-        best_of(&subject, &spans, (&name, sense), condition.as_ref(), args.many.threads(), &count).map_err(asked)?;
+    let found = wish.search(args.many.threads(), &count).map_err(asked)?;
     let seconds = start.elapsed().as_secs_f64();
     places.table(&found.table.0, &found.table.1)?;
     let form = args.many.told.form();
-    places.picture(args, plot_best(&spans, &name, condition.as_ref(), &found, form))?;
+    let Wish { subject, spans, number, condition, .. } = wish;
+    places.picture(args, plot_best(spans, number, condition.as_ref(), &found, form))?;
     let solution = match found.best.filter(|_| !found.interrupted) {
         Some(best) => {
             let case = subject.case(&found.rows[best].design.settings)?;
@@ -51,36 +36,24 @@ pub fn optimise(args: &Args, places: &Places) -> anyhow::Result<Code> {
         None => Code::Failed,
     };
     if args.many.json.json {
-        let keys = spans.iter().flat_map(Span::keys).map(stampflow::study::Vary::header);
-        let values = found.best.map(|best| {
-            let values = found.rows[best].design.values.iter().map(|value| json!(value.number));
-            keys.zip(values).collect::<serde_json::Map<_, _>>()
-        });
-        say_json(&json!({
-            "number": name.text,
-            "values": values,
-            "best": found.best.map(|best| run(f64::NAN, &found.rows[best], bars.as_ref())),
-            "binding": found.binding,
-            "runs": found.rows.len(),
-            "seconds": rounded(seconds),
-            "file": shown(&places.table),
-        }))?;
+        say_json(&located(json::best(wish, &found, bars.as_ref()), seconds, places))?;
         return Ok(code);
     }
-    say(wrapped(&format!("{}.", sentence(&spans, &name, condition.as_ref(), &found).told(form))))?;
+    say(wrapped(&format!("{}.", wish.sentence(&found).told(form))))?;
+    for said in found.sentences() {
+        say(wrapped(&format!("- {}", said.told(form))))?;
+    }
     if let Some(best) = found.best {
-        for said in beside(&found) {
-            say(wrapped(&format!("- {}", said.told(form))))?;
-        }
         let runs = [(form.tell("best"), &found.rows[best])];
-        let named: Vec<&Named> =
-            condition.iter().flat_map(Condition::numbers).map(|(name, _)| name).chain([&name]).collect();
+        let limits = condition.iter().flat_map(Condition::numbers).map(|(name, _)| name);
+        let named: Vec<&Named> = limits.chain([number]).collect();
         say("\n")?;
         say(told::side_by_side("", &runs, &named, bars.as_ref(), form))?;
     }
     say(told::done(found.rows.len(), seconds, &places.dir, form))?;
     Ok(code)
 }
+<<<<<<< HEAD
 
 /// The best, with the values of all keys.
 fn sentence(spans: &[Span], name: &Named, condition: Option<&Condition>, found: &Best) -> Message {
@@ -115,3 +88,5 @@ fn beside(found: &Best) -> Vec<Message> {
     ));
     said
 }
+=======
+>>>>>>> pystudy

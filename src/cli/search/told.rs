@@ -2,28 +2,26 @@
 
 use super::super::say::Shown;
 use super::super::table::{Cell, Tone, table, wrapped};
-use stampflow::message::{Amount, Digits, Form, Message, message};
+use stampflow::message::{Amount, Form, message};
 use stampflow::study::Row;
-use stampflow::study::search::{Answer, Found, Goal, Named, Quest, Side};
-use stampflow::units::{Unit, significant};
+use stampflow::study::search::{Answer, Named, Quest};
 use stampflow::verification::{Number, Of, Verification};
-use std::ops::RangeInclusive;
 use std::path::Path;
 
 /// The answer, what is to be known of it, and the run on either side of it.
 pub fn screen(quest: &Quest, answer: &Answer, bars: Option<&Verification>, form: Form) -> Shown {
-    let mut shown = wrapped(&format!("{}.", found(quest, answer).told(form)));
-    let named: Vec<&Named> = match &quest.goal {
-        Goal::Keep(condition) => condition.numbers().map(|(name, _)| name).collect(),
-        Goal::Reach(target) => vec![&target.name],
-    };
-    for said in beside(quest, answer).into_iter().chain(left_open(quest, answer, &named, bars)) {
+    let mut shown = wrapped(&format!("{}.", quest.sentence(answer).told(form)));
+    for said in quest.sentences(answer, bars) {
         shown = shown + wrapped(&format!("- {}", said.told(form)));
     }
     let runs: Vec<usize> = answer.best.into_iter().chain(answer.other).collect();
     let runs: Vec<(String, &Row)> =
         runs.into_iter().map(|run| (quest.span.told(answer.value(run)).told(form), &answer.rows[run])).collect();
+<<<<<<< HEAD
     shown + "\n".into() + side_by_side(&form.tell(quest.span.label()), &runs, &named, bars, form)
+=======
+    shown + "\n".into() + side_by_side(quest.span.key(), &runs, &quest.named(), bars, form)
+>>>>>>> pystudy
 }
 
 /// What was done, in what time, and where it is.
@@ -33,6 +31,7 @@ pub fn done(runs: usize, seconds: f64, dir: &Path, form: Form) -> Shown {
     wrapped(&format!("\n{}", told.told(form)))
 }
 
+<<<<<<< HEAD
 /// The answer in one sentence.
 fn found(quest: &Quest, answer: &Answer) -> Message {
     let at = |x: f64| quest.span.told(x);
@@ -180,6 +179,8 @@ fn often_red(rows: &[Row]) -> Option<Message> {
     Some(message!("red in {n} of them: {row}", n = count(most), row = most))
 }
 
+=======
+>>>>>>> pystudy
 /// Lights, ends and numbers of runs side by side; those of the first with their error bars.
 pub fn side_by_side(
     key: &str,

@@ -3,6 +3,7 @@
 mod curves;
 mod fit_case;
 mod fit_law;
+pub mod json;
 mod kept;
 mod loads;
 mod scatter;

@@ -113,7 +113,14 @@ impl CaseFitSpec {
     /// # Errors
     /// When the case cannot be read, a key is not there or given twice, or there is nothing to fit or to fit to.
     pub fn new(case: PathBuf, overrides: Vec<String>, ranges: Vec<Range>, to: &[PathBuf]) -> Result<Self, StudyError> {
-        let subject = Subject::new(case, overrides)?;
+        Self::of(Subject::new(case, overrides)?, ranges, to)
+    }
+
+    /// Of a case that was read.
+    ///
+    /// # Errors
+    /// As [`new`](Self::new).
+    pub fn of(subject: Subject, ranges: Vec<Range>, to: &[PathBuf]) -> Result<Self, StudyError> {
         if ranges.is_empty() {
             return Err(StudyError::new(
                 "no key is to be fitted",

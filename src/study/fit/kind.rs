@@ -1,6 +1,7 @@
 //! The hardening laws that are fitted, each with its parameters, their ranges and where to begin.
 
 use crate::material::hardening::{Hardening, HockettSherby, Ludwik, Mixed, Swift, Voce};
+use std::str::FromStr;
 
 /// A hardening law of the solver.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -124,5 +125,14 @@ impl Kind {
                 .to_vec(),
             Self::Mixed(_) => vec![vec![0.5]],
         }
+    }
+}
+
+impl FromStr for Kind {
+    type Err = String;
+
+    fn from_str(name: &str) -> Result<Self, String> {
+        let names = || Self::ALL.map(Self::name).join(", ");
+        Self::ALL.into_iter().find(|kind| kind.name() == name).ok_or_else(|| format!("the laws are {}", names()))
     }
 }

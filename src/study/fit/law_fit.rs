@@ -8,6 +8,7 @@ use crate::material::hardening::Hardening;
 use crate::material::rate::{CowperSymonds, JohnsonCook, PowerRate, Rate};
 use crate::numerics::least_squares::{Limits, Minimum, Parameter, minimise};
 use crate::study::StudyError;
+use std::str::FromStr;
 
 /// A law that was fitted.
 #[derive(Clone, Debug, PartialEq)]
@@ -51,6 +52,19 @@ const FOLLOWED: usize = 3;
 const DIFFERENCE: f64 = 1e-5;
 /// A variance that no test is as exact as, for the logarithm of perfect data: that of 1e-4 MPa, or standard deviations.
 const ROUND_OFF: f64 = 1e-8;
+
+impl FromStr for RateKind {
+    type Err = String;
+
+    fn from_str(name: &str) -> Result<Self, String> {
+        match name {
+            "power" => Ok(Self::Power),
+            "johnson-cook" => Ok(Self::JohnsonCook),
+            "cowper-symonds" => Ok(Self::CowperSymonds),
+            _ => Err("the laws are power, johnson-cook and cowper-symonds".to_owned()),
+        }
+    }
+}
 
 impl RateKind {
     /// Name, unit, bounds and start of each parameter.

@@ -6,6 +6,7 @@ use super::law_fits::LawFits;
 use crate::material::rate::Rate;
 use crate::units::{rounded, trimmed};
 use std::fmt::Write;
+use toml_edit::{DocumentMut, InlineTable, Value};
 
 /// Poisson's ratio, which a tension test without a width does not give \[–\].
 const POISSON: f64 = 0.3;
@@ -94,6 +95,24 @@ pub fn material_text(fits: &LawFits, law: &LawFit) -> String {
         _ => {}
     }
     text
+}
+
+/// The same as one override, which makes it the sheet of a case: `material={ ... }`.
+pub fn material_setting(fits: &LawFits, law: &LawFit) -> String {
+    let document: DocumentMut = material_text(fits, law).parse().expect("what is to be pasted is TOML");
+    let table = document["material"].as_table().cloned().unwrap_or_default().into_inline_table();
+    format!("material={}", inline(table))
+}
+
+/// On one line, without its comments.
+fn inline(table: InlineTable) -> InlineTable {
+    table
+        .into_iter()
+        .map(|(key, value)| match value {
+            Value::InlineTable(below) => (key, Value::InlineTable(inline(below))),
+            plain => (key, plain.decorated("", "")),
+        })
+        .collect()
 }
 
 /// A number with its unit as a case has it.

@@ -1,6 +1,7 @@
 //! Numbers from measurements: hardening laws from tension tests, keys of a case from measured curves.
 //!
 //! ```text
+//! Tests       tension tests as a user names them, and the texts that say how they are reduced
 //! Tension     a tension test as its file has it
 //! FlowCurve   what follows: elastic line, yield stress, uniform elongation, stress over plastic strain
 //! Kind        a hardening law and its parameters; LawFit: the law that fits, how sure, how far
@@ -25,6 +26,7 @@ mod material_text;
 mod noise;
 mod range;
 mod runs;
+pub mod specimens;
 mod target;
 mod tension;
 
@@ -35,7 +37,8 @@ pub use flow_curve::{FlowCurve, FlowPoint, Reduction};
 pub use kind::Kind;
 pub use law_fit::{LawFit, RateKind};
 pub use law_fits::{Direction, LawFits, fit_laws};
-pub use material_text::material_text;
+pub use material_text::{material_setting, material_text};
 pub use range::Range;
+pub use specimens::Tests;
 pub use target::Target;
 pub use tension::Tension;

@@ -6,6 +6,8 @@ use crate::assess::Light;
 use crate::solution::LOST;
 use crate::study::Columns;
 use std::collections::BTreeMap;
+use std::fs::File;
+use std::io::Read;
 use std::path::Path;
 
 /// Rows of a sample, column by column.
@@ -37,10 +39,22 @@ impl Sample {
     /// # Errors
     /// When it cannot be read.
     pub fn read(path: &Path, columns: &Columns) -> Result<Self, StudyError> {
+        let shown = path.display().to_string();
+        let file = File::open(path).map_err(|error| {
+            StudyError::new(format!("cannot read {shown}: {error}"), "begin anew with --restart")
+        })?;
+        Self::of(file, &shown, columns)
+    }
+
+    /// The same of what is called so.
+    ///
+    /// # Errors
+    /// As [`read`](Self::read).
+    pub fn of(table: impl Read, shown: &str, columns: &Columns) -> Result<Self, StudyError> {
         let unreadable = |error: csv::Error| {
-            StudyError::new(format!("cannot read {}: {error}", path.display()), "begin anew with --restart")
+            StudyError::new(format!("cannot read {shown}: {error}"), "begin anew with --restart")
         };
-        let mut reader = csv::Reader::from_path(path).map_err(unreadable)?;
+        let mut reader = csv::Reader::from_reader(table);
         let header = reader.headers().map_err(unreadable)?.clone();
         let place = |name: &str| header.iter().position(|column| column == name);
         let [varied, numbers] = [&columns.varied, &columns.numbers]
@@ -49,7 +63,7 @@ impl Sample {
         let (Some(varied), Some(numbers), [Some(verdict), Some(red), Some(amber), Some(end), Some(reason)]) =
             (varied, numbers, own)
         else {
-            let what = format!("{} has other columns than this study", path.display());
+            let what = format!("{shown} has other columns than this study");
             return Err(StudyError::new(what, "begin anew with --restart"));
         };
         let mut sample = Self {

@@ -8,21 +8,28 @@
 //! Trials     the runs, side by side
 //! Template   what shops ask for, with key, span and condition from the case
 //! optimise   the least or the most of a number over several keys
+//! Asked      a search in texts as a user writes them; Wish: a best likewise
+//! telling    what was found, in sentences
 //! ```
 
+mod asked;
 mod bracket;
 mod condition;
 mod number;
 mod optimise;
+mod telling;
 mod template;
 mod trials;
+mod wish;
 
+pub use asked::Asked;
 pub use bracket::{Aim, Bracket, Found, Line, Side, Trial, bracket};
 pub use condition::{Condition, Said};
 pub use number::Named;
 pub use optimise::{Best, Sense, optimise};
 pub use template::{Draft, TEMPLATES, Template, Wanted};
 pub use trials::{Trials, reasons};
+pub use wish::Wish;
 
 use crate::case::Solution;
 use crate::message::{Message, message};

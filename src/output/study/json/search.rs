@@ -1,16 +1,15 @@
 //! What a search has found, for programs.
 
-use super::ask::Places;
-use serde_json::{Value, json};
-use stampflow::study::Row;
-use stampflow::study::search::{Answer, Found, Quest};
-use stampflow::units::rounded;
-use stampflow::verification::Verification;
+use crate::study::search::{Answer, Best, Found, Quest, Wish};
+use crate::study::{Row, Span, Vary};
+use crate::units::rounded;
+use crate::verification::Verification;
+use serde_json::{Map, Value, json};
 use std::ops::RangeInclusive;
-use std::path::Path;
 
-/// Values in the unit of the key, numbers in those of their columns.
-pub fn found(quest: &Quest, answer: &Answer, bars: Option<&Verification>, seconds: f64, places: &Places) -> Value {
+/// Where a condition ends, or a number has a value: values in the unit of the key, numbers in those of their columns, those of
+/// the answer's run with error bars.
+pub fn found(quest: &Quest, answer: &Answer, bars: Option<&Verification>) -> Value {
     let bracket = &answer.bracket;
     let range = |range: &RangeInclusive<f64>| json!([range.start(), range.end()]);
     let found = match bracket.found {
@@ -40,13 +39,27 @@ pub fn found(quest: &Quest, answer: &Answer, bars: Option<&Verification>, second
         "mixed": bracket.mixed.as_ref().map(range),
         "runs": answer.rows.len(),
         "failed": answer.failed.iter().map(|(why, count)| json!({ "why": why, "runs": count })).collect::<Vec<_>>(),
-        "seconds": rounded(seconds),
-        "file": shown(&places.table),
+    })
+}
+
+/// The best of several keys, likewise.
+pub fn best(wish: &Wish, found: &Best, bars: Option<&Verification>) -> Value {
+    let keys = wish.spans.iter().flat_map(Span::keys).map(Vary::header);
+    let values = found.best.map(|best| {
+        let values = found.rows[best].design.values.iter().map(|value| json!(value.number));
+        keys.zip(values).collect::<Map<_, _>>()
+    });
+    json!({
+        "number": wish.number.text,
+        "values": values,
+        "best": found.best.map(|best| run(f64::NAN, &found.rows[best], bars)),
+        "binding": found.binding,
+        "runs": found.rows.len(),
     })
 }
 
 /// A run with its lights and numbers.
-pub fn run(value: f64, row: &Row, bars: Option<&Verification>) -> Value {
+fn run(value: f64, row: &Row, bars: Option<&Verification>) -> Value {
     let solved = row.result.as_ref().ok();
     let numbers = solved.into_iter().flat_map(|solved| &solved.outcome.numbers).map(|number| {
         let bar = bars.and_then(|bars| bars.bar(number.of, number.key)).and_then(|bar| bar.half).map(rounded);
@@ -66,8 +79,4 @@ pub fn run(value: f64, row: &Row, bars: Option<&Verification>) -> Value {
         "end": solved.map(|solved| solved.outcome.end.kind),
         "numbers": numbers.collect::<Vec<_>>(),
     })
-}
-
-pub fn shown(path: &Path) -> String {
-    path.display().to_string()
 }
