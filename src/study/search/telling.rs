@@ -39,7 +39,7 @@ impl Wish {
         let mut values = row.design.values.iter();
         let keys = self.spans.iter().map(|span| {
             let x = values.by_ref().take(span.keys().len()).next().and_then(|value| value.number);
-            message!("{key} = {x}", key = span.key().to_owned(), x = span.told(x.unwrap_or(f64::NAN)))
+            message!("{key} = {x}", key = Message::from(span.label()), x = span.told(x.unwrap_or(f64::NAN)))
         });
         let keys = Message::joined(keys, ", ");
         let number = row.result.as_ref().ok().and_then(|solved| self.number.find(solved).ok());
@@ -68,7 +68,7 @@ impl Best {
 
 fn found(quest: &Quest, answer: &Answer) -> Message {
     let at = |x: f64| quest.span.told(x);
-    let key = quest.span.key().to_owned();
+    let key = Message::from(quest.span.label());
     let [low, high] = quest.span.ends();
     match (&quest.goal, &answer.bracket.found) {
         (_, Found::Interrupted) => {
@@ -122,7 +122,7 @@ fn found(quest: &Quest, answer: &Answer) -> Message {
 
 /// Of a number that shall have a value.
 fn reached(quest: &Quest, answer: &Answer, name: &Named) -> Message {
-    let key = quest.span.key().to_owned();
+    let key = Message::from(quest.span.label());
     let wanted = answer.wanted.unwrap_or(f64::NAN);
     let told = |row: &Row, value: Option<f64>| {
         let number = row.result.as_ref().ok().and_then(|solved| name.find(solved).ok());
