@@ -116,8 +116,8 @@ const GERMAN = {
   "Why primal-dual": "Warum primal-dual",
   "Where the sheet hardly deforms, the flow law σ = σ_y Δε / √(Δε² + Δε₀²) bends sharply. The secant matrix crawls round that bend, Newton's jumps over it. The primal-dual matrix keeps stress and strain as two unknowns, and does neither.":
     "Wo sich das Blech kaum verformt, hat das Fließgesetz σ = σ_y Δε / √(Δε² + Δε₀²) einen scharfen Knick. Die Sekantenmatrix kriecht um ihn herum, die von Newton springt darüber. Die primal-duale führt Spannung und Dehnung als zwei Unbekannte und tut keines von beiden.",
-  "Find a step for which the secant takes at least three times as many iterations as the primal-dual matrix.":
-    "Finden Sie einen Schritt, für den die Sekante mindestens dreimal so viele Iterationen braucht wie die primal-duale Matrix.",
+  "Find a step for which the secant takes at least twenty times as many iterations as the primal-dual matrix.":
+    "Finden Sie einen Schritt, für den die Sekante mindestens zwanzigmal so viele Iterationen braucht wie die primal-duale Matrix.",
   "Volume constancy and thinning": "Volumenkonstanz und Ausdünnung",
   "Spring-back": "Rückfederung",
   "Bending leaves a moment in the sheet. When the tools go, it turns back elastically by κ = 12 M (1 − ν²) / (E t³): the stronger and the thinner the sheet, the further.":

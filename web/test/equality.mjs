@@ -34,8 +34,9 @@ function rounding(value) {
   return value === 0 ? 0 : 0.5001 * 10 ** (Math.floor(Math.log10(Math.abs(value))) + 1 - DIGITS);
 }
 
-function difference(own, native) {
-  const size = Math.max(...native.map(Math.abs), 1e-300);
+const largest = (values) => values.reduce((most, value) => Math.max(most, Math.abs(value)), 1e-300);
+
+function difference(own, native, size) {
   return Math.max(0, ...native.map((value, i) => (Math.abs(value - own[i]) - rounding(value)) / size));
 }
 
@@ -46,6 +47,8 @@ function files(folder) {
 
 function compared(name, answer, array, folder) {
   let worst = [0, ""];
+  /** Of each column of the stage before: what a release leaves of its stresses is the difference of numbers of that size. */
+  let sizes = {};
   const many = answer.stages.length > 1;
   answer.stages.forEach((stage, i) => {
     const of = many ? join(folder, `${i + 1}-${stage.name}`) : folder;
@@ -56,7 +59,9 @@ function compared(name, answer, array, folder) {
       for (const [column, values] of Object.entries(native)) {
         const rows = key === "end" ? lastOf(values, own[column].length) : values;
         const isAsLong = rows.length === own[column].length;
-        const off = isAsLong ? difference(own[column], rows) : Infinity;
+        const size = Math.max(largest(rows), stage.isRelease ? (sizes[`${file} ${column}`] ?? 0) : 0);
+        const off = isAsLong ? difference(own[column], rows, size) : Infinity;
+        sizes[`${file} ${column}`] = largest(rows);
         const where = `${stage.name} ${file} ${column}${isAsLong ? "" : `, ${own[column].length} rows and ${rows.length}`}`;
         if (!(off <= worst[0])) worst = [off, where];
       }

@@ -56,6 +56,42 @@ async function errorsStandAtTheirLine(page) {
   assert.equal(await page.$("#lines .wrong"), null);
 }
 
+async function sizesOfATemplateAreGiven(page) {
+  await pick(page, "cup");
+  const give = (value) => after(page, (value) => {
+    const field = document.querySelector('#options [data-option="punch-radius"]');
+    field.value = value;
+    field.dispatchEvent(new Event("change"));
+  }, value);
+  await give("45 mm");
+  await isSolved(page, "a punch of 45 mm");
+  assert.match(await caseText(page), /Cup, punch diameter 90 mm/);
+  await give("45 parsec");
+  assert.equal(await stateOf(page), "error");
+  assert.match(await text(page, "#error"), /parsec/);
+}
+
+/** The report is a page of its own: opened by itself it has the verdict, the pictures and the case, and asks for nothing. */
+async function theReportStandsByItself(of, page) {
+  await pick(page, "cup");
+  const made = await page.evaluate(() => new Promise((resolve) => {
+    const original = URL.createObjectURL;
+    URL.createObjectURL = (blob) => (blob.text().then(resolve), original(blob));
+    document.getElementById("save-report").click();
+    URL.createObjectURL = original;
+  }));
+  const file = join(mkdtempSync(join(tmpdir(), "stampflow-page-")), "report.html");
+  writeFileSync(file, made);
+  const report = await of.newPage();
+  report.on("request", (request) => !/^file:/.test(request.url()) && wrongs.push(`report asks for ${request.url()}`));
+  await report.goto(`file://${file}`);
+  assert.equal(await text(report, "h1"), await text(page, "#result-title"));
+  assert.equal(await text(report, "#answer"), await text(page, "#answer"));
+  assert.equal(await text(report, "pre"), await caseText(page));
+  assert.ok((await report.$$("svg")).length >= 4, "section and charts");
+  await report.close();
+}
+
 async function drawingsAreDropped(page) {
   const drawing = readFileSync(join(ROOT, "tests/drawings/ezdxf_lines_and_arcs.dxf"), "latin1");
   await after(page, (drawing) => {
@@ -116,18 +152,19 @@ async function everyLessonIsAnsweredByItsSlider(page) {
         list.dispatchEvent(new Event("change"));
       }, value);
     }
-    assert.equal(await answer(), "", `${label}: answered before it is asked`);
-    const key = await page.$eval("#sliders .asked", (line) => line.dataset.key);
+    assert.match(await answer(), /^now: /, `${label}: answered before it is asked`);
+    const key = await page.$eval(".asked", (line) => line.dataset.key);
     const answered = [];
     for (const share of [0.02, 0.25, 0.75, 0.98]) {
       await after(page, (key, share) => {
-        const range = document.querySelector(`.slider[data-key="${key}"] input[type="range"]`);
+        const range = document.querySelector(`[data-key="${key}"] input[type="range"]`);
         range.value = Number(range.min) + share * (range.max - range.min);
-        range.dispatchEvent(new Event("change", { bubbles: true }));
+        if (key === "iteration") document.documentElement.dataset.state = "solved";
+        range.dispatchEvent(new Event(key === "iteration" ? "input" : "change", { bubbles: true }));
       }, key, share);
       answered.push(await answer());
     }
-    assert.ok(answered.includes("✓ answered"), `${label}: ${key} does not answer it`);
+    assert.ok(answered.some((told) => told.startsWith("✓ answered")), `${label}: ${key} does not answer it: ${answered.join("; ")}`);
     console.log(`  ${label}: ${key}`);
   }
   await page.click("#learn");
@@ -172,10 +209,10 @@ async function memoryDoesNotGrow(page) {
 
 const of = await browser();
 const page = await opened(of);
-const tests = { everyTemplateAndSlider, errorsStandAtTheirLine, drawingsAreDropped, linksAreWhatIsShown, aStepIsSeenIterationByIteration, everyLessonIsAnsweredByItsSlider, aLongRunIsEndedByTheNextMove, memoryDoesNotGrow };
+const tests = { everyTemplateAndSlider, sizesOfATemplateAreGiven, errorsStandAtTheirLine, drawingsAreDropped, theReportStandsByItself, linksAreWhatIsShown, aStepIsSeenIterationByIteration, everyLessonIsAnsweredByItsSlider, aLongRunIsEndedByTheNextMove, memoryDoesNotGrow };
 try {
   for (const [name, test] of Object.entries(tests).filter(([name]) => !process.argv[2] || name === process.argv[2])) {
-    await (test === linksAreWhatIsShown ? test(of, page) : test(page));
+    await (test.length === 2 ? test(of, page) : test(page));
     console.log(`passed ${name}`);
   }
   assert.deepEqual(wrongs, []);
