@@ -6,9 +6,10 @@
 #
 # Needs Rust and crates.io; Python 3.10 or later with venv and PyPI for the wheel.
 #
-# Other platforms: run it there, for the program itself prints its manual pages and completions. It makes archive and wheel on
-# macOS and, in the shell that comes with Git, on Windows. By hand a program is `cargo build --profile dist`: it needs nothing
-# but the system's C library, and of the latter not even that with `--target x86_64-unknown-linux-musl`.
+# Other platforms are built there, for the program itself prints its manual pages and completions: on Linux of another
+# processor by this script; on macOS and Windows (not tried) by `cargo build --locked --profile dist` and, in python/,
+# `maturin build --locked --release`. The program needs nothing but the C library; with `--target x86_64-unknown-linux-musl`
+# (not tried) not even that.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 profile=dist
@@ -80,10 +81,9 @@ mkdir -p "$doc"
 cp -r README.md CHANGELOG.md CITATION.cff LICENSE-MIT LICENSE-APACHE assets/DejaVuSans-LICENSE.txt cases reference_data "$doc"
 licences_of_crates >"$doc/LICENSES-crates.txt"
 
-archive() { tar --sort=name --owner=0 --group=0 --numeric-owner --mtime="@$SOURCE_DATE_EPOCH" "$@"; }
-archive --version 2>/dev/null | grep -q GNU || archive() { tar "$@"; }
 rm -f "$out"/stampflow*
-archive -C "$work" -cf - "$name" | gzip -9n >"$out/$name.tar.gz"
+tar --sort=name --owner=0 --group=0 --numeric-owner --mtime="@$SOURCE_DATE_EPOCH" -C "$work" -cf - "$name" |
+    gzip -9n >"$out/$name.tar.gz"
 
 if command -v dpkg-deb >/dev/null; then
     deb=$work/deb

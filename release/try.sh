@@ -16,10 +16,10 @@ has() { command -v "$1" >/dev/null || { echo "not tried: $1 is not here"; return
 
 # PREFIX COMPLETIONS_OF_ZSH: what was unpacked there.
 try() {
-    local page shown doc=$1/share/doc/stampflow
+    local page shown said doc=$1/share/doc/stampflow
     "$1/bin/stampflow" --version
-    "$1/bin/stampflow" run "$doc/cases/quickstart.toml" --quiet --out "$work/run" | grep -q "it does not tear" ||
-        fail "the quickstart says something else"
+    said=$("$1/bin/stampflow" run "$doc/cases/quickstart.toml" --quiet --out "$work/run")
+    grep -q "it does not tear" <<<"$said" || fail "the quickstart says: $said"
     [ -s "$work/run/part.png" ] || fail "no picture"
     rm -r "$work/run"
     grep -q "^miette .*Apache" "$doc/LICENSES-crates.txt" || fail "no licences of the crates"

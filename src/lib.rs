@@ -56,9 +56,9 @@
 //! | `case` | case files with units, from the disk or from memory; findings, comparisons, templates, error bars |
 //! | `schema` | the JSON schema of case files, the list of laws, and examples in messages |
 //! | `import` | sections from DXF drawings |
-//! | `plot` | every table and plot of a solution |
+//! | `plot` | every table and plot of a solution; studies of many runs |
 //! | `report` | the report |
-//! | `threads` | the runs of a verification side by side |
+//! | `threads` | the runs of a verification or a study side by side |
 //! | `cli` | the program; all of the above; on by default |
 //!
 //! # References

@@ -3,8 +3,8 @@
 //! Between `<!-- terms -->`, `<!-- Begriffe -->` or `<!-- words -->` and the next empty line stands a table. `UPDATE=1` writes the
 //! tables anew; of the words the left column is given.
 
+use stampflow::message::{Language, Term, terms};
 use std::fs;
-use stampflow::message::{Language, terms};
 
 const PAGE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/docs/glossary.md");
 
@@ -20,32 +20,35 @@ fn sort_key(word: &str) -> String {
     word.to_lowercase().replace('ä', "a").replace('ö', "o").replace('ü', "u").replace('ß', "ss")
 }
 
-fn table(head: [&str; 4], mut rows: Vec<[String; 4]>) -> String {
+fn table(head: [&str; 3], mut rows: Vec<[String; 3]>) -> String {
     rows.sort_by_key(|row| sort_key(&row[0]));
-    let lines = rows.iter().map(|row| format!("| {} |\n", row.join(" | "))).collect::<String>();
-    format!("| {} |\n|---|---|---|---|\n{lines}", head.join(" | "))
+    let lines: Vec<String> = rows.iter().map(|row| format!("| {} |", row.join(" | "))).collect();
+    format!("| {} |\n|---|---|---|\n{}", head.join(" | "), lines.join("\n"))
+}
+
+/// What a term means, and the other words for it.
+fn meaning(text: &str, also: &str, words: &[String]) -> String {
+    if words.is_empty() { text.to_owned() } else { format!("{text} *{also}: {}.*", words.join(", ")) }
 }
 
 /// The page with its tables as the program has them.
 fn made_anew(page: &str) -> String {
-    let also = |term: &stampflow::message::Term| term.also.join(", ");
-    let english = terms().iter().map(|term| {
-        [term.name.clone(), german(&term.name).to_owned(), also(term), term.meaning.clone()]
-    });
-    let in_german = terms().iter().map(|term| {
-        [german(&term.name).to_owned(), term.name.clone(), also(term), german(&term.meaning).to_owned()]
-    });
+    let english = || {
+        let row =
+            |term: &Term| [term.name.clone(), german(&term.name).into(), meaning(&term.meaning, "Also", &term.also)];
+        table(["English", "German", "what it is"], terms().iter().map(row).collect())
+    };
+    let in_german = || {
+        let row = |term: &Term| {
+            [german(&term.name).into(), term.name.clone(), meaning(german(&term.meaning), "Auch", &term.also)]
+        };
+        table(["Deutsch", "Englisch", "was es ist"], terms().iter().map(row).collect())
+    };
     let blocks: Vec<String> = page
         .split("\n\n")
         .map(|block| match block.split_once('\n') {
-            Some(("<!-- terms -->", _)) => {
-                let head = ["English", "German", "also called", "what it is"];
-                format!("<!-- terms -->\n{}", table(head, english.clone().collect()).trim_end())
-            }
-            Some(("<!-- Begriffe -->", _)) => {
-                let head = ["Deutsch", "Englisch", "auch", "was es ist"];
-                format!("<!-- Begriffe -->\n{}", table(head, in_german.clone().collect()).trim_end())
-            }
+            Some((mark @ "<!-- terms -->", _)) => format!("{mark}\n{}", english()),
+            Some((mark @ "<!-- Begriffe -->", _)) => format!("{mark}\n{}", in_german()),
             Some(("<!-- words -->", rows)) => {
                 let mut lines: Vec<String> = rows.lines().take(2).map(str::to_owned).collect();
                 for row in rows.lines().skip(2) {

@@ -47,7 +47,8 @@ fn the_declared_rust_version_is_what_code_and_dependencies_need() {
 fn every_feature_is_explained_and_built_on_its_own() {
     let read = |name: &str| std::fs::read_to_string(format!("{}/{name}", env!("CARGO_MANIFEST_DIR"))).expect("shipped");
     let manifest: toml::Table = read("Cargo.toml").parse().expect("TOML");
-    let mut features: BTreeSet<&str> = manifest["features"].as_table().expect("features").keys().map(String::as_str).collect();
+    let mut features: BTreeSet<&str> =
+        manifest["features"].as_table().expect("features").keys().map(String::as_str).collect();
     assert!(features.remove("default"));
     for page in ["docs/install.md", "src/lib.rs"] {
         let text = read(page);
@@ -69,20 +70,45 @@ fn the_package_holds_what_building_needs_and_no_more() {
     let list = output(env!("CARGO"), &["package", "--list", "--allow-dirty", "--offline", "--manifest-path", manifest]);
     let files: BTreeSet<&str> = list.lines().collect();
     for wanted in [
-        "CHANGELOG.md", "CITATION.cff", "Cargo.lock", "Cargo.toml", "LICENSE-APACHE", "LICENSE-MIT", "README.md",
-        "assets/DejaVuSans-LICENSE.txt", "assets/DejaVuSans-subset.ttf", "cases/quickstart.toml", "reference_data/sources.toml",
-        "src/lib.rs", "src/main.rs", "src/message/de.toml",
+        "CHANGELOG.md",
+        "CITATION.cff",
+        "Cargo.lock",
+        "Cargo.toml",
+        "LICENSE-APACHE",
+        "LICENSE-MIT",
+        "README.md",
+        "assets/DejaVuSans-LICENSE.txt",
+        "assets/DejaVuSans-subset.ttf",
+        "cases/quickstart.toml",
+        "reference_data/sources.toml",
+        "src/lib.rs",
+        "src/main.rs",
+        "src/message/de.toml",
     ] {
         assert!(files.contains(wanted), "{wanted} is not in the package");
     }
     let roots: BTreeSet<&str> = files.iter().map(|file| file.split('/').next().expect("a name")).collect();
     let known = [
-        ".cargo_vcs_info.json", "CHANGELOG.md", "CITATION.cff", "Cargo.lock", "Cargo.toml", "Cargo.toml.orig",
-        "LICENSE-APACHE", "LICENSE-MIT", "README.md", "assets", "cases", "reference_data", "src",
+        ".cargo_vcs_info.json",
+        "CHANGELOG.md",
+        "CITATION.cff",
+        "Cargo.lock",
+        "Cargo.toml",
+        "Cargo.toml.orig",
+        "LICENSE-APACHE",
+        "LICENSE-MIT",
+        "README.md",
+        "assets",
+        "cases",
+        "reference_data",
+        "src",
     ];
     let more: Vec<&&str> = roots.iter().filter(|root| !known.contains(root)).collect();
     assert!(more.is_empty(), "{more:?} are in the package");
-    let read = [".rs", ".toml", ".csv", ".ttf", ".txt", ".md", ".cff", ".lock", ".json", ".css", ".js", ".orig", "-MIT", "-APACHE"];
+    let read = [
+        ".rs", ".toml", ".csv", ".ttf", ".txt", ".md", ".cff", ".lock", ".json", ".css", ".js", ".orig", "-MIT",
+        "-APACHE",
+    ];
     for file in &files {
         assert!(!file.ends_with("/tests.rs"), "{file} is a test");
         assert!(read.iter().any(|ending| file.ends_with(ending)), "{file}: neither source nor data");
