@@ -31,7 +31,8 @@ fn every_key_has_a_row_and_every_example_of_one_stands_in_it() {
 #[test]
 fn every_link_of_the_reference_leads_to_one_heading() {
     let page = author::case_reference();
-    let anchor = |heading: &str| heading.chars().filter(|c| c.is_alphanumeric() || "-_".contains(*c)).collect::<String>();
+    let anchor =
+        |heading: &str| heading.chars().filter(|c| c.is_alphanumeric() || "-_".contains(*c)).collect::<String>();
     let headings: Vec<String> = page.lines().filter(|line| line.starts_with("##")).map(anchor).collect();
     assert_eq!(headings.iter().collect::<BTreeSet<_>>().len(), headings.len(), "{headings:?}");
     let link = Regex::new(r"\]\(#([^)]+)\)").expect("a pattern");
@@ -44,8 +45,18 @@ type Need = (&'static str, &'static str, &'static str, &'static str);
 
 const NEEDS: [Need; 29] = [
     ("Compare", "error", "band", r#"compare=[{reference="sources.toml",quantity="peak_force",reason="r",error="e"}]"#),
-    ("Compare", "x", "y", r#"compare=[{reference="sources.toml",quantity="punch_force",reason="r",tolerance="5 %",x="x_mm"}]"#),
-    ("Compare", "y", "x", r#"compare=[{reference="sources.toml",quantity="punch_force",reason="r",tolerance="5 %",y="y_N"}]"#),
+    (
+        "Compare",
+        "x",
+        "y",
+        r#"compare=[{reference="sources.toml",quantity="punch_force",reason="r",tolerance="5 %",x="x_mm"}]"#,
+    ),
+    (
+        "Compare",
+        "y",
+        "x",
+        r#"compare=[{reference="sources.toml",quantity="punch_force",reason="r",tolerance="5 %",y="y_N"}]"#,
+    ),
     ("Die", "throat", "shoulder", r#"tools.die={throat="31.25 mm"}"#),
     ("Die", "throat_diameter", "shoulder", r#"tools.die={throat_diameter="62.5 mm"}"#),
     ("FormingLimit", "points", "strain", "forming_limit={points=[[-0.2, 0.5], [0, 0.3]]}"),
@@ -62,12 +73,37 @@ const NEEDS: [Need; 29] = [
     ("Heat", "specific_heat", "density", r#"heat={initial="20 °C",specific_heat="900 J/kg/K"}"#),
     ("Material", "poisson", "young", "material.poisson=0.3"),
     ("Material", "young", "poisson", r#"material.young="210 GPa""#),
-    ("ProfileStep", "arc_to", "center", r#"tools.die={profile=[{from=["55 mm","0 mm"]},{arc_to=["40 mm","9 mm"],turn="right"}]}"#),
-    ("ProfileStep", "arc_to", "turn", r#"tools.die={profile=[{from=["55 mm","0 mm"]},{arc_to=["40 mm","9 mm"],center=["40 mm","0 mm"]}]}"#),
-    ("ProfileStep", "center", "arc_to", r#"tools.die={profile=[{from=["55 mm","0 mm"]},{center=["40 mm","0 mm"],turn="right"}]}"#),
-    ("ProfileStep", "turn", "arc_to", r#"tools.die={profile=[{from=["55 mm","0 mm"]},{to=["40 mm","9 mm"],turn="right"}]}"#),
+    (
+        "ProfileStep",
+        "arc_to",
+        "center",
+        r#"tools.die={profile=[{from=["55 mm","0 mm"]},{arc_to=["40 mm","9 mm"],turn="right"}]}"#,
+    ),
+    (
+        "ProfileStep",
+        "arc_to",
+        "turn",
+        r#"tools.die={profile=[{from=["55 mm","0 mm"]},{arc_to=["40 mm","9 mm"],center=["40 mm","0 mm"]}]}"#,
+    ),
+    (
+        "ProfileStep",
+        "center",
+        "arc_to",
+        r#"tools.die={profile=[{from=["55 mm","0 mm"]},{center=["40 mm","0 mm"],turn="right"}]}"#,
+    ),
+    (
+        "ProfileStep",
+        "turn",
+        "arc_to",
+        r#"tools.die={profile=[{from=["55 mm","0 mm"]},{to=["40 mm","9 mm"],turn="right"}]}"#,
+    ),
     ("SectionTable", "by", "offset_of", r#"tools.die={profile={by="1.2 mm"}}"#),
-    ("SectionTable", "closed_at", "shoulder", r#"tools.die={profile={offset_of="punch",by="1.2 mm",closed_at="6 mm"}}"#),
+    (
+        "SectionTable",
+        "closed_at",
+        "shoulder",
+        r#"tools.die={profile={offset_of="punch",by="1.2 mm",closed_at="6 mm"}}"#,
+    ),
     ("SectionTable", "offset_of", "by", r#"tools.die={profile={offset_of="punch"}}"#),
     ("SectionTable", "shoulder", "offset_of", r#"tools.die={profile={mirror_of="holder",shoulder="6 mm"}}"#),
     ("Table", "strain", "stress", r#"material.hardening={table={extrapolation="hold",strain=[0,0.1]}}"#),
@@ -75,7 +111,8 @@ const NEEDS: [Need; 29] = [
 ];
 
 /// Needs that another one brings about, or that no setting without the other can be written for.
-const IMPLIED: [(&str, &str, &str); 2] = [("SectionTable", "closed_at", "offset_of"), ("SectionTable", "fillet", "file")];
+const IMPLIED: [(&str, &str, &str); 2] =
+    [("SectionTable", "closed_at", "offset_of"), ("SectionTable", "fillet", "file")];
 
 /// Trust: over the whole schema: each key that is said to need another one is refused without it.
 #[test]
@@ -83,7 +120,13 @@ fn what_is_said_to_be_needed_is() {
     let mut said = Vec::new();
     for (name, table) in definitions() {
         for (key, needs) in table["dependentRequired"].as_object().into_iter().flatten() {
-            said.extend(needs.as_array().expect("keys").iter().map(|need| [name.clone(), key.clone(), need.as_str().expect("a key").to_owned()]));
+            said.extend(
+                needs
+                    .as_array()
+                    .expect("keys")
+                    .iter()
+                    .map(|need| [name.clone(), key.clone(), need.as_str().expect("a key").to_owned()]),
+            );
         }
     }
     let tried = NEEDS.iter().map(|(table, key, need, _)| (*table, *key, *need)).chain(IMPLIED);
