@@ -53,14 +53,15 @@ fn main() {
     };
     let outcomes: Vec<Outcome> = seeds.map(|seed| one(seed, make(seed, elastoplastic), theory, criterion)).collect();
 
-    println!("{count} random dies, seed {seed}; worth a look:");
+    // What is worth a look is for whoever runs it, the figures are for the book.
+    eprintln!("worth a look:");
     for o in &outcomes {
         let [_, rejected, _, _, imbalance, _] = o.figures;
         if o.kind != FULL_TRAVEL || imbalance > 0.02 || rejected > 10.0 {
-            println!("  {}, {rejected} steps rejected, imbalance {:.1} %: {}", o.kind, 100.0 * imbalance, o.line);
+            eprintln!("  {}, {rejected} steps rejected, imbalance {:.1} %: {}", o.kind, 100.0 * imbalance, o.line);
         }
     }
-    println!();
+    println!("{count} random dies, seed {seed}\n");
     print_ends(&outcomes);
     println!();
     print_figures(&outcomes);

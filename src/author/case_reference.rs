@@ -1,6 +1,6 @@
 //! The reference of case files as Markdown, read off the JSON schema: what is listed is what is accepted.
 
-use super::laws::{description, entries, reference, unbroken};
+use super::laws::{description, entries, reference};
 use crate::case::{definition, whole};
 use serde_json::Value;
 use std::collections::BTreeMap;
@@ -8,46 +8,13 @@ use std::fmt::Write;
 
 /// Keys in the order in which a designer writes them. In every table those that are not named here follow, first what it
 /// cannot do without.
-const ORDER: [&str; 38] = [
-    "title",
-    "geometry",
-    "notes",
-    "blank",
-    "material",
-    "tools",
-    "punch",
-    "die",
-    "holder",
-    "beads",
-    "name",
-    "radius",
-    "diameter",
-    "half_length",
-    "half_width",
-    "thickness",
-    "flat",
-    "hemispherical",
-    "crowned",
-    "profile",
-    "from",
-    "to",
-    "arc_to",
-    "center",
-    "turn",
-    "hardening",
-    "friction",
-    "gas",
-    "heat",
-    "forming_limit",
-    "press",
-    "springback",
-    "stage",
-    "stages",
-    "stop",
-    "output",
-    "solver",
-    "report",
-];
+const ORDER: &str = "\
+    title geometry notes blank material tools punch die holder beads name source radius diameter \
+    half_length half_width thickness flat hemispherical crowned profile travel speed motion from to \
+    arc_to center turn file fillet offset_of by throat throat_diameter shoulder inner_radius \
+    inner_diameter inner_half_width force pressure gap spring hardening anisotropy yield_condition young \
+    poisson mode kinematic rate initial density specific_heat friction gas lower upper strain_rate heat \
+    forming_limit points strain press springback stage stages stop output solver report";
 
 const INTRODUCTION: &str = "\
 # Case-file reference
@@ -65,20 +32,18 @@ pub fn case_reference() -> String {
     let mut found = Reference::default();
     found.section(Place::default(), whole(), "");
     let mut text = INTRODUCTION.to_owned() + "\n## Contents\n\n";
-    for (place, section) in &found.sections {
-        let link = format!("[`{}`](#{})", place.path, place.anchor());
-        match place.path.split_once('.') {
-            _ if place.path.is_empty() => continue,
+    for (place, section) in &found.sections[1..] {
+        let anchor = place.anchor();
+        let _ = match place.path.split_once('.') {
+            Some((_, inner)) => writeln!(text, "  - [`{inner}`](#{anchor})"),
             None => {
                 let first = section.lines().next().unwrap_or_default();
-                let _ = write!(text, "\n- {link}: {}", first.trim_end_matches('.'));
+                writeln!(text, "- [`{}`](#{anchor}): {}", place.path, lower(first.trim_end_matches('.')))
             }
-            Some(_) => text += &format!(" · {link}"),
-        }
+        };
     }
-    text.push('\n');
     for (place, section) in found.sections {
-        let _ = write!(text, "\n{}\n\n{section}", place.heading());
+        let _ = write!(text, "\n{}\n\n{}\n", place.heading(), section.trim_end());
     }
     text
 }
@@ -128,13 +93,13 @@ impl Reference {
     /// Tells a table or a value of several forms, then the tables that its keys lead to.
     fn section(&mut self, place: Place, node: &'static Value, more: &str) {
         let mut text = String::new();
-        for paragraph in [description(node), more].into_iter().flat_map(unbroken) {
+        for paragraph in [description(node), more].into_iter().flat_map(paragraphs) {
             let _ = writeln!(text, "{paragraph}\n");
         }
         let (at, mut deeper) = (self.sections.len(), Vec::new());
         self.sections.push((place.clone(), String::new()));
         for form in forms(node) {
-            let told = description(form).replace('\n', " ");
+            let told = paragraphs(description(form)).collect::<Vec<_>>().join(" ");
             let example = form["examples"].get(0).map_or(String::new(), |e| format!(" For example `{e}`."));
             let inside = referred(form).or_else(|| referred(&form["items"])).map_or(form, definition);
             let (kind, keys) = match Some(inside).filter(|inside| inside["properties"].is_object()) {
@@ -161,7 +126,7 @@ impl Reference {
     fn keys(&mut self, table: &'static Value, place: &Place, deeper: &mut Vec<Deeper>) -> String {
         let mut keys: Vec<_> = entries(table).collect();
         keys.sort_by_key(|(key, _)| {
-            let named = ORDER.iter().position(|named| named == key).unwrap_or(ORDER.len());
+            let named = ORDER.split(' ').position(|named| named == *key).unwrap_or(usize::MAX);
             (named, !is_needed(table, key))
         });
         let mut text = "| key | value | when left out | meaning |\n|---|---|---|---|\n".to_owned();
@@ -171,11 +136,21 @@ impl Reference {
             let inner = Place { path, is_table: true, is_list: value["items"].is_object() };
             let known = deeper.len();
             let kind = self.kind(value, &inner, deeper);
-            let mut paragraphs = Some(description(value)).filter(|told| !told.contains("with its unit")).unwrap_or("");
+            let of_its_own =
+                Some(description(value)).filter(|told| !told.contains("with its unit")).unwrap_or_default();
+            let referred = reference(value).map(|name| description(definition(name))).unwrap_or_default();
+            let told = if of_its_own.is_empty() { referred } else { of_its_own };
+            let (first, rest) = told.split_once("\n\n").unwrap_or((told, ""));
             // What leads to a section of its own is told there at length.
-            if let ([(.., more)], Some((first, rest))) = (&mut deeper[known..], paragraphs.split_once("\n\n")) {
-                (paragraphs, *more) = (first, rest);
-            }
+            let told = match &mut deeper[known..] {
+                [(.., more)] if !of_its_own.is_empty() => {
+                    *more = rest;
+                    first
+                }
+                _ if of_its_own.is_empty() => first,
+                _ => told,
+            };
+            let told = paragraphs(told).collect::<Vec<_>>().join(" ");
             let choices = reference(value).map(definition).into_iter().flat_map(choices);
             let choices = choices.filter(|_| deeper.len() == known).filter_map(|choice| {
                 Some(format!("`{}`: {}", choice.get("const")?, lower(description(choice).trim_end_matches('.'))))
@@ -185,9 +160,9 @@ impl Reference {
             let with = with.map(|other| format!("`{other}`")).collect::<Vec<_>>().join(" and ");
             let needs = if with.is_empty() { with } else { format!("Needs {with}.") };
             let choices = if choices.is_empty() { choices } else { format!("{choices}.") };
-            let meaning = [paragraphs, &choices, &needs].map(str::trim).join(" ");
-            let cells = [format!("`{written}`"), kind, left_out(table, key, value), meaning.trim().to_owned()];
-            let cells = cells.map(|cell| cell.replace('\n', " ").replace('|', "\\|"));
+            let meaning: Vec<String> = [told, choices, needs].into_iter().filter(|part| !part.is_empty()).collect();
+            let cells = [format!("`{written}`"), kind, left_out(table, key, value), meaning.join(" ")];
+            let cells = cells.map(|cell| cell.replace('|', "\\|"));
             let _ = writeln!(text, "| {} |", cells.join(" | "));
         }
         text
@@ -245,6 +220,13 @@ impl Reference {
         };
         format!("[{kind}](#{})", told.anchor())
     }
+}
+
+/// The paragraphs of a description, each in one line; a source is one of its own.
+fn paragraphs(told: &str) -> impl Iterator<Item = String> {
+    let lines: Vec<String> =
+        told.replace("\nSource:", "\n\nSource:").split("\n\n").map(|p| p.replace('\n', " ")).collect();
+    lines.into_iter().filter(|paragraph| !paragraph.is_empty())
 }
 
 /// The alternatives of a value that is not one of a few words.

@@ -121,7 +121,7 @@ fn describe(text: &mut String, law: &Law) {
 }
 
 /// A text's lines, those joined again that were broken within a sentence.
-pub(super) fn unbroken(text: &str) -> Vec<String> {
+fn unbroken(text: &str) -> Vec<String> {
     let mut joined: Vec<String> = Vec::new();
     for line in text.lines().map(str::trim).filter(|line| !line.is_empty()) {
         match joined.last_mut().filter(|last| !last.ends_with(['.', ':'])) {

@@ -224,6 +224,50 @@ fn every_picture_is_made_by_a_command_of_a_page_and_shown() {
     assert!(wrong.is_empty(), "{wrong:?}");
 }
 
+/// Trust: the code itself: `src/state.rs` is a file of it and `src/state.rs::State` a thing that the file defines.
+#[test]
+fn what_a_page_names_of_the_code_is_there() {
+    let name = Regex::new(r"`((?:src|tests|benches|examples|cases|reference_data)/[\w./-]+?)(?:::(\w+))?`")
+        .expect("a pattern");
+    let (mut missing, mut items) = (Vec::new(), 0);
+    for page in pages() {
+        let text = fs::read_to_string(&page).expect("readable");
+        for parts in name.captures_iter(&text) {
+            let path = Path::new(ROOT).join(&parts[1]);
+            let is_there = match parts.get(2) {
+                None => path.exists(),
+                Some(item) => {
+                    items += 1;
+                    let defined = format!(r"\b(fn|struct|enum|trait|const|mod|type) {}\b", item.as_str());
+                    let code = fs::read_to_string(&path).unwrap_or_default();
+                    Regex::new(&defined).expect("a pattern").is_match(&code)
+                }
+            };
+            if !is_there {
+                missing.push(format!("{} names {}", page.display(), &parts[0]));
+            }
+        }
+    }
+    assert!(missing.is_empty() && items > 20, "{items} items; {}", missing.join("\n"));
+}
+
+/// Trust: the files of the findings: each that is judged or warned of has its row, with the words and the key of its file.
+#[test]
+fn every_finding_has_a_row_on_the_page_of_the_verdict() {
+    let page = fs::read_to_string(Path::new(ROOT).join("docs/verdict.md")).expect("shipped");
+    let made = Regex::new(r#"(?:judged|warning|rated|doubted)\(\s*"([a-z_]+)",\s*"([^"]+)""#).expect("a pattern");
+    let mut found = 0;
+    for path in crate::common::files::files("src/assess", "rs") {
+        let code = fs::read_to_string(&path).expect("readable");
+        for parts in made.captures_iter(&code) {
+            let row = format!("\n| {} `{}` |", &parts[2], &parts[1]);
+            assert!(page.contains(&row), "{} makes {row}", path.display());
+            found += 1;
+        }
+    }
+    assert!(found > 50, "{found} findings");
+}
+
 /// Trust: what a newcomer reads in five minutes; the rest is in the book.
 #[test]
 fn the_readme_is_short() {

@@ -16,6 +16,7 @@ mod book;
 mod bug;
 mod campaign;
 mod case_files;
+mod case_reference;
 mod check;
 mod cli;
 mod compare;

@@ -1,6 +1,7 @@
 //! The hydraulic bulge of a clamped disc against Hill's special solution, and its largest pressure found in two ways.
 
 use crate::common::convergence::{orders, orders_of_changes};
+use crate::common::page::{agreement, percent};
 use crate::common::shipped::{self, solve};
 use crate::common::simple;
 use stampflow::material::hardening::{Extrapolation, Hardening, Swift, Table};
@@ -116,6 +117,11 @@ fn special_metal_follows_hills_solution() {
     });
     let worst = found.map(|(worst, _)| worst);
     println!("Hill's special metal, thickness and pressure, 20, 40, 80 elements: {worst:?}");
+    let within = worst.map(|share| format!("{:.2}", 100.0 * share));
+    agreement(
+        "that metal, membrane, h/a 0.1 to 1: pole thickness and p a/(σ t₀)",
+        &[format!("within {} % with 20, 40 and 80 elements", within.join(", "))],
+    );
     assert!(worst[1] < 0.6 * worst[0] && worst[2] < 0.6 * worst[1] && worst[2] < 8e-4, "{worst:?}");
     // Trust: as measured, 1.4 to 1.7 from 40 to 80 elements, and shorter steps leave it there. That is less than the second order
     // of chords for a sphere, presumably by the clamped edge, where a membrane turns within one element.
@@ -133,6 +139,7 @@ fn special_metal_follows_hills_solution() {
 #[test]
 fn thin_and_thick_discs_converge_towards_and_above_the_membrane() {
     let height = 0.4;
+    let mut told = Vec::new();
     let settled = [0.5, 2.5].map(|thickness| {
         let above = [10, 20, 40, 80].map(|elements| {
             let poles = poles(disc(Theory::Bending, thickness, elements, special(), held(1.0)));
@@ -140,6 +147,8 @@ fn thin_and_thick_discs_converge_towards_and_above_the_membrane() {
             [found[1] / exact[1] - 1.0, found[2] / exact[2] - 1.0]
         });
         println!("t/a {}: pole thickness and pressure above Hill's, 10 to 80 elements: {above:?}", thickness / A);
+        let [pole, pressure] = [0, 1].map(|k| percent(&above.map(|found| found[k]), 1));
+        told.push(format!("t/a {}: pole thickness {pole}, pressure {pressure}", thickness / A));
         for k in 0..2 {
             let changes = [0, 1, 2].map(|i| (above[i + 1][k] - above[i][k]).abs());
             // The clamp's plastic hinge sits in the last element, so this settles more slowly than the membrane does.
@@ -151,6 +160,8 @@ fn thin_and_thick_discs_converge_towards_and_above_the_membrane() {
         assert!(orders.iter().all(|p| *p > 0.75), "{orders:?}");
         above[3]
     });
+    let told = format!("{}: bending and the clamp, which the membrane has not", told.join("; "));
+    agreement("the same in bending, at h/a 0.4, 10 to 80 elements", &[told]);
     // Trust: how far a clamped shell is from the membrane, as measured: 0.5 and 1.3 % at t/a = 0.01, 2.3 and 5.6 % at 0.05.
     let bounds = [[0.0, 0.01, 0.0, 0.02], [0.01, 0.03, 0.03, 0.07]];
     for (found, [t_low, t_high, p_low, p_high]) in settled.iter().zip(bounds) {
@@ -171,6 +182,11 @@ fn steel_deviates_from_hills_solution_as_it_must() {
     for h in [0.1, 0.2, 0.4, 0.6, 0.8] {
         println!("n 0.22, h/a {h}: thickness, strain, p a/(σ t0) over Hill's less one: {:.4?}", off(h));
     }
+    let [pole, pressure] = [0, 2].map(|k| percent(&[0.4, 0.6, 0.8].map(|h| off(h)[k]), 1));
+    agreement(
+        "drawing steel (n 0.22), membrane, at h/a 0.4, 0.6, 0.8",
+        &[format!("pole thickness {pole}, pressure {pressure}: it hardens less than exp(ε̄) and runs away at the pole")],
+    );
     // Trust: measured: thickness +3.1 % and pressure +2.7 % at 0.4; −0.5 % and +9 % at 0.6; −19 % and +16 % at 0.8.
     assert!((0.02..0.04).contains(&off(0.4)[0]) && (0.01..0.04).contains(&off(0.4)[2]), "{:?}", off(0.4));
     assert!(off(0.6)[0].abs() < 0.015 && off(0.8)[0] < -0.15, "{:?} {:?}", off(0.6), off(0.8));
@@ -186,6 +202,7 @@ fn largest_pressure_is_the_same_by_load_and_by_rate() {
         (model.settings.max_step, model.settings.first_step) = (step, 0.2 * step);
         solver::run(&model, &mut ())
     };
+    let mut told = Vec::new();
     for theory in [Theory::Membrane, Theory::Bending] {
         let found = [0.01, 0.001].map(|step| {
             let given = with_step(theory, rising(), step);
@@ -197,6 +214,8 @@ fn largest_pressure_is_the_same_by_load_and_by_rate() {
             [(pressure, height), (largest.pressure, largest.pole_height)]
         });
         println!("{theory:?}: by load and by rate, step 1 % and 0.1 %: {found:.4?}");
+        let [usual, fine] = found.map(|pair| pair.map(|(pressure, _)| format!("{pressure:.3}")).join(" and "));
+        told.push(format!("{usual} MPa, with a tenth of the step {fine} ({})", format!("{theory:?}").to_lowercase()));
         let fine = found[1][1];
         for (pressure, height) in found.into_iter().flatten() {
             assert!((pressure / fine.0 - 1.0).abs() < 5e-3, "{found:?}");
@@ -204,4 +223,6 @@ fn largest_pressure_is_the_same_by_load_and_by_rate() {
             assert!((height / fine.1 - 1.0).abs() < 2e-2, "{found:?}");
         }
     }
+    let row = "largest pressure under rising pressure against a pressure that holds a strain rate and runs through it";
+    agreement(row, &[told.join("; ")]);
 }

@@ -1,6 +1,7 @@
 //! Verification: the program against solutions that can be written down.
 
 use crate::common::convergence::orders;
+use crate::common::page::agreement;
 use crate::common::simple;
 use stampflow::material::flow::{FlowLaw, Iteration};
 use stampflow::material::{Hardening, Hill48, Rate};
@@ -182,6 +183,12 @@ fn plastic_moment_converges_with_the_layers() {
     let layers = [5, 7, 11, 21, 51];
     let errors = layers.map(error);
     let orders = orders(&layers.map(|n| 1.0 / n as f64), &errors);
+    let told = layers.iter().zip(errors).map(|(layers, error)| match error {
+        error if error < 1e-3 => format!("{:.2} % with {layers}", 100.0 * error),
+        error => format!("{:.1} % with {layers}", 100.0 * error),
+    });
+    let told = told.collect::<Vec<_>>().join(", ");
+    agreement("fully plastic moment S t²/4", &[format!("{told} layers: use more where bending rules")]);
     println!("plastic moment: errors {errors:?} with {layers:?} layers, orders {orders:.2?}");
     assert!(orders.iter().all(|p| (1.95..2.35).contains(p)), "{orders:?}");
     assert!(errors[4] < 1e-3, "{errors:?}");

@@ -6,6 +6,7 @@
 //! Forming handbook, "Punch radius". That the friction of the punch helps it and n hardly moves it is in every textbook;
 //! none could be read.
 
+use crate::common::page::{agreement, listed};
 use crate::common::shipped::shipped;
 use stampflow::numerics::bisect;
 use stampflow::{Stop, solver};
@@ -52,6 +53,12 @@ fn limits(key: &str, values: &[&str], rest: &[&str]) -> Vec<f64> {
     found
 }
 
+/// Holds the row of the book's table.
+fn told(what: &str, values: &[&str], ratios: &[f64]) {
+    let values = values.iter().map(|value| value.trim_end_matches(" mm").trim_end_matches(".0")).collect::<Vec<_>>();
+    agreement(what, &[values.join(", "), listed(ratios, 3)]);
+}
+
 fn rises(ratios: &[f64]) -> bool {
     ratios.windows(2).all(|pair| pair[1] > pair[0] + RESOLVED)
 }
@@ -61,7 +68,9 @@ fn rises(ratios: &[f64]) -> bool {
 /// nose hardly matters.
 #[test]
 fn a_sharp_nose_tears_the_cup_earlier() {
-    let ratios = limits("tools.punch.flat.nose", &["1.5 mm", "3 mm", "6 mm", "10 mm"], &[]);
+    let noses = ["1.5 mm", "3 mm", "6 mm", "10 mm"];
+    let ratios = limits("tools.punch.flat.nose", &noses, &[]);
+    told("punch's nose, thicknesses", &noses, &ratios);
     assert!(rises(&ratios[..3]) && ratios[3] > ratios[2] - RESOLVED, "{ratios:?}");
     assert!(ratios[1] < ratios[3] - 0.02, "three thicknesses against ten: {ratios:?}");
     assert!(ratios[3] - ratios[2] < 0.01, "six against ten: {ratios:?}");
@@ -78,6 +87,7 @@ fn the_limit_of_a_sharp_nose_does_not_hang_on_the_mesh() {
 #[test]
 fn it_rises_with_the_anisotropy() {
     let ratios = limits("material.anisotropy", &["0.6", "1", "2"], &[]);
+    told("r̄", &["0.6", "1", "2"], &ratios);
     assert!(rises(&ratios), "{ratios:?}");
     assert!((2.0..2.25).contains(&ratios[1]), "{ratios:?}");
 }
@@ -86,11 +96,14 @@ fn it_rises_with_the_anisotropy() {
 #[test]
 fn it_rises_with_the_friction_of_the_punch_and_falls_with_that_of_die_and_holder() {
     let punch = limits("tools.punch.friction", &["0.02", "0.08", "0.2"], &[]);
+    told("friction of the punch", &["0.02", "0.08", "0.2"], &punch);
     assert!(rises(&punch), "{punch:?}");
-    let flange = ["0.12", "0.08", "0.02"].map(|mu| {
+    let mut flange = ["0.02", "0.08", "0.12"].map(|mu| {
         let holder = format!("tools.holder.friction={mu}");
         limits("tools.die.friction", &[mu], &[&holder])[0]
     });
+    told("friction of die and holder", &["0.02", "0.08", "0.12"], &flange);
+    flange.reverse();
     assert!(rises(&flange), "{flange:?}");
 }
 
@@ -105,6 +118,7 @@ fn hardening_hardly_moves_it() {
         let k = format!("material.hardening.swift.k={} MPa", STRENGTH * (n - 0.005).exp() / n.powf(n));
         limits("material.hardening.swift.n", &[&n.to_string()], &[&k])[0]
     });
+    told("n, at one tensile strength", &["0.1", "0.2", "0.3", "0.5"], &ratios);
     let [least, most] = [f64::min, f64::max].map(|pick| ratios.into_iter().reduce(pick).expect("some"));
     assert!(most / least - 1.0 < 0.04, "{ratios:?}");
     assert!(ratios[2] < ratios[0] - RESOLVED && ratios[3] > ratios[2] + RESOLVED, "{ratios:?}");

@@ -16,6 +16,7 @@
 //! delays necking: E. W. Hart, Acta Metallurgica 15 (1967) 351–355 (both not read; the analysis is derived here).
 
 use crate::common::convergence::orders;
+use crate::common::page::agreement;
 use crate::common::simple;
 use stampflow::material::hardening::Swift;
 use stampflow::material::rate::PowerRate;
@@ -113,7 +114,7 @@ fn analysis(m: f64, largest: f64) -> Vec<f64> {
 /// implicit step.
 #[test]
 fn necking_strain_rises_with_the_rate_sensitivity_as_the_long_wavelength_analysis_says() {
-    let mut before = 0.0;
+    let (mut before, mut told) = (0.0, [Vec::new(), Vec::new()]);
     println!("m, necking strain computed, analysis, difference, neck strain at the end, largest difference on the way");
     for m in EXPONENTS {
         let strains = pulled(m, &bar(m));
@@ -129,7 +130,12 @@ fn necking_strain_rises_with_the_rate_sensitivity_as_the_long_wavelength_analysi
         assert!(neck > 1.5 && limit - at(1.5) < 0.01 * limit, "m {m}: neck {neck}");
         assert!(limit > 1.01 * before, "m {m}: {limit} after {before}");
         before = limit;
+        for (row, strain) in told.iter_mut().zip([limit, at(neck)]) {
+            row.push(format!("{strain:.4}"));
+        }
     }
+    agreement("necking strain, computed", &told[0]);
+    agreement("analysis", &told[1]);
 }
 
 /// Trust: the strain rate of the second-order backward difference; where the neck runs away, which is the end, its steps follow

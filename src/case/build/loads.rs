@@ -180,15 +180,18 @@ fn gas_history(
     history(points, &format!("gas.{key}.pressure"), "times", source)
 }
 
-/// Caps belong to a pressure that is found, not to one that is given.
+/// Caps and the norm belong to a pressure that is found, not to one that is given.
 fn caps(face: &file::GasFace, key: &str, source: &Source) -> Result<(), CaseError> {
-    let given =
-        [("max_pressure", face.max_pressure.is_some()), ("max_pressure_rate", face.max_pressure_rate.is_some())];
-    let Some((cap, _)) = given.into_iter().find(|(_, given)| *given && face.strain_rate.is_none()) else {
+    let given = [
+        ("max_pressure", "caps", face.max_pressure.is_some()),
+        ("max_pressure_rate", "caps", face.max_pressure_rate.is_some()),
+        ("norm", "belongs to", face.norm.is_some()),
+    ];
+    let Some((alone, does, _)) = given.into_iter().find(|(.., given)| *given && face.strain_rate.is_none()) else {
         return Ok(());
     };
-    let what = format!("`{cap}` caps a pressure that holds a strain rate, and there is no `strain_rate`");
-    Err(source.error(&format!("gas.{key}.{cap}"), what, "drop it, or give a strain_rate instead of the pressure"))
+    let what = format!("`{alone}` {does} a pressure that holds a strain rate, and there is no `strain_rate`");
+    Err(source.error(&format!("gas.{key}.{alone}"), what, "drop it, or give a strain_rate instead of the pressure"))
 }
 
 /// The gas on each face that has one.
