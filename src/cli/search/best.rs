@@ -11,7 +11,7 @@ use super::told;
 use serde_json::json;
 use stampflow::message::{Digits, Message, message};
 use stampflow::output::study::search::plot_best;
-use stampflow::study::search::{Best, Condition, Named, Sense, optimise as best_of};
+use stampflow::study::search::{Best, Condition, Named, Sense, optimise_keeping as best_of};
 use stampflow::study::{Row, Span, Subject};
 use stampflow::units::rounded;
 use std::time::Instant;
@@ -31,8 +31,9 @@ pub fn optimise(args: &Args, places: &Places) -> anyhow::Result<Code> {
     let condition = args.condition.as_deref().map(Condition::read).transpose().map_err(asked)?;
     let count = args.many.count(&args.case, "runs");
     let start = Instant::now();
-    let found =
-        best_of(&subject, &spans, (&name, sense), condition.as_ref(), args.many.threads(), &count).map_err(asked)?;
+    let mut keep = |header: &[String], lines: &[Vec<String>]| places.keep(header, lines);
+    let found = best_of(&subject, &spans, (&name, sense), condition.as_ref(), args.many.threads(), (&count, &mut keep));
+    let found = found.map_err(asked)?;
     let seconds = start.elapsed().as_secs_f64();
     places.table(&found.table.0, &found.table.1)?;
     let form = args.many.told.form();
