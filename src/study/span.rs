@@ -160,6 +160,11 @@ impl Span {
         self.ends
     }
 
+    /// Whether equal ratios are equally far apart.
+    pub fn is_log(&self) -> bool {
+        self.is_log
+    }
+
     /// Places that it is looked at first, where that is given.
     pub fn places(&self) -> Option<usize> {
         self.places

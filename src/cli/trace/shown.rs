@@ -1,11 +1,11 @@
 //! A step taken apart, for people.
 
-use super::super::log_plot::{Curve, log_plot};
 use super::super::say::Shown;
 use super::super::table::{Cell, table, width, wrapped};
 use stampflow::case::Case;
 use stampflow::message::{Amount, Form, Message, message};
 use stampflow::model::Iteration;
+use stampflow::output::log_plot::{Curve, log_plot};
 use stampflow::solver::Start;
 use stampflow::trace::{Attempt, Iterated, Pass, Rate, Trace, Way};
 
@@ -69,16 +69,7 @@ fn is_shown(i: usize, all: usize) -> bool {
 }
 
 fn rows(pass: &Pass, i: usize, form: Form) -> Shown {
-    let headers = [
-        "iteration",
-        "velocity norm",
-        "share taken",
-        "residual norm",
-        "largest at",
-        "elements cut off",
-        "in contact",
-        "sticking",
-    ];
+    let headers = ["iteration", "velocity", "taken", "residual", "largest at", "cut off", "contact", "sticking"];
     let headers = headers.map(|header| form.tell(header));
     let all = pass.iterated.len();
     let row = |(at, iterated): (usize, &Iterated)| match at == SHOWN[0] && !is_shown(at, all) {
@@ -109,35 +100,31 @@ fn norm(value: f64) -> Amount {
 
 /// The last pass of every way, iteration beside iteration.
 fn side_by_side(ways: &[Way], form: Form) -> Shown {
-    let of = |i: usize| ways.get(i).map_or(&[][..], Way::iterations);
-    let all = (0..ways.len()).map(|i| of(i).len()).max().unwrap_or(0);
-    let head = |i: usize, what: &'static str| {
-        ways.get(i).map_or(String::new(), |way| {
-            let short = short(way.matrix);
-            form.tell(message!("{method}: {what}", method = short, what = what))
-        })
-    };
+    let all = ways.iter().map(|way| way.iterations().len()).max().unwrap_or(0);
     let mut headers = [const { String::new() }; 7];
+    let mut second = headers.clone();
     headers[0] = form.tell("iteration");
-    for i in 0..3 {
-        headers[2 * i + 1] = head(i, "velocity norm");
-        headers[2 * i + 2] = head(i, "residual norm");
+    for (i, way) in ways.iter().enumerate() {
+        headers[2 * i + 1] = form.tell(short(way.matrix));
+        second[2 * i + 1] = form.tell("velocity");
+        second[2 * i + 2] = form.tell("residual");
     }
-    let rows = (0..all).filter(|at| is_shown(*at, all) || *at == SHOWN[0]).map(|at| {
+    let row = |at: usize| {
         let mut row = [const { String::new() }; 7];
         if !is_shown(at, all) {
             row[0] = "…".to_owned();
-            return row.map(Cell::plain);
+            return row;
         }
         row[0] = at.to_string();
-        for i in 0..3 {
-            let Some(iterated) = of(i).get(at) else { continue };
+        for (i, way) in ways.iter().enumerate() {
+            let Some(iterated) = way.iterations().get(at) else { continue };
             row[2 * i + 1] = iterated.velocity_norm.map_or("–".to_owned(), |value| form.tell(norm(value)));
             row[2 * i + 2] = form.tell(norm(iterated.residual_norm));
         }
-        row.map(Cell::plain)
-    });
-    let rows = rows.collect();
+        row
+    };
+    let numbered = (0..all).filter(|at| is_shown(*at, all) || *at == SHOWN[0]).map(row);
+    let rows = std::iter::once(second).chain(numbered).map(|row| row.map(Cell::plain)).collect();
     Shown::from("\n") + table(Some(headers.each_ref().map(String::as_str)), rows)
 }
 
@@ -158,7 +145,7 @@ fn plot(trace: &Trace, form: Form) -> Shown {
         [way] => (
             vec![Curve { mark: 'v', points: velocity(way) }, Curve { mark: 'r', points: residual(way) }],
             message!(
-                "v velocity norm, r residual norm, dots: the tolerance {tolerance}",
+                "v velocity norm, r residual norm, dots: tolerance {tolerance}",
                 tolerance = norm(trace.tolerance())
             ),
         ),
@@ -173,7 +160,7 @@ fn plot(trace: &Trace, form: Form) -> Shown {
             (
                 curves,
                 message!(
-                    "Velocity norm: p primal-dual, n Newton, s secant, dots: the tolerance {tolerance}",
+                    "Velocity norm: p primal-dual, n Newton, s secant, dots: tolerance {tolerance}",
                     tolerance = tolerance
                 ),
             )

@@ -1,4 +1,4 @@
-//! Curves over whole numbers, drawn with letters on a logarithmic axis.
+//! Curves over whole numbers, drawn with letters on a logarithmic axis: for a terminal.
 
 /// Most lines of a plot, and most lines for a power of ten.
 const HIGHEST: i32 = 18;
@@ -9,9 +9,12 @@ const DEEPEST: i32 = 16;
 const MARGIN: usize = 6;
 const WIDEST: usize = 8;
 
-/// A curve: the letter that it is drawn with, and its points.
+/// A curve.
+#[derive(Clone, Debug, PartialEq)]
 pub struct Curve {
+    /// The letter that it is drawn with.
     pub mark: char,
+    /// Whole numbers with their values; what is not above 0 is not drawn.
     pub points: Vec<(usize, f64)>,
 }
 
@@ -25,7 +28,7 @@ pub fn log_plot(curves: &[Curve], level: f64, name: &str, columns: usize) -> Str
     let bottom = (least.log10().floor() as i32).max(top - DEEPEST).min(top - 1);
     let fine = (HIGHEST / (top - bottom)).clamp(1, FINEST);
     let last = points().map(|point| point.0).max().unwrap_or(0).max(1);
-    let room = columns.saturating_sub(MARGIN + 4).max(1);
+    let room = columns.saturating_sub(MARGIN + 6 + name.chars().count()).max(1);
     let apart = (room / last).clamp(1, WIDEST);
     let column = |x: usize| if apart * last <= room { apart * x } else { x * room / last };
     let row = |y: f64| (f64::from(fine) * (f64::from(top) - y.log10())).round() as usize;
@@ -44,7 +47,7 @@ pub fn log_plot(curves: &[Curve], level: f64, name: &str, columns: usize) -> Str
         let power = (i as i32 % fine == 0).then(|| format!("1e{}", top - i as i32 / fine)).unwrap_or_default();
         let bar = if power.is_empty() { '│' } else { '┤' };
         let line: String = line.iter().collect();
-        format!("{power:>MARGIN$} {bar} {}\n", line.trim_end())
+        format!("{}\n", format!("{power:>MARGIN$} {bar} {line}").trim_end())
     });
     let lines: String = lines.collect();
     format!("{lines}{:MARGIN$} └{}\n{}", "", "─".repeat(column(last) + 2), numbered(last, column, name))
