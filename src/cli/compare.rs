@@ -9,13 +9,7 @@ use super::{interrupt, job};
 use stampflow::message::{Form, message};
 use stampflow::output::study::json;
 use stampflow::output::study::versus::{BEGINNING, TABLE, csv, pictures};
-<<<<<<< HEAD
-use stampflow::output::write;
 use stampflow::study::versus::{Asked, COLUMNS, Candidate, Measured, Versus};
-=======
-use stampflow::study::versus::{Asked, COLUMNS, Candidate, Change, Measured, Versus};
-use stampflow::units::rounded;
->>>>>>> trace
 use std::path::{Path, PathBuf};
 
 pub const HELP: &str = "\

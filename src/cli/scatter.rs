@@ -8,12 +8,7 @@ use super::say::{Shown, say, say_json};
 use super::table::{Cell, Tone, table, wrapped};
 use anyhow::Context;
 use stampflow::message::{Amount, Form};
-<<<<<<< HEAD
 use stampflow::output::study::{json, scatter_pictures, scatter_tables};
-use stampflow::output::write;
-=======
-use stampflow::output::{study::scatter_pictures, study::scatter_tables};
->>>>>>> trace
 use stampflow::study::scatter::{
     Asked, Base, Correlation, Estimate, Event, Factor, Found, Sample, Scatter, file,
 };

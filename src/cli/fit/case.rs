@@ -6,18 +6,9 @@ use super::super::many::{asked, write_all};
 use super::super::say::{say, say_json};
 use super::super::table::{Cell, table, wrapped};
 use super::args::Args;
-<<<<<<< HEAD
 use super::shown::{cells, csv};
-use anyhow::Context;
 use stampflow::output::study::{fit_case as pictures, json};
-use stampflow::output::write;
 use stampflow::study::fit::{Range, fit_case, load};
-=======
-use super::shown::{cells, csv, json_of};
-use serde_json::{Value, json};
-use stampflow::output::study::fit_case as pictures;
-use stampflow::study::fit::{CaseFit, Range, fit_case, load};
->>>>>>> trace
 
 pub fn case(args: &Args) -> anyhow::Result<Code> {
     let [file] = args.files.as_slice() else {

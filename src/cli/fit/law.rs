@@ -5,20 +5,10 @@ use super::super::many::{asked, write_all};
 use super::super::say::{say, say_json};
 use super::super::table::{Cell, table, wrapped};
 use super::args::Args;
-<<<<<<< HEAD
 use super::shown::{cells, csv};
-use anyhow::Context;
 use stampflow::message::Message;
 use stampflow::output::study::{fit_law, json};
-use stampflow::output::write;
 use stampflow::study::fit::{Direction, FlowCurve, LawFit, fit_laws, material_text};
-=======
-use super::shown::{cells, csv, json_of};
-use serde_json::{Value, json};
-use stampflow::message::Message;
-use stampflow::output::study::fit_law;
-use stampflow::study::fit::{Direction, FlowCurve, LawFit, LawFits, Reduction, Tension, fit_laws, material_text};
->>>>>>> trace
 use stampflow::units::{four_digits, trimmed};
 
 pub fn law(args: &Args) -> anyhow::Result<Code> {

@@ -9,26 +9,15 @@ use super::ask::{Args, Places};
 use super::{located, told};
 use stampflow::output::study::json;
 use stampflow::output::study::search::plot_best;
-<<<<<<< HEAD
 use stampflow::study::Subject;
 use stampflow::study::search::{Condition, Named, Wish};
-=======
-use stampflow::study::search::{Best, Condition, Named, Sense, optimise_keeping as best_of};
-use stampflow::study::{Row, Span, Subject};
-use stampflow::units::rounded;
->>>>>>> trace
 use std::time::Instant;
 
 pub fn optimise(args: &Args, places: &Places, wish: &Wish) -> anyhow::Result<Code> {
     let count = args.many.count(&args.case, "runs");
     let start = Instant::now();
-<<<<<<< HEAD
-    let found = wish.search(args.many.threads(), &count).map_err(asked)?;
-=======
     let mut keep = |header: &[String], lines: &[Vec<String>]| places.keep(header, lines);
-    let found = best_of(&subject, &spans, (&name, sense), condition.as_ref(), args.many.threads(), (&count, &mut keep));
-    let found = found.map_err(asked)?;
->>>>>>> trace
+    let found = wish.search_keeping(args.many.threads(), &count, &mut keep).map_err(asked)?;
     let seconds = start.elapsed().as_secs_f64();
     places.table(&found.table.0, &found.table.1)?;
     let form = args.many.told.form();

@@ -28,12 +28,8 @@ pub use condition::{Condition, Said};
 pub use number::Named;
 pub use optimise::{Best, Sense, optimise, optimise_keeping};
 pub use template::{Draft, TEMPLATES, Template, Wanted};
-<<<<<<< HEAD
-pub use trials::{Trials, reasons};
-pub use wish::Wish;
-=======
 pub use trials::{Keep, Trials, reasons};
->>>>>>> trace
+pub use wish::Wish;
 
 use crate::case::Solution;
 use crate::message::{Message, message};

@@ -1,6 +1,6 @@
 //! What the best of several keys is looked for by.
 
-use super::{Best, Condition, Named, Sense, optimise};
+use super::{Best, Condition, Keep, Named, Sense, optimise_keeping};
 use crate::study::{Span, StudyError, Subject};
 use crate::verification::Watch;
 
@@ -47,9 +47,17 @@ impl Wish {
     /// Looks for it, runs side by side on so many threads.
     ///
     /// # Errors
-    /// As [`optimise`].
+    /// As [`optimise_keeping`].
     pub fn search(&self, threads: usize, watch: &dyn Watch) -> Result<Best, StudyError> {
+        self.search_keeping(threads, watch, &mut |_, _| {})
+    }
+
+    /// The same with someone who keeps the table of the runs as they come.
+    ///
+    /// # Errors
+    /// As [`search`](Self::search).
+    pub fn search_keeping(&self, threads: usize, watch: &dyn Watch, keep: Keep) -> Result<Best, StudyError> {
         let Self { subject, spans, number, sense, condition } = self;
-        optimise(subject, spans, (number, *sense), condition.as_ref(), threads, watch)
+        optimise_keeping(subject, spans, (number, *sense), condition.as_ref(), threads, (watch, keep))
     }
 }
