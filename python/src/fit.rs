@@ -32,7 +32,7 @@ pub fn fit_law<'py>(
     let tests = tests(files, &reduced, rate, direction).map_err(wrong)?;
     let fits = py.detach(|| fit::fit_laws(tests.curves()?, law, rate_law)).map_err(wrong)?;
     let setting = fit::material_setting(&fits, fits.best());
-    let sentences = fits.tests.iter().map(FlowCurve::sentence).chain(fits.sentences());
+    let sentences = fits.sentences().into_iter().chain(fits.tests.iter().map(FlowCurve::sentence));
     let picture = stampflow::output::study::fit_law(&fits, form());
     Ok((told(py, &json::fit_law(&fits), sentences, [("fit", picture)]), setting))
 }

@@ -13,7 +13,7 @@ DRAWINGS = ROOT / "tests" / "drawings"
 
 
 def test_a_drawing_makes_the_case_of_the_command_line(program: str, tmp_path: Path) -> None:
-    for name in ("ezdxf_lines_and_arcs", "ezdxf_operations", "tarikjabiri_spline_cm"):
+    for name in ("ezdxf_lines_and_arcs", "ezdxf_operations", "makerjs_inches_both_halves"):
         drawing, out = DRAWINGS / f"{name}.dxf", tmp_path / f"{name}.toml"
         sizes = {"thickness": "0.8 mm", "travel": "20 mm"}
         words = [word for key, value in sizes.items() for word in (f"--{key}", value)]
