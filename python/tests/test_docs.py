@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import contextlib
 import io
+import os
 import re
 import shutil
 from pathlib import Path
@@ -11,6 +12,7 @@ from pathlib import Path
 import pytest
 from conftest import ROOT
 
+PAGE = ROOT / "docs" / "python.md"
 NOTEBOOKS = sorted((ROOT / "python" / "notebooks").glob("*.ipynb"))
 
 
@@ -24,20 +26,26 @@ def test_the_readme_runs(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Non
 
 
 def test_the_page_of_the_book_runs(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """Its snippets one after the other, in a folder with what they read; what they print is what stands there."""
-    text = (ROOT / "docs" / "python.md").read_text(encoding="utf-8")
-    shutil.copytree(ROOT / "cases", tmp_path / "cases")
-    shutil.copytree(ROOT / "reference_data", tmp_path / "reference_data")
-    shutil.copytree(ROOT / "tests" / "drawings", tmp_path / "tests" / "drawings")
+    """Its snippets one after the other, in a folder with what they read; below each stands what it prints. UPDATE=1 writes that
+    anew."""
+    for folder in ("cases", "reference_data", "tests/drawings"):
+        shutil.copytree(ROOT / folder, tmp_path / folder)
     monkeypatch.chdir(tmp_path)
+    text = PAGE.read_text(encoding="utf-8")
     names: dict[str, object] = {}
-    snippets = re.findall(r"```python\n(.*?)```(?:\n\n```text\n(.*?)```)?", text, re.DOTALL)
-    assert len(snippets) > 5
-    for snippet, shown in snippets:
+
+    def run(snippet: re.Match[str]) -> str:
         out = io.StringIO()
         with contextlib.redirect_stdout(out):
-            exec(snippet, names)
-        assert out.getvalue() == shown, snippet
+            exec(snippet[1], names)
+        shown = f"\n\n```text\n{out.getvalue()}```" if out.getvalue() else ""
+        return f"```python\n{snippet[1]}```{shown}"
+
+    anew, count = re.subn(r"```python\n(.*?)```(?:\n\n```text\n.*?```)?", run, text, flags=re.DOTALL)
+    assert count > 5
+    if os.environ.get("UPDATE"):
+        PAGE.write_text(anew, encoding="utf-8")
+    assert os.environ.get("UPDATE") or anew == text
 
 
 @pytest.mark.parametrize("path", NOTEBOOKS, ids=lambda path: path.stem)
