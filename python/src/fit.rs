@@ -61,12 +61,7 @@ pub fn fit_case<'py>(
     Ok((told(py, &json::fit_case(&fit), fit.sentences(), named), case.made(fitted), raised))
 }
 
-fn tests(
-    files: Vec<PathBuf>,
-    reduced: &Reduced,
-    rate: Vec<f64>,
-    direction: Vec<f64>,
-) -> Result<Tests, StudyError> {
+fn tests(files: Vec<PathBuf>, reduced: &Reduced, rate: Vec<f64>, direction: Vec<f64>) -> Result<Tests, StudyError> {
     let [young, offset, from, to, section, gauge] = reduced;
     let of = |text: &Option<String>, by: fn(&str) -> Result<f64, String>| {
         text.as_deref().map(|text| read(text, by)).transpose()

@@ -107,7 +107,7 @@ def test_the_best_of_several_keys_is_that_of_the_command_line(program: str, tmp_
 
 
 def test_wrong_searches_are_refused() -> None:
-    for vary, words, said in [
+    wrong: list[tuple[dict[str, str], dict[str, Any], str]] = [
         ({"friction": "0.05..0.1"}, {"while_": "no red"}, "neither the largest nor the smallest"),
         ({"friction": "0.05..0.1"}, {"largest": True}, "what a run must keep to"),
         ({"friction": "0.05"}, {"largest": True, "while_": "no red"}, "no range"),
@@ -115,9 +115,10 @@ def test_wrong_searches_are_refused() -> None:
         ({"friction": "0.05..0.1"}, {"target": "draw_in=8 mm", "while_": "no red"}, "both a condition and a target"),
         ({"friction": "0.05..0.1"}, {"largest": True, "smallest": True, "while_": "no red"}, "both the largest"),
         ({"friction": "0.05..0.1"}, {"minimise": "punch_force", "target": "draw_in=8 mm"}, "a best goes with"),
-    ]:
+    ]
+    for vary, words, said in wrong:
         with pytest.raises(sf.StudyError, match=said) as caught:
-            sf.search(CUP, vary, **words)  # type: ignore[call-overload]
+            sf.search(CUP, vary, **words)
         assert caught.value.help
     with pytest.raises(sf.CaseError):
         sf.search(CUP, {"tools.punch.fricton": "0.05..0.1"}, largest=True, while_="no red")
@@ -178,9 +179,14 @@ def test_a_law_is_that_of_the_command_line(program: str, tmp_path: Path) -> None
     assert sf.fit(str(BAR), law="swift", until="20 %").tests[0].end < 0.25
     assert laws.plot.fit().startswith("<svg")
     shown(laws)
-    for words, said in [({"law": "hooke"}, "the laws are"), ({"young": "210 mm"}, "210 mm"), ({"rate": [1, 2]}, "for 1 test")]:
+    wrong: list[tuple[dict[str, Any], str]] = [
+        ({"law": "hooke"}, "the laws are"),
+        ({"young": "210 mm"}, "210 mm"),
+        ({"rate": [1, 2]}, "for 1 test"),
+    ]
+    for words, said in wrong:
         with pytest.raises(sf.StudyError, match=said):
-            sf.fit(BAR, **words)  # type: ignore[call-overload]
+            sf.fit(BAR, **words)
     with pytest.raises(sf.StudyError, match="cannot read"):
         sf.fit("none.csv")
 
@@ -193,8 +199,8 @@ def test_a_fitted_sheet_is_that_of_its_pasted_text() -> None:
         pasted = re.sub(r"\[material\..*?(?=\n\[)", lambda _: laws.material, QUICKSTART.read_text(), flags=re.DOTALL)
         assert pasted.count("[material") == laws.material.count("[material")
         theirs = sf.Case.from_text(pasted).with_(COARSE)
-        forces = [one.solve().load_travel["punch_force_N"] for one in (case, theirs)]
-        np.testing.assert_array_equal(*forces)
+        ours, pastes = (one.solve().load_travel["punch_force_N"] for one in (case, theirs))
+        np.testing.assert_array_equal(ours, pastes)
 
 
 def test_keys_of_a_case_are_those_of_the_command_line(program: str, tmp_path: Path) -> None:
