@@ -17,13 +17,7 @@ use std::path::{Path, PathBuf};
 
 /// A number of all runs: header, label, unit; values, half their error bars, differences to the first run; whether these are
 /// within the error bars, where that is known.
-type NumberParts<'py> = (
-    String,
-    &'static str,
-    &'static str,
-    Vec<Bound<'py, PyArray1<f64>>>,
-    Vec<Option<bool>>,
-);
+type NumberParts<'py> = (String, &'static str, &'static str, Vec<Bound<'py, PyArray1<f64>>>, Vec<Option<bool>>);
 
 /// Runs cases, each with the overrides that it has besides those of its first, and holds them against each other and against
 /// measured curves; also their solutions, in order, as far as they came.

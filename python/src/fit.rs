@@ -32,7 +32,7 @@ pub fn fit_law<'py>(
     let tests = tests(files, &reduced, rate, direction).map_err(wrong)?;
     let fits = py.detach(|| fit::fit_laws(tests.curves()?, law, rate_law)).map_err(wrong)?;
     let setting = fit::material_setting(&fits, fits.best());
-    let sentences = fits.tests.iter().map(FlowCurve::sentence).chain(fits.sentences());
+    let sentences = fits.sentences().into_iter().chain(fits.tests.iter().map(FlowCurve::sentence));
     let picture = stampflow::output::study::fit_law(&fits, form());
     Ok((told(py, &json::fit_law(&fits), sentences, [("fit", picture)]), setting))
 }
@@ -61,12 +61,7 @@ pub fn fit_case<'py>(
     Ok((told(py, &json::fit_case(&fit), fit.sentences(), named), case.made(fitted), raised))
 }
 
-fn tests(
-    files: Vec<PathBuf>,
-    reduced: &Reduced,
-    rate: Vec<f64>,
-    direction: Vec<f64>,
-) -> Result<Tests, StudyError> {
+fn tests(files: Vec<PathBuf>, reduced: &Reduced, rate: Vec<f64>, direction: Vec<f64>) -> Result<Tests, StudyError> {
     let [young, offset, from, to, section, gauge] = reduced;
     let of = |text: &Option<String>, by: fn(&str) -> Result<f64, String>| {
         text.as_deref().map(|text| read(text, by)).transpose()

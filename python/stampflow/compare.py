@@ -110,18 +110,19 @@ class Compared(Told, ByName[ComparedNumber]):
 
     def _page(self) -> Page:
         page = super()._page()
+        told = [solution.numbers for solution in self.solutions]
         rows = [
-            (number.label, *(f"{value:.4g}" for value in number.values), number.unit)
-            for number in self.values()
+            (number.label, *(str(numbers[name]) if name in numbers else "–" for numbers in told))
+            for name, number in self.items()
         ]
         marks = [run["run"] for run in self.json["runs"]]
-        lights = ("verdict", *(run["verdict"] for run in self.json["runs"]), "")
+        lights = ("verdict", *(run["verdict"] for run in self.json["runs"]))
         return Page(
             title=page.title,
             answer=page.answer,
             picture=page.picture,
             summary="All numbers",
-            header=("", *marks, ""),
+            header=("", *marks),
             rows=[lights, *rows],
         )
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
@@ -176,7 +176,7 @@ class Scatter(Told, Rows):
 
 def scatter(
     case: Case,
-    vary: Mapping[str, str] | list[str] | None = None,
+    vary: Mapping[str, str] | Sequence[str] | None = None,
     *,
     correlate: Mapping[tuple[str, str], float] | None = None,
     runs: int | None = None,

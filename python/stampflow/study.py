@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Callable, Iterable, Mapping, Sequence
-from typing import TYPE_CHECKING, Any, TypeAlias
+from collections.abc import Iterable, Mapping, Sequence
+from typing import TYPE_CHECKING, Any
 
 from . import _toml
 from ._html import Page, Shown
@@ -15,9 +15,6 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from ._native import _Picture, _Table, _Told
-
-Progress: TypeAlias = Callable[[float], object]
-"""What is called now and then with the share that is done, from 0 to 1. An exception of it ends the work."""
 
 
 class Told(Shown):

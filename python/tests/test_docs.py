@@ -2,12 +2,17 @@
 
 from __future__ import annotations
 
+import contextlib
+import io
+import os
 import re
+import shutil
 from pathlib import Path
 
 import pytest
 from conftest import ROOT
 
+PAGE = ROOT / "docs" / "python.md"
 NOTEBOOKS = sorted((ROOT / "python" / "notebooks").glob("*.ipynb"))
 
 
@@ -20,12 +25,35 @@ def test_the_readme_runs(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Non
     assert (tmp_path / "load.svg").exists() and getattr(names["window"], "shape") == (3, 2)
 
 
+def test_the_page_of_the_book_runs(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Its snippets one after the other, in a folder with what they read; below each stands what it prints. UPDATE=1 writes that
+    anew."""
+    for folder in ("cases", "reference_data", "tests/drawings"):
+        shutil.copytree(ROOT / folder, tmp_path / folder)
+    monkeypatch.chdir(tmp_path)
+    text = PAGE.read_text(encoding="utf-8")
+    names: dict[str, object] = {}
+
+    def run(snippet: re.Match[str]) -> str:
+        out = io.StringIO()
+        with contextlib.redirect_stdout(out):
+            exec(snippet[1], names)
+        shown = f"\n\n```text\n{out.getvalue()}```" if out.getvalue() else ""
+        return f"```python\n{snippet[1]}```{shown}"
+
+    anew, count = re.subn(r"```python\n(.*?)```(?:\n\n```text\n.*?```)?", run, text, flags=re.DOTALL)
+    assert count > 5
+    if os.environ.get("UPDATE"):
+        PAGE.write_text(anew, encoding="utf-8")
+    assert os.environ.get("UPDATE") or anew == text
+
+
 @pytest.mark.parametrize("path", NOTEBOOKS, ids=lambda path: path.stem)
-def test_a_notebook_runs_and_shows_its_pictures(path: Path, tmp_path: Path) -> None:
+def test_a_notebook_runs_and_shows_its_pictures(path: Path) -> None:
     nbformat = pytest.importorskip("nbformat")
     nbclient = pytest.importorskip("nbclient")
     notebook = nbformat.read(path, as_version=4)
-    nbclient.NotebookClient(notebook, timeout=600, resources={"metadata": {"path": tmp_path}}).execute()
+    nbclient.NotebookClient(notebook, timeout=600, resources={"metadata": {"path": path.parent}}).execute()
     shown = {kind for cell in notebook.cells for output in cell.get("outputs", []) for kind in output.get("data", {})}
     assert shown & {"image/svg+xml", "image/png"}
 

@@ -40,6 +40,41 @@ def test_ctrl_c_ends_a_run_within_a_step_and_keeps_it() -> None:
     assert kept.summary["complete"] is False
 
 
+#: Solves, says when it has begun, and how it ended.
+INTERRUPTED = """
+import sys, time
+import stampflow as sf
+
+begun = []
+def progress(share):
+    begun or print("begun", flush=True)
+    begun.append(share)
+
+case = sf.Case.load(sys.argv[1]).with_({"blank.elements": 2000, "solver.strain_step": 0.002})
+try:
+    case.solve(progress)
+except KeyboardInterrupt as caught:
+    at = time.monotonic()
+    travel = caught.partial.load_travel["travel_mm"]
+    print(at, len(travel), travel[-1], caught.partial.interrupted)
+"""
+
+
+def test_a_signal_from_outside_ends_a_run_within_a_step() -> None:
+    """Trust: the clock is the machine's, the same for both processes; a step of this mesh takes some 20 ms, and half a second is
+    what a busy machine may add to it."""
+    command = [sys.executable, "-c", INTERRUPTED, str(QUICKSTART)]
+    with subprocess.Popen(command, stdout=subprocess.PIPE, text=True) as child:
+        assert child.stdout and child.stdout.readline() == "begun\n"
+        time.sleep(0.5)
+        sent = time.monotonic()
+        child.send_signal(signal.SIGINT)
+        at, steps, travel, interrupted = child.stdout.read().split()
+    assert child.returncode == 0 and interrupted == "True"
+    assert 0 < float(at) - sent < 0.5
+    assert int(steps) > 1 and 0 < float(travel) < 25
+
+
 def test_an_exception_of_the_callback_ends_a_run() -> None:
     def progress(share: float) -> None:
         raise RuntimeError(f"no more after {share}")

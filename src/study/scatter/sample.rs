@@ -40,9 +40,8 @@ impl Sample {
     /// When it cannot be read.
     pub fn read(path: &Path, columns: &Columns) -> Result<Self, StudyError> {
         let shown = path.display().to_string();
-        let file = File::open(path).map_err(|error| {
-            StudyError::new(format!("cannot read {shown}: {error}"), "begin anew with --restart")
-        })?;
+        let file = File::open(path)
+            .map_err(|error| StudyError::new(format!("cannot read {shown}: {error}"), "begin anew with --restart"))?;
         Self::of(file, &shown, columns)
     }
 
@@ -51,9 +50,8 @@ impl Sample {
     /// # Errors
     /// As [`read`](Self::read).
     pub fn of(table: impl Read, shown: &str, columns: &Columns) -> Result<Self, StudyError> {
-        let unreadable = |error: csv::Error| {
-            StudyError::new(format!("cannot read {shown}: {error}"), "begin anew with --restart")
-        };
+        let unreadable =
+            |error: csv::Error| StudyError::new(format!("cannot read {shown}: {error}"), "begin anew with --restart");
         let mut reader = csv::Reader::from_reader(table);
         let header = reader.headers().map_err(unreadable)?.clone();
         let place = |name: &str| header.iter().position(|column| column == name);

@@ -38,10 +38,7 @@ impl Asked {
             ([vary], _) => vary,
             ([], Some(draft)) => &draft.vary,
             ([], None) => {
-                return Err(StudyError::new(
-                    "there is nothing to vary",
-                    "give --vary \"KEY=FROM..TO UNIT\", or --for",
-                ));
+                return Err(StudyError::new("there is nothing to vary", "give --vary \"KEY=FROM..TO UNIT\", or --for"));
             }
             _ => {
                 let help = "join keys that move together by &, or give --minimise or --maximise for their best";

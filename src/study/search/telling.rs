@@ -43,8 +43,7 @@ impl Wish {
         });
         let keys = Message::joined(keys, ", ");
         let number = row.result.as_ref().ok().and_then(|solved| self.number.find(solved).ok());
-        let value =
-            number.map_or_else(Message::default, |number| number.amount.to(Digits::Significant(4)).into());
+        let value = number.map_or_else(Message::default, |number| number.amount.to(Digits::Significant(4)).into());
         message!("{number} is {value} at {keys}", number = self.number.text.clone(), value = value, keys = keys)
     }
 }
@@ -55,8 +54,8 @@ impl Best {
         if self.best.is_none() {
             return Vec::new();
         }
-        let binds = (!self.binding.is_empty())
-            .then(|| message!("what binds: {parts}", parts = self.binding.join(", ")));
+        let binds =
+            (!self.binding.is_empty()).then(|| message!("what binds: {parts}", parts = self.binding.join(", ")));
         let runs = message!(
             "{grid} runs over all keys, {steps} from the best of them on",
             grid = self.grid,
