@@ -9,14 +9,7 @@ use super::table::{Cell, Tone, table, wrapped};
 use anyhow::Context;
 use stampflow::message::{Amount, Form};
 use stampflow::output::study::{json, scatter_pictures, scatter_tables};
-<<<<<<< HEAD
-use stampflow::study::scatter::{
-    Asked, Base, Correlation, Estimate, Event, Factor, Found, Sample, Scatter, file,
-};
-=======
-use stampflow::output::write;
 use stampflow::study::scatter::{Asked, Base, Correlation, Estimate, Event, Factor, Found, Sample, Scatter, file};
->>>>>>> pystudy
 use stampflow::study::{self, Bars, Begun, Designs, Journal, Shard, StudyError, Subject};
 use std::path::{Path, PathBuf};
 
