@@ -17,6 +17,7 @@
 
 use super::surface::{STATIONS, stations};
 use super::{Geometry, Node, Theory};
+use crate::numerics::number::{Instructions, Lanes, beside};
 use crate::numerics::{Real, small};
 
 /// Generalised strains or stress resultants: meridional and hoop membrane, meridional and hoop bending, shear.
@@ -37,35 +38,36 @@ pub const GAMMA: usize = 4;
 /// no bend of a shell.
 const SMALLEST_FACE: f64 = 0.25;
 
-/// An element in its reference configuration: as a step begins.
+/// An element in its reference configuration, as a step begins; or several alike side by side.
 #[derive(Clone, Copy, Debug)]
-pub struct Reference {
+pub struct Reference<T = f64> {
     hoop: bool,
     bending: bool,
-    dr: f64,
-    dz: f64,
-    fibre: Fibre,
+    dr: T,
+    dz: T,
+    fibre: Fibre<T>,
     /// Length of the meridian \[mm\].
-    pub length: f64,
+    pub length: T,
     /// Radius of the middle \[mm\].
-    pub radius: f64,
+    pub radius: T,
 }
 
 /// Cosine and sine of the mean rotation θ_m.
 #[derive(Clone, Copy, Debug)]
-struct Fibre {
-    cos: f64,
-    sin: f64,
+struct Fibre<T> {
+    cos: T,
+    sin: T,
 }
 
-impl Fibre {
-    fn new(angle: f64) -> Self {
-        let (sin, cos) = small::sin_cos(angle);
+impl<T: Real> Fibre<T> {
+    #[inline(always)]
+    fn new(angle: T) -> Self {
+        let [sin, cos] = small::sin_cos(angle);
         Self { cos, sin }
     }
 
     /// Turned on.
-    #[inline]
+    #[inline(always)]
     fn turned(&self, by: &Self) -> Self {
         Self { cos: self.cos * by.cos - self.sin * by.sin, sin: self.sin * by.cos + self.cos * by.sin }
     }
@@ -73,15 +75,15 @@ impl Fibre {
 
 /// The element in its current configuration: as it is tried at the end of the step.
 #[derive(Clone, Copy, Debug)]
-pub struct Current {
-    reference: Reference,
-    cos: f64,
-    sin: f64,
-    length: f64,
-    radius: f64,
-    fibre: Fibre,
+pub struct Current<T = f64> {
+    reference: Reference<T>,
+    cos: T,
+    sin: T,
+    length: T,
+    radius: T,
+    fibre: Fibre<T>,
     /// Strain increments of the step.
-    pub strain: Generalised,
+    pub strain: Generalised<T>,
 }
 
 impl Reference {
@@ -94,7 +96,7 @@ impl Reference {
             dr,
             dz,
             fibre: Fibre::new(0.5 * (a[2] + b[2])),
-            length: dr.hypot(dz),
+            length: (dr * dr + dz * dz).sqrt(),
             radius: 0.5 * (a[0] + b[0]),
         }
     }
@@ -128,29 +130,48 @@ impl Reference {
             ((1.0 + h * turn / self.length) * (1.0 + h * around)).max(SMALLEST_FACE)
         })
     }
+}
 
+impl<S: Instructions> Reference<Lanes<S>> {
+    /// As many as there are lanes, of one geometry and theory.
+    #[inline(always)]
+    pub fn beside(simd: S, of: &[Reference]) -> Self {
+        Self {
+            hoop: of[0].hoop,
+            bending: of[0].bending,
+            dr: beside!(simd, of, dr),
+            dz: beside!(simd, of, dz),
+            fibre: Fibre { cos: beside!(simd, of, fibre.cos), sin: beside!(simd, of, fibre.sin) },
+            length: beside!(simd, of, length),
+            radius: beside!(simd, of, radius),
+        }
+    }
+}
+
+impl<T: Real> Reference<T> {
     /// The same element after its nodes have moved by `a` and `b` in the step; `None` when it has collapsed or crossed
     /// the axis.
     ///
     /// Strains are formed from the moves, not from positions: where the sheet hardly flows, stress is a strain of 1e-10
     /// times a viscosity of 1e8 MPa, and the difference of two positions would be round-off.
     #[inline(always)]
-    pub fn moved(&self, a: Node, b: Node) -> Option<Current> {
+    pub fn moved(&self, a: [T; 3], b: [T; 3]) -> Option<Current<T>> {
         let (ur, uz, turn) = (b[0] - a[0], b[1] - a[1], b[2] - a[2]);
         let (dr, dz) = (self.dr + ur, self.dz + uz);
         let length = (dr * dr + dz * dz).sqrt();
-        let outward = 0.5 * (a[0] + b[0]);
+        let outward = (a[0] + b[0]) * 0.5;
         let radius = self.radius + outward;
-        // The comparison is also false for NaN.
-        let sound = length > 1e-6 * self.length && (!self.hoop || radius > 1e-6 * self.radius);
+        // The comparisons are also false for NaN.
+        let sound = length.everywhere(length.exceeds(self.length * 1e-6))
+            && (!self.hoop || radius.everywhere(radius.exceeds(self.radius * 1e-6)));
         if !sound {
             return None;
         }
-        let rotation = 0.5 * (a[2] + b[2]);
+        let rotation = (a[2] + b[2]) * 0.5;
         let mut fibre = self.fibre;
-        let mut strain = [0.0; 5];
-        let stretch = (2.0 * (self.dr * ur + self.dz * uz) + ur * ur + uz * uz) / (self.length * self.length);
-        strain[EPS_S] = 0.5 * small::ln_1p(stretch);
+        let mut strain = [length.constant(0.0); 5];
+        let stretch = ((self.dr * ur + self.dz * uz) * 2.0 + ur * ur + uz * uz) / (self.length * self.length);
+        strain[EPS_S] = small::ln_1p(stretch) * 0.5;
         if self.hoop {
             strain[EPS_T] = small::ln_1p(outward / self.radius);
         }
@@ -158,9 +179,9 @@ impl Reference {
             strain[KAPPA_S] = turn / self.length;
             if self.hoop {
                 // sin(θ + δ) − sin θ = 2 cos(θ + δ/2) sin(δ/2)
-                let half = Fibre::new(0.5 * rotation);
+                let half = Fibre::new(rotation * 0.5);
                 let middle = fibre.turned(&half);
-                strain[KAPPA_T] = 2.0 * middle.cos * half.sin / self.radius;
+                strain[KAPPA_T] = middle.cos * 2.0 * half.sin / self.radius;
                 fibre = middle.turned(&half);
             }
             strain[GAMMA] = small::angle(self.dr * uz - self.dz * ur, self.dr * dr + self.dz * dz) - rotation;
@@ -224,24 +245,34 @@ impl<T: Real> StrainDisplacement<T> {
     }
 }
 
-impl Current {
+impl<T: Real> Current<T> {
     /// B, without its zeros.
-    #[inline]
-    pub fn strain_displacement(&self) -> StrainDisplacement {
+    #[inline(always)]
+    pub fn strain_displacement(&self) -> StrainDisplacement<T> {
         let (c, s, reference) = (self.cos / self.length, self.sin / self.length, &self.reference);
         let bending = if reference.bending { 1.0 } else { 0.0 };
         let hoop = if reference.hoop { 1.0 } else { 0.0 };
         StrainDisplacement {
             along: [c, s],
             across: [-s * bending, c * bending],
-            hoop: hoop * 0.5 / self.radius,
-            bend: bending / reference.length,
-            turn: bending * hoop * 0.5 * self.fibre.cos / reference.radius,
-            shear: -0.5 * bending,
-            swing: -0.25 * bending * hoop * self.fibre.sin / reference.radius,
+            hoop: c.constant(0.5 * hoop) / self.radius,
+            bend: c.constant(bending) / reference.length,
+            turn: self.fibre.cos * (0.5 * bending * hoop) / reference.radius,
+            shear: c.constant(-0.5 * bending),
+            swing: self.fibre.sin * (-0.25 * bending * hoop) / reference.radius,
         }
     }
 
+    /// Rows of Δε_s and Δε_θ by r₁, z₁, r₂, z₂ \[1/mm\].
+    #[inline(always)]
+    pub fn membrane_rows(&self) -> [[T; 4]; 2] {
+        let StrainDisplacement { along: [c, s], hoop, .. } = self.strain_displacement();
+        let zero = hoop.constant(0.0);
+        [[-c, -s, c, s], [hoop, zero, hoop, zero]]
+    }
+}
+
+impl Current {
     /// Whether the element bends, or is a membrane.
     pub fn bends(&self) -> bool {
         self.reference.bending
@@ -251,12 +282,6 @@ impl Current {
     pub fn turn(&self) -> f64 {
         let Reference { dr, dz, .. } = self.reference;
         (dr * self.sin - dz * self.cos).atan2(dr * self.cos + dz * self.sin)
-    }
-
-    /// Rows of Δε_s and Δε_θ by r₁, z₁, r₂, z₂ \[1/mm\].
-    pub fn membrane_rows(&self) -> [[f64; 4]; 2] {
-        let StrainDisplacement { along: [c, s], hoop, .. } = self.strain_displacement();
-        [[-c, -s, c, s], [hoop, 0.0, hoop, 0.0]]
     }
 }
 

@@ -38,10 +38,10 @@ pub struct Strained<T = f64> {
     pub thickness: T,
 }
 
-impl Strained {
+impl<T: Real> Strained<T> {
     /// Of an element of `volume` \[mm³, or mm²\] that was `thickness` \[mm\] thick.
     #[inline(always)]
-    pub fn new(current: &Current, volume: f64, thickness: f64) -> Self {
+    pub fn new(current: &Current<T>, volume: T, thickness: T) -> Self {
         Self { strain: current.strain, rows: current.strain_displacement(), volume, thickness }
     }
 }

@@ -1,6 +1,6 @@
 //! Localised necking on the left.
 
-use super::instability::{Proportional, hardening_note, limit, ratios};
+use super::instability::{Hardened, Proportional, hardening_note, ratios};
 use super::plane::Plane;
 use super::{Curve, Kind, LimitError, Sheet, swift};
 use crate::message::message;
@@ -24,12 +24,13 @@ pub struct Hill {
 impl Hill {
     pub(super) fn curve(&self, sheet: &Sheet) -> Result<Curve, LimitError> {
         let plane = Plane::of(sheet.material);
+        let mut hardened = Hardened::new(sheet, self.n);
         let point = |beta: f64| {
             if beta > 0.0 {
-                return swift::point(sheet, self.n, beta);
+                return swift::point(plane, &mut hardened, beta);
             }
             let path = Proportional::new(plane, beta);
-            let strain = limit(sheet, self.n, path.strain[0] + path.strain[1])?;
+            let strain = hardened.limit(path.strain[0] + path.strain[1])?;
             Ok([path.strain[1] * strain, path.strain[0] * strain])
         };
         let points = ratios(plane, 20, 20).map(point).collect::<Result<_, _>>()?;

@@ -10,6 +10,7 @@
 
 use super::plane::Plane;
 use super::{LimitError, Sheet};
+use crate::material::FlowStress;
 use crate::message::{Amount, Digits, Message, message};
 use crate::numerics::bisect;
 
@@ -22,32 +23,52 @@ const STEP: f64 = 1e-3;
 /// # Errors
 /// When the law has no maximum of the force, or begins with it.
 pub fn uniform_strain(sheet: &Sheet) -> Result<f64, LimitError> {
-    limit(sheet, None, 1.0)
+    Hardened::new(sheet, None).limit(1.0)
 }
 
-/// Equivalent strain at which σ_y'/σ_y has come down to `loss` \[–\]; by the power law of exponent `n` where it is given.
-pub(super) fn limit(sheet: &Sheet, n: Option<f64>, loss: f64) -> Result<f64, LimitError> {
-    if let Some(n) = n {
-        return Ok(power_law(n, 0.0, loss));
+/// What of a sheet's hardening was looked at in search of one limit, for the next.
+pub(super) struct Hardened<'a> {
+    sheet: &'a Sheet<'a>,
+    /// Exponent of a power law in place of the sheet's own \[–\].
+    n: Option<f64>,
+    /// The flow stress at every [`STEP`] of strain, from the first on.
+    steps: Vec<FlowStress>,
+}
+
+impl<'a> Hardened<'a> {
+    pub fn new(sheet: &'a Sheet<'a>, n: Option<f64>) -> Self {
+        Self { sheet, n, steps: Vec::new() }
     }
-    let stable = |strain: f64| {
-        let law = sheet.hardening(strain);
-        law.slope > loss * law.stress
-    };
-    if !stable(1e-6) {
-        let what = "the hardening law hardly hardens: its force falls from the start";
-        return Err(LimitError::new(
-            what,
-            "give points, or marciniak_kuczynski where a rate law holds the sheet together",
-        ));
+
+    /// Equivalent strain at which σ_y'/σ_y has come down to `loss` \[–\]; by the power law where its exponent is given.
+    pub fn limit(&mut self, loss: f64) -> Result<f64, LimitError> {
+        if let Some(n) = self.n {
+            return Ok(power_law(n, 0.0, loss));
+        }
+        let sheet = self.sheet;
+        let holds = |law: FlowStress| law.slope > loss * law.stress;
+        let stable = |strain: f64| holds(sheet.hardening(strain));
+        if !stable(1e-6) {
+            let what = "the hardening law hardly hardens: its force falls from the start";
+            return Err(LimitError::new(
+                what,
+                "give points, or marciniak_kuczynski where a rate law holds the sheet together",
+            ));
+        }
+        let steps = (LARGEST / STEP) as usize;
+        let mut at = |i: usize| {
+            if self.steps.len() < i {
+                self.steps.push(sheet.hardening(STEP * i as f64));
+            }
+            self.steps[i - 1]
+        };
+        let Some(i) = (1..=steps).find(|&i| !holds(at(i))) else {
+            let what = format!("the hardening law has no load maximum up to a strain of {LARGEST}");
+            return Err(LimitError::new(what, "give n, or points"));
+        };
+        let [low, high] = bisect(STEP * (i - 1) as f64, STEP * i as f64, 50, stable);
+        Ok(0.5 * (low + high))
     }
-    let steps = (LARGEST / STEP) as usize;
-    let Some(i) = (1..=steps).find(|&i| !stable(STEP * i as f64)) else {
-        let what = format!("the hardening law has no load maximum up to a strain of {LARGEST}");
-        return Err(LimitError::new(what, "give n, or points"));
-    };
-    let [low, high] = bisect(STEP * (i - 1) as f64, STEP * i as f64, 50, stable);
-    Ok(0.5 * (low + high))
 }
 
 /// The limit n/H − ε₀ of σ = K (ε₀ + ε̄)^n in closed form \[–\].

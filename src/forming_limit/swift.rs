@@ -1,6 +1,6 @@
 //! Diffuse necking.
 
-use super::instability::{Proportional, hardening_note, limit, ratios};
+use super::instability::{Hardened, Proportional, hardening_note, ratios};
 use super::plane::Plane;
 use super::{Curve, Kind, LimitError, Sheet};
 use crate::message::message;
@@ -25,7 +25,8 @@ pub struct Swift {
 
 impl Swift {
     pub(super) fn curve(&self, sheet: &Sheet) -> Result<Curve, LimitError> {
-        let points = ratios(Plane::of(sheet.material), 20, 20).map(|beta| point(sheet, self.n, beta));
+        let (plane, mut hardened) = (Plane::of(sheet.material), Hardened::new(sheet, self.n));
+        let points = ratios(plane, 20, 20).map(|beta| point(plane, &mut hardened, beta));
         let points = points.collect::<Result<Vec<_>, _>>()?;
         let note = message!("Forming limit: Swift's diffuse necking by {law}.", law = hardening_note(self.n));
         Curve::new(Kind::Swift(*self), sheet, points, vec![note])
@@ -33,8 +34,8 @@ impl Swift {
 }
 
 /// Minor and major strain at the limit of a strain ratio.
-pub(super) fn point(sheet: &Sheet, n: Option<f64>, beta: f64) -> Result<[f64; 2], LimitError> {
-    let Proportional { strain: [e1, e2], stress: [s1, s2] } = Proportional::new(Plane::of(sheet.material), beta);
-    let strain = limit(sheet, n, s1 * e1 * e1 + s2 * e2 * e2)?;
+pub(super) fn point(plane: Plane, hardened: &mut Hardened, beta: f64) -> Result<[f64; 2], LimitError> {
+    let Proportional { strain: [e1, e2], stress: [s1, s2] } = Proportional::new(plane, beta);
+    let strain = hardened.limit(s1 * e1 * e1 + s2 * e2 * e2)?;
     Ok([e2 * strain, e1 * strain])
 }

@@ -24,7 +24,7 @@ pub use crossing::Fold;
 pub use fillet::{FilletTooLarge, fillet};
 pub use offset::OffsetError;
 pub use piece::{Arc, Piece, Segment};
-pub use profile::{Closest, Profile, ProfileError, Vertex};
+pub use profile::{Closest, Nearest, Profile, ProfileError, Vertex};
 pub use rounding::{CORNER, biarc};
 
 /// A point or vector `[r, z]` in mm.

@@ -39,6 +39,24 @@ pub struct Closest {
     pub piece: usize,
 }
 
+/// Which piece of a profile is the closest one, and how far a point may move before another one can be \[mm\].
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Nearest {
+    piece: usize,
+    room: f64,
+}
+
+impl Nearest {
+    /// Digits that distances are rounded to are no reason to change the piece \[mm\].
+    const ROUNDED: f64 = 1e-9;
+
+    /// Whether it is the closest one still after a point has `moved` \[mm\]; distances change no faster than it moves.
+    #[inline]
+    fn is_after(&self, moved: f64) -> bool {
+        moved < self.room - Self::ROUNDED
+    }
+}
+
 /// Where one piece of a profile ends and the next begins.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Vertex {
@@ -139,7 +157,17 @@ impl Profile {
     ///              ╱ 45°   d > 0, from the end
     /// ```
     pub fn closest(&self, x: Point) -> Closest {
-        let best = self.closest_of_line(x);
+        self.seen_from(x, self.nearest(x).piece)
+    }
+
+    /// The same of a point that has `moved` \[mm\] since its nearest piece was `known`, which is kept up to date.
+    pub fn closest_after(&self, x: Point, moved: f64, known: &mut Nearest) -> Closest {
+        *known = if known.is_after(moved) { Nearest { room: known.room - moved, ..*known } } else { self.nearest(x) };
+        self.seen_from(x, known.piece)
+    }
+
+    fn seen_from(&self, x: Point, piece: usize) -> Closest {
+        let best = self.on_line(x, piece);
         if best.distance >= 0.0 { best } else { self.round_an_end(x, &best).unwrap_or(best) }
     }
 
@@ -152,27 +180,34 @@ impl Profile {
         is_round.then(|| Closest { distance, normal: away / distance, curvature: 1.0 / distance, piece: behind.piece })
     }
 
-    /// The same of a line that goes on straight beyond its ends, as far as the side goes.
-    fn closest_of_line(&self, x: Point) -> Closest {
-        let (mut piece, mut foot, mut square) = (0, Foot::Interior { distance: f64::INFINITY }, f64::INFINITY);
+    fn nearest(&self, x: Point) -> Nearest {
+        let (mut piece, mut square, mut next) = (0, f64::INFINITY, f64::INFINITY);
         for (index, candidate) in self.pieces.iter().enumerate() {
-            let candidate = candidate.foot(x);
-            let its = match candidate {
+            let its = match candidate.foot(x) {
                 Foot::Interior { distance } => distance * distance,
                 Foot::End { point, .. } => (x - point).norm_squared(),
             };
             if its < square {
-                (piece, foot, square) = (index, candidate, its);
+                (piece, square, next) = (index, its, square);
+            } else {
+                next = next.min(its);
             }
         }
-        match foot {
+        Nearest { piece, room: 0.5 * (next.sqrt() - square.sqrt()) }
+    }
+
+    /// As seen from a piece of a line that goes on straight beyond its ends, as far as the side goes.
+    #[inline]
+    fn on_line(&self, x: Point, piece: usize) -> Closest {
+        match self.pieces[piece].foot(x) {
             Foot::Interior { distance } => {
                 let (normal, curvature) = self.pieces[piece].facing(x);
                 Closest { distance, normal, curvature, piece }
             }
             Foot::End { first, point } => {
                 let outward = self.vertex_normals[if first { piece } else { piece + 1 }];
-                let (away, distance) = (x - point, square.sqrt());
+                let away = x - point;
+                let distance = away.norm();
                 if distance < 1e-12 {
                     return Closest { distance: 0.0, normal: outward, curvature: 0.0, piece };
                 }
@@ -298,6 +333,29 @@ mod tests {
     /// A plate from the axis to r = 10 mm at z = 0, the sheet above, nothing else drawn.
     fn plate() -> Profile {
         Profile::new(vec![Piece::Segment(Segment::new(point(0.0, 0.0), point(10.0, 0.0)))]).unwrap()
+    }
+
+    /// Trust: to the bit, along ways of small steps and of jumps past a plate, a nose and a die's shoulder.
+    #[test]
+    fn what_is_known_of_a_point_before_it_moved_changes_nothing() {
+        let shoulder = Profile::new(vec![
+            Piece::Segment(Segment::new(point(0.0, -9.0), point(0.0, -2.0))),
+            Piece::Arc(Arc::new(point(2.0, -2.0), 2.0, std::f64::consts::PI, -FRAC_PI_2)),
+            Piece::Segment(Segment::new(point(2.0, 0.0), point(9.0, 0.0))),
+        ])
+        .unwrap();
+        for profile in [plate(), shoulder] {
+            for step in [1e-3, 0.05, 0.7] {
+                let (mut known, mut last) = (Nearest::default(), Point::zeros());
+                for i in 0..4000 {
+                    let t = step * f64::from(i);
+                    let x = point(4.0 + 6.0 * (0.31 * t).sin(), -1.0 + 4.0 * (0.53 * t).cos());
+                    let found = profile.closest_after(x, (x - last).norm(), &mut known);
+                    assert_eq!(found, profile.closest(x));
+                    last = x;
+                }
+            }
+        }
     }
 
     /// Trust: by hand, right triangles of 3, 4 and 5.

@@ -1,6 +1,6 @@
 //! Which yield condition a sheet has, and what a designer's formulas ask of it.
 
-use super::yield_condition::{MEAN_SQUARE, Metric, Triple, YieldCondition};
+use super::yield_condition::{Metric, Triple, YieldCondition};
 use super::{Hill48, Hosford};
 use std::fmt;
 
@@ -71,13 +71,7 @@ impl YieldCriterion {
     /// The same of a part of the thickness over which the increment goes evenly from `e` − `k` to `e` + `k`: its root mean
     /// square \[–\].
     pub fn equivalent_across(&self, e: Triple, k: [f64; 2]) -> f64 {
-        match self {
-            Self::Hill48(hill) => {
-                let across = hill.equivalent_increment([k[0], k[1], 0.0]);
-                hill.equivalent_increment(e).hypot(MEAN_SQUARE.sqrt() * across)
-            }
-            Self::Hosford(hosford) => hosford.part(e, k, None).square.sqrt(),
-        }
+        by_condition!(self, condition => condition.part(e, k, None).square.sqrt())
     }
 
     /// ½Δε̄² of a strain increment: its gradient, which is Δε̄ times the stress over the yield stress, and second derivative.

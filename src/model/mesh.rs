@@ -1,7 +1,6 @@
 //! Where the nodes start: along the flat blank from the axis outward.
 
 use crate::model::{Edge, Geometry, Grading, Model, Role};
-use crate::numerics::bisect;
 use std::f64::consts::FRAC_PI_2;
 
 /// Elements per 90° of a tool's corner that the graded mesh aims at: fewer, and the load ticks as nodes pass the lip.
@@ -64,22 +63,27 @@ fn graded(model: &Model, n: usize, zones: &[Zone]) -> Vec<f64> {
             density.max((1.0 - away / (6.0 * z.size)) / z.size)
         })
     };
-    // Zones do not know the floor: each sample is held against them once.
     let of_zones: Vec<f64> = (0..SAMPLES).map(of_zones).collect();
-    let count = |coarse: f64| {
-        let floor = 1.0 / coarse;
-        // As `f64::max`, which would ask for numbers that are none, at three times the cost.
-        let raised = of_zones.iter().map(|&density| if density > floor { density } else { floor });
-        raised.sum::<f64>() * length / SAMPLES as f64
+    // Convex and piecewise linear in the floor: Newton's method, from above, ends on the one that is looked for.
+    let (wanted, lowest) = (n as f64 * SAMPLES as f64 / length, 1.0 / (LARGEST_RATIO * finest));
+    let (mut floor, mut raised) = (1.0 / finest, SAMPLES + 1);
+    let scale = loop {
+        let (mut sum, mut below) = (0.0, 0_usize);
+        for &density in &of_zones {
+            let is_above = density > floor;
+            sum += if is_above { density } else { 0.0 };
+            below += usize::from(!is_above);
+        }
+        if below == raised || floor <= lowest {
+            break wanted / (sum + floor * below as f64);
+        }
+        (floor, raised) = (((wanted - sum) / below as f64).max(lowest), below);
     };
-    let [low, high] = bisect(finest, LARGEST_RATIO * finest, 60, |coarse| count(coarse) > n as f64);
-    let coarse = 0.5 * (low + high);
-    let scale = n as f64 / count(coarse);
 
     let mut nodes = vec![0.0];
     let mut passed = 0.0;
     for (k, density) in of_zones.iter().enumerate() {
-        let step = scale * density.max(1.0 / coarse) * length / SAMPLES as f64;
+        let step = scale * density.max(floor) * length / SAMPLES as f64;
         while nodes.len() < n && passed + step >= nodes.len() as f64 {
             let share = (nodes.len() as f64 - passed) / step;
             nodes.push(length * (k as f64 + share) / SAMPLES as f64);

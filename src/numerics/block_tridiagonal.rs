@@ -77,8 +77,8 @@ impl System {
             self.diagonal[i] = Matrix3::zeros();
             self.upper[i] = Matrix3::zeros();
             self.rhs[i] = Vector3::zeros();
-            self.columns[i] = [Vector3::zeros(); MAX_SHARED];
-            self.rows[i] = [Vector3::zeros(); MAX_SHARED];
+            self.columns[i][..self.shared].fill(Vector3::zeros());
+            self.rows[i][..self.shared].fill(Vector3::zeros());
         }
         self.corner = Corner::zeros();
         for k in self.shared..MAX_SHARED {

@@ -6,6 +6,9 @@
 //! eʸ = 2^k e^f,  f = y − k ln 2                           |f| ≤ ½ ln 2
 //! x^n = e^(n ln x)
 //! ```
+//!
+//! The sums are added up in pairs and pairs of pairs (Estrin), whose parts the processor works out at once; one term after the
+//! other (Horner) it would wait for each.
 
 use super::Real;
 
@@ -27,10 +30,13 @@ pub fn ln<T: Real>(x: T) -> T {
     });
     let z = (m - 1.0) / (m + 1.0);
     let y = z * z;
+    let square = y * y;
+    let fourth = square * square;
     // What is left out, y¹¹/23, is below 1e-18.
-    let tail = y * (y * (y * (1.0 / 21.0) + 1.0 / 19.0) + 1.0 / 17.0) + 1.0 / 15.0;
-    let sum = y
-        * (y * (y * (y * (y * (y * (y * tail + 1.0 / 13.0) + 1.0 / 11.0) + 1.0 / 9.0) + 1.0 / 7.0) + 0.2) + 1.0 / 3.0);
+    let head = y * (1.0 / 5.0) + 1.0 / 3.0 + square * (y * (1.0 / 9.0) + 1.0 / 7.0);
+    let middle = y * (1.0 / 13.0) + 1.0 / 11.0 + square * (y * (1.0 / 17.0) + 1.0 / 15.0);
+    let tail = y * (1.0 / 21.0) + 1.0 / 19.0;
+    let sum = y * (head + fourth * (middle + fourth * tail));
     e * LN_2[0] + (z * 2.0 + (z * sum * 2.0 + e * LN_2[1]))
 }
 
@@ -40,13 +46,16 @@ pub fn exp<T: Real>(x: T) -> T {
     let rounded = x * std::f64::consts::LOG2_E + ROUND;
     let k = rounded - ROUND;
     let f = x - k * LN_2[0] - k * LN_2[1];
+    let square = f * f;
+    let fourth = square * square;
     // What is left out, f¹⁴/14!, is below 5e-18.
-    let tail = f * (f * (f * (1.0 / 6_227_020_800.0) + 1.0 / 479_001_600.0) + 1.0 / 39_916_800.0) + 1.0 / 3_628_800.0;
-    let tail = f * (f * (f * tail + 1.0 / 362_880.0) + 1.0 / 40_320.0) + 1.0 / 5_040.0;
-    let tail = f * (f * (f * tail + 1.0 / 720.0) + 1.0 / 120.0) + 1.0 / 24.0;
-    let head = f * (f * (f * tail + 1.0 / 6.0) + 0.5);
+    let head = f * (1.0 / 6.0) + 0.5 + square * (f * (1.0 / 120.0) + 1.0 / 24.0);
+    let middle = f * (1.0 / 5_040.0) + 1.0 / 720.0 + square * (f * (1.0 / 362_880.0) + 1.0 / 40_320.0);
+    let tail =
+        f * (1.0 / 39_916_800.0) + 1.0 / 3_628_800.0 + square * (f * (1.0 / 6_227_020_800.0) + 1.0 / 479_001_600.0);
+    let rest = square * (head + fourth * (middle + fourth * tail));
     let [power] = T::each([rounded], |[k]| [f64::from_bits((k.to_bits() << 52).wrapping_add(1f64.to_bits()))]);
-    let near = power + power * (f + f * head);
+    let near = power + power * (f + rest);
     let far = (x * x).exceeds(x.constant(FAR * FAR));
     if !x.anywhere(far) {
         return near;

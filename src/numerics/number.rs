@@ -45,6 +45,9 @@ pub trait Real:
     /// Whether the answer is yes anywhere.
     fn anywhere(self, mask: Self::Mask) -> bool;
 
+    /// Whether the answer is yes everywhere.
+    fn everywhere(self, mask: Self::Mask) -> bool;
+
     /// Functions of some numbers, one lane after the other.
     #[must_use]
     fn each<const M: usize, const N: usize>(of: [Self; M], functions: impl Fn([f64; M]) -> [f64; N]) -> [Self; N];
@@ -75,6 +78,11 @@ impl Real for f64 {
 
     #[inline(always)]
     fn anywhere(self, mask: bool) -> bool {
+        mask
+    }
+
+    #[inline(always)]
+    fn everywhere(self, mask: bool) -> bool {
         mask
     }
 
@@ -173,6 +181,11 @@ impl<S: Instructions> Real for Lanes<S> {
     }
 
     #[inline(always)]
+    fn everywhere(self, mask: S::m64s) -> bool {
+        self.simd.first_true_m64s(self.simd.not_m64s(mask)) == LANES
+    }
+
+    #[inline(always)]
     fn each<const M: usize, const N: usize>(of: [Self; M], functions: impl Fn([f64; M]) -> [f64; N]) -> [Self; N] {
         let (simd, lanes) = (of[0].simd, values(of));
         let mut results = [[0.0; LANES]; N];
@@ -223,6 +236,9 @@ pub fn values<S: Instructions, const N: usize>(of: [Lanes<S>; N]) -> [[f64; LANE
 
 /// One entry of four values, side by side.
 macro_rules! beside {
+    ($simd:expr, $of:expr, [$i:literal]) => {
+        $crate::numerics::number::Lanes::new($simd, [$of[0][$i], $of[1][$i], $of[2][$i], $of[3][$i]])
+    };
     ($simd:expr, $of:expr, $($entry:tt)+) => {
         $crate::numerics::number::Lanes::new(
             $simd,

@@ -34,12 +34,13 @@ pub fn neck(model: &Model, state: &State, before: Option<&State>) -> Neck {
     let section = |state: &State| Neighbourhood::new(model, state).section_thickness(&state.thickness);
     let thickness = section(state);
     // What two tools take off a wall is no neck.
-    let strain = |e: usize| (thickness[e] / t0).ln() + state.ironed[e];
+    let strains = thickness.iter().zip(&state.ironed).map(|(thickness, ironed)| (thickness / t0).ln() + ironed);
+    let strains: Vec<f64> = strains.collect();
     let middle = |e: usize| 0.5 * (state.s0[e] + state.s0[e + 1]);
     let n = thickness.len();
-    let thinnest = (0..n).min_by(|&a, &b| strain(a).total_cmp(&strain(b)));
+    let thinnest = (0..n).min_by(|&a, &b| strains[a].total_cmp(&strains[b]));
     let e = thinnest.expect("a blank has elements");
-    let mut neck = Neck { s0: middle(e), share: strain(e).exp(), stands_out: false, took_over: false };
+    let mut neck = Neck { s0: middle(e), share: strains[e].exp(), stands_out: false, took_over: false };
     if neck.share > THINNED {
         return neck;
     }
@@ -53,18 +54,18 @@ pub fn neck(model: &Model, state: &State, before: Option<&State>) -> Neck {
         let step = model.process_time(before.time, state.time - before.time);
         model.settings.cutoff_strain * step / (Settings::CUTOFF_STEP * model.duration)
     });
-    let (mut strains, mut rates, mut count) = (0.0, 0.0, 0.0);
+    let (mut sum, mut rates, mut count) = (0.0, 0.0, 0.0);
     for other in 0..n {
         let away = (middle(other) - neck.s0).abs();
         // On a coarse mesh the next but one stands for the surroundings.
         let near = (NEAR * t0..AWAY * t0).contains(&away) || (other.abs_diff(e) == 2 && away >= AWAY * t0);
         if near {
-            strains += strain(other);
+            sum += strains[other];
             rates += rate(other).abs();
             count += 1.0;
         }
     }
-    neck.stands_out = count > 0.0 && strain(e) < NECK * (strains / count).min(0.0);
+    neck.stands_out = count > 0.0 && strains[e] < NECK * (sum / count).min(0.0);
     neck.took_over = neck.stands_out && before.is_some() && rate(e) > rigid && rates / count < STOPPED * rate(e);
     neck
 }

@@ -40,17 +40,19 @@ pub(super) fn work(before: &Evaluation, converged: &Converged) -> (Energy, Vec<f
     let cutoff = step.cutoff(trial.softening);
     let is_elastic = model.mode != Mode::Flow;
     let mut plastic_of = vec![0.0; now.thickness.len()];
-    for (e, updates) in now.updates.rows().enumerate() {
-        for (k, (update, at)) in updates.iter().zip(&step.process.rule).enumerate() {
+    for (e, (updates, points)) in now.updates.rows().zip(state.points.rows()).enumerate() {
+        let (shrinks, volume) = (1.0 / step.growth[e], step.volume[e]);
+        for (k, ((update, point), at)) in updates.iter().zip(points).zip(&step.process.rule).enumerate() {
             // Work per volume of the step's end; a porous sheet began with less of it.
             let strain = trial.strain(e, k);
-            let before = state.points[(e, k)].stress.map(|stress| stress / step.growth[e]);
+            let [s, t, shear] = point.stress;
+            let before = [s * shrinks, t * shrinks, shear * shrinks];
             // Metal that is not elastic bears its flow stress from the first on.
             let before = if !is_elastic && before == [0.0; 3] { update.stress } else { before };
             let power: f64 = (0..3).map(|d| 0.5 * (before[d] + update.stress[d]) * strain[d]).sum();
             let power = power + update.work_across;
-            let volume = step.volume[e] * at.weight;
-            let elastic = model.stored(update.stress) - model.stored(before);
+            let volume = volume * at.weight;
+            let elastic = if is_elastic { model.stored(update.stress) - model.stored(before) } else { 0.0 };
             let plastic = volume * (power - elastic);
             done.elastic += volume * elastic;
             done.plastic += plastic;

@@ -6,7 +6,6 @@ use super::step::rise;
 use crate::contact::penalty::{Penalty, ValueAndSlope};
 use crate::element::Node;
 use crate::element::kinematics::Reference;
-use crate::element::section::Strained;
 use crate::element::surface::{STATIONS, stations};
 use crate::geometry::Point;
 use crate::material::flow::StressUpdate;
@@ -92,8 +91,6 @@ pub(super) struct Evaluation {
     /// Of each element \[mm\], and its derivative by r₁+r₂, r₂−r₁, z₂−z₁.
     pub thickness: Vec<f64>,
     pub thickness_rows: Vec<[f64; 3]>,
-    /// Every element as it was tried last.
-    pub strained: Vec<Strained>,
     /// Membrane strains Δε_s, Δε_θ of each element \[–\].
     pub membrane_increment: Vec<[f64; 2]>,
     /// Their derivatives by r, z of both nodes; empty where no gas holds a strain rate.
@@ -138,7 +135,6 @@ impl Evaluation {
             updates: Grid::new(elements, process.rule.len(), StressUpdate::default()),
             thickness: state.thickness.clone(),
             thickness_rows: vec![[0.0; 3]; elements],
-            strained: Vec::with_capacity(elements),
             membrane_increment: vec![[0.0; 2]; elements],
             membrane_rows: vec![[[0.0; 4]; 2]; if process.holds_rate() { elements } else { 0 }],
             places: vec![Place::default(); state.contact_points()],

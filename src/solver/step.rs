@@ -193,14 +193,18 @@ fn flow_points(
     bends: &[bool],
 ) -> Grid<PointState> {
     let (rule, columns) = (&process.rule, state.points.columns());
-    let voids = process.model.material.gtn.as_ref();
-    let point_state = |(i, point): (usize, &MaterialPoint)| PointState {
-        porosity: voids.map_or(0.0, |voids| voids.foreseen(point.porosity + point.porosity_rate * dt)),
-        temperature: state.foreseen_temperature(i / columns, dt),
-        surroundings: around[(i / columns, i % columns)],
-        ..PointState::at(point.strain)
-    };
-    let mut points = Grid::from_values(columns, state.points.iter().enumerate().map(point_state));
+    let (voids, criterion) = (process.model.material.gtn.as_ref(), process.model.material.yield_criterion);
+    let rows = state.points.rows().zip(around.rows()).enumerate();
+    let point_states = rows.flat_map(|(e, (row, around))| {
+        let temperature = state.foreseen_temperature(e, dt);
+        row.iter().zip(around).map(move |(point, around)| PointState {
+            porosity: voids.map_or(0.0, |voids| voids.foreseen(point.porosity + point.porosity_rate * dt)),
+            temperature,
+            surroundings: *around,
+            ..PointState::at(point.strain)
+        })
+    });
+    let mut points = Grid::from_values(columns, point_states);
     for ((e, row), bends) in points.rows_mut().enumerate().zip(bends) {
         if !*bends && columns > 1 {
             let mean = |of: fn(&PointState) -> f64| row.iter().zip(rule).map(|(p, at)| at.weight * of(p)).sum();
@@ -217,8 +221,7 @@ fn flow_points(
             let height = rule[columns - 1].xi - rule[0].xi;
             for ((point, before), at) in row.iter_mut().zip(lasts).zip(rule) {
                 let spread = [0, 1].map(|d| if height > 0.0 { at.half * (last[d] - first[d]) / height } else { 0.0 });
-                let material = &process.model.material;
-                *point = point.following(expected(before.strain_rate), spread, weight, material.yield_criterion, voids);
+                *point = point.following(expected(before.strain_rate), spread, weight, criterion, voids);
             }
         }
     }

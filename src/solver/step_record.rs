@@ -143,9 +143,10 @@ fn negative_share([a, b]: [f64; 2]) -> f64 {
 /// Thickness over the smallest radius of the mid-surface, from the angle between neighbouring elements \[–\].
 fn sharpest_bend(evaluation: &Evaluation) -> f64 {
     let bends = evaluation.nodes.windows(3).zip(&evaluation.thickness).map(|(w, thickness)| {
-        let (a, b) = ([w[1][0] - w[0][0], w[1][1] - w[0][1]], [w[2][0] - w[1][0], w[2][1] - w[1][1]]);
-        let (la, lb) = (a[0].hypot(a[1]), b[0].hypot(b[1]));
-        let sine = ((a[0] * b[1] - a[1] * b[0]) / (la * lb)).clamp(-1.0, 1.0);
+        let along = |i: usize| Point::new(w[i + 1][0] - w[i][0], w[i + 1][1] - w[i][1]);
+        let (a, b) = (along(0), along(1));
+        let (la, lb) = (a.norm(), b.norm());
+        let sine = (a.perp(&b) / (la * lb)).clamp(-1.0, 1.0);
         sine.abs().asin() / (0.5 * (la + lb)) * thickness
     });
     bends.fold(0.0, f64::max)

@@ -5,7 +5,7 @@ use super::process::Process;
 use super::step::Step;
 use crate::contact::penalty::ValueAndSlope;
 use crate::element::Node;
-use crate::geometry::Point;
+use crate::geometry::{Nearest, Point};
 use crate::material::elastoplastic::Trial as PointMemory;
 use crate::material::flow::{Iterate, Triple};
 use crate::model::{Edge, Mode, Motion, ReleaseStiffness, Theory};
@@ -19,6 +19,8 @@ pub(super) struct ContactMemory {
     /// Where the point was last measured against the tool, in the tool's frame, and how far away it was \[mm\].
     pub position: Point,
     pub distance: f64,
+    /// The piece of the tool that is closest to it.
+    pub nearest: Nearest,
     /// Pressure carried from iteration to iteration \[MPa\].
     pub carried: f64,
     /// Gap \[mm\], pressure \[MPa\] and slope, from which the carried pressure follows.

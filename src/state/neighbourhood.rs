@@ -8,6 +8,7 @@
 //! that are by themselves.
 
 use super::State;
+use crate::geometry::Point;
 use crate::model::Model;
 
 /// Length of a neighbourhood along the meridian over the initial thickness \[–\]: declared. From 1 to 2 the thinnest place
@@ -38,7 +39,7 @@ struct Place {
 impl Neighbourhood {
     /// Of the elements of `state`.
     pub fn new(model: &Model, state: &State) -> Self {
-        let lengths = state.nodes.windows(2).map(|w| (w[1][0] - w[0][0]).hypot(w[1][1] - w[0][1]));
+        let lengths = state.nodes.windows(2).map(|w| Point::new(w[1][0] - w[0][0], w[1][1] - w[0][1]).norm());
         Self::of(lengths, 0.5 * NEIGHBOURHOOD * model.blank.thickness)
     }
 

@@ -33,8 +33,8 @@ pub fn add(simd: impl Instructions, step: &Step, trial: &mut Trial, at: &Lineari
     out.active_contacts = 0;
     let mut largest: f64 = 0.0;
     for j in 0..step.process.tools.len() {
-        out.tool_force[j] = Point::zeros();
         if step.process.tools[j].is_absent() {
+            out.tool_force[j] = Point::zeros();
             out.contacts.row_mut(j).fill(Contact::free());
         } else {
             largest = largest.max(press(simd, step, trial, at, j, out));
@@ -63,6 +63,43 @@ fn press<S: Instructions>(
     j: usize,
     out: &mut Evaluation,
 ) -> f64 {
+    gather(step, trial, at, j, out);
+    let (process, tool) = (step.process, &step.process.tools[j]);
+    let touch =
+        Touch { penalty: &process.penalty, friction: &tool.friction, slip_scale: step.slip_scale, duration: step.dt };
+    let (contacts, memories) = (out.contacts.row_mut(j), trial.contacts.row_mut(j));
+    let (mut largest, mut whole): (f64, Point) = (0.0, Point::zeros());
+    for near in out.near.chunks(LANES) {
+        let last = near.len() - 1;
+        let (point, by_thickness) = beside(simd, [&near[0], &near[last.min(1)], &near[last.min(2)], &near[last]]);
+        let force = touch.force(&point);
+        let pushes = Pushes::new(&Push::new(&force, by_thickness));
+        let [normal, tangential, slip, value, slope] =
+            values([force.normal, force.tangential, force.slip, force.pressure.value, force.pressure.slope]);
+        for (k, near) in near.iter().enumerate() {
+            let (i, push) = (near.index, pushes.at(k));
+            let (e, pressure) = (i / STATIONS, ValueAndSlope { value: value[k], slope: slope[k] });
+            let contact = &mut contacts[i];
+            (contact.normal, contact.tangential, contact.slip) = (normal[k], tangential[k], slip[k]);
+            (contact.pressure, memories[i].pressure) = (pressure, pressure);
+            let force = Point::from(push.force);
+            largest = largest.max(force.norm());
+            whole += force;
+            out.active_contacts += usize::from(near.point.gap < 0.0);
+            out.pushes[i].add(&push);
+            if let Some(shared) = tool.shared.filter(|_| !at.residual_alone) {
+                let slope = stations(step.bends[e])[i % STATIONS].slope(difference(&out.nodes[e], &out.nodes[e + 1]));
+                push.follow(e, &slope, &out.thickness_rows[e], shared, &mut out.system);
+            }
+        }
+    }
+    out.tool_force[j] = whole;
+    largest
+}
+
+/// Measures the points that tool `j` may reach, and leaves the others free.
+#[inline(always)]
+fn gather(step: &Step, trial: &mut Trial, at: &Linearisation, j: usize, out: &mut Evaluation) {
     let Step { process, state, .. } = *step;
     let (tool, displacement) = (&process.tools[j], trial.tools[j]);
     let moved = displacement - state.tools[j];
@@ -76,7 +113,8 @@ fn press<S: Instructions>(
         // A distance changes no faster than the point moves: far away it need not be measured again.
         let free = memory.carried == 0.0 && memory.pressure.slope == 0.0 && *pressure == 0.0;
         let shift = memory.shift;
-        let away = memory.distance - (position - memory.position).norm();
+        let way = (position - memory.position).norm();
+        let away = memory.distance - way;
         if free && away > 0.5 * thickness + reach - shift {
             if contact.gap < f64::INFINITY {
                 *contact = Contact::free();
@@ -84,7 +122,7 @@ fn press<S: Instructions>(
             }
             continue;
         }
-        let closest = tool.profile.closest(position);
+        let closest = tool.profile.closest_after(position, way, &mut memory.nearest);
         (memory.position, memory.distance) = (position, closest.distance);
         let (e, k) = (i / STATIONS, i % STATIONS);
         let [a, b] = [&out.nodes[e], &out.nodes[e + 1]];
@@ -118,38 +156,6 @@ fn press<S: Instructions>(
         memory.gap = gap;
         out.near.push(Near { index: i, point, by_thickness: -0.5 * share });
     }
-    let touch =
-        Touch { penalty: &process.penalty, friction: &tool.friction, slip_scale: step.slip_scale, duration: step.dt };
-    let mut largest: f64 = 0.0;
-    for first in (0..out.near.len()).step_by(LANES) {
-        let near = &out.near[first..];
-        let last = near.len().min(LANES) - 1;
-        let four = [&near[0], &near[last.min(1)], &near[last.min(2)], &near[last]];
-        let (point, by_thickness) = beside(simd, four);
-        let force = touch.force(&point);
-        let push = Pushes::new(&Push::new(&force, by_thickness));
-        let [normal, tangential, slip, value, slope] =
-            values([force.normal, force.tangential, force.slip, force.pressure.value, force.pressure.slope]);
-        for k in 0..=last {
-            let Near { index: i, point, .. } = out.near[first + k];
-            let contact = &mut out.contacts[(j, i)];
-            (contact.normal, contact.tangential, contact.slip) = (normal[k], tangential[k], slip[k]);
-            contact.pressure = ValueAndSlope { value: value[k], slope: slope[k] };
-            trial.contacts[(j, i)].pressure = contact.pressure;
-            let push = push.at(k);
-            let force = Point::from(push.force);
-            largest = largest.max(force.norm());
-            out.tool_force[j] += force;
-            out.active_contacts += usize::from(point.gap < 0.0);
-            out.pushes[i].add(&push);
-            if let Some(shared) = tool.shared.filter(|_| !at.residual_alone) {
-                let e = i / STATIONS;
-                let slope = stations(step.bends[e])[i % STATIONS].slope(difference(&out.nodes[e], &out.nodes[e + 1]));
-                push.follow(e, &slope, &out.thickness_rows[e], shared, &mut out.system);
-            }
-        }
-    }
-    largest
 }
 
 /// Points side by side, and by how much their gaps go with the thickness.
@@ -173,8 +179,10 @@ pub fn measure_far(step: &Step, trial: &mut Trial, out: &mut Evaluation) {
     for (j, tool) in step.process.tools.iter().enumerate().filter(|(_, tool)| !tool.is_absent()) {
         let pairs = out.contacts.row_mut(j).iter_mut().zip(trial.contacts.row_mut(j)).zip(&out.places);
         for ((contact, memory), place) in pairs.filter(|((contact, _), _)| contact.gap.is_infinite()) {
-            memory.position = place.position - trial.tools[j];
-            memory.distance = tool.profile.closest(memory.position).distance;
+            let position = place.position - trial.tools[j];
+            let moved = (position - memory.position).norm();
+            memory.distance = tool.profile.closest_after(position, moved, &mut memory.nearest).distance;
+            memory.position = position;
             contact.gap = place.gap(memory.distance);
         }
     }

@@ -4,13 +4,14 @@ mod column;
 mod lanes;
 
 use crate::element::Node;
+use crate::element::kinematics::{EPS_S, EPS_T};
 use crate::element::section::{Alone, Blocks, Internal, Law, Strained};
 use crate::element::surface::{STATIONS, stations};
 use crate::material::flow::{FlowLaw, Iterate, Quadratic, Rows};
 use crate::material::{PointLaw, YieldCriterion};
 use crate::model::{Iteration, Mode};
 use crate::numerics::Grid;
-use crate::numerics::number::{Instructions, LANES};
+use crate::numerics::number::{Instructions, LANES, values};
 use crate::solver::evaluation::{Evaluation, Linearisation};
 use crate::solver::step::{Step, elastoplastic_law};
 use crate::solver::trial::Trial;
@@ -29,11 +30,10 @@ pub const STABILISATION: f64 = 1e-7;
 #[inline(always)]
 pub fn add(simd: impl Instructions, step: &Step, trial: &mut Trial, at: &Linearisation, out: &mut Evaluation) -> bool {
     let Step { model, dt, .. } = *step;
-    if !strain(step, &trial.moves, out) {
-        return false;
-    }
+    let cutoff = step.cutoff(trial.softening);
     let mut sheet = Sheet {
         step,
+        moves: &trial.moves,
         law: Law {
             points: &step.process.rule,
             slack_tension: SLACK_TENSION * (at.velocity_norm / SLACK_NORM).min(1.0),
@@ -44,8 +44,7 @@ pub fn add(simd: impl Instructions, step: &Step, trial: &mut Trial, at: &Lineari
     let elements = 0..step.references.len();
     if model.mode != Mode::Flow {
         let law = elastoplastic_law(model, at.matrix, dt);
-        sheet.one_by_one(elements, &law, &step.elastoplastic_points, &mut trial.elastoplastic);
-        return true;
+        return sheet.one_by_one(elements, &law, &step.elastoplastic_points, &mut trial.elastoplastic);
     }
     let material = &model.material;
     let law = FlowLaw {
@@ -56,38 +55,26 @@ pub fn add(simd: impl Instructions, step: &Step, trial: &mut Trial, at: &Lineari
         voids: material.gtn.as_ref(),
         // The secant matrix asks for the least besides the stress.
         matrix: if at.residual_alone { Iteration::Secant } else { at.matrix },
-        cutoff: step.cutoff(trial.softening),
+        cutoff,
         duration: dt,
     };
     let iterates = &mut trial.iterates;
     let (None, YieldCriterion::Hill48(hill)) = (law.voids, law.criterion) else {
-        sheet.one_by_one(elements, &law, &step.flow_points, iterates);
-        return true;
+        return sheet.one_by_one(elements, &law, &step.flow_points, iterates);
     };
     let law = Quadratic { law, hill };
     for first in elements.clone().step_by(LANES) {
         let group = first..(first + LANES).min(elements.end);
         let bends = step.bends[first];
-        if group.len() == LANES && group.clone().all(|e| step.bends[e] == bends) {
-            sheet.side_by_side(simd, group, bends, &law, iterates);
+        let alike = group.len() == LANES && group.clone().all(|e| step.bends[e] == bends);
+        let sound = if alike {
+            sheet.side_by_side(simd, group, bends, &law, iterates)
         } else {
-            sheet.one_by_one(group, &law, &step.flow_points, iterates);
+            sheet.one_by_one(group, &law, &step.flow_points, iterates)
+        };
+        if !sound {
+            return false;
         }
-    }
-    true
-}
-
-/// Strains every element to the trial positions.
-#[inline(always)]
-fn strain(step: &Step, moves: &[Node], out: &mut Evaluation) -> bool {
-    out.strained.clear();
-    for (e, reference) in step.references.iter().enumerate() {
-        let Some(current) = reference.moved(moves[e], moves[e + 1]) else { return false };
-        out.membrane_increment[e] = [current.strain[0], current.strain[1]];
-        if let Some(rows) = out.membrane_rows.get_mut(e) {
-            *rows = current.membrane_rows();
-        }
-        out.strained.push(Strained::new(&current, step.volume[e], step.section[e]));
     }
     true
 }
@@ -95,12 +82,13 @@ fn strain(step: &Step, moves: &[Node], out: &mut Evaluation) -> bool {
 /// What the elements of a sheet are added to.
 struct Sheet<'a, 's> {
     step: &'a Step<'s>,
+    moves: &'a [Node],
     law: Law<'a>,
     out: &'a mut Evaluation,
 }
 
 impl Sheet<'_, '_> {
-    /// Adds elements, each by itself.
+    /// Adds elements, each by itself; `false` when one has collapsed.
     #[inline(always)]
     fn one_by_one<L: PointLaw>(
         &mut self,
@@ -108,12 +96,19 @@ impl Sheet<'_, '_> {
         law: &L,
         before: &Grid<L::PointState>,
         iterates: &mut Grid<L::Iterate>,
-    ) {
+    ) -> bool {
+        let Self { step, moves, .. } = *self;
         for e in elements {
+            let Some(current) = step.references[e].moved(moves[e], moves[e + 1]) else { return false };
+            self.out.membrane_increment[e] = [current.strain[EPS_S], current.strain[EPS_T]];
+            if let Some(rows) = self.out.membrane_rows.get_mut(e) {
+                *rows = current.membrane_rows();
+            }
+            let strained = Strained::new(&current, step.volume[e], step.section[e]);
             let (before, iterates) = (before.row(e), iterates.row_mut(e));
             let mut points = Alone { law, before, iterates, updates: self.out.updates.row_mut(e) };
             let Internal { force, blocks, thickness_row, thickness } =
-                self.law.internal(&self.out.strained[e], self.step.bends[e], &mut points);
+                self.law.internal(&strained, step.bends[e], &mut points);
             let blocks = match blocks {
                 Some(Blocks { own: [first, second], across }) => {
                     Some(Blocks { own: [one(first), one(second)], across: one(across) })
@@ -123,9 +118,10 @@ impl Sheet<'_, '_> {
             let (thickness_row, thickness) = (one(thickness_row), [thickness]);
             self.put(e, &Internal { force: one(force), blocks, thickness_row, thickness });
         }
+        true
     }
 
-    /// Adds as many elements as there are lanes, which all bend or are all membranes.
+    /// Adds as many elements as there are lanes, which all bend or are all membranes; `false` when one has collapsed.
     #[inline(always)]
     fn side_by_side<S: Instructions>(
         &mut self,
@@ -134,18 +130,36 @@ impl Sheet<'_, '_> {
         bends: bool,
         law: &Quadratic,
         iterates: &mut Grid<Iterate>,
-    ) {
-        let (first, columns) = (elements.start, iterates.columns());
-        let element = lanes::beside(simd, &self.out.strained[elements.clone()]);
+    ) -> bool {
+        let (first, columns, step) = (elements.start, iterates.columns(), self.step);
+        let moves = &self.moves[first..=elements.end];
+        let Some(current) = lanes::moved(simd, &step.references[elements.clone()], moves) else { return false };
+        let increment = values([current.strain[EPS_S], current.strain[EPS_T]]);
+        for k in 0..LANES {
+            self.out.membrane_increment[first + k] = [increment[0][k], increment[1][k]];
+        }
+        if !self.out.membrane_rows.is_empty() {
+            let [along, around] = current.membrane_rows();
+            let rows = [values(along), values(around)];
+            for k in 0..LANES {
+                for i in 0..4 {
+                    self.out.membrane_rows[first + k][0][i] = rows[0][i][k];
+                    self.out.membrane_rows[first + k][1][i] = rows[1][i][k];
+                }
+            }
+        }
+        let (volume, section) = (&step.volume[elements.clone()], &step.section[elements.clone()]);
+        let element = Strained::new(&current, lanes::of(simd, volume), lanes::of(simd, section));
         let rows = Rows {
             simd,
             columns,
-            before: self.step.flow_points.rows_of(elements.clone()),
+            before: step.flow_points.rows_of(elements.clone()),
             iterates: iterates.rows_of_mut(elements.clone()),
             updates: self.out.updates.rows_of_mut(elements),
         };
         let internal = self.law.internal(&element, bends, &mut Together { law, rows });
         self.put(first, &lanes::apart(&internal));
+        true
     }
 
     /// Puts elements, entry by entry, into the system: the `first` one and those after it.

@@ -1,32 +1,24 @@
-//! Elements side by side, and their forces and matrices apart again.
+//! Elements side by side as they are strained, and their forces and matrices apart again.
 
-use crate::element::kinematics::StrainDisplacement;
-use crate::element::section::{Blocks, Internal, Strained};
+use crate::element::Node;
+use crate::element::kinematics::{Current, Reference};
+use crate::element::section::{Blocks, Internal};
 use crate::numerics::number::{Instructions, LANES, Lanes, beside, values};
 
-/// As many elements as there are lanes, side by side.
+/// As many elements as there are lanes, after their nodes have moved; `None` when one has collapsed.
 #[inline(always)]
-pub fn beside<S: Instructions>(simd: S, of: &[Strained]) -> Strained<Lanes<S>> {
-    Strained {
-        strain: [
-            beside!(simd, of, strain[0]),
-            beside!(simd, of, strain[1]),
-            beside!(simd, of, strain[2]),
-            beside!(simd, of, strain[3]),
-            beside!(simd, of, strain[4]),
-        ],
-        rows: StrainDisplacement {
-            along: [beside!(simd, of, rows.along[0]), beside!(simd, of, rows.along[1])],
-            across: [beside!(simd, of, rows.across[0]), beside!(simd, of, rows.across[1])],
-            hoop: beside!(simd, of, rows.hoop),
-            bend: beside!(simd, of, rows.bend),
-            turn: beside!(simd, of, rows.turn),
-            shear: beside!(simd, of, rows.shear),
-            swing: beside!(simd, of, rows.swing),
-        },
-        volume: beside!(simd, of, volume),
-        thickness: beside!(simd, of, thickness),
-    }
+pub fn moved<S: Instructions>(simd: S, references: &[Reference], moves: &[Node]) -> Option<Current<Lanes<S>>> {
+    let after = &moves[1..];
+    Reference::beside(simd, references).moved(
+        [beside!(simd, moves, [0]), beside!(simd, moves, [1]), beside!(simd, moves, [2])],
+        [beside!(simd, after, [0]), beside!(simd, after, [1]), beside!(simd, after, [2])],
+    )
+}
+
+/// One value of each element.
+#[inline(always)]
+pub fn of<S: Instructions>(simd: S, values: &[f64]) -> Lanes<S> {
+    Lanes::new(simd, [values[0], values[1], values[2], values[3]])
 }
 
 /// Forces and matrices of the elements, entry by entry.
