@@ -6,14 +6,14 @@ use super::error;
 use super::solution::{Solution, header};
 use super::study::{Told, form, found, threads, told};
 use numpy::{IntoPyArray, PyArray1};
+use pyo3::exceptions::PyKeyboardInterrupt;
 use pyo3::prelude::*;
 use stampflow::compare::Computed;
 use stampflow::output::comparisons;
 use stampflow::output::study::json;
 use stampflow::output::study::versus::pictures;
-use stampflow::study::StudyError;
 use stampflow::study::versus::{Asked, Candidate, Change, Compared, Measured};
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 /// A number of all runs: header, label, unit; values, half their error bars, differences to the first run; whether these are
 /// within the error bars, where that is known.
@@ -35,12 +35,15 @@ pub fn compare<'py>(
         comparisons(&case, &Computed::nothing(case.model())).map_err(|error| error::of_reference(py, &error))?;
         candidates.push(Candidate { case, own: own.clone() });
     }
-    drop(cases);
-    let read = measured.iter().map(|path: &PathBuf| Measured::read(Path::new(path))).collect::<Result<Vec<_>, _>>();
+    let read = measured.iter().map(|path| Measured::read(path)).collect::<Result<Vec<_>, _>>();
     let asked = read.and_then(|measured| Asked::new(candidates, measured));
     let asked = asked.map_err(|error| error::of_study(py, &error))?;
     let (result, mut raised) = attended(py, progress, |line| asked.solve(None, self::threads(threads), line));
-    let versus = found::<_>(py, result.map_err(StudyError::from), &mut raised)?;
+    let versus = found(py, result, &mut raised)?;
+    if versus.members.is_empty() {
+        // Interrupted before any run has ended: there is nothing to compare.
+        return Err(raised.unwrap_or_else(|| PyKeyboardInterrupt::new_err(())));
+    }
     let drawn = pictures(&versus, false, form()).into_iter().map(|drawn| (drawn.stem, drawn.chart));
     let told = told(py, &json::versus(&versus), versus.legend(), drawn);
     let numbers = versus.compared().into_iter().map(|compared| parts(py, compared)).collect();

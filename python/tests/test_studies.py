@@ -7,6 +7,8 @@ import json
 import re
 import signal
 import subprocess
+import time
+from collections.abc import Callable
 from pathlib import Path
 from threading import Timer
 from typing import Any
@@ -279,7 +281,7 @@ def pressed_after(seconds: float) -> Timer:
     return timer
 
 
-def test_ctrl_c_keeps_the_runs_that_are_done(tmp_path: Path) -> None:
+def test_ctrl_c_keeps_the_runs_that_are_done() -> None:
     """Trust: rows are whole runs in their order, those of the cases by themselves."""
     fine = CUP.with_({"blank.elements": 200})
     pressed_after(1.5)
@@ -303,9 +305,24 @@ def test_ctrl_c_keeps_the_runs_that_are_done(tmp_path: Path) -> None:
         sf.compare(fine, also=also)
     assert 0 < len(caught.value.partial.solutions) < 300
 
+
+def test_ctrl_c_before_the_first_run_has_ended(tmp_path: Path) -> None:
+    """Trust: a run of this mesh takes some seconds; what is raised then has no part or an empty one, and no study goes on."""
+    slow = CUP.with_({"blank.elements": 2000, "solver.strain_step": 0.002})
     curve = tmp_path / "curve.csv"
     curve.write_text("travel_mm,punch_force_kN\n" + "".join(f"{x},{2 * x}\n" for x in range(1, 20)))
-    slow = CUP.with_({"blank.elements": 1000})
-    pressed_after(0.5)
-    with pytest.raises(KeyboardInterrupt):
-        sf.fit(slow, {"friction": "0.08 in 0.01..0.3"}, to=curve)
+    studies: list[Callable[[], object]] = [
+        lambda: sf.sweep(slow, {"friction": [0.05, 0.1]}),
+        lambda: sf.search(slow, {"friction": "0.02..0.3"}, largest=True, while_="no red"),
+        lambda: sf.search(slow, {"friction": "0.02..0.3"}, minimise="punch_force"),
+        lambda: sf.scatter(slow, SCATTER, runs=32),
+        lambda: sf.fit(slow, {"friction": "0.08 in 0.01..0.3"}, to=curve),
+        lambda: sf.compare(slow, also=[{"friction": 0.12}]),
+    ]
+    for study in studies:
+        start = time.perf_counter()
+        pressed_after(0.5)
+        with pytest.raises(KeyboardInterrupt) as caught:
+            study()
+        assert time.perf_counter() - start < 3.0
+        assert not isinstance(caught.value, sf.Interrupted) or caught.value.partial.runs == 0
