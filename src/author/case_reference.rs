@@ -24,7 +24,7 @@ Every table and key of a case file, as the program reads them: `stampflow schema
 
 A key stands with an example line. Quantities are text with any unit of their kind, such as `\"0.9 mm\"` or \
 `\"0.035 in\"`; the unit that is named is the one in which limits, defaults and formulas of this page are. Whatever is not \
-marked **needed** may be left out; an empty field says that its absence means nothing more than that.
+marked **needed** may be left out; where its field is empty nothing takes its place, or the meaning says what does.
 ";
 
 /// The reference of case files: a list of contents, and a section for each table in the order in which a case is written.

@@ -162,7 +162,7 @@ fn thin_and_thick_discs_converge_towards_and_above_the_membrane() {
     });
     let told = format!("{}: bending and the clamp, which the membrane has not", told.join("; "));
     agreement("the same in bending, at h/a 0.4, 10 to 80 elements", &[told]);
-    // Trust: how far a clamped shell is from the membrane, as measured: 0.5 and 1.3 % at t/a = 0.01, 2.3 and 5.6 % at 0.05.
+    // Trust: how far a clamped shell is from the membrane, as measured: about 1 % at t/a = 0.01, 2.4 and 6.5 % at 0.05.
     let bounds = [[0.0, 0.01, 0.0, 0.02], [0.01, 0.03, 0.03, 0.07]];
     for (found, [t_low, t_high, p_low, p_high]) in settled.iter().zip(bounds) {
         assert!((t_low..t_high).contains(&found[0]) && (p_low..p_high).contains(&found[1]), "{settled:?}");
@@ -187,7 +187,7 @@ fn steel_deviates_from_hills_solution_as_it_must() {
         "drawing steel (n 0.22), membrane, at h/a 0.4, 0.6, 0.8",
         &[format!("pole thickness {pole}, pressure {pressure}: it hardens less than exp(ε̄) and runs away at the pole")],
     );
-    // Trust: measured: thickness +3.1 % and pressure +2.7 % at 0.4; −0.5 % and +9 % at 0.6; −19 % and +16 % at 0.8.
+    // Trust: as measured.
     assert!((0.02..0.04).contains(&off(0.4)[0]) && (0.01..0.04).contains(&off(0.4)[2]), "{:?}", off(0.4));
     assert!(off(0.6)[0].abs() < 0.015 && off(0.8)[0] < -0.15, "{:?} {:?}", off(0.6), off(0.8));
 }

@@ -55,7 +55,7 @@ fn limits(key: &str, values: &[&str], rest: &[&str]) -> Vec<f64> {
 
 /// Holds the row of the book's table.
 fn told(what: &str, values: &[&str], ratios: &[f64]) {
-    let values = values.iter().map(|value| value.trim_end_matches(" mm").trim_end_matches(".0")).collect::<Vec<_>>();
+    let values = values.iter().map(|value| value.trim_end_matches(" mm")).collect::<Vec<_>>();
     agreement(what, &[values.join(", "), listed(ratios, 3)]);
 }
 
