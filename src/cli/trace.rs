@@ -25,15 +25,16 @@ contact, points that stick. With several methods each starts from the same state
 has every iteration of every try. The book's page on convergence explains the words.
 
 Examples:
-  stampflow trace cases/quickstart.toml --step 40
-  stampflow trace cases/quickstart.toml --step 40 --methods all
-  stampflow trace cases/quickstart.toml --step 40 --methods newton --tolerance 1e-11
+  stampflow trace cup.toml --step 40
+  stampflow trace cup.toml --step 40 --methods all
+  stampflow trace cup.toml --step 40 --methods newton --tolerance 1e-11
   stampflow trace cup.toml --stage 2 --step 1 --out step.csv
 
 Exit codes: 0 done, 2 bad input or no such step, 130 interrupted";
 
 /// What a step may be told to come down to \[–\]: below is round-off.
 const TOLERANCES: std::ops::RangeInclusive<f64> = 1e-12..=1e-1;
+
 #[derive(Debug, clap::Args)]
 pub struct Args {
     /// Case file

@@ -33,8 +33,8 @@ pub fn log_plot(curves: &[Curve], level: f64, name: &str, columns: usize) -> Str
     let column = |x: usize| if apart * last <= room { apart * x } else { x * room / last };
     let row = |y: f64| (f64::from(fine) * (f64::from(top) - y.log10())).round() as usize;
     let mut drawn = vec![vec![' '; column(last) + 1]; (fine * (top - bottom)) as usize + 1];
-    for (i, dot) in drawn[row(level)].iter_mut().enumerate() {
-        *dot = if i % 2 == 0 { '·' } else { ' ' };
+    for dot in drawn.get_mut(row(level)).into_iter().flat_map(|line| line.iter_mut().step_by(2)) {
+        *dot = '·';
     }
     for curve in curves.iter().rev() {
         for &(x, y) in curve.points.iter().filter(|point| is_drawn(point.1)) {
