@@ -181,8 +181,8 @@ impl<S: Instructions> Real for Lanes<S> {
     }
 
     #[inline(always)]
-    fn everywhere(self, mask: S::m64s) -> bool {
-        self.simd.first_true_m64s(self.simd.not_m64s(mask)) == LANES
+    fn everywhere(self, mask: S::Mask) -> bool {
+        self.simd.everywhere(mask)
     }
 
     #[inline(always)]

@@ -42,6 +42,9 @@ pub trait Instructions: Copy {
 
     /// Whether the answer is yes anywhere.
     fn anywhere(self, mask: Self::Mask) -> bool;
+
+    /// Whether the answer is yes everywhere.
+    fn everywhere(self, mask: Self::Mask) -> bool;
 }
 
 impl<S: Simd<f64s = f64x4>> Instructions for S {
@@ -102,6 +105,11 @@ impl<S: Simd<f64s = f64x4>> Instructions for S {
     fn anywhere(self, mask: S::m64s) -> bool {
         self.first_true_m64s(mask) < LANES
     }
+
+    #[inline(always)]
+    fn everywhere(self, mask: S::m64s) -> bool {
+        self.first_true_m64s(self.not_m64s(mask)) == LANES
+    }
 }
 
 /// Work, and the instructions for it.
@@ -137,8 +145,8 @@ pub fn dispatch<W: Work>(work: W) -> W::Output {
 mod web_assembly {
     use super::{Instructions, LANES};
     use std::arch::wasm32::{
-        f64x2, f64x2_add, f64x2_div, f64x2_extract_lane, f64x2_gt, f64x2_mul, f64x2_neg, f64x2_sqrt, f64x2_sub, v128,
-        v128_any_true, v128_bitselect, v128_or,
+        f64x2, f64x2_add, f64x2_div, f64x2_extract_lane, f64x2_gt, f64x2_mul, f64x2_neg, f64x2_sqrt, f64x2_sub,
+        i64x2_all_true, v128, v128_any_true, v128_bitselect, v128_or,
     };
 
     /// Two vectors of two.
@@ -190,6 +198,11 @@ mod web_assembly {
         #[inline(always)]
         fn anywhere(self, [first, second]: Four) -> bool {
             v128_any_true(v128_or(first, second))
+        }
+
+        #[inline(always)]
+        fn everywhere(self, [first, second]: Four) -> bool {
+            i64x2_all_true(first) && i64x2_all_true(second)
         }
     }
 }
