@@ -27,8 +27,11 @@ mod woo_pole;
 
 const ROOT: &str = env!("CARGO_MANIFEST_DIR");
 
+/// A picture, and what draws it.
+type Drawn = (&'static str, fn() -> Chart);
+
 /// Pictures that examples draw.
-const EXAMPLES: [(&str, fn() -> Chart); 2] = [
+const EXAMPLES: [Drawn; 2] = [
     ("surfalex_limit.png", crate::surfalex_limit::picture),
     ("woo_pole.png", || woo_pole::chart().expect("the record is shipped")),
 ];
