@@ -1,6 +1,7 @@
 //! The run up to a step.
 
-use super::{Asked, NoSuchStep};
+use super::asked::Asked;
+use super::error::NoSuchStep;
 use crate::model::{Model, Stage};
 use crate::solution::{IterationRecord, StepRecord, Stop};
 use crate::solver::{Iterate, Observer, Start, solve};
@@ -27,8 +28,10 @@ pub(super) fn before(stages: &[Stage], asked: &Asked, observer: &mut dyn Observe
         return Ok(Before { model, state, record, dt });
     }
     let reached = solutions.len();
+    // One that was asked for has ended before a later one begins.
+    solutions.truncate(asked.stage);
     let (steps, stop) = solutions.pop().map_or((0, Stop::FullTravel), |last| (last.steps.len(), last.stop));
-    Err(match reached == asked.stage {
+    Err(match reached >= asked.stage {
         true => NoSuchStep::Step { asked: asked.step, steps, stop },
         false => NoSuchStep::NotReached { asked: asked.stage, reached, stop },
     })
@@ -78,7 +81,7 @@ impl Observer for UpTo<'_> {
     }
 
     fn wants_to_stop(&mut self) -> bool {
-        self.dt.is_some() || self.observer.wants_to_stop()
+        self.dt.is_some() || self.stage > self.asked.stage || self.observer.wants_to_stop()
     }
 
     fn wants_iterates(&self) -> bool {

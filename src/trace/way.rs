@@ -1,6 +1,6 @@
 //! What is kept of the iterations of a step.
 
-use super::Rate;
+use super::rate::Rate;
 use crate::element::Node;
 use crate::model::Iteration;
 use crate::solver::{Iterate, Observer, Start, Touching};
@@ -97,7 +97,8 @@ impl Way {
 
     /// How fast the last pass converges; `None` where it is too short to say.
     pub fn rate(&self) -> Option<Rate> {
-        Rate::of(self.iterations())
+        let whole = |i: &Iterated| i.velocity_norm.filter(|_| i.share >= Some(1.0));
+        Rate::of(&self.iterations().iter().map(whole).collect::<Vec<_>>())
     }
 }
 
