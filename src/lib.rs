@@ -12,6 +12,7 @@
 //!    │ Case::solve                one Stage after another, each a Model of its own on the sheet of the one before
 //!    │ solver::run                predictor → corrector → accepted step, or a shorter one
 //!    │ Observer                   sees each StepRecord and IterationRecord; may end the run
+//!    │ trace                      one step again, iteration by iteration, with any of the matrices
 //!    │ Solution                   the Case, and a StageSolution for every stage: steps, frames, and why it ended
 //!    │ assess::before, after      Finding             what a user should know, before the run and after it
 //!    │ verification               an error bar for every number, from runs that are refined
@@ -102,6 +103,7 @@ pub mod state;
 #[cfg(feature = "plot")]
 pub mod study;
 pub mod table;
+pub mod trace;
 pub mod units;
 #[cfg(feature = "case")]
 pub mod verification;

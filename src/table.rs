@@ -47,6 +47,7 @@ pub struct Axis {
     symbol: &'static str,
     form: Form,
     names: Vec<String>,
+    is_log: bool,
 }
 
 impl Column {
@@ -68,7 +69,7 @@ impl Column {
 
 impl Axis {
     fn new(labels: Vec<Cow<'static, str>>, unit: Unit) -> Self {
-        Self { labels, unit, symbol: unit.symbol(), form: Form::default(), names: Vec::new() }
+        Self { labels, unit, symbol: unit.symbol(), form: Form::default(), names: Vec::new(), is_log: false }
     }
 
     /// Of what is no column: a label, and the unit of the values.
@@ -79,6 +80,27 @@ impl Axis {
     /// Of things that have names and no numbers: the first stands at 0, the next at 1.
     pub fn of_names(label: impl Into<Cow<'static, str>>, names: Vec<String>) -> Self {
         Self { names, ..Self::named(label, Unit::None) }
+    }
+
+    /// The same for values in even ratios: what is drawn along it are their logarithms to base 10, and what is written are the
+    /// values.
+    pub fn logarithmic(self) -> Self {
+        Self { is_log: true, ..self }
+    }
+
+    /// Whether logarithms are drawn along it.
+    pub fn is_logarithmic(&self) -> bool {
+        self.is_log
+    }
+
+    /// Where a value is drawn along it.
+    pub fn place(&self, value: f64) -> f64 {
+        if self.is_log { value.log10() } else { value }
+    }
+
+    /// The value that is drawn at a place.
+    pub fn value(&self, place: f64) -> f64 {
+        if self.is_log { 10_f64.powf(place) } else { place }
     }
 
     /// The names along it; empty where there are numbers.

@@ -27,13 +27,17 @@ pub fn picture<'py>(py: Python<'py>, chart: &Chart) -> Picture<'py> {
 
 fn parts<'py>(py: Python<'py>, panel: &Panel) -> PanelParts<'py> {
     let series = panel.series.iter().map(|series| {
-        let (x, y): (Vec<f64>, Vec<f64>) = series.points.iter().copied().unzip();
+        let (x, y): (Vec<f64>, Vec<f64>) = series.points.iter().map(|&(x, y)| (panel.x.value(x), panel.y.value(y))).unzip();
         let (look, color) = named(series.look);
         (series.label.clone(), x.into_pyarray(py), y.into_pyarray(py), look, color.map(hex))
     });
+    // Of a logarithmic axis the values.
+    let ends = |x: (f64, f64), y: (f64, f64)| {
+        ((panel.x.value(x.0), panel.x.value(x.1)), (panel.y.value(y.0), panel.y.value(y.1)))
+    };
     let (window, is_section) = match panel.scale {
         Scale::Section { x, y } | Scale::Small { x, y } => (Some((x, y)), true),
-        Scale::Window { x, y, .. } | Scale::Multiple { x, y, .. } => (Some((x, y)), false),
+        Scale::Window { x, y, .. } | Scale::Multiple { x, y, .. } => (Some(ends(x, y)), false),
         Scale::Fit { .. } | Scale::Bar => (None, false),
     };
     (panel.x.text(), panel.y.text(), series.collect(), window, is_section)

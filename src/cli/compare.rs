@@ -1,8 +1,7 @@
 //! `stampflow compare`: several cases, variants and measurements in one picture and one table.
 
 use super::code::{BadRequest, Code};
-use super::many::{Many, asked};
-
+use super::many::{Many, asked, write_all};
 use super::place;
 use super::say::{Shown, say, say_json, warn};
 use super::table::{Cell, Tone, table, wrapped};
@@ -10,7 +9,6 @@ use super::{interrupt, job};
 use serde_json::{Value, json};
 use stampflow::message::{Form, message};
 use stampflow::output::study::versus::{BEGINNING, TABLE, csv, pictures};
-use stampflow::output::write;
 use stampflow::study::versus::{Asked, COLUMNS, Candidate, Change, Measured, Versus};
 use stampflow::units::rounded;
 use std::path::{Path, PathBuf};
@@ -105,13 +103,7 @@ fn written(args: &Args, versus: &Versus, dir: &Path, form: Form) -> anyhow::Resu
     for drawn in pictures(versus, made.engineering_strain, form) {
         files.extend(made.files(drawn.stem, &drawn.chart));
     }
-    let mut paths = Vec::new();
-    for (name, bytes) in files {
-        let path = dir.join(name);
-        write(&path, &bytes)?;
-        paths.push(path);
-    }
-    Ok(paths)
+    Ok(write_all(dir, files)?)
 }
 
 fn told_files(files: &[PathBuf], form: Form) -> Shown {

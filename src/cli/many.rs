@@ -3,6 +3,7 @@
 use super::code::BadRequest;
 use super::options::{Json, Overrides, PictureOptions, Threads, Told};
 use super::progress::{Count, Progress};
+use stampflow::output::{WriteError, write};
 use stampflow::study::StudyError;
 use std::path::{Path, PathBuf};
 use std::thread::available_parallelism;
@@ -43,6 +44,18 @@ impl Many {
     pub fn threads(&self) -> usize {
         self.threads.count().or_else(|| available_parallelism().ok().map(usize::from)).unwrap_or(1)
     }
+}
+
+/// Writes the results of a study, each named in its folder; returns where they are.
+///
+/// # Errors
+/// At the first that cannot be written.
+pub fn write_all(dir: &Path, files: impl IntoIterator<Item = (String, Vec<u8>)>) -> Result<Vec<PathBuf>, WriteError> {
+    let written = files.into_iter().map(|(name, bytes)| {
+        let path = dir.join(name);
+        write(&path, &bytes).map(|()| path)
+    });
+    written.collect()
 }
 
 /// A study that is wrong, as bad input.

@@ -17,6 +17,8 @@ mod materials;
 mod message;
 mod new;
 mod options;
+mod page;
+mod parts;
 mod place;
 mod progress;
 mod report;
@@ -31,6 +33,7 @@ mod suggested;
 mod sweep;
 mod table;
 mod titles;
+mod trace;
 mod validate;
 mod verify;
 
@@ -71,9 +74,15 @@ enum Verb {
     /// Read the tools from a drawing (DXF) and write a case file with them
     #[command(after_help = import::HELP)]
     Import(import::Args),
+    /// Write the page with the solver in it, for any browser, as one file
+    #[command(after_help = page::HELP)]
+    Page(page::Args),
     /// Solve every case that has published curves and compare
     #[command(after_help = validate::HELP)]
     Validate(validate::Args),
+    /// Take one step of the solver apart: predictor, iterations, how fast they converge
+    #[command(after_help = trace::HELP)]
+    Trace(trace::Args),
     /// Refine mesh, steps, points and contact, and say how far every number can be trusted
     #[command(after_help = verify::HELP)]
     Verify(verify::Args),
@@ -139,6 +148,8 @@ fn command() -> anyhow::Result<Code> {
         Verb::Report(args) => report::report(&args),
         Verb::Import(args) => import::import(&args),
         Verb::Validate(args) => validate::validate(&args),
+        Verb::Page(args) => page::page(&args),
+        Verb::Trace(args) => trace::trace(&args),
         Verb::Verify(args) => verify::verify(&args),
         Verb::Compare(args) => compare::compare(&args),
         Verb::Sweep(args) => sweep::sweep(&args),

@@ -1,7 +1,8 @@
 //! `stampflow scatter`: how sure a verdict is when coil, friction, thickness and press scatter.
 
 use super::code::Code;
-use super::many::{Many, asked};
+use super::many::{Many, asked, write_all};
+use super::parts::{Parts, options, quoted};
 use super::rows::{Rows, all_there};
 use super::say::{Shown, say, say_json};
 use super::table::{Cell, Tone, table, wrapped};
@@ -9,7 +10,7 @@ use anyhow::Context;
 use serde_json::{Value, json};
 use stampflow::assess::Light;
 use stampflow::message::{Amount, Form};
-use stampflow::output::{study::scatter_pictures, study::scatter_tables, write};
+use stampflow::output::{study::scatter_pictures, study::scatter_tables};
 use stampflow::study::scatter::{
     Asked, Base, Correlation, Estimate, Event, Factor, Found, Influence, Sample, Scatter, file,
 };
@@ -40,6 +41,7 @@ Examples:
   stampflow scatter study.toml --shard 7/64 --out shards
   stampflow merge shards/scatter-*-of-64.csv --out out/study-scatter/scatter.csv
   stampflow scatter study.toml --resume
+  stampflow scatter cup.toml --shards 64 --print slurm
 
 Exit codes: 0 done, 2 bad input, 130 interrupted (rows are kept, --resume goes on)";
 
@@ -66,13 +68,18 @@ pub struct Args {
     #[command(flatten)]
     rows: Rows,
     #[command(flatten)]
+    parts: Parts,
+    #[command(flatten)]
     many: Many,
 }
 
 pub fn scatter(args: &Args) -> anyhow::Result<Code> {
     let scatter = args.scatter().map_err(asked)?;
-    let (shard, indices) = (args.rows.shard(), args.rows.indices(scatter.count(), "fewer --runs")?);
     let dir = args.many.folder(&args.file, "scatter");
+    if let Some(lines) = args.parts.lines(&args.command(), "scatter", &dir) {
+        return say(lines);
+    }
+    let (shard, indices) = (args.rows.shard(), args.rows.indices(scatter.count(), "fewer --runs")?);
     let path = dir.join(shard.file("scatter"));
     let count = args.many.count(&args.file, "parts");
     let base = Base::of(&scatter, &count).map_err(asked)?;
@@ -111,13 +118,8 @@ fn written(args: &Args, dir: &Path, found: &Found, base: &Base, name: &str) -> a
     let charts = scatter_pictures(found, &base.grids, name, args.many.told.form());
     let drawn = charts.iter().flat_map(|(stem, chart)| pictures.files(stem, chart));
     let tables = scatter_tables(found).into_iter().map(|(name, bytes)| (name.to_owned(), bytes));
-    let mut written = vec![dir.join("scatter.csv").display().to_string()];
-    for (name, bytes) in tables.chain(drawn) {
-        let path = dir.join(name);
-        write(&path, &bytes)?;
-        written.push(path.display().to_string());
-    }
-    Ok(written)
+    let written = write_all(dir, tables.chain(drawn))?;
+    Ok(std::iter::once(dir.join("scatter.csv")).chain(written).map(|path| path.display().to_string()).collect())
 }
 
 impl Args {
@@ -131,6 +133,18 @@ impl Args {
         let correlations = asked.correlations.into_iter().map(Ok).chain(pairs).collect::<Result<_, _>>()?;
         let (points, seed) = (self.runs.unwrap_or(asked.points), self.seed.unwrap_or(asked.seed));
         Scatter::new(Subject::new(case, base)?, Asked { vary, correlations, points, seed, indices: self.indices })
+    }
+}
+
+impl Args {
+    /// What runs the same study, without its folder.
+    fn command(&self) -> String {
+        let all = [("--vary", &self.vary), ("--correlate", &self.correlate), ("--set", &self.many.overrides.all())];
+        let numbers = [("--runs", self.runs), ("--seed", self.seed.map(u64::from))];
+        let numbers = numbers.into_iter().filter_map(|(name, number)| Some(format!(" {name} {}", number?)));
+        let options: String = all.into_iter().map(|(name, values)| options(name, values)).chain(numbers).collect();
+        let indices = if self.indices { " --indices" } else { "" };
+        format!("scatter {}{options}{indices}", quoted(&self.file.to_string_lossy()))
     }
 }
 

@@ -51,7 +51,8 @@ pub fn search(args: &Args) -> anyhow::Result<Code> {
     let quest = args.quest().map_err(asked)?;
     let count = args.many.count(&args.case, "runs");
     let start = Instant::now();
-    let answer = quest.search(args.many.threads(), &count).map_err(asked)?;
+    let answer = quest.search_keeping(args.many.threads(), &count, &mut |header, lines| places.keep(header, lines));
+    let answer = answer.map_err(asked)?;
     let seconds = start.elapsed().as_secs_f64();
     let (header, lines) = answer.table();
     places.table(header, lines)?;

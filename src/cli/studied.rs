@@ -1,11 +1,9 @@
 //! What a study of the case found: its pictures written, its answer told and as JSON.
 
-use super::many::Many;
-use anyhow::Context;
+use super::many::{Many, write_all};
 use serde_json::{Value, json};
 use stampflow::message::Form;
 use stampflow::output::study::{kept_loads, loads, pictures};
-use stampflow::output::write;
 use stampflow::study::{Designs, Distance, Meets, Results, Said};
 use stampflow::units::rounded;
 use std::path::{Path, PathBuf};
@@ -30,14 +28,7 @@ impl Studied {
             let curves = kept_loads(dir, results.plan.count());
             drawn.extend(loads(results, &curves, form).map(|chart| ("loads", chart)));
         }
-        let mut files = Vec::new();
-        for (stem, chart) in drawn {
-            for (name, bytes) in style.files(stem, &chart) {
-                let path = dir.join(name);
-                write(&path, &bytes).with_context(|| format!("cannot draw {}", path.display()))?;
-                files.push(path);
-            }
-        }
+        let files = write_all(dir, drawn.iter().flat_map(|(stem, chart)| style.files(stem, chart)))?;
         Ok(Self { said: Said::of(results), form, files })
     }
 

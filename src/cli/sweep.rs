@@ -2,6 +2,7 @@
 
 use super::code::Code;
 use super::many::{Many, asked};
+use super::parts::{Parts, options, quoted};
 use super::rows::{Rows, all_there};
 use super::say::{say, say_json};
 use super::studied::Studied;
@@ -15,7 +16,6 @@ use stampflow::study::{
     self, Bars, Begun, Columns, Designs, How, Journal, Plan, Results, Row, Shard, StudyError, Times, Vary,
 };
 use std::collections::BTreeMap;
-use std::fmt::Write;
 use std::io;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
@@ -75,12 +75,8 @@ pub struct Args {
     keep: Option<Keep>,
     #[command(flatten)]
     rows: Rows,
-    /// With --print: how many parts
-    #[arg(long, value_name = "N", requires = "print", value_parser = clap::value_parser!(u32).range(1..))]
-    shards: Option<u32>,
-    /// Print the lines that run all parts: on HyperQueue, as a Slurm job array, or on this machine
-    #[arg(long, value_name = "hq|slurm|xargs", requires = "shards")]
-    print: Option<Scheduler>,
+    #[command(flatten)]
+    parts: Parts,
     #[command(flatten)]
     many: Many,
 }
@@ -101,19 +97,11 @@ enum Keep {
     Curves,
 }
 
-/// What runs shards.
-#[derive(Clone, Copy, Debug, clap::ValueEnum)]
-enum Scheduler {
-    Hq,
-    Slurm,
-    Xargs,
-}
-
 pub fn sweep(args: &Args) -> anyhow::Result<Code> {
     let plan = args.plan().map_err(asked)?;
     let dir = args.many.folder(&args.file, "sweep");
-    if let (Some(scheduler), Some(shards)) = (args.print, args.shards) {
-        return say(args.lines(scheduler, shards, &dir));
+    if let Some(lines) = args.parts.lines(&args.command(), "study", &dir) {
+        return say(lines);
     }
     let (shard, indices) = (args.rows.shard(), args.rows.indices(plan.count(), "fewer values")?);
     let bars = args.bars(&plan);
@@ -224,39 +212,17 @@ impl Args {
         if self.error_bars || is_usual { Bars::Quick } else { Bars::Without }
     }
 
-    /// What to paste.
-    fn lines(&self, scheduler: Scheduler, shards: u32, dir: &Path) -> String {
-        let mut command = format!("stampflow sweep {}", quoted(&self.file.to_string_lossy()));
-        for vary in &self.vary {
-            let _ = write!(command, " --vary {}", quoted(vary));
-        }
-        for set in self.many.overrides.all() {
-            let _ = write!(command, " --set {}", quoted(&set));
-        }
+    /// What runs the same study, without its folder.
+    fn command(&self) -> String {
         let flags = [
             (self.one_at_a_time, " --one-at-a-time"),
             (self.error_bars, " --error-bars"),
             (self.no_error_bars, " --no-error-bars"),
             (self.keep == Some(Keep::Curves), " --keep curves"),
         ];
-        command.extend(flags.into_iter().filter_map(|(is_given, flag)| is_given.then_some(flag)));
-        let folder = quoted(&dir.to_string_lossy());
-        let _ = write!(command, " --out {folder} --quiet --resume --threads 1");
-        let tables = format!("{folder}/study-*-of-{shards}.csv");
-        let run = match scheduler {
-            Scheduler::Hq => format!(
-                "hq submit --array 1-{shards} --cpus 1 --crash-limit 5 --wait -- \\\n  bash -c {}",
-                quoted(&format!("exec {command} --shard $HQ_TASK_ID/{shards}"))
-            ),
-            Scheduler::Slurm => format!(
-                "sbatch --array=1-{shards} --cpus-per-task=1 --requeue --wait --wrap {}",
-                quoted(&format!("{command} --shard $SLURM_ARRAY_TASK_ID/{shards}"))
-            ),
-            Scheduler::Xargs => {
-                format!("seq 1 {shards} | xargs -P \"$(nproc)\" -I SHARD \\\n  {command} --shard SHARD/{shards}")
-            }
-        };
-        format!("{run}\nstampflow merge {tables} --out {folder}/study.csv\n")
+        let flags = flags.into_iter().filter_map(|(is_given, flag)| is_given.then_some(flag));
+        let options = options("--vary", &self.vary) + &options("--set", &self.many.overrides.all());
+        format!("sweep {}{options}{}", quoted(&self.file.to_string_lossy()), flags.collect::<String>())
     }
 }
 
@@ -287,15 +253,5 @@ impl Tally {
             self.red.iter().map(|(key, count)| format!("{} {count}", key.replace('_', " "))).collect();
         let why = if red.is_empty() { String::new() } else { format!(" ({})", red.join(", ")) };
         lights.collect::<Vec<_>>().join(", ") + &why
-    }
-}
-
-/// For a shell.
-fn quoted(text: &str) -> String {
-    let is_plain = |c: char| c.is_ascii_alphanumeric() || "-_./=,".contains(c);
-    if text.chars().all(is_plain) && !text.is_empty() {
-        text.into()
-    } else {
-        format!("'{}'", text.replace('\'', "'\\''"))
     }
 }

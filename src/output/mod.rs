@@ -16,6 +16,7 @@ mod frame_recorder;
 mod gif;
 pub mod load_travel;
 mod lock;
+pub mod log_plot;
 mod lzw;
 mod make;
 mod outline;

@@ -3,6 +3,7 @@
 use super::Chart;
 use super::chart::{Panel, Scale};
 use crate::message::{Form, Told};
+use crate::table::Axis;
 
 impl Chart {
     /// Its axes and everything along them in a form; words that stand beside them are those that it was made with.
@@ -13,26 +14,26 @@ impl Chart {
 
 impl Panel {
     fn told(self, form: Form) -> Self {
-        let largest = |of: fn(&(f64, f64)) -> f64| {
-            let values = self.series.iter().flat_map(|series| &series.points).map(of);
+        let largest = |axis: &Axis, of: fn(&(f64, f64)) -> f64| {
+            let values = self.series.iter().flat_map(|series| &series.points).map(|point| axis.value(of(point)));
             values.filter(|value| value.is_finite()).fold(0.0, |largest, value| value.abs().max(largest))
         };
-        let sizes = [largest(|point| point.0), largest(|point| point.1)];
+        let sizes = [largest(&self.x, |point| point.0), largest(&self.y, |point| point.1)];
         let ((x, along), (y, up)) = (self.x.told(form, sizes[0]), self.y.told(form, sizes[1]));
-        let point = |point: &mut (f64, f64)| *point = (in_unit(along, point.0), in_unit(up, point.1));
+        let [along, up] = [Along { axis: &x, unit: along }, Along { axis: &y, unit: up }];
+        let point = |point: &mut (f64, f64)| *point = (along.told(point.0), up.told(point.1));
         let mut series = self.series;
         series.iter_mut().flat_map(|series| &mut series.points).for_each(point);
-        Self { x, y, series, scale: self.scale.told(along, up) }
+        let scale = self.scale.told(along, up);
+        Self { x, y, series, scale }
     }
 }
 
 impl Scale {
-    fn told(self, along: Told, up: Told) -> Self {
-        let window = |x: (f64, f64), y: (f64, f64)| {
-            ((in_unit(along, x.0), in_unit(along, x.1)), (in_unit(up, y.0), in_unit(up, y.1)))
-        };
+    fn told(self, along: Along, up: Along) -> Self {
+        let window = |x: (f64, f64), y: (f64, f64)| ((along.told(x.0), along.told(x.1)), (up.told(y.0), up.told(y.1)));
         match self {
-            Self::Fit { height, least } => Self::Fit { height, least: up.factor * least },
+            Self::Fit { height, least } => Self::Fit { height, least: up.unit.factor * least },
             Self::Section { x, y } => {
                 let (x, y) = window(x, y);
                 Self::Section { x, y }
@@ -54,6 +55,16 @@ impl Scale {
     }
 }
 
-fn in_unit(unit: Told, value: f64) -> f64 {
-    value * unit.factor + unit.offset
+/// An axis, and the unit that its values are to be told in.
+#[derive(Clone, Copy)]
+struct Along<'a> {
+    axis: &'a Axis,
+    unit: Told,
+}
+
+impl Along<'_> {
+    /// Where what is drawn at a place goes.
+    fn told(self, place: f64) -> f64 {
+        self.axis.place(self.axis.value(place) * self.unit.factor + self.unit.offset)
+    }
 }

@@ -107,11 +107,20 @@ pub(super) fn correct(
                 step: step.number,
                 iteration: outcome.iterations,
                 time: step.end(),
+                matrix,
+                cutoff: (model.mode == Mode::Flow).then(|| step.cutoff(trial.softening)),
+                velocity_norm: outcome.increment,
+                share: if outcome.iterations > 0 { trial.line.length() } else { 0.0 },
+                residual_norm: outcome.residual_norm,
+                worst_node: evaluation.worst_node,
+                converged: outcome.converged,
                 nodes: &evaluation.nodes,
                 imbalance: &evaluation.system.rhs,
                 thickness: &evaluation.thickness,
                 updates: &evaluation.updates,
                 tools: &trial.tools,
+                given: step,
+                found: evaluation,
             });
         }
         let looks_back = searches && (1..most).contains(&outcome.iterations);

@@ -6,15 +6,13 @@
 
 use super::converged::Converged;
 use super::evaluation::{Contact, Evaluation};
+use super::step::CUT_OFF_ZONE;
 use crate::element::Node;
 use crate::element::surface::{STATIONS, stations};
 use crate::geometry::{Point, turned};
 use crate::model::{Edge, Mode};
 use crate::solution::Energy;
 use nalgebra::Vector3;
-
-/// A point's plastic power counts as cut off when its strain increment is below this many cut-offs.
-const CUT_OFF_ZONE: f64 = 10.0;
 
 /// Work of a converged step, and the plastic work in each of its elements of what is solved \[mJ, or per mm of depth\]; `before` is the
 /// evaluation of the step before.

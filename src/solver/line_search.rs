@@ -67,6 +67,11 @@ impl LineSearch {
         true
     }
 
+    /// Share of the direction that has been gone.
+    pub fn length(&self) -> f64 {
+        self.length
+    }
+
     /// Notes that this share of the direction has been gone.
     pub fn go(&mut self, share: f64) {
         self.length = share;

@@ -22,6 +22,7 @@ mod process;
 mod push;
 mod retry;
 mod selective_bending;
+mod single_step;
 mod stages;
 mod steady;
 mod step;
@@ -47,7 +48,8 @@ use time_step::StepControl;
 use trial::Trial;
 
 pub use closing::closing_way;
-pub use observer::{Iterate, Observer};
+pub use observer::{Iterate, Observer, Start, Touching};
+pub use single_step::try_step;
 pub use stages::{enter, run, solve};
 
 /// As [`run`], from a given state.

@@ -26,6 +26,8 @@ use crate::state::{MaterialPoint, State};
 const EXPONENT: f64 = 0.005;
 /// Increment below which rates are not told apart, over the cut-off \[–\].
 const FLOOR: f64 = 100.0;
+/// A point counts as cut off when its strain increment is below this many cut-offs \[–\].
+pub(super) const CUT_OFF_ZONE: f64 = 10.0;
 
 /// What is given of a step, and what follows from that alone.
 pub(super) struct Step<'a> {

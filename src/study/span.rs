@@ -8,10 +8,12 @@
 //! KEY                          from half to twice what the case has
 //! ```
 
+use super::varied::label;
 use super::vary::{Value, Vary};
 use super::{StudyError, Subject};
 use crate::message::{Amount, Digits, Message};
 use crate::units::{Unit, parse, significant};
+use std::borrow::Cow;
 use toml_edit::{DocumentMut, Item};
 
 /// Least and most places that a stretch is looked at first.
@@ -107,6 +109,11 @@ impl Span {
         &self.keys[0].key
     }
 
+    /// What that key is called in the shop.
+    pub fn label(&self) -> Cow<'static, str> {
+        label(self.key())
+    }
+
     /// Its unit.
     pub fn unit(&self) -> &str {
         &self.keys[0].unit
@@ -151,6 +158,11 @@ impl Span {
     /// Its ends, in its unit.
     pub fn ends(&self) -> [f64; 2] {
         self.ends
+    }
+
+    /// Whether equal ratios are equally far apart.
+    pub fn is_log(&self) -> bool {
+        self.is_log
     }
 
     /// Places that it is looked at first, where that is given.

@@ -29,6 +29,12 @@ const NAMES: [(&str, &str); 18] = [
     ("press.force", "Rating of the press"),
 ];
 
+/// What a key is called in the shop; itself where it has no name there.
+pub fn label(key: &str) -> Cow<'static, str> {
+    let name = NAMES.iter().find(|(known, _)| *known == key);
+    name.map_or_else(|| Cow::Owned(key.to_owned()), |(_, name)| Cow::Borrowed(*name))
+}
+
 /// One axis of a study.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Varied {
@@ -42,6 +48,8 @@ pub struct Varied {
     pub names: Vec<String>,
     /// Where the case stands, in `unit` or as a place among the names.
     pub own: Option<f64>,
+    /// Whether three values or more stand in even ratios.
+    pub is_log: bool,
     /// Keys that go together with it.
     pub with: Vec<String>,
 }
@@ -50,23 +58,23 @@ impl Varied {
     /// An axis of keys that go together, by the first of them.
     pub fn of(axis: &[Vary], subject: &Subject) -> Self {
         let vary = &axis[0];
-        let label = NAMES.iter().find(|(key, _)| *key == vary.key);
-        let label = label.map_or_else(|| Cow::Owned(vary.key.clone()), |(_, name)| Cow::Borrowed(*name));
+        let label = label(&vary.key);
         let with = axis[1..].iter().map(|vary| vary.key.clone()).collect();
         let numbers: Option<Vec<f64>> = vary.values.iter().map(|value| value.number).collect();
         let own = subject.own(&vary.key);
         match numbers {
             Some(numbers) => {
                 let (unit, factor) = Unit::of_header(&vary.header()).unwrap_or((Unit::None, 1.0));
-                let values = numbers.iter().map(|number| factor * number).collect();
+                let values: Vec<f64> = numbers.iter().map(|number| factor * number).collect();
+                let is_log = has_even_ratios(&values);
                 let own = own.and_then(|own| in_unit(&own, &vary.unit)).map(|own| factor * own);
-                Self { label, unit, values, names: Vec::new(), own, with }
+                Self { label, unit, values, names: Vec::new(), own, is_log, with }
             }
             None => {
                 let names: Vec<String> = vary.values.iter().map(|value| value.text.clone()).collect();
                 let own = own.and_then(|own| names.iter().position(|name| *name == own)).map(|place| place as f64);
                 let values = (0..names.len()).map(|i| i as f64).collect();
-                Self { label, unit: Unit::None, values, names, own, with }
+                Self { label, unit: Unit::None, values, names, own, is_log: false, with }
             }
         }
     }
@@ -80,8 +88,19 @@ impl Varied {
     pub fn axis(&self) -> Axis {
         match self.has_names() {
             true => Axis::of_names(self.label.clone(), self.names.clone()),
+            false if self.is_log => Axis::named(self.label.clone(), self.unit).logarithmic(),
             false => Axis::named(self.label.clone(), self.unit),
         }
+    }
+
+    /// Where a value of it is drawn, and between which places numbers change evenly: of even ratios the logarithm to base 10.
+    pub fn place(&self, value: f64) -> f64 {
+        if self.is_log { value.log10() } else { value }
+    }
+
+    /// The value at such a place.
+    pub fn value_at(&self, place: f64) -> f64 {
+        if self.is_log { 10_f64.powf(place) } else { place }
     }
 
     /// One of its values, as it was given.
@@ -101,6 +120,16 @@ impl Varied {
     pub fn message(&self) -> Message {
         self.label.clone().into()
     }
+}
+
+/// How far a ratio may be off: values are written with twelve digits \[–\].
+const EVEN: f64 = 1e-9;
+
+/// Whether three values or more, all above 0 and in order, stand in even ratios.
+fn has_even_ratios(values: &[f64]) -> bool {
+    let ratios: Vec<f64> = values.windows(2).map(|pair| pair[1] / pair[0]).collect();
+    let is_even = |ratio: &f64| (ratio / ratios[0] - 1.0).abs() < EVEN;
+    ratios.len() > 1 && values.iter().all(|value| *value > 0.0) && ratios[0] != 1.0 && ratios.iter().all(is_even)
 }
 
 /// What a case has for a key, as a number in a unit.

@@ -3,7 +3,7 @@
 //! A border lies between two designs of which one fails: where the number that makes it fail passes its limit on the way
 //! between them, and of several the last; where it is no number that fails, a neck for example, half-way. On the way the
 //! number, or its inverse where a third design in line is nearer to that, changes evenly: Siebel's index goes with the
-//! inverse of the holder's force.
+//! inverse of the holder's force. Along an axis whose values stand in even ratios all this goes by their logarithms.
 
 use super::region::{Grid, Point, Region};
 use super::results::{Found, Results};
@@ -104,7 +104,7 @@ impl<'a> Window<'a> {
         let ranges = |axis: Option<usize>| -> Vec<(Vec<f64>, Vec<usize>)> {
             let Some(axis) = axis else { return vec![(vec![-HALF, HALF], vec![0, 0])] };
             let places = rising(&results.axes[axis]);
-            let values = &results.axes[axis].values;
+            let values: Vec<f64> = results.axes[axis].values.iter().map(|v| results.axes[axis].place(*v)).collect();
             match results.axes[axis].has_names() || places.len() == 1 {
                 true => places.iter().map(|&i| (vec![values[i] - HALF, values[i] + HALF], vec![i, i])).collect(),
                 false => vec![(places.iter().map(|&i| values[i]).collect(), places)],
@@ -129,7 +129,7 @@ impl<'a> Window<'a> {
         Self { results, x, y, at, bands }
     }
 
-    /// Its range along x and along y.
+    /// Its range along x and along y, in [places](Varied::place) of the axes, as all its points are.
     pub fn ranges(&self) -> [(f64, f64); 2] {
         let ends = |values: fn(&Grid) -> &Vec<f64>| {
             let all = || self.bands.iter().flat_map(move |band| values(&band.grid).iter().copied());
@@ -183,7 +183,8 @@ impl<'a> Window<'a> {
     /// Where the case stands, where that is inside of the window.
     pub fn own(&self) -> Option<Point> {
         let axes = &self.results.axes;
-        let own = (axes[self.x].own?, self.y.map_or(Some(0.0), |y| axes[y].own)?);
+        let own = |axis: usize| axes[axis].own.map(|own| axes[axis].place(own));
+        let own = (own(self.x)?, self.y.map_or(Some(0.0), own)?);
         let [x, y] = self.ranges();
         let is_inside = |v: f64, (low, high): (f64, f64)| (low..=high).contains(&v);
         let is_at = self.at.is_none_or(|(third, place)| {
@@ -235,6 +236,7 @@ impl<'a> Window<'a> {
                     borders.iter().copied().filter(|(at, _)| sign * (at - from) > 0.0).collect();
                 ahead.sort_by(|a, b| (sign * a.0).total_cmp(&(sign * b.0)).then(a.1.cmp(&b.1)));
                 let (to, meets) = self.met(&ahead).unwrap_or((end, Meets::End));
+                let [from, to] = [from, to].map(|place| self.results.axes[axis].value_at(place));
                 distances.push(Distance { axis, from, to, meets });
             }
         }

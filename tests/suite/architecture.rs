@@ -16,7 +16,7 @@ const FLOORS: &[&[&str]] = &[
     &["case"],
     &["compare", "rules"],
     &["table"],
-    &["measure", "import"],
+    &["measure", "import", "trace"],
     &["solver"],
     &["solution", "state"],
     &["model"],

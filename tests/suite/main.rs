@@ -61,6 +61,7 @@ mod templates;
 mod told;
 mod tool_ends;
 mod tool_sizes;
+mod trace;
 mod units;
 mod validation;
 mod verdict;

@@ -1,6 +1,7 @@
 //! Searches: limits of known functions with noise, islands and failed trials; conditions; the searches that have a name.
 
 use crate::common::cli::{stampflow, text};
+use stampflow::message::Form;
 use stampflow::study::search::{
     Aim, Answer, Bracket, Condition, Found, Goal, Line, Quest, Said, Side, Target, Template, Wanted, bracket,
 };
@@ -278,7 +279,7 @@ fn the_program_searches_writes_its_table_and_picture_and_tells_mistakes() {
         text(&ended.stdout).split_whitespace().collect::<Vec<_>>().join(" ")
     };
     let said = search(&["--vary", "blank.diameter=100..150 mm", "--largest", "--while", "thinning < 10 %"]);
-    assert!(said.contains("blank.diameter: “thinning < 10 %” holds up to 12"), "{said}");
+    assert!(said.contains("Blank diameter: “thinning < 10 %” holds up to 12"), "{said}");
     let table = std::fs::read_to_string(folder.path().join("search.csv")).expect("a table");
     assert!(table.starts_with("study,designs,index,inputs_sha256,blank.diameter_mm,"), "{table}");
     assert!(folder.path().join("search.png").exists());
@@ -310,6 +311,24 @@ fn the_program_searches_writes_its_table_and_picture_and_tells_mistakes() {
         let error = text(&ended.stderr);
         assert!(ended.status.code() == Some(2) && error.contains(said), "{args:?}: {error}");
     }
+}
+
+/// A loss of power keeps what was run. Trust: the table at the end.
+#[test]
+fn the_table_grows_with_every_run() {
+    let subject = Subject::new(CASE, vec!["blank.elements=40".into(), "solver.max_step=0.02".into()]).expect("a case");
+    let span = Span::read("blank.diameter=100..120 mm/4 log", &subject).expect("a span");
+    let goal = Goal::Keep(Condition::read("thinning < 8 %").expect("a condition"));
+    let quest = Quest { subject, span, goal, side: Side::Largest };
+    let mut lines = Vec::new();
+    let answer = quest.search_keeping(2, &(), &mut |_, kept| lines.push(kept.len())).expect("an answer");
+    assert_eq!(lines, (1..=answer.rows.len()).collect::<Vec<_>>());
+    assert_eq!(answer.table().1.len(), answer.rows.len());
+    let chart = stampflow::output::study::search::plot(&quest, &answer, Form::default()).expect("a picture");
+    let x = &chart.panels[0].x;
+    let places = || chart.panels[0].series.iter().flat_map(|series| &series.points).map(|point| x.value(point.0));
+    assert!(x.is_logarithmic() && x.text() == "Blank diameter [mm]", "{}", x.text());
+    assert!(places().all(|value| (99.9..120.1).contains(&value)), "values of the span, at their logarithms");
 }
 
 /// Trust: a signal as Ctrl-C sends it, in the middle of a thousand runs.

@@ -88,12 +88,19 @@ fn a_shard_that_runs_twice_at_once_is_written_once() {
     assert_eq!(both, one);
 }
 
-/// The printed lines of a sweep in six shards, run with the program and `stubs` on the path; then the table is that of one
+/// The sweep that is run in parts.
+const SWEEP: [&str; 6] = ["sweep", "study", "--vary", "friction=0.04..0.12/5", "--vary", "tools.holder.force=8,12 kN"];
+
+/// The printed lines of a verb in six shards, run with the program and `stubs` on the path; then its table is that of one
 /// process.
-fn runs_as_printed(scheduler: &str, stubs: &[(&str, &str)]) {
+fn runs_as_printed([verb, table, varied @ ..]: [&str; 6], scheduler: &str, stubs: &[(&str, &str)]) {
     let dir = folder(&cheap());
-    let varied = ["--vary", "friction=0.04..0.12/5", "--vary", "tools.holder.force=8,12 kN"];
-    let printed = done(sweep(dir.path(), &varied).args(["--out", "in parts", "--shards", "6", "--print", scheduler]));
+    let study = |more: &[&str]| {
+        let mut command = Command::new(env!("CARGO_BIN_EXE_stampflow"));
+        command.args([verb, "cases/cup.toml", "--quiet"]).args(varied).args(more).current_dir(dir.path());
+        done(&mut command)
+    };
+    let printed = study(&["--out", "in parts", "--shards", "6", "--print", scheduler]);
     let lines = dir.path().join("lines.sh");
     fs::write(&lines, &printed.stdout).unwrap();
     let bin = dir.path().join("bin");
@@ -114,15 +121,17 @@ fn runs_as_printed(scheduler: &str, stubs: &[(&str, &str)]) {
     assert!(checked.status.success(), "{}", text(&checked.stderr));
     let ran = bash("-e");
     assert!(ran.status.success(), "{}\n{}", text(&printed.stdout), text(&ran.stderr));
-    done(sweep(dir.path(), &varied).args(["--out", "one"]));
-    let [parts, one] = ["in parts", "one"].map(|out| fs::read(dir.path().join(out).join("study.csv")).unwrap());
+    study(&["--out", "one"]);
+    let table = format!("{table}.csv");
+    let [parts, one] = ["in parts", "one"].map(|out| fs::read(dir.path().join(out).join(&table)).unwrap());
     assert_eq!(parts, one);
 }
 
 /// Trust: xargs itself runs them.
 #[test]
 fn the_lines_for_xargs_run_as_they_are_printed() {
-    runs_as_printed("xargs", &[]);
+    runs_as_printed(SWEEP, "xargs", &[]);
+    runs_as_printed(["scatter", "scatter", "--vary", "friction=uniform 0.05..0.12", "--runs", "16"], "xargs", &[]);
 }
 
 /// Trust: a stand-in that does with an array what the manual of sbatch says.
@@ -138,7 +147,7 @@ for SLURM_ARRAY_TASK_ID in $(seq 1 "$last"); do
     sh -c "$wrapped" || exit 1
 done
 "#;
-    runs_as_printed("slurm", &[("sbatch", sbatch)]);
+    runs_as_printed(SWEEP, "slurm", &[("sbatch", sbatch)]);
 }
 
 /// Trust: the same of HyperQueue; `tests/schedulers/hyperqueue.sh` asks a real one.
@@ -153,7 +162,7 @@ for HQ_TASK_ID in $(seq 1 "$last"); do
     "$@" || exit 1
 done
 "#;
-    runs_as_printed("hq", &[("hq", hq)]);
+    runs_as_printed(SWEEP, "hq", &[("hq", hq)]);
 }
 
 /// Trust: each is one thing wrong with a set of shards that is right without it.

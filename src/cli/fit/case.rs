@@ -2,15 +2,13 @@
 
 use super::super::code::{BadRequest, Code};
 use super::super::interrupt;
-use super::super::many::asked;
+use super::super::many::{asked, write_all};
 use super::super::say::{say, say_json};
 use super::super::table::{Cell, table, wrapped};
 use super::args::Args;
 use super::shown::{cells, csv, json_of};
-use anyhow::Context;
 use serde_json::{Value, json};
 use stampflow::output::study::fit_case as pictures;
-use stampflow::output::write;
 use stampflow::study::fit::{CaseFit, Range, fit_case, load};
 
 pub fn case(args: &Args) -> anyhow::Result<Code> {
@@ -36,9 +34,7 @@ pub fn case(args: &Args) -> anyhow::Result<Code> {
         let stem = if i == 0 { "fit".to_owned() } else { format!("fit_{}", i + 1) };
         files.extend(args.many.pictures.pictures().files(&stem, chart));
     }
-    for (name, bytes) in files {
-        write(&dir.join(&name), &bytes).with_context(|| format!("cannot write {name}"))?;
-    }
+    write_all(&dir, files)?;
     if args.many.json.json {
         return say_json(&value);
     }

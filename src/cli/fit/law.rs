@@ -1,16 +1,14 @@
 //! A hardening law from tension tests.
 
 use super::super::code::{BadRequest, Code};
-use super::super::many::asked;
+use super::super::many::{asked, write_all};
 use super::super::say::{say, say_json};
 use super::super::table::{Cell, table, wrapped};
 use super::args::Args;
 use super::shown::{cells, csv, json_of};
-use anyhow::Context;
 use serde_json::{Value, json};
 use stampflow::message::Message;
 use stampflow::output::study::fit_law;
-use stampflow::output::write;
 use stampflow::study::fit::{Direction, FlowCurve, LawFit, LawFits, Reduction, Tension, fit_laws, material_text};
 use stampflow::units::{four_digits, trimmed};
 
@@ -32,9 +30,7 @@ pub fn law(args: &Args) -> anyhow::Result<Code> {
         ("material.toml".to_owned(), text.clone().into_bytes()),
     ];
     files.extend(args.many.pictures.pictures().files("fit", &fit_law(&fits, form)));
-    for (name, bytes) in files {
-        write(&dir.join(&name), &bytes).with_context(|| format!("cannot write {name}"))?;
-    }
+    write_all(&dir, files)?;
     if args.many.json.json {
         return say_json(&value);
     }

@@ -1,9 +1,8 @@
 //! What is asked of a search, from the command line.
 
 use super::super::error_bars::ErrorBars;
-use super::super::many::Many;
+use super::super::many::{Many, write_all};
 use super::super::place;
-use anyhow::Context;
 use stampflow::output::{Chart, write};
 use stampflow::study::search::{Condition, Draft, Goal, Quest, Side, Target, Template, Wanted};
 use stampflow::study::{self, Span, StudyError, Subject};
@@ -140,14 +139,17 @@ pub struct Places {
 impl Places {
     pub fn table(&self, header: &[String], lines: &[Vec<String>]) -> anyhow::Result<()> {
         let bytes = study::csv(header, lines);
-        write(&self.table, &bytes).with_context(|| format!("cannot write {}", self.table.display()))
+        Ok(write(&self.table, &bytes)?)
+    }
+
+    /// The table of the runs so far; where that cannot be, the end says it.
+    pub fn keep(&self, header: &[String], lines: &[Vec<String>]) {
+        let _ = self.table(header, lines);
     }
 
     pub fn picture(&self, args: &Args, chart: Option<Chart>) -> anyhow::Result<()> {
-        for (name, bytes) in chart.iter().flat_map(|chart| args.many.pictures.pictures().files("search", chart)) {
-            let path = self.dir.join(name);
-            write(&path, &bytes).with_context(|| format!("cannot write {}", path.display()))?;
-        }
+        let made = args.many.pictures.pictures();
+        write_all(&self.dir, chart.iter().flat_map(|chart| made.files("search", chart)))?;
         Ok(())
     }
 }

@@ -11,7 +11,7 @@ use super::told;
 use serde_json::json;
 use stampflow::message::{Digits, Message, message};
 use stampflow::output::study::search::plot_best;
-use stampflow::study::search::{Best, Condition, Named, Sense, optimise as best_of};
+use stampflow::study::search::{Best, Condition, Named, Sense, optimise_keeping as best_of};
 use stampflow::study::{Row, Span, Subject};
 use stampflow::units::rounded;
 use std::time::Instant;
@@ -31,8 +31,9 @@ pub fn optimise(args: &Args, places: &Places) -> anyhow::Result<Code> {
     let condition = args.condition.as_deref().map(Condition::read).transpose().map_err(asked)?;
     let count = args.many.count(&args.case, "runs");
     let start = Instant::now();
-    let found =
-        best_of(&subject, &spans, (&name, sense), condition.as_ref(), args.many.threads(), &count).map_err(asked)?;
+    let mut keep = |header: &[String], lines: &[Vec<String>]| places.keep(header, lines);
+    let found = best_of(&subject, &spans, (&name, sense), condition.as_ref(), args.many.threads(), (&count, &mut keep));
+    let found = found.map_err(asked)?;
     let seconds = start.elapsed().as_secs_f64();
     places.table(&found.table.0, &found.table.1)?;
     let form = args.many.told.form();
@@ -92,7 +93,7 @@ fn sentence(spans: &[Span], name: &Named, condition: Option<&Condition>, found: 
     let mut values = row.design.values.iter();
     let keys = spans.iter().map(|span| {
         let x = values.by_ref().take(span.keys().len()).next().and_then(|value| value.number);
-        message!("{key} = {x}", key = span.key().to_owned(), x = span.told(x.unwrap_or(f64::NAN)))
+        message!("{key} = {x}", key = Message::from(span.label()), x = span.told(x.unwrap_or(f64::NAN)))
     });
     let keys = Message::joined(keys, ", ");
     message!("{number} is {value} at {keys}", number = name.text.clone(), value = value(name, row), keys = keys)

@@ -23,7 +23,7 @@ pub fn screen(quest: &Quest, answer: &Answer, bars: Option<&Verification>, form:
     let runs: Vec<usize> = answer.best.into_iter().chain(answer.other).collect();
     let runs: Vec<(String, &Row)> =
         runs.into_iter().map(|run| (quest.span.told(answer.value(run)).told(form), &answer.rows[run])).collect();
-    shown + "\n".into() + side_by_side(quest.span.key(), &runs, &named, bars, form)
+    shown + "\n".into() + side_by_side(&form.tell(quest.span.label()), &runs, &named, bars, form)
 }
 
 /// What was done, in what time, and where it is.
@@ -36,7 +36,7 @@ pub fn done(runs: usize, seconds: f64, dir: &Path, form: Form) -> Shown {
 /// The answer in one sentence.
 fn found(quest: &Quest, answer: &Answer) -> Message {
     let at = |x: f64| quest.span.told(x);
-    let key = quest.span.key().to_owned();
+    let key = Message::from(quest.span.label());
     let [low, high] = quest.span.ends();
     match (&quest.goal, &answer.bracket.found) {
         (_, Found::Interrupted) => {
@@ -90,7 +90,7 @@ fn found(quest: &Quest, answer: &Answer) -> Message {
 
 /// Of a number that shall have a value.
 fn reached(quest: &Quest, answer: &Answer, name: &Named) -> Message {
-    let key = quest.span.key().to_owned();
+    let key = Message::from(quest.span.label());
     let wanted = answer.wanted.unwrap_or(f64::NAN);
     let told = |row: &Row, value: Option<f64>| {
         let number = row.result.as_ref().ok().and_then(|solved| name.find(solved).ok());

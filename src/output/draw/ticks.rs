@@ -13,6 +13,26 @@ pub(super) fn ticks(range: (f64, f64), most: usize) -> Vec<f64> {
     RangedCoordf64::from(range.0..range.1).key_points(BoldPoints(most))
 }
 
+/// Logarithms of round values in a range of logarithms: 1, 2, 5 and their tens where these are `most` or fewer, else the tens
+/// alone; where there are fewer than two of them round values as on any axis.
+pub(super) fn decades((low, high): (f64, f64), most: usize) -> Vec<f64> {
+    let powers = || low.floor() as i32..=high.ceil() as i32;
+    let of = |digits: &[f64]| -> Vec<f64> {
+        let all = powers().flat_map(|power| digits.iter().map(move |digit| digit.log10() + f64::from(power)));
+        all.filter(|place| (low..=high).contains(place)).collect()
+    };
+    let fine = of(&[1.0, 2.0, 5.0]);
+    match fine.len() {
+        0 | 1 => ticks((10_f64.powf(low), 10_f64.powf(high)), most).into_iter().map(f64::log10).collect(),
+        n if n > most => {
+            let tens = of(&[1.0]);
+            let step = tens.len().div_ceil(most).max(1);
+            tens.into_iter().step_by(step).collect()
+        }
+        _ => fine,
+    }
+}
+
 /// A range whose ticks are given.
 pub(super) struct Ticked {
     range: RangedCoordf64,
@@ -91,6 +111,18 @@ mod tests {
         assert_eq!(ticks((0.0, 46_900.0), 7), [0.0, 10_000.0, 20_000.0, 30_000.0, 40_000.0]);
         assert_eq!(ticks((99.5, 100.5), 4), [99.5, 100.0, 100.5]);
         assert_eq!(ticks((3.0, 3.0), 8), [3.0]);
+    }
+
+    #[test]
+    fn a_logarithmic_axis_has_round_values() {
+        let values = |range: (f64, f64), most| -> Vec<String> {
+            let places = decades((range.0.log10(), range.1.log10()), most);
+            places.iter().map(|place| 10_f64.powf(*place)).map(|value| tick(value, &[value])).collect()
+        };
+        assert_eq!(values((50.0, 2000.0), 8), ["50", "100", "200", "500", "1000", "2000"]);
+        assert_eq!(values((0.02, 0.3), 8), ["0.02", "0.05", "0.1", "0.2"]);
+        assert_eq!(values((1e-3, 1e3), 8), ["0.001", "0.01", "0.1", "1", "10", "100", "1000"]);
+        assert_eq!(values((6.0, 9.0), 4), ["6", "7", "8", "9"]);
     }
 
     #[test]

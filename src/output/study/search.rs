@@ -69,7 +69,7 @@ pub fn plot(quest: &Quest, answer: &Answer, form: Form) -> Option<Chart> {
             panels.push(panel);
         }
     }
-    let varied = quest.span.key().to_owned();
+    let varied = Message::from(quest.span.label());
     let title = match &quest.goal {
         Goal::Keep(condition) => {
             message!("Search for {key}: “{condition}”", key = varied, condition = condition.text.clone())
@@ -139,9 +139,9 @@ fn shown(base: &Solved, named: &[(&Named, Option<f64>)]) -> Vec<(Number, Option<
 /// What is varied, and the runs over it.
 struct Key<'a> {
     axis: Axis,
-    /// What its values are multiplied by to be drawn.
+    /// What its values are multiplied by to be told.
     times: f64,
-    /// Ends of the span, as they are drawn.
+    /// Ends of the span, where they are drawn.
     ends: [f64; 2],
     /// Its place among the values of a design.
     column: usize,
@@ -153,12 +153,18 @@ struct Key<'a> {
 impl<'a> Key<'a> {
     fn of(span: &Span, column: usize, rows: &'a [Row], condition: Option<&Condition>, form: Form) -> Self {
         let (unit, times) = span.solver_unit().unwrap_or((Unit::None, 1.0));
-        let (axis, told) = Axis::named(span.key().to_owned(), unit).told(form, span.ends()[1] * times);
+        let (axis, told) = Axis::named(span.label(), unit).told(form, span.ends()[1] * times);
         let is_kept = |row: &Row| condition.map(|condition| condition.judge(row) == Said::Holds);
         let runs = rows.iter().filter_map(|row| Some((Mark::of(row, is_kept(row))?, row))).collect();
         let times = times * told.factor;
-        let ends = span.ends().map(|end| end * times);
+        let axis = if span.is_log() { axis.logarithmic() } else { axis };
+        let ends = span.ends().map(|end| axis.place(end * times));
         Self { axis, times, ends, column, runs, has_condition: condition.is_some(), form }
+    }
+
+    /// Where a value of the key is drawn.
+    fn along(&self, value: f64) -> f64 {
+        self.axis.place(value * self.times)
     }
 
     /// A number's axis, and what its values are multiplied by.
@@ -170,7 +176,7 @@ impl<'a> Key<'a> {
 
     /// Where a run is drawn.
     fn place(&self, row: &Row, number: &Number) -> Option<(f64, f64)> {
-        let x = row.design.values[self.column].number? * self.times;
+        let x = self.along(row.design.values[self.column].number?);
         Some((x, row.result.as_ref().ok()?.outcome.value(number)? * self.scale(number).1))
     }
 
@@ -206,7 +212,7 @@ impl<'a> Key<'a> {
     fn mark(&self, panel: &mut Panel, quest: &Quest, answer: &Answer, number: &Number, is_first: bool) {
         let Found::Between([inner, outer]) = answer.bracket.found else { return };
         let [_, (low, high)] = panel.ranges();
-        let [a, b] = [inner, outer].map(|value| value * self.times);
+        let [a, b] = [inner, outer].map(|value| self.along(value));
         let outline = vec![(a, low), (a, high), (b, high), (b, low)];
         panel.series.insert(0, Series::silent(outline, Look::Area { fill: PALE, edge: None }));
         let Some(run) = answer.best else { return };
@@ -215,7 +221,7 @@ impl<'a> Key<'a> {
             Some(at) => panel.series.push(Series::new(quest.span.told(x).told(self.form), vec![at], Look::Flag)),
             None => {
                 let line = Look::Line { color: BLACK, width: 1.2, dash: &[] };
-                panel.series.push(Series::silent(vec![(x * self.times, low), (x * self.times, high)], line));
+                panel.series.push(Series::silent(vec![(self.along(x), low), (self.along(x), high)], line));
             }
         }
     }

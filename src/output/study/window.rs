@@ -150,7 +150,8 @@ fn stands(
     let mut series = Vec::new();
     for distance in window.distances().iter().filter(|distance| distance.meets != Meets::End) {
         let is_along = distance.axis == window.x;
-        let to = if is_along { (distance.to, own.1) } else { (own.0, distance.to) };
+        let place = results.axes[distance.axis].place(distance.to);
+        let to = if is_along { (place, own.1) } else { (own.0, place) };
         series.push(Series::silent(vec![own, to], OWN));
         let by = results.axes[distance.axis].difference(distance.to - distance.from).told(form);
         let share = if is_along { (to.0 - own.0).abs() / (x.1 - x.0) } else { (to.1 - own.1).abs() / (y.1 - y.0) };

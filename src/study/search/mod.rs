@@ -20,9 +20,9 @@ mod trials;
 pub use bracket::{Aim, Bracket, Found, Line, Side, Trial, bracket};
 pub use condition::{Condition, Said};
 pub use number::Named;
-pub use optimise::{Best, Sense, optimise};
+pub use optimise::{Best, Sense, optimise, optimise_keeping};
 pub use template::{Draft, TEMPLATES, Template, Wanted};
-pub use trials::{Trials, reasons};
+pub use trials::{Keep, Trials, reasons};
 
 use crate::case::Solution;
 use crate::message::{Message, message};
@@ -161,6 +161,14 @@ impl Quest {
     /// # Errors
     /// When the case cannot be run, the span makes no case, or a number is asked for that it does not have.
     pub fn search(&self, threads: usize, watch: &dyn Watch) -> Result<Answer, StudyError> {
+        self.search_keeping(threads, watch, &mut |_, _| {})
+    }
+
+    /// The same with someone who keeps the table of the runs as they come.
+    ///
+    /// # Errors
+    /// As [`search`](Self::search).
+    pub fn search_keeping(&self, threads: usize, watch: &dyn Watch, keep: Keep) -> Result<Answer, StudyError> {
         self.can_be_set()?;
         let base = base(&self.subject, Bars::Without, watch)?;
         let wanted = match &self.goal {
@@ -169,7 +177,8 @@ impl Quest {
         };
         let places = self.span.places().unwrap_or(PLACES);
         let spans = std::slice::from_ref(&self.span);
-        let mut trials = Trials::new(&self.subject, spans, threads, watch, self.expected(places, threads));
+        let mut trials =
+            Trials::new(&self.subject, spans, threads, watch, self.expected(places, threads)).keeping(&base, keep);
         let line = Line {
             at: &|share| self.span.at(share),
             share: &|x| self.span.share(x),
@@ -190,8 +199,7 @@ impl Quest {
             )
         });
         let (best, other) = self.runs(&mut bracket, &mut trials);
-        let columns = Columns::of(&trials, &base);
-        let lines = trials.rows.iter().map(|row| columns.line(&trials, row)).collect();
+        let table = trials.table(&Columns::of(&trials, &base));
         let ratio = |run: usize| draw_ratio(self.subject.case(&trials.rows[run].design.settings).ok()?.model());
         let draw_ratios = best.zip(other).and_then(|(best, other)| Some([ratio(best)?, ratio(other)?]));
         Ok(Answer {
@@ -200,7 +208,7 @@ impl Quest {
             draw_ratios: draw_ratios.filter(|[a, b]| a != b),
             failed: reasons(failed.into_iter()),
             wanted,
-            table: (columns.header(), lines),
+            table,
             rows: trials.rows,
             bracket,
             base,

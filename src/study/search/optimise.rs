@@ -10,7 +10,7 @@
 
 use super::condition::{Condition, Said, usable};
 use super::number::Named;
-use super::trials::{Further, Trials, design};
+use super::trials::{Further, Keep, Trials, design};
 use crate::study::{Bars, Columns, Row, Solved, Span, StudyError, Subject, base, one, side_by_side};
 use crate::verification::Watch;
 use cobyla::{Func, RhoBeg, StopTols, minimize};
@@ -66,6 +66,21 @@ pub fn optimise(
     threads: usize,
     watch: &dyn Watch,
 ) -> Result<Best, StudyError> {
+    optimise_keeping(subject, spans, (number, sense), condition, threads, (watch, &mut |_, _| {}))
+}
+
+/// The same with someone who keeps the table of the runs as they come, those of a start when it has ended.
+///
+/// # Errors
+/// As [`optimise`].
+pub fn optimise_keeping(
+    subject: &Subject,
+    spans: &[Span],
+    (number, sense): (&Named, Sense),
+    condition: Option<&Condition>,
+    threads: usize,
+    (watch, keep): (&dyn Watch, Keep),
+) -> Result<Best, StudyError> {
     let base = base(subject, Bars::Without, watch)?;
     number.find(&base)?;
     condition.map_or(Ok(()), |condition| condition.check(&base))?;
@@ -73,7 +88,7 @@ pub fn optimise(
     let per_key = ((GRID as f64).powf(1.0 / spans.len() as f64) + 1e-9).floor().clamp(2.0, 9.0) as usize;
     let starts = threads.clamp(1, STARTS);
     let expected = per_key.pow(spans.len() as u32) + starts * RUNS * spans.len();
-    let mut trials = Trials::new(subject, spans, threads, watch, expected);
+    let mut trials = Trials::new(subject, spans, threads, watch, expected).keeping(&base, keep);
     trials.run(&grid(spans, per_key));
     let grid = trials.rows.len();
     let mut order: Vec<usize> = (0..grid).collect();
@@ -85,7 +100,6 @@ pub fn optimise(
     let from: Vec<(usize, Vec<f64>)> =
         order.iter().take(starts).map(|run| problem.shares(&trials.rows[*run])).enumerate().collect();
     if !watch.wants_to_stop() {
-        let mut found = Vec::new();
         let width = 0.5 / (per_key - 1) as f64;
         let further = Further { watch, before: grid, expected };
         let Ok(()) = side_by_side(
@@ -94,25 +108,20 @@ pub fn optimise(
             &further,
             |(_, start)| problem.descend(start, width),
             |rows| {
-                found.extend(rows);
+                rows.into_iter().for_each(|row| trials.add(row));
                 Ok::<_, Infallible>(())
             },
         );
-        for mut row in found {
-            row.design.index = trials.rows.len() as u64;
-            trials.rows.push(row);
-        }
     }
     let kept = (0..trials.rows.len()).filter(|run| problem.holds(&trials.rows[*run]));
     let best = kept.filter_map(|run| Some((run, problem.cost(&trials.rows[run])?))).min_by(|a, b| a.1.total_cmp(&b.1));
     let best = best.map(|(run, _)| run);
-    let columns = Columns::of(&trials, &base);
-    let lines = trials.rows.iter().map(|row| columns.line(&trials, row)).collect();
+    let table = trials.table(&Columns::of(&trials, &base));
     Ok(Best {
         grid,
         best,
         binding: best.map_or_else(Vec::new, |run| problem.binding(&trials.rows[run])),
-        table: (columns.header(), lines),
+        table,
         rows: trials.rows,
         base,
         interrupted: watch.wants_to_stop(),
@@ -213,7 +222,7 @@ impl Problem<'_> {
             } else {
                 return None;
             };
-            Some(format!("{} = {} {}", span.key(), span.ends()[end], span.unit()).trim_end().to_owned())
+            Some(format!("{} = {} {}", span.label(), span.ends()[end], span.unit()).trim_end().to_owned())
         });
         limits.chain(ends).collect()
     }

@@ -2,9 +2,12 @@
 
 use crate::message::Message;
 use crate::study::hash::short_hash;
-use crate::study::{Bars, Design, Designs, Row, Span, Subject, one, side_by_side};
+use crate::study::{Bars, Columns, Design, Designs, Row, Solved, Span, Subject, one, side_by_side};
 use crate::verification::Watch;
 use std::convert::Infallible;
+
+/// Who keeps the table of the runs as it grows: its header, and its lines so far.
+pub type Keep<'a> = &'a mut (dyn FnMut(&[String], &[Vec<String>]) + Sync);
 
 /// The runs of a search, in the order in which they were made.
 pub struct Trials<'a> {
@@ -17,6 +20,7 @@ pub struct Trials<'a> {
     expected: usize,
     /// What came of each.
     pub rows: Vec<Row>,
+    keep: Option<(Columns, Keep<'a>)>,
 }
 
 /// Counts on from the runs before.
@@ -41,7 +45,29 @@ impl<'a> Trials<'a> {
     /// Of a case, none made yet.
     pub fn new(subject: &'a Subject, spans: &'a [Span], threads: usize, watch: &'a dyn Watch, expected: usize) -> Self {
         let key = short_hash([subject.key(), &format!("{spans:?}")]);
-        Self { subject, spans, key, threads, watch, expected, rows: Vec::new() }
+        Self { subject, spans, key, threads, watch, expected, rows: Vec::new(), keep: None }
+    }
+
+    /// The same with someone who keeps its table, the columns of which are those of the case as it stands.
+    pub fn keeping(mut self, base: &Solved, keep: Keep<'a>) -> Self {
+        self.keep = Some((Columns::of(&self, base), keep));
+        self
+    }
+
+    /// The table of all runs: its header and its lines.
+    pub fn table(&self, columns: &Columns) -> (Vec<String>, Vec<Vec<String>>) {
+        (columns.header(), self.rows.iter().map(|row| columns.line(self, row)).collect())
+    }
+
+    /// Adds a run, the next by its index.
+    pub(super) fn add(&mut self, mut row: Row) {
+        row.design.index = self.rows.len() as u64;
+        self.rows.push(row);
+        if let Some((columns, keep)) = self.keep.take() {
+            let (header, lines) = self.table(&columns);
+            keep(&header, &lines);
+            self.keep = Some((columns, keep));
+        }
     }
 
     /// Makes runs at values of the spans side by side, and returns their indices; `None` where they were interrupted.
@@ -50,14 +76,14 @@ impl<'a> Trials<'a> {
         let designs: Vec<Design> =
             points.iter().enumerate().map(|(i, point)| design(self.spans, first + i, point)).collect();
         let further = Further { watch: self.watch, before: first, expected: self.expected };
-        let (subject, rows) = (self.subject, &mut self.rows);
+        let subject = self.subject;
         let Ok(()) = side_by_side(
             &designs,
             self.threads,
             &further,
             |design| one(subject, design.clone(), Bars::Without, &further),
             |row| {
-                rows.push(row);
+                self.add(row);
                 Ok::<_, Infallible>(())
             },
         );
