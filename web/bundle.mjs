@@ -50,6 +50,22 @@ function stripped(module) {
   return Buffer.concat(kept);
 }
 
+/** The table of German is in the solver whole; of texts that it never tells the lines are blanked, which packs to nothing. */
+function withoutForeign(module) {
+  const table = readFileSync(join(import.meta.dirname, "..", "src", "message", "de.toml"));
+  const at = module.indexOf(table);
+  if (at < 0) throw new Error("the solver does not hold src/message/de.toml");
+  const others = Buffer.concat([module.subarray(0, at), module.subarray(at + table.length)]).toString("latin1");
+  const isTold = (line) => {
+    const [, key] = line.match(/^"((?:[^"\\]|\\.)*)" = ".*"$/) ?? [];
+    return key === undefined || others.includes(key.replaceAll(/\\(.)/g, "$1"));
+  };
+  const blanked = (line) => (isTold(line) && !line.startsWith("#") ? line : " ".repeat(line.length));
+  const kept = Buffer.from(module);
+  kept.write(table.toString("latin1").split("\n").map(blanked).join("\n"), at, "latin1");
+  return kept;
+}
+
 /** LZMA with its length in the header, as the page reads it. */
 function packed(module) {
   const options = ["--format=lzma", "--lzma1=preset=9e,lc=4,pb=0,nice=273", "-c"];
@@ -60,7 +76,7 @@ function packed(module) {
 
 const script = checked(modules("app.js"));
 const scripts = [
-  `<script type="text/plain" id="solver">${packed(stripped(readFileSync(solver))).toString("base64")}</script>`,
+  `<script type="text/plain" id="solver">${packed(withoutForeign(stripped(readFileSync(solver)))).toString("base64")}</script>`,
   `<script type="text/plain" id="worker">${inlined(read("worker.js"))}</script>`,
   `<script type="module">\n${inlined(script)}</script>`,
 ];

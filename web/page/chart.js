@@ -4,6 +4,8 @@ import { told } from "./words.js";
 const NAMESPACE = "http://www.w3.org/2000/svg";
 /** Room beside the curves for words at their marks, over the height [–]. */
 const FLAG_ROOM = 0.15;
+/** Letters of a page on a usual screen [px], for which the sizes here are meant. */
+const LETTERS = 15;
 const MARGIN = { left: 58, right: 14, top: 12, bottom: 44 };
 
 export function svg(name, attributes, ...children) {
@@ -54,8 +56,10 @@ function path(xs, ys, x, y) {
  *          flags?: [{x, y, label, isBelow?}], cursor?: {x, y?}, summary, onPick?(x) }
  */
 export function draw(host, chart) {
-  const width = Math.max(240, host.clientWidth);
-  const height = Math.round(Math.min(0.62 * width, Math.max(220, 0.28 * window.innerHeight)));
+  // Letters grow with those of the page.
+  const zoom = parseFloat(getComputedStyle(document.documentElement).fontSize) / LETTERS;
+  const width = Math.max(240, host.clientWidth / zoom);
+  const height = Math.round(Math.min(0.62 * width, Math.max(220, (0.28 * window.innerHeight) / zoom)));
   const all = (key) => [
     ...chart.series.flatMap((series) => Array.from(series[key])),
     ...(chart.dots ?? []).flatMap((dots) => Array.from(dots[key])),
@@ -68,7 +72,8 @@ export function draw(host, chart) {
   const x = (value) => MARGIN.left + (inner.width * (value - xRange[0])) / (xRange[1] - xRange[0]);
   const y = (value) => MARGIN.top + inner.height * (1 - (value - yRange[0]) / (yRange[1] - yRange[0]));
   const mark = chart.y.powers ? (power) => `10${superscript(power)}` : (value) => told(value, 6);
-  const root = svg("svg", { viewBox: `0 0 ${width} ${height}`, width, height, role: "img", tabindex: 0, class: "chart" });
+  const size = { width: width * zoom, height: height * zoom };
+  const root = svg("svg", { viewBox: `0 0 ${width} ${height}`, ...size, role: "img", tabindex: 0, class: "chart" });
   root.append(svg("title", {}, chart.summary));
   root.append(...axes(chart, { x, y, xRange, yRange, width, height, inner, mark }));
   const plot = svg("g", {});
@@ -86,7 +91,7 @@ export function draw(host, chart) {
     if (Number.isFinite(chart.cursor.y)) plot.append(svg("circle", { cx: at, cy: y(chart.cursor.y).toFixed(1), r: 4.5, class: "cursor-dot" }));
   }
   root.append(plot);
-  if (chart.onPick) follow(root, chart, (pixel) => xRange[0] + ((pixel - MARGIN.left) / inner.width) * (xRange[1] - xRange[0]), xRange);
+  if (chart.onPick) follow(root, chart, (pixel) => xRange[0] + ((pixel / zoom - MARGIN.left) / inner.width) * (xRange[1] - xRange[0]), xRange);
   const focused = host.contains(document.activeElement);
   host.replaceChildren(root, legend(chart.series));
   if (focused) root.focus({ preventScroll: true });

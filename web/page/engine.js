@@ -1,6 +1,7 @@
 // The solver's thread: started, asked, and ended and begun anew where an answer is no longer wanted or never comes.
 
 import { unpackedLzma } from "./lzma.js";
+import { asBytes } from "./question.js";
 
 /** How long an answer that nobody waits for any more may still take [ms]; then its thread is ended. */
 const PATIENCE = 300;
@@ -70,7 +71,7 @@ export class Engine {
     this.running = this.waiting.shift();
     this.running.since = performance.now();
     const { id, question, file } = this.running;
-    this.worker.postMessage({ id, question, file });
+    this.worker.postMessage({ id, question: asBytes(question), file });
   }
 
   answered({ id, answer, numbers, took, trap }) {

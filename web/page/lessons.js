@@ -18,7 +18,7 @@ function turnsBack({ stages }) {
 }
 
 /** Iterations of a step with one of the matrices. */
-const iterations = ({ norms }, matrix) => norms.find((one) => one.matrix === matrix).velocity.length;
+const iterations = ({ ways }, matrix) => ways.find((one) => one.matrix === matrix).velocity.length;
 
 /**
  * Each begins with a template; the slider that answers it, and when it has: by what is solved, by what was solved first, and by
@@ -36,13 +36,13 @@ export const LESSONS = [
   },
   {
     title: "Why a velocity norm",
-    says: "Forces out of balance say little: a penalty spring makes them huge where a tool hardly sinks in, and a rigid zone bears any. How far the next iteration would move the sheet is a length, the same for all: ‖δȧ‖ / ‖ȧ‖.",
-    asks: "Go through the iterations until the next one moves the sheet by less than a thousandth of its step.",
+    says: "Forces out of balance say little: a penalty spring makes them huge where a tool hardly sinks in, and a rigid zone bears any. How far an iteration moves the sheet is a length, the same for all: ‖δȧ‖ / ‖ȧ‖.",
+    asks: "Go through the iterations until one moves the sheet by less than a thousandth of its step.",
     template: "cup",
     slider: "iteration",
     isOfStep: true,
-    tells: ({ trace, at }) => told(trace.norms[0].velocity[at]),
-    isAnswered: ({ trace, at }) => trace.norms[0].velocity[at] < 1e-3,
+    tells: ({ iterate }) => told(iterate.velocity ?? NaN),
+    isAnswered: ({ iterate }) => (iterate.velocity ?? 1) < 1e-3,
   },
   {
     title: "Why primal-dual",
@@ -168,9 +168,9 @@ export class Lessons {
 
   judge() {
     this.highlight();
-    const { trace, at } = this.steps;
+    const { trace, iterate } = this.steps;
     if (!this.current || !this.result || (this.current.isOfStep && !trace)) return;
-    const seen = { result: this.result, first: this.first, trace, at };
+    const seen = { result: this.result, first: this.first, trace, iterate };
     const now = this.current.tells(seen);
     byId("lesson-answer").textContent = this.current.isAnswered(seen) ? `✓ ${word("answered")}: ${now}` : `${word("now")}: ${now}`;
     byId("lesson-answer").classList.toggle("answered", this.current.isAnswered(seen));

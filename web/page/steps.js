@@ -19,6 +19,7 @@ export class Steps {
     byId("step").addEventListener("change", () => this.load());
     byId("step").addEventListener("input", () => (byId("step-told").textContent = byId("step").value));
     byId("iteration").addEventListener("input", () => this.draw());
+    byId("matrix").addEventListener("change", () => this.begin());
   }
 
   get isShown() {
@@ -28,6 +29,15 @@ export class Steps {
   /** The iteration that is shown. */
   get at() {
     return byId("iteration").valueAsNumber;
+  }
+
+  /** With which matrix. */
+  get way() {
+    return this.trace.ways[Math.max(0, byId("matrix").selectedIndex)];
+  }
+
+  get iterate() {
+    return this.trace && this.way.iterates[this.at];
   }
 
   async toggle(isShown) {
@@ -48,39 +58,46 @@ export class Steps {
     const trace = await this.ask(byId("step").valueAsNumber);
     if (!trace || trace.error) return;
     this.trace = trace;
-    byId("iteration").max = trace.iterates.length - 1;
+    const chosen = Math.max(0, byId("matrix").selectedIndex);
+    byId("matrix").replaceChildren(...trace.ways.map(({ matrix }, i) => new Option(word(MATRICES[matrix]), matrix, false, i === chosen)));
+    this.begin();
+  }
+
+  /** From the predictor of a matrix, at the node that is most out of balance. */
+  begin() {
+    const { iterates } = this.way;
+    byId("iteration").max = iterates.length - 1;
     byId("iteration").value = 0;
-    const forces = sizes(trace.iterates[0]);
-    this.element = Math.min(forces.indexOf(Math.max(...forces)), trace.iterates[0].increments.length - 1);
+    const forces = sizes(iterates[0].forces, 2, 0);
+    this.element = Math.min(forces.indexOf(Math.max(...forces)), iterates[0].increments.length - 1);
     this.draw();
   }
 
   draw() {
     if (!this.trace) return;
-    const { trace, at } = this;
-    const iterate = trace.iterates[at];
+    const { trace, at, iterate, way } = this;
     byId("step-told").textContent = `${trace.step}: ${told(trace.travel)} mm`;
-    byId("iteration-told").textContent = `${at} / ${trace.iterates.length - 1}`;
+    byId("iteration-told").textContent = `${at} / ${way.iterates.length - 1}`;
     const pick = (node) => {
       this.element = Math.min(Math.round(node), iterate.increments.length - 1);
       this.draw();
     };
-    drawTried(byId("tried"), trace, iterate, this.element);
+    drawTried(byId("tried"), iterate, this.element);
     drawNorms(byId("norms"), trace, at);
     drawResidual(byId("residual"), iterate, this.element, pick);
     drawPower(byId("power"), trace.power);
-    tellEquations(byId("equations"), trace, iterate, this.element, at);
+    tellEquations(byId("equations"), trace, iterate, this.element);
     this.onShow();
   }
 }
 
-/** Size of the force at every node. */
-function sizes({ forces }) {
-  return Array.from({ length: forces.length / 2 }, (_, i) => Math.hypot(forces[2 * i], forces[2 * i + 1]));
+/** Sizes of vectors that stand in an array, every `stride` numbers, from `first` on. */
+function sizes(array, stride, first) {
+  return Array.from({ length: array.length / stride }, (_, i) => Math.hypot(array[stride * i + first], array[stride * i + first + 1]));
 }
 
-function drawTried(host, trace, iterate, element) {
-  const { nodes, forces, increments } = iterate;
+/** The sheet with two kinds of arrows, each kind over its largest. */
+function drawTried(host, { nodes, forces, contacts, cutOff, sticking }, element) {
   const count = nodes.length / 2;
   const of = (k) => Array.from({ length: count }, (_, i) => nodes[2 * i + k]);
   const [rs, zs] = [of(0), of(1)];
@@ -91,38 +108,47 @@ function drawTried(host, trace, iterate, element) {
   const height = Math.max(120, scale * (high - low + 2 * room));
   const x = (r) => scale * (r + room);
   const y = (z) => height - scale * (z - low + room);
-  const flowing = increments.filter((increment) => increment > trace.nearlyRigid).length;
-  const summary = `${flowing} ${word("flows")}, ${increments.length - flowing} ${word("nearly rigid")}`;
+  const rigid = cutOff.filter(Boolean).length;
+  const touching = contacts.length / 4;
+  const summary = `${cutOff.length - rigid} ${word("flows")}, ${rigid} ${word("nearly rigid")}; ${touching} ${word("points in contact")}, ${sticking} ${word("stick")}`;
   const root = svg("svg", { viewBox: `0 0 ${width} ${height}`, width, height, role: "img" }, svg("title", {}, summary));
-  increments.forEach((increment, e) => {
-    const look = increment > trace.nearlyRigid ? "flows" : "rigid";
-    root.append(svg("line", { x1: x(rs[e]), y1: y(zs[e]), x2: x(rs[e + 1]), y2: y(zs[e + 1]), class: `tried ${look}` }));
+  cutOff.forEach((is, e) => {
+    root.append(svg("line", { x1: x(rs[e]), y1: y(zs[e]), x2: x(rs[e + 1]), y2: y(zs[e + 1]), class: `tried ${is ? "rigid" : "flows"}` }));
   });
-  const largest = Math.max(...sizes(iterate), LEAST);
-  for (let i = 0; i < count; i++) {
-    const [dr, dz] = [forces[2 * i], forces[2 * i + 1]].map((force) => (ARROW * right * force) / largest);
-    root.append(svg("line", { x1: x(rs[i]), y1: y(zs[i]), x2: x(rs[i] + dr), y2: y(zs[i] + dz), class: "force" }));
+  const arrow = (r, z, [dr, dz], look) => {
+    if (scale * Math.hypot(dr, dz) < 2) return;
+    const [from, to] = [[x(r), y(z)], [x(r + dr), y(z + dz)]];
+    const along = [0, 1].map((k) => (to[k] - from[k]) / Math.hypot(to[0] - from[0], to[1] - from[1]));
+    const barb = (side) => `${(to[0] - 5 * along[0] + side * 2.5 * along[1]).toFixed(1)} ${(to[1] - 5 * along[1] - side * 2.5 * along[0]).toFixed(1)}`;
+    const tip = to.map((at) => at.toFixed(1)).join(" ");
+    root.append(svg("path", { d: `M${from.map((at) => at.toFixed(1)).join(" ")}L${tip}M${barb(1)}L${tip}L${barb(-1)}`, class: `force ${look}` }));
+  };
+  const [most, pressed] = [Math.max(...sizes(forces, 2, 0), LEAST), Math.max(...sizes(contacts, 4, 2), LEAST)];
+  const long = (force, largest) => (ARROW * right * force) / largest;
+  for (let i = 0; i < contacts.length; i += 4) {
+    arrow(contacts[i], contacts[i + 1], [long(contacts[i + 2], pressed), long(contacts[i + 3], pressed)], "contact");
   }
+  for (let i = 0; i < count; i++) arrow(rs[i], zs[i], [long(forces[2 * i], most), long(forces[2 * i + 1], most)], "");
   root.append(svg("circle", { cx: x((rs[element] + rs[element + 1]) / 2), cy: y((zs[element] + zs[element + 1]) / 2), r: 7, class: "place" }));
   const words = document.createElement("p");
   words.className = "hint";
-  words.textContent = `${summary}; → ${told(largest)} N`;
+  const key = (look, text) => Object.assign(document.createElement("span"), { className: `force-key ${look}`, textContent: `→ ${text}` });
+  words.append(`${summary}. `, key("contact", `${word("contact force")}: ${told(pressed)} N`), "  ", key("", `${word("out of balance")}: ${told(most)} N`));
   host.replaceChildren(root, words);
 }
 
 function drawNorms(host, trace, at) {
-  const series = trace.norms
-    .filter(({ velocity }) => velocity.length > 0)
-    .map(({ matrix, velocity }, i) => ({ name: word(MATRICES[matrix]), x: Array.from(velocity, (_, k) => k + 1), y: log(velocity), look: `c${i}` }));
+  const name = ({ matrix, converged }) => `${word(MATRICES[matrix])}${converged ? "" : ` (${word("not converged")})`}`;
+  const series = trace.ways.map((way, i) => ({ name: name(way), x: Array.from(way.velocity, (_, k) => k + 1), y: log(way.velocity), look: `c${i}` }));
   const longest = Math.max(2, ...series.map(({ x }) => x.length));
   const bound = Math.log10(trace.tolerance);
   series.push({ name: word("tolerance"), x: [0, longest], y: [bound, bound], look: "flat" });
-  const counts = trace.norms.map(({ matrix, velocity }) => `${word(MATRICES[matrix])}: ${velocity.length}`).join("; ");
+  const counts = trace.ways.map((way) => `${name(way)}: ${way.velocity.length}`).join("; ");
   draw(host, { x: { label: word("Iteration") }, y: { label: "‖δȧ‖ / ‖ȧ‖", powers: true }, series, cursor: { x: at }, summary: counts });
 }
 
 function drawResidual(host, iterate, element, onPick) {
-  const forces = log(sizes(iterate));
+  const forces = log(sizes(iterate.forces, 2, 0));
   const nodes = forces.map((_, i) => i);
   draw(host, {
     x: { label: word("Node") },
@@ -161,20 +187,20 @@ const increment = `<mrow>${mi("Δ")}${rate}</mrow>`;
 const sub = (base, index) => `<msub>${base}<mn>${index}</mn></msub>`;
 const squared = (base) => `<msup><mrow>${base}</mrow><mn>2</mn></msup>`;
 
-function tellEquations(host, trace, iterate, element, at) {
+function tellEquations(host, trace, iterate, element) {
   const [own, yieldStress] = [iterate.increments[element], iterate.yieldStresses[element]];
-  const regular = Math.hypot(own, trace.cutoff);
+  const regular = Math.hypot(own, trace.cutoff ?? 0);
   const cut = `${mi("Δ")}${sub(mi("ε"), 0)}`;
-  const velocity = trace.norms[0].velocity[at];
+  const velocity = iterate.velocity;
   const rows = [
-    math(`<msub>${increment}<mi>reg</mi></msub>${mo("=")}<msqrt>${squared(increment)}${mo("+")}${squared(cut)}</msqrt>${mo("=")}<msqrt>${squared(mn(own))}${mo("+")}${squared(mn(trace.cutoff))}</msqrt>${mo("=")}${mn(regular)}`),
+    math(`<msub>${increment}<mi>reg</mi></msub>${mo("=")}<msqrt>${squared(increment)}${mo("+")}${squared(cut)}</msqrt>${mo("=")}<msqrt>${squared(mn(own))}${mo("+")}${squared(mn(trace.cutoff ?? 0))}</msqrt>${mo("=")}${mn(regular)}`),
     math(`${mi("σ")}${mo("=")}<mfrac><msub>${mi("σ")}<mi>y</mi></msub><msub>${increment}<mi>reg</mi></msub></mfrac>${mi("A")}${mi("Δ")}${mi("ε")}${mo(",")}<mfrac><mrow>${mn(yieldStress)}<mtext> MPa</mtext></mrow>${mn(regular)}</mfrac>${mo("=")}${mn(yieldStress / regular)}<mtext> MPa</mtext>`),
-    math(`${mi("δ")}<mover>${mi("a")}${mo("˙")}</mover>${mo("=")}${mo("−")}<msup>${mi("H")}<mrow>${mo("−")}<mn>1</mn></mrow></msup>${mi("r")}${velocity === undefined ? "" : `${mo(",")}<mfrac><mrow>${mo("‖")}${mi("δ")}<mover>${mi("a")}${mo("˙")}</mover>${mo("‖")}</mrow><mrow>${mo("‖")}<mover>${mi("a")}${mo("˙")}</mover>${mo("‖")}</mrow></mfrac>${mo("=")}${mn(velocity, 3)}`}`),
+    math(`${mi("δ")}<mover>${mi("a")}${mo("˙")}</mover>${mo("=")}${mo("−")}<msup>${mi("H")}<mrow>${mo("−")}<mn>1</mn></mrow></msup>${mi("r")}${velocity === null ? "" : `${mo(",")}<mfrac><mrow>${mo("‖")}${mi("δ")}<mover>${mi("a")}${mo("˙")}</mover>${mo("‖")}</mrow><mrow>${mo("‖")}<mover>${mi("a")}${mo("˙")}</mover>${mo("‖")}</mrow></mfrac>${mo("=")}${mn(velocity, 3)}`}`),
   ];
   const note = document.createElement("p");
   note.className = "hint";
-  const state = word(own > trace.nearlyRigid ? "flows" : "nearly rigid");
-  note.textContent = `${word("Element")} ${element}: ${state}. ${word("Each matrix runs from the start of the case; pick an element in the chart of nodes.")}`;
+  const state = word(iterate.cutOff[element] ? "nearly rigid" : "flows");
+  note.textContent = `${word("Element")} ${element}: ${state}. ${word("Each matrix takes the step from the same state; pick an element in the chart of nodes.")}`;
   host.innerHTML = rows.map((row) => `<p>${row}</p>`).join("");
   host.prepend(note);
 }

@@ -109,10 +109,10 @@ const GERMAN = {
   "Bring the largest punch force below 35 kN with lubricant alone: what is left is nearly the ideal force.":
     "Bringen Sie die größte Stempelkraft allein durch Schmierung unter 35 kN: was bleibt, ist nahezu die ideale Kraft.",
   "Why a velocity norm": "Warum eine Geschwindigkeitsnorm",
-  "Forces out of balance say little: a penalty spring makes them huge where a tool hardly sinks in, and a rigid zone bears any. How far the next iteration would move the sheet is a length, the same for all: ‖δȧ‖ / ‖ȧ‖.":
-    "Unausgeglichene Kräfte sagen wenig: eine Kontaktfeder macht sie riesig, wo ein Werkzeug kaum einsinkt, und eine starre Zone trägt jede. Wie weit die nächste Iteration das Blech bewegen würde, ist eine Länge, für alle dieselbe: ‖δȧ‖ / ‖ȧ‖.",
-  "Go through the iterations until the next one moves the sheet by less than a thousandth of its step.":
-    "Gehen Sie durch die Iterationen, bis die nächste das Blech um weniger als ein Tausendstel seines Schritts bewegt.",
+  "Forces out of balance say little: a penalty spring makes them huge where a tool hardly sinks in, and a rigid zone bears any. How far an iteration moves the sheet is a length, the same for all: ‖δȧ‖ / ‖ȧ‖.":
+    "Unausgeglichene Kräfte sagen wenig: eine Kontaktfeder macht sie riesig, wo ein Werkzeug kaum einsinkt, und eine starre Zone trägt jede. Wie weit eine Iteration das Blech bewegt, ist eine Länge, für alle dieselbe: ‖δȧ‖ / ‖ȧ‖.",
+  "Go through the iterations until one moves the sheet by less than a thousandth of its step.":
+    "Gehen Sie durch die Iterationen, bis eine das Blech um weniger als ein Tausendstel seines Schritts bewegt.",
   "Why primal-dual": "Warum primal-dual",
   "Where the sheet hardly deforms, the flow law σ = σ_y Δε / √(Δε² + Δε₀²) bends sharply. The secant matrix crawls round that bend, Newton's jumps over it. The primal-dual matrix keeps stress and strain as two unknowns, and does neither.":
     "Wo sich das Blech kaum verformt, hat das Fließgesetz σ = σ_y Δε / √(Δε² + Δε₀²) einen scharfen Knick. Die Sekantenmatrix kriecht um ihn herum, die von Newton springt darüber. Die primal-duale führt Spannung und Dehnung als zwei Unbekannte und tut keines von beiden.",
@@ -130,8 +130,8 @@ const GERMAN = {
   "One step of the solver": "Ein Schritt des Lösers",
   "Step": "Schritt",
   "Iteration": "Iteration",
-  "Sheet as it is tried, and the forces that are not in balance": "Blech, wie es versucht wird, und die Kräfte, die nicht im Gleichgewicht sind",
-  "Velocity norm: how far the next iteration moves": "Geschwindigkeitsnorm: wie weit die nächste Iteration geht",
+  "Sheet as it is tried, contact forces, and forces out of balance": "Blech, wie es versucht wird, Kontaktkräfte und unausgeglichene Kräfte",
+  "Velocity norm: how far an iteration moves": "Geschwindigkeitsnorm: wie weit eine Iteration geht",
   "Force out of balance at each node": "Unausgeglichene Kraft an jedem Knoten",
   "Power of the step": "Leistung des Schritts",
   "Node": "Knoten",
@@ -147,7 +147,13 @@ const GERMAN = {
   "flows": "fließt",
   "nearly rigid": "fast starr",
   "Force": "Kraft",
-  "Each matrix runs from the start of the case; pick an element in the chart of nodes.": "Jede Matrix rechnet den Fall von Anfang an; ein Element wird im Bild der Knoten gewählt.",
+  "Each matrix takes the step from the same state; pick an element in the chart of nodes.": "Jede Matrix geht den Schritt vom selben Zustand an; ein Element wird im Bild der Knoten gewählt.",
+  "Matrix": "Matrix",
+  "not converged": "nicht konvergiert",
+  "contact force": "Kontaktkraft",
+  "out of balance": "nicht im Gleichgewicht",
+  "points in contact": "Punkte im Kontakt",
+  "stick": "haften",
   "Element": "Element",
 };
 

@@ -1,6 +1,5 @@
 // The solver in a thread of its own: questions come in, answers go out, one after the other.
 let solver;
-const encoder = new TextEncoder();
 const decoder = new TextDecoder();
 
 function bytesAt(address, length) {
@@ -12,12 +11,11 @@ function answerText() {
 }
 
 function call(question, file) {
-  const json = encoder.encode(JSON.stringify(question));
   const extra = file ?? new Uint8Array(0);
-  const room = bytesAt(solver.input(json.length + extra.length), json.length + extra.length);
-  room.set(json);
-  room.set(extra, json.length);
-  solver.call(json.length);
+  const room = bytesAt(solver.input(question.length + extra.length), question.length + extra.length);
+  room.set(question);
+  room.set(extra, question.length);
+  solver.call(question.length);
   const numbers = new Float64Array(solver.memory.buffer, solver.numbers(), solver.numbers_length()).slice();
   return { answer: JSON.parse(answerText()), numbers };
 }

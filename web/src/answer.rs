@@ -1,22 +1,22 @@
 //! The verdict in words.
 
-use serde_json::{Value, json};
+use crate::json::{Value, table};
 use stampflow::assess::{Answer, Finding, Kind, judgements, sentences};
 use stampflow::message::Form;
 
 /// The sentence with its light, the numbers of the part, every row of the verdict, warnings.
 pub fn json(answer: &Answer, findings: &[Finding], before: &[Finding], form: Form) -> Value {
     let numbers = answer.numbers.iter().map(|number| {
-        json!({
+        table! {
             "key": number.key,
             "value": number.amount.value,
             "label": form.tell(number.label),
             "told": number.amount.told(form),
             "about": number.about.told(form),
-        })
+        }
     });
     let rows = judgements(findings).map(|finding| {
-        json!({
+        table! {
             "key": finding.key,
             "label": form.tell(finding.label),
             "light": finding.light.name(),
@@ -25,20 +25,20 @@ pub fn json(answer: &Answer, findings: &[Finding], before: &[Finding], form: For
             "limit": finding.limit.told(form),
             "source": finding.source.told(form),
             "advice": finding.advice.told(form),
-        })
+        }
     });
-    let told = |kind| -> Vec<String> {
+    let told = |kind| {
         let all = sentences(before, kind).into_iter().chain(sentences(findings, kind));
-        all.map(|sentence| sentence.told(form)).collect()
+        Value::list(all.map(|sentence| sentence.told(form)))
     };
-    json!({
+    table! {
         "light": answer.light.name(),
         "lightTold": form.tell(answer.light.name()),
         "sentence": answer.sentence.told(form),
         "end": answer.end.told(form),
-        "numbers": numbers.collect::<Vec<_>>(),
-        "rows": rows.collect::<Vec<_>>(),
+        "numbers": Value::list(numbers),
+        "rows": Value::list(rows),
         "warnings": told(Kind::Warning),
         "notes": told(Kind::Assumption),
-    })
+    }
 }

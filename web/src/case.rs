@@ -1,10 +1,9 @@
 //! A case solved: as it is, or coarser while a slider moves.
 
 use crate::film::Film;
-use crate::numbers::Numbers;
-use crate::question::{Failure, form, text};
+use crate::json::{Numbers, Value, table};
+use crate::question::{Failure, Question};
 use crate::{answer, stage};
-use serde_json::{Value, json};
 use stampflow::assess::{self, Answer};
 use stampflow::case::{Case, parse_with};
 use stampflow::files::Memory;
@@ -14,22 +13,21 @@ use stampflow::verification::Direction;
 const COARSE: f64 = 0.5;
 
 /// The case of a question: its text, the settings that replace what it says, and the files beside it.
-pub fn case(question: &Value) -> Result<Case, Failure> {
+pub fn case(question: &Question) -> Result<Case, Failure> {
     let mut files = Memory::default();
-    for (path, text) in question["files"].as_object().into_iter().flatten() {
-        files.insert(path, text.as_str().unwrap_or(""));
+    for (path, text) in question.table("files") {
+        files.insert(path, text);
     }
-    let overrides = question["overrides"].as_array().into_iter().flatten();
-    let overrides: Vec<String> = overrides.filter_map(|set| set.as_str().map(str::to_owned)).collect();
-    let name = Some(text(question, "name")).filter(|name| !name.is_empty()).unwrap_or("case.toml");
-    Ok(parse_with(text(question, "text"), name, &overrides, &files)?)
+    let overrides: Vec<String> = question.all("overrides").map(str::to_owned).collect();
+    let name = Some(question.text("name")).filter(|name| !name.is_empty()).unwrap_or("case.toml");
+    Ok(parse_with(question.text("text"), name, &overrides, &files)?)
 }
 
 /// What comes of the case, coarser where the question says so.
-pub fn solve(question: &Value, numbers: &mut Numbers) -> Result<Value, Failure> {
-    let form = form(question);
+pub fn solve(question: &Question, numbers: &mut Numbers) -> Result<Value, Failure> {
+    let form = question.form();
     let mut case = case(question)?;
-    let is_coarse = question["coarse"].as_bool().unwrap_or(false);
+    let is_coarse = question.is("coarse");
     if let Some(coarser) = is_coarse.then(|| Direction::Together.refined(&case.stages, COARSE)).flatten() {
         case.stages = coarser;
     }
@@ -41,13 +39,13 @@ pub fn solve(question: &Value, numbers: &mut Numbers) -> Result<Value, Failure> 
     let stages = case.stages.iter().zip(solved).zip(film.0);
     let stages: Vec<Value> =
         stages.map(|((stage, solved), strip)| stage::json(&stage.name, solved, strip, form, numbers)).collect();
-    Ok(json!({
-        "title": case.model().title,
-        "text": case.text,
+    Ok(table! {
+        "title": case.model().title.as_str(),
+        "text": case.text.as_str(),
         "isRound": case.model().geometry == stampflow::model::Geometry::Axisymmetric,
         "isCoarse": is_coarse,
         "isComplete": solution.is_complete(),
         "stages": stages,
         "verdict": answer::json(&verdict, &findings, &assess::before(case), form),
-    }))
+    })
 }

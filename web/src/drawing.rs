@@ -1,20 +1,20 @@
 //! A case file around the tools of a drawing.
 
-use crate::question::{Failure, text};
-use serde_json::{Value, json};
+use crate::json::{Value, table};
+use crate::question::{Failure, Question};
 use stampflow::author::{Draft, Drawn};
 use stampflow::import::{self, ImportError, Options, Section};
 use stampflow::model::Geometry;
 
 /// The text of a case, with placeholders for what no drawing says, and how the drawing was understood.
-pub fn read(question: &Value, file: &[u8]) -> Result<Value, Failure> {
-    let name = text(question, "name");
+pub fn read(question: &Question, file: &[u8]) -> Result<Value, Failure> {
+    let name = question.text("name");
     let sections = import::read(file, &Options::default()).map_err(|error| refused(&error))?;
     let stage = |number: u32| format!("op{number}");
     let title = format!("Tools of {name}");
     let draft = Draft {
         title: &title,
-        geometry: match text(question, "geometry") {
+        geometry: match question.text("geometry") {
             "plane_strain" => Geometry::PlaneStrain,
             _ => Geometry::Axisymmetric,
         },
@@ -33,7 +33,7 @@ pub fn read(question: &Value, file: &[u8]) -> Result<Value, Failure> {
     };
     let written = draft.toml();
     draft.case(&written, name)?;
-    Ok(json!({ "text": written, "notes": sections.notes }))
+    Ok(table! { "text": written, "notes": Value::list(sections.notes.iter().map(String::as_str)) })
 }
 
 fn drawn(tools: &[Section]) -> Vec<Drawn<'_>> {

@@ -1,7 +1,6 @@
 //! The sheet and its tools as they move.
 
-use crate::numbers::Numbers;
-use serde_json::{Value, json};
+use crate::json::{Numbers, Value, table};
 use stampflow::model::Stage;
 use stampflow::{Model, Observer, State};
 
@@ -44,14 +43,14 @@ impl Strip {
     pub fn json(mut self, end: &State, numbers: &mut Numbers) -> Value {
         self.take(end);
         let elements = end.thickness.len();
-        json!({
+        table! {
             "elements": elements,
             "travel": numbers.put(self.travel),
             "nodes": numbers.put(self.nodes),
             "thickness": numbers.put(self.thickness),
             "strains": numbers.put(self.strains),
             "tools": numbers.put(self.tools),
-        })
+        }
     }
 }
 

@@ -1,11 +1,11 @@
-//! stampflow as WebAssembly, for a worker of the page: one function that takes a question as JSON and leaves an answer as JSON
+//! stampflow as WebAssembly, for a worker of the page: one function that takes a question and leaves an answer as JSON
 //! and an array of numbers.
 //!
 //! ```text
 //! JavaScript                          here
 //!   input(length)                →    room for the question; its address
-//!   writes JSON, then a file
-//!   call(length of the JSON)     →    asks; the answer stays until the next call
+//!   writes it (see `question`), then a file
+//!   call(length of the question) →    asks; the answer stays until the next call
 //!   text, text_length            ←    JSON; an array of numbers in it is {"at": first, "of": count}
 //!   numbers, numbers_length      ←    all arrays, one after the other
 //! ```
@@ -16,15 +16,15 @@ mod answer;
 mod case;
 mod drawing;
 mod film;
-mod numbers;
+mod json;
 mod question;
 mod sliders;
 mod stage;
 mod templates;
 mod trace;
 
-use numbers::Numbers;
-use serde_json::Value;
+use json::Numbers;
+use question::Question;
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
 static INPUT: Mutex<Vec<u8>> = Mutex::new(Vec::new());
@@ -45,19 +45,17 @@ pub extern "C" fn input(length: usize) -> *mut u8 {
     input.as_mut_ptr()
 }
 
-/// Answers the question; what of it is JSON, a file follows.
+/// Answers a question of so many bytes; a file follows.
 #[unsafe(no_mangle)]
-pub extern "C" fn call(json: usize) {
+pub extern "C" fn call(length: usize) {
     std::panic::set_hook(Box::new(|panic| *held(&TEXT) = panic.to_string()));
     let input = std::mem::take(&mut *held(&INPUT));
-    let (question, file) = input.split_at(json.min(input.len()));
+    let (question, file) = input.split_at(length.min(input.len()));
     let mut numbers = Numbers::default();
-    let answer = match serde_json::from_slice::<Value>(question) {
-        Ok(question) => question::answer(&question, file, &mut numbers),
-        Err(error) => serde_json::json!({ "error": { "what": error.to_string() } }),
-    };
+    let question = String::from_utf8_lossy(question);
+    let answer = Question::read(&question).answer(file, &mut numbers);
     *held(&TEXT) = answer.to_string();
-    *held(&NUMBERS) = numbers.all();
+    *held(&NUMBERS) = numbers.0;
 }
 
 /// Where the JSON of the answer is.

@@ -1,6 +1,6 @@
 //! What of a case moves with a slider, and what moves along: a die's throat goes with the punch, for the clearance stays.
 
-use serde_json::{Value, json};
+use crate::json::{Value, table};
 use toml_edit::{DocumentMut, Item};
 
 /// A number that a designer turns: its name, where it may stand, and its range over the number that stands there \[–\].
@@ -64,26 +64,42 @@ struct Found {
 
 /// The sliders of a case's text, and what they write: each path is set to the sum of some sliders and a constant.
 pub fn of(text: &str) -> Value {
-    let Ok(document) = text.parse::<DocumentMut>() else { return json!({ "sliders": [], "writes": [] }) };
+    let Ok(document) = text.parse::<DocumentMut>() else { return told(&[], &[]) };
     let mut found: Vec<Found> = KNOWN.iter().filter_map(|known| known.find(document.as_item())).collect();
     let mut writes = Vec::new();
     couple(&mut found, &mut writes);
     for one in &found {
         // `friction` is that of every tool.
         let path = if one.key == FRICTION { FRICTION } else { one.path };
-        if one.key != CLEARANCE && !writes.iter().any(|write: &Value| write["path"] == path) {
+        if one.key != CLEARANCE && !writes.iter().any(|write: &Write| write.path == path) {
             writes.push(write(path, &one.unit, &[one.key], 0.0));
         }
     }
-    let sliders = found.iter().map(|one| {
-        let [low, high] = one.range.map(|times| times * one.value);
-        json!({ "key": one.key, "value": one.value, "unit": one.unit, "low": low, "high": high })
-    });
-    json!({ "sliders": sliders.collect::<Vec<_>>(), "writes": writes })
+    told(&found, &writes)
 }
 
-fn write(path: &str, unit: &str, terms: &[&str], plus: f64) -> Value {
-    json!({ "path": path, "unit": unit, "terms": terms, "plus": plus, "isWhole": terms == [ELEMENTS] })
+fn told(found: &[Found], writes: &[Write]) -> Value {
+    let sliders = found.iter().map(|one| {
+        let [low, high] = one.range.map(|times| times * one.value);
+        table! { "key": one.key, "value": one.value, "unit": one.unit.as_str(), "low": low, "high": high }
+    });
+    let writes = writes.iter().map(|Write { path, unit, terms, plus }| {
+        let is_whole = *terms == [ELEMENTS];
+        table! { "path": *path, "unit": unit.as_str(), "terms": Value::list(terms.clone()), "plus": *plus, "isWhole": is_whole }
+    });
+    table! { "sliders": Value::list(sliders), "writes": Value::list(writes) }
+}
+
+/// A path of the case, which is set to the sum of some sliders and a constant.
+struct Write {
+    path: &'static str,
+    unit: String,
+    terms: Vec<&'static str>,
+    plus: f64,
+}
+
+fn write(path: &'static str, unit: &str, terms: &[&'static str], plus: f64) -> Write {
+    Write { path, unit: unit.to_owned(), terms: terms.to_vec(), plus }
 }
 
 /// Difference below which two lengths are one [mm].
@@ -95,7 +111,7 @@ fn at(found: &[Found], key: &str) -> Option<usize> {
 
 /// A throat goes with the punch and has the clearance for its slider; a holder's opening, and a blank that is clamped there, go
 /// with the throat and its shoulder.
-fn couple(found: &mut Vec<Found>, writes: &mut Vec<Value>) {
+fn couple(found: &mut Vec<Found>, writes: &mut Vec<Write>) {
     clamp(found, writes);
     let (Some(punch), Some(throat)) = (at(found, PUNCH), at(found, THROAT)) else { return };
     let (radius, opening) = (&found[punch], &found[throat]);
@@ -106,8 +122,8 @@ fn couple(found: &mut Vec<Found>, writes: &mut Vec<Value>) {
         return;
     }
     writes.push(write(opening.path, &opening.unit, &[PUNCH, CLEARANCE], 0.0));
-    for edge in writes.iter_mut().filter(|write| write["terms"][0] == THROAT) {
-        edge["terms"] = json!([PUNCH, CLEARANCE, SHOULDER]);
+    for edge in writes.iter_mut().filter(|write| write.terms[0] == THROAT) {
+        edge.terms = vec![PUNCH, CLEARANCE, SHOULDER];
     }
     found[throat] = Found { key: CLEARANCE, path: "", value: gap, unit: found[throat].unit.clone(), range: GAP };
     let (Some(inner), Some(shoulder)) = (at(found, INNER), at(found, SHOULDER)) else { return };
@@ -120,7 +136,7 @@ fn couple(found: &mut Vec<Found>, writes: &mut Vec<Value>) {
 }
 
 /// A blank that ends where the die's shoulder does goes with it.
-fn clamp(found: &mut Vec<Found>, writes: &mut Vec<Value>) {
+fn clamp(found: &mut Vec<Found>, writes: &mut Vec<Write>) {
     let (Some(blank), Some(throat), Some(shoulder)) = (at(found, "blank"), at(found, THROAT), at(found, SHOULDER))
     else {
         return;

@@ -1,8 +1,7 @@
 //! A solved stage as the page draws it.
 
 use crate::film::Strip;
-use crate::numbers::Numbers;
-use serde_json::{Map, Value, json};
+use crate::json::{Numbers, Value, table};
 use stampflow::forming_limit::Curve;
 use stampflow::measure::events;
 use stampflow::message::{Form, Message};
@@ -49,15 +48,15 @@ pub fn json(name: &str, stage: &StageSolution, strip: Strip, form: Form, numbers
     let elements = stage.frames.last().map_or(&[][..], |frame| &frame.elements);
     let tools = model.tools.iter().map(|tool| {
         let outline = tool.profile.polyline(ARC).into_iter().flat_map(|point| [point.x, point.y]);
-        json!({ "role": tool.role.name(), "outline": numbers.put(outline) })
+        table! { "role": tool.role.name(), "outline": numbers.put(outline) }
     });
     let tools: Vec<Value> = tools.collect();
     let events = events(stage).into_iter().map(|event| {
         let label = form.tell(event.kind.label());
-        json!({ "label": label, "travel": event.travel, "force": event.force })
+        table! { "label": label, "travel": event.travel, "force": event.force }
     });
     let events: Vec<Value> = events.collect();
-    json!({
+    table! {
         "name": name,
         "forceUnit": model.extent().force_unit().symbol(),
         "travel": model.travel,
@@ -72,20 +71,19 @@ pub fn json(name: &str, stage: &StageSolution, strip: Strip, form: Form, numbers
         "limit": model.forming_limit.as_ref().map(|curve| limit(curve, form, numbers)),
         "isComplete": stage.stop.is_complete(),
         "why": form.tell(stage.stop.message()),
-    })
+    }
 }
 
 fn columns<T>(fields: &[Column<T>], of: &[T], numbers: &mut Numbers) -> Value {
-    let column = |(key, value): &Column<T>| ((*key).to_owned(), numbers.put(of.iter().map(value)));
-    Value::Object(fields.iter().map(column).collect::<Map<_, _>>())
+    Value::Table(fields.iter().map(|(key, value)| (*key, numbers.put(of.iter().map(value)))).collect())
 }
 
 /// Minor and major strain of the curve's points.
 fn limit(curve: &Curve, form: Form, numbers: &mut Numbers) -> Value {
     let name = Message::from(curve.name);
-    json!({
+    table! {
         "name": form.tell(name),
         "points": numbers.put(curve.points().iter().flatten().copied()),
         "endsAt": curve.ends_at(),
-    })
+    }
 }

@@ -2,6 +2,7 @@
 import { readFileSync } from "node:fs";
 import { join } from "node:path";
 import { unpackedLzma } from "../page/lzma.js";
+import { asBytes } from "../page/question.js";
 
 export const ROOT = join(import.meta.dirname, "..", "..");
 export const PAGE = join(ROOT, "web", "dist", "page.html");
@@ -14,9 +15,9 @@ export function solver() {
   const own = new WebAssembly.Instance(module, {}).exports;
   const bytes = (at, length) => new Uint8Array(own.memory.buffer, at, length);
   return (question) => {
-    const json = new TextEncoder().encode(JSON.stringify(question));
-    bytes(own.input(json.length), json.length).set(json);
-    own.call(json.length);
+    const asked = asBytes(question);
+    bytes(own.input(asked.length), asked.length).set(asked);
+    own.call(asked.length);
     const answer = JSON.parse(new TextDecoder().decode(bytes(own.text(), own.text_length())));
     const numbers = new Float64Array(own.memory.buffer, own.numbers(), own.numbers_length()).slice();
     return { answer, array: ({ at, of }) => numbers.subarray(at, at + of) };

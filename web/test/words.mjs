@@ -15,5 +15,5 @@ const lessons = LESSONS.flatMap(({ title, says, asks }) => [title, says, asks]);
 const quoted = new Set([...all.matchAll(/"([^"\n]+)"/g)].map(([, text]) => text));
 
 assert.deepEqual([...called, ...lessons].filter((text) => !german.includes(text)), [], "without German");
-assert.deepEqual(german.filter((key) => !quoted.has(key)), [], "German of nothing");
+assert.deepEqual(german.filter((key) => !quoted.has(key) && !called.includes(key)), [], "German of nothing");
 console.log(`${german.length} words in German`);
