@@ -21,19 +21,34 @@ pub fn table(iterations: &[IterationRecord]) -> Table {
     ])
 }
 
+/// An iteration, in which pass of which try of which way; tries and passes with their numbers from 0.
+struct Row<'a> {
+    way: &'a Way,
+    attempt: (usize, &'a Attempt),
+    pass: (usize, &'a Pass),
+    iterated: &'a Iterated,
+}
+
 /// One row per iteration of a step taken apart, its first row what the pass starts from; of all tries and passes of every way.
 pub fn step_csv(trace: Option<&Trace>) -> Vec<u8> {
     let ways = trace.iter().flat_map(|trace| &trace.ways);
-    let rows: Vec<(&Way, (usize, &Attempt), (usize, &Pass), &Iterated)> = ways
+    let rows: Vec<Row> = ways
         .flat_map(|way| way.attempts.iter().enumerate().map(move |attempt| (way, attempt)))
         .flat_map(|(way, attempt)| attempt.1.passes.iter().enumerate().map(move |pass| (way, attempt, pass)))
-        .flat_map(|(way, attempt, pass)| pass.1.iterated.iter().map(move |iterated| (way, attempt, pass, iterated)))
+        .flat_map(|(way, attempt, pass)| {
+            pass.1.iterated.iter().map(move |iterated| Row { way, attempt, pass, iterated })
+        })
         .collect();
     let column = |key, label, unit, value: fn(&Iterated) -> f64| {
-        Column::new(key, label, unit, rows.iter().map(|row| value(row.3)).collect())
+        Column::new(key, label, unit, rows.iter().map(|row| value(row.iterated)).collect())
     };
     let counted = |key, label, count: fn(usize, usize) -> usize| {
-        Column::new(key, label, Unit::None, rows.iter().map(|row| count(row.1.0, row.2.0) as f64 + 1.0).collect())
+        Column::new(
+            key,
+            label,
+            Unit::None,
+            rows.iter().map(|row| count(row.attempt.0, row.pass.0) as f64 + 1.0).collect(),
+        )
     };
     let table = Table::new(vec![
         counted("try", "Try", |attempt, _| attempt),
@@ -48,7 +63,7 @@ pub fn step_csv(trace: Option<&Trace>) -> Vec<u8> {
         column("sticking", "Points that stick", Unit::None, |i| i.sticking() as f64),
     ]);
     let words = |word: fn(&Way, &Attempt, &Pass) -> &'static str| {
-        rows.iter().map(|row| word(row.0, row.1.1, row.2.1).to_owned()).collect()
+        rows.iter().map(|row| word(row.way, row.attempt.1, row.pass.1).to_owned()).collect()
     };
     let texts = [
         ("method", words(|way, _, _| key(way.matrix))),
