@@ -94,6 +94,9 @@ if command -v dpkg-deb >/dev/null; then
     { cat LICENSE-MIT; printf '\nor, at your option, Apache-2.0: /usr/share/common-licenses/Apache-2.0\n\nDejaVu Sans in the program:\n\n'
       cat assets/DejaVuSans-LICENSE.txt; } >"$deb/usr/share/doc/stampflow/copyright"
     rm "$deb"/usr/share/doc/stampflow/{LICENSE-*,DejaVuSans-LICENSE.txt}
+    maintainer="The stampflow developers <stampflow@localhost>"
+    printf 'stampflow (%s) unstable; urgency=medium\n\n  * What changed is in CHANGELOG.md.\n\n -- %s  %s\n' "$version" \
+        "$maintainer" "$(date -uR -d "@$SOURCE_DATE_EPOCH")" | gzip -9n >"$deb/usr/share/doc/stampflow/changelog.gz"
     (cd "$deb" && find usr -type f -print0 | sort -z | xargs -0 md5sum) >"$deb/DEBIAN/md5sums"
     libc=$(objdump -T "$bin" | grep -o 'GLIBC_[0-9.]*' | sort -Vu | tail -1)
     architecture=$(dpkg --print-architecture)
@@ -105,7 +108,7 @@ Priority: optional
 Architecture: $architecture
 Depends: libc6 (>= ${libc#GLIBC_}), libgcc-s1
 Installed-Size: $(du -sk "$deb/usr" | cut -f1)
-Maintainer: The stampflow developers <stampflow@localhost>
+Maintainer: $maintainer
 Description: 2D sheet-metal forming by the flow approach
  Axisymmetric and plane-strain sections of stamping dies: does it tear, where,
  what does the press see, and how sure is that.
