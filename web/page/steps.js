@@ -20,6 +20,7 @@ export class Steps {
     byId("step").addEventListener("input", () => (byId("step-told").textContent = byId("step").value));
     byId("iteration").addEventListener("input", () => this.draw());
     byId("matrix").addEventListener("change", () => this.begin());
+    new ResizeObserver(([{ contentRect }]) => this.fit(contentRect.width)).observe(byId("steps"));
   }
 
   get isShown() {
@@ -73,8 +74,15 @@ export class Steps {
     this.draw();
   }
 
+  /** Pictures are drawn for their width. */
+  fit(width) {
+    if (width === this.width) return;
+    this.width = width;
+    this.draw();
+  }
+
   draw() {
-    if (!this.trace) return;
+    if (!this.trace || !this.isShown) return;
     const { trace, at, iterate, way } = this;
     byId("step-told").textContent = `${trace.step}: ${told(trace.travel)} mm`;
     byId("iteration-told").textContent = `${at} / ${way.iterates.length - 1}`;
