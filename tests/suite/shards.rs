@@ -131,7 +131,7 @@ fn runs_as_printed([verb, table, varied @ ..]: [&str; 6], scheduler: &str, stubs
 #[test]
 fn the_lines_for_xargs_run_as_they_are_printed() {
     runs_as_printed(SWEEP, "xargs", &[]);
-    runs_as_printed(["scatter", "scatter", "--vary", "friction=uniform 0.05..0.12", "--runs", "16"], "xargs", &[]);
+    runs_as_printed(["scatter", "scatter", "--vary", "friction=uniform 0.05..0.12", "--runs", "32"], "xargs", &[]);
 }
 
 /// Trust: a stand-in that does with an array what the manual of sbatch says.
