@@ -4,9 +4,11 @@ use super::super::error_bars::ErrorBars;
 use super::super::many::Many;
 use super::super::place;
 use anyhow::Context;
+use serde_json::Value;
 use stampflow::output::{Chart, write};
 use stampflow::study::search::{Asked, Quest, Sense, Side, Wish};
 use stampflow::study::{self, StudyError, Subject};
+use stampflow::units::rounded;
 use std::path::PathBuf;
 
 #[derive(Debug, clap::Args)]
@@ -101,6 +103,13 @@ impl Places {
     pub fn table(&self, header: &[String], lines: &[Vec<String>]) -> anyhow::Result<()> {
         let bytes = study::csv(header, lines);
         write(&self.table, &bytes).with_context(|| format!("cannot write {}", self.table.display()))
+    }
+
+    /// What was found, with the time that it took and where its table is.
+    pub fn located(&self, mut found: Value, seconds: f64) -> Value {
+        found["seconds"] = rounded(seconds).into();
+        found["file"] = self.table.display().to_string().into();
+        found
     }
 
     pub fn picture(&self, args: &Args, chart: Option<Chart>) -> anyhow::Result<()> {
