@@ -10,12 +10,9 @@ use super::code::Code;
 use super::many::asked;
 use super::progress::Progress;
 use super::say::{say, say_json};
-use ask::Places;
-use serde_json::Value;
 use stampflow::output::study::json;
 use stampflow::output::study::search::plot;
 use stampflow::study::search::Found;
-use stampflow::units::rounded;
 use stampflow::verification::Watch;
 use std::time::Instant;
 
@@ -74,17 +71,10 @@ pub fn search(args: &Args) -> anyhow::Result<Code> {
         Found::Nowhere | Found::Open(_) | Found::Failed => Code::Failed,
     };
     if args.many.json.json {
-        say_json(&located(json::found(&quest, &answer, bars.as_ref()), seconds, &places))?;
+        say_json(&places.located(json::found(&quest, &answer, bars.as_ref()), seconds))?;
         return Ok(code);
     }
     say(told::screen(&quest, &answer, bars.as_ref(), form))?;
     say(told::done(answer.rows.len(), seconds, &places.dir, form))?;
     Ok(code)
-}
-
-/// The same with the time that it took, and where its table is.
-fn located(mut found: Value, seconds: f64, places: &Places) -> Value {
-    found["seconds"] = rounded(seconds).into();
-    found["file"] = places.table.display().to_string().into();
-    found
 }

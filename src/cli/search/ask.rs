@@ -3,9 +3,15 @@
 use super::super::error_bars::ErrorBars;
 use super::super::many::{Many, write_all};
 use super::super::place;
+<<<<<<< HEAD
+=======
+use anyhow::Context;
+use serde_json::Value;
+>>>>>>> pystudy
 use stampflow::output::{Chart, write};
 use stampflow::study::search::{Asked, Quest, Sense, Side, Wish};
 use stampflow::study::{self, StudyError, Subject};
+use stampflow::units::rounded;
 use std::path::PathBuf;
 
 #[derive(Debug, clap::Args)]
@@ -105,6 +111,13 @@ impl Places {
     /// The table of the runs so far; where that cannot be, the end says it.
     pub fn keep(&self, header: &[String], lines: &[Vec<String>]) {
         let _ = self.table(header, lines);
+    }
+
+    /// What was found, with the time that it took and where its table is.
+    pub fn located(&self, mut found: Value, seconds: f64) -> Value {
+        found["seconds"] = rounded(seconds).into();
+        found["file"] = self.table.display().to_string().into();
+        found
     }
 
     pub fn picture(&self, args: &Args, chart: Option<Chart>) -> anyhow::Result<()> {

@@ -6,7 +6,7 @@ use super::super::progress::Progress;
 use super::super::say::{say, say_json};
 use super::super::table::wrapped;
 use super::ask::{Args, Places};
-use super::{located, told};
+use super::told;
 use stampflow::output::study::json;
 use stampflow::output::study::search::plot_best;
 use stampflow::study::Subject;
@@ -37,7 +37,7 @@ pub fn optimise(args: &Args, places: &Places, wish: &Wish) -> anyhow::Result<Cod
         None => Code::Failed,
     };
     if args.many.json.json {
-        say_json(&located(json::best(wish, &found, bars.as_ref()), seconds, places))?;
+        say_json(&places.located(json::best(wish, &found, bars.as_ref()), seconds))?;
         return Ok(code);
     }
     say(wrapped(&format!("{}.", wish.sentence(&found).told(form))))?;
