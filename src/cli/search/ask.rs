@@ -3,11 +3,7 @@
 use super::super::error_bars::ErrorBars;
 use super::super::many::{Many, write_all};
 use super::super::place;
-<<<<<<< HEAD
-=======
-use anyhow::Context;
 use serde_json::Value;
->>>>>>> pystudy
 use stampflow::output::{Chart, write};
 use stampflow::study::search::{Asked, Quest, Sense, Side, Wish};
 use stampflow::study::{self, StudyError, Subject};
