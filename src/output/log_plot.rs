@@ -44,7 +44,7 @@ pub fn log_plot(curves: &[Curve], level: f64, name: &str, columns: usize) -> Str
         }
     }
     let lines = drawn.iter().enumerate().map(|(i, line)| {
-        let power = (i as i32 % fine == 0).then(|| format!("1e{}", top - i as i32 / fine)).unwrap_or_default();
+        let power = if i as i32 % fine == 0 { format!("1e{}", top - i as i32 / fine) } else { String::new() };
         let bar = if power.is_empty() { '│' } else { '┤' };
         let line: String = line.iter().collect();
         format!("{}\n", format!("{power:>MARGIN$} {bar} {line}").trim_end())

@@ -21,10 +21,13 @@ pub fn table(iterations: &[IterationRecord]) -> Table {
     ])
 }
 
+/// A way, a try of it and a pass of that, with their places, and an iteration.
+type Line<'a> = (&'a Way, (usize, &'a Attempt), (usize, &'a Pass), &'a Iterated);
+
 /// One row per iteration of a step taken apart, its first row what the pass starts from; of all tries and passes of every way.
 pub fn step_csv(trace: Option<&Trace>) -> Vec<u8> {
     let ways = trace.iter().flat_map(|trace| &trace.ways);
-    let rows: Vec<(&Way, (usize, &Attempt), (usize, &Pass), &Iterated)> = ways
+    let rows: Vec<Line> = ways
         .flat_map(|way| way.attempts.iter().enumerate().map(move |attempt| (way, attempt)))
         .flat_map(|(way, attempt)| attempt.1.passes.iter().enumerate().map(move |pass| (way, attempt, pass)))
         .flat_map(|(way, attempt, pass)| pass.1.iterated.iter().map(move |iterated| (way, attempt, pass, iterated)))
