@@ -3,7 +3,8 @@
 //! A border lies between two designs of which one fails: where the number that makes it fail passes its limit on the way
 //! between them, and of several the last; where it is no number that fails, a neck for example, half-way. On the way the
 //! number, or its inverse where a third design in line is nearer to that, changes evenly: Siebel's index goes with the
-//! inverse of the holder's force. Along an axis whose values stand in even ratios all this goes by their logarithms.
+//! inverse of the holder's force. Along an axis whose values stand in even ratios all this goes by their logarithms,
+//! and those of the number take the place of its inverse: a power of the key is a straight line so.
 
 use super::region::{Grid, Point, Region};
 use super::results::{Found, Results};
@@ -166,7 +167,10 @@ impl<'a> Window<'a> {
     fn border(&self, band: &Band, zone: Zone, [a, b]: [usize; 2]) -> (f64, bool) {
         let found = |point: usize| &self.results.rows[band.rows[point]];
         let third = band.grid.third(a, b, found(a).fails.contains(&zone));
-        self.results.border(zone, [found(a), found(b)], third.map(|(point, at)| (found(point), at)))
+        let is_upright = band.grid.at(a).0 == band.grid.at(b).0;
+        let axis = self.y.filter(|_| is_upright).unwrap_or(self.x);
+        let curved = if self.results.axes[axis].is_log { f64::ln } else { f64::recip };
+        self.results.border(zone, [found(a), found(b)], third.map(|(point, at)| (found(point), at)), curved)
     }
 
     /// Lines along which a number has a value, between designs that `is_counted`.
@@ -264,8 +268,14 @@ impl<'a> Window<'a> {
 impl Results<'_> {
     /// Where between two designs, of which one fails in a way, the border is, as a share of the way from the first \[–\]; and
     /// whether that is by a number and its limit. A third design in line, at a share of the way that is below 0 or above 1,
-    /// says whether a number or its inverse changes evenly.
-    fn border(&self, zone: Zone, [a, b]: [&Found; 2], third: Option<(&Found, f64)>) -> (f64, bool) {
+    /// says whether a number or its `curved` changes evenly.
+    fn border(
+        &self,
+        zone: Zone,
+        [a, b]: [&Found; 2],
+        third: Option<(&Found, f64)>,
+        curved: fn(f64) -> f64,
+    ) -> (f64, bool) {
         let is_first = a.fails.contains(&zone);
         let (failed, other) = if is_first { (a, b) } else { (b, a) };
         let third = third.map(|(found, at)| (found, if is_first { at } else { 1.0 - at }));
@@ -279,7 +289,7 @@ impl Results<'_> {
                 };
                 let is_between = beyond(from) >= 0.0 && beyond(to) <= 0.0 && from != to;
                 let third = third.map(|(found, at)| (found.numbers[place], at));
-                is_between.then(|| way([from, to], red, third))
+                is_between.then(|| way([from, to], red, third, curved))
             });
             by_number.map_or((0.5, false), |share| (share, true))
         });
@@ -289,17 +299,17 @@ impl Results<'_> {
     }
 }
 
-/// Where a number is `at` on the way from one value to another \[–\]; it changes evenly, or its inverse does, whichever a
-/// third value in line is nearer to.
-fn way([from, to]: [f64; 2], at: f64, third: Option<(f64, f64)>) -> f64 {
+/// Where a number is `at` on the way from one value to another \[–\]; it changes evenly, or its `curved` does (of numbers above
+/// 0), whichever a third value in line is nearer to.
+fn way([from, to]: [f64; 2], at: f64, third: Option<(f64, f64)>, curved: fn(f64) -> f64) -> f64 {
     let share = |of: fn(f64) -> f64| (of(from) - of(at)) / (of(from) - of(to));
     let miss = |of: fn(f64) -> f64, (value, place): (f64, f64)| {
         let span = (of(value) - of(from)).abs().max((of(value) - of(to)).abs());
         (of(value) - of(from) - place * (of(to) - of(from))).abs() / span
     };
-    let has_inverse = |(value, _): &(f64, f64)| [from, to, at, *value].iter().all(|v| v.is_finite() && *v > 0.0);
-    let inverse = third.filter(has_inverse).filter(|third| miss(f64::recip, *third) < miss(f64::from, *third));
-    share(if inverse.is_some() { f64::recip } else { f64::from })
+    let can_curve = |(value, _): &(f64, f64)| [from, to, at, *value].iter().all(|v| v.is_finite() && *v > 0.0);
+    let is_curved = third.filter(can_curve).is_some_and(|third| miss(curved, third) < miss(f64::from, third));
+    share(if is_curved { curved } else { f64::from })
 }
 
 /// Of a study of one axis.
@@ -329,4 +339,21 @@ fn spans(region: &Region) -> impl Iterator<Item = (f64, f64)> + '_ {
     region.outlines.iter().map(|line| {
         line.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), p| (low.min(p.0), high.max(p.0)))
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Trust: by hand. Between forces of 1 and 4 a force of 2 is half-way by ratios, with 1/4 a way before them; 2.5 is half-way
+    /// by steps, with 7 a way behind.
+    #[test]
+    fn what_goes_with_the_inverse_of_a_force_is_found_by_even_steps_and_by_even_ratios() {
+        let index = |force: f64| 4.0 / force;
+        let by_ratios = way([index(1.0), index(4.0)], index(2.0), Some((index(0.25), -1.0)), f64::ln);
+        assert!((by_ratios - 0.5).abs() < 1e-12, "{by_ratios}");
+        let by_steps = way([index(1.0), index(4.0)], index(2.5), Some((index(7.0), 2.0)), f64::recip);
+        assert!((by_steps - 0.5).abs() < 1e-12, "{by_steps}");
+        assert_eq!(way([4.0, 2.0], 3.0, None, f64::ln), 0.5);
+    }
 }
