@@ -21,7 +21,6 @@ pub fn table(iterations: &[IterationRecord]) -> Table {
     ])
 }
 
-<<<<<<< HEAD
 /// An iteration, in which pass of which try of which way; tries and passes with their numbers from 0.
 struct Row<'a> {
     way: &'a Way,
@@ -29,19 +28,11 @@ struct Row<'a> {
     pass: (usize, &'a Pass),
     iterated: &'a Iterated,
 }
-=======
-/// A way, a try of it and a pass of that, with their places, and an iteration.
-type Line<'a> = (&'a Way, (usize, &'a Attempt), (usize, &'a Pass), &'a Iterated);
->>>>>>> trace
 
 /// One row per iteration of a step taken apart, its first row what the pass starts from; of all tries and passes of every way.
 pub fn step_csv(trace: Option<&Trace>) -> Vec<u8> {
     let ways = trace.iter().flat_map(|trace| &trace.ways);
-<<<<<<< HEAD
     let rows: Vec<Row> = ways
-=======
-    let rows: Vec<Line> = ways
->>>>>>> trace
         .flat_map(|way| way.attempts.iter().enumerate().map(move |attempt| (way, attempt)))
         .flat_map(|(way, attempt)| attempt.1.passes.iter().enumerate().map(move |pass| (way, attempt, pass)))
         .flat_map(|(way, attempt, pass)| {
