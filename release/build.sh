@@ -4,7 +4,8 @@
 #
 #     release/build.sh [--profile NAME] [FOLDER]     writes to FOLDER, out/release when not given; NAME is dist when not given
 #
-# Needs Rust and crates.io; Python 3.10 or later with venv and PyPI for the wheel.
+# Needs Rust and crates.io; node and xz for the page that `stampflow page` writes, which is left out and said so without them;
+# Python 3.10 or later with venv and PyPI for the wheel.
 #
 # Other platforms are built there, for the program itself prints its manual pages and completions: on Linux of another
 # processor by this script; on macOS and Windows (not tried) by `cargo build --locked --profile dist` and, in python/,
@@ -17,6 +18,7 @@ if [ "${1:-}" = --profile ]; then profile=$2; shift 2; fi
 mkdir -p "${1:-out/release}"
 out=$(cd "${1:-out/release}" && pwd)
 
+if command -v node >/dev/null && command -v xz >/dev/null; then web/build; else echo "without the page: no node or no xz here"; fi
 cargo build --locked --profile "$profile" --quiet
 program=${CARGO_TARGET_DIR:-target}/$profile/stampflow
 version=$("$program" --version | cut -d' ' -f2)
