@@ -79,7 +79,7 @@ mod tests {
     fn curves_stand_at_their_powers_of_ten() {
         let fast = Curve { mark: 'n', points: vec![(0, 1.0), (1, 1e-2), (2, 1e-4)] };
         let slow = Curve { mark: 's', points: vec![(0, 1.0), (1, 1e-1), (2, 1e-2), (3, 0.0)] };
-        let plot = log_plot(&[fast, slow], 1e-3, "iteration", 30);
+        let plot = log_plot(&[fast, slow], 1e-3, "iteration", 40);
         let lines: Vec<&str> = plot.lines().collect();
         assert_eq!(lines[0], "   1e0 ┤ n");
         assert_eq!(lines[3], "  1e-1 ┤         s");

@@ -62,7 +62,7 @@ impl Observer for UpTo<'_> {
             if steps + 1 == self.asked.step {
                 self.begin = Some((model.clone(), state.clone()));
             }
-            self.dt = (steps == self.asked.step).then_some(state.last_step);
+            self.dt = (steps > 0 && steps == self.asked.step).then_some(state.last_step);
         }
         self.observer.state(model, state);
     }
