@@ -27,7 +27,8 @@ pub fn picture<'py>(py: Python<'py>, chart: &Chart) -> Picture<'py> {
 
 fn parts<'py>(py: Python<'py>, panel: &Panel) -> PanelParts<'py> {
     let series = panel.series.iter().map(|series| {
-        let (x, y): (Vec<f64>, Vec<f64>) = series.points.iter().map(|&(x, y)| (panel.x.value(x), panel.y.value(y))).unzip();
+        let (x, y): (Vec<f64>, Vec<f64>) =
+            series.points.iter().map(|&(x, y)| (panel.x.value(x), panel.y.value(y))).unzip();
         let (look, color) = named(series.look);
         (series.label.clone(), x.into_pyarray(py), y.into_pyarray(py), look, color.map(hex))
     });

@@ -192,7 +192,7 @@ impl Ran {
 pub fn merge(args: &MergeArgs) -> anyhow::Result<Code> {
     let count = study::merge(&args.shards, &args.out).map_err(asked)?;
     let told = format!("{count} designs of {} shards in {}", args.shards.len(), args.out.display());
-    say(wrapped(&format!("{told}; `stampflow sweep ... --resume` with that folder as --out answers and draws")))
+    say(wrapped(&format!("{told}; the same command with --resume and that folder as --out answers and draws")))
 }
 
 impl Args {
