@@ -19,6 +19,9 @@ use std::path::PathBuf;
 /// within the error bars, where that is known.
 type NumberParts<'py> = (String, &'static str, &'static str, Vec<Bound<'py, PyArray1<f64>>>, Vec<Option<bool>>);
 
+/// What is told, the numbers, the solutions, and what interrupted them.
+type Parts<'py> = (Told<'py>, Vec<NumberParts<'py>>, Vec<Solution>, Option<PyErr>);
+
 /// Runs cases, each with the overrides that it has besides those of its first, and holds them against each other and against
 /// measured curves; also their solutions, in order, as far as they came.
 #[pyfunction]
@@ -28,7 +31,7 @@ pub fn compare<'py>(
     measured: Vec<PathBuf>,
     threads: Option<usize>,
     progress: Progress,
-) -> PyResult<(Told<'py>, Vec<NumberParts<'py>>, Vec<Solution>, Option<PyErr>)> {
+) -> PyResult<Parts<'py>> {
     let mut candidates = Vec::new();
     for (case, own) in &cases {
         let case = case.read().clone();
