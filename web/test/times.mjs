@@ -1,4 +1,4 @@
-// How long the page takes, over what the command line takes in the same minute; printed, and held where it is promised.
+// How long the page takes, over what the command line takes in the same minute.
 import { readFileSync } from "node:fs";
 import { join } from "node:path";
 import { spawnSync } from "node:child_process";
