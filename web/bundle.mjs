@@ -1,7 +1,7 @@
 // One file of the page: `node bundle.mjs SOLVER.wasm PAGE.html`. Modules are written one after the other into one script, which
 // is why each name at their top may be there once; the solver is LZMA in base64.
 import { execFileSync } from "node:child_process";
-import { mkdirSync, readFileSync, writeFileSync } from "node:fs";
+import { existsSync, mkdirSync, readFileSync, writeFileSync } from "node:fs";
 import { dirname, join } from "node:path";
 import { gzipSync } from "node:zlib";
 
@@ -84,5 +84,6 @@ const whole = read("index.html")
   .replace("<!-- style -->", () => `<style>\n${read("style.css")}</style>`)
   .replace("<!-- scripts -->", () => scripts.join("\n"));
 mkdirSync(dirname(page), { recursive: true });
-writeFileSync(page, whole);
+// The program that has it with it is not built anew for the same page.
+if (!existsSync(page) || readFileSync(page, "utf8") !== whole) writeFileSync(page, whole);
 console.log(`${page}: ${(gzipSync(whole, { level: 9 }).length / 1e3).toFixed(0)} kB gzipped, ${(whole.length / 1e3).toFixed(0)} kB`);
