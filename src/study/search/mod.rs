@@ -26,7 +26,7 @@ pub use asked::Asked;
 pub use bracket::{Aim, Bracket, Found, Line, Side, Trial, bracket};
 pub use condition::{Condition, Said};
 pub use number::Named;
-pub use optimise::{Best, Sense, optimise, optimise_keeping};
+pub use optimise::{Best, Sense, optimise};
 pub use template::{Draft, TEMPLATES, Template, Wanted};
 pub use trials::{Keep, Trials, reasons};
 pub use wish::Wish;

@@ -54,26 +54,11 @@ const BINDS: f64 = 0.01;
 /// Starts, at most.
 const STARTS: usize = 4;
 
-/// Looks for the best run.
+/// Looks for the best run; `keep` has the table of the runs as they come, those of a start when it has ended.
 ///
 /// # Errors
 /// When the case cannot be run, or a number is asked for that it does not have.
 pub fn optimise(
-    subject: &Subject,
-    spans: &[Span],
-    (number, sense): (&Named, Sense),
-    condition: Option<&Condition>,
-    threads: usize,
-    watch: &dyn Watch,
-) -> Result<Best, StudyError> {
-    optimise_keeping(subject, spans, (number, sense), condition, threads, (watch, &mut |_, _| {}))
-}
-
-/// The same with someone who keeps the table of the runs as they come, those of a start when it has ended.
-///
-/// # Errors
-/// As [`optimise`].
-pub fn optimise_keeping(
     subject: &Subject,
     spans: &[Span],
     (number, sense): (&Named, Sense),

@@ -1,6 +1,6 @@
 //! What the best of several keys is looked for by.
 
-use super::{Best, Condition, Keep, Named, Sense, optimise_keeping};
+use super::{Best, Condition, Keep, Named, Sense, optimise};
 use crate::study::{Span, StudyError, Subject};
 use crate::verification::Watch;
 
@@ -47,7 +47,7 @@ impl Wish {
     /// Looks for it, runs side by side on so many threads.
     ///
     /// # Errors
-    /// As [`optimise_keeping`].
+    /// As [`optimise`].
     pub fn search(&self, threads: usize, watch: &dyn Watch) -> Result<Best, StudyError> {
         self.search_keeping(threads, watch, &mut |_, _| {})
     }
@@ -58,6 +58,6 @@ impl Wish {
     /// As [`search`](Self::search).
     pub fn search_keeping(&self, threads: usize, watch: &dyn Watch, keep: Keep) -> Result<Best, StudyError> {
         let Self { subject, spans, number, sense, condition } = self;
-        optimise_keeping(subject, spans, (number, *sense), condition.as_ref(), threads, (watch, keep))
+        optimise(subject, spans, (number, *sense), condition.as_ref(), threads, (watch, keep))
     }
 }
