@@ -34,7 +34,7 @@ impl Lock {
 
     fn with(path: &Path, file: File) -> io::Result<Self> {
         let lock = Self { path: path.to_owned(), file };
-        disk::fill(&lock.file, std::process::id().to_string().as_bytes())?;
+        disk::fill(&lock.file, format!("{}\n", std::process::id()).as_bytes())?;
         Ok(lock)
     }
 
@@ -75,16 +75,20 @@ fn locked(path: &Path, lock: impl Fn(&File) -> Result<(), TryLockError>) -> io::
 
 /// What to say of a file that another process has.
 fn busy(mut file: File) -> io::Error {
-    let mut process = String::new();
-    // Whoever has just taken it has not yet said who it is.
+    let mut line = String::new();
+    // Whoever has just taken it has not yet said who it is, or is about to: its line has no end.
     for _ in 0..TRIES {
-        let read = file.rewind().and_then(|()| file.read_to_string(&mut process));
-        if read.is_err() || !process.is_empty() {
+        line.clear();
+        let read = file.rewind().and_then(|()| file.read_to_string(&mut line));
+        if read.is_err() || line.ends_with('\n') {
             break;
         }
         std::thread::sleep(PAUSE);
     }
-    let who = if process.is_empty() { "another run".to_owned() } else { format!("another run, process {process},") };
+    let who = match line.strip_suffix('\n') {
+        Some(process) => format!("another run, process {process},"),
+        None => "another run".to_owned(),
+    };
     io::Error::new(ErrorKind::ResourceBusy, format!("{who} is writing there"))
 }
 
@@ -104,4 +108,32 @@ pub fn is_same(a: &fs::Metadata, b: &fs::Metadata) -> bool {
 #[cfg(not(unix))]
 pub fn is_same(_: &fs::Metadata, _: &fs::Metadata) -> bool {
     true
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Lock, PAUSE};
+    use std::fs::{self, File};
+    use std::io::Write;
+
+    /// Whoever reads while the first half of the number stands there waits for the other.
+    #[test]
+    fn who_has_it_is_said_by_the_whole_number() {
+        let dir = temp_dir::TempDir::new().unwrap();
+        let path = dir.path().join("lock");
+        let mut first = File::create(&path).unwrap();
+        first.lock().unwrap();
+        first.write_all(b"123").unwrap();
+        std::thread::scope(|scope| {
+            let second = scope.spawn(|| Lock::take(&path).unwrap_err());
+            std::thread::sleep(4 * PAUSE);
+            first.write_all(b"45\n").unwrap();
+            assert_eq!(second.join().unwrap().to_string(), "another run, process 12345, is writing there");
+        });
+        drop(first);
+        let taken = Lock::take(&path).unwrap();
+        assert_eq!(fs::read_to_string(&path).unwrap(), format!("{}\n", std::process::id()));
+        drop(taken);
+        assert!(!path.exists());
+    }
 }
