@@ -14,8 +14,10 @@ mkdir -p benches/measured
 {
     echo "\`cargo bench --bench $*\`, $(date -u +%F), $(getconf _NPROCESSORS_ONLN) cores of ${cpu:-an unknown processor}:"
     echo
-    echo '```text'
-    echo "$printed"
-    echo '```'
+    # A table of Markdown stays one.
+    case $printed in
+        *'|---'*) echo "$printed" ;;
+        *) printf '```text\n%s\n```\n' "$printed" ;;
+    esac
 } > "benches/measured/$name.md"
 echo "benches/measured/$name.md written"

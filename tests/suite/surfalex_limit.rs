@@ -3,6 +3,7 @@
 #[path = "../../examples/surfalex_limit.rs"]
 mod example;
 
+use crate::common::page::{plain, told};
 use example::{chart, fitted, measured, table};
 use stampflow::assess::{self, Light};
 use stampflow::author::templates;
@@ -45,6 +46,14 @@ fn the_document_has_the_table_that_the_program_makes() {
         // The limit itself settles to 0.2 %.
         assert!((a + b).abs() < 4e-3, "{a} {b}");
     }
+    let [hill, hosford] = [0, 1].map(|i| fitted[i].miss(&widths[5]).expect("a limit"));
+    let most = (0..widths.len()).filter_map(|i| fitted[1].miss(&widths[i])).fold(0.0_f64, |most, miss| most.max(miss.abs()));
+    assert!(hosford.abs() < 0.5 * hill, "{hill} {hosford}");
+    told(
+        "docs/agreement.md",
+        "fitted at two of six widths: within {} by Hosford's condition, {} too high at the full circle by Hill's",
+        &plain(&[most, hill], 3),
+    );
 }
 
 /// Trust: a hemispherical cup is held against what was measured, and nothing of it is computed.

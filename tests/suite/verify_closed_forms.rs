@@ -1,7 +1,8 @@
 //! Verification: the program against solutions that can be written down.
 
 use crate::common::convergence::orders;
-use crate::common::page::agreement;
+use crate::common::page::{agreement, plain, signed, told};
+use crate::common::shipped::{peak, shipped};
 use crate::common::simple;
 use stampflow::material::flow::{FlowLaw, Iteration};
 use stampflow::material::{Hardening, Hill48, Rate};
@@ -125,6 +126,7 @@ fn capstan_converges_to_the_exponential() {
         let (sum, count) = ratios.fold((0.0, 0.0), |(sum, count), ratio| (sum + ratio, count + 1.0));
         sum / count - 1.0
     };
+    let mut coarse_and_fine = Vec::new();
     for mu in [0.05, 0.15] {
         let foot = Settings::default().contact_smoothing;
         let errors: Vec<f64> = [5, 10, 20].iter().map(|&n| error(mu, n, foot)).collect();
@@ -135,7 +137,27 @@ fn capstan_converges_to_the_exponential() {
         );
         assert!(errors.iter().all(|e| e.abs() < 2e-3) && sharp[2].abs() < 2e-4, "{errors:?} {sharp:?}");
         assert!(order > 1.8, "{order}");
+        coarse_and_fine.push([errors[0], errors[2]]);
     }
+    let [coarse, fine] = [0, 1].map(|i| signed(&[coarse_and_fine[0][i], coarse_and_fine[1][i]], 2));
+    told(
+        "docs/agreement.md",
+        "| capstan over a die shoulder, μ 0.05 and 0.15 | {} and {} % at 5 elements per 90°, {} and {} % at 20 |",
+        &[coarse, fine].concat(),
+    );
+}
+
+/// Trust: the closed form of Z. Marciniak, J. L. Duncan, S. J. Hu (2002), figure 4.3: the tension of the wall, which leans by a third of
+/// a degree in the run, so that the punch feels all of it to 2e-5. The sheet that is drawn over the shoulder brings its history along.
+#[test]
+fn the_draw_die_s_punch_force_is_that_of_its_closed_form() {
+    let text = include_str!("../../reference_data/plane_strain_draw_die.csv");
+    let wall = text.lines().find_map(|line| line.strip_prefix("B,")).expect("the wall");
+    let tension: f64 = wall.split(',').next().and_then(|cell| cell.parse().ok()).expect("a number");
+    let error = peak(&solve(&shipped("strip_draw", &[]))) / (2.0 * tension) - 1.0;
+    let row = "| draw die (`strip_draw`), punch force {} N/mm on each half, {} N/mm in all | {} % |";
+    told("docs/agreement.md", row, &[plain(&[tension, 2.0 * tension], 1), signed(&[error], 1)].concat());
+    assert!(error.abs() < 1e-2, "{error}");
 }
 
 /// The flow law of a rate-free sheet, with Newton's matrix and hardly any cut-off.

@@ -6,7 +6,7 @@
 //! Forming handbook, "Punch radius". That the friction of the punch helps it and n hardly moves it is in every textbook;
 //! none could be read.
 
-use crate::common::page::{agreement, listed};
+use crate::common::page::{self, agreement, listed, plain};
 use crate::common::shipped::shipped;
 use stampflow::numerics::bisect;
 use stampflow::{Stop, solver};
@@ -88,6 +88,12 @@ fn the_limit_of_a_sharp_nose_does_not_hang_on_the_mesh() {
 fn it_rises_with_the_anisotropy() {
     let ratios = limits("material.anisotropy", &["0.6", "1", "2"], &[]);
     told("r̄", &["0.6", "1", "2"], &ratios);
+    let rounded = plain(&ratios, 1);
+    for file in ["src/message/glossary.toml", "src/message/de.toml"] {
+        page::told(file, "by this program's own runs {} at r̄ 0.6, {} at r̄ 1, {} at r̄ 2.", &rounded);
+    }
+    let german: Vec<String> = rounded.iter().map(|ratio| ratio.replace('.', ",")).collect();
+    page::told("src/message/de.toml", "nach eigenen Rechnungen dieses Programms {} bei r̄ 0,6, {} bei r̄ 1, {} bei r̄ 2.", &german);
     assert!(rises(&ratios), "{ratios:?}");
     assert!((2.0..2.25).contains(&ratios[1]), "{ratios:?}");
 }
@@ -119,6 +125,13 @@ fn hardening_hardly_moves_it() {
         limits("material.hardening.swift.n", &[&n.to_string()], &[&k])[0]
     });
     told("n, at one tensile strength", &["0.1", "0.2", "0.3", "0.5"], &ratios);
+    let above = |n: f64| (0.5 * std::f64::consts::E / n).powf(n);
+    page::told(
+        "docs/agreement.md",
+        "here it falls by {} % from 0.1 to 0.3 and rises from there: at the strains of the flange, near ½, the stress over the \
+         tensile strength is (ε e/n)^n, {} at n = 0.1 and {} at 0.3.",
+        &[plain(&[100.0 * (1.0 - ratios[2] / ratios[0])], 1), plain(&[above(0.1), above(0.3)], 2)].concat(),
+    );
     let [least, most] = [f64::min, f64::max].map(|pick| ratios.into_iter().reduce(pick).expect("some"));
     assert!(most / least - 1.0 < 0.04, "{ratios:?}");
     assert!(ratios[2] < ratios[0] - RESOLVED && ratios[3] > ratios[2] + RESOLVED, "{ratios:?}");

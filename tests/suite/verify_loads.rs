@@ -1,6 +1,7 @@
 //! Verification of contact, friction laws, holders, beads and gas against closed forms and against each other.
 
 use crate::common::convergence::orders;
+use crate::common::page::{plain, signed, told};
 use crate::common::shipped::{DRAWN, last, peak, shipped, solve};
 use crate::common::simple;
 use stampflow::assess;
@@ -41,6 +42,7 @@ fn behind_arc(law: &Friction, tension: f64, rho: f64, wrap: f64, v: f64) -> f64 
 #[test]
 fn capstan_with_every_friction_law() {
     let (restraint, rho) = (60.0, 10.5);
+    let mut errors = Vec::new();
     for (name, law) in Friction::examples() {
         // Weak shear yield and little back tension put Tresca's law in the middle of its passage.
         let law = match law {
@@ -70,7 +72,16 @@ fn capstan_with_every_friction_law() {
         let error: f64 = sum / count - 1.0;
         println!("capstan, {name}: {:+.3} % at 20 elements per 90 degrees", 100.0 * error);
         assert!(error.abs() < 5e-3, "{name}: {error:e}");
+        errors.push((name, error));
     }
+    let of = ["coulomb", "pressure_dependent", "stribeck", "tresca"]
+        .map(|law| errors.iter().find(|(name, _)| *name == law).expect("a law of the family").1);
+    assert_eq!(errors.len(), of.len(), "the page has a figure for every law");
+    told(
+        "docs/agreement.md",
+        "| Coulomb {} %, pressure-dependent {} %, Stribeck {} %, Tresca {} % |",
+        &signed(&of, 2),
+    );
 }
 
 /// Trust: two methods for one problem. The penalty's foot, δ = 0.003 t, spreads the pressure at the ends of a bend, which
@@ -78,6 +89,7 @@ fn capstan_with_every_friction_law() {
 /// takes that back.
 #[test]
 fn augmented_lagrangian_agrees_with_the_penalty() {
+    let (mut changes, mut deep_steps) = (Vec::new(), 0);
     for name in DRAWN.into_iter().chain(["bulge"]) {
         let penalty = solve(&shipped(name, &[]));
         let augmented = solve(&shipped(name, &["solver.contact=augmented_lagrangian"]));
@@ -96,7 +108,21 @@ fn augmented_lagrangian_agrees_with_the_penalty() {
         // In a step or two of a hundred the rounds end first, at a tenth of what the penalty lets through.
         assert!(deep <= 2 && deepest <= 2e-3, "{name}: {deepest:e} in {deep} steps");
         assert!(change.abs() < 1e-2, "{name}: {change:e}");
+        changes.push((name, change));
+        deep_steps += deep;
     }
+    let named = ["quickstart", "brite_cylindrical", "chalmers_cup"];
+    let of = named.map(|name| changes.iter().find(|(case, _)| *case == name).expect("it is drawn").1);
+    let most = |of: &[f64]| of.iter().fold(0.0_f64, |most, change| most.max(change.abs()));
+    let others: Vec<f64> = changes.iter().filter(|(case, _)| !named.contains(case)).map(|(_, change)| *change).collect();
+    let figures =
+        [vec![deep_steps.to_string()], plain(&[100.0 * most(&of)], 2), signed(&of, 2), plain(&[100.0 * most(&others)], 2)];
+    told(
+        "docs/agreement.md",
+        "below 1e-4 thicknesses, but for {} of all steps; peak within {} % (quickstart {}, brite {}, Chalmers {}, the others \
+         within {}): the foot",
+        &figures.concat(),
+    );
 }
 
 /// The force on the holder is what its model asks for, at every step of a shipped cup.
@@ -204,7 +230,7 @@ fn plane_strain_bulge_is_a_circular_arc() {
     let run = solve(&bulge(Geometry::PlaneStrain, Theory::Membrane, 5.0));
     let law = Hardening::Swift(Swift::new(520.0, 0.22, 1e-3).expect("valid"));
     let (a, factor) = (50.0_f64, 2.0 / 3f64.sqrt());
-    let mut compared = 0;
+    let (mut compared, mut worst) = (0, 0.0_f64);
     for r in run.steps.iter().filter(|r| r.pole_height > 5.0) {
         let h = r.pole_height;
         let rho = (a * a + h * h) / (2.0 * h);
@@ -212,8 +238,11 @@ fn plane_strain_bulge_is_a_circular_arc() {
         let pressure = factor * law.at(factor * strain).stress * (-strain).exp() / rho;
         assert!((r.pressure / pressure - 1.0).abs() < 2e-3, "{} against {pressure} at {h} mm", r.pressure);
         compared += 1;
+        worst = worst.max((r.pressure / pressure - 1.0).abs());
     }
     assert!(compared > 20, "{compared} steps beyond 5 mm");
+    let row = "| plane-strain bulge, a circular arc of one thickness | pressure within {} % at equal height |";
+    told("docs/agreement.md", row, &plain(&[100.0 * worst], 2));
     assert!(last(&run).work.imbalance().abs() < 2e-3, "{}", last(&run).work.imbalance());
 }
 
@@ -264,9 +293,15 @@ fn superplastic_dome_holds_its_rate_and_follows_the_closed_forms() {
         println!("m {m}: mean thickness {mean:.4} of a cap's {cap:.4}");
         assert!((mean / cap - 1.0).abs() < 0.04, "{mean} {cap}");
         let alpha = 2.0 * height.atan();
-        frame.elements[0].thickness / (alpha.sin() / alpha).powi(2) - 1.0
+        [frame.elements[0].thickness / (alpha.sin() / alpha).powi(2) - 1.0, mean / cap - 1.0]
     };
-    let errors = [0.9, 0.6, 0.4].map(pole_error);
+    let found = [0.9, 0.6, 0.4].map(pole_error);
+    let (errors, mean) = (found.map(|[pole, _]| pole), found.iter().fold(0.0_f64, |most, [_, mean]| most.max(mean.abs())));
+    told(
+        "docs/agreement.md",
+        "pole within {} % of (sin α/α)² at m = 0.9, mean thickness within {} % of a spherical cap's",
+        &plain(&[100.0 * errors[0].abs(), 100.0 * mean], 1),
+    );
     println!("pole thickness against (sin α/α)² for m 0.9, 0.6, 0.4: {errors:?}");
     assert!(errors.is_sorted_by(|a, b| a > b), "{errors:?}");
     assert!(errors[0].abs() < 0.05, "{errors:?}");
@@ -343,6 +378,11 @@ fn superplastic_long_box_follows_its_closed_form_before_contact() {
     let (errors, orders) = (found.map(|f| f.0), orders(&[4.0, 2.0, 1.0], &found.map(|f| f.1)));
     println!("long box, 25, 50, 100 elements: {errors:?}, orders of the final height {orders:.3?}");
     assert!(orders.iter().all(|p| (p - 2.0).abs() < 0.05), "{orders:?}");
+    told(
+        "docs/agreement.md",
+        "| pressure, thickness and height within {} % with 100 elements, second order |",
+        &plain(&[100.0 * errors[2]], 3),
+    );
     // Trust: chords for an arc are second order in the number of elements, down to the corrector's tolerance.
     assert!(errors[2] < 2e-4, "{errors:?}");
     assert!(errors[1] < 0.3 * errors[0] && errors[2] < 0.5 * errors[1], "{errors:?}");

@@ -17,6 +17,7 @@
 //! E. Siebel's formula, as textbooks have it (W. F. Hosford, R. M. Caddell, Metal Forming) (not read). The terms are derived
 //! above and can be checked there.
 
+use crate::common::page::{plain, signed, told};
 use stampflow::study::search::{Condition, Found, Goal, Quest, Side, Template, Wanted};
 use stampflow::study::{Span, Subject};
 use std::f64::consts::{FRAC_PI_2, PI};
@@ -136,6 +137,12 @@ const ALL: [bool; 3] = [true; 3];
 /// rides on the rim, which has thickened most.
 const APART: f64 = 0.05;
 
+/// Holds the row of the page's table to a closed form and what the program searched.
+fn row(name: &str, [closed, found]: [f64; 2]) {
+    let figures = [plain(&[closed, found], 3), signed(&[found / closed - 1.0], 1)].concat();
+    told("docs/search.md", &format!("| {name} | {{}} | {{}} | {{}} % |"), &figures);
+}
+
 /// Trust: every loss takes of the ratio, and the whole agrees within [`APART`].
 #[test]
 fn the_limiting_draw_ratio_is_that_of_ideal_drawing_with_its_losses() {
@@ -143,14 +150,19 @@ fn the_limiting_draw_ratio_is_that_of_ideal_drawing_with_its_losses() {
         [[false; 3], [true, false, false], [true, true, false], ALL].map(|losses| BASE.closed(losses));
     println!("ideal {ideal:.3}, with holder {holder:.3}, shoulder {rope:.3}, bending {closed:.3}");
     assert!(ideal > holder && holder > rope && rope > closed, "each loss takes of it");
-    // As docs/search.md has them.
-    for (found, told) in [(ideal, 2.536), (holder, 2.488), (rope, 2.288), (closed, 2.174)] {
-        assert!((found - told).abs() < 1e-3, "{found} is told as {told}");
-    }
     let found = BASE.searched();
     println!("program {found:.3}");
     assert!((found / closed - 1.0).abs() < APART, "{found} against {closed}");
-    assert!((found - 2.193).abs() < 0.01, "{found} is told as 2.193 in docs/search.md");
+    for (term, ratio) in [
+        ("ideal: radial stress of a hardening flange against the wall's strength in plane strain", ideal),
+        ("with the holder's friction", holder),
+        ("with the shoulder's friction, exp(μ π/2)", rope),
+        ("with bending and unbending over the shoulder", closed),
+        ("the program", found),
+    ] {
+        told("docs/search.md", &format!("| {term} | {{}} |"), &plain(&[ratio], 3));
+    }
+    row("r̄ = 1, friction 0.08, n = 0.22: as it is", [closed, found]);
     for finer in [&["blank.elements=120"][..], &["solver.max_step=0.004", "solver.first_step=0.001"]] {
         assert!((BASE.searched_with(finer) - found).abs() < 0.01, "it hangs on {finer:?}");
     }
@@ -160,26 +172,24 @@ fn the_limiting_draw_ratio_is_that_of_ideal_drawing_with_its_losses() {
 /// hardening is in the flange's resistance as in the wall's strength.
 #[test]
 fn it_goes_with_anisotropy_friction_and_hardening_as_the_closed_form_does() {
-    // Each closed form and search as docs/search.md has them.
-    let with = |name: &str, sheets: &[Sheet], told: &[[f64; 2]]| {
-        let pairs: Vec<[f64; 2]> = sheets.iter().map(|sheet| [sheet.closed(ALL), sheet.searched()]).collect();
-        println!("{name}, closed form and program: {pairs:.3?}");
-        for ([closed, found], [told, also]) in pairs.iter().zip(told) {
-            assert!((found / closed - 1.0).abs() < APART, "{name}: {pairs:?}");
-            assert!(
-                (closed - told).abs() < 1e-3 && (found - also).abs() < 0.01,
-                "{name}: {pairs:?} are told otherwise"
-            );
-        }
-        pairs
+    let with = |sheets: &[(&str, Sheet)]| {
+        let found = sheets.iter().map(|(name, sheet)| {
+            let pair = [sheet.closed(ALL), sheet.searched()];
+            println!("{name}, closed form and program: {pair:.3?}");
+            assert!((pair[1] / pair[0] - 1.0).abs() < APART, "{name}: {pair:?}");
+            row(name, pair);
+            pair
+        });
+        found.collect::<Vec<[f64; 2]>>()
     };
     let rises = |pairs: &[[f64; 2]]| pairs.windows(2).all(|pair| pair[1][0] > pair[0][0] && pair[1][1] > pair[0][1]);
-    let r = with("r", &[0.6, 2.0].map(|r| Sheet { r, ..BASE }), &[[2.016, 1.993], [2.547, 2.657]]);
+    let r = with(&[("r̄ = 0.6", 0.6), ("r̄ = 2", 2.0)].map(|(name, r)| (name, Sheet { r, ..BASE })));
     assert!(rises(&r), "it rises with r: {r:?}");
-    let mu = with("mu", &[0.14, 0.02].map(|mu| Sheet { mu, ..BASE }), &[[2.029, 2.077], [2.334, 2.321]]);
+    let frictions = [("friction of die and holder 0.14", 0.14), ("friction of die and holder 0.02", 0.02)];
+    let mu = with(&frictions.map(|(name, mu)| (name, Sheet { mu, ..BASE })));
     assert!(rises(&mu), "it falls with the friction of die and holder: {mu:?}");
-    let told = [[2.196, 2.244], [2.189, 2.142], [2.234, 2.237]];
-    let n = with("n", &[0.1, 0.35, 0.5].map(|n| Sheet { n, ..BASE }), &told);
+    let hardening = [0.1, 0.35, 0.5].map(|n| (format!("n = {n}, at one tensile strength"), Sheet { n, ..BASE }));
+    let n = with(&hardening.each_ref().map(|(name, sheet)| (name.as_str(), *sheet)));
     let of_r = r[1][1] / r[0][1] - 1.0;
     assert!(
         n.iter().all(|[closed, found]| [closed, found].map(|x| (x / 2.18 - 1.0).abs()).iter().all(|x| *x < 0.2 * of_r)),

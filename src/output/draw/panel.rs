@@ -168,8 +168,12 @@ pub(super) fn y_labels_width(range: &(f64, f64), panel: &Panel) -> f64 {
     let height = match panel.scale {
         Scale::Fit { height, .. } | Scale::Window { height, .. } | Scale::Multiple { height, .. } => height,
         Scale::Section { .. } => 400.0,
-        // No labels beside them.
-        Scale::Small { .. } | Scale::Bar => return 0.0,
+        // No labels beside it, but half of the first one below.
+        Scale::Bar => {
+            let first = panel.ranges()[0].0;
+            return 0.5 * text_width(&label(&panel.x, first, &[first]), TICK);
+        }
+        Scale::Small { .. } => return 0.0,
     };
     let values = labelled(&panel.y, *range, tick_count(height));
     let widest = values.iter().map(|v| text_width(&label(&panel.y, *v, &values), TICK)).fold(0.0, f64::max);

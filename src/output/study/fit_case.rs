@@ -17,9 +17,11 @@ fn chart(fit: &CaseFit, matched: &Matched, form: Form) -> Chart {
         let of = matched.points.iter().filter(|p| p.computed.is_some() == used);
         of.map(|p| (p.x, p.reference)).collect::<Vec<_>>()
     };
-    let end = matched.points.iter().map(|p| p.x).fold(0.0, f64::max);
+    // As far as the runs go, so that both panels have one axis.
+    let runs = matched.before.iter().chain(&matched.after).map(|p| p.0);
+    let end = matched.points.iter().map(|p| p.x).chain(runs).fold(0.0, f64::max);
     let mut above = vec![
-        Series::new(form.tell("Run at the start"), matched.before.clone(), Look::curve(1).faint()),
+        Series::new(form.tell("Run at the start"), matched.before.clone(), Look::curve(1)),
         Series::new(form.tell("Fitted run"), matched.after.clone(), Look::curve(0)),
         Series::new(matched.name.clone(), points(true), Look::Circles { color: BLACK }),
     ];
