@@ -36,6 +36,7 @@ fn told(run: &StageSolution, travel: f64) -> String {
     let iterations: usize = run.steps.iter().map(|step| step.iterations).sum();
     let rejected: usize = run.steps.iter().map(|step| step.rejected).sum();
     let reached = run.steps.last().map_or(0.0, |step| step.travel);
-    let ended = if run.stop.is_complete() { String::new() } else { format!(", ends at {reached:.1} of {travel:.1} mm") };
+    let ended =
+        if run.stop.is_complete() { String::new() } else { format!(", ends at {reached:.1} of {travel:.1} mm") };
     format!("{iterations} ({rejected}){ended}")
 }

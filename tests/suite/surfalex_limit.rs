@@ -47,7 +47,8 @@ fn the_document_has_the_table_that_the_program_makes() {
         assert!((a + b).abs() < 4e-3, "{a} {b}");
     }
     let [hill, hosford] = [0, 1].map(|i| fitted[i].miss(&widths[5]).expect("a limit"));
-    let most = (0..widths.len()).filter_map(|i| fitted[1].miss(&widths[i])).fold(0.0_f64, |most, miss| most.max(miss.abs()));
+    let most =
+        (0..widths.len()).filter_map(|i| fitted[1].miss(&widths[i])).fold(0.0_f64, |most, miss| most.max(miss.abs()));
     assert!(hosford.abs() < 0.5 * hill, "{hill} {hosford}");
     told(
         "docs/agreement.md",

@@ -93,7 +93,11 @@ fn it_rises_with_the_anisotropy() {
         page::told(file, "by this program's own runs {} at r̄ 0.6, {} at r̄ 1, {} at r̄ 2.", &rounded);
     }
     let german: Vec<String> = rounded.iter().map(|ratio| ratio.replace('.', ",")).collect();
-    page::told("src/message/de.toml", "nach eigenen Rechnungen dieses Programms {} bei r̄ 0,6, {} bei r̄ 1, {} bei r̄ 2.", &german);
+    page::told(
+        "src/message/de.toml",
+        "nach eigenen Rechnungen dieses Programms {} bei r̄ 0,6, {} bei r̄ 1, {} bei r̄ 2.",
+        &german,
+    );
     assert!(rises(&ratios), "{ratios:?}");
     assert!((2.0..2.25).contains(&ratios[1]), "{ratios:?}");
 }

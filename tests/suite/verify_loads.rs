@@ -1,7 +1,7 @@
 //! Verification of contact, friction laws, holders, beads and gas against closed forms and against each other.
 
 use crate::common::convergence::orders;
-use crate::common::page::{plain, signed, told};
+use crate::common::page::{at_most, signed, told};
 use crate::common::shipped::{DRAWN, last, peak, shipped, solve};
 use crate::common::simple;
 use stampflow::assess;
@@ -77,11 +77,7 @@ fn capstan_with_every_friction_law() {
     let of = ["coulomb", "pressure_dependent", "stribeck", "tresca"]
         .map(|law| errors.iter().find(|(name, _)| *name == law).expect("a law of the family").1);
     assert_eq!(errors.len(), of.len(), "the page has a figure for every law");
-    told(
-        "docs/agreement.md",
-        "| Coulomb {} %, pressure-dependent {} %, Stribeck {} %, Tresca {} % |",
-        &signed(&of, 2),
-    );
+    told("docs/agreement.md", "| Coulomb {} %, pressure-dependent {} %, Stribeck {} %, Tresca {} % |", &signed(&of, 2));
 }
 
 /// Trust: two methods for one problem. The penalty's foot, δ = 0.003 t, spreads the pressure at the ends of a bend, which
@@ -114,9 +110,9 @@ fn augmented_lagrangian_agrees_with_the_penalty() {
     let named = ["quickstart", "brite_cylindrical", "chalmers_cup"];
     let of = named.map(|name| changes.iter().find(|(case, _)| *case == name).expect("it is drawn").1);
     let most = |of: &[f64]| of.iter().fold(0.0_f64, |most, change| most.max(change.abs()));
-    let others: Vec<f64> = changes.iter().filter(|(case, _)| !named.contains(case)).map(|(_, change)| *change).collect();
-    let figures =
-        [vec![deep_steps.to_string()], plain(&[100.0 * most(&of)], 2), signed(&of, 2), plain(&[100.0 * most(&others)], 2)];
+    let others: Vec<f64> =
+        changes.iter().filter(|(case, _)| !named.contains(case)).map(|(_, change)| *change).collect();
+    let figures = [vec![deep_steps.to_string()], at_most(most(&of)), signed(&of, 2), at_most(most(&others))];
     told(
         "docs/agreement.md",
         "below 1e-4 thicknesses, but for {} of all steps; peak within {} % (quickstart {}, brite {}, Chalmers {}, the others \
@@ -242,7 +238,7 @@ fn plane_strain_bulge_is_a_circular_arc() {
     }
     assert!(compared > 20, "{compared} steps beyond 5 mm");
     let row = "| plane-strain bulge, a circular arc of one thickness | pressure within {} % at equal height |";
-    told("docs/agreement.md", row, &plain(&[100.0 * worst], 2));
+    told("docs/agreement.md", row, &at_most(worst));
     assert!(last(&run).work.imbalance().abs() < 2e-3, "{}", last(&run).work.imbalance());
 }
 
@@ -296,11 +292,12 @@ fn superplastic_dome_holds_its_rate_and_follows_the_closed_forms() {
         [frame.elements[0].thickness / (alpha.sin() / alpha).powi(2) - 1.0, mean / cap - 1.0]
     };
     let found = [0.9, 0.6, 0.4].map(pole_error);
-    let (errors, mean) = (found.map(|[pole, _]| pole), found.iter().fold(0.0_f64, |most, [_, mean]| most.max(mean.abs())));
+    let (errors, mean) =
+        (found.map(|[pole, _]| pole), found.iter().fold(0.0_f64, |most, [_, mean]| most.max(mean.abs())));
     told(
         "docs/agreement.md",
         "pole within {} % of (sin α/α)² at m = 0.9, mean thickness within {} % of a spherical cap's",
-        &plain(&[100.0 * errors[0].abs(), 100.0 * mean], 1),
+        &[at_most(errors[0].abs()), at_most(mean)].concat(),
     );
     println!("pole thickness against (sin α/α)² for m 0.9, 0.6, 0.4: {errors:?}");
     assert!(errors.is_sorted_by(|a, b| a > b), "{errors:?}");
@@ -381,7 +378,7 @@ fn superplastic_long_box_follows_its_closed_form_before_contact() {
     told(
         "docs/agreement.md",
         "| pressure, thickness and height within {} % with 100 elements, second order |",
-        &plain(&[100.0 * errors[2]], 3),
+        &at_most(errors[2]),
     );
     // Trust: chords for an arc are second order in the number of elements, down to the corrector's tolerance.
     assert!(errors[2] < 2e-4, "{errors:?}");

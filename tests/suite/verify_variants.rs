@@ -43,8 +43,16 @@ fn the_brite_part_hangs_on_its_friction() {
     let torn = with("0.1");
     let Stop::Localised { travel, .. } = torn.stages[0].stop else { panic!("{}", torn.stages[0].stop) };
     let ended = plain(&[travel], 0);
-    told(AGREEMENT, "which tears at {} kN: the run ends localised at {} mm.", &[plain(&[wall(&torn.case)], 0), ended.clone()].concat());
-    told(FILE, "and the wall tears at {} kN (law below, plane strain); the run ends localised at {} mm.", &[plain(&[wall(&torn.case)], 0), ended].concat());
+    told(
+        AGREEMENT,
+        "which tears at {} kN: the run ends localised at {} mm.",
+        &[plain(&[wall(&torn.case)], 0), ended.clone()].concat(),
+    );
+    told(
+        FILE,
+        "and the wall tears at {} kN (law below, plane strain); the run ends localised at {} mm.",
+        &[plain(&[wall(&torn.case)], 0), ended].concat(),
+    );
     let (flange, mu): (f64, f64) = (2.0 * 0.1 * 748.0, 0.1);
     let held = [flange, flange * (mu * FRAC_PI_2).exp()];
     told(AGREEMENT, "the holder alone holds back {} kN at the wall,", &plain(&held[1..], 0));
@@ -132,7 +140,8 @@ fn the_hat_springs_back_by_what_the_law_remembers() {
     let constant = let_go(&solved("hat_springback", &["material.mode=flow", "stages.0.release=constant"]));
     assert!((0..2).all(|i| (flow[i] - constant[i]).abs() < 0.05), "{flow:?} {constant:?}");
     let text = include_str!("../../cases/hat_springback.toml").replace("travel = \"70 mm\"", "travel = \"60 mm\"");
-    let finish = "[[stages]]\nname = \"finish\"\nmode = \"elasto_viscoplastic\"\npunch.move = \"10 mm\"\n\n[[stages]]\n";
+    let finish =
+        "[[stages]]\nname = \"finish\"\nmode = \"elasto_viscoplastic\"\npunch.move = \"10 mm\"\n\n[[stages]]\n";
     let text = text.replacen("[[stages]]\n", finish, 1);
     let overrides = ["material.mode=flow", "blank.layers=15"].map(str::to_owned);
     let two = case::parse(&text, "hat.toml", &overrides).unwrap_or_else(|error| panic!("{error}"));
@@ -141,7 +150,8 @@ fn the_hat_springs_back_by_what_the_law_remembers() {
     for i in 0..2 {
         assert!(rises(&[flow[i], at_last[i], throughout[i]]), "{flow:?} {at_last:?} {throughout:?}");
     }
-    let figures = [throughout, flow, at_last].map(|[wall, flange, curl]| [plain(&[wall, flange], 1), plain(&[curl], 0)].concat());
+    let figures =
+        [throughout, flow, at_last].map(|[wall, flange, curl]| [plain(&[wall, flange], 1), plain(&[curl], 0)].concat());
     told(
         AGREEMENT,
         "elastoplastic throughout {}°, {}°, {} mm; flow and then D(E, ν) {}°, {}°, {} mm (the same with a constant stiffness); \

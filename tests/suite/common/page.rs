@@ -76,6 +76,13 @@ pub fn signed(shares: &[f64], decimals: usize) -> Vec<String> {
     shares.iter().map(one).collect()
 }
 
+/// A share as a bound in percent, rounded up to one digit that counts: 0.04.
+pub fn at_most(share: f64) -> Vec<String> {
+    let unit = 10f64.powf((100.0 * share).log10().floor());
+    let decimals = (-unit.log10().round()).max(0.0) as usize;
+    plain(&[(100.0 * share / unit).ceil() * unit], decimals)
+}
+
 /// Numbers of a cell, `1.2, 3.4`.
 pub fn listed(values: &[f64], decimals: usize) -> String {
     plain(values, decimals).join(", ")
