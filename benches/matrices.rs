@@ -1,4 +1,5 @@
-//! Iterations of the accepted steps of whole runs with each matrix of the corrector, and how often a step was rejected.
+//! Iterations of the accepted steps of whole runs with each matrix of the corrector, and how often a step was rejected, as a
+//! table of Markdown.
 //!
 //! `cargo bench --bench matrices`
 
@@ -17,7 +18,7 @@ const CASES: [&str; 7] = [
 ];
 
 fn main() {
-    println!("{:<22}{:>20}{:>20}{:>30}", "case", "primal-dual", "Newton", "secant");
+    println!("| case | primal-dual | Newton | secant |\n|---|---|---|---|");
     for name in CASES {
         let path = format!("{}/cases/{name}.toml", env!("CARGO_MANIFEST_DIR"));
         let case = case::load(&path, &[]).unwrap_or_else(|error| panic!("{error}"));
@@ -27,7 +28,7 @@ fn main() {
                 model.settings.iteration = iteration;
                 told(&solver::run(&model, &mut ()), model.travel)
             });
-        println!("{name:<22}{primal_dual:>20}{newton:>20}{secant:>30}");
+        println!("| {name} | {primal_dual} | {newton} | {secant} |");
     }
 }
 
