@@ -80,7 +80,8 @@ pub fn signed(shares: &[f64], decimals: usize) -> Vec<String> {
 pub fn at_most(share: f64) -> Vec<String> {
     let unit = 10f64.powf((100.0 * share).log10().floor());
     let decimals = (-unit.log10().round()).max(0.0) as usize;
-    plain(&[(100.0 * share / unit).ceil() * unit], decimals)
+    // What round-off adds makes no digit more.
+    plain(&[(100.0 * share / unit - 1e-9).ceil() * unit], decimals)
 }
 
 /// Numbers of a cell, `1.2, 3.4`.
