@@ -12,7 +12,7 @@ const read = (name) => readFileSync(here(name), "utf8");
 
 const IMPORT = /^import \{[^}]*\} from "\.\/([^"]+)";\n/gm;
 const COMMENT = /^ *(?:\/\/.*|\/\*\*.*\*\/)\n/gm;
-const TOP = /^(?:async )?(?:function|class|const|let) ([A-Za-z_]\w*)/gm;
+const TOP = /^(?:async )?(?:function|class|const|let) (?:\[([\w, ]+)\]|(\w+))/gm;
 
 /** A module behind all that it imports, each once. */
 function modules(name, seen = new Set()) {
@@ -25,7 +25,7 @@ function modules(name, seen = new Set()) {
 
 /** Names that several modules have at their top would hide one another. */
 function checked(script) {
-  const names = [...script.matchAll(TOP)].map(([, name]) => name);
+  const names = [...script.matchAll(TOP)].flatMap(([, several, one]) => several?.split(", ") ?? [one]);
   const twice = names.filter((name, i) => names.indexOf(name) !== i);
   if (twice.length > 0) throw new Error(`several modules have ${twice.join(", ")}`);
   return script;

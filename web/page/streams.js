@@ -5,7 +5,7 @@
 // stream, a `Joiner` takes it from the stream and puts it into the module. Encodings after the WebAssembly Core Specification, chapter 5.
 
 export const STREAMS = 10;
-export const [REST, DECLARED, OPERATIONS, BRANCHES, CALLS, LOCALS, OFFSETS, SHORTS, LONGS, NUMBERS] = Array(STREAMS).keys();
+export const [OUTSIDE, DECLARED, OPERATIONS, BRANCHES, CALLS, LOCALS, OFFSETS, SHORTS, LONGS, NUMBERS] = Array(STREAMS).keys();
 const CODE = 10;
 const [END, BRANCH_TABLE, CALL_INDIRECT, SELECT] = [0x0b, 0x0e, 0x11, 0x1c];
 const [SATURATING, VECTOR] = [0xfc, 0xfd];
@@ -86,14 +86,14 @@ function functionOf(coder) {
 }
 
 export function walk(coder) {
-  copy(coder, REST, 8);
+  copy(coder, OUTSIDE, 8);
   while (!coder.atEnd()) {
-    if (coder.byte(REST) === CODE) {
+    if (coder.byte(OUTSIDE) === CODE) {
       coder.sized(() => {
-        for (let count = number(coder, REST); count > 0; count--) coder.sized(() => functionOf(coder));
+        for (let count = number(coder, OUTSIDE); count > 0; count--) coder.sized(() => functionOf(coder));
       });
     } else {
-      copy(coder, REST, number(coder, REST));
+      copy(coder, OUTSIDE, number(coder, OUTSIDE));
     }
   }
 }
@@ -126,7 +126,7 @@ class Joiner {
   }
 
   atEnd() {
-    return this.places[REST] === this.streams[REST].length;
+    return this.places[OUTSIDE] === this.streams[OUTSIDE].length;
   }
 
   take(stream) {
