@@ -53,3 +53,13 @@ fn what_is_wrong_is_said_as_by_the_toml_crate() {
         assert_eq!(own, theirs, "{wrong:?}");
     }
 }
+
+/// By the TOML crate its values would be the fields in their order.
+#[test]
+fn an_array_is_no_table() {
+    let text = "title = \"A\"\ngeometry = \"axisymmetric\"\nblank = [\"60 mm\", \"1 mm\"]\n";
+    let [own, _] = by_both(text);
+    let (message, span) = own.expect_err("refused");
+    assert_eq!(message, "invalid type: sequence, expected struct Blank");
+    assert_eq!(&text[span.expect("its place")], "[\"60 mm\", \"1 mm\"]");
+}
