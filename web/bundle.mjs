@@ -1,16 +1,18 @@
 // One file of the page: `node bundle.mjs SOLVER.wasm PAGE.html`. Modules are written one after the other into one script, which
-// is why each name at their top may be there once; the solver is LZMA in base64.
+// is why each name at their top may be there once; the solver is streams (`page/streams.js`) in LZMA in base64.
 import { execFileSync } from "node:child_process";
 import { existsSync, mkdirSync, readFileSync, writeFileSync } from "node:fs";
 import { dirname, join } from "node:path";
 import { gzipSync } from "node:zlib";
+import { split } from "./split.mjs";
 
 const [solver, page] = process.argv.slice(2);
 const here = (name) => join(import.meta.dirname, "page", name);
 const read = (name) => readFileSync(here(name), "utf8");
 
 const IMPORT = /^import \{[^}]*\} from "\.\/([^"]+)";\n/gm;
-const TOP = /^(?:async )?(?:function|class|const|let) ([A-Za-z_]\w*)/gm;
+const COMMENT = /^ *(?:\/\/.*|\/\*\*.*\*\/)\n/gm;
+const TOP = /^(?:async )?(?:function|class|const|let) (?:\[([\w, ]+)\]|(\w+))/gm;
 
 /** A module behind all that it imports, each once. */
 function modules(name, seen = new Set()) {
@@ -18,12 +20,12 @@ function modules(name, seen = new Set()) {
   seen.add(name);
   const text = read(name);
   const before = [...text.matchAll(IMPORT)].map(([, other]) => modules(other, seen)).join("");
-  return before + text.replaceAll(IMPORT, "").replaceAll(/^export /gm, "");
+  return before + text.replaceAll(IMPORT, "").replaceAll(COMMENT, "").replaceAll(/^export /gm, "");
 }
 
 /** Names that several modules have at their top would hide one another. */
 function checked(script) {
-  const names = [...script.matchAll(TOP)].map(([, name]) => name);
+  const names = [...script.matchAll(TOP)].flatMap(([, several, one]) => several?.split(", ") ?? [one]);
   const twice = names.filter((name, i) => names.indexOf(name) !== i);
   if (twice.length > 0) throw new Error(`several modules have ${twice.join(", ")}`);
   return script;
@@ -67,16 +69,17 @@ function withoutForeign(module) {
 }
 
 /** LZMA with its length in the header, as the page reads it. */
-function packed(module) {
-  const options = ["--format=lzma", "--lzma1=preset=9e,lc=4,pb=0,nice=273", "-c"];
-  const bytes = execFileSync("xz", options, { input: module, maxBuffer: 1e8 });
-  bytes.writeBigUInt64LE(BigInt(module.length), 5);
+function packed(streams) {
+  const options = ["--format=lzma", "--lzma1=preset=9e,lc=2,pb=0,nice=273", "-c"];
+  const bytes = execFileSync("xz", options, { input: streams, maxBuffer: 1e8 });
+  bytes.writeBigUInt64LE(BigInt(streams.length), 5);
   return bytes;
 }
 
 const script = checked(modules("app.js"));
+const module = withoutForeign(stripped(readFileSync(solver)));
 const scripts = [
-  `<script type="text/plain" id="solver">${packed(withoutForeign(stripped(readFileSync(solver)))).toString("base64")}</script>`,
+  `<script type="text/plain" id="solver">${packed(split(module)).toString("base64")}</script>`,
   `<script type="text/plain" id="worker">${inlined(read("worker.js"))}</script>`,
   `<script type="module">\n${inlined(script)}</script>`,
 ];

@@ -1,13 +1,13 @@
 //! A parsed case as serde reads it.
 //!
 //! What serde makes of a type is copied for every kind of table, array and text that a deserializer knows; this one knows one
-//! of each, borrows what was parsed, and so is a third of what that of the TOML crate would add to the program.
+//! of each, borrows what was parsed, hands to a visitor only what it asks for, and so is a fraction of what that of the TOML
+//! crate would add to the program.
+
+mod variant;
 
 use serde::de::value::StrDeserializer;
-use serde::de::{
-    self, DeserializeSeed, Deserializer, EnumAccess, Error as _, MapAccess, SeqAccess, Unexpected, VariantAccess,
-    Visitor,
-};
+use serde::de::{self, DeserializeSeed, Deserializer, Error as _, Expected, MapAccess, SeqAccess, Unexpected, Visitor};
 use std::fmt::{self, Display};
 use std::ops::Range;
 use toml::Spanned;
@@ -15,9 +15,12 @@ use toml::de::{DeTable, DeValue};
 
 type Span = Range<usize>;
 
-/// What serde complains of, and the place in the text that it is about.
+/// What serde complains of, and the place in the text that it is about; small, for every field hands it on.
 #[derive(Debug)]
-pub(super) struct Error {
+pub(super) struct Error(Box<Complaint>);
+
+#[derive(Debug)]
+struct Complaint {
     message: String,
     span: Option<Span>,
 }
@@ -25,29 +28,29 @@ pub(super) struct Error {
 impl Error {
     /// In serde's words.
     pub fn message(&self) -> &str {
-        &self.message
+        &self.0.message
     }
 
     /// Of the key or value.
     pub fn span(&self) -> Option<Span> {
-        self.span.clone()
+        self.0.span.clone()
     }
 
     fn new(message: impl Into<String>, span: &Span) -> Self {
-        Self { message: message.into(), span: Some(span.clone()) }
+        Self(Box::new(Complaint { message: message.into(), span: Some(span.clone()) }))
     }
 
     /// At a place, unless a deeper one is known.
     #[cold]
     fn at(mut self, span: &Span) -> Self {
-        self.span.get_or_insert_with(|| span.clone());
+        self.0.span.get_or_insert_with(|| span.clone());
         self
     }
 }
 
 impl Display for Error {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(&self.message)
+        f.write_str(self.message())
     }
 }
 
@@ -55,7 +58,7 @@ impl std::error::Error for Error {}
 
 impl de::Error for Error {
     fn custom<T: Display>(message: T) -> Self {
-        Self { message: message.to_string(), span: None }
+        Self(Box::new(Complaint { message: message.to_string(), span: None }))
     }
 }
 
@@ -87,32 +90,137 @@ struct Value<'t> {
     span: Span,
 }
 
+/// A value as a visitor takes it.
+enum Plain<'t> {
+    Text(&'t str),
+    Integer(i64),
+    Float(f64),
+    Boolean(bool),
+    Array(&'t [Spanned<DeValue<'t>>]),
+    Table(&'t DeTable<'t>),
+}
+
 impl<'t> Value<'t> {
     fn of(value: &'t Spanned<DeValue<'t>>) -> Self {
         Self { value: value.get_ref(), span: value.span() }
     }
+
+    /// What it is; a date is nothing that is wanted.
+    #[inline(never)]
+    fn plain(&self, wanted: &dyn Expected) -> Result<Plain<'t>, Error> {
+        Ok(match self.value {
+            DeValue::String(text) => Plain::Text(text),
+            DeValue::Integer(number) => match i64::from_str_radix(number.as_str(), number.radix()) {
+                Ok(number) => Plain::Integer(number),
+                Err(_) => return Err(Error::custom("integer number overflowed")),
+            },
+            DeValue::Float(number) => match float(number.as_str()) {
+                Some(number) => Plain::Float(number),
+                None => return Err(Error::custom("floating-point number overflowed")),
+            },
+            DeValue::Boolean(is) => Plain::Boolean(*is),
+            DeValue::Datetime(_) => return Err(Error::invalid_type(Unexpected::Other("date"), wanted)),
+            DeValue::Array(values) => Plain::Array(values),
+            DeValue::Table(table) => Plain::Table(table),
+        })
+    }
+
+    /// That it is not what is wanted.
+    #[cold]
+    #[inline(never)]
+    fn refused(&self, wanted: &dyn Expected) -> Error {
+        let found = match self.plain(wanted) {
+            Ok(Plain::Text(text)) => Unexpected::Str(text),
+            Ok(Plain::Integer(number)) => Unexpected::Signed(number),
+            Ok(Plain::Float(number)) => Unexpected::Float(number),
+            Ok(Plain::Boolean(is)) => Unexpected::Bool(is),
+            Ok(Plain::Array(_)) => Unexpected::Seq,
+            Ok(Plain::Table(_)) => Unexpected::Map,
+            Err(error) => return error,
+        };
+        Error::invalid_type(found, wanted)
+    }
+
+    fn number<V: Visitor<'t>>(self, visitor: V) -> Result<V::Value, Error> {
+        match self.plain(&visitor)? {
+            Plain::Integer(number) => visitor.visit_i64(number),
+            Plain::Float(number) => visitor.visit_f64(number),
+            _ => Err(self.refused(&visitor)),
+        }
+    }
+
+    fn text<V: Visitor<'t>>(self, visitor: V) -> Result<V::Value, Error> {
+        match self.value {
+            DeValue::String(text) => visitor.visit_str(text),
+            _ => Err(self.refused(&visitor)),
+        }
+    }
+
+    fn array<V: Visitor<'t>>(self, visitor: V) -> Result<V::Value, Error> {
+        match self.value {
+            DeValue::Array(values) => visitor.visit_seq(Items(values.iter())),
+            _ => Err(self.refused(&visitor)),
+        }
+    }
+
+    fn table<V: Visitor<'t>>(self, visitor: V) -> Result<V::Value, Error> {
+        match self.value {
+            DeValue::Table(table) => visitor.visit_map(Entries::of(table)),
+            _ => Err(self.refused(&visitor)),
+        }
+    }
+}
+
+/// What a type is told of.
+macro_rules! told {
+    ($($function:ident $kind:ident),*) => {$(
+        fn $function<V: Visitor<'t>>(self, visitor: V) -> Result<V::Value, Error> {
+            self.$kind(visitor)
+        }
+    )*};
 }
 
 impl<'t> Deserializer<'t> for Value<'t> {
     type Error = Error;
 
     fn deserialize_any<V: Visitor<'t>>(self, visitor: V) -> Result<V::Value, Error> {
-        let read = match self.value {
-            DeValue::String(text) => visitor.visit_str(text),
-            DeValue::Integer(number) => match i64::from_str_radix(number.as_str(), number.radix()) {
-                Ok(number) => visitor.visit_i64(number),
-                Err(_) => Err(Error::custom("integer number overflowed")),
-            },
-            DeValue::Float(number) => match float(number.as_str()) {
-                Some(number) => visitor.visit_f64(number),
-                None => Err(Error::custom("floating-point number overflowed")),
-            },
+        match self.plain(&visitor)? {
+            Plain::Text(text) => visitor.visit_str(text),
+            Plain::Integer(number) => visitor.visit_i64(number),
+            Plain::Float(number) => visitor.visit_f64(number),
+            Plain::Boolean(is) => visitor.visit_bool(is),
+            Plain::Array(values) => visitor.visit_seq(Items(values.iter())),
+            Plain::Table(table) => visitor.visit_map(Entries::of(table)),
+        }
+    }
+
+    told!(
+        deserialize_u8 number, deserialize_u16 number, deserialize_u32 number, deserialize_u64 number,
+        deserialize_i8 number, deserialize_i16 number, deserialize_i32 number, deserialize_i64 number,
+        deserialize_f32 number, deserialize_f64 number,
+        deserialize_str text, deserialize_string text, deserialize_identifier text,
+        deserialize_seq array, deserialize_map table
+    );
+
+    fn deserialize_bool<V: Visitor<'t>>(self, visitor: V) -> Result<V::Value, Error> {
+        match self.value {
             DeValue::Boolean(is) => visitor.visit_bool(*is),
-            DeValue::Datetime(_) => Err(Error::invalid_type(Unexpected::Other("date"), &visitor)),
-            DeValue::Array(values) => visitor.visit_seq(Items(values.iter())),
-            DeValue::Table(table) => visitor.visit_map(Entries::of(table)),
-        };
-        read.map_err(|error| error.at(&self.span))
+            _ => Err(self.refused(&visitor)),
+        }
+    }
+
+    /// Its fields have names: an array in their order is refused.
+    fn deserialize_struct<V: Visitor<'t>>(
+        self,
+        _: &'static str,
+        _: &'static [&'static str],
+        visitor: V,
+    ) -> Result<V::Value, Error> {
+        self.table(visitor)
+    }
+
+    fn deserialize_tuple<V: Visitor<'t>>(self, _: usize, visitor: V) -> Result<V::Value, Error> {
+        self.array(visitor)
     }
 
     fn deserialize_option<V: Visitor<'t>>(self, visitor: V) -> Result<V::Value, Error> {
@@ -129,22 +237,11 @@ impl<'t> Deserializer<'t> for Value<'t> {
         _: &'static [&'static str],
         visitor: V,
     ) -> Result<V::Value, Error> {
-        let read = match self.value {
-            DeValue::String(text) => visitor.visit_enum(StrDeserializer::new(text)),
-            DeValue::Table(table) => match (table.iter().next(), table.len()) {
-                (Some((name, value)), 1) => visitor.visit_enum(Variant { name, value: Self::of(value) }),
-                (None, _) => Err(Error::custom("wanted exactly 1 element, found 0 elements")),
-                _ => Err(Error::custom("wanted exactly 1 element, more than 1 element")),
-            },
-            _ => Err(Error::custom("wanted string or table")),
-        };
-        read.map_err(|error| error.at(&self.span))
+        visitor.visit_enum(self.variant()?)
     }
 
     serde::forward_to_deserialize_any! {
-        <V: Visitor<'t>>
-        bool u8 u16 u32 u64 u128 i8 i16 i32 i64 i128 f32 f64 char str string seq bytes byte_buf map unit
-        ignored_any unit_struct tuple_struct tuple identifier struct
+        <V: Visitor<'t>> u128 i128 char bytes byte_buf unit ignored_any unit_struct tuple_struct
     }
 }
 
@@ -160,7 +257,8 @@ impl<'t> SeqAccess<'t> for Items<'t> {
     type Error = Error;
 
     fn next_element_seed<S: DeserializeSeed<'t>>(&mut self, seed: S) -> Result<Option<S::Value>, Error> {
-        self.0.next().map(|value| seed.deserialize(Value::of(value))).transpose()
+        let Some(value) = self.0.next() else { return Ok(None) };
+        seed.deserialize(Value::of(value)).map(Some).map_err(|error| error.at(&value.span()))
     }
 
     fn size_hint(&self) -> Option<usize> {
@@ -199,106 +297,5 @@ impl<'t> MapAccess<'t> for Entries<'t> {
     }
 }
 
-/// The one entry of a table that stands for a variant with its parameters.
-struct Variant<'t> {
-    name: &'t Key<'t>,
-    value: Value<'t>,
-}
-
-impl<'t> EnumAccess<'t> for Variant<'t> {
-    type Error = Error;
-    type Variant = Value<'t>;
-
-    fn variant_seed<S: DeserializeSeed<'t>>(self, seed: S) -> Result<(S::Value, Value<'t>), Error> {
-        let name = StrDeserializer::<Error>::new(self.name.get_ref());
-        let read = seed.deserialize(name).map_err(|error| error.at(&self.name.span()))?;
-        Ok((read, self.value))
-    }
-}
-
-impl<'t> VariantAccess<'t> for Value<'t> {
-    type Error = Error;
-
-    fn unit_variant(self) -> Result<(), Error> {
-        match self.value {
-            DeValue::Table(table) if table.is_empty() => Ok(()),
-            DeValue::Table(_) => Err(Error::new("expected empty table", &self.span)),
-            other => Err(Error::new(format!("expected table, found {}", other.type_str()), &self.span)),
-        }
-    }
-
-    fn newtype_variant_seed<S: DeserializeSeed<'t>>(self, seed: S) -> Result<S::Value, Error> {
-        seed.deserialize(self)
-    }
-
-    fn tuple_variant<V: Visitor<'t>>(self, _: usize, visitor: V) -> Result<V::Value, Error> {
-        self.deserialize_any(visitor)
-    }
-
-    fn struct_variant<V: Visitor<'t>>(self, fields: &'static [&'static str], visitor: V) -> Result<V::Value, Error> {
-        if let DeValue::Table(table) = self.value {
-            let unknown = table.keys().find(|key| !fields.contains(&key.get_ref().as_ref()));
-            if let Some(key) = unknown {
-                return Err(Error::unknown_field(key.get_ref(), fields).at(&key.span()));
-            }
-        }
-        self.deserialize_any(visitor)
-    }
-}
-
 #[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::case::CaseFile;
-    use serde::Deserialize;
-
-    type Read = Result<String, (String, Option<Span>)>;
-
-    /// What a text says by this reader, and by that of the TOML crate.
-    fn by_both(text: &str) -> [Read; 2] {
-        let table = DeTable::parse(text).expect("TOML");
-        let own = read::<CaseFile>(table.get_ref());
-        let theirs = CaseFile::deserialize(toml::de::Deserializer::from(table.clone()));
-        [
-            own.map(|file| format!("{file:?}")).map_err(|error| (error.message().to_owned(), error.span())),
-            theirs.map(|file| format!("{file:?}")).map_err(|error| (error.message().to_owned(), error.span())),
-        ]
-    }
-
-    /// Trust: the deserializer of the TOML crate.
-    #[test]
-    fn every_shipped_case_is_read_as_by_the_toml_crate() {
-        let mut count = 0;
-        for entry in std::fs::read_dir("cases").expect("the cases") {
-            let path = entry.expect("an entry").path();
-            if path.extension().is_some_and(|extension| extension == "toml") {
-                let [own, theirs] = by_both(&std::fs::read_to_string(&path).expect("text"));
-                assert_eq!(own, theirs, "{}", path.display());
-                count += 1;
-            }
-        }
-        assert!(count > 15, "only {count} cases");
-    }
-
-    /// Trust: the same; message and place.
-    #[test]
-    fn what_is_wrong_is_said_as_by_the_toml_crate() {
-        let base = "title = \"A\"\ngeometry = \"axisymmetric\"\n";
-        for wrong in [
-            "",
-            "[blank]\nradius = [1]\nthickness = \"1 mm\"\n",
-            "[blank]\nradius = \"1 mm\"\nthickness = \"1 mm\"\nelements = 1.5\n",
-            "[blank]\nradius = \"1 mm\"\nthickness = \"1 mm\"\nelements = -1\n",
-            "[blank]\nradius = \"1 mm\"\nthickness = \"1 furlong\"\n",
-            "[blank]\nradius = \"1 mm\"\nthickness = \"1 mm\"\nwidht = 1\n",
-            "[solver]\niteration = \"newtn\"\n",
-            "[solver]\nmax_step = true\n",
-            "blank = 3\n",
-            "notes = [\"a\", 2]\n",
-        ] {
-            let [own, theirs] = by_both(&format!("{base}{wrong}"));
-            assert!(own.is_err(), "{wrong:?} is accepted");
-            assert_eq!(own, theirs, "{wrong:?}");
-        }
-    }
-}
+mod tests;

@@ -2,6 +2,7 @@
 
 import { unpackedLzma } from "./lzma.js";
 import { asBytes } from "./question.js";
+import { joined } from "./streams.js";
 
 /** How long an answer that nobody waits for any more may still take [ms]; then its thread is ended. */
 const PATIENCE = 300;
@@ -89,7 +90,8 @@ export class Engine {
   }
 }
 
-/** The solver out of the page: LZMA in base64. */
+/** The solver out of the page: streams in LZMA in base64. */
 export async function compiled(base64) {
-  return WebAssembly.compile(unpackedLzma(Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0))));
+  const packed = Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0));
+  return WebAssembly.compile(joined(unpackedLzma(packed)));
 }

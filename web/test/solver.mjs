@@ -3,6 +3,7 @@ import { readFileSync } from "node:fs";
 import { join } from "node:path";
 import { unpackedLzma } from "../page/lzma.js";
 import { asBytes } from "../page/question.js";
+import { joined } from "../page/streams.js";
 
 export const ROOT = join(import.meta.dirname, "..", "..");
 export const PAGE = join(ROOT, "web", "dist", "page.html");
@@ -11,7 +12,7 @@ export const NATIVE = process.env.STAMPFLOW ?? join(ROOT, "target", "release", "
 
 export function solver() {
   const [, base64] = readFileSync(PAGE, "utf8").match(/id="solver">([^<]+)</);
-  const module = new WebAssembly.Module(unpackedLzma(new Uint8Array(Buffer.from(base64, "base64"))));
+  const module = new WebAssembly.Module(joined(unpackedLzma(new Uint8Array(Buffer.from(base64, "base64")))));
   const own = new WebAssembly.Instance(module, {}).exports;
   const bytes = (at, length) => new Uint8Array(own.memory.buffer, at, length);
   return (question) => {
