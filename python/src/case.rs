@@ -91,9 +91,10 @@ impl Case {
         &self.case
     }
 
-    /// The same with other overrides, which a study made of it.
-    pub fn made(&self, case: stampflow::Case) -> Self {
-        Self { case, written: self.written.clone(), name: self.name.clone() }
+    /// A case that a study made of what it varies.
+    pub fn made(of: &Subject, case: stampflow::Case) -> Self {
+        let (text, path) = of.written();
+        Self { case, written: text.to_owned(), name: path.to_string_lossy().into_owned() }
     }
 
     /// As what a study varies.

@@ -198,7 +198,7 @@ fn a_test_is_cut_where_its_force_is_largest() {
 /// deviations are those of 8 specimens.
 #[test]
 fn the_measured_curve_of_304l_gives_the_laws_of_the_library_within_their_intervals() {
-    let test = Tension::load(Path::new("reference_data/aisi304l_bar_flow_curve.csv"), None, None).expect("a test");
+    let test = Tension::load(&PathBuf::from("reference_data/aisi304l_bar_flow_curve.csv").into(), None, None).expect("a test");
     let curve = FlowCurve::of(&test, &Reduction::default()).expect("a curve");
     let fits = fit_laws(vec![curve], None, RateKind::Power).expect("a fit");
     let best = fits.best();
@@ -274,7 +274,7 @@ fn ranges(texts: &[&str]) -> Vec<Range> {
 }
 
 fn fit_to(path: &Path, texts: &[&str], watch: &dyn Watch) -> CaseFit {
-    let spec = CaseFitSpec::new(CASE.into(), coarse(), ranges(texts), &[path.to_owned()]);
+    let spec = CaseFitSpec::new(CASE.into(), coarse(), ranges(texts), &[path.into()]);
     fit_case(&spec.unwrap_or_else(|error| panic!("{error}")), 2, watch).unwrap_or_else(|error| panic!("{error}"))
 }
 
@@ -381,7 +381,7 @@ fn a_fit_that_cannot_be_is_told() {
     let other = write("other.csv", "time_s,temperature_C\n10,30\n11,31\n");
     let good = write("good.csv", "travel_mm,punch_force_kN\n5,20\n10,30\n12,32\n15,35\n");
     let sentence = |path: &PathBuf, texts: &[&str]| {
-        let spec = CaseFitSpec::new(CASE.into(), coarse(), ranges(texts), std::slice::from_ref(path));
+        let spec = CaseFitSpec::new(CASE.into(), coarse(), ranges(texts), &[path.clone().into()]);
         spec.and_then(|spec| fit_case(&spec, 2, &()).map(drop)).expect_err("a mistake").to_string()
     };
     for (path, texts, said) in [
