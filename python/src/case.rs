@@ -59,6 +59,17 @@ impl Case {
         &self.case.text
     }
 
+    /// Before any settings.
+    #[getter]
+    fn written(&self) -> &str {
+        &self.written
+    }
+
+    /// What it has for a key, as it is written there.
+    fn value(&self, py: Python<'_>, key: &str) -> PyResult<Option<String>> {
+        self.subject().map(|subject| subject.own(key)).map_err(|error| error::of_study(py, &error))
+    }
+
     #[getter]
     fn settings(&self) -> Vec<String> {
         self.case.overrides.clone()

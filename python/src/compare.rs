@@ -37,7 +37,8 @@ pub fn compare<'py>(
         comparisons(&case, &Computed::nothing(case.model())).map_err(|error| error::of_reference(py, &error))?;
         candidates.push(Candidate { case, own: own.clone() });
     }
-    let read = readings(&measured).and_then(|measured| measured.iter().map(Measured::read).collect::<Result<Vec<_>, _>>());
+    let read =
+        readings(&measured).and_then(|measured| measured.iter().map(Measured::read).collect::<Result<Vec<_>, _>>());
     let asked = read.and_then(|measured| Asked::new(candidates, measured));
     let asked = asked.map_err(|error| error::of_study(py, &error))?;
     let (result, mut raised) = attended(py, progress, |line| asked.solve(None, self::threads(threads), line));

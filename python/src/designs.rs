@@ -3,11 +3,11 @@
 use super::attend::Line;
 use super::rows::Rows;
 use pyo3::prelude::*;
+use stampflow::study::{self, Bars, Begun, Columns, Designs, Earlier, Journal, Row, Shard, StudyError, Times};
 use std::convert::Infallible;
 use std::fmt::Display;
 use std::fs;
 use std::path::PathBuf;
-use stampflow::study::{self, Bars, Begun, Columns, Designs, Earlier, Journal, Row, Shard, StudyError, Times};
 
 /// So many designs at most: their rows are kept in memory.
 const MOST: u64 = 10_000_000;

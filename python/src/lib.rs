@@ -22,6 +22,7 @@ mod stage;
 mod study;
 mod sweep;
 mod template;
+mod words;
 
 use pyo3::prelude::*;
 

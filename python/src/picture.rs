@@ -37,8 +37,7 @@ fn parts<'py>(py: Python<'py>, panel: &Panel) -> PanelParts<'py> {
     // Of a logarithmic axis the values.
     let [along, up] = [panel.x.spacing(), panel.y.spacing()];
     let series = panel.series.iter().map(|series| {
-        let (x, y): (Vec<f64>, Vec<f64>) =
-            series.points.iter().map(|&(x, y)| (along.value(x), up.value(y))).unzip();
+        let (x, y): (Vec<f64>, Vec<f64>) = series.points.iter().map(|&(x, y)| (along.value(x), up.value(y))).unzip();
         (series.label.clone(), x.into_pyarray(py), y.into_pyarray(py), look(series.look))
     });
     let [x, y] = panel.ranges();

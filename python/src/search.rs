@@ -102,10 +102,7 @@ impl Watch for Silent<'_> {
     }
 }
 
-fn handed(
-    of: &Subject,
-    solved: Option<(stampflow::case::Solution, Option<Verification>)>,
-) -> Option<(Case, Solution)> {
+fn handed(of: &Subject, solved: Option<(stampflow::case::Solution, Option<Verification>)>) -> Option<(Case, Solution)> {
     let (solution, bars) = solved?;
     Some((Case::made(of, solution.case.clone()), Solution::verified(solution, bars)))
 }

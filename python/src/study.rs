@@ -4,13 +4,14 @@
 use super::case::Case;
 use super::error;
 use super::picture::{Picture, picture};
+use super::words::plain;
 use numpy::PyReadonlyArray1;
 use pyo3::prelude::*;
-use std::path::PathBuf;
 use serde_json::Value;
 use stampflow::message::{Form, Message};
 use stampflow::output::Chart;
 use stampflow::study::{Readings, StudyError};
+use std::path::PathBuf;
 use std::thread::available_parallelism;
 
 /// What a study found as the JSON that the command line prints, its sentences, the answer first, and its pictures by the stems
@@ -64,9 +65,9 @@ pub fn told<'py, S: ToString>(
     sentences: impl IntoIterator<Item = Message>,
     charts: impl IntoIterator<Item = (S, Chart)>,
 ) -> Told<'py> {
-    let sentences = sentences.into_iter().map(|sentence| sentence.told(form())).collect();
+    let sentences = sentences.into_iter().map(|sentence| plain(sentence.told(form()))).collect();
     let pictures = charts.into_iter().map(|(stem, chart)| (stem.to_string(), picture(py, &chart)));
-    (found.to_string(), sentences, pictures.collect())
+    (plain(found), sentences, pictures.collect())
 }
 
 /// What was found, or why nothing was: the exception that cut it short, or what is wrong with the study.

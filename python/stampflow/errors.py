@@ -26,6 +26,9 @@ class CaseError(Error):
         key: str = "",
         help: str | None = None,
     ) -> None:
+        if line is None:
+            # Of no text, but of what was asked for.
+            text, message, help = _as_in_python(text), _as_in_python(message), help and _as_in_python(help)
         super().__init__(text)
         #: What is wrong, in one sentence.
         self.message = message
@@ -86,9 +89,10 @@ def _as_in_python(text: str) -> str:
 
     def keyword(option: re.Match[str]) -> str:
         name = option[1].replace("-", "_")
-        return f"{name}{'_' if iskeyword(name) else ''}{'=' if option[2] else ''}"
+        file = f'"{option[3]}"' if option[3] else ""
+        return f"{name}{'_' if iskeyword(name) else ''}{'=' if option[2] or file else ''}{file}"
 
-    return re.sub(r"--([a-z][a-z-]*[a-z])( (?=\"))?", keyword, text)
+    return re.sub(r'--([a-z][a-z-]*[a-z])(?:( )(?=")| (\w+\.\w+))?', keyword, text)
 
 
 def finished(result: _Result, raised: BaseException | None) -> _Result:

@@ -106,6 +106,10 @@ def assigned(given: Mapping[str, str | None] | Sequence[str] | str | None) -> li
     return list(given)
 
 
-def listed(values: Iterable[str | float]) -> str:
+def listed(values: str | float | Iterable[str | float]) -> str:
     """Values as on the command line: ``4 mm,6 mm``."""
+    if isinstance(values, str):
+        return values
+    if not isinstance(values, Iterable):
+        return _toml.value(values)
     return ",".join(value if isinstance(value, str) else _toml.value(value) for value in values)

@@ -19,8 +19,8 @@ if TYPE_CHECKING:
 
     from ._native import _Table, _Told
 
-Values: TypeAlias = "str | Iterable[str | float]"
-"""Values of a key: ``"4..10 mm/7"``, ``"4,6,8 mm"``, ``["4 mm", "6 mm"]`` or plain numbers."""
+Values: TypeAlias = "str | float | Iterable[str | float]"
+"""Values of a key: ``"4..10 mm/7"``, ``"4,6,8 mm"``, ``["4 mm", "6 mm"]``, plain numbers, or a single one."""
 
 
 class SweepPlots(Plots):
@@ -61,7 +61,7 @@ class Sweep(Told, Rows):
 
     def __repr__(self) -> str:
         how = "one key at a time" if self.shape is None else " x ".join(map(str, self.shape))
-        return f"<Sweep: {self.designs} designs, {how}{f': {self.answer}' if self.answer else ''}>"
+        return f"<Sweep of {how}: {self.answer or f'{self.designs} designs'}>"
 
     @property
     def plot(self) -> SweepPlots:
@@ -136,4 +136,4 @@ def merge(shards: Iterable[Path], out: Path) -> int:
 
 def _axis(keys: Mapping[str, Values]) -> str:
     """Keys that go together, as on the command line."""
-    return " & ".join(f"{key}={values if isinstance(values, str) else listed(values)}" for key, values in keys.items())
+    return " & ".join(f"{key}={listed(values)}" for key, values in keys.items())

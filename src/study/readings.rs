@@ -21,7 +21,8 @@ impl Readings {
     /// # Errors
     /// When there is no column, they are not equally long, or no table of numbers.
     pub fn held(called: &str, columns: &[(String, Vec<f64>)]) -> Result<Self, StudyError> {
-        let csv = Csv::of_columns(columns, called, "give columns by names that end with their units: travel_mm, force_kN");
+        let csv =
+            Csv::of_columns(columns, called, "give columns by names that end with their units: travel_mm, force_kN");
         csv.map(|csv| Self::Held(called.to_owned(), csv)).map_err(|error| refused(called, &error))
     }
 

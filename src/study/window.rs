@@ -105,7 +105,8 @@ impl<'a> Window<'a> {
         let ranges = |axis: Option<usize>| -> Vec<(Vec<f64>, Vec<usize>)> {
             let Some(axis) = axis else { return vec![(vec![-HALF, HALF], vec![0, 0])] };
             let places = rising(&results.axes[axis]);
-            let values: Vec<f64> = results.axes[axis].values.iter().map(|v| results.axes[axis].spacing.place(*v)).collect();
+            let values: Vec<f64> =
+                results.axes[axis].values.iter().map(|v| results.axes[axis].spacing.place(*v)).collect();
             match results.axes[axis].has_names() || places.len() == 1 {
                 true => places.iter().map(|&i| (vec![values[i] - HALF, values[i] + HALF], vec![i, i])).collect(),
                 false => vec![(places.iter().map(|&i| values[i]).collect(), places)],

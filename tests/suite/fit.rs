@@ -198,7 +198,8 @@ fn a_test_is_cut_where_its_force_is_largest() {
 /// deviations are those of 8 specimens.
 #[test]
 fn the_measured_curve_of_304l_gives_the_laws_of_the_library_within_their_intervals() {
-    let test = Tension::load(&PathBuf::from("reference_data/aisi304l_bar_flow_curve.csv").into(), None, None).expect("a test");
+    let test =
+        Tension::load(&PathBuf::from("reference_data/aisi304l_bar_flow_curve.csv").into(), None, None).expect("a test");
     let curve = FlowCurve::of(&test, &Reduction::default()).expect("a curve");
     let fits = fit_laws(vec![curve], None, RateKind::Power).expect("a fit");
     let best = fits.best();

@@ -9,7 +9,8 @@ use serde_json::{Value, json};
 /// the borders: numbers in the solver's units; and the same as sentences.
 pub fn sweep(results: &Results, said: &Said, form: Form) -> Value {
     let Said { designs, sound, amber, fails, extremes, distances } = said;
-    let fails: serde_json::Map<_, _> = fails.iter().map(|(zone, count)| (zone.key().to_owned(), json!(count))).collect();
+    let fails: serde_json::Map<_, _> =
+        fails.iter().map(|(zone, count)| (zone.key().to_owned(), json!(count))).collect();
     let extremes = extremes.map(|[place, least, most]| {
         let row = |row: usize| json!({ "index": row, "value": rounded(results.rows[row].numbers[place]) });
         json!({ "number": results.column(place), "least": row(least), "most": row(most) })
