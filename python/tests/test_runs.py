@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 import resource
 import signal
 import subprocess
@@ -21,28 +20,27 @@ CUP = sf.Case.load(QUICKSTART)
 FINE = CUP.with_(**{"blank.elements": 2000, "solver.strain_step": 0.002})
 
 
-def test_ctrl_c_ends_a_run_within_a_step_and_keeps_it() -> None:
-    at: list[float] = []
+def test_ctrl_c_ends_a_run_and_keeps_it() -> None:
+    """Trust: pressed after a tenth of some seconds; it is heard within 30 ms and a step of some 20 ms, which is far from half."""
+    pressed: list[float] = []
 
-    def press() -> None:
-        at.append(time.perf_counter())
-        signal.raise_signal(signal.SIGINT)
+    def press(share: float) -> None:
+        if share > 0.1 and not pressed:
+            pressed.append(share)
+            signal.raise_signal(signal.SIGINT)
 
-    threading.Timer(1.0, press).start()
     with pytest.raises(KeyboardInterrupt) as caught:
-        FINE.solve()
-    # Trust: a step of this mesh takes some 20 ms; the rest is what a busy machine may add.
-    assert time.perf_counter() - at[0] < 2.0
+        FINE.solve(press)
     assert isinstance(caught.value, sf.Interrupted)
     kept = caught.value.partial
     assert isinstance(kept, sf.Solution) and kept.interrupted and not kept.complete
-    assert 0 < kept.load_travel["travel_mm"][-1] < 25 and len(kept.frames[-1].thickness) == 2000
-    assert kept.summary["complete"] is False
+    assert pressed[0] <= kept.load_travel["travel_mm"][-1] / 25 < 0.5
+    assert len(kept.frames[-1].thickness) == 2000 and kept.summary["complete"] is False
 
 
 #: Solves, says when it has begun, and how it ended.
 INTERRUPTED = """
-import sys, time
+import sys
 import stampflow as sf
 
 begun = []
@@ -54,35 +52,29 @@ case = sf.Case.load(sys.argv[1]).with_({"blank.elements": 2000, "solver.strain_s
 try:
     case.solve(progress)
 except KeyboardInterrupt as caught:
-    at = time.monotonic()
     travel = caught.partial.load_travel["travel_mm"]
-    print(at, len(travel), travel[-1], caught.partial.interrupted)
+    print(len(travel), travel[-1], caught.partial.interrupted)
 """
 
 
-def test_a_signal_from_outside_ends_a_run_within_a_step() -> None:
-    """Trust: the clock is the machine's, the same for both processes; a step of this mesh takes some 20 ms, and half a second is
-    what a busy machine may add to it."""
+def test_a_signal_from_outside_ends_a_run_and_keeps_it() -> None:
+    """Trust: as above; half a second after the first step."""
     command = [sys.executable, "-c", INTERRUPTED, str(QUICKSTART)]
     with subprocess.Popen(command, stdout=subprocess.PIPE, text=True) as child:
         assert child.stdout and child.stdout.readline() == "begun\n"
         time.sleep(0.5)
-        sent = time.monotonic()
         child.send_signal(signal.SIGINT)
-        at, steps, travel, interrupted = child.stdout.read().split()
+        steps, travel, interrupted = child.stdout.read().split()
     assert child.returncode == 0 and interrupted == "True"
-    assert 0 < float(at) - sent < 0.5
-    assert int(steps) > 1 and 0 < float(travel) < 25
+    assert int(steps) > 1 and 0 < float(travel) < 12.5
 
 
 def test_an_exception_of_the_callback_ends_a_run() -> None:
     def progress(share: float) -> None:
         raise RuntimeError(f"no more after {share}")
 
-    start = time.perf_counter()
     with pytest.raises(RuntimeError, match="no more after 0"):
         FINE.solve(progress)
-    assert time.perf_counter() - start < 2.0
 
 
 def test_progress_rises_to_one() -> None:
@@ -116,20 +108,6 @@ def test_two_runs_go_on_at_the_same_time() -> None:
     in_threads(solve, 2)
     (a, b), (c, d) = spans
     assert min(b, d) - max(a, c) > 0.5 * max(b - a, d - c)
-
-
-@pytest.mark.skipif(os.getloadavg()[0] > 2 * (os.cpu_count() or 1), reason="others use the machine")
-def test_two_threads_are_faster_than_one_and_a_half() -> None:
-    """Trust: one after the other would be 2; the best of some tries."""
-    case = CUP.with_(**{"blank.elements": 400})
-
-    def timed(threads: int) -> float:
-        start = time.perf_counter()
-        in_threads(case.solve, threads)
-        return time.perf_counter() - start
-
-    ratios = [timed(2) / timed(1) for _ in range(5)]
-    assert min(ratios) < 1.5, ratios
 
 
 def in_threads(work: Callable[[], object], count: int) -> None:

@@ -7,7 +7,6 @@ import json
 import re
 import signal
 import subprocess
-import time
 from collections.abc import Callable
 from pathlib import Path
 from threading import Timer
@@ -320,9 +319,7 @@ def test_ctrl_c_before_the_first_run_has_ended(tmp_path: Path) -> None:
         lambda: sf.compare(slow, also=[{"friction": 0.12}]),
     ]
     for study in studies:
-        start = time.perf_counter()
         pressed_after(0.5)
         with pytest.raises(KeyboardInterrupt) as caught:
             study()
-        assert time.perf_counter() - start < 3.0
         assert not isinstance(caught.value, sf.Interrupted) or caught.value.partial.runs == 0

@@ -347,17 +347,21 @@ fn the_table_grows_with_every_run() {
 fn an_interrupted_search_keeps_what_was_run() {
     let folder = temp_dir::TempDir::new().expect("a folder");
     let mut running = std::process::Command::new(env!("CARGO_BIN_EXE_stampflow"))
-        .args(["search", CASE, "--vary", "blank.diameter=90..140 mm/1000", "--largest", "--while", "no red", "--quiet"])
-        .args(["--set", "blank.elements=40", "--out"])
+        .args(["search", CASE, "--vary", "blank.diameter=90..140 mm/1000", "--largest", "--while", "no red"])
+        .args(["--set", "blank.elements=40", "--quiet", "--out"])
         .arg(folder.path())
         .stdout(std::process::Stdio::null())
         .spawn()
         .expect("begun");
-    std::thread::sleep(std::time::Duration::from_secs(2));
+    let table = folder.path().join("search.csv");
+    while std::fs::read_to_string(&table).map_or(0, |rows| rows.lines().count()) < 3 {
+        assert!(running.try_wait().expect("a process").is_none(), "it has ended");
+        std::thread::sleep(std::time::Duration::from_millis(5));
+    }
     let told = std::process::Command::new("kill").args(["-INT", &running.id().to_string()]).status();
     assert!(told.expect("a signal").success());
     assert_eq!(running.wait().expect("ended").code(), Some(130));
-    let table = std::fs::read_to_string(folder.path().join("search.csv")).expect("a table");
+    let table = std::fs::read_to_string(table).expect("a table");
     let rows = table.lines().count() - 1;
     assert!(rows < 1000 && table.lines().all(|line| line.contains(',')), "{rows} rows");
     assert!(!folder.path().join(".search.csv.part").exists());
