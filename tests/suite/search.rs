@@ -353,8 +353,8 @@ fn an_interrupted_search_keeps_what_was_run() {
         .stdout(std::process::Stdio::null())
         .spawn()
         .expect("begun");
-    let table = folder.path().join("search.csv");
-    while std::fs::read_to_string(&table).map_or(0, |rows| rows.lines().count()) < 3 {
+    let [table, part] = ["search.csv", ".search.csv.part"].map(|name| folder.path().join(name));
+    while std::fs::read_to_string(&part).map_or(0, |rows| rows.lines().count()) < 3 {
         assert!(running.try_wait().expect("a process").is_none(), "it has ended");
         std::thread::sleep(std::time::Duration::from_millis(5));
     }
@@ -364,7 +364,7 @@ fn an_interrupted_search_keeps_what_was_run() {
     let table = std::fs::read_to_string(table).expect("a table");
     let rows = table.lines().count() - 1;
     assert!(rows < 1000 && table.lines().all(|line| line.contains(',')), "{rows} rows");
-    assert!(!folder.path().join(".search.csv.part").exists());
+    assert!(!part.exists());
 }
 
 /// Trust: the run in one go; of what was killed the rows are those of it, but for how many designs there were then, and the next
