@@ -4,6 +4,7 @@ use super::attend::{Progress, attended};
 use super::column::{Column, columns};
 use super::error;
 use super::picture::Picture;
+use super::words::plain;
 use super::stage::{FrameParts, StageParts};
 use pyo3::exceptions::{PyIndexError, PyValueError};
 use pyo3::prelude::*;
