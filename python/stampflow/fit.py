@@ -155,6 +155,7 @@ class FittedLaws(_Fitted):
         self.laws = {law["law"]: _law(law) for law in found["laws"]}
         #: The one to use; ``notes`` say why.
         self.best = self.laws[found["best"]]
+        self.answer, self.notes = self.best.formula, [self.answer, *self.notes]
         #: The tests.
         self.tests = [TensionTest(*(test[key] for key in _TEST)) for test in found["tests"]]
         #: Of each direction ``direction_deg``, ``tests``, ``stress_ratio``, ``r`` and ``r_error``.
