@@ -7,6 +7,7 @@
 mod csv;
 mod field;
 pub mod fields;
+mod spacing;
 
 pub use crate::units::{Unit, UnitError};
 
@@ -14,6 +15,7 @@ use crate::message::{Form, Told};
 #[cfg(feature = "case")]
 pub use csv::{Csv, CsvError, Record};
 pub use field::{Field, worded};
+pub use spacing::Spacing;
 use std::borrow::Cow;
 
 /// One N·mm, the solver's unit of work \[J\].
@@ -47,7 +49,7 @@ pub struct Axis {
     symbol: &'static str,
     form: Form,
     names: Vec<String>,
-    is_log: bool,
+    spacing: Spacing,
 }
 
 impl Column {
@@ -69,7 +71,7 @@ impl Column {
 
 impl Axis {
     fn new(labels: Vec<Cow<'static, str>>, unit: Unit) -> Self {
-        Self { labels, unit, symbol: unit.symbol(), form: Form::default(), names: Vec::new(), is_log: false }
+        Self { labels, unit, symbol: unit.symbol(), form: Form::default(), names: Vec::new(), spacing: Spacing::Even }
     }
 
     /// Of what is no column: a label, and the unit of the values.
@@ -82,25 +84,14 @@ impl Axis {
         Self { names, ..Self::named(label, Unit::None) }
     }
 
-    /// The same for values in even ratios: what is drawn along it are their logarithms to base 10, and what is written are the
-    /// values.
-    pub fn logarithmic(self) -> Self {
-        Self { is_log: true, ..self }
+    /// The same for values that stand so: what is drawn along it are their places, and what is written are the values.
+    pub fn spaced(self, spacing: Spacing) -> Self {
+        Self { spacing, ..self }
     }
 
-    /// Whether logarithms are drawn along it.
-    pub fn is_logarithmic(&self) -> bool {
-        self.is_log
-    }
-
-    /// Where a value is drawn along it.
-    pub fn place(&self, value: f64) -> f64 {
-        if self.is_log { value.log10() } else { value }
-    }
-
-    /// The value that is drawn at a place.
-    pub fn value(&self, place: f64) -> f64 {
-        if self.is_log { 10_f64.powf(place) } else { place }
+    /// How values stand along it: at which places they are drawn.
+    pub fn spacing(&self) -> Spacing {
+        self.spacing
     }
 
     /// The names along it; empty where there are numbers.

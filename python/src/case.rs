@@ -59,6 +59,17 @@ impl Case {
         &self.case.text
     }
 
+    /// Before any settings.
+    #[getter]
+    fn written(&self) -> &str {
+        &self.written
+    }
+
+    /// What it has for a key, as it is written there.
+    fn value(&self, py: Python<'_>, key: &str) -> PyResult<Option<String>> {
+        self.subject().map(|subject| subject.own(key)).map_err(|error| error::of_study(py, &error))
+    }
+
     #[getter]
     fn settings(&self) -> Vec<String> {
         self.case.overrides.clone()
@@ -91,9 +102,10 @@ impl Case {
         &self.case
     }
 
-    /// The same with other overrides, which a study made of it.
-    pub fn made(&self, case: stampflow::Case) -> Self {
-        Self { case, written: self.written.clone(), name: self.name.clone() }
+    /// A case that a study made of what it varies.
+    pub fn made(of: &Subject, case: stampflow::Case) -> Self {
+        let (text, path) = of.written();
+        Self { case, written: text.to_owned(), name: path.to_string_lossy().into_owned() }
     }
 
     /// As what a study varies.

@@ -4,7 +4,7 @@ use super::attend::{Progress, attended};
 use super::case::Case;
 use super::error;
 use super::solution::{Solution, header};
-use super::study::{Told, form, found, threads, told};
+use super::study::{Given, Told, form, found, readings, threads, told};
 use numpy::{IntoPyArray, PyArray1};
 use pyo3::exceptions::PyKeyboardInterrupt;
 use pyo3::prelude::*;
@@ -13,7 +13,6 @@ use stampflow::output::comparisons;
 use stampflow::output::study::json;
 use stampflow::output::study::versus::pictures;
 use stampflow::study::versus::{Asked, Candidate, Change, Compared, Measured};
-use std::path::PathBuf;
 
 /// A number of all runs: header, label, unit; values, half their error bars, differences to the first run; whether these are
 /// within the error bars, where that is known.
@@ -28,7 +27,7 @@ type Parts<'py> = (Told<'py>, Vec<NumberParts<'py>>, Vec<Solution>, Option<PyErr
 pub fn compare<'py>(
     py: Python<'py>,
     cases: Vec<(PyRef<'py, Case>, Vec<String>)>,
-    measured: Vec<PathBuf>,
+    measured: Vec<Given<'py>>,
     threads: Option<usize>,
     progress: Progress,
 ) -> PyResult<Parts<'py>> {
@@ -38,7 +37,8 @@ pub fn compare<'py>(
         comparisons(&case, &Computed::nothing(case.model())).map_err(|error| error::of_reference(py, &error))?;
         candidates.push(Candidate { case, own: own.clone() });
     }
-    let read = measured.iter().map(|path| Measured::read(path)).collect::<Result<Vec<_>, _>>();
+    let read =
+        readings(&measured).and_then(|measured| measured.iter().map(Measured::read).collect::<Result<Vec<_>, _>>());
     let asked = read.and_then(|measured| Asked::new(candidates, measured));
     let asked = asked.map_err(|error| error::of_study(py, &error))?;
     let (result, mut raised) = attended(py, progress, |line| asked.solve(None, self::threads(threads), line));

@@ -3,6 +3,7 @@
 use super::case::Case;
 use super::error;
 use super::picture::{Picture, picture};
+use super::words::plain;
 use pyo3::prelude::*;
 use stampflow::author::{Import, ImportFailure, Imported};
 use stampflow::files::{Disk, Files};
@@ -45,7 +46,7 @@ pub fn from_drawing<'py>(
     let name = path.file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned());
     let drawn = picture(py, &sketch(&name, asked.geometry, &sections));
     let case = Case::parse(py, text, path.with_extension("toml").to_string_lossy().into_owned(), Vec::new())?;
-    Ok((case, notes, drawn))
+    Ok((case, notes.iter().map(plain).collect(), drawn))
 }
 
 fn asked(layers: &[String], how: How, sizes: Sizes) -> Result<Import, ImportError> {

@@ -9,6 +9,7 @@ mod attend;
 mod case;
 mod column;
 mod compare;
+mod designs;
 mod drawing;
 mod error;
 mod fit;
@@ -21,6 +22,7 @@ mod stage;
 mod study;
 mod sweep;
 mod template;
+mod words;
 
 use pyo3::prelude::*;
 
@@ -30,6 +32,8 @@ mod _native {
     use super::case::Case;
     #[pymodule_export]
     use super::compare::compare;
+    #[pymodule_export]
+    use super::designs::merge;
     #[pymodule_export]
     use super::drawing::from_drawing;
     #[pymodule_export]

@@ -1,16 +1,15 @@
 //! How sure a verdict is when coil, friction, thickness and press scatter.
 
 use super::attend::{Progress, attended};
-use super::case::Case;
+use super::designs::{Part, Ran, Written};
 use super::error;
-use super::rows::{Rows, Table};
-use super::study::{Told, form, found, threads, told};
+use super::rows::Table;
+use super::study::{Of, Told, form, found, threads, told};
 use numpy::{IntoPyArray, PyArray1};
 use pyo3::prelude::*;
 use stampflow::output::study::{json, scatter_pictures};
-use stampflow::study::scatter::{Asked, Band, Base, Correlation, Factor, Found, POINTS, SEED, Sample, Scatter};
-use stampflow::study::{self, Bars, Designs, StudyError};
-use std::convert::Infallible;
+use stampflow::study::scatter::{Asked, Band, Base, Correlation, Factor, Found, Sample, Scatter, file};
+use stampflow::study::{Bars, StudyError, Subject};
 
 /// Points of the sample, its seed, and whether Sobol indices are wanted.
 type Size = (Option<u64>, Option<u32>, bool);
@@ -26,28 +25,30 @@ type Said<'py> = (Told<'py>, Option<BandParts<'py>>, Option<BandParts<'py>>);
 #[allow(clippy::too_many_arguments)] // a name for each where it is called from
 pub fn scatter<'py>(
     py: Python<'py>,
-    case: &Case,
+    of: Of<'py>,
     vary: Vec<String>,
     correlate: Vec<String>,
     size: Size,
     name: &str,
+    part: Part,
     threads: Option<usize>,
     progress: Progress,
 ) -> PyResult<(Option<Said<'py>>, Table<'py>, Option<PyErr>)> {
-    let scatter = asked(case, &vary, &correlate, size).map_err(|error| error::of_study(py, &error))?;
+    let wrong = |error: StudyError| error::of_study(py, &error);
+    let scatter = asked(of, &vary, &correlate, size).map_err(wrong)?;
+    part.indices(&scatter).map_err(wrong)?;
     let (result, mut raised) = attended(py, progress, |line| {
         let base = Base::of(&scatter, line)?;
-        let (mut rows, mut lines) = (Rows::of(scatter.headers()), Vec::new());
-        let indices: Vec<u64> = (0..scatter.count()).collect();
-        let Ok(()) = study::run(&scatter, &indices, self::threads(threads), Bars::Without, line, |row| {
-            lines.push(base.columns.line(&scatter, &row).into_iter().chain(base.grids.cells(&row)).collect());
-            rows.push(row);
-            Ok::<_, Infallible>(())
-        });
-        let is_whole = lines.len() == indices.len();
-        // What is said is said of the table, as on the command line: of its digits.
-        let table = is_whole.then(|| study::csv(&base.header(), &lines));
-        let sample = table.map(|table| Sample::of(&table[..], "the sample", &base.columns)).transpose()?;
+        let written = Written {
+            stem: "scatter",
+            columns: &base.columns,
+            header: base.header(),
+            line: &|row| base.columns.line(&scatter, row).into_iter().chain(base.grids.cells(row)).collect(),
+            is_told: true,
+            has_times: false,
+        };
+        let Ran { rows, whole } = part.run(&scatter, written, self::threads(threads), Bars::Without, line)?;
+        let sample = whole.map(|(table, shown)| Sample::of(&table[..], &shown, &base.columns)).transpose()?;
         let found = sample.map(|sample| Found::of(&scatter, &base, &sample));
         Ok::<_, StudyError>((base, rows, found))
     });
@@ -61,17 +62,24 @@ pub fn scatter<'py>(
     Ok((said, rows.table(py), raised))
 }
 
-fn asked(case: &Case, vary: &[String], correlate: &[String], size: Size) -> Result<Scatter, StudyError> {
-    let split = |text: &String| Factor::split(text).map(|(key, how)| (key.to_owned(), how.to_owned()));
-    let (points, seed, indices) = size;
-    let asked = Asked {
-        vary: vary.iter().map(split).collect::<Result<_, _>>()?,
-        correlations: correlate.iter().map(|pair| Correlation::read(pair)).collect::<Result<_, _>>()?,
-        points: points.unwrap_or(POINTS),
-        seed: seed.unwrap_or(SEED),
-        indices,
+fn asked(of: Of<'_>, vary: &[String], correlate: &[String], size: Size) -> Result<Scatter, StudyError> {
+    let (subject, mut asked) = match of {
+        Of::Case(case) => (case.subject()?, Asked::default()),
+        Of::File(path, settings) => {
+            let (case, own, asked) = file::load(&path)?;
+            (Subject::new(case, [own, settings].concat())?, asked)
+        }
     };
-    Scatter::new(case.subject()?, asked)
+    for text in vary {
+        let (key, how) = Factor::split(text)?;
+        asked.vary.push((key.to_owned(), how.to_owned()));
+    }
+    for pair in correlate {
+        asked.correlations.push(Correlation::read(pair)?);
+    }
+    let (points, seed, indices) = size;
+    let (points, seed) = (points.unwrap_or(asked.points), seed.unwrap_or(asked.seed));
+    Scatter::new(subject, Asked { points, seed, indices, ..asked })
 }
 
 fn parts<'py>(py: Python<'py>, band: Band) -> BandParts<'py> {

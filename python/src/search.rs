@@ -48,7 +48,7 @@ pub fn search<'py>(
     let pictures = plot(&quest, &answer, form()).map(|chart| ("search", chart));
     let told = told(py, &json::found(&quest, &answer, bars), sentences, pictures);
     let headers = quest.span.keys().iter().map(|key| key.header()).collect();
-    Ok((told, table(py, headers, answer.rows), handed(case, solved), raised))
+    Ok((told, table(py, headers, answer.rows), handed(&quest.subject, solved), raised))
 }
 
 /// The least or the most of a number over several keys.
@@ -76,7 +76,7 @@ pub fn optimise<'py>(
     let picture = plot_best(&wish.spans, &wish.number, wish.condition.as_ref(), &best, form());
     let told = told(py, &json::best(&wish, &best, bars), sentences, picture.map(|chart| ("search", chart)));
     let headers = wish.spans.iter().flat_map(|span| span.keys()).map(|key| key.header()).collect();
-    Ok((told, table(py, headers, best.rows), handed(case, solved), raised))
+    Ok((told, table(py, headers, best.rows), handed(&wish.subject, solved), raised))
 }
 
 /// The answer's case solved wholly; nothing where there is no answer, or it is to stop.
@@ -102,9 +102,9 @@ impl Watch for Silent<'_> {
     }
 }
 
-fn handed(case: &Case, solved: Option<(stampflow::case::Solution, Option<Verification>)>) -> Option<(Case, Solution)> {
+fn handed(of: &Subject, solved: Option<(stampflow::case::Solution, Option<Verification>)>) -> Option<(Case, Solution)> {
     let (solution, bars) = solved?;
-    Some((case.made(solution.case.clone()), Solution::verified(solution, bars)))
+    Some((Case::made(of, solution.case.clone()), Solution::verified(solution, bars)))
 }
 
 fn table(py: Python<'_>, headers: Vec<String>, rows: Vec<Row>) -> Table<'_> {

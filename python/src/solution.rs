@@ -5,6 +5,7 @@ use super::column::{Column, columns};
 use super::error;
 use super::picture::Picture;
 use super::stage::{FrameParts, StageParts};
+use super::words::plain;
 use pyo3::exceptions::{PyIndexError, PyValueError};
 use pyo3::prelude::*;
 use serde::Serialize;
@@ -80,7 +81,7 @@ impl Solution {
     /// The light of the verdict, its sentence, and a line of its lights.
     fn verdict(&self, py: Python<'_>) -> (&'static str, String, String) {
         let (answer, findings) = self.answered(py);
-        (answer.light.name(), answer.sentence.to_string(), assess::headline(findings).to_string())
+        (answer.light.name(), plain(&answer.sentence), plain(assess::headline(findings)))
     }
 
     /// The rows of the verdict, as JSON.
@@ -93,13 +94,13 @@ impl Solution {
     fn numbers(&self, py: Python<'_>) -> Vec<(String, &'static str, f64, &'static str, Option<f64>, String, String)> {
         let told = |number: &Number, bar: Option<f64>, about: String| {
             let amount = bar.map_or(number.amount, |half| number.amount.with_bar(half));
-            let told = Message::from(amount).to_string();
+            let told = plain(Message::from(amount));
             (header(number), number.label, number.amount.value, number.amount.unit.symbol(), bar, told, about)
         };
         match &self.verification {
             Some(verification) => {
                 let bars = verification.bars.iter();
-                bars.map(|bar| told(&bar.number, bar.moves(), bar.made_of().to_string())).collect()
+                bars.map(|bar| told(&bar.number, bar.moves(), plain(bar.made_of()))).collect()
             }
             None => {
                 let stampflow::Solution { case, stages, .. } = &*self.solution;
@@ -122,7 +123,7 @@ impl Solution {
     /// What the error bars are from, and whatever is no small error; empty without them.
     fn told_of_bars(&self) -> Vec<String> {
         let sentences = self.verification.iter().flat_map(Verification::sentences);
-        sentences.map(|sentence| sentence.to_string()).collect()
+        sentences.map(plain).collect()
     }
 
     /// Every comparison with a reference: quantity, source, in a sentence, whether it is beyond what is accepted, its points.
@@ -134,7 +135,7 @@ impl Solution {
         let comparisons = self.solution.comparisons().map_err(|error| error::of_reference(py, &error))?;
         let of = comparisons.into_iter().map(|comparison| {
             let source = comparison.source.as_ref().map_or_else(String::new, ToString::to_string);
-            let (name, sentence) = (comparison.spec.against.name(), comparison.sentence());
+            let (name, sentence) = (comparison.spec.against.name(), plain(comparison.sentence()));
             (name, source, sentence, comparison.is_failure(), columns(py, comparison.table()))
         });
         Ok(of.collect())
@@ -194,5 +195,5 @@ pub fn header(number: &Number) -> String {
 
 /// As the command line prints it.
 pub fn json(value: &impl Serialize) -> PyResult<String> {
-    serde_json::to_string(value).map_err(|error| PyValueError::new_err(error.to_string()))
+    serde_json::to_string(value).map(plain).map_err(|error| PyValueError::new_err(error.to_string()))
 }

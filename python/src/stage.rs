@@ -1,6 +1,7 @@
 //! A stage and its frames, part by part.
 
 use super::column::{Column, columns};
+use super::words::plain;
 use pyo3::prelude::*;
 use stampflow::output::profile;
 use stampflow::table::{Column as Named, Unit};
@@ -16,7 +17,7 @@ pub type FrameParts<'py> = (f64, f64, Vec<Column<'py>>, Vec<Column<'py>>);
 pub fn parts(name: &str, stage: &StageSolution) -> StageParts {
     let iterations = stage.steps.iter().map(|step| step.iterations).sum();
     let stop = &stage.stop;
-    (name.to_owned(), stop.kind(), stop.to_string(), stop.is_complete(), iterations, stage.frames.len())
+    (name.to_owned(), stop.kind(), plain(stop), stop.is_complete(), iterations, stage.frames.len())
 }
 
 /// What was kept of an instant.

@@ -30,7 +30,7 @@ from .scatter import Band, Chance, Estimate, Influence, Scatter, Sobol, Spread, 
 from .search import Best, Search, search
 from .solution import Solution
 from .solved_stage import SolvedStage
-from .sweep import Sweep, sweep
+from .sweep import Sweep, merge, sweep
 from .templates import new, templates
 
 __all__ = [
@@ -72,6 +72,7 @@ __all__ = [
     "__version__",
     "compare",
     "fit",
+    "merge",
     "new",
     "scatter",
     "search",

@@ -1,5 +1,5 @@
 from collections.abc import Callable
-from typing import TypeAlias, final
+from typing import TypeAlias, TypedDict, final
 
 import numpy as np
 from numpy.typing import NDArray
@@ -13,6 +13,7 @@ __all__ = [
     "fit_case",
     "fit_law",
     "from_drawing",
+    "merge",
     "optimise",
     "scatter",
     "search",
@@ -25,17 +26,27 @@ __version__: str
 _Array: TypeAlias = NDArray[np.float64]
 _Progress: TypeAlias = Callable[[float], object] | None
 _Column: TypeAlias = tuple[str, str, str, _Array]
-_Series: TypeAlias = tuple[str | None, _Array, _Array, str, str | None]
+_Look: TypeAlias = tuple[str, str | None, str | None, float, list[float], float]
+_Series: TypeAlias = tuple[str | None, _Array, _Array, _Look]
+_Axis: TypeAlias = tuple[str, bool, list[str]]
 _Window: TypeAlias = tuple[tuple[float, float], tuple[float, float]]
-_Panel: TypeAlias = tuple[str, str, list[_Series], _Window | None, bool]
-_Picture: TypeAlias = tuple[str, str, list[_Panel]]
+_Panel: TypeAlias = tuple[tuple[_Axis, _Axis], list[_Series], _Window, tuple[str, float | None]]
+_Picture: TypeAlias = tuple[str, str, str, list[_Panel], list[str]]
 _Raised: TypeAlias = BaseException | None
-_Table: TypeAlias = tuple[list[tuple[str, _Array]], list[tuple[str, list[str]]]]
+_Table: TypeAlias = tuple[NDArray[np.uint64], list[tuple[str, _Array]], list[tuple[str, list[str]]]]
 _Told: TypeAlias = tuple[str, list[str], list[tuple[str, _Picture]]]
 _Searched: TypeAlias = tuple[_Told, _Table, tuple[Case, Solution] | None, _Raised]
 _Band: TypeAlias = tuple[_Array, list[_Array], list[int]]
 _NumberOfRuns: TypeAlias = tuple[str, str, str, list[_Array], list[bool | None]]
 _Text: TypeAlias = str | None
+_Of: TypeAlias = Case | tuple[str, list[str]]
+_Given: TypeAlias = str | tuple[str, list[tuple[str, _Array]]]
+
+class _Part(TypedDict):
+    shard: tuple[int, int] | None
+    out: str | None
+    resume: bool
+    restart: bool
 
 @final
 class Case:
@@ -52,6 +63,9 @@ class Case:
     def title(self) -> str: ...
     @property
     def text(self) -> str: ...
+    @property
+    def written(self) -> str: ...
+    def value(self, key: str) -> str | None: ...
     @property
     def settings(self) -> list[str]: ...
     @property
@@ -80,13 +94,13 @@ class Solution:
     def write(self, folder: str) -> list[str]: ...
 
 def compare(
-    cases: list[tuple[Case, list[str]]], measured: list[str], threads: int | None, progress: _Progress
+    cases: list[tuple[Case, list[str]]], measured: list[_Given], threads: int | None, progress: _Progress
 ) -> tuple[_Told, list[_NumberOfRuns], list[Solution], _Raised]: ...
 def fit_case(
-    case: Case, ranges: list[str], to: list[str], threads: int | None, progress: _Progress
+    of: _Of, ranges: list[str], to: list[_Given], threads: int | None, progress: _Progress
 ) -> tuple[_Told, Case, _Raised]: ...
 def fit_law(
-    files: list[str], laws: tuple[_Text, _Text], reduced: list[_Text], rate: list[float], direction: list[float]
+    tests: list[_Given], laws: tuple[_Text, _Text], reduced: list[_Text], rate: list[float], direction: list[float]
 ) -> tuple[_Told, str]: ...
 def from_drawing(
     path: str, layers: list[str], how: list[_Text], sizes: list[_Text]
@@ -98,12 +112,14 @@ def optimise(
     threads: int | None,
     progress: _Progress,
 ) -> _Searched: ...
+def merge(shards: list[str], out: str) -> int: ...
 def scatter(
-    case: Case,
+    of: _Of,
     vary: list[str],
     correlate: list[str],
     size: tuple[int | None, int | None, bool],
     name: str,
+    part: _Part,
     threads: int | None,
     progress: _Progress,
 ) -> tuple[tuple[_Told, _Band | None, _Band | None] | None, _Table, _Raised]: ...
@@ -115,7 +131,13 @@ def search(
     progress: _Progress,
 ) -> _Searched: ...
 def sweep(
-    case: Case, axes: list[str], threads: int | None, progress: _Progress
-) -> tuple[list[int], _Told | None, _Table, _Raised]: ...
+    of: _Of,
+    axes: list[str],
+    one_at_a_time: bool,
+    error_bars: bool | None,
+    part: _Part,
+    threads: int | None,
+    progress: _Progress,
+) -> tuple[list[int] | None, _Told | None, _Table, _Raised]: ...
 def fill(name: str, given: list[tuple[str, str]]) -> str: ...
 def templates() -> list[tuple[str, str, list[tuple[str, str, str]]]]: ...

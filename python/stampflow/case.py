@@ -109,6 +109,13 @@ class Case(Shown):
         """``key=value`` settings that replaced what the file says."""
         return self._native.settings
 
+    def value(self, key: str) -> str | None:
+        """What the case has for a key, as it is written there: ``case.value("blank.thickness")`` is ``"0.9 mm"``.
+
+        ``friction`` is that of every tool. None where the case does not say it, or where tools have different values.
+        """
+        return self._native.value(key)
+
     @property
     def stages(self) -> list[str]:
         """Names of its stages."""
@@ -127,6 +134,10 @@ class Case(Shown):
         native, raised = self._native.solve(progress)
         return finished(Solution(self, native), raised)
 
+    def __reduce__(self) -> tuple[object, ...]:
+        # Another process, and a copy, read it anew.
+        return _again, (self._native.written, self.path, self.settings, self.notes, self.drawing)
+
     def __repr__(self) -> str:
         return f"<Case {self.name}: {self.title}>"
 
@@ -141,3 +152,9 @@ class Case(Shown):
             header=_html.FINDINGS,
             rows=_html.findings(found),
         )
+
+
+def _again(text: str, path: str, settings: list[str], notes: list[str], drawing: Picture | None) -> Case:
+    case = Case(_native.Case.parse(text, path, settings))
+    case.notes, case.drawing = notes, drawing
+    return case

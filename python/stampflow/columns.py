@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
+from difflib import get_close_matches
 from typing import TYPE_CHECKING, Any, TypeVar
 
 if TYPE_CHECKING:
@@ -17,10 +18,13 @@ class ByName(Mapping[str, _Column]):
     """Columns by their names."""
 
     _columns: dict[str, _Column]
+    _what = "column"
 
     def __getitem__(self, name: str) -> _Column:
         if name not in self._columns:
-            raise KeyError(f"there is no column {name}; there are {', '.join(self._columns)}")
+            near = [known for known in self._columns if name in known] or get_close_matches(name, self._columns)
+            meant = f"; did you mean {', '.join(near)}?" if near else ""
+            raise KeyError(f"there is no {self._what} {name}{meant}; there are {', '.join(self._columns)}")
         return self._columns[name]
 
     def __iter__(self) -> Iterator[str]:

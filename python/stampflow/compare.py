@@ -4,14 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from os import PathLike, fspath
 from typing import TYPE_CHECKING, Any
 
-from . import _native, _toml
+from . import _native, _toml, given
 from ._html import Page
 from .case import Case, Progress
 from .columns import ByName
 from .errors import finished
+from .given import Path, Table
 from .picture import Picture
 from .plots import Plots
 from .solution import Solution
@@ -46,7 +46,7 @@ class ComparedNumber:
 class Misfit:
     """How far a measured curve is from every run."""
 
-    #: Its file, and the column where the file has several.
+    #: Its file, of arrays ``curve 1``, and the column where the file has several.
     curve: str
     #: Of the curve.
     points: int
@@ -128,8 +128,8 @@ class Compared(Told, ByName[ComparedNumber]):
 
 
 def compare(
-    case: Case,
-    *others: Case | str | PathLike[str],
+    case: Case | Path,
+    *others: Case | Table,
     also: Sequence[Mapping[str, object]] = (),
     threads: int | None = None,
     progress: Progress | None = None,
@@ -137,17 +137,23 @@ def compare(
     """Solves cases with error bars and holds them against the first, and against measured curves, on all cores, without the
     interpreter's lock: ``stampflow compare``.
 
-    ``compare(cup, "measured.csv", also=[{"friction": 0.12}])``: ``others`` are further cases, or CSV files with columns
-    ``travel_mm,punch_force_kN`` or ``s0_mm,thickness_mm``; each of ``also`` is one more run, the first case with settings of
-    its own. ``threads`` is one for each core unless given. ``progress`` is called with the share that is done, from 0 to 1.
+    ``compare(cup, "measured.csv", also=[{"friction": 0.12}])``: ``others`` are further cases, or what was measured: CSV files,
+    frames of pandas or arrays by their names, with ``travel_mm`` and ``punch_force_kN``, or ``s0_mm`` and ``thickness_mm``.
+    Each of ``also`` is one more run, the first case with settings of its own. Files that end with .csv are curves, others
+    cases. ``threads`` is one for each core unless given. ``progress`` is called with the share that is done, from 0 to 1.
     Ctrl-C raises :class:`Interrupted`, whose ``partial`` has the runs that have ended.
     """
+    case = given.case(case)
     own = [_toml.settings(settings) for settings in also]
     cases = [case, *(Case(case._native.with_settings(settings)) for settings in own)]
-    cases += [other for other in others if isinstance(other, Case)]
-    curves = [fspath(other) for other in others if not isinstance(other, Case)]
+    curves = []
+    for other in others:
+        if isinstance(other, Case) or given.is_case_file(other):
+            cases.append(given.case(other))
+        else:
+            curves.append(other)
     asked = [(one._native, settings) for one, settings in zip(cases, [[], *own, *[[] for _ in others]])]
-    told, numbers, solved, raised = _native.compare(asked, curves, threads, progress)
+    told, numbers, solved, raised = _native.compare(asked, given.tables(curves, "curve"), threads, progress)
     return finished(Compared(told, numbers, cases, solved), raised)
 
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+from keyword import iskeyword
 from typing import Any, TypeVar
 
 _Result = TypeVar("_Result")
@@ -24,6 +26,9 @@ class CaseError(Error):
         key: str = "",
         help: str | None = None,
     ) -> None:
+        if line is None:
+            # Of no text, but of what was asked for.
+            text, message, help = _as_in_python(text), _as_in_python(message), help and _as_in_python(help)
         super().__init__(text)
         #: What is wrong, in one sentence.
         self.message = message
@@ -43,6 +48,7 @@ class StudyError(Error):
     """A study that cannot be run as it is asked for."""
 
     def __init__(self, message: str, help: str) -> None:
+        message, help = _as_in_python(message), _as_in_python(help)
         super().__init__(f"{message}\n  help: {help}")
         #: What is wrong, in one sentence.
         self.message = message
@@ -76,6 +82,17 @@ class Interrupted(KeyboardInterrupt):
         super().__init__("interrupted; what is done is kept in .partial of this exception")
         #: What had been computed: a solution up to its last step, a study up to its last run.
         self.partial = partial
+
+
+def _as_in_python(text: str) -> str:
+    """Options of the command line as the keywords that they are here: ``--while "no red"`` as ``while_="no red"``."""
+
+    def keyword(option: re.Match[str]) -> str:
+        name = option[1].replace("-", "_")
+        file = f'"{option[3]}"' if option[3] else ""
+        return f"{name}{'_' if iskeyword(name) else ''}{'=' if option[2] or file else ''}{file}"
+
+    return re.sub(r'--([a-z][a-z-]*[a-z])(?:( )(?=")| (\w+\.\w+))?', keyword, text)
 
 
 def finished(result: _Result, raised: BaseException | None) -> _Result:

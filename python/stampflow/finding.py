@@ -6,7 +6,7 @@ import json
 from dataclasses import dataclass
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Finding:
     """A row of the verdict, a warning, or an assumption."""
 
@@ -30,6 +30,9 @@ class Finding:
     error_bar: float | None
     #: Unit of the number: ``percent``, ``mm``, empty for plain numbers.
     unit: str
+
+    def __repr__(self) -> str:
+        return f"<Finding {self.key}: {self.light}, {self.found}>"
 
 
 def read(text: str) -> list[Finding]:

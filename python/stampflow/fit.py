@@ -4,24 +4,22 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from os import PathLike, fspath
-from typing import TYPE_CHECKING, Any, TypeAlias, overload
+from typing import TYPE_CHECKING, Any, overload
 
-from . import _native
+from . import _native, given
 from ._html import Page
 from .case import Case, Progress
 from .errors import StudyError, finished
+from .given import Path, Table, assigned
 from .picture import Picture
 from .plots import Plots
-from .study import Told, assigned
+from .study import Told
 
 if TYPE_CHECKING:
     import numpy as np
     from numpy.typing import NDArray
 
     from ._native import _Told
-
-Path: TypeAlias = "str | PathLike[str]"
 
 
 @dataclass(frozen=True)
@@ -76,6 +74,7 @@ class FittedLaw:
 class TensionTest:
     """A tension test, reduced."""
 
+    #: Its file; of arrays ``test 1``.
     file: str
     #: Slope of the elastic line [MPa].
     young: float | None
@@ -101,6 +100,7 @@ class TensionTest:
 class FittedCurve:
     """A measured curve beside the fitted run."""
 
+    #: Its file; of arrays ``curve 1``.
     file: str
     #: In the units of the solver: mm, N, or N/mm of depth.
     x: NDArray[np.float64]
@@ -155,6 +155,7 @@ class FittedLaws(_Fitted):
         self.laws = {law["law"]: _law(law) for law in found["laws"]}
         #: The one to use; ``notes`` say why.
         self.best = self.laws[found["best"]]
+        self.answer, self.notes = self.best.formula, [self.answer, *self.notes]
         #: The tests.
         self.tests = [TensionTest(*(test[key] for key in _TEST)) for test in found["tests"]]
         #: Of each direction ``direction_deg``, ``tests``, ``stress_ratio``, ``r`` and ``r_error``.
@@ -203,7 +204,7 @@ class FittedCase(_Fitted):
 
 @overload
 def fit(
-    measured: Path | Sequence[Path],
+    measured: Table | Sequence[Table],
     *,
     law: str | None = None,
     young: str | None = None,
@@ -218,18 +219,20 @@ def fit(
 ) -> FittedLaws: ...
 @overload
 def fit(
-    measured: Case,
-    vary: Mapping[str, str] | Sequence[str],
+    measured: Case | Path,
+    vary: Mapping[str, str] | Sequence[str] | str | None,
     *,
-    to: Path | Sequence[Path] = (),
+    to: Table | Sequence[Table] = (),
+    settings: Mapping[str, object] | None = None,
     threads: int | None = None,
     progress: Progress | None = None,
 ) -> FittedCase: ...
 def fit(
-    measured: Case | Path | Sequence[Path],
-    vary: Mapping[str, str] | Sequence[str] | None = None,
+    measured: Case | Table | Sequence[Table],
+    vary: Mapping[str, str] | Sequence[str] | str | None = None,
     *,
-    to: Path | Sequence[Path] = (),
+    to: Table | Sequence[Table] = (),
+    settings: Mapping[str, object] | None = None,
     threads: int | None = None,
     progress: Progress | None = None,
     law: str | None = None,
@@ -246,27 +249,29 @@ def fit(
     """A hardening law from tension tests, or keys of a case from measured curves: ``stampflow fit``.
 
     ``fit("test.csv")`` compares all laws, ``law`` takes one: ``swift``, ``voce``, ``hockett-sherby``, ``ludwik``, ``mixed``.
-    Headers say what is in a file and end with the unit: ``engineering_strain_percent``, ``true_stress_MPa``,
-    ``plastic_strain``, ``elongation_mm`` and ``force_kN`` with ``gauge`` (``"80 mm"``) and ``section`` (``"20 mm^2"``).
-    ``young`` is the modulus, ``"210 GPa"``; ``offset`` the plastic strain at yield, ``"0.2 %"``; ``from_`` and ``until`` are
-    the plastic strains between which is fitted. Tests with ``rate`` [1/s] give a rate law (``power``, ``johnson-cook``,
-    ``cowper-symonds``), tests with ``direction`` [° to rolling] r-values.
+    Names of columns say what is in a test and end with the unit: ``engineering_strain_percent``, ``true_stress_MPa``,
+    ``plastic_strain``, ``elongation_mm`` and ``force_kN`` with ``gauge`` (``"80 mm"``) and ``section`` (``"20 mm^2"``). A test
+    is a CSV file, a frame of pandas, or arrays: ``fit({"engineering_strain": strain, "engineering_stress_MPa": stress})``;
+    several are in a list. ``young`` is the modulus, ``"210 GPa"``; ``offset`` the plastic strain at yield, ``"0.2 %"``;
+    ``from_`` and ``until`` are the plastic strains between which is fitted. Tests with ``rate`` [1/s] give a rate law
+    (``power``, ``johnson-cook``, ``cowper-symonds``), tests with ``direction`` [° to rolling] r-values.
 
     ``fit(case, {"friction": "0.1 in 0.01..0.3"}, to="curve.csv")`` runs the case, on all cores, without the interpreter's
     lock, until it meets measured curves: travel and force, travel and draw-in, s0 or radius and thickness; those of its
-    ``[[compare]]`` unless ``to`` is given. Each key says where to begin and between what. ``progress`` is called with the
-    share that is done, from 0 to 1. Ctrl-C raises :class:`Interrupted`, whose ``partial`` has the best so far; before the
-    first step, KeyboardInterrupt.
+    ``[[compare]]`` unless ``to`` is given. Curves are given as tests are: ``to={"travel_mm": travel, "punch_force_kN": force}``.
+    Each key says where to begin and between what. ``fit("study.toml")`` takes from a study file what is not given here; a
+    type checker is told that it is no test by ``fit("study.toml", None)``. ``settings`` are those of all runs. ``progress`` is called with the share that is done, from 0 to 1. Ctrl-C raises
+    :class:`Interrupted`, whose ``partial`` has the best so far; before the first step, KeyboardInterrupt.
     """
-    if isinstance(measured, Case):
-        ranges, files = assigned(vary), _paths(to)
-        told, case, raised = _native.fit_case(measured._native, ranges, files, threads, progress)
+    if isinstance(measured, Case) or given.is_case_file(measured):
+        of, curves = given.of(measured, settings), given.tables(to, "curve")
+        told, case, raised = _native.fit_case(of, assigned(vary), curves, threads, progress)
         return finished(FittedCase(told, case), raised)
-    if vary is not None or to:
-        raise StudyError("vary and to are of a case", "give a case in place of a test")
+    if vary is not None or settings is not None or given.is_table(to) or to:
+        raise StudyError("vary, settings and to are of a case", "give a case in place of a test")
     reduced = [young, offset, from_, until, section, gauge]
     laws = (law, rate_law)
-    return FittedLaws(*_native.fit_law(_paths(measured), laws, reduced, list(rate), list(direction)))
+    return FittedLaws(*_native.fit_law(given.tables(measured, "test"), laws, reduced, list(rate), list(direction)))
 
 
 _TEST = (
@@ -292,10 +297,6 @@ def _law(found: dict[str, Any]) -> FittedLaw:
 def _parameters(found: dict[str, Any]) -> dict[str, Parameter]:
     keys = ("parameter", "unit", "value", "standard_error", "low_95", "high_95", "bounds", "at_bound")
     return {one["parameter"]: Parameter(*(one[key] for key in keys)) for one in found["parameters"]}
-
-
-def _paths(given: Path | Sequence[Path]) -> list[str]:
-    return [fspath(given)] if isinstance(given, (str, PathLike)) else [fspath(path) for path in given]
 
 
 def _told(value: float | None) -> str:

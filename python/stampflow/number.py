@@ -3,6 +3,9 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Any
+
+from .columns import ByName
 
 
 @dataclass(frozen=True)
@@ -27,3 +30,23 @@ class Number:
 
     def __str__(self) -> str:
         return self.told
+
+
+class Numbers(ByName[Number]):
+    """Numbers by their names, which end with the unit: ``numbers["punch_force_N"].value``."""
+
+    _what = "number"
+
+    def __init__(self, numbers: dict[str, Number]) -> None:
+        self._columns = numbers
+
+    def __repr__(self) -> str:
+        return "\n".join(f"{name}: {number.label} {number.told}" for name, number in self.items())
+
+    def to_pandas(self) -> Any:
+        """As a ``pandas.DataFrame``, a row for every number with its label, value, unit and error bar, where pandas is
+        installed."""
+        import pandas
+
+        rows = [(number.label, number.value, number.unit, number.error_bar) for number in self.values()]
+        return pandas.DataFrame(rows, index=list(self), columns=["label", "value", "unit", "error_bar"])

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from .picture import Picture
 
@@ -17,6 +17,17 @@ class Plots:
     def __init__(self, find: Callable[[str], _Picture | None], whose: str) -> None:
         self._find = find
         self._whose = whose
+
+    def __repr__(self) -> str:
+        return f"<{type(self).__name__}: {', '.join(self._names())}>"
+
+    def _names(self) -> list[str]:
+        return [name for name in dir(type(self)) if not name.startswith("_")]
+
+    if not TYPE_CHECKING:
+
+        def __getattr__(self, name: str) -> Any:
+            raise AttributeError(f"there is no picture {name}; there are {', '.join(self._names())}")
 
     def _picture(self, name: str) -> Picture:
         parts = self._find(name)

@@ -6,13 +6,14 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
-from . import _native
+from . import _native, given
 from ._html import Page
 from .case import Case, Progress
 from .errors import finished
+from .given import Path, assigned
 from .picture import Picture
 from .plots import Plots
-from .study import Rows, Told, assigned
+from .study import Rows, Told
 
 if TYPE_CHECKING:
     import numpy as np
@@ -120,7 +121,7 @@ class ScatterPlots(Plots):
 class Scatter(Told, Rows):
     """What a sample of parts says. Its columns have a row for every run: ``scatter["friction"]``, ``scatter["thinnest_mm"]``.
 
-    Of a sample that was cut short there are the columns alone: ``lights`` and ``numbers`` are empty.
+    Of a sample that was cut short, or a shard of one, there are the columns alone: ``lights`` and ``numbers`` are empty.
     """
 
     _title = "Scatter"
@@ -175,13 +176,18 @@ class Scatter(Told, Rows):
 
 
 def scatter(
-    case: Case,
-    vary: Mapping[str, str] | Sequence[str] | None = None,
+    case: Case | Path,
+    vary: Mapping[str, str] | Sequence[str] | str | None = None,
     *,
     correlate: Mapping[tuple[str, str], float] | None = None,
     runs: int | None = None,
     seed: int | None = None,
     indices: bool = False,
+    settings: Mapping[str, object] | None = None,
+    shard: tuple[int, int] | None = None,
+    out: Path | None = None,
+    resume: bool = False,
+    restart: bool = False,
     threads: int | None = None,
     progress: Progress | None = None,
 ) -> Scatter:
@@ -192,14 +198,19 @@ def scatter(
     all stresses of the hardening law. Without ``vary`` what is declared scatters. ``correlate`` has pairs that go together:
     ``{("material.hardening.swift.k", "material.hardening.swift.n"): -0.8}``. ``runs`` are the points of the sample, best a
     power of two, 1024 unless given; ``seed`` makes another sample of the same. ``indices`` also says what share of each
-    number's variance is whose, which takes as many times the runs as there are keys, and two more.
+    number's variance is whose, which takes as many times the runs as there are keys, and two more. ``scatter("study.toml")``
+    takes from a study file what is not given here. ``settings`` are those of all runs.
+
+    ``out``, ``resume``, ``restart`` and ``shard`` are those of :func:`sweep`, of the table ``scatter.csv``.
 
     ``threads`` is one for each core unless given. ``progress`` is called with the share that is done, from 0 to 1. Ctrl-C
     raises :class:`Interrupted`, whose ``partial`` has the runs that were made, without statistics.
     """
     pairs = [f"{a},{b}={coefficient}" for (a, b), coefficient in (correlate or {}).items()]
     size = (runs, seed, indices)
-    said, table, raised = _native.scatter(case._native, assigned(vary), pairs, size, case.name, threads, progress)
+    of, part = given.of(case, settings), given.part(shard, out, resume, restart)
+    name = given.stem(case)
+    said, table, raised = _native.scatter(of, assigned(vary), pairs, size, name, part, threads, progress)
     return finished(Scatter(said, table), raised)
 
 

@@ -5,13 +5,14 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, TypeAlias, overload
 
-from . import _native
+from . import _native, given
 from .case import Case, Progress
 from .errors import StudyError, finished
+from .given import Path, assigned
 from .picture import Picture
 from .plots import Plots
 from .solution import Solution
-from .study import Rows, Told, assigned
+from .study import Rows, Told
 
 if TYPE_CHECKING:
     from ._native import _Searched
@@ -93,7 +94,7 @@ class Best(_Found):
 
 @overload
 def search(
-    case: Case,
+    case: Case | Path,
     vary: Spans | None = None,
     *,
     for_: str | None = None,
@@ -108,7 +109,7 @@ def search(
 ) -> Search: ...
 @overload
 def search(
-    case: Case,
+    case: Case | Path,
     vary: Spans,
     *,
     minimise: str,
@@ -119,7 +120,7 @@ def search(
 ) -> Best: ...
 @overload
 def search(
-    case: Case,
+    case: Case | Path,
     vary: Spans,
     *,
     maximise: str,
@@ -129,7 +130,7 @@ def search(
     progress: Progress | None = None,
 ) -> Best: ...
 def search(
-    case: Case,
+    case: Case | Path,
     vary: Spans | None = None,
     *,
     for_: str | None = None,
@@ -147,10 +148,10 @@ def search(
     """Varies a key until a condition ends or a number is as wanted, or several keys for the best of a number, on all cores,
     without the interpreter's lock: ``stampflow search``.
 
-    ``search(cup, {"blank.diameter": "90..140 mm"}, largest=True, while_="no red")`` finds the largest blank without a red
-    light; ``smallest`` the smallest. Conditions, joined by ``and``: ``no red``, ``no red or amber``, ``no tear``, ``ROW not
-    red``, ``NUMBER < VALUE UNIT``. ``target="draw_in=20 mm"`` finds where a number has a value. ``for_`` takes key, span and
-    condition from the case: ``limiting-draw-ratio``, ``greatest-height``, ``least-holder-force``, ``smallest-radius``,
+    ``search(cup, {"blank.diameter": "90..140 mm"}, largest=True, while_="no red")``, of a case or a case file, finds
+    the largest blank without a red light; ``smallest`` the smallest. Conditions, joined by ``and``: ``no red``, ``no red or
+    amber``, ``no tear``, ``ROW not red``, ``NUMBER < VALUE UNIT``. ``target="draw_in=20 mm"`` finds where a number has a value.
+    ``for_`` takes key, span and condition from the case: ``limiting-draw-ratio``, ``greatest-height``, ``least-holder-force``, ``smallest-radius``,
     ``over-bend`` and ``bead-force``. ``minimise`` and ``maximise`` name a number that is to be best over 1 to 6 keys.
     ``tolerance`` is how near a limit is to be found, in the unit of the key; 0.5 % of the span unless given.
 
@@ -158,6 +159,7 @@ def search(
     core unless given. ``progress`` is called with the share that is done, from 0 to 1. Ctrl-C raises :class:`Interrupted`,
     whose ``partial`` has the runs that were made; where nothing was made yet, KeyboardInterrupt.
     """
+    case = given.case(case)
     extreme = minimise or maximise
     if extreme is not None:
         others = [for_, target, tolerance, minimise and maximise, largest or None, smallest or None]

@@ -13,7 +13,7 @@ from ._html import Page, Shown
 from .comparison import Comparison
 from .errors import finished
 from .finding import Finding
-from .number import Number
+from .number import Number, Numbers
 from .solved_stage import SolvedStage
 from .columns import Columns
 
@@ -81,10 +81,10 @@ class Solution(Shown):
         return finding.read(self._native.findings())
 
     @cached_property
-    def numbers(self) -> dict[str, Number]:
+    def numbers(self) -> Numbers:
         """The numbers that a part is known by, names with units: ``numbers["punch_force_N"].value``. With error bars after
         :meth:`verify`; what a row of the verdict judges ends with ``_judged``."""
-        return {header: Number(*told) for header, *told in self._native.numbers()}  # type: ignore[arg-type]
+        return Numbers({told[0]: Number(*told[1:]) for told in self._native.numbers()})
 
     def verify(self, *, quick: bool = False, progress: Callable[[float], object] | None = None) -> Solution:
         """The same solution with an error bar at every number, in its findings and in its pictures.

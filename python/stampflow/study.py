@@ -3,15 +3,14 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
-from . import _toml
 from ._html import Page, Shown
 from .columns import ByName
 from .plots import Plots
 
 if TYPE_CHECKING:
+    import numpy as np
     from numpy.typing import NDArray
 
     from ._native import _Picture, _Table, _Told
@@ -43,31 +42,25 @@ class Told(Shown):
 class Rows(ByName["NDArray[Any]"]):
     """Every run as a row, column by column: what was varied, every number of the solutions, and the verdict.
 
-    Numbers are NaN where a run has none. Words are arrays of objects: ``verdict`` (a light), the rows of the verdict that are
-    ``red`` and ``amber``, why a run ended (``end``, ``reason``). ``seconds`` is what each took.
+    Numbers are NaN where a run has none; with error bars half of each is in ``..._error``. Words are arrays of objects:
+    ``verdict`` (a light), the ways in which a design ``fails`` (empty where it is sound), the rows of the verdict that are
+    ``red`` and ``amber``, why a run ended (``end``, ``reason``). ``seconds`` is what each took, of runs of this call.
     """
 
     def _hold(self, table: _Table) -> None:
         import numpy
 
-        numbers, words = table
+        #: Which design of the study each row is, from 0.
+        self.index: NDArray[np.uint64]
+        self.index, numbers, words = table
         self._columns = dict(numbers)
         self._columns.update((header, numpy.array(column, dtype=object)) for header, column in words)
         #: Runs that were made.
         self.runs = len(self._columns["verdict"])
 
+    def to_pandas(self) -> Any:
+        """As a ``pandas.DataFrame``, a row for every run under its ``index``, where pandas is installed."""
+        import pandas
 
-def assigned(given: Mapping[str, str | None] | Sequence[str] | str | None) -> list[str]:
-    """Texts as on the command line, ``KEY=WHAT``, of a mapping or of such texts."""
-    if given is None:
-        return []
-    if isinstance(given, str):
-        return [given]
-    if isinstance(given, Mapping):
-        return [key if what is None else f"{key}={what}" for key, what in given.items()]
-    return list(given)
+        return pandas.DataFrame(self._columns, index=pandas.Index(self.index, name="index"))
 
-
-def listed(values: Iterable[str | float]) -> str:
-    """Values as on the command line: ``4 mm,6 mm``."""
-    return ",".join(value if isinstance(value, str) else _toml.value(value) for value in values)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import copy
+import pickle
 from pathlib import Path
 
 import numpy as np
@@ -56,3 +58,32 @@ def test_templates_make_cases() -> None:
         sf.new("cup", hight="35 mm")
     with pytest.raises(sf.CaseError, match="no template"):
         sf.new("cupp")
+    with pytest.raises(sf.CaseError, match="no option hight") as caught:
+        sf.new("cup", hight="35 mm")
+    assert caught.value.help and "height" in caught.value.help and "--" not in str(caught.value)
+
+
+def test_a_case_can_be_asked_copied_and_sent() -> None:
+    case = sf.Case.load(QUICKSTART).with_({"blank.elements": 30, "friction": 0.1})
+    assert case.value("blank.thickness") == "1.0 mm" and case.value("blank.elements") == "30"
+    # Trust: that of every tool; the holder's force is of no tool else.
+    assert case.value("friction") == "0.1" and case.value("tools.punch.force") is None
+    for again in (copy.deepcopy(case), pickle.loads(pickle.dumps(case))):
+        assert (again.text, again.settings, again.path) == (case.text, case.settings, case.path)
+        assert again.solve().numbers["thinnest_mm"].value == case.solve().numbers["thinnest_mm"].value
+
+
+def test_names_that_are_near_are_told() -> None:
+    solution = sf.Case.load(QUICKSTART).with_({"blank.elements": 30}).solve()
+    with pytest.raises(KeyError, match="no number thinnest; did you mean thinnest_mm"):
+        solution.numbers["thinnest"]
+    with pytest.raises(KeyError, match="no column punch_force; did you mean punch_force_N"):
+        solution.load_travel["punch_force"]
+    with pytest.raises(AttributeError, match="no picture thinning; there are .*thickness"):
+        getattr(solution.plot, "thinning")
+    assert "load_travel" in repr(solution.plot) and "thinnest_mm: Thinnest 0.9" in repr(solution.numbers)
+    friction = next(row for row in solution.findings if row.key == "friction")
+    assert repr(friction).startswith("<Finding friction: amber, 0.08")
+    # What can be looked for has the spaces that are on a keyboard.
+    texts = [solution.verdict, *(row.found for row in solution.findings), *(str(n) for n in solution.numbers.values())]
+    assert any(" mm" in text for text in texts) and not any("\u00a0" in text for text in texts)

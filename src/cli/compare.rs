@@ -87,7 +87,8 @@ pub fn to_compare(files: &[PathBuf], variants: &Variants, overrides: &[String]) 
     if candidates.is_empty() {
         return Err(BadRequest("there is no case to compare with: give a CASE.toml too".into()).into());
     }
-    let measured = curves.into_iter().map(|path| Measured::read(path)).collect::<Result<_, _>>().map_err(asked)?;
+    let measured = curves.into_iter().map(|path| Measured::read(&path.as_path().into())).collect::<Result<_, _>>();
+    let measured = measured.map_err(asked)?;
     Asked::new(candidates, measured).map_err(asked)
 }
 

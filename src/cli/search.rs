@@ -44,14 +44,14 @@ Examples:
 Exit codes: 0 done, 1 nothing found, 2 bad input, 130 interrupted (runs are kept)";
 
 pub fn search(args: &Args) -> anyhow::Result<Code> {
-    let places = args.places()?;
+    let mut places = args.places()?;
     if let Some(wish) = args.wish().map_err(asked)? {
-        return best::optimise(args, &places, &wish);
+        return best::optimise(args, &mut places, &wish);
     }
     let quest = args.quest().map_err(asked)?;
     let count = args.many.count(&args.case, "runs");
     let start = Instant::now();
-    let answer = quest.search_keeping(args.many.threads(), &count, &mut |header, lines| places.keep(header, lines));
+    let answer = quest.search_keeping(args.many.threads(), &count, &mut |header, line| places.keep(header, line));
     let answer = answer.map_err(asked)?;
     let seconds = start.elapsed().as_secs_f64();
     let (header, lines) = answer.table();

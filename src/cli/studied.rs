@@ -1,10 +1,10 @@
 //! What a study of the case found: its pictures written, its answer told and as JSON.
 
 use super::many::{Many, write_all};
-use serde_json::{Value, json};
+use serde_json::Value;
 use stampflow::message::Form;
-use stampflow::output::study::{kept_loads, loads, pictures};
-use stampflow::study::{Designs, Distance, Meets, Results, Said};
+use stampflow::output::study::{json, kept_loads, loads, pictures};
+use stampflow::study::{Designs, Results, Said};
 use stampflow::units::rounded;
 use std::path::{Path, PathBuf};
 
@@ -44,37 +44,11 @@ impl Studied {
 
     /// The same for programs; numbers in SI.
     pub fn json(&self, results: &Results, table: &Path, (kept, seconds): (usize, f64)) -> Value {
-        let Said { designs, sound, amber, fails, extremes, distances } = &self.said;
-        let fails: serde_json::Map<_, _> =
-            fails.iter().map(|(zone, count)| (zone.key().to_owned(), json!(count))).collect();
-        let extremes = extremes.map(|[place, least, most]| {
-            let row = |row: usize| json!({ "index": row, "value": rounded(results.rows[row].numbers[place]) });
-            json!({ "number": results.column(place), "least": row(least), "most": row(most) })
-        });
-        let keys: Vec<&str> = results.plan.axes().iter().map(|axis| axis[0].key.as_str()).collect();
-        let distance = |distance: &Distance| {
-            let Distance { axis, from, to, meets } = distance;
-            let meets = match meets {
-                Meets::Failure(zone) => zone.key(),
-                Meets::Sound => "sound",
-                Meets::End => "end",
-            };
-            json!({ "key": keys[*axis], "unit": results.axes[*axis].unit.spelled(), "from": rounded(*from),
-                    "to": rounded(*to), "meets": meets })
-        };
-        let sentences = self.said.sentences(results);
-        json!({
-            "file": table,
-            "pictures": self.files,
-            "designs": designs,
-            "kept": kept,
-            "wall_s": rounded(seconds),
-            "sound": sound,
-            "amber": amber,
-            "fails": fails,
-            "extremes": extremes,
-            "distances": distances.iter().map(distance).collect::<Vec<_>>(),
-            "told": sentences.iter().map(|sentence| sentence.told(self.form)).collect::<Vec<_>>(),
-        })
+        let mut value = json::sweep(results, &self.said, self.form);
+        value["file"] = table.display().to_string().into();
+        value["pictures"] = self.files.iter().map(|file| file.display().to_string()).collect();
+        value["kept"] = kept.into();
+        value["wall_s"] = rounded(seconds).into();
+        value
     }
 }

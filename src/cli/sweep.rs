@@ -13,7 +13,7 @@ use stampflow::assess::Light;
 use stampflow::message::{Amount, Form, message};
 use stampflow::output::study::keep;
 use stampflow::study::{
-    self, Bars, Begun, Columns, Designs, How, Journal, Plan, Results, Row, Shard, StudyError, Times, Vary,
+    self, Begun, Columns, Designs, How, Journal, Plan, Results, Row, Shard, StudyError, Times, Vary,
 };
 use std::collections::BTreeMap;
 use std::io;
@@ -104,7 +104,7 @@ pub fn sweep(args: &Args) -> anyhow::Result<Code> {
         return say(lines);
     }
     let (shard, indices) = (args.rows.shard(), args.rows.indices(plan.count(), "fewer values")?);
-    let bars = args.bars(&plan);
+    let bars = plan.bars(args.bars());
     let count = args.many.count(&args.file, "designs");
     let base = study::base(plan.subject(), bars, &count).map_err(asked)?;
     let columns = Columns::of(&plan, &base);
@@ -206,10 +206,9 @@ impl Args {
         Ok(if self.one_at_a_time { plan.made(How::OneAtATime) } else { plan })
     }
 
-    /// Error bars: over one key where they are not refused, else where they are asked for.
-    fn bars(&self, plan: &Plan) -> Bars {
-        let is_usual = plan.axes().len() == 1 && plan.how() == How::Combined && !self.no_error_bars;
-        if self.error_bars || is_usual { Bars::Quick } else { Bars::Without }
+    /// Whether error bars are wanted, where it is said.
+    fn bars(&self) -> Option<bool> {
+        (self.error_bars || self.no_error_bars).then_some(self.error_bars)
     }
 
     /// What runs the same study, without its folder.

@@ -15,7 +15,8 @@ impl Chart {
 impl Panel {
     fn told(self, form: Form) -> Self {
         let largest = |axis: &Axis, of: fn(&(f64, f64)) -> f64| {
-            let values = self.series.iter().flat_map(|series| &series.points).map(|point| axis.value(of(point)));
+            let values =
+                self.series.iter().flat_map(|series| &series.points).map(|point| axis.spacing().value(of(point)));
             values.filter(|value| value.is_finite()).fold(0.0, |largest, value| value.abs().max(largest))
         };
         let sizes = [largest(&self.x, |point| point.0), largest(&self.y, |point| point.1)];
@@ -65,6 +66,7 @@ struct Along<'a> {
 impl Along<'_> {
     /// Where what is drawn at a place goes.
     fn told(self, place: f64) -> f64 {
-        self.axis.place(self.axis.value(place) * self.unit.factor + self.unit.offset)
+        let spacing = self.axis.spacing();
+        spacing.place(spacing.value(place) * self.unit.factor + self.unit.offset)
     }
 }

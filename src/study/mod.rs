@@ -15,6 +15,7 @@
 //! Zone          a way to fail; Window: where designs are sound, its borders, and how far the case is from them
 //! Swing         what a number is moved by, one key at a time
 //! Said          what a study found, in sentences
+//! Readings      what was measured: columns of a file, or those that a program holds
 //! Span          a stretch of a key's values, or of several that move together
 //! search        where a condition ends, or a number has a value; the best of several keys
 //! file          a study as TOML
@@ -30,6 +31,7 @@ pub mod fit;
 mod hash;
 mod journal;
 mod plan;
+mod readings;
 mod region;
 mod results;
 mod row;
@@ -52,6 +54,7 @@ mod zone;
 pub use error::StudyError;
 pub use journal::{Begun, Earlier, Journal, csv};
 pub use plan::{Design, Designs, How, Plan};
+pub use readings::Readings;
 pub use region::{Grid, Point, Region};
 pub use results::{Found, Results};
 pub use row::{Columns, Judged, Row, Solved};

@@ -2,7 +2,7 @@
 
 use super::hash::short_hash;
 use super::vary::{Value, Vary};
-use super::{StudyError, Subject};
+use super::{Bars, StudyError, Subject};
 use std::path::PathBuf;
 
 /// A study of a case: every combination of what is varied.
@@ -91,6 +91,12 @@ impl Plan {
     /// Which designs are made of what is varied.
     pub fn how(&self) -> How {
         self.how
+    }
+
+    /// Error bars, as they are asked for or not; where nothing is said those over one key alone.
+    pub fn bars(&self, asked: Option<bool>) -> Bars {
+        let are_usual = self.axes.len() == 1 && self.how == How::Combined;
+        if asked.unwrap_or(are_usual) { Bars::Quick } else { Bars::Without }
     }
 
     /// Of every axis the place of a design's value among its values; `None` where the case is as it stands.

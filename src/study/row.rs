@@ -113,6 +113,11 @@ impl Solved {
         self.outcome.numbers.iter().map(|number| (header(number), number.amount.value)).collect()
     }
 
+    /// Half the error bars of its numbers by their columns, `thinnest_mm_error`; none where none were asked for.
+    pub fn errors(&self) -> impl Iterator<Item = (String, Option<f64>)> {
+        self.outcome.numbers.iter().map(|number| keyed(number, "_error")).zip(self.bars.iter().copied())
+    }
+
     /// A number by its column: `thinnest_mm`.
     pub fn number(&self, header: &str) -> Option<f64> {
         self.outcome.numbers.iter().find(|number| self::header(number) == header).map(|number| number.amount.value)
@@ -176,14 +181,9 @@ impl Columns {
         let named = row.result.as_ref().map_or_else(|_| Vec::new(), Solved::named);
         let value = |column: &String| named.iter().find(|(header, _)| header == column).map(|(_, value)| *value);
         line.extend(self.numbers.iter().map(|column| value(column).map_or_else(String::new, written)));
-        if let Ok(Solved { outcome, bars, .. }) = &row.result {
-            let barred: Vec<(String, Option<f64>)> =
-                outcome.numbers.iter().map(|number| keyed(number, "_error")).zip(bars.iter().copied()).collect();
-            let half = |column: &String| barred.iter().find(|(header, _)| header == column).and_then(|(_, half)| *half);
-            line.extend(self.bars.iter().map(|column| half(column).map_or_else(String::new, written)));
-        } else {
-            line.extend(self.bars.iter().map(|_| String::new()));
-        }
+        let errors: Vec<_> = row.result.iter().flat_map(Solved::errors).collect();
+        let half = |column: &String| errors.iter().find(|(header, _)| header == column).and_then(|(_, half)| *half);
+        line.extend(self.bars.iter().map(|column| half(column).map_or_else(String::new, written)));
         line.extend(match &row.result {
             Ok(Solved { outcome, light, red, amber, fails, .. }) => {
                 let others = named.iter().filter(|(header, _)| !self.numbers.contains(header));

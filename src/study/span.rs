@@ -12,6 +12,7 @@ use super::varied::label;
 use super::vary::{Value, Vary};
 use super::{StudyError, Subject};
 use crate::message::{Amount, Digits, Message};
+use crate::table::Spacing;
 use crate::units::{Unit, parse, significant};
 use std::borrow::Cow;
 use toml_edit::{DocumentMut, Item};
@@ -32,8 +33,8 @@ pub struct Span {
     keys: Vec<Vary>,
     /// Ends of the first key, in its unit, rising.
     ends: [f64; 2],
-    /// Whether equal ratios are equally far apart.
-    is_log: bool,
+    /// Whether equal differences or equal ratios are equally far apart.
+    spacing: Spacing,
     /// Places to look at first, where that is given.
     places: Option<usize>,
     /// How near the limit is to be found, in the unit of the first key; a share of the span by default.
@@ -69,11 +70,11 @@ impl Span {
             keys.push(Vary::of(key, &format!("{counted}{}", if log { " log" } else { "" }))?);
             (places, is_log) = (places.or(count), is_log || log);
         }
-        Ok(Self::of(keys, is_log, places))
+        Ok(Self::of(keys, Spacing::of(is_log), places))
     }
 
     /// Of keys with their ranges.
-    fn of(mut keys: Vec<Vary>, is_log: bool, places: Option<usize>) -> Self {
+    fn of(mut keys: Vec<Vary>, spacing: Spacing, places: Option<usize>) -> Self {
         let end = |vary: &Vary, last: bool| {
             let value = if last { vary.values.last() } else { vary.values.first() };
             value.and_then(|value| value.number).unwrap_or_default()
@@ -82,7 +83,7 @@ impl Span {
             keys.iter_mut().for_each(|vary| vary.values.reverse());
         }
         let ends = [false, true].map(|last| end(&keys[0], last));
-        Self { keys, ends, is_log, places, tolerance: None }
+        Self { keys, ends, spacing, places, tolerance: None }
     }
 
     /// The same, its limit to be found as near as that: `0.2 mm`.
@@ -160,9 +161,9 @@ impl Span {
         self.ends
     }
 
-    /// Whether equal ratios are equally far apart.
-    pub fn is_log(&self) -> bool {
-        self.is_log
+    /// Whether equal differences or equal ratios are equally far apart.
+    pub fn spacing(&self) -> Spacing {
+        self.spacing
     }
 
     /// Places that it is looked at first, where that is given.
@@ -173,9 +174,9 @@ impl Span {
     /// How near a limit is to be found there, in the unit of the key.
     pub fn tolerance(&self, x: f64) -> f64 {
         let [low, high] = self.ends;
-        self.tolerance.unwrap_or_else(|| match self.is_log {
-            true => x * ((high / low).ln() * SHARE).exp_m1(),
-            false => SHARE * (high - low),
+        self.tolerance.unwrap_or_else(|| match self.spacing {
+            Spacing::Logarithmic => x * ((high / low).ln() * SHARE).exp_m1(),
+            Spacing::Even => SHARE * (high - low),
         })
     }
 
@@ -185,15 +186,14 @@ impl Span {
         if share <= 0.0 || share >= 1.0 {
             return if share <= 0.0 { low } else { high };
         }
-        let x = if self.is_log { low * (high / low).powf(share) } else { low + share * (high - low) };
+        let x = self.spacing.between(self.ends, share);
         let step = 10f64.powf((0.5 * self.tolerance(x)).log10().floor());
         significant((x / step).round() * step, 12).clamp(low, high)
     }
 
     /// The share of the way that a value is at.
     pub fn share(&self, x: f64) -> f64 {
-        let [low, high] = self.ends;
-        if self.is_log { (x / low).ln() / (high / low).ln() } else { (x - low) / (high - low) }
+        self.spacing.share(self.ends, x)
     }
 
     /// The values of all its keys where the first has this one.
@@ -201,8 +201,8 @@ impl Span {
         let share = self.share(x);
         let of = |vary: &Vary| {
             let [from, to] = [vary.values.first(), vary.values.last()].map(|v| v.and_then(|v| v.number).unwrap_or(0.0));
-            let is_log = self.is_log && from.min(to) > 0.0;
-            Value::number(if is_log { from * (to / from).powf(share) } else { from + share * (to - from) })
+            let is_log = self.spacing.is_logarithmic() && from.min(to) > 0.0;
+            Value::number(Spacing::of(is_log).between([from, to], share))
         };
         let others = self.keys[1..].iter().map(of);
         std::iter::once(Value::number(x)).chain(others).collect()

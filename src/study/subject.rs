@@ -7,7 +7,7 @@ use crate::files::{self, CSV, Disk, Files};
 use crate::verification::{Watch, Watched};
 use std::any::Any;
 use std::panic::{AssertUnwindSafe, catch_unwind};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use toml_edit::DocumentMut;
 
 /// The case that a study is of.
@@ -54,6 +54,11 @@ impl Subject {
     /// When that is no case.
     pub fn after(&self, settings: &[String]) -> Result<Self, StudyError> {
         Self::of_text(self.text.clone(), self.path.clone(), [settings, &self.base].concat())
+    }
+
+    /// Text of the case file, and where that stands or would stand.
+    pub fn written(&self) -> (&str, &Path) {
+        (&self.text, &self.path)
     }
 
     /// What tells it from others: of the case file and the overrides of all designs.

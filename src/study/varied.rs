@@ -3,7 +3,7 @@
 use super::subject::Subject;
 use super::vary::Vary;
 use crate::message::{Amount, Digits, Message};
-use crate::table::{Axis, Unit};
+use crate::table::{Axis, Spacing, Unit};
 use crate::units::parse;
 use std::borrow::Cow;
 
@@ -48,8 +48,9 @@ pub struct Varied {
     pub names: Vec<String>,
     /// Where the case stands, in `unit` or as a place among the names.
     pub own: Option<f64>,
-    /// Whether three values or more stand in even ratios.
-    pub is_log: bool,
+    /// Logarithmic where three values or more stand in even ratios: where they are drawn, and between which places numbers
+    /// change evenly.
+    pub spacing: Spacing,
     /// Keys that go together with it.
     pub with: Vec<String>,
 }
@@ -66,15 +67,15 @@ impl Varied {
             Some(numbers) => {
                 let (unit, factor) = Unit::of_header(&vary.header()).unwrap_or((Unit::None, 1.0));
                 let values: Vec<f64> = numbers.iter().map(|number| factor * number).collect();
-                let is_log = has_even_ratios(&values);
+                let spacing = Spacing::of(has_even_ratios(&values));
                 let own = own.and_then(|own| in_unit(&own, &vary.unit)).map(|own| factor * own);
-                Self { label, unit, values, names: Vec::new(), own, is_log, with }
+                Self { label, unit, values, names: Vec::new(), own, spacing, with }
             }
             None => {
                 let names: Vec<String> = vary.values.iter().map(|value| value.text.clone()).collect();
                 let own = own.and_then(|own| names.iter().position(|name| *name == own)).map(|place| place as f64);
                 let values = (0..names.len()).map(|i| i as f64).collect();
-                Self { label, unit: Unit::None, values, names, own, is_log: false, with }
+                Self { label, unit: Unit::None, values, names, own, spacing: Spacing::Even, with }
             }
         }
     }
@@ -88,19 +89,8 @@ impl Varied {
     pub fn axis(&self) -> Axis {
         match self.has_names() {
             true => Axis::of_names(self.label.clone(), self.names.clone()),
-            false if self.is_log => Axis::named(self.label.clone(), self.unit).logarithmic(),
-            false => Axis::named(self.label.clone(), self.unit),
+            false => Axis::named(self.label.clone(), self.unit).spaced(self.spacing),
         }
-    }
-
-    /// Where a value of it is drawn, and between which places numbers change evenly: of even ratios the logarithm to base 10.
-    pub fn place(&self, value: f64) -> f64 {
-        if self.is_log { value.log10() } else { value }
-    }
-
-    /// The value at such a place.
-    pub fn value_at(&self, place: f64) -> f64 {
-        if self.is_log { 10_f64.powf(place) } else { place }
     }
 
     /// One of its values, as it was given.

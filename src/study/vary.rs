@@ -8,6 +8,7 @@
 //! ```
 
 use super::StudyError;
+use crate::table::Spacing;
 use crate::units::{parse, significant};
 
 /// Digits of the values of a range: all that a user would have typed.
@@ -127,8 +128,7 @@ impl Vary {
         let at = |i: usize| match (i, i as f64 / (count - 1) as f64) {
             (0, _) => low,
             (i, _) if i + 1 == count => high,
-            (_, share) if is_log => low * (high / low).powf(share),
-            (_, share) => low + share * (high - low),
+            (_, share) => Spacing::of(is_log).between([low, high], share),
         };
         Ok(Self { key: key.into(), unit: unit.into(), values: (0..count).map(|i| Value::number(at(i))).collect() })
     }

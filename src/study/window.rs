@@ -105,7 +105,8 @@ impl<'a> Window<'a> {
         let ranges = |axis: Option<usize>| -> Vec<(Vec<f64>, Vec<usize>)> {
             let Some(axis) = axis else { return vec![(vec![-HALF, HALF], vec![0, 0])] };
             let places = rising(&results.axes[axis]);
-            let values: Vec<f64> = results.axes[axis].values.iter().map(|v| results.axes[axis].place(*v)).collect();
+            let values: Vec<f64> =
+                results.axes[axis].values.iter().map(|v| results.axes[axis].spacing.place(*v)).collect();
             match results.axes[axis].has_names() || places.len() == 1 {
                 true => places.iter().map(|&i| (vec![values[i] - HALF, values[i] + HALF], vec![i, i])).collect(),
                 false => vec![(places.iter().map(|&i| values[i]).collect(), places)],
@@ -130,7 +131,7 @@ impl<'a> Window<'a> {
         Self { results, x, y, at, bands }
     }
 
-    /// Its range along x and along y, in [places](Varied::place) of the axes, as all its points are.
+    /// Its range along x and along y, in [places](crate::table::Spacing::place) of the axes, as all its points are.
     pub fn ranges(&self) -> [(f64, f64); 2] {
         let ends = |values: fn(&Grid) -> &Vec<f64>| {
             let all = || self.bands.iter().flat_map(move |band| values(&band.grid).iter().copied());
@@ -169,7 +170,7 @@ impl<'a> Window<'a> {
         let third = band.grid.third(a, b, found(a).fails.contains(&zone));
         let is_upright = band.grid.at(a).0 == band.grid.at(b).0;
         let axis = self.y.filter(|_| is_upright).unwrap_or(self.x);
-        let curved = if self.results.axes[axis].is_log { f64::ln } else { f64::recip };
+        let curved = if self.results.axes[axis].spacing.is_logarithmic() { f64::ln } else { f64::recip };
         self.results.border(zone, [found(a), found(b)], third.map(|(point, at)| (found(point), at)), curved)
     }
 
@@ -187,7 +188,7 @@ impl<'a> Window<'a> {
     /// Where the case stands, where that is inside of the window.
     pub fn own(&self) -> Option<Point> {
         let axes = &self.results.axes;
-        let own = |axis: usize| axes[axis].own.map(|own| axes[axis].place(own));
+        let own = |axis: usize| axes[axis].own.map(|own| axes[axis].spacing.place(own));
         let own = (own(self.x)?, self.y.map_or(Some(0.0), own)?);
         let [x, y] = self.ranges();
         let is_inside = |v: f64, (low, high): (f64, f64)| (low..=high).contains(&v);
@@ -240,7 +241,7 @@ impl<'a> Window<'a> {
                     borders.iter().copied().filter(|(at, _)| sign * (at - from) > 0.0).collect();
                 ahead.sort_by(|a, b| (sign * a.0).total_cmp(&(sign * b.0)).then(a.1.cmp(&b.1)));
                 let (to, meets) = self.met(&ahead).unwrap_or((end, Meets::End));
-                let [from, to] = [from, to].map(|place| self.results.axes[axis].value_at(place));
+                let [from, to] = [from, to].map(|place| self.results.axes[axis].spacing.value(place));
                 distances.push(Distance { axis, from, to, meets });
             }
         }

@@ -1,4 +1,5 @@
-//! CSV files that are read: `#` comments, a line of column names that end in their units, rows of numbers.
+//! CSV files that are read: `#` comments, a line of column names that end in their units, rows of numbers. And columns that a
+//! program holds, under the same names and checks.
 
 use super::{Unit, UnitError};
 use csv::StringRecord;
@@ -19,12 +20,14 @@ pub struct Csv {
     pub header: Record,
     /// The lines below the header.
     pub rows: Vec<Record>,
+    /// What their numbers count: `line` of a text from 1, `row` of columns from 0.
+    pub counted: &'static str,
 }
 
 /// The fields of one line.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Record {
-    /// From 1.
+    /// Of a text from 1, of columns from 0.
     pub line: usize,
     /// The texts between the commas.
     pub fields: StringRecord,
@@ -87,7 +90,36 @@ impl Csv {
             }
             rows.push(row);
         }
-        Ok(Self { header, rows })
+        Ok(Self { header, rows, counted: "line" })
+    }
+
+    /// Of columns by their names; what is no number is not there. As [`read`](Self::read).
+    ///
+    /// # Errors
+    /// When there is no column, they are not equally long, have more than a hundred thousand rows, or a number is not finite.
+    pub fn of_columns(columns: &[(String, Vec<f64>)], name: &str, example: &str) -> Result<Self, CsvError> {
+        let wrong = |what: String, help: &str| CsvError { line: None, what, help: help.to_owned() };
+        let Some((first, values)) = columns.first() else {
+            return Err(wrong(format!("{name} has no columns"), example));
+        };
+        if let Some((other, few)) = columns.iter().find(|(_, other)| other.len() != values.len()) {
+            let what = format!("`{first}` has {} rows, but `{other}` has {}", values.len(), few.len());
+            return Err(wrong(what, "give columns of one length"));
+        }
+        if values.len() > MOST {
+            return Err(wrong(format!("there are more than {MOST} rows"), "thin them out"));
+        }
+        for (header, values) in columns {
+            if let Some(row) = values.iter().position(|value| value.is_infinite()) {
+                return Err(wrong(format!("row {row} of `{header}` is infinite"), "leave it out, or make it NaN"));
+            }
+        }
+        let header = Record { line: 0, fields: columns.iter().map(|(header, _)| header.as_str()).collect() };
+        let cell = |value: f64| if value.is_nan() { String::new() } else { value.to_string() };
+        let row = |i: usize| Record { line: i, fields: columns.iter().map(|(_, values)| cell(values[i])).collect() };
+        let rows: Vec<Record> = (0..values.len()).map(row).collect();
+        header.names_columns(rows.first(), name, example).map_err(|error| CsvError { line: None, ..error })?;
+        Ok(Self { header, rows, counted: "row" })
     }
 
     /// The column of that name.

@@ -111,7 +111,7 @@ fn measured_curves_are_read_with_their_units() {
     let dir = folder(CUP);
     let csv = "# measured\npunch_force_kN,travel_a_mm,travel_b_in\n1,0.5,0.02\n4,1.5,0.06\n9,3,\n";
     fs::write(dir.path().join("press.csv"), csv).unwrap();
-    let measured = stampflow::study::versus::Measured::read(&dir.path().join("press.csv")).expect("curves");
+    let measured = stampflow::study::versus::Measured::read(&dir.path().join("press.csv").into()).expect("curves");
     let curves: Vec<_> = measured.curves.iter().map(|curve| (curve.name.as_str(), curve.points.clone())).collect();
     assert_eq!(curves[0], ("press.csv, travel_a_mm", vec![(0.5, 1000.0), (1.5, 4000.0), (3.0, 9000.0)]));
     assert_eq!((curves[1].0, curves[1].1.len()), ("press.csv, travel_b_in", 2));

@@ -6,11 +6,11 @@ use fastrand::Rng;
 use stampflow::case::{self, Case};
 use stampflow::material::Hardening;
 use stampflow::numerics::least_squares::Ended;
-use stampflow::study::Subject;
 use stampflow::study::fit::{
     CaseFit, CaseFitSpec, FlowCurve, Kind, LawFits, Range, RateKind, Reduction, Tension, fit_case, fit_laws, load,
     material_text,
 };
+use stampflow::study::{Readings, Subject};
 use stampflow::verification::Watch;
 use std::fmt::Write;
 use std::fs;
@@ -198,7 +198,8 @@ fn a_test_is_cut_where_its_force_is_largest() {
 /// deviations are those of 8 specimens.
 #[test]
 fn the_measured_curve_of_304l_gives_the_laws_of_the_library_within_their_intervals() {
-    let test = Tension::load(Path::new("reference_data/aisi304l_bar_flow_curve.csv"), None, None).expect("a test");
+    let test =
+        Tension::load(&PathBuf::from("reference_data/aisi304l_bar_flow_curve.csv").into(), None, None).expect("a test");
     let curve = FlowCurve::of(&test, &Reduction::default()).expect("a curve");
     let fits = fit_laws(vec![curve], None, RateKind::Power).expect("a fit");
     let best = fits.best();
@@ -209,6 +210,35 @@ fn the_measured_curve_of_304l_gives_the_laws_of_the_library_within_their_interva
         assert!(estimate.holds(truth), "{key}: {:?}", estimate.ends);
     }
     assert!(best.r2 > 0.999 && best.rms < 4.0);
+}
+
+/// Trust: the same numbers as text; each mistake is wrong in the way that its message says.
+#[test]
+fn columns_that_a_program_holds_are_those_of_a_file() {
+    let columns = |strain: &[f64], stress: &[f64]| {
+        [("true_strain", strain), ("true_stress_MPa", stress)].map(|(name, values)| (name.to_owned(), values.to_vec()))
+    };
+    let test = |strain: &[f64], stress: &[f64]| {
+        Readings::held("test 1", &columns(strain, stress)).and_then(|held| Tension::load(&held, None, None))
+    };
+    let (strain, stress) = ([0.01, 0.02, 0.03, 0.04, 0.05, 1.0 / 15.0], [300.0, 310.0, 320.0, 328.0, 335.0, 341.25]);
+    let text = strain
+        .iter()
+        .zip(stress)
+        .fold("true_strain,true_stress_MPa\n".to_owned(), |text, (x, y)| format!("{text}{x},{y}\n"));
+    assert_eq!(test(&strain, &stress).expect("a test"), Tension::read(&text, "test 1", None, None).expect("a test"));
+    let gap = [0.01, f64::NAN, 0.02, 0.03, 0.04, 0.05, 1.0 / 15.0];
+    let beside = [300.0, 305.0, 310.0, 320.0, 328.0, 335.0, 341.25];
+    assert_eq!(test(&gap, &beside).expect("a test"), test(&strain, &stress).expect("a test"));
+    for (strain, stress, said) in [
+        (&[0.01, 0.02, 0.03, 0.005, 0.05, 0.06][..], &stress[..], "test 1, row 3: the strain goes back"),
+        (&strain[..5], &stress[..], "has 5 rows, but `true_stress_MPa` has 6"),
+        (&strain[..], &[300.0, 310.0, f64::INFINITY, 328.0, 335.0, 341.0], "row 2 of `true_stress_MPa` is infinite"),
+    ] {
+        let error = test(strain, stress).expect_err(said).to_string();
+        assert!(error.contains(said) && error.contains("help"), "{error}");
+    }
+    assert!(Readings::held("test 1", &[]).expect_err("nothing").to_string().contains("test 1 has no columns"));
 }
 
 /// Trust: each is wrong in the way that its message says.
@@ -274,7 +304,7 @@ fn ranges(texts: &[&str]) -> Vec<Range> {
 }
 
 fn fit_to(path: &Path, texts: &[&str], watch: &dyn Watch) -> CaseFit {
-    let spec = CaseFitSpec::new(CASE.into(), coarse(), ranges(texts), &[path.to_owned()]);
+    let spec = CaseFitSpec::new(CASE.into(), coarse(), ranges(texts), &[path.into()]);
     fit_case(&spec.unwrap_or_else(|error| panic!("{error}")), 2, watch).unwrap_or_else(|error| panic!("{error}"))
 }
 
@@ -381,7 +411,7 @@ fn a_fit_that_cannot_be_is_told() {
     let other = write("other.csv", "time_s,temperature_C\n10,30\n11,31\n");
     let good = write("good.csv", "travel_mm,punch_force_kN\n5,20\n10,30\n12,32\n15,35\n");
     let sentence = |path: &PathBuf, texts: &[&str]| {
-        let spec = CaseFitSpec::new(CASE.into(), coarse(), ranges(texts), std::slice::from_ref(path));
+        let spec = CaseFitSpec::new(CASE.into(), coarse(), ranges(texts), &[path.clone().into()]);
         spec.and_then(|spec| fit_case(&spec, 2, &()).map(drop)).expect_err("a mistake").to_string()
     };
     for (path, texts, said) in [

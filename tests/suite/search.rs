@@ -313,21 +313,31 @@ fn the_program_searches_writes_its_table_and_picture_and_tells_mistakes() {
     }
 }
 
-/// A loss of power keeps what was run. Trust: the table at the end.
+/// A loss of power keeps what was run. Trust: the table at the end, but for how many designs there were then.
 #[test]
 fn the_table_grows_with_every_run() {
     let subject = Subject::new(CASE, vec!["blank.elements=40".into(), "solver.max_step=0.02".into()]).expect("a case");
     let span = Span::read("blank.diameter=100..120 mm/4 log", &subject).expect("a span");
     let goal = Goal::Keep(Condition::read("thinning < 8 %").expect("a condition"));
     let quest = Quest { subject, span, goal, side: Side::Largest };
-    let mut lines = Vec::new();
-    let answer = quest.search_keeping(2, &(), &mut |_, kept| lines.push(kept.len())).expect("an answer");
-    assert_eq!(lines, (1..=answer.rows.len()).collect::<Vec<_>>());
-    assert_eq!(answer.table().1.len(), answer.rows.len());
+    let (mut headers, mut lines) = (Vec::new(), Vec::new());
+    let keep = &mut |header: &[String], line: &[String]| {
+        headers.push(header.to_vec());
+        lines.push(line.to_vec());
+    };
+    let answer = quest.search_keeping(2, &(), keep).expect("an answer");
+    let (header, table) = answer.table();
+    assert!(headers.iter().all(|own| own == header) && table.len() == answer.rows.len());
+    for (i, (line, own)) in lines.iter_mut().zip(table).enumerate() {
+        assert_eq!((line[1].as_str(), own[1].as_str()), (&*(i + 1).to_string(), &*table.len().to_string()));
+        line[1].clone_from(&own[1]);
+    }
+    assert_eq!(lines, table);
     let chart = stampflow::output::study::search::plot(&quest, &answer, Form::default()).expect("a picture");
     let x = &chart.panels[0].x;
-    let places = || chart.panels[0].series.iter().flat_map(|series| &series.points).map(|point| x.value(point.0));
-    assert!(x.is_logarithmic() && x.text() == "Blank diameter [mm]", "{}", x.text());
+    let places =
+        || chart.panels[0].series.iter().flat_map(|series| &series.points).map(|point| x.spacing().value(point.0));
+    assert!(x.spacing().is_logarithmic() && x.text() == "Blank diameter [mm]", "{}", x.text());
     assert!(places().all(|value| (99.9..120.1).contains(&value)), "values of the span, at their logarithms");
 }
 
@@ -343,8 +353,8 @@ fn an_interrupted_search_keeps_what_was_run() {
         .stdout(std::process::Stdio::null())
         .spawn()
         .expect("begun");
-    let table = folder.path().join("search.csv");
-    while std::fs::read_to_string(&table).map_or(0, |rows| rows.lines().count()) < 3 {
+    let [table, part] = ["search.csv", ".search.csv.part"].map(|name| folder.path().join(name));
+    while std::fs::read_to_string(&part).map_or(0, |rows| rows.lines().count()) < 3 {
         assert!(running.try_wait().expect("a process").is_none(), "it has ended");
         std::thread::sleep(std::time::Duration::from_millis(5));
     }
@@ -354,4 +364,43 @@ fn an_interrupted_search_keeps_what_was_run() {
     let table = std::fs::read_to_string(table).expect("a table");
     let rows = table.lines().count() - 1;
     assert!(rows < 1000 && table.lines().all(|line| line.contains(',')), "{rows} rows");
+    assert!(!part.exists());
+}
+
+/// Trust: the run in one go; of what was killed the rows are those of it, but for how many designs there were then, and the next
+/// search begins anew.
+#[cfg(unix)]
+#[test]
+fn a_search_that_was_killed_leaves_whole_rows_beside_the_table_of_an_earlier_one() {
+    let folder = temp_dir::TempDir::new().expect("a folder");
+    let [table, part] = ["search.csv", ".search.csv.part"].map(|name| folder.path().join(name));
+    let search = |places: usize| {
+        let mut command = std::process::Command::new(env!("CARGO_BIN_EXE_stampflow"));
+        command.args(["search", CASE, "--largest", "--while", "no red", "--quiet", "--no-error-bars"]);
+        command.args(["--vary", &format!("blank.diameter=90..140 mm/{places}"), "--set", "blank.elements=30", "--out"]);
+        command.arg(folder.path()).stdout(std::process::Stdio::null());
+        command
+    };
+    assert!(search(3).status().expect("run").success());
+    let earlier = std::fs::read(&table).expect("a table");
+    let mut running = search(1000).spawn().expect("begun");
+    let begun = std::time::Instant::now();
+    let rows = || std::fs::read_to_string(&part).map_or(0, |text| text.matches('\n').count());
+    while rows() < 5 {
+        assert!(begun.elapsed().as_secs() < 120, "no rows");
+        std::thread::sleep(std::time::Duration::from_millis(20));
+    }
+    running.kill().expect("killed");
+    running.wait().expect("ended");
+    assert_eq!(std::fs::read(&table).expect("a table"), earlier, "whole or not at all");
+    let left = std::fs::read_to_string(&part).expect("rows");
+    let earlier = String::from_utf8(earlier).expect("text");
+    let fields = |line: &str| line.split(',').map(str::to_owned).collect::<Vec<_>>();
+    assert_eq!(left.lines().next(), earlier.lines().next());
+    // The first of the 1000 places is the first of the three.
+    let [first, own] = [&left, &earlier].map(|text| fields(text.lines().nth(1).expect("a row")));
+    assert_eq!((&first[2], &first[4..]), (&own[2], &own[4..]));
+    assert!(search(3).status().expect("run").success());
+    assert_eq!(std::fs::read_to_string(&table).expect("a table"), earlier);
+    assert!(!part.exists());
 }

@@ -61,7 +61,7 @@ impl Args {
     pub fn tests(&self) -> Tests {
         let of = &self.of_law;
         Tests {
-            files: self.files.clone(),
+            tests: self.files.iter().cloned().map(Into::into).collect(),
             reduction: Reduction { young: of.young, offset: of.offset, from: of.from, to: of.until },
             section: of.section,
             gauge: of.gauge,

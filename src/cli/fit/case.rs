@@ -8,6 +8,7 @@ use super::super::table::{Cell, table, wrapped};
 use super::args::Args;
 use super::shown::{cells, csv};
 use stampflow::output::study::{fit_case as pictures, json};
+use stampflow::study::Readings;
 use stampflow::study::fit::{Range, fit_case, load};
 
 pub fn case(args: &Args) -> anyhow::Result<Code> {
@@ -15,7 +16,8 @@ pub fn case(args: &Args) -> anyhow::Result<Code> {
         return Err(BadRequest("give tension tests, or one case or study file".into()).into());
     };
     let ranges = args.vary.iter().map(|text| Range::read(text)).collect::<Result<Vec<_>, _>>().map_err(asked)?;
-    let spec = load(file, args.many.overrides.all(), ranges, &args.to).map_err(asked)?;
+    let to: Vec<Readings> = args.to.iter().cloned().map(Into::into).collect();
+    let spec = load(file, args.many.overrides.all(), ranges, &to).map_err(asked)?;
     let count = args.many.count(file, "fit");
     let fit = match fit_case(&spec, args.many.threads(), &count) {
         Err(_) if interrupt::is_wanted() => return Ok(Code::Interrupted),

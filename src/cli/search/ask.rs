@@ -6,7 +6,7 @@ use super::super::place;
 use serde_json::Value;
 use stampflow::output::{Chart, write};
 use stampflow::study::search::{Asked, Quest, Sense, Side, Wish};
-use stampflow::study::{self, StudyError, Subject};
+use stampflow::study::{self, Begun, Earlier, Journal, StudyError, Subject};
 use stampflow::units::rounded;
 use std::path::PathBuf;
 
@@ -88,7 +88,7 @@ impl Args {
         let table = dir.join("search.csv");
         place::file(&table, std::slice::from_ref(&self.case), "--out")?;
         place::replaced(&table, b"study,designs,index,", "--out")?;
-        Ok(Places { dir, table })
+        Ok(Places { dir, table, journal: None })
     }
 }
 
@@ -96,17 +96,29 @@ impl Args {
 pub struct Places {
     pub dir: PathBuf,
     pub table: PathBuf,
+    /// The runs so far, once there is one; nothing where they cannot be kept.
+    journal: Option<Option<Journal>>,
 }
 
 impl Places {
-    pub fn table(&self, header: &[String], lines: &[Vec<String>]) -> anyhow::Result<()> {
-        let bytes = study::csv(header, lines);
-        Ok(write(&self.table, &bytes)?)
+    /// The table of all runs, in place of what is kept of them.
+    pub fn table(&mut self, header: &[String], lines: &[Vec<String>]) -> anyhow::Result<()> {
+        write(&self.table, &study::csv(header, lines))?;
+        // What stays of them does no harm.
+        let _ = self.journal.take().flatten().map(Journal::discard);
+        Ok(())
     }
 
-    /// The table of the runs so far; where that cannot be, the end says it.
-    pub fn keep(&self, header: &[String], lines: &[Vec<String>]) {
-        let _ = self.table(header, lines);
+    /// Keeps the next run; where that cannot be, the end says it.
+    pub fn keep(&mut self, header: &[String], line: &[String]) {
+        let journal =
+            self.journal.get_or_insert_with(|| match Journal::open(&self.table, header, &[], Earlier::Restart) {
+                Ok(Begun::Open(journal)) => Some(journal),
+                _ => None,
+            });
+        if journal.as_mut().is_some_and(|journal| journal.add(line).is_err()) {
+            *journal = None;
+        }
     }
 
     /// What was found, with the time that it took and where its table is.

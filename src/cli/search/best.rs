@@ -13,10 +13,10 @@ use stampflow::study::Subject;
 use stampflow::study::search::{Condition, Named, Wish};
 use std::time::Instant;
 
-pub fn optimise(args: &Args, places: &Places, wish: &Wish) -> anyhow::Result<Code> {
+pub fn optimise(args: &Args, places: &mut Places, wish: &Wish) -> anyhow::Result<Code> {
     let count = args.many.count(&args.case, "runs");
     let start = Instant::now();
-    let mut keep = |header: &[String], lines: &[Vec<String>]| places.keep(header, lines);
+    let mut keep = |header: &[String], line: &[String]| places.keep(header, line);
     let found = wish.search_keeping(args.many.threads(), &count, &mut keep).map_err(asked)?;
     let seconds = start.elapsed().as_secs_f64();
     places.table(&found.table.0, &found.table.1)?;

@@ -145,7 +145,7 @@ pub(super) fn has_no_axes(panel: &Panel) -> bool {
 /// Values that are written along an axis: round ones, or where its names stand.
 fn labelled(axis: &Axis, range: (f64, f64), most: usize) -> Vec<f64> {
     match axis.names() {
-        [] if axis.is_logarithmic() => decades(range, most),
+        [] if axis.spacing().is_logarithmic() => decades(range, most),
         [] => ticks(range, most),
         names => (0..names.len()).map(|i| i as f64).collect(),
     }
@@ -154,7 +154,10 @@ fn labelled(axis: &Axis, range: (f64, f64), most: usize) -> Vec<f64> {
 /// What is written at a value.
 fn label(axis: &Axis, value: f64, all: &[f64]) -> String {
     match axis.names() {
-        [] if axis.is_logarithmic() => axis.number(&tick(axis.value(value), &[axis.value(value)])),
+        [] if axis.spacing().is_logarithmic() => {
+            let value = axis.spacing().value(value);
+            axis.number(&tick(value, &[value]))
+        }
         [] => axis.number(&tick(value, all)),
         names => names.get(value.round() as usize).cloned().unwrap_or_default(),
     }

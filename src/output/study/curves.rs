@@ -33,7 +33,7 @@ fn panel(results: &Results, window: &Window, (place, is_first): (usize, bool), z
     let axis = &results.axes[0];
     let number = results.number(place);
     let mut designs: Vec<(f64, &Found)> =
-        axis.values.iter().map(|value| axis.place(*value)).zip(&results.rows).collect();
+        axis.values.iter().map(|value| axis.spacing.place(*value)).zip(&results.rows).collect();
     designs.sort_by(|a, b| a.0.total_cmp(&b.0));
     let known: Vec<(f64, f64, f64)> = designs
         .iter()
@@ -47,7 +47,7 @@ fn panel(results: &Results, window: &Window, (place, is_first): (usize, bool), z
         series.push(Series::silent(curve.clone(), look));
     }
     series.push(Series::silent(curve, Look::Dots { color: color(0) }));
-    let own = axis.own.map(|own| axis.place(own)).zip(Some(results.base.outcome.numbers[place].amount.value));
+    let own = axis.own.map(|own| axis.spacing.place(own)).zip(Some(results.base.outcome.numbers[place].amount.value));
     if let Some((x, y)) = own {
         let label = is_first.then(|| form.tell("the case as it stands"));
         series.extend(label.map(|label| Series::new(label, vec![(x, y)], Look::Flag)));

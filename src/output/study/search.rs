@@ -157,14 +157,14 @@ impl<'a> Key<'a> {
         let is_kept = |row: &Row| condition.map(|condition| condition.judge(row) == Said::Holds);
         let runs = rows.iter().filter_map(|row| Some((Mark::of(row, is_kept(row))?, row))).collect();
         let times = times * told.factor;
-        let axis = if span.is_log() { axis.logarithmic() } else { axis };
-        let ends = span.ends().map(|end| axis.place(end * times));
+        let axis = axis.spaced(span.spacing());
+        let ends = span.ends().map(|end| span.spacing().place(end * times));
         Self { axis, times, ends, column, runs, has_condition: condition.is_some(), form }
     }
 
     /// Where a value of the key is drawn.
     fn along(&self, value: f64) -> f64 {
-        self.axis.place(value * self.times)
+        self.axis.spacing().place(value * self.times)
     }
 
     /// A number's axis, and what its values are multiplied by.

@@ -150,7 +150,7 @@ fn stands(
     let mut series = Vec::new();
     for distance in window.distances().iter().filter(|distance| distance.meets != Meets::End) {
         let is_along = distance.axis == window.x;
-        let place = results.axes[distance.axis].place(distance.to);
+        let place = results.axes[distance.axis].spacing.place(distance.to);
         let to = if is_along { (place, own.1) } else { (own.0, place) };
         series.push(Series::silent(vec![own, to], OWN));
         let by = results.axes[distance.axis].difference(distance.to - distance.from).told(form);

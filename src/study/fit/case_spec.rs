@@ -12,7 +12,7 @@
 use super::range::Range;
 use super::target::Target;
 use crate::files::{self, Disk, Files};
-use crate::study::{StudyError, Subject};
+use crate::study::{Readings, StudyError, Subject};
 use std::path::{Path, PathBuf};
 use toml_edit::{DocumentMut, Item, TableLike, Value};
 
@@ -39,7 +39,7 @@ pub fn load(
     path: &Path,
     overrides: Vec<String>,
     ranges: Vec<Range>,
-    to: &[PathBuf],
+    to: &[Readings],
 ) -> Result<CaseFitSpec, StudyError> {
     let disk: &dyn Files = &Disk;
     let shown = path.display();
@@ -71,7 +71,7 @@ pub fn load(
     };
     set.extend(texts("set")?);
     set.extend(overrides);
-    curves.extend(texts("to")?.iter().map(|name| beside(name)));
+    curves.extend(texts("to")?.iter().map(|name| Readings::File(beside(name))));
     if let Some(fit) = document.get("fit") {
         let table = fit.as_table_like().ok_or_else(|| wrong("`fit` is no table".into()))?;
         keys(table, "", &mut own)?;
@@ -112,7 +112,7 @@ impl CaseFitSpec {
     ///
     /// # Errors
     /// When the case cannot be read, a key is not there or given twice, or there is nothing to fit or to fit to.
-    pub fn new(case: PathBuf, overrides: Vec<String>, ranges: Vec<Range>, to: &[PathBuf]) -> Result<Self, StudyError> {
+    pub fn new(case: PathBuf, overrides: Vec<String>, ranges: Vec<Range>, to: &[Readings]) -> Result<Self, StudyError> {
         Self::of(Subject::new(case, overrides)?, ranges, to)
     }
 
@@ -120,7 +120,7 @@ impl CaseFitSpec {
     ///
     /// # Errors
     /// As [`new`](Self::new).
-    pub fn of(subject: Subject, ranges: Vec<Range>, to: &[PathBuf]) -> Result<Self, StudyError> {
+    pub fn of(subject: Subject, ranges: Vec<Range>, to: &[Readings]) -> Result<Self, StudyError> {
         if ranges.is_empty() {
             return Err(StudyError::new(
                 "no key is to be fitted",
@@ -132,7 +132,7 @@ impl CaseFitSpec {
         }
         let targets = match to {
             [] => Target::of(&subject.case(&[])?),
-            files => files.iter().map(|path| Target::load(path)).collect::<Result<_, _>>()?,
+            curves => curves.iter().map(Target::load).collect::<Result<_, _>>()?,
         };
         if targets.is_empty() {
             let what = "there is no curve to fit to, and the case has no [[compare]] with one";

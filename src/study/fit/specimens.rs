@@ -2,15 +2,14 @@
 
 use super::flow_curve::{FlowCurve, Reduction};
 use super::tension::Tension;
-use crate::study::StudyError;
+use crate::study::{Readings, StudyError};
 use crate::units::{Positive, Quantity, Stress, parse};
-use std::path::PathBuf;
 
 /// Tension tests, and how they are reduced.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Tests {
-    /// A file each.
-    pub files: Vec<PathBuf>,
+    /// A table each.
+    pub tests: Vec<Readings>,
     /// How they are reduced.
     pub reduction: Reduction,
     /// Section of the specimen, for forces \[mm²\].
@@ -29,7 +28,7 @@ impl Tests {
     /// # Errors
     /// When one cannot be read or reduced, or rates or directions are not one for each.
     pub fn curves(&self) -> Result<Vec<FlowCurve>, StudyError> {
-        let count = self.files.len();
+        let count = self.tests.len();
         for (what, given) in [("--rate", self.rate.len()), ("--direction", self.direction.len())] {
             if given != 0 && given != count {
                 return Err(StudyError::new(format!("{what} has {given} values for {count} tests"), "give one each"));
@@ -38,11 +37,11 @@ impl Tests {
         if let Some(rate) = self.rate.iter().find(|rate| !(**rate > 0.0 && rate.is_finite())) {
             return Err(StudyError::new(format!("a strain rate of {rate} /s"), "it must be above 0"));
         }
-        let one = |(i, path): (usize, &PathBuf)| {
-            let curve = FlowCurve::of(&Tension::load(path, self.section, self.gauge)?, &self.reduction)?;
+        let one = |(i, readings): (usize, &Readings)| {
+            let curve = FlowCurve::of(&Tension::load(readings, self.section, self.gauge)?, &self.reduction)?;
             Ok(FlowCurve { rate: self.rate.get(i).copied(), direction: self.direction.get(i).copied(), ..curve })
         };
-        self.files.iter().enumerate().map(one).collect()
+        self.tests.iter().enumerate().map(one).collect()
     }
 }
 

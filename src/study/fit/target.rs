@@ -2,15 +2,14 @@
 
 use crate::case::Case;
 use crate::compare::{Against, CompareError, Computed, CurveSpec, Point, Quantity};
-use crate::files::{self, Disk, Files};
-use crate::study::StudyError;
+use crate::study::{Readings, StudyError};
 use crate::table::Csv;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 /// A measured curve.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Target {
-    /// Its file.
+    /// Its file, or what it is called.
     pub path: PathBuf,
     /// What it is of, and its columns.
     pub spec: CurveSpec,
@@ -39,16 +38,8 @@ impl Target {
     ///
     /// # Errors
     /// When it cannot be read, or no curve that is compared has such columns.
-    pub fn load(path: &Path) -> Result<Self, StudyError> {
-        let shown = path.display();
-        let disk: &dyn Files = &Disk;
-        let text = disk.text(path, files::CSV).map_err(|error| {
-            StudyError::new(format!("cannot read {shown}: {error}"), "give a CSV file of a measured curve with --to")
-        })?;
-        let csv = Csv::read(&text, "the curve", EXAMPLE).map_err(|error| {
-            let line = error.line.map_or_else(String::new, |line| format!(", line {line}"));
-            StudyError::new(format!("{shown}{line}: {}", error.what), error.help)
-        })?;
+    pub fn load(readings: &Readings) -> Result<Self, StudyError> {
+        let csv = readings.table("give a CSV file of a measured curve with --to", EXAMPLE)?;
         let words: Vec<Vec<String>> = csv.header.fields.iter().map(words).collect();
         let find = |any: &[&str]| {
             let is = |of: &[String]| {
@@ -59,13 +50,13 @@ impl Target {
         let found = RULES.iter().find_map(|(quantity, x, y)| Some((*quantity, find(x)?, find(y)?)));
         let (quantity, x, y) = found.ok_or_else(|| {
             StudyError::new(
-                format!("{shown} is no curve that a run can be held against; it has {}", csv.found()),
+                format!("{readings} is no curve that a run can be held against; it has {}", csv.found()),
                 EXAMPLE,
             )
         })?;
         let header = |i: usize| csv.header.fields.get(i).unwrap_or_default().to_owned();
         let spec = CurveSpec { quantity, x: header(x), y: header(y), range: None, tolerance: f64::INFINITY };
-        Ok(Self::new(path.to_owned(), spec, csv))
+        Ok(Self::new(readings.path().to_owned(), spec, csv))
     }
 
     /// The curves that a case is compared with.

@@ -1,15 +1,14 @@
 //! A tension test as its file has it.
 
 use super::columns::{Columns, Measure};
-use crate::files::{self, Disk, Files};
-use crate::study::StudyError;
+use crate::study::readings::refused;
+use crate::study::{Readings, StudyError};
 use crate::table::Csv;
-use std::path::Path;
 
 /// A tension test: true strain and stress, row by row.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Tension {
-    /// Name of the file.
+    /// Name of the file, or what it is called.
     pub name: String,
     pub(super) rows: Vec<TensionRow>,
     /// Whether its strains are plastic ones.
@@ -29,6 +28,9 @@ pub(super) struct TensionRow {
     pub width: Option<f64>,
 }
 
+/// What to write.
+const EXAMPLE: &str =
+    "write for example engineering_strain_percent,engineering_stress_MPa in the first line and 5,312 below it";
 /// Fewest rows of a test.
 const FEWEST: usize = 5;
 /// A strain falls by no more than this from one row to the next: noise of an extensometer \[–\].
@@ -41,13 +43,9 @@ impl Tension {
     ///
     /// # Errors
     /// When it cannot be read, a column is missing or without its unit, strains go back, or it is no tension.
-    pub fn load(path: &Path, section: Option<f64>, gauge: Option<f64>) -> Result<Self, StudyError> {
-        let disk: &dyn Files = &Disk;
-        let shown = path.display();
-        let text = disk.text(path, files::CSV).map_err(|error| {
-            StudyError::new(format!("cannot read {shown}: {error}"), "give a CSV file of a tension test")
-        })?;
-        Self::read(&text, &shown.to_string(), section, gauge)
+    pub fn load(readings: &Readings, section: Option<f64>, gauge: Option<f64>) -> Result<Self, StudyError> {
+        let csv = readings.table("give a CSV file of a tension test", EXAMPLE)?;
+        Self::of(&csv, &readings.to_string(), section, gauge)
     }
 
     /// The same of a text.
@@ -55,12 +53,13 @@ impl Tension {
     /// # Errors
     /// As [`load`](Self::load).
     pub fn read(text: &str, name: &str, section: Option<f64>, gauge: Option<f64>) -> Result<Self, StudyError> {
-        let example =
-            "write for example engineering_strain_percent,engineering_stress_MPa in the first line and 5,312 below it";
-        let at = |line: Option<usize>| line.map_or_else(|| name.to_owned(), |line| format!("{name}, line {line}"));
-        let csv = Csv::read(text, "the test", example)
-            .map_err(|error| StudyError::new(format!("{}: {}", at(error.line), error.what), error.help))?;
-        let columns = Columns::of(&csv, name)?;
+        let csv = Csv::read(text, "the test", EXAMPLE).map_err(|error| refused(name, &error))?;
+        Self::of(&csv, name, section, gauge)
+    }
+
+    fn of(csv: &Csv, name: &str, section: Option<f64>, gauge: Option<f64>) -> Result<Self, StudyError> {
+        let at = |line: usize| format!("{name}, {} {line}", csv.counted);
+        let columns = Columns::of(csv, name)?;
         let (per_strain, per_stress) = match (columns.is_force, section, gauge) {
             (true, Some(section), Some(gauge)) => (1.0 / gauge, 1.0 / section),
             (true, ..) => {
@@ -75,13 +74,13 @@ impl Tension {
             let number = |place: super::columns::Place| {
                 let number = row
                     .number(place.column)
-                    .map_err(|error| StudyError::new(format!("{}: {}", at(Some(row.line)), error.what), error.help));
+                    .map_err(|error| StudyError::new(format!("{}: {}", at(row.line), error.what), error.help));
                 number.map(|number| number.map(|number| number * place.factor))
             };
             let (Some(strain), Some(stress)) = (number(columns.strain)?, number(columns.stress)?) else { continue };
             let (strain, stress) = (strain * per_strain, stress * per_stress);
             if strain.abs() > LARGEST {
-                let what = format!("{}: a strain of {strain} is none of a tension test", at(Some(row.line)));
+                let what = format!("{}: a strain of {strain} is none of a tension test", at(row.line));
                 return Err(StudyError::new(what, "in per cent, the header ends so: strain_percent"));
             }
             let log = |strain: f64, measure| if measure == Measure::Engineering { strain.ln_1p() } else { strain };
@@ -96,7 +95,7 @@ impl Tension {
                 width: width.transpose()?.flatten(),
             };
             if let Some(scatter) = scatter.filter(|scatter| *scatter <= 0.0) {
-                let what = format!("{}: a standard deviation of {scatter} MPa", at(Some(row.line)));
+                let what = format!("{}: a standard deviation of {scatter} MPa", at(row.line));
                 return Err(StudyError::new(what, "it must be above 0, or empty in all rows"));
             }
             rows.push(new);
@@ -107,7 +106,7 @@ impl Tension {
         }
         if rows.len() < FEWEST {
             let what = format!("{name} has {} rows with strain and stress, fewer than {FEWEST}", rows.len());
-            return Err(StudyError::new(what, example));
+            return Err(StudyError::new(what, EXAMPLE));
         }
         let tension = |value: fn(&TensionRow) -> f64| {
             let (low, high) =
@@ -121,7 +120,7 @@ impl Tension {
         let mut furthest = f64::NEG_INFINITY;
         for (row, line) in rows.iter().zip(lines) {
             if row.strain < furthest - BACK {
-                let what = format!("{}: the strain goes back from {furthest:.4} to {:.4}", at(Some(line)), row.strain);
+                let what = format!("{}: the strain goes back from {furthest:.4} to {:.4}", at(line), row.strain);
                 return Err(StudyError::new(what, "one test a file, without unloading: cut out what goes back"));
             }
             furthest = furthest.max(row.strain);

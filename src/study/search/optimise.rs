@@ -54,7 +54,7 @@ const BINDS: f64 = 0.01;
 /// Starts, at most.
 const STARTS: usize = 4;
 
-/// Looks for the best run; `keep` has the table of the runs as they come, those of a start when it has ended.
+/// Looks for the best run; `keep` has the runs as they come, those of a start when it has ended.
 ///
 /// # Errors
 /// When the case cannot be run, or a number is asked for that it does not have.

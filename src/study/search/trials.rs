@@ -6,8 +6,8 @@ use crate::study::{Bars, Columns, Design, Designs, Row, Solved, Span, Subject, o
 use crate::verification::Watch;
 use std::convert::Infallible;
 
-/// Who keeps the table of the runs as it grows: its header, and its lines so far.
-pub type Keep<'a> = &'a mut (dyn FnMut(&[String], &[Vec<String>]) + Sync);
+/// Who keeps the runs as they come: the header of their table, and the line of the next one, which counts the designs so far.
+pub type Keep<'a> = &'a mut (dyn FnMut(&[String], &[String]) + Sync);
 
 /// The runs of a search, in the order in which they were made.
 pub struct Trials<'a> {
@@ -48,7 +48,7 @@ impl<'a> Trials<'a> {
         Self { subject, spans, key, threads, watch, expected, rows: Vec::new(), keep: None }
     }
 
-    /// The same with someone who keeps its table, the columns of which are those of the case as it stands.
+    /// The same with someone who keeps its runs, the columns of which are those of the case as it stands.
     pub fn keeping(mut self, base: &Solved, keep: Keep<'a>) -> Self {
         self.keep = Some((Columns::of(&self, base), keep));
         self
@@ -64,8 +64,8 @@ impl<'a> Trials<'a> {
         row.design.index = self.rows.len() as u64;
         self.rows.push(row);
         if let Some((columns, keep)) = self.keep.take() {
-            let (header, lines) = self.table(&columns);
-            keep(&header, &lines);
+            let line = self.rows.last().map(|row| columns.line(self, row)).unwrap_or_default();
+            keep(&columns.header(), &line);
             self.keep = Some((columns, keep));
         }
     }

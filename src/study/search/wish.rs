@@ -52,7 +52,7 @@ impl Wish {
         self.search_keeping(threads, watch, &mut |_, _| {})
     }
 
-    /// The same with someone who keeps the table of the runs as they come.
+    /// The same with someone who keeps the runs as they come.
     ///
     /// # Errors
     /// As [`search`](Self::search).

@@ -7,9 +7,8 @@
 //! `load_travel.csv` and `profile.csv` of a run are such files too; of the latter the last frame counts.
 
 use super::Candidate;
-use crate::files::{self, Disk, Files};
 use crate::message::Message;
-use crate::study::StudyError;
+use crate::study::{Readings, StudyError};
 use crate::table::Csv;
 use crate::units::{Unit, parse};
 use std::path::{Path, PathBuf};
@@ -43,10 +42,10 @@ impl Curve {
     }
 }
 
-/// The curves of a file.
+/// The curves of a table.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Measured {
-    /// The file.
+    /// Its file, or what it is called.
     pub path: PathBuf,
     /// At least one.
     pub curves: Vec<Curve>,
@@ -64,18 +63,13 @@ struct Column {
 }
 
 impl Measured {
-    /// Reads a file.
+    /// Reads a table.
     ///
     /// # Errors
     /// When it cannot be read, is no table of numbers, or has no curve of the kinds that a run has.
-    pub fn read(path: &Path) -> Result<Self, StudyError> {
-        let shown = path.display();
-        let disk: &dyn Files = &Disk;
-        let text = disk
-            .text(path, files::CSV)
-            .map_err(|error| StudyError::new(format!("cannot read {shown}: {error}"), "give the path of a CSV file"))?;
-        let csv = Csv::read(&text, "the file", EXAMPLE)
-            .map_err(|error| StudyError::new(format!("{shown}: {}", error.what), error.help))?;
+    pub fn read(readings: &Readings) -> Result<Self, StudyError> {
+        let csv = readings.table("give the path of a CSV file", EXAMPLE)?;
+        let path = readings.path();
         let file = path.file_name().map(|name| name.to_string_lossy().into_owned());
         let mut curves = Vec::new();
         for (of, x, y) in [(Of::Load, "travel", "punch_force"), (Of::Thickness, "s0", "thickness")] {
@@ -113,7 +107,7 @@ impl Measured {
             let number = |column: &Column| {
                 let number = row.number(column.at);
                 number.map_err(|error| {
-                    wrong(path, format!("line {}, column `{}`: {}", row.line, column.name, error.what))
+                    wrong(path, format!("{} {}, column `{}`: {}", csv.counted, row.line, column.name, error.what))
                 })
             };
             if let (Some(a), Some(b)) = (number(x)?, number(y)?) {

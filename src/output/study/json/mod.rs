@@ -3,9 +3,11 @@
 mod fit;
 mod scatter;
 mod search;
+mod sweep;
 mod versus;
 
 pub use fit::{fit_case, fit_law};
 pub use scatter::scatter;
 pub use search::{best, found};
+pub use sweep::sweep;
 pub use versus::versus;
