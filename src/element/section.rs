@@ -2,7 +2,7 @@
 
 mod column;
 
-pub use column::{Alone, Answer, Column};
+pub use column::{Alone, Answer, Column, Memory};
 
 use super::Vector6;
 use super::kinematics::{

@@ -23,10 +23,12 @@
 //! BDF2: E. Hairer, S. P. Nørsett, G. Wanner, Solving Ordinary Differential Equations I (1993), section III.5 (not read).
 //! Zienkiewicz, Jain, Oñate, Int. J. Solids Struct. 14 (1978) 15–38; Sosnowski (1994), equations 3 and 4.
 
+mod abreast;
 mod lanes;
 mod parts;
 mod point;
 
+pub use abreast::{Iterates, PointStates};
 pub use lanes::{Quadratic, Rows};
 pub use point::{Past, PointState, ROOM_TEMPERATURE};
 

@@ -18,6 +18,10 @@ const LN_2: [f64; 2] = [6.931_471_803_691_238e-1, 1.908_214_929_270_587_7e-10];
 const ROUND: f64 = 6_755_399_441_055_744.0;
 /// The bits of √½.
 const LEAST_MANTISSA: u64 = std::f64::consts::FRAC_1_SQRT_2.to_bits();
+/// 2^52: a whole number below it stands in its last bits.
+const WHOLE: f64 = 4_503_599_627_370_496.0;
+/// What the exponents of numbers are shifted by.
+const BIAS: u64 = 1_023;
 /// Largest |y| of the exponential's own formula.
 const FAR: f64 = 700.0;
 
@@ -25,8 +29,10 @@ const FAR: f64 = 700.0;
 #[inline(always)]
 pub fn ln<T: Real>(x: T) -> T {
     let [m, e] = T::each([x], |[x]| {
-        let exponent = (x.to_bits().wrapping_sub(LEAST_MANTISSA) as i64) >> 52;
-        [f64::from_bits(x.to_bits().wrapping_sub((exponent << 52) as u64)), f64::from(exponent as i32)]
+        // Shifted to be positive, the exponent goes through the last bits of 2^52: four of them take as long as one.
+        let biased = x.to_bits().wrapping_sub(LEAST_MANTISSA).wrapping_add(BIAS << 52) >> 52;
+        let exponent = f64::from_bits(biased | WHOLE.to_bits()) - (WHOLE + BIAS as f64);
+        [f64::from_bits(x.to_bits().wrapping_sub(biased.wrapping_sub(BIAS) << 52)), exponent]
     });
     let z = (m - 1.0) / (m + 1.0);
     let y = z * z;

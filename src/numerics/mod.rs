@@ -1,5 +1,6 @@
 //! Numerical methods that know nothing of forming.
 
+mod abreast;
 mod bisection;
 pub mod block_tridiagonal;
 pub mod elementary;
@@ -14,6 +15,7 @@ pub mod profile;
 pub mod small;
 mod student;
 
+pub use abreast::Abreast;
 pub use bisection::bisect;
 pub use grid::Grid;
 pub use number::Real;

@@ -2,6 +2,7 @@
 
 use super::*;
 use crate::material::Hill48;
+use crate::numerics::Grid;
 use crate::numerics::number::{Instructions, LANES, Lanes, Work, dispatch};
 use approx::assert_relative_eq;
 
@@ -302,10 +303,17 @@ impl Work for Beside<'_> {
 
     #[inline(always)]
     fn run<S: Instructions>(self, simd: S) -> Self::Output {
-        let (mut iterates, mut updates) = ([Iterate::default(); LANES], [StressUpdate::default(); LANES]);
+        let (mut iterates, mut updates) = (Iterates::new(LANES, 1), [StressUpdate::default(); LANES]);
+        let before = PointStates::of(&Grid::from_values(1, self.points));
         for of in self.strains {
-            let mut rows =
-                Rows { simd, columns: 1, before: &self.points, iterates: &mut iterates, updates: &mut updates };
+            let mut rows = Rows {
+                simd,
+                first: 0,
+                columns: 1,
+                before: &before,
+                iterates: &mut iterates,
+                updates: &mut updates,
+            };
             let (point, mut iterate) = (rows.point(0), rows.iterate(0));
             let strain = [0, 1, 2].map(|d| Lanes::new(simd, of.map(|strain| strain[d])));
             let update = match self.spread {
@@ -317,7 +325,7 @@ impl Work for Beside<'_> {
             };
             rows.take(0, &iterate, &update);
         }
-        (iterates, updates)
+        ([0, 1, 2, 3].map(|k| iterates.get(k, 0)), updates)
     }
 }
 

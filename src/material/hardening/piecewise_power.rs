@@ -69,11 +69,16 @@ impl PiecewisePower {
     /// Of one strain or of several, each on its branch.
     #[inline(always)]
     pub(super) fn at<T: Real>(&self, strain: T) -> FlowStress<T> {
-        let [initial, k, n] = T::each([strain], |[strain]| {
-            let last = self.branches.len() - 1;
-            let branch = self.branches[..last].iter().find(|b| strain < b.up_to).unwrap_or(&self.branches[last]);
-            [branch.initial, branch.k, branch.n]
-        });
+        let (last, before) = self.branches.split_last().expect("checked where the law is made");
+        let [mut initial, mut k, mut n] =
+            [strain.constant(last.initial), strain.constant(last.k), strain.constant(last.n)];
+        // From the last one back, so that the first one that reaches as far is taken.
+        for branch in before.iter().rev() {
+            let below = strain.constant(branch.up_to).exceeds(strain);
+            initial = strain.constant(branch.initial).where_or(below, initial);
+            k = strain.constant(branch.k).where_or(below, k);
+            n = strain.constant(branch.n).where_or(below, n);
+        }
         let (value, slope) = power(strain, n);
         FlowStress { stress: initial + k * value, slope: k * slope }
     }

@@ -5,9 +5,9 @@ mod lanes;
 
 use crate::element::Node;
 use crate::element::kinematics::{EPS_S, EPS_T};
-use crate::element::section::{Alone, Blocks, Internal, Law, Strained};
+use crate::element::section::{Alone, Blocks, Internal, Law, Memory, Strained};
 use crate::element::surface::{STATIONS, stations};
-use crate::material::flow::{FlowLaw, Iterate, Quadratic, Rows};
+use crate::material::flow::{FlowLaw, Iterates, Quadratic, Rows};
 use crate::material::{PointLaw, YieldCriterion};
 use crate::model::{Iteration, Mode};
 use crate::numerics::Grid;
@@ -95,7 +95,7 @@ impl Sheet<'_, '_> {
         elements: Range<usize>,
         law: &L,
         before: &Grid<L::PointState>,
-        iterates: &mut Grid<L::Iterate>,
+        memory: &mut impl Memory<L::Iterate>,
     ) -> bool {
         let Self { step, moves, .. } = *self;
         for e in elements {
@@ -105,8 +105,8 @@ impl Sheet<'_, '_> {
                 *rows = current.membrane_rows();
             }
             let strained = Strained::new(&current, step.volume[e], step.section[e]);
-            let (before, iterates) = (before.row(e), iterates.row_mut(e));
-            let mut points = Alone { law, before, iterates, updates: self.out.updates.row_mut(e) };
+            let (before, updates) = (before.row(e), self.out.updates.row_mut(e));
+            let mut points = Alone { law, before, memory, element: e, updates };
             let Internal { force, blocks, thickness_row, thickness } =
                 self.law.internal(&strained, step.bends[e], &mut points);
             let blocks = match blocks {
@@ -129,9 +129,9 @@ impl Sheet<'_, '_> {
         elements: Range<usize>,
         bends: bool,
         law: &Quadratic,
-        iterates: &mut Grid<Iterate>,
+        iterates: &mut Iterates,
     ) -> bool {
-        let (first, columns, step) = (elements.start, iterates.columns(), self.step);
+        let (first, step) = (elements.start, self.step);
         let moves = &self.moves[first..=elements.end];
         let Some(current) = lanes::moved(simd, &step.references[elements.clone()], moves) else { return false };
         let increment = values([current.strain[EPS_S], current.strain[EPS_T]]);
@@ -152,9 +152,10 @@ impl Sheet<'_, '_> {
         let element = Strained::new(&current, lanes::of(simd, volume), lanes::of(simd, section));
         let rows = Rows {
             simd,
-            columns,
-            before: step.flow_points.rows_of(elements.clone()),
-            iterates: iterates.rows_of_mut(elements.clone()),
+            first,
+            columns: self.out.updates.columns(),
+            before: &step.points_abreast,
+            iterates,
             updates: self.out.updates.rows_of_mut(elements),
         };
         let internal = self.law.internal(&element, bends, &mut Together { law, rows });
