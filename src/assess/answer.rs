@@ -1,18 +1,15 @@
 //! What a designer asks first: does it tear, where, what does the press see.
 
-use super::error_bar::ErrorBar;
+use super::key_number::{KeyNumber, numbers};
 use super::nearest::Nearest;
 use super::neck::torn;
-use super::press::Load;
-use super::{Finding, Light, judgements, thinning};
+use super::{Finding, Light, forming_limit, judgements, thinning};
 use crate::case::Case;
-use crate::measure::{PartPlace, part_height, place_on_part};
-use crate::message::{Amount, Digits, Message, message};
-use crate::model::{Geometry, Model, Motion, Role};
-use crate::solution::{StageSolution, StepRecord, Stop};
-use crate::table::Unit;
-use crate::units::rounded;
-use serde::{Serialize, Serializer};
+use crate::measure::{PartPlace, place_on_part};
+use crate::message::{Amount, Message, message};
+use crate::model::Geometry;
+use crate::solution::{StageSolution, Stop};
+use serde::Serialize;
 
 /// The verdict in one sentence, and the numbers that a part is known by.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -26,49 +23,6 @@ pub struct Answer {
     pub end: Message,
     /// In the order of telling.
     pub numbers: Vec<KeyNumber>,
-}
-
-/// One of the numbers that a part is known by.
-#[derive(Clone, Debug, PartialEq)]
-pub struct KeyNumber {
-    /// Name in JSON: `thinnest`.
-    pub key: &'static str,
-    /// Name in tables: `Thinnest`.
-    pub label: &'static str,
-    /// The number.
-    pub amount: Amount,
-    /// Where, when, and against what.
-    pub about: Message,
-    /// How far it can be trusted; a number with a bar has it in `amount` too.
-    pub bar: ErrorBar,
-}
-
-impl KeyNumber {
-    fn new(key: &'static str, label: &'static str, amount: Amount, about: Message) -> Self {
-        Self { key, label, amount, about, bar: ErrorBar::Unasked }
-    }
-
-    /// With its error bar.
-    pub fn with_bar(self, bar: ErrorBar) -> Self {
-        let amount = if let ErrorBar::Half(half) = bar { self.amount.with_bar(half) } else { self.amount };
-        Self { amount, bar, ..self }
-    }
-}
-
-impl Serialize for KeyNumber {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        #[derive(Serialize)]
-        struct Fields<'a> {
-            key: &'a str,
-            value: f64,
-            #[serde(flatten)]
-            bar: &'a ErrorBar,
-            unit: &'a str,
-            about: &'a Message,
-        }
-        let Self { key, amount, about, bar, .. } = self;
-        Fields { key, value: rounded(amount.value), bar, unit: amount.unit.spelled(), about }.serialize(serializer)
-    }
 }
 
 /// Where the sheet tears.
@@ -133,10 +87,10 @@ fn sentence(stages: &[StageSolution], findings: &[Finding], light: Light, tear: 
             thinning = Amount::share(share("thinning").unwrap_or_default()),
             place = at()
         ),
-        Light::Amber if is("forming_limit", Light::Amber) => {
+        // By the number itself: what only its error bar makes amber is among the others, here as of the thinning.
+        Light::Amber if is("forming_limit", Light::Amber) && share("forming_limit") > Some(forming_limit::CAREFUL) => {
             Message::joined(["it comes near to tearing".into(), at()], " ")
         }
-        // One that only its error bar makes amber is among the others.
         Light::Amber if is("thinning", Light::Amber) && share("thinning") > Some(thinning::CAREFUL) => {
             let thins = message!(
                 "it thins by {thinning} {place}, more than the {rule} rule of thumb",
@@ -212,127 +166,13 @@ impl Tear<'_> {
     }
 }
 
-/// The numbers that a part is known by: thinnest place, force and press, holder, blank, height, draw-in, and the
-/// opening of a slit ring.
-fn numbers(case: &Case, stages: &[StageSolution], is_torn: bool) -> Vec<KeyNumber> {
-    let all = [
-        thinnest_number(stages, is_torn),
-        load(case, stages),
-        holder(stages),
-        Some(blank(case.model())),
-        height(stages),
-        draw_in(stages),
-        ring(case, stages),
-    ];
-    all.into_iter().flatten().collect()
-}
-
 /// Thickness \[mm\] and initial distance \[mm\] of the thinnest element at the end of a stage.
-fn thinnest(stage: &StageSolution) -> Option<(f64, f64)> {
+pub(super) fn thinnest(stage: &StageSolution) -> Option<(f64, f64)> {
     stage.steps.last().map(|step| (step.thinnest, step.thinnest_s0))
 }
 
-fn thinnest_number(stages: &[StageSolution], is_torn: bool) -> Option<KeyNumber> {
-    let stage = stages.last()?;
-    let (thickness, s0) = thinnest(stage)?;
-    let thinning = 1.0 - thickness / stage.model.blank.thickness;
-    let about = message!("{thinning} thinner", thinning = Amount::share(thinning));
-    // What comes after it is another sheet.
-    let after = if is_torn { "after the tear".into() } else { Message::default() };
-    let about = Message::joined([about, place(stages, s0), after], ", ");
-    Some(KeyNumber::new("thinnest", "Thinnest", Amount::thickness(thickness), about))
-}
-
-/// The stages that form the sheet, with their numbers.
-fn formed(stages: &[StageSolution]) -> impl Iterator<Item = (usize, &StageSolution)> {
-    stages.iter().enumerate().filter(|(_, stage)| stage.model.release.is_none())
-}
-
-/// The step where something is largest, and the number of its stage.
-fn largest(stages: &[StageSolution], value: fn(&StepRecord) -> f64) -> Option<(usize, &StepRecord)> {
-    let steps = formed(stages).flat_map(|(i, stage)| stage.steps.iter().map(move |step| (i, step)));
-    steps.max_by(|a, b| value(a.1).total_cmp(&value(b.1)))
-}
-
-/// The step with the largest punch force, and the number of its stage; `None` where no punch presses.
-pub fn largest_force(stages: &[StageSolution]) -> Option<(usize, &StepRecord)> {
-    largest(stages, |step| step.punch_force).filter(|(_, peak)| peak.punch_force > 0.0)
-}
-
-/// The largest force over all stages, or the largest gas pressure where no punch moves.
-fn load(case: &Case, stages: &[StageSolution]) -> Option<KeyNumber> {
-    let several = formed(stages).count() > 1;
-    let stage = |i: usize| if several { message!("in stage {n}", n = i + 1) } else { Message::default() };
-    let Some((i, peak)) = largest_force(stages) else {
-        let (i, peak) = largest(stages, |step| step.pressure.abs()).filter(|(_, peak)| peak.pressure != 0.0)?;
-        let at = message!("at a height of {height}", height = Amount::place(peak.pole_height.abs()));
-        let about = Message::joined([stage(i), at], ", ");
-        return Some(KeyNumber::new("pressure", "Pressure", Amount::stress(peak.pressure.abs()), about));
-    };
-    let unit = stages[i].model.extent().force_unit();
-    let at = message!("at {travel} of travel", travel = Amount::place(peak.travel));
-    let at = Message::joined([stage(i), at], ", ");
-    let pressed = Load::largest(stages)?;
-    let press = match case.press.force {
-        Some(rating) => message!(
-            "{share} of the press's {rating}",
-            share = Amount::share(pressed.force() / rating),
-            rating = Amount::force(rating, unit)
-        ),
-        None => message!("a press of at least {rating}", rating = pressed.rating()),
-    };
-    let with_holder = if pressed.holder() > 0.0 { "with the holder".into() } else { Message::default() };
-    let press = Message::joined([press, with_holder], " ");
-    let about = Message::joined([at, press], "; ");
-    Some(KeyNumber::new("punch_force", "Punch force", Amount::force(peak.punch_force, unit), about))
-}
-
-/// The largest holder force, or the gap of a holder that stands.
-fn holder(stages: &[StageSolution]) -> Option<KeyNumber> {
-    let stage = stages.first()?;
-    let holder = stage.model.tool(Role::Holder)?;
-    if let Motion::Gap(gap) = holder.motion {
-        let about = message!("to the die, {ratio}", ratio = Amount::thicknesses(gap / stage.model.blank.thickness));
-        return Some(KeyNumber::new("holder_gap", "Holder gap", Amount::size(gap), about));
-    }
-    let force = stage.steps.iter().map(|step| step.holder_force).fold(0.0, f64::max);
-    let amount = Amount::force(force, stage.model.extent().force_unit());
-    Some(KeyNumber::new("holder_force", "Holder", amount, "at its largest".into()))
-}
-
-fn blank(model: &Model) -> KeyNumber {
-    let t = Amount::size(model.blank.thickness);
-    let about = match model.geometry {
-        Geometry::Axisymmetric => message!("in diameter, {t} thick", t = t),
-        Geometry::PlaneStrain => message!("wide, {t} thick", t = t),
-    };
-    let amount = Amount::new(2.0 * model.blank.length, Unit::Mm, Digits::Given(2));
-    KeyNumber::new("blank", "Blank", amount, about)
-}
-
-fn height(stages: &[StageSolution]) -> Option<KeyNumber> {
-    let height = part_height(stages.last()?.frames.last()?)?;
-    Some(KeyNumber::new("part_height", "Height", Amount::place(height), "over all".into()))
-}
-
-fn draw_in(stages: &[StageSolution]) -> Option<KeyNumber> {
-    let drawn = stages.last()?.steps.last()?.draw_in;
-    Some(KeyNumber::new("draw_in", "Draw-in", Amount::place(drawn), "of the edge, on each side".into()))
-}
-
-fn ring(case: &Case, stages: &[StageSolution]) -> Option<KeyNumber> {
-    let ring = case.springback.ring?;
-    let about = message!(
-        "when slit; a ring {height} high, cut {from} over the bottom",
-        height = Amount::size(ring.height),
-        from = Amount::size(ring.from)
-    );
-    let amount = Amount::place(ring.opening(stages)?);
-    Some(KeyNumber::new("ring_opening", "Ring opening", amount, about))
-}
-
 /// A place by its name on the part, as the last stage has one, and where it is on the flat blank.
-fn place(stages: &[StageSolution], s0: f64) -> Message {
+pub(super) fn place(stages: &[StageSolution], s0: f64) -> Message {
     let named = stages.iter().rev().find(|stage| place_on_part(stage, s0).is_some());
     named.or(stages.last()).map_or_else(Message::default, |stage| on_part(stage, s0))
 }

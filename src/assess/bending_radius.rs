@@ -50,7 +50,7 @@ pub(super) fn judge(run: &Run) -> Option<Finding> {
                 ratio,
                 Unit::None,
                 message!(
-                    "{thin} at least, refused below {sharp}: thin-shell theory",
+                    "{thin} at least, red below {sharp}: thin-shell theory",
                     thin = Amount::given_thicknesses(THIN),
                     sharp = Amount::given_thicknesses(SHARP)
                 ),

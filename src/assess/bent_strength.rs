@@ -50,7 +50,7 @@ pub(super) fn judge(run: &Run) -> Option<Finding> {
     );
     let [asked, least] = [bent_strength(THIN), bent_strength(SHARP)];
     let limit = message!(
-        "{asked} = ρ ln(1 + 1/ρ) at ρ = {thin}, refused below {sharp}",
+        "{asked} = ρ ln(1 + 1/ρ) at ρ = {thin}, red below {sharp}",
         asked = Amount::share(asked),
         thin = Amount::given_thicknesses(THIN),
         sharp = Amount::given_thicknesses(SHARP)

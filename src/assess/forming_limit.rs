@@ -6,6 +6,7 @@ use crate::case::file::YieldCondition;
 use crate::forming_limit::{CROOKED, Judged};
 use crate::message::{Amount, Message, message};
 use crate::rules::design::THIN;
+use crate::solution::StageSolution;
 use crate::table::Unit;
 
 /// Share of the limit strain above which scatter of metal and process may reach it \[–\].
@@ -14,19 +15,34 @@ pub const CAREFUL: f64 = 0.9;
 /// Share of the limit that a path which is not straight may use: its own limit may be far lower \[–\].
 const BENT: f64 = 0.5;
 
+/// How much of the forming limit a run uses, of the stage that comes nearest to it.
+pub struct Used {
+    /// Initial distance from the axis of the place that the verdict judges \[mm\].
+    pub worst: f64,
+    /// Major strain over the limit's \[%\] over the initial distance from the axis \[mm\], from the axis outward.
+    pub shares: Vec<(f64, f64)>,
+}
+
+/// Of solved stages; `None` without a limit.
+pub fn used(stages: &[StageSolution]) -> Option<Used> {
+    let Nearest { assessment, .. } = Nearest::of(stages)?;
+    let shares = assessment.elements.iter().map(|judged| (judged.s0, 100.0 * judged.ratio()));
+    Some(Used { worst: assessment.worst().s0, shares: shares.collect() })
+}
+
 /// The least margin, where, and when the limit was first reached; not judged where no limit is given.
 pub(super) fn margin(run: &Run) -> Option<Finding> {
     let Some(Nearest { name, stage, assessment }) = &run.nearest else { return Some(missing()) };
     let worst = assessment.worst();
     let bend = run.largest(|step| step.sharpest_bend).unwrap_or(0.0);
-    let bent = bend * THIN > 1.0;
     let open = assessment.open();
     let light = match assessment.reached {
         Some(_) => Light::Red,
-        None if bent || open.is_some() => Light::Amber,
+        None if open.is_some() => Light::Amber,
         None => Light::within(worst.ratio(), CAREFUL),
     };
-    let faces = bent.then(|| {
+    // What speaks against the bend itself is said by its radius.
+    let faces = (bend * THIN > 1.0).then(|| {
         let strain = Amount::strain((1.0 + 0.5 * bend).ln());
         message!("of the mid-surface: bends strain the faces by up to {strain}", strain = strain)
     });
@@ -64,10 +80,7 @@ pub(super) fn margin(run: &Run) -> Option<Finding> {
             .against(100.0 * worst.ratio(), Unit::Percent, limit)
             .at_most(100.0 * CAREFUL, 100.0)
             .source("the case's curve; the share is a declared rule of thumb")
-            .advice(match light == Light::Amber && bent {
-                true => "larger radii: a limit of stretched sheet says nothing of the faces of sharp bends".into(),
-                false => thinning::advice(run, stage, worst.s0),
-            }),
+            .advice(thinning::advice(run, stage, worst.s0)),
     )
 }
 

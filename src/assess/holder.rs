@@ -89,7 +89,7 @@ pub(super) fn judge(run: &Run) -> Option<Finding> {
     });
     let found = Message::joined([found, rim.unwrap_or_default()], "; ");
     let limit = message!(
-        "lifted by {lifted}, refused above {off}; {pressure}",
+        "lifted by {lifted}, red above {off}; {pressure}",
         lifted = Amount::thickness(LIFTED * model.blank.thickness),
         off = Amount::thickness(OFF * model.blank.thickness),
         pressure = Amount::stress(PRESSURE * strength)

@@ -23,6 +23,7 @@ mod friction;
 mod hardening;
 mod holder;
 mod ironing;
+mod key_number;
 mod line_end;
 mod mesh;
 mod moment;
@@ -47,11 +48,12 @@ mod wrinkling;
 mod yield_condition;
 mod yielding;
 
-pub use answer::{Answer, KeyNumber, largest_force, tears_at};
+pub use answer::{Answer, tears_at};
 pub use error_bar::ErrorBar;
 pub use finding::{Finding, Kind, Light, Limits, Sense, When, advice, by_advice, headline, judgements, sentences};
-pub use forming_limit::CAREFUL;
+pub use forming_limit::{CAREFUL, Used, used as forming_limit_used};
 pub use holder::holder_lift;
+pub use key_number::{KeyNumber, largest_force};
 pub use size::size_doubts;
 
 use crate::case::Case;

@@ -10,7 +10,7 @@ use crate::table::{JOULES, Unit};
 /// Share of a rating from which on little of it is left \[–\]: a declared rule of thumb.
 const NEAR: f64 = 0.8;
 /// What a press is chosen for, over its largest load \[–\]: a declared rule of thumb.
-const RESERVE: f64 = 1.2;
+pub(super) const RESERVE: f64 = 1.2;
 
 /// Where a press is loaded most: the ram bears the punch's force, and with it the cushion's that presses the holder.
 pub(super) struct Load<'a> {
@@ -43,11 +43,9 @@ impl<'a> Load<'a> {
         self.step.punch_force + self.holder()
     }
 
-    /// What a press for it should be rated at least, rounded up to two digits.
+    /// What a press for it should be rated at least, told rounded up.
     pub fn rating(&self) -> Amount {
-        let wanted = RESERVE * self.force();
-        let digit = 10_f64.powf(wanted.log10().floor() - 1.0);
-        Amount::force((wanted / digit).ceil() * digit, self.on.model.extent().force_unit()).to(Digits::Given(3))
+        Amount::force(RESERVE * self.force(), self.on.model.extent().force_unit()).to(Digits::Upward(2))
     }
 }
 

@@ -73,7 +73,7 @@ fn pressed(model: &Model, least: f64) -> Option<Finding> {
         pressure = Amount::stress(pressure)
     );
     let limit = message!(
-        "{limit}, refused above {red}",
+        "{limit}, red above {red}",
         limit = Amount::count(LIMITS[0] as usize),
         red = Amount::number(LIMITS[1])
     );
@@ -109,7 +109,7 @@ fn free(model: &Model) -> Finding {
         ratio = Amount::thicknesses(thicknesses)
     );
     let limit = message!(
-        "{limit}, refused above {red}",
+        "{limit}, red above {red}",
         limit = Amount::given_thicknesses(FREE[0]),
         red = Amount::given_thicknesses(FREE[1])
     );

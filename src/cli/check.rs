@@ -4,7 +4,6 @@ use super::answer::answered;
 use super::code::{BadRequest, Code};
 use super::error_bars::ErrorBars;
 use super::job;
-use super::json;
 use super::options::{self, Json, Overrides};
 use super::progress::{Kept, Progress};
 use super::say::{Shown, say, say_json};
@@ -13,6 +12,7 @@ use serde_json::json;
 use stampflow::assess::check::{self, Check};
 use stampflow::assess::{Finding, Kind, Light, advice, headline, judgements, sentences};
 use stampflow::message::{Form, message};
+use stampflow::output::verdict;
 use stampflow::verification;
 use std::fmt::Write;
 use std::path::PathBuf;
@@ -77,7 +77,7 @@ pub fn check(args: &Args) -> anyhow::Result<Code> {
     if args.json.json {
         let mut value = serde_json::to_value(&report)?;
         value["complete"] = json!(complete);
-        value["verdict"] = json::answer(&answer, &findings, verification)?;
+        value["verdict"] = verdict(&answer, &findings, verification)?;
         value["run_warnings"] = serde_json::to_value(sentences(&findings, Kind::Warning))?;
         say_json(&value)?;
     } else {

@@ -1,10 +1,9 @@
-//! Answers and comparisons for programs that read them instead of what is printed.
+//! Comparisons and error bars for programs that read them instead of what is printed.
 
 use serde_json::{Map, Value, json};
-use stampflow::assess::{Answer, Finding, judgements};
 use stampflow::compare::Comparison;
 use stampflow::units::rounded;
-use stampflow::verification::{Bar, Told, Verification};
+use stampflow::verification::{Bar, Verification};
 
 /// A comparison with all its numbers; what was not reached is null.
 pub fn comparison(case: &str, comparison: &Comparison) -> Value {
@@ -25,17 +24,6 @@ pub fn comparison(case: &str, comparison: &Comparison) -> Value {
         "reason": comparison.spec.reason,
         "values": numbers.collect::<Map<_, _>>(),
     })
-}
-
-/// The verdict: its light and sentence, the key numbers, and every row with its number, unit and limits; with error bars
-/// what those are from, and what is told of them.
-pub fn answer(answer: &Answer, findings: &[Finding], verification: Option<&Verification>) -> serde_json::Result<Value> {
-    let mut value = serde_json::to_value(answer)?;
-    value["findings"] = judgements(findings).map(serde_json::to_value).collect::<Result<_, _>>()?;
-    if let Some(verification) = verification {
-        value["error_bars"] = serde_json::to_value(Told::from(verification))?;
-    }
-    Ok(value)
 }
 
 /// Every number with its error bar and what that is made of, what is told beside, and every run.

@@ -16,7 +16,7 @@ use stampflow::case::Case;
 use stampflow::message::{Form, Message, message};
 use stampflow::output::{
     CaseSummary, Extra, FrameRecorder, OUTPUTS, ResultFolder, Results, WriteError, csv, is_report, result_folder,
-    trace, write,
+    trace, verdict, write,
 };
 use stampflow::report::{Report, html};
 use stampflow::verification;
@@ -109,9 +109,9 @@ pub fn run(args: &Args) -> anyhow::Result<Code> {
             let dir = self::folder(args, several, &solution.case)?;
             let verification = args.bars.of(&solution, &progress, args.report);
             let verification = verification.as_ref();
-            let results = Results::of(&solution)?.verified(verification);
-            let results = results.with_pictures(&args.pictures.pictures()).told(args.form.form());
             let (answer, findings) = verification::answered(&solution, verification);
+            let results = Results::of(&solution)?.verified(verification).answered(&answer, &findings);
+            let results = results.with_pictures(&args.pictures.pictures()).told(args.form.form());
             // Each is tried and told whatever became of the others.
             let pages = args.report.then(|| {
                 let report = Report::found(&solution, verification, (answer.clone(), findings.clone()));
@@ -251,7 +251,7 @@ fn as_json(
     files: Option<&[PathBuf]>,
 ) -> anyhow::Result<Value> {
     let mut value = serde_json::to_value(results.summary())?;
-    value["verdict"] = json::answer(answer, findings, results.verification)?;
+    value["verdict"] = verdict(answer, findings, results.verification)?;
     let case = &results.solution.case.name;
     let comparisons = results.comparisons.iter().map(|comparison| json::comparison(case, comparison));
     value["comparisons"] = comparisons.collect();

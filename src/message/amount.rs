@@ -31,11 +31,13 @@ pub enum Digits {
     Given(usize),
     /// Likewise of a length \[mm\] as drawings have it; of inches three.
     Drawn(usize),
+    /// So many from the first that is not 0, rounded up in the unit that it is told in: what is asked for at least.
+    Upward(usize),
     /// As it was given; in a unit other than the solver's so many from the first that is not 0.
     Converted(usize),
 }
 
-use Digits::{Converted, Decimals, Drawn, Given, Significant};
+use Digits::{Converted, Decimals, Drawn, Given, Significant, Upward};
 
 /// Decimals of a length on a drawing in inches.
 const OF_INCHES: usize = 3;
@@ -214,6 +216,7 @@ impl Amount {
             Drawn(n) => crate::units::trimmed(value, if to.finer > 0 { OF_INCHES } else { n } as i32),
             Converted(_) if to.factor == 1.0 => crate::units::trimmed(value, FINEST),
             Converted(n) => crate::units::trimmed(value, n as i32 - 1 - magnitude(value, n)),
+            Upward(n) => upward(value, n),
             Significant(_) if value == 0.0 => "0".to_owned(),
             Significant(n) => match magnitude(value, n) {
                 magnitude if magnitude < SMALLEST && self.unit == Unit::Percent => "0".to_owned(),
@@ -228,7 +231,7 @@ impl Amount {
     fn decimals(self, value: f64, finer: usize) -> i32 {
         match self.digits {
             Decimals(n) | Given(n) | Drawn(n) => (n + finer) as i32,
-            Significant(n) | Converted(n) => (n as i32 - 1 - magnitude(value, n)).max(0),
+            Significant(n) | Converted(n) | Upward(n) => (n as i32 - 1 - magnitude(value, n)).max(0),
         }
     }
 }
@@ -242,6 +245,15 @@ fn within_bar(value: f64, bar: f64, most: i32) -> [String; 2] {
     let place = 10f64.powi(-decimals);
     let write = |places: f64| unsigned_zero(&format!("{:.*}", decimals.max(0) as usize, places * place));
     [write((value / place).round()), write((bar / place - 0.05).ceil().max(1.0))]
+}
+
+/// A number rounded up to so many digits: 105.4 to two is 110.
+fn upward(value: f64, digits: usize) -> String {
+    let decimals = digits as i32 - 1 - value.abs().log10().floor() as i32;
+    let place = 10f64.powi(-decimals);
+    // What is a whole number of places but for round-off stays.
+    let places = (value / place - 1e-9).ceil();
+    crate::units::trimmed(places * place, decimals.max(0))
 }
 
 /// The power of ten of a number once it is rounded to so many digits: 9.996 is 10.0.
@@ -290,6 +302,8 @@ mod tests {
             (Amount::ratio(1.287), ["1.29", "1.29", "1,29"]),
             (Amount::share(1.23e-8), ["0 %", "0 %", "0 %"]),
             (Amount::new(1.23e-6, Unit::None, Significant(2)), ["1.2e-6", "1.2e-6", "1,2e-6"]),
+            (Amount::force(105_400.0, Unit::N).to(Upward(2)), ["110 kN", "12 US tonf", "110 kN"]),
+            (Amount::force(66_000.0, Unit::N).to(Upward(2)), ["66 kN", "7.5 US tonf", "66 kN"]),
             (Amount::stress(f64::NAN), ["– MPa", "– psi", "– MPa"]),
         ] {
             assert_eq!([tell(amount, si), tell(amount, us), tell(amount, de)], expected);

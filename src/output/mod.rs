@@ -45,6 +45,7 @@ mod thickness_profile;
 mod thinning;
 mod told;
 pub mod trace;
+mod verdict;
 pub mod verification;
 mod viridis;
 pub mod vtk;
@@ -68,6 +69,7 @@ pub use results::Results;
 pub use sketch::sketch;
 pub use stage_view::StageView;
 pub use summary::{CaseSummary, Figure, Summary};
+pub use verdict::verdict;
 pub use writing::{OutputError, REPORT_MARKER, comparison_folder, is_report, is_result, result_folder};
 
 /// Every file that may be written.

@@ -1,6 +1,7 @@
 //! A solution looked over: what all of its outputs are made from.
 
-use super::{Pictures, StageView};
+use super::{Pictures, StageView, verdict};
+use crate::assess::{Answer, Finding};
 use crate::case::Solution;
 use crate::compare::{CompareError, Comparison};
 use crate::message::Form;
@@ -32,6 +33,13 @@ impl<'a> Results<'a> {
     pub fn verified(mut self, verification: Option<&'a Verification>) -> Self {
         StageView::verify(&mut self.views, &self.solution.stages, verification);
         Self { verification, ..self }
+    }
+
+    /// The same with the verdict, which the summary of every stage carries: it is of all stages together.
+    pub fn answered(mut self, answer: &Answer, findings: &[Finding]) -> Self {
+        let verdict = verdict(answer, findings, self.verification).ok();
+        self.views.iter_mut().for_each(|view| view.verdict.clone_from(&verdict));
+        self
     }
 
     /// The same with pictures that are told in a form.

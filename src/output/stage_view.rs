@@ -46,6 +46,8 @@ pub struct StageView<'a> {
     pub form: Form,
     /// How far its numbers can be trusted, where that was looked at.
     pub verification: Option<&'a Verification>,
+    /// The verdict on the whole case, for programs, where it was asked for.
+    pub verdict: Option<serde_json::Value>,
     /// Around its punch force over the travel, where its is the largest of the case.
     pub(super) load_band: Option<&'a Band>,
     /// Around its thickness over the blank at its end, of the last stage.
@@ -105,6 +107,7 @@ impl<'a> StageView<'a> {
             pictures: Pictures::default(),
             form: Form::default(),
             verification: None,
+            verdict: None,
             load_band: None,
             thickness_band: None,
             assessment: OnceLock::new(),

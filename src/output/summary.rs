@@ -17,6 +17,7 @@ use crate::model::{Extent, Geometry, Mode};
 use crate::solution::{StageSolution, StepRecord, Stop};
 use crate::table::Unit;
 use crate::verification::Verification;
+use serde::Serialize;
 
 /// Before a label that belongs to the line above.
 const INDENT: &str = "  ";
@@ -237,9 +238,20 @@ fn bend_radius(run: &StageSolution) -> f64 {
     if sharpest > 0.0 { 1.0 / sharpest } else { 0.0 }
 }
 
+/// What `summary.json` has.
+#[derive(Serialize)]
+struct Written<'a> {
+    #[serde(flatten)]
+    summary: Summary,
+    /// On the whole case, as `run --json` has it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    verdict: Option<&'a serde_json::Value>,
+}
+
 /// `summary.json`.
 pub(super) fn json(view: &StageView) -> Option<String> {
-    serde_json::to_string_pretty(&Summary::of(view)).ok().map(|text| text + "\n")
+    let written = Written { summary: Summary::of(view), verdict: view.verdict.as_ref() };
+    serde_json::to_string_pretty(&written).ok().map(|text| text + "\n")
 }
 
 /// What is modelled, and what its forces are of.

@@ -4,6 +4,7 @@ use super::{FrameRecorder, Make, OUTPUTS, ResultFolder, Results, StageView, Writ
 use crate::case::{Case, Solution};
 use crate::compare::CompareError;
 use crate::files::{Disk, Files};
+use crate::verification::answered;
 use std::fs;
 use std::io::{self, ErrorKind};
 use std::path::{Path, PathBuf};
@@ -100,7 +101,8 @@ impl Solution {
     /// # Errors
     /// When a folder or file cannot be written, or a reference of the case cannot be read.
     pub fn write(&self, dir: impl AsRef<Path>) -> Result<Vec<PathBuf>, OutputError> {
-        Ok(Results::of(self)?.write(&FrameRecorder::default(), dir.as_ref())?)
+        let (answer, findings) = answered(self, None);
+        Ok(Results::of(self)?.answered(&answer, &findings).write(&FrameRecorder::default(), dir.as_ref())?)
     }
 }
 

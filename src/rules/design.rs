@@ -30,6 +30,8 @@ pub const REDRAW_RATIO: f64 = 1.3;
 pub const IRONING_LIMIT: f64 = 0.35;
 /// Radius over thickness of tools [–]: see [`tool_radius`].
 const RADIUS: f64 = 6.0;
+/// How far from its bend a flange's rim is held down, over the thickness \[–\]: see [`levelling_force`].
+const HELD_OUT: f64 = 8.0;
 /// Elements per 90° of the sharpest corner that a blank of equal elements would have [–].
 const PER_QUARTER: f64 = 10.0;
 /// Height for which a blank is made beyond the wanted one, over that one [–]: a declared rule of thumb.
@@ -114,19 +116,15 @@ pub fn tool_radius(thickness: f64) -> Picked {
     Picked::by(RADIUS * thickness, "6 thicknesses: a punch wants 4 to 5 (4ming), shells want 5")
 }
 
-/// Radius of the shoulder of a die that the whole blank is drawn through: [`tool_radius`], or more where the rim, which
-/// arrives t β^(1/(1 + r̄)) thick (compressed round the axis alone), would be bent to less than 5 of its own thicknesses:
-/// R + t'/2 ≥ 5 t'.
+/// Radius of the shoulder of a die that the whole blank is drawn through: that of [`tool_radius`] for the thickest that comes
+/// over it, the rim, which arrives t' = t β^(1/(1 + r̄)) thick (compressed round the axis alone). It is bent to 6.5 of its own
+/// thicknesses then, above the 5 of thin shells by more than meshes and steps move that.
 pub fn drawn_shoulder(thickness: f64, ratio: f64, anisotropy: f64) -> Picked {
-    let least = (THIN - 0.5) * thickness * ratio.powf(1.0 / (1.0 + anisotropy));
-    let usual = tool_radius(thickness);
-    if least <= usual.value {
-        return usual;
-    }
+    let rim = RADIUS * thickness * ratio.powf(1.0 / (1.0 + anisotropy));
     let why = format!(
-        "so that the rim, t β^(1/(1 + r̄)) thick, β = {ratio:.2}, is bent to no less than {THIN} of its own thicknesses"
+        "{RADIUS} thicknesses of the rim, t β^(1/(1 + r̄)) thick, β = {ratio:.2}: shells want {THIN} with a margin (declared)"
     );
-    Picked::by(0.01 * (100.0 * least).ceil(), why)
+    Picked::by(0.01 * (100.0 * rim).ceil(), why)
 }
 
 /// Gap between punch and die of a cup, t √β: as thick as the rim of a blank becomes that is drawn in by the ratio β and
@@ -165,12 +163,29 @@ pub fn drawn_travel(height: f64, shoulder: f64, thickness: f64) -> Picked {
     Picked::by(height - thickness + risen, "until the rim stands half way round the die's shoulder: no flange is left")
 }
 
-/// [`siebel`]'s pressure of a template.
-pub fn holder_pressure(ratio: f64, diameter: f64, thickness: f64, strength: f64) -> Picked {
-    let pressure = siebel(ratio, diameter, thickness, strength);
-    let why = format!(
-        "{pressure:.2} MPa on the flat of the flange, 0.0025 [(β − 1)² + 0.5 d/(100 t)] R_m: Siebel, after Kugler (2009)"
-    );
+/// Force on a whole ring that holds a flange down while it is bent over a shoulder that ends at the radius a \[N\]: the bend's
+/// full plastic moment R_m t²/4 per mm of circle, borne by the rim 8 t further out, F = 2π a R_m t²/4/(8 t) = π a R_m t/16.
+/// Derived here but for the 8 t, which are declared: a flange that is narrower soon runs out. With less force the rim of a short
+/// cup rises before.
+pub fn levelling_force(shoulder_end: f64, thickness: f64, strength: f64) -> f64 {
+    2.0 * PI * shoulder_end * 0.25 * strength * thickness / HELD_OUT
+}
+
+/// A template's holder pressure on the flat of a flange, from where the shoulder ends to the edge \[mm\]: [`siebel`]'s, or the
+/// one of [`levelling_force`] where that is more.
+pub fn holder_pressure(ratio: f64, diameter: f64, [end, edge]: [f64; 2], thickness: f64, strength: f64) -> Picked {
+    let siebel = siebel(ratio, diameter, thickness, strength);
+    let level = levelling_force(end, thickness, strength) / (PI * (edge * edge - end * end));
+    // Of a blank that ends on the shoulder there is nothing to hold, which is refused elsewhere.
+    let (pressure, rule) = if edge > end && level > siebel {
+        (
+            level,
+            "π a R_m t/16 over its area: a plastic hinge R_m t²/4 at the shoulder's end a, held 8 t further out (declared)",
+        )
+    } else {
+        (siebel, "0.0025 [(β − 1)² + 0.5 d/(100 t)] R_m: Siebel, after Kugler (2009)")
+    };
+    let why = format!("{pressure:.2} MPa on the flat of the flange, {rule}");
     // Not rounded: the force is, upwards.
     Picked { value: pressure, why }
 }

@@ -1,6 +1,6 @@
 //! The numbers of a solution that can have a bar: one list of all.
 
-use crate::assess::{self, Answer, Finding, largest_force};
+use crate::assess::{self, Answer, Finding, forming_limit_used, largest_force};
 use crate::case::Case;
 use crate::measure::{Shape, changes, thickest};
 use crate::message::{Amount, Digits};
@@ -42,18 +42,24 @@ pub struct Number {
     pub amount: Amount,
     /// The element or step that a place or a travel is read off by, in the number's unit; 0 of others.
     pub resolution: f64,
+    /// Initial distance from the axis \[mm\] of the place that it is of, where another run's is looked up there: the worst place
+    /// jumps between places that are as near to the limit, and the share of one is no error of the other's.
+    pub place: Option<f64>,
 }
 
 /// Inputs that are told among the answer's numbers, and what is one where the case gives the force.
 const GIVEN: [&str; 2] = ["blank", "holder_gap"];
 const HOLDER: &str = "holder_force";
 
+/// The row of the verdict whose number is of one place of the sheet.
+const LIMIT: &str = "forming_limit";
+
 /// Rows of the verdict that judge the numerics themselves: what a refinement does to them says nothing of a part.
 const OF_THE_SOLVER: [&str; 4] = ["power_balance", "cutoff", "penetration", "moment_error"];
 
 impl Number {
     fn new(key: &'static str, label: &'static str, amount: Amount) -> Self {
-        Self { of: Of::Part, key, label, amount, resolution: 0.0 }
+        Self { of: Of::Part, key, label, amount, resolution: 0.0, place: None }
     }
 
     fn by(self, resolution: f64) -> Self {
@@ -68,7 +74,9 @@ impl Number {
 
 /// Every number of a case's solved stages, in the order of telling.
 pub fn numbers(case: &Case, stages: &[StageSolution], findings: &[Finding]) -> Vec<Number> {
-    let answer = Answer::of(case, stages, findings).numbers.into_iter();
+    let told = Answer::of(case, stages, findings).numbers;
+    let used = forming_limit_used(stages);
+    let answer = told.iter();
     let is_given = |key: &str| GIVEN.contains(&key) || key == HOLDER && is_held_by_a_force(case);
     let answer = answer
         .filter(|number| !is_given(number.key))
@@ -76,9 +84,12 @@ pub fn numbers(case: &Case, stages: &[StageSolution], findings: &[Finding]) -> V
     let judged = assess::judgements(findings).filter(|row| !OF_THE_SOLVER.contains(&row.key));
     let judged = judged.filter_map(|row| {
         let amount = Amount::new(row.value?, row.unit, Digits::Significant(3));
-        Some(Number { of: Of::Verdict, ..Number::new(row.key, row.label, amount) })
+        let place = used.as_ref().filter(|_| row.key == LIMIT).map(|used| used.worst);
+        Some(Number { of: Of::Verdict, place, ..Number::new(row.key, row.label, amount) })
     });
-    let all = answer.chain(of_the_press(stages)).chain(of_the_part(stages)).chain(judged);
+    let is_told = |part: &Number| told.iter().any(|number| number.key == part.key);
+    let part = of_the_part(stages).into_iter().filter(|part| !is_told(part));
+    let all = answer.chain(of_the_press(stages)).chain(part).chain(judged);
     all.filter(|number| number.amount.value.is_finite()).collect()
 }
 

@@ -2,10 +2,11 @@
 
 use super::direction::Direction;
 use super::numbers::{Number, numbers};
-use crate::assess::{Finding, after_one_of_many, largest_force};
+use crate::assess::{Finding, after_one_of_many, forming_limit_used, largest_force};
 use crate::case::{Case, Solution};
 use crate::message::Message;
 use crate::model::mesh;
+use crate::numerics::interpolated;
 use crate::solution::{StageSolution, Stop};
 
 /// What is kept of a run.
@@ -23,6 +24,9 @@ pub struct Outcome {
     pub load: Vec<(f64, f64)>,
     /// Thickness \[mm\] of the part over the initial distance from the axis \[mm\].
     pub thickness: Vec<(f64, f64)>,
+    /// Share of the forming limit that is used \[%\] over the initial distance from the axis \[mm\], of the stage that comes
+    /// nearest to it; empty without a limit.
+    pub used: Vec<(f64, f64)>,
     /// Of the flat blank's elements, over its thickness \[–\].
     pub shortest: f64,
 }
@@ -83,12 +87,15 @@ impl Outcome {
             numbers: numbers(case, stages, findings),
             load: load.unwrap_or_default(),
             thickness: elements.map(|element| (element.s0, element.thickness)).collect(),
+            used: forming_limit_used(stages).map_or_else(Vec::new, |used| used.shares),
             shortest: shortest / first.blank.thickness,
         }
     }
 
-    /// Its value of a number.
+    /// Its value of a number, at the place that the number is of.
     pub fn value(&self, number: &Number) -> Option<f64> {
-        self.numbers.iter().find(|own| own.is(number)).map(|own| own.amount.value)
+        let own = self.numbers.iter().find(|own| own.is(number))?;
+        let there = number.place.filter(|_| !self.used.is_empty()).map(|place| interpolated(&self.used, place));
+        Some(there.unwrap_or(own.amount.value))
     }
 }

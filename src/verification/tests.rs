@@ -11,7 +11,7 @@ fn end(kind: &'static str, lost: bool) -> End {
 }
 
 fn number(of: Of, key: &'static str, value: f64, resolution: f64) -> Number {
-    Number { of, key, label: "Thinnest", amount: Amount::place(value), resolution }
+    Number { of, key, label: "Thinnest", amount: Amount::place(value), resolution, place: None }
 }
 
 /// A run with a thickness, a place on the sheet and a row of the verdict.
@@ -27,6 +27,7 @@ fn run(refined: Option<(Direction, f64)>, [thinnest, place, used]: [f64; 3]) -> 
         ],
         load: vec![(1.0, thinnest), (2.0, 2.0 * thinnest)],
         thickness: vec![(1.0, thinnest)],
+        used: Vec::new(),
         shortest: 2.0,
     }
 }
@@ -84,6 +85,20 @@ fn a_run_that_the_numerics_ended_does_not_count() {
     let found = verified(finer);
     assert!(found.bars.iter().all(|bar| bar.half.is_none()));
     assert_eq!(found.bars[0].why.to_string(), "no run with finer steps came to its end");
+}
+
+/// Trust: by hand: the worst place is another in the finer runs, with half the share; where it was, nothing has changed.
+#[test]
+fn a_share_of_the_limit_is_held_against_that_of_the_same_place() {
+    let used = |worst: f64| vec![(10.0, 40.0), (20.0, worst)];
+    let at_ten = |mut run: Outcome| {
+        run.numbers[2].place = Some(10.0);
+        Outcome { used: used(80.0), ..run }
+    };
+    let finer = vec![at_ten(run(Some((Direction::Steps, 2.0)), [4.0, 30.0, 80.0]))];
+    let base = at_ten(run(None, [4.0, 30.0, 40.0]));
+    let found = Verification::of(base, finer, 1e-5, |_, levels| estimate(levels, Some(1.0)));
+    assert_eq!(found.bar(Of::Verdict, "forming_limit").expect("a number").half, Some(0.0));
 }
 
 #[test]

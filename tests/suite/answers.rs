@@ -1,6 +1,6 @@
 //! What a designer reads: one screen that answers, within 80 columns.
 
-use crate::common::cli::{COMPARE, CUP, folder, stampflow, text};
+use crate::common::cli::{COMPARE, CUP, STAGES, folder, stampflow, text};
 use std::fs;
 use std::path::Path;
 
@@ -97,6 +97,47 @@ fn programs_get_numbers_units_and_limits() {
         assert_eq!(thinning["unit"], "percent");
         assert_eq!(thinning["limits"]["amber"].as_f64(), Some(20.0));
         assert_eq!(thinning["limits"]["sense"], "at_most");
+    }
+}
+
+/// Trust: the angle of the long table.
+#[test]
+fn a_bend_is_known_by_its_angle() {
+    let dir = folder(CUP);
+    let made = stampflow(dir.path(), &["new", "v-bend", "-o", "v.toml"]);
+    assert_eq!(made.status.code(), Some(0), "{}", text(&made.stderr));
+    let value: serde_json::Value =
+        serde_json::from_slice(&stampflow(dir.path(), &["run", "v.toml", "--json"]).stdout).unwrap();
+    let numbers = value["verdict"]["numbers"].as_array().unwrap();
+    let angle = numbers.iter().find(|number| number["key"] == "opening_angle").expect("an angle");
+    let changes = value["stages"][1]["springback"].as_array().unwrap();
+    let change = changes.iter().find(|change| change["key"] == "opening_angle").unwrap();
+    assert!(angle["value"] == change["after"] && angle["unit"] == "deg", "{angle} {change}");
+    let told = stampflow(dir.path(), &["run", "v.toml", "-q"]);
+    let told = text(&told.stdout);
+    assert!(told.contains("Opening angle") && told.contains("under load"), "{told}");
+    let us = stampflow(dir.path(), &["run", "cases/cup.toml", "-q", "--units", "us"]);
+    let us = text(&us.stdout).replace('\n', " ");
+    let press = us.split("a press of at least ").nth(1).unwrap().split(' ').next().unwrap();
+    assert!(press.trim_matches('0').trim_matches('.').len() <= 3 && us.contains("1.2 times"), "{us}");
+}
+
+/// Trust: what --json prints of the same run; of several stages each folder has it.
+#[test]
+fn the_summary_carries_the_verdict() {
+    for (case, files) in [
+        (CUP.to_owned(), &["summary.json"][..]),
+        (CUP.to_owned() + STAGES, &["1-draw/summary.json", "2-retract/summary.json"]),
+    ] {
+        let dir = folder(&case);
+        let done = stampflow(dir.path(), &["run", "cases/cup.toml", "--json"]);
+        let printed: serde_json::Value = serde_json::from_slice(&done.stdout).unwrap();
+        for file in files {
+            let written = fs::read_to_string(dir.path().join("out/cup").join(file)).unwrap();
+            let written: serde_json::Value = serde_json::from_str(&written).unwrap();
+            assert!(written["verdict"]["sentence"].is_string() && written["program"].is_string(), "{written}");
+            assert_eq!(written["verdict"], printed["verdict"], "{file}");
+        }
     }
 }
 

@@ -6,6 +6,7 @@ use stampflow::case::library::materials;
 use stampflow::case::{Case, parse};
 use stampflow::message::Message;
 use stampflow::model::{Mode, Motion, Role};
+use stampflow::verification::{answered, quick};
 use stampflow::{Frame, StageSolution, Stop, solve};
 use std::fs;
 use std::path::Path;
@@ -184,6 +185,33 @@ fn the_sheet_may_be_one_of_the_library() {
         let more = pressure("holder pressure").unwrap() - pressure("advised pressure").unwrap();
         assert!((0.0..0.003).contains(&more), "{}: {more}", entry.name);
     }
+}
+
+/// Trust: what the verdict says with its error bars of cups from short to deep; of one shorter still the bars of a bend that just
+/// comes over its shoulder are wide, but its holder stays down.
+#[test]
+fn cups_are_made_with_a_margin() {
+    for (height, is_barred) in [("20 mm", false), ("25 mm", true), ("45 mm", true), ("65 mm", true)] {
+        let solution = case("cup", &[("height", height), ("punch-radius", "40 mm")]).solve(&mut ());
+        let bars = is_barred.then(|| quick(&solution, &()));
+        let (answer, findings) = answered(&solution, bars.as_ref());
+        for key in ["holder", "bend_radius", "forming_limit"] {
+            let finding = findings.iter().find(|finding| finding.key == key).expect(key);
+            assert_eq!(finding.light, Light::Green, "{height}: {key} {}", finding.found);
+        }
+        assert!(answer.sentence.to_string().starts_with("it does not tear"), "{height}: {}", answer.sentence);
+    }
+}
+
+/// Trust: by hand: π 50 · 300 · 1/16 = 2945 N on π (60² − 50²) mm² are 0.852 MPa; Siebel's of β = 1.5, d = 80 mm is 0.488 MPa.
+#[test]
+fn the_holder_of_a_narrow_flange_keeps_its_rim_down() {
+    let narrow = rules::holder_pressure(1.5, 80.0, [50.0, 60.0], 1.0, 300.0);
+    assert!((narrow.value - 0.8523).abs() < 1e-4 && narrow.why.contains("R_m t/16"), "{narrow:?}");
+    let wide = rules::holder_pressure(1.5, 80.0, [50.0, 80.0], 1.0, 300.0);
+    assert!((wide.value - 0.4875).abs() < 1e-9 && wide.why.contains("Siebel"), "{wide:?}");
+    // A rim that is √1.44 as thick; six of it.
+    assert!((rules::drawn_shoulder(1.0, 1.44, 1.0).value - 7.2).abs() < 0.011);
 }
 
 /// Trust: what the verdict of a fresh case says; each light here depends on a number that a template has picked.

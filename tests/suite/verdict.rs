@@ -261,6 +261,23 @@ fn noses_and_shoulders_below_five_thicknesses_are_not_green() {
     assert_eq!(light(&found, "bent_strength"), Light::Red, "{found:?}");
 }
 
+/// Trust: a bend just under five thicknesses in a cup that uses a fraction of its limit: each row says its own, and the sentence
+/// what is asked first.
+#[test]
+fn a_sharp_bend_is_not_near_to_tearing() {
+    let (answer, found) = answered("quickstart.toml", &["forming_limit.hill=true", "tools.die.shoulder=4.5 mm"]);
+    assert_eq!(
+        [light(&found, "forming_limit"), light(&found, "bend_radius")],
+        [Light::Green, Light::Amber],
+        "{found:?}"
+    );
+    let said = answer.sentence.to_string();
+    assert!(said.starts_with("it does not tear; look at Bending radius"), "{said}");
+    let bend = found.iter().find(|finding| finding.key == "bend_radius").expect("a row");
+    assert!(bend.limit.to_string().replace('\u{a0}', " ").contains("red below 2 t"), "{bend:?}");
+    assert!(found.iter().all(|finding| !finding.limit.to_string().contains("refused")), "{found:?}");
+}
+
 /// Trust: the summary's own number, in millimetres of a sheet of 1 mm; a weak holder is lifted by the thickening flange, and
 /// by more still when nothing but the tilting rim is left under it.
 #[test]
@@ -305,7 +322,10 @@ fn a_press_bears_the_punch_and_its_cushion() {
         (number.replace('\u{a0}', " "), light(&findings, "press_force"))
     };
     let (number, unrated) = told(&[]);
-    assert!(number.ends_with("a press of at least 67 kN with the holder") && unrated == Light::Grey, "{number}");
+    assert!(
+        number.ends_with("a press of at least 67 kN with the holder (1.2 times the load)") && unrated == Light::Grey,
+        "{number}"
+    );
     for (force, share, light) in [
         ("press.force=50 kN", "111 %", Light::Red),
         ("press.force=60 kN", "92 %", Light::Amber),

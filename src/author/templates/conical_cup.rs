@@ -70,13 +70,15 @@ fn write(inputs: &Inputs) -> Result<String, CaseError> {
         blank_for(height, clearance.value),
         "half of D, D² = d₁² + 2 s (d₁ + d₂) + D_f² − d₂²: bottom, cone of side s and flange, the sheet keeps its area (Guldin)",
     );
-    let pressure =
-        inputs.pick("holder-pressure", || rules::holder_pressure(blank.value / mouth, 2.0 * mouth, t, sheet.strength));
+    let throat = throat("mouth", mouth, &clearance);
+    let flat = [throat.value + shoulder.value, blank.value];
+    let pressure = inputs
+        .pick("holder-pressure", || rules::holder_pressure(blank.value / mouth, 2.0 * mouth, flat, t, sheet.strength));
     let tools = Tools {
         geometry: Geometry::Axisymmetric,
         punch: punch(bottom, mouth, angle, &nose),
         travel: Picked::by(height, "the depth that is wanted"),
-        throat: throat("mouth", mouth, &clearance),
+        throat,
         shoulder,
         holder: None,
     }

@@ -33,7 +33,7 @@ const OPTIONS: &[Choice] = &[
         "blank for that much more height: the rim thickens and is trimmed",
     ),
     NOSE,
-    Choice::length("shoulder", Rule("6 thicknesses, or 4.5 of the rim"), "radius of the die's corner"),
+    Choice::length("shoulder", Rule("6 thicknesses of the rim"), "radius of the die's corner"),
     Choice::length("clearance", Rule("t √β"), "gap between punch and die"),
     HOLDER_PRESSURE,
 ];
@@ -117,13 +117,15 @@ fn page(inputs: &Inputs, trim: Picked) -> Result<String, CaseError> {
     let ratio = rules::draw_ratio(|height| cup.blank_for(height, t), cup.height, cup.radius, or)?;
     let clearance = inputs.pick("clearance", || rules::drawing_clearance(t, ratio));
     let shoulder = inputs.pick("shoulder", || rules::drawn_shoulder(t, ratio, sheet.anisotropy()));
+    let throat = throat("punch", cup.radius, &clearance);
+    let flat = [throat.value + shoulder.value, blank.value];
     let pressure =
-        inputs.pick("holder-pressure", || rules::holder_pressure(ratio, 2.0 * cup.radius, t, sheet.strength));
+        inputs.pick("holder-pressure", || rules::holder_pressure(ratio, 2.0 * cup.radius, flat, t, sheet.strength));
     let tools = Tools {
         geometry: Geometry::Axisymmetric,
         punch: flat_punch("radius", cup.radius, &cup.nose),
         travel: rules::drawn_travel(cup.height, shoulder.value, t),
-        throat: throat("punch", cup.radius, &clearance),
+        throat,
         shoulder,
         holder: None,
     }

@@ -52,13 +52,16 @@ fn write(inputs: &Inputs) -> Result<String, CaseError> {
         blank_for(height, clearance.value),
         "half of D, D² = 4 d h + D_f² − d²: dome, wall and flange of diameter D_f, the mid-surface keeps its area (Guldin)",
     );
-    let pressure = inputs
-        .pick("holder-pressure", || rules::holder_pressure(blank.value / radius, 2.0 * radius, t, sheet.strength));
+    let throat = throat("punch", radius, &clearance);
+    let flat = [throat.value + shoulder.value, blank.value];
+    let pressure = inputs.pick("holder-pressure", || {
+        rules::holder_pressure(blank.value / radius, 2.0 * radius, flat, t, sheet.strength)
+    });
     let tools = Tools {
         geometry: Geometry::Axisymmetric,
         punch: round_punch(&Picked::given(radius)),
         travel: Picked::by(height, "the depth that is wanted"),
-        throat: throat("punch", radius, &clearance),
+        throat,
         shoulder,
         holder: None,
     }

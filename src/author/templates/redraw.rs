@@ -27,7 +27,7 @@ const OPTIONS: &[Choice] = &[
     Choice::new("trim", Kind::Share, Rule("8 %"), "blank for that much more height: the rim thickens and is trimmed"),
     Choice::radius("first-radius", "first-diameter", Rule("1.3 punch radii"), "radius of the first punch"),
     Choice::length("nose", Rule("6 thicknesses"), "radius of both punches' corners"),
-    Choice::length("shoulder", Rule("6 thicknesses, or 4.5 of the rim"), "radius of both dies' corners"),
+    Choice::length("shoulder", Rule("6 thicknesses of the rim"), "radius of both dies' corners"),
     Choice::length("clearance", Rule("t √β"), "gap between punch and die, both draws"),
     HOLDER_PRESSURE,
 ];
@@ -77,8 +77,10 @@ fn write(inputs: &Inputs) -> Result<String, CaseError> {
         let remedy = "make --first-radius larger, or --nose, --shoulder or --clearance smaller";
         return Err(CaseError::bare(what, remedy.into()));
     }
+    let wide = throat("punch", first.value, &clearance);
+    let flat = [wide.value + shoulder.value, blank.value];
     let pressure =
-        inputs.pick("holder-pressure", || rules::holder_pressure(ratio, 2.0 * first.value, t, sheet.strength));
+        inputs.pick("holder-pressure", || rules::holder_pressure(ratio, 2.0 * first.value, flat, t, sheet.strength));
     // Height of the first cup, which has the same area.
     let first_height = {
         let (middle, nose) = (first.value + 0.5 * t, cup.nose.value + 0.5 * t);
@@ -93,7 +95,7 @@ fn write(inputs: &Inputs) -> Result<String, CaseError> {
         geometry: Geometry::Axisymmetric,
         punch,
         travel: rules::drawn_travel(first_height, shoulder.value, t),
-        throat: throat("punch", first.value, &clearance),
+        throat: wide,
         shoulder: shoulder.clone(),
         holder: None,
     }

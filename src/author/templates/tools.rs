@@ -12,8 +12,12 @@ use crate::units::rounded;
 /// Options of the tools that several templates have.
 pub(super) const NOSE: Choice = Choice::length("nose", Rule("6 thicknesses"), "radius of the punch's corner");
 pub(super) const SHOULDER: Choice = Choice::length("shoulder", Rule("6 thicknesses"), "radius of the die's corner");
-pub(super) const HOLDER_PRESSURE: Choice =
-    Choice::new("holder-pressure", Kind::Stress, Rule("Siebel's"), "pressure of the holder on the flange");
+pub(super) const HOLDER_PRESSURE: Choice = Choice::new(
+    "holder-pressure",
+    Kind::Stress,
+    Rule("Siebel's, or what keeps the rim down"),
+    "pressure of the holder on the flange",
+);
 
 /// A tool's shape: key, value, and why it has these sizes.
 pub(super) struct Shape {

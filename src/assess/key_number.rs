@@ -1,0 +1,186 @@
+//! The numbers that a part is known by.
+
+use super::answer::{place, thinnest};
+use super::error_bar::ErrorBar;
+use super::press::{Load, RESERVE};
+use crate::case::Case;
+use crate::measure::{OPENING_ANGLE, Shape, changes, part_height};
+use crate::message::{Amount, Digits, Message, message};
+use crate::model::{Geometry, Model, Motion, Role};
+use crate::solution::{StageSolution, StepRecord};
+use crate::table::Unit;
+use crate::units::rounded;
+use serde::{Serialize, Serializer};
+
+/// One of the numbers that a part is known by.
+#[derive(Clone, Debug, PartialEq)]
+pub struct KeyNumber {
+    /// Name in JSON: `thinnest`.
+    pub key: &'static str,
+    /// Name in tables: `Thinnest`.
+    pub label: &'static str,
+    /// The number.
+    pub amount: Amount,
+    /// Where, when, and against what.
+    pub about: Message,
+    /// How far it can be trusted; a number with a bar has it in `amount` too.
+    pub bar: ErrorBar,
+}
+
+impl KeyNumber {
+    fn new(key: &'static str, label: &'static str, amount: Amount, about: Message) -> Self {
+        Self { key, label, amount, about, bar: ErrorBar::Unasked }
+    }
+
+    /// With its error bar.
+    pub fn with_bar(self, bar: ErrorBar) -> Self {
+        let amount = if let ErrorBar::Half(half) = bar { self.amount.with_bar(half) } else { self.amount };
+        Self { amount, bar, ..self }
+    }
+}
+
+impl Serialize for KeyNumber {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        #[derive(Serialize)]
+        struct Fields<'a> {
+            key: &'a str,
+            value: f64,
+            #[serde(flatten)]
+            bar: &'a ErrorBar,
+            unit: &'a str,
+            about: &'a Message,
+        }
+        let Self { key, amount, about, bar, .. } = self;
+        Fields { key, value: rounded(amount.value), bar, unit: amount.unit.spelled(), about }.serialize(serializer)
+    }
+}
+
+/// The numbers that a part is known by: thinnest place, force and press, holder, blank, the angle that a bend springs back
+/// to, height, draw-in, and the opening of a slit ring.
+pub(super) fn numbers(case: &Case, stages: &[StageSolution], is_torn: bool) -> Vec<KeyNumber> {
+    let all = [
+        thinnest_number(stages, is_torn),
+        load(case, stages),
+        holder(stages),
+        Some(blank(case.model())),
+        opening_angle(stages),
+        height(stages),
+        draw_in(stages),
+        ring(case, stages),
+    ];
+    all.into_iter().flatten().collect()
+}
+
+fn thinnest_number(stages: &[StageSolution], is_torn: bool) -> Option<KeyNumber> {
+    let stage = stages.last()?;
+    let (thickness, s0) = thinnest(stage)?;
+    let thinning = 1.0 - thickness / stage.model.blank.thickness;
+    let about = message!("{thinning} thinner", thinning = Amount::share(thinning));
+    // What comes after it is another sheet.
+    let after = if is_torn { "after the tear".into() } else { Message::default() };
+    let about = Message::joined([about, place(stages, s0), after], ", ");
+    Some(KeyNumber::new("thinnest", "Thinnest", Amount::thickness(thickness), about))
+}
+
+/// The stages that form the sheet, with their numbers.
+fn formed(stages: &[StageSolution]) -> impl Iterator<Item = (usize, &StageSolution)> {
+    stages.iter().enumerate().filter(|(_, stage)| stage.model.release.is_none())
+}
+
+/// The step where something is largest, and the number of its stage.
+fn largest(stages: &[StageSolution], value: fn(&StepRecord) -> f64) -> Option<(usize, &StepRecord)> {
+    let steps = formed(stages).flat_map(|(i, stage)| stage.steps.iter().map(move |step| (i, step)));
+    steps.max_by(|a, b| value(a.1).total_cmp(&value(b.1)))
+}
+
+/// The step with the largest punch force, and the number of its stage; `None` where no punch presses.
+pub fn largest_force(stages: &[StageSolution]) -> Option<(usize, &StepRecord)> {
+    largest(stages, |step| step.punch_force).filter(|(_, peak)| peak.punch_force > 0.0)
+}
+
+/// The largest force over all stages, or the largest gas pressure where no punch moves.
+fn load(case: &Case, stages: &[StageSolution]) -> Option<KeyNumber> {
+    let several = formed(stages).count() > 1;
+    let stage = |i: usize| if several { message!("in stage {n}", n = i + 1) } else { Message::default() };
+    let Some((i, peak)) = largest_force(stages) else {
+        let (i, peak) = largest(stages, |step| step.pressure.abs()).filter(|(_, peak)| peak.pressure != 0.0)?;
+        let at = message!("at a height of {height}", height = Amount::place(peak.pole_height.abs()));
+        let about = Message::joined([stage(i), at], ", ");
+        return Some(KeyNumber::new("pressure", "Pressure", Amount::stress(peak.pressure.abs()), about));
+    };
+    let unit = stages[i].model.extent().force_unit();
+    let at = message!("at {travel} of travel", travel = Amount::place(peak.travel));
+    let at = Message::joined([stage(i), at], ", ");
+    let pressed = Load::largest(stages)?;
+    let (press, reserve) = match case.press.force {
+        Some(rating) => {
+            let (share, rating) = (Amount::share(pressed.force() / rating), Amount::force(rating, unit));
+            (message!("{share} of the press's {rating}", share = share, rating = rating), Message::default())
+        }
+        None => {
+            let reserve = message!("({times} times the load)", times = Amount::number(RESERVE));
+            (message!("a press of at least {rating}", rating = pressed.rating()), reserve)
+        }
+    };
+    let with_holder = if pressed.holder() > 0.0 { "with the holder".into() } else { Message::default() };
+    let press = Message::joined([press, with_holder, reserve], " ");
+    let about = Message::joined([at, press], "; ");
+    Some(KeyNumber::new("punch_force", "Punch force", Amount::force(peak.punch_force, unit), about))
+}
+
+/// The largest holder force, or the gap of a holder that stands.
+fn holder(stages: &[StageSolution]) -> Option<KeyNumber> {
+    let stage = stages.first()?;
+    let holder = stage.model.tool(Role::Holder)?;
+    if let Motion::Gap(gap) = holder.motion {
+        let about = message!("to the die, {ratio}", ratio = Amount::thicknesses(gap / stage.model.blank.thickness));
+        return Some(KeyNumber::new("holder_gap", "Holder gap", Amount::size(gap), about));
+    }
+    let force = stage.steps.iter().map(|step| step.holder_force).fold(0.0, f64::max);
+    let amount = Amount::force(force, stage.model.extent().force_unit());
+    Some(KeyNumber::new("holder_force", "Holder", amount, "at its largest".into()))
+}
+
+fn blank(model: &Model) -> KeyNumber {
+    let t = Amount::size(model.blank.thickness);
+    let about = match model.geometry {
+        Geometry::Axisymmetric => message!("in diameter, {t} thick", t = t),
+        Geometry::PlaneStrain => message!("wide, {t} thick", t = t),
+    };
+    let amount = Amount::new(2.0 * model.blank.length, Unit::Mm, Digits::Given(2));
+    KeyNumber::new("blank", "Blank", amount, about)
+}
+
+/// Between the legs of a bend, or the walls of a channel, once its tools are taken away.
+fn opening_angle(stages: &[StageSolution]) -> Option<KeyNumber> {
+    let stage = stages.last().filter(|stage| stage.model.geometry == Geometry::PlaneStrain)?;
+    let [before, after] = stage.released()?;
+    let changes = changes(&Shape::of(before), &Shape::of(after));
+    let angle = changes.iter().find(|change| change.quantity.key == OPENING_ANGLE.key)?;
+    let about = match angle.before {
+        Some(before) => message!("sprung back, {angle} under load", angle = Amount::angle(before)),
+        None => "sprung back".into(),
+    };
+    Some(KeyNumber::new(OPENING_ANGLE.key, OPENING_ANGLE.label, Amount::angle(angle.after?), about))
+}
+
+fn height(stages: &[StageSolution]) -> Option<KeyNumber> {
+    let height = part_height(stages.last()?.frames.last()?)?;
+    Some(KeyNumber::new("part_height", "Height", Amount::place(height), "over all".into()))
+}
+
+fn draw_in(stages: &[StageSolution]) -> Option<KeyNumber> {
+    let drawn = stages.last()?.steps.last()?.draw_in;
+    Some(KeyNumber::new("draw_in", "Draw-in", Amount::place(drawn), "of the edge, on each side".into()))
+}
+
+fn ring(case: &Case, stages: &[StageSolution]) -> Option<KeyNumber> {
+    let ring = case.springback.ring?;
+    let about = message!(
+        "when slit; a ring {height} high, cut {from} over the bottom",
+        height = Amount::size(ring.height),
+        from = Amount::size(ring.from)
+    );
+    let amount = Amount::place(ring.opening(stages)?);
+    Some(KeyNumber::new("ring_opening", "Ring opening", amount, about))
+}
