@@ -36,9 +36,11 @@ impl Rate {
         let whole = &increments[..end];
         let last = end.checked_sub(3).and_then(|start| triple(&whole[start..]))?;
         let before = end.checked_sub(4).and_then(|start| triple(&whole[start..end - 1]));
-        let agrees = |(before, _): (f64, f64)| (last.0 - before).abs() <= APART * last.0.max(before);
-        let is_asymptotic = POSSIBLE.contains(&last.0) && before.is_some_and(agrees);
-        Some(Self { order: is_asymptotic.then_some(last.0), left: last.1 })
+        let agrees = |(before, _): (f64, f64)| {
+            let can_be = POSSIBLE.contains(&last.0) && POSSIBLE.contains(&before);
+            can_be && (last.0 - before).abs() <= APART * last.0.max(before)
+        };
+        Some(Self { order: before.is_some_and(agrees).then_some(last.0), left: last.1 })
     }
 
     /// Whether each iteration does better than to leave the same share of the error.
