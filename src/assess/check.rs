@@ -38,7 +38,7 @@ pub fn report(case: &Case) -> Check {
     let model = case.model();
     let mut lines = Vec::new();
     blank(model, &mut lines);
-    lines.push(line("material", model.material.describe(), ""));
+    lines.push(line("material", Message::Formula(model.material.describe()), ""));
     lines.extend(case.sources.material.as_ref().map(|source| line("material source", source.clone(), "")));
     let strength = estimate::tensile_strength(&model.material);
     lines.push(line("tensile strength", Amount::stress(strength), "by the law, at Considère's load maximum"));
@@ -79,12 +79,12 @@ fn blank(model: &Model, lines: &mut Vec<Line>) {
     lines.push(line("geometry", Message::joined([geometry, model.extent().described()], "; "), ""));
     lines.push(line("blank", size_of(model, blank.length, Amount::set), meaning));
     lines.push(line("thickness", Amount::size(blank.thickness), ""));
-    let volume = Amount::new(model.extent().area(blank.length) * blank.thickness, Unit::None, Digits::Significant(3));
-    let volume = match model.extent() {
-        Extent::PerDepth => message!("{volume} mm³ per mm of depth", volume = volume),
-        _ => message!("{volume} mm³", volume = volume),
+    let volume = |unit| Amount::new(model.extent().area(blank.length) * blank.thickness, unit, Digits::Significant(3));
+    let (volume, meaning): (Message, _) = match model.extent() {
+        Extent::PerDepth => (volume(Unit::Mm2).into(), "times the depth"),
+        _ => (volume(Unit::Mm3).into(), ""),
     };
-    lines.push(line("volume", volume, ""));
+    lines.push(line("volume", volume, meaning));
     let theory = match blank.theory {
         Theory::Bending => message!("bending, {n} points through the thickness", n = blank.layers),
         Theory::Membrane => "membrane".into(),

@@ -1,8 +1,8 @@
 //! `stampflow explain`: what a word means.
 
 use super::code::{BadRequest, Code};
-use super::options::Told;
-use super::say::{Shown, say};
+use super::options::{Json, Told};
+use super::say::{Shown, say, say_json};
 use super::table::{Cell, table, wrapped};
 use stampflow::message::{Form, Message, Term, terms};
 use stampflow::units::closest;
@@ -11,6 +11,7 @@ pub const HELP: &str = "\
 Examples:
   stampflow explain \"wrinkle index\"
   stampflow explain Rp0.2
+  stampflow explain Niederhalter --lang de
   stampflow explain";
 
 #[derive(Debug, clap::Args)]
@@ -19,16 +20,33 @@ pub struct Args {
     term: Vec<String>,
     #[command(flatten)]
     told: Told,
+    #[command(flatten)]
+    json: Json,
 }
 
 pub fn explain(args: &Args) -> anyhow::Result<Code> {
     let form = args.told.form();
     let word = args.term.join(" ");
     if word.is_empty() {
-        return say(list(form));
+        return match args.json.json {
+            true => say_json(&terms().iter().map(|term| value(term, form)).collect::<Vec<_>>()),
+            false => say(list(form)),
+        };
     }
-    let Some(term) = Term::of(&word) else { return Err(unknown(&word).into()) };
-    say(wrapped(&format!("{}\n", told(term, form))))
+    let Some(term) = Term::of(&word) else { return Err(unknown(&word, form).into()) };
+    match args.json.json {
+        true => say_json(&value(term, form)),
+        false => say(wrapped(&format!("{}\n", told(term, form)))),
+    }
+}
+
+/// For programs.
+fn value(term: &'static Term, form: Form) -> serde_json::Value {
+    serde_json::json!({
+        "word": form.tell(term.name.as_str()),
+        "also": term.also,
+        "meaning": form.tell(term.meaning.as_str()),
+    })
 }
 
 /// `thinning: how much ...`
@@ -48,11 +66,13 @@ fn list(form: Form) -> Shown {
     table(None, terms().iter().map(row).collect())
 }
 
-fn unknown(word: &str) -> BadRequest {
-    let near = closest(word, terms().iter().flat_map(Term::words));
-    let help = match near.first() {
-        Some(near) => format!("did you mean `{near}`?"),
-        None => "`stampflow explain` lists the words".to_owned(),
+fn unknown(word: &str, form: Form) -> BadRequest {
+    let near = closest(word, terms().iter().flat_map(|term| term.words().chain(term.translated())));
+    let with = || Term::with(word).map(|term| format!("`{}`", form.tell(term.name.as_str()))).collect::<Vec<_>>();
+    let help = match (near.first(), with()) {
+        (Some(near), _) => format!("did you mean `{near}`?"),
+        (None, with) if !with.is_empty() => format!("did you mean {}?", with.join(" or ")),
+        (None, _) => "`stampflow explain` lists the words".to_owned(),
     };
     BadRequest(format!("no word {word:?} is explained here; {help}"))
 }

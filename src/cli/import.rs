@@ -160,7 +160,8 @@ fn report(sections: &Sections, size: &str, notes: &[String]) -> String {
     let mut list = |tools: &[Section]| {
         for tool in tools {
             let pieces = tool.profile.pieces().len();
-            let _ = writeln!(text, "{:<8}{pieces} lines and arcs from {}", tool.role.name(), tool.made_of);
+            let drawn = if pieces == 1 { "line or arc" } else { "lines and arcs" };
+            let _ = writeln!(text, "{:<8}{pieces} {drawn} from {}", tool.role.name(), tool.made_of);
         }
     };
     list(&sections.tools);

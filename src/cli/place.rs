@@ -63,7 +63,7 @@ pub fn replaced(path: &Path, beginning: &[u8], option: &str) -> Result<(), BadPa
     if path.symlink_metadata().is_err() || path.is_dir() || path.is_file() && begins() {
         return Ok(());
     }
-    let what = format!("{} is there already and nothing of the kind that would replace it", path.display());
+    let what = format!("{} is there already, and it is not what may be replaced here", path.display());
     Err(BadPath { what, help: format!("choose another place with {option}"), path: path.to_owned() })
 }
 

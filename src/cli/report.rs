@@ -203,7 +203,7 @@ impl Args {
             (None, Some("md" | "markdown")) => Ok(Format::Md),
             (None, Some("pdf")) => Ok(Format::Pdf),
             (None, Some(other)) => Err(BadRequest(format!(
-                "a report is no .{other} file: write -o NAME.html, NAME.pdf or NAME.md; --format takes any name"
+                "a report is no .{other} file: write -o NAME.html, NAME.pdf or NAME.md, or give --format html, pdf or md with any name"
             ))),
         }
     }

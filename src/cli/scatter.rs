@@ -7,7 +7,7 @@ use super::rows::{Rows, all_there};
 use super::say::{Shown, say, say_json};
 use super::table::{Cell, Tone, table, wrapped};
 use anyhow::Context;
-use stampflow::message::{Amount, Form};
+use stampflow::message::{Amount, Form, Message, message};
 use stampflow::output::study::{json, scatter_pictures, scatter_tables};
 use stampflow::study::scatter::{Asked, Base, Correlation, Estimate, Event, Factor, Found, Sample, Scatter, file};
 use stampflow::study::{self, Bars, Begun, Designs, Journal, Shard, StudyError, Subject};
@@ -150,7 +150,7 @@ impl Args {
 
 /// What is said: the answer, what it rests on, lights and numbers.
 fn shown(scatter: &Scatter, found: &Found, name: &str, form: Form) -> Shown {
-    let told = |items: Vec<stampflow::message::Message>| {
+    let told = |items: Vec<Message>| {
         items.iter().map(|item| wrapped(&format!("- {}", item.told(form)))).fold(Shown::default(), |all, one| all + one)
     };
     let answer = wrapped(&format!("{name}: {}.\n", found.sentence().told(form)));
@@ -167,7 +167,7 @@ fn shown(scatter: &Scatter, found: &Found, name: &str, form: Form) -> Shown {
 
 fn range(estimate: Estimate, form: Form) -> String {
     let [low, high] = [estimate.low, estimate.high].map(|share| Amount::share(share).told(form));
-    form.tell(stampflow::message::message!("{low} to {high}", low = low, high = high))
+    form.tell(message!("{low} to {high}", low = low, high = high))
 }
 
 fn lights(found: &Found, form: Form) -> Shown {
@@ -188,10 +188,26 @@ fn lights(found: &Found, form: Form) -> Shown {
 
 fn numbers(found: &Found, form: Form) -> Shown {
     let headers = ["Number", "5 %", "Median", "95 %", "What decides"].map(|header| form.tell(header));
-    let rows = found.numbers.iter().filter_map(|spread| {
-        let [low, median, high] = spread.quantiles()?.map(|value| Cell::plain(spread.number.amount(value).told(form)));
-        let decides = spread.influence.told(found).unwrap_or_default();
-        Some([Cell::plain(form.tell(spread.number.label)), low, median, high, Cell::plain(decides.told(form))])
-    });
-    table(Some(headers.each_ref().map(String::as_str)), rows.collect())
+    let (mut rows, mut same) = (Vec::new(), Vec::new());
+    for spread in &found.numbers {
+        let told = |value| spread.number.amount(value).told(form);
+        let Some([low, median, high]) = spread.quantiles().map(|quantiles| quantiles.map(told)) else { continue };
+        let label = form.tell(spread.number.label);
+        if low == high {
+            same.push(message!("{number} {value}", number = spread.number.label, value = low));
+            continue;
+        }
+        // Of what scatters itself there is nothing to be found out.
+        let is_given = found.factors.iter().any(|factor| Some(factor.as_str()) == spread.number.row);
+        let decides = spread.influence.of_number(found).filter(|_| !is_given).unwrap_or_default();
+        rows.push([label, low, median, high, decides.told(form)].map(Cell::plain));
+    }
+    let table = table(Some(headers.each_ref().map(String::as_str)), rows);
+    match same.is_empty() {
+        true => table,
+        false => {
+            let same = message!("The same in all parts: {numbers}.", numbers = Message::joined(same, ", "));
+            table + Shown::from("\n") + wrapped(&(same.told(form) + "\n"))
+        }
+    }
 }

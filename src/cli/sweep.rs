@@ -10,7 +10,7 @@ use super::table::wrapped;
 use anyhow::Context;
 use serde_json::json;
 use stampflow::assess::Light;
-use stampflow::message::{Amount, Form, message};
+use stampflow::message::{Amount, Form, Message, message};
 use stampflow::output::study::keep;
 use stampflow::study::{
     self, Begun, Columns, Designs, How, Journal, Plan, Results, Row, Shard, StudyError, Times, Vary,
@@ -161,23 +161,18 @@ impl Ran {
     /// `400 designs (12 s, 2000 a minute) in out/cup-sweep/study.csv`
     fn told(&self, path: &Path, form: Form) -> String {
         let Self { designs, kept, seconds } = *self;
-        let (n, file) = (designs, path.display().to_string());
+        let n: Message = if designs == 1 { "1 design".into() } else { message!("{n} designs", n = designs) };
+        let file = path.display().to_string();
         if kept == designs {
-            return message!("{n} designs, all of an earlier run, in {file}", n = n, file = file).told(form);
+            return message!("{n}, all of an earlier run, in {file}", n = n, file = file).told(form);
         }
         let (time, rate) = (Amount::time(seconds), (60.0 * (designs - kept) as f64 / seconds).round() as usize);
         let said = match kept {
             0 => {
-                message!(
-                    "{n} designs ({time}, {rate} a minute) in {file}",
-                    n = n,
-                    time = time,
-                    rate = rate,
-                    file = file
-                )
+                message!("{n} ({time}, {rate} a minute) in {file}", n = n, time = time, rate = rate, file = file)
             }
             _ => message!(
-                "{n} designs ({time}, {rate} a minute, {kept} of an earlier run) in {file}",
+                "{n} ({time}, {rate} a minute, {kept} of an earlier run) in {file}",
                 n = n,
                 time = time,
                 rate = rate,

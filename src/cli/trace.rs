@@ -158,7 +158,7 @@ fn json(case: &Case, trace: &Trace) -> Value {
             "method": trace::key(way.matrix),
             "converged": way.converged,
             "iterations": way.count(),
-            "order": way.rate().map(|rate| rounded(rate.order)),
+            "order": way.rate().and_then(|rate| rate.order).map(rounded),
             "left": way.rate().map(|rate| rounded(rate.left)),
             "tries": tries.collect::<Vec<_>>(),
         })

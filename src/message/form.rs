@@ -60,6 +60,8 @@ impl System {
             (Self::Si, Unit::NPerMm) if size.abs() >= 1000.0 => of("kN/mm", 1e-3),
             (Self::Si, Unit::Joule) if size.abs() >= 1e4 => of("kJ", 1e-3),
             (Self::Us, Unit::Mm) => Told { finer: 2, ..of("in", 1.0 / INCH) },
+            (Self::Us, Unit::Mm2) => of("in²", 1.0 / (INCH * INCH)),
+            (Self::Us, Unit::Mm3) => of("in³", 1.0 / (INCH * INCH * INCH)),
             (Self::Us, Unit::N) if size.abs() >= 2000.0 * LBF => of("US tonf", 1.0 / (2000.0 * LBF)),
             (Self::Us, Unit::N) => of("lbf", 1.0 / LBF),
             (Self::Us, Unit::NPerMm) => of("lbf/in", INCH / LBF),
@@ -88,6 +90,8 @@ mod tests {
         };
         for (unit, value, symbol, expected) in [
             (Unit::Mm, 25.4, "in", 1.0),
+            (Unit::Mm2, 645.16, "in²", 1.0),
+            (Unit::Mm3, 16_387.064, "in³", 1.0),
             (Unit::N, 8_896.443_230_521, "US tonf", 1.0),
             (Unit::N, 444.822_161_526_05, "lbf", 100.0),
             (Unit::NPerMm, 17.512_683_523_62, "lbf/in", 100.0),

@@ -30,6 +30,8 @@ use std::fmt;
 pub enum Message {
     /// As it is: names, files and texts of the user.
     Plain(String),
+    /// A law written out, in its own units: as it is but for the decimal sign.
+    Formula(String),
     /// An English sentence with `{names}` where its values stand; tables of languages go by this text.
     Sentence {
         /// The English text.
@@ -84,7 +86,7 @@ impl Message {
     /// Whether nothing is said.
     pub fn is_empty(&self) -> bool {
         match self {
-            Self::Plain(text) => text.is_empty(),
+            Self::Plain(text) | Self::Formula(text) => text.is_empty(),
             Self::Sentence { text, .. } => text.is_empty(),
             Self::Joined { parts, .. } => parts.iter().all(Self::is_empty),
         }
@@ -105,7 +107,7 @@ impl Message {
     #[must_use]
     pub fn with_amounts(&self, change: &dyn Fn(Amount) -> Amount) -> Self {
         match self {
-            Self::Plain(_) => self.clone(),
+            Self::Plain(_) | Self::Formula(_) => self.clone(),
             Self::Sentence { text, values } => {
                 let of = |value: &Value| match value {
                     Value::Amount(amount) => Value::Amount(change(*amount)),
@@ -123,6 +125,7 @@ impl Message {
     pub fn told(&self, form: Form) -> String {
         match self {
             Self::Plain(text) => text.clone(),
+            Self::Formula(text) => form.language.number(text),
             Self::Sentence { text, values } => filled(form.language.of_text(text), |name| {
                 let value = values.iter().find(|(known, _)| *known == name);
                 value.map_or_else(String::new, |(_, value)| value.told(form))
@@ -136,7 +139,7 @@ impl Message {
     /// The English texts in it that a language has no words for.
     pub fn untranslated(&self, language: Language) -> Vec<&'static str> {
         match self {
-            Self::Plain(_) => Vec::new(),
+            Self::Plain(_) | Self::Formula(_) => Vec::new(),
             Self::Sentence { text, values } => {
                 let inner = values.iter().flat_map(|(_, value)| match value {
                     Value::Message(message) => message.untranslated(language),

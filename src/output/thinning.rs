@@ -1,4 +1,5 @@
-//! Thinning as colours: one scale for all pictures of a stage, its zero marked; the thinner, the darker, in grey too.
+//! Thinning as colours: one scale for all pictures of a stage, its zero marked; the thinner, the darker, in grey too. What has
+//! become thicker has fewer and wider colours: it does no harm, and the thin places want to be told apart.
 
 use super::chart::{BLACK, Color, Look, Panel, Scale, Series};
 use super::sections::{self, sheet};
@@ -12,9 +13,10 @@ use std::ops::Range;
 const LIGHTEST: f64 = 0.92;
 
 /// Widths of a colour that are tried \[%\], from the finest; the first is taken that needs no more colours than can be
-/// told apart on the scale.
+/// told apart on the scale, for what is thinner than the blank and for what is thicker.
 const STEPS: [f64; 6] = [0.5, 1.0, 2.0, 5.0, 10.0, 20.0];
-const MOST: i32 = 12;
+const MOST_THINNER: usize = 8;
+const MOST_THICKER: usize = 4;
 /// As few colours as a scale has: a sheet that is level does not show its round-off.
 const LEAST: i32 = 4;
 /// What belongs to the colour before, over a colour's width: round-off.
@@ -29,9 +31,10 @@ const VISIBLE: f64 = 3.0;
 pub(super) struct Thinning {
     /// Thickness of the blank \[mm\].
     initial: f64,
-    /// Width of a colour \[%\].
-    step: f64,
-    /// The colours go from so many steps below zero to so many above.
+    /// Width of a colour where the sheet is thinner than the blank, and where it is thicker \[%\].
+    thinner: f64,
+    thicker: f64,
+    /// The colours go from so many steps of the thicker below zero to so many of the thinner above.
     levels: Range<i32>,
 }
 
@@ -45,16 +48,26 @@ impl Thinning {
     pub fn of<'a>(initial: f64, frames: impl Iterator<Item = &'a Frame>) -> Self {
         let values = frames.flat_map(|frame| &frame.elements).map(|element| percent(initial, element.thickness));
         let (low, high) = values.fold((0.0_f64, 0.0_f64), |(low, high), v| (low.min(v), high.max(v)));
-        let range = |step: f64| (low / step + SLACK).floor() as i32..(high / step - SLACK).ceil() as i32;
-        let fits = |step: &f64| range(*step).len() <= MOST as usize;
-        let step = STEPS.into_iter().find(fits).unwrap_or(STEPS[STEPS.len() - 1]);
-        let levels = range(step);
-        Self { initial, step, levels: levels.start..levels.end.max(levels.start + LEAST) }
+        let colors = |side: f64, step: f64| (side / step - SLACK).ceil().max(0.0) as usize;
+        let finest = |side: f64, least: f64, most: usize| {
+            let fits = |step: &f64| *step >= least && colors(side, *step) <= most;
+            STEPS.into_iter().find(fits).unwrap_or(STEPS[STEPS.len() - 1])
+        };
+        let thinner = finest(high, 0.0, MOST_THINNER);
+        let thicker = finest(-low, thinner, MOST_THICKER);
+        let start = -(colors(-low, thicker) as i32);
+        Self { initial, thinner, thicker, levels: start..(colors(high, thinner) as i32).max(start + LEAST) }
     }
 
     fn level(&self, thickness: f64) -> i32 {
-        let level = (percent(self.initial, thickness) / self.step + SLACK).floor() as i32;
+        let percent = percent(self.initial, thickness);
+        let level = (percent / self.step(percent) + SLACK).floor() as i32;
         level.clamp(self.levels.start, self.levels.end - 1)
+    }
+
+    /// Width of a colour on the side of zero of a percent, or of a level \[%\].
+    fn step(&self, side: f64) -> f64 {
+        if side < 0.0 { self.thicker } else { self.thinner }
     }
 
     fn color(&self, level: i32) -> Color {
@@ -100,7 +113,7 @@ impl Thinning {
 
     /// The colours over the percents that they stand for.
     pub fn scale(&self) -> Panel {
-        let at = |level: i32| f64::from(level) * self.step;
+        let at = |level: i32| f64::from(level) * self.step(f64::from(level));
         let colors = self.levels.clone().map(|level| {
             let (from, to) = (at(level), at(level + 1));
             let look = Look::Area { fill: self.color(level), edge: None };
@@ -153,18 +166,28 @@ mod tests {
         for thinnest in [0.999, 0.97, 0.9, 0.6, 0.1] {
             let scale = Thinning::of(1.0, [frame(&[1.1, thinnest])].iter());
             let shades: Vec<f64> = scale.levels.clone().map(|level| lightness(scale.color(level))).collect();
-            assert!((LEAST..=MOST).contains(&(shades.len() as i32)), "{shades:?}");
+            assert!((LEAST as usize..=MOST_THINNER + MOST_THICKER).contains(&shades.len()), "{shades:?}");
             // A step of 8 of 255 is seen where two greys meet.
             assert!(shades.windows(2).all(|pair| pair[0] - pair[1] > 8.0), "{shades:?}");
         }
     }
 
-    /// Trust: colours by hand: of 10 % thicker to 39 % thinner, twelve steps of 5 % would do, from −10 to 40 %.
+    /// Trust: lightness as above. The rim of a cup, 38 % thicker, takes no more colours than its nose, 8.4 % thinner.
+    #[test]
+    fn what_thins_little_is_told_apart_beside_a_thick_rim() {
+        let scale = Thinning::of(1.0, [frame(&[1.38, 0.916])].iter());
+        assert_eq!((scale.thicker, scale.thinner, scale.levels.clone()), (10.0, 2.0, -4..5));
+        let shade = |thickness: f64| lightness(scale.color(scale.level(thickness)));
+        assert!(shade(0.98) - shade(0.93) > 30.0, "{} {}", shade(0.98), shade(0.93));
+        assert_eq!(scale.scale().ranges()[0], (-40.0, 10.0));
+    }
+
+    /// Trust: colours by hand: of 10 % thicker to 39 % thinner, ten steps of 5 % do, from −10 to 40 %.
     #[test]
     fn zero_is_where_a_colour_begins_and_every_element_has_its_own() {
         let thickness = [0.61, 0.98, 1.0, 1.0 + 1e-12, 1.06, 1.1];
         let scale = Thinning::of(1.0, [frame(&thickness)].iter());
-        assert_eq!((scale.step, scale.levels.clone()), (5.0, -2..8));
+        assert_eq!((scale.thicker, scale.thinner, scale.levels.clone()), (5.0, 5.0, -2..8));
         assert_eq!(thickness.map(|t| scale.level(t)), [7, 0, 0, 0, -2, -2]);
         let stretches: Vec<Range<usize>> = scale.stretches(&frame(&thickness)).into_iter().map(|s| s.0).collect();
         assert_eq!(stretches, [0..2, 1..5, 4..6]);

@@ -150,8 +150,18 @@ impl Span {
 
     /// A value as it is told.
     pub fn told(&self, x: f64) -> Message {
+        self.to(x, 4)
+    }
+
+    /// A difference of two values as it is told.
+    pub fn difference(&self, x: f64) -> Message {
+        self.to(x.abs(), 2)
+    }
+
+    /// As it stands in the key's own unit, in another one to so many digits.
+    fn to(&self, x: f64, digits: usize) -> Message {
         match self.solver_unit() {
-            Some((unit, times)) => Amount::new(significant(x * times, 12), unit, Digits::Converted(5)).into(),
+            Some((unit, times)) => Amount::new(significant(x * times, 12), unit, Digits::Converted(digits)).into(),
             None => format!("{x} {}", self.unit()).into(),
         }
     }

@@ -11,6 +11,9 @@ pub struct Swing {
     pub low: End,
     /// Where it is largest.
     pub high: End,
+    /// Where every value moves the number to one side: the furthest on the other side of where the case stands than the value
+    /// at the end.
+    pub other: Option<End>,
 }
 
 /// One end of a swing.
@@ -39,7 +42,8 @@ pub fn swings(results: &Results, place: usize) -> Vec<Swing> {
     if !own.is_finite() {
         return Vec::new();
     }
-    let mut all: Vec<Swing> = (0..results.axes.len()).map(|axis| Swing { axis, low: stands, high: stands }).collect();
+    let mut all: Vec<Swing> =
+        (0..results.axes.len()).map(|axis| Swing { axis, low: stands, high: stands, other: None }).collect();
     for (row, found) in results.rows.iter().enumerate().skip(1) {
         let number = found.numbers[place];
         let places = results.plan.place(row as u64);
@@ -56,6 +60,24 @@ pub fn swings(results: &Results, place: usize) -> Vec<Swing> {
             swing.high = end;
         }
     }
+    all.iter_mut().for_each(|swing| swing.other = beside(results, place, swing));
     all.sort_by(|a, b| b.width().total_cmp(&a.width()));
     all
+}
+
+/// [`Swing::other`]; `None` of names, which have no sides.
+fn beside(results: &Results, place: usize, swing: &Swing) -> Option<End> {
+    let axis = &results.axes[swing.axis];
+    let (one, stands) = match (swing.low.value, swing.high.value) {
+        (None, Some(value)) | (Some(value), None) => (value, axis.own.filter(|_| !axis.has_names())?),
+        _ => return None,
+    };
+    let own = results.rows[0].numbers[place];
+    let ends = results.rows.iter().enumerate().skip(1).filter_map(|(row, found)| {
+        let value = axis.values[results.plan.place(row as u64)[swing.axis]?];
+        let number = found.numbers[place];
+        let is_beside = (value - stands) * (one - stands) < 0.0 && number.is_finite() && found.is_known();
+        is_beside.then_some(End { number, row, value: Some(value) })
+    });
+    ends.max_by(|a, b| (a.number - own).abs().total_cmp(&(b.number - own).abs()))
 }

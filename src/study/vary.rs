@@ -69,7 +69,7 @@ impl Vary {
     /// When they have not as many values.
     pub fn as_many(keys: Vec<Self>) -> Result<Vec<Self>, StudyError> {
         if let Some(other) = keys.iter().find(|other| other.values.len() != keys[0].values.len()) {
-            let [a, b] = [&keys[0], other].map(|vary| format!("{} has {} values", vary.key, vary.values.len()));
+            let [a, b] = [&keys[0], other].map(|vary| counted(&vary.key, vary.values.len()));
             return Err(StudyError::new(format!("{a} but {b}"), "keys that go together have as many"));
         }
         Ok(keys)
@@ -204,6 +204,11 @@ pub(super) fn known(key: &str, unit: &str) -> Result<(), StudyError> {
     }
 }
 
+/// `friction has 1 value`
+pub(super) fn counted(key: &str, values: usize) -> String {
+    format!("{key} has {values} value{}", if values == 1 { "" } else { "s" })
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -246,6 +251,7 @@ mod tests {
             ("a=4,,6 mm", "a value is missing"),
             ("a=4 in,6 mm", "two units"),
             ("a=1,2 & b=1,2,3", "a has 2 values but b has 3 values"),
+            ("a=1 & b=1,2", "a has 1 value but b has 2 values"),
             ("a=x..3/4", "does not begin with a number"),
         ] {
             let error = Vary::together(text).expect_err(text).to_string();

@@ -13,6 +13,10 @@ pub enum Unit {
     Percent,
     /// Lengths.
     Mm,
+    /// Areas.
+    Mm2,
+    /// Volumes.
+    Mm3,
     /// Forces.
     N,
     /// Forces per length of depth.
@@ -80,6 +84,8 @@ impl Unit {
             Self::None => "–",
             Self::Percent => "%",
             Self::Mm => "mm",
+            Self::Mm2 => "mm²",
+            Self::Mm3 => "mm³",
             Self::N => "N",
             Self::NPerMm => "N/mm",
             Self::MPa => "MPa",

@@ -5,6 +5,10 @@ use super::direction::Direction;
 use super::estimate::Estimate;
 use crate::numerics::interpolated;
 
+/// How far errors reach to either side, over the length of the curve \[–\]: where a coarse and a fine curve cross they agree
+/// by chance, and the error is that of the places around.
+const REACH: f64 = 0.04;
+
 /// What lies around a curve of the run as it is.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Band {
@@ -29,20 +33,33 @@ impl Band {
         directions: &[Curves],
         estimate: impl Fn(Direction, &[f64]) -> Estimate,
     ) -> Option<Self> {
-        let mut band = Self { x: Vec::new(), low: Vec::new(), high: Vec::new() };
-        for &(x, value) in curve {
+        let half = |&(x, value): &(f64, f64)| {
             let errors = directions.iter().map(|Curves { direction, finer }| {
                 let levels: Vec<f64> =
                     [value].into_iter().chain(finer.iter().filter_map(|curve| at(curve, x))).collect();
                 estimate(*direction, &levels).error
             });
-            let half = combined(errors);
-            band.x.push(x);
-            band.low.push(value - half);
-            band.high.push(value + half);
-        }
-        (!band.x.is_empty() && !directions.is_empty()).then_some(band)
+            combined(errors)
+        };
+        let x: Vec<f64> = curve.iter().map(|point| point.0).collect();
+        let half = envelope(&x, &curve.iter().map(half).collect::<Vec<_>>());
+        let side = |sign: f64| curve.iter().zip(&half).map(|((_, value), half)| value + sign * half).collect();
+        (!x.is_empty() && !directions.is_empty()).then(|| Self { low: side(-1.0), high: side(1.0), x })
     }
+}
+
+/// The largest error within reach of each place, smoothed over the same reach: nowhere below the error itself.
+fn envelope(x: &[f64], half: &[f64]) -> Vec<f64> {
+    let reach = REACH * (x.last().unwrap_or(&0.0) - x.first().unwrap_or(&0.0));
+    let near = |values: &[f64], fold: fn(&[f64]) -> f64| -> Vec<f64> {
+        let of = |at: &f64| {
+            let [from, to] = [at - reach, at + reach];
+            fold(&values[x.partition_point(|x| *x < from)..x.partition_point(|x| *x <= to)])
+        };
+        x.iter().map(of).collect()
+    };
+    let largest = near(half, |near| near.iter().copied().fold(0.0, f64::max));
+    near(&largest, |near| near.iter().sum::<f64>() / near.len() as f64)
 }
 
 /// A curve between its points; of what lies outside, up to an element or a step from its ends, the end's.
@@ -73,5 +90,15 @@ mod tests {
             assert_relative_eq!(band.low[i], value - 2.5, max_relative = 1e-12);
         }
         assert_eq!(at(&own, 9.0), None);
+    }
+
+    /// Trust: by construction; the wave of the errors has its knots 10 apart, and the band reaches 4 % of 100 to each side.
+    #[test]
+    fn a_band_does_not_close_where_curves_cross() {
+        let x: Vec<f64> = (0..=100).map(f64::from).collect();
+        let half: Vec<f64> = x.iter().map(|x| (std::f64::consts::PI * x / 10.0).sin().abs()).collect();
+        let envelope = envelope(&x, &half);
+        assert!(envelope.iter().zip(&half).all(|(envelope, half)| envelope >= half));
+        assert!(envelope.iter().all(|half| (0.8..=1.0).contains(half)), "{envelope:?}");
     }
 }

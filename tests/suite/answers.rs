@@ -193,6 +193,30 @@ fn words_are_explained_and_near_ones_are_offered() {
     let near = stampflow(dir.path(), &["explain", "thining"]);
     assert_eq!(near.status.code(), Some(2));
     assert!(text(&near.stderr).contains("did you mean `thinning`?"), "{}", text(&near.stderr));
+    let in_german = stampflow(dir.path(), &["explain", "Niederhalter", "--lang", "de"]);
+    assert!(text(&in_german.stdout).starts_with("Niederhalter ("), "{}", text(&in_german.stderr));
+    for word in ["predictor", "corrector", "velocity norm", "residual", "sticking", "primal-dual", "penalty", "Siebel"]
+    {
+        let done = stampflow(dir.path(), &["explain", word]);
+        assert!(done.status.success(), "{word}: {}", text(&done.stderr));
+    }
+    let part = stampflow(dir.path(), &["explain", "condition"]);
+    assert!(text(&part.stderr).contains("did you mean `yield condition`?"), "{}", text(&part.stderr));
+    let json = stampflow(dir.path(), &["explain", "binder", "--json"]);
+    let json: serde_json::Value = serde_json::from_slice(&json.stdout).expect("JSON");
+    assert_eq!((&json["word"], &json["also"][1]), (&"holder".into(), &"binder".into()));
+}
+
+#[test]
+fn a_check_is_told_in_german_and_in_us_units() {
+    let dir = folder(CUP);
+    let german = stampflow(dir.path(), &["check", "cases/cup.toml", "--lang", "de"]);
+    let german = text(&german.stdout);
+    let law = german.lines().find(|line| line.contains("σ = ")).expect(german);
+    assert!(law.contains("0,0") && !law.contains('.'), "{law}");
+    let us = stampflow(dir.path(), &["check", "cases/cup.toml", "--units", "us"]);
+    let us = text(&us.stdout);
+    assert!(us.contains(" in³") && !us.contains("mm³"), "{us}");
 }
 
 #[test]

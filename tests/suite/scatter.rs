@@ -189,6 +189,19 @@ fn run(dir: &Path, more: &[&str]) -> String {
     text(&out.stdout).to_owned()
 }
 
+#[test]
+fn a_scatter_is_told_in_words_of_the_shop() {
+    let dir = folder(CUP);
+    let told = run(dir.path(), &["--out", "out", "--captions", "none"]);
+    let told = told.split_whitespace().collect::<Vec<_>>().join(" ");
+    assert!(told.contains("of 32 parts tore, though up to") && !told.contains("at most"), "{told}");
+    assert!(!told.contains("rank correlation") && told.contains("it rises with strength, closely"), "{told}");
+    // A clearance is told in thicknesses, and what is the same in all parts stands in no row.
+    let (rows, same) = told.split_once("The same in all parts: ").expect(&told);
+    let (same, _) = same.split_once(". ").unwrap_or((same, ""));
+    assert!(same.contains("Clearance 1") && same.contains(" t") && !rows.contains("Clearance"), "{told}");
+}
+
 /// Trust: what was run in parts, put together and read again is what was run at once, byte for byte.
 #[test]
 fn shards_put_together_say_what_one_run_says() {

@@ -1,7 +1,7 @@
 //! Searches: limits of known functions with noise, islands and failed trials; conditions; the searches that have a name.
 
 use crate::common::cli::{stampflow, text};
-use stampflow::message::Form;
+use stampflow::message::{Form, System};
 use stampflow::study::search::{
     Aim, Answer, Bracket, Condition, Found, Goal, Line, Quest, Said, Side, Target, Template, Wanted, bracket,
 };
@@ -213,6 +213,10 @@ fn wrong_searches_are_told_before_anything_is_searched() {
         assert!(told.contains(said), "{text}: {told}");
     }
     let about = span("blank.diameter").expect("about 110 mm");
+    let us = Form { system: System::Us, ..Form::default() };
+    let told = [about.told(110.0), about.difference(-0.02)].map(|told| told.told(us).replace('\u{a0}', " "));
+    assert_eq!(told, ["4.331 in", "0.00079 in"], "no more digits than a search finds");
+    assert_eq!(about.difference(-0.02).to_string(), "0.02 mm");
     assert_eq!(about.ends(), [55.0, 220.0]);
     assert!(about.within("3 kN").is_err_and(|error| error.to_string().contains("tolerance")));
     assert!(Target::read("draw_in").is_err());

@@ -181,6 +181,29 @@ fn a_tornado_is_sorted_by_how_far_a_key_moves_a_number() {
     });
 }
 
+/// Trust: the signs of both moves by hand from the table.
+#[test]
+fn both_values_of_a_key_are_drawn_where_they_move_a_number_to_one_side() {
+    let varied = ["friction=0.04,0.16", "tools.die.shoulder=5,8 mm", "tools.holder.force=9,11 kN"];
+    studied(&varied, How::OneAtATime, Bars::Without, |results| {
+        let mut stacked = 0;
+        for place in 0..results.rows[0].numbers.len() {
+            for swing in swings(results, place).iter().filter(|swing| swing.width() > 0.0) {
+                let own = results.rows[0].numbers[place];
+                let rows = [2 * swing.axis + 1, 2 * swing.axis + 2].map(|row| results.rows[row].numbers[place] - own);
+                if rows.iter().any(|moved| !moved.is_finite()) {
+                    continue;
+                }
+                assert_eq!(swing.other.is_some(), rows[0] * rows[1] >= 0.0, "{rows:?}: {swing:?}");
+                stacked += usize::from(rows[0] * rows[1] > 0.0);
+                let shown = [swing.low, swing.high].into_iter().chain(swing.other).filter(|end| end.value.is_some());
+                assert_eq!(shown.count(), 2, "{swing:?}");
+            }
+        }
+        assert!(stacked > 0, "no number that this holds of");
+    });
+}
+
 fn columns(table: &str, header: &str) -> Vec<String> {
     let mut lines = csv::Reader::from_reader(table.as_bytes());
     let place = lines.headers().expect("headers").iter().position(|own| own == header).expect(header);

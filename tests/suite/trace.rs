@@ -7,7 +7,7 @@ use stampflow::Observer;
 use stampflow::model::Iteration;
 use stampflow::solution::IterationRecord;
 use stampflow::solver::Start;
-use stampflow::trace::{Asked, NoSuchStep, Trace, trace};
+use stampflow::trace::{Asked, NoSuchStep, Rate, Trace, trace};
 use std::fs;
 
 /// The iterations of the last try of a step, and the end of the run behind it.
@@ -84,9 +84,10 @@ fn each_matrix_comes_to_the_same_answer_at_its_own_rate() {
     }
     let [primal_dual, newton] = [0, 1].map(|i| traced.ways[i].rate().expect("three whole increments"));
     let secant = slow.ways[0].rate().expect("three whole increments");
-    assert!(newton.is_faster_than_linear() && (newton.order - 2.0).abs() < 0.4, "{newton:?}");
-    assert!(primal_dual.is_faster_than_linear(), "{primal_dual:?}");
-    assert!((secant.order - 1.0).abs() < 0.1 && secant.left > 0.3, "{secant:?}");
+    let order = |rate: Rate| rate.order.expect("the asymptotic range");
+    assert!(newton.is_faster_than_linear() && (order(newton) - 2.0).abs() < 0.4, "{newton:?}");
+    assert!(primal_dual.left < 0.1, "as fast at its end, though few iterations show no order: {primal_dual:?}");
+    assert!((order(secant) - 1.0).abs() < 0.1 && secant.left > 0.3, "{secant:?}");
     // What a geometric series leaves behind its last increment: 1e-5 of the velocities by left/(1 − left).
     let end = slow.ways[0].iterations().last().expect("an answer");
     let left = 1e-5 * secant.left / (1.0 - secant.left);

@@ -64,10 +64,14 @@ fn sheet(material: &Material, lines: &mut Vec<Line>) {
         None => lines.push(line("back-stresses", "none", "isotropic hardening")),
     }
     lines.push(match material.rate {
-        Some(law) => line("rate law", law.to_string(), "times the yield stress"),
+        Some(law) => line("rate law", Message::Formula(law.to_string()), "times the yield stress"),
         None => line("rate law", "none", "the yield stress does not feel the strain rate"),
     });
-    lines.extend(material.thermal.map(|law| line("softening by heat", law.to_string(), "times the yield stress")));
+    lines.extend(
+        material
+            .thermal
+            .map(|law| line("softening by heat", Message::Formula(law.to_string()), "times the yield stress")),
+    );
 }
 
 /// What changes the sheet's temperature; the temperature itself is said with the blank.

@@ -56,7 +56,7 @@ fn of_tool(model: &Model, tool: &Tool) -> Line {
     };
     let friction = match &tool.friction {
         Friction::Coulomb(_) => Amount::number(tool.friction.largest_coefficient()).into(),
-        law => Message::from(law.to_string()),
+        law => Message::Formula(law.to_string()),
     };
     let friction = message!("friction {friction}", friction = friction);
     let meaning = Message::joined([what, corners(tool, model.blank.thickness), friction], ", ");

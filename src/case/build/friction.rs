@@ -48,13 +48,13 @@ pub(super) fn of(
         derived.push(message!(
             "the {tool}'s friction is that of its side of the sheet, {law}",
             tool = role.name(),
-            law = law.to_string()
+            law = Message::Formula(law.to_string())
         ));
         return Ok(law);
     }
     if role == Role::Holder {
         let law = of(Role::Die, written, source, &mut Vec::new())?;
-        derived.push(message!("the holder's friction is the die's, {law}", law = law.to_string()));
+        derived.push(message!("the holder's friction is the die's, {law}", law = Message::Formula(law.to_string())));
         return Ok(law);
     }
     Err(missing(source, &table, "friction"))

@@ -6,10 +6,10 @@ use super::super::say::{say, say_json};
 use super::super::table::{Cell, table, wrapped};
 use super::args::Args;
 use super::shown::{cells, csv};
-use stampflow::message::Message;
+use stampflow::message::{Amount, Digits, Message};
 use stampflow::output::study::{fit_law, json};
 use stampflow::study::fit::{Direction, FlowCurve, LawFit, fit_laws, material_text};
-use stampflow::units::{four_digits, trimmed};
+use stampflow::units::{Unit, trimmed};
 
 pub fn law(args: &Args) -> anyhow::Result<Code> {
     let options = &args.of_law;
@@ -57,9 +57,9 @@ fn row(fit: &LawFit, is_best: bool, form: stampflow::message::Form) -> [String; 
     let number = |text: String| form.language.number(&text);
     let mark = if is_best { " *" } else { "" };
     [
-        format!("{}{mark}", fit.kind.label()),
+        form.tell(fit.kind.label()) + mark,
         number(trimmed(fit.r2, 5)),
-        number(format!("{} MPa", four_digits(fit.rms))),
+        Amount::new(fit.rms, Unit::MPa, Digits::Significant(4)).told(form),
         number(trimmed(fit.aic, 1)),
     ]
 }

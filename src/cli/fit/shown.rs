@@ -27,6 +27,7 @@ fn at(end: End) -> Option<f64> {
 
 /// Value with its unit, standard error and interval, as a table has them.
 pub fn cells(e: &Estimate, form: Form) -> [String; 3] {
+    let e = e.clone().told_in(form.system);
     let number = |text: String| form.language.number(&text);
     let interval = e.interval().map_or_else(|| "–".to_owned(), number);
     [

@@ -188,13 +188,19 @@ fn converges(way: &Way) -> Message {
 
 fn fast(rate: Rate) -> Message {
     let left = Amount::share(rate.left);
-    match rate.is_faster_than_linear() {
-        true => message!(
+    match rate.order {
+        Some(order) if rate.is_faster_than_linear() => message!(
             "At the end it converges with order {order}: the last iteration leaves {left} of the error.",
-            order = Amount::ratio(rate.order),
+            order = Amount::ratio(order),
             left = left
         ),
-        false => message!("At the end it converges linearly: each iteration leaves {left} of the error.", left = left),
+        Some(_) => {
+            message!("At the end it converges linearly: each iteration leaves {left} of the error.", left = left)
+        }
+        None => message!(
+            "Too few iterations show an order of convergence: the last leaves {left} of the error.",
+            left = left
+        ),
     }
 }
 

@@ -62,14 +62,26 @@ impl Ranged for Ticked {
     }
 }
 
-/// Of values in order some `most` or fewer: both ends, zero, and those between at even steps from zero.
+/// Round-off, over a step \[–\].
+const SLACK: f64 = 1e-6;
+
+/// Of values in order some `most` or fewer: both ends, zero, and those between at even steps from zero, which may be other
+/// ones below it than above.
 pub(super) fn spread(values: &[f64], most: usize) -> Vec<f64> {
     let Some(last) = values.len().checked_sub(1) else { return Vec::new() };
     let zero = values.iter().position(|value| *value == 0.0).unwrap_or(0);
-    let step = values.len().div_ceil(most).max(1);
-    let is_apart = |i: usize| (i >= step || i == 0) && (last - i >= step || i == last);
-    let is_kept = |i: usize| i == 0 || i == last || i == zero || (i.abs_diff(zero).is_multiple_of(step) && is_apart(i));
-    (0..=last).filter(|i| is_kept(*i)).map(|i| values[i]).collect()
+    let room = (values[last] - values[0]) / most as f64;
+    let is_kept = |i: &usize| {
+        let away = i.abs_diff(zero);
+        if *i == 0 || *i == last || away == 0 {
+            return true;
+        }
+        let width = (values[*i] - values[zero]).abs() / away as f64;
+        let step = (room / width - SLACK).ceil().max(1.0);
+        let apart = (step - SLACK) * width;
+        away.is_multiple_of(step as usize) && values[*i] - values[0] >= apart && values[last] - values[*i] >= apart
+    };
+    (0..=last).filter(is_kept).map(|i| values[i]).collect()
 }
 
 /// A tick's label: as many decimals as the ticks beside it need, digits in groups of three from 10 000 on.
@@ -132,6 +144,9 @@ mod tests {
         assert_eq!(spread(&steps(-5..=6), 8), [-10.0, -4.0, 0.0, 4.0, 8.0, 12.0]);
         assert_eq!(spread(&steps(0..=9), 8), [0.0, 4.0, 8.0, 12.0, 18.0]);
         assert!(spread(&[], 8).is_empty());
+        // Wide colours below zero and narrow ones above.
+        let uneven = [-40.0, -30.0, -20.0, -10.0, 0.0, 2.0, 4.0, 6.0, 8.0, 10.0];
+        assert_eq!(spread(&uneven, 8), [-40.0, -30.0, -20.0, -10.0, 0.0, 10.0]);
     }
 
     #[test]

@@ -1,9 +1,9 @@
 //! Measured curves beside the run that a fit begins with and the one that it ends with.
 
-use crate::message::{Form, Message, System, message};
+use crate::message::{Form, Message, message};
 use crate::output::chart::{BLACK, Chart, GREY, Look, Panel, Scale, Series, color};
 use crate::study::fit::{CaseFit, Matched};
-use crate::table::{Axis, Column, Unit};
+use crate::table::{Column, Unit};
 
 /// A picture for each curve: points and both runs above, what the fitted run misses the points by below.
 pub fn fit_case(fit: &CaseFit, form: Form) -> Vec<Chart> {
@@ -11,8 +11,7 @@ pub fn fit_case(fit: &CaseFit, form: Form) -> Vec<Chart> {
 }
 
 fn chart(fit: &CaseFit, matched: &Matched, form: Form) -> Chart {
-    let told = |axis: &Axis| axis.clone().told(Form { system: System::Si, ..form }, 0.0).0;
-    let [x, y] = matched.axes.each_ref().map(told);
+    let [x, y] = matched.axes.clone();
     let points = |used: bool| {
         let of = matched.points.iter().filter(|p| p.computed.is_some() == used);
         of.map(|p| (p.x, p.reference)).collect::<Vec<_>>()
@@ -38,6 +37,7 @@ fn chart(fit: &CaseFit, matched: &Matched, form: Form) -> Chart {
     ];
     let miss = Column::new("miss", "Run less point", Unit::Percent, Vec::new());
     let keys = fit.estimates.all.iter().map(|estimate| {
+        let estimate = estimate.clone().told_in(form.system);
         let error = estimate.told_error().map_or_else(String::new, |error| format!(" ± {error}"));
         Message::from(
             format!("{} = {}{error} {}", estimate.key, form.language.number(&estimate.told()), estimate.unit)
@@ -45,16 +45,17 @@ fn chart(fit: &CaseFit, matched: &Matched, form: Form) -> Chart {
                 .to_owned(),
         )
     });
-    Chart {
+    let chart = Chart {
         title: form.tell(message!("Fitted to {file}", file = matched.name.clone())),
         legend: String::new(),
         panels: vec![
             Panel { x: x.clone(), y, series: above, scale: Scale::Fit { height: 300.0, least: 0.0 } },
-            Panel { x, y: told(&miss.axis()), series: below, scale: Scale::Fit { height: 150.0, least: 0.5 } },
+            Panel { x, y: miss.axis(), series: below, scale: Scale::Fit { height: 200.0, least: 0.5 } },
         ],
         notes: vec![
             Message::joined(keys, "; ").told(form),
             form.tell("What the run misses is told over the mean height of the curve."),
         ],
-    }
+    };
+    chart.told(form)
 }

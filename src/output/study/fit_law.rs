@@ -16,18 +16,27 @@ pub fn fit_law(fits: &LawFits, form: Form) -> Chart {
     let strain = Column::new("strain_plastic", "True plastic strain", Unit::None, Vec::new());
     let stress = Column::new("true_stress", "True stress", Unit::MPa, Vec::new());
     let miss = Column::new("miss", "Law less point", Unit::MPa, Vec::new());
-    let told = |axis: crate::table::Axis| axis.told(Form { system: crate::message::System::Si, ..form }, 0.0).0;
-    let (x, y, of_miss) = (told(strain.axis()), told(stress.axis()), told(miss.axis()));
     let notes = fits.tests.iter().map(FlowCurve::sentence).map(|sentence| sentence.told(form)).collect();
-    Chart {
+    let chart = Chart {
         title: form.tell(message!("{law} fitted to {files}", law = fits.best().kind.label(), files = files(fits))),
         legend: String::new(),
         panels: vec![
-            Panel { x: x.clone(), y, series: above(fits, form), scale: Scale::Fit { height: 330.0, least: 10.0 } },
-            Panel { x, y: of_miss, series: misses(fits, form), scale: Scale::Fit { height: 150.0, least: 1.0 } },
+            Panel {
+                x: strain.axis(),
+                y: stress.axis(),
+                series: above(fits, form),
+                scale: Scale::Fit { height: 330.0, least: 10.0 },
+            },
+            Panel {
+                x: strain.axis(),
+                y: miss.axis(),
+                series: misses(fits, form),
+                scale: Scale::Fit { height: 210.0, least: 1.0 },
+            },
         ],
         notes,
-    }
+    };
+    chart.told(form)
 }
 
 fn files(fits: &LawFits) -> Message {
@@ -51,7 +60,7 @@ fn above(fits: &LawFits, form: Form) -> Vec<Series> {
         series.push(Series::new(form.tell("Its interval of 95 %, from scatter alone"), outline, look));
     }
     for (i, fit) in fits.fits.iter().filter(|fit| fit.kind != best.kind).enumerate() {
-        series.push(Series::new(fit.kind.label(), curve(fit, first), thin(Look::curve(i + 1))));
+        series.push(Series::new(form.tell(fit.kind.label()), curve(fit, first), thin(Look::curve(i + 1))));
     }
     for (i, rate) in rates.iter().enumerate() {
         let label = match rate {
@@ -60,7 +69,7 @@ fn above(fits: &LawFits, form: Form) -> Vec<Series> {
                 law = best.kind.label(),
                 rate = crate::units::rounded(*rate).to_string()
             )),
-            None => best.kind.label().to_owned(),
+            None => form.tell(best.kind.label()),
         };
         let look = if i == 0 { Look::curve(0) } else { Look::curve(fits.fits.len() + i) };
         series.push(Series::new(label, curve(best, *rate), look));

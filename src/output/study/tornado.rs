@@ -3,6 +3,7 @@
 use super::zones::OWN;
 use crate::message::{Form, Message, message};
 use crate::output::chart::{Chart, Color, Look, Panel, Scale, Series, color, pale};
+use crate::output::font;
 use crate::study::{End, Results, Swing, swings};
 use crate::table::Axis;
 
@@ -12,9 +13,18 @@ const KEYS: usize = 12;
 /// Height of a bar with its room, and of half the bar \[px, and of 1 from bar to bar\].
 const ROW: f64 = 34.0;
 const HALF: f64 = 0.34;
-/// Width of a letter and of the room around a label, over that of a panel \[–\].
-const LETTER: f64 = 0.024;
-const AROUND: f64 = 0.03;
+/// Height of each of two bars that go to one side, so that their labels stand one above the other.
+const STACKED: f64 = 0.48;
+/// Size of the letters of labels and of names, and the room around a label \[px\].
+const LABEL: f64 = 15.0;
+const NAME: f64 = 17.0;
+const AROUND: f64 = 16.0;
+/// Width of a picture in a narrow column, and of what stands beside names and panel \[px\]: labels that have room there have
+/// it everywhere.
+const NARROW: f64 = 542.0;
+const BESIDE: f64 = 95.0;
+/// As narrow as a panel is taken to be \[px\].
+const LEAST: f64 = 150.0;
 /// Between a bar and its label, over the panel \[–\].
 const GAP: f64 = 0.008;
 /// Behind the value of a design that fails.
@@ -55,42 +65,57 @@ fn panel(results: &Results, place: usize, swings: &[Swing], form: Form) -> Panel
     let own = results.rows[0].numbers[place];
     let ends = swings.iter().flat_map(|swing| [swing.low.number, swing.high.number]);
     let (low, high) = ends.fold((own, own), |(low, high), v| (low.min(v), high.max(v)));
-    let share = |label: &str| LETTER * label.chars().count() as f64 + AROUND;
-    let ends = swings.iter().flat_map(|swing| [(swing, swing.low), (swing, swing.high)]);
-    let labels = ends.filter_map(|(swing, end)| told(results, swing, end, form));
-    let widest = labels.map(|label| share(&label)).fold(0.0, f64::max);
-    // The labels have room on either side of the longest bars.
-    let width = (high - low) / (1.0 - 2.0 * widest).max(0.3);
-    let x = (low - widest * width, high + widest * width);
-    // From the bottom up: the largest comes last.
-    let count = swings.len();
-    let row = |i: usize| (count - 1 - i) as f64;
-    let mut series = Vec::new();
-    for (i, swing) in swings.iter().enumerate() {
-        let y = row(i);
-        for end in [swing.low, swing.high] {
-            if end.value.is_none() {
-                continue;
-            }
-            let outline = vec![(own, y - HALF), (end.number, y - HALF), (end.number, y + HALF), (own, y + HALF)];
-            series.push(Series::silent(outline, look(results, swing, end)));
-        }
-    }
-    series.push(Series::silent(vec![(own, -0.6), (own, count as f64 - 0.4)], OWN));
-    for (i, swing) in swings.iter().enumerate() {
-        for (end, off, look) in [(swing.low, -GAP, Look::Before), (swing.high, GAP, Look::Text)] {
-            let Some(label) = told(results, swing, end, form) else { continue };
-            series.push(Series::new(label, vec![(end.number + off * width, row(i))], look));
-        }
-    }
     let mut names: Vec<String> = swings.iter().map(|swing| form.tell(results.axes[swing.axis].message())).collect();
     names.reverse();
+    let px = (NARROW - BESIDE - NAME * names.iter().map(|name| font::width(name)).fold(0.0, f64::max)).max(LEAST);
+    let share = |label: &str| (LABEL * font::width(label) + AROUND) / px;
+    let bars: Vec<_> = swings.iter().enumerate().flat_map(|(i, swing)| bars(swing, i, swings.len())).collect();
+    let labels = bars.iter().filter_map(|(swing, bar)| told(results, swing, bar.end, form));
+    let widest = labels.map(|label| share(&label)).fold(0.0, f64::max);
+    // The labels have room on either side of the longest bars.
+    let width = (high - low) / (1.0 - 2.0 * widest).max(0.2);
+    let x = (low - widest * width, high + widest * width);
+    let count = swings.len();
+    let mut series: Vec<Series> = bars
+        .iter()
+        .map(|(swing, Bar { end, y: (from, to) })| {
+            let outline = vec![(own, *from), (end.number, *from), (end.number, *to), (own, *to)];
+            Series::silent(outline, look(results, swing, *end))
+        })
+        .collect();
+    series.push(Series::silent(vec![(own, -0.6), (own, count as f64 - 0.4)], OWN));
+    for (swing, Bar { end, y: (from, to) }) in &bars {
+        let Some(label) = told(results, swing, *end, form) else { continue };
+        let (off, look) = if end.number < own { (-GAP, Look::Before) } else { (GAP, Look::Text) };
+        series.push(Series::new(label, vec![(end.number + off * width, 0.5 * (from + to))], look));
+    }
     let height = ROW * count as f64 + 12.0;
     Panel {
         x: Axis::named(number.label, number.amount.unit),
         y: Axis::of_names("", names),
         series,
         scale: Scale::Window { height, x, y: (-0.6, count as f64 - 0.4) },
+    }
+}
+
+/// A bar from where the case stands to an end.
+#[derive(Clone, Copy)]
+struct Bar {
+    end: End,
+    /// From its lower edge to its upper one, of 1 from row to row.
+    y: (f64, f64),
+}
+
+/// The bars of a swing, one of so many from the top: to either side, or to one side and one above the other.
+fn bars(swing: &Swing, from_top: usize, of: usize) -> Vec<(Swing, Bar)> {
+    let middle = (of - 1 - from_top) as f64;
+    let ends = [swing.low, swing.high].into_iter().filter(|end| end.value.is_some());
+    match swing.other {
+        None => ends.map(|end| (*swing, Bar { end, y: (middle - HALF, middle + HALF) })).collect(),
+        Some(other) => ends
+            .map(|end| (*swing, Bar { end, y: (middle, middle + STACKED) }))
+            .chain([(*swing, Bar { end: other, y: (middle - STACKED, middle) })])
+            .collect(),
     }
 }
 

@@ -12,6 +12,7 @@
 use super::range::Range;
 use super::target::Target;
 use crate::files::{self, Disk, Files};
+use crate::study::vary::counted;
 use crate::study::{Readings, StudyError, Subject};
 use std::path::{Path, PathBuf};
 use toml_edit::{DocumentMut, Item, TableLike, Value};
@@ -91,10 +92,7 @@ fn keys(table: &dyn TableLike, above: &str, all: &mut Vec<Range>) -> Result<(), 
             Item::Value(Value::Array(values)) => {
                 let texts: Vec<String> = values.iter().map(plain).collect();
                 let [start, low, high] = texts.as_slice() else {
-                    return Err(StudyError::new(
-                        format!("{key} has {} values", texts.len()),
-                        "write [START, LOW, HIGH]",
-                    ));
+                    return Err(StudyError::new(counted(&key, texts.len()), "write [START, LOW, HIGH]"));
                 };
                 all.push(Range::of_three(&key, [start, low, high])?);
             }

@@ -1,9 +1,10 @@
 //! Fitted numbers: how sure each is, and what cannot be told apart.
 
+use crate::message::System;
 use crate::numerics::least_squares::{Limits, Minimum, Parameter, Residuals};
 use crate::numerics::profile::{End, interval};
 use crate::numerics::student;
-use crate::units::{rounded, trimmed};
+use crate::units::{Unit, rounded, trimmed};
 use nalgebra::DMatrix;
 
 /// Of intervals \[–\].
@@ -117,6 +118,29 @@ impl Estimates {
 }
 
 impl Estimate {
+    /// The same in the units of a system; in its own where that has no other for it.
+    pub fn told_in(self, system: System) -> Self {
+        let Ok((unit, own)) = Unit::of_header(&format!("value_{}", self.unit)) else { return self };
+        let to = system.told(unit, own * self.value);
+        if system == System::Si || to.symbol == unit.symbol() || to.offset != 0.0 {
+            return self;
+        }
+        let scaled = |value: f64| own * to.factor * value;
+        let end = |end: End| match end {
+            End::At(value) => End::At(scaled(value)),
+            open => open,
+        };
+        Self {
+            unit: to.symbol.to_owned(),
+            value: scaled(self.value),
+            error: self.error.map(scaled),
+            ends: self.ends.map(end),
+            bounds: self.bounds.map(scaled),
+            pushed: self.pushed.map(scaled),
+            ..self
+        }
+    }
+
     /// The value with no digit that its error does not allow: two digits of the error.
     pub fn told(&self) -> String {
         self.number(self.value)

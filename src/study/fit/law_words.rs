@@ -79,7 +79,10 @@ impl LawFits {
                 told.push(message!(
                     "{key} is pushed against the end of its range, {bound}: the law is not made for these points.",
                     key = estimate.key.clone(),
-                    bound = number(bound)
+                    bound = match estimate.unit.as_str() {
+                        "" => number(bound),
+                        _ => Amount::stress(bound),
+                    }
                 ));
             }
         }

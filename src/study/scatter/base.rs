@@ -3,7 +3,7 @@
 use super::StudyError;
 use super::curves::Grids;
 use crate::assess::{self, Limits};
-use crate::message::{Amount, Digits};
+use crate::message::Amount;
 use crate::study::{Columns, Designs, Solved, Subject};
 use crate::table::Unit;
 use crate::verification::{Of, Watch};
@@ -30,8 +30,8 @@ pub struct Known {
     pub row: Option<&'static str>,
     /// Its unit.
     pub unit: Unit,
-    /// How finely it is told.
-    pub digits: Digits,
+    /// How it is told.
+    told: Amount,
     /// What it is held against.
     pub limits: Option<Limits>,
     /// Of the case as it stands, in its unit.
@@ -41,7 +41,7 @@ pub struct Known {
 impl Known {
     /// A value of it, as it is told.
     pub fn amount(&self, value: f64) -> Amount {
-        Amount::new(value, self.unit, self.digits)
+        self.told.of(value)
     }
 }
 
@@ -64,7 +64,7 @@ impl Base {
                 label: number.label,
                 row: row.map(|row| row.key),
                 unit: number.amount.unit,
-                digits: number.amount.digits,
+                told: number.amount,
                 limits: row.and_then(|row| row.limits),
                 value: number.amount.value,
             }

@@ -2,11 +2,12 @@
 
 use super::found::{Event, Found, Influence, What};
 use crate::assess::Light;
-use crate::message::{Amount, Digits, Message, message};
-use crate::table::Unit;
+use crate::message::{Amount, Message, message};
 
-/// Rank correlations below say nothing \[–\].
-const WEAK: f64 = 0.1;
+/// Rank correlations below say nothing, little, and those above say nearly all \[–\].
+const NOTHING: f64 = 0.1;
+const LITTLE: f64 = 0.5;
+const NEARLY_ALL: f64 = 0.9;
 
 /// What scatters, as it is called.
 pub fn called(key: &str) -> Message {
@@ -25,13 +26,21 @@ fn parts(share: f64) -> Amount {
     Amount::share(share)
 }
 
-fn plain(number: f64) -> Amount {
-    Amount::new(number, Unit::None, Digits::Significant(2))
-}
-
 impl Influence {
-    /// What matters most, and how much: `friction decides 71 % of it`.
+    /// What a light hangs on most, and how much: `friction decides 71 % of it`, `it goes with friction, closely`.
     pub fn told(&self, found: &Found) -> Option<Message> {
+        self.most(found, |factor, _| message!("it goes with {factor}", factor = factor))
+    }
+
+    /// The same of a number, which rises or falls: `it falls with thickness, closely`.
+    pub fn of_number(&self, found: &Found) -> Option<Message> {
+        self.most(found, |factor, rank| match rank > 0.0 {
+            true => message!("it rises with {factor}", factor = factor),
+            false => message!("it falls with {factor}", factor = factor),
+        })
+    }
+
+    fn most(&self, found: &Found, goes: impl Fn(Message, f64) -> Message) -> Option<Message> {
         if let Some(indices) = &self.indices {
             let (group, index) =
                 indices.iter().enumerate().max_by(|a, b| a.1.total.value.total_cmp(&b.1.total.value))?;
@@ -51,24 +60,28 @@ impl Influence {
         }
         let ranks = self.ranks.iter().enumerate().filter_map(|(i, rank)| Some((i, (*rank)?)));
         let (factor, rank) = ranks.max_by(|a, b| a.1.abs().total_cmp(&b.1.abs()))?;
-        (rank.abs() > WEAK).then(|| {
-            let factor = called(&found.factors[factor]);
-            message!("it goes with {factor}, rank correlation {rank}", factor = factor, rank = plain(rank))
-        })
+        let how = match rank.abs() {
+            rank if rank > NEARLY_ALL => "closely",
+            rank if rank > LITTLE => "",
+            _ => "weakly",
+        };
+        (rank.abs() > NOTHING).then(|| Message::joined([goes(called(&found.factors[factor]), rank), how.into()], ", "))
     }
 }
 
 impl Event {
-    /// `thinning is red in 3.2 % of parts, 2.1 to 4.7 %`
-    fn told(&self) -> Message {
+    /// `thinning is red in 3.2 % of parts, 2.1 to 4.7 %`; of so many parts that were tried
+    fn told(&self, of: usize) -> Message {
         let [chance, low, high] = [self.chance.value, self.chance.low, self.chance.high].map(parts);
         match (self.what, self.light) {
-            (What::Tear, _) if self.hits == 0 => message!("no part tears, and at most {high} do", high = high),
+            (What::Tear, _) if self.hits == 0 => {
+                message!("none of {n} parts tore, though up to {high} may", n = of, high = high)
+            }
             (What::Tear, _) => {
                 message!("{chance} of the parts tear, {low} to {high}", chance = chance, low = low, high = high)
             }
             (What::Verdict, Light::Red) if self.hits == 0 => {
-                message!("no part is red, and at most {high} are", high = high)
+                message!("none of {n} parts was red, though up to {high} may be", n = of, high = high)
             }
             (What::Verdict, Light::Red) => {
                 message!("{chance} of the parts are red, {low} to {high}", chance = chance, low = low, high = high)
@@ -98,12 +111,17 @@ impl Event {
 }
 
 impl Found {
+    /// Parts that say something.
+    fn known(&self) -> usize {
+        self.runs - self.failed
+    }
+
     /// The answer in a sentence: how many tear, how many are red.
     pub fn sentence(&self) -> Message {
         let told = |what: What| {
             let event = self.events.iter().find(|event| event.what == what && event.light == Light::Red)?;
             let decides = event.influence.told(self).filter(|_| event.hits > 0);
-            Some(Message::joined([event.told()].into_iter().chain(decides), "; "))
+            Some(Message::joined([event.told(self.known())].into_iter().chain(decides), "; "))
         };
         Message::joined([What::Tear, What::Verdict].into_iter().filter_map(told), "; ")
     }
@@ -111,10 +129,12 @@ impl Found {
     /// What is told below: lights that are red in some run, how sure this is, and runs that say nothing.
     pub fn sentences(&self) -> Vec<Message> {
         let red = self.events.iter().filter(|event| event.light == Light::Red && matches!(event.what, What::Row(_)));
-        let red = red.map(|event| Message::joined([event.told()].into_iter().chain(event.influence.told(self)), "; "));
+        let red = red.map(|event| {
+            Message::joined([event.told(self.known())].into_iter().chain(event.influence.told(self)), "; ")
+        });
         let sure = message!(
             "from {n} runs; each interval holds the truth in 95 of 100 such studies, if what scatters is as it was given",
-            n = self.runs - self.failed
+            n = self.known()
         );
         let failed = (!self.failures.is_empty()).then(|| {
             let of = |(why, count): (&String, &usize)| message!("{n} {why}", n = *count, why = why.clone());

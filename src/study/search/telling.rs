@@ -166,7 +166,7 @@ fn left_open(quest: &Quest, answer: &Answer, named: &[&Named], bars: Option<&Ver
             "the error bar of {number}, ± {bar}, leaves ± {width} of it open",
             number = name.text.clone(),
             bar = bar,
-            width = quest.span.told(width)
+            width = quest.span.difference(width)
         ))
     };
     named.iter().filter_map(open).collect()
@@ -177,7 +177,7 @@ fn beside(quest: &Quest, answer: &Answer) -> Vec<Message> {
     let at = |x: f64| quest.span.told(x);
     let mut said = Vec::new();
     if let Found::Between([inner, outer]) = answer.bracket.found {
-        said.push(message!("known within {width}", width = at((outer - inner).abs())));
+        said.push(message!("known within {width}", width = quest.span.difference(outer - inner)));
     }
     if let Some([best, other]) = answer.draw_ratios.filter(|_| matches!(quest.goal, Goal::Keep(_))) {
         let [best, other] = [best, other].map(|ratio| Amount::new(ratio, Unit::None, Digits::Decimals(3)));
