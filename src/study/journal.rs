@@ -3,7 +3,7 @@
 //! Rows are appended to `.study.csv.part` beside `study.csv`, which takes its name when the last one is there: whoever
 //! reads `study.csv` reads all of it. A run that was killed leaves whole rows and at most a half one, which is cut off.
 
-use super::StudyError;
+use super::{Designs, StudyError};
 use std::fs::{self, File, OpenOptions, TryLockError};
 use std::io::{self, BufRead, BufReader, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
@@ -48,12 +48,19 @@ impl Journal {
     /// # Errors
     /// When it cannot be written to, another process writes there, a file that is no table of a study stands in its
     /// place, or what an earlier run has left is to be neither kept nor removed, or is of another study.
-    pub fn open(path: &Path, header: &[String], indices: &[u64], earlier: Earlier) -> Result<Begun, StudyError> {
+    pub fn open(
+        path: &Path,
+        designs: &dyn Designs,
+        header: &[String],
+        indices: &[u64],
+        earlier: Earlier,
+    ) -> Result<Begun, StudyError> {
         let name = path.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
         let part = path.with_file_name(format!(".{name}.part"));
         let unwritable = |error: io::Error| {
             StudyError::new(format!("cannot write {}: {error}", path.display()), "choose another place with --out")
         };
+        let own = || Own { study: designs.key(), header: record(header), indices };
         if let Some(folder) = path.parent() {
             fs::create_dir_all(folder).map_err(unwritable)?;
         }
@@ -62,7 +69,7 @@ impl Journal {
                 let what = format!("{} is there and is no table of a study", path.display());
                 return Err(StudyError::new(what, "choose another place with --out"));
             }
-            if path.exists() && earlier == Earlier::Resume && rows_of(path, header, indices)?.count == indices.len() {
+            if path.exists() && earlier == Earlier::Resume && rows_of(path, &own())?.count == indices.len() {
                 return Ok(Begun::Complete);
             }
             let is_begun = part.exists();
@@ -78,7 +85,7 @@ impl Journal {
                 let what = format!("an earlier run has left rows of {} and did not end", path.display());
                 return Err(StudyError::new(what, "go on with them by --resume, or begin anew with --restart"));
             }
-            Earlier::Resume if is_begun => rows_of(&part, header, indices)?,
+            Earlier::Resume if is_begun => rows_of(&part, &own())?,
             _ => Rows::default(),
         };
         file.set_len(kept.bytes).and_then(|()| file.seek(SeekFrom::End(0))).map_err(unwritable)?;
@@ -163,8 +170,18 @@ struct Rows {
     bytes: u64,
 }
 
+/// What rows of a study begin with.
+struct Own<'a> {
+    /// Its [key](Designs::key).
+    study: &'a str,
+    /// The first line.
+    header: Vec<u8>,
+    /// Of its rows, in order.
+    indices: &'a [u64],
+}
+
 /// Counts the whole rows of a table, which must be of the study that it is of.
-fn rows_of(path: &Path, header: &[String], indices: &[u64]) -> Result<Rows, StudyError> {
+fn rows_of(path: &Path, own: &Own) -> Result<Rows, StudyError> {
     let unreadable = |error: io::Error| {
         StudyError::new(format!("cannot read {}: {error}", path.display()), "begin anew with --restart")
     };
@@ -174,7 +191,6 @@ fn rows_of(path: &Path, header: &[String], indices: &[u64]) -> Result<Rows, Stud
     };
     let mut lines = BufReader::new(File::open(path).map_err(unreadable)?);
     let (mut rows, mut line) = (Rows::default(), String::new());
-    let header = record(header);
     loop {
         line.clear();
         let read = lines.read_line(&mut line).map_err(unreadable)?;
@@ -182,12 +198,14 @@ fn rows_of(path: &Path, header: &[String], indices: &[u64]) -> Result<Rows, Stud
             return Ok(rows);
         }
         if rows.bytes == 0 {
-            if line.as_bytes() != header {
+            if line.as_bytes() != own.header {
                 return Err(other());
             }
         } else {
-            let index = line.split(',').nth(2).and_then(|index| index.parse::<u64>().ok());
-            if index.is_none() || index != indices.get(rows.count).copied() {
+            let mut fields = line.split(',');
+            let is_own = fields.next() == Some(own.study);
+            let index = fields.nth(1).and_then(|index| index.parse::<u64>().ok());
+            if !is_own || index.is_none() || index != own.indices.get(rows.count).copied() {
                 return Err(other());
             }
             rows.count += 1;

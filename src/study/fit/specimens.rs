@@ -27,7 +27,7 @@ impl Tests {
     /// The tests, reduced.
     ///
     /// # Errors
-    /// When one cannot be read or reduced, or rates or directions are not one for each.
+    /// When one cannot be read or reduced, rates or directions are not one for each, or one is there twice.
     pub fn curves(&self) -> Result<Vec<FlowCurve>, StudyError> {
         let count = self.files.len();
         for (what, given) in [("--rate", self.rate.len()), ("--direction", self.direction.len())] {
@@ -42,7 +42,17 @@ impl Tests {
             let curve = FlowCurve::of(&Tension::load(path, self.section, self.gauge)?, &self.reduction)?;
             Ok(FlowCurve { rate: self.rate.get(i).copied(), direction: self.direction.get(i).copied(), ..curve })
         };
-        self.files.iter().enumerate().map(one).collect()
+        let curves = self.files.iter().enumerate().map(one).collect::<Result<Vec<_>, StudyError>>()?;
+        // The same numbers twice are no second measurement, and would make every interval narrower.
+        let twin =
+            |i: usize| curves[..i].iter().position(|before| before.is_again(&curves[i])).map(|before| (before, i));
+        match (1..curves.len()).find_map(twin) {
+            Some((a, b)) => {
+                let what = format!("{} and {} are one test", self.files[a].display(), self.files[b].display());
+                Err(StudyError::new(what, "give every test once"))
+            }
+            None => Ok(curves),
+        }
     }
 }
 

@@ -45,7 +45,8 @@ impl Tension {
         let disk: &dyn Files = &Disk;
         let shown = path.display();
         let text = disk.text(path, files::CSV).map_err(|error| {
-            StudyError::new(format!("cannot read {shown}: {error}"), "give a CSV file of a tension test")
+            let help = error.remedy("give a CSV file of a tension test");
+            StudyError::new(format!("cannot read {shown}: {error}"), help)
         })?;
         Self::read(&text, &shown.to_string(), section, gauge)
     }
@@ -72,6 +73,14 @@ impl Tension {
         let mut rows: Vec<TensionRow> = Vec::new();
         let mut lines = Vec::new();
         for row in &csv.rows {
+            let [found, wanted] = [row.fields.len(), csv.header.fields.len()];
+            if found < wanted {
+                let what = format!("{}: {found} numbers stand under {wanted} columns", at(Some(row.line)));
+                return Err(StudyError::new(
+                    what,
+                    "complete the row or take it out; a value that is not known is empty, as in `5.0,`",
+                ));
+            }
             let number = |place: super::columns::Place| {
                 let number = row
                     .number(place.column)
