@@ -63,6 +63,14 @@ pub enum FileError {
 }
 
 impl FileError {
+    /// What to do about it; `otherwise` where it says nothing itself.
+    pub fn remedy(&self, otherwise: &str) -> String {
+        match self {
+            Self::NotText => "save it as UTF-8: in Excel as \"CSV UTF-8\", in Notepad by its choice of encoding".into(),
+            _ => otherwise.to_owned(),
+        }
+    }
+
     fn of(error: &std::io::Error) -> Self {
         match error.kind() {
             ErrorKind::NotFound => Self::Missing,

@@ -56,7 +56,7 @@ impl CaseError {
             FileError::TooLarge { .. } => format!("{path} is no case file: {error}"),
             _ => format!("{path} cannot be read: {error}"),
         };
-        Self::bare(what, "give the path of a case file, such as cases/quickstart.toml".into())
+        Self::bare(what, error.remedy("give the path of a case file, such as cases/quickstart.toml"))
     }
 
     /// What to do about it.

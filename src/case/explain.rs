@@ -28,7 +28,10 @@ fn content(error: &Error, source: &Source) -> CaseError {
     let known: Vec<&str> = words.collect();
     let (table, key) = path.rsplit_once('.').unwrap_or(("", &path));
     let written = source.written(&path);
-    let (what, help) = if message.starts_with("unknown field") {
+    let (what, help) = if message.starts_with("unknown field") && table.is_empty() && source.has("case") {
+        let what = format!("this is a study, not a case: `{subject}` is no key of a case");
+        (what, "run it with `stampflow sweep`, `scatter` or `fit`, whichever it is written for".to_owned())
+    } else if message.starts_with("unknown field") {
         (
             format!("unknown key `{subject}` in {}", shown(table)),
             proposal(subject, &listed(kind_of(table), &known), "keys"),

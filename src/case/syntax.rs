@@ -12,6 +12,7 @@ pub(super) fn error(error: &Error, text: &str, source: Arc<NamedSource<String>>)
     let start = text.get(..span.start).and_then(|before| before.rfind('\n')).map_or(0, |i| i + 1);
     let line = text.get(start..).and_then(|rest| rest.lines().next()).unwrap_or("");
     let help = number(line, span.start.saturating_sub(start))
+        .or_else(|| word(line))
         .unwrap_or_else(|| "case files are TOML: [table] headers and key = value lines".into());
     let what = error.message().lines().collect::<Vec<_>>().join("; ");
     if what == "duplicate key" {
@@ -19,6 +20,15 @@ pub(super) fn error(error: &Error, text: &str, source: Arc<NamedSource<String>>)
         return CaseError::at(source, span, format!("`{key}` is written twice"), "again".into(), "keep one".into());
     }
     CaseError::at(source, span, format!("this is not TOML: {what}"), "here".into(), help)
+}
+
+/// How a text is written: in quotes.
+fn word(line: &str) -> Option<String> {
+    let (key, value) = line.split_once('=')?;
+    let (key, value) = (key.trim(), value.split('#').next()?.trim());
+    let is_text = value.starts_with(char::is_alphabetic) && !value.contains(['"', '\'', '{', '[']);
+    let is_key = !key.is_empty() && key.chars().all(|c| c.is_alphanumeric() || matches!(c, '_' | '-' | '.'));
+    (is_text && is_key).then(|| format!("text stands in quotes: write {key} = \"{value}\""))
 }
 
 /// How the number that stands around byte `at` of a line is written: with a point between digits, and in quotes when a

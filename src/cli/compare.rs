@@ -17,7 +17,7 @@ Cases are solved as they stand, with what --set says; each --also is one more ru
 first case with overrides of its own, several joined by semicolons. A FILE.csv is laid \
 over the runs: travel_mm,punch_force_kN or s0_mm,thickness_mm, or a run's load_travel.csv \
 or profile.csv. Differences are against the first; one that is smaller than both error \
-bars together is told as within the error. DIR has differences.csv and the pictures \
+bars together is told so: (within the error). DIR has differences.csv and the pictures \
 compare_load, compare_thickness, compare_strains (with a forming limit), compare_sections.
 
 Examples:

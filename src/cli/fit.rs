@@ -8,7 +8,11 @@ mod shown;
 pub use args::Args;
 
 use super::code::Code;
+use super::place;
 use std::path::PathBuf;
+
+/// What every fit writes first, by which its place is found usable before anything is fitted.
+const WRITTEN: [&str; 2] = ["fit.csv", "fit.json"];
 
 pub const HELP: &str = "\
 CSV files are tension tests; headers say what is in them and end in the unit: \
@@ -35,5 +39,10 @@ Exit codes: 0 done, 2 bad input, 130 interrupted (the best so far is kept)";
 
 pub fn fit(args: &Args) -> anyhow::Result<Code> {
     let is_test = |path: &PathBuf| path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("csv"));
+    let dir = args.many.folder(&args.files[0], "fit");
+    let inputs = [args.files.as_slice(), &args.to].concat();
+    for name in WRITTEN {
+        place::file(&dir.join(name), &inputs, "--out")?;
+    }
     if args.files.iter().all(is_test) { law::law(args) } else { case::case(args) }
 }

@@ -79,7 +79,7 @@ pub fn scatter(args: &Args) -> anyhow::Result<Code> {
     let count = args.many.count(&args.file, "parts");
     let base = Base::of(&scatter, &count).map_err(asked)?;
     if let Begun::Open(mut journal) =
-        Journal::open(&path, &base.header(), &indices, args.rows.earlier()).map_err(asked)?
+        Journal::open(&path, scatter.key(), &base.header(), &indices, args.rows.earlier()).map_err(asked)?
     {
         let rest = &indices[journal.done()..];
         let ended = study::run(&scatter, rest, args.many.threads(), Bars::Without, &count, |row| {

@@ -113,7 +113,7 @@ pub fn sweep(args: &Args) -> anyhow::Result<Code> {
     let mut kept = indices.len();
     let begin = Instant::now();
     if let Begun::Open(mut journal) =
-        Journal::open(&path, &columns.header(), &indices, args.rows.earlier()).map_err(asked)?
+        Journal::open(&path, plan.key(), &columns.header(), &indices, args.rows.earlier()).map_err(asked)?
     {
         kept = journal.done();
         let mut times = Times::open(&dir.join(shard.file("study_times")), kept > 0).map_err(asked)?;

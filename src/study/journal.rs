@@ -43,17 +43,24 @@ pub enum Begun {
 }
 
 impl Journal {
-    /// Takes a table for the rows of some indices.
+    /// Takes a table for the rows of some indices of a study, which its key tells from others.
     ///
     /// # Errors
     /// When it cannot be written to, another process writes there, a file that is no table of a study stands in its
     /// place, or what an earlier run has left is to be neither kept nor removed, or is of another study.
-    pub fn open(path: &Path, header: &[String], indices: &[u64], earlier: Earlier) -> Result<Begun, StudyError> {
+    pub fn open(
+        path: &Path,
+        study: &str,
+        header: &[String],
+        indices: &[u64],
+        earlier: Earlier,
+    ) -> Result<Begun, StudyError> {
         let name = path.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
         let part = path.with_file_name(format!(".{name}.part"));
         let unwritable = |error: io::Error| {
             StudyError::new(format!("cannot write {}: {error}", path.display()), "choose another place with --out")
         };
+        let own = || Own { study, header: record(header), indices };
         if let Some(folder) = path.parent() {
             fs::create_dir_all(folder).map_err(unwritable)?;
         }
@@ -62,7 +69,7 @@ impl Journal {
                 let what = format!("{} is there and is no table of a study", path.display());
                 return Err(StudyError::new(what, "choose another place with --out"));
             }
-            if path.exists() && earlier == Earlier::Resume && rows_of(path, header, indices)?.count == indices.len() {
+            if path.exists() && earlier == Earlier::Resume && rows_of(path, &own())?.count == indices.len() {
                 return Ok(Begun::Complete);
             }
             let is_begun = part.exists();
@@ -78,7 +85,7 @@ impl Journal {
                 let what = format!("an earlier run has left rows of {} and did not end", path.display());
                 return Err(StudyError::new(what, "go on with them by --resume, or begin anew with --restart"));
             }
-            Earlier::Resume if is_begun => rows_of(&part, header, indices)?,
+            Earlier::Resume if is_begun => rows_of(&part, &own())?,
             _ => Rows::default(),
         };
         file.set_len(kept.bytes).and_then(|()| file.seek(SeekFrom::End(0))).map_err(unwritable)?;
@@ -171,8 +178,18 @@ struct Rows {
     bytes: u64,
 }
 
+/// What rows of a study begin with.
+struct Own<'a> {
+    /// Its [key](super::Designs::key).
+    study: &'a str,
+    /// The first line.
+    header: Vec<u8>,
+    /// Of its rows, in order.
+    indices: &'a [u64],
+}
+
 /// Counts the whole rows of a table, which must be of the study that it is of.
-fn rows_of(path: &Path, header: &[String], indices: &[u64]) -> Result<Rows, StudyError> {
+fn rows_of(path: &Path, own: &Own) -> Result<Rows, StudyError> {
     let unreadable = |error: io::Error| {
         StudyError::new(format!("cannot read {}: {error}", path.display()), "begin anew with --restart")
     };
@@ -182,7 +199,6 @@ fn rows_of(path: &Path, header: &[String], indices: &[u64]) -> Result<Rows, Stud
     };
     let mut lines = BufReader::new(File::open(path).map_err(unreadable)?);
     let (mut rows, mut line) = (Rows::default(), String::new());
-    let header = record(header);
     loop {
         line.clear();
         let read = lines.read_line(&mut line).map_err(unreadable)?;
@@ -190,12 +206,14 @@ fn rows_of(path: &Path, header: &[String], indices: &[u64]) -> Result<Rows, Stud
             return Ok(rows);
         }
         if rows.bytes == 0 {
-            if line.as_bytes() != header {
+            if line.as_bytes() != own.header {
                 return Err(other());
             }
         } else {
-            let index = line.split(',').nth(2).and_then(|index| index.parse::<u64>().ok());
-            if index.is_none() || index != indices.get(rows.count).copied() {
+            let mut fields = line.split(',');
+            let is_own = fields.next() == Some(own.study);
+            let index = fields.nth(1).and_then(|index| index.parse::<u64>().ok());
+            if !is_own || index.is_none() || index != own.indices.get(rows.count).copied() {
                 return Err(other());
             }
             rows.count += 1;

@@ -37,7 +37,7 @@ impl Readings {
                 let disk: &dyn Files = &Disk;
                 let text = disk
                     .text(path, files::CSV)
-                    .map_err(|error| StudyError::new(format!("cannot read {self}: {error}"), give))?;
+                    .map_err(|error| StudyError::new(format!("cannot read {self}: {error}"), error.remedy(give)))?;
                 Csv::read(&text, "the file", example).map_err(|error| refused(&self.to_string(), &error))
             }
         }

@@ -109,6 +109,11 @@ impl<'a> Results<'a> {
         &self.rows[first.min(self.rows.len())..]
     }
 
+    /// Places of the axes that have several values: one value by itself has no borders.
+    pub fn wide(&self) -> Vec<usize> {
+        (0..self.axes.len()).filter(|axis| self.axes[*axis].values.len() > 1).collect()
+    }
+
     /// The column of a number.
     pub fn column(&self, place: usize) -> String {
         header(&self.base.outcome.numbers[place])

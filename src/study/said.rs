@@ -96,7 +96,11 @@ impl Said {
         if results.plan.how() == How::OneAtATime {
             return Vec::new();
         }
-        if results.axes.len() > 3 {
+        let wide = results.wide();
+        if wide.is_empty() {
+            return vec!["one value has no borders: give several to see how far the case may go".into()];
+        }
+        if wide.len() > 3 {
             return vec!["no picture of more than three keys: --one-at-a-time draws one of any number".into()];
         }
         if windows(results).iter().any(Window::is_coarse) {
@@ -212,16 +216,16 @@ impl Zone {
 }
 
 impl Distance {
-    /// `Holder force may fall by 3.1 kN before it would wrinkle`
+    /// `Holder force may fall by 3.1 kN before it would wrinkle: red`
     pub fn told(&self, results: &Results) -> Message {
         let axis = &results.axes[self.axis];
         let (key, by, to) = (axis.message(), axis.difference(self.to - self.from), axis.told(self.to));
         match (self.meets, self.to > self.from) {
             (Meets::Failure(zone), true) => {
-                message!("{key} may rise by {by} before it {fails}", key = key, by = by, fails = zone.verb())
+                message!("{key} may rise by {by} before it {fails}: red", key = key, by = by, fails = zone.verb())
             }
             (Meets::Failure(zone), false) => {
-                message!("{key} may fall by {by} before it {fails}", key = key, by = by, fails = zone.verb())
+                message!("{key} may fall by {by} before it {fails}: red", key = key, by = by, fails = zone.verb())
             }
             (Meets::Sound, true) => message!("{key} must rise by {by} for it to be sound", key = key, by = by),
             (Meets::Sound, false) => message!("{key} must fall by {by} for it to be sound", key = key, by = by),

@@ -39,6 +39,8 @@ pub struct Span {
     places: Option<usize>,
     /// How near the limit is to be found, in the unit of the first key; a share of the span by default.
     tolerance: Option<f64>,
+    /// Whether the first key has whole numbers only.
+    is_whole: bool,
 }
 
 impl Span {
@@ -70,7 +72,16 @@ impl Span {
             keys.push(Vary::of(key, &format!("{counted}{}", if log { " log" } else { "" }))?);
             (places, is_log) = (places.or(count), is_log || log);
         }
-        Ok(Self::of(keys, Spacing::of(is_log), places))
+        let span = Self::of(keys, Spacing::of(is_log), places);
+        Ok(Self { is_whole: span.is_of_whole_numbers(subject), ..span })
+    }
+
+    /// Whether the first key makes a case at its first end, and none half a step from there.
+    fn is_of_whole_numbers(&self, subject: &Subject) -> bool {
+        let [low, high] = self.ends;
+        let makes_a_case = |x: f64| subject.case(&[self.keys[0].setting(&Value::number(x))]).is_ok();
+        let is_plain = self.unit().is_empty() && [low, high].iter().all(|end| end.fract() == 0.0);
+        is_plain && makes_a_case(low) && !makes_a_case(low + 0.5) && makes_a_case(low + 1.0)
     }
 
     /// Of keys with their ranges.
@@ -83,7 +94,7 @@ impl Span {
             keys.iter_mut().for_each(|vary| vary.values.reverse());
         }
         let ends = [false, true].map(|last| end(&keys[0], last));
-        Self { keys, ends, spacing, places, tolerance: None }
+        Self { keys, ends, spacing, places, tolerance: None, is_whole: false }
     }
 
     /// The same, its limit to be found as near as that: `0.2 mm`.
@@ -184,10 +195,11 @@ impl Span {
     /// How near a limit is to be found there, in the unit of the key.
     pub fn tolerance(&self, x: f64) -> f64 {
         let [low, high] = self.ends;
-        self.tolerance.unwrap_or_else(|| match self.spacing {
+        let tolerance = self.tolerance.unwrap_or_else(|| match self.spacing {
             Spacing::Logarithmic => x * ((high / low).ln() * SHARE).exp_m1(),
             Spacing::Even => SHARE * (high - low),
-        })
+        });
+        if self.is_whole { tolerance.max(1.0) } else { tolerance }
     }
 
     /// The value at a share of the way, rounded as a shop would write it: to the decimal below half the tolerance.
@@ -197,7 +209,7 @@ impl Span {
             return if share <= 0.0 { low } else { high };
         }
         let x = self.spacing.between(self.ends, share);
-        let step = 10f64.powf((0.5 * self.tolerance(x)).log10().floor());
+        let step = if self.is_whole { 1.0 } else { 10f64.powf((0.5 * self.tolerance(x)).log10().floor()) };
         significant((x / step).round() * step, 12).clamp(low, high)
     }
 

@@ -31,7 +31,7 @@ impl Subject {
         let path = path.into();
         let disk: &dyn Files = &Disk;
         let text = disk.text(&path, files::CASE).map_err(|error| {
-            let help = "give the path of a case file";
+            let help = error.remedy("give the path of a case file");
             StudyError::new(format!("cannot read {}: {error}", path.display()), help)
         })?;
         Self::of_text(text, path, base)
@@ -42,10 +42,11 @@ impl Subject {
     /// # Errors
     /// When that is no case.
     pub fn of_text(text: String, path: impl Into<PathBuf>, base: Vec<String>) -> Result<Self, StudyError> {
-        let key = short_hash([&text, &format!("{base:?}")]);
-        let subject = Self { text, path: path.into(), base, key };
-        subject.case(&[])?;
-        Ok(subject)
+        let subject = Self { text, path: path.into(), base, key: String::new() };
+        // What a case reads from beside it is of the study too.
+        let own = Self::hash(&subject.case(&[])?);
+        let key = short_hash([&subject.text, &format!("{:?}", subject.base), &own]);
+        Ok(Self { key, ..subject })
     }
 
     /// The same with overrides of all designs before its own, which go on to count.
@@ -61,7 +62,7 @@ impl Subject {
         (&self.text, &self.path)
     }
 
-    /// What tells it from others: of the case file and the overrides of all designs.
+    /// What tells it from others: of the case file, the files beside it and the overrides of all designs.
     pub fn key(&self) -> &str {
         &self.key
     }

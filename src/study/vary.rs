@@ -91,7 +91,10 @@ impl Vary {
     /// When a range has no count, no width or two units.
     pub fn of(key: &str, values: &str) -> Result<Self, StudyError> {
         match values.split_once("..") {
-            Some((from, rest)) => Self::range(key, values, from, rest),
+            Some((from, rest)) => {
+                pointed(key, values)?;
+                Self::range(key, values, from, rest)
+            }
             None => Self::list(key, values),
         }
     }
@@ -141,6 +144,13 @@ impl Vary {
                 "write A,B,C with one unit behind all: \"4,6,8 mm\"",
             )
         };
+        if let Some(point) = with_point(written) {
+            let what = format!("{key}: a decimal comma, or two values, in `{written}`");
+            return Err(StudyError::new(
+                what,
+                format!("write a point, {point}, or a blank behind a comma between values"),
+            ));
+        }
         if items.iter().any(|item| item.is_empty()) {
             return Err(wrong("a value is missing".into()));
         }
@@ -189,6 +199,37 @@ pub(super) fn split(text: &str) -> Option<(f64, &str)> {
     number.is_finite().then(|| (number, text[end..].trim()))
 }
 
+/// Refuses a decimal comma where no comma can stand.
+pub(super) fn pointed(key: &str, text: &str) -> Result<(), StudyError> {
+    let is_digit = |part: &str, last: bool| {
+        let end = if last { part.chars().next_back() } else { part.chars().next() };
+        end.is_some_and(|c| c.is_ascii_digit())
+    };
+    let parts: Vec<&str> = text.split(',').collect();
+    match parts.windows(2).any(|pair| is_digit(pair[0], true) && is_digit(pair[1], false)) {
+        true => Err(StudyError::new(
+            format!("{key}: a decimal comma in `{text}`"),
+            format!("write a point: {}", parts.join(".")),
+        )),
+        false => Ok(()),
+    }
+}
+
+/// A list that is rather a number with a decimal comma, `0,04` or `1,05 mm`, with a point: behind a comma without a blank nobody
+/// writes a value as `04`, and two values of which the first is `0` are asked about.
+fn with_point(list: &str) -> Option<String> {
+    let parts: Vec<&str> = list.split(',').collect();
+    let is_whole = |part: &str| !part.is_empty() && part.chars().all(|c| c.is_ascii_digit());
+    let decimals = |part: &str| part.len() - part.trim_start_matches(|c: char| c.is_ascii_digit()).len();
+    let is_decimal = |pair: &[&str]| {
+        let digits = decimals(pair[1]);
+        let is_padded = digits > 1 && pair[1].starts_with('0') && !pair[1][digits..].starts_with('.');
+        let is_share = parts.len() == 2 && pair[0] == "0" && digits > 0 && !pair[1][digits..].starts_with('.');
+        is_whole(pair[0].trim_start_matches(['-', '−'])) && (is_padded || is_share)
+    };
+    parts.windows(2).any(is_decimal).then(|| if parts.len() == 2 { parts.join(".") } else { "0.04".to_owned() })
+}
+
 /// Whether what stands behind an `e` is a power of ten.
 fn exponent(rest: &str) -> bool {
     rest.trim_start_matches(['+', '-']).starts_with(|c: char| c.is_ascii_digit())
@@ -225,6 +266,8 @@ mod tests {
         assert_eq!(settings("k=0.1 .. 0.3/3"), [["k=0.1", "k=0.2", "k=0.3"]]);
         assert_eq!(settings("k=1..100 GPa/3 log"), [["k=1 GPa", "k=10 GPa", "k=100 GPa"]]);
         assert_eq!(settings("friction=0.04,0.08,0.12"), [["friction=0.04", "friction=0.08", "friction=0.12"]]);
+        assert_eq!(settings("f=0, 10 kN"), [["f=0 kN", "f=10 kN"]]);
+        assert_eq!(settings("f=0,5,10 kN"), [["f=0 kN", "f=5 kN", "f=10 kN"]]);
         assert_eq!(settings("r=4, 6, 8 mm"), [["r=4 mm", "r=6 mm", "r=8 mm"]]);
         assert_eq!(settings("material=dc04,\"dc06\""), [["material=\"dc04\"", "material=\"dc06\""]]);
         assert_eq!(settings("f=1e3,2E+3 N"), [["f=1e3 N", "f=2E+3 N"]]);
@@ -253,6 +296,10 @@ mod tests {
             ("a=1,2 & b=1,2,3", "a has 2 values but b has 3 values"),
             ("a=1 & b=1,2", "a has 1 value but b has 2 values"),
             ("a=x..3/4", "does not begin with a number"),
+            ("friction=0,04", "a decimal comma, or two values, in `0,04`\n  help: write a point, 0.04"),
+            ("t=1,03 mm", "write a point, 1.03 mm"),
+            ("friction=0,04,0,08", "a decimal comma"),
+            ("friction=0,04..0,12/3", "a decimal comma in `0,04..0,12/3`\n  help: write a point: 0.04..0.12/3"),
         ] {
             let error = Vary::together(text).expect_err(text).to_string();
             assert!(error.contains(said), "{text}: {error}");

@@ -69,21 +69,21 @@ pub enum Meets {
     End,
 }
 
-/// The windows of a study of one, two or three axes; none of another.
+/// The windows of a study of one, two or three axes of several values; none of another.
 pub fn windows<'a>(results: &'a Results<'a>) -> Vec<Window<'a>> {
     let axes = &results.axes;
     let has_names = |axis: usize| axes[axis].has_names();
     // Names go up the picture, where there is room for them.
     let upright = |[a, b]: [usize; 2]| if has_names(a) && !has_names(b) { (b, a) } else { (a, b) };
-    match axes.len() {
-        1 => vec![Window::new(results, 0, None, None)],
-        2 => {
-            let (x, y) = upright([0, 1]);
+    match results.wide()[..] {
+        [x] => vec![Window::new(results, x, None, None)],
+        [a, b] => {
+            let (x, y) = upright([a, b]);
             vec![Window::new(results, x, Some(y), None)]
         }
-        3 => {
-            let third = (0..3).rev().find(|&axis| has_names(axis)).unwrap_or(2);
-            let rest: Vec<usize> = (0..3).filter(|&axis| axis != third).collect();
+        [a, b, c] => {
+            let third = [c, b, a].into_iter().find(|&axis| has_names(axis)).unwrap_or(c);
+            let rest: Vec<usize> = [a, b, c].into_iter().filter(|&axis| axis != third).collect();
             let (x, y) = upright([rest[0], rest[1]]);
             let at = |place| Window::new(results, x, Some(y), Some((third, place)));
             rising(&axes[third]).into_iter().map(at).collect()
@@ -107,7 +107,7 @@ impl<'a> Window<'a> {
             let places = rising(&results.axes[axis]);
             let values: Vec<f64> =
                 results.axes[axis].values.iter().map(|v| results.axes[axis].spacing.place(*v)).collect();
-            match results.axes[axis].has_names() || places.len() == 1 {
+            match results.axes[axis].has_names() {
                 true => places.iter().map(|&i| (vec![values[i] - HALF, values[i] + HALF], vec![i, i])).collect(),
                 false => vec![(places.iter().map(|&i| values[i]).collect(), places)],
             }
@@ -192,9 +192,10 @@ impl<'a> Window<'a> {
         let own = (own(self.x)?, self.y.map_or(Some(0.0), own)?);
         let [x, y] = self.ranges();
         let is_inside = |v: f64, (low, high): (f64, f64)| (low..=high).contains(&v);
-        let is_at = self.at.is_none_or(|(third, place)| {
-            let value = axes[third].values[place];
-            axes[third].own.is_some_and(|own| (own - value).abs() <= 1e-9 * value.abs())
+        let is_at = (0..axes.len()).filter(|axis| *axis != self.x && Some(*axis) != self.y).all(|axis| {
+            let place = self.at.filter(|(third, _)| *third == axis).map_or(0, |(_, place)| place);
+            let value = axes[axis].values[place];
+            axes[axis].own.is_some_and(|own| (own - value).abs() <= 1e-9 * value.abs())
         });
         (is_at && is_inside(own.0, x) && is_inside(own.1, y)).then_some(own)
     }

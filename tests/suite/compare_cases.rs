@@ -33,7 +33,10 @@ fn a_difference_is_told_unless_the_error_bars_leave_it_open() {
         steps.iter().map(|step| step.punch_force).fold(0.0, f64::max)
     });
     assert!((by.value - (b - a)).abs() < 1e-9 * b && (share - (b / a - 1.0)).abs() < 1e-9 && b > 1.05 * a, "{a} {b}");
-    assert!(matches!(change(&versus, "punch_force", 1), Change::Within(by) if by > 0.0));
+    let within = change(&versus, "punch_force", 1);
+    assert!(matches!(within, Change::Within(by) if by.value > 0.0));
+    let told = within.told().to_string();
+    assert!(told.starts_with('+') && told.contains("kN") && told.ends_with("(within the error)"), "{told}");
     assert_eq!(change(&versus, "punch_force", 2), Change::Same);
 }
 

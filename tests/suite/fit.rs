@@ -265,6 +265,7 @@ fn what_is_no_tension_test_is_told() {
         (rows("strain,stress_mm", &rising), "does not fit its name"),
         (rows("true_strain,true_stress_MPa", &rising[..3]), "fewer than 5"),
         (rows("true_strain,true_stress_MPa", &rising), "elastic line"),
+        (rows("true_strain,true_stress_MPa", &rising) + "0.07\n", "line 8: 1 numbers stand under 2 columns"),
     ] {
         let reduced =
             Tension::read(&text, "test.csv", None, None).and_then(|test| FlowCurve::of(&test, &Reduction::default()));
@@ -482,4 +483,25 @@ fn the_verb_reads_a_study_and_writes_numbers_case_and_picture() {
     let wrong = stampflow(dir.path(), &["fit", "study.toml", "--vary", "friction=0.5 in 0.1..0.3"]);
     assert_eq!(wrong.status.code(), Some(2));
     assert!(text(&wrong.stderr).contains("outside of 0.1 to 0.3"), "{}", text(&wrong.stderr));
+}
+
+/// Trust: what cannot be written is known before anything is read; one test given twice is no second one.
+#[test]
+fn a_fit_of_tests_tells_where_it_cannot_write_and_what_is_there_twice() {
+    let dir = TempDir::new().expect("a folder");
+    let [(kind, truth), ..] = truths();
+    let test = test_of(&kind.law(&truth).expect("a law"), 0.0, &mut Rng::with_seed(1));
+    fs::write(dir.path().join("t.csv"), &test).expect("written");
+    fs::write(dir.path().join("again.csv"), &test).expect("written");
+    fs::write(dir.path().join("cup.toml"), "title = \"Cup\"\n").expect("written");
+    for (args, said) in [
+        (&["t.csv", "--out", "cup.toml"][..], "choose another place with --out"),
+        (&["t.csv", "--out", "/proc/x"], "choose another place with --out"),
+        (&["t.csv", "again.csv"], "t.csv and again.csv are one test"),
+    ] {
+        let done = stampflow(dir.path(), &[&["fit"], args].concat());
+        assert_eq!(done.status.code(), Some(2), "{args:?}: {}", text(&done.stdout));
+        assert!(text(&done.stderr).contains(said), "{args:?}: {}", text(&done.stderr));
+    }
+    assert_eq!(fs::read_to_string(dir.path().join("cup.toml")).expect("a file"), "title = \"Cup\"\n");
 }

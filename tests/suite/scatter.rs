@@ -261,3 +261,18 @@ fn a_study_that_is_no_scatter_is_bad_input() {
         assert!(text(&out.stderr).contains(said), "{}", text(&out.stderr));
     }
 }
+
+/// Trust: friction below 0 makes no case, whatever its size, and half of these are below 0.
+#[test]
+fn reasons_that_differ_by_a_number_are_one() {
+    let dir = folder(CUP);
+    let args = ["scatter", "cases/cup.toml", "--vary", "friction=uniform -0.1..0.1", "--runs", "32", "--quiet"];
+    let done = stampflow(dir.path(), &[&args[..], &["--json"]].concat());
+    assert!(done.status.success(), "{}", text(&done.stderr));
+    let told: serde_json::Value = serde_json::from_slice(&done.stdout).expect("JSON");
+    let reasons = told["failures"].as_object().expect("reasons");
+    assert_eq!(reasons.len(), 1, "{reasons:?}");
+    assert_eq!(reasons.values().next(), Some(&told["failed"]));
+    let done = stampflow(dir.path(), &[&args[..], &["--resume"]].concat());
+    assert!(text(&done.stdout).contains("16 such as"), "{}", text(&done.stdout));
+}

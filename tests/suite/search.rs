@@ -408,3 +408,24 @@ fn a_search_that_was_killed_leaves_whole_rows_beside_the_table_of_an_earlier_one
     assert_eq!(std::fs::read_to_string(&table).expect("a table"), earlier);
     assert!(!part.exists());
 }
+
+/// Trust: a step from 4.5 to 5.5 at 30.3 misses 5 by half, and beside it the number goes with a thousandth of the key, 0.03 there. A line meets it.
+#[test]
+fn a_step_past_the_target_is_told_from_a_line() {
+    let step = |x: f64| Some(if x < 30.3 { 4.5 } else { 5.5 } + 1e-3 * x - 5.0);
+    let (bracket, _) = found(Aim::Crossing(Side::Smallest), step);
+    let [before, behind] = bracket.jump(between(&bracket)[0]).expect("a step");
+    assert!((before + 0.47).abs() < 1e-2 && (behind - 0.53).abs() < 1e-2, "{before} {behind}");
+    let (bracket, _) = found(Aim::Crossing(Side::Smallest), |x| Some(x - 30.3));
+    assert_eq!(bracket.jump(between(&bracket)[0]), None);
+}
+
+/// Trust: elements are counted; half a millimetre is none too small a step of a diameter.
+#[test]
+fn a_key_of_whole_numbers_is_tried_at_whole_numbers() {
+    let subject = subject(&[]);
+    let whole = Span::read("blank.elements=40..120", &subject).expect("a span");
+    assert!((1..64).all(|i| whole.at(f64::from(i) / 64.0).fract() == 0.0));
+    let plain = Span::read("friction=0..1", &subject).expect("a span");
+    assert!(plain.at(0.3) > 0.0 && plain.at(0.3) < 1.0);
+}

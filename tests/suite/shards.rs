@@ -274,3 +274,32 @@ fn the_page_on_scaling_out_has_the_lines_that_are_printed_and_the_size_of_a_row(
     let (rate, hours) = (figure(page, "runs a minute"), figure(page, "hours on two cores"));
     assert!((hours - 1e6 / rate / 60.0).abs() < 0.06, "{hours} hours at {rate} runs a minute");
 }
+
+/// Trust: each of these differs in one thing from the study that left the rows, and has as many and the same columns.
+#[test]
+fn rows_of_another_study_are_never_taken() {
+    let dir = folder(&cheap());
+    let first = ["--vary", "friction=0.04..0.12/3", "--out", "rows"];
+    done(&mut sweep(dir.path(), &first));
+    let table = dir.path().join("rows/study.csv");
+    let whole = fs::read_to_string(&table).unwrap();
+    let refused = |more: &[&str]| {
+        let done = sweep(dir.path(), more).args(["--out", "rows", "--resume"]).output().unwrap();
+        assert_eq!(done.status.code(), Some(2), "{more:?}: {}", text(&done.stdout));
+        for part in ["rows of another study", "--restart", "--out"] {
+            assert!(text(&done.stderr).contains(part), "{more:?}: {}", text(&done.stderr));
+        }
+    };
+    let others = [
+        &["--vary", "friction=0.3..0.9/3"][..],
+        &["--vary", "friction=0.04..0.12/3", "--set", "blank.thickness=\"0.9 mm\""],
+        &["--vary", "friction=0.04..0.12/2"],
+    ];
+    others.iter().for_each(|other| refused(other));
+    fs::rename(&table, dir.path().join("rows/.study.csv.part")).unwrap();
+    others.iter().for_each(|other| refused(other));
+    done(sweep(dir.path(), &first).arg("--resume"));
+    assert_eq!(fs::read_to_string(&table).unwrap(), whole);
+    fs::write(dir.path().join("cases/cup.toml"), cheap() + "\n# another text\n").unwrap();
+    refused(&first[..2]);
+}

@@ -313,3 +313,56 @@ fn what_makes_no_sweep_is_refused() {
     assert_eq!(done.status.code(), Some(2));
     assert!(text(&done.stderr).contains("rows of another study"), "{}", text(&done.stderr));
 }
+
+/// Trust: one value says nothing of what lies beside it; along the key that has several the distances are those of a study of
+/// that key alone.
+#[test]
+fn one_value_by_itself_has_no_borders() {
+    let said = |results: &Results| -> Vec<String> {
+        Said::of(results).sentences(results).iter().map(|said| said.to_string().replace('\u{a0}', " ")).collect()
+    };
+    studied(&["friction=0.08"], How::Combined, Bars::Without, |results| {
+        let all = said(results).join("\n");
+        assert!(all.contains("one value has no borders") && !all.contains("may go to"), "{all}");
+        assert!(pictures(results, "Cup", Form::default()).is_empty());
+    });
+    studied(&["friction=0.08", "tools.holder.force=1..31 kN/4"], How::Combined, Bars::Without, |results| {
+        let all = said(results).join("\n");
+        assert!(all.contains("Holder force may fall by 8.1 kN"), "{all}");
+        assert!(!all.contains("Friction may"), "{all}");
+        assert_eq!(pictures(results, "Cup", Form::default())[0].0, "curves");
+    });
+}
+
+/// Trust: each study or case is wrong in the way that its message says, at the line that is counted by hand.
+#[test]
+fn what_is_wrong_with_a_study_is_told_with_its_file_and_line() {
+    let dir = cup();
+    let refused = |args: &[&str], parts: &[&str]| {
+        let done = stampflow(dir.path(), args);
+        assert_eq!(done.status.code(), Some(2), "{}", text(&done.stdout));
+        let told = text(&done.stderr).split_whitespace().collect::<Vec<_>>().join(" ");
+        parts.iter().for_each(|part| assert!(told.contains(part), "{part} in\n{told}"));
+    };
+    let head = "case = \"cases/cup.toml\"\n";
+    for (study, said) in [
+        (format!("{head}[vari]\nfriction = [0.1]\n"), "study.toml, line 2: `vari` is no key of this study"),
+        (format!("{head}[vary]\nfriction = \"0.1..0.2\"\n"), "study.toml, line 3: friction: the range"),
+        (
+            format!("{head}[vary.tools.die]\nshoulder = \"4,,6 mm\"\n"),
+            "study.toml, line 3: tools.die.shoulder: a value",
+        ),
+        ("# of none\ncase = \"nope.toml\"\n".to_owned(), "study.toml, line 2: there is no file nope.toml"),
+    ] {
+        fs::write(dir.path().join("study.toml"), study).expect("written");
+        refused(&["sweep", "study.toml"], &[said]);
+    }
+    fs::write(dir.path().join("study.toml"), format!("{head}[vary]\nfriction = [0, 5]\n")).expect("written");
+    refused(&["run", "study.toml"], &["this is a study, not a case", "stampflow sweep"]);
+    refused(&["sweep", "cases/cup.toml"], &["is a case, and nothing of it is varied", "--vary"]);
+    fs::write(dir.path().join("latin.toml"), b"title = \"N\xe4pfchen\"\n").expect("written");
+    refused(&["run", "latin.toml"], &["is not UTF-8", "save it as UTF-8"]);
+    refused(&["sweep", "latin.toml"], &["is not UTF-8", "save it as UTF-8"]);
+    let plan = stampflow::study::file::load(&dir.path().join("study.toml"), Vec::new()).expect("two whole numbers");
+    assert_eq!(plan.count(), 2);
+}

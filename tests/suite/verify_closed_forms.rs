@@ -182,6 +182,7 @@ fn plastic_moment_converges_with_the_layers() {
     use stampflow::element::section::{Alone, Law, Strained};
     use stampflow::material::flow::{Iterate, PointState, StressUpdate};
     use stampflow::material::hardening::Ludwik;
+    use stampflow::numerics::Grid;
     use stampflow::numerics::lobatto;
 
     let (yield_stress, t, length) = (200.0, 1.3, 0.8);
@@ -196,7 +197,8 @@ fn plastic_moment_converges_with_the_layers() {
         let mut points = Alone {
             law: &rate_free(&hardening),
             before: &vec![PointState::at(0.0); n],
-            iterates: &mut vec![Iterate::default(); n],
+            memory: &mut Grid::new(1, n, Iterate::default()),
+            element: 0,
             updates: &mut vec![StressUpdate::default(); n],
         };
         let internal = law.internal(&Strained::new(&end, start.area() * t, t), true, &mut points);
@@ -226,6 +228,7 @@ fn tension_that_bends_moves_the_neutral_fibre() {
     use stampflow::element::section::{Alone, Law, Strained};
     use stampflow::material::flow::{Iterate, PointState, StressUpdate};
     use stampflow::material::hardening::Ludwik;
+    use stampflow::numerics::Grid;
     use stampflow::numerics::parts;
 
     let (yield_stress, t, length, turn) = (200.0, 1.3, 0.8, 0.02);
@@ -246,7 +249,8 @@ fn tension_that_bends_moves_the_neutral_fibre() {
             let mut points = Alone {
                 law: &point,
                 before: &vec![PointState::at(0.0); n],
-                iterates: &mut vec![Iterate::default(); n],
+                memory: &mut Grid::new(1, n, Iterate::default()),
+                element: 0,
                 updates: &mut vec![none; n],
             };
             let internal = law.internal(&Strained::new(&end, start.area() * t, t), true, &mut points);

@@ -13,8 +13,8 @@ use stampflow::material::hardening::Ludwik;
 use stampflow::material::{Elastic, Hardening, Material, YieldCriterion};
 use stampflow::measure::{CutRing, Shape};
 use stampflow::model::{Edge, Face, Gas, Geometry, Mode, Model, Theory};
-use stampflow::numerics::PiecewiseLinear;
 use stampflow::numerics::lobatto;
+use stampflow::numerics::{Grid, PiecewiseLinear};
 use stampflow::solution::StageSolution;
 use stampflow::solver::{self, run};
 use std::f64::consts::TAU;
@@ -59,10 +59,11 @@ impl Strip {
         for at in &mut self.points {
             at.yield_stress = point.yield_stress(at);
         }
-        let mut trials = vec![Trial::default(); n];
+        let mut trials = Grid::new(1, n, Trial::default());
         let mut responses = vec![StressUpdate::default(); n];
         let law = Law { points: &self.layers, slack_tension: 0.0, forces_alone: false };
-        let mut points = Alone { law: &point, before: &self.points, iterates: &mut trials, updates: &mut responses };
+        let mut points =
+            Alone { law: &point, before: &self.points, memory: &mut trials, element: 0, updates: &mut responses };
         let internal = law.internal(&Strained::new(&end, start.area() * T, T), true, &mut points);
         for (at, response) in self.points.iter_mut().zip(&responses) {
             at.stress = response.stress;

@@ -10,6 +10,8 @@ use std::ops::RangeInclusive;
 
 /// Thicknesses of sheet, foil to plate [mm].
 const THICKNESS: RangeInclusive<f64> = 1e-3..=50.0;
+/// From the axis or the middle to the edge [mm]: the beds of the largest presses are a third of that.
+const LARGEST: f64 = 10_000.0;
 /// A blank shorter than this many thicknesses is no sheet [–].
 const SLENDER: f64 = 5.0;
 /// Points through the thickness by the flow law: of a round part, which is formed by stretching and drawing, and whose moments
@@ -63,12 +65,16 @@ pub(super) fn convert(
     derived: &mut Vec<Message>,
 ) -> Result<Blank, CaseError> {
     let file = &case.blank;
-    let (_, length) =
+    let (key, length) =
         by_geometry(source, "blank", geometry, ("radius", file.radius), ("half_length", file.half_length))?;
     let thickness = file.thickness.value();
     if !THICKNESS.contains(&thickness) {
         let what = format!("`thickness` must lie between 0.001 and 50 mm, found {} mm", rounded(thickness));
         return Err(source.error("blank.thickness", what, "check the unit: sheet is 0.1 to 10 mm thick"));
+    }
+    if length > LARGEST {
+        let what = format!("`{key}` is {} mm, larger than any blank of a press shop", rounded(length));
+        return Err(source.error(&format!("blank.{key}"), what, format!("check the unit: {LARGEST} mm at most")));
     }
     if length < SLENDER * thickness {
         let what =

@@ -150,7 +150,10 @@ impl Counter<'_> {
         let (end, edge) = (die.vertices().next().map_or(0.0, |v| v.point.x), sheet.length);
         if end > edge {
             let what = format!("the die's shoulder ends at {end:.3} mm, beyond the blank's edge at {edge} mm");
-            let help = "make it smaller: the blank must reach past the shoulder to rest on the die";
+            let help = format!(
+                "the blank must reach past the shoulder to rest on the die: make that {:.3} mm smaller",
+                end - edge
+            );
             return Err(self.error("shoulder", what, help));
         }
         Ok(die)

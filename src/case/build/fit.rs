@@ -73,10 +73,19 @@ pub(super) fn check(model: &Model, source: &Source) -> Result<(), CaseError> {
         }
     }
     let end = shoulder_end(die);
-    if throat.is_some() && end > length * (1.0 + ROUNDED) {
+    if let Some(throat) = throat.filter(|_| end > length * (1.0 + ROUNDED)) {
         let what = format!("the die's shoulder ends at {end:.3} mm, beyond the blank's edge at {length} mm");
-        let help = "the blank must reach past throat + shoulder to rest on the die";
-        return Err(source.error(&key("die", "shoulder"), what, help));
+        let (shoulder, half) = (end - throat, if throat < length { "shoulder" } else { "throat" });
+        let smaller = match half {
+            "shoulder" => format!("a shoulder of at most {:.3} mm", length - throat),
+            _ => format!("a throat of less than {length} mm"),
+        };
+        let edge = format!("a blank with its edge at {end:.3} mm or more, {:.3} mm across", 2.0 * end);
+        let help = format!(
+            "the blank must reach past throat {throat:.3} mm + shoulder {shoulder:.3} mm to rest on the die: {smaller}, or \
+             {edge}"
+        );
+        return Err(source.error(&key("die", half), what, help));
     }
     if let Some(holder) = model.tool(Role::Holder) {
         let inner = extent(holder).0;

@@ -147,6 +147,10 @@ fn nose_within(source: &Source, shape: &str, nose: f64, radius: f64) -> Result<f
     ))
 }
 
+/// What to write for a die that is drawn and has a radius of its own.
+const DRAWN: &str =
+    "the radius is in the profile: change it there or in its drawing, or write throat and shoulder in its place";
+
 fn die_profile(die: &file::Die, context: &ToolContext, derived: &mut Vec<Message>) -> Result<Profile, CaseError> {
     let ToolContext { sheet, source, .. } = context;
     match (&die.profile, die.throat, die.shoulder) {
@@ -158,7 +162,7 @@ fn die_profile(die: &file::Die, context: &ToolContext, derived: &mut Vec<Message
         )),
         (Some(_), ..) => {
             let what = "the die has both a profile and a throat or shoulder";
-            Err(source.error("tools.die.profile", what, "keep the profile, or throat and shoulder"))
+            Err(source.error("tools.die.profile", what, DRAWN))
         }
         (None, None, _) => Err(missing(source, "tools.die", "throat")),
         (None, _, None) => Err(missing(source, "tools.die", "shoulder")),

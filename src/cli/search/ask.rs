@@ -112,7 +112,7 @@ impl Places {
     /// Keeps the next run; where that cannot be, the end says it.
     pub fn keep(&mut self, header: &[String], line: &[String]) {
         let journal =
-            self.journal.get_or_insert_with(|| match Journal::open(&self.table, header, &[], Earlier::Restart) {
+            self.journal.get_or_insert_with(|| match Journal::open(&self.table, "", header, &[], Earlier::Restart) {
                 Ok(Begun::Open(journal)) => Some(journal),
                 _ => None,
             });

@@ -97,10 +97,25 @@ impl<T: Copy> Iterate<T> {
     /// All its numbers, but for what it keeps of a matrix.
     #[inline(always)]
     fn entries(&self) -> [T; MEMORY] {
-        let Self { carried: w, carried_moment: m, strain: e, flow, spread: k, fluidity, hardening, inverse_square, .. } =
-            *self;
+        let Self {
+            carried: w, carried_moment: m, strain: e, flow, spread: k, fluidity, hardening, inverse_square, ..
+        } = *self;
         [
-            w[0], w[1], w[2], m[0], m[1], e[0], e[1], e[2], flow[0], flow[1], flow[2], k[0], k[1], fluidity, hardening,
+            w[0],
+            w[1],
+            w[2],
+            m[0],
+            m[1],
+            e[0],
+            e[1],
+            e[2],
+            flow[0],
+            flow[1],
+            flow[2],
+            k[0],
+            k[1],
+            fluidity,
+            hardening,
             inverse_square,
         ]
     }

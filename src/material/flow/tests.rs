@@ -306,14 +306,8 @@ impl Work for Beside<'_> {
         let (mut iterates, mut updates) = (Iterates::new(LANES, 1), [StressUpdate::default(); LANES]);
         let before = PointStates::of(&Grid::from_values(1, self.points));
         for of in self.strains {
-            let mut rows = Rows {
-                simd,
-                first: 0,
-                columns: 1,
-                before: &before,
-                iterates: &mut iterates,
-                updates: &mut updates,
-            };
+            let mut rows =
+                Rows { simd, first: 0, columns: 1, before: &before, iterates: &mut iterates, updates: &mut updates };
             let (point, mut iterate) = (rows.point(0), rows.iterate(0));
             let strain = [0, 1, 2].map(|d| Lanes::new(simd, of.map(|strain| strain[d])));
             let update = match self.spread {

@@ -30,7 +30,7 @@ fn is_met(results: &Results, zone: Zone) -> bool {
 
 /// One number; the first panel has the legend.
 fn panel(results: &Results, window: &Window, (place, is_first): (usize, bool), zones: &[Zone], form: Form) -> Panel {
-    let axis = &results.axes[0];
+    let axis = &results.axes[window.x];
     let number = results.number(place);
     let mut designs: Vec<(f64, &Found)> =
         axis.values.iter().map(|value| axis.spacing.place(*value)).zip(&results.rows).collect();

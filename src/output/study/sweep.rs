@@ -9,7 +9,8 @@ use crate::study::{How, Results, Said, Zone, windows};
 /// tornado of keys that are changed one at a time; none of more axes.
 pub fn pictures(results: &Results, name: &str, form: Form) -> Vec<(&'static str, Chart)> {
     let windows = windows(results);
-    let axes = results.axes.iter().map(|axis| axis.message());
+    let wide = results.wide();
+    let axes = wide.iter().map(|axis| results.axes[*axis].message());
     let title = |what: Message| format!("{name}: {}", what.told(form));
     let made = match (results.plan.how(), windows.as_slice()) {
         (How::OneAtATime, _) => {

@@ -72,6 +72,12 @@ impl Default for Reduction {
 }
 
 impl FlowCurve {
+    /// Whether another file says the same of the same specimen.
+    pub(super) fn is_again(&self, other: &Self) -> bool {
+        let is_alike = self.direction == other.direction && self.rate == other.rate;
+        is_alike && self.points == other.points && self.others == other.others
+    }
+
     /// Reduces a test.
     ///
     /// # Errors

@@ -4,7 +4,7 @@
 //! KEY=START in LOW..HIGH UNIT      tools.punch.friction=0.1 in 0.01..0.3      material.hardening.swift.k=500 in 300..800 MPa
 //! ```
 
-use crate::study::vary::{known, split};
+use crate::study::vary::{known, pointed, split};
 use crate::study::{StudyError, Value, Vary};
 
 /// A key of a case and the values that it may have.
@@ -61,6 +61,7 @@ impl Range {
     }
 
     fn made(key: &str, texts: [&str; 3], wrong: &dyn Fn(&str) -> StudyError) -> Result<Self, StudyError> {
+        texts.iter().try_for_each(|text| pointed(key, text))?;
         let numbers = texts.map(split);
         let [Some((start, a)), Some((low, b)), Some((high, unit))] = numbers else {
             return Err(wrong("is not made of numbers"));

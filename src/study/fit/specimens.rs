@@ -26,7 +26,7 @@ impl Tests {
     /// The tests, reduced.
     ///
     /// # Errors
-    /// When one cannot be read or reduced, or rates or directions are not one for each.
+    /// When one cannot be read or reduced, rates or directions are not one for each, or one is there twice.
     pub fn curves(&self) -> Result<Vec<FlowCurve>, StudyError> {
         let count = self.tests.len();
         for (what, given) in [("--rate", self.rate.len()), ("--direction", self.direction.len())] {
@@ -41,7 +41,17 @@ impl Tests {
             let curve = FlowCurve::of(&Tension::load(readings, self.section, self.gauge)?, &self.reduction)?;
             Ok(FlowCurve { rate: self.rate.get(i).copied(), direction: self.direction.get(i).copied(), ..curve })
         };
-        self.tests.iter().enumerate().map(one).collect()
+        let curves = self.tests.iter().enumerate().map(one).collect::<Result<Vec<_>, StudyError>>()?;
+        // The same numbers twice are no second measurement, and would make every interval narrower.
+        let twin =
+            |i: usize| curves[..i].iter().position(|before| before.is_again(&curves[i])).map(|before| (before, i));
+        match (1..curves.len()).find_map(twin) {
+            Some((a, b)) => {
+                let what = format!("{} and {} are one test", self.tests[a], self.tests[b]);
+                Err(StudyError::new(what, "give every test once"))
+            }
+            None => Ok(curves),
+        }
     }
 }
 

@@ -71,6 +71,14 @@ impl Tension {
         let mut rows: Vec<TensionRow> = Vec::new();
         let mut lines = Vec::new();
         for row in &csv.rows {
+            let [found, wanted] = [row.fields.len(), csv.header.fields.len()];
+            if found < wanted {
+                let what = format!("{}: {found} numbers stand under {wanted} columns", at(row.line));
+                return Err(StudyError::new(
+                    what,
+                    "complete the row or take it out; a value that is not known is empty, as in `5.0,`",
+                ));
+            }
             let number = |place: super::columns::Place| {
                 let number = row
                     .number(place.column)

@@ -10,7 +10,7 @@
 //! Without MIDDLE or MEAN it is the case's own value; a HALF, DEVIATION or LIMIT in % is of the middle. `+-` and `+/-` are ±.
 
 use super::StudyError;
-use crate::study::vary::{known, split};
+use crate::study::vary::{known, pointed, split};
 use crate::units::parse;
 use statrs::distribution::{ContinuousCDF, Normal};
 
@@ -103,6 +103,7 @@ impl Written {
     /// # Errors
     /// When it is none, has no width, two units or one that is unknown, or its ends leave nothing between them.
     pub fn read(key: &str, text: &str) -> Result<Self, StudyError> {
+        pointed(key, text)?;
         let reader = Reader { key, text };
         let plain = text.trim().replace("+/-", "±").replace("+-", "±");
         let (is_cut, rest) = match plain.strip_prefix("truncated") {

@@ -31,7 +31,7 @@ pub fn load(path: &Path) -> Result<(PathBuf, Vec<String>, Asked), StudyError> {
     if !is_study(path) {
         return Ok((path.to_owned(), Vec::new(), asked));
     }
-    let Study { document, case, set } = Study::read(path, KEYS)?;
+    let Study { document, case, set, .. } = Study::read(path, KEYS)?;
     let wrong = |what: &str| {
         let help = "a scatter has case, set, runs, seed, correlate and [scatter]";
         StudyError::new(format!("{}: {what}", path.display()), help)

@@ -86,7 +86,7 @@ pub struct Event {
     pub hits: u64,
     /// How likely it is \[–\].
     pub chance: Estimate,
-    /// What it hangs on: the number that the row judges, where it judges one.
+    /// What it hangs on: where its number alone decides it, what that hangs on.
     pub influence: Influence,
 }
 
@@ -193,11 +193,13 @@ impl Reader<'_> {
         ];
         for (key, label) in &base.rows {
             let Some(place) = self.sample.keys.iter().position(|known| known == key) else { continue };
-            let number = numbers.iter().find(|spread| spread.number.row == Some(key));
+            let number = numbers.iter().position(|spread| spread.number.row == Some(key));
             for light in [Light::Red, Light::Amber] {
-                let mut event = self.event(What::Row(place), key, label, light, self.sample.has(light, &[key]));
+                let has = self.sample.has(light, &[key]);
+                let number = number.filter(|number| self.is_by(*number, light, key, &has));
+                let mut event = self.event(What::Row(place), key, label, light, has);
                 if let (Some(event), Some(number)) = (&mut event, number) {
-                    event.influence = number.influence.clone();
+                    event.influence = numbers[number].influence.clone();
                 }
                 all.push(event.filter(|event| event.hits > 0));
             }
@@ -205,6 +207,16 @@ impl Reader<'_> {
         let mut all: Vec<Event> = all.into_iter().flatten().collect();
         self.by_rows(&mut all);
         all
+    }
+
+    /// Whether a row has a light by its number: there is a value that parts the runs that have it from those that have not. A
+    /// row that is amber for another reason as well, a sharp bend beside a forming limit, hangs on other things than its
+    /// number does. Red is beyond amber, and counts for neither.
+    fn is_by(&self, number: usize, light: Light, key: &str, has: &[Option<bool>]) -> bool {
+        let red = self.sample.has(Light::Red, &[key]);
+        let values = &self.sample.numbers[number];
+        let counts = |i: &usize| values[*i].is_finite() && (light == Light::Red || red[*i] != Some(true));
+        are_parted(self.drawn().filter(counts).filter_map(|i| Some((values[i], has[i]?))))
     }
 
     /// A light of several rows hangs on what its most frequent row hangs on, where only ranks are known: those of yes and no
@@ -261,5 +273,28 @@ impl Reader<'_> {
             band.quantiles.iter_mut().zip(QUANTILES).for_each(|(side, share)| side.push(quantile(&own, share)));
         }
         (band.x.len() > 1).then_some(band)
+    }
+}
+
+/// Whether a value parts those that have something from those that have not.
+fn are_parted(all: impl Iterator<Item = (f64, bool)>) -> bool {
+    let mut ends = [[f64::INFINITY, f64::NEG_INFINITY]; 2];
+    for (value, has) in all {
+        let [low, high] = &mut ends[usize::from(has)];
+        (*low, *high) = (low.min(value), high.max(value));
+    }
+    ends[0][1] <= ends[1][0] || ends[1][1] <= ends[0][0]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::are_parted;
+
+    /// Trust: by hand.
+    #[test]
+    fn a_light_is_by_its_number_where_a_value_parts_those_that_have_it() {
+        let parted = |has: [bool; 4]| are_parted([0.7, 0.9, 0.6, 0.8].into_iter().zip(has));
+        assert!(parted([false, true, false, true]) && parted([true, false, true, false]));
+        assert!(!parted([true, true, false, false]), "0.8 has it not, between 0.7 and 0.9 which have");
     }
 }

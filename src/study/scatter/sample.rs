@@ -24,7 +24,7 @@ pub struct Sample {
     /// Of each run, for each of those keys whether it is red.
     red: Vec<u64>,
     amber: Vec<u64>,
-    /// Why runs say nothing, and how many.
+    /// Why runs say nothing, and how many; of reasons that differ by their numbers alone, the first.
     pub failures: BTreeMap<String, usize>,
     /// Load curves, as far as they come, and thicknesses.
     pub curves: [Vec<Box<[f32]>>; 2],
@@ -32,6 +32,13 @@ pub struct Sample {
 
 /// Keys of the verdict's rows that fit into a run's word.
 const KEYS: usize = u64::BITS as usize;
+
+/// Whether two reasons are one but for the numbers in them.
+fn are_alike(a: &str, b: &str) -> bool {
+    let is_of_number = |c: char| c.is_ascii_digit() || matches!(c, '.' | '-' | '+');
+    let words = |text| str::split(text, is_of_number).filter(|part| !matches!(*part, "" | "e"));
+    words(a).eq(words(b))
+}
 
 impl Sample {
     /// From a table that has these columns, and behind them one for each curve.
@@ -83,7 +90,9 @@ impl Sample {
             numbers.iter().zip(&mut sample.numbers).for_each(|(i, column)| column.push(kept(*i)));
             if !is_kept {
                 let why = if field(verdict).is_empty() { field(reason) } else { field(end) };
-                *sample.failures.entry(why.to_owned()).or_default() += 1;
+                let known = sample.failures.keys().find(|known| are_alike(known, why));
+                let why = known.map_or_else(|| why.to_owned(), String::clone);
+                *sample.failures.entry(why).or_default() += 1;
             }
             let [red, amber] = [red, amber].map(|i| if is_kept { sample.word(field(i)) } else { 0 });
             sample.red.push(red);

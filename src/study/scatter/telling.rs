@@ -137,7 +137,10 @@ impl Found {
             n = self.known()
         );
         let failed = (!self.failures.is_empty()).then(|| {
-            let of = |(why, count): (&String, &usize)| message!("{n} {why}", n = *count, why = why.clone());
+            let of = |(why, count): (&String, &usize)| match *count {
+                1 => message!("{n} {why}", n = 1_usize, why = why.clone()),
+                count => message!("{n} such as “{why}”", n = count, why = why.clone()),
+            };
             message!(
                 "{n} runs say nothing of the part and are left out: {why}; were all of them red, {share} of the parts would be \
                  red besides",

@@ -88,6 +88,11 @@ const BESIDE: [f64; 2] = [1.0, 3.0];
 /// How far from where a secant crosses two trials close about it, over the bracket \[–\].
 const CLOSE: f64 = 0.05;
 
+/// A step is looked at among trials as far from it, in its own widths.
+const STEP_BESIDE: f64 = 4.0;
+/// A step has more than this share of the change there \[–\]; a straight line has a ninth, or a fifth at an end of the span.
+const STEP_SHARE: f64 = 0.6;
+
 /// Makes trials at values; `None` once it is to end.
 pub type Ask<'a> = dyn FnMut(&[f64]) -> Option<Vec<Option<f64>>> + 'a;
 
@@ -97,6 +102,25 @@ pub fn bracket(line: &Line, aim: Aim, ask: &mut Ask) -> Bracket {
     let (found, stretches) = search.run(ask);
     let mixed = if let Found::Between([inner, outer]) = found { search.mixed(inner, outer) } else { None };
     Bracket { found, trials: search.trials, stretches, mixed }
+}
+
+impl Bracket {
+    /// What the number is before and behind a step across 0, of several the one nearest to a value: most of its change among the
+    /// trials beside stands in one place.
+    pub fn jump(&self, at: f64) -> Option<[f64; 2]> {
+        let told: Vec<(f64, f64)> = self.trials.iter().filter_map(|(x, number)| Some((*x, (*number)?))).collect();
+        let is_change = |pair: &&[(f64, f64)]| (pair[0].1 >= 0.0) != (pair[1].1 >= 0.0);
+        let off = |pair: &[(f64, f64)]| (pair[0].0 - at).abs().min((pair[1].0 - at).abs());
+        let pair = told.windows(2).filter(is_change).min_by(|a, b| off(a).total_cmp(&off(b)))?;
+        let ((from, before), (to, behind)) = (pair[0], pair[1]);
+        let far = STEP_BESIDE * (to - from);
+        let low = told.iter().rev().find(|(x, _)| *x <= from - far).or(told.first())?.0;
+        let high = told.iter().find(|(x, _)| *x >= to + far).or(told.last())?.0;
+        let numbers = || told.iter().filter(|(x, _)| (low..=high).contains(x)).map(|(_, number)| *number);
+        let change = numbers().fold(f64::NEG_INFINITY, f64::max) - numbers().fold(f64::INFINITY, f64::min);
+        let is_narrow = (to - from) * STEP_BESIDE <= high - low;
+        (is_narrow && (behind - before).abs() > STEP_SHARE * change).then_some([before, behind])
+    }
 }
 
 struct Search<'a> {

@@ -45,6 +45,9 @@ const PLACES: usize = 9;
 /// Runs nearer to each other, over the span, tell no slope \[–\].
 const FAR: f64 = 0.02;
 
+/// A target that is missed by less, over its size, is met for a shop \[–\].
+const MISSED: f64 = 0.005;
+
 /// What is searched for.
 #[derive(Clone, Debug)]
 pub struct Quest {
@@ -154,6 +157,13 @@ impl Answer {
         let own = runs().find(|(x, _)| *x == at);
         let (from, to) = (below.or(own)?, above.or(own)?);
         Some((to.1 - from.1) / (to.0 - from.0)).filter(|slope| slope.is_finite() && *slope != 0.0)
+    }
+
+    /// The numbers on either side of a step that goes past the wanted value, in the unit of the number; `None` where it is met.
+    pub fn jump(&self) -> Option<[f64; 2]> {
+        let wanted = self.wanted.filter(|_| matches!(self.bracket.found, Found::Between(_)))?;
+        let off = self.bracket.jump(self.value(self.best?))?;
+        off.iter().all(|off| off.abs() > MISSED * wanted.abs()).then(|| off.map(|off| wanted + off))
     }
 
     /// The value of the first key in a run.

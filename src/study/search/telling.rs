@@ -133,6 +133,18 @@ fn reached(quest: &Quest, answer: &Answer, name: &Named) -> Message {
     let rough = |row: &Row, value: f64| told(row, Some(significant(value, 4)));
     if let (Some(best), Found::Between(_)) = (answer.best, &answer.bracket.found) {
         let row = &answer.rows[best];
+        if let Some([from, to]) = answer.jump() {
+            return message!(
+                "{key} = {x}: {number} is {value}, not {wanted}: it jumps from {from} to {to} there",
+                key = key,
+                x = quest.span.told(answer.value(best)),
+                number = name.text.clone(),
+                value = told(row, None),
+                wanted = told(row, Some(wanted)),
+                from = rough(row, from),
+                to = rough(row, to)
+            );
+        }
         return message!(
             "{key} = {x}: {number} is {value}, wanted {wanted}",
             key = key,
@@ -197,9 +209,22 @@ fn beside(quest: &Quest, answer: &Answer) -> Vec<Message> {
         said.extend(often_red(&answer.rows));
     }
     said.extend(
+        answer.best.filter(|_| matches!(quest.goal, Goal::Keep(_))).and_then(|best| unasked(&answer.rows[best])),
+    );
+    said.extend(
         answer.failed.iter().map(|(why, n)| message!("{n} of the runs say neither: {why}", n = *n, why = why.clone())),
     );
     said
+}
+
+/// What is red at the answer, for the condition does not ask for it.
+fn unasked(row: &Row) -> Option<Message> {
+    let solved = row.result.as_ref().ok().filter(|solved| !solved.red.is_empty())?;
+    let rows = Message::joined(solved.red.iter().map(|key| Message::from(solved.label(key))), ", ");
+    Some(message!(
+        "red there, which the condition does not ask for: {rows}; all other keys stay as the case has them",
+        rows = rows
+    ))
 }
 
 /// The row of the verdict that is red in most runs.

@@ -26,7 +26,7 @@ pub enum Change {
     /// The same.
     Same,
     /// Another number by so much \[its unit\], but no more than both error bars together leave open.
-    Within(f64),
+    Within(Amount),
     /// By so much, and that over the first one's size \[–\] where that says something.
     By(Amount, Option<f64>),
 }
@@ -70,7 +70,7 @@ fn change(first: Option<&(Number, Option<f64>)>, other: Option<&(Number, Option<
     let mut amount = a.amount;
     amount.value = by;
     match open {
-        Some(open) if by.abs() <= open => Change::Within(by),
+        Some(open) if by.abs() <= open => Change::Within(amount),
         _ => {
             let is_share = a.resolution == 0.0 && a.amount.unit != crate::units::Unit::Percent && a.amount.value != 0.0;
             let share = is_share.then(|| by / a.amount.value.abs());
@@ -80,12 +80,12 @@ fn change(first: Option<&(Number, Option<f64>)>, other: Option<&(Number, Option<
 }
 
 impl Change {
-    /// As it is told: `+3.1 kN (+8 %)`, `within the error`.
+    /// As it is told: `+3.1 kN (+8 %)`, `+1.5 kN (within the error)`.
     pub fn told(&self) -> Message {
         match *self {
             Self::None => Message::default(),
             Self::Same => "the same".into(),
-            Self::Within(_) => "within the error".into(),
+            Self::Within(by) => message!("{change} (within the error)", change = signed(by)),
             Self::By(by, None) => signed(by),
             Self::By(by, Some(share)) => {
                 let share = Amount::share(share).to(Digits::Significant(2));
@@ -108,7 +108,7 @@ impl Change {
         match self {
             Self::None => None,
             Self::Same => Some(0.0),
-            Self::Within(by) => Some(*by),
+            Self::Within(by) => Some(by.value),
             Self::By(by, _) => Some(by.value),
         }
     }
