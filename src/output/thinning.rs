@@ -172,7 +172,8 @@ mod tests {
         }
     }
 
-    /// Trust: lightness as above, three of its steps. The rim of a cup, 38 % thicker, takes no more colours than its nose, 8.4 % thinner.
+    /// Trust: lightness as above, three of its steps. The rim of a cup, 38 % thicker, takes no more colours than its nose,
+    /// 8.4 % thinner.
     #[test]
     fn what_thins_little_is_told_apart_beside_a_thick_rim() {
         let scale = Thinning::of(1.0, [frame(&[1.38, 0.916])].iter());
