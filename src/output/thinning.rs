@@ -172,13 +172,14 @@ mod tests {
         }
     }
 
-    /// Trust: lightness as above. The rim of a cup, 38 % thicker, takes no more colours than its nose, 8.4 % thinner.
+    /// Trust: lightness as above, three of its steps. The rim of a cup, 38 % thicker, takes no more colours than its nose,
+    /// 8.4 % thinner.
     #[test]
     fn what_thins_little_is_told_apart_beside_a_thick_rim() {
         let scale = Thinning::of(1.0, [frame(&[1.38, 0.916])].iter());
         assert_eq!((scale.thicker, scale.thinner, scale.levels.clone()), (10.0, 2.0, -4..5));
         let shade = |thickness: f64| lightness(scale.color(scale.level(thickness)));
-        assert!(shade(0.98) - shade(0.93) > 30.0, "{} {}", shade(0.98), shade(0.93));
+        assert!(shade(0.98) - shade(0.93) > 24.0, "{} {}", shade(0.98), shade(0.93));
         assert_eq!(scale.scale().ranges()[0], (-40.0, 10.0));
     }
 

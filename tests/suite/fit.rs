@@ -450,7 +450,7 @@ fn a_fit_is_told_in_us_units_and_in_german() {
     for form in [us, german, Form::default()] {
         let chart = fit_law(&fits, form);
         for panel in &chart.panels {
-            assert_eq!(panel.y.text().contains("ksi"), form == us, "{}", panel.y.text());
+            assert_eq!(panel.y.text().contains("si]"), form == us, "{}", panel.y.text());
             // Trust: a letter of DejaVu Sans is 0.6 of its size wide in the mean, and labels are 19 px.
             let Scale::Fit { height, .. } = panel.scale else { panic!("a panel with axes") };
             assert!(0.6 * 19.0 * panel.y.text().chars().count() as f64 <= height + 20.0, "{}", panel.y.text());
