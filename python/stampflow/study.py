@@ -69,5 +69,5 @@ def assigned(given: Mapping[str, str | None] | Sequence[str] | str | None) -> li
 
 
 def listed(values: Iterable[str | float]) -> str:
-    """Values as on the command line: ``4 mm,6 mm``."""
-    return ",".join(value if isinstance(value, str) else _toml.value(value) for value in values)
+    """Values as on the command line: ``4 mm, 6 mm``."""
+    return ", ".join(value if isinstance(value, str) else _toml.value(value) for value in values)

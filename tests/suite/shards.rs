@@ -280,7 +280,7 @@ fn the_page_on_scaling_out_has_the_lines_that_are_printed_and_the_size_of_a_row(
 fn rows_of_another_study_are_never_taken() {
     let dir = folder(&cheap());
     let first = ["--vary", "friction=0.04..0.12/3", "--out", "rows"];
-    done(sweep(dir.path(), &first));
+    done(&mut sweep(dir.path(), &first));
     let table = dir.path().join("rows/study.csv");
     let whole = fs::read_to_string(&table).unwrap();
     let refused = |more: &[&str]| {
