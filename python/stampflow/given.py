@@ -112,4 +112,4 @@ def listed(values: str | float | Iterable[str | float]) -> str:
         return values
     if not isinstance(values, Iterable):
         return _toml.value(values)
-    return ",".join(value if isinstance(value, str) else _toml.value(value) for value in values)
+    return ", ".join(value if isinstance(value, str) else _toml.value(value) for value in values)

@@ -218,14 +218,14 @@ pub(super) fn pointed(key: &str, text: &str) -> Result<(), StudyError> {
 /// A list that is rather a number with a decimal comma, `0,04` or `1,05 mm`, with a point: behind a comma without a blank nobody
 /// writes a value as `04`, and two values of which the first is `0` are asked about.
 fn with_point(list: &str) -> Option<String> {
-    let parts: Vec<&str> = list.split(',').collect();
+    let parts: Vec<&str> = list.trim().split(',').collect();
     let is_whole = |part: &str| !part.is_empty() && part.chars().all(|c| c.is_ascii_digit());
     let decimals = |part: &str| part.len() - part.trim_start_matches(|c: char| c.is_ascii_digit()).len();
     let is_decimal = |pair: &[&str]| {
         let digits = decimals(pair[1]);
         let is_padded = digits > 1 && pair[1].starts_with('0') && !pair[1][digits..].starts_with('.');
         let is_share = parts.len() == 2 && pair[0] == "0" && digits > 0 && !pair[1][digits..].starts_with('.');
-        is_whole(pair[0].trim_start_matches(['-', '−'])) && (is_padded || is_share)
+        is_whole(pair[0].trim_start().trim_start_matches(['-', '−'])) && (is_padded || is_share)
     };
     parts.windows(2).any(is_decimal).then(|| if parts.len() == 2 { parts.join(".") } else { "0.04".to_owned() })
 }

@@ -36,7 +36,7 @@ fn a_difference_is_told_unless_the_error_bars_leave_it_open() {
     let within = change(&versus, "punch_force", 1);
     assert!(matches!(within, Change::Within(by) if by.value > 0.0));
     let told = within.told().to_string();
-    assert!(told.starts_with('+') && told.contains("kN") && told.ends_with("(within the error)"), "{told}");
+    assert!(told.starts_with('+') && told.contains('N') && told.ends_with("(within the error)"), "{told}");
     assert_eq!(change(&versus, "punch_force", 2), Change::Same);
 }
 
