@@ -124,14 +124,6 @@ impl Journal {
         fs::rename(&self.part, &self.path)
     }
 
-    /// Another table has its name: the rows here are of no use any more.
-    ///
-    /// # Errors
-    /// When they cannot be removed.
-    pub fn discard(self) -> io::Result<()> {
-        fs::remove_file(&self.part)
-    }
-
     /// Where the rows are as long as some are missing.
     pub fn part(&self) -> &Path {
         &self.part

@@ -103,10 +103,9 @@ pub struct Places {
 impl Places {
     /// The table of all runs, in place of what is kept of them.
     pub fn table(&mut self, header: &[String], lines: &[Vec<String>]) -> anyhow::Result<()> {
-        write(&self.table, &study::csv(header, lines))?;
-        // What stays of them does no harm.
-        let _ = self.journal.take().flatten().map(Journal::discard);
-        Ok(())
+        // Given back first: what is written takes its place, and its lock.
+        self.journal = None;
+        Ok(write(&self.table, &study::csv(header, lines))?)
     }
 
     /// Keeps the next run; where that cannot be, the end says it.
