@@ -199,7 +199,8 @@ fn cups_are_made_with_a_margin() {
             let finding = findings.iter().find(|finding| finding.key == key).expect(key);
             assert_eq!(finding.light, Light::Green, "{height}: {key} {}", finding.found);
         }
-        assert!(answer.sentence.to_string().starts_with("it does not tear"), "{height}: {}", answer.sentence);
+        let said = answer.sentence.to_string();
+        assert!(!said.contains("near to tearing"), "{height}: {said}");
     }
 }
 
