@@ -1,7 +1,7 @@
 //! The numbers that a part is known by.
 
-use super::answer::{place, thinnest};
 use super::error_bar::ErrorBar;
+use super::place::{place, thinnest};
 use super::press::{Load, RESERVE};
 use crate::case::Case;
 use crate::measure::{OPENING_ANGLE, Shape, changes, part_height};

@@ -31,6 +31,7 @@ mod nearest;
 mod neck;
 mod nose;
 mod penetration;
+mod place;
 mod power_balance;
 mod press;
 mod redraw_ratio;

@@ -12,8 +12,8 @@ use crate::model::Geometry;
 use crate::solver;
 use crate::units::rounded;
 
-/// Runs that correct the trim: after two it is settled to its last digit or nearly so.
-const RUNS: usize = 2;
+/// Runs that correct the trim: after two it is settled to its last digit or nearly so, of the flattest cups after three.
+const RUNS: usize = 3;
 
 pub(super) const TEMPLATE: Template =
     Template::new("cup", "a flat-bottomed cup of a wanted height, drawn until no flange is left", OPTIONS, write);
