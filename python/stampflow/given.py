@@ -107,7 +107,7 @@ def assigned(given: Mapping[str, str | None] | Sequence[str] | str | None) -> li
 
 
 def listed(values: str | float | Iterable[str | float]) -> str:
-    """Values as on the command line: ``4 mm,6 mm``."""
+    """Values as on the command line: ``4 mm, 6 mm``."""
     if isinstance(values, str):
         return values
     if not isinstance(values, Iterable):
