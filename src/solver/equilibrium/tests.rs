@@ -240,28 +240,3 @@ fn a_gap_far_away_is_the_one_that_contact_would_see() {
         assert!((near - far).abs() < 1e-12, "{near} {far}");
     }
 }
-
-/// Trust: the law itself at a gap of nothing: the chord of a point that was free goes there, not to the trace of pressure that
-/// it had out there, nor is it the tangent at a penetration that only the predictor knows.
-#[test]
-fn a_point_that_the_predictor_carries_into_a_tool_starts_from_the_pressure_of_touching() {
-    let mut model = model(Geometry::Axisymmetric, Theory::Bending);
-    model.settings.iteration = Iteration::PrimalDual;
-    let state = State::flat(&model, crate::model::mesh::nodes(&model));
-    let process = Process::new(&model, &state);
-    let step = Step::new(&process, &state, 0.05, 2);
-    let (mut trial, mut evaluation) = (Trial::new(&process, &state), Evaluation::new(&process, &state));
-    trial.predict(&step, false);
-    let at = Linearisation { matrix: Iteration::PrimalDual, residual_alone: false, iteration: 0, velocity_norm: 0.0 };
-    assert!(evaluate(&step, &mut trial, &at, &mut evaluation));
-    let touching = process.penalty.at_touch();
-    let contacts = evaluation.contacts.iter().zip(state.pressure.iter());
-    let carried_in = contacts.filter(|(contact, before)| contact.gap < 0.0 && **before < touching);
-    let mut seen = 0;
-    for (contact, _) in carried_in {
-        let chord = (contact.pressure.value - touching) / (contact.gap - contact.closing);
-        assert!((contact.pressure.slope - chord).abs() < 1e-6 * chord.abs(), "{contact:?}");
-        seen += 1;
-    }
-    assert!(seen > 0, "the punch, moved by 0.05 mm under a sheet at rest, penetrates it somewhere");
-}
