@@ -138,10 +138,6 @@ fn gather(step: &Step, trial: &mut Trial, at: &Linearisation, j: usize, out: &mu
         } else if at.iteration > 0 {
             let ValueAndSlope { value, slope } = memory.pressure;
             memory.carried = (value + slope * (gap - memory.gap)).max(0.0);
-        } else if gap + shift < 0.0 {
-            // A point that the predictor carries into the tool comes to lie on it: its pressure is that of touching, not the
-            // trace that it had, nor that of where it is.
-            memory.carried = memory.carried.max(process.penalty.at_touch());
         }
         let station = &stations(step.bends[e])[k];
         let relative = x - station.position(&state.nodes[e], &state.nodes[e + 1]) - moved;
