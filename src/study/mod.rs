@@ -24,6 +24,7 @@
 //! versus        several runs, and what was measured, side by side
 //! ```
 
+mod bars;
 mod deciding;
 mod error;
 pub mod file;
@@ -51,6 +52,7 @@ pub mod versus;
 mod window;
 mod zone;
 
+pub use bars::Bars;
 pub use error::StudyError;
 pub use journal::{Begun, Earlier, Journal, csv};
 pub use plan::{Design, Designs, How, Plan};
@@ -58,7 +60,7 @@ pub use readings::Readings;
 pub use region::{Grid, Point, Region};
 pub use results::{Found, Results};
 pub use row::{Columns, Judged, Row, Solved};
-pub use run::{Bars, base, one, run};
+pub use run::{base, one, run};
 pub use said::Said;
 pub use shards::{Shard, merge};
 pub use side_by_side::side_by_side;

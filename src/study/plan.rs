@@ -1,8 +1,9 @@
 //! What a study runs: the case, what is varied in it, and the designs by their index.
 
+use super::bars::Bars;
 use super::hash::short_hash;
 use super::vary::{Value, Vary};
-use super::{Bars, StudyError, Subject};
+use super::{StudyError, Subject};
 use std::path::PathBuf;
 
 /// A study of a case: every combination of what is varied.

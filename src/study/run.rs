@@ -1,20 +1,12 @@
 //! Runs the designs of a study on all cores, and hands on what came of them in order.
 
+use super::bars::Bars;
 use super::plan::{Design, Designs};
 use super::row::{Row, Solved};
 use super::{StudyError, Subject, side_by_side};
 use crate::case::Solution;
 use crate::verification::Watch;
 use std::time::Instant;
-
-/// Whether numbers have error bars.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Bars {
-    /// None.
-    Without,
-    /// From one coarser run of each design.
-    Quick,
-}
 
 /// Runs designs by their indices on so many threads and hands each row to `each`, in the order of the indices. Once
 /// `watch` wants to stop no row is handed on of which the run was cut short.

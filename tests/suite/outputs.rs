@@ -239,8 +239,10 @@ fn nothing_that_is_no_number_is_written() {
             let words = text.split(|c: char| !c.is_ascii_alphanumeric());
             let odd: Vec<_> = words.filter(|word| ["nan", "inf"].contains(&word.to_lowercase().as_str())).collect();
             assert!(odd.is_empty(), "{name}: {file}: {odd:?}");
-            let nulls = text.matches("null").count();
-            assert!(!file.ends_with(".json") || nulls == text.matches("\"change\": null").count(), "{name}: {text}");
+            // A light has no value or limit where there is none to have.
+            let may_be = ["change", "value", "amber", "red"].map(|key| format!("\"{key}\": null"));
+            let nulls = [text.matches("null").count(), may_be.iter().map(|null| text.matches(null).count()).sum()];
+            assert!(!file.ends_with(".json") || nulls[0] == nulls[1], "{name}: {text}");
         }
     }
 }
@@ -294,7 +296,7 @@ fn a_holder_that_the_sheet_has_left_stays_where_it_last_touched() {
     let column = load_travel::table(&run).column("holder_move").values.clone();
     assert_eq!(column[lost..], vec![stands; after.len()]);
     let warnings = assess::warnings(&run);
-    assert!(warnings.iter().any(|w| w.to_string().contains("the sheet left the holder at 30.5")), "{warnings:?}");
+    assert!(warnings.iter().any(|w| w.to_string().contains("the sheet left the holder at 29.1")), "{warnings:?}");
 }
 
 /// Trust: the template's own height, to the 3 % that its test asks for; energies are the run's in N mm, a thousandth of

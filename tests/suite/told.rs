@@ -5,7 +5,7 @@ use crate::common::shipped::shipped_case;
 use stampflow::assess::{self, judgements};
 use stampflow::author::templates::TEMPLATES;
 use stampflow::case::{self, Solution};
-use stampflow::message::{Form, Language, System, Term};
+use stampflow::message::{Form, Language, Message, System, Term};
 use stampflow::output::{Captions, Chart, OUTPUTS, Pictures, Results};
 use stampflow::report::{Block, Document, Report, html, markdown};
 
@@ -80,7 +80,8 @@ fn given(solution: &Solution) -> Vec<String> {
     let case = &solution.case;
     let mut given = vec![case.title_block.part.clone().unwrap_or_default()];
     for model in solution.stages.iter().map(|stage| &stage.model) {
-        given.extend([model.title.clone(), model.material.describe()]);
+        let law = model.material.describe();
+        given.extend([model.title.clone(), Message::Formula(law.clone()).told(german()).to_string(), law]);
         given.extend(model.notes.iter().cloned());
     }
     given.extend([&case.sources.friction, &case.sources.material].into_iter().flatten().cloned());
