@@ -119,7 +119,8 @@ impl Part {
         };
         let mut table = path.clone();
         let mut is_whole = true;
-        if let Begun::Open(mut journal) = Journal::open(&path, designs.key(), &written.header, indices, self.earlier())? {
+        if let Begun::Open(mut journal) = Journal::open(&path, designs.key(), &written.header, indices, self.earlier())?
+        {
             let kept = journal.done();
             let beside = folder.join(shard.file(&format!("{}_times", written.stem)));
             let mut times = written.has_times.then(|| Times::open(&beside, kept > 0)).transpose()?;

@@ -92,7 +92,7 @@ def _as_in_python(text: str) -> str:
         file = f'"{option[3]}"' if option[3] else ""
         return f"{name}{'_' if iskeyword(name) else ''}{'=' if option[2] or file else ''}{file}"
 
-    return re.sub(r'--([a-z][a-z-]*[a-z])(?:( )(?=")| (\w+\.\w+))?', keyword, text)
+    return re.sub(r'--([a-z](?:[a-z-]*[a-z])?)(?:( )(?=")| (\w+\.\w+))?', keyword, text)
 
 
 def finished(result: _Result, raised: BaseException | None) -> _Result:

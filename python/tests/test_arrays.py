@@ -38,7 +38,7 @@ def test_a_law_of_arrays_is_that_of_their_file() -> None:
     assert laws.tests[0].file == "test 1" and called(laws.json, "bar") == called(of_file.json, "bar")
     assert laws.plot.fit().startswith("<svg")
     # In another unit, and from a view that is not contiguous.
-    strain, stress, scatter = bar.keys()
+    strain, stress, scatter, *_ = bar
     other = np.column_stack([100 * bar[strain], bar[stress], bar[scatter]]).T
     percent = sf.fit({f"{strain}_percent": other[0], stress: other[1], scatter: other[2]})
     for name, number in laws.best.parameters.items():

@@ -79,6 +79,8 @@ def test_rows_of_an_earlier_run_are_kept_or_refused(study: Path, tmp_path: Path)
         if share >= 0.5:
             raise RuntimeError("enough")
 
+    # Half of the study is some seconds, after which it is heard at once.
+    study.write_text(STUDY.replace("elements=30", "elements=500"))
     out = tmp_path / "out"
     with pytest.raises(RuntimeError, match="enough"):
         sf.sweep(study, out=out, threads=1, progress=stop)

@@ -10,7 +10,7 @@ use super::table::wrapped;
 use anyhow::Context;
 use serde_json::json;
 use stampflow::assess::Light;
-use stampflow::message::{Amount, Form, Message, message};
+use stampflow::message::{Amount, Form, message};
 use stampflow::output::study::keep;
 use stampflow::study::{
     self, Begun, Columns, Designs, How, Journal, Plan, Results, Row, Shard, StudyError, Times, Vary,
@@ -161,7 +161,7 @@ impl Ran {
     /// `400 designs (12 s, 2000 a minute) in out/cup-sweep/study.csv`
     fn told(&self, path: &Path, form: Form) -> String {
         let Self { designs, kept, seconds } = *self;
-        let n: Message = if designs == 1 { "1 design".into() } else { message!("{n} designs", n = designs) };
+        let n = study::designs(designs);
         let file = path.display().to_string();
         if kept == designs {
             return message!("{n}, all of an earlier run, in {file}", n = n, file = file).told(form);

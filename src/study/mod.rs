@@ -61,7 +61,7 @@ pub use region::{Grid, Point, Region};
 pub use results::{Found, Results};
 pub use row::{Columns, Judged, Row, Solved};
 pub use run::{base, one, run};
-pub use said::Said;
+pub use said::{Said, designs};
 pub use shards::{Shard, merge};
 pub use side_by_side::side_by_side;
 pub use span::Span;

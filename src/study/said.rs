@@ -88,7 +88,7 @@ impl Said {
             }
         });
         let parts = Message::joined(std::iter::once(sound).chain(failed), ", ");
-        message!("{n} designs: {parts}", n = self.designs, parts = parts)
+        message!("{n}: {parts}", n = designs(self.designs), parts = parts)
     }
 
     /// Where the case stands: how far from each border, or that it is outside.
@@ -235,4 +235,9 @@ impl Distance {
             (Meets::End, _) => message!("{key} alone does not help as far as {to}", key = key, to = to),
         }
     }
+}
+
+/// So many designs.
+pub fn designs(n: usize) -> Message {
+    if n == 1 { "1 design".into() } else { message!("{n} designs", n = n) }
 }
