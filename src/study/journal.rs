@@ -60,7 +60,7 @@ impl Journal {
         let unwritable = |error: io::Error| {
             StudyError::new(format!("cannot write {}: {error}", path.display()), "choose another place with --out")
         };
-        let own = || Own { study, header: record(header), indices };
+        let own = Own { study, header: record(header), indices };
         if let Some(folder) = path.parent() {
             fs::create_dir_all(folder).map_err(unwritable)?;
         }
@@ -69,7 +69,7 @@ impl Journal {
                 let what = format!("{} is there and is no table of a study", path.display());
                 return Err(StudyError::new(what, "choose another place with --out"));
             }
-            if path.exists() && earlier == Earlier::Resume && rows_of(path, &own())?.count == indices.len() {
+            if path.exists() && earlier == Earlier::Resume && rows_of(path, &own)?.count == indices.len() {
                 return Ok(Begun::Complete);
             }
             let is_begun = part.exists();
@@ -85,7 +85,7 @@ impl Journal {
                 let what = format!("an earlier run has left rows of {} and did not end", path.display());
                 return Err(StudyError::new(what, "go on with them by --resume, or begin anew with --restart"));
             }
-            Earlier::Resume if is_begun => rows_of(&part, &own())?,
+            Earlier::Resume if is_begun => rows_of(&part, &own)?,
             _ => Rows::default(),
         };
         file.set_len(kept.bytes).and_then(|()| file.seek(SeekFrom::End(0))).map_err(unwritable)?;
