@@ -12,7 +12,7 @@ mod files;
 use fastest::fastest;
 use files::files;
 use stampflow::model::{Mode, Theory};
-use stampflow::solution::IterationRecord;
+use stampflow::solver::solution::IterationRecord;
 use stampflow::{Model, Observer, case, solver};
 use std::hint::black_box;
 use std::time::{Duration, Instant};

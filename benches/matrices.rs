@@ -4,7 +4,7 @@
 //! `cargo bench --bench matrices`
 
 use stampflow::model::Iteration;
-use stampflow::solution::StageSolution;
+use stampflow::solver::solution::StageSolution;
 use stampflow::{case, solver};
 
 const CASES: [&str; 7] = [

@@ -15,7 +15,7 @@ use rayon::iter::Either;
 use rayon::prelude::*;
 use stampflow::author::templates;
 use stampflow::case::CaseError;
-use stampflow::solution::IterationRecord;
+use stampflow::solver::solution::IterationRecord;
 use stampflow::{Model, Observer, case, solver};
 use std::hint::black_box;
 use std::time::{Duration, Instant};

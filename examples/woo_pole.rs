@@ -6,7 +6,7 @@
 use stampflow::case;
 use stampflow::output::chart::{Chart, Look, Panel, Scale, Series};
 use stampflow::output::{png, write};
-use stampflow::solution::StepRecord;
+use stampflow::solver::solution::StepRecord;
 use stampflow::table::fields::step::{PUNCH_FORCE, THINNEST, TRAVEL};
 use stampflow::table::{Csv, Field};
 use std::path::Path;

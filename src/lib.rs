@@ -69,49 +69,34 @@
 #![deny(missing_docs)]
 #![forbid(unsafe_code)]
 
-#[cfg(feature = "case")]
 pub mod assess;
-#[cfg(feature = "case")]
 pub mod author;
-#[cfg(feature = "case")]
 pub mod case;
-#[cfg(feature = "case")]
 pub mod compare;
 pub mod contact;
 pub mod element;
-#[cfg(feature = "case")]
-pub mod files;
 pub mod forming_limit;
 pub mod geometry;
-#[cfg(feature = "import")]
 pub mod import;
-pub mod law;
 pub mod material;
 pub mod measure;
 pub mod message;
 pub mod model;
 pub mod numerics;
-#[cfg(feature = "plot")]
+#[cfg(feature = "app")]
 pub mod output;
-#[cfg(feature = "report")]
+#[cfg(feature = "app")]
 pub mod report;
-#[cfg(feature = "case")]
 pub mod rules;
-pub mod solution;
 pub mod solver;
-pub mod state;
-#[cfg(feature = "plot")]
+#[cfg(feature = "app")]
 pub mod study;
 pub mod table;
-pub mod trace;
 pub mod units;
-#[cfg(feature = "case")]
-pub mod verification;
 
-#[cfg(feature = "case")]
 pub use case::{Case, Solution};
 pub use model::{Model, Stage};
-pub use solution::{Frame, StageSolution, StepRecord, Stop};
+pub use solver::solution::{Frame, StageSolution, StepRecord, Stop};
+pub use solver::state::State;
 pub use solver::{Observer, run, solve};
-pub use state::State;
 pub use table::Table;

@@ -3,7 +3,6 @@
 //! A [`Column`] is the only place that knows how a quantity is called, so the header of a CSV file and the label
 //! of an axis cannot disagree.
 
-#[cfg(feature = "case")]
 mod csv;
 mod field;
 pub mod fields;
@@ -12,7 +11,6 @@ mod spacing;
 pub use crate::units::{Unit, UnitError};
 
 use crate::message::{Form, Told};
-#[cfg(feature = "case")]
 pub use csv::{Csv, CsvError, Record};
 pub use field::{Field, worded};
 pub use spacing::Spacing;

@@ -1,7 +1,7 @@
 //! Work that goes on without Python, while the thread that asked for it hears Ctrl-C and hands on how far it has come.
 
 use pyo3::prelude::*;
-use stampflow::verification::Watch;
+use stampflow::study::verify::Watch;
 use stampflow::{Model, Observer, State};
 use std::panic::resume_unwind;
 use std::sync::atomic::{AtomicBool, Ordering};

@@ -6,7 +6,7 @@ use super::picture::{Picture, picture};
 use super::words::plain;
 use pyo3::prelude::*;
 use stampflow::author::{Import, ImportFailure, Imported};
-use stampflow::files::{Disk, Files};
+use stampflow::case::files::{Disk, Files};
 use stampflow::import::{self, ImportError, Options};
 use stampflow::output::sketch;
 use stampflow::units::{Length, Positive, Quantity};

@@ -12,7 +12,7 @@ use serde::Serialize;
 use stampflow::assess::{self, Answer, Finding};
 use stampflow::message::Message;
 use stampflow::output::{Make, OUTPUTS, Output, Results, StageView};
-use stampflow::verification::{self, Number, Of, Verification};
+use stampflow::study::verify::{self, Number, Of, Verification};
 use std::sync::{Arc, OnceLock};
 
 /// A solved case, with error bars where it was verified.

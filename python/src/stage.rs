@@ -25,7 +25,7 @@ pub fn frame<'py>(py: Python<'py>, stage: &StageSolution, i: usize) -> Option<Fr
     let kept = stage.frames.get(i..=i)?;
     let mut elements = profile::table(&stage.model, kept);
     elements.columns.remove(0); // the travel, of all alike
-    let node = |key, label, unit, value: fn(&stampflow::solution::NodeRecord) -> f64| {
+    let node = |key, label, unit, value: fn(&stampflow::solver::solution::NodeRecord) -> f64| {
         Named::new(key, label, unit, kept[0].nodes.iter().map(value).collect())
     };
     let nodes = Table::new(vec![

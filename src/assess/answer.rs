@@ -7,7 +7,7 @@ use super::place::{on_part, place, thinnest};
 use super::{Finding, Light, forming_limit, judgements, thinning};
 use crate::case::Case;
 use crate::message::{Amount, Message, message};
-use crate::solution::{StageSolution, Stop};
+use crate::solver::solution::{StageSolution, Stop};
 use serde::Serialize;
 
 /// The verdict in one sentence, and the numbers that a part is known by.

@@ -5,7 +5,7 @@ use crate::geometry::Arc;
 use crate::message::{Amount, message};
 use crate::model::{Role, Tool};
 use crate::rules::design::{SHARP, THIN, bent_strength};
-use crate::solution::StageSolution;
+use crate::solver::solution::StageSolution;
 use crate::table::Unit;
 
 /// A corner that the sheet is bent over as soon as the punch moves.

@@ -6,7 +6,7 @@ use super::{Finding, Light, thinning};
 use crate::message::{Amount, Message, message};
 use crate::model::{Edge, Geometry};
 use crate::rules::estimate::{draw_ratio, tensile_strength};
-use crate::solution::{StageSolution, StepRecord};
+use crate::solver::solution::{StageSolution, StepRecord};
 use crate::table::Unit;
 use std::f64::consts::PI;
 

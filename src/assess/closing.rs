@@ -4,7 +4,7 @@ use super::Finding;
 use crate::message::{Amount, Message, message};
 use crate::model::{Geometry, Model};
 use crate::rules::bead;
-use crate::solution::StageSolution;
+use crate::solver::solution::StageSolution;
 use crate::table::Unit;
 
 /// Gap over the thickness that a holder may keep \[–\]: what a flange thickens by as it is drawn.

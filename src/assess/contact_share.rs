@@ -2,7 +2,7 @@
 
 use super::Finding;
 use crate::message::{Amount, message};
-use crate::solution::{StageSolution, Stop};
+use crate::solver::solution::{StageSolution, Stop};
 use crate::table::Unit;
 
 /// A stage that ended before.

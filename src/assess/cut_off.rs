@@ -4,7 +4,7 @@ use super::finding::ACCURACY;
 use super::run::{Run, formed};
 use super::{Finding, Light};
 use crate::message::{Amount, message};
-use crate::solution::StageSolution;
+use crate::solver::solution::StageSolution;
 
 /// Plastic work in cut-off zones, over all of it, that puts stresses in doubt \[–\].
 const LARGEST: f64 = 0.05;

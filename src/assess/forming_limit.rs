@@ -6,7 +6,7 @@ use crate::case::file::YieldCondition;
 use crate::forming_limit::{CROOKED, Judged};
 use crate::message::{Amount, Message, message};
 use crate::rules::design::THIN;
-use crate::solution::StageSolution;
+use crate::solver::solution::StageSolution;
 use crate::table::Unit;
 
 /// Share of the limit strain above which scatter of metal and process may reach it \[–\].

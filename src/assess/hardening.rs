@@ -4,7 +4,7 @@ use super::run::{Run, largest};
 use super::{Finding, Light};
 use crate::message::{Amount, message};
 use crate::model::Model;
-use crate::solution::StageSolution;
+use crate::solver::solution::StageSolution;
 use crate::table::Unit;
 use crate::units::ZERO_CELSIUS;
 

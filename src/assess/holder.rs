@@ -6,7 +6,7 @@ use crate::measure::rests_on_blocks;
 use crate::message::{Amount, Message, message};
 use crate::model::{Model, Motion, Role, Tool};
 use crate::rules::estimate::{held_from, holder_pressure, tensile_strength};
-use crate::solution::{StageSolution, StepRecord};
+use crate::solver::solution::{StageSolution, StepRecord};
 use crate::table::Unit;
 
 /// Lift over the thickness that is worth a word, and at which the holder has left the flange to itself \[–\].

@@ -7,7 +7,7 @@ use crate::case::Case;
 use crate::measure::{OPENING_ANGLE, Shape, changes, part_height};
 use crate::message::{Amount, Digits, Message, message};
 use crate::model::{Geometry, Model, Motion, Role};
-use crate::solution::{StageSolution, StepRecord};
+use crate::solver::solution::{StageSolution, StepRecord};
 use crate::table::Unit;
 use crate::units::rounded;
 use serde::{Serialize, Serializer};

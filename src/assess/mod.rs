@@ -60,7 +60,7 @@ pub use size::size_doubts;
 use crate::case::Case;
 use crate::message::Message;
 use crate::model::{Model, Tool};
-use crate::solution::StageSolution;
+use crate::solver::solution::StageSolution;
 use nearest::Nearest;
 use run::Run;
 

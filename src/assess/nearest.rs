@@ -1,7 +1,7 @@
 //! The stage that comes nearest to its forming limit.
 
 use crate::forming_limit::{Assessment, assess};
-use crate::solution::StageSolution;
+use crate::solver::solution::StageSolution;
 
 /// The stage that comes nearest to its curve.
 pub(super) struct Nearest<'a> {

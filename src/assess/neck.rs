@@ -2,8 +2,8 @@
 
 use super::{Finding, Light, run::Run, thinning};
 use crate::message::{Amount, message};
-use crate::solution::neck::{Neck, neck};
-use crate::solution::{StageSolution, Stop};
+use crate::solver::solution::neck::{Neck, neck};
+use crate::solver::solution::{StageSolution, Stop};
 use crate::table::Unit;
 
 /// Thickness over the initial one that no sheet metal, superplastic alloys apart, is drawn to in one piece \[–\].

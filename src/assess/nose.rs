@@ -2,7 +2,7 @@
 
 use crate::geometry::Arc;
 use crate::model::{Role, Tool};
-use crate::solution::StageSolution;
+use crate::solver::solution::StageSolution;
 
 /// Cosine of a lean that is none: to a degree.
 const UPRIGHT: f64 = 0.9998;

@@ -5,7 +5,7 @@ use super::run::{Run, largest};
 use super::{Finding, Light};
 use crate::message::{Amount, message};
 use crate::model::{ContactMethod, Settings};
-use crate::solution::StageSolution;
+use crate::solver::solution::StageSolution;
 
 /// Penetration that would show in the result, over the thickness \[–\].
 const LARGEST: f64 = 0.05;

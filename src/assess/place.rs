@@ -3,7 +3,7 @@
 use crate::measure::{PartPlace, place_on_part};
 use crate::message::{Amount, Message, message};
 use crate::model::Geometry;
-use crate::solution::StageSolution;
+use crate::solver::solution::StageSolution;
 
 /// Thickness \[mm\] and initial distance \[mm\] of the thinnest element at the end of a stage.
 pub(super) fn thinnest(stage: &StageSolution) -> Option<(f64, f64)> {

@@ -4,7 +4,7 @@ use super::finding::ACCURACY;
 use super::run::{Run, formed};
 use super::{Finding, Light};
 use crate::message::{Amount, message};
-use crate::solution::StageSolution;
+use crate::solver::solution::StageSolution;
 
 /// Share of the external work that may be missing \[–\].
 const LARGEST: f64 = 0.01;

@@ -4,7 +4,7 @@ use super::run::{Run, at_event};
 use super::{Finding, Light};
 use crate::message::{Amount, Digits, Message, message};
 use crate::model::{Motion, Role};
-use crate::solution::{StageSolution, StepRecord};
+use crate::solver::solution::{StageSolution, StepRecord};
 use crate::table::{JOULES, Unit};
 
 /// Share of a rating from which on little of it is left \[–\]: a declared rule of thumb.

@@ -5,7 +5,7 @@ use crate::message::{Amount, message};
 use crate::model::{Geometry, Role};
 use crate::rules::design::REDRAW_RATIO;
 use crate::rules::tool_sizes::extent;
-use crate::solution::StageSolution;
+use crate::solver::solution::StageSolution;
 use crate::table::Unit;
 
 /// The largest ratio of a stage's punch to the next one's.

@@ -4,7 +4,7 @@ use super::nearest::Nearest;
 use crate::case::Case;
 use crate::measure::events;
 use crate::message::{Message, message};
-use crate::solution::{StageSolution, StepRecord};
+use crate::solver::solution::{StageSolution, StepRecord};
 
 /// A case with its solved stages.
 pub(super) struct Run<'a> {

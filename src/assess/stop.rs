@@ -3,7 +3,7 @@
 use super::{Finding, Light, run::Run, thinning};
 use crate::message::{Message, message};
 use crate::model::Role;
-use crate::solution::Stop;
+use crate::solver::solution::Stop;
 
 /// Red where a stage stopped early, amber where the cup left the die; the stop says why.
 pub(super) fn judge(run: &Run) -> Option<Finding> {

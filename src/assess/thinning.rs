@@ -6,7 +6,7 @@ use super::{Finding, Light, run::Run, wrinkling};
 use crate::measure::{Band, place_on_part};
 use crate::message::{Amount, Message, message};
 use crate::model::{Edge, Geometry, Role};
-use crate::solution::StageSolution;
+use crate::solver::solution::StageSolution;
 use crate::table::Unit;
 
 /// Thinning that a designer looks at twice, and that is refused without a forming limit that allows it \[–\].

@@ -2,7 +2,7 @@
 
 use super::Finding;
 use crate::message::{Amount, message};
-use crate::solution::StageSolution;
+use crate::solver::solution::StageSolution;
 use crate::table::Unit;
 
 /// A cut, which falls between elements.

@@ -3,7 +3,7 @@
 use crate::measure::Shape;
 use crate::message::{Amount, Message, message};
 use crate::model::Model;
-use crate::solution::Frame;
+use crate::solver::solution::Frame;
 
 /// What tension does for the spring-back of a wall, with the share of its yield load that it carries under the tools.
 pub(super) fn advice(model: &Model, frame: &Frame, shape: &Shape) -> Message {

@@ -8,7 +8,7 @@ use crate::forming_limit::SHORTEST;
 use crate::material::{Hosford, YieldCriterion};
 use crate::message::{Amount, Message, message};
 use crate::model::Stage;
-use crate::solution::{StageSolution, Stop};
+use crate::solver::solution::{StageSolution, Stop};
 use crate::solver::solve;
 use crate::table::Unit;
 

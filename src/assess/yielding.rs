@@ -3,7 +3,7 @@
 use super::Finding;
 use crate::message::{Amount, message};
 use crate::model::Mode;
-use crate::solution::StageSolution;
+use crate::solver::solution::StageSolution;
 
 /// Plastic strain, or stress over the yield stress, from which a point has yielded again \[–\].
 const YIELDED: f64 = 1e-4;

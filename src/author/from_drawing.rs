@@ -1,14 +1,12 @@
 //! A case file written around tools that were drawn: their profiles, and declared placeholders for the rest.
 
 mod draft;
-#[cfg(feature = "import")]
 mod imported;
 mod later;
 mod refused;
 mod sizes;
 
 pub use draft::{Draft, Drawn};
-#[cfg(feature = "import")]
 pub use imported::{Import, ImportFailure, Imported};
 
 use super::page::{Page, exact, size_key};

@@ -1,6 +1,6 @@
 //! What is wrong with a case file, where, and what to write instead.
 
-use crate::files::{FileError, visible};
+use crate::case::files::{FileError, visible};
 use miette::{Diagnostic, GraphicalReportHandler, GraphicalTheme, NamedSource, SourceSpan};
 use std::ops::Range;
 use std::path::Path;

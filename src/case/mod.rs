@@ -28,11 +28,11 @@ mod error;
 mod examples;
 mod explain;
 pub mod file;
+pub mod files;
 pub mod library;
 mod overrides;
 mod read;
 mod reader;
-#[cfg(feature = "schema")]
 mod schema;
 mod solution;
 mod source;
@@ -44,9 +44,7 @@ mod written;
 pub use error::CaseError;
 pub use file::{CaseFile, TitleBlock};
 pub use read::{load, parse, parse_with};
-#[cfg(feature = "schema")]
 pub(crate) use schema::{definition, whole};
-#[cfg(feature = "schema")]
 pub use schema::{keys, schema};
 pub use solution::Solution;
 pub use sources::{Sheets, Sources, Thickness};

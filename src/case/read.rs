@@ -2,7 +2,7 @@
 
 use super::source::Source;
 use super::{Case, CaseError, build, explain, file, library, overrides, sources};
-use crate::files::{self, Disk, FileError, Files, Folder, Noted};
+use crate::case::files::{self, Disk, FileError, Files, Folder, Noted};
 use crate::message::Message;
 use std::path::{Path, PathBuf};
 
@@ -32,7 +32,7 @@ pub fn parse(text: &str, name: &str, overrides: &[String]) -> Result<Case, CaseE
 /// Reads a case from text as [`parse`], the files beside it from elsewhere. All that a case needs is read here.
 ///
 /// ```
-/// # use stampflow::{case, files::Memory};
+/// # use stampflow::{case, case::files::Memory};
 /// let mut files = Memory::default();
 /// files.insert("cases/field.csv", "s0_mm,temperature_C\n20,25\n40,150\n");
 /// let text = format!("{}[heat]\ninitial = \"field.csv\"\n", stampflow::author::templates::find("cup").unwrap().fill(&[])?);

@@ -1,7 +1,7 @@
 //! A case with what came out of it.
 
 use super::{Case, CaseError};
-use crate::solution::StageSolution;
+use crate::solver::solution::StageSolution;
 use crate::solver::{Observer, solve};
 use std::path::Path;
 use std::time::Duration;

@@ -5,7 +5,7 @@ use super::table::{Cell, Tone, table, toned, wrapped};
 use stampflow::assess::{Answer, Finding, Kind, Light, by_advice, judgements, sentences, size_doubts};
 use stampflow::case::Case;
 use stampflow::message::{Form, Message, message};
-use stampflow::verification::Verification;
+use stampflow::study::verify::Verification;
 
 /// Of a case: the sentence and doubts of its sizes first, then what it rests on; where it was verified, how sure that is.
 pub fn answered(

@@ -13,7 +13,6 @@ use stampflow::assess::check::{self, Check};
 use stampflow::assess::{Finding, Kind, Light, advice, headline, judgements, sentences};
 use stampflow::message::{Form, message};
 use stampflow::output::verdict;
-use stampflow::verification;
 use std::fmt::Write;
 use std::path::PathBuf;
 
@@ -72,7 +71,7 @@ pub fn check(args: &Args) -> anyhow::Result<Code> {
     let (solution, _) = progress.watch(&case, Kept::default()).solve(case);
     let verification = args.bars.of(&solution, &progress, true);
     let verification = verification.as_ref();
-    let (answer, findings) = verification::answered(&solution, verification);
+    let (answer, findings) = stampflow::study::verify::answered(&solution, verification);
     let complete = solution.is_complete();
     if args.json.json {
         let mut value = serde_json::to_value(&report)?;

@@ -2,7 +2,7 @@
 
 use super::progress::Progress;
 use stampflow::case::Solution;
-use stampflow::verification::{Verification, quick, verify};
+use stampflow::study::verify::{Verification, quick, verify};
 
 /// The options of every verb that answers from a run.
 #[derive(Debug, clap::Args)]

@@ -7,7 +7,7 @@ use super::say::{say, say_json};
 use super::suggested::Suggested;
 use serde_json::json;
 use stampflow::author::{Import, ImportFailure, Imported};
-use stampflow::files::{Disk, FileError, Files};
+use stampflow::case::files::{Disk, FileError, Files};
 use stampflow::import::{self, DrawingUnit, Heading, Operation, Options, Section, Sections};
 use stampflow::model::{Geometry, Role};
 use stampflow::output::{png, sketch, write};

@@ -2,8 +2,8 @@
 
 use serde_json::{Map, Value, json};
 use stampflow::compare::Comparison;
+use stampflow::study::verify::{Bar, Verification};
 use stampflow::units::rounded;
-use stampflow::verification::{Bar, Verification};
 
 /// A comparison with all its numbers; what was not reached is null.
 pub fn comparison(case: &str, comparison: &Comparison) -> Value {

@@ -45,7 +45,7 @@ use clap_complete::Shell;
 use code::BadRequest;
 use options::Json;
 use say::{say, say_json};
-use stampflow::files::visible;
+use stampflow::case::files::visible;
 use stampflow::{author, case};
 use std::borrow::Cow;
 use table::wrapped;

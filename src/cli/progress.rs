@@ -3,12 +3,13 @@
 use super::interrupt;
 use super::say::warn;
 use indicatif::{MultiProgress, ProgressBar, ProgressStyle};
+use stampflow::case::files::visible;
 use stampflow::case::{Case, Solution};
-use stampflow::files::visible;
 use stampflow::model::Model;
 use stampflow::output::FrameRecorder;
-use stampflow::solution::{IterationRecord, StepRecord};
-use stampflow::{Observer, Stage, State, verification};
+use stampflow::solver::solution::{IterationRecord, StepRecord};
+use stampflow::study::verify as verification;
+use stampflow::{Observer, Stage, State};
 use std::io::{self, IsTerminal};
 use std::sync::Mutex;
 use std::time::{Duration, Instant};

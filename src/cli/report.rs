@@ -15,8 +15,8 @@ use serde_json::json;
 use stampflow::message::message;
 use stampflow::output::{Extra, FrameRecorder, can_write, is_report, remove_others, write};
 use stampflow::report::{Document, Report, figure_folder, html, is_figure, markdown, pdf};
+use stampflow::study::verify::quick;
 use stampflow::study::versus::Asked;
-use stampflow::verification::quick;
 use std::path::{Path, PathBuf};
 use std::thread::available_parallelism;
 

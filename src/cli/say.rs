@@ -2,7 +2,7 @@
 
 use super::code::Code;
 use serde::Serialize;
-use stampflow::files::visible;
+use stampflow::case::files::visible;
 use stampflow::message::NO_BREAK;
 use std::fmt;
 use std::io::{self, Write};

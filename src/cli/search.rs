@@ -13,7 +13,7 @@ use super::say::{say, say_json};
 use stampflow::output::study::json;
 use stampflow::output::study::search::plot;
 use stampflow::study::search::Found;
-use stampflow::verification::Watch;
+use stampflow::study::verify::Watch;
 use std::time::Instant;
 
 pub const HELP: &str = "\

@@ -3,7 +3,7 @@
 use super::say::Shown;
 use comfy_table::{Attribute, Color, ColumnConstraint, ContentArrangement, Table, presets};
 use stampflow::assess::Light;
-use stampflow::files::visible;
+use stampflow::case::files::visible;
 use std::io::{self, IsTerminal};
 
 /// Columns where no terminal says how many it has.

@@ -13,7 +13,7 @@ use stampflow::case::Case;
 use stampflow::model::Iteration;
 use stampflow::output::trace::step_csv;
 use stampflow::output::write;
-use stampflow::trace::{self, Asked, Iterated, Pass, Trace};
+use stampflow::solver::trace::{self, Asked, Iterated, Pass, Trace};
 use stampflow::units::rounded;
 use std::path::PathBuf;
 

@@ -15,7 +15,7 @@ use stampflow::case::{Case, Solution};
 use stampflow::message::{Amount, Form, Message, message};
 use stampflow::output::verification::{BEGINNING, FILE, csv};
 use stampflow::output::write;
-use stampflow::verification::{self, Bar, Of, Verification, moved};
+use stampflow::study::verify::{Bar, Of, Verification, moved};
 use std::fmt::Write;
 use std::path::PathBuf;
 use std::time::Instant;
@@ -96,7 +96,7 @@ fn one(args: &Args, progress: &Progress, case: Case) -> anyhow::Result<(Code, Op
     let start = Instant::now();
     let count = progress.count(format!("{}, finer", case.name));
     let (solution, _) = progress.watch(&case, Kept::default()).solve(case);
-    let verification = verification::verify(&solution, &count);
+    let verification = stampflow::study::verify::verify(&solution, &count);
     let seconds = start.elapsed().as_secs_f64();
     if let Some(path) = &path {
         write(path, csv(&verification).as_bytes())?;

@@ -3,7 +3,7 @@
 use crate::forming_limit::Paths;
 use crate::measure::RingTest;
 use crate::model::{Extent, Model};
-use crate::solution::{ElementRecord, StageSolution, StepRecord};
+use crate::solver::solution::{ElementRecord, StageSolution, StepRecord};
 use crate::table::fields::path;
 use crate::table::{Column, Field};
 

@@ -13,24 +13,23 @@
 //! (ahssinsights.org); the formula, the cap of n and the range of t as public programs quote them.
 
 use super::{Curve, Kind, LimitError, Sheet, uniform_strain};
-#[cfg(feature = "case")]
-use crate::law::prelude::*;
+use crate::material::law::prelude::*;
 use crate::message::{Amount, Digits, Message, message};
 
 /// FLC₀ = (23.3 + 14.13 t/mm) n/0.21 percent (engineering) at plane strain; left ε₁ + ε₂ = const, right a slope of 0.6.
 ///
 /// Valid for mild and conventional high-strength steel up to 3.1 mm, not for aluminium; n counts as 0.21 at most.
 /// Source: S. P. Keeler, W. G. Brazier, Micro Alloying 75 (1977) 517–530 (not read; as AHSS Insights and programs quote it).
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-#[cfg_attr(feature = "case", derive(serde::Deserialize), serde(deny_unknown_fields))]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[derive(Clone, Copy, Debug, Default, PartialEq, serde::Deserialize)]
+#[serde(deny_unknown_fields)]
+#[derive(schemars::JsonSchema)]
 pub struct KeelerBrazier {
     /// Hardening exponent; `None` takes the uniform strain of the sheet's law \[–\].
-    #[cfg_attr(feature = "case", serde(skip))]
+    #[serde(skip)]
     pub n: Option<f64>,
     /// Thickness that counts, 3.1 mm at most; that of the blank when not given \[mm\].
-    #[cfg_attr(feature = "case", serde(default, with = "As::<Option<Positive<Length>>>"))]
-    #[cfg_attr(feature = "schema", schemars(example = "1 mm"))]
+    #[serde(default, with = "As::<Option<Positive<Length>>>")]
+    #[schemars(example = "1 mm")]
     pub thickness: Option<f64>,
 }
 

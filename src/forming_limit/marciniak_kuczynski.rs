@@ -18,7 +18,7 @@
 use super::instability::{Proportional, ratios};
 use super::plane::Plane;
 use super::{Curve, Kind, LimitError, Sheet};
-use crate::law::prelude::*;
+use crate::material::law::prelude::*;
 use crate::message::{Amount, Digits, message};
 use groove::{Failure, Groove};
 use std::ops::RangeInclusive;
@@ -32,26 +32,24 @@ const GROOVES: RangeInclusive<f64> = 0.9..=0.9999;
 ///
 /// Valid for straight strain paths; by Hill's condition with r̄ below 1 it ends in plane strain: beyond it is too high.
 /// Source: Z. Marciniak, K. Kuczyński, Int. J. Mech. Sci. 9 (1967) 609–620 (not read; derived in the program).
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "case", derive(serde::Deserialize), serde(deny_unknown_fields))]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[derive(Clone, Copy, Debug, PartialEq, serde::Deserialize)]
+#[serde(deny_unknown_fields)]
+#[derive(schemars::JsonSchema)]
 pub struct MarciniakKuczynski {
     /// f₀, 0.9 to 0.9999: thickness of the groove over that around it; 0.995 when not given, an assumption.
-    #[cfg_attr(feature = "case", serde(default = "imperfection", with = "As::<Fraction>"))]
-    #[cfg_attr(feature = "schema", schemars(example = 0.995))]
+    #[serde(default = "imperfection", with = "As::<Fraction>")]
+    #[schemars(example = 0.995)]
     pub imperfection: f64,
     /// Strain rate of the sheet \[1/s\]; 1 /s when not given, an assumption. A power law of the rate does not feel it.
-    #[cfg_attr(feature = "case", serde(default = "strain_rate", with = "As::<Positive<StrainRate>>"))]
-    #[cfg_attr(feature = "schema", schemars(example = "1 /s"))]
+    #[serde(default = "strain_rate", with = "As::<Positive<StrainRate>>")]
+    #[schemars(example = "1 /s")]
     pub strain_rate: f64,
 }
 
-#[cfg(feature = "case")]
 fn imperfection() -> f64 {
     MarciniakKuczynski::IMPERFECTION
 }
 
-#[cfg(feature = "case")]
 fn strain_rate() -> f64 {
     MarciniakKuczynski::STRAIN_RATE
 }

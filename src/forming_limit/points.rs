@@ -4,12 +4,12 @@ use super::{Curve, Kind, LimitError, Sheet};
 use crate::message::message;
 
 /// Strains of a measured curve.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[cfg_attr(feature = "case", derive(serde::Deserialize), serde(rename_all = "snake_case"))]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Deserialize)]
+#[serde(rename_all = "snake_case")]
+#[derive(schemars::JsonSchema)]
 pub enum Strain {
     /// True strain.
-    #[cfg_attr(feature = "case", serde(alias = "true"))]
+    #[serde(alias = "true")]
     Logarithmic,
     /// Change of length over the initial length.
     Engineering,

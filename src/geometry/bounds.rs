@@ -20,7 +20,6 @@ impl Bounds {
     }
 
     /// Whether a point lies farther away than `margin` \[mm\] along an axis.
-    #[cfg(any(test, feature = "import"))]
     pub fn is_beyond(&self, p: Point, margin: f64) -> bool {
         let out = (self.low - p).sup(&(p - self.high));
         out.x > margin || out.y > margin

@@ -12,21 +12,20 @@
 //! CEGB report RD/B/N731 (1966) (both not read; the form is in common use).
 
 use super::FlowStress;
-#[cfg(feature = "case")]
-use crate::law::prelude::*;
+use crate::material::law::prelude::*;
 
 /// A back-stress.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-#[cfg_attr(feature = "case", derive(serde::Deserialize), serde(deny_unknown_fields))]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[derive(Clone, Copy, Debug, Default, PartialEq, serde::Deserialize)]
+#[serde(deny_unknown_fields)]
+#[derive(schemars::JsonSchema)]
 pub struct BackStress {
     /// C: its first slope over the plastic strain \[MPa\].
-    #[cfg_attr(feature = "case", serde(with = "As::<Positive<Stress>>"))]
-    #[cfg_attr(feature = "schema", schemars(example = "2500 MPa"))]
+    #[serde(with = "As::<Positive<Stress>>")]
+    #[schemars(example = "2500 MPa")]
     pub modulus: f64,
     /// γ, its dynamic recovery: it comes to C/γ; 0 when not given, which is Prager's linear hardening.
-    #[cfg_attr(feature = "case", serde(default, rename = "recall", with = "As::<NonNegative<Number>>"))]
-    #[cfg_attr(feature = "schema", schemars(example = 30))]
+    #[serde(default, rename = "recall", with = "As::<NonNegative<Number>>")]
+    #[schemars(example = 30)]
     pub dynamic_recovery: f64,
 }
 

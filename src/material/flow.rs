@@ -42,9 +42,9 @@ pub use super::yield_condition::{MEAN_SQUARE, Metric, SHEAR_FACTOR, Symmetric, T
 
 /// Matrix of the corrector.
 // H of Sosnowski (1994), equation 9.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[cfg_attr(feature = "case", derive(serde::Deserialize), serde(rename_all = "snake_case"))]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Deserialize)]
+#[serde(rename_all = "snake_case")]
+#[derive(schemars::JsonSchema)]
 pub enum Iteration {
     /// Newton's matrix with an independently carried stress.
     PrimalDual,

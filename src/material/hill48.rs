@@ -12,7 +12,7 @@
 //! R. Hill, A theory of the yielding and plastic flow of anisotropic metals, Proc. R. Soc. London A 193 (1948) 281–297.
 
 use super::yield_condition::{MEAN_SQUARE, Metric, Part, SHEAR_FACTOR, Symmetric, Triple, YieldCondition, dot};
-use crate::law::{LawError, require_or};
+use crate::material::law::{LawError, require_or};
 use crate::numerics::Real;
 use std::ops::RangeInclusive;
 

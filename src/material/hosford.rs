@@ -30,7 +30,7 @@ mod root;
 
 use super::hill48::{Hill48, SHEAR_INVERSE};
 use super::yield_condition::{Kept, MEAN_SQUARE, Metric, Part, SHEAR_FACTOR, Triple, YieldCondition};
-use crate::law::{LawError, require_or};
+use crate::material::law::{LawError, require_or};
 use crate::numerics::Power;
 use std::ops::RangeInclusive;
 

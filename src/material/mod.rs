@@ -9,6 +9,7 @@ pub mod gtn;
 pub mod hardening;
 mod hill48;
 mod hosford;
+pub mod law;
 mod point_law;
 pub mod rate;
 pub mod surroundings;

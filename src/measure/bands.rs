@@ -16,7 +16,7 @@
 
 use crate::geometry::{Piece, Point, Profile, on_axis};
 use crate::model::{Geometry, Model, Role, Tool};
-use crate::solution::{Frame, StageSolution};
+use crate::solver::solution::{Frame, StageSolution};
 use std::ops::Range;
 
 /// A sheet that is no further from a tool than this share of its thickness lies against it \[–\]; declared.
@@ -167,7 +167,7 @@ pub fn place_on_part(stage: &StageSolution, s0: f64) -> Option<PartPlace> {
     let inner = i.checked_sub(1).map(|inner| (middle - from, bands[inner].band));
     let outer = bands.get(i + 1).map(|outer| (to - middle, outer.band));
     let nearest = [inner, outer].into_iter().flatten().min_by(|a, b| a.0.total_cmp(&b.0));
-    let crate::solution::ElementRecord { r, z, .. } = frame.elements[element];
+    let crate::solver::solution::ElementRecord { r, z, .. } = frame.elements[element];
     Some(PartPlace {
         band: bands[i].band,
         next_to: nearest.filter(|(distance, _)| *distance < near).map(|(_, band)| band),

@@ -8,7 +8,7 @@
 
 use crate::forming_limit;
 use crate::model::{Edge, Motion, Role};
-use crate::solution::{StageSolution, StepRecord, Stop};
+use crate::solver::solution::{StageSolution, StepRecord, Stop};
 
 /// Gap over the thickness from which on the sheet is off a tool, and up to which it is on it \[–\].
 const OFF: f64 = 1.0;

@@ -1,7 +1,7 @@
 //! The meridian of a frame: its slope and curvature, its bends and the straight legs between them.
 
 use crate::geometry::{Point, turn};
-use crate::solution::Frame;
+use crate::solver::solution::Frame;
 use std::ops::Range;
 
 /// A leg bends less than this share of the bends at its ends.

@@ -44,7 +44,7 @@ pub use part::{part_height, thickest};
 pub use quantity::{Change, EDGE, FLANGE_ANGLE, OPENING_ANGLE, QUANTITIES, Quantity, WALL_ANGLE, changes};
 pub use ring::{CutRing, Ring, RingTest};
 
-use crate::solution::Frame;
+use crate::solver::solution::Frame;
 use fit::Fit;
 use meridian::Meridian;
 use std::ops::Range;

@@ -1,7 +1,7 @@
 //! How well the layers resolve the section's moment.
 
 use crate::numerics::lobatto::ThicknessPoint;
-use crate::solution::{Frame, PointRecord};
+use crate::solver::solution::{Frame, PointRecord};
 
 /// What the thickness points may miss of a moment.
 #[derive(Clone, Copy, Debug, PartialEq)]

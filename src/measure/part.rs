@@ -1,6 +1,6 @@
 //! What a part came out as, over all: its height and its thickest place.
 
-use crate::solution::Frame;
+use crate::solver::solution::Frame;
 
 /// Height of a part over all \[mm\], along the punch travel: from the lowest to the highest place of the mid-surface, and
 /// half the thickness of the sheet's middle; without sign. Of a cup that is from the outside of its bottom to the middle of

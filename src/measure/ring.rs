@@ -29,7 +29,7 @@ use super::part_height;
 use crate::material::Elastic;
 use crate::model::Geometry;
 use crate::numerics::lobatto::ThicknessPoint;
-use crate::solution::{Frame, PointRecord, StageSolution};
+use crate::solver::solution::{Frame, PointRecord, StageSolution};
 use std::f64::consts::TAU;
 
 /// Cosine of the largest angle between a wall and the axis of the cup \[–\]: 30°.

@@ -12,8 +12,7 @@ pub struct Language(Option<usize>);
 pub const LANGUAGES: &[(&str, &str, &str)] = &[("de", "Deutsch", include_str!("de.toml"))];
 
 /// A table as its file has it.
-#[cfg_attr(feature = "case", derive(serde::Deserialize))]
-#[derive(Default)]
+#[derive(serde::Deserialize, Default)]
 struct Words {
     /// Sign between whole and decimal digits.
     decimal: String,
@@ -64,15 +63,8 @@ impl Language {
 }
 
 /// A shipped table, which a test reads.
-#[cfg(feature = "case")]
 fn read(table: &str) -> Words {
     toml::from_str(table).unwrap_or_default()
-}
-
-/// Without case files there are no tables either.
-#[cfg(not(feature = "case"))]
-fn read(_: &str) -> Words {
-    Words { decimal: ".".into(), ..Words::default() }
 }
 
 #[cfg(test)]

@@ -11,14 +11,12 @@
 
 mod amount;
 mod form;
-#[cfg(feature = "case")]
 mod glossary;
 mod language;
 
 pub use crate::told as message;
 pub use amount::{Amount, Digits};
 pub use form::{Form, NO_BREAK, System, Told};
-#[cfg(feature = "case")]
 pub use glossary::{Term, terms};
 pub use language::{LANGUAGES, Language};
 
@@ -250,7 +248,6 @@ impl fmt::Display for Message {
     }
 }
 
-#[cfg(feature = "case")]
 impl serde::Serialize for Message {
     fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         serializer.collect_str(self)

@@ -46,9 +46,9 @@ impl Blank {
 }
 
 /// How element sizes are spread over the blank.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-#[cfg_attr(feature = "case", derive(serde::Deserialize), serde(rename_all = "snake_case"))]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, serde::Deserialize)]
+#[serde(rename_all = "snake_case")]
+#[derive(schemars::JsonSchema)]
 pub enum Grading {
     /// Equal elements.
     Uniform,
@@ -57,7 +57,7 @@ pub enum Grading {
     Radii,
     /// As `Radii` with so many elements, which are then divided, or put together, to as many as the blank has: so that the
     /// meshes of a refinement are alike, which no case file asks for.
-    #[cfg_attr(feature = "case", serde(skip))]
+    #[serde(skip)]
     Divided {
         /// Elements of the mesh that is divided.
         of: usize,
@@ -65,9 +65,9 @@ pub enum Grading {
 }
 
 /// The blank's outer edge.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-#[cfg_attr(feature = "case", derive(serde::Deserialize), serde(rename_all = "snake_case"))]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[derive(Clone, Copy, Debug, Default, PartialEq, serde::Deserialize)]
+#[serde(rename_all = "snake_case")]
+#[derive(schemars::JsonSchema)]
 pub enum Edge {
     /// Draws in under the holder.
     #[default]
@@ -76,7 +76,7 @@ pub enum Edge {
     Clamped,
     /// Moves outward in its plane at `speed` times the punch speed \[–\] and keeps its slope: for tension tests, which no case
     /// file asks for.
-    #[cfg_attr(feature = "case", serde(skip))]
+    #[serde(skip)]
     Pulled {
         /// Over the punch speed \[–\].
         speed: f64,

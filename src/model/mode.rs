@@ -1,9 +1,9 @@
 //! How the metal answers to strain, and how the tools let go of it.
 
 /// How the metal answers to strain.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-#[cfg_attr(feature = "case", derive(serde::Deserialize), serde(rename_all = "snake_case"))]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, serde::Deserialize)]
+#[serde(rename_all = "snake_case")]
+#[derive(schemars::JsonSchema)]
 pub enum Mode {
     /// The flow approach, rigid-viscoplastic: σ = 3 μ A ε̇ with the flow viscosity μ = σ_y/(3 ε̄̇) and ε̄̇² = ε̇ᵀ A ε̇, all at the
     /// end of the step; where the sheet hardly flows ε̄̇² + ε̇₀² takes the place of ε̄̇² (`solver.cutoff_strain`).
@@ -39,9 +39,9 @@ pub struct Release {
 
 /// Which stiffness a release iterates with.
 // Sosnowski (1994), equations 10 to 13.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-#[cfg_attr(feature = "case", derive(serde::Deserialize), serde(rename_all = "snake_case"))]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, serde::Deserialize)]
+#[serde(rename_all = "snake_case")]
+#[derive(schemars::JsonSchema)]
 pub enum ReleaseStiffness {
     /// Formed anew in every iteration, with the geometric stiffness.
     #[default]

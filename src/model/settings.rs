@@ -1,73 +1,73 @@
 //! Numerical parameters, and when a run ends early.
 
 use super::Iteration;
-#[cfg(feature = "case")]
 use crate::units::{As, Fraction, Number, Positive, Ratio, Stress};
 
 /// Numerical parameters; one default serves every case, so most files have no `[solver]`.
-#[derive(Clone, Debug, PartialEq)]
-#[cfg_attr(feature = "case", derive(serde::Deserialize), serde(default, deny_unknown_fields))]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema), schemars(rename = "Solver"))]
+#[derive(Clone, Debug, PartialEq, serde::Deserialize)]
+#[serde(default, deny_unknown_fields)]
+#[derive(schemars::JsonSchema)]
+#[schemars(rename = "Solver")]
 pub struct Settings {
     /// Matrix of the corrector; "primal_dual" when not given.
-    #[cfg_attr(feature = "schema", schemars(example = &"primal_dual", extend("default" = "primal_dual")))]
+    #[schemars(example = &"primal_dual", extend("default" = "primal_dual"))]
     pub iteration: Iteration,
     /// What must be small for a step to be accepted; "velocity" when not given.
-    #[cfg_attr(feature = "schema", schemars(example = &"velocity", extend("default" = "velocity")))]
+    #[schemars(example = &"velocity", extend("default" = "velocity"))]
     pub norm: Norm,
     /// Accepted value of the norm; 1e-5 when not given.
-    #[cfg_attr(feature = "case", serde(with = "As::<Positive<Number>>"))]
-    #[cfg_attr(feature = "schema", schemars(example = 1e-5))]
+    #[serde(with = "As::<Positive<Number>>")]
+    #[schemars(example = 1e-5)]
     pub tolerance: f64,
     /// Most iterations of one step (the secant matrix gets ten times as many); 40 when not given.
-    #[cfg_attr(feature = "schema", schemars(range(min = 1, max = 10_000), example = 40))]
+    #[schemars(range(min = 1, max = 10_000), example = 40)]
     pub max_iterations: usize,
     /// Largest step as a fraction of the travel; 0.01 when not given.
-    #[cfg_attr(feature = "case", serde(with = "As::<Fraction>"))]
-    #[cfg_attr(feature = "schema", schemars(example = 0.01))]
+    #[serde(with = "As::<Fraction>")]
+    #[schemars(example = 0.01)]
     pub max_step: f64,
     /// First step as a fraction of the travel; 0.002 when not given.
-    #[cfg_attr(feature = "case", serde(with = "As::<Fraction>"))]
-    #[cfg_attr(feature = "schema", schemars(example = 0.002))]
+    #[serde(with = "As::<Fraction>")]
+    #[schemars(example = 0.002)]
     pub first_step: f64,
     /// Smallest step as a fraction of the travel, below which the run stops; 1e-6 when not given.
-    #[cfg_attr(feature = "case", serde(with = "As::<Fraction>"))]
-    #[cfg_attr(feature = "schema", schemars(example = 1e-6))]
+    #[serde(with = "As::<Fraction>")]
+    #[schemars(example = 1e-6)]
     pub min_step: f64,
     /// Equivalent strain that a hundredth of the travel adds below which the sheet counts as rigid; 5e-6 when not given. Other
     /// steps cut off in proportion, so that it stays a strain rate and small against what any step strains.
-    #[cfg_attr(feature = "case", serde(with = "As::<Positive<Number>>"))]
-    #[cfg_attr(feature = "schema", schemars(example = 5e-6))]
+    #[serde(with = "As::<Positive<Number>>")]
+    #[schemars(example = 5e-6)]
     pub cutoff_strain: f64,
     /// Contact stiffness times the sheet thickness, in MPa; "30 GPa" when not given.
-    #[cfg_attr(feature = "case", serde(with = "As::<Positive<Stress>>"))]
-    #[cfg_attr(feature = "schema", schemars(example = "30 GPa", extend("default" = "30 GPa")))]
+    #[serde(with = "As::<Positive<Stress>>")]
+    #[schemars(example = "30 GPa", extend("default" = "30 GPa"))]
     pub contact_stiffness: f64,
     /// Gap over which contact sets in, over the sheet thickness; 0.003 when not given.
-    #[cfg_attr(feature = "case", serde(with = "As::<Positive<Number>>"))]
-    #[cfg_attr(feature = "schema", schemars(example = 0.003))]
+    #[serde(with = "As::<Positive<Number>>")]
+    #[schemars(example = 0.003)]
     pub contact_smoothing: f64,
     /// Sliding speed at which friction has reached 71 % of its full value, over the punch speed, or over that of one sheet
     /// thickness in the whole run or stage where the punch goes less far; 0.003 when not given.
-    #[cfg_attr(feature = "case", serde(with = "As::<Positive<Number>>"))]
-    #[cfg_attr(feature = "schema", schemars(example = 0.003))]
+    #[serde(with = "As::<Positive<Number>>")]
+    #[schemars(example = 0.003)]
     pub slip_speed: f64,
     /// Chords per 90° that replace the tools' arcs, 1 to 1000; exact arcs when not given.
-    #[cfg_attr(feature = "schema", schemars(range(min = 1, max = 1000), example = 20))]
+    #[schemars(range(min = 1, max = 1000), example = 20)]
     pub facets: Option<usize>,
     /// Rounds chords off by arcs with common tangents, so that the load does not tick at their vertices; true by default.
     pub round_facets: bool,
     /// What keeps tools out of the sheet; "penalty" when not given.
-    #[cfg_attr(feature = "schema", schemars(example = &"penalty", extend("default" = "penalty")))]
+    #[schemars(example = &"penalty", extend("default" = "penalty"))]
     pub contact: ContactMethod,
     /// Equivalent strain that one step may add anywhere; 0.1 when not given. The next step is chosen by it, and one that
     /// goes beyond twice as much is repeated shorter.
-    #[cfg_attr(feature = "case", serde(with = "As::<Positive<Number>>"))]
-    #[cfg_attr(feature = "schema", schemars(example = 0.1))]
+    #[serde(with = "As::<Positive<Number>>")]
+    #[schemars(example = 0.1)]
     pub strain_step: f64,
     /// Thickness over bending radius from which an element bends where `blank.theory` is "selective"; 0.05 when not given.
-    #[cfg_attr(feature = "case", serde(with = "As::<Positive<Number>>"))]
-    #[cfg_attr(feature = "schema", schemars(example = 0.05))]
+    #[serde(with = "As::<Positive<Number>>")]
+    #[schemars(example = 0.05)]
     pub bend_ratio: f64,
 }
 
@@ -103,9 +103,9 @@ impl Default for Settings {
 }
 
 /// Norm of acceptance.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[cfg_attr(feature = "case", derive(serde::Deserialize), serde(rename_all = "snake_case"))]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Deserialize)]
+#[serde(rename_all = "snake_case")]
+#[derive(schemars::JsonSchema)]
 pub enum Norm {
     /// Relative increment of the velocities.
     Velocity,
@@ -116,9 +116,9 @@ pub enum Norm {
 }
 
 /// What keeps tools out of the sheet.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[cfg_attr(feature = "case", derive(serde::Deserialize), serde(rename_all = "snake_case"))]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Deserialize)]
+#[serde(rename_all = "snake_case")]
+#[derive(schemars::JsonSchema)]
 pub enum ContactMethod {
     /// Stiff springs: tools penetrate by thousandths of the thickness.
     Penalty,
@@ -127,29 +127,30 @@ pub enum ContactMethod {
 }
 
 /// When a run ends before its full travel: at the instant, found to a thousandth of a step, that a rule is first met.
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "case", derive(serde::Deserialize), serde(default, deny_unknown_fields))]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema), schemars(rename = "Stop"))]
+#[derive(Clone, Copy, Debug, PartialEq, serde::Deserialize)]
+#[serde(default, deny_unknown_fields)]
+#[derive(schemars::JsonSchema)]
+#[schemars(rename = "Stop")]
 pub struct StopRules {
     /// Ends where one place of the sheet takes all the stretching; true when not given.
-    #[cfg_attr(feature = "schema", schemars(example = true))]
+    #[schemars(example = true)]
     pub localised: bool,
     /// Ends when the punch force has fallen by this much from its maximum; never when not given.
-    #[cfg_attr(feature = "case", serde(with = "As::<Option<Positive<Ratio>>>"))]
-    #[cfg_attr(feature = "schema", schemars(example = "20 %"))]
+    #[serde(with = "As::<Option<Positive<Ratio>>>")]
+    #[schemars(example = "20 %")]
     pub load_drop: Option<f64>,
     /// Ends when this share of the sheet's area, inside the gas's seal where there is gas, lies on the punch or the die: the
     /// part is formed. Never when not given.
-    #[cfg_attr(feature = "case", serde(with = "As::<Option<Positive<Ratio>>>"))]
-    #[cfg_attr(feature = "schema", schemars(example = "95 %"))]
+    #[serde(with = "As::<Option<Positive<Ratio>>>")]
+    #[schemars(example = "95 %")]
     pub contact_share: Option<f64>,
     /// Ends, as wished, when the cup is through the die: its rim stands in the throat, a thickness behind the shoulder; in every
     /// stage whose travel is long enough. False when not given: then a run ends early as soon as the rim comes to the throat.
-    #[cfg_attr(feature = "schema", schemars(example = true))]
+    #[schemars(example = true)]
     pub drawn_through: bool,
     /// Ends, as wished, when the holder presses with this force \[N, or N/mm of depth\]: it has closed. Not of a case file.
-    #[cfg_attr(feature = "case", serde(skip))]
-    #[cfg_attr(feature = "schema", schemars(skip))]
+    #[serde(skip)]
+    #[schemars(skip)]
     pub holder_force: Option<f64>,
 }
 

@@ -6,7 +6,7 @@ use super::gif::gif;
 use super::thinning::{Thinning, said, times};
 use super::{Files, StageView, load_travel, sections};
 use crate::message::{Amount, Digits, message};
-use crate::solution::Frame;
+use crate::solver::solution::Frame;
 
 /// How many pictures are wanted of a run: every second of its steps, which are at most a hundredth of it by default.
 pub const PICTURES: usize = 50;

@@ -6,7 +6,7 @@ use super::sections::{self, body, flat, panel, place};
 use crate::geometry::Point;
 use crate::message::{Amount, Form, Message, message};
 use crate::model::Model;
-use crate::solution::Frame;
+use crate::solver::solution::Frame;
 use std::f64::consts::PI;
 
 /// A size of the section, and where it is drawn.

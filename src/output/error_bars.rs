@@ -2,8 +2,8 @@
 
 use super::csv::number;
 use super::{Files, Results};
+use crate::study::verify::{Band, Verification};
 use crate::table::Unit;
-use crate::verification::{Band, Verification};
 
 /// The file.
 pub(super) const FILE: &str = "error_bars.csv";

@@ -3,9 +3,9 @@
 
 use super::{Extra, animation};
 use crate::model::Model;
-use crate::solution::{Frame, StageSolution, ThroughThickness};
 use crate::solver::Observer;
-use crate::state::State;
+use crate::solver::solution::{Frame, StageSolution, ThroughThickness};
+use crate::solver::state::State;
 
 /// Keeps frames of every stage, from its start, spread over it as evenly as its steps allow; none where nothing is asked
 /// for that needs them.

@@ -4,7 +4,7 @@ use super::StageView;
 use super::chart::{BLACK, Chart, Look, Panel, Scale, Series, color};
 use crate::measure;
 use crate::message::{Amount, message};
-use crate::solution::{StageSolution, StepRecord};
+use crate::solver::solution::{StageSolution, StepRecord};
 use crate::table::fields::step::{
     self, DRAW_IN, EDGE_FORCE, HOLDER_FORCE, POLE_HEIGHT, PRESSURE, PUNCH_FORCE, THINNEST, TRAVEL,
 };

@@ -1,7 +1,7 @@
 //! What an output is: a file, what it holds, and how it is made.
 
 use super::{Chart, Format, Results, StageView, csv};
-use crate::solution::Frame;
+use crate::solver::solution::Frame;
 use crate::table::Table;
 
 /// Files by name, each made as it is asked for.

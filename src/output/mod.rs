@@ -32,7 +32,6 @@ pub mod residual_stress;
 mod result_folder;
 mod results;
 mod sections;
-#[cfg(feature = "import")]
 mod sketch;
 pub mod springback;
 mod stage_view;
@@ -55,7 +54,7 @@ pub use chart::Chart;
 pub use csv::csv;
 pub use dimensions::{Dimension, Mark, Size, dimensioned};
 pub use draw::svg;
-#[cfg(feature = "report")]
+#[cfg(feature = "app")]
 pub(crate) use draw::{Drawing, WIDTH as DRAWN};
 pub use file::{WriteError, can_write, remove_others, write};
 pub use frame_recorder::FrameRecorder;
@@ -65,7 +64,6 @@ pub use picture::{Captions, Format, PAPER, Pictures};
 pub use png::png;
 pub use result_folder::ResultFolder;
 pub use results::Results;
-#[cfg(feature = "import")]
 pub use sketch::sketch;
 pub use stage_view::StageView;
 pub use summary::{CaseSummary, Figure, Summary};

@@ -7,7 +7,7 @@ use super::sections::{panel, surface, whole_tools};
 use super::thinning::{Thinning, said, times};
 use crate::assess::tears_at;
 use crate::message::{Amount, Message, message};
-use crate::solution::{ElementRecord, Frame};
+use crate::solver::solution::{ElementRecord, Frame};
 
 /// What is shown around the part, over its width.
 const AROUND: f64 = 0.03;

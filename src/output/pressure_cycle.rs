@@ -3,7 +3,7 @@
 use super::StageView;
 use super::chart::{BLACK, Chart, GREY, Look, Panel, Scale, Series, color};
 use crate::model::{PressureCap, RateControl};
-use crate::solution::{StageSolution, StepRecord};
+use crate::solver::solution::{StageSolution, StepRecord};
 use crate::table::{Column, Field, Table, Unit};
 
 /// A cycle longer than this is drawn in minutes \[s\].

@@ -2,7 +2,7 @@
 
 use super::StageView;
 use crate::model::Model;
-use crate::solution::{ElementRecord, Frame};
+use crate::solver::solution::{ElementRecord, Frame};
 use crate::table::fields::element::{
     BENDING, POROSITY, R, S0, STRAIN_EQUIVALENT, STRAIN_EQUIVALENT_MAX, STRAIN_HOOP, STRAIN_MERIDIONAL,
     STRAIN_THICKNESS, STRESS_HOOP, STRESS_MERIDIONAL, TEMPERATURE, THICKNESS, Z,

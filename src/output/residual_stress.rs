@@ -4,7 +4,7 @@ use super::StageView;
 use super::chart::{Chart, Look, Panel, Scale, Series};
 use crate::measure::{Place, places};
 use crate::message::{Amount, message};
-use crate::solution::{ElementRecord, Frame, PointRecord};
+use crate::solver::solution::{ElementRecord, Frame, PointRecord};
 use crate::table::fields::element::{R, S0, STRAIN_EQUIVALENT, STRESS_HOOP, STRESS_MERIDIONAL, Z};
 use crate::table::{Column, Field, Table, Unit};
 

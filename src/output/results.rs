@@ -5,7 +5,7 @@ use crate::assess::{Answer, Finding};
 use crate::case::Solution;
 use crate::compare::{CompareError, Comparison};
 use crate::message::Form;
-use crate::verification::Verification;
+use crate::study::verify::Verification;
 
 /// A solution looked over once: what its outputs are made from.
 #[derive(Clone, Debug)]

@@ -3,7 +3,7 @@
 use super::chart::{GREY, Look, PALE, Panel, Scale, Series};
 use crate::geometry::{Piece, Point, Profile, on_axis};
 use crate::model::{Extent, Geometry, Model, Role};
-use crate::solution::{Frame, NodeRecord};
+use crate::solver::solution::{Frame, NodeRecord};
 use crate::table::fields::element::{R, Z};
 use std::ops::Range;
 
@@ -119,7 +119,7 @@ pub(super) fn surface(frame: &Frame, i: usize, side: f64) -> (f64, f64) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::solution::ThroughThickness;
+    use crate::solver::solution::ThroughThickness;
 
     /// Trust: a crown of R 2800 mm over 330 mm, its points compared with the circle half-way between them.
     #[test]

@@ -4,7 +4,7 @@ use super::chart::{BLACK, Chart, Look, Series, color, pale};
 use super::{StageView, sections};
 use crate::measure::{self, Change, FLANGE_ANGLE, Leg, Quantity, Shape, WALL_ANGLE};
 use crate::message::{Message, message};
-use crate::solution::StageSolution;
+use crate::solver::solution::StageSolution;
 
 /// How much farther than they were fitted the measured lines are drawn, over their length.
 const LONGER: f64 = 0.25;

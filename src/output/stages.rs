@@ -5,7 +5,7 @@ use super::stage_view::ended;
 use super::{Files, Results};
 use crate::case::Solution;
 use crate::message::{Amount, Message, message};
-use crate::solution::{StageSolution, StepRecord, Stop};
+use crate::solver::solution::{StageSolution, StepRecord, Stop};
 use crate::table::fields::step::{HOLDER_FORCE, POLE_HEIGHT, PUNCH_FORCE, THINNEST};
 use crate::table::{Column, Field, Table, Unit};
 

@@ -5,7 +5,7 @@ use super::chart::{Chart, Look, Panel, Scale, Series, color};
 use super::sections::{flat, panel, tools, window};
 use super::thinning::{Thinning, said, times};
 use crate::message::{Amount, message};
-use crate::solution::Frame;
+use crate::solver::solution::Frame;
 use crate::table::capitalised;
 
 /// As many states as are shown.

@@ -3,7 +3,7 @@
 use super::StageView;
 use super::chart::{Chart, Look, Panel, Scale, Series};
 use crate::message::message;
-use crate::solution::{ElementRecord, Frame};
+use crate::solver::solution::{ElementRecord, Frame};
 use crate::table::Field;
 use crate::table::fields::element::{S0, STRAIN_HOOP, STRAIN_MERIDIONAL, STRAIN_THICKNESS};
 

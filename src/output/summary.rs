@@ -10,13 +10,13 @@ pub use whole::CaseSummary;
 use super::StageView;
 use super::stage_view::ended;
 use crate::assess::{Kind, sentences};
-use crate::files::sha256;
+use crate::case::files::sha256;
 use crate::measure::{Change, Event, events, moment_error};
 use crate::message::{Amount, Message, message};
 use crate::model::{Extent, Geometry, Mode};
-use crate::solution::{StageSolution, StepRecord, Stop};
+use crate::solver::solution::{StageSolution, StepRecord, Stop};
+use crate::study::verify::Verification;
 use crate::table::Unit;
-use crate::verification::Verification;
 use serde::Serialize;
 
 /// Before a label that belongs to the line above.

@@ -3,7 +3,7 @@
 
 use super::chart::{Chart, Look, Panel, Scale, Series, color};
 use super::{StageView, part_bands};
-use crate::solution::ElementRecord;
+use crate::solver::solution::ElementRecord;
 use crate::table::fields::element::{POROSITY, S0, TEMPERATURE, THICKNESS};
 use crate::table::{Field, capitalised};
 

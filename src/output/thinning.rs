@@ -5,7 +5,7 @@ use super::chart::{BLACK, Color, Look, Panel, Scale, Series};
 use super::sections::{self, sheet};
 use super::viridis::viridis;
 use crate::message::{Amount, Message, message};
-use crate::solution::Frame;
+use crate::solver::solution::Frame;
 use crate::table::{Column, Unit};
 use std::ops::Range;
 
@@ -148,7 +148,7 @@ pub(super) fn said(times: f64) -> Message {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::solution::{ElementRecord, ThroughThickness};
+    use crate::solver::solution::{ElementRecord, ThroughThickness};
 
     fn frame(thickness: &[f64]) -> Frame {
         let elements = thickness.iter().map(|t| ElementRecord { thickness: *t, ..ElementRecord::default() }).collect();

@@ -1,9 +1,9 @@
 //! Every iteration of the corrector, for studying convergence: of a run, and of one step taken apart.
 
 use super::csv::with_texts;
-use crate::solution::IterationRecord;
+use crate::solver::solution::IterationRecord;
+use crate::solver::trace::{Attempt, Iterated, Pass, Trace, Way, key};
 use crate::table::{Column, Table, Unit};
-use crate::trace::{Attempt, Iterated, Pass, Trace, Way, key};
 
 /// One row per iteration, of rejected steps too.
 pub fn table(iterations: &[IterationRecord]) -> Table {

@@ -1,7 +1,7 @@
 //! The verdict for programs that read it instead of what is printed.
 
 use crate::assess::{Answer, Finding, judgements};
-use crate::verification::{Told, Verification};
+use crate::study::verify::{Told, Verification};
 use serde_json::Value;
 
 /// Its light and sentence, the key numbers, and every row with its number, unit and limits; with error bars what those are from,

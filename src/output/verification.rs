@@ -1,7 +1,7 @@
 //! The numbers of a verification, of every run.
 
 use super::csv::number;
-use crate::verification::{Number, Outcome, Verification};
+use crate::study::verify::{Number, Outcome, Verification};
 use std::fmt::Write;
 
 /// File of the numbers.

@@ -6,7 +6,7 @@ use super::solved::Report;
 use crate::assess::{Answer, Finding, Light, judgements, tears_at};
 use crate::message::{Form, message};
 use crate::output::chart::Scale;
-use crate::solution::StepRecord;
+use crate::solver::solution::StepRecord;
 use crate::table::capitalised;
 
 /// More rows than that leave no room for the pictures on the first page: the full verdict has them all.

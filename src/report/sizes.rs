@@ -5,7 +5,7 @@ use crate::message::{Amount, Message, message};
 use crate::model::{Geometry, Model, Motion, Role, Tool};
 use crate::output::{Dimension, Mark, Size};
 use crate::rules::tool_sizes::{extent, throat};
-use crate::solution::Frame;
+use crate::solver::solution::Frame;
 
 /// Roundings of one tool that are given; of a curve of more arcs the smallest radius is.
 const ROUNDINGS: usize = 8;

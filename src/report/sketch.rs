@@ -6,7 +6,7 @@ use super::solved::Report;
 use crate::message::{Form, message};
 use crate::model::{Model, Tool};
 use crate::output::{Dimension, dimensioned};
-use crate::solution::{Frame, StageSolution};
+use crate::solver::solution::{Frame, StageSolution};
 
 /// A section for each stage with tools that no stage before it had.
 pub(super) fn sections(report: &Report, form: Form) -> Vec<Section> {

@@ -7,9 +7,9 @@ use crate::assess::{self, Answer, Finding, Kind};
 use crate::case::{Solution, TitleBlock};
 use crate::message::Form;
 use crate::output::{Dimension, FrameRecorder, StageView, Summary};
+use crate::study::verify::{self, Told, Verification};
 use crate::study::versus::Versus;
 use crate::units::rounded;
-use crate::verification::{self, Told, Verification};
 use serde_json::{Map, Value, json};
 
 /// A solved case with all that is said of it.
@@ -39,10 +39,10 @@ impl<'a> Report<'a> {
 
     /// Looks a solution over, with error bars where it was verified.
     pub fn verified(solution: &'a Solution, verification: Option<&'a Verification>) -> Self {
-        Self::found(solution, verification, verification::answered(solution, verification))
+        Self::found(solution, verification, verify::answered(solution, verification))
     }
 
-    /// The same where the verdict has been [given](verification::answered) already: it may have taken a second solution.
+    /// The same where the verdict has been [given](verify::answered) already: it may have taken a second solution.
     pub fn found(
         solution: &'a Solution,
         verification: Option<&'a Verification>,

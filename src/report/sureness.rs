@@ -3,7 +3,7 @@
 use super::document::{Block, Row, Section};
 use super::solved::Report;
 use crate::message::Form;
-use crate::verification::{Bar, Of};
+use crate::study::verify::{Bar, Of};
 
 /// Of a case that was verified; what a bar is made of is not known from one coarser run alone.
 pub(super) fn section(report: &Report, form: Form) -> Option<Section> {

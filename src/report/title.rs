@@ -3,7 +3,7 @@
 use super::document::{Block, Row, Section};
 use super::program::PROGRAM;
 use super::solved::Report;
-use crate::files::sha256;
+use crate::case::files::sha256;
 use crate::message::{Form, Message, message};
 use crate::output::summary::section_of;
 

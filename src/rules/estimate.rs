@@ -6,8 +6,8 @@ use crate::model::mesh;
 use crate::model::{Edge, Geometry, Model, Motion, Role};
 pub(crate) use crate::rules::design::{siebel, tensile_strength};
 use crate::rules::tool_sizes::{extent, gap, mouth, shoulder_end, throat, widens};
-use crate::solution::{ElementRecord, NodeRecord, PointRecord, StepRecord};
-use crate::state::MaterialPoint;
+use crate::solver::solution::{ElementRecord, NodeRecord, PointRecord, StepRecord};
+use crate::solver::state::MaterialPoint;
 use std::f64::consts::{FRAC_PI_2, PI};
 
 /// Throat less punch [mm]; for a die with a bottom, and for a punch that is wider behind what goes in, the smallest gap at

@@ -7,8 +7,8 @@
 use super::{Observer, distance_blocks, run_from};
 use crate::geometry::Point;
 use crate::model::{Edge, Model, Motion, Role, StopRules, mesh};
-use crate::solution::{Closing, StageSolution};
-use crate::state::State;
+use crate::solver::solution::{Closing, StageSolution};
+use crate::solver::state::State;
 
 /// Way over the thickness up to which holder and die count as lying on the flat sheet \[–\].
 const LIES: f64 = 0.1;

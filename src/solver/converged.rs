@@ -12,7 +12,7 @@ use crate::element::Node;
 use crate::element::kinematics::Reference;
 use crate::model::{Edge, Mode, Theory};
 use crate::numerics::Grid;
-use crate::state::{MaterialPoint, State};
+use crate::solver::state::{MaterialPoint, State};
 
 /// A step in equilibrium.
 pub(super) struct Converged<'a> {

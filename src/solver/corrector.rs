@@ -7,7 +7,7 @@ use super::step::Step;
 use super::trial::Trial;
 use super::{Iterate, Observer};
 use crate::model::{Iteration, Mode, Model, Norm};
-use crate::solution::IterationRecord;
+use crate::solver::solution::IterationRecord;
 
 /// Largest move of a node in one iteration, over the sheet thickness \[–\].
 const LARGEST_MOVE: f64 = 0.5;

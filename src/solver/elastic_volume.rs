@@ -12,7 +12,7 @@
 use super::evaluation::Evaluation;
 use super::step::Step;
 use crate::material::Elastic;
-use crate::state::State;
+use crate::solver::state::State;
 
 /// Corrects the thickness of `next`, at the end of a step, by what its stress does to the volume.
 pub(super) fn follow(elastic: Elastic, step: &Step, evaluation: &Evaluation, next: &mut State) {

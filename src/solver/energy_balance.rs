@@ -11,7 +11,7 @@ use crate::element::Node;
 use crate::element::surface::{STATIONS, stations};
 use crate::geometry::{Point, turned};
 use crate::model::{Edge, Mode};
-use crate::solution::Energy;
+use crate::solver::solution::Energy;
 use nalgebra::Vector3;
 
 /// Work of a converged step, and the plastic work in each of its elements of what is solved \[mJ, or per mm of depth\]; `before` is the

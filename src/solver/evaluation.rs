@@ -12,7 +12,7 @@ use crate::material::flow::StressUpdate;
 use crate::model::{Iteration, PressureCap};
 use crate::numerics::Grid;
 use crate::numerics::block_tridiagonal::System;
-use crate::state::State;
+use crate::solver::state::State;
 use nalgebra::Vector3;
 
 /// Pressure over that of touching above which a point counts as in contact \[–\].

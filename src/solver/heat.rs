@@ -16,8 +16,8 @@
 use super::converged::Converged;
 use crate::element::surface::STATIONS;
 use crate::model::{Geometry, HeatFlow, Model, ToolHeat};
-use crate::solution::Heat;
-use crate::state::State;
+use crate::solver::solution::Heat;
+use crate::solver::state::State;
 use std::f64::consts::TAU;
 
 /// The tridiagonal system of the elements' temperatures, and what the tools do.

@@ -4,8 +4,8 @@ use super::converged::Converged;
 use crate::element::surface::STATIONS;
 use crate::geometry::turned;
 use crate::model::Role;
-use crate::solution::StepRecord;
-use crate::state::State;
+use crate::solver::solution::StepRecord;
+use crate::solver::state::State;
 
 /// Pressure on each face over the yield stress from which two tools iron a wall and do not just touch it \[–\]: declared. A
 /// holder's pressure, and that of a sheet drawn round a radius, stay below it; a wall that yields in a gap is pressed by more.

@@ -6,9 +6,9 @@ use super::step::Step;
 use crate::element::surface::STATIONS;
 use crate::message::{Amount, Message, message};
 use crate::model::{Edge, Geometry, Motion, Role};
-use crate::solution::neck::neck;
-use crate::solution::{StepRecord, Stop};
-use crate::state::State;
+use crate::solver::solution::neck::neck;
+use crate::solver::solution::{StepRecord, Stop};
+use crate::solver::state::State;
 
 /// Way of a place, or work on the sheet, in the last step over what its mean rate so far would have made of it: beyond that
 /// it runs away \[–\].

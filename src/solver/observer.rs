@@ -8,8 +8,8 @@ use crate::material::flow::StressUpdate;
 use crate::model::stage::Stage;
 use crate::model::{Iteration, Model};
 use crate::numerics::Grid;
-use crate::solution::{IterationRecord, StepRecord};
-use crate::state::State;
+use crate::solver::solution::{IterationRecord, StepRecord};
+use crate::solver::state::State;
 use nalgebra::Vector3;
 
 /// Sees a run as it goes; the solver itself never prints.

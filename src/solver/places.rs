@@ -5,7 +5,7 @@ use crate::element::Node;
 use crate::element::surface::stations;
 use crate::geometry::Point;
 use crate::model::{Bead, Model};
-use crate::state::State;
+use crate::solver::state::State;
 use std::cmp::Ordering;
 
 /// What holds the sheet fades over the last stretch of it that passes, this many thicknesses long \[–\].

@@ -4,7 +4,7 @@ use super::evaluation::Evaluation;
 use super::step::Step;
 use super::trial::Trial;
 use crate::material::Gtn;
-use crate::state::State;
+use crate::solver::state::State;
 
 /// Integrates the porosity of every thickness point along its strain path, and corrects strain and thickness by it; `next`
 /// stands at the end of the step.

@@ -11,8 +11,8 @@ use crate::geometry::Profile;
 use crate::material::flow::ROOM_TEMPERATURE;
 use crate::model::{Model, Motion, Pressure, Role};
 use crate::numerics::lobatto::ThicknessPoint;
-use crate::state::State;
-use crate::state::neighbourhood::Neighbourhood;
+use crate::solver::state::State;
+use crate::solver::state::neighbourhood::Neighbourhood;
 use nalgebra::Vector3;
 
 /// Share of the force across the sheet that makes it flow, below which a residual is not measured against the forces that

@@ -8,7 +8,7 @@ use super::observer::{Observer, Start};
 use super::step::Step;
 use super::trial::Trial;
 use crate::model::{ContactMethod, Iteration};
-use crate::solution::Effort;
+use crate::solver::solution::Effort;
 
 impl Start {
     /// Of a step in the midst of a run, one after the other.

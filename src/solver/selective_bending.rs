@@ -20,7 +20,7 @@
 use crate::geometry::{Arc, Point};
 use crate::model::{Edge, Model, Theory, Tool};
 use crate::numerics::lobatto::ThicknessPoint;
-use crate::state::State;
+use crate::solver::state::State;
 
 /// How far an element lies from a curved node at most to bend with it, along the sheet, over the thickness \[–\]: some
 /// lengths √(t R) over which bending at an edge dies out. With 2 the load of the shipped cups is up to 2.5 % off that of full

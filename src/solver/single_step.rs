@@ -7,7 +7,7 @@ use super::retry;
 use super::step::Step;
 use super::trial::Trial;
 use crate::model::Model;
-use crate::state::State;
+use crate::solver::state::State;
 
 /// Tries a step of `dt` \[s\] from a state of a run, its `number`-th, from start to start until one brings it to equilibrium;
 /// whether one did.

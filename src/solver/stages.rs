@@ -8,8 +8,8 @@ use crate::model::stage::{Beginning, Stage};
 use crate::model::{Model, Role, Tool, mesh};
 use crate::numerics::Grid;
 use crate::numerics::bisect;
-use crate::solution::{StageSolution, Stop, Trimmed};
-use crate::state::{State, waiting, waiting_displacement};
+use crate::solver::solution::{StageSolution, Stop, Trimmed};
+use crate::solver::state::{State, waiting, waiting_displacement};
 
 /// Fewest elements that trimming leaves.
 const LEAST_ELEMENTS: usize = 2;

@@ -3,7 +3,7 @@
 use super::evaluation::Evaluation;
 use super::step::Step;
 use crate::model::Mode;
-use crate::state::State;
+use crate::solver::state::State;
 
 /// Change of the strain rate from step to step, over the rate, up to which the flow is steady \[–\].
 const STEADY: f64 = 0.6;

@@ -18,8 +18,8 @@ use crate::material::elastoplastic::{Carried, ElastoplasticLaw, Operators};
 use crate::material::flow::{PointState, PointStates, Triple};
 use crate::model::{Iteration, Mode, Model, Settings};
 use crate::numerics::Grid;
-use crate::state::neighbourhood::Neighbourhood;
-use crate::state::{MaterialPoint, State};
+use crate::solver::state::neighbourhood::Neighbourhood;
+use crate::solver::state::{MaterialPoint, State};
 
 /// m of the resistance to flowing faster than the surroundings \[–\]: declared. Sheets with n = 0.02 in elements down to a
 /// sixteenth of a thickness do not alternate with it, with less than half of it they do; forces change by 0.02 %.

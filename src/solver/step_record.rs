@@ -6,8 +6,8 @@ use super::places::Seal;
 use crate::element::surface::{STATIONS, stations};
 use crate::geometry::Point;
 use crate::model::{Edge, Model, Role};
-use crate::solution::{Energy, StepRecord};
-use crate::state::State;
+use crate::solver::solution::{Energy, StepRecord};
+use crate::solver::state::State;
 
 /// The record of a step to the state `next` that took the work `done` and `rejected` tries before it, with the forces and the
 /// work of this step on what is solved; `before` is the evaluation of the step before.

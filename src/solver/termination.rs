@@ -7,9 +7,9 @@ use crate::geometry::Point;
 use crate::message::{Amount, Message, message};
 use crate::model::{Edge, Model, Motion, Role};
 use crate::numerics::bisect;
-use crate::solution::neck::{AWAY, NEAR, Neck, neck};
-use crate::solution::{StepRecord, Stop};
-use crate::state::{State, waiting_displacement};
+use crate::solver::solution::neck::{AWAY, NEAR, Neck, neck};
+use crate::solver::solution::{StepRecord, Stop};
+use crate::solver::state::{State, waiting_displacement};
 
 /// Thickness left at which the sheet has gone, whatever its surroundings do \[–\].
 const GONE: f64 = 0.2;

@@ -19,8 +19,8 @@ use super::evaluation::Evaluation;
 use super::step::Step;
 use crate::element::surface::STATIONS;
 use crate::model::Model;
-use crate::solution::StepRecord;
-use crate::state::State;
+use crate::solver::solution::StepRecord;
+use crate::solver::state::State;
 
 /// A step that needed at most this many iterations was easy: the next may be longer.
 const EASY: usize = 8;

@@ -11,7 +11,7 @@ use crate::material::flow::{Iterate, Iterates, Triple};
 use crate::model::{Edge, Mode, Motion, ReleaseStiffness, Theory};
 use crate::numerics::Grid;
 use crate::numerics::block_tridiagonal::System;
-use crate::state::State;
+use crate::solver::state::State;
 
 /// What a pair of tool and contact point remembers of its last evaluation.
 #[derive(Clone, Copy, Debug, Default)]

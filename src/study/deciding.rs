@@ -1,7 +1,7 @@
 //! The numbers that decide: what a designer looks at first, of those that change.
 
 use super::results::{Found, Results};
-use crate::verification::{Number, Of};
+use crate::study::verify::{Number, Of};
 
 /// In the order in which they are asked for.
 const FIRST: [(Of, &str); 12] = [

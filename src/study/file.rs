@@ -16,7 +16,7 @@
 
 use super::plan::{How, Plan};
 use super::{StudyError, Vary};
-use crate::files::{self, Disk, Files};
+use crate::case::files::{self, Disk, Files};
 use std::path::{Path, PathBuf};
 use toml_edit::{DocumentMut, Item, TableLike, Value};
 

@@ -1,6 +1,6 @@
 //! What tells inputs apart.
 
-use crate::files::sha256;
+use crate::case::files::sha256;
 
 /// Hex digits of a hash that tell inputs apart.
 const DIGITS: usize = 16;

@@ -48,6 +48,7 @@ mod swing;
 mod times;
 mod varied;
 mod vary;
+pub mod verify;
 pub mod versus;
 mod window;
 mod zone;

@@ -1,7 +1,7 @@
 //! What was measured: columns with their units, of a file or of what a program holds.
 
 use super::StudyError;
-use crate::files::{self, Disk, Files};
+use crate::case::files::{self, Disk, Files};
 use crate::table::{Csv, CsvError};
 use std::fmt;
 use std::path::{Path, PathBuf};

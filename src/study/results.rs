@@ -6,7 +6,7 @@ use super::row::{Columns, Solved, header};
 use super::varied::Varied;
 use super::zone::Zone;
 use crate::assess::{Light, Sense};
-use crate::verification::{Number, Of};
+use crate::study::verify::{Number, Of};
 use std::fs::File;
 use std::io::Read;
 use std::path::Path;

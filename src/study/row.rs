@@ -4,8 +4,8 @@ use super::plan::{Design, Designs};
 use super::zone::Zone;
 use crate::assess::{self, Finding, Light, Limits, Sense};
 use crate::case::Solution;
+use crate::study::verify::{Number, Of, Outcome, Watch, quick};
 use crate::units::rounded;
-use crate::verification::{Number, Of, Outcome, Watch, quick};
 
 /// A design, and what came of it.
 #[derive(Clone, Debug, PartialEq)]

@@ -5,7 +5,7 @@ use super::plan::{Design, Designs};
 use super::row::{Row, Solved};
 use super::{StudyError, Subject, side_by_side};
 use crate::case::Solution;
-use crate::verification::Watch;
+use crate::study::verify::Watch;
 use std::time::Instant;
 
 /// Runs designs by their indices on so many threads and hands each row to `each`, in the order of the indices. Once

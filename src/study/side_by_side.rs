@@ -1,6 +1,6 @@
 //! Many runs on all cores, handed on in order.
 
-use crate::verification::Watch;
+use crate::study::verify::Watch;
 use std::collections::BTreeMap;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::mpsc;

@@ -2,9 +2,9 @@
 
 use super::StudyError;
 use super::hash::short_hash;
+use crate::case::files::{self, CSV, Disk, Files};
 use crate::case::{self, Case, CaseError, Solution};
-use crate::files::{self, CSV, Disk, Files};
-use crate::verification::{Watch, Watched};
+use crate::study::verify::{Watch, Watched};
 use std::any::Any;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::{Path, PathBuf};

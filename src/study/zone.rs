@@ -3,8 +3,8 @@
 use crate::assess::{Finding, Light, judgements};
 use crate::case::Solution;
 use crate::message::Message;
-use crate::solution::Stop;
-use crate::verification::Outcome;
+use crate::solver::solution::Stop;
+use crate::study::verify::Outcome;
 
 /// A way in which a design fails.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]

@@ -3,7 +3,7 @@
 /// Of an accepted step.
 pub mod step {
     use crate::model::Geometry;
-    use crate::solution::StepRecord;
+    use crate::solver::solution::StepRecord;
     use crate::table::{Column, Field, Unit, worded};
 
     /// Punch travel \[mm\].
@@ -34,7 +34,7 @@ pub mod step {
 
 /// Of an element at an instant.
 pub mod element {
-    use crate::solution::ElementRecord;
+    use crate::solver::solution::ElementRecord;
     use crate::table::{Field, Unit};
     use crate::units::ZERO_CELSIUS;
 

@@ -19,7 +19,6 @@ pub struct Kind {
 
 impl Kind {
     /// Name and unit: `length, mm`.
-    #[cfg(feature = "schema")]
     pub(crate) fn measured(&self) -> String {
         let name = self.name.split_once(' ').map_or(self.name, |(_, name)| name);
         format!("{name}, {}", self.unit)

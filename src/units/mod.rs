@@ -18,12 +18,9 @@ mod header;
 mod kind;
 mod number;
 mod parse;
-#[cfg(feature = "schema")]
 mod pattern;
 mod quantity;
-#[cfg(feature = "schema")]
 mod schema;
-#[cfg(feature = "case")]
 mod serde;
 mod spelling;
 mod text;
@@ -36,19 +33,14 @@ pub use header::{Unit, UnitError};
 pub use kind::Kind;
 pub use number::{four_digits, mm, rounded, significant, trimmed, without_zeros};
 pub use parse::{Parsed, parse, thicknesses};
-#[cfg(feature = "schema")]
 pub(crate) use pattern::pattern;
 pub use quantity::Quantity;
-#[cfg(feature = "case")]
 pub use serde::{As, Plain};
-#[cfg(feature = "case")]
 pub use spelling::closest;
-#[cfg(feature = "case")]
 pub(crate) use spelling::did_you_mean;
 pub use types::{
     Angle, Conductivity, Density, Energy, Force, HeatTransfer, Length, LineForce, Number, PerKelvin, Ratio,
     SpecificHeat, Speed, StrainRate, Stress, StressRate, Temperature, Time,
 };
-#[cfg(feature = "import")]
 pub(crate) use unit::factor;
 pub use unit::{Dimension, ZERO_CELSIUS};

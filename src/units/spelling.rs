@@ -15,7 +15,6 @@ pub fn closest<'a>(word: &str, known: impl Iterator<Item = &'a str>) -> Vec<&'a 
 }
 
 /// A question to stand before what is known, with a space at its end; nothing where no known word is close.
-#[cfg(feature = "case")]
 pub(crate) fn did_you_mean<'a>(word: &str, known: impl Iterator<Item = &'a str>) -> String {
     closest(word, known).first().map_or(String::new(), |near| format!("did you mean `{near}`? "))
 }

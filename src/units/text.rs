@@ -22,14 +22,12 @@ macro_rules! implement {
             }
         }
 
-        #[cfg(feature = "case")]
         impl<'de, $($generic)*> serde::Deserialize<'de> for $type {
             fn deserialize<D: serde::Deserializer<'de>>(from: D) -> Result<Self, D::Error> {
                 $crate::units::serde::deserialize(from)
             }
         }
 
-        #[cfg(feature = "schema")]
         impl<$($generic)*> schemars::JsonSchema for $type {
             fn inline_schema() -> bool {
                 true

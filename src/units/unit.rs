@@ -180,7 +180,6 @@ pub(super) fn find(name: &str) -> Option<&'static Unit> {
 }
 
 /// Solver units in one of that name: 25.4 for `in`.
-#[cfg(feature = "import")]
 pub(crate) fn factor(name: &str) -> Option<f64> {
     find(name).map(|unit| unit.1)
 }

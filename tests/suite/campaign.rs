@@ -3,8 +3,8 @@
 use crate::common::random_die::{self, RandomDie, SECOND_SERIES, THIRD_SERIES};
 use crate::common::random_work::{self, Kind, make_elastic};
 use stampflow::case::library;
-use stampflow::law::Family;
 use stampflow::material::Hardening;
+use stampflow::material::law::Family;
 use stampflow::model::Role;
 use stampflow::solver;
 use std::collections::BTreeSet;

@@ -3,8 +3,8 @@
 use crate::common::cup::MINIMAL;
 use crate::common::files::files;
 use proptest::prelude::*;
+use stampflow::case::files::{Files, Memory};
 use stampflow::case::{self, Case};
-use stampflow::files::{Files, Memory};
 use stampflow::geometry::Point;
 use stampflow::model::{
     Edge, Extent, Geometry, Grading, Mode, Motion, Press, Release, ReleaseStiffness, Role, Theory, ThicknessRule,

@@ -7,7 +7,7 @@ use stampflow::compare::{
 use stampflow::forming_limit::{Instant, Paths};
 use stampflow::message::Form;
 use stampflow::model::Extent;
-use stampflow::solution::{ElementRecord, StepRecord};
+use stampflow::solver::solution::{ElementRecord, StepRecord};
 use stampflow::table::{Column, Csv};
 
 const PROVENANCE: &str = "[\"curve.csv\"]\ncitation = \"A. Uthor, A title, 1990.\"\nkind = \"experiment\"\ngrade = \"A\"\n\

@@ -11,7 +11,7 @@ use stampflow::message::{Form, Language, System};
 use stampflow::output::chart::Look;
 use stampflow::output::{OUTPUTS, Results, svg};
 use stampflow::report::{Report, html, markdown};
-use stampflow::verification::{Of, Verification, Watch, answered, quick, verify};
+use stampflow::study::verify::{Of, Verification, Watch, answered, quick, verify};
 use std::fs;
 use std::path::Path;
 use std::sync::atomic::{AtomicUsize, Ordering};

@@ -6,7 +6,7 @@ use stampflow::author::templates::find;
 use stampflow::case::parse;
 use stampflow::measure::{Event, EventKind, events};
 use stampflow::model::Role;
-use stampflow::solution::{StageSolution, Stop};
+use stampflow::solver::solution::{StageSolution, Stop};
 use stampflow::{Case, Solution};
 
 fn solved(template: &str, overrides: &[&str]) -> Solution {

@@ -1,6 +1,6 @@
 //! Files on the disk and in memory.
 
-use stampflow::files::{Disk, FileError, Files, Memory};
+use stampflow::case::files::{Disk, FileError, Files, Memory};
 use std::fs::{self, File};
 use std::path::Path;
 

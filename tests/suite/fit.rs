@@ -13,8 +13,8 @@ use stampflow::study::fit::{
     CaseFit, CaseFitSpec, FlowCurve, Kind, LawFits, Range, RateKind, Reduction, Tension, fit_case, fit_laws, load,
     material_text,
 };
+use stampflow::study::verify::Watch;
 use stampflow::study::{Readings, Subject};
-use stampflow::verification::Watch;
 use std::fmt::Write;
 use std::fs;
 use std::path::{Path, PathBuf};

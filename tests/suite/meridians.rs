@@ -2,7 +2,7 @@
 
 use stampflow::measure::{Shape, moment_error, part_height, places};
 use stampflow::numerics::lobatto;
-use stampflow::solution::{ElementRecord, Frame, NodeRecord, PointRecord, ThroughThickness};
+use stampflow::solver::solution::{ElementRecord, Frame, NodeRecord, PointRecord, ThroughThickness};
 
 /// A piece of a meridian: length \[mm\], turn \[°\], elements, and the last element's length over the first's.
 #[derive(Clone, Copy)]

@@ -11,7 +11,7 @@ use stampflow::model::{
     Release, Role, Stage, Theory, ToolHeat,
 };
 use stampflow::numerics::PiecewiseLinear;
-use stampflow::solution::Stop;
+use stampflow::solver::solution::Stop;
 use stampflow::solver::{run, solve};
 
 const NUMBERS: [f64; 8] = [f64::NAN, 0.0, -0.0, -1.0, f64::INFINITY, f64::NEG_INFINITY, 1e300, 1e-300];

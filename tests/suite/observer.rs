@@ -4,7 +4,7 @@ use stampflow::case;
 use stampflow::element::Node;
 use stampflow::material::Elastic;
 use stampflow::model::{ContactMethod, Iteration, Mode, Model, Theory};
-use stampflow::solution::{IterationRecord, StageSolution, StepRecord, Stop};
+use stampflow::solver::solution::{IterationRecord, StageSolution, StepRecord, Stop};
 use stampflow::solver::{self, Iterate, Observer};
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::cell::Cell;

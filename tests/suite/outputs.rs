@@ -3,11 +3,11 @@
 use crate::common::{drawn, pixels::pixels};
 use stampflow::assess;
 use stampflow::author::templates::find;
+use stampflow::case::files::sha256;
 use stampflow::case::{Solution, parse};
 use stampflow::compare::{
     Against, BandQuantity, BandSpec, Comparison, Computed, CurveSpec, Data, Found, Quantity, Source, Spec, compare,
 };
-use stampflow::files::sha256;
 use stampflow::forming_limit::{Instant, Paths};
 use stampflow::measure::{Shape, changes};
 use stampflow::message::Form;
@@ -17,7 +17,7 @@ use stampflow::output::{
     profile,
 };
 use stampflow::report::{Report, markdown};
-use stampflow::solution::StageSolution;
+use stampflow::solver::solution::StageSolution;
 use stampflow::table::{Csv, Table};
 use std::fs;
 use std::path::{Path, PathBuf};

@@ -5,7 +5,7 @@ use stampflow::measure::bands;
 use stampflow::model::{Geometry, Release};
 use stampflow::output::chart::{Chart, Look, Scale, Series};
 use stampflow::output::{Make, OUTPUTS, png};
-use stampflow::solution::{StageSolution, Stop};
+use stampflow::solver::solution::{StageSolution, Stop};
 
 /// The chart of a file.
 fn chart(file: &str, stage: &StageSolution) -> Option<Chart> {

@@ -10,7 +10,7 @@ use stampflow::model::{Bead, Geometry};
 use stampflow::output::chart::{Look, Scale, Series};
 use stampflow::output::{Captions, Chart, Format, OUTPUTS, Pictures, StageView};
 use stampflow::report::Report;
-use stampflow::solution::StageSolution;
+use stampflow::solver::solution::StageSolution;
 
 /// The picture of this name.
 fn chart(view: &StageView, name: &str) -> Chart {

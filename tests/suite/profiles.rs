@@ -49,7 +49,7 @@ fn difference(a: &Profile, b: &Profile) -> f64 {
     points.map(|x| (a.closest(x).distance - b.closest(x).distance).abs()).fold(0.0, f64::max)
 }
 
-fn run(model: &Model) -> stampflow::solution::StageSolution {
+fn run(model: &Model) -> stampflow::solver::solution::StageSolution {
     let run = solver::run(model, &mut ());
     assert!(run.stop.is_complete(), "{}", run.stop);
     run

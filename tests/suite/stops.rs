@@ -3,7 +3,7 @@
 use stampflow::Observer;
 use stampflow::assess::{self, Light};
 use stampflow::case::{self, Case};
-use stampflow::solution::{StageSolution, StepRecord, Stop};
+use stampflow::solver::solution::{StageSolution, StepRecord, Stop};
 use stampflow::solver::solve;
 
 const METAL: &str = r#"hardening = { swift = { k = "520 MPa", n = 0.22, offset = 0.005 } }"#;

@@ -5,8 +5,8 @@ use serde_json::Value;
 use stampflow::message::{Form, Language};
 use stampflow::output::study::{kept_loads, load_file, pictures, thickness_file};
 use stampflow::output::svg;
+use stampflow::study::verify::{Of, quick};
 use stampflow::study::{Bars, Designs, How, Meets, Plan, Results, Said, Solved, Vary, Zone, base, swings, windows};
-use stampflow::verification::{Of, quick};
 use std::fs;
 use std::path::Path;
 

@@ -2,7 +2,7 @@
 
 use stampflow::table::{Axis, Column, Csv, CsvError, Table, Unit};
 
-/// Rows that a file may have at most, as `stampflow::files` has it.
+/// Rows that a file may have at most, as `stampflow::case::files` has it.
 const MOST: usize = 100_000;
 
 fn column(key: &'static str, label: &'static str, unit: Unit) -> Column {

@@ -6,7 +6,7 @@ use stampflow::case::library::materials;
 use stampflow::case::{Case, parse};
 use stampflow::message::Message;
 use stampflow::model::{Mode, Motion, Role};
-use stampflow::verification::{answered, quick};
+use stampflow::study::verify::{answered, quick};
 use stampflow::{Frame, StageSolution, Stop, solve};
 use std::fs;
 use std::path::Path;

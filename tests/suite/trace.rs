@@ -5,9 +5,9 @@ use crate::common::cli::{CUP, STAGES, folder, stampflow, text};
 use crate::common::shipped::shipped_case;
 use stampflow::Observer;
 use stampflow::model::Iteration;
-use stampflow::solution::IterationRecord;
 use stampflow::solver::Start;
-use stampflow::trace::{Asked, NoSuchStep, Rate, Trace, trace};
+use stampflow::solver::solution::IterationRecord;
+use stampflow::solver::trace::{Asked, NoSuchStep, Rate, Trace, trace};
 use std::fs;
 
 /// The iterations of the last try of a step, and the end of the run behind it.

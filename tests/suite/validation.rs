@@ -94,7 +94,7 @@ fn forces_and_thinnest_places_are_those_on_record() {
             let run = &pass;
             assert!(run.stop.is_complete() || run.stop.is_physical(), "{name} {label}: {}", run.stop);
             let largest =
-                |of: fn(&stampflow::solution::StepRecord) -> f64| run.steps.iter().map(of).fold(0.0, f64::max);
+                |of: fn(&stampflow::solver::solution::StepRecord) -> f64| run.steps.iter().map(of).fold(0.0, f64::max);
             let force = largest(|r| r.punch_force);
             let found = if force > 1.0 { force } else { largest(|r| r.pressure) };
             let last = run.steps.last().expect("steps");

@@ -4,7 +4,7 @@ use crate::common::cli::{CUP, STAGES, folder, stampflow, text};
 use serde_json::Value;
 use stampflow::assess::{self, Answer, Finding, Kind, Light, advice, headline};
 use stampflow::case::{self, Case};
-use stampflow::solution::StageSolution;
+use stampflow::solver::solution::StageSolution;
 use stampflow::solver::solve;
 use std::path::Path;
 
@@ -378,7 +378,7 @@ fn what_to_change_goes_by_the_place() {
 fn an_interrupted_run_is_not_red() {
     struct Early(usize);
     impl stampflow::solver::Observer for Early {
-        fn step(&mut self, _: &stampflow::solution::StepRecord) {
+        fn step(&mut self, _: &stampflow::solver::solution::StepRecord) {
             self.0 -= 1;
         }
         fn wants_to_stop(&mut self) -> bool {

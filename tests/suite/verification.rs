@@ -5,7 +5,7 @@ use crate::common::coverage::{Tally, case_of, check};
 use crate::common::random_die::random_die;
 use crate::common::shipped::shipped_case;
 use stampflow::message::Language;
-use stampflow::verification::{Bar, Of, Verification, quick, verify};
+use stampflow::study::verify::{Bar, Of, Verification, quick, verify};
 use std::fs;
 use std::path::Path;
 

@@ -4,7 +4,7 @@
 use crate::common::files::files;
 use stampflow::assess::{self, Finding, Kind, Light};
 use stampflow::case::{self, Case};
-use stampflow::solution::StageSolution;
+use stampflow::solver::solution::StageSolution;
 use stampflow::solver::{closing_way, solve};
 
 /// Radii of the bead's tip and of its foot, and its height \[mm\].

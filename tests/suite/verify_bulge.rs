@@ -7,8 +7,8 @@ use crate::common::simple;
 use stampflow::material::hardening::{Extrapolation, Hardening, Swift, Table};
 use stampflow::model::{Edge, Face, Gas, Geometry, Model, Pressure, RateControl, Theory};
 use stampflow::numerics::PiecewiseLinear;
-use stampflow::solution::{Frame, Stop};
 use stampflow::solver;
+use stampflow::solver::solution::{Frame, Stop};
 
 /// Radius of the disc \[mm\].
 const A: f64 = 50.0;

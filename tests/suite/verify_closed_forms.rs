@@ -7,8 +7,8 @@ use crate::common::simple;
 use stampflow::material::flow::{FlowLaw, Iteration};
 use stampflow::material::{Hardening, Hill48, Rate};
 use stampflow::model::{Geometry, Settings, Theory};
-use stampflow::solution::StageSolution;
 use stampflow::solver;
+use stampflow::solver::solution::StageSolution;
 
 fn solve(model: &stampflow::model::Model) -> StageSolution {
     let run = solver::run(model, &mut ());

@@ -15,7 +15,7 @@ use stampflow::measure::{CutRing, Shape};
 use stampflow::model::{Edge, Face, Gas, Geometry, Mode, Model, Theory};
 use stampflow::numerics::lobatto;
 use stampflow::numerics::{Grid, PiecewiseLinear};
-use stampflow::solution::StageSolution;
+use stampflow::solver::solution::StageSolution;
 use stampflow::solver::{self, run};
 use std::f64::consts::TAU;
 

@@ -3,7 +3,7 @@
 //!
 //! A sheet that is bent over the die's shoulder and straightened again under tension loses more of its bending moment by
 //! thinning than it wins by hardening, unless n is large. Without the length of
-//! [`NEIGHBOURHOOD`](stampflow::state::neighbourhood::NEIGHBOURHOOD) elements below a third of the thickness thin in turn, by 5
+//! [`NEIGHBOURHOOD`](stampflow::solver::state::neighbourhood::NEIGHBOURHOOD) elements below a third of the thickness thin in turn, by 5
 //! to 10 % of it, and the run ends at a tear that no sheet has.
 
 use crate::common::simple;
@@ -13,8 +13,8 @@ use stampflow::material::{Elastic, Hardening, Material};
 use stampflow::model::{
     Blank, Edge, Friction, Geometry, Grading, Mode, Model, Motion, Press, Role, Theory, ThicknessRule, Tool,
 };
-use stampflow::solution::StageSolution;
 use stampflow::solver;
+use stampflow::solver::solution::StageSolution;
 
 /// Thickness \[mm\].
 const T: f64 = 2.0;

@@ -3,8 +3,8 @@
 use stampflow::case::{self, Case};
 use stampflow::forming_limit::{Assessment, SHORTEST, assess};
 use stampflow::output::{OUTPUTS, StageView, Summary};
-use stampflow::solution::StageSolution;
 use stampflow::solver;
+use stampflow::solver::solution::StageSolution;
 
 fn solved(overrides: &[&str]) -> (Case, StageSolution, Assessment) {
     let path = format!("{}/cases/stretch_limit.toml", env!("CARGO_MANIFEST_DIR"));

@@ -9,8 +9,8 @@ use stampflow::material::thermal::Exponential;
 use stampflow::material::{Gtn, ThermalLaw};
 use stampflow::model::{Edge, Geometry, Heat, HeatFlow, Model, Motion, Press, Role, Settings, Theory, Tool, ToolHeat};
 use stampflow::numerics::PiecewiseLinear;
-use stampflow::solution::{StageSolution, Stop};
 use stampflow::solver;
+use stampflow::solver::solution::{StageSolution, Stop};
 
 /// ρ c of aluminium, 2700 kg/m³ × 900 J/(kg K) [MPa/K].
 const CAPACITY: f64 = 2.43;

@@ -30,7 +30,7 @@ use stampflow::assess::Light;
 use stampflow::contact::penalty::Penalty;
 use stampflow::geometry::{Arc, Piece, Point, Profile, Segment};
 use stampflow::model::{Geometry, Model};
-use stampflow::solution::{ElementRecord, StageSolution, StepRecord};
+use stampflow::solver::solution::{ElementRecord, StageSolution, StepRecord};
 use stampflow::{assess, case, solver};
 use std::f64::consts::{FRAC_PI_2, TAU};
 

@@ -12,7 +12,7 @@ use stampflow::model::{
     Bead, Edge, Face, Friction, Gas, Geometry, Model, Motion, Press, Pressure, PressureCap, Role, Settings, Theory,
 };
 use stampflow::numerics::PiecewiseLinear;
-use stampflow::solution::{StageSolution, StepRecord, Stop};
+use stampflow::solver::solution::{StageSolution, StepRecord, Stop};
 use stampflow::{Observer, case, solver};
 use std::f64::consts::PI;
 

@@ -7,7 +7,7 @@ use stampflow::geometry::Profile;
 use stampflow::material::rate::{PowerRate, Rate};
 use stampflow::model::{Geometry, Model, Theory};
 use stampflow::numerics::PiecewiseLinear;
-use stampflow::solution::{StageSolution, Stop};
+use stampflow::solver::solution::{StageSolution, Stop};
 
 /// The quickstart with a history in place of its 25 mm at 1 mm/s.
 fn cup(motion: &str, overrides: &[&str]) -> Model {

@@ -8,7 +8,7 @@ use stampflow::measure::{CutRing, Ring};
 use stampflow::message::Form;
 use stampflow::numerics::lobatto;
 use stampflow::output::Results;
-use stampflow::solution::{ElementRecord, Frame, NodeRecord, PointRecord, ThroughThickness};
+use stampflow::solver::solution::{ElementRecord, Frame, NodeRecord, PointRecord, ThroughThickness};
 use std::f64::consts::TAU;
 
 const METAL: Elastic = Elastic { young: 70e3, poisson: 0.33 };

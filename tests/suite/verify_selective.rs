@@ -4,7 +4,7 @@ use crate::common::page::{at_most, plain, signed, told};
 use crate::common::shipped::{DRAWN, before_the_neck, last, peak, shipped, solve};
 use stampflow::model::mesh;
 use stampflow::model::{Model, Theory};
-use stampflow::solution::StageSolution;
+use stampflow::solver::solution::StageSolution;
 use stampflow::{State, solver};
 
 fn with(theory: Theory, model: &Model) -> Model {

@@ -8,7 +8,7 @@ use stampflow::material::Hardening;
 use stampflow::material::hardening::{Extrapolation, Swift, Table};
 use stampflow::model::mesh;
 use stampflow::model::{Geometry, Iteration, Motion, Role, Settings};
-use stampflow::solution::{StageSolution, Stop};
+use stampflow::solver::solution::{StageSolution, Stop};
 use stampflow::{State, solver};
 
 /// Largest departure of the load from a smooth curve, over its maximum: each point against the cubic through its

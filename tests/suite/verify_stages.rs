@@ -6,8 +6,8 @@ use stampflow::element::Node;
 use stampflow::geometry::Point;
 use stampflow::model::stage::{Beginning, Stage};
 use stampflow::model::{Model, Motion, Press, Role};
-use stampflow::solution::StageSolution;
-use stampflow::solution::Stop;
+use stampflow::solver::solution::StageSolution;
+use stampflow::solver::solution::Stop;
 use stampflow::solver::{enter, solve};
 use std::f64::consts::PI;
 

@@ -8,7 +8,7 @@ use stampflow::case::{self, Case, Solution};
 use stampflow::material::Hardening;
 use stampflow::measure::{Ring, Shape};
 use stampflow::model::Mode;
-use stampflow::solution::Stop;
+use stampflow::solver::solution::Stop;
 use stampflow::study::fit::{FlowCurve, Kind, RateKind, Reduction, Tension, fit_laws};
 use std::f64::consts::{FRAC_PI_2, PI};
 

@@ -6,8 +6,8 @@ use crate::question::{Failure, Question};
 use crate::{answer, stage};
 use stampflow::assess::{self, Answer};
 use stampflow::case::{Case, parse_with};
-use stampflow::files::Memory;
-use stampflow::verification::Direction;
+use stampflow::case::files::Memory;
+use stampflow::study::verify::Direction;
 
 /// How fine a coarse run is in every direction \[–\].
 const COARSE: f64 = 0.5;

@@ -5,7 +5,7 @@ use crate::json::{Numbers, Value, table};
 use stampflow::forming_limit::Curve;
 use stampflow::measure::events;
 use stampflow::message::{Form, Message};
-use stampflow::solution::ElementRecord;
+use stampflow::solver::solution::ElementRecord;
 use stampflow::{StageSolution, StepRecord};
 
 /// How finely arcs of tools are drawn \[rad\].

@@ -4,7 +4,7 @@ use crate::case::case;
 use crate::json::{Numbers, Value, table};
 use crate::question::{Failure, Question};
 use stampflow::model::Iteration;
-use stampflow::trace::{Asked, Iterated, Way, key, trace};
+use stampflow::solver::trace::{Asked, Iterated, Way, key, trace};
 
 /// The case's own first.
 const MATRICES: [Iteration; 3] = [Iteration::PrimalDual, Iteration::Newton, Iteration::Secant];

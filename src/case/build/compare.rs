@@ -2,9 +2,9 @@
 
 use super::lines::Named;
 use crate::case::file::{CaseFile, Compare, ComparedQuantity};
+use crate::case::files::{self, FileError, Folder};
 use crate::case::{CaseError, source::Source};
 use crate::compare::{Against, BandQuantity, BandSpec, CurveSpec, Data, Quantity, SOURCES, Source as Provenance, Spec};
-use crate::files::{self, FileError, Folder};
 use crate::units::Quantity as _;
 use std::path::{Path, PathBuf};
 

@@ -1,8 +1,8 @@
 //! What the tools of a stage are read and placed against.
 
 use crate::case::file::{self, Section};
+use crate::case::files::Folder;
 use crate::case::{CaseError, source::Source};
-use crate::files::Folder;
 use crate::geometry::Profile;
 use crate::model::{Blank, Extent, Role, Tool};
 

@@ -3,7 +3,7 @@
 use super::laws::prepared;
 use crate::case::file;
 use crate::case::{CaseError, explain::missing, source::Source};
-use crate::law::Family;
+use crate::material::law::Family;
 use crate::message::{Message, message};
 use crate::model::{Friction, Role};
 

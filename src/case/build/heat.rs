@@ -2,8 +2,8 @@
 
 use super::lines::Named;
 use crate::case::file::{self, InitialTemperature};
+use crate::case::files::Folder;
 use crate::case::{CaseError, explain::missing, source::Source};
-use crate::files::Folder;
 use crate::model::{Heat, HeatFlow, Role, Tool, ToolHeat};
 use crate::numerics::PiecewiseLinear;
 use crate::rules::tool_sizes::extent;

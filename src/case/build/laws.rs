@@ -1,7 +1,7 @@
 //! Laws made ready for use, and what is wrong with them shown where they were written.
 
 use crate::case::{CaseError, source::Source};
-use crate::law::{Family, LawError, Named};
+use crate::material::law::{Family, LawError, Named};
 
 /// The one law of a table that must name exactly one, ready for use.
 pub(super) fn only<F: Family>(named: Named<F>, path: &str, source: &Source) -> Result<F, CaseError> {

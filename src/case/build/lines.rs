@@ -1,7 +1,7 @@
 //! A CSV file that a case names: its rows, and errors that show their lines.
 
+use crate::case::files::{self, FileError, Folder};
 use crate::case::{CaseError, source::Source};
-use crate::files::{self, FileError, Folder};
 use crate::table::{Csv, CsvError, Record};
 use miette::NamedSource;
 use std::path::Path;

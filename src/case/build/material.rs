@@ -3,7 +3,7 @@
 use super::laws::{blame, only, prepared};
 use crate::case::file::{self, Anisotropy, YieldCondition};
 use crate::case::{CaseError, explain::missing, source::Source};
-use crate::law::{Family, Named};
+use crate::material::law::{Family, Named};
 use crate::material::{BackStress, BackStresses, Elastic, Hardening, Hill48, Hosford, Material, YieldCriterion};
 use crate::message::{Amount, Digits, Message, message};
 use crate::model::Mode;

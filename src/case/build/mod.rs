@@ -39,7 +39,7 @@ use friction::Frictions;
 
 use super::file::CaseFile;
 use super::{CaseError, source::Source};
-use crate::files::Folder;
+use crate::case::files::Folder;
 use crate::material::Material;
 use crate::message::Message;
 use crate::model::{Blank, Extent, Friction, Heat, Mode, Model, Stage, Theory, Tool};

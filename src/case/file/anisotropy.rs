@@ -7,9 +7,8 @@ use serde::de::{self, Deserializer, IntoDeserializer, MapAccess, Visitor, value}
 use std::fmt;
 
 /// Normal anisotropy: the mean, or what it is the mean of.
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[cfg_attr(feature = "schema", schemars(untagged))]
+#[derive(Clone, Copy, Debug, PartialEq, schemars::JsonSchema)]
+#[schemars(untagged)]
 pub enum Anisotropy {
     /// r̄.
     Mean(Positive<Number>),
@@ -20,16 +19,16 @@ pub enum Anisotropy {
 /// r at 0°, 45° and 90° to the rolling direction; r̄ = (r0 + 2 r45 + r90)/4.
 #[derive(Clone, Copy, Debug, Deserialize, PartialEq)]
 #[serde(deny_unknown_fields)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[derive(schemars::JsonSchema)]
 pub struct Directions {
     /// Along the rolling direction.
-    #[cfg_attr(feature = "schema", schemars(example = 0.525))]
+    #[schemars(example = 0.525)]
     pub r0: Positive<Number>,
     /// At 45°.
-    #[cfg_attr(feature = "schema", schemars(example = 0.248))]
+    #[schemars(example = 0.248)]
     pub r45: Positive<Number>,
     /// Across.
-    #[cfg_attr(feature = "schema", schemars(example = 0.429))]
+    #[schemars(example = 0.429)]
     pub r90: Positive<Number>,
 }
 

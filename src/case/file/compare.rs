@@ -6,35 +6,35 @@ use serde::Deserialize;
 /// One comparison with a reference: a curve (`x`, `y`, `tolerance`) or a band (`band`), as the quantity asks for.
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[cfg_attr(feature = "schema", schemars(extend("dependentRequired" = { "x": ["y"], "y": ["x"], "error": ["band"] })))]
+#[derive(schemars::JsonSchema)]
+#[schemars(extend("dependentRequired" = { "x": ["y"], "y": ["x"], "error": ["band"] }))]
 pub struct Compare {
     /// CSV file, looked for in `reference_data` beside the folder of the case, then beside the case.
-    #[cfg_attr(feature = "schema", schemars(example = "woo_load_travel.csv"))]
+    #[schemars(example = "woo_load_travel.csv")]
     pub reference: String,
     /// What is compared.
-    #[cfg_attr(feature = "schema", schemars(example = &"punch_force"))]
+    #[schemars(example = &"punch_force")]
     pub quantity: ComparedQuantity,
     /// Column of the CSV along which to compare with a curve.
-    #[cfg_attr(feature = "schema", schemars(example = &"travel_mm"))]
+    #[schemars(example = &"travel_mm")]
     pub x: Option<String>,
     /// Column of the CSV that is compared with a curve. Forces of a plane section are of both halves: per mm of depth, N_per_mm,
     /// or in all where blank.depth is given; a published curve of one half is doubled in the file, with a word on it.
-    #[cfg_attr(feature = "schema", schemars(example = &"punch_force_N"))]
+    #[schemars(example = &"punch_force_N")]
     pub y: Option<String>,
     /// Part of the curve that is compared, in units of the x column; all of it when not given.
     pub range: Option<[Number; 2]>,
     /// Accepted relative difference from a curve.
-    #[cfg_attr(feature = "schema", schemars(example = "5 %"))]
+    #[schemars(example = "5 %")]
     pub tolerance: Option<Positive<Ratio>>,
     /// Columns of the CSV whose values, all rows of them, span the band.
-    #[cfg_attr(feature = "schema", schemars(example = &("diameter_x_mm", "diameter_y_mm")))]
+    #[schemars(example = &("diameter_x_mm", "diameter_y_mm"))]
     pub band: Option<Vec<String>>,
     /// Column of the CSV with each row's error of measurement, which widens the band.
-    #[cfg_attr(feature = "schema", schemars(example = &"error_mm"))]
+    #[schemars(example = &"error_mm")]
     pub error: Option<String>,
     /// Why that tolerance, or where a difference comes from.
-    #[cfg_attr(feature = "schema", schemars(example = "reading error of the published graph"))]
+    #[schemars(example = "reading error of the published graph")]
     pub reason: String,
     /// Whether the file may be missing: drop the CSV into `reference_data` to see the overlay.
     #[serde(default)]
@@ -47,7 +47,7 @@ pub struct Compare {
 /// What is compared.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
 #[serde(rename_all = "snake_case")]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[derive(schemars::JsonSchema)]
 pub enum ComparedQuantity {
     /// Punch force at equal travel, a curve.
     PunchForce,

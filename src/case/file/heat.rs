@@ -8,22 +8,22 @@ use serde::{Deserialize, Deserializer};
 /// Temperature of the sheet. Without density and specific heat it stays as it is given.
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[cfg_attr(feature = "schema", schemars(extend("dependentRequired" = { "density": ["specific_heat"], "specific_heat": ["density"], "conductivity": ["density"], "plastic_share": ["density"], "punch": ["density"], "die": ["density"], "holder": ["density"] })))]
+#[derive(schemars::JsonSchema)]
+#[schemars(extend("dependentRequired" = { "density": ["specific_heat"], "specific_heat": ["density"], "conductivity": ["density"], "plastic_share": ["density"], "punch": ["density"], "die": ["density"], "holder": ["density"] }))]
 pub struct Heat {
     /// Of the flat sheet: one temperature, one for the part under the punch and one for the flange, or a CSV file.
     pub initial: InitialTemperature,
     /// Of the sheet; with the specific heat, its temperature changes.
-    #[cfg_attr(feature = "schema", schemars(example = "2700 kg/m^3"))]
+    #[schemars(example = "2700 kg/m^3")]
     pub density: Option<Positive<Density>>,
     /// Of the sheet, per mass.
-    #[cfg_attr(feature = "schema", schemars(example = "900 J/kg/K"))]
+    #[schemars(example = "900 J/kg/K")]
     pub specific_heat: Option<Positive<SpecificHeat>>,
     /// Share of the plastic work that becomes heat; 0.9 when not given.
-    #[cfg_attr(feature = "schema", schemars(example = 0.9))]
+    #[schemars(example = 0.9)]
     pub plastic_share: Option<Fraction>,
     /// Along the sheet; none when not given.
-    #[cfg_attr(feature = "schema", schemars(example = "130 W/m/K"))]
+    #[schemars(example = "130 W/m/K")]
     pub conductivity: Option<Positive<Conductivity>>,
     /// A tool that heats or cools what lies on it.
     pub punch: Option<ToolHeat>,
@@ -36,19 +36,19 @@ pub struct Heat {
 /// Heat transfer from and to a tool whose temperature stays.
 #[derive(Clone, Copy, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[derive(schemars::JsonSchema)]
 pub struct ToolHeat {
     /// Temperature of the tool.
-    #[cfg_attr(feature = "schema", schemars(example = "25 °C"))]
+    #[schemars(example = "25 °C")]
     pub temperature: Positive<Temperature>,
     /// Heat-transfer coefficient of the contact.
-    #[cfg_attr(feature = "schema", schemars(example = "1.4 kW/m^2/K"))]
+    #[schemars(example = "1.4 kW/m^2/K")]
     pub transfer: Positive<HeatTransfer>,
 }
 
 /// Temperature of the flat sheet.
-#[derive(Clone, Debug)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema), schemars(untagged))]
+#[derive(Clone, Debug, schemars::JsonSchema)]
+#[schemars(untagged)]
 pub enum InitialTemperature {
     /// The same everywhere.
     Uniform(Positive<Temperature>),
@@ -62,13 +62,13 @@ pub enum InitialTemperature {
 /// Temperatures by the tools' places on the flat sheet.
 #[derive(Clone, Copy, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[derive(schemars::JsonSchema)]
 pub struct Zones {
     /// Inside the punch's radius.
-    #[cfg_attr(feature = "schema", schemars(example = "25 °C"))]
+    #[schemars(example = "25 °C")]
     pub punch: Positive<Temperature>,
     /// From the die's throat outward.
-    #[cfg_attr(feature = "schema", schemars(example = "230 °C"))]
+    #[schemars(example = "230 °C")]
     pub flange: Positive<Temperature>,
 }
 

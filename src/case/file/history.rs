@@ -1,7 +1,6 @@
 //! A quantity that stays, or one that changes from point to point.
 
 use crate::units::Quantity;
-#[cfg(feature = "schema")]
 use schemars::JsonSchema;
 use serde::de::value::{SeqAccessDeserializer, StrDeserializer};
 use serde::{Deserialize, Deserializer, de};
@@ -57,7 +56,6 @@ impl<'de, X: Deserialize<'de>, V: Deserialize<'de>> Deserialize<'de> for Given<X
     }
 }
 
-#[cfg(feature = "schema")]
 impl<X: JsonSchema, V: JsonSchema> JsonSchema for Given<X, V> {
     fn inline_schema() -> bool {
         true

@@ -2,7 +2,7 @@
 
 use super::Anisotropy;
 use super::yield_condition::YieldCondition;
-use crate::law::Named;
+use crate::material::law::Named;
 use crate::material::{BackStress, Gtn, Hardening, Rate, ThermalLaw};
 use crate::model::Mode;
 use crate::units::{Fraction, Number, Positive, Stress};
@@ -11,21 +11,21 @@ use serde::Deserialize;
 /// The sheet's material, isotropic in its plane.
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[cfg_attr(feature = "schema", schemars(extend("dependentRequired" = { "young": ["poisson"], "poisson": ["young"] })))]
+#[derive(schemars::JsonSchema)]
+#[schemars(extend("dependentRequired" = { "young": ["poisson"], "poisson": ["young"] }))]
 pub struct Material {
     /// A sheet of the built-in library (`stampflow materials` lists them); what else is written here replaces what the
     /// library says.
-    #[cfg_attr(feature = "schema", schemars(example = &"aa6016-t4"))]
+    #[schemars(example = &"aa6016-t4")]
     pub name: Option<String>,
     /// Where the numbers come from: author and year, or how they were measured; left out where they are assumed.
-    #[cfg_attr(feature = "schema", schemars(example = &"tension tests of this coil"))]
+    #[schemars(example = &"tension tests of this coil")]
     pub source: Option<String>,
     /// Young's modulus; given together with `poisson`.
-    #[cfg_attr(feature = "schema", schemars(example = "210 GPa"))]
+    #[schemars(example = "210 GPa")]
     pub young: Option<Positive<Stress>>,
     /// Poisson's ratio, below 0.5.
-    #[cfg_attr(feature = "schema", schemars(example = 0.3))]
+    #[schemars(example = 0.3)]
     pub poisson: Option<Fraction>,
     /// Normal anisotropy r̄, 0.1 to 10: width strain over thickness strain in tension, mean over the directions in the
     /// sheet; 1 when not given. Or r of three directions, `{ r0 = 0.525, r45 = 0.248, r90 = 0.429 }`, whose mean
@@ -34,13 +34,13 @@ pub struct Material {
     ///
     /// Valid for sheet that is alike in all its directions; it cannot show ears, and aluminium with r̄ below 1 is stronger in
     /// equi-biaxial tension than it says: `yield_condition` has another curve for it. Source: R. Hill, Proc. R. Soc. London A 193 (1948) 281–297.
-    #[cfg_attr(feature = "schema", schemars(example = 1.6))]
+    #[schemars(example = 1.6)]
     pub anisotropy: Option<Anisotropy>,
     /// The curve of the stresses at which the sheet yields; "hill48" when not given.
-    #[cfg_attr(feature = "schema", schemars(example = &"hill48", extend("default" = "hill48")))]
+    #[schemars(example = &"hill48", extend("default" = "hill48"))]
     pub yield_condition: Option<YieldCondition>,
     /// How the metal answers to strain; "flow" when not given. The others need `young` and `poisson`.
-    #[cfg_attr(feature = "schema", schemars(example = &"elasto_viscoplastic", extend("default" = "flow")))]
+    #[schemars(example = &"elasto_viscoplastic", extend("default" = "flow"))]
     pub mode: Option<Mode>,
     /// Strain-rate dependence; none when not given. The punch's `speed` then matters.
     pub rate: Option<Named<Rate>>,
@@ -52,13 +52,13 @@ pub struct Material {
     /// dα = C ξ/σ_R dε − γ α dε: valid for metal that is bent and bent back; it needs tests with reversed strain. Source:
     /// J. L. Chaboche, Int. J. Plasticity 2 (1986) 149–188 (not read; the form is in common use).
     #[serde(default)]
-    #[cfg_attr(feature = "schema", schemars(length(max = 2)))]
+    #[schemars(length(max = 2))]
     pub kinematic: Vec<BackStress>,
     /// Microscopic voids; none when not given.
     pub voids: Option<Gtn>,
     /// Largest strain of the measurements that a formula of hardening is fitted to; a run that strains the sheet further says
     /// so. A table ends where it ends.
-    #[cfg_attr(feature = "schema", schemars(example = 0.22))]
+    #[schemars(example = 0.22)]
     pub fitted_up_to: Option<Positive<Number>>,
     /// Exactly one law, such as `[material.hardening.swift]`.
     pub hardening: Option<Named<Hardening>>,

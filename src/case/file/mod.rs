@@ -44,13 +44,13 @@ use serde::Deserialize;
 /// A forming case: blank, material, tools.
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[derive(schemars::JsonSchema)]
 pub struct CaseFile {
     /// Shown above plots and reports.
-    #[cfg_attr(feature = "schema", schemars(example = "Steel cup, 60 mm punch"))]
+    #[schemars(example = "Steel cup, 60 mm punch")]
     pub title: String,
     /// Axisymmetric or plane strain.
-    #[cfg_attr(feature = "schema", schemars(example = &"axisymmetric"))]
+    #[schemars(example = &"axisymmetric")]
     pub geometry: Geometry,
     /// Shown wherever results are shown; an assumption begins with "declared: ".
     #[serde(default)]
@@ -102,41 +102,41 @@ pub struct CaseFile {
 /// The flat sheet before forming.
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[derive(schemars::JsonSchema)]
 pub struct Blank {
     /// Radius of the blank (axisymmetric).
-    #[cfg_attr(feature = "schema", schemars(example = "55 mm"))]
+    #[schemars(example = "55 mm")]
     pub radius: Option<Positive<Length>>,
     /// Length from the symmetry plane to the edge (plane strain).
-    #[cfg_attr(feature = "schema", schemars(example = "420 mm"))]
+    #[schemars(example = "420 mm")]
     pub half_length: Option<Positive<Length>>,
     /// Length of the part across the section (plane strain): forces and works are then of the whole part, in N and J. When
     /// not given they are of the whole section per mm of depth.
-    #[cfg_attr(feature = "schema", schemars(example = "800 mm"))]
+    #[schemars(example = "800 mm")]
     pub depth: Option<Positive<Length>>,
     /// Initial thickness, 0.001 to 50 mm.
-    #[cfg_attr(feature = "schema", schemars(example = "0.9 mm"))]
+    #[schemars(example = "0.9 mm")]
     pub thickness: Positive<Length>,
     /// Number of elements from the axis or symmetry plane to the edge, 2 to 2000.
     #[serde(default = "default::elements")]
-    #[cfg_attr(feature = "schema", schemars(range(min = 2, max = 2000), example = 100))]
+    #[schemars(range(min = 2, max = 2000), example = 100)]
     pub elements: i64,
     /// How element sizes are spread.
     #[serde(default)]
-    #[cfg_attr(feature = "schema", schemars(extend("default" = "radii")))]
+    #[schemars(extend("default" = "radii"))]
     pub grading: Grading,
     /// Shell theory of the sheet.
     #[serde(default)]
-    #[cfg_attr(feature = "schema", schemars(extend("default" = "bending")))]
+    #[schemars(extend("default" = "bending"))]
     pub theory: Theory,
     /// Integration points through the thickness of elements that bend, 3 to 101. When not given: 5 by the flow law, 9 in
     /// plane strain, where bending is most of the load; 15 for an elasto-viscoplastic sheet (with fewer the moment grows in
     /// jumps), 25 where a stage releases the sheet.
-    #[cfg_attr(feature = "schema", schemars(range(min = 3, max = 101), example = 5))]
+    #[schemars(range(min = 3, max = 101), example = 5)]
     pub layers: Option<i64>,
     /// How the outer edge is held.
     #[serde(default)]
-    #[cfg_attr(feature = "schema", schemars(extend("default" = "free")))]
+    #[schemars(extend("default" = "free"))]
     pub edge: Edge,
 }
 

@@ -5,25 +5,25 @@ use serde::Deserialize;
 /// The title block of a report: as it is written, and only what is given is shown.
 #[derive(Clone, Debug, Default, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[derive(schemars::JsonSchema)]
 pub struct TitleBlock {
     /// Name of the part.
-    #[cfg_attr(feature = "schema", schemars(example = &"Bearing cup"))]
+    #[schemars(example = &"Bearing cup")]
     pub part: Option<String>,
     /// Number of the part or of its drawing.
-    #[cfg_attr(feature = "schema", schemars(example = &"4711-02"))]
+    #[schemars(example = &"4711-02")]
     pub number: Option<String>,
     /// Revision of the part or of its drawing.
-    #[cfg_attr(feature = "schema", schemars(example = &"C"))]
+    #[schemars(example = &"C")]
     pub revision: Option<String>,
     /// Who answers for the report.
-    #[cfg_attr(feature = "schema", schemars(example = &"A. Ito"))]
+    #[schemars(example = &"A. Ito")]
     pub author: Option<String>,
     /// For whom the author works.
-    #[cfg_attr(feature = "schema", schemars(example = &"Ito Tools Ltd"))]
+    #[schemars(example = &"Ito Tools Ltd")]
     pub company: Option<String>,
     /// Day of the report; the program looks at no clock.
-    #[cfg_attr(feature = "schema", schemars(example = &"2026-11-22"))]
+    #[schemars(example = &"2026-11-22")]
     pub date: Option<String>,
 }
 

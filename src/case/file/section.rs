@@ -9,8 +9,8 @@ use serde::de::{Deserializer, Error, MapAccess, SeqAccess, Visitor};
 /// A tool's section, the sheet on the left as one goes along it: steps, the name of a CSV file with points, or a table.
 ///
 /// Wherever it is drawn along z, it is moved to where it touches the flat sheet.
-#[derive(Clone, Debug)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema), schemars(untagged))]
+#[derive(Clone, Debug, schemars::JsonSchema)]
+#[schemars(untagged)]
 pub enum Section {
     /// Lines and arcs.
     Steps(Vec<ProfileStep>),
@@ -25,41 +25,41 @@ pub enum Section {
 /// `{ file, fillet }`, `{ offset_of, by, shoulder, closed_at }` or `{ mirror_of }`.
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[cfg_attr(feature = "schema", schemars(extend("dependentRequired" = { "fillet": ["file"], "offset_of": ["by"], "by": ["offset_of"], "shoulder": ["offset_of"], "closed_at": ["offset_of", "shoulder"] })))]
+#[derive(schemars::JsonSchema)]
+#[schemars(extend("dependentRequired" = { "fillet": ["file"], "offset_of": ["by"], "by": ["offset_of"], "shoulder": ["offset_of"], "closed_at": ["offset_of", "shoulder"] }))]
 pub struct SectionTable {
     /// CSV file with points.
-    #[cfg_attr(feature = "schema", schemars(example = "die.csv"))]
+    #[schemars(example = "die.csv")]
     pub file: Option<String>,
     /// Fillet radius of all inner points of the file that have none of their own; "0 mm" keeps them sharp.
-    #[cfg_attr(feature = "schema", schemars(example = "5 mm"))]
+    #[schemars(example = "5 mm")]
     pub fillet: Option<NonNegative<Length>>,
     /// The punch or the die whose outline this tool follows, so that the two close on each other: every point of this
     /// tool then lies `by` away from the other. A sharp corner of the other becomes an arc of radius `by`.
-    #[cfg_attr(feature = "schema", schemars(example = &"punch"))]
+    #[schemars(example = &"punch")]
     pub offset_of: Option<Role>,
     /// The gap between the two tools when they have closed: the sheet's thickness and the clearance.
-    #[cfg_attr(feature = "schema", schemars(example = "1.2 mm"))]
+    #[schemars(example = "1.2 mm")]
     pub by: Option<Positive<Length>>,
     /// For a die around a punch with a wall: the cavity ends at the die's face, on which the flat sheet lies, with this
     /// radius. Without it the offset is the whole die: for a punch that is drawn as far as the blank reaches.
-    #[cfg_attr(feature = "schema", schemars(example = "6 mm"))]
+    #[schemars(example = "6 mm")]
     pub shoulder: Option<Positive<Length>>,
     /// With `shoulder`: the punch's travel at which the gap is `by` everywhere, which is how deep the cavity is; the
     /// whole travel when not given. Without `shoulder` it follows from the die touching the flat sheet.
-    #[cfg_attr(feature = "schema", schemars(example = "25 mm"))]
+    #[schemars(example = "25 mm")]
     pub closed_at: Option<Positive<Length>>,
     /// The tool on the other side of the flat sheet of which this one is the mirror image: a holder of the die's form,
     /// or a die of the holder's.
-    #[cfg_attr(feature = "schema", schemars(example = &"die"))]
+    #[schemars(example = &"die")]
     pub mirror_of: Option<Role>,
 }
 
 /// One step of a drawn section: `from` first, then `to` for straight lines, `arc_to` with `center` and `turn` for arcs.
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[cfg_attr(feature = "schema", schemars(extend("dependentRequired" = { "arc_to": ["center", "turn"], "center": ["arc_to"], "turn": ["arc_to"] })))]
+#[derive(schemars::JsonSchema)]
+#[schemars(extend("dependentRequired" = { "arc_to": ["center", "turn"], "center": ["arc_to"], "turn": ["arc_to"] }))]
 pub struct ProfileStep {
     /// First point: [r, z].
     pub from: Option<[Length; 2]>,
@@ -70,14 +70,14 @@ pub struct ProfileStep {
     /// Centre of the arc: [r, z].
     pub center: Option<[Length; 2]>,
     /// Which way the arc turns as one goes along it.
-    #[cfg_attr(feature = "schema", schemars(example = &"right"))]
+    #[schemars(example = &"right")]
     pub turn: Option<Turn>,
 }
 
 /// Sense of an arc as one goes along it, r to the right and z upward.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
 #[serde(rename_all = "snake_case")]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[derive(schemars::JsonSchema)]
 pub enum Turn {
     /// Counter-clockwise: a hollow of the tool.
     Left,

@@ -7,23 +7,23 @@ use serde::Deserialize;
 /// not depend on them.
 #[derive(Clone, Debug, Default, Deserialize)]
 #[serde(deny_unknown_fields)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[derive(schemars::JsonSchema)]
 pub struct Springback {
     /// Wanted angle between the two legs or walls of the whole section, 0 deg where they are upright. When not given, that of
     /// the punch's straight wall where the sheet lies against it, else the one under the tools.
-    #[cfg_attr(feature = "schema", schemars(example = "90 deg"))]
+    #[schemars(example = "90 deg")]
     pub angle: Option<NonNegative<Angle>>,
     /// By how much that angle, of both walls together, may miss; instead of `wall_tolerance`.
-    #[cfg_attr(feature = "schema", schemars(example = "1 deg"))]
+    #[schemars(example = "1 deg")]
     pub tolerance: Option<Positive<Angle>>,
     /// By how much the angle of each wall may miss: half of what the angle between both may.
-    #[cfg_attr(feature = "schema", schemars(example = "0.5 deg"))]
+    #[schemars(example = "0.5 deg")]
     pub wall_tolerance: Option<Positive<Angle>>,
     /// By how much each flange may turn from where it is under the tools.
-    #[cfg_attr(feature = "schema", schemars(example = "1 deg"))]
+    #[schemars(example = "1 deg")]
     pub flange_tolerance: Option<Positive<Angle>>,
     /// By how much each edge may move inward or outward from where it is under the tools.
-    #[cfg_attr(feature = "schema", schemars(example = "0.5 mm"))]
+    #[schemars(example = "0.5 mm")]
     pub edge_tolerance: Option<Positive<Length>>,
     /// A ring that is cut from the wall of a drawn cup and slit: its opening is told.
     pub ring: Option<Ring>,
@@ -32,12 +32,12 @@ pub struct Springback {
 /// A ring of the wall of a cup that stands on its bottom.
 #[derive(Clone, Copy, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[derive(schemars::JsonSchema)]
 pub struct Ring {
     /// Height of its lower edge over the outside of the bottom.
-    #[cfg_attr(feature = "schema", schemars(example = "20 mm"))]
+    #[schemars(example = "20 mm")]
     pub from: NonNegative<Length>,
     /// Its height, from edge to edge.
-    #[cfg_attr(feature = "schema", schemars(example = "5 mm"))]
+    #[schemars(example = "5 mm")]
     pub height: Positive<Length>,
 }

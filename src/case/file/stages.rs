@@ -3,7 +3,6 @@
 use super::{Crowned, Die, Flat, Friction, Given, Hemispherical, Holder, HolderForce, Punch, Section};
 use crate::model::{Edge, Mode, ReleaseStiffness, Role};
 use crate::units::{Length, NonNegative, Positive, Speed, Time};
-#[cfg(feature = "schema")]
 use schemars::JsonSchema;
 use serde::{Deserialize, Deserializer, de};
 use std::fmt;
@@ -11,20 +10,20 @@ use std::fmt;
 /// The first stage, which is what the rest of the file describes.
 #[derive(Clone, Debug, Default, Deserialize)]
 #[serde(deny_unknown_fields)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[derive(schemars::JsonSchema)]
 pub struct FirstStage {
     /// Names its folder where there are several stages; "forming" when not given.
-    #[cfg_attr(feature = "schema", schemars(example = &"draw"))]
+    #[schemars(example = &"draw")]
     pub name: Option<String>,
 }
 
 /// One more operation on the same sheet; what is not said stays as in the stage before, but tools that went stand still.
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[derive(schemars::JsonSchema)]
 pub struct Stage {
     /// Letters, digits, `-` and `_`: it names a folder.
-    #[cfg_attr(feature = "schema", schemars(example = &"retract"))]
+    #[schemars(example = &"retract")]
     pub name: String,
     /// The punch, where it is new, moves or has another friction.
     pub punch: Option<StagePunch>,
@@ -34,7 +33,7 @@ pub struct Stage {
     pub holder: Option<StageHolder>,
     /// Tools that are no longer there.
     #[serde(default)]
-    #[cfg_attr(feature = "schema", schemars(example = &("holder",)))]
+    #[schemars(example = &("holder",))]
     pub remove: Vec<Role>,
     /// How the outer edge is held.
     pub edge: Option<Edge>,
@@ -42,7 +41,7 @@ pub struct Stage {
     #[serde(default)]
     pub anneal: bool,
     /// Cuts the sheet at this current distance from the axis or symmetry plane before the stage; whole elements go.
-    #[cfg_attr(feature = "schema", schemars(example = "80 mm"))]
+    #[schemars(example = "80 mm")]
     pub trim: Option<Positive<Length>>,
     /// How the metal answers to strain.
     pub mode: Option<Mode>,
@@ -50,30 +49,30 @@ pub struct Stage {
     /// is iterated with: "updated", which true means, or "constant".
     pub release: Option<Release>,
     /// Speed of the tool that goes furthest; that of the first stage when not given.
-    #[cfg_attr(feature = "schema", schemars(example = "1 mm/s"))]
+    #[schemars(example = "1 mm/s")]
     pub speed: Option<Positive<Speed>>,
     /// Instead of the speed; 1 s where no tool goes anywhere and it is not given.
-    #[cfg_attr(feature = "schema", schemars(example = "2 s"))]
+    #[schemars(example = "2 s")]
     pub duration: Option<Positive<Time>>,
     /// Number of equally spaced instants that are kept, 1 to 1000; 4 when not given.
-    #[cfg_attr(feature = "schema", schemars(range(min = 1, max = 1000), example = 4))]
+    #[schemars(range(min = 1, max = 1000), example = 4)]
     pub frames: Option<i64>,
 }
 
 /// The punch of a later stage; a shape makes it a new one, which is brought up from below until it touches the sheet.
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[derive(schemars::JsonSchema)]
 pub struct StagePunch {
     /// How far it goes along z in the stage, towards the die where positive.
     #[serde(rename = "move")]
-    #[cfg_attr(feature = "schema", schemars(example = "-30 mm"))]
+    #[schemars(example = "-30 mm")]
     pub axial: Option<Length>,
     /// How far it goes away from the axis or symmetry plane in the stage.
-    #[cfg_attr(feature = "schema", schemars(example = "5 mm"))]
+    #[schemars(example = "5 mm")]
     pub aside: Option<Length>,
     /// As in the first stage.
-    #[cfg_attr(feature = "schema", schemars(example = 0.08))]
+    #[schemars(example = 0.08)]
     pub friction: Option<Friction>,
     /// A new punch with a spherical nose.
     pub hemispherical: Option<Hemispherical>,
@@ -88,23 +87,23 @@ pub struct StagePunch {
 /// The die of a later stage; a shape makes it a new one, which is brought down from above until it touches the sheet.
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[derive(schemars::JsonSchema)]
 pub struct StageDie {
     /// How far it goes along z in the stage, away from the punch where positive.
     #[serde(rename = "move")]
-    #[cfg_attr(feature = "schema", schemars(example = "30 mm"))]
+    #[schemars(example = "30 mm")]
     pub axial: Option<Length>,
     /// How far it goes away from the axis or symmetry plane in the stage.
-    #[cfg_attr(feature = "schema", schemars(example = "5 mm"))]
+    #[schemars(example = "5 mm")]
     pub aside: Option<Length>,
     /// As in the first stage.
-    #[cfg_attr(feature = "schema", schemars(example = 0.08))]
+    #[schemars(example = 0.08)]
     pub friction: Option<Friction>,
     /// Radius of the opening (plane strain: half width).
-    #[cfg_attr(feature = "schema", schemars(example = "31.25 mm"))]
+    #[schemars(example = "31.25 mm")]
     pub throat: Option<Positive<Length>>,
     /// Radius of the corner over which the sheet is drawn.
-    #[cfg_attr(feature = "schema", schemars(example = "6 mm"))]
+    #[schemars(example = "6 mm")]
     pub shoulder: Option<Positive<Length>>,
     /// A section of one's own, from outside inward.
     pub profile: Option<Section>,
@@ -113,27 +112,27 @@ pub struct StageDie {
 /// The blank holder of a later stage; a shape makes it a new one, which is brought up from below until it touches the sheet.
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[derive(schemars::JsonSchema)]
 pub struct StageHolder {
     /// How far it goes along z in the stage, away from the die where negative; it then has no force.
     #[serde(rename = "move")]
-    #[cfg_attr(feature = "schema", schemars(example = "-5 mm"))]
+    #[schemars(example = "-5 mm")]
     pub axial: Option<Length>,
     /// How far it goes away from the axis or symmetry plane in the stage.
-    #[cfg_attr(feature = "schema", schemars(example = "5 mm"))]
+    #[schemars(example = "5 mm")]
     pub aside: Option<Length>,
     /// As in the first stage, a history over the travel of this one. One force is reached from that of the stage before over
     /// the first fifth of the travel, at once where nothing moves.
-    #[cfg_attr(feature = "schema", schemars(example = "20 N"))]
+    #[schemars(example = "20 N")]
     pub force: Option<Given<NonNegative<Length>, HolderForce>>,
     /// As in the first stage.
-    #[cfg_attr(feature = "schema", schemars(example = 0.08))]
+    #[schemars(example = 0.08)]
     pub friction: Option<Friction>,
     /// Inner radius (axisymmetric).
-    #[cfg_attr(feature = "schema", schemars(example = "32 mm"))]
+    #[schemars(example = "32 mm")]
     pub inner_radius: Option<Positive<Length>>,
     /// Distance of its inner edge from the symmetry plane (plane strain).
-    #[cfg_attr(feature = "schema", schemars(example = "341 mm"))]
+    #[schemars(example = "341 mm")]
     pub inner_half_width: Option<Positive<Length>>,
     /// A section of one's own, from inside outward.
     pub profile: Option<Section>,
@@ -186,7 +185,6 @@ impl<'de> Deserialize<'de> for Release {
     }
 }
 
-#[cfg(feature = "schema")]
 impl JsonSchema for Release {
     fn inline_schema() -> bool {
         true

@@ -2,14 +2,13 @@
 
 use super::{Friction, Given, Section};
 use crate::units::{Force, Length, LineForce, NonNegative, Positive, Quantity, Speed, Stress, Time};
-#[cfg(feature = "schema")]
 use schemars::JsonSchema;
 use serde::Deserialize;
 
 /// The rigid tools; each is placed where it touches the flat sheet.
 #[derive(Clone, Debug, Default, Deserialize)]
 #[serde(deny_unknown_fields)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[derive(schemars::JsonSchema)]
 pub struct Tools {
     /// The punch, below the sheet.
     pub punch: Option<Punch>,
@@ -25,23 +24,23 @@ pub struct Tools {
 /// A draw bead as a line restraint: it holds the sheet back while the sheet passes it.
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[derive(schemars::JsonSchema)]
 pub struct Bead {
     /// Distance of its line from the axis or symmetry plane.
-    #[cfg_attr(feature = "schema", schemars(example = "70 mm"))]
+    #[schemars(example = "70 mm")]
     pub at: Positive<Length>,
     /// Restraining force per length of the line, of which a plane section has one on each side.
-    #[cfg_attr(feature = "schema", schemars(example = "100 N/mm"))]
+    #[schemars(example = "100 N/mm")]
     pub restraining: NonNegative<LineForce>,
     /// Closing force per length of the line, taken from the holder's force; none when not given.
-    #[cfg_attr(feature = "schema", schemars(example = "150 N/mm"))]
+    #[schemars(example = "150 N/mm")]
     pub closing: Option<NonNegative<LineForce>>,
 }
 
 /// The punch moves towards +z; exactly one of the shapes is given.
 #[derive(Clone, Debug, Default, Deserialize)]
 #[serde(deny_unknown_fields)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[derive(schemars::JsonSchema)]
 pub struct Punch {
     /// Spherical nose.
     pub hemispherical: Option<Hemispherical>,
@@ -52,94 +51,94 @@ pub struct Punch {
     /// A section of one's own, from the axis outward.
     pub profile: Option<Section>,
     /// Coulomb's coefficient of friction, 0 to 1, or another law; that of its side of the sheet when not given.
-    #[cfg_attr(feature = "schema", schemars(example = 0.08))]
+    #[schemars(example = 0.08)]
     pub friction: Option<Friction>,
     /// How far the punch goes from where it touches the flat sheet.
-    #[cfg_attr(feature = "schema", schemars(example = "25 mm"))]
+    #[schemars(example = "25 mm")]
     pub travel: Option<Positive<Length>>,
     /// Punch speed, 1 mm/s when not given; hardening without rate dependence does not feel it.
-    #[cfg_attr(feature = "schema", schemars(example = "1 mm/s"))]
+    #[schemars(example = "1 mm/s")]
     pub speed: Option<Positive<Speed>>,
     /// Instead of travel and speed: the travel over time, rising from 0 mm at 0 s, straight between its points; the last one is
     /// the whole travel.
-    #[cfg_attr(feature = "schema", schemars(example = &(("0 s", "0 mm"), ("2 s", "10 mm"), ("4 s", "30 mm"))))]
+    #[schemars(example = &(("0 s", "0 mm"), ("2 s", "10 mm"), ("4 s", "30 mm")))]
     pub motion: Option<Vec<(NonNegative<Time>, NonNegative<Length>)>>,
 }
 
 /// Spherical nose (plane strain: cylindrical).
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[derive(schemars::JsonSchema)]
 pub struct Hemispherical {
     /// Radius of the nose and of the wall.
-    #[cfg_attr(feature = "schema", schemars(example = "25.4 mm"))]
+    #[schemars(example = "25.4 mm")]
     pub radius: Positive<Length>,
 }
 
 /// Flat face, corner and straight wall.
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[derive(schemars::JsonSchema)]
 pub struct Flat {
     /// Radius of the wall (axisymmetric).
-    #[cfg_attr(feature = "schema", schemars(example = "30 mm"))]
+    #[schemars(example = "30 mm")]
     pub radius: Option<Positive<Length>>,
     /// Half width between the walls (plane strain).
-    #[cfg_attr(feature = "schema", schemars(example = "30 mm"))]
+    #[schemars(example = "30 mm")]
     pub half_width: Option<Positive<Length>>,
     /// Radius of the corner.
-    #[cfg_attr(feature = "schema", schemars(example = "6 mm"))]
+    #[schemars(example = "6 mm")]
     pub nose: Positive<Length>,
 }
 
 /// Gently curved face, corner and straight wall.
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[derive(schemars::JsonSchema)]
 pub struct Crowned {
     /// Radius of the wall (axisymmetric).
-    #[cfg_attr(feature = "schema", schemars(example = "330 mm"))]
+    #[schemars(example = "330 mm")]
     pub radius: Option<Positive<Length>>,
     /// Half width between the walls (plane strain).
-    #[cfg_attr(feature = "schema", schemars(example = "330 mm"))]
+    #[schemars(example = "330 mm")]
     pub half_width: Option<Positive<Length>>,
     /// Radius of curvature of the face, larger than the punch's own radius.
-    #[cfg_attr(feature = "schema", schemars(example = "2800 mm"))]
+    #[schemars(example = "2800 mm")]
     pub face: Positive<Length>,
     /// Radius of the corner.
-    #[cfg_attr(feature = "schema", schemars(example = "10 mm"))]
+    #[schemars(example = "10 mm")]
     pub nose: Positive<Length>,
 }
 
 /// The die stands still above the sheet: `throat` and `shoulder`, or a `profile`.
 #[derive(Clone, Debug, Default, Deserialize)]
 #[serde(deny_unknown_fields)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[cfg_attr(feature = "schema", schemars(extend("dependentRequired" = { "throat": ["shoulder"] })))]
+#[derive(schemars::JsonSchema)]
+#[schemars(extend("dependentRequired" = { "throat": ["shoulder"] }))]
 pub struct Die {
     /// Radius of the opening (plane strain: half width).
-    #[cfg_attr(feature = "schema", schemars(example = "31.25 mm"))]
+    #[schemars(example = "31.25 mm")]
     pub throat: Option<Positive<Length>>,
     /// Radius of the corner over which the sheet is drawn.
-    #[cfg_attr(feature = "schema", schemars(example = "6 mm"))]
+    #[schemars(example = "6 mm")]
     pub shoulder: Option<Positive<Length>>,
     /// A section of one's own, from outside inward.
     pub profile: Option<Section>,
     /// Coulomb's coefficient of friction, 0 to 1, or another law; that of its side of the sheet when not given.
-    #[cfg_attr(feature = "schema", schemars(example = 0.08))]
+    #[schemars(example = 0.08)]
     pub friction: Option<Friction>,
 }
 
 /// The blank holder presses the sheet against the die: a flat ring from its inner radius outward, or a `profile`.
 #[derive(Clone, Debug, Default, Deserialize)]
 #[serde(deny_unknown_fields)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[derive(schemars::JsonSchema)]
 pub struct Holder {
     /// Inner radius (axisymmetric).
-    #[cfg_attr(feature = "schema", schemars(example = "32 mm"))]
+    #[schemars(example = "32 mm")]
     pub inner_radius: Option<Positive<Length>>,
     /// Distance of its inner edge from the symmetry plane (plane strain).
-    #[cfg_attr(feature = "schema", schemars(example = "341 mm"))]
+    #[schemars(example = "341 mm")]
     pub inner_half_width: Option<Positive<Length>>,
     /// A section of one's own, from inside outward. Where it and the die cannot both lie on the flat sheet, for a bead or a slope,
     /// the holder closes over the sheet before the punch comes.
@@ -147,32 +146,32 @@ pub struct Holder {
     /// Force of the whole holder ("80 kN"); in plane strain on both sides of the symmetry plane together, per mm of depth
     /// ("2600 N/mm"), or in all where blank.depth is given. Or its history over the punch travel: [["0 mm", "40 kN"],
     /// ["20 mm", "80 kN"]]. The holder's position follows.
-    #[cfg_attr(feature = "schema", schemars(example = "10 kN"))]
+    #[schemars(example = "10 kN")]
     pub force: Option<Given<NonNegative<Length>, HolderForce>>,
     /// Pressure times the initial area between holder and the die's flat: a force that stays.
-    #[cfg_attr(feature = "schema", schemars(example = "2.5 MPa"))]
+    #[schemars(example = "2.5 MPa")]
     pub pressure: Option<NonNegative<Stress>>,
     /// Fixed distance between the faces of holder and die: distance blocks.
-    #[cfg_attr(feature = "schema", schemars(example = "1.1 mm"))]
+    #[schemars(example = "1.1 mm")]
     pub gap: Option<Positive<Length>>,
     /// Springs or a cushion: the force grows as the holder is pushed away from the die.
     pub spring: Option<Spring>,
     /// Coulomb's coefficient of friction, 0 to 1, or another law; that of the punch's side or of the die when not given.
-    #[cfg_attr(feature = "schema", schemars(example = 0.08))]
+    #[schemars(example = 0.08)]
     pub friction: Option<Friction>,
 }
 
 /// A soft holder.
 #[derive(Clone, Copy, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[derive(schemars::JsonSchema)]
 pub struct Spring {
     /// Force where the holder touches the flat sheet, of the whole holder as `force`.
-    #[cfg_attr(feature = "schema", schemars(example = "10 kN"))]
+    #[schemars(example = "10 kN")]
     pub preload: HolderForce,
     /// Force per move of the whole holder, "5 kN/mm"; in plane strain per depth as well, "50 N/mm^2", unless blank.depth is
     /// given.
-    #[cfg_attr(feature = "schema", schemars(example = "5 kN/mm"))]
+    #[schemars(example = "5 kN/mm")]
     pub stiffness: Stiffness,
 }
 
@@ -231,7 +230,6 @@ macro_rules! in_all_or_per_depth {
             }
         }
 
-        #[cfg(feature = "schema")]
         impl JsonSchema for $type {
             fn inline_schema() -> bool {
                 true

@@ -6,7 +6,7 @@ use serde::Deserialize;
 /// The curve of the stresses at which the sheet yields; both take r̄ from `anisotropy`.
 #[derive(Clone, Copy, Debug, Deserialize)]
 #[serde(rename_all = "snake_case")]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[derive(schemars::JsonSchema)]
 pub enum YieldCondition {
     /// Hill's of 1948, quadratic.
     Hill48,
@@ -27,21 +27,21 @@ impl YieldCondition {
 /// (not read; the form is in common use).
 #[derive(Clone, Copy, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[cfg_attr(feature = "schema", schemars(rename = "HosfordLaw"))]
+#[derive(schemars::JsonSchema)]
+#[schemars(rename = "HosfordLaw")]
 pub struct Hosford {
     /// Lattice of the metal, which says a: 8 for fcc, 6 for bcc.
-    #[cfg_attr(feature = "schema", schemars(example = &"fcc"))]
+    #[schemars(example = &"fcc")]
     pub crystal: Option<Crystal>,
     /// a, 2 to 10, in the place of `crystal`.
-    #[cfg_attr(feature = "schema", schemars(example = 8))]
+    #[schemars(example = 8)]
     pub exponent: Option<Positive<Number>>,
 }
 
 /// Lattice of a metal.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
 #[serde(rename_all = "snake_case")]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[derive(schemars::JsonSchema)]
 pub enum Crystal {
     /// Body-centred cubic: ferritic steel; a = 6.
     Bcc,

@@ -4,7 +4,7 @@ use super::class::Class;
 use super::measured::Measured;
 use crate::case::CaseError;
 use crate::case::{file, reader};
-use crate::law::Named;
+use crate::material::law::Named;
 use crate::material::{BackStress, Hardening};
 use crate::model::Mode;
 use serde::Deserialize;

@@ -34,7 +34,6 @@ pub(in crate::case) fn listed<'a>(table: &str, keys: &[&'a str]) -> Vec<&'a str>
 }
 
 /// The key across of a key from the axis, of a struct of case files by its name: `StageHolder` is a holder.
-#[cfg(feature = "schema")]
 pub(in crate::case) fn in_schema(name: &str) -> impl Iterator<Item = &'static Twin> {
     let name = name.strip_prefix("Stage").filter(|tool| !tool.is_empty()).unwrap_or(name).to_lowercase();
     TWINS.iter().filter(move |twin| twin.tables.iter().any(|table| table.trim_end_matches('s') == name))

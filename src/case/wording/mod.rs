@@ -4,7 +4,6 @@
 mod diameters;
 mod synonyms;
 
-#[cfg(feature = "schema")]
 pub(super) use diameters::in_schema;
 pub(super) use diameters::listed;
 

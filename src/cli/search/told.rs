@@ -5,7 +5,7 @@ use super::super::table::{Cell, Tone, table, wrapped};
 use stampflow::message::{Amount, Form, message};
 use stampflow::study::Row;
 use stampflow::study::search::{Answer, Named, Quest};
-use stampflow::verification::{Number, Of, Verification};
+use stampflow::study::verify::{Number, Of, Verification};
 use std::path::Path;
 
 /// The answer, what is to be known of it, and the run on either side of it.

@@ -7,7 +7,7 @@ use stampflow::message::{Amount, Form, Message, message};
 use stampflow::model::Iteration;
 use stampflow::output::log_plot::{Curve, log_plot};
 use stampflow::solver::Start;
-use stampflow::trace::{Attempt, Iterated, Pass, Rate, Trace, Way};
+use stampflow::solver::trace::{Attempt, Iterated, Pass, Rate, Trace, Way};
 
 /// Rows of a table that are shown at its beginning and at its end, where it has more of them.
 const SHOWN: [usize; 2] = [12, 6];

@@ -1,7 +1,7 @@
 //! Coulomb's friction: the stress is a fixed share of the pressure.
 
 use super::{Drag, FrictionLaw, Sliding, direction};
-use crate::law::prelude::*;
+use crate::material::law::prelude::*;
 use crate::numerics::Real;
 
 /// τ = μ p φ(s). A case writes it as a plain number, μ.

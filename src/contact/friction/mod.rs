@@ -1,4 +1,4 @@
-//! Friction laws: one law, one file, as [`law`](crate::law) says.
+//! Friction laws: one law, one file, as [`law`](crate::material::law) says.
 //!
 //! Every law gives the friction stress τ that opposes sliding, from the contact pressure p, the slip s of the step
 //! relative to the tool and the step's duration. All are regularised alike: a node that should stick creeps instead,
@@ -18,7 +18,7 @@ mod stribeck;
 mod tresca;
 
 use crate::contact::penalty::ValueAndSlope;
-use crate::law::{Law, family};
+use crate::material::law::{Law, family};
 use crate::numerics::Real;
 
 /// What a law looks at.

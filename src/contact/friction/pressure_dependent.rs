@@ -5,27 +5,27 @@
 //! where the pressure sets in: p is replaced there by √(p² + (0.01 p₀)²).
 
 use super::{Drag, FrictionLaw, Sliding, direction};
-use crate::law::prelude::*;
+use crate::material::law::prelude::*;
 
 /// Coefficient that falls with pressure: μ = coefficient (p/reference)^(exponent − 1).
 ///
 /// Source: in common use for lubricated sheet; I. Gil, J. Mendiguren, L. Galdos, E. Mugarra, E. Saenz de Argandoña,
 /// Tribology International 103 (2016) 266–273 (not read).
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "case", derive(serde::Deserialize), serde(deny_unknown_fields))]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[derive(Clone, Copy, Debug, PartialEq, serde::Deserialize)]
+#[serde(deny_unknown_fields)]
+#[derive(schemars::JsonSchema)]
 pub struct PressureDependent {
     /// At the reference pressure, 0 to 1.
-    #[cfg_attr(feature = "case", serde(with = "As::<Fraction>"))]
-    #[cfg_attr(feature = "schema", schemars(example = 0.12))]
+    #[serde(with = "As::<Fraction>")]
+    #[schemars(example = 0.12)]
     pub coefficient: f64,
     /// Reference pressure \[MPa\].
-    #[cfg_attr(feature = "case", serde(with = "As::<Positive<Stress>>"))]
-    #[cfg_attr(feature = "schema", schemars(example = "5 MPa"))]
+    #[serde(with = "As::<Positive<Stress>>")]
+    #[schemars(example = "5 MPa")]
     pub reference: f64,
     /// 0 to 1; 1 is Coulomb's law, 0 a friction stress that does not depend on the pressure.
-    #[cfg_attr(feature = "case", serde(with = "As::<Fraction>"))]
-    #[cfg_attr(feature = "schema", schemars(example = 0.9))]
+    #[serde(with = "As::<Fraction>")]
+    #[schemars(example = 0.9)]
     pub exponent: f64,
 }
 

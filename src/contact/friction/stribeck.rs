@@ -2,31 +2,31 @@
 //! τ = p \[(μ_k + (μ_s − μ_k) exp(−(v/v_s)²)) φ(s) + c v\].
 
 use super::{Drag, FrictionLaw, Sliding, direction};
-use crate::law::prelude::*;
+use crate::material::law::prelude::*;
 
 /// Coefficient that depends on the sliding speed v: sliding + (at_rest − sliding) exp(−(v/speed)²) + viscous v.
 ///
 /// Source: in common use (as in MathWorks, Simscape, Translational Friction, but for its smoothing);
 /// B. Armstrong-Hélouvry, P. Dupont, C. Canudas de Wit, Automatica 30 (1994) 1083–1138 (not read).
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "case", derive(serde::Deserialize), serde(deny_unknown_fields))]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[derive(Clone, Copy, Debug, PartialEq, serde::Deserialize)]
+#[serde(deny_unknown_fields)]
+#[derive(schemars::JsonSchema)]
 pub struct Stribeck {
     /// Of the slowest sliding, 0 to 1.
-    #[cfg_attr(feature = "case", serde(with = "As::<Fraction>"))]
-    #[cfg_attr(feature = "schema", schemars(example = 0.15))]
+    #[serde(with = "As::<Fraction>")]
+    #[schemars(example = 0.15)]
     pub at_rest: f64,
     /// Of fast sliding, 0 to 1.
-    #[cfg_attr(feature = "case", serde(with = "As::<Fraction>"))]
-    #[cfg_attr(feature = "schema", schemars(example = 0.05))]
+    #[serde(with = "As::<Fraction>")]
+    #[schemars(example = 0.05)]
     pub sliding: f64,
     /// Stribeck's speed \[mm/s\].
-    #[cfg_attr(feature = "case", serde(with = "As::<Positive<Speed>>"))]
-    #[cfg_attr(feature = "schema", schemars(example = "10 mm/s"))]
+    #[serde(with = "As::<Positive<Speed>>")]
+    #[schemars(example = "10 mm/s")]
     pub speed: f64,
     /// Rise of the coefficient with the speed, per mm/s; none when not given.
-    #[cfg_attr(feature = "case", serde(default, with = "As::<NonNegative<Number>>"))]
-    #[cfg_attr(feature = "schema", schemars(example = 0.0001))]
+    #[serde(default, with = "As::<NonNegative<Number>>")]
+    #[schemars(example = 0.0001)]
     pub viscous: f64,
 }
 

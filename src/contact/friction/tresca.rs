@@ -4,27 +4,26 @@
 //! stress k = σ_y/√3, which is that of the start of the step.
 
 use super::{Drag, FrictionLaw, Sliding, direction};
-use crate::law::prelude::*;
+use crate::material::law::prelude::*;
 
 /// Friction stress of at most a share of the sheet's shear yield stress k.
 ///
 /// Source: the combined law of Coulomb and constant shear friction, as I. Bobrovskij et al., Metals 12 (2022) 239, describes
 /// it; E. Orowan, Proc. Inst. Mech. Engrs. 150 (1943) 140–167 (not read), for min(μ p, k). The smooth passage is ours.
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "case", derive(serde::Deserialize), serde(deny_unknown_fields))]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[derive(Clone, Copy, Debug, PartialEq, serde::Deserialize)]
+#[serde(deny_unknown_fields)]
+#[derive(schemars::JsonSchema)]
 pub struct Tresca {
     /// Share m of k, 0 to 1.
-    #[cfg_attr(feature = "case", serde(with = "As::<Fraction>"))]
-    #[cfg_attr(feature = "schema", schemars(example = 0.2))]
+    #[serde(with = "As::<Fraction>")]
+    #[schemars(example = 0.2)]
     pub factor: f64,
     /// Coulomb's coefficient under light pressure; 1/√3, the largest that makes sense, when not given.
-    #[cfg_attr(feature = "case", serde(default = "bound", with = "As::<Fraction>"))]
-    #[cfg_attr(feature = "schema", schemars(example = 0.1))]
+    #[serde(default = "bound", with = "As::<Fraction>")]
+    #[schemars(example = 0.1)]
     pub coefficient: f64,
 }
 
-#[cfg(feature = "case")]
 fn bound() -> f64 {
     Tresca::BOUND
 }

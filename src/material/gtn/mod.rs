@@ -16,7 +16,7 @@ pub use condition::GtnCondition;
 
 use super::Hill48;
 use super::yield_condition::Triple;
-use crate::law::prelude::*;
+use crate::material::law::prelude::*;
 use std::f64::consts::TAU;
 use std::fmt;
 
@@ -32,25 +32,25 @@ const LARGEST: f64 = 0.99;
 /// Valid for small, spread-out voids under tension; without shear it says little about compression.
 /// Source: in common use; A. L. Gurson (1977), V. Tvergaard, A. Needleman (1984), nucleation C. C. Chu, A. Needleman
 /// (1980) (not read).
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "case", derive(serde::Deserialize), serde(deny_unknown_fields))]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[derive(Clone, Copy, Debug, PartialEq, serde::Deserialize)]
+#[serde(deny_unknown_fields)]
+#[derive(schemars::JsonSchema)]
 pub struct Gtn {
     /// Initial porosity f₀, below 0.3.
-    #[cfg_attr(feature = "case", serde(with = "As::<Fraction>"))]
-    #[cfg_attr(feature = "schema", schemars(example = 0.01))]
+    #[serde(with = "As::<Fraction>")]
+    #[schemars(example = 0.01)]
     pub initial: f64,
     /// 1.5 when not given (Tvergaard).
-    #[cfg_attr(feature = "case", serde(default = "tvergaard", with = "As::<Positive<Number>>"))]
-    #[cfg_attr(feature = "schema", schemars(example = 1.5))]
+    #[serde(default = "tvergaard", with = "As::<Positive<Number>>")]
+    #[schemars(example = 1.5)]
     pub q1: f64,
     /// 1 when not given.
-    #[cfg_attr(feature = "case", serde(default = "one", with = "As::<Positive<Number>>"))]
-    #[cfg_attr(feature = "schema", schemars(example = 1.0))]
+    #[serde(default = "one", with = "As::<Positive<Number>>")]
+    #[schemars(example = 1.0)]
     pub q2: f64,
     /// q1² when not given, which 0 stands for until [`Gtn::prepare`].
-    #[cfg_attr(feature = "case", serde(default, with = "As::<Positive<Number>>"))]
-    #[cfg_attr(feature = "schema", schemars(!default, with = "Option<Positive<Number>>", example = 2.25))]
+    #[serde(default, with = "As::<Positive<Number>>")]
+    #[schemars(!default, with = "Option<Positive<Number>>", example = 2.25)]
     pub q3: f64,
     /// Voids that open at particles as the sheet strains; none when not given.
     pub nucleation: Option<Nucleation>,
@@ -59,40 +59,39 @@ pub struct Gtn {
 }
 
 /// Strain-controlled nucleation, spread normally.
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "case", derive(serde::Deserialize), serde(deny_unknown_fields))]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[derive(Clone, Copy, Debug, PartialEq, serde::Deserialize)]
+#[serde(deny_unknown_fields)]
+#[derive(schemars::JsonSchema)]
 pub struct Nucleation {
     /// Porosity f_N that all particles make.
-    #[cfg_attr(feature = "case", serde(with = "As::<Fraction>"))]
-    #[cfg_attr(feature = "schema", schemars(example = 0.04))]
+    #[serde(with = "As::<Fraction>")]
+    #[schemars(example = 0.04)]
     pub fraction: f64,
     /// Mean strain ε_N.
-    #[cfg_attr(feature = "case", serde(with = "As::<Positive<Number>>"))]
-    #[cfg_attr(feature = "schema", schemars(example = 0.3))]
+    #[serde(with = "As::<Positive<Number>>")]
+    #[schemars(example = 0.3)]
     pub strain: f64,
     /// Standard deviation s_N.
-    #[cfg_attr(feature = "case", serde(with = "As::<Positive<Number>>"))]
-    #[cfg_attr(feature = "schema", schemars(example = 0.1))]
+    #[serde(with = "As::<Positive<Number>>")]
+    #[schemars(example = 0.1)]
     pub deviation: f64,
 }
 
 /// Faster loss of strength from a critical porosity on.
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "case", derive(serde::Deserialize), serde(deny_unknown_fields))]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[derive(Clone, Copy, Debug, PartialEq, serde::Deserialize)]
+#[serde(deny_unknown_fields)]
+#[derive(schemars::JsonSchema)]
 pub struct Coalescence {
     /// f_c.
-    #[cfg_attr(feature = "case", serde(with = "As::<Fraction>"))]
-    #[cfg_attr(feature = "schema", schemars(example = 0.15))]
+    #[serde(with = "As::<Fraction>")]
+    #[schemars(example = 0.15)]
     pub critical: f64,
     /// f_F, at which the sheet bears nothing any more: the run ends there.
-    #[cfg_attr(feature = "case", serde(with = "As::<Fraction>"))]
-    #[cfg_attr(feature = "schema", schemars(example = 0.25))]
+    #[serde(with = "As::<Fraction>")]
+    #[schemars(example = 0.25)]
     pub fracture: f64,
 }
 
-#[cfg(feature = "case")]
 fn tvergaard() -> f64 {
     1.5
 }

@@ -1,6 +1,6 @@
 //! What every hardening law says: the yield stress, its slope, and how far both are known.
 
-use crate::law::{Law, LawError, require};
+use crate::material::law::{Law, LawError, require};
 use crate::numerics::{Real, elementary};
 use crate::units::rounded;
 

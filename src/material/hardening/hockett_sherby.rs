@@ -4,32 +4,32 @@
 //! takes the place of ε̄^p there, and changes nothing beyond. With p = 1 the law is Voce's.
 
 use super::flow_stress::{FlowStress, HardeningLaw, power, saturating};
-use crate::law::prelude::*;
+use crate::material::law::prelude::*;
 
 /// σ = saturation − (saturation − initial) exp(−rate ε^exponent).
 ///
 /// Valid for metals whose hardening comes to an end at large strains, such as aluminium and deep-drawing steel; just beyond
 /// yield its slope is infinite for an exponent below 1, a chord over 1e-6 takes its place.
 /// Source: J. E. Hockett, O. D. Sherby, J. Mech. Phys. Solids 23 (1975) 87–98 (not read; the form is in common use).
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "case", derive(serde::Deserialize), serde(deny_unknown_fields))]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[derive(Clone, Copy, Debug, PartialEq, serde::Deserialize)]
+#[serde(deny_unknown_fields)]
+#[derive(schemars::JsonSchema)]
 pub struct HockettSherby {
     /// σ₀ at the start of yield \[MPa\].
-    #[cfg_attr(feature = "case", serde(with = "As::<Positive<Stress>>"))]
-    #[cfg_attr(feature = "schema", schemars(example = "130 MPa"))]
+    #[serde(with = "As::<Positive<Stress>>")]
+    #[schemars(example = "130 MPa")]
     initial: f64,
     /// σ_s at large strains \[MPa\].
-    #[cfg_attr(feature = "case", serde(with = "As::<Positive<Stress>>"))]
-    #[cfg_attr(feature = "schema", schemars(example = "390 MPa"))]
+    #[serde(with = "As::<Positive<Stress>>")]
+    #[schemars(example = "390 MPa")]
     saturation: f64,
     /// N.
-    #[cfg_attr(feature = "case", serde(with = "As::<NonNegative<Number>>"))]
-    #[cfg_attr(feature = "schema", schemars(example = 5.0))]
+    #[serde(with = "As::<NonNegative<Number>>")]
+    #[schemars(example = 5.0)]
     rate: f64,
     /// p, above 0 and up to 1.
-    #[cfg_attr(feature = "case", serde(with = "As::<Fraction>"))]
-    #[cfg_attr(feature = "schema", schemars(example = 0.75))]
+    #[serde(with = "As::<Fraction>")]
+    #[schemars(example = 0.75)]
     exponent: f64,
 }
 

@@ -4,31 +4,31 @@
 //! given, or is the strain where the law meets the elastic line, K ε₀^n = E ε₀.
 
 use super::flow_stress::{FlowStress, HardeningLaw};
-use crate::law::prelude::*;
+use crate::material::law::prelude::*;
 use crate::numerics::{Real, elementary};
 
 /// σ = k ε^n, started at the elastic line or at a declared offset strain.
 ///
 /// Valid beyond a strain of some per cent; at yield it says little.
 /// Source: J. H. Hollomon, Tensile deformation, Trans. AIME 162 (1945) 268–290.
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "case", derive(serde::Deserialize), serde(deny_unknown_fields))]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[derive(Clone, Copy, Debug, PartialEq, serde::Deserialize)]
+#[serde(deny_unknown_fields)]
+#[derive(schemars::JsonSchema)]
 pub struct Hollomon {
     /// K, the stress at a strain of 1 \[MPa\].
-    #[cfg_attr(feature = "case", serde(with = "As::<Positive<Stress>>"))]
-    #[cfg_attr(feature = "schema", schemars(example = "547 MPa"))]
+    #[serde(with = "As::<Positive<Stress>>")]
+    #[schemars(example = "547 MPa")]
     k: f64,
     /// Hardening exponent, 0 to 1.
-    #[cfg_attr(feature = "case", serde(with = "As::<Fraction>"))]
-    #[cfg_attr(feature = "schema", schemars(example = 0.18))]
+    #[serde(with = "As::<Fraction>")]
+    #[schemars(example = 0.18)]
     n: f64,
     /// Offset strain; without it `young` must be given, and the law starts where it meets the elastic line.
-    #[cfg_attr(feature = "case", serde(default, with = "As::<Option<Positive<Number>>>"))]
-    #[cfg_attr(feature = "schema", schemars(example = 0.001))]
+    #[serde(default, with = "As::<Option<Positive<Number>>>")]
+    #[schemars(example = 0.001)]
     offset: Option<f64>,
     /// ε₀, declared or of the elastic line.
-    #[cfg_attr(feature = "case", serde(skip))]
+    #[serde(skip)]
     start: f64,
 }
 

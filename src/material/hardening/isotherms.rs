@@ -7,35 +7,35 @@ use super::flow_stress::{FlowStress, HardeningLaw};
 use super::monotone::{Extrapolation, Monotone};
 use super::table::Table;
 use super::table::few;
-use crate::law::prelude::*;
+use crate::material::law::prelude::*;
 
 /// Measured points at several temperatures, interpolated straight over the temperature.
 ///
 /// Valid between the coldest and the hottest curve; beyond them these are held.
 /// Source: each curve as `table`.
-#[derive(Clone, Debug, PartialEq)]
-#[cfg_attr(feature = "case", derive(serde::Deserialize), serde(deny_unknown_fields))]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[derive(Clone, Debug, PartialEq, serde::Deserialize)]
+#[serde(deny_unknown_fields)]
+#[derive(schemars::JsonSchema)]
 pub struct Isotherms {
     /// At rising temperatures.
     curves: Vec<Isotherm>,
     /// What the curves do beyond their last point: a choice that has to be made.
-    #[cfg_attr(feature = "schema", schemars(example = &"slope"))]
+    #[schemars(example = &"slope")]
     extrapolation: Extrapolation,
 }
 
 /// One curve.
-#[derive(Clone, Debug, PartialEq)]
-#[cfg_attr(feature = "case", derive(serde::Deserialize), serde(deny_unknown_fields))]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[derive(Clone, Debug, PartialEq, serde::Deserialize)]
+#[serde(deny_unknown_fields)]
+#[derive(schemars::JsonSchema)]
 struct Isotherm {
-    #[cfg_attr(feature = "case", serde(with = "As::<Positive<Temperature>>"))]
-    #[cfg_attr(feature = "schema", schemars(example = "150 °C"))]
+    #[serde(with = "As::<Positive<Temperature>>")]
+    #[schemars(example = "150 °C")]
     temperature: f64,
     /// Pairs of strain and stress, the first at strain 0: `[[0, "90 MPa"], [0.1, "170 MPa"]]`.
     points: Vec<(NonNegative<Number>, Positive<Stress>)>,
     /// Takes the place of the points that were read.
-    #[cfg_attr(feature = "case", serde(skip))]
+    #[serde(skip)]
     curve: Monotone,
 }
 

@@ -1,28 +1,28 @@
 //! Ludwik's law.
 
 use super::flow_stress::{FlowStress, HardeningLaw, power};
-use crate::law::prelude::*;
+use crate::material::law::prelude::*;
 use crate::numerics::Real;
 
 /// σ = initial + k ε^n.
 ///
 /// Valid for metals with a marked yield stress; just beyond yield its slope is infinite, a chord over 1e-6 takes its place.
 /// Source: P. Ludwik, Elemente der technologischen Mechanik, Springer, Berlin (1909).
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "case", derive(serde::Deserialize), serde(deny_unknown_fields))]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[derive(Clone, Copy, Debug, PartialEq, serde::Deserialize)]
+#[serde(deny_unknown_fields)]
+#[derive(schemars::JsonSchema)]
 pub struct Ludwik {
     /// Yield stress σ₀ \[MPa\].
-    #[cfg_attr(feature = "case", serde(with = "As::<Positive<Stress>>"))]
-    #[cfg_attr(feature = "schema", schemars(example = "150 MPa"))]
+    #[serde(with = "As::<Positive<Stress>>")]
+    #[schemars(example = "150 MPa")]
     initial: f64,
     /// K, the hardening at a strain of 1 \[MPa\].
-    #[cfg_attr(feature = "case", serde(with = "As::<NonNegative<Stress>>"))]
-    #[cfg_attr(feature = "schema", schemars(example = "400 MPa"))]
+    #[serde(with = "As::<NonNegative<Stress>>")]
+    #[schemars(example = "400 MPa")]
     k: f64,
     /// Hardening exponent, above 0 and up to 1.
-    #[cfg_attr(feature = "case", serde(with = "As::<Fraction>"))]
-    #[cfg_attr(feature = "schema", schemars(example = 0.5))]
+    #[serde(with = "As::<Fraction>")]
+    #[schemars(example = 0.5)]
     n: f64,
 }
 

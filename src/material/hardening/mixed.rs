@@ -4,20 +4,20 @@
 
 use super::flow_stress::{FlowStress, HardeningLaw};
 use super::{Swift, Voce};
-use crate::law::prelude::*;
+use crate::material::law::prelude::*;
 
 /// σ = weight σ_swift + (1 − weight) σ_voce.
 ///
 /// Valid where each of both was fitted to the same test: the weight says how far beyond its end hardening goes on. With an
 /// exponent below 1 the second is Hockett and Sherby's.
 /// Source: in common use for sheet; no first author is known.
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "case", derive(serde::Deserialize), serde(deny_unknown_fields))]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[derive(Clone, Copy, Debug, PartialEq, serde::Deserialize)]
+#[serde(deny_unknown_fields)]
+#[derive(schemars::JsonSchema)]
 pub struct Mixed {
     /// Share of Swift's law, 0 to 1.
-    #[cfg_attr(feature = "case", serde(with = "As::<Fraction>"))]
-    #[cfg_attr(feature = "schema", schemars(example = 0.5))]
+    #[serde(with = "As::<Fraction>")]
+    #[schemars(example = 0.5)]
     weight: f64,
     /// The law that hardens without end.
     swift: Swift,

@@ -1,6 +1,6 @@
 //! Hardening laws: the yield stress σ_y(ε̄) of uniaxial tension over the equivalent plastic strain ε̄ ≥ 0.
 //!
-//! One law, one file, as [`law`](crate::law) says: a new one is a file and two lines here, `mod` and its line in the family.
+//! One law, one file, as [`law`](crate::material::law) says: a new one is a file and two lines here, `mod` and its line in the family.
 
 mod flow_stress;
 mod hockett_sherby;
@@ -14,12 +14,12 @@ mod swift;
 mod table;
 mod voce;
 
-pub use crate::law::LawError;
+pub use crate::material::law::LawError;
 pub use flow_stress::FlowStress;
 pub use monotone::Extrapolation;
 pub use piecewise_power::Branch;
 
-use crate::law::family;
+use crate::material::law::family;
 use crate::numerics::Real;
 use flow_stress::HardeningLaw;
 

@@ -11,7 +11,7 @@
 //! slopes by the harmonic mean of F. N. Fritsch, J. Butland, SIAM J. Sci. Stat. Comput. 5 (1984) 300–304.
 
 use super::flow_stress::FlowStress;
-use crate::law::prelude::*;
+use crate::material::law::prelude::*;
 use crate::units::rounded;
 use nalgebra::{Matrix3, Vector3};
 use std::fmt;
@@ -25,9 +25,9 @@ const NEAR: [f64; 2] = [1.0 / 3.0, 0.1];
 const FIT: usize = 8;
 
 /// Beyond the last point of a table: a declared choice.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-#[cfg_attr(feature = "case", derive(serde::Deserialize), serde(rename_all = "snake_case"))]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, serde::Deserialize)]
+#[serde(rename_all = "snake_case")]
+#[derive(schemars::JsonSchema)]
 pub enum Extrapolation {
     /// Keeps the last stress.
     #[default]

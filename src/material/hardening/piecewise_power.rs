@@ -9,46 +9,45 @@
 
 use super::flow_stress::{FlowStress, HardeningLaw, power};
 use super::table::few;
-use crate::law::prelude::*;
+use crate::material::law::prelude::*;
 use crate::numerics::Real;
 
 /// σ = initial + k ε^n with other constants on each range of strain.
 ///
 /// Valid where the branches were fitted; they must meet within 0.5 %.
 /// Source: D. M. Woo, Int. J. Mech. Sci. 10 (1968) 83–94.
-#[derive(Clone, Debug, PartialEq)]
-#[cfg_attr(feature = "case", derive(serde::Deserialize), serde(deny_unknown_fields))]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[derive(Clone, Debug, PartialEq, serde::Deserialize)]
+#[serde(deny_unknown_fields)]
+#[derive(schemars::JsonSchema)]
 pub struct PiecewisePower {
     /// In order of strain.
     branches: Vec<Branch>,
 }
 
 /// One branch; it must meet the next one.
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "case", derive(serde::Deserialize), serde(deny_unknown_fields))]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[derive(Clone, Copy, Debug, PartialEq, serde::Deserialize)]
+#[serde(deny_unknown_fields)]
+#[derive(schemars::JsonSchema)]
 pub struct Branch {
     /// Strain where the branch ends; left out in the last one.
-    #[cfg_attr(feature = "case", serde(default = "without_end", with = "As::<Positive<Number>>"))]
-    #[cfg_attr(feature = "schema", schemars(example = 0.36))]
+    #[serde(default = "without_end", with = "As::<Positive<Number>>")]
+    #[schemars(example = 0.36)]
     pub up_to: f64,
     /// Yield stress σ₀ of the branch at ε = 0 \[MPa\].
-    #[cfg_attr(feature = "case", serde(with = "As::<Positive<Stress>>"))]
-    #[cfg_attr(feature = "schema", schemars(example = "5.4 tonf_uk/in^2"))]
+    #[serde(with = "As::<Positive<Stress>>")]
+    #[schemars(example = "5.4 tonf_uk/in^2")]
     pub initial: f64,
     /// K \[MPa\].
-    #[cfg_attr(feature = "case", serde(with = "As::<NonNegative<Stress>>"))]
-    #[cfg_attr(feature = "schema", schemars(example = "27.8 tonf_uk/in^2"))]
+    #[serde(with = "As::<NonNegative<Stress>>")]
+    #[schemars(example = "27.8 tonf_uk/in^2")]
     pub k: f64,
     /// Exponent, above 0 and up to 1.
-    #[cfg_attr(feature = "case", serde(with = "As::<Fraction>"))]
-    #[cfg_attr(feature = "schema", schemars(example = 0.504))]
+    #[serde(with = "As::<Fraction>")]
+    #[schemars(example = 0.504)]
     pub n: f64,
 }
 
 /// The end of the last branch.
-#[cfg(feature = "case")]
 fn without_end() -> f64 {
     f64::INFINITY
 }

@@ -1,28 +1,28 @@
 //! Swift's power law.
 
 use super::flow_stress::{FlowStress, HardeningLaw};
-use crate::law::prelude::*;
+use crate::material::law::prelude::*;
 use crate::numerics::{Real, elementary};
 
 /// σ = k (offset + ε)^n.
 ///
 /// Valid up to large strains for most steels; it hardens without end.
 /// Source: H. W. Swift, Plastic instability under plane stress, J. Mech. Phys. Solids 1 (1952) 1–18.
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "case", derive(serde::Deserialize), serde(deny_unknown_fields))]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[derive(Clone, Copy, Debug, PartialEq, serde::Deserialize)]
+#[serde(deny_unknown_fields)]
+#[derive(schemars::JsonSchema)]
 pub struct Swift {
     /// K, the stress at a total strain of 1 \[MPa\].
-    #[cfg_attr(feature = "case", serde(with = "As::<Positive<Stress>>"))]
-    #[cfg_attr(feature = "schema", schemars(example = "520 MPa"))]
+    #[serde(with = "As::<Positive<Stress>>")]
+    #[schemars(example = "520 MPa")]
     k: f64,
     /// Hardening exponent, 0 to 1.
-    #[cfg_attr(feature = "case", serde(with = "As::<Fraction>"))]
-    #[cfg_attr(feature = "schema", schemars(example = 0.22))]
+    #[serde(with = "As::<Fraction>")]
+    #[schemars(example = 0.22)]
     n: f64,
     /// Offset strain, 1e-6 to 1.
-    #[cfg_attr(feature = "case", serde(with = "As::<Positive<Number>>"))]
-    #[cfg_attr(feature = "schema", schemars(example = 0.005))]
+    #[serde(with = "As::<Positive<Number>>")]
+    #[schemars(example = 0.005)]
     offset: f64,
 }
 

@@ -2,7 +2,7 @@
 
 use super::flow_stress::{FlowStress, HardeningLaw};
 use super::monotone::{Extrapolation, Monotone};
-use crate::law::prelude::*;
+use crate::material::law::prelude::*;
 
 /// Measured points, interpolated smoothly: `points`, or `strain` and `stress`.
 ///
@@ -11,10 +11,10 @@ use crate::law::prelude::*;
 ///
 /// Valid up to the last point; beyond it the case says what is assumed, and the run warns.
 /// Source: monotone cubics of F. N. Fritsch, R. E. Carlson, SIAM J. Numer. Anal. 17 (1980) 238–246.
-#[derive(Clone, Debug, PartialEq)]
-#[cfg_attr(feature = "case", derive(serde::Deserialize), serde(deny_unknown_fields))]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[cfg_attr(feature = "schema", schemars(extend("dependentRequired" = { "strain": ["stress"], "stress": ["strain"] })))]
+#[derive(Clone, Debug, PartialEq, serde::Deserialize)]
+#[serde(deny_unknown_fields)]
+#[derive(schemars::JsonSchema)]
+#[schemars(extend("dependentRequired" = { "strain": ["stress"], "stress": ["strain"] }))]
 pub struct Table {
     /// Pairs of strain and stress, the first at strain 0: `[[0, "150 MPa"], [0.1, "290 MPa"]]`.
     points: Option<Vec<(NonNegative<Number>, Positive<Stress>)>>,
@@ -23,10 +23,10 @@ pub struct Table {
     /// Stresses, when not given as `points`.
     stress: Option<Vec<Positive<Stress>>>,
     /// What the law does beyond the last point: a choice that has to be made.
-    #[cfg_attr(feature = "schema", schemars(example = &"slope"))]
+    #[schemars(example = &"slope")]
     extrapolation: Extrapolation,
     /// Takes the place of the points that were read.
-    #[cfg_attr(feature = "case", serde(skip))]
+    #[serde(skip)]
     pub(super) curve: Monotone,
 }
 

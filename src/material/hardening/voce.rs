@@ -3,31 +3,31 @@
 //! The BRITE steels of Sosnowski (1994, figure 6) are given in this form: 320 − 195 exp(−7.5 ε^0.97) MPa.
 
 use super::flow_stress::{FlowStress, HardeningLaw, power, saturating};
-use crate::law::prelude::*;
+use crate::material::law::prelude::*;
 
 /// σ = saturation − (saturation − initial) exp(−rate ε^exponent).
 ///
 /// Valid for metals whose hardening comes to an end, such as aluminium.
 /// Source: E. Voce, J. Inst. Metals 74 (1948) 537–562; the exponent: J. E. Hockett, O. D. Sherby (1975).
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "case", derive(serde::Deserialize), serde(deny_unknown_fields))]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[derive(Clone, Copy, Debug, PartialEq, serde::Deserialize)]
+#[serde(deny_unknown_fields)]
+#[derive(schemars::JsonSchema)]
 pub struct Voce {
     /// Yield stress σ₀ \[MPa\].
-    #[cfg_attr(feature = "case", serde(with = "As::<Positive<Stress>>"))]
-    #[cfg_attr(feature = "schema", schemars(example = "125 MPa"))]
+    #[serde(with = "As::<Positive<Stress>>")]
+    #[schemars(example = "125 MPa")]
     initial: f64,
     /// Stress σ_s that hardening comes to \[MPa\].
-    #[cfg_attr(feature = "case", serde(with = "As::<Positive<Stress>>"))]
-    #[cfg_attr(feature = "schema", schemars(example = "320 MPa"))]
+    #[serde(with = "As::<Positive<Stress>>")]
+    #[schemars(example = "320 MPa")]
     saturation: f64,
     /// b: how fast it comes there.
-    #[cfg_attr(feature = "case", serde(with = "As::<NonNegative<Number>>"))]
-    #[cfg_attr(feature = "schema", schemars(example = 7.5))]
+    #[serde(with = "As::<NonNegative<Number>>")]
+    #[schemars(example = 7.5)]
     rate: f64,
     /// Power of the strain; 1 when not given.
-    #[cfg_attr(feature = "case", serde(default = "one", with = "As::<Fraction>"))]
-    #[cfg_attr(feature = "schema", schemars(example = 1.0))]
+    #[serde(default = "one", with = "As::<Fraction>")]
+    #[schemars(example = 1.0)]
     exponent: f64,
 }
 

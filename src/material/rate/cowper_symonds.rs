@@ -1,24 +1,24 @@
 //! Overstress with a threshold: the law of Cowper and Symonds, which is Perzyna's with a power of the overstress.
 
 use super::{Factor, RateLaw};
-use crate::law::prelude::*;
+use crate::material::law::prelude::*;
 
 /// 1 + (rate/C)^(1/p), which is Perzyna's law ε̄̇ = C ⟨σ̄/σ_s − 1⟩^p with the fluidity C.
 ///
 /// Valid for the strong rate dependence of mild steel at press speeds and beyond.
 /// Source: in common use; G. R. Cowper, P. S. Symonds, Brown University Tech. Rep. 28 (1957), P. Perzyna, Adv. Appl. Mech.
 /// 9 (1966) 243–377 (not read).
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "case", derive(serde::Deserialize), serde(deny_unknown_fields))]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[derive(Clone, Copy, Debug, PartialEq, serde::Deserialize)]
+#[serde(deny_unknown_fields)]
+#[derive(schemars::JsonSchema)]
 pub struct CowperSymonds {
     /// C \[1/s\].
-    #[cfg_attr(feature = "case", serde(with = "As::<Positive<StrainRate>>"))]
-    #[cfg_attr(feature = "schema", schemars(example = "40 /s"))]
+    #[serde(with = "As::<Positive<StrainRate>>")]
+    #[schemars(example = "40 /s")]
     pub rate: f64,
     /// p.
-    #[cfg_attr(feature = "case", serde(with = "As::<Positive<Number>>"))]
-    #[cfg_attr(feature = "schema", schemars(example = 5.0))]
+    #[serde(with = "As::<Positive<Number>>")]
+    #[schemars(example = 5.0)]
     pub exponent: f64,
 }
 

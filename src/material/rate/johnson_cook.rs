@@ -4,24 +4,24 @@
 //! down to 1: g = 1 + ½ C ln(1 + (ε̄̇/ε̇₀)²).
 
 use super::{Factor, RateLaw};
-use crate::law::prelude::*;
+use crate::material::law::prelude::*;
 
 /// 1 + C ln(rate/reference) above the reference rate, smoothly 1 below it.
 ///
 /// Valid above the reference rate, for a weak dependence.
 /// Source: in common use; G. R. Johnson, W. H. Cook, Proc. 7th Int. Symp. on Ballistics, The Hague (1983) 541–547 (not
 /// read).
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "case", derive(serde::Deserialize), serde(deny_unknown_fields))]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[derive(Clone, Copy, Debug, PartialEq, serde::Deserialize)]
+#[serde(deny_unknown_fields)]
+#[derive(schemars::JsonSchema)]
 pub struct JohnsonCook {
     /// C.
-    #[cfg_attr(feature = "case", serde(with = "As::<Positive<Number>>"))]
-    #[cfg_attr(feature = "schema", schemars(example = 0.015))]
+    #[serde(with = "As::<Positive<Number>>")]
+    #[schemars(example = 0.015)]
     pub coefficient: f64,
     /// ε̇₀ \[1/s\].
-    #[cfg_attr(feature = "case", serde(with = "As::<Positive<StrainRate>>"))]
-    #[cfg_attr(feature = "schema", schemars(example = "0.001 /s"))]
+    #[serde(with = "As::<Positive<StrainRate>>")]
+    #[schemars(example = "0.001 /s")]
     pub reference: f64,
 }
 

@@ -1,11 +1,11 @@
 //! Rate dependence: a factor on the yield stress, g(ε̄̇) with σ_y = σ_s(ε̄) g(ε̄̇). One law, one file, as
-//! [`law`](crate::law) says.
+//! [`law`](crate::material::law) says.
 
 mod cowper_symonds;
 mod johnson_cook;
 mod power;
 
-use crate::law::{Law, family};
+use crate::material::law::{Law, family};
 
 /// A factor and its derivative by the rate.
 #[derive(Clone, Copy, Debug, PartialEq)]

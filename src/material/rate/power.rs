@@ -4,24 +4,24 @@
 //! bears nothing.
 
 use super::{Factor, RateLaw};
-use crate::law::prelude::*;
+use crate::material::law::prelude::*;
 
 /// (rate/reference)^exponent; with a reference of 1/s on a Hollomon law the superplastic K ε^n ε̇^m.
 ///
 /// Valid over the two or three decades of the rate that m was measured in.
 /// Source: in common use; W. A. Backofen, I. R. Turner, D. H. Avery, Superplasticity in an Al-Zn alloy, Trans. ASM 57
 /// (1964) 980–990 (not read).
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "case", derive(serde::Deserialize), serde(deny_unknown_fields))]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[derive(Clone, Copy, Debug, PartialEq, serde::Deserialize)]
+#[serde(deny_unknown_fields)]
+#[derive(schemars::JsonSchema)]
 pub struct PowerRate {
     /// m, 0 to 1.
-    #[cfg_attr(feature = "case", serde(with = "As::<Fraction>"))]
-    #[cfg_attr(feature = "schema", schemars(example = 0.02))]
+    #[serde(with = "As::<Fraction>")]
+    #[schemars(example = 0.02)]
     pub exponent: f64,
     /// Strain rate at which the hardening law was measured \[1/s\].
-    #[cfg_attr(feature = "case", serde(with = "As::<Positive<StrainRate>>"))]
-    #[cfg_attr(feature = "schema", schemars(example = "0.001 /s"))]
+    #[serde(with = "As::<Positive<StrainRate>>")]
+    #[schemars(example = "0.001 /s")]
     pub reference: f64,
 }
 

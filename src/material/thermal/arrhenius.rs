@@ -1,7 +1,7 @@
 //! Strength of hot metal whose flow is thermally activated.
 
 use super::TemperatureLaw;
-use crate::law::prelude::*;
+use crate::material::law::prelude::*;
 
 /// R \[N mm/(mol K)\].
 const GAS_CONSTANT: f64 = 8_314.462_618;
@@ -11,21 +11,21 @@ const GAS_CONSTANT: f64 = 8_314.462_618;
 ///
 /// Valid for hot metal, above half its absolute melting point.
 /// Source: in common use; C. Zener, J. H. Hollomon, J. Appl. Phys. 15 (1944) 22–32 (not read).
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "case", derive(serde::Deserialize), serde(deny_unknown_fields))]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[derive(Clone, Copy, Debug, PartialEq, serde::Deserialize)]
+#[serde(deny_unknown_fields)]
+#[derive(schemars::JsonSchema)]
 pub struct Arrhenius {
     /// Activation energy Q \[N mm/mol\].
-    #[cfg_attr(feature = "case", serde(with = "As::<Positive<Energy>>"))]
-    #[cfg_attr(feature = "schema", schemars(example = "150 kJ/mol"))]
+    #[serde(with = "As::<Positive<Energy>>")]
+    #[schemars(example = "150 kJ/mol")]
     pub activation: f64,
     /// m, 0 to 1.
-    #[cfg_attr(feature = "case", serde(with = "As::<Fraction>"))]
-    #[cfg_attr(feature = "schema", schemars(example = 0.1))]
+    #[serde(with = "As::<Fraction>")]
+    #[schemars(example = 0.1)]
     pub exponent: f64,
     /// Temperature at which the hardening law was measured \[K\].
-    #[cfg_attr(feature = "case", serde(with = "As::<Positive<Temperature>>"))]
-    #[cfg_attr(feature = "schema", schemars(example = "420 °C"))]
+    #[serde(with = "As::<Positive<Temperature>>")]
+    #[schemars(example = "420 °C")]
     pub reference: f64,
 }
 

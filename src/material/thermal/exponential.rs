@@ -1,23 +1,23 @@
 //! A share of the strength lost per kelvin.
 
 use super::{TemperatureLaw, celsius};
-use crate::law::prelude::*;
+use crate::material::law::prelude::*;
 
 /// exp(−coefficient (T − reference)).
 ///
 /// Valid in the range of temperatures that the coefficient was fitted to: 0.001 to 0.005 /K in warm forming.
 /// Source: in common use for warm forming.
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "case", derive(serde::Deserialize), serde(deny_unknown_fields))]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[derive(Clone, Copy, Debug, PartialEq, serde::Deserialize)]
+#[serde(deny_unknown_fields)]
+#[derive(schemars::JsonSchema)]
 pub struct Exponential {
     /// Share of the strength lost per kelvin \[1/K\].
-    #[cfg_attr(feature = "case", serde(with = "As::<Positive<PerKelvin>>"))]
-    #[cfg_attr(feature = "schema", schemars(example = "0.003 /K"))]
+    #[serde(with = "As::<Positive<PerKelvin>>")]
+    #[schemars(example = "0.003 /K")]
     pub coefficient: f64,
     /// Temperature at which the hardening law was measured \[K\].
-    #[cfg_attr(feature = "case", serde(with = "As::<Positive<Temperature>>"))]
-    #[cfg_attr(feature = "schema", schemars(example = "20 °C"))]
+    #[serde(with = "As::<Positive<Temperature>>")]
+    #[schemars(example = "20 °C")]
     pub reference: f64,
 }
 

@@ -1,7 +1,7 @@
 //! Strength that goes towards the melting point: the thermal term of Johnson and Cook.
 
 use super::{TemperatureLaw, celsius};
-use crate::law::prelude::*;
+use crate::material::law::prelude::*;
 
 /// What is left at the melting point, where the law has no stress \[–\].
 const LEAST: f64 = 1e-3;
@@ -11,21 +11,21 @@ const LEAST: f64 = 1e-3;
 /// Valid up to some tenths of the way to the melting point; held at a thousandth just below it.
 /// Source: in common use; G. R. Johnson, W. H. Cook, Proc. 7th Int. Symp. on Ballistics, The Hague (1983) 541–547 (not
 /// read).
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "case", derive(serde::Deserialize), serde(deny_unknown_fields))]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[derive(Clone, Copy, Debug, PartialEq, serde::Deserialize)]
+#[serde(deny_unknown_fields)]
+#[derive(schemars::JsonSchema)]
 pub struct Melting {
     /// Temperature at which the hardening law was measured \[K\].
-    #[cfg_attr(feature = "case", serde(with = "As::<Positive<Temperature>>"))]
-    #[cfg_attr(feature = "schema", schemars(example = "20 °C"))]
+    #[serde(with = "As::<Positive<Temperature>>")]
+    #[schemars(example = "20 °C")]
     pub reference: f64,
     /// Melting point \[K\].
-    #[cfg_attr(feature = "case", serde(with = "As::<Positive<Temperature>>"))]
-    #[cfg_attr(feature = "schema", schemars(example = "600 °C"))]
+    #[serde(with = "As::<Positive<Temperature>>")]
+    #[schemars(example = "600 °C")]
     pub melting: f64,
     /// Thermal exponent.
-    #[cfg_attr(feature = "case", serde(with = "As::<Positive<Number>>"))]
-    #[cfg_attr(feature = "schema", schemars(example = 1.0))]
+    #[serde(with = "As::<Positive<Number>>")]
+    #[schemars(example = 1.0)]
     pub exponent: f64,
 }
 

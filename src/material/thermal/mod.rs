@@ -1,11 +1,11 @@
 //! Dependence on the temperature: a factor on the yield stress, h(T) with σ_y = σ_s(ε̄) g(ε̄̇) h(T). One law, one file, as
-//! [`law`](crate::law) says.
+//! [`law`](crate::material::law) says.
 
 mod arrhenius;
 mod exponential;
 mod johnson_cook;
 
-use crate::law::{Law, family};
+use crate::material::law::{Law, family};
 use crate::units::{ZERO_CELSIUS, rounded};
 
 /// What a law of the temperature says beside its parameters.

@@ -5,8 +5,8 @@
 
 use crate::output::{WriteError, csv, write};
 use crate::study::Row;
+use crate::study::verify::Of;
 use crate::table::{Column, Table, Unit};
-use crate::verification::Of;
 use std::path::{Path, PathBuf};
 
 /// The folder beside the table.

@@ -4,10 +4,10 @@ use crate::assess::Light;
 use crate::message::{Form, Message, message};
 use crate::output::chart::{BLACK, Chart, GREY, Look, PALE, Panel, Scale, Series, color};
 use crate::study::search::{Answer, Best, Condition, Found, Goal, Named, Quest, Said};
+use crate::study::verify::{Number, Of};
 use crate::study::{Row, Solved, Span};
 use crate::table::Axis;
 use crate::units::Unit;
-use crate::verification::{Number, Of};
 
 /// Numbers that are drawn where the condition names none, as far as there are such: what tears, and what the press sees.
 const USUAL: [(Of, &str); 2] = [(Of::Verdict, "thinning"), (Of::Answer, "punch_force")];

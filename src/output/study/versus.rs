@@ -6,7 +6,7 @@ use crate::model::Geometry;
 use crate::output::chart::{BLACK, Chart, Look, Panel, Scale, Series, color};
 use crate::output::forming_diagram::{Strains, along};
 use crate::output::sections;
-use crate::solution::{Frame, NodeRecord, StageSolution};
+use crate::solver::solution::{Frame, NodeRecord, StageSolution};
 use crate::study::versus::{Member, Of, Versus};
 use crate::table::fields::element::{S0, THICKNESS};
 use crate::table::fields::step::{PUNCH_FORCE, TRAVEL};

@@ -3,9 +3,9 @@
 use super::zones::{BORDER, OWN, entry, ground, lines};
 use crate::message::Form;
 use crate::output::chart::{Chart, Color, Look, Panel, Scale, Series};
+use crate::study::verify::Of;
 use crate::study::{Found, Meets, Point, Results, Window, Zone};
 use crate::table::capitalised;
-use crate::verification::Of;
 
 /// Height of a window, and of one among others \[px\].
 const HEIGHTS: [f64; 2] = [430.0, 270.0];

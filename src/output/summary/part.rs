@@ -7,7 +7,7 @@ use crate::measure::{Shape, part_height, thickest};
 use crate::message::{Amount, Digits, message};
 use crate::model::{Mode, Model, Role};
 use crate::output::{pressure_cycle, springback};
-use crate::solution::{StageSolution, StepRecord};
+use crate::solver::solution::{StageSolution, StepRecord};
 use crate::table::{JOULES, Unit, worded};
 use crate::units::ZERO_CELSIUS;
 

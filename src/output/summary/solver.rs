@@ -3,7 +3,7 @@
 use super::{Summary, largest};
 use crate::message::{Amount, Message, message};
 use crate::model::{Grading, Iteration, Model, Norm, Theory};
-use crate::solution::{Effort, StageSolution, StepRecord};
+use crate::solver::solution::{Effort, StageSolution, StepRecord};
 
 impl Summary {
     /// Contact, mesh, method and effort.

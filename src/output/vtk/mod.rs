@@ -20,7 +20,7 @@ mod grid;
 use super::thinning::percent;
 use super::{Files, StageView, animation, profile, sections};
 use crate::model::{Geometry, Model};
-use crate::solution::{ElementRecord, Frame};
+use crate::solver::solution::{ElementRecord, Frame};
 use crate::table::fields::element::S0;
 use crate::table::{Column, Field, Unit};
 use grid::Grid;

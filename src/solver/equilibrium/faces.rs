@@ -9,7 +9,7 @@ use crate::material::{Hardening, Material};
 use crate::model::{Blank, Face, Gas, Grading, Iteration, Mode, Model, Motion, Role, Settings, Tool};
 use crate::numerics::bisect;
 use crate::solver::process::Process;
-use crate::state::State;
+use crate::solver::state::State;
 use page::{plain, signed, told};
 use std::f64::consts::LN_2;
 

@@ -10,7 +10,7 @@ use crate::model::{
     Settings, ThicknessRule, Tool,
 };
 use crate::solver::process::Process;
-use crate::state::State;
+use crate::solver::state::State;
 use nalgebra::Vector3;
 
 fn model(geometry: Geometry, theory: Theory) -> Model {

@@ -12,9 +12,9 @@ use super::sheet::STABILISATION;
 use crate::model::{Motion, Role};
 use crate::solver::evaluation::Evaluation;
 use crate::solver::places::Grip;
+use crate::solver::state::waiting_displacement;
 use crate::solver::step::Step;
 use crate::solver::trial::Trial;
-use crate::state::waiting_displacement;
 
 /// The holder's equation and its matrix; what its blocks bear.
 pub fn add(step: &Step, trial: &Trial, out: &mut Evaluation) {

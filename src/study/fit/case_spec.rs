@@ -11,7 +11,7 @@
 
 use super::range::Range;
 use super::target::Target;
-use crate::files::{self, Disk, Files};
+use crate::case::files::{self, Disk, Files};
 use crate::study::vary::counted;
 use crate::study::{Readings, StudyError, Subject};
 use std::path::{Path, PathBuf};

@@ -13,7 +13,7 @@
 //! ```
 
 use super::{Asked, Correlation};
-use crate::files::{self, Disk, Files};
+use crate::case::files::{self, Disk, Files};
 use crate::study::StudyError;
 use crate::study::file::Study;
 use std::path::{Path, PathBuf};

@@ -3,7 +3,7 @@
 
 use super::StudyError;
 use crate::assess::Light;
-use crate::solution::LOST;
+use crate::solver::solution::LOST;
 use crate::study::Columns;
 use std::collections::BTreeMap;
 use std::fs::File;

@@ -34,9 +34,9 @@ pub use wish::Wish;
 use crate::case::Solution;
 use crate::message::{Message, message};
 use crate::rules::estimate::draw_ratio;
+use crate::study::verify::Watch;
 use crate::study::{Bars, Columns, Row, Solved, Span, StudyError, Subject, base};
 use crate::units::Parsed;
-use crate::verification::Watch;
 use condition::{quantity, usable};
 
 /// Places that a span is looked at first, where nothing else is given.

@@ -1,9 +1,9 @@
 //! A number of a run by one of its names.
 
 use crate::study::row::header;
+use crate::study::verify::Number;
 use crate::study::{Solved, StudyError};
 use crate::units::{Parsed, Unit, ZERO_CELSIUS, did_you_mean, parse};
-use crate::verification::Number;
 
 /// A number of a run, by its key, its column of `study.csv` or what tables call it.
 #[derive(Clone, Debug, PartialEq)]

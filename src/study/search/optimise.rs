@@ -11,8 +11,8 @@
 use super::condition::{Condition, Said, usable};
 use super::number::Named;
 use super::trials::{Further, Keep, Trials, design};
+use crate::study::verify::Watch;
 use crate::study::{Bars, Columns, Row, Solved, Span, StudyError, Subject, base, one, side_by_side};
-use crate::verification::Watch;
 use cobyla::{Func, RhoBeg, StopTols, minimize};
 use std::cell::RefCell;
 use std::convert::Infallible;

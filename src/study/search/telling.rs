@@ -3,8 +3,8 @@
 use super::{Answer, Best, Found, Goal, Named, Quest, Side, Wish};
 use crate::message::{Amount, Digits, Message, message};
 use crate::study::Row;
+use crate::study::verify::Verification;
 use crate::units::{Unit, significant};
-use crate::verification::Verification;
 use std::ops::RangeInclusive;
 
 impl Quest {

@@ -2,8 +2,8 @@
 
 use crate::message::Message;
 use crate::study::hash::short_hash;
+use crate::study::verify::Watch;
 use crate::study::{Bars, Columns, Design, Designs, Row, Solved, Span, Subject, one, side_by_side};
-use crate::verification::Watch;
 use std::convert::Infallible;
 
 /// Who keeps the runs as they come: the header of their table, and the line of the next one, which counts the designs so far.

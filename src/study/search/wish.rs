@@ -1,8 +1,8 @@
 //! What the best of several keys is looked for by.
 
 use super::{Best, Condition, Keep, Named, Sense, optimise};
+use crate::study::verify::Watch;
 use crate::study::{Span, StudyError, Subject};
-use crate::verification::Watch;
 
 /// Keys that a best is looked for over, at most: each more than doubles the runs of the grid.
 const KEYS: usize = 6;

@@ -2,7 +2,7 @@
 
 use super::{Member, Versus};
 use crate::message::{Amount, Digits, Message, message};
-use crate::verification::Number;
+use crate::study::verify::Number;
 
 /// Two numbers nearer to each other than that, over their size, are one and the same \[–\]: what is written of them is.
 const SAME: f64 = 1e-9;

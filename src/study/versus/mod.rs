@@ -26,7 +26,7 @@ use super::{StudyError, Subject, side_by_side};
 use crate::assess::{self, Light};
 use crate::case::Solution;
 use crate::message::Message;
-use crate::verification::{Number, Outcome, Verification, Watch, answered, quick};
+use crate::study::verify::{Number, Outcome, Verification, Watch, answered, quick};
 use std::convert::Infallible;
 
 /// What is to be compared: cases and measurements that fit each other.

@@ -3,7 +3,7 @@
 use super::{Change, Member, Versus};
 use crate::assess::Light;
 use crate::message::{Amount, Message, message};
-use crate::verification::Of;
+use crate::study::verify::Of;
 
 /// The columns of the table.
 pub const COLUMNS: [&str; 4] = ["Quantity", "Run", "Value", "Difference to A"];

@@ -2,7 +2,7 @@
 
 use super::{BESIDE, CUP, LONGEST, PUNCH, forget_peak_memory, peak_memory};
 use stampflow::case;
-use stampflow::files::{CASE, CSV, Disk, Files};
+use stampflow::case::files::{CASE, CSV, Disk, Files};
 use stampflow::import::{self, Options};
 use std::fs::{self, File};
 use std::io::{self, BufWriter, Write};

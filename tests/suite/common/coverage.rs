@@ -4,7 +4,7 @@ use stampflow::Stage;
 use stampflow::case::{self, Case};
 use stampflow::forming_limit::{Kind, Sheet, Swift};
 use stampflow::model::{Beginning, Model};
-use stampflow::verification::{Direction, Number, Of, Outcome, Verification, quick, verify};
+use stampflow::study::verify::{Direction, Number, Of, Outcome, Verification, quick, verify};
 
 /// How many times finer the truth is \[–\].
 const TRUTH: f64 = 8.0;

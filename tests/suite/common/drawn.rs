@@ -11,7 +11,7 @@ use stampflow::model::{
 };
 use stampflow::numerics::lobatto;
 use stampflow::output::StageView;
-use stampflow::solution::{
+use stampflow::solver::solution::{
     ElementRecord, Energy, Frame, NodeRecord, PointRecord, StageSolution, StepRecord, ThroughThickness,
 };
 use std::f64::consts::FRAC_PI_2;

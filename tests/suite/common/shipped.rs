@@ -2,7 +2,7 @@
 
 use stampflow::case::Case;
 use stampflow::model::Model;
-use stampflow::solution::{StageSolution, StepRecord};
+use stampflow::solver::solution::{StageSolution, StepRecord};
 use stampflow::{case, solver};
 
 /// Every shipped case that a punch drives.

@@ -1,9 +1,9 @@
 //! What a search has found, for programs.
 
 use crate::study::search::{Answer, Best, Found, Quest, Wish};
+use crate::study::verify::Verification;
 use crate::study::{Row, Span, Vary};
 use crate::units::rounded;
-use crate::verification::Verification;
 use serde_json::{Map, Value, json};
 use std::ops::RangeInclusive;
 

@@ -16,7 +16,7 @@ use crate::forming_limit::Paths;
 use crate::geometry::Point;
 use crate::model::{Model, mesh};
 use crate::numerics::lobatto::ThicknessPoint;
-use crate::state::State;
+use crate::solver::state::State;
 
 /// One element at one instant.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]

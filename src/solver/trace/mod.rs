@@ -2,7 +2,7 @@
 //!
 //! ```
 //! use stampflow::model::Iteration;
-//! use stampflow::trace::{Asked, trace};
+//! use stampflow::solver::trace::{Asked, trace};
 //! # fn main() -> Result<(), Box<dyn std::error::Error>> {
 //! # #[cfg(feature = "case")] {
 //! let case = stampflow::Case::load("cases/quickstart.toml")?;
@@ -27,9 +27,9 @@ pub use rate::Rate;
 pub use way::{Attempt, Iterated, Pass, Way, key};
 
 use crate::model::{Model, Settings, Stage};
-use crate::solution::StepRecord;
+use crate::solver::solution::StepRecord;
+use crate::solver::state::State;
 use crate::solver::{Observer, try_step};
-use crate::state::State;
 use before::Before;
 
 /// A step taken apart.

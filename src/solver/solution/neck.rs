@@ -1,8 +1,8 @@
 //! Whether one place of the sheet thins alone.
 
 use crate::model::{Model, Settings};
-use crate::state::State;
-use crate::state::neighbourhood::Neighbourhood;
+use crate::solver::state::State;
+use crate::solver::state::neighbourhood::Neighbourhood;
 
 /// Thickness strain of a neck over the mean of its surroundings \[–\].
 const NECK: f64 = 1.6;

@@ -6,11 +6,9 @@
 //! `swift: Swift`. Whatever must hold for all of them is tested over the family's `examples()`.
 
 mod family;
-#[cfg(feature = "case")]
 mod named;
 
 pub(crate) use family::family;
-#[cfg(feature = "case")]
 pub use named::{Named, OfNumber, Readable};
 
 /// Why a set of parameters is not a law.
@@ -29,12 +27,10 @@ pub struct LawError {
 pub(crate) mod prelude {
     pub use super::{Law, LawError};
     pub(crate) use super::{require, require_or};
-    #[cfg(feature = "case")]
     pub use crate::units::{As, Energy, Fraction, Length, PerKelvin, Speed, StrainRate, Temperature};
     pub use crate::units::{NonNegative, Number, Positive, Quantity, Stress, ZERO_CELSIUS, rounded};
 
     /// The default of a factor or an exponent.
-    #[cfg(feature = "case")]
     pub fn one() -> f64 {
         1.0
     }

@@ -1,6 +1,6 @@
 //! A step that a run does not have.
 
-use crate::solution::Stop;
+use crate::solver::solution::Stop;
 
 /// Why there is nothing to take apart.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]

@@ -4,7 +4,7 @@ use super::direction::Direction;
 use super::numbers::Number;
 use super::outcome::Outcome;
 use crate::message::{Amount, Message, message};
-use crate::state::neighbourhood::NEIGHBOURHOOD;
+use crate::solver::state::neighbourhood::NEIGHBOURHOOD;
 
 /// Shortest elements, over the thickness, that a shell resolves \[–\]: its normal stays straight, which stress needs about a
 /// thickness for (Saint-Venant).

@@ -8,11 +8,11 @@
 //!
 //! What is larger is refused before it is read, and so is what is no file: pipes and devices may never end.
 
-#[cfg(feature = "plot")]
+#[cfg(feature = "app")]
 mod hash;
 mod visible;
 
-#[cfg(feature = "plot")]
+#[cfg(feature = "app")]
 pub use hash::sha256;
 pub use visible::visible;
 

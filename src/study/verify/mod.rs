@@ -50,6 +50,6 @@ pub use numbers::{Number, Of, numbers};
 pub use outcome::{End, Outcome};
 pub use quick::quick;
 pub use telling::{Told, ToldNumber, answered};
-#[cfg(feature = "plot")]
+#[cfg(feature = "app")]
 pub(crate) use verify::Watched;
 pub use verify::{Verification, Watch, verify};

@@ -7,7 +7,7 @@ use crate::case::{Case, Solution};
 use crate::message::Message;
 use crate::model::mesh;
 use crate::numerics::interpolated;
-use crate::solution::{StageSolution, Stop};
+use crate::solver::solution::{StageSolution, Stop};
 
 /// What is kept of a run.
 #[derive(Clone, Debug, PartialEq)]

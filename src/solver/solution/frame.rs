@@ -2,7 +2,7 @@
 
 use super::{ElementRecord, Frame, NodeRecord, PointRecord, ThroughThickness};
 use crate::model::Model;
-use crate::state::{MaterialPoint, State};
+use crate::solver::state::{MaterialPoint, State};
 
 impl State {
     /// What is kept of this instant.

@@ -3,9 +3,9 @@
 use super::asked::Asked;
 use super::error::NoSuchStep;
 use crate::model::{Model, Stage};
-use crate::solution::{IterationRecord, StepRecord, Stop};
+use crate::solver::solution::{IterationRecord, StepRecord, Stop};
+use crate::solver::state::State;
 use crate::solver::{Iterate, Observer, Start, solve};
-use crate::state::State;
 
 /// What a step begins with, and how the run took it.
 pub(super) struct Before {

@@ -5,7 +5,7 @@ use crate::case::Case;
 use crate::measure::{Shape, changes, thickest};
 use crate::message::{Amount, Digits};
 use crate::model::{Motion, Role, mesh};
-use crate::solution::{StageSolution, StepRecord};
+use crate::solver::solution::{StageSolution, StepRecord};
 
 /// Who tells a number; its key is one of a kind there.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

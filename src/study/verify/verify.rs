@@ -10,7 +10,7 @@ use super::said;
 use crate::case::{Case, Solution};
 use crate::message::Message;
 use crate::solver::Observer;
-#[cfg(feature = "threads")]
+#[cfg(feature = "app")]
 use rayon::prelude::*;
 
 /// How many times finer the levels are \[–\].
@@ -91,7 +91,7 @@ pub(super) fn solved(case: &Case, jobs: &[(Direction, f64)], watch: &dyn Watch) 
         let case = Case { stages, ..case.clone() };
         Some(Outcome::of(&case.solve(&mut Watched(watch)), Some((direction, times))))
     };
-    #[cfg(feature = "threads")]
+    #[cfg(feature = "app")]
     let all = {
         let done = std::sync::atomic::AtomicUsize::new(0);
         // One after the other as threads are free: the most costly first.
@@ -104,7 +104,7 @@ pub(super) fn solved(case: &Case, jobs: &[(Direction, f64)], watch: &dyn Watch) 
         all.sort_by_key(|(i, _)| *i);
         all.into_iter().filter_map(|(_, outcome)| outcome).collect()
     };
-    #[cfg(not(feature = "threads"))]
+    #[cfg(not(feature = "app"))]
     let all = {
         let one = |(i, job): (usize, &(Direction, f64))| {
             let outcome = one(job);

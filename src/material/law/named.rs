@@ -2,7 +2,6 @@
 
 use super::Family;
 use crate::units::{Fraction, Quantity};
-#[cfg(feature = "schema")]
 use schemars::{JsonSchema, Schema, SchemaGenerator};
 use serde::de::{self, Deserialize, Deserializer, MapAccess, Visitor, value};
 use std::fmt;
@@ -25,7 +24,6 @@ pub trait Readable: Family {
     fn read<'de, A: MapAccess<'de>>(index: usize, map: &mut A) -> Result<Self, A::Error>;
 
     /// The schema of every law.
-    #[cfg(feature = "schema")]
     fn schemas(generator: &mut SchemaGenerator) -> Vec<Schema>;
 }
 
@@ -110,7 +108,6 @@ impl<'de, F: Readable> Deserialize<'de> for Named<F> {
     }
 }
 
-#[cfg(feature = "schema")]
 impl<F: Readable> JsonSchema for Named<F> {
     fn schema_name() -> std::borrow::Cow<'static, str> {
         F::TITLE.into()

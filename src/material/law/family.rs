@@ -23,7 +23,7 @@ macro_rules! family {
         }
 
         impl $family {
-            $crate::law::family! {
+            $crate::material::law::family! {
                 @method $(#[$method_doc])* fn $method $arguments -> $output; $($plain)? $($law)*
             }
 
@@ -37,9 +37,9 @@ macro_rules! family {
             /// Examples of every law, named: for tests, lists and benchmarks that must hold for all of them.
             pub fn examples() -> Vec<(&'static str, Self)> {
                 let mut all = Vec::new();
-                $(all.extend(<$plain as $crate::law::Law>::examples().into_iter().map(Self::$plain));)?
-                $(all.extend(<$law as $crate::law::Law>::examples().into_iter().map(Self::$law));)*
-                all.into_iter().map(|law: Self| ($crate::law::Family::name(&law), law)).collect()
+                $(all.extend(<$plain as $crate::material::law::Law>::examples().into_iter().map(Self::$plain));)?
+                $(all.extend(<$law as $crate::material::law::Law>::examples().into_iter().map(Self::$law));)*
+                all.into_iter().map(|law: Self| ($crate::material::law::Family::name(&law), law)).collect()
             }
         }
 
@@ -50,7 +50,7 @@ macro_rules! family {
             }
         }
 
-        impl $crate::law::Family for $family {
+        impl $crate::material::law::Family for $family {
             const TITLE: &'static str = stringify!($family);
             const NAMES: &'static [&'static str] = &[$(stringify!($name)),*];
 
@@ -61,26 +61,24 @@ macro_rules! family {
                 }
             }
 
-            fn prepared(mut self, young: Option<f64>) -> Result<Self, $crate::law::LawError> {
+            fn prepared(mut self, young: Option<f64>) -> Result<Self, $crate::material::law::LawError> {
                 match &mut self {
-                    $(Self::$plain(law) => $crate::law::Law::prepare(law, young)?,)?
-                    $(Self::$law(law) => $crate::law::Law::prepare(law, young)?,)*
+                    $(Self::$plain(law) => $crate::material::law::Law::prepare(law, young)?,)?
+                    $(Self::$law(law) => $crate::material::law::Law::prepare(law, young)?,)*
                 }
                 Ok(self)
             }
         }
 
-        #[cfg(feature = "case")]
-        impl $crate::law::Readable for $family {
+        impl $crate::material::law::Readable for $family {
             const ABOUT: &'static str = concat!($($doc, "\n"),+);
-            const NUMBER: Option<$crate::law::OfNumber<Self>> = $crate::law::family!(@number $($plain $wanted)?);
+            const NUMBER: Option<$crate::material::law::OfNumber<Self>> = $crate::material::law::family!(@number $($plain $wanted)?);
 
             fn read<'de, A: serde::de::MapAccess<'de>>(index: usize, map: &mut A) -> Result<Self, A::Error> {
                 let laws = [$(|map: &mut A| map.next_value().map(Self::$law)),*];
                 laws[index](map)
             }
 
-            #[cfg(feature = "schema")]
             fn schemas(generator: &mut schemars::SchemaGenerator) -> Vec<schemars::Schema> {
                 vec![$(generator.subschema_for::<$law>()),*]
             }
@@ -90,7 +88,7 @@ macro_rules! family {
         $(#[$doc])*
         #[inline]
         pub fn $method(&self, $($argument: $type),*) -> $output {
-            $crate::law::family!(@each self; $($law)*; law => law.$method($($argument),*))
+            $crate::material::law::family!(@each self; $($law)*; law => law.$method($($argument),*))
         }
     };
     (@each $self:ident; $($variant:ident)*; $law:ident => $call:expr) => {
