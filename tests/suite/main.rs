@@ -31,6 +31,7 @@ mod fit;
 mod forming_limit;
 mod geometry;
 mod glossary;
+mod golden;
 mod limit_conditions;
 mod material_laws;
 mod materials;
