@@ -2,9 +2,9 @@
 
 use super::{Finding, Light, run::Run};
 use crate::message::{Amount, message};
+use crate::model::tool_sizes::extent;
 use crate::model::{Geometry, Role};
 use crate::rules::design::REDRAW_RATIO;
-use crate::rules::tool_sizes::extent;
 use crate::solver::solution::StageSolution;
 use crate::table::Unit;
 

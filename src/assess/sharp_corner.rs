@@ -3,8 +3,8 @@
 use super::Finding;
 use crate::geometry::{CORNER, Point};
 use crate::message::{Amount, Digits, Message, message};
+use crate::model::tool_sizes::extent;
 use crate::model::{Model, Role, Tool};
-use crate::rules::tool_sizes::extent;
 use crate::table::Unit;
 
 /// A tool with a sharp corner in the sheet's reach.

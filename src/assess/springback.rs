@@ -3,7 +3,7 @@
 use super::{Finding, Light, run::Run, wall_load};
 use crate::case::Springback;
 use crate::geometry::{Piece, Profile};
-use crate::measure::{Change, EDGE, FLANGE_ANGLE, OPENING_ANGLE, Quantity, Shape, WALL_ANGLE, changes};
+use crate::measure::{Change, EDGE, FLANGE_ANGLE, OPENING_ANGLE, Shape, ShapeMeasure, WALL_ANGLE, changes};
 use crate::message::{Message, message};
 use crate::model::{Geometry, Mode, Model, Role};
 use crate::table::Unit;
@@ -115,7 +115,7 @@ fn steepest(profile: &Profile) -> Option<f64> {
 }
 
 /// What the punch's wall wants of a quantity: its own angle, or that between it and its mirror image.
-fn of_punch(quantity: &Quantity, wall: Option<f64>) -> Option<f64> {
+fn of_punch(quantity: &ShapeMeasure, wall: Option<f64>) -> Option<f64> {
     match quantity.key {
         key if key == WALL_ANGLE.key => wall,
         key if key == OPENING_ANGLE.key => wall.map(|angle| 2.0 * angle),
@@ -126,7 +126,7 @@ fn of_punch(quantity: &Quantity, wall: Option<f64>) -> Option<f64> {
 impl Springback {
     /// What is judged of what was measured; `punch` is the angle of its wall \[°\].
     fn of<'a>(&'a self, changes: &'a [Change], punch: Option<f64>) -> impl Iterator<Item = Judged> + 'a {
-        let limits: [(Quantity, Option<f64>, Option<f64>); 4] = [
+        let limits: [(ShapeMeasure, Option<f64>, Option<f64>); 4] = [
             (OPENING_ANGLE, self.angle, self.tolerance),
             (WALL_ANGLE, self.angle.map(|angle| 0.5 * angle), self.wall_tolerance),
             (FLANGE_ANGLE, None, self.flange_tolerance),

@@ -3,9 +3,9 @@
 use super::nose::NoseEnd;
 use super::{Finding, Light, closing, run::Run};
 use crate::message::{Amount, message};
+use crate::model::tool_sizes::extent;
 use crate::model::{Model, Motion, Role};
 use crate::rules::estimate::{draw_ratio, held_area, siebel_pressure, tensile_strength};
-use crate::rules::tool_sizes::extent;
 use crate::table::Unit;
 
 /// Advised pressure over the holder's \[–\]: 1 by the rule; above 2 even a factor of 0.002, the least that the rule is said

@@ -15,10 +15,10 @@ use super::templates::{FRICTION, typical};
 use crate::case::library;
 use crate::material::hardening::Swift;
 use crate::material::{Hardening, Material};
+use crate::model::tool_sizes::mouth;
 use crate::model::{Geometry, Role};
 use crate::rules::design::Picked;
 use crate::rules::estimate::{siebel, tensile_strength};
-use crate::rules::tool_sizes::mouth;
 use crate::units::rounded;
 use sizes::Sizes;
 

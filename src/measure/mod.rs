@@ -34,15 +34,15 @@ mod fit;
 mod meridian;
 mod moment;
 mod part;
-mod quantity;
 mod ring;
+mod shape_measure;
 
 pub use bands::{Band, PartPlace, Stretch, along, bands, place_on_part};
 pub use events::{Event, EventKind, events, rests_on_blocks};
 pub use moment::{MomentError, moment_error};
 pub use part::{part_height, thickest};
-pub use quantity::{Change, EDGE, FLANGE_ANGLE, OPENING_ANGLE, QUANTITIES, Quantity, WALL_ANGLE, changes};
 pub use ring::{CutRing, Ring, RingTest};
+pub use shape_measure::{Change, EDGE, FLANGE_ANGLE, OPENING_ANGLE, SHAPE_MEASURES, ShapeMeasure, WALL_ANGLE, changes};
 
 use crate::solver::solution::Frame;
 use fit::Fit;

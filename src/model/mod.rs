@@ -11,6 +11,7 @@ mod mode;
 mod role_names;
 mod settings;
 pub mod stage;
+pub mod tool_sizes;
 mod tools;
 
 pub use blank::{Blank, Edge, Grading, ThicknessRule};

@@ -2,7 +2,7 @@
 
 use super::chart::{BLACK, Chart, Look, Series, color, pale};
 use super::{StageView, sections};
-use crate::measure::{self, Change, FLANGE_ANGLE, Leg, Quantity, Shape, WALL_ANGLE};
+use crate::measure::{self, Change, FLANGE_ANGLE, Leg, Shape, ShapeMeasure, WALL_ANGLE};
 use crate::message::{Message, message};
 use crate::solver::solution::StageSolution;
 
@@ -33,7 +33,7 @@ pub fn plot(view: &StageView) -> Option<Chart> {
         Series::new(view.tell("Before"), first, Look::Area { fill: pale(color(0)), edge: Some(color(0)) }),
         Series::new(view.tell("After"), outline, Look::Line { color: color(1), width: 2.0, dash: &[] }),
     ];
-    let measured = |quantity: Quantity, of: fn(&Shape) -> Option<&Leg>, dash| {
+    let measured = |quantity: ShapeMeasure, of: fn(&Shape) -> Option<&Leg>, dash| {
         let look = Look::Line { color: BLACK, width: 1.4, dash };
         let label =
             found.iter().find(|change| change.quantity.key == quantity.key).map(|change| view.tell(worded(change)));

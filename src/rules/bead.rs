@@ -1,7 +1,7 @@
 //! A draw bead that is drawn in the sections of holder and die: where it is, and what it holds the sheet back with.
 
-use super::tool_sizes::{flat_level, shoulder_end};
 use crate::geometry::Arc;
+use crate::model::tool_sizes::{flat_level, shoulder_end};
 use crate::model::{Model, Role, Tool};
 
 /// How far a bead stands out of the flat, over the thickness \[–\].

@@ -3,9 +3,9 @@
 use crate::forming_limit::Paths;
 use crate::geometry::Point;
 use crate::model::mesh;
+use crate::model::tool_sizes::{extent, gap, mouth, shoulder_end, throat, widens};
 use crate::model::{Edge, Geometry, Model, Motion, Role};
 pub(crate) use crate::rules::design::{siebel, tensile_strength};
-use crate::rules::tool_sizes::{extent, gap, mouth, shoulder_end, throat, widens};
 use crate::solver::solution::{ElementRecord, NodeRecord, PointRecord, StepRecord};
 use crate::solver::state::MaterialPoint;
 use std::f64::consts::{FRAC_PI_2, PI};

@@ -6,4 +6,3 @@ pub mod estimate;
 pub mod r_values;
 pub mod size;
 pub mod thickness_tolerance;
-pub mod tool_sizes;

@@ -2,10 +2,10 @@
 //! declared rules of thumb.
 
 use crate::message::{Amount, Message, message};
+use crate::model::tool_sizes::{extent, throat};
 use crate::model::{Model, Role};
 use crate::rules::design::LIMITING_RATIO;
 use crate::rules::estimate::draw_ratio;
-use crate::rules::tool_sizes::{extent, throat};
 use crate::units::{Unit, significant};
 use std::ops::RangeInclusive;
 

@@ -5,7 +5,7 @@ use stampflow::case;
 use stampflow::geometry::{Arc, Piece};
 use stampflow::import::{Heading, Options, read};
 use stampflow::model::Role;
-use stampflow::rules::tool_sizes::extent;
+use stampflow::model::tool_sizes::extent;
 use std::fmt::Write;
 use std::fs;
 use std::path::Path;

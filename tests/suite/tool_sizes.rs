@@ -2,8 +2,8 @@
 
 use approx::assert_relative_eq;
 use stampflow::geometry::{Arc, Piece, Profile, Segment};
+use stampflow::model::tool_sizes::{mouth, widens};
 use stampflow::model::{Motion, Role, Tool};
-use stampflow::rules::tool_sizes::{mouth, widens};
 use std::f64::consts::FRAC_PI_2;
 
 fn punch(pieces: Vec<Piece>) -> Tool {

@@ -4,10 +4,10 @@ use super::line::{Line, line, size_of};
 use super::loads;
 use crate::contact::friction::Friction;
 use crate::message::{Amount, Message, message};
+use crate::model::tool_sizes::{extent, mouth, throat, widens};
 use crate::model::{Geometry, Model, Role, Tool};
 use crate::rules::design::LIMITING_RATIO;
 use crate::rules::estimate;
-use crate::rules::tool_sizes::{extent, mouth, throat, widens};
 
 /// More radii than these are told as a range: they round a curve off.
 const FEW: usize = 4;

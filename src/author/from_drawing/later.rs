@@ -5,8 +5,8 @@ use super::sizes::Sizes;
 use super::{change, exact};
 use crate::author::page::Page;
 use crate::author::templates::FRICTION;
+use crate::model::tool_sizes::{extent, mouth, throat};
 use crate::model::{Geometry, Role};
-use crate::rules::tool_sizes::{extent, mouth, throat};
 use std::f64::consts::PI;
 
 impl Draft<'_> {

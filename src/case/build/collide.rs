@@ -3,8 +3,8 @@
 use super::motion::travel_key;
 use super::values::place_of;
 use crate::case::{CaseError, source::Source};
+use crate::model::tool_sizes::{Gap, gap, room};
 use crate::model::{Model, Role, Tool};
-use crate::rules::tool_sizes::{Gap, gap, room};
 
 /// Drawings are rounded: tools may overlap by this share of the thickness [–].
 const ROUNDED: f64 = 1e-3;

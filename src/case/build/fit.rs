@@ -3,8 +3,8 @@
 use super::motion::travel_key;
 use super::values::place_of;
 use crate::case::{CaseError, explain::missing, source::Source};
+use crate::model::tool_sizes::{Gap, extent, gap, room, shoulder_end, throat, widens};
 use crate::model::{Edge, Model, Role};
-use crate::rules::tool_sizes::{Gap, extent, gap, room, shoulder_end, throat, widens};
 use crate::units::rounded;
 
 /// Rounded sums of decimals may miss by this share [–].

@@ -4,9 +4,9 @@ use super::lines::Named;
 use crate::case::file::{self, InitialTemperature};
 use crate::case::files::Folder;
 use crate::case::{CaseError, explain::missing, source::Source};
+use crate::model::tool_sizes::extent;
 use crate::model::{Heat, HeatFlow, Role, Tool, ToolHeat};
 use crate::numerics::PiecewiseLinear;
-use crate::rules::tool_sizes::extent;
 use crate::table::Unit;
 use crate::units::{Length, Quantity, ZERO_CELSIUS};
 

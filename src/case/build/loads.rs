@@ -4,9 +4,9 @@ use super::context::Sheet;
 use crate::case::file::{self, Given, HolderForce, Stiffness};
 use crate::case::{CaseError, source::Source};
 use crate::message::{Amount, Digits, Message, message};
+use crate::model::tool_sizes::{extent, shoulder_end};
 use crate::model::{Bead, Extent, Face, Gas, Motion, Press, Pressure, RateControl, Role, Tool};
 use crate::numerics::PiecewiseLinear;
-use crate::rules::tool_sizes::{extent, shoulder_end};
 use crate::units::Unit;
 use crate::units::{Length, NonNegative, Positive, Quantity, Stress, Time};
 

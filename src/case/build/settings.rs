@@ -5,8 +5,8 @@ use super::patch::equally_spaced;
 use super::values::count;
 use crate::case::file;
 use crate::case::{CaseError, source::Source};
+use crate::model::tool_sizes::throat;
 use crate::model::{ModelError, Role, Settings, StopRules, Tool};
-use crate::rules::tool_sizes::throat;
 use crate::units::{Quantity, rounded};
 
 pub(super) fn check(settings: &Settings, source: &Source) -> Result<(), CaseError> {

@@ -1,9 +1,9 @@
 //! What shops ask for: the key, its span and the condition taken from the case itself.
 
 use crate::case::Case;
+use crate::model::tool_sizes::{mouth, shoulder_end, throat};
 use crate::model::{Edge, Geometry, Model, Motion, Role};
 use crate::rules::design::tensile_strength;
-use crate::rules::tool_sizes::{mouth, shoulder_end, throat};
 use crate::study::StudyError;
 use crate::units::significant;
 
@@ -115,7 +115,7 @@ fn limiting_draw_ratio(case: &Case) -> Result<Draft, StudyError> {
     if throat(die).is_none() {
         return Err(missing("limiting-draw-ratio", "a die that is open below: its `throat`"));
     }
-    let held = model.tool(Role::Holder).map_or(0.0, |holder| crate::rules::tool_sizes::extent(holder).0);
+    let held = model.tool(Role::Holder).map_or(0.0, |holder| crate::model::tool_sizes::extent(holder).0);
     let low = (RATIOS[0] * diameter).max(FLANGE * 2.0 * shoulder_end(die).max(held));
     let high = RATIOS[1] * diameter;
     // The chord of a parabola lies above it: what is between the ends has travel enough.

@@ -11,7 +11,7 @@ const DECIMALS: usize = 1;
 
 /// Something that can be measured on a shape.
 #[derive(Clone, Copy, Debug)]
-pub struct Quantity {
+pub struct ShapeMeasure {
     /// Name in files, without the unit.
     pub key: &'static str,
     /// Name in legends.
@@ -25,29 +25,33 @@ pub struct Quantity {
 }
 
 /// Of the wall to the direction of the punch \[°\].
-pub const WALL_ANGLE: Quantity =
-    Quantity::new("wall_angle", "Wall to the punch direction", Unit::Degree, Shape::wall_angle);
+pub const WALL_ANGLE: ShapeMeasure =
+    ShapeMeasure::new("wall_angle", "Wall to the punch direction", Unit::Degree, Shape::wall_angle);
 /// Between both walls \[°\].
-pub const OPENING_ANGLE: Quantity = Quantity::new("opening_angle", "Opening angle", Unit::Degree, Shape::opening_angle);
+pub const OPENING_ANGLE: ShapeMeasure =
+    ShapeMeasure::new("opening_angle", "Opening angle", Unit::Degree, Shape::opening_angle);
 /// Of the flange to the horizontal \[°\].
-pub const FLANGE_ANGLE: Quantity =
-    Quantity::new("flange_angle", "Flange to the horizontal", Unit::Degree, Shape::flange_angle);
+pub const FLANGE_ANGLE: ShapeMeasure =
+    ShapeMeasure::new("flange_angle", "Flange to the horizontal", Unit::Degree, Shape::flange_angle);
 /// Of the edge from the axis or the symmetry plane \[mm\].
-pub const EDGE: Quantity = Quantity::new("edge", "Distance of the edge", Unit::Mm, |shape| shape.edge);
+pub const EDGE: ShapeMeasure = ShapeMeasure::new("edge", "Distance of the edge", Unit::Mm, |shape| shape.edge);
 
 /// Everything that is measured, in the order of tables.
-pub const QUANTITIES: &[Quantity] = &[
+pub const SHAPE_MEASURES: &[ShapeMeasure] = &[
     WALL_ANGLE,
     OPENING_ANGLE,
-    Quantity::new("bottom_to_wall", "Bottom to wall, θ₁", Unit::Degree, Shape::bottom_to_wall),
-    Quantity::new("wall_to_flange", "Wall to flange, θ₂", Unit::Degree, Shape::wall_to_flange),
+    ShapeMeasure::new("bottom_to_wall", "Bottom to wall, θ₁", Unit::Degree, Shape::bottom_to_wall),
+    ShapeMeasure::new("wall_to_flange", "Wall to flange, θ₂", Unit::Degree, Shape::wall_to_flange),
     FLANGE_ANGLE,
-    Quantity { told: radius, ..Quantity::new("curl_radius", "Wall curl radius, ρ", Unit::Mm, Shape::curl_radius) },
-    Quantity::new("height", "Height of the middle over the edge", Unit::Mm, |shape| shape.height),
+    ShapeMeasure {
+        told: radius,
+        ..ShapeMeasure::new("curl_radius", "Wall curl radius, ρ", Unit::Mm, Shape::curl_radius)
+    },
+    ShapeMeasure::new("height", "Height of the middle over the edge", Unit::Mm, |shape| shape.height),
     EDGE,
 ];
 
-impl Quantity {
+impl ShapeMeasure {
     const fn new(key: &'static str, label: &'static str, unit: Unit, of: fn(&Shape) -> Option<f64>) -> Self {
         Self { key, label, unit, of, told: measured }
     }
@@ -91,7 +95,7 @@ fn radius(value: f64, unit: Unit) -> Message {
 #[derive(Clone, Copy, Debug)]
 pub struct Change {
     /// What was measured.
-    pub quantity: &'static Quantity,
+    pub quantity: &'static ShapeMeasure,
     /// On the first sheet, in the unit of the quantity.
     pub before: Option<f64>,
     /// On the second.
@@ -113,7 +117,7 @@ impl Change {
 
 /// Every quantity that one of the two shapes has, before and after; a wall's curl where it is curled.
 pub fn changes(before: &Shape, after: &Shape) -> Vec<Change> {
-    let all = QUANTITIES.iter().map(|quantity| {
+    let all = SHAPE_MEASURES.iter().map(|quantity| {
         let of = quantity.of;
         Change { quantity, before: of(before), after: of(after) }
     });
@@ -126,7 +130,7 @@ mod tests {
     use super::*;
 
     fn change(key: &str, before: Option<f64>, after: Option<f64>) -> Change {
-        Change { quantity: QUANTITIES.iter().find(|q| q.key == key).expect("a quantity"), before, after }
+        Change { quantity: SHAPE_MEASURES.iter().find(|q| q.key == key).expect("a quantity"), before, after }
     }
 
     #[test]

@@ -1,7 +1,7 @@
 //! Sizes read off a tool's section, however it was drawn.
 
+use super::{Geometry, Role, Tool};
 use crate::geometry::{Piece, Point, Segment};
-use crate::model::{Geometry, Role, Tool};
 use crate::numerics::bisect;
 
 /// Smallest and largest r of a tool \[mm\].
