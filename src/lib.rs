@@ -86,6 +86,8 @@ pub mod numerics;
 #[cfg(feature = "app")]
 pub mod output;
 #[cfg(feature = "app")]
+pub mod plot;
+#[cfg(feature = "app")]
 pub mod report;
 pub mod rules;
 pub mod solver;

@@ -8,7 +8,7 @@ use crate::table::fields::step::TRAVEL;
 use crate::table::{Axis, Column, Table, Unit};
 
 /// The axes of a forming limit diagram: minor and major strain.
-pub(super) fn axes() -> [Axis; 2] {
+pub(crate) fn axes() -> [Axis; 2] {
     [minor(Vec::new()).axis(), major(Vec::new()).axis()]
 }
 

@@ -1,71 +1,39 @@
 //! What a solution leaves on disk: one file of this folder per table or plot, and one list, [`OUTPUTS`].
 
-pub mod animation;
-pub mod chart;
 mod csv;
-mod dimensions;
 mod disk;
-mod draw;
 mod error_bars;
 mod file;
-pub mod flow_curve;
-mod font;
-pub mod forming_diagram;
 pub mod forming_limit;
-mod frame_recorder;
-mod gif;
 pub mod load_travel;
 mod lock;
-pub mod log_plot;
-mod lzw;
 mod make;
-mod outline;
-mod overlay;
-mod part;
-mod part_bands;
-pub mod pdf;
-mod picture;
-mod png;
 pub mod pressure_cycle;
 pub mod profile;
 pub mod residual_stress;
 mod result_folder;
 mod results;
-mod sections;
-mod sketch;
 pub mod springback;
-mod stage_view;
 mod stages;
-mod states;
-mod strains;
 pub mod study;
 pub mod summary;
-mod thickness_profile;
-mod thinning;
-mod told;
 pub mod trace;
 mod verdict;
 pub mod verification;
-mod viridis;
 pub mod vtk;
 mod writing;
 
-pub use chart::Chart;
+pub use crate::plot::{
+    Captions, Chart, Dimension, Format, FrameRecorder, Mark, PAPER, Pictures, Size, StageView, animation, comparisons,
+    dimensioned, flow_curve, log_plot, png, sketch, svg,
+};
+pub(crate) use crate::plot::{DRAWN, Drawing};
+use crate::plot::{forming_diagram, overlay, part, states, strains, thickness_profile};
 pub use csv::csv;
-pub use dimensions::{Dimension, Mark, Size, dimensioned};
-pub use draw::svg;
-#[cfg(feature = "app")]
-pub(crate) use draw::{Drawing, WIDTH as DRAWN};
 pub use file::{WriteError, can_write, remove_others, write};
-pub use frame_recorder::FrameRecorder;
 pub use make::{Extra, Files, Make, Output};
-pub use overlay::comparisons;
-pub use picture::{Captions, Format, PAPER, Pictures};
-pub use png::png;
 pub use result_folder::ResultFolder;
 pub use results::Results;
-pub use sketch::sketch;
-pub use stage_view::StageView;
 pub use summary::{CaseSummary, Figure, Summary};
 pub use verdict::verdict;
 pub use writing::{OutputError, REPORT_MARKER, comparison_folder, is_report, is_result, result_folder};
@@ -77,16 +45,16 @@ pub const OUTPUTS: &[Output] = &[
     Output::table("load_travel.csv", "forces, draw-in, energy and iterations of every step", load_travel::of),
     Output::table("profile.csv", "shape, thickness, strains and stresses of every kept frame", profile::of),
     Output::text("springback.csv", "what was measured before and after a release of the tools", springback::csv),
-    Output::plot("springback.png", "the section before and after release", springback::plot),
+    Output::plot("springback.png", "the section before and after release", crate::plot::springback::plot),
     Output::table("residual_stress.csv", "stress at every thickness point after release", residual_stress::of),
-    Output::plot("residual_stress.png", "residual stress through the thickness", residual_stress::plot),
-    Output::plot("load_travel.png", "forces over the punch travel", load_travel::plot),
+    Output::plot("residual_stress.png", "residual stress through the thickness", crate::plot::residual_stress::plot),
+    Output::plot("load_travel.png", "forces over the punch travel", crate::plot::load_travel::plot),
     Output::table(
         "pressure_cycle.csv",
         "pressure and strain rate over time, where a gas pressure holds a rate",
         pressure_cycle::of,
     ),
-    Output::plot("pressure_cycle.png", "the same, and the height of the dome", pressure_cycle::plot),
+    Output::plot("pressure_cycle.png", "the same, and the height of the dome", crate::plot::pressure_cycle::plot),
     Output::plot(
         "thickness.png",
         "thickness over the blank at every kept frame, and over the part",

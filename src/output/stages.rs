@@ -1,10 +1,10 @@
 //! One line for every stage of a sequence: [`FILE`] and what is printed.
 
 use super::csv::with_texts;
-use super::stage_view::ended;
 use super::{Files, Results};
 use crate::case::Solution;
 use crate::message::{Amount, Message, message};
+use crate::plot::stage_view::ended;
 use crate::solver::solution::{StageSolution, StepRecord, Stop};
 use crate::table::fields::step::{HOLDER_FORCE, POLE_HEIGHT, PUNCH_FORCE, THINNEST};
 use crate::table::{Column, Field, Table, Unit};

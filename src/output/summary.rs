@@ -8,12 +8,12 @@ mod written;
 pub use whole::CaseSummary;
 
 use super::StageView;
-use super::stage_view::ended;
 use crate::assess::{Kind, sentences};
 use crate::case::files::sha256;
 use crate::measure::{Change, Event, events, moment_error};
 use crate::message::{Amount, Message, message};
 use crate::model::{Extent, Geometry, Mode};
+use crate::plot::stage_view::ended;
 use crate::solver::solution::{StageSolution, StepRecord, Stop};
 use crate::study::verify::Verification;
 use crate::table::Unit;

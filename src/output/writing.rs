@@ -1,9 +1,10 @@
 //! Every output of a solution, written to its folder.
 
-use super::{FrameRecorder, Make, OUTPUTS, ResultFolder, Results, StageView, WriteError, overlay, stages};
+use super::{FrameRecorder, Make, OUTPUTS, ResultFolder, Results, StageView, WriteError, stages};
 use crate::case::files::{Disk, Files};
 use crate::case::{Case, Solution};
 use crate::compare::CompareError;
+use crate::plot::overlay;
 use crate::study::verify::answered;
 use std::fs;
 use std::io::{self, ErrorKind};

@@ -5,7 +5,7 @@ use super::plots::{PART, plot};
 use super::solved::Report;
 use crate::assess::{Answer, Finding, Light, judgements, tears_at};
 use crate::message::{Form, message};
-use crate::output::chart::Scale;
+use crate::plot::chart::Scale;
 use crate::solver::solution::StepRecord;
 use crate::table::capitalised;
 

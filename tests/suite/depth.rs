@@ -81,7 +81,7 @@ fn times_are_told_where_they_are_given_or_felt() {
     let told = |more: &str, overrides: &[&str]| {
         let solution = solved(&format!("{CUP}{limit}{more}"), overrides);
         let views = solution.views();
-        let diagram = stampflow::output::forming_diagram::plot(&views[0]).expect("a diagram").notes.join(" ");
+        let diagram = stampflow::plot::forming_diagram::plot(&views[0]).expect("a diagram").notes.join(" ");
         assert!(diagram.contains("The limit is reached at"), "{diagram}");
         format!("{}{}{diagram}", check::report(&solution.case), solution.summary().lines)
     };

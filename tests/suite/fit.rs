@@ -7,8 +7,8 @@ use stampflow::case::{self, Case};
 use stampflow::material::Hardening;
 use stampflow::message::{Form, Language, System};
 use stampflow::numerics::least_squares::Ended;
-use stampflow::output::chart::Scale;
 use stampflow::output::study::fit_law;
+use stampflow::plot::chart::Scale;
 use stampflow::study::fit::{
     CaseFit, CaseFitSpec, FlowCurve, Kind, LawFits, Range, RateKind, Reduction, Tension, fit_case, fit_laws, load,
     material_text,

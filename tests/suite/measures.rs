@@ -163,7 +163,8 @@ fn plane_strain_has_no_axis_and_no_hoops() {
     let after = sprung(&before);
     let stage = release(&model, &before, &after);
     let view = StageView::alone("release", &stage);
-    let charts = [residual_stress::plot(&view).unwrap(), springback::plot(&view).unwrap()];
+    let charts =
+        [stampflow::plot::residual_stress::plot(&view).unwrap(), stampflow::plot::springback::plot(&view).unwrap()];
     for chart in &charts {
         for panel in &chart.panels {
             for text in [panel.x.text(), panel.y.text()] {

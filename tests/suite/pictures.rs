@@ -7,8 +7,8 @@ use crate::common::pixels::pixels;
 use stampflow::case::{Case, Press, parse};
 use stampflow::forming_limit::{Instant, Paths};
 use stampflow::model::{Bead, Geometry};
-use stampflow::output::chart::{Look, Scale, Series};
 use stampflow::output::{Captions, Chart, Format, OUTPUTS, Pictures, StageView};
+use stampflow::plot::chart::{Look, Scale, Series};
 use stampflow::report::Report;
 use stampflow::solver::solution::StageSolution;
 

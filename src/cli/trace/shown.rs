@@ -5,7 +5,7 @@ use super::super::table::{Cell, table, width, wrapped};
 use stampflow::case::Case;
 use stampflow::message::{Amount, Form, Message, message};
 use stampflow::model::Iteration;
-use stampflow::output::log_plot::{Curve, log_plot};
+use stampflow::plot::log_plot::{Curve, log_plot};
 use stampflow::solver::Start;
 use stampflow::solver::trace::{Attempt, Iterated, Pass, Rate, Trace, Way};
 

@@ -3,7 +3,7 @@
 use super::zones::{AMBER, OWN, entry, ground, lines};
 use crate::assess::Light;
 use crate::message::Form;
-use crate::output::chart::{Chart, Look, Panel, Scale, Series, color};
+use crate::plot::chart::{Chart, Look, Panel, Scale, Series, color};
 use crate::study::{Found, Results, Window, Zone};
 use crate::table::Axis;
 

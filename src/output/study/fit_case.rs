@@ -1,7 +1,7 @@
 //! Measured curves beside the run that a fit begins with and the one that it ends with.
 
 use crate::message::{Form, Message, message};
-use crate::output::chart::{BLACK, Chart, GREY, Look, Panel, Scale, Series, color};
+use crate::plot::chart::{BLACK, Chart, GREY, Look, Panel, Scale, Series, color};
 use crate::study::fit::{CaseFit, Matched};
 use crate::table::{Column, Unit};
 

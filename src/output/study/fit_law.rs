@@ -1,7 +1,7 @@
 //! Hardening laws beside the tension tests that they are fitted to, and how sure the chosen one is beyond their end.
 
 use crate::message::{Form, Message, message};
-use crate::output::chart::{BLACK, Chart, GREY, Look, Panel, Scale, Series, color};
+use crate::plot::chart::{BLACK, Chart, GREY, Look, Panel, Scale, Series, color};
 use crate::study::fit::{FlowCurve, LawFit, LawFits};
 use crate::table::{Column, Unit};
 
@@ -56,7 +56,7 @@ fn above(fits: &LawFits, form: Form) -> Vec<Series> {
     if !band.is_empty() {
         let side = |sign: f64| band.iter().map(move |(e, s, half)| (*e, s + sign * half));
         let outline = side(-1.0).chain(side(1.0).rev()).collect();
-        let look = Look::Area { fill: crate::output::chart::pale(color(0)), edge: None };
+        let look = Look::Area { fill: crate::plot::chart::pale(color(0)), edge: None };
         series.push(Series::new(form.tell("Its interval of 95 %, from scatter alone"), outline, look));
     }
     for (i, fit) in fits.fits.iter().filter(|fit| fit.kind != best.kind).enumerate() {
@@ -113,7 +113,7 @@ fn misses(fits: &LawFits, form: Form) -> Vec<Series> {
     if let Some(scatter) = scatter.filter(|_| fits.fitted().count() == 1) {
         let low = scatter.iter().rev().map(|(e, s)| (*e, -s));
         let outline = scatter.iter().copied().chain(low).collect();
-        let look = Look::Area { fill: crate::output::chart::PALE, edge: None };
+        let look = Look::Area { fill: crate::plot::chart::PALE, edge: None };
         series.insert(0, Series::new(form.tell("Standard deviation of the points"), outline, look));
     }
     series.push(Series::silent(found, Look::Dots { color: BLACK }));

@@ -1,8 +1,8 @@
 //! Load curves of a study of one axis, dark to light as its value rises.
 
 use crate::message::Form;
-use crate::output::chart::{Chart, Look, Panel, Scale, Series};
-use crate::output::viridis::viridis;
+use crate::plot::chart::{Chart, Look, Panel, Scale, Series};
+use crate::plot::viridis::viridis;
 use crate::study::Results;
 use crate::table::{Axis, Unit};
 

@@ -2,7 +2,7 @@
 
 use super::{scatter_bands, scatter_indices};
 use crate::message::{Form, message};
-use crate::output::chart::{BLACK, Chart, GREY, Look, Panel, Scale, Series, color, pale};
+use crate::plot::chart::{BLACK, Chart, GREY, Look, Panel, Scale, Series, color, pale};
 use crate::study::scatter::{Found, Grids, Spread, deciding};
 use crate::table::{Column, Unit};
 

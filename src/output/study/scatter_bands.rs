@@ -1,7 +1,7 @@
 //! Bands of a scatter's curves: where nine of ten parts are.
 
 use crate::message::{Form, message};
-use crate::output::chart::{Chart, Look, Panel, Scale, Series, color};
+use crate::plot::chart::{Chart, Look, Panel, Scale, Series, color};
 use crate::study::scatter::Band;
 use crate::table::{Axis, Column, Unit};
 

@@ -2,7 +2,7 @@
 //! correlations.
 
 use crate::message::{Form, message};
-use crate::output::chart::{BLACK, Chart, Look, Panel, Scale, Series, color, pale};
+use crate::plot::chart::{BLACK, Chart, Look, Panel, Scale, Series, color, pale};
 use crate::study::scatter::{Found, Index, Spread, called, deciding};
 use crate::table::{Axis, Column, Unit};
 

@@ -2,7 +2,7 @@
 
 use crate::assess::Light;
 use crate::message::{Form, Message, message};
-use crate::output::chart::{BLACK, Chart, GREY, Look, PALE, Panel, Scale, Series, color};
+use crate::plot::chart::{BLACK, Chart, GREY, Look, PALE, Panel, Scale, Series, color};
 use crate::study::search::{Answer, Best, Condition, Found, Goal, Named, Quest, Said};
 use crate::study::verify::{Number, Of};
 use crate::study::{Row, Solved, Span};

@@ -2,8 +2,8 @@
 
 use super::zones::OWN;
 use crate::message::{Form, Message, message};
-use crate::output::chart::{Chart, Color, Look, Panel, Scale, Series, color, pale};
-use crate::output::font;
+use crate::plot::chart::{Chart, Color, Look, Panel, Scale, Series, color, pale};
+use crate::plot::font;
 use crate::study::{End, Results, Swing, swings};
 use crate::table::Axis;
 

@@ -3,9 +3,9 @@
 use crate::forming_limit::{self, Assessment, Curve};
 use crate::message::{Form, Message, message};
 use crate::model::Geometry;
-use crate::output::chart::{BLACK, Chart, Look, Panel, Scale, Series, color};
-use crate::output::forming_diagram::{Strains, along};
-use crate::output::sections;
+use crate::plot::chart::{BLACK, Chart, Look, Panel, Scale, Series, color};
+use crate::plot::forming_diagram::{Strains, along};
+use crate::plot::sections;
 use crate::solver::solution::{Frame, NodeRecord, StageSolution};
 use crate::study::versus::{Member, Of, Versus};
 use crate::table::fields::element::{S0, THICKNESS};

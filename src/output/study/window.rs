@@ -2,7 +2,7 @@
 
 use super::zones::{BORDER, OWN, entry, ground, lines};
 use crate::message::Form;
-use crate::output::chart::{Chart, Color, Look, Panel, Scale, Series};
+use crate::plot::chart::{Chart, Color, Look, Panel, Scale, Series};
 use crate::study::verify::Of;
 use crate::study::{Found, Meets, Point, Results, Window, Zone};
 use crate::table::capitalised;

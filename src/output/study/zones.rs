@@ -2,7 +2,7 @@
 //! that are told apart in grey.
 
 use crate::message::Form;
-use crate::output::chart::{BLACK, Color, GREY, Look, Series, color, pale};
+use crate::plot::chart::{BLACK, Color, GREY, Look, Series, color, pale};
 use crate::study::Zone;
 use crate::table::capitalised;
 

@@ -17,9 +17,10 @@
 mod base64;
 mod grid;
 
-use super::thinning::percent;
-use super::{Files, StageView, animation, profile, sections};
+use super::{Files, StageView, profile};
 use crate::model::{Geometry, Model};
+use crate::plot::thinning::percent;
+use crate::plot::{animation, sections};
 use crate::solver::solution::{ElementRecord, Frame};
 use crate::table::fields::element::S0;
 use crate::table::{Column, Field, Unit};

@@ -1,7 +1,7 @@
 //! Colours of words and lines.
 
 use crate::assess::Light;
-use crate::output::chart::Color;
+use crate::plot::chart::Color;
 
 /// Words of less weight.
 pub(super) const GREY_TEXT: Color = (85, 85, 85);

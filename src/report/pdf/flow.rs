@@ -2,8 +2,8 @@
 
 use super::words::{Style, lines};
 use crate::output::Drawing;
-use crate::output::chart::Color;
-use crate::output::pdf::{MM, Page};
+use crate::plot::chart::Color;
+use crate::plot::pdf::{MM, Page};
 
 /// A4 \[pt\].
 const SIZE: (f64, f64) = (210.0 * MM, 297.0 * MM);

@@ -1,8 +1,8 @@
 //! How the pictures of the first page share what room the rest leaves.
 
 use super::flow::WIDTH;
-use crate::output::pdf::MM;
 use crate::output::{DRAWN, Drawing};
+use crate::plot::pdf::MM;
 use crate::report::document::Picture;
 
 /// Widths that pictures of the first page are laid out in \[px\]; the last is that of a narrow column.
@@ -47,7 +47,7 @@ impl Layout {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::output::chart::{Chart, Look, Panel, Scale, Series};
+    use crate::plot::chart::{Chart, Look, Panel, Scale, Series};
     use crate::table::{Column, Unit};
 
     /// Trust: two pictures of 350 px and their axes are 160 mm high below each other at full width, and 75 mm side by side.

@@ -1,7 +1,7 @@
 //! Lines of words.
 
-use crate::output::chart::{BLACK, Color};
-use crate::output::pdf::{Letters, text_width};
+use crate::plot::chart::{BLACK, Color};
+use crate::plot::pdf::{Letters, text_width};
 
 /// From one baseline to the next, over the font's size.
 const SPACING: f64 = 1.32;

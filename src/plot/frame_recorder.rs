@@ -1,0 +1,52 @@
+//! Frames for an animation and for ParaView, kept on the way: no step is made to land on them, so that the run is the same
+//! with and without.
+
+use super::animation;
+use crate::model::Model;
+use crate::output::Extra;
+use crate::solver::Observer;
+use crate::solver::solution::{Frame, StageSolution, ThroughThickness};
+use crate::solver::state::State;
+
+/// Keeps frames of every stage, from its start, spread over it as evenly as its steps allow; none where nothing is asked
+/// for that needs them.
+#[derive(Clone, Debug, Default)]
+pub struct FrameRecorder {
+    /// What the frames are for.
+    pub extras: Vec<Extra>,
+    stages: Vec<Vec<Frame>>,
+    /// Share of the stage \[–\] from which the next frame is kept.
+    next: f64,
+}
+
+impl FrameRecorder {
+    /// For what is asked for.
+    pub fn new(extras: Vec<Extra>) -> Self {
+        Self { extras, ..Self::default() }
+    }
+
+    /// The frames of a stage, counted from 0, up to where it ended.
+    pub fn of_stage<'a>(&'a self, i: usize, stage: &'a StageSolution) -> Vec<&'a Frame> {
+        let mut frames: Vec<&Frame> = self.stages.get(i).into_iter().flatten().collect();
+        let end = stage.frames.last().filter(|end| frames.last().is_none_or(|last| last.time < end.time));
+        frames.extend(end);
+        frames
+    }
+}
+
+impl Observer for FrameRecorder {
+    fn state(&mut self, model: &Model, state: &State) {
+        if self.extras.is_empty() {
+            return;
+        }
+        let pictures = animation::PICTURES as f64;
+        if state.time == 0.0 {
+            self.stages.push(Vec::new());
+            self.next = 0.0;
+        }
+        let done = model.progress(state.time);
+        let Some(frames) = self.stages.last_mut().filter(|_| done >= self.next - 1e-9) else { return };
+        frames.push(Frame { through: ThroughThickness::default(), ..state.frame(model) });
+        self.next = (((done + 1e-9) * pictures).floor() + 1.0) / pictures;
+    }
+}

@@ -1,0 +1,44 @@
+//! Pictures: chart values, and their rendering as SVG, PNG, PDF and GIF.
+
+pub mod animation;
+pub mod chart;
+pub(crate) mod dimensions;
+pub(crate) mod draw;
+pub mod flow_curve;
+pub(crate) mod font;
+pub mod forming_diagram;
+mod frame_recorder;
+mod gif;
+pub(crate) mod load_travel;
+pub mod log_plot;
+mod lzw;
+pub(crate) mod outline;
+pub(crate) mod overlay;
+pub(crate) mod part;
+mod part_bands;
+pub mod pdf;
+mod picture;
+mod png;
+pub(crate) mod pressure_cycle;
+pub mod residual_stress;
+pub(crate) mod sections;
+mod sketch;
+pub mod springback;
+pub(crate) mod stage_view;
+pub(crate) mod states;
+pub(crate) mod strains;
+pub(crate) mod thickness_profile;
+pub(crate) mod thinning;
+mod told;
+pub(crate) mod viridis;
+
+pub use chart::Chart;
+pub use dimensions::{Dimension, Mark, Size, dimensioned};
+pub use draw::svg;
+pub(crate) use draw::{Drawing, WIDTH as DRAWN};
+pub use frame_recorder::FrameRecorder;
+pub use overlay::comparisons;
+pub use picture::{Captions, Format, PAPER, Pictures};
+pub use png::png;
+pub use sketch::sketch;
+pub use stage_view::StageView;
