@@ -1,24 +1,23 @@
 #!/usr/bin/env bash
 # What is shipped for this platform: the program with its manual pages, completions, cases and licences as a tar archive, as a
-# Debian package where dpkg-deb is, the Python wheel beside them, and the checksums of all. `release/try.sh` tries them.
+# Debian package where dpkg-deb is, the Python wheel beside them, and the checksums of all. `.ci/release/try.sh` tries them.
 #
-#     release/build.sh [--profile NAME] [FOLDER]     writes to FOLDER, out/release when not given; NAME is dist when not given
+#     .ci/release/build.sh [--profile NAME] [FOLDER]     writes to FOLDER, out/release when not given; NAME is dist when not given
 #
-# Needs Rust and crates.io; node and xz for the page that `stampflow page` writes, which is left out and said so without them;
+# Needs Rust and crates.io;
 # Python 3.10 or later with venv and PyPI for the wheel.
 #
 # Other platforms are built there, for the program itself prints its manual pages and completions: on Linux of another
-# processor by this script; on macOS and Windows (not tried) by `cargo build --locked --profile dist` and, in python/,
+# processor by this script; on macOS and Windows (not tried) by `cargo build --locked --profile dist` and, in bindings/python/,
 # `maturin build --locked --release`. The program needs nothing but the C library; with `--target x86_64-unknown-linux-musl`
 # (not tried) not even that.
 set -euo pipefail
-cd "$(dirname "$0")/.."
+cd "$(dirname "$0")/../.."
 profile=dist
 if [ "${1:-}" = --profile ]; then profile=$2; shift 2; fi
 mkdir -p "${1:-out/release}"
 out=$(cd "${1:-out/release}" && pwd)
 
-if command -v node >/dev/null && command -v xz >/dev/null; then web/build; else echo "without the page: no node or no xz here"; fi
 cargo build --locked --profile "$profile" --quiet
 program=${CARGO_TARGET_DIR:-target}/$profile/stampflow
 version=$("$program" --version | cut -d' ' -f2)
@@ -120,7 +119,7 @@ fi
 
 python3 -m venv "$work/venv"
 "$work/venv/bin/pip" install --quiet --disable-pip-version-check "maturin<2"
-"$work/venv/bin/maturin" build --locked --release --quiet --manifest-path python/Cargo.toml \
+"$work/venv/bin/maturin" build --locked --release --quiet --manifest-path bindings/python/Cargo.toml \
     --interpreter "$work/venv/bin/python" --out "$out"
 
 cd "$out"

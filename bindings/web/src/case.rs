@@ -5,8 +5,8 @@ use crate::json::{Numbers, Value, table};
 use crate::question::{Failure, Question};
 use crate::{answer, stage};
 use stampflow::assess::{self, Answer};
-use stampflow::case::{Case, parse_with};
 use stampflow::case::files::Memory;
+use stampflow::case::{Case, parse_with};
 use stampflow::study::verify::Direction;
 
 /// How fine a coarse run is in every direction \[–\].

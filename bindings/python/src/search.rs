@@ -10,8 +10,8 @@ use pyo3::prelude::*;
 use stampflow::output::study::json;
 use stampflow::output::study::search::{plot, plot_best};
 use stampflow::study::search::{Asked, Sense, Side, Wish};
-use stampflow::study::{Row, StudyError, Subject};
 use stampflow::study::verify::{Verification, Watch, quick};
+use stampflow::study::{Row, StudyError, Subject};
 
 /// Keys and spans; a template; whether the largest is wanted, or the smallest; a condition, a target, a tolerance.
 type Limit = (Vec<String>, Option<String>, Option<bool>, Option<String>, Option<String>, Option<String>);

@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
-# Tries what `release/build.sh` has made, as its users would: checksums, the program out of archive and package, manual pages,
+# Tries what `.ci/release/build.sh` has made, as its users would: checksums, the program out of archive and package, manual pages,
 # completions, the wheel. Installs nothing outside a folder of its own. What this machine has no shell or tool for is named.
 #
-#     release/try.sh [FOLDER]
+#     .ci/release/try.sh [FOLDER]
 set -euo pipefail
 cd "${1:-$(dirname "$0")/../out/release}"
 made=$PWD
