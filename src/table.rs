@@ -118,7 +118,7 @@ impl Axis {
 
     /// In the words of a form, for values up to `largest` in the unit of the columns; and the unit that they are told in.
     pub fn told(self, form: Form, largest: f64) -> (Self, Told) {
-        let unit = form.system.told(self.unit, largest);
+        let unit = form.system.unit(self.unit, largest);
         let symbol = if unit.symbol.is_empty() { self.symbol } else { unit.symbol };
         (Self { symbol, form, ..self }, unit)
     }

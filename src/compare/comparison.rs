@@ -113,7 +113,7 @@ impl Comparison {
             }),
             (_, Found::Band(Band { accepted, .. })) => {
                 let [low, high] = [accepted.low, accepted.high].map(|end| self.amount(end));
-                let ((number, unit), (other, of_high)) = (low.parts(form), high.parts(form));
+                let ((number, unit), (other, of_high)) = (low.parts(), high.parts());
                 Some(match (number == other, unit == of_high) {
                     (true, true) => high.told(form),
                     (_, true) => format!("{number}–{}", high.told(form)),

@@ -9,13 +9,12 @@
 //! assert_eq!(found.told(Form::default()), "39\u{a0}% thinner at 23.5\u{a0}mm");
 //! ```
 
-mod amount;
 mod form;
 mod glossary;
 mod language;
 
 pub use crate::told as message;
-pub use amount::{Amount, Digits};
+pub use crate::units::{Amount, Digits};
 pub use form::{Form, NO_BREAK, System, Told};
 pub use glossary::{Term, terms};
 pub use language::{LANGUAGES, Language};

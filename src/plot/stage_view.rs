@@ -299,7 +299,7 @@ mod tests {
         for (value, text) in
             [(25.0, "25"), (16.75, "16.75"), (6.333_333, "6.33"), (0.000_25, "0.00025"), (600.0, "600")]
         {
-            assert_eq!(shortened(value, Unit::Mm).parts(Form::default()).0, text);
+            assert_eq!(shortened(value, Unit::Mm).parts().0, text);
         }
     }
 }

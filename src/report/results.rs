@@ -42,14 +42,14 @@ fn released(view: &StageView, form: Form) -> Option<Block> {
     let rows = springback::changes(view.stage)?.into_iter().map(|change| {
         let unit = change.quantity.unit;
         let amount = |value: f64| if unit == Unit::Degree { Amount::angle(value) } else { Amount::place(value) };
-        let told = |amount: Option<Amount>| amount.map_or_else(|| form.tell("none"), |amount| amount.parts(form).0);
+        let told = |amount: Option<Amount>| amount.map_or_else(|| form.tell("none"), |amount| amount.parts().0);
         let [before, after, by] = [change.before, change.after, change.change()].map(|value| value.map(amount));
         // The bar is that of the part as it comes out.
         let bar = after.and_then(|after| view.verification?.half(after));
         let barred = |amount: Option<Amount>| amount.map(|amount| bar.map_or(amount, |bar| amount.with_bar(bar)));
         let within = |amount: Option<Amount>| amount.map(|amount| bar.map_or(amount, |bar| amount.within_bar(bar)));
         let [before, after, by] = [within(before), barred(after), within(by)].map(told);
-        Row::plain([form.tell(change.quantity.label), before, after, by, amount(0.0).parts(form).1.to_owned()])
+        Row::plain([form.tell(change.quantity.label), before, after, by, amount(0.0).parts().1.to_owned()])
     });
     Some(Block::table(["Spring-back", "Before", "After", "Change", "Unit"], rows.collect(), form))
 }

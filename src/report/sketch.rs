@@ -36,7 +36,7 @@ fn section(
     form: Form,
 ) -> Section {
     let rows = dimensions.iter().map(|d| {
-        let (value, unit) = d.amount.parts(form);
+        let (value, unit) = d.amount.parts();
         Row::plain([form.tell(d.name()), value, unit.to_owned()])
     });
     let title = message!("{section} at the start", section = heading.clone());

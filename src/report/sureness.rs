@@ -24,6 +24,6 @@ pub(super) fn section(report: &Report, form: Form) -> Option<Section> {
 
 /// A number with its bar, and its unit.
 fn row(bar: &Bar, form: Form) -> [String; 3] {
-    let (value, unit) = bar.amount().parts(form);
+    let (value, unit) = bar.amount().parts();
     [form.tell(bar.number.label), value, unit.to_owned()]
 }

@@ -11,7 +11,9 @@
 //! assert!("3 kN".parse::<Length>().is_err());
 //! ```
 
+mod amount;
 mod bounds;
+mod display;
 mod error;
 mod gauge;
 mod header;
@@ -27,7 +29,9 @@ mod text;
 mod types;
 mod unit;
 
+pub use amount::{Amount, Digits};
 pub use bounds::{Fraction, NonNegative, Positive};
+pub use display::{DisplayScope, DisplaySettings, DisplayUnit};
 pub use error::QuantityError;
 pub use header::{Unit, UnitError};
 pub use kind::Kind;

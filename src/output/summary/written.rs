@@ -39,7 +39,7 @@ impl Summary {
     pub fn figures(&self, form: Form) -> impl Iterator<Item = Figure> {
         self.printed().filter_map(move |entry| {
             let (value, unit) = match &entry.value {
-                Value::Number(amount) => amount.parts(form),
+                Value::Number(amount) => amount.parts(),
                 Value::List(_) | Value::Changes(_) | Value::Events(..) => return None,
                 value => (said(value).told(form), ""),
             };

@@ -121,7 +121,7 @@ impl Estimate {
     /// The same in the units of a system; in its own where that has no other for it.
     pub fn told_in(self, system: System) -> Self {
         let Ok((unit, own)) = Unit::of_header(&format!("value_{}", self.unit)) else { return self };
-        let to = system.told(unit, own * self.value);
+        let to = system.unit(unit, own * self.value);
         if system == System::Si || to.symbol == unit.symbol() || to.offset != 0.0 {
             return self;
         }

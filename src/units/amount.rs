@@ -1,9 +1,15 @@
-//! Numbers as a user is told them: each kind of number has one unit and one number of digits, wherever it stands.
+//! Numbers in text: each kind of number has one unit and one number of digits.
+//!
+//! ```
+//! use stampflow::units::Amount;
+//! let (thinning, place) = (Amount::share(0.387), Amount::place(23.52));
+//! assert_eq!(format!("{thinning} thinner at {place}"), "39 % thinner at 23.5 mm");
+//! ```
 
-use super::form::{Form, NO_BREAK};
-use crate::units::Unit;
+use super::{DisplaySettings, Unit};
+use std::fmt;
 
-/// A number with its unit and the digits that it is told with.
+/// Number with its unit and its number of digits. Displays in the units of [`DisplaySettings`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Amount {
     /// In `unit`.
@@ -104,7 +110,7 @@ impl Amount {
         Self::new(length, Unit::Mm, Decimals(1))
     }
 
-    /// A computed thickness \[mm\], to a hundredth, of foils finer.
+    /// A computed thickness \[mm\], to a hundredth, of foils extra_decimals.
     pub const fn thickness(thickness: f64) -> Self {
         Self::new(thickness, Unit::Mm, if thickness < 0.1 { Significant(2) } else { Decimals(2) })
     }
@@ -184,38 +190,28 @@ impl Amount {
         Self::new(ratio, Unit::None, Decimals(2))
     }
 
-    /// The number and its unit in a form: `0.61 mm`, with a no-break space; a dash for what is no number.
-    pub fn told(self, form: Form) -> String {
-        let (number, unit) = self.parts(form);
-        match unit {
-            "" => number,
-            "°" => number + "°",
-            unit => format!("{number}{NO_BREAK}{}", unit.replace(' ', &NO_BREAK.to_string())),
-        }
+    /// The number and its unit apart, for tables.
+    pub fn parts(self) -> (String, &'static str) {
+        self.parts_in(DisplaySettings::current())
     }
 
-    /// The number and its unit apart, for tables.
-    pub fn parts(self, form: Form) -> (String, &'static str) {
-        let to = form.system.told(self.unit, self.value);
+    fn parts_in(self, settings: DisplaySettings) -> (String, &'static str) {
+        let to = settings.unit(self.unit, self.value);
         let unit = if self.times.is_empty() { to.symbol } else { self.times };
-        let value = self.value * to.factor + to.offset;
+        let value = to.convert(self.value);
         if !value.is_finite() {
             return ("–".to_owned(), unit);
         }
         if let Some(bar) = self.bar.map(|bar| (bar * to.factor).abs()).filter(|bar| bar.is_finite()) {
-            let [value, bar] = within_bar(value, bar, self.decimals(value, to.finer));
-            let value = form.language.number(&value);
-            return match self.tells_bar {
-                true => (format!("{value} ±{NO_BREAK}{}", form.language.number(&bar)), unit),
-                false => (value, unit),
-            };
+            let [value, bar] = within_bar(value, bar, self.decimals(value, to.extra_decimals));
+            return (if self.tells_bar { format!("{value} ± {bar}") } else { value }, unit);
         }
         let written = match self.digits {
-            Decimals(n) => format!("{value:.*}", n + to.finer),
-            Given(n) => crate::units::trimmed(value, (n + to.finer) as i32),
-            Drawn(n) => crate::units::trimmed(value, if to.finer > 0 { OF_INCHES } else { n } as i32),
-            Converted(_) if to.factor == 1.0 => crate::units::trimmed(value, FINEST),
-            Converted(n) => crate::units::trimmed(value, n as i32 - 1 - magnitude(value, n)),
+            Decimals(n) => format!("{value:.*}", n + to.extra_decimals),
+            Given(n) => super::trimmed(value, (n + to.extra_decimals) as i32),
+            Drawn(n) => super::trimmed(value, if to.extra_decimals > 0 { OF_INCHES } else { n } as i32),
+            Converted(_) if to.factor == 1.0 => super::trimmed(value, FINEST),
+            Converted(n) => super::trimmed(value, n as i32 - 1 - magnitude(value, n)),
             Upward(n) => upward(value, n),
             Significant(_) if value == 0.0 => "0".to_owned(),
             Significant(n) => match magnitude(value, n) {
@@ -224,15 +220,31 @@ impl Amount {
                 magnitude => format!("{value:.*}", (n as i32 - 1 - magnitude).max(0) as usize),
             },
         };
-        (form.language.number(&unsigned_zero(&written)), unit)
+        (unsigned_zero(&written), unit)
     }
 
-    /// The decimals of a number without a bar, in a unit that wants some `finer`.
-    fn decimals(self, value: f64, finer: usize) -> i32 {
+    /// The decimals of a number without a bar, in a unit that wants some `extra_decimals`.
+    fn decimals(self, value: f64, extra_decimals: usize) -> i32 {
         match self.digits {
-            Decimals(n) | Given(n) | Drawn(n) => (n + finer) as i32,
+            Decimals(n) | Given(n) | Drawn(n) => (n + extra_decimals) as i32,
             Significant(n) | Converted(n) | Upward(n) => (n as i32 - 1 - magnitude(value, n)).max(0),
         }
+    }
+}
+
+impl fmt::Display for Amount {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.pad(&match self.parts() {
+            (number, "") => number,
+            (number, "°") => number + "°",
+            (number, unit) => format!("{number} {unit}"),
+        })
+    }
+}
+
+impl From<Amount> for String {
+    fn from(amount: Amount) -> Self {
+        amount.to_string()
     }
 }
 
@@ -253,7 +265,7 @@ fn upward(value: f64, digits: usize) -> String {
     let place = 10f64.powi(-decimals);
     // What is a whole number of places but for round-off stays.
     let places = (value / place - 1e-9).ceil();
-    crate::units::trimmed(places * place, decimals.max(0))
+    super::trimmed(places * place, decimals.max(0))
 }
 
 /// The power of ten of a number once it is rounded to so many digits: 9.996 is 10.0.
@@ -270,63 +282,63 @@ fn unsigned_zero(number: &str) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::super::{Form, Language, System};
     use super::*;
+
+    /// Number and unit in SI and in US units.
+    fn both(amount: Amount) -> [String; 2] {
+        [DisplaySettings::Si, DisplaySettings::Us].map(|settings| match amount.parts_in(settings) {
+            (number, "") => number,
+            (number, "°") => number + "°",
+            (number, unit) => format!("{number} {unit}"),
+        })
+    }
 
     /// Trust: by hand.
     #[test]
     fn each_kind_of_number_has_its_digits_and_its_unit() {
-        let si = Form::default();
-        let us = Form { system: System::Us, ..si };
-        let de = Form { language: Language::of("de").expect("German"), ..si };
-        let tell = |amount: Amount, form| amount.told(form).replace(NO_BREAK, " ");
         for (amount, expected) in [
-            (Amount::share(0.298), ["30 %", "30 %", "30 %"]),
-            (Amount::share(0.058), ["5.8 %", "5.8 %", "5,8 %"]),
-            (Amount::share(1.287), ["129 %", "129 %", "129 %"]),
-            (Amount::place(23.53), ["23.5 mm", "0.926 in", "23,5 mm"]),
-            (Amount::thickness(0.612), ["0.61 mm", "0.0241 in", "0,61 mm"]),
-            (Amount::thickness(0.0123), ["0.012 mm", "0.00048 in", "0,012 mm"]),
-            (Amount::size(30.0), ["30 mm", "1.1811 in", "30 mm"]),
-            (Amount::drawn(30.126), ["30.13 mm", "1.186 in", "30,13 mm"]),
-            (Amount::set(200.48), ["200.5 mm", "7.893 in", "200,5 mm"]),
-            (Amount::new(68_950.0, Unit::MPa, Converted(3)), ["68950 MPa", "10000 ksi", "68950 MPa"]),
-            (Amount::force(36_180.0, Unit::N), ["36.2 kN", "4.07 US tonf", "36,2 kN"]),
-            (Amount::force(246.0, Unit::N), ["246 N", "55.3 lbf", "246 N"]),
-            (Amount::angle(-0.04), ["0.0°", "0.0°", "0,0°"]),
-            (Amount::thicknesses(0.193), ["0.19 t", "0.19 t", "0,19 t"]),
-            (Amount::count(12), ["12", "12", "12"]),
-            (Amount::force(9_999.0, Unit::N), ["10.0 kN", "1.12 US tonf", "10,0 kN"]),
-            (Amount::share(0.0), ["0 %", "0 %", "0 %"]),
-            (Amount::given_share(0.05), ["5 %", "5 %", "5 %"]),
-            (Amount::ratio(1.287), ["1.29", "1.29", "1,29"]),
-            (Amount::share(1.23e-8), ["0 %", "0 %", "0 %"]),
-            (Amount::new(1.23e-6, Unit::None, Significant(2)), ["1.2e-6", "1.2e-6", "1,2e-6"]),
-            (Amount::force(105_400.0, Unit::N).to(Upward(2)), ["110 kN", "12 US tonf", "110 kN"]),
-            (Amount::force(66_000.0, Unit::N).to(Upward(2)), ["66 kN", "7.5 US tonf", "66 kN"]),
-            (Amount::stress(f64::NAN), ["– MPa", "– psi", "– MPa"]),
+            (Amount::share(0.298), ["30 %", "30 %"]),
+            (Amount::share(0.058), ["5.8 %", "5.8 %"]),
+            (Amount::share(1.287), ["129 %", "129 %"]),
+            (Amount::place(23.53), ["23.5 mm", "0.926 in"]),
+            (Amount::thickness(0.612), ["0.61 mm", "0.0241 in"]),
+            (Amount::thickness(0.0123), ["0.012 mm", "0.00048 in"]),
+            (Amount::size(30.0), ["30 mm", "1.1811 in"]),
+            (Amount::drawn(30.126), ["30.13 mm", "1.186 in"]),
+            (Amount::set(200.48), ["200.5 mm", "7.893 in"]),
+            (Amount::new(68_950.0, Unit::MPa, Converted(3)), ["68950 MPa", "10000 ksi"]),
+            (Amount::force(36_180.0, Unit::N), ["36.2 kN", "4.07 US tonf"]),
+            (Amount::force(246.0, Unit::N), ["246 N", "55.3 lbf"]),
+            (Amount::angle(-0.04), ["0.0°", "0.0°"]),
+            (Amount::thicknesses(0.193), ["0.19 t", "0.19 t"]),
+            (Amount::count(12), ["12", "12"]),
+            (Amount::force(9_999.0, Unit::N), ["10.0 kN", "1.12 US tonf"]),
+            (Amount::share(0.0), ["0 %", "0 %"]),
+            (Amount::given_share(0.05), ["5 %", "5 %"]),
+            (Amount::ratio(1.287), ["1.29", "1.29"]),
+            (Amount::share(1.23e-8), ["0 %", "0 %"]),
+            (Amount::new(1.23e-6, Unit::None, Significant(2)), ["1.2e-6", "1.2e-6"]),
+            (Amount::force(105_400.0, Unit::N).to(Upward(2)), ["110 kN", "12 US tonf"]),
+            (Amount::force(66_000.0, Unit::N).to(Upward(2)), ["66 kN", "7.5 US tonf"]),
+            (Amount::stress(f64::NAN), ["– MPa", "– psi"]),
         ] {
-            assert_eq!([tell(amount, si), tell(amount, us), tell(amount, de)], expected);
+            assert_eq!(both(amount), expected);
         }
     }
 
     /// Trust: by hand.
     #[test]
     fn a_number_has_no_digit_beyond_its_bar() {
-        let si = Form::default();
-        let us = Form { system: System::Us, ..si };
-        let de = Form { language: Language::of("de").expect("German"), ..si };
-        let tell = |amount: Amount, form| amount.told(form).replace(NO_BREAK, " ");
         for (amount, expected) in [
-            (Amount::thickness(0.612).with_bar(0.0102), ["0.61 ± 0.01 mm", "0.0241 ± 0.0004 in", "0,61 ± 0,01 mm"]),
-            (Amount::thickness(0.612).with_bar(0.0004), ["0.61 ± 0.01 mm", "0.0241 ± 0.0001 in", "0,61 ± 0,01 mm"]),
-            (Amount::thickness(0.612).with_bar(0.13), ["0.61 ± 0.13 mm", "0.024 ± 0.006 in", "0,61 ± 0,13 mm"]),
-            (Amount::force(36_180.0, Unit::N).with_bar(2_400.0), ["36 ± 3 kN", "4.1 ± 0.3 US tonf", "36 ± 3 kN"]),
-            (Amount::share(1.287).with_bar(23.0), ["130 ± 30 %", "130 ± 30 %", "130 ± 30 %"]),
-            (Amount::angle(-0.01).with_bar(0.0), ["0.0 ± 0.1°", "0.0 ± 0.1°", "0,0 ± 0,1°"]),
-            (Amount::place(23.53).with_bar(f64::NAN), ["23.5 mm", "0.926 in", "23,5 mm"]),
+            (Amount::thickness(0.612).with_bar(0.0102), ["0.61 ± 0.01 mm", "0.0241 ± 0.0004 in"]),
+            (Amount::thickness(0.612).with_bar(0.0004), ["0.61 ± 0.01 mm", "0.0241 ± 0.0001 in"]),
+            (Amount::thickness(0.612).with_bar(0.13), ["0.61 ± 0.13 mm", "0.024 ± 0.006 in"]),
+            (Amount::force(36_180.0, Unit::N).with_bar(2_400.0), ["36 ± 3 kN", "4.1 ± 0.3 US tonf"]),
+            (Amount::share(1.287).with_bar(23.0), ["130 ± 30 %", "130 ± 30 %"]),
+            (Amount::angle(-0.01).with_bar(0.0), ["0.0 ± 0.1°", "0.0 ± 0.1°"]),
+            (Amount::place(23.53).with_bar(f64::NAN), ["23.5 mm", "0.926 in"]),
         ] {
-            assert_eq!([tell(amount, si), tell(amount, us), tell(amount, de)], expected);
+            assert_eq!(both(amount), expected);
         }
     }
 }
