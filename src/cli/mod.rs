@@ -6,7 +6,6 @@ mod check;
 mod code;
 mod compare;
 mod error_bars;
-mod explain;
 mod fit;
 mod import;
 mod interrupt;
@@ -17,7 +16,6 @@ mod materials;
 mod message;
 mod new;
 mod options;
-mod page;
 mod parts;
 mod place;
 mod progress;
@@ -44,11 +42,10 @@ use clap::{CommandFactory, Parser, Subcommand};
 use clap_complete::Shell;
 use code::BadRequest;
 use options::Json;
-use say::{say, say_json};
+use say::say;
 use stampflow::case::files::visible;
 use stampflow::{author, case};
 use std::borrow::Cow;
-use table::wrapped;
 
 /// Sheet-metal stamping sections (axisymmetric or plane strain) by the flow approach.
 #[derive(Debug, Parser)]
@@ -74,9 +71,6 @@ enum Verb {
     /// Read the tools from a drawing (DXF) and write a case file with them
     #[command(after_help = import::HELP)]
     Import(import::Args),
-    /// Write the page with the solver in it, for any browser, as one file
-    #[command(after_help = page::HELP)]
-    Page(page::Args),
     /// Solve every case that has published curves and compare
     #[command(after_help = validate::HELP)]
     Validate(validate::Args),
@@ -99,7 +93,7 @@ enum Verb {
     #[command(after_help = scatter::HELP)]
     Scatter(scatter::Args),
     /// Put the tables of a study's shards together
-    #[command(after_help = sweep::MERGE_HELP)]
+    #[command(hide = true, after_help = sweep::MERGE_HELP)]
     Merge(sweep::MergeArgs),
     /// Fit a hardening law to tension tests, or keys of a case to measured curves
     #[command(after_help = fit::HELP)]
@@ -107,16 +101,9 @@ enum Verb {
     /// List the built-in materials, or say all of one
     #[command(after_help = materials::HELP)]
     Materials(materials::Args),
-    /// Say what a word of verdict, report or shop means
-    #[command(after_help = explain::HELP)]
-    Explain(explain::Args),
-    /// List the hardening, rate and friction laws with their parameters and sources
-    Laws {
-        #[command(flatten)]
-        json: Json,
-    },
     /// Print the JSON schema of case files, for completion in editors, or their reference for people
     #[command(
+        hide = true,
         after_help = "Examples:\n  stampflow schema > case.schema.json\n  stampflow schema --markdown > case.md\n\nThen \
                             begin a case file with the line\n  #:schema ./case.schema.json"
     )]
@@ -126,10 +113,10 @@ enum Verb {
         markdown: bool,
     },
     /// Print the completions of a shell
-    #[command(after_help = shell::COMPLETIONS_HELP)]
+    #[command(hide = true, after_help = shell::COMPLETIONS_HELP)]
     Completions { shell: Shell },
     /// Print the manual page of the program or of a verb
-    #[command(after_help = shell::MAN_HELP)]
+    #[command(hide = true, after_help = shell::MAN_HELP)]
     Man { verb: Option<String> },
 }
 
@@ -152,7 +139,6 @@ fn command() -> anyhow::Result<Code> {
         Verb::Report(args) => report::report(&args),
         Verb::Import(args) => import::import(&args),
         Verb::Validate(args) => validate::validate(&args),
-        Verb::Page(args) => page::page(&args),
         Verb::Trace(args) => trace::trace(&args),
         Verb::Verify(args) => verify::verify(&args),
         Verb::Compare(args) => compare::compare(&args),
@@ -164,9 +150,6 @@ fn command() -> anyhow::Result<Code> {
         Verb::Check(args) => check::check(&args),
         Verb::New(args) => new::new(&args),
         Verb::Materials(args) => materials::materials(&args),
-        Verb::Explain(args) => explain::explain(&args),
-        Verb::Laws { json } if json.json => say_json(&author::law_list()),
-        Verb::Laws { .. } => say(wrapped(&author::laws())),
         Verb::Schema { markdown: true } => say(author::case_reference()),
         Verb::Schema { .. } => say(case::schema()),
         Verb::Completions { shell } => shell::completions(Args::command(), shell),

@@ -2,7 +2,7 @@
 
 use super::suggested::Suggested;
 use clap::ValueEnum;
-use stampflow::message::{Form, LANGUAGES, Language, System};
+use stampflow::message::{Form, Language, System};
 use stampflow::output::{Captions, Format, Pictures};
 use stampflow::units::{Length, Positive, Quantity};
 use std::ops::RangeInclusive;
@@ -45,9 +45,6 @@ impl Overrides {
 /// The options of every verb that answers.
 #[derive(Debug, clap::Args)]
 pub struct Told {
-    /// Language of what is said: en or de
-    #[arg(long, value_name = "CODE", default_value = "en", value_parser = language)]
-    lang: Language,
     /// Units of what is said: si (mm, kN, MPa) or us (in, US tonf, ksi); files for programs stay in si
     #[arg(long, value_name = "SYSTEM", default_value = "si", value_parser = system)]
     units: System,
@@ -56,13 +53,8 @@ pub struct Told {
 impl Told {
     /// How it is to be told.
     pub fn form(&self) -> Form {
-        Form { language: self.lang, system: self.units }
+        Form { language: Language::default(), system: self.units }
     }
-}
-
-fn language(code: &str) -> Result<Language, String> {
-    let known = || LANGUAGES.iter().map(|(code, name, _)| format!(", {code} ({name})")).collect::<String>();
-    Language::of(code).ok_or_else(|| format!("the languages are en (English){}", known()))
 }
 
 fn system(name: &str) -> Result<System, String> {

@@ -163,28 +163,3 @@ fn the_verb_shows_a_table_a_plot_and_the_rate() {
         assert!(text(&failed.stderr).contains(wanted), "{args:?}: {}", text(&failed.stderr));
     }
 }
-
-/// With the page and without it: what was built decides.
-#[test]
-fn the_page_is_written_or_said_to_be_missing() {
-    let dir = temp_dir::TempDir::new().unwrap();
-    let page = || stampflow(dir.path(), &["page", "-o", "a.html"]);
-    let done = page();
-    if done.status.success() {
-        let written = fs::read_to_string(dir.path().join("a.html")).unwrap();
-        assert!(written.contains("<title>stampflow</title>") && written.len() > 100_000);
-        assert!(page().status.success(), "a page of ours is replaced");
-        fs::write(dir.path().join("a.html"), "<title>mine</title>").unwrap();
-        let refused = page();
-        assert_eq!(refused.status.code(), Some(2));
-        assert!(text(&refused.stderr).contains("no page of ours"), "{}", text(&refused.stderr));
-    } else {
-        assert_eq!(done.status.code(), Some(2));
-        let said = text(&done.stderr);
-        assert!(
-            said.contains("without the page") && said.contains("web/build") && said.contains("cargo install"),
-            "{said}"
-        );
-        assert!(!dir.path().join("a.html").exists());
-    }
-}
