@@ -177,3 +177,9 @@ pub(crate) struct Folder<'a> {
     pub files: &'a dyn Files,
     pub path: &'a Path,
 }
+
+impl Default for Folder<'_> {
+    fn default() -> Self {
+        Self { files: &Disk, path: Path::new("") }
+    }
+}

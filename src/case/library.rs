@@ -11,6 +11,7 @@ pub use entries::StandsFor;
 pub use measured::{Fit, Measured, Point, Rates};
 
 use super::file::{Anisotropy, CaseFile, FormingLimit};
+use super::files::Folder;
 use super::sources::{Sheets, Taken, Thickness};
 use super::{CaseError, build, source::Source};
 use crate::forming_limit::{Curve, Hill, Kind, Sheet, uniform_strain};
@@ -160,7 +161,7 @@ fn measured_limit(name: &str, known: Option<FormingLimit>, file: &mut CaseFile) 
 
 fn entry(name: &'static str, text: &'static str) -> Result<Entry, CaseError> {
     let file = read(name, text)?;
-    let written = Source::parse(name, text)?;
+    let written = Source::parse(name, text, Folder::default())?;
     let material = build::material(&file.material, &written)?;
     let elastoplastic = file.elastoplastic().map(|shifting| build::material(&shifting, &written)).transpose()?;
     let EntryFile {

@@ -24,21 +24,17 @@
 //! ```
 
 mod build;
+mod complaint;
 mod error;
-mod examples;
-mod explain;
 pub mod file;
 pub mod files;
 pub mod library;
 mod overrides;
 mod read;
-mod reader;
 mod schema;
 mod solution;
 mod source;
 mod sources;
-mod syntax;
-mod wording;
 mod written;
 
 pub use error::CaseError;

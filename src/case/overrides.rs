@@ -1,6 +1,6 @@
 //! `KEY=VALUE` from the command line, written into the text before it is read.
 
-use super::{CaseError, wording};
+use super::CaseError;
 use crate::units::did_you_mean;
 use toml_edit::{DocumentMut, Item, Table, Value};
 
@@ -28,14 +28,9 @@ pub(super) fn apply(text: &str, overrides: &[String]) -> Result<String, CaseErro
                 document.insert(optional, Item::Table(Table::new()));
             }
         }
-        let (mut here, mut kind) = (document.as_item_mut(), String::new());
+        let mut here = document.as_item_mut();
         for (depth, segment) in tables.iter().enumerate() {
             let known = keys(here);
-            let written = known.iter().find(|known| wording::is_same(&kind, known, segment));
-            let segment = written.map_or(*segment, String::as_str);
-            if segment.parse::<usize>().is_err() {
-                kind = wording::key(&kind, segment).to_owned();
-            }
             here = child(here, segment).ok_or_else(|| {
                 let near = did_you_mean(segment, known.iter().map(String::as_str));
                 let all = if known.is_empty() { "nothing".into() } else { known.join(", ") };
@@ -47,7 +42,6 @@ pub(super) fn apply(text: &str, overrides: &[String]) -> Result<String, CaseErro
             replace_material(&mut document, name);
             continue;
         }
-        forget(here, &kind, key);
         set(here, key, value).ok_or_else(|| fail(format!("[{}] holds no `{key}`", tables.join(".")), usage.into()))?;
     }
     Ok(document.to_string())
@@ -102,15 +96,6 @@ fn child<'a>(item: &'a mut Item, segment: &str) -> Option<&'a mut Item> {
         _ => None,
     };
     found.filter(|item| item.is_table_like() || item.is_array() || item.is_array_of_tables())
-}
-
-/// Removes what says the same as a key that is about to be set: the radius of a diameter, another word for it.
-fn forget(item: &mut Item, kind: &str, key: &str) {
-    let same: Vec<String> =
-        keys(item).into_iter().filter(|old| old != key && wording::is_same(kind, old, key)).collect();
-    if let Some(table) = item.as_table_like_mut() {
-        same.iter().for_each(|old| drop(table.remove(old)));
-    }
 }
 
 /// Sets a key of a table (new or not) or an entry of an array (that exists); comments around it stay.

@@ -1,9 +1,8 @@
 //! From the text of a case to the case.
 
 use super::source::Source;
-use super::{Case, CaseError, build, explain, file, library, overrides, sources};
+use super::{Case, CaseError, build, file, library, overrides, sources};
 use crate::case::files::{self, Disk, FileError, Files, Folder, Noted};
-use crate::message::Message;
 use std::path::{Path, PathBuf};
 
 /// Reads a case file from the disk and applies overrides such as `tools.punch.friction=0.1` or `blank.thickness=0.9 mm`.
@@ -51,13 +50,12 @@ pub fn parse_with(text: &str, name: &str, overrides: &[String], files: &dyn File
     let reads = Noted::new(files, path.clone());
     let text = overrides::apply(text, overrides)?;
     let shown = if overrides.is_empty() { name.to_owned() } else { format!("{name} (with overrides)") };
-    let source = Source::parse(&shown, &text)?;
-    let mut file = explain::read(&source)?;
+    let folder = Folder { files: &reads, path: path.parent().unwrap_or(Path::new("")) };
+    let source = Source::parse(&shown, &text, folder)?;
+    let mut file = source.read()?;
     sources::forget_replaced(&mut file, overrides);
     let mut taken = library::complete(&mut file, &source)?;
-    let folder = Folder { files: &reads, path: path.parent().unwrap_or(Path::new("")) };
     let (stages, mut derived) = build::stages(&file, &source, folder)?;
-    taken.notes.splice(0..0, source.notes().into_iter().map(Message::from));
     taken.notes.extend(sources::limit_of_another_sheet(&file, overrides));
     derived.splice(0..0, std::mem::take(&mut taken.notes));
     let r_values = file.material.anisotropy.and_then(file::Anisotropy::directions);

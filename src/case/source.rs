@@ -1,144 +1,164 @@
-//! The text of a case and where each key stands in it.
+//! Text of a case with the place of every key: reads it, words its errors, collects notes.
 
-use super::wording::Wording;
-use super::{CaseError, CaseFile, reader, syntax};
+use super::files::Folder;
+use super::schema::example;
+use super::{CaseError, CaseFile, complaint};
+use crate::message::Message;
 use miette::NamedSource;
+use serde::Deserialize;
+use std::cell::RefCell;
 use std::ops::Range;
 use std::sync::Arc;
 use toml::Spanned;
-use toml::de::{DeTable, DeValue};
+use toml::de::{DeTable, DeValue, Deserializer};
 
-/// A case's text, parsed as TOML, in the words of case files; knows the place of every key path.
-#[derive(Clone)]
+/// Parsed TOML text of a case.
 pub(super) struct Source<'t> {
     shown: Arc<NamedSource<String>>,
     text: &'t str,
     tree: Spanned<DeTable<'t>>,
-    wording: Wording,
-    /// The later stage whose tools are meant by `tools.…`.
-    stage: Option<usize>,
+    /// Base folder of the files that the case names.
+    pub folder: Folder<'t>,
+    notes: RefCell<Vec<Message>>,
+    /// Index and name of the later stage to which `tools.…` refers.
+    stage: RefCell<Option<(usize, String)>>,
 }
 
 impl<'t> Source<'t> {
     /// Parses the text as TOML.
-    pub fn parse(name: &str, text: &'t str) -> Result<Self, CaseError> {
+    pub fn parse(name: &str, text: &'t str, folder: Folder<'t>) -> Result<Self, CaseError> {
         let shown = Arc::new(NamedSource::new(name, text.to_owned()));
-        let mut tree = match DeTable::parse(text) {
-            Ok(tree) => tree,
-            Err(error) => return Err(syntax::error(&error, text, shown)),
-        };
-        match Wording::of(tree.get_mut(), text) {
-            Ok(wording) => Ok(Self { shown, text, tree, wording, stage: None }),
-            Err(found) => Err(CaseError::at(shown, found.span, found.what, found.label, found.help)),
+        match DeTable::parse(text) {
+            Ok(tree) => Ok(Self { shown, text, tree, folder, notes: RefCell::default(), stage: RefCell::default() }),
+            Err(error) => Err(complaint::not_toml(&error, text, shown)),
         }
     }
 
-    /// What the keys say, each in its own type.
-    pub fn read(&self) -> Result<CaseFile, reader::Error> {
-        reader::read(self.tree.get_ref())
+    /// Deserializes the keys, each in its own type.
+    pub fn read(&self) -> Result<CaseFile, CaseError> {
+        if self.tree.get_ref().is_empty() {
+            let what = if self.text.trim().is_empty() { "the file is empty" } else { "the file holds comments only" };
+            let help = "a case needs title, geometry, [blank], a law such as [material.hardening.swift], [tools.punch] \
+                        and mostly [tools.die] and [tools.holder]; begin with a copy of cases/quickstart.toml";
+            return Err(self.error_at(0..0, what.into(), "here".into(), help.into()));
+        }
+        CaseFile::deserialize(Deserializer::from(self.tree.clone())).map_err(|error| complaint::wrong_key(&error, self))
     }
 
-    /// What was written in other words than those of case files.
-    pub fn notes(&self) -> Option<String> {
-        self.wording.notes()
-    }
-
-    /// The same text, in which `tools.…` means what a later stage, from 0, writes of a tool, where it does.
-    pub fn of_stage(&self, stage: usize) -> Self {
-        Self { stage: Some(stage), ..self.clone() }
-    }
-
-    /// A key path of the whole case.
-    fn whole(&self, path: &str) -> String {
-        let of_stage = self.stage.zip(path.strip_prefix("tools.")).map(|(i, rest)| (format!("stages.{i}."), rest));
-        match of_stage {
-            Some((stage, rest)) if self.locate(&format!("{stage}{}", rest.split('.').next().unwrap_or(rest))).1 => {
-                stage + rest
+    /// Adds a note on what was assumed or changed.
+    pub fn note(&self, note: impl Into<Message>) {
+        let note = match &*self.stage.borrow() {
+            Some((_, name)) => {
+                crate::message::message!("stage {name}: {what}", name = name.clone(), what = note.into())
             }
-            _ => path.to_owned(),
+            None => note.into(),
+        };
+        self.notes.borrow_mut().push(note);
+    }
+
+    /// Runs a function whose notes are dropped.
+    pub fn silently<T>(&self, run: impl FnOnce() -> T) -> T {
+        let before = self.notes.borrow().len();
+        let result = run();
+        self.notes.borrow_mut().truncate(before);
+        result
+    }
+
+    /// Removes and returns the notes.
+    pub fn take_notes(&self) -> Vec<Message> {
+        self.notes.take()
+    }
+
+    /// Lets `tools.…` refer to the tools of a later stage, counted from 0; `None` for the first stage.
+    pub fn enter_stage(&self, stage: Option<(usize, &str)>) {
+        *self.stage.borrow_mut() = stage.map(|(i, name)| (i, name.to_owned()));
+    }
+
+    /// Key path in the whole case.
+    fn whole(&self, path: &str) -> String {
+        if let (Some((i, _)), Some(rest)) = (&*self.stage.borrow(), path.strip_prefix("tools.")) {
+            let tool = rest.split('.').next().unwrap_or(rest);
+            if self.locate(&format!("stages.{i}.{tool}")).1 {
+                return format!("stages.{i}.{rest}");
+            }
         }
+        path.to_owned()
     }
 
-    /// The text that was parsed.
-    pub fn text(&self) -> &'t str {
-        self.text
-    }
-
-    /// Whether there is no key in it.
-    pub fn is_empty(&self) -> bool {
-        self.tree.get_ref().is_empty()
-    }
-
-    /// An error at a dotted key path (entries of arrays by index); what is missing is shown at its table.
+    /// Error at a dotted key path, array entries by index; a missing key is shown at its table.
     pub fn error(&self, path: &str, what: impl Into<String>, help: impl Into<String>) -> CaseError {
-        let path = &self.whole(path);
-        let (span, _) = self.locate(path);
-        let label = if path.is_empty() { "here".into() } else { self.wording.written(path) };
-        CaseError::at(self.shown.clone(), span, what.into(), label, help.into())
+        let path = self.whole(path);
+        let (span, _) = self.locate(&path);
+        let label = if path.is_empty() { "here".into() } else { path };
+        self.error_at(span, what.into(), label, help.into())
     }
 
-    /// Whether a key was written.
+    /// Error for a missing key, with a line that could be added.
+    pub fn missing(&self, table: &str, key: &str) -> CaseError {
+        let path = if table.is_empty() { key.to_owned() } else { format!("{table}.{key}") };
+        let help = match example(&path) {
+            Some(line) => format!("add a line such as {line}"),
+            None => format!("add it: [{path}]"),
+        };
+        let table_name = if table.is_empty() { "the case".into() } else { format!("[{table}]") };
+        self.error(table, format!("`{key}` is missing in {table_name}"), help)
+    }
+
+    /// Error at a range of bytes.
+    pub fn error_at(&self, span: Range<usize>, what: String, label: String, help: String) -> CaseError {
+        CaseError::at(self.shown.clone(), span, what, label, help)
+    }
+
+    /// True if the key is in the text.
     pub fn has(&self, path: &str) -> bool {
         self.locate(&self.whole(path)).1
     }
 
-    /// The deepest place on the path that was written, and whether that is all of the path.
+    /// Span of the deepest written part of a path, and whether the whole path was written.
     fn locate(&self, path: &str) -> (Range<usize>, bool) {
-        let mut here = 0..0;
-        let mut table = Some(self.tree.get_ref());
-        let mut array: Option<&[Spanned<DeValue>]> = None;
+        let mut span = 0..0;
+        let (mut table, mut array): (_, Option<&[Spanned<DeValue>]>) = (Some(self.tree.get_ref()), None);
         for segment in path.split('.') {
-            let found = match (table, array) {
+            let entry = match (table, array) {
                 (Some(table), _) => table.get_key_value(segment).map(|(key, value)| (key.span(), value)),
                 (_, Some(array)) => {
-                    segment.parse::<usize>().ok().and_then(|i| array.get(i)).map(|value| (value.span(), value))
+                    segment.parse().ok().and_then(|i: usize| array.get(i)).map(|value| (value.span(), value))
                 }
                 _ => None,
             };
-            let Some((key, value)) = found else { return (here, false) };
+            let Some((key, value)) = entry else { return (span, false) };
             // A table or a long array is shown by its key, so that the message stays short.
             let one_line = !self.text[value.span()].contains('\n');
-            here = if one_line && !value.span().is_empty() { value.span() } else { key };
+            span = if one_line && !value.span().is_empty() { value.span() } else { key };
             table = value.get_ref().as_table();
             array = value.get_ref().as_array().map(|array| &array[..]);
         }
-        (here, true)
+        (span, true)
     }
 
-    /// A key path in the words that were written.
-    pub fn written(&self, path: &str) -> String {
-        self.wording.written(path)
-    }
-
-    /// The key path whose key or value stands exactly at `span`; "" for the whole file.
+    /// Key path whose key or value has exactly this span; `None` for the whole file.
     pub fn path_at(&self, span: &Range<usize>) -> Option<String> {
-        search(self.tree.get_ref(), span)
-    }
-
-    /// The word or value at `span` of an error, made into one.
-    pub fn error_at(&self, span: Range<usize>, what: String, label: String, help: String) -> CaseError {
-        CaseError::at(self.shown.clone(), span, what, label, help)
+        path_in_table(self.tree.get_ref(), span)
     }
 }
 
-fn search(table: &DeTable, span: &Range<usize>) -> Option<String> {
+fn path_in_table(table: &DeTable, span: &Range<usize>) -> Option<String> {
     table.iter().find_map(|(key, value)| {
-        let key_text = key.get_ref();
-        if key.span() == *span || value.span() == *span {
-            return Some(key_text.to_string());
-        }
-        search_value(value.get_ref(), span).map(|rest| format!("{key_text}.{rest}"))
+        let name = key.get_ref();
+        if key.span() == *span { Some(name.to_string()) } else { path_in_value(name, value, span) }
     })
 }
 
-fn search_value(value: &DeValue, span: &Range<usize>) -> Option<String> {
-    if let Some(table) = value.as_table() {
-        return search(table, span);
+fn path_in_value(name: &str, value: &Spanned<DeValue>, span: &Range<usize>) -> Option<String> {
+    if value.span() == *span {
+        return Some(name.to_owned());
     }
-    value.as_array()?.iter().enumerate().find_map(|(i, value)| {
-        if value.span() == *span {
-            return Some(i.to_string());
+    let rest = match value.get_ref() {
+        DeValue::Table(table) => path_in_table(table, span),
+        DeValue::Array(entries) => {
+            entries.iter().enumerate().find_map(|(i, entry)| path_in_value(&i.to_string(), entry, span))
         }
-        search_value(value.get_ref(), span).map(|rest| format!("{i}.{rest}"))
-    })
+        _ => None,
+    };
+    Some(format!("{name}.{}", rest?))
 }

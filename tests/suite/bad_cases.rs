@@ -1,76 +1,69 @@
-//! Case files with something wrong in them, and the message that each must give.
+//! Case files with something wrong in them: the error must name the key, the place and a remedy.
 //!
-//! `tests/bad_cases/NAME.txt` is what is changed in `base/cup.toml`, a line `---`, and the message. A change is written as in a
-//! diff: `- ` takes a line out, `+ ` puts one in, `  ` names a line to go on from; the rest stays.
-//!
-//! ```text
-//!   [tools.die]
-//! + bumper = "1 mm"
-//! - shoulder = "6 mm"
-//! ---
-//!   × ...
-//! ```
-//!
-//! Where little of the cup would be left, the case stands whole in `NAME.toml`, and its message alone in `NAME.txt`.
-//! `UPDATE=1 cargo test --test suite bad_cases::` writes the messages anew: look at the difference before you keep it.
+//! `tests/bad_cases/cases.txt` has one row per case, `NAME | key | line:column | beginning of the remedy`, and below it what is
+//! changed in `base/cup.toml`, as in a diff: `- ` takes a line out, `+ ` puts one in, `  ` names a line to go on from. A case
+//! without changes stands whole in `NAME.toml`.
 
 use crate::common::files::files;
 use stampflow::case;
 use std::fs;
 
-const END: &str = "---\n";
-
-/// The base with its changes; what names a line that is not there, or not after the last one, is wrong.
-fn patched(base: &str, patch: &str) -> Result<String, String> {
+/// Base with its changes; panics on a change that names no line after the last one.
+fn patched(base: &str, patch: &[&str]) -> String {
     let mut rest = base.lines();
     let mut text = String::new();
-    for change in patch.lines() {
+    for change in patch {
         let (kind, line) = change.split_at_checked(2).unwrap_or((change, ""));
-        if kind.trim_end() != "+" {
-            loop {
-                let next = rest.next().ok_or(format!("no line {line:?} here in the base"))?;
-                if next == line {
-                    break;
-                }
-                text += &format!("{next}\n");
-            }
+        if kind == "- " || kind == "  " {
+            let skipped = rest.by_ref().take_while(|next| *next != line).map(|next| format!("{next}\n"));
+            text.extend(skipped);
         }
-        match kind.trim_end() {
-            "+" | "" => text += &format!("{line}\n"),
-            "-" => {}
-            _ => return Err(format!("{change:?} begins with neither \"+ \" nor \"- \" nor two spaces")),
+        if kind != "- " {
+            text += &format!("{line}\n");
         }
     }
-    Ok(rest.fold(text, |text, line| text + line + "\n"))
+    rest.fold(text, |text, line| text + line + "\n")
 }
 
 #[test]
-fn broken_cases_give_the_expected_messages() {
+fn broken_cases_name_key_place_and_remedy() {
     let base = fs::read_to_string("tests/bad_cases/base/cup.toml").expect("the base");
     assert!(case::parse(&base, "cup.toml", &[]).is_ok(), "the base itself is right");
-    let update = std::env::var_os("UPDATE").is_some();
-    let (mut wrong, mut whole) = (Vec::new(), 0);
-    let expectations = files("tests/bad_cases", "txt");
-    assert!(expectations.len() >= 200, "only {} broken cases", expectations.len());
-    for path in &expectations {
-        let (name, stored) = (path.with_extension("toml"), fs::read_to_string(path).expect("readable"));
-        let (patch, expected, answer) = if name.exists() {
-            whole += 1;
-            ("", stored.as_str(), case::load(&name, &[]))
-        } else {
-            let at = stored.find(END).unwrap_or_else(|| panic!("{}: no line ---", path.display())) + END.len();
-            let (patch, expected) = stored.split_at(at);
-            let text = patched(&base, &patch[..at - END.len()]).unwrap_or_else(|e| panic!("{}: {e}", path.display()));
-            (patch, expected, case::parse(&text, &name.to_string_lossy(), &[]))
+    let table = fs::read_to_string("tests/bad_cases/cases.txt").expect("the table");
+    let lines: Vec<&str> = table.lines().collect();
+    let is_change = |line: &&str| line.starts_with(['+', '-', ' ']);
+    let mut wrong = Vec::new();
+    let rows: Vec<usize> = (0..lines.len()).filter(|i| !is_change(&lines[*i])).collect();
+    assert!(rows.len() >= 230, "only {} broken cases", rows.len());
+    for row in &rows {
+        let cells: Vec<&str> = lines[*row].split(" | ").collect();
+        let [name, key, place, remedy] = cells[..] else { panic!("{}", lines[*row]) };
+        let patch: Vec<&str> = lines[row + 1..].iter().take_while(|line| is_change(line)).copied().collect();
+        let path = format!("tests/bad_cases/{name}.toml");
+        let answer = match patch.is_empty() {
+            true => case::load(&path, &[]),
+            false => case::parse(&patched(&base, &patch), &path, &[]),
         };
-        let found = answer.map_or_else(|error| error.render(false), |_| "this case is accepted\n".to_owned());
-        if update {
-            fs::write(path, format!("{patch}{found}")).unwrap();
-        }
-        if found != expected || found == "this case is accepted\n" {
-            wrong.push(format!("{}\nfound:\n{found}expected:\n{expected}", path.display()));
+        let Err(error) = answer else {
+            wrong.push(format!("{name} is accepted"));
+            continue;
+        };
+        let found_place = error.position().map_or("-".into(), |(line, column)| format!("{line}:{column}"));
+        let found_remedy = error.remedy().unwrap_or("");
+        if error.key() != key || found_place != place || remedy.is_empty() || !found_remedy.starts_with(remedy) {
+            wrong.push(format!("{name} | {} | {found_place} | {found_remedy}\n{}", error.key(), error.render(false)));
         }
     }
-    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
-    assert_eq!(files("tests/bad_cases", "toml").len(), whole, "a case without its message");
+    assert!(wrong.is_empty(), "{} of {}\n{}", wrong.len(), rows.len(), wrong.join("\n"));
+    let whole = rows.iter().filter(|row| lines.get(*row + 1).is_none_or(|line| !is_change(line))).count();
+    assert_eq!(files("tests/bad_cases", "toml").len(), whole, "a case without its row");
+}
+
+#[test]
+fn an_error_is_drawn_with_its_line_a_caret_and_the_remedy() {
+    let text = "title = \"Cup\"\n[blank]\nthicknes = \"1 mm\"\n";
+    let shown = case::parse(text, "cup.toml", &[]).expect_err("broken").render(false);
+    let expected = "  × unknown key `thicknes` in [blank]\n   ╭─[cup.toml:3:1]\n 2 │ [blank]\n 3 │ thicknes = \"1 mm\"\n   \
+                    · ────┬───\n   ·     ╰── blank.thicknes\n   ╰────\n  help: did you mean `thickness`? known keys: ";
+    assert!(shown.starts_with(expected), "{shown}");
 }

@@ -92,6 +92,5 @@ mod verify_swift;
 mod verify_variants;
 mod voids;
 mod vtu;
-mod wording;
 mod written_files;
 mod yield_condition;

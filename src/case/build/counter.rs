@@ -3,8 +3,8 @@
 use super::context::ToolContext;
 use super::drawn::{Drawn, Origin};
 use super::place::{Placed, place};
+use crate::case::CaseError;
 use crate::case::file::{Section, SectionTable};
-use crate::case::{CaseError, explain::missing};
 use crate::geometry::{CavityError, Profile};
 use crate::message::{Amount, Message, message};
 use crate::model::Role;
@@ -39,7 +39,7 @@ impl Counter<'_> {
             };
             return Err(self.error("offset_of", what, help));
         }
-        let by = table.by.ok_or_else(|| missing(context.source, path, "by"))?.value();
+        let by = table.by.ok_or_else(|| context.source.missing(path, "by"))?.value();
         let original = self.original("offset_of")?;
         if let Some((key, _)) =
             [("shoulder", table.shoulder), ("closed_at", table.closed_at)].iter().find(|(_, v)| v.is_some())

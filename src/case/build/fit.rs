@@ -2,7 +2,7 @@
 
 use super::motion::travel_key;
 use super::values::place_of;
-use crate::case::{CaseError, explain::missing, source::Source};
+use crate::case::{CaseError, source::Source};
 use crate::model::tool_sizes::{Gap, extent, gap, room, shoulder_end, throat, widens};
 use crate::model::{Edge, Model, Role};
 use crate::units::rounded;
@@ -33,7 +33,7 @@ pub(super) fn check(model: &Model, source: &Source) -> Result<(), CaseError> {
     }
     let Some(die) = model.tool(Role::Die) else {
         return match model.blank.edge {
-            Edge::Free => Err(missing(source, "tools", "die")),
+            Edge::Free => Err(source.missing("tools", "die")),
             _ => Ok(()),
         };
     };

@@ -2,7 +2,7 @@
 
 use super::laws::prepared;
 use crate::case::file;
-use crate::case::{CaseError, explain::missing, source::Source};
+use crate::case::{CaseError, source::Source};
 use crate::material::law::Family;
 use crate::message::{Message, message};
 use crate::model::{Friction, Role};
@@ -57,7 +57,7 @@ pub(super) fn of(
         derived.push(message!("the holder's friction is the die's, {law}", law = Message::Formula(law.to_string())));
         return Ok(law);
     }
-    Err(missing(source, &table, "friction"))
+    Err(source.missing(&table, "friction"))
 }
 
 fn convert(given: file::Friction, source: &Source, path: &str) -> Result<Friction, CaseError> {

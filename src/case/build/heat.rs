@@ -3,7 +3,7 @@
 use super::lines::Named;
 use crate::case::file::{self, InitialTemperature};
 use crate::case::files::Folder;
-use crate::case::{CaseError, explain::missing, source::Source};
+use crate::case::{CaseError, source::Source};
 use crate::model::tool_sizes::extent;
 use crate::model::{Heat, HeatFlow, Role, Tool, ToolHeat};
 use crate::numerics::PiecewiseLinear;
@@ -38,8 +38,8 @@ fn flow(file: &file::Heat, tools: &[Tool], source: &Source) -> Result<Option<Hea
     let given = [(Role::Punch, file.punch), (Role::Die, file.die), (Role::Holder, file.holder)];
     let (density, specific_heat) = match (file.density, file.specific_heat) {
         (Some(density), Some(specific_heat)) => (density, specific_heat),
-        (Some(_), None) => return Err(missing(source, "heat", "specific_heat")),
-        (None, Some(_)) => return Err(missing(source, "heat", "density")),
+        (Some(_), None) => return Err(source.missing("heat", "specific_heat")),
+        (None, Some(_)) => return Err(source.missing("heat", "density")),
         (None, None) => {
             let others =
                 [("plastic_share", file.plastic_share.is_some()), ("conductivity", file.conductivity.is_some())];

@@ -64,7 +64,7 @@ pub(super) fn holder(
         return Ok(Motion::Pressed(Press { force: preload.into(), stiffness }));
     }
     let Some(given) = &holder.force else {
-        return Err(crate::case::explain::missing(source, "tools.holder", "force"));
+        return Err(source.missing("tools.holder", "force"));
     };
     Ok(Motion::Pressed(Press { force: holder_force(given, sheet.extent, source)?, stiffness: 0.0 }))
 }
@@ -227,7 +227,7 @@ pub(super) fn gas(
                 let what = "both a pressure and a strain rate are given";
                 return Err(source.error(&format!("gas.{key}.strain_rate"), what, "keep one: the other follows"));
             }
-            (None, None) => return Err(crate::case::explain::missing(source, &format!("gas.{key}"), "pressure")),
+            (None, None) => return Err(source.missing(&format!("gas.{key}"), "pressure")),
         };
         let seal = match face {
             Face::Lower => tool(Role::Holder).map(|holder| ("the holder's inner edge", extent(holder).0)),

@@ -2,7 +2,7 @@
 
 use super::laws::{blame, only, prepared};
 use crate::case::file::{self, Anisotropy, YieldCondition};
-use crate::case::{CaseError, explain::missing, source::Source};
+use crate::case::{CaseError, source::Source};
 use crate::material::law::{Family, Named};
 use crate::material::{BackStress, BackStresses, Elastic, Hardening, Hill48, Hosford, Material, YieldCriterion};
 use crate::message::{Amount, Digits, Message, message};
@@ -20,8 +20,8 @@ pub(in crate::case) fn convert(file: &file::Material, source: &Source) -> Result
     let elastic = match (file.young, file.poisson) {
         (None, None) => None,
         (Some(young), Some(poisson)) => Some(Elastic { young: young.value(), poisson: poisson.value() }),
-        (Some(_), None) => return Err(missing(source, "material", "poisson")),
-        (None, Some(_)) => return Err(missing(source, "material", "young")),
+        (Some(_), None) => return Err(source.missing("material", "poisson")),
+        (None, Some(_)) => return Err(source.missing("material", "young")),
     };
     if let Some(Elastic { poisson, .. }) = elastic.filter(|e| e.poisson >= 0.5) {
         let what = format!("`poisson` must be below 0.5, found {poisson}");

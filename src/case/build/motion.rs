@@ -1,6 +1,5 @@
 //! What drives the run and for how long: the punch at its speed or along its history, or gas alone.
 
-use crate::case::explain::missing;
 use crate::case::file::{CaseFile, Punch};
 use crate::case::{CaseError, source::Source};
 use crate::numerics::PiecewiseLinear;
@@ -43,14 +42,14 @@ pub(super) fn drive(file: &CaseFile, length: f64, source: &Source) -> Result<Dri
         (None, Some(_), Some(duration)) => {
             Ok(Drive { travel: 0.0, schedule: None, speed: length / duration, duration, timed: true })
         }
-        (None, Some(_), None) => Err(missing(source, "gas", "duration")),
-        (None, None, _) => Err(missing(source, "tools", "punch")),
+        (None, Some(_), None) => Err(source.missing("gas", "duration")),
+        (None, None, _) => Err(source.missing("tools", "punch")),
     }
 }
 
 fn punched(punch: &Punch, source: &Source) -> Result<Drive, CaseError> {
     let Some(points) = &punch.motion else {
-        let Some(travel) = punch.travel else { return Err(missing(source, "tools.punch", "travel")) };
+        let Some(travel) = punch.travel else { return Err(source.missing("tools.punch", "travel")) };
         let (travel, speed) = (travel.value(), punch.speed.map_or(1.0, Quantity::value));
         let timed = punch.speed.is_some();
         return Ok(Drive { travel, schedule: None, speed, duration: travel / speed, timed });

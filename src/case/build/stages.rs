@@ -47,15 +47,17 @@ pub(super) fn convert(
             let what = format!("two stages are called `{}`", written.name);
             return Err(source.error(&format!("{path}.name"), what, "name them apart: each has its own folder"));
         }
-        let (first, before, source) = (&stages[0].model, &stages[i].model, &source.of_stage(i));
+        let (first, before) = (&stages[0].model, &stages[i].model);
         let context = StageContext { written, before, first, source, folder, path };
         let mut said = Vec::new();
+        source.enter_stage(Some((i, &written.name)));
         let stage = context.stage(&mut frictions, &mut said)?;
         derived.extend(
             said.into_iter().map(|what| message!("stage {name}: {what}", name = written.name.clone(), what = what)),
         );
         stages.push(stage);
     }
+    source.enter_stage(None);
     Ok(stages)
 }
 

@@ -5,7 +5,7 @@ use super::friction::{self, Frictions};
 use super::values::by_geometry;
 use super::{loads, section};
 use crate::case::file;
-use crate::case::{CaseError, explain::missing, source::Source};
+use crate::case::{CaseError, source::Source};
 use crate::geometry::Profile;
 use crate::message::Message;
 use crate::model::{Motion, Role, Tool};
@@ -164,8 +164,8 @@ fn die_profile(die: &file::Die, context: &ToolContext, derived: &mut Vec<Message
             let what = "the die has both a profile and a throat or shoulder";
             Err(source.error("tools.die.profile", what, DRAWN))
         }
-        (None, None, _) => Err(missing(source, "tools.die", "throat")),
-        (None, _, None) => Err(missing(source, "tools.die", "shoulder")),
+        (None, None, _) => Err(source.missing("tools.die", "throat")),
+        (None, _, None) => Err(source.missing("tools.die", "shoulder")),
     }
 }
 

@@ -1,6 +1,6 @@
 //! Values that are read and said in the same way everywhere.
 
-use crate::case::{CaseError, explain::missing, source::Source};
+use crate::case::{CaseError, source::Source};
 use crate::geometry::Point;
 use crate::model::Geometry;
 use crate::units::{Length, Positive, Quantity, rounded};
@@ -24,7 +24,7 @@ pub(super) fn by_geometry(
             format!("write {key} = \"{} mm\", or change `geometry`", rounded(wrong.value())),
         )),
         (Some(value), None) => Ok((key, value.value())),
-        (None, None) => Err(missing(source, table, key)),
+        (None, None) => Err(source.missing(table, key)),
     }
 }
 

@@ -3,12 +3,11 @@
 use super::class::Class;
 use super::measured::Measured;
 use crate::case::CaseError;
-use crate::case::{file, reader};
+use crate::case::file;
 use crate::material::law::Named;
 use crate::material::{BackStress, Hardening};
 use crate::model::Mode;
 use serde::Deserialize;
-use toml::de::DeTable;
 
 /// Name and text of every entry, by name.
 pub(super) const TEXTS: [(&str, &str); 14] = [
@@ -76,6 +75,5 @@ pub struct StandsFor {
 /// What the text of an entry says.
 pub(super) fn read(name: &str, text: &str) -> Result<EntryFile, CaseError> {
     let wrong = |what: &str| CaseError::bare(format!("{name}: {what}"), "mend the library".into());
-    let table = DeTable::parse(text).map_err(|error| wrong(error.message()))?;
-    reader::read(table.get_ref()).map_err(|error| wrong(error.message()))
+    toml::from_str(text).map_err(|error: toml::de::Error| wrong(error.message()))
 }
