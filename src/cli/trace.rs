@@ -1,20 +1,18 @@
 //! `stampflow trace`: one step of the solver, iteration by iteration.
 
-mod shown;
-
 use super::code::{BadRequest, Code};
-use super::options::{self, Json, Overrides};
-use super::say::{say, say_json};
+use super::options::Overrides;
+use super::say::{Shown, say};
+use super::table::{Cell, table, wrapped};
 use super::{interrupt, job, place};
 use clap::ValueEnum;
-use serde_json::{Value, json};
 use stampflow::Observer;
 use stampflow::case::Case;
 use stampflow::model::Iteration;
-use stampflow::output::trace::step_csv;
+use stampflow::output::trace::{key, step_csv};
 use stampflow::output::write;
-use stampflow::solver::trace::{self, Asked, Iterated, Pass, Trace};
-use stampflow::units::rounded;
+use stampflow::solver::solution::IterationRecord;
+use stampflow::solver::trace::{IterationHistory, NoSuchStep, Trace, TraceRequest, trace as trace_step};
 use std::path::PathBuf;
 
 pub const HELP: &str = "\
@@ -57,10 +55,6 @@ pub struct Args {
     out: Option<PathBuf>,
     #[command(flatten)]
     overrides: Overrides,
-    #[command(flatten)]
-    form: options::Told,
-    #[command(flatten)]
-    json: Json,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
@@ -92,23 +86,24 @@ impl Observer for Interrupted {
 pub fn trace(args: &Args) -> anyhow::Result<Code> {
     let case = job::load(&args.case, &args.overrides.all())?;
     if let Some(path) = &args.out {
-        place::replaced(path, &step_csv(None), "--out")?;
+        place::replaced(path, &step_csv(&[]), "--out")?;
         place::file(path, &case.inputs, "--out")?;
     }
-    let asked =
-        Asked { stage: args.stage, step: args.step, matrices: matrices(&args.methods), tolerance: args.tolerance };
-    let trace = match trace::trace(&case.stages, &asked, &mut Interrupted) {
+    let request = TraceRequest {
+        stage: args.stage,
+        step: args.step,
+        matrices: matrices(&args.methods),
+        tolerance: args.tolerance,
+    };
+    let trace = match trace_step(&case.stages, &request, &mut Interrupted) {
         Ok(trace) => trace,
-        Err(error) if error.is_interrupted() => return Ok(Code::Interrupted),
+        Err(NoSuchStep::Interrupted) => return Ok(Code::Interrupted),
         Err(error) => return Err(BadRequest(error.to_string()).into()),
     };
     if let Some(path) = &args.out {
-        write(path, &step_csv(Some(&trace)))?;
+        write(path, &step_csv(&trace.histories))?;
     }
-    match args.json.json {
-        true => say_json(&json(&case, &trace)),
-        false => say(shown::screen(&case, &trace, args.form.form())),
-    }
+    say(screen(&case, &trace))
 }
 
 fn matrices(methods: &[Method]) -> Vec<Iteration> {
@@ -129,49 +124,55 @@ fn matrices(methods: &[Method]) -> Vec<Iteration> {
     matrices
 }
 
-/// Everything but what stands at each node, for programs.
-fn json(case: &Case, trace: &Trace) -> Value {
-    let iterated = |i: &Iterated| {
-        json!({
-            "iteration": i.iteration,
-            "velocity_norm": i.velocity_norm.map(rounded),
-            "share": i.share.map(rounded),
-            "residual_norm": rounded(i.residual_norm),
-            "worst_r_mm": rounded(i.nodes[i.worst_node][0]),
-            "cut_off_elements": i.cut_off(),
-            "contacts": i.touching.len(),
-            "sticking": i.sticking(),
-        })
+/// Rows shown at the beginning and at the end of a longer table.
+const SHOWN: [usize; 2] = [12, 6];
+
+fn screen(case: &Case, trace: &Trace) -> Shown {
+    let Trace { before, record, dt, .. } = trace;
+    let stage = case.stage_label(trace.stage - 1).map_or(String::new(), |stage| format!(" {stage}"));
+    let head = format!(
+        "{}{stage}, step {}: from {:.4} to {:.4} mm of travel, in {dt:.3e} s, tolerance {:.0e}",
+        case.name, record.step, before.travel, record.travel, trace.tolerance
+    );
+    trace.histories.iter().fold(wrapped(&head), |shown, history| shown + iterations(history))
+}
+
+/// Iterations of the last pass, and how fast they converge.
+fn iterations(history: &IterationHistory) -> Shown {
+    let pass = history.last_pass();
+    let start = pass.first().map_or("", |row| row.start.key());
+    let head = format!("\n{} matrix, start: {start}\n\n", key(history.matrix));
+    let headers = ["iteration", "velocity", "taken", "residual", "largest at", "cut off", "contact", "sticking"];
+    let is_shown = |i: usize| pass.len() <= SHOWN[0] + SHOWN[1] || i < SHOWN[0] || i + SHOWN[1] >= pass.len();
+    let rows = (0..pass.len()).filter(|&i| is_shown(i) || i == SHOWN[0]);
+    let rows =
+        rows.map(|i| if is_shown(i) { cells(&pass[i]) } else { ["…", "", "", "", "", "", "", ""].map(Cell::plain) });
+    wrapped(&head) + table(Some(headers), rows.collect()) + wrapped(&converges(history))
+}
+
+fn cells(row: &IterationRecord) -> [Cell; 8] {
+    let moved = |text: String| if row.iteration == 0 { "–".to_owned() } else { text };
+    [
+        row.iteration.to_string(),
+        moved(format!("{:.2e}", row.velocity_norm)),
+        moved(format!("{:.2}", row.share)),
+        format!("{:.2e}", row.residual_norm),
+        format!("{:.2} mm", row.worst_r),
+        row.cut_off.to_string(),
+        row.touching.to_string(),
+        row.sticking.to_string(),
+    ]
+    .map(Cell::plain)
+}
+
+fn converges(history: &IterationHistory) -> String {
+    let n = history.count();
+    let end = match history.end {
+        Some(_) => format!("In equilibrium after {n} iterations of all tries."),
+        None => format!("No equilibrium after {n} iterations of all tries: the run would halve the step."),
     };
-    let pass = |pass: &Pass| {
-        json!({
-            "matrix": trace::key(pass.matrix),
-            "cutoff": pass.cutoff.map(rounded),
-            "iterations": pass.iterated.iter().map(iterated).collect::<Vec<_>>(),
-        })
-    };
-    let ways = trace.ways.iter().map(|way| {
-        let tries = way.attempts.iter().map(
-            |attempt| json!({ "start": attempt.key(), "passes": attempt.passes.iter().map(pass).collect::<Vec<_>>() }),
-        );
-        json!({
-            "method": trace::key(way.matrix),
-            "converged": way.converged,
-            "iterations": way.count(),
-            "order": way.rate().and_then(|rate| rate.order).map(rounded),
-            "left": way.rate().map(|rate| rounded(rate.left)),
-            "tries": tries.collect::<Vec<_>>(),
-        })
-    });
-    json!({
-        "case": case.name,
-        "stage": trace.asked.stage,
-        "step": trace.asked.step,
-        "from_travel_mm": rounded(trace.before.travel),
-        "to_travel_mm": rounded(trace.record.travel),
-        "duration_s": rounded(trace.dt),
-        "tolerance": trace.tolerance(),
-        "elements": trace.before.thickness.len(),
-        "methods": ways.collect::<Vec<_>>(),
-    })
+    let Some(rate) = history.rate() else { return format!("{end} Too few to show a rate: --tolerance 1e-11 goes on.") };
+    let order =
+        rate.order.map_or("No clear order of convergence".to_owned(), |p| format!("Order of convergence {p:.1}"));
+    format!("{end} {order}; the last iteration leaves {:.2} % of the error.", 100.0 * rate.left)
 }

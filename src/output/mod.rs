@@ -25,7 +25,7 @@ mod writing;
 
 pub use crate::plot::{
     Captions, Chart, Dimension, Format, FrameRecorder, Mark, PAPER, Pictures, Size, StageView, animation, comparisons,
-    dimensioned, flow_curve, log_plot, png, sketch, svg,
+    dimensioned, flow_curve, png, sketch, svg,
 };
 pub(crate) use crate::plot::{DRAWN, Drawing};
 use crate::plot::{forming_diagram, overlay, part, states, strains, thickness_profile};

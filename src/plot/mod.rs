@@ -10,7 +10,6 @@ pub mod forming_diagram;
 mod frame_recorder;
 mod gif;
 pub(crate) mod load_travel;
-pub mod log_plot;
 mod lzw;
 pub(crate) mod outline;
 pub(crate) mod overlay;

@@ -3,9 +3,10 @@
 use super::equilibrium::evaluate;
 use super::evaluation::{Evaluation, Linearisation};
 use super::process::Process;
-use super::step::Step;
+use super::step::{CUT_OFF_ZONE, Step};
 use super::trial::Trial;
-use super::{Iterate, Observer};
+use super::{Observer, Start};
+use crate::material::flow::StressUpdate;
 use crate::model::{Iteration, Mode, Model, Norm};
 use crate::solver::solution::IterationRecord;
 
@@ -81,19 +82,25 @@ impl Outcome {
     }
 }
 
-/// Corrects a trial to equilibrium at the end of its step with one matrix and at most so many iterations.
+/// One pass of the corrector: at most so many iterations with one matrix.
+#[derive(Clone, Copy)]
+pub(super) struct Pass {
+    pub start: Start,
+    pub matrix: Iteration,
+    pub most: usize,
+}
+
+/// Corrects a trial to equilibrium at the end of its step.
 pub(super) fn correct(
     step: &Step,
     trial: &mut Trial,
     evaluation: &mut Evaluation,
-    matrix: Iteration,
-    most: usize,
+    pass: Pass,
     observer: &mut dyn Observer,
 ) -> Outcome {
-    let model = step.model;
+    let (model, Pass { matrix, most, .. }) = (step.model, pass);
     let mut outcome = Outcome::BEGUN;
     let searches = model.mode != Mode::Flow && trial.kept.is_none();
-    let watched = observer.wants_iterates();
     loop {
         // The last evaluation needs no matrix; where the forces disagree that it is the last it is made again.
         let foreseen = trial.kept.is_none() && outcome.foresees_end(model);
@@ -102,27 +109,7 @@ pub(super) fn correct(
         {
             return outcome;
         }
-        if watched {
-            observer.iterate(&Iterate {
-                step: step.number,
-                iteration: outcome.iterations,
-                time: step.end(),
-                matrix,
-                cutoff: (model.mode == Mode::Flow).then(|| step.cutoff(trial.softening)),
-                velocity_norm: outcome.increment,
-                share: if outcome.iterations > 0 { trial.line.length() } else { 0.0 },
-                residual_norm: outcome.residual_norm,
-                worst_node: evaluation.worst_node,
-                converged: outcome.converged,
-                nodes: &evaluation.nodes,
-                imbalance: &evaluation.system.rhs,
-                thickness: &evaluation.thickness,
-                updates: &evaluation.updates,
-                tools: &trial.tools,
-                given: step,
-                found: evaluation,
-            });
-        }
+        observer.iteration(&record(step, pass, trial, evaluation, &outcome));
         let looks_back = searches && (1..most).contains(&outcome.iterations);
         if let Some(back) = looks_back.then(|| trial.line.back(&evaluation.system)).flatten() {
             trial.advance(step.process, -back);
@@ -131,7 +118,11 @@ pub(super) fn correct(
             continue;
         }
         if outcome.converged || outcome.iterations == most || !trial.line.aim(&mut evaluation.system) {
-            outcome.converged &= !sucks(step.process, trial);
+            outcome.converged &= !has_negative_pressure(step.process, trial);
+            return outcome;
+        }
+        if observer.wants_to_stop() {
+            outcome.interrupted = true;
             return outcome;
         }
         outcome.iterations += 1;
@@ -140,19 +131,33 @@ pub(super) fn correct(
         trial.advance(step.process, share);
         // A capped increment says nothing of how far the answer still is.
         outcome.moved(velocity_norm(model, trial, share), share >= 1.0);
-        observer.iteration(&IterationRecord {
-            step: step.number,
-            travel: step.travel(),
-            iteration: outcome.iterations,
-            velocity_norm: outcome.increment,
-            residual_norm: outcome.residual_norm,
-            cut: share,
-            active_contacts: evaluation.active_contacts,
-        });
-        if observer.wants_to_stop() {
-            outcome.interrupted = true;
-            return outcome;
-        }
+    }
+}
+
+/// The evaluation as observers see it.
+fn record(step: &Step, pass: Pass, trial: &Trial, evaluation: &Evaluation, outcome: &Outcome) -> IterationRecord {
+    let penalty = &step.process.penalty;
+    let touching = || evaluation.contacts.iter().filter(|contact| contact.is_active(penalty));
+    let least = CUT_OFF_ZONE * step.cutoff(trial.softening);
+    let flows = |(updates, bends): (&[StressUpdate], &bool)| {
+        let points = if *bends { updates } else { &updates[..1] };
+        points.iter().any(|update| update.increment >= least)
+    };
+    let flowing = || evaluation.updates.rows().zip(&step.bends).filter(|element| flows(*element));
+    IterationRecord {
+        step: step.number,
+        travel: step.travel(),
+        start: pass.start,
+        matrix: pass.matrix,
+        iteration: outcome.iterations,
+        velocity_norm: outcome.increment,
+        residual_norm: outcome.residual_norm,
+        share: if outcome.iterations > 0 { trial.line.length() } else { 0.0 },
+        worst_r: evaluation.nodes[evaluation.worst_node][0],
+        active_contacts: evaluation.active_contacts,
+        touching: touching().count(),
+        sticking: touching().filter(|contact| contact.slip.abs() < step.slip_scale).count(),
+        cut_off: if step.model.mode == Mode::Flow { step.bends.len() - flowing().count() } else { 0 },
     }
 }
 
@@ -187,9 +192,8 @@ fn is_converged(model: &Model, evaluation: &Evaluation, outcome: &Outcome) -> bo
     converged && evaluation.held_rate.beyond_cap <= CAP
 }
 
-/// Whether a pressure that holds a strain rate is one that sucks: the sheet then strains as it should, on the wrong side of
-/// its flat shape.
-fn sucks(process: &Process, trial: &Trial) -> bool {
+/// True if a strain-rate-controlled gas pressure came out negative: the sheet bulges to the wrong side.
+fn has_negative_pressure(process: &Process, trial: &Trial) -> bool {
     process.gas_shared.iter().zip(&trial.gas).any(|(shared, pressure)| shared.is_some() && *pressure < 0.0)
 }
 

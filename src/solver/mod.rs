@@ -51,7 +51,8 @@ use time_step::StepControl;
 use trial::Trial;
 
 pub use closing::closing_way;
-pub use observer::{Iterate, Observer, Start, Touching};
+pub use observer::Observer;
+pub use retry::Start;
 pub use single_step::try_step;
 pub use stages::{enter, run, solve};
 

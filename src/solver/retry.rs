@@ -2,21 +2,47 @@
 
 use super::augmented_lagrangian;
 use super::converged::Converged;
-use super::corrector::{Outcome, correct, patience};
+use super::corrector::{Outcome, Pass, correct, patience};
 use super::evaluation::Evaluation;
-use super::observer::{Observer, Start};
+use super::observer::Observer;
 use super::step::Step;
 use super::trial::Trial;
 use crate::model::{ContactMethod, Iteration};
 use crate::solver::solution::Effort;
 
+/// Starting point of the corrector; when one fails the next is tried before the step is halved.
+///
+/// Measured on 300 random dies (31 000 steps): the predictor fails in 1.1 % of the steps; the secant start brings 9 of 10 of
+/// these to equilibrium.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Start {
+    /// Velocities at the end of the last step.
+    Predictor,
+    /// A few iterations with the secant matrix from rest: no motion but the tools'.
+    Secant,
+    /// Solution with a many times larger cut-off, itself started from rest.
+    Softened,
+    /// As `Softened`, reducing the cut-off in steps: for a sheet at rest nearly everywhere, as after a trim.
+    SoftenedInSteps,
+}
+
 impl Start {
-    /// Of a step in the midst of a run, one after the other.
+    /// Order of a step in the midst of a run.
     const USUAL: &[Start] = &[Start::Predictor, Start::Secant, Start::Softened];
-    /// Of the first step: nothing has moved yet. In a stage that goes on as the one before the velocities of that may help.
+    /// Order of the first step: nothing has moved yet; velocities of the stage before may help.
     const FIRST: &[Start] = &[Start::Secant, Start::Softened, Start::SoftenedInSteps, Start::Predictor];
 
-    /// Factors on the cut-off that the corrector goes through first.
+    /// Name in tables.
+    pub fn key(self) -> &'static str {
+        match self {
+            Start::Predictor => "predictor",
+            Start::Secant => "secant",
+            Start::Softened => "softened",
+            Start::SoftenedInSteps => "softened_in_steps",
+        }
+    }
+
+    /// Factors on the cut-off for the passes before the last.
     fn softening(self) -> &'static [f64] {
         match self {
             Start::Predictor | Start::Secant => &[],
@@ -73,13 +99,12 @@ fn attempt(
     start: Start,
     observer: &mut dyn Observer,
 ) -> Outcome {
-    observer.attempt(start);
     let settings = &step.model.settings;
     let matrix = settings.iteration;
     let most =
         settings.max_iterations * if trial.kept.is_some() { patience(Iteration::Secant) } else { patience(matrix) };
     let mut correct = |trial: &mut Trial, evaluation: &mut Evaluation, matrix, most| {
-        correct(step, trial, evaluation, matrix, most, observer)
+        correct(step, trial, evaluation, Pass { start, matrix, most }, observer)
     };
     trial.predict(step, start != Start::Predictor);
     let mut spent = 0;

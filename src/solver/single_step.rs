@@ -1,4 +1,4 @@
-//! One step by itself, for those who look at how it comes to equilibrium.
+//! One step by itself.
 
 use super::evaluation::Evaluation;
 use super::observer::Observer;
@@ -9,12 +9,11 @@ use super::trial::Trial;
 use crate::model::Model;
 use crate::solver::state::State;
 
-/// Tries a step of `dt` \[s\] from a state of a run, its `number`-th, from start to start until one brings it to equilibrium;
-/// whether one did.
+/// Solves the `number`-th step of a run by itself, `dt` \[s\] long; returns the state after it where one start converges.
 ///
-/// The iterations are those of the run that the state is from, but for what elastoplastic points guess first, which a run
-/// takes from the step before.
-pub fn try_step(model: &Model, state: &State, dt: f64, number: usize, observer: &mut dyn Observer) -> bool {
+/// The iterations are those of the run, but for the first guesses of elastoplastic points, which a run takes from the step
+/// before.
+pub fn try_step(model: &Model, state: &State, dt: f64, number: usize, observer: &mut dyn Observer) -> Option<State> {
     let mut state = state.clone();
     let mut process = Process::new(model, &state);
     while let Some(tool) = process.release(&state) {
@@ -22,5 +21,6 @@ pub fn try_step(model: &Model, state: &State, dt: f64, number: usize, observer: 
     }
     let (mut trial, mut evaluation) = (Trial::new(&process, &state), Evaluation::new(&process, &state));
     let step = Step::new(&process, &state, dt, number);
-    retry::solve(&step, &mut trial, &mut evaluation, &mut 0, observer).is_ok()
+    let solved = retry::solve(&step, &mut trial, &mut evaluation, &mut 0, observer);
+    solved.ok().map(|(_, converged)| converged.advanced())
 }

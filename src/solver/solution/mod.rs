@@ -14,8 +14,9 @@ pub use stop::{LOST, Stop};
 
 use crate::forming_limit::Paths;
 use crate::geometry::Point;
-use crate::model::{Model, mesh};
+use crate::model::{Iteration, Model, mesh};
 use crate::numerics::lobatto::ThicknessPoint;
+use crate::solver::Start;
 use crate::solver::state::State;
 
 /// One element at one instant.
@@ -202,21 +203,33 @@ impl StageSolution {
     }
 }
 
-/// One iteration of the corrector, accepted step or not.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+/// One evaluation of the corrector, in accepted and rejected tries.
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct IterationRecord {
-    /// Number of the step that is tried, from 1.
+    /// Number of the step, from 1.
     pub step: usize,
-    /// Punch travel at the end of the step that is tried \[mm\].
+    /// Punch travel at the end of the step \[mm\].
     pub travel: f64,
-    /// Number of the iteration, from 0.
+    /// Starting point of the try.
+    pub start: Start,
+    /// Iteration matrix.
+    pub matrix: Iteration,
+    /// Number of the iteration; 0 before the first.
     pub iteration: usize,
-    /// Relative velocity increment \[–\].
+    /// Relative velocity increment that led here \[–\]; 0 before the first.
     pub velocity_norm: f64,
-    /// Relative residual before the increment \[–\].
+    /// Relative residual \[–\].
     pub residual_norm: f64,
-    /// Share of the computed increment that was taken \[–\]; below 1 when a move was capped.
-    pub cut: f64,
-    /// Node-tool pairs under contact pressure.
+    /// Share of the computed increment that was taken \[–\]; below 1 when a move was capped or taken back.
+    pub share: f64,
+    /// Distance from the axis of the node with the largest residual \[mm\].
+    pub worst_r: f64,
+    /// Pairs of contact point and tool that penetrate.
     pub active_contacts: usize,
+    /// Pairs of contact point and tool under pressure.
+    pub touching: usize,
+    /// Pairs under pressure that slide slower than the regularisation speed.
+    pub sticking: usize,
+    /// Elements that strain by less than ten cut-offs.
+    pub cut_off: usize,
 }

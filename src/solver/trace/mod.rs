@@ -1,77 +1,221 @@
-//! One step of a run taken apart: predictor and iterations, with any of the corrector's matrices from the same state.
+//! One step of a run repeated from the same state with any of the corrector's matrices, iteration by iteration.
 //!
 //! ```
-//! use stampflow::model::Iteration;
-//! use stampflow::solver::trace::{Asked, trace};
+//! use stampflow::solver::trace::{TraceRequest, trace};
 //! # fn main() -> Result<(), Box<dyn std::error::Error>> {
-//! # #[cfg(feature = "case")] {
 //! let case = stampflow::Case::load("cases/quickstart.toml")?;
-//! let asked = Asked { step: 20, ..Asked::default() };
-//! let traced = trace(&case.stages, &asked, &mut ())?;
-//! let way = &traced.ways[0]; // with the case's own matrix
-//! assert!(way.converged && way.iterations().last().expect("at least the predictor").residual_norm < 0.01);
-//! # }
+//! let request = TraceRequest { step: 20, ..TraceRequest::default() };
+//! let traced = trace(&case.stages, &request, &mut ())?;
+//! let history = &traced.histories[0]; // with the case's own matrix
+//! assert!(history.end.is_some() && history.last_pass().last().expect("at least the predictor").residual_norm < 0.01);
 //! # Ok(())
 //! # }
 //! ```
 
-mod asked;
-mod before;
-mod error;
 mod rate;
-mod way;
 
-pub use asked::Asked;
-pub use error::NoSuchStep;
-pub use rate::Rate;
-pub use way::{Attempt, Iterated, Pass, Way, key};
+pub use rate::ConvergenceRate;
 
-use crate::model::{Model, Settings, Stage};
-use crate::solver::solution::StepRecord;
+use crate::model::{Iteration, Model, Settings, Stage};
+use crate::solver::solution::{IterationRecord, StepRecord, Stop};
 use crate::solver::state::State;
-use crate::solver::{Observer, try_step};
-use before::Before;
+use crate::solver::{Observer, solve, try_step};
 
-/// A step taken apart.
+/// Step to trace and matrices to iterate with.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Trace {
-    /// What was asked for.
-    pub asked: Asked,
-    /// The model of the stage, with its own settings.
-    pub model: Model,
-    /// The sheet and its tools before the step.
-    pub before: State,
-    /// The step as the run took it.
-    pub record: StepRecord,
-    /// Duration of the step \[s\].
-    pub dt: f64,
-    /// One for each matrix, in the order in which they were named.
-    pub ways: Vec<Way>,
+pub struct TraceRequest {
+    /// Number of the stage, from 1.
+    pub stage: usize,
+    /// Number of the step in it, from 1.
+    pub step: usize,
+    /// Iteration matrices, each from the same state; empty: the case's own.
+    pub matrices: Vec<Iteration>,
+    /// Tolerance of the norm in this step alone \[–\]; `None`: the case's own.
+    pub tolerance: Option<f64>,
 }
 
-impl Trace {
-    /// What the norm has come down to where the step counts as solved \[–\].
-    pub fn tolerance(&self) -> f64 {
-        self.asked.tolerance.unwrap_or(self.model.settings.tolerance)
+impl Default for TraceRequest {
+    fn default() -> Self {
+        Self { stage: 1, step: 1, matrices: Vec::new(), tolerance: None }
     }
 }
 
-/// Runs stages with their own matrix up to a step, and takes that apart; `observer` looks on at the run and may end it.
+/// Iterations of one step with each requested matrix.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Trace {
+    /// Number of the stage, from 1.
+    pub stage: usize,
+    /// Accepted norm of the step \[–\].
+    pub tolerance: f64,
+    /// State before the step.
+    pub before: State,
+    /// Record of the step in the run.
+    pub record: StepRecord,
+    /// Duration of the step \[s\].
+    pub dt: f64,
+    /// One history per matrix, in the order of the request.
+    pub histories: Vec<IterationHistory>,
+}
+
+/// Iterations of one step with one matrix.
+#[derive(Clone, Debug, PartialEq)]
+pub struct IterationHistory {
+    /// Matrix of the settings; a secant start uses the secant matrix first.
+    pub matrix: Iteration,
+    /// Iterations of all tries; a pass of the corrector begins at iteration 0.
+    pub rows: Vec<IterationRecord>,
+    /// State after the step; `None` without equilibrium.
+    pub end: Option<State>,
+}
+
+impl IterationHistory {
+    /// Iterations of the last pass of the corrector.
+    pub fn last_pass(&self) -> &[IterationRecord] {
+        let begin = self.rows.iter().rposition(|row| row.iteration == 0);
+        begin.map_or(&[], |begin| &self.rows[begin..])
+    }
+
+    /// Number of iterations of all tries.
+    pub fn count(&self) -> usize {
+        self.rows.iter().filter(|row| row.iteration > 0).count()
+    }
+
+    /// Rate of convergence of the last pass; `None` when it is too short.
+    pub fn rate(&self) -> Option<ConvergenceRate> {
+        let whole = |row: &IterationRecord| (row.share >= 1.0).then_some(row.velocity_norm);
+        ConvergenceRate::new(&self.last_pass().iter().map(whole).collect::<Vec<_>>())
+    }
+}
+
+/// Reason why a step cannot be traced.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum NoSuchStep {
+    /// The case has fewer stages.
+    #[error("there is no stage {stage}: the case has {stages}, counted from 1")]
+    Stage {
+        /// Requested stage.
+        stage: usize,
+        /// Number of stages.
+        stages: usize,
+    },
+    /// The stage has fewer steps.
+    #[error("there is no step {step}: the run has {steps}, counted from 1")]
+    Step {
+        /// Requested step.
+        step: usize,
+        /// Number of steps.
+        steps: usize,
+    },
+    /// The run ended in an earlier stage.
+    #[error("stage {stage} is not reached: the run ends in stage {reached}")]
+    NotReached {
+        /// Requested stage.
+        stage: usize,
+        /// Last stage of the run.
+        reached: usize,
+    },
+    /// The observer ended the run before the step.
+    #[error("interrupted before the step")]
+    Interrupted,
+}
+
+/// Runs stages up to a step and repeats that step with each requested matrix; `observer` sees the run and may end it.
 ///
 /// # Errors
 /// When the run has no such step.
-pub fn trace(stages: &[Stage], asked: &Asked, observer: &mut dyn Observer) -> Result<Trace, NoSuchStep> {
-    let Before { model, state, record, dt } = before::before(stages, asked, observer)?;
+pub fn trace(stages: &[Stage], request: &TraceRequest, observer: &mut dyn Observer) -> Result<Trace, NoSuchStep> {
+    let Replay { begin: Some((model, before)), record: Some(record), dt: Some(dt), .. } =
+        replay(stages, request, observer)?
+    else {
+        return Err(NoSuchStep::Interrupted);
+    };
+    let tolerance = request.tolerance.unwrap_or(model.settings.tolerance);
     let own = [model.settings.iteration];
-    let matrices = if asked.matrices.is_empty() { &own[..] } else { &asked.matrices };
-    let ways = matrices.iter().map(|&matrix| {
+    let matrices = if request.matrices.is_empty() { &own[..] } else { &request.matrices };
+    let repeat = |&matrix: &Iteration| {
         let mut model = model.clone();
-        let tolerance = asked.tolerance.unwrap_or(model.settings.tolerance);
         model.settings = Settings { iteration: matrix, tolerance, ..model.settings };
-        let mut attempts = way::Attempts::default();
-        let converged = try_step(&model, &state, dt, asked.step, &mut attempts);
-        Way { matrix, attempts: attempts.0, converged }
-    });
-    let ways = ways.collect();
-    Ok(Trace { asked: asked.clone(), before: state, record, dt, ways, model })
+        let mut rows = Rows::default();
+        let end = try_step(&model, &before, dt, request.step, &mut rows);
+        IterationHistory { matrix, rows: rows.0, end }
+    };
+    let histories = matrices.iter().map(repeat).collect();
+    Ok(Trace { stage: request.stage, tolerance, before, record, dt, histories })
+}
+
+/// Runs stages up to and including the requested step.
+fn replay<'a>(
+    stages: &[Stage],
+    request: &'a TraceRequest,
+    observer: &'a mut dyn Observer,
+) -> Result<Replay<'a>, NoSuchStep> {
+    let TraceRequest { stage, step, .. } = *request;
+    if stage == 0 || stage > stages.len() {
+        return Err(NoSuchStep::Stage { stage, stages: stages.len() });
+    }
+    let mut run = Replay { request, stage: 0, begin: None, record: None, dt: None, observer };
+    let solutions = solve(stages, &mut run);
+    if run.dt.is_some() {
+        return Ok(run);
+    }
+    match solutions.get(stage - 1) {
+        _ if solutions.iter().take(stage).any(|run| matches!(run.stop, Stop::Interrupted { .. })) => {
+            Err(NoSuchStep::Interrupted)
+        }
+        Some(run) => Err(NoSuchStep::Step { step, steps: run.steps.len() }),
+        None => Err(NoSuchStep::NotReached { stage, reached: solutions.len() }),
+    }
+}
+
+/// Keeps the state before the requested step and ends the run after it.
+struct Replay<'a> {
+    request: &'a TraceRequest,
+    stage: usize,
+    begin: Option<(Model, State)>,
+    record: Option<StepRecord>,
+    dt: Option<f64>,
+    observer: &'a mut dyn Observer,
+}
+
+impl Observer for Replay<'_> {
+    fn step(&mut self, record: &StepRecord) {
+        if self.stage == self.request.stage {
+            self.record = Some(*record);
+        }
+        self.observer.step(record);
+    }
+
+    fn state(&mut self, model: &Model, state: &State) {
+        if self.stage == self.request.stage {
+            let steps = self.record.map_or(0, |record| record.step);
+            if steps + 1 == self.request.step {
+                self.begin = Some((model.clone(), state.clone()));
+            }
+            self.dt = (steps > 0 && steps == self.request.step).then_some(state.last_step);
+        }
+        self.observer.state(model, state);
+    }
+
+    fn stage(&mut self, stage: &Stage) {
+        self.stage += 1;
+        self.observer.stage(stage);
+    }
+
+    fn iteration(&mut self, record: &IterationRecord) {
+        self.observer.iteration(record);
+    }
+
+    fn wants_to_stop(&mut self) -> bool {
+        self.dt.is_some() || self.stage > self.request.stage || self.observer.wants_to_stop()
+    }
+}
+
+/// Keeps every iteration.
+#[derive(Default)]
+struct Rows(Vec<IterationRecord>);
+
+impl Observer for Rows {
+    fn iteration(&mut self, record: &IterationRecord) {
+        self.0.push(*record);
+    }
 }
