@@ -31,6 +31,8 @@ mod step;
 mod step_record;
 mod termination;
 mod terms;
+#[cfg(test)]
+mod test_model;
 mod time_step;
 pub mod trace;
 mod trial;

@@ -1,18 +1,9 @@
-//! Selective bending: which elements of the sheet bend in a step, and which are membranes.
+//! Selective bending: elements bend near curved nodes and tool corners, and where no tension holds them; the others are
+//! membranes with one point in the middle of the thickness.
 //!
-//! The choice is made from the state at the start of a step, so that a step that is tried again keeps it. An element
-//! bends within [`RING`] thicknesses of a node
-//!
-//! | where | why |
-//! |---|---|
-//! | with t/R above the limit | R from the angle between the neighbouring elements over their length |
-//! | about to come onto a tool corner with t/R above the limit | the corner bends it before it is curved |
-//!
-//! so that the edges of a radius, where the sheet is bent and bent back, are inside. An element that no tension holds bends
-//! as well: a slack membrane, as at the start of a run or in a free flange, has no transverse stiffness at all.
-//!
-//! A membrane is solved with one point in the middle of the thickness, at the mean equivalent strain of its thickness points.
-//! All of them then take its stress and its strain increment, and what they differed by stays.
+//! The choice is made from the state at the start of a step, so that a repeated step keeps it. An element bends within
+//! [`RING`] thicknesses of a node with t/R above the limit, R from the angle between its elements, or about to come onto a
+//! tool corner with t/R above it. The points of a membrane all take the stress and strain increment of its one point.
 //!
 //! # References
 //! E. Oñate, C. Agelet de Saracibar, Int. J. Num. Meth. Engng. 30 (1990) 1577–1593.
@@ -22,26 +13,25 @@ use crate::model::{Edge, Model, Theory, Tool};
 use crate::numerics::lobatto::ThicknessPoint;
 use crate::solver::state::State;
 
-/// How far an element lies from a curved node at most to bend with it, along the sheet, over the thickness \[–\]: some
-/// lengths √(t R) over which bending at an edge dies out. With 2 the load of the shipped cups is up to 2.5 % off that of full
-/// bending, with 4 1.3 %, with 8 0.6 %.
+/// Distance from a curved node within which elements bend, over the thickness \[–\]: some lengths √(t R). With 2 the load of
+/// the shipped cups is up to 2.5 % off that of full bending, with 4 1.3 %, with 8 0.6 %.
 const RING: f64 = 8.0;
-/// Gap to a tool corner below which the sheet is about to come onto it, over the thickness \[–\].
+/// Gap to a tool corner below which elements bend, over the thickness \[–\].
 const NEAR: f64 = 0.5;
-/// Meridional stress, mean over the thickness, that holds a membrane, over the largest flow stress in the sheet \[–\]: with a
-/// tenth the bottom of a flat cup, hardly taut in the first steps, finds no equilibrium on some meshes.
+/// Mean meridional stress that holds a membrane, over the largest flow stress \[–\]: with a tenth the bottom of a flat cup
+/// finds no equilibrium on some meshes.
 const SLACK: f64 = 0.2;
-/// What bends, or is a membrane, goes on until t/R, or the tension, is below this share of its limit \[–\]: no flicker.
+/// Share of the limit below which an element changes back \[–\].
 const HYSTERESIS: f64 = 0.7;
 
-/// What the choice needs of a model's tools.
+/// Tool corners that bend the sheet.
 pub(super) struct Selection {
-    /// Tool corners that bend the sheet, and the tool of each.
+    /// Index of the tool, and its corner.
     corners: Vec<(usize, Arc)>,
 }
 
 impl Selection {
-    /// Of a model that is run.
+    /// Finds the corners with t/R above the limit.
     pub fn new(model: &Model) -> Self {
         let (t, limit) = (model.blank.thickness, model.settings.bend_ratio);
         let sharp = |tool: &Tool| tool.profile.corners().filter(|arc| t > limit * (arc.radius + 0.5 * t)).collect();
@@ -50,7 +40,7 @@ impl Selection {
         Self { corners: corners.flat_map(of_tool).collect() }
     }
 
-    /// Which elements bend in a step from `state`.
+    /// Bending flags of the elements for a step from `state`.
     pub fn bending(&self, model: &Model, state: &State, rule: &[ThicknessPoint]) -> Vec<bool> {
         if model.blank.theory != Theory::Selective {
             return vec![model.blank.theory == Theory::Bending; state.thickness.len()];
@@ -89,13 +79,13 @@ impl Selection {
     }
 }
 
-/// At which nodes an element resists their rotation.
+/// Flags of the nodes whose rotation an element resists.
 pub(super) fn rotating(bends: &[bool]) -> Vec<bool> {
     let last = bends.len();
     (0..=last).map(|i| bends[i.max(1) - 1] || bends[i.min(last - 1)]).collect()
 }
 
-/// Elements without tension.
+/// Flags of the elements without tension.
 fn slack(model: &Model, state: &State, rule: &[ThicknessPoint]) -> Vec<bool> {
     let anisotropy = &model.material.yield_criterion;
     let strongest = state.points.iter().map(|p| anisotropy.equivalent_stress(p.stress)).fold(0.0, f64::max);
@@ -106,8 +96,7 @@ fn slack(model: &Model, state: &State, rule: &[ThicknessPoint]) -> Vec<bool> {
     slack.collect()
 }
 
-/// Curvature of the meridian at a node \[1/mm\], from the angle between its elements; the sheet goes on beyond the axis
-/// as its mirror image, beyond a held edge flat, and not beyond a free one.
+/// Curvature of the meridian at a node \[1/mm\]; mirrored at the axis, flat beyond a held edge, zero at a free one.
 fn curvature(model: &Model, state: &State, i: usize) -> f64 {
     let nodes = &state.nodes;
     let along = |a: usize| Point::new(nodes[a + 1][0] - nodes[a][0], nodes[a + 1][1] - nodes[a][1]);
@@ -126,51 +115,18 @@ fn curvature(model: &Model, state: &State, i: usize) -> f64 {
 mod tests {
     use super::*;
     use crate::element::Geometry;
-    use crate::material::hardening::Swift;
-    use crate::material::{Hardening, Material};
-    use crate::model::{Blank, Grading, Mode, Settings, StopRules};
+    use crate::model::mesh;
+    use crate::solver::test_model::bare;
 
     const T: f64 = 1.05;
 
-    /// 100 elements of 1 mm without tools.
     fn strip() -> Model {
-        Model {
-            title: "strip".into(),
-            notes: vec![],
-            geometry: Geometry::PlaneStrain,
-            depth: None,
-            blank: Blank {
-                length: 100.0,
-                thickness: T,
-                elements: 100,
-                grading: Grading::Uniform,
-                theory: Theory::Selective,
-                layers: 5,
-                rule: Default::default(),
-                edge: Edge::Free,
-            },
-            material: Material::plain(Hardening::Swift(Swift::new(500.0, 0.2, 1e-3).expect("valid"))),
-            tools: vec![],
-            beads: vec![],
-            gas: vec![],
-            heat: None,
-            schedule: None,
-            travel: 1.0,
-            speed: 1.0,
-            duration: 1.0,
-            stop: StopRules::default(),
-            timed: true,
-            frames: vec![1.0],
-            settings: Settings::default(),
-            mode: Mode::default(),
-            release: None,
-            forming_limit: None,
-        }
+        bare(Geometry::PlaneStrain, Theory::Selective, 100.0, T, 100)
     }
 
     /// Flat and in tension.
     fn tight(model: &Model) -> State {
-        let mut state = State::flat(model, crate::model::mesh::nodes(model));
+        let mut state = State::flat(model, mesh::nodes(model));
         for point in state.points.iter_mut() {
             point.stress = [200.0, 100.0, 0.0];
         }
@@ -216,7 +172,7 @@ mod tests {
     #[test]
     fn an_element_without_tension_bends() {
         let model = strip();
-        assert_eq!(bending(&model, &State::flat(&model, crate::model::mesh::nodes(&model))).len(), 100);
+        assert_eq!(bending(&model, &State::flat(&model, mesh::nodes(&model))).len(), 100);
         let mut state = tight(&model);
         for (e, tension) in [(70, 33.0), (71, 45.0), (72, -200.0)] {
             for point in state.points.row_mut(e) {

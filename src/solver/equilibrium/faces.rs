@@ -1,23 +1,20 @@
 //! Pressure on a face against thick shells, and the potential of contact.
 
+use super::tests::NEWTON;
 use super::*;
 use crate::element::kinematics::Reference;
 use crate::element::{Geometry, Theory};
-use crate::geometry::{Arc, Piece, Point, Profile};
+use crate::geometry::{Arc, Piece, Point, Profile, Segment};
 use crate::material::hardening::Swift;
 use crate::material::{Hardening, Material};
-use crate::model::{Blank, Face, Gas, Grading, Iteration, Mode, Model, Motion, Role, Settings, Tool};
+use crate::model::{Face, Gas, Model, Motion, Role, Settings, Tool};
 use crate::numerics::bisect;
 use crate::solver::process::Process;
 use crate::solver::state::State;
-use page::{plain, signed, told};
+use crate::solver::test_model::bare;
 use std::f64::consts::LN_2;
 
-#[allow(dead_code, reason = "the other tests hold rows of another page")]
-#[path = "../../../tests/suite/common/page.rs"]
-mod page;
-
-/// Of a metal that does not harden \[MPa\].
+/// Yield stress of a metal that does not harden \[MPa\].
 const YIELD: f64 = 300.0;
 /// Radius of the mid-surface \[mm\].
 const RADIUS: f64 = 40.0;
@@ -41,42 +38,15 @@ fn shell(geometry: Geometry, thickness: f64, by: By, inside: f64, gas: f64) -> M
         friction: 0.0.into(),
         motion: Motion::Fixed,
     };
-    Model {
-        title: "pressed shell".into(),
-        notes: vec![],
-        geometry,
-        depth: None,
-        blank: Blank {
-            length: RADIUS,
-            thickness,
-            elements: ELEMENTS,
-            grading: Grading::Uniform,
-            theory: Theory::Bending,
-            layers: 5,
-            rule: Default::default(),
-            edge: Edge::Free,
-        },
+    let gas = Gas { face: Face::Lower, pressure: gas.into(), within: RADIUS };
+    let mut model = Model {
         material: Material::plain(Hardening::Swift(Swift::new(YIELD, 1e-9, 1e-3).expect("valid"))),
         tools: if let By::Contact = by { vec![tool] } else { vec![] },
-        beads: vec![],
-        gas: if let By::Gas = by {
-            vec![Gas { face: Face::Lower, pressure: gas.into(), within: RADIUS }]
-        } else {
-            vec![]
-        },
-        heat: None,
-        travel: 1.0,
-        schedule: None,
-        speed: 1.0,
-        duration: 1.0,
-        stop: Default::default(),
-        timed: true,
-        frames: vec![1.0],
-        settings: Settings { iteration: Iteration::Newton, cutoff_strain: 1e-9, ..Settings::default() },
-        mode: Mode::default(),
-        release: None,
-        forming_limit: None,
-    }
+        gas: if let By::Gas = by { vec![gas] } else { vec![] },
+        ..bare(geometry, Theory::Bending, RADIUS, thickness, ELEMENTS)
+    };
+    model.settings = Settings { cutoff_strain: 1e-9, ..model.settings };
+    model
 }
 
 /// Its state, every node on the mid-surface.
@@ -107,8 +77,7 @@ fn on_a_node(model: &Model) -> (f64, f64) {
     for (u, x) in trial.moves.iter_mut().zip(&state.nodes) {
         *u = [GROWTH * x[0], GROWTH * x[1], 0.0];
     }
-    let at = Linearisation { matrix: Iteration::Newton, residual_alone: false, iteration: 0, velocity_norm: 0.0 };
-    assert!(evaluate(&step, &mut trial, &at, &mut evaluation));
+    assert!(evaluate(&step, &mut trial, &NEWTON, &mut evaluation));
     let (i, e) = (ELEMENTS / 2, ELEMENTS);
     let x = state.nodes[i];
     let pressure = evaluation.contacts.get(e).map_or(0.0, |contact| contact.pressure.value);
@@ -138,21 +107,15 @@ fn limit(geometry: Geometry, thickness: f64, by: By) -> f64 {
 fn thick_shells_flow_at_the_pressure_of_the_closed_form_but_for_second_order() {
     for slender in [0.02, 0.05, 0.1, 0.2] {
         let (a, b) = (1.0 - 0.5 * slender, 1.0 + 0.5 * slender);
-        let shells = [(Geometry::Axisymmetric, 2.0, 2), (Geometry::PlaneStrain, 2.0 / 3f64.sqrt(), 1)];
-        let figures = shells.map(|(geometry, factor, dimensions)| {
+        let shells = [(Geometry::Axisymmetric, 2.0), (Geometry::PlaneStrain, 2.0 / 3f64.sqrt())];
+        for (geometry, factor) in shells {
             let exact = factor * YIELD * f64::ln(b / a);
-            let [with, without] = [By::Contact, By::Gas].map(|by| {
+            for by in [By::Contact, By::Gas] {
                 let error = limit(geometry, slender * RADIUS, by) / exact - 1.0;
                 let bound = 0.4 * slender * slender + 5e-5;
                 assert!(error.abs() < bound, "{geometry:?}, t/R {slender}: {error:.2e} of at most {bound:.2e}");
-                error
-            });
-            // On the mid-surface the pressure has R for the face's a.
-            let force = (1.0 + without) / a.powi(dimensions) - 1.0;
-            [signed(&[with, without, with], 3), signed(&[force], 1)].concat()
-        });
-        let row = format!("| {slender} | {{}} | {{}} | {{}} | {{}} | {{}} | {{}} | {{}} | {{}} |");
-        told("docs/contact_on_faces.md", &row, &figures.concat());
+            }
+        }
     }
 }
 
@@ -170,11 +133,6 @@ fn a_strip_over_a_cylinder_carries_the_tension_of_the_integral_within_a_hundredt
         }
         let found = limit(Geometry::PlaneStrain, thickness, By::Contact) * a;
         assert!((found / tension - 1.0).abs() < 0.01, "R/t {ratio}: {found} for {tension}");
-        let share = tension / (2.0 / 3f64.sqrt() * YIELD * thickness);
-        let without = limit(Geometry::PlaneStrain, thickness, By::Gas) * RADIUS;
-        let errors = [found, without].map(|force| force / tension - 1.0);
-        let figures = [plain(&[share], 3), signed(&errors[..1], 2), signed(&errors[1..], 1)].concat();
-        told("docs/contact_on_faces.md", &format!("| {ratio} | {{}} | {{}} % | {{}} % |"), &figures);
     }
 }
 
@@ -192,8 +150,7 @@ fn the_matrix_is_symmetric_without_friction() {
             let wave = (i as f64 * 1.7).sin();
             *u = [GROWTH * x[0] * (1.0 + wave), GROWTH * x[1], 1e-4 * wave * (i.min(1) as f64)];
         }
-        let at = Linearisation { matrix: Iteration::Newton, residual_alone: false, iteration: 0, velocity_norm: 0.0 };
-        assert!(evaluate(&step, &mut trial, &at, &mut evaluation));
+        assert!(evaluate(&step, &mut trial, &NEWTON, &mut evaluation));
         assert!(evaluation.active_contacts > ELEMENTS);
         let system = &evaluation.system;
         for i in 1..ELEMENTS {
@@ -208,7 +165,7 @@ fn the_matrix_is_symmetric_without_friction() {
 #[test]
 fn a_flat_tool_presses_a_flat_sheet_evenly_on_any_mesh() {
     let mut model = shell(Geometry::Axisymmetric, 1.0, By::Contact, 1.0, 0.0);
-    let line = crate::geometry::Segment::new(Point::new(-1.0, -0.5), Point::new(RADIUS + 1.0, -0.5));
+    let line = Segment::new(Point::new(-1.0, -0.5), Point::new(RADIUS + 1.0, -0.5));
     model.tools[0].profile = Profile::new(vec![Piece::Segment(line)]).expect("one line");
     let mut s0 = vec![0.0];
     while s0.len() <= ELEMENTS {
@@ -221,8 +178,7 @@ fn a_flat_tool_presses_a_flat_sheet_evenly_on_any_mesh() {
     let step = Step::new(&process, &state, 0.01, 2);
     let (mut trial, mut evaluation) = (Trial::new(&process, &state), Evaluation::new(&process, &state));
     trial.predict(&step, true);
-    let at = Linearisation { matrix: Iteration::Newton, residual_alone: false, iteration: 0, velocity_norm: 0.0 };
-    assert!(evaluate(&step, &mut trial, &at, &mut evaluation));
+    assert!(evaluate(&step, &mut trial, &NEWTON, &mut evaluation));
     let pressure = process.penalty.at(0.0).value;
     assert!(pressure > 0.0 && pressure < LN_2 * process.penalty.stiffness * process.penalty.smoothing);
     for contact in evaluation.contacts.iter() {

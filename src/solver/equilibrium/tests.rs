@@ -3,36 +3,21 @@
 use super::*;
 use crate::element::{Geometry, Theory};
 use crate::geometry::Profile;
-use crate::material::hardening::Swift;
-use crate::material::{Elastic, Gtn, Hardening, Hill48, Material, Rate, ThermalLaw};
+use crate::material::{Elastic, Gtn, Hill48, Rate, ThermalLaw};
 use crate::model::{
-    Bead, Blank, Face, Gas, Grading, Heat, Iteration, Mode, Model, Motion, Press, Pressure, RateControl, Role,
-    Settings, ThicknessRule, Tool,
+    Bead, Face, Gas, Heat, Iteration, Mode, Model, Motion, Press, Pressure, RateControl, Role, Tool, mesh,
 };
 use crate::solver::process::Process;
 use crate::solver::state::State;
+use crate::solver::test_model::bare;
 use nalgebra::Vector3;
 
+/// A cup with every load: tools, springs, bead and gas.
 fn model(geometry: Geometry, theory: Theory) -> Model {
     let t = 1.0;
     let tool = |role, profile, motion| Tool { role, profile, friction: 0.12.into(), motion };
     let holder = if geometry == Geometry::Axisymmetric { 9e3 } else { 120.0 };
     Model {
-        title: "small cup".into(),
-        notes: vec![],
-        geometry,
-        depth: None,
-        blank: Blank {
-            length: 24.0,
-            thickness: t,
-            elements: 12,
-            grading: Grading::Uniform,
-            theory,
-            layers: if theory == Theory::Membrane { 1 } else { 5 },
-            rule: ThicknessRule::Parts,
-            edge: Edge::Free,
-        },
-        material: Material::plain(Hardening::Swift(Swift::new(500.0, 0.2, 1e-3).expect("valid"))),
         tools: vec![
             tool(Role::Punch, Profile::flat_punch(12.0, 4.0, t), Motion::Travel),
             tool(Role::Die, Profile::die(13.3, 4.0, t), Motion::Fixed),
@@ -44,20 +29,23 @@ fn model(geometry: Geometry, theory: Theory) -> Model {
         ],
         beads: vec![Bead { at: 21.0, restraining: 20.0, closing: 5.0 }],
         gas: vec![Gas { face: Face::Upper, pressure: 3.0.into(), within: 15.0 }],
-        heat: None,
         travel: 6.0,
-        schedule: None,
-        speed: 1.0,
         duration: 6.0,
-        stop: Default::default(),
-        timed: true,
         frames: vec![6.0],
-        settings: Settings { iteration: Iteration::Newton, ..Settings::default() },
-        mode: Mode::default(),
-        release: None,
-        forming_limit: None,
+        ..bare(geometry, theory, 24.0, t, 12)
     }
 }
+
+/// The state that the model is formed to.
+fn formed(model: &Model) -> State {
+    let flat = State::flat(model, mesh::nodes(model));
+    let run = crate::solver::run_from(model, flat, &mut ());
+    assert!(run.stop.is_complete(), "{}", run.stop);
+    run.end
+}
+
+pub const NEWTON: Linearisation =
+    Linearisation { matrix: Iteration::Newton, residual_alone: false, iteration: 0, velocity_norm: 0.0 };
 
 /// Trust: central differences of the whole residual, at a state in the middle of a draw that is disturbed off
 /// equilibrium: elements, contact, friction, thinning under contact and the holder's border all in one.
@@ -65,12 +53,9 @@ fn model(geometry: Geometry, theory: Theory) -> Model {
 fn matrix_is_the_derivative_of_the_residual() {
     for geometry in [Geometry::Axisymmetric, Geometry::PlaneStrain] {
         for theory in [Theory::Bending, Theory::Membrane, Theory::Selective] {
-            let mut formed = model(geometry, theory);
-            formed.settings.iteration = Iteration::PrimalDual;
-            let flat = State::flat(&formed, crate::model::mesh::nodes(&formed));
-            let run = crate::solver::run_from(&formed, flat, &mut ());
-            let state = run.end.clone();
-            assert!(run.stop.is_complete(), "{}", run.stop);
+            let mut primal_dual = model(geometry, theory);
+            primal_dual.settings.iteration = Iteration::PrimalDual;
+            let state = formed(&primal_dual);
             check(&model(geometry, theory), &state);
             // The same state with the gas as an unknown that holds a strain rate, or sits on a cap far below.
             for max_pressure in [f64::INFINITY, 1e-3] {
@@ -92,12 +77,9 @@ fn matrix_of_a_voided_warm_sheet_is_the_derivative_of_the_residual() {
         voided.material.rate = Rate::examples().into_iter().map(|(_, law)| law).next();
         voided.material.thermal = ThermalLaw::examples().into_iter().map(|(_, law)| law).next();
         voided.heat = Some(Heat { initial: 423.15.into(), flow: None });
-        let mut formed = voided.clone();
-        formed.settings.iteration = Iteration::PrimalDual;
-        let flat = State::flat(&formed, crate::model::mesh::nodes(&formed));
-        let run = crate::solver::run_from(&formed, flat, &mut ());
-        let state = run.end.clone();
-        assert!(run.stop.is_complete(), "{}", run.stop);
+        let mut primal_dual = voided.clone();
+        primal_dual.settings.iteration = Iteration::PrimalDual;
+        let state = formed(&primal_dual);
         assert!(state.points.iter().any(|point| point.porosity > 0.03));
         check(&voided, &state);
     }
@@ -112,10 +94,7 @@ fn matrix_of_an_elastoplastic_sheet_is_the_derivative_of_the_residual() {
             elastoplastic.mode = Mode::ElastoViscoplastic;
             elastoplastic.material.elastic = Some(Elastic { young: 70_000.0, poisson: 0.33 });
             elastoplastic.material.chaboche[0].modulus = 300.0;
-            let flat = State::flat(&elastoplastic, crate::model::mesh::nodes(&elastoplastic));
-            let run = crate::solver::run_from(&elastoplastic, flat, &mut ());
-            assert!(run.stop.is_complete(), "{}", run.stop);
-            let state = run.end;
+            let state = formed(&elastoplastic);
             let most = state.dilation.iter().fold(0.0, |most: f64, dilation| most.max(dilation.abs()));
             assert!(most > 1e-4, "{geometry:?}, {theory:?}: {most}");
             check(&elastoplastic, &state);
@@ -135,10 +114,9 @@ fn check(model: &Model, state: &State) {
         x[1] += 2e-4 * (i as f64 * 2.3).cos();
         x[2] += if i == 0 || !step.rotates[i] { 0.0 } else { 3e-4 * wave };
     }
-    // A velocity norm of zero: Newton's H is the derivative only without the membrane's least tension.
-    let newton = Linearisation { matrix: Iteration::Newton, residual_alone: false, iteration: 0, velocity_norm: 0.0 };
+    // A velocity norm of zero: H is the derivative only without the membrane's least tension.
     let mut at = |trial: &mut Trial| {
-        assert!(evaluate(&step, trial, &newton, &mut evaluation));
+        assert!(evaluate(&step, trial, &NEWTON, &mut evaluation));
         (evaluation.system.rhs.clone(), evaluation.system.corner_rhs, evaluation.system.clone())
     };
     let (_, _, exact) = at(&mut trial);
@@ -225,12 +203,11 @@ fn a_gap_far_away_is_the_one_that_contact_would_see() {
     let step = Step::new(&process, &state, 0.05, 2);
     let largest = step.rise.iter().fold(0.0, |largest: f64, rise| largest.max(rise.abs()));
     assert!(largest > 1e-3, "the thickness hardly changes along the sheet: {largest}");
-    let at = Linearisation { matrix: Iteration::Newton, residual_alone: false, iteration: 0, velocity_norm: 0.0 };
     let gaps = |far: f64, measure: fn(&Step, &mut Trial, &mut Evaluation)| {
         let (mut trial, mut evaluation) = (Trial::new(&process, &state), Evaluation::new(&process, &state));
         trial.predict(&step, false);
         trial.contacts.iter_mut().for_each(|memory| memory.distance = far);
-        assert!(evaluate(&step, &mut trial, &at, &mut evaluation));
+        assert!(evaluate(&step, &mut trial, &NEWTON, &mut evaluation));
         measure(&step, &mut trial, &mut evaluation);
         evaluation.contacts.iter().map(|contact| contact.gap).collect::<Vec<_>>()
     };
