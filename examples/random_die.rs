@@ -6,7 +6,7 @@
 mod random_die;
 
 use random_die::{RandomDie, random_die};
-use stampflow::output::StageView;
+use stampflow::results::StageView;
 use std::path::Path;
 use std::process::ExitCode;
 use std::time::Instant;

@@ -6,8 +6,8 @@
 use stampflow::case::library;
 use stampflow::forming_limit::{MarciniakKuczynski, Sheet};
 use stampflow::material::{Hill48, Hosford, Material, YieldCriterion};
-use stampflow::output::{png, write};
 use stampflow::plot::chart::{Chart, Look, Panel, Scale, Series, color};
+use stampflow::results::{png, write};
 use stampflow::table::{Column, Unit};
 use std::path::Path;
 use std::process::ExitCode;

@@ -4,8 +4,8 @@
 //! `cargo run --release --example woo_pole -- docs/woo_pole.png`
 
 use stampflow::case;
-use stampflow::output::{png, write};
 use stampflow::plot::chart::{Chart, Look, Panel, Scale, Series};
+use stampflow::results::{png, write};
 use stampflow::solver::solution::StepRecord;
 use stampflow::table::fields::step::{PUNCH_FORCE, THINNEST, TRAVEL};
 use stampflow::table::{Csv, Field};

@@ -89,6 +89,8 @@ pub mod output;
 pub mod plot;
 #[cfg(feature = "app")]
 pub mod report;
+#[cfg(feature = "app")]
+pub mod results;
 pub mod rules;
 pub mod solver;
 #[cfg(feature = "app")]

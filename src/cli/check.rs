@@ -12,7 +12,7 @@ use serde_json::json;
 use stampflow::assess::check::{self, Check};
 use stampflow::assess::{Finding, Kind, Light, advice, headline, judgements, sentences};
 use stampflow::message::{Form, message};
-use stampflow::output::verdict;
+use stampflow::results::verdict;
 use std::fmt::Write;
 use std::path::PathBuf;
 

@@ -4,7 +4,7 @@ use stampflow::assess::{Answer, Light};
 use stampflow::case::CaseError;
 use stampflow::compare::CompareError;
 use stampflow::import::ImportError;
-use stampflow::output::WriteError;
+use stampflow::results::WriteError;
 use std::error::Error;
 use std::path::PathBuf;
 use std::process::ExitCode;

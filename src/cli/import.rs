@@ -10,7 +10,7 @@ use stampflow::author::{Import, ImportFailure, Imported};
 use stampflow::case::files::{Disk, FileError, Files};
 use stampflow::import::{self, DrawingUnit, Heading, Operation, Options, Section, Sections};
 use stampflow::model::{Geometry, Role};
-use stampflow::output::{png, sketch, write};
+use stampflow::results::{png, sketch, write};
 use stampflow::units::{Length, Positive, Quantity};
 use std::fmt::Write;
 use std::path::PathBuf;

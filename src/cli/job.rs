@@ -8,7 +8,7 @@ use super::progress::{Kept, Watch};
 use rayon::prelude::*;
 use stampflow::case::{self, Case, Solution};
 use stampflow::compare::Computed;
-use stampflow::output::{ResultFolder, comparisons};
+use stampflow::results::{ResultFolder, comparisons};
 use std::path::{Path, PathBuf};
 
 /// Reads a case, and the curves that it will be compared with, so that bad input is found before solving.

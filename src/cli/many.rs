@@ -3,7 +3,7 @@
 use super::code::BadRequest;
 use super::options::{Json, Overrides, PictureOptions, Threads, Told};
 use super::progress::{Count, Progress};
-use stampflow::output::{WriteError, write};
+use stampflow::results::{WriteError, write};
 use stampflow::study::StudyError;
 use std::path::{Path, PathBuf};
 use std::thread::available_parallelism;

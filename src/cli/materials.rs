@@ -11,7 +11,7 @@ use serde_json::{Value, json};
 use stampflow::case::library::{self, Class, Entry, Fit};
 use stampflow::forming_limit::{Curve, Hill, Kind, MarciniakKuczynski};
 use stampflow::material::BackStress;
-use stampflow::output::{Chart, flow_curve, png, write};
+use stampflow::results::{Chart, flow_curve, png, write};
 use stampflow::rules::thickness_tolerance::Standard;
 use stampflow::units::rounded;
 use std::path::PathBuf;

@@ -8,7 +8,7 @@ use clap::{Arg, ArgAction, ArgMatches, Command, value_parser};
 use serde_json::{Value, json};
 use stampflow::author::templates::{self as template, Choice, SHEET, TEMPLATES, Template};
 use stampflow::case;
-use stampflow::output::{can_write, write};
+use stampflow::results::{can_write, write};
 use stampflow::rules::size::{DOUBTS, Doubt};
 use std::path::{Path, PathBuf};
 

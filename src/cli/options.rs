@@ -3,7 +3,7 @@
 use super::suggested::Suggested;
 use clap::ValueEnum;
 use stampflow::message::{Form, Language, System};
-use stampflow::output::{Captions, Format, Pictures};
+use stampflow::results::{Captions, Format, Pictures};
 use stampflow::units::{Length, Positive, Quantity};
 use std::ops::RangeInclusive;
 

@@ -2,7 +2,7 @@
 
 use super::code::{BadPath, BadRequest, unusable};
 use stampflow::case::Case;
-use stampflow::output::{ResultFolder, WriteError, can_write, is_result};
+use stampflow::results::{ResultFolder, WriteError, can_write, is_result};
 use std::fs::{self, File};
 use std::io::Read;
 use std::path::{Component, Path, PathBuf};

@@ -1,6 +1,6 @@
 //! `stampflow report`: a case solved and written as pages for people.
 
-use super::code::{BadRequest, Code, unusable};
+use super::code::{BadRequest, Code};
 use super::compare::{Variants, to_compare};
 use super::error_bars::ErrorBars;
 use super::job;
@@ -10,28 +10,26 @@ use super::place;
 use super::progress::{Kept, Progress};
 use super::say::{say, say_json};
 use super::titles::Titles;
-use clap::ValueEnum;
 use serde_json::json;
+use stampflow::case::Case;
 use stampflow::message::message;
-use stampflow::output::{Extra, FrameRecorder, can_write, is_report, remove_others, write};
-use stampflow::report::{Document, Report, figure_folder, html, is_figure, markdown, pdf};
+use stampflow::report::{Report, html};
+use stampflow::results::{FrameRecorder, is_report, write};
 use stampflow::study::verify::quick;
 use stampflow::study::versus::Asked;
 use std::path::{Path, PathBuf};
 use std::thread::available_parallelism;
 
 pub const HELP: &str = "\
-The HTML file holds its pictures and needs nothing else. The PDF file has A4 pages with numbers and contents. Markdown comes
-with its pictures as SVG files in a folder beside it, report_figures. Each number has its error bar, estimated from one
-coarser run, or from finer runs with --error-bars. A report of an earlier run is replaced; any other file is left alone.
+One HTML file with its pictures inside. A browser prints it on A4 pages, or as PDF. Each number has its error bar, estimated
+from one coarser run, or from finer runs with --error-bars. A report of an earlier run is replaced; any other file is left alone.
 
 Examples:
   stampflow report cases/quickstart.toml
   stampflow new cup -o cup.toml
   stampflow report cup.toml -o cup_report.html
   stampflow report cases/hat_springback.toml -o hat.html --set tools.punch.friction=0.1
-  stampflow report cases/quickstart.toml -o cup.pdf --part Cup --number 4711 --revision B --author Ito
-  stampflow report cases/quickstart.toml -o cup.md
+  stampflow report cases/quickstart.toml -o cup.html --part Cup --number 4711 --revision B --author Ito
   stampflow report cases/quickstart.toml --also friction=0.12
   stampflow report cases/quickstart.toml --json
 
@@ -46,12 +44,6 @@ pub struct Args {
     /// The file to write [default: out/<case>/report.html]
     #[arg(long, short, alias = "out", value_name = "FILE")]
     output: Option<PathBuf>,
-    /// Kind of file [default: by the ending of FILE, else html]
-    #[arg(long)]
-    format: Option<Format>,
-    /// Let the reader move the section over the travel, by a slider (HTML only; a MB more)
-    #[arg(long)]
-    slider: bool,
     /// Beside the case: another case, or a CSV file of measured curves; as often as needed (see stampflow compare)
     #[arg(long, value_name = "CASE.toml|CURVE.csv")]
     against: Vec<PathBuf>,
@@ -73,50 +65,18 @@ pub struct Args {
     titles: Titles,
 }
 
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-enum Format {
-    Html,
-    Md,
-    Pdf,
-}
-
-impl Format {
-    /// The file's name where none is given.
-    fn name(self) -> &'static str {
-        match self {
-            Self::Html => "report.html",
-            Self::Md => "report.md",
-            Self::Pdf => "report.pdf",
-        }
-    }
-}
-
 pub fn report(args: &Args) -> anyhow::Result<Code> {
     let case = job::load(&args.case, &args.overrides.all())?;
-    let format = args.format()?;
-    if args.slider && format != Format::Html {
-        return Err(BadRequest(
-            "a slider moves only on an HTML page: leave out --slider, or write -o NAME.html".into(),
-        )
-        .into());
-    }
-    let path = match &args.output {
-        Some(path) => path.clone(),
-        None => place::folder(Path::new("out"), &case)?.join(format.name()),
-    };
+    let path = args.page(&case)?;
     if !args.force {
-        refuse_others(&path, format)?;
+        refuse_others(&path)?;
     }
     place::file(&path, &case.inputs, "--output")?;
     let beside = args.beside()?;
-    if format == Format::Md {
-        can_write(&figure_folder(&path).join("figure.svg")).map_err(unusable("--output"))?;
-    }
 
-    let extras = args.slider.then_some(Extra::Animation);
-    let kept = Kept { trace: None, recorder: FrameRecorder::new(extras.into_iter().collect()) };
+    let kept = Kept { trace: None, recorder: FrameRecorder::default() };
     let progress = Progress::new(args.quiet || args.json.json);
-    let (solution, kept) = progress.watch(&case, kept).solve(case);
+    let (solution, _) = progress.watch(&case, kept).solve(case);
     let verification = args.bars.of(&solution, &progress, true);
     let versus = beside.map(|all| {
         let bars = verification.clone().unwrap_or_else(|| quick(&solution, &()));
@@ -126,13 +86,12 @@ pub fn report(args: &Args) -> anyhow::Result<Code> {
     let versus = versus.transpose().map_err(asked)?;
     let report = Report::verified(&solution, verification.as_ref()).titled(args.titles.title_block());
     let report = versus.iter().fold(report, Report::against);
-    let report = if args.slider { report.moving(&kept.recorder) } else { report };
     let form = args.form.form();
-    let saved = save(&report.told(form), &path, format);
+    let saved = write(&path, html(&report.told(form)).as_bytes());
     let said = match (&saved, args.json.json) {
         (_, true) => {
             let mut value = report.json();
-            value["files"] = json!(saved.as_deref().unwrap_or_default());
+            value["files"] = json!(saved.iter().map(|()| &path).collect::<Vec<_>>());
             say_json(&value)
         }
         (Ok(_), false) => say(form.tell(message!("{file} is written", file = path.display().to_string()))),
@@ -144,44 +103,15 @@ pub fn report(args: &Args) -> anyhow::Result<Code> {
     Ok(if solution.is_complete() { Code::Done } else { Code::StoppedEarly })
 }
 
-/// Writes the pictures first: a text that is there has all of them. An earlier report's go.
-fn save(document: &Document, path: &Path, format: Format) -> anyhow::Result<Vec<PathBuf>> {
-    let mut files = Vec::new();
-    let bytes = match format {
-        Format::Html => html(document).into_bytes(),
-        Format::Pdf => pdf(document),
-        Format::Md => {
-            let folder = figure_folder(path);
-            let name = folder.file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned());
-            let (text, pictures) = markdown(document, &name);
-            for (name, svg) in pictures {
-                let file = folder.join(name);
-                write(&file, svg.as_bytes())?;
-                files.push(file);
-            }
-            remove_others(&folder, &files, is_figure)?;
-            text.into_bytes()
-        }
-    };
-    write(path, &bytes)?;
-    files.insert(0, path.to_owned());
-    Ok(files)
-}
-
-/// A file of someone else's stays, and so does a folder where our pictures would go without a report beside it.
-fn refuse_others(path: &Path, format: Format) -> Result<(), BadRequest> {
-    let refuse = |what: &Path| {
-        let what = what.display();
-        Err(BadRequest(format!(
-            "{what} is there and is no report of ours: choose another name with -o, or replace it with --force"
-        )))
-    };
-    let is_there = path.symlink_metadata().is_ok();
-    if is_there && !path.is_dir() && !is_report(path) {
-        return refuse(path);
+/// Refuses to replace a file that is no report.
+fn refuse_others(path: &Path) -> Result<(), BadRequest> {
+    if path.symlink_metadata().is_err() || path.is_dir() || is_report(path) {
+        return Ok(());
     }
-    let folder = figure_folder(path);
-    if format == Format::Md && !is_there && folder.symlink_metadata().is_ok() { refuse(&folder) } else { Ok(()) }
+    let what = path.display();
+    Err(BadRequest(format!(
+        "{what} is there and is no report of ours: choose another name with -o, or replace it with --force"
+    )))
 }
 
 impl Args {
@@ -194,16 +124,15 @@ impl Args {
         to_compare(&files, &self.variants, &self.overrides.all()).map(Some)
     }
 
-    /// As asked for, or by the file's ending.
-    fn format(&self) -> Result<Format, BadRequest> {
-        let ending = self.output.as_ref().and_then(|path| path.extension()).map(|ending| ending.to_string_lossy());
-        match (self.format, ending.as_deref()) {
-            (Some(format), _) => Ok(format),
-            (None, None | Some("html" | "htm")) => Ok(Format::Html),
-            (None, Some("md" | "markdown")) => Ok(Format::Md),
-            (None, Some("pdf")) => Ok(Format::Pdf),
-            (None, Some(other)) => Err(BadRequest(format!(
-                "a report is no .{other} file: write -o NAME.html, NAME.pdf or NAME.md, or give --format html, pdf or md with any name"
+    /// The file to write, an HTML page.
+    fn page(&self, case: &Case) -> Result<PathBuf, BadRequest> {
+        let Some(path) = &self.output else {
+            return Ok(place::folder(Path::new("out"), case)?.join("report.html"));
+        };
+        match path.extension().and_then(|ending| ending.to_str()) {
+            None | Some("html" | "htm") => Ok(path.clone()),
+            Some(other) => Err(BadRequest(format!(
+                "a report is an HTML page and no .{other} file: write -o NAME.html; a browser prints it as PDF"
             ))),
         }
     }

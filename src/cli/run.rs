@@ -14,11 +14,11 @@ use serde_json::{Value, json};
 use stampflow::assess::{Answer, Finding};
 use stampflow::case::Case;
 use stampflow::message::{Form, Message, message};
-use stampflow::output::{
+use stampflow::report::{Report, html};
+use stampflow::results::{
     CaseSummary, Extra, FrameRecorder, OUTPUTS, ResultFolder, Results, WriteError, csv, is_report, result_folder,
     trace, verdict, write,
 };
-use stampflow::report::{Report, html};
 use std::fmt::Write;
 use std::ops::Add;
 use std::path::{Path, PathBuf};

@@ -12,7 +12,7 @@ use super::progress::{Kept, Progress};
 use super::say::{say, say_json};
 use anyhow::Context;
 use screen::Compared;
-use stampflow::output::{Results, comparison_folder};
+use stampflow::results::{Results, comparison_folder};
 use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 

@@ -6,7 +6,7 @@ use super::gif::gif;
 use super::thinning::{Thinning, said, times};
 use super::{StageView, load_travel, sections};
 use crate::message::{Amount, Digits, message};
-use crate::output::Files;
+use crate::results::Files;
 use crate::solver::solution::Frame;
 
 /// How many pictures are wanted of a run: every second of its steps, which are at most a hundredth of it by default.

@@ -4,7 +4,7 @@ use super::chart::{BLACK, Chart, Look, PALE, Panel, Scale, Series, color};
 use crate::case::library::{Measured, Rates};
 use crate::forming_limit::Curve;
 use crate::material::Material;
-use crate::output::forming_limit::axes;
+use crate::results::forming_limit::axes;
 use crate::table::{Column, Unit};
 
 /// Equivalent strain that the flow curve is drawn to where its law says nothing \[–\].

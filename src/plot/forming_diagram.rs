@@ -7,7 +7,7 @@ use crate::assess::CAREFUL;
 use crate::forming_limit::{Assessment, CROOKED, Curve, Judged};
 use crate::message::{Amount, Digits, Message, message};
 use crate::model::Geometry;
-use crate::output::forming_limit;
+use crate::results::forming_limit;
 use crate::table::fields::element::S0;
 use crate::table::{Column, Unit};
 

@@ -3,7 +3,7 @@
 
 use super::animation;
 use crate::model::Model;
-use crate::output::Extra;
+use crate::results::Extra;
 use crate::solver::Observer;
 use crate::solver::solution::{Frame, StageSolution, ThroughThickness};
 use crate::solver::state::State;

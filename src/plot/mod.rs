@@ -34,7 +34,6 @@ pub(crate) mod viridis;
 pub use chart::Chart;
 pub use dimensions::{Dimension, Mark, Size, dimensioned};
 pub use draw::svg;
-pub(crate) use draw::{Drawing, WIDTH as DRAWN};
 pub use frame_recorder::FrameRecorder;
 pub use overlay::comparisons;
 pub use picture::{Captions, Format, PAPER, Pictures};

@@ -7,7 +7,7 @@ use crate::compare::{
     Against, Band, BandQuantity, BandSpec, CompareError, Comparison, Computed, CurveSpec, Found, Interval, Point,
     Points, Quantity, compare,
 };
-use crate::output::{Files, Results, csv};
+use crate::results::{Files, Results, csv};
 use crate::units::rounded;
 
 impl Solution {

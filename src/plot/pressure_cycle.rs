@@ -2,7 +2,7 @@
 
 use super::StageView;
 use super::chart::{BLACK, Chart, GREY, Look, Panel, Scale, Series, color};
-use crate::output::pressure_cycle::{CONTACT_SHARE, HEIGHT, PRESSURE, STRAIN_RATE, held};
+use crate::results::pressure_cycle::{CONTACT_SHARE, HEIGHT, PRESSURE, STRAIN_RATE, held};
 use crate::solver::solution::StepRecord;
 use crate::table::{Column, Field, Unit};
 

@@ -4,7 +4,7 @@ use super::StageView;
 use super::chart::{Chart, Look, Panel, Scale, Series};
 use crate::measure::Place;
 use crate::message::{Amount, message};
-use crate::output::residual_stress::{across, released, shown};
+use crate::results::residual_stress::{across, released, shown};
 use crate::solver::solution::{ElementRecord, PointRecord};
 use crate::table::Field;
 use crate::table::fields::element::{STRESS_HOOP, STRESS_MERIDIONAL};

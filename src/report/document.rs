@@ -2,7 +2,7 @@
 
 use crate::assess::Light;
 use crate::message::{Form, Message, message};
-use crate::output::Chart;
+use crate::results::Chart;
 
 /// A report: its first page, which answers, and its sections in order.
 #[derive(Clone, Debug, PartialEq)]
@@ -52,8 +52,6 @@ pub enum Block {
     },
     /// A drawing with its caption.
     Picture(Picture),
-    /// Drawings of one thing as it moves, from its start to its end, with their caption: only where a reader can move them.
-    Motion(String, Vec<Chart>),
 }
 
 /// A number that stands out.

@@ -4,12 +4,10 @@ use super::document::{Block, Document, Issue, KeyNumber, Row, word};
 use super::program::{MARKER, page_of, written};
 use crate::assess::Light;
 use crate::message::Form;
-use crate::output::{Chart, svg};
+use crate::results::svg;
 use maud::{DOCTYPE, Markup, PreEscaped, html as markup};
 
 const STYLE: &str = include_str!("style.css");
-/// Shows the picture that a slider stands at.
-const SLIDER: &str = include_str!("slider.js");
 
 /// The whole file.
 pub fn html(document: &Document) -> String {
@@ -50,9 +48,6 @@ pub fn html(document: &Document) -> String {
                     }
                 }
                 footer { (form.tell(written())) }
-                @if document.blocks().any(|block| matches!(block, Block::Motion(..))) {
-                    script { (PreEscaped(SLIDER)) }
-                }
             }
         }
     };
@@ -75,7 +70,6 @@ fn block(block: &Block, number: &mut usize, form: Form) -> Markup {
         Block::Issues(issues) => markup! { ul.issues { @for issue in issues { (of_issue(issue, form)) } } },
         Block::List(entries) => markup! { ul { @for entry in entries { li { (entry) } } } },
         Block::Table { head, rows } => table(head, rows),
-        Block::Motion(caption, charts) => motion(caption, charts),
         Block::Picture(picture) => {
             *number += 1;
             markup! {
@@ -84,20 +78,6 @@ fn block(block: &Block, number: &mut usize, form: Form) -> Markup {
                     figcaption { (form.tell(picture.below(*number))) "." }
                 }
             }
-        }
-    }
-}
-
-/// Without scripts, and on paper, the last picture is shown.
-fn motion(caption: &str, charts: &[Chart]) -> Markup {
-    let last = charts.len().saturating_sub(1);
-    markup! {
-        figure.motion {
-            @for (i, chart) in charts.iter().enumerate() {
-                div.picture.frame hidden[i < last] { (PreEscaped(inline(&svg(chart)))) }
-            }
-            input type="range" min="0" max=(last) value=(last) aria-label=(caption);
-            figcaption { (caption) "." }
         }
     }
 }

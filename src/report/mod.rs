@@ -1,5 +1,4 @@
-//! A solved case on a few pages for people: one [`Document`] of sections, written as HTML or as Markdown, and the same
-//! numbers as JSON.
+//! A solved case on a few pages for people: one [`Document`] of sections, written as HTML, and the same numbers as JSON.
 //!
 //! Each file of this folder makes one part. The document holds nothing of the clock but the wall time of the solution, so
 //! two reports of one case can be compared.
@@ -8,8 +7,6 @@ mod document;
 mod front;
 mod html;
 mod inputs;
-mod markdown;
-mod pdf;
 mod plots;
 mod program;
 mod results;
@@ -25,8 +22,6 @@ mod words;
 
 pub use document::{Block, Document, Issue, KeyNumber, Picture, Row, Section};
 pub use html::html;
-pub use markdown::{figure_folder, is_figure, markdown};
-pub use pdf::pdf;
 pub use program::MARKER;
 pub use solved::Report;
 

@@ -2,7 +2,7 @@
 
 use super::document::Picture;
 use crate::assess::tears_at;
-use crate::output::{OUTPUTS, StageView};
+use crate::results::{OUTPUTS, StageView};
 
 /// The picture of the part, and what it shows of one that tears.
 pub(super) const PART: &str = "part.png";

@@ -3,7 +3,7 @@
 use crate::message::{Message, message};
 
 /// What a file that is one of our reports contains.
-pub const MARKER: &str = crate::output::REPORT_MARKER;
+pub const MARKER: &str = crate::results::REPORT_MARKER;
 /// Program and version.
 pub(super) const PROGRAM: &str = concat!(env!("CARGO_PKG_NAME"), " ", env!("CARGO_PKG_VERSION"));
 

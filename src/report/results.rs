@@ -6,12 +6,9 @@ use super::plots::plot;
 use super::solved::Report;
 use super::solver::figures;
 use crate::message::{Amount, Form};
-use crate::output::summary::Group;
-use crate::output::{OUTPUTS, StageView, animation, springback};
+use crate::results::summary::Group;
+use crate::results::{OUTPUTS, StageView, springback};
 use crate::table::Unit;
-
-/// Pictures of the moving section: a report with them stays below a few MB.
-const FRAMES: usize = 25;
 
 /// A section for each stage; the pictures of the first page are not repeated.
 pub(super) fn sections(report: &Report, form: Form) -> Vec<Section> {
@@ -22,19 +19,10 @@ pub(super) fn sections(report: &Report, form: Form) -> Vec<Section> {
             let part = figures(summary, form, |group| matches!(group, Group::End | Group::Part));
             let files = OUTPUTS.iter().map(|output| output.file).filter(|file| !shown.contains(&(i, *file)));
             let plots = files.filter_map(|file| plot(view, file)).map(Block::Picture);
-            let blocks = std::iter::once(part).chain(motion(report, i)).chain(released(view, form)).chain(plots);
+            let blocks = std::iter::once(part).chain(released(view, form)).chain(plots);
             Section { heading: report.stage(i) + &form.tell("Results"), blocks: blocks.collect() }
         })
         .collect()
-}
-
-/// The section of a stage as it moves, where frames were kept for it.
-fn motion(report: &Report, i: usize) -> Option<Block> {
-    let (view, _) = &report.stages[i];
-    let frames = report.frames?.of_stage(i, view.stage);
-    let charts = animation::pictures(view, &frames, FRAMES);
-    (charts.len() > 1)
-        .then(|| Block::Motion(view.form.tell("the section and the load as they move: pull the slider"), charts))
 }
 
 /// What was measured before and after, of a stage that takes its tools away.

@@ -4,7 +4,7 @@ use crate::geometry::{Arc, Piece, Point};
 use crate::message::{Amount, Message, message};
 use crate::model::tool_sizes::{extent, throat};
 use crate::model::{Geometry, Model, Motion, Role, Tool};
-use crate::output::{Dimension, Mark, Size};
+use crate::results::{Dimension, Mark, Size};
 use crate::solver::solution::Frame;
 
 /// Roundings of one tool that are given; of a curve of more arcs the smallest radius is.

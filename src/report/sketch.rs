@@ -5,7 +5,7 @@ use super::sizes::dimensions;
 use super::solved::Report;
 use crate::message::{Form, message};
 use crate::model::{Model, Tool};
-use crate::output::{Dimension, dimensioned};
+use crate::results::{Dimension, dimensioned};
 use crate::solver::solution::{Frame, StageSolution};
 
 /// A section for each stage with tools that no stage before it had.

@@ -6,7 +6,7 @@ use crate::assess::check::{self, Check};
 use crate::assess::{self, Answer, Finding, Kind};
 use crate::case::{Solution, TitleBlock};
 use crate::message::Form;
-use crate::output::{Dimension, FrameRecorder, StageView, Summary};
+use crate::results::{Dimension, StageView, Summary};
 use crate::study::verify::{self, Told, Verification};
 use crate::study::versus::Versus;
 use crate::units::rounded;
@@ -25,8 +25,6 @@ pub struct Report<'a> {
     pub(super) title_block: TitleBlock,
     /// How far the numbers can be trusted, where that was looked at.
     pub(super) verification: Option<&'a Verification>,
-    /// Frames on the way, for pictures that move.
-    pub(super) frames: Option<&'a FrameRecorder>,
     /// Other runs beside it, where there are some.
     pub(super) versus: Option<&'a Versus>,
 }
@@ -62,7 +60,6 @@ impl<'a> Report<'a> {
             answer,
             title_block: solution.case.title_block.clone(),
             verification,
-            frames: None,
             versus: None,
         }
     }
@@ -70,11 +67,6 @@ impl<'a> Report<'a> {
     /// With what is given of the title block in place of what the case says.
     pub fn titled(self, given: TitleBlock) -> Self {
         Self { title_block: self.title_block.clone().replaced_by(given), ..self }
-    }
-
-    /// With the section as it moves, where the document can show it.
-    pub fn moving(self, frames: &'a FrameRecorder) -> Self {
-        Self { frames: Some(frames), ..self }
     }
 
     /// With other runs and measurements beside it.

@@ -4,7 +4,7 @@ use super::document::{Block, Row, Section};
 use super::solved::Report;
 use crate::assess::Kind;
 use crate::message::{Form, message};
-use crate::output::summary::{Figure, Group, Summary};
+use crate::results::summary::{Figure, Group, Summary};
 
 pub(super) fn section(report: &Report, form: Form) -> Section {
     let mut blocks = Vec::new();

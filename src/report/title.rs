@@ -5,7 +5,7 @@ use super::program::PROGRAM;
 use super::solved::Report;
 use crate::case::files::sha256;
 use crate::message::{Form, Message, message};
-use crate::output::summary::section_of;
+use crate::results::summary::section_of;
 
 /// What was given for it, and the case.
 pub(super) fn block<'a>(report: &'a Report) -> impl Iterator<Item = (&'static str, &'a str)> {

@@ -2,8 +2,8 @@
 
 use super::document::{Block, Picture, Row, Section, word};
 use crate::message::Form;
-use crate::output::Chart;
 use crate::output::study::versus::pictures;
+use crate::results::Chart;
 use crate::study::versus::{COLUMNS, Versus};
 
 /// Of a case that others stand against.

@@ -11,7 +11,7 @@ fn a_run_writes_every_file_and_sums_up() {
     let dir = folder(CUP);
     let done = stampflow(dir.path(), &["run", "cases/cup.toml", "--trace", "trace.csv", "--verbose"]);
     assert_eq!(done.status.code(), Some(0), "{}", text(&done.stderr));
-    for output in stampflow::output::OUTPUTS {
+    for output in stampflow::results::OUTPUTS {
         let path = dir.path().join("out/cup").join(output.file);
         let sheets = ["pressure_cycle", "porosity", "temperature", "forming_limit", "strain_paths"];
         let releases_and_stages = ["springback", "residual_stress", "stages.csv", "compare_"];

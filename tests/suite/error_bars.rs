@@ -8,9 +8,9 @@ use serde_json::Value;
 use stampflow::assess::{Answer, Finding, Light};
 use stampflow::case::Solution;
 use stampflow::message::{Form, Language, System};
-use stampflow::output::{OUTPUTS, Results, svg};
 use stampflow::plot::chart::Look;
-use stampflow::report::{Report, html, markdown};
+use stampflow::report::{Report, html};
+use stampflow::results::{OUTPUTS, Results, svg};
 use stampflow::study::verify::{Of, Verification, Watch, answered, quick, verify};
 use std::fs;
 use std::path::Path;
@@ -219,7 +219,7 @@ fn reports_and_pictures_carry_the_bars() {
         report.json()["error_bars"]["runs"] == 14 && report.json()["answer"]["numbers"][0]["error_bar"].is_number()
     );
     let plain = Report::of(&solution);
-    let text = markdown(&plain.document(), "figures").0;
+    let text = html(&plain.document());
     assert!(!text.contains("How sure") && !text.contains('±'), "{text}");
 
     let results = Results::of(&solution).expect("no references").verified(Some(&found));

@@ -3,7 +3,7 @@
 use crate::common::{pixels::pixels, shipped};
 use stampflow::measure::{Band, Shape, Stretch, bands, moment_error, place_on_part, places};
 use stampflow::model::{Geometry, Model, Release};
-use stampflow::output::{OUTPUTS, StageView, residual_stress, springback, write};
+use stampflow::results::{OUTPUTS, StageView, write};
 use stampflow::solver::solution::{Frame, StageSolution};
 use std::fs;
 use std::path::{Path, PathBuf};

@@ -12,11 +12,11 @@ use stampflow::forming_limit::{Instant, Paths};
 use stampflow::measure::{Shape, changes};
 use stampflow::message::Form;
 use stampflow::model::{Geometry, Model, Role};
-use stampflow::output::{
+use stampflow::report::{Report, html};
+use stampflow::results::{
     FrameRecorder, Make, OUTPUTS, ResultFolder, Results, Summary, comparison_folder, is_result, load_travel, png,
     profile,
 };
-use stampflow::report::{Report, markdown};
 use stampflow::solver::solution::StageSolution;
 use stampflow::table::{Csv, Table};
 use std::fs;
@@ -228,7 +228,7 @@ fn nothing_that_is_no_number_is_written() {
         assert_eq!(solution.is_complete(), ends, "{name}: {}", solution.stages.last().unwrap().stop);
         let mut texts = vec![
             ("summary".into(), solution.summary().to_string()),
-            ("report".into(), markdown(&Report::of(&solution).document(), "figures").0),
+            ("report".into(), html(&Report::of(&solution).document())),
             ("frames".into(), solution.stages.iter().map(|stage| format!("{:?}", stage.frames)).collect()),
         ];
         let dir = temp_dir::TempDir::new().unwrap();
@@ -255,11 +255,12 @@ fn stale_files_of_ours_go_and_a_users_stay() {
     for name in names.iter().chain(&mine) {
         fs::write(dir.path().join(name), "old").unwrap();
     }
-    let mut folder =
-        ResultFolder::open(dir.path(), |path| path.file_name().and_then(|name| name.to_str()).is_some_and(is_result))
-            .unwrap();
-    folder.write("summary.json", b"new");
-    folder.publish().unwrap();
+    let mut folder = ResultFolder::open(dir.path(), |_, path| {
+        path.file_name().and_then(|name| name.to_str()).is_some_and(is_result)
+    })
+    .unwrap();
+    folder.write("summary.json", b"new").unwrap();
+    folder.commit().unwrap();
     let mut left: Vec<_> =
         fs::read_dir(dir.path()).unwrap().map(|e| e.unwrap().file_name().into_string().unwrap()).collect();
     left.sort();
@@ -400,7 +401,7 @@ fn no_line_of_the_summary_is_an_orphan() {
         }
     }
     let report = Report::of(&solution);
-    let (page, _) = markdown(&report.document(), "figures");
+    let page = html(&report.document());
     let mut lines = page.lines().peekable();
     while let Some(line) = lines.next() {
         if line.starts_with("|--") || line.starts_with("| --") {

@@ -3,8 +3,8 @@
 use crate::common::{drawn, pixels::pixels, shipped};
 use stampflow::measure::bands;
 use stampflow::model::{Geometry, Release};
-use stampflow::output::{Make, OUTPUTS, png};
 use stampflow::plot::chart::{Chart, Look, Scale, Series};
+use stampflow::results::{Make, OUTPUTS, png};
 use stampflow::solver::solution::{StageSolution, Stop};
 
 /// The chart of a file.

@@ -7,9 +7,9 @@ use crate::common::pixels::pixels;
 use stampflow::case::{Case, Press, parse};
 use stampflow::forming_limit::{Instant, Paths};
 use stampflow::model::{Bead, Geometry};
-use stampflow::output::{Captions, Chart, Format, OUTPUTS, Pictures, StageView};
 use stampflow::plot::chart::{Look, Scale, Series};
 use stampflow::report::Report;
+use stampflow::results::{Captions, Chart, Format, OUTPUTS, Pictures, StageView};
 use stampflow::solver::solution::StageSolution;
 
 /// The picture of this name.

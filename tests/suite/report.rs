@@ -1,7 +1,6 @@
 //! Reports: whole, self-contained, with units, and with no number that the JSON has not.
 
 use crate::common::cli::{CUP, STAGES, folder, stampflow, text};
-use crate::common::pdf;
 use roxmltree::{Document, Node};
 use serde_json::Value;
 use stampflow::message::terms;
@@ -133,31 +132,6 @@ fn text_of_a_case_is_escaped() {
 }
 
 #[test]
-fn markdown_has_all_parts_and_its_pictures_beside_it() {
-    let dir = folder(CUP);
-    let figures = dir.path().join("cup_figures");
-    for again in [false, true] {
-        if again {
-            // An earlier report's picture goes, a file of one's own stays.
-            fs::write(figures.join("99-porosity.svg"), "<svg/>").unwrap();
-            fs::write(figures.join("photo.svg"), "<svg/>").unwrap();
-        }
-        let done = stampflow(dir.path(), &["report", "cases/cup.toml", "-q", "-o", "cup.md"]);
-        assert_eq!(done.status.code(), Some(0), "{}", text(&done.stderr));
-    }
-    assert!(!figures.join("99-porosity.svg").exists() && figures.join("photo.svg").exists());
-    let md = fs::read_to_string(dir.path().join("cup.md")).unwrap();
-    for part in PARTS {
-        assert!(md.contains(&format!("## {part}\n")), "{part}");
-    }
-    let targets: Vec<&str> = md.split("](").skip(1).filter_map(|rest| rest.split(')').next()).collect();
-    assert!(targets.len() >= 5);
-    for target in targets {
-        assert!(fs::read_to_string(dir.path().join(target)).unwrap().starts_with("<svg"), "{target}");
-    }
-}
-
-#[test]
 fn files_of_others_are_left_alone() {
     let dir = folder(CUP);
     let path = dir.path().join("mine.html");
@@ -260,55 +234,4 @@ fn inputs_are_enough_to_judge_and_repeat_a_run() {
         assert!(inputs.contains(said) || inputs.contains(&said.replace("&#39;", "'")), "{said}");
     }
     assert!(json["check"]["details"].as_array().is_some_and(|lines| lines.len() > 10));
-}
-
-#[test]
-fn a_pdf_answers_on_its_first_page_and_numbers_the_others() {
-    let dir = folder(&format!("{CUP}{STAGES}"));
-    let args = ["report", "cases/cup.toml", "-q", "-o", "cup.pdf", "--author", "A. Ito"];
-    for _ in 0..2 {
-        let done = stampflow(dir.path(), &args);
-        assert_eq!(done.status.code(), Some(0), "a report of ours is replaced: {}", text(&done.stderr));
-    }
-    let file = fs::read(dir.path().join("cup.pdf")).unwrap();
-    let has = |what: &str| file.windows(what.len()).any(|part| part == what.as_bytes());
-    assert!(file.starts_with(b"%PDF-") && has("/Title (Cup)") && has("/Author (A. Ito)") && has("/Lang (en)"));
-    let pages = pdf::pages(&file);
-    assert!(pages.len() > 3, "{}", pages.len());
-    for said in ["Thinnest", "Punch force", "What to change", "Figure 1", "Figure 2", "1 of "] {
-        assert!(pages[0].contains(said), "{said} on {}", pages[0]);
-    }
-    for (i, page) in pages.iter().enumerate() {
-        assert!(page.contains(&format!("{} of {}", i + 1, pages.len())), "page {}", i + 1);
-    }
-    // Each heading of the contents stands on the page that they say.
-    let contents = &pages[1][..pages[1].find("Solver\n").expect("the last but one") + 7];
-    for heading in ["Verdict", "Inputs", "1-draw: Results", "2-retract: Results", "Solver"] {
-        assert!(contents.contains(&format!("{heading}\n")), "{heading} in {contents}");
-        assert!(has(&format!("/Title ({heading})")), "a bookmark for {heading}");
-        let on =
-            pages.iter().skip(1).enumerate().filter(|(i, page)| page.matches(heading).count() > usize::from(*i == 0));
-        assert_eq!(on.count(), 1, "{heading}");
-    }
-}
-
-/// Trust: as many pictures as the slider has places, the last one shown; a page with it fetches nothing either.
-#[test]
-fn a_slider_moves_the_section_without_a_network() {
-    let dir = folder(CUP);
-    let done = stampflow(dir.path(), &["report", "cases/cup.toml", "-q", "--slider", "-o", "cup.html"]);
-    assert_eq!(done.status.code(), Some(0), "{}", text(&done.stderr));
-    let html = fs::read_to_string(dir.path().join("cup.html")).unwrap();
-    let motion = &html[html.find("class=\"motion\"").expect("a slider")..];
-    let motion = &motion[..motion.find("</figure>").expect("an end")];
-    let (all, hidden) = (motion.matches("<svg").count(), motion.matches(" hidden>").count());
-    assert!(all > 10 && hidden == all - 1, "{hidden} of {all}");
-    assert!(motion.contains(&format!("max=\"{0}\" value=\"{0}\"", all - 1)));
-    assert_eq!(html.matches("<script>").count(), 1);
-    for outside in ["http:", "https:", "src=", "url(", "fetch(", "import"] {
-        assert!(!html.contains(outside), "{outside}");
-    }
-    assert!(html.len() < 4_000_000, "{} bytes", html.len());
-    let refused = stampflow(dir.path(), &["report", "cases/cup.toml", "-q", "--slider", "-o", "cup.pdf"]);
-    assert_eq!(refused.status.code(), Some(2), "paper does not move");
 }

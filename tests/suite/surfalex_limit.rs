@@ -8,7 +8,7 @@ use example::{chart, fitted, measured, table};
 use stampflow::assess::{self, Light};
 use stampflow::author::templates;
 use stampflow::case::{self, library};
-use stampflow::output::Chart;
+use stampflow::results::Chart;
 
 const DOCUMENT: &str = include_str!("../../docs/surfalex_limit.md");
 

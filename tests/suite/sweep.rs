@@ -4,7 +4,7 @@ use crate::common::cli::{CUP, folder, stampflow, text};
 use serde_json::Value;
 use stampflow::message::{Form, Language};
 use stampflow::output::study::{kept_loads, load_file, pictures, thickness_file};
-use stampflow::output::svg;
+use stampflow::results::svg;
 use stampflow::study::verify::{Of, quick};
 use stampflow::study::{Bars, Designs, How, Meets, Plan, Results, Said, Solved, Vary, Zone, base, swings, windows};
 use std::fs;

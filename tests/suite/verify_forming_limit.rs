@@ -2,7 +2,7 @@
 
 use stampflow::case::{self, Case};
 use stampflow::forming_limit::{Assessment, SHORTEST, assess};
-use stampflow::output::{OUTPUTS, StageView, Summary};
+use stampflow::results::{OUTPUTS, StageView, Summary};
 use stampflow::solver;
 use stampflow::solver::solution::StageSolution;
 

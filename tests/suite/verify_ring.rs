@@ -7,7 +7,7 @@ use stampflow::material::Elastic;
 use stampflow::measure::{CutRing, Ring};
 use stampflow::message::Form;
 use stampflow::numerics::lobatto;
-use stampflow::output::Results;
+use stampflow::results::Results;
 use stampflow::solver::solution::{ElementRecord, Frame, NodeRecord, PointRecord, ThroughThickness};
 use std::f64::consts::TAU;
 

@@ -5,7 +5,7 @@ use crate::common::cli::{CUP, STAGES, folder, stampflow, text};
 use crate::common::files::files;
 use nalgebra::Vector3;
 use roxmltree::{Document, Node};
-use stampflow::output::vtk::{SECTORS, STATES};
+use stampflow::results::vtk::{SECTORS, STATES};
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 use std::fs;

@@ -1,6 +1,6 @@
 //! Files appear complete or not at all.
 
-use stampflow::output::{can_write, write};
+use stampflow::results::{can_write, write};
 use std::fs;
 use std::path::Path;
 

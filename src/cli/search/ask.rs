@@ -4,7 +4,7 @@ use super::super::error_bars::ErrorBars;
 use super::super::many::{Many, write_all};
 use super::super::place;
 use serde_json::Value;
-use stampflow::output::{Chart, write};
+use stampflow::results::{Chart, write};
 use stampflow::study::search::{Asked, Quest, Sense, Side, Wish};
 use stampflow::study::{self, Begun, Earlier, Journal, StudyError, Subject};
 use stampflow::units::rounded;

@@ -3,7 +3,7 @@
 //! They are written whole before the design's row is, so that a row that is there has its curves after any end, and
 //! shards that write into one folder have files of their own.
 
-use crate::output::{WriteError, csv, write};
+use crate::results::{WriteError, csv, write};
 use crate::study::Row;
 use crate::study::verify::Of;
 use crate::table::{Column, Table, Unit};

@@ -1,6 +1,6 @@
 //! The tables of a scatter, for programs.
 
-use crate::output::csv::number;
+use crate::results::csv::number;
 use crate::study::scatter::{Band, Estimate, Found, Influence};
 
 /// Each table by its name.

@@ -2,7 +2,7 @@
 
 use super::{curves, tornado, window};
 use crate::message::{Form, Message, message};
-use crate::output::Chart;
+use crate::results::Chart;
 use crate::study::{How, Results, Said, Zone, windows};
 
 /// Each picture by the stem of its file: curves over one axis, a process window over two, one for each value of a third, a

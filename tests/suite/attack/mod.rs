@@ -19,7 +19,7 @@ use stampflow::case::{self, Case, CaseError};
 use stampflow::compare::Computed;
 use stampflow::import::{self, Options};
 use stampflow::model::{Geometry, Model};
-use stampflow::output::{Make, OUTPUTS, Results, comparisons, csv, svg};
+use stampflow::results::{Make, OUTPUTS, Results, comparisons, csv, svg};
 use stampflow::solver::solution::IterationRecord;
 use stampflow::{Observer, State};
 use std::fmt::Write;

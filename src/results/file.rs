@@ -1,0 +1,159 @@
+//! Single files that are replaced whole or not at all, and the lock of a folder.
+
+use std::fs::{self, File, TryLockError};
+use std::io::{self, ErrorKind, Write};
+use std::path::{Path, PathBuf};
+
+/// Failure to write a file or folder; what stood there before is untouched.
+#[derive(Debug, thiserror::Error)]
+#[error("cannot write {}", path.display())]
+pub struct WriteError {
+    /// The file or folder.
+    pub path: PathBuf,
+    /// The system's error.
+    pub source: io::Error,
+}
+
+impl WriteError {
+    pub(super) fn new(path: impl Into<PathBuf>, source: io::Error) -> Self {
+        Self { path: path.into(), source }
+    }
+}
+
+/// Writes a file by renaming a complete neighbour `.name.part`; makes missing folders.
+///
+/// # Errors
+/// If a folder or the file cannot be written; an earlier file keeps its content.
+pub fn write(path: &Path, bytes: &[u8]) -> Result<(), WriteError> {
+    let replace = || {
+        let part = hidden(path, "part")?;
+        fs::create_dir_all(folder_of(path))?;
+        let lock = Lock::wait(&part)?;
+        fill(&lock.file, bytes)?;
+        lock.file.sync_all()?;
+        fs::rename(&part, path)
+    };
+    replace().map_err(|source| WriteError::new(path, source))
+}
+
+/// Checks that [`write()`] could write a file; leaves nothing behind.
+///
+/// # Errors
+/// If the path is a folder, passes through a file, is not permitted, or has a name that is too long.
+pub fn can_write(path: &Path) -> Result<(), WriteError> {
+    let probe = || {
+        if path.is_dir() {
+            return Err(ErrorKind::IsADirectory.into());
+        }
+        let part = hidden(path, "part")?;
+        let _folders = NewFolders::make(folder_of(path))?;
+        Lock::wait(&part).map(drop)
+    };
+    probe().map_err(|source| WriteError::new(path, source))
+}
+
+/// Replaces the content of an open file; a failure says how much was to be written.
+pub(super) fn fill(mut file: &File, bytes: &[u8]) -> io::Result<()> {
+    let written = file.set_len(0).and_then(|()| file.write_all(bytes));
+    written.map_err(|error| io::Error::new(error.kind(), format!("{error} ({} kB to write)", bytes.len() / 1000 + 1)))
+}
+
+/// `out/.cup.part` of `out/cup`.
+pub(super) fn hidden(path: &Path, ending: &str) -> io::Result<PathBuf> {
+    let name = path.file_name().ok_or_else(|| io::Error::new(ErrorKind::InvalidInput, "not a file name"))?;
+    Ok(folder_of(path).join(format!(".{}.{ending}", name.to_str().ok_or(ErrorKind::InvalidFilename)?)))
+}
+
+/// The parent folder; `.` of a bare name.
+pub(super) fn folder_of(path: &Path) -> &Path {
+    path.parent().filter(|dir| !dir.as_os_str().is_empty()).unwrap_or(Path::new("."))
+}
+
+/// File that one process holds at a time; removed when dropped, freed by the system when the process is killed.
+#[derive(Debug)]
+pub(super) struct Lock {
+    path: PathBuf,
+    pub(super) file: File,
+}
+
+impl Lock {
+    /// Takes the lock, or fails with [`ErrorKind::ResourceBusy`] if another process has it.
+    pub fn take(path: &Path) -> io::Result<Self> {
+        let lock = Self::with(path, File::try_lock)?;
+        fill(&lock.file, std::process::id().to_string().as_bytes())?;
+        Ok(lock)
+    }
+
+    /// Takes the lock as soon as it is free.
+    pub fn wait(path: &Path) -> io::Result<Self> {
+        Self::with(path, |file| file.lock().map_err(TryLockError::Error))
+    }
+
+    fn with(path: &Path, lock: impl Fn(&File) -> Result<(), TryLockError>) -> io::Result<Self> {
+        loop {
+            let file = File::options().read(true).write(true).create(true).truncate(false).open(path)?;
+            match lock(&file) {
+                Err(TryLockError::WouldBlock) => {
+                    let process = fs::read_to_string(path).ok().filter(|process| !process.is_empty());
+                    let process = process.map_or_else(String::new, |process| format!(" (process {process})"));
+                    let message = format!("another run{process} is writing there");
+                    return Err(io::Error::new(ErrorKind::ResourceBusy, message));
+                }
+                // Some network file systems have no locks.
+                Err(TryLockError::Error(error)) if error.kind() != ErrorKind::Unsupported => return Err(error),
+                _ => {}
+            }
+            // The process that had it may have removed the file meanwhile.
+            if is_at(&file, path) {
+                return Ok(Self { path: path.to_owned(), file });
+            }
+        }
+    }
+}
+
+impl Drop for Lock {
+    fn drop(&mut self) {
+        if is_at(&self.file, &self.path) {
+            let _ = fs::remove_file(&self.path);
+        }
+    }
+}
+
+#[cfg(unix)]
+fn is_at(file: &File, path: &Path) -> bool {
+    use std::os::unix::fs::MetadataExt;
+    let same = |a: fs::Metadata, b: fs::Metadata| (a.dev(), a.ino()) == (b.dev(), b.ino());
+    file.metadata().and_then(|ours| Ok(same(ours, fs::metadata(path)?))).unwrap_or(false)
+}
+
+#[cfg(not(unix))]
+fn is_at(_: &File, path: &Path) -> bool {
+    path.exists()
+}
+
+/// Folders made for a path; those still empty are removed when this is dropped.
+#[derive(Debug)]
+pub(super) struct NewFolders(Vec<PathBuf>);
+
+impl NewFolders {
+    pub fn make(folder: &Path) -> io::Result<Self> {
+        let missing: Vec<_> =
+            folder.ancestors().take_while(|dir| !dir.as_os_str().is_empty() && !dir.exists()).collect();
+        let mut made = Self(Vec::new());
+        for dir in missing.into_iter().rev() {
+            match fs::create_dir(dir) {
+                Ok(()) => made.0.push(dir.to_owned()),
+                // Made by another process meanwhile.
+                Err(_) if dir.is_dir() => {}
+                Err(error) => return Err(error),
+            }
+        }
+        Ok(made)
+    }
+}
+
+impl Drop for NewFolders {
+    fn drop(&mut self) {
+        self.0.iter().rev().for_each(|dir| _ = fs::remove_dir(dir));
+    }
+}
